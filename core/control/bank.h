@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// W decoded stimulus-response banks side by side, and the choice of the active rule in every lane.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/control/stimulus_response.h"
+#include "core/numeric/lane.h"
+#include "core/numeric/scalar_math.h"
+
+namespace gaitsmith {
+
+/// Normalised senses of W figures; SenseCount() of them are in use.
+template <int W>
+using SenseVector = std::array<typename Lane<W>::F, kMaxSenses>;
+
+/// What the active rules ask of the joints, lane by lane.
+template <int W>
+struct Response {
+  using F = typename Lane<W>::F;
+  std::array<F, kMaxJoints> target_rad;
+  F decay;        // exp(-h / tau)
+  F inverse_tau;  // [1/s]
+};
+
+template <int W>
+class Bank {
+  using L = Lane<W>;
+  using F = typename L::F;
+  using I = typename L::I;
+
+ public:
+  /// @param genomes 1 to W of them, all of this shape; missing lanes repeat the last one
+  /// @param limits  least and greatest angle of each joint [rad], shape.joints pairs
+  /// @param step_s  time step, for the decay of responses
+  Bank(const BankShape& shape, const SenseSpec& senses, std::span<const std::span<const Gene>> genomes,
+       std::span<const std::array<float, 2>> limits, float step_s)
+      : senses_(senses), shape_(shape) {
+    const auto rules = static_cast<std::size_t>(shape.rules);
+    targets_.resize(rules * static_cast<std::size_t>(shape.joints));
+    decay_.resize(rules);
+    inverse_tau_.resize(rules);
+    for (int lane = 0; lane < W; ++lane) {
+      const auto& genes = genomes[std::min(static_cast<std::size_t>(lane), genomes.size() - 1)];
+      DecodeResponses(genes, limits, step_s, lane);
+    }
+    for (int rule = 0; rule < shape.rules; ++rule) {
+      first_interval_[static_cast<std::size_t>(rule)] = static_cast<int>(intervals_.size());
+      for (int sense = 0; sense < shape.senses; ++sense) AddInterval(genomes, rule, sense);
+    }
+    first_interval_[rules] = static_cast<int>(intervals_.size());
+  }
+
+  [[nodiscard]] const SenseSpec& Senses() const { return senses_; }
+  [[nodiscard]] int Rules() const { return shape_.rules; }
+
+  /// The rule whose stimulus holds the senses deepest; the present one where none holds them. Equal depths go
+  /// to the rule that comes first.
+  [[nodiscard]] I Choose(const SenseVector<W>& senses, I present) const {
+    I chosen = present;
+    F deepest = L::Splat(-1.0f);
+    for (int rule = 0; rule < shape_.rules; ++rule) {
+      const F depth = Depth(senses, rule);
+      const I better = (depth >= 0.0f) & (depth > deepest);
+      chosen = L::Select(better, I{} + rule, chosen);
+      deepest = L::Select(better, depth, deepest);
+    }
+    return chosen;
+  }
+
+  /// How deep the senses lie in a rule's stimulus: 1 in the middle (or when it cares about nothing), 0 on its
+  /// border, negative outside.
+  [[nodiscard]] F Depth(const SenseVector<W>& senses, int rule) const {
+    F depth = L::Splat(1.0f);
+    const auto end = static_cast<std::size_t>(first_interval_[static_cast<std::size_t>(rule) + 1]);
+    for (auto i = static_cast<std::size_t>(first_interval_[static_cast<std::size_t>(rule)]); i < end; ++i) {
+      const Interval& interval = intervals_[i];
+      const F off = L::Abs(senses[static_cast<std::size_t>(interval.sense)] - interval.middle);
+      depth = L::Min(depth, 1.0f - off * interval.inverse_half_width);
+    }
+    return depth;
+  }
+
+  /// Gathers the responses of one rule per lane.
+  void Respond(I rules, Response<W>& response) const {
+    for (int lane = 0; lane < W; ++lane) {
+      const auto rule = static_cast<std::size_t>(rules[lane]);
+      for (int joint = 0; joint < shape_.joints; ++joint) {
+        const auto j = static_cast<std::size_t>(joint);
+        response.target_rad[j][lane] = targets_[rule * static_cast<std::size_t>(shape_.joints) + j][lane];
+      }
+      response.decay[lane] = decay_[rule][lane];
+      response.inverse_tau[lane] = inverse_tau_[rule][lane];
+    }
+  }
+
+ private:
+  struct Interval {
+    F middle;
+    F inverse_half_width;  // 0 in lanes that do not care: depth 1, which never is the least
+    int sense;
+  };
+
+  void DecodeResponses(std::span<const Gene> genes, std::span<const std::array<float, 2>> limits,
+                       float step_s, int lane) {
+    for (int rule = 0; rule < shape_.rules; ++rule) {
+      const auto r = static_cast<std::size_t>(rule);
+      const float tau = DecodeTau(genes[shape_.Tau(rule)], senses_);
+      decay_[r][lane] = static_cast<float>(Exp(-static_cast<double>(step_s) / static_cast<double>(tau)));
+      inverse_tau_[r][lane] = 1.0f / tau;
+      for (int joint = 0; joint < shape_.joints; ++joint) {
+        const auto j = static_cast<std::size_t>(joint);
+        targets_[r * static_cast<std::size_t>(shape_.joints) + j][lane] =
+            Decode(genes[shape_.Target(rule, joint)], limits[j][0], limits[j][1]);
+      }
+    }
+  }
+
+  void AddInterval(std::span<const std::span<const Gene>> genomes, int rule, int sense) {
+    Interval interval{F{}, F{}, sense};
+    bool any_cares = false;
+    const bool timer = senses_.kind == SenseKind::kTimer;
+    const float edge_low = timer ? 0.0f : kEdgeLow;
+    const float edge_high = timer ? 1.0f : kEdgeHigh;
+    // Half a grid cell: a stimulus of one point is still a point that can be hit.
+    const float least_half_width = (edge_high - edge_low) * (0.5f / 65535.0f);
+    for (int lane = 0; lane < W; ++lane) {
+      const auto& genes = genomes[std::min(static_cast<std::size_t>(lane), genomes.size() - 1)];
+      if (!shape_.Cares(genes, rule, sense)) continue;
+      any_cares = true;
+      const float low = Decode(genes[shape_.Low(rule, sense)], edge_low, edge_high);
+      const float high = Decode(genes[shape_.High(rule, sense)], edge_low, edge_high);
+      const float half_width = 0.5f * (high - low);
+      interval.middle[lane] = 0.5f * (low + high);
+      interval.inverse_half_width[lane] =
+          1.0f / (half_width > least_half_width ? half_width : least_half_width);
+    }
+    if (any_cares) intervals_.push_back(interval);
+  }
+
+  SenseSpec senses_;
+  BankShape shape_;
+  std::vector<Interval> intervals_;  // of all rules in turn, only those that some lane cares about
+  std::array<int, kMaxRules + 1> first_interval_{};
+  std::vector<F> targets_;      // [rad] (rules x joints)
+  std::vector<F> decay_;        // (rules)
+  std::vector<F> inverse_tau_;  // [1/s] (rules)
+};
+
+}  // namespace gaitsmith

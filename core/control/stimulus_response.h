@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Banked stimulus-response (BSR) controllers [Fukunaga 1994, section 2]: N rules, each a box in sense space
+// (stimulus), a target pose and a time constant (response). The rule whose box holds the senses deepest is
+// active:
+//   depth = min over the senses the rule cares about of 1 - |S - mid| / half-width
+// and if no box holds them, the last rule stays. Rules are stored as genes on a 16-bit grid from birth, so
+// that what is searched is exactly what is shared.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/control/senses.h"
+#include "core/numeric/random.h"
+
+namespace gaitsmith {
+
+using Gene = std::uint16_t;
+using Genome = std::vector<Gene>;
+
+inline constexpr Gene kGeneMax = 65535;
+inline constexpr int kMaxRules = 32;
+
+/// Where each number of a bank stands in its genome. Per rule: low and high end of every sense's interval,
+/// the target angle of every joint, the time constant: 5 n + 4 + ... = 2 S + J + 1 genes. An interval over
+/// the whole grid (0 to kGeneMax) means the rule does not care about that sense.
+struct BankShape {
+  int rules = 10;  // [1, kMaxRules]
+  int senses = 1;
+  int joints = 0;
+
+  BankShape(int rule_count, SenseKind kind, int rods)
+      : rules(rule_count), senses(SenseCount(kind, rods)), joints(rods - 1) {}
+
+  [[nodiscard]] int GenesPerRule() const { return 2 * senses + joints + 1; }
+  [[nodiscard]] std::size_t Genes() const { return static_cast<std::size_t>(rules * GenesPerRule()); }
+  [[nodiscard]] std::size_t Low(int rule, int sense) const { return At(rule, 2 * sense); }
+  [[nodiscard]] std::size_t High(int rule, int sense) const { return At(rule, 2 * sense + 1); }
+  [[nodiscard]] std::size_t Target(int rule, int joint) const { return At(rule, 2 * senses + joint); }
+  [[nodiscard]] std::size_t Tau(int rule) const { return At(rule, 2 * senses + joints); }
+
+  [[nodiscard]] bool Cares(std::span<const Gene> genes, int rule, int sense) const {
+    return genes[Low(rule, sense)] != 0 || genes[High(rule, sense)] != kGeneMax;
+  }
+
+ private:
+  [[nodiscard]] std::size_t At(int rule, int offset) const {
+    return static_cast<std::size_t>(rule * GenesPerRule() + offset);
+  }
+};
+
+/// A found (or drawn) controller, as a document holds it.
+struct Controller {
+  std::string name;
+  SenseSpec senses;
+  int rules = 0;
+  Genome genes;  // BankShape(rules, senses.kind, rods).Genes() of them
+};
+
+/// A gene as a number: low + (high - low) * gene / 65535, in single precision, in this order of operations.
+[[nodiscard]] inline float Decode(Gene gene, float low, float high) {
+  return low + (high - low) * (static_cast<float>(gene) * (1.0f / 65535.0f));
+}
+
+/// The time constant of a gene [s]: log-uniform over the spec's range.
+[[nodiscard]] float DecodeTau(Gene gene, const SenseSpec&);
+
+/// How random banks are made and perturbed. The paper leaves both open; these decide whether rules ever
+/// switch.
+struct Variation {
+  float dont_care =
+      0.8f;  // chance that a rule ignores a physical sense, [0, 1]; with none ignored no rule ever fires
+  float gene_chance = 0.1f;  // chance that one gene of a perturbed bank creeps, (0, 1]
+  float creep = 0.1f;        // standard deviation of a creep, as a share of the gene's range, (0, 1]
+  float redraw = 0.05f;      // chance that a rule of a perturbed bank is drawn anew instead, [0, 1]
+};
+
+/// A new random bank.
+[[nodiscard]] Genome RandomGenome(const BankShape&, const SenseSpec&, const Variation&, RandomStream&);
+
+/// A perturbed copy; differs from its parent in at least one gene.
+[[nodiscard]] Genome Perturb(std::span<const Gene> parent, const BankShape&, const SenseSpec&,
+                             const Variation&, RandomStream&);
+
+}  // namespace gaitsmith

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "core/document/archive.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace gaitsmith {
+
+std::string RealText(float value) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value);
+  return {text, end.ptr};
+}
+
+std::string Archive::PathOf(std::string_view name) const {
+  std::string where;
+  for (const std::string& part : path_) where += (where.empty() || part.front() == '[' ? "" : ".") + part;
+  if (!name.empty()) where += (where.empty() ? "" : ".") + std::string(name);
+  return where;
+}
+
+void Archive::FailAt(std::string_view name, ErrorCode code, std::string what) {
+  if (!error_) error_ = Error{code, PathOf(name), std::move(what)};
+}
+
+void Archive::Enter(std::string_view name) { path_.emplace_back(name); }
+void Archive::EnterElement(std::size_t index) { path_.push_back("[" + std::to_string(index) + "]"); }
+
+void Archive::CheckReal(std::string_view name, float& value, float low, float high) {
+  if (!std::isfinite(value)) return FailAt(name, ErrorCode::kNotFinite, "must be a finite number");
+  if (value < low || value > high) {
+    return FailAt(name, ErrorCode::kOutOfRange,
+                  "must be from " + RealText(low) + " to " + RealText(high) + ", is " + RealText(value));
+  }
+  value += 0.0f;  // one zero, so that equal documents have equal bits
+}
+
+void Archive::CheckInteger(std::string_view name, std::int64_t value, std::int64_t low, std::int64_t high) {
+  if (value < low || value > high) {
+    FailAt(name, ErrorCode::kOutOfRange,
+           "must be from " + std::to_string(low) + " to " + std::to_string(high) + ", is " +
+               std::to_string(value));
+  }
+}
+
+void Archive::CheckText(std::string_view name, const std::string& text) {
+  if (text.size() > kMaxNameBytes) {
+    return FailAt(name, ErrorCode::kTooMany,
+                  "at most " + std::to_string(kMaxNameBytes) + " bytes, has " + std::to_string(text.size()));
+  }
+  // Well-formed UTF-8 without control characters, so that any page can show it.
+  for (std::size_t i = 0; i < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[i]);
+    const int more = lead < 0x80   ? 0
+                     : lead < 0xc2 ? -1
+                     : lead < 0xe0 ? 1
+                     : lead < 0xf0 ? 2
+                     : lead < 0xf5 ? 3
+                                   : -1;
+    unsigned code = more <= 0 ? lead : lead & (0x3fu >> more);
+    bool good = more >= 0 && lead >= 0x20 && lead != 0x7f && i + static_cast<std::size_t>(more) < text.size();
+    for (int k = 1; good && k <= more; ++k) {
+      const auto next = static_cast<unsigned char>(text[i + static_cast<std::size_t>(k)]);
+      good = (next & 0xc0u) == 0x80u;
+      code = code << 6 | (next & 0x3fu);
+    }
+    const bool overlong = (more == 2 && code < 0x800) || (more == 3 && code < 0x10000);
+    if (!good || overlong || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) {
+      return FailAt(name, ErrorCode::kSyntax,
+                    "must be printable UTF-8 text; byte " + std::to_string(i) + " is not");
+    }
+    i += static_cast<std::size_t>(more) + 1;
+  }
+}
+
+void Archive::CheckCount(std::string_view name, std::size_t count, std::size_t most) {
+  if (count > most) {
+    FailAt(name, ErrorCode::kTooMany,
+           "at most " + std::to_string(most) + ", there are " + std::to_string(count));
+  }
+}
+
+namespace {
+
+std::string Element(const char* list, std::size_t index, const char* field) {
+  return std::string(list) + "[" + std::to_string(index) + "]." + field;
+}
+
+Result<void> CheckSenses(const SenseSpec& senses, const std::string& where) {
+  if (senses.tau_min_s > senses.tau_max_s) {
+    return Fail(
+        ErrorCode::kOutOfRange, where + ".tau_max_s",
+        "must be at least tau_min_s = " + RealText(senses.tau_min_s) + ", is " + RealText(senses.tau_max_s));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> CheckReferences(const Document& d) {
+  if (auto figure = Validate(d.figure); !figure) {
+    return Fail(figure.error().code, "figure." + figure.error().where, figure.error().what);
+  }
+  if (auto senses = CheckSenses(d.senses, "senses"); !senses) return senses;
+  for (std::size_t i = 0; i < d.controllers.size(); ++i) {
+    const Controller& c = d.controllers[i];
+    if (auto senses = CheckSenses(c.senses, Element("controllers", i, "senses")); !senses) return senses;
+    const std::size_t genes = BankShape(c.rules, c.senses.kind, d.figure.Rods()).Genes();
+    if (c.genes.size() != genes) {
+      return Fail(ErrorCode::kStructure, Element("controllers", i, "rules"),
+                  "is for another figure: it has " + std::to_string(c.genes.size()) +
+                      " genes, this figure needs " + std::to_string(genes));
+    }
+  }
+  for (std::size_t i = 0; i < d.timeline.size(); ++i) {
+    const Clip& clip = d.timeline[i];
+    if (static_cast<std::size_t>(clip.controller) >= d.controllers.size()) {
+      return Fail(ErrorCode::kStructure, Element("timeline", i, "controller"),
+                  "there is no controller " + std::to_string(clip.controller) + ", the document has " +
+                      std::to_string(d.controllers.size()));
+    }
+    if (i == 0 ? clip.start_step != 0 : clip.start_step <= d.timeline[i - 1].start_step) {
+      return Fail(
+          ErrorCode::kStructure, Element("timeline", i, "start_step"),
+          i == 0 ? "the first clip must start at 0" : "must be after the start of the clip before it");
+    }
+  }
+  for (std::size_t i = 0; i < d.pushes.size(); ++i) {
+    if (d.pushes[i].endpoint >= d.figure.Endpoints()) {
+      return Fail(ErrorCode::kStructure, Element("pushes", i, "endpoint"),
+                  "there is no endpoint " + std::to_string(d.pushes[i].endpoint) + ", the figure has 0 to " +
+                      std::to_string(d.figure.Endpoints() - 1));
+    }
+    if (i > 0 && d.pushes[i].step < d.pushes[i - 1].step) {
+      return Fail(ErrorCode::kStructure, Element("pushes", i, "step"), "pushes must be sorted by step");
+    }
+  }
+  return {};
+}
+
+}  // namespace gaitsmith

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// What all archives share: the path to the field at hand, the first fault found, and the checks of single
+// values.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/document/document.h"
+
+namespace gaitsmith {
+
+class Archive {
+ public:
+  [[nodiscard]] bool Ok() const { return !error_; }
+  [[nodiscard]] const std::optional<Error>& Fault() const { return error_; }
+
+ protected:
+  /// Notes a fault at a field; only the first one counts.
+  void FailAt(std::string_view name, ErrorCode code, std::string what);
+
+  void Enter(std::string_view name);
+  void EnterElement(std::size_t index);
+  void Leave() { path_.pop_back(); }
+
+  /// The checks of a value, whoever brought it.
+  void CheckReal(std::string_view name, float& value, float low, float high);
+  void CheckInteger(std::string_view name, std::int64_t value, std::int64_t low, std::int64_t high);
+  void CheckText(std::string_view name, const std::string& text);
+  void CheckCount(std::string_view name, std::size_t count, std::size_t most);
+
+ private:
+  [[nodiscard]] std::string PathOf(std::string_view name) const;
+
+  std::vector<std::string> path_;
+  std::optional<Error> error_;
+};
+
+/// Shortest text that reads back as the same float.
+[[nodiscard]] std::string RealText(float value);
+
+/// Everything that concerns more than one field: the figure is a tree, clips have controllers, pushes
+/// endpoints.
+[[nodiscard]] Result<void> CheckReferences(const Document&);
+
+}  // namespace gaitsmith

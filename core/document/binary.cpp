@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "core/document/binary.h"
+
+#include <bit>
+
+#include "core/document/archive.h"
+#include "core/document/schema.h"
+#include "core/numeric/bit_stream.h"
+
+namespace gaitsmith {
+
+namespace {
+
+constexpr std::size_t kHeaderBytes = 4;
+constexpr std::size_t kChecksumBytes = 4;
+
+class BinaryWriter : public Archive {
+ public:
+  void Real(std::string_view, float& value, float, float, float standard) {
+    if (Standard(value == standard)) return;
+    bits_.Put(std::bit_cast<std::uint32_t>(value), 32);
+  }
+  void Integer(std::string_view, int& value, int low, int high, int standard) {
+    if (Standard(value == standard)) return;
+    bits_.Put(static_cast<std::uint64_t>(std::int64_t{value} - low), IntegerBits(low, high));
+  }
+  void Natural(std::string_view, std::uint32_t& value, std::uint32_t standard) {
+    if (Standard(value == standard)) return;
+    bits_.Put(value, 32);
+  }
+  void Flag(std::string_view, bool& value, bool) { bits_.Put(value ? 1 : 0, 1); }
+  template <class Enum, class Names>
+  void Choice(std::string_view, Enum& value, const Names&, Enum) {
+    bits_.Put(static_cast<std::uint64_t>(value), 6);
+  }
+  void Text(std::string_view, std::string& text) {
+    bits_.Put(text.size(), 7);
+    for (const char c : text) bits_.Put(static_cast<unsigned char>(c), 8);
+  }
+  template <class Fields>
+  void Group(std::string_view, Fields fields) {
+    fields();
+  }
+  template <class Item, class Fields>
+  void List(std::string_view, std::vector<Item>& list, int most, Fields fields) {
+    bits_.Put(list.size(), BitsFor(static_cast<std::uint64_t>(most) + 1));
+    for (Item& item : list) fields(item);
+  }
+  void Hash(std::string_view, std::optional<std::uint64_t>& hash) {
+    if (!Standard(!hash)) bits_.Put(*hash, 64);
+  }
+  void Rules(Controller& controller, int rods) {
+    bits_.Put(static_cast<std::uint64_t>(controller.rules - 1), BitsFor(kMaxRules));
+    const BankShape shape(controller.rules, controller.senses.kind, rods);
+    for (int rule = 0; rule < shape.rules; ++rule) {
+      for (int sense = 0; sense < shape.senses; ++sense) {
+        if (Standard(!shape.Cares(controller.genes, rule, sense))) continue;
+        bits_.Put(controller.genes[shape.Low(rule, sense)], 16);
+        bits_.Put(controller.genes[shape.High(rule, sense)], 16);
+      }
+      for (int joint = 0; joint < shape.joints; ++joint)
+        bits_.Put(controller.genes[shape.Target(rule, joint)], 16);
+      bits_.Put(controller.genes[shape.Tau(rule)], 16);
+    }
+  }
+  [[nodiscard]] const std::vector<std::uint8_t>& Body() const { return bits_.Bytes(); }
+
+ private:
+  static int IntegerBits(int low, int high) {
+    return BitsFor(static_cast<std::uint64_t>(std::int64_t{high} - low) + 1);
+  }
+  bool Standard(bool is_standard) {
+    bits_.Put(is_standard ? 0 : 1, 1);
+    return is_standard;
+  }
+  BitWriter bits_;
+};
+
+class BinaryReader : public Archive {
+ public:
+  explicit BinaryReader(std::span<const std::uint8_t> body) : bits_(body) {}
+
+  void Real(std::string_view name, float& value, float low, float high, float standard) {
+    value = standard;
+    if (!Given(name)) return;
+    value = std::bit_cast<float>(static_cast<std::uint32_t>(bits_.Take(32)));
+    CheckReal(name, value, low, high);
+  }
+  void Integer(std::string_view name, int& value, int low, int high, int standard) {
+    value = standard;
+    if (!Given(name)) return;
+    const auto above = bits_.Take(BitsFor(static_cast<std::uint64_t>(std::int64_t{high} - low) + 1));
+    const std::int64_t wide = low + static_cast<std::int64_t>(above);
+    CheckInteger(name, wide, low, high);
+    if (Ok()) value = static_cast<int>(wide);
+  }
+  void Natural(std::string_view name, std::uint32_t& value, std::uint32_t standard) {
+    value = Given(name) ? static_cast<std::uint32_t>(bits_.Take(32)) : standard;
+  }
+  void Flag(std::string_view name, bool& value, bool) { value = Given(name); }
+  template <class Enum, class Names>
+  void Choice(std::string_view name, Enum& value, const Names& names, Enum) {
+    const auto index = static_cast<std::int64_t>(bits_.Take(6));
+    CheckInteger(name, index, 0, static_cast<std::int64_t>(names.size()) - 1);
+    CheckLeft(name);
+    if (Ok()) value = static_cast<Enum>(index);
+  }
+  void Text(std::string_view name, std::string& text) {
+    const auto size = static_cast<std::size_t>(bits_.Take(7));
+    text.clear();
+    for (std::size_t i = 0; i < size; ++i) text.push_back(static_cast<char>(bits_.Take(8)));
+    CheckLeft(name);
+    CheckText(name, text);
+  }
+  template <class Fields>
+  void Group(std::string_view name, Fields fields) {
+    if (!Ok()) return;
+    Enter(name);
+    fields();
+    Leave();
+  }
+  template <class Item, class Fields>
+  void List(std::string_view name, std::vector<Item>& list, int most, Fields fields) {
+    const auto count = static_cast<std::size_t>(bits_.Take(BitsFor(static_cast<std::uint64_t>(most) + 1)));
+    CheckCount(name, count, static_cast<std::size_t>(most));
+    CheckLeft(name);
+    list.clear();
+    Enter(name);
+    for (std::size_t i = 0; i < count && Ok(); ++i) {
+      EnterElement(i);
+      fields(list.emplace_back());
+      Leave();
+    }
+    Leave();
+  }
+  void Hash(std::string_view name, std::optional<std::uint64_t>& hash) {
+    hash.reset();
+    if (Given(name)) hash = bits_.Take(64);
+    CheckLeft(name);
+  }
+  void Rules(Controller& controller, int rods) {
+    controller.rules = static_cast<int>(bits_.Take(BitsFor(kMaxRules))) + 1;
+    if (!Ok() || rods < 1) return FailAt("rules", ErrorCode::kStructure, "the figure has no rods");
+    const BankShape shape(controller.rules, controller.senses.kind, rods);
+    controller.genes.assign(shape.Genes(), 0);
+    for (int rule = 0; rule < shape.rules; ++rule) {
+      for (int sense = 0; sense < shape.senses; ++sense) {
+        Gene& low = controller.genes[shape.Low(rule, sense)];
+        Gene& high = controller.genes[shape.High(rule, sense)];
+        const bool cares = bits_.Take(1) != 0;
+        low = cares ? static_cast<Gene>(bits_.Take(16)) : Gene{0};
+        high = cares ? static_cast<Gene>(bits_.Take(16)) : kGeneMax;
+        if (low > high) return FailAt("rules", ErrorCode::kOutOfRange, "an interval ends before it begins");
+      }
+      for (int joint = 0; joint < shape.joints; ++joint) {
+        controller.genes[shape.Target(rule, joint)] = static_cast<Gene>(bits_.Take(16));
+      }
+      controller.genes[shape.Tau(rule)] = static_cast<Gene>(bits_.Take(16));
+    }
+    CheckLeft("rules");
+  }
+  [[nodiscard]] bool AtEnd() { return bits_.AtEnd(); }
+
+ private:
+  bool Given(std::string_view name) {
+    if (!Ok()) return false;
+    const bool given = bits_.Take(1) != 0;
+    CheckLeft(name);
+    return given && Ok();
+  }
+  void CheckLeft(std::string_view name) {
+    if (bits_.Overrun()) FailAt(name, ErrorCode::kTruncated, "the data ends here, too early");
+  }
+  BitReader bits_;
+};
+
+void PutLittleEndian(std::vector<std::uint8_t>& out, std::uint32_t value, int bytes) {
+  for (int i = 0; i < bytes; ++i) out.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
+}
+
+std::uint32_t TakeLittleEndian(std::span<const std::uint8_t> bytes) {
+  std::uint32_t value = 0;
+  for (std::size_t i = bytes.size(); i-- > 0;) value = value << 8 | bytes[i];
+  return value;
+}
+
+}  // namespace
+
+std::uint32_t Crc32(std::span<const std::uint8_t> bytes) {
+  std::uint32_t crc = ~0u;
+  for (const std::uint8_t byte : bytes) {
+    crc ^= byte;
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (0xedb88320u & (0u - (crc & 1u)));
+  }
+  return ~crc;
+}
+
+std::vector<std::uint8_t> EncodeBinary(const Document& document) {
+  BinaryWriter writer;
+  Document copy = document;
+  Describe(writer, copy);
+  std::vector<std::uint8_t> bytes = {kBinaryVersion};
+  PutLittleEndian(bytes, static_cast<std::uint32_t>(writer.Body().size()), 3);
+  bytes.insert(bytes.end(), writer.Body().begin(), writer.Body().end());
+  PutLittleEndian(bytes, Crc32(bytes), 4);
+  return bytes;
+}
+
+Result<Document> DecodeBinary(std::span<const std::uint8_t> bytes) {
+  if (bytes.empty()) return Fail(ErrorCode::kTruncated, "", "there is no data");
+  if (bytes[0] != kBinaryVersion) {
+    return Fail(ErrorCode::kUnknownVersion, "",
+                "has format version " + std::to_string(bytes[0]) + ", this Gaitsmith reads version " +
+                    std::to_string(kBinaryVersion) + "; it was made by a newer one, or the data is damaged");
+  }
+  const std::size_t whole =
+      bytes.size() < kHeaderBytes ? 0 : TakeLittleEndian(bytes.subspan(1, 3)) + kHeaderBytes + kChecksumBytes;
+  if (whole == 0 || bytes.size() < whole) {
+    return Fail(ErrorCode::kTruncated, "",
+                "was cut: " + std::to_string(bytes.size()) + " bytes arrived of " +
+                    (whole == 0 ? "more" : std::to_string(whole)));
+  }
+  if (bytes.size() > whole) {
+    return Fail(ErrorCode::kTrailing, "",
+                "goes on after its end: " + std::to_string(bytes.size()) + " bytes arrived of " +
+                    std::to_string(whole));
+  }
+  if (Crc32(bytes.first(whole - kChecksumBytes)) != TakeLittleEndian(bytes.last(kChecksumBytes))) {
+    return Fail(ErrorCode::kChecksum, "", "was damaged on the way: its checksum does not match");
+  }
+
+  BinaryReader reader(bytes.subspan(kHeaderBytes, whole - kHeaderBytes - kChecksumBytes));
+  Document document;
+  Describe(reader, document);
+  if (!reader.Ok()) return std::unexpected(*reader.Fault());
+  if (!reader.AtEnd()) return Fail(ErrorCode::kTrailing, "", "has more fields than this version knows");
+  if (auto references = CheckReferences(document); !references) return std::unexpected(references.error());
+  // One document, one encoding: whatever else decodes to the same values was not written by an encoder.
+  const auto again = EncodeBinary(document);
+  if (again.size() != bytes.size() || !std::equal(again.begin(), again.end(), bytes.begin())) {
+    return Fail(ErrorCode::kSyntax, "", "is not in its canonical encoding");
+  }
+  return document;
+}
+
+}  // namespace gaitsmith

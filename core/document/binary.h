@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// A document as few bytes: version (1), length of the body (3, little-endian), body of packed bits, CRC-32
+// (4). docs/formats.md lists every field. The encoding is canonical: a document has exactly one.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/document/document.h"
+
+namespace gaitsmith {
+
+inline constexpr std::uint8_t kBinaryVersion = 1;
+
+/// @param document valid
+[[nodiscard]] std::vector<std::uint8_t> EncodeBinary(const Document& document);
+
+/// Every fault is found: a newer version, truncation, trailing bytes, a wrong checksum, a value out of its
+/// range.
+[[nodiscard]] Result<Document> DecodeBinary(std::span<const std::uint8_t> bytes);
+
+/// CRC-32 of ISO-HDLC, as in zip and PNG.
+[[nodiscard]] std::uint32_t Crc32(std::span<const std::uint8_t> bytes);
+
+}  // namespace gaitsmith

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "core/document/document.h"
+
+#include "core/document/archive.h"
+#include "core/document/schema.h"
+
+namespace gaitsmith {
+
+namespace {
+
+/// Walks a document and only checks it.
+class Checker : public Archive {
+ public:
+  void Real(std::string_view name, float& value, float low, float high, float) {
+    CheckReal(name, value, low, high);
+  }
+  void Integer(std::string_view name, int& value, int low, int high, int) {
+    CheckInteger(name, value, low, high);
+  }
+  void Natural(std::string_view, std::uint32_t&, std::uint32_t) {}
+  void Flag(std::string_view, bool&, bool) {}
+  template <class Enum, class Names>
+  void Choice(std::string_view name, Enum& value, const Names& names, Enum) {
+    CheckInteger(name, static_cast<int>(value), 0, static_cast<int>(names.size()) - 1);
+  }
+  void Text(std::string_view name, std::string& text) { CheckText(name, text); }
+  template <class Fields>
+  void Group(std::string_view name, Fields fields) {
+    Enter(name);
+    fields();
+    Leave();
+  }
+  template <class Item, class Fields>
+  void List(std::string_view name, std::vector<Item>& list, int most, Fields fields) {
+    CheckCount(name, list.size(), static_cast<std::size_t>(most));
+    Enter(name);
+    for (std::size_t i = 0; i < list.size() && Ok(); ++i) {
+      EnterElement(i);
+      fields(list[i]);
+      Leave();
+    }
+    Leave();
+  }
+  void Hash(std::string_view, std::optional<std::uint64_t>&) {}
+  void Rules(Controller& controller, int) { CheckInteger("rules", controller.rules, 1, kMaxRules); }
+};
+
+}  // namespace
+
+Result<void> Validate(const Document& document) {
+  Checker checker;
+  Document copy = document;  // an archive may change what it walks; a check must not
+  Describe(checker, copy);
+  if (!checker.Ok()) return std::unexpected(*checker.Fault());
+  return CheckReferences(document);
+}
+
+Motion Simulate(const Document& d) {
+  return {d.figure, d.environment, d.start, d.pushes, d.controllers, d.timeline, d.duration_steps};
+}
+
+Problem ProblemOf(const Document& d) {
+  return {d.figure, d.environment, d.start, d.pushes, d.task, d.senses, d.rules};
+}
+
+SearchSpace SpaceOf(const Document& d) {
+  return {BankShape(d.rules, d.senses.kind, d.figure.Rods()), d.senses};
+}
+
+std::string HashText(std::uint64_t hash) {
+  std::string text(16, '0');
+  for (std::size_t i = 16; i-- > 0; hash >>= 4) text[i] = "0123456789abcdef"[hash & 15u];
+  return text;
+}
+
+}  // namespace gaitsmith

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// A document: everything a person made or found, and everything that fixes the bits of its motion. One
+// schema, three encodings: JSON in a file (json.h), bits in a link and in a worker message (binary.h,
+// link.h).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/numeric/error.h"
+#include "core/physics/motion.h"
+#include "core/search/search.h"
+
+namespace gaitsmith {
+
+inline constexpr int kMaxControllers = 64;
+inline constexpr int kMaxClips = 256;
+inline constexpr int kMaxPushes = 256;
+inline constexpr int kMaxNameBytes = 80;
+
+/// What is shown and how; never changes a bit of the motion.
+struct View {
+  float speed = 1.0f;  // of playback, [0.01, 16]
+  int panel = 1;       // 0 figure, 1 controller, 2 style, 3 search; [0, 15]
+  bool trail = true;   // path of the centre of mass
+  bool forces = true;  // contact forces
+  bool poses = true;   // lettered past poses
+};
+
+struct Document {
+  std::string title;
+  int model = kModelVersion;
+  Figure figure;
+  Environment environment;
+  StartState start;
+  std::vector<Push> pushes;  // sorted by step
+  Task task;
+  SenseSpec senses;  // for the next search; each controller has its own
+  int rules = 10;    // likewise
+  SearchSettings search;
+  std::vector<Controller> controllers;
+  std::vector<Clip> timeline;  // sorted by start, the first at 0
+  int duration_steps = 500;    // of the motion shown, [1, kMaxSteps]
+  View view;
+  std::optional<std::uint64_t> hash;  // of the trajectory, as its maker saw it
+};
+
+/// Checks every number, name and reference. The first fault is returned: where and what.
+[[nodiscard]] Result<void> Validate(const Document&);
+
+/// The motion the document describes. @param document valid
+[[nodiscard]] Motion Simulate(const Document& document);
+
+/// What its search settings ask for.
+[[nodiscard]] Problem ProblemOf(const Document&);
+[[nodiscard]] SearchSpace SpaceOf(const Document&);
+
+/// 16 hexadecimal digits.
+[[nodiscard]] std::string HashText(std::uint64_t hash);
+
+}  // namespace gaitsmith

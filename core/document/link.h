@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// A document as the fragment of a link: its binary form in base64url [RFC 4648, section 5], without padding.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/document/document.h"
+
+namespace gaitsmith {
+
+/// The hash of the document's trajectory is computed and travels along. @param document valid
+[[nodiscard]] std::string EncodeLink(const Document& document);
+
+/// @param link a payload, or a whole address whose part after '#' is one; white space around it is ignored
+[[nodiscard]] Result<Document> DecodeLink(std::string_view link);
+
+}  // namespace gaitsmith

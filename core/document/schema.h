@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// The one description of a document: its fields, their names, ranges and standard values. An archive walks it
+// to read, write or check; so JSON, links and validation can never disagree.
+//
+// An archive has:
+//   Real(name, float&, low, high, standard)      Integer(name, int&, low, high, standard)
+//   Natural(name, uint32_t&, standard)           Flag(name, bool&, standard)
+//   Choice(name, Enum&, names, standard)         Text(name, string&)
+//   Group(name, function)                        List(name, vector&, most, function(element))
+//   Hash(name, optional<uint64_t>&)              Rules(Controller&, rods)
+// In JSON a field that equals its standard value may be left out; in a link it costs one bit.
+#pragma once
+
+#include <string_view>
+
+#include "core/document/document.h"
+
+namespace gaitsmith {
+
+inline constexpr std::array<std::string_view, 2> kRodEndNames = {"start", "end"};
+inline constexpr std::array<std::string_view, 2> kSenseKindNames = {"physical", "timer"};
+
+template <class Archive>
+void Describe(Archive& ar, Rod& rod) {
+  const Rod standard;
+  ar.Integer("parent", rod.parent, kNoParent, kMaxRods - 1, standard.parent);
+  ar.Choice("parent_end", rod.parent_end, kRodEndNames, standard.parent_end);
+  ar.Real("length_m", rod.length_m, 0.001f, 1000.0f, standard.length_m);
+  ar.Real("mass_kg", rod.mass_kg, 1e-6f, 1e6f, standard.mass_kg);
+  ar.Real("rest_rad", rod.rest_rad, -6.2831855f, 6.2831855f, standard.rest_rad);
+  ar.Real("min_rad", rod.min_rad, -3.1415927f, 0.0f, standard.min_rad);
+  ar.Real("max_rad", rod.max_rad, 0.0f, 3.1415927f, standard.max_rad);
+}
+
+template <class Archive>
+void Describe(Archive& ar, Figure& figure) {
+  ar.Text("name", figure.name);
+  ar.List("rods", figure.rods, kMaxRods, [&](Rod& rod) { Describe(ar, rod); });
+}
+
+template <class Archive>
+void Describe(Archive& ar, Environment& environment) {
+  const Environment standard;
+  ar.Real("gravity_mps2", environment.gravity_mps2, 0.0f, 100.0f, standard.gravity_mps2);
+  ar.Real("friction", environment.friction, 0.0f, 10.0f, standard.friction);
+  ar.Real("slope_rad", environment.slope_rad, -0.6f, 0.6f, standard.slope_rad);
+}
+
+template <class Archive>
+void Describe(Archive& ar, StartState& start) {
+  ar.Real("drop_height_m", start.drop_height_m, 0.0f, 100.0f, 0.0f);
+  ar.Real("velocity_x_mps", start.velocity_x_mps, -100.0f, 100.0f, 0.0f);
+  ar.Real("velocity_y_mps", start.velocity_y_mps, -100.0f, 100.0f, 0.0f);
+  ar.Real("spin_radps", start.spin_radps, -40.0f, 40.0f, 0.0f);
+}
+
+template <class Archive>
+void Describe(Archive& ar, Push& push) {
+  ar.Integer("step", push.step, 0, kMaxSteps - 1, 0);
+  ar.Integer("endpoint", push.endpoint, kCentreOfMass, kMaxEndpoints - 1, kCentreOfMass);
+  ar.Real("impulse_x_ns", push.impulse_x_ns, -1e6f, 1e6f, 0.0f);
+  ar.Real("impulse_y_ns", push.impulse_y_ns, -1e6f, 1e6f, 0.0f);
+}
+
+template <class Archive>
+void Describe(Archive& ar, Task& task) {
+  const Task standard;
+  ar.Choice("kind", task.kind, kTaskNames, standard.kind);
+  ar.Integer("duration_steps", task.duration_steps, 1, kMaxSteps, standard.duration_steps);
+  ar.Group("weights", [&] {
+    for (std::size_t term = 0; term < kStyleTerms; ++term) {
+      ar.Real(kStyleTermNames[term], task.weights[term], -1000.0f, 1000.0f, 0.0f);
+    }
+  });
+}
+
+template <class Archive>
+void Describe(Archive& ar, SenseSpec& senses) {
+  const SenseSpec standard;
+  ar.Choice("kind", senses.kind, kSenseKindNames, standard.kind);
+  ar.Integer("period_steps", senses.period_steps, 2, kMaxSteps, standard.period_steps);
+  ar.Real("tau_min_s", senses.tau_min_s, 0.02f, 10.0f, standard.tau_min_s);
+  ar.Real("tau_max_s", senses.tau_max_s, 0.02f, 10.0f, standard.tau_max_s);
+  ar.Real("force_weights", senses.force_weights, 0.1f, 100.0f, standard.force_weights);
+  ar.Real("height_rods", senses.height_rods, 0.1f, 100.0f, standard.height_rods);
+  ar.Real("velocity_mps", senses.velocity_mps, 0.1f, 100.0f, standard.velocity_mps);
+}
+
+template <class Archive>
+void Describe(Archive& ar, SearchSettings& search) {
+  const SearchSettings standard;
+  const Variation vary;
+  ar.Choice("algorithm", search.algorithm, kAlgorithmNames, standard.algorithm);
+  ar.Natural("seed", search.seed, standard.seed);
+  ar.Integer("evaluations", search.evaluations, 1, 100'000'000, standard.evaluations);
+  ar.Integer("population", search.population, 2, 1000, standard.population);
+  ar.Integer("reseed_interval", search.reseed_interval, 1, 1'000'000, standard.reseed_interval);
+  ar.Real("dont_care", search.variation.dont_care, 0.0f, 1.0f, vary.dont_care);
+  ar.Real("gene_chance", search.variation.gene_chance, 0.001f, 1.0f, vary.gene_chance);
+  ar.Real("creep", search.variation.creep, 0.001f, 1.0f, vary.creep);
+  ar.Real("redraw", search.variation.redraw, 0.0f, 1.0f, vary.redraw);
+}
+
+template <class Archive>
+void Describe(Archive& ar, Controller& controller, int rods) {
+  ar.Text("name", controller.name);
+  ar.Group("senses", [&] { Describe(ar, controller.senses); });
+  ar.Rules(controller, rods);
+}
+
+template <class Archive>
+void Describe(Archive& ar, Clip& clip) {
+  ar.Integer("controller", clip.controller, 0, kMaxControllers - 1, 0);
+  ar.Integer("start_step", clip.start_step, 0, kMaxSteps - 1, 0);
+}
+
+template <class Archive>
+void Describe(Archive& ar, View& view) {
+  const View standard;
+  ar.Real("speed", view.speed, 0.01f, 16.0f, standard.speed);
+  ar.Integer("panel", view.panel, 0, 15, standard.panel);
+  ar.Flag("trail", view.trail, standard.trail);
+  ar.Flag("forces", view.forces, standard.forces);
+  ar.Flag("poses", view.poses, standard.poses);
+}
+
+template <class Archive>
+void Describe(Archive& ar, Document& d) {
+  const Document standard;
+  ar.Integer("model", d.model, 1, kModelVersion, standard.model);
+  ar.Text("title", d.title);
+  ar.Group("figure", [&] { Describe(ar, d.figure); });
+  ar.Group("environment", [&] { Describe(ar, d.environment); });
+  ar.Group("start", [&] { Describe(ar, d.start); });
+  ar.List("pushes", d.pushes, kMaxPushes, [&](Push& push) { Describe(ar, push); });
+  ar.Group("task", [&] { Describe(ar, d.task); });
+  ar.Group("senses", [&] { Describe(ar, d.senses); });
+  ar.Integer("rules", d.rules, 1, kMaxRules, standard.rules);
+  ar.Group("search", [&] { Describe(ar, d.search); });
+  const int rods = d.figure.Rods();
+  ar.List("controllers", d.controllers, kMaxControllers, [&](Controller& c) { Describe(ar, c, rods); });
+  ar.List("timeline", d.timeline, kMaxClips, [&](Clip& clip) { Describe(ar, clip); });
+  ar.Integer("duration_steps", d.duration_steps, 1, kMaxSteps, standard.duration_steps);
+  ar.Group("view", [&] { Describe(ar, d.view); });
+  ar.Hash("hash", d.hash);
+}
+
+}  // namespace gaitsmith

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Packs numbers into as few bits as their range needs, and takes them out again. Least significant bit first.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gaitsmith {
+
+class BitWriter {
+ public:
+  /// @param bits [0, 64]; value must fit
+  void Put(std::uint64_t value, int bits) {
+    for (int i = 0; i < bits; ++i) {
+      if (used_ == 0) bytes_.push_back(0);
+      bytes_.back() = static_cast<std::uint8_t>(bytes_.back() | (((value >> i) & 1u) << used_));
+      used_ = (used_ + 1) % 8;
+    }
+  }
+  [[nodiscard]] const std::vector<std::uint8_t>& Bytes() const { return bytes_; }
+
+ private:
+  std::vector<std::uint8_t> bytes_;
+  int used_ = 0;  // bits of the last byte; 0 when it is full
+};
+
+class BitReader {
+ public:
+  explicit BitReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+
+  /// The next bits as a number; zeros past the end, which then is Overrun().
+  std::uint64_t Take(int bits) {
+    std::uint64_t value = 0;
+    for (int i = 0; i < bits; ++i, ++at_) {
+      if (at_ / 8 >= bytes_.size()) {
+        overrun_ = true;
+        continue;
+      }
+      value |= static_cast<std::uint64_t>((bytes_[at_ / 8] >> (at_ % 8)) & 1u) << i;
+    }
+    return value;
+  }
+  [[nodiscard]] bool Overrun() const { return overrun_; }
+  /// All bytes were used, but for less than a byte of zeros.
+  [[nodiscard]] bool AtEnd() {
+    const std::size_t left = bytes_.size() * 8 - (overrun_ ? bytes_.size() * 8 : at_);
+    return !overrun_ && left < 8 && Take(static_cast<int>(left)) == 0;
+  }
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+  std::size_t at_ = 0;
+  bool overrun_ = false;
+};
+
+/// Bits needed to tell apart `count` values.
+[[nodiscard]] constexpr int BitsFor(std::uint64_t count) {
+  int bits = 0;
+  while (bits < 64 && (std::uint64_t{1} << bits) < count) ++bits;
+  return bits;
+}
+
+}  // namespace gaitsmith

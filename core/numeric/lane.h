@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// W floats side by side, one per simulated figure. The compiler's own vector types: +, -, *, / and
+// comparisons act lane by lane and round each lane exactly as a single float would, so a batch of one and a
+// batch of any size give the same bits. Lanes never mix, except in Any().
+#pragma once
+
+#include <cstdint>
+
+namespace gaitsmith {
+
+/// The vector types of W lanes. Spelled out, because gcc 12 drops the attribute when its argument depends on
+/// W.
+template <int W>
+struct LaneTypes;
+#define GAITSMITH_LANE_TYPES(W)                                   \
+  template <>                                                     \
+  struct LaneTypes<W> {                                           \
+    typedef float F __attribute__((vector_size(4 * (W))));        \
+    typedef double D __attribute__((vector_size(8 * (W))));       \
+    typedef std::int32_t I __attribute__((vector_size(4 * (W)))); \
+  }
+GAITSMITH_LANE_TYPES(1);
+GAITSMITH_LANE_TYPES(2);
+GAITSMITH_LANE_TYPES(4);
+GAITSMITH_LANE_TYPES(8);
+GAITSMITH_LANE_TYPES(16);
+#undef GAITSMITH_LANE_TYPES
+
+/// @tparam W number of figures simulated side by side: 1, 2, 4, 8 or 16
+template <int W>
+struct Lane {
+  using F = typename LaneTypes<W>::F;
+  using D = typename LaneTypes<W>::D;
+  using I = typename LaneTypes<W>::I;  // integers and masks: 0 or -1
+
+  /// The same number in every lane. (s - 0 keeps the sign of zero, s + 0 would not.)
+  static F Splat(float s) { return s - F{}; }
+
+  static F Select(I mask, F yes, F no) { return mask ? yes : no; }
+  static I Select(I mask, I yes, I no) { return mask ? yes : no; }
+
+  /// a < b ? a : b, ties and signed zeros always resolved to b: the same on every machine.
+  static F Min(F a, F b) { return a < b ? a : b; }
+  static F Max(F a, F b) { return a > b ? a : b; }
+  static F Abs(F a) { return reinterpret_cast<F>(reinterpret_cast<I>(a) & 0x7fffffff); }
+
+  /// True when any lane of the mask is set. Integer work, so its order cannot matter.
+  static bool Any(I mask) {
+#if defined(__clang__)
+    return __builtin_reduce_or(mask) != 0;
+#else
+    std::int32_t any = 0;
+    for (int lane = 0; lane < W; ++lane) any |= mask[lane];
+    return any != 0;
+#endif
+  }
+
+  static D ToDouble(F a) { return __builtin_convertvector(a, D); }
+  static F ToFloat(D a) { return __builtin_convertvector(a, F); }
+};
+
+}  // namespace gaitsmith

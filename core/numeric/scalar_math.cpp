@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "core/numeric/scalar_math.h"
+
+#include <bit>
+
+namespace gaitsmith {
+
+namespace {
+constexpr double kLn2High = 6.93147180369123816490e-01;  // ln 2 with 32 trailing zero bits
+constexpr double kLn2Low = 1.90821492927058770002e-10;   // the rest of it
+constexpr int kExponentBias = 1023;
+constexpr int kMantissaBits = 52;
+
+double PowerOfTwo(int exponent) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + kExponentBias) << kMantissaBits);
+}
+}  // namespace
+
+SineCosine SinCos(float x_rad) {
+  Lane<1>::F sine, cosine;
+  SinCos<1>(Lane<1>::F{x_rad}, sine, cosine);
+  return {sine[0], cosine[0]};
+}
+
+double Exp(double x) {
+  if (!(x > -700.0)) return 0.0;
+  if (x > 700.0) x = 700.0;
+  // x = k ln 2 + r with |r| <= ln 2 / 2, so e^x = 2^k e^r.
+  const double scaled = x * 1.4426950408889634;
+  const int k = static_cast<int>(scaled + (scaled < 0 ? -0.5 : 0.5));
+  const double r = (x - k * kLn2High) - k * kLn2Low;
+  // Taylor series by Horner; 14 terms leave less than 1e-17.
+  double sum = 1.0;
+  for (int term = 14; term >= 1; --term) sum = 1.0 + sum * r / term;
+  return sum * PowerOfTwo(k);
+}
+
+double Log(double x) {
+  // x = 2^k m with m in [sqrt(1/2), sqrt(2)); ln m = 2 artanh((m - 1) / (m + 1)).
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  int k = static_cast<int>(bits >> kMantissaBits) - kExponentBias;
+  double m = std::bit_cast<double>((bits & 0x000fffffffffffffULL) |
+                                   (static_cast<std::uint64_t>(kExponentBias) << kMantissaBits));
+  if (m > 1.4142135623730951) {
+    m *= 0.5;
+    ++k;
+  }
+  const double s = (m - 1.0) / (m + 1.0);
+  const double s2 = s * s;
+  double sum = 0.0;
+  for (int odd = 25; odd >= 1; odd -= 2) sum = sum * s2 + 1.0 / odd;
+  return k * kLn2High + (2.0 * s * sum + k * kLn2Low);
+}
+
+}  // namespace gaitsmith

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Our own sin, cos, exp and log. Libraries differ in the last bit, and motions with contacts are chaotic: one
+// bit now is another motion in seconds. Built from + - * / and integer work only, these give the same bits on
+// every compiler, optimisation level and browser. Error bounds below are checked by
+// tests/core/scalar_math_test.
+#pragma once
+
+#include <cstdint>
+
+#include "core/numeric/lane.h"
+
+namespace gaitsmith {
+
+inline constexpr double kPi = 3.14159265358979323846;
+
+/// sin(x) and cos(x), x in radians. |x| <= 8192: absolute error below 1.2e-7. Outside, and for NaN or
+/// infinity, the result is meaningless but the call is harmless. Reduction after [Cody Waite 1980],
+/// polynomials of [Moshier 1992] (single precision).
+template <int W>
+inline void SinCos(typename Lane<W>::F x, typename Lane<W>::F& sine, typename Lane<W>::F& cosine) {
+  using F = typename Lane<W>::F;
+  using I = typename Lane<W>::I;
+  constexpr float kTwoOverPi = 0.636619772367581f;
+  constexpr float kRound = 12582912.0f;  // 1.5 * 2^23: adding it leaves the nearest integer in the low bits
+  // pi/2 in three parts; the first two have trailing zero bits so that n * part is exact for |n| < 2^13.
+  constexpr float kHalfPi1 = 1.5703125f;
+  constexpr float kHalfPi2 = 4.837512969970703125e-4f;
+  constexpr float kHalfPi3 = 7.549789948768648e-8f;
+
+  const F shifted = x * kTwoOverPi + kRound;
+  const F n = shifted - kRound;
+  const I quadrant = reinterpret_cast<I>(shifted);
+  const F r = ((x - n * kHalfPi1) - n * kHalfPi2) - n * kHalfPi3;
+  const F z = r * r;
+  const F s = ((-1.9515295891e-4f * z + 8.3321608736e-3f) * z - 1.6666654611e-1f) * z * r + r;
+  const F c = ((2.443315711809948e-5f * z - 1.388731625493765e-3f) * z + 4.166664568298827e-2f) * z * z -
+              0.5f * z + 1.0f;
+
+  // Quadrants 1 and 3 swap sine and cosine; sine is negative in 2 and 3, cosine in 1 and 2.
+  const I swap = (quadrant & 1) != 0;
+  const I sine_sign = (quadrant & 2) << 30;
+  const I cosine_sign = ((quadrant + 1) & 2) << 30;
+  sine = reinterpret_cast<F>(reinterpret_cast<I>(swap ? c : s) ^ sine_sign);
+  cosine = reinterpret_cast<F>(reinterpret_cast<I>(swap ? s : c) ^ cosine_sign);
+}
+
+struct SineCosine {
+  float sine;
+  float cosine;
+};
+
+/// The same function for one number.
+[[nodiscard]] SineCosine SinCos(float x_rad);
+
+/// e^x. |x| <= 700: relative error below 1e-15. Below -700 gives 0, above 700 gives e^700.
+[[nodiscard]] double Exp(double x);
+
+/// Natural logarithm, x in [1e-300, 1e300]: absolute error below 1e-14.
+[[nodiscard]] double Log(double x);
+
+}  // namespace gaitsmith

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Every number of model version 1 that is neither in a document nor derived: its unit, why it has this value,
+// and what breaks when it changes. Changing any of them changes the bits of every motion ever shared.
+#pragma once
+
+namespace gaitsmith {
+
+/// Version of the physical model. Documents name it; a later model gets a new number and this one stays.
+inline constexpr int kModelVersion = 1;
+
+/// Most rods of a figure. Sixteen holds a horse or a spider; the lanes' state grows with it.
+inline constexpr int kMaxRods = 16;
+inline constexpr int kMaxJoints = kMaxRods - 1;
+inline constexpr int kMaxEndpoints = kMaxRods + 1;
+
+/// Time step [s]. At 0.02 landings sink 13 mm before they are lifted, at 0.01 1.2 mm; 0.005 costs twice as
+/// much and finds the same motions.
+inline constexpr float kStep = 0.01f;
+
+/// Longest motion [steps]: two minutes. Bounds what a link can make a browser compute.
+inline constexpr int kMaxSteps = 12000;
+
+/// An endpoint predicted to end the step lower than this above ground [m] takes part in the contact solution.
+/// Must exceed the half g h^2 (0.5 mm) by which the flight prediction differs; larger only costs time.
+inline constexpr float kContactMargin = 0.005f;
+
+/// Most sweeps of projected Gauss-Seidel over the contacts of one step. Fewer leave friction working the
+/// wrong way (its share is 1e-4 of its work at 10, below 1e-6 here); the loop ends sooner when a sweep
+/// changes nothing.
+inline constexpr int kContactSweeps = 30;
+
+/// A motion is void when an endpoint is found deeper than this [m] before it is lifted: the search would
+/// otherwise learn to shoot itself out of the ground.
+inline constexpr float kMaxPenetration = 0.02f;
+
+/// A motion is void when the ground does more work on the figure in one step than this share of M g l (l the
+/// longest rod, g standard gravity). Ordinary landings are lifted by up to 1.2 mm, a tenth of it.
+inline constexpr float kMaxGroundWork = 1e-2f;
+
+/// A motion is void when the root turns further than this in one step [rad]: the step no longer resolves it.
+inline constexpr float kMaxTurnPerStep = 0.5f;
+
+/// Standard gravity [m/s^2]. Scales the force senses, so that a change of gravity in a document is felt as
+/// such.
+inline constexpr float kStandardGravity = 9.8f;
+
+}  // namespace gaitsmith

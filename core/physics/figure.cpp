@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "core/physics/figure.h"
+
+#include <cmath>
+
+namespace gaitsmith {
+
+namespace {
+
+std::string RodPath(int rod, const char* field) { return "rods[" + std::to_string(rod) + "]." + field; }
+
+Result<void> CheckTree(const Figure& figure) {
+  int root = kNoParent;
+  for (int rod = 0; rod < figure.Rods(); ++rod) {
+    const int parent = figure.rods[static_cast<std::size_t>(rod)].parent;
+    if (parent == kNoParent) {
+      if (root != kNoParent) {
+        return Fail(ErrorCode::kStructure, RodPath(rod, "parent"),
+                    "a second root: rod " + std::to_string(root) + " has no parent either");
+      }
+      root = rod;
+    } else if (parent < 0 || parent >= figure.Rods()) {
+      return Fail(ErrorCode::kStructure, RodPath(rod, "parent"),
+                  "there is no rod " + std::to_string(parent) + ", the figure has rods 0 to " +
+                      std::to_string(figure.Rods() - 1));
+    } else if (parent == rod) {
+      return Fail(ErrorCode::kStructure, RodPath(rod, "parent"), "a rod cannot be its own parent");
+    }
+  }
+  // Walking up from any rod must end at the root within as many steps as there are rods.
+  for (int rod = 0; rod < figure.Rods(); ++rod) {
+    int at = rod;
+    for (int steps = 0; at != kNoParent; ++steps) {
+      if (steps > figure.Rods()) {
+        return Fail(ErrorCode::kStructure, RodPath(rod, "parent"), "its parents form a cycle");
+      }
+      at = figure.rods[static_cast<std::size_t>(at)].parent;
+    }
+  }
+  return {};
+}
+
+Result<void> CheckNumber(float value, float low, float high, int rod, const char* field) {
+  if (!std::isfinite(value))
+    return Fail(ErrorCode::kNotFinite, RodPath(rod, field), "must be a finite number");
+  if (value < low || value > high) {
+    auto text = [](float number) {
+      std::string s = std::to_string(number);
+      while (s.back() == '0') s.pop_back();
+      if (s.back() == '.') s.pop_back();
+      return s;
+    };
+    return Fail(ErrorCode::kOutOfRange, RodPath(rod, field),
+                "must be from " + text(low) + " to " + text(high) + ", is " + text(value));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> Validate(const Figure& figure) {
+  if (figure.rods.empty()) return Fail(ErrorCode::kMissing, "rods", "a figure needs at least one rod");
+  if (figure.Rods() > kMaxRods) {
+    return Fail(ErrorCode::kTooMany, "rods",
+                "at most " + std::to_string(kMaxRods) + " rods, there are " + std::to_string(figure.Rods()));
+  }
+  constexpr float kPiRad = 3.1415927f;
+  for (int i = 0; i < figure.Rods(); ++i) {
+    const Rod& rod = figure.rods[static_cast<std::size_t>(i)];
+    if (auto ok = CheckNumber(rod.length_m, 0.001f, 1000.0f, i, "length_m"); !ok) return ok;
+    if (auto ok = CheckNumber(rod.mass_kg, 1e-6f, 1e6f, i, "mass_kg"); !ok) return ok;
+    if (auto ok = CheckNumber(rod.rest_rad, -2 * kPiRad, 2 * kPiRad, i, "rest_rad"); !ok) return ok;
+    if (auto ok = CheckNumber(rod.min_rad, -kPiRad, 0.0f, i, "min_rad"); !ok) return ok;
+    if (auto ok = CheckNumber(rod.max_rad, 0.0f, kPiRad, i, "max_rad"); !ok) return ok;
+  }
+  return CheckTree(figure);
+}
+
+}  // namespace gaitsmith

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Where every part of W figures is, given their joint angles: seen from the root rod, measured from the
+// centre of mass.
+#pragma once
+
+#include <array>
+
+#include "core/numeric/lane.h"
+#include "core/numeric/scalar_math.h"
+#include "core/physics/skeleton.h"
+
+namespace gaitsmith {
+
+/// Root frame: the root rod points along +x. Positions are relative to the centre of mass of the whole
+/// figure.
+template <int W>
+struct Pose {
+  using F = typename Lane<W>::F;
+  std::array<F, kMaxEndpoints> endpoint_x;  // [m] (endpoints)
+  std::array<F, kMaxEndpoints> endpoint_y;
+  std::array<F, kMaxRods> middle_x;  // of each rod [m] (rods)
+  std::array<F, kMaxRods> middle_y;
+};
+
+/// Forward kinematics, parents first.
+/// @param angle_rad joint angles against rest, skeleton.joints of them
+template <int W>
+void PoseFigure(const Skeleton& skeleton, const std::array<typename Lane<W>::F, kMaxJoints>& angle_rad,
+                Pose<W>& pose) {
+  using F = typename Lane<W>::F;
+  std::array<F, kMaxRods> along_x, along_y;  // unit vector along each rod
+  along_x[0] = Lane<W>::Splat(1.0f);
+  along_y[0] = F{};
+  pose.endpoint_x[0] = F{};
+  pose.endpoint_y[0] = F{};
+  F weighted_x{}, weighted_y{};
+  for (std::size_t rod = 0; rod < static_cast<std::size_t>(skeleton.rods); ++rod) {
+    const Skeleton::Limb& limb = skeleton.limbs[rod];
+    if (rod > 0) {
+      F sine, cosine;
+      SinCos<W>(angle_rad[rod - 1], sine, cosine);
+      // Turn by the rest angle, then by the parent's direction.
+      const F turned_x = limb.rest_cosine * cosine - limb.rest_sine * sine;
+      const F turned_y = limb.rest_sine * cosine + limb.rest_cosine * sine;
+      const auto parent = static_cast<std::size_t>(limb.parent);
+      along_x[rod] = along_x[parent] * turned_x - along_y[parent] * turned_y;
+      along_y[rod] = along_y[parent] * turned_x + along_x[parent] * turned_y;
+    }
+    const auto start = static_cast<std::size_t>(limb.start);
+    pose.endpoint_x[rod + 1] = pose.endpoint_x[start] + limb.length_m * along_x[rod];
+    pose.endpoint_y[rod + 1] = pose.endpoint_y[start] + limb.length_m * along_y[rod];
+    pose.middle_x[rod] = 0.5f * (pose.endpoint_x[start] + pose.endpoint_x[rod + 1]);
+    pose.middle_y[rod] = 0.5f * (pose.endpoint_y[start] + pose.endpoint_y[rod + 1]);
+    weighted_x += limb.mass_kg * pose.middle_x[rod];
+    weighted_y += limb.mass_kg * pose.middle_y[rod];
+  }
+  const float inverse_mass = 1.0f / skeleton.mass_kg;
+  const F centre_x = weighted_x * inverse_mass;
+  const F centre_y = weighted_y * inverse_mass;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(skeleton.endpoints); ++k) {
+    pose.endpoint_x[k] -= centre_x;
+    pose.endpoint_y[k] -= centre_y;
+  }
+  for (std::size_t rod = 0; rod < static_cast<std::size_t>(skeleton.rods); ++rod) {
+    pose.middle_x[rod] -= centre_x;
+    pose.middle_y[rod] -= centre_y;
+  }
+}
+
+}  // namespace gaitsmith

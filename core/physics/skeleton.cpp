@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "core/physics/skeleton.h"
+
+#include <algorithm>
+
+#include "core/numeric/scalar_math.h"
+
+namespace gaitsmith {
+
+Skeleton::Skeleton(const Figure& figure)
+    : rods(figure.Rods()), joints(figure.Joints()), endpoints(figure.Endpoints()) {
+  // Walk in rounds: a rod follows once its parent has; drawn order breaks ties.
+  std::array<int, kMaxRods> walked_index;
+  walked_index.fill(-1);
+  int walked = 0;
+  while (walked < rods) {
+    for (int drawn = 0; drawn < rods; ++drawn) {
+      const Rod& rod = figure.rods[static_cast<std::size_t>(drawn)];
+      const bool is_root = rod.parent == kNoParent;
+      const int parent = is_root ? -1 : walked_index[static_cast<std::size_t>(rod.parent)];
+      if (walked_index[static_cast<std::size_t>(drawn)] >= 0 || (!is_root && parent < 0)) continue;
+
+      Limb& limb = limbs[static_cast<std::size_t>(walked)];
+      limb.length_m = rod.length_m;
+      limb.mass_kg = rod.mass_kg;
+      limb.inertia_kgm2 = rod.mass_kg * rod.length_m * rod.length_m / 12.0f;
+      limb.parent = parent;
+      limb.start = is_root ? 0
+                           : (rod.parent_end == RodEnd::kEnd ? parent + 1
+                                                             : limbs[static_cast<std::size_t>(parent)].start);
+      const SineCosine rest = SinCos(is_root ? 0.0f : rod.rest_rad);
+      limb.rest_sine = rest.sine;
+      limb.rest_cosine = rest.cosine;
+      limb.min_rad = is_root ? 0.0f : rod.min_rad;
+      limb.max_rad = is_root ? 0.0f : rod.max_rad;
+      limb.drawn = drawn;
+      if (is_root) start_angle_rad = rod.rest_rad;
+
+      mass_kg += rod.mass_kg;
+      longest_rod_m = std::max(longest_rod_m, rod.length_m);
+      walked_index[static_cast<std::size_t>(drawn)] = walked++;
+    }
+  }
+}
+
+}  // namespace gaitsmith

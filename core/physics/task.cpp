@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "core/physics/task.h"
+
+#include <cmath>
+
+namespace gaitsmith {
+
+float Primary(const Task& task, const Terms& terms) {
+  switch (task.kind) {
+    case TaskKind::kTravel:
+      return std::abs(terms.travel_m);
+    case TaskKind::kTravelRight:
+      return terms.travel_m;
+    case TaskKind::kTravelLeft:
+      return -terms.travel_m;
+    case TaskKind::kJump:
+      return terms.max_cm_height_m - terms.start_height_m;
+  }
+  return kVoidScore;
+}
+
+float Fitness(const Task& task, const Terms& terms) {
+  if (terms.broke_physics) return kVoidScore;
+  float fitness = Primary(task, terms);
+  for (int term = 0; term < kStyleTerms; ++term) {
+    fitness += task.weights[static_cast<std::size_t>(term)] * terms.Style(static_cast<StyleTerm>(term));
+  }
+  return std::isfinite(fitness) ? fitness : kVoidScore;
+}
+
+}  // namespace gaitsmith

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// A 64-bit fingerprint of a motion: every position of every step, bit by bit. Two motions with the same hash
+// are the same motion; it travels in each link so that a page can tell when a replay differs.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+namespace gaitsmith {
+
+class TrajectoryHash {
+ public:
+  void Add(float value) { AddWord(std::bit_cast<std::uint32_t>(value)); }
+  void Add(double value) { AddWord(std::bit_cast<std::uint64_t>(value)); }
+  [[nodiscard]] std::uint64_t Value() const { return hash_; }
+
+ private:
+  /// FNV-1a [Fowler Noll Vo 1991] over 64-bit words, with a shift that carries high bits down.
+  void AddWord(std::uint64_t word) {
+    hash_ = (hash_ ^ word) * 0x00000100000001b3ULL;
+    hash_ ^= hash_ >> 29;
+  }
+  std::uint64_t hash_ = 0xcbf29ce484222325ULL;
+};
+
+}  // namespace gaitsmith

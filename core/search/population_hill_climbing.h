@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Stochastic population hill climbing (SPHC) [Fukunaga 1994, Figure 5]: every individual climbs alone, and
+// every `reseed_interval` generations the better half replaces the worse.
+//
+// An individual's climb is serial: its next proposal depends on whether the last one was accepted. To keep
+// lanes and workers busy it looks ahead: the next K perturbations of the same parent are evaluated side by
+// side, the first improvement in order is taken and what follows it is thrown away. Improvements are rare, so
+// little is wasted, and the result is exactly that of the serial loop, because proposal j of slot i depends
+// on (seed, i, j) and its parent alone, j counts consumed proposals only, and no look-ahead runs past a
+// reseeding or the budget.
+#pragma once
+
+#include "core/search/progress_curve.h"
+#include "core/search/search.h"
+
+namespace gaitsmith {
+
+class PopulationHillClimbing final : public Search {
+ public:
+  PopulationHillClimbing(const SearchSettings&, const SearchSpace&);
+
+  [[nodiscard]] std::vector<Genome> Ask(int wanted) override;
+  void Tell(std::span<const float> fitness) override;
+  [[nodiscard]] int Evaluations() const override;
+  [[nodiscard]] bool Done() const override;
+  [[nodiscard]] const Genome& BestGenome() const override;
+  [[nodiscard]] float BestFitness() const override;
+  [[nodiscard]] const std::vector<CurvePoint>& Curve() const override { return curve_.Points(); }
+  void Save(BitWriter&) const override;
+  [[nodiscard]] Result<void> Load(BitReader&) override;
+
+ private:
+  struct Slot {
+    Genome genome;  // empty before its first evaluation
+    float fitness;
+    int generation = 0;  // proposals consumed; its next one has this number (0: the random start)
+  };
+
+  [[nodiscard]] int Population() const { return static_cast<int>(slots_.size()); }
+  /// Proposals slot i may consume in all, the random start included.
+  [[nodiscard]] int Budget(int slot) const;
+  /// Generation at which slot i must wait: the next reseeding or the end of its budget.
+  [[nodiscard]] int Horizon(int slot) const;
+  [[nodiscard]] Genome Propose(int slot, int proposal) const;
+  [[nodiscard]] const Slot& Best() const;
+  void ReseedIfDue();
+
+  SearchSettings settings_;
+  SearchSpace space_;
+  std::vector<Slot> slots_;
+  std::vector<int> asked_;  // proposals asked of each slot since the last Tell
+  int reseedings_ = 0;
+  ProgressCurve curve_;
+};
+
+}  // namespace gaitsmith

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// From metres on the ground to points on the canvas. The ground is the x axis of a frame that a slope tilts.
+#pragma once
+
+#include <imgui.h>
+
+namespace gaitsmith::shell {
+
+struct Camera {
+  double left_m = 0.0;         // ground coordinate at the stage's left edge, at zero slope
+  float scale = 88.0f;         // points per metre
+  ImVec2 origin{0.0f, 0.0f};   // the stage's left edge on the ground line
+  float pivot = 0.0f;          // distance from the left edge around which a slope turns the picture [points]
+  float sine = 0.0f;           // of the slope, uphill to the right
+  float cosine = 1.0f;
+
+  /// Positions differ from left_m in double precision, so that nothing trembles a kilometre away.
+  [[nodiscard]] ImVec2 ToScreen(double x_m, float y_m) const {
+    const float along = static_cast<float>(x_m - left_m) * scale - pivot;
+    const float above = y_m * scale;
+    return {origin.x + pivot + along * cosine - above * sine, origin.y - along * sine - above * cosine};
+  }
+};
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "shell/command_line/arguments.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace gaitsmith::shell {
+
+Result<Arguments> Arguments::Parse(std::span<const std::string_view> words,
+                                   std::span<const std::string_view> known) {
+  Arguments arguments;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (!words[i].starts_with("--")) {
+      arguments.positional_.emplace_back(words[i]);
+      continue;
+    }
+    std::string_view option = words[i].substr(2);
+    const auto equals = option.find('=');
+    const std::string_view name = option.substr(0, equals);
+    if (std::ranges::find(known, name) == known.end()) {
+      return Fail(ErrorCode::kUnknownName, "--" + std::string(name), "this command has no such option");
+    }
+    if (equals != std::string_view::npos) {
+      arguments.options_[std::string(name)].emplace_back(option.substr(equals + 1));
+    } else if (i + 1 < words.size()) {
+      arguments.options_[std::string(name)].emplace_back(words[++i]);
+    } else {
+      return Fail(ErrorCode::kMissing, "--" + std::string(name), "needs a value");
+    }
+  }
+  return arguments;
+}
+
+const std::vector<std::string>& Arguments::All(std::string_view option) const {
+  static const std::vector<std::string> kNone;
+  const auto found = options_.find(option);
+  return found == options_.end() ? kNone : found->second;
+}
+
+std::string Arguments::Last(std::string_view option, std::string_view fallback) const {
+  return Has(option) ? All(option).back() : std::string(fallback);
+}
+
+Result<long long> Arguments::Integer(std::string_view option, long long low, long long high,
+                                     long long fallback) const {
+  if (!Has(option)) return fallback;
+  const std::string& text = All(option).back();
+  long long value = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (fault != std::errc{} || end != text.data() + text.size() || value < low || value > high) {
+    return Fail(ErrorCode::kOutOfRange, "--" + std::string(option),
+                "must be a whole number from " + std::to_string(low) + " to " + std::to_string(high) +
+                    ", is \"" + text + "\"");
+  }
+  return value;
+}
+
+Result<double> ParseNumber(std::string_view text, std::string_view what) {
+  double value = 0.0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (fault != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
+    return Fail(ErrorCode::kSyntax, std::string(what), "must be a number, is \"" + std::string(text) + "\"");
+  }
+  return value;
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// gaitsmith: the command line.
+#include <array>
+#include <cstdio>
+#include <vector>
+
+#include "shell/command_line/commands.h"
+
+namespace {
+
+using gaitsmith::shell::Words;
+
+struct Command {
+  std::string_view name;
+  gaitsmith::Result<void> (*run)(Words);
+  const char* usage;
+};
+
+constexpr std::array<Command, 5> kCommands = {{
+    {"simulate", gaitsmith::shell::SimulateCommand, "simulate DOC --csv OUT"},
+    {"synthesize", gaitsmith::shell::SynthesizeCommand,
+     "synthesize --figure F --task T --sense physical|timer=SECONDS --weight TERM=W\n"
+     "             --search rgt|sphc --evaluations N --seed S --out DOC [--curve CSV] [--threads K]\n"
+     "             [--rules N] [--duration SECONDS]"},
+    {"hash", gaitsmith::shell::HashCommand, "hash DOC [--lanes 1|2|4|8|16]"},
+    {"validate", gaitsmith::shell::ValidateCommand, "validate DOC"},
+    {"link", gaitsmith::shell::LinkCommand, "link encode DOC | link decode LINK [--out DOC]"},
+}};
+
+int Usage(std::FILE* out) {
+  std::fputs("gaitsmith finds motions of 2D articulated figures and plays them.\n\nusage:\n", out);
+  for (const Command& command : kCommands) std::fprintf(out, "  gaitsmith %s\n", command.usage);
+  std::fputs(
+      "\nDOC is a file of JSON, a file that holds a link, a shipped example, or - for standard input.\n",
+      out);
+  return out == stdout ? 0 : 2;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  const std::vector<std::string_view> given(words + 1, words + count);
+  if (given.empty()) return Usage(stderr);
+  if (given[0] == "help" || given[0] == "--help" || given[0] == "-h") return Usage(stdout);
+  for (const Command& command : kCommands) {
+    if (command.name != given[0]) continue;
+    const auto done = command.run(Words(given).subspan(1));
+    if (done) return 0;
+    std::fprintf(stderr, "gaitsmith %s: %s\n", command.name.data(), done.error().Sentence().c_str());
+    return 1;
+  }
+  std::fprintf(stderr, "gaitsmith: there is no command \"%.*s\"; gaitsmith help lists them\n",
+               static_cast<int>(given[0].size()), given[0].data());
+  return 2;
+}

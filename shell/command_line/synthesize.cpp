@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// gaitsmith synthesize: finds a controller and writes it as a document.
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "core/document/json.h"
+#include "shell/command_line/arguments.h"
+#include "shell/command_line/commands.h"
+#include "shell/command_line/files.h"
+#include "shell/parallel_search.h"
+
+namespace gaitsmith::shell {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double SecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// A bar on standard error, drawn at most ten times a second, and only for a person who watches.
+class ProgressBar {
+ public:
+  void Draw(const Search& search, int budget) {
+    if (!terminal_ || (SecondsSince(drawn_) < 0.1 && !search.Done())) return;
+    drawn_ = Clock::now();
+    constexpr int kWidth = 28;
+    const double share = static_cast<double>(search.Evaluations()) / budget;
+    const double rate = search.Evaluations() / std::max(1e-3, SecondsSince(start_));
+    std::string bar(kWidth, ' ');
+    std::fill_n(bar.begin(), static_cast<int>(share * kWidth), '=');
+    std::fprintf(stderr, "\r[%s] %d of %d  %.0f/s  best %.3f  %.0f s left \x1b[K%s", bar.c_str(),
+                 search.Evaluations(), budget, rate, static_cast<double>(search.BestFitness()),
+                 std::max(0.0, (budget - search.Evaluations()) / rate), search.Done() ? "\n" : "");
+  }
+
+ private:
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point drawn_ = start_ - std::chrono::seconds(1);
+  bool terminal_ = isatty(STDERR_FILENO) != 0;
+};
+
+template <class Names>
+Result<int> IndexOf(const Names& names, const std::string& name, const char* where) {
+  const auto found = std::ranges::find(names, name);
+  if (found != names.end()) return static_cast<int>(found - names.begin());
+  std::string known;
+  for (const std::string_view option : names) known += (known.empty() ? "" : ", ") + std::string(option);
+  return Fail(ErrorCode::kUnknownName, where, "\"" + name + "\" is not known; choose from " + known);
+}
+
+Result<int> WholeSteps(const std::string& text, const char* where, int least) {
+  const auto seconds = ParseNumber(text, where);
+  if (!seconds) return std::unexpected(seconds.error());
+  const double steps = std::round(*seconds / 0.01);
+  if (!(steps >= least && steps <= kMaxSteps) || std::abs(steps * 0.01 - *seconds) > 1e-9) {
+    char range[64];
+    std::snprintf(range, sizeof range, "must be from %g to %g s in steps of 0.01 s, is ", least * 0.01,
+                  kMaxSteps * 0.01);
+    return Fail(ErrorCode::kOutOfRange, where, range + text);
+  }
+  return static_cast<int>(steps);
+}
+
+Result<void> ReadSense(const std::string& text, SenseSpec& senses) {
+  if (text == "physical") {
+    senses.kind = SenseKind::kPhysical;
+    return {};
+  }
+  if (!text.starts_with("timer=")) {
+    return Fail(ErrorCode::kUnknownName, "--sense", "must be physical or timer=SECONDS, is \"" + text + "\"");
+  }
+  const auto period = WholeSteps(text.substr(6), "--sense timer", 2);
+  if (!period) return std::unexpected(period.error());
+  senses.kind = SenseKind::kTimer;
+  senses.period_steps = *period;
+  return {};
+}
+
+Result<void> ReadWeight(const std::string& text, Task& task) {
+  const auto equals = text.find('=');
+  const auto term = IndexOf(kStyleTermNames, text.substr(0, equals), "--weight");
+  if (!term) return std::unexpected(term.error());
+  const auto weight =
+      ParseNumber(equals == std::string::npos ? "" : text.substr(equals + 1), "--weight " + text);
+  if (!weight) return std::unexpected(weight.error());
+  task.weights[static_cast<std::size_t>(*term)] = static_cast<float>(*weight);
+  return {};
+}
+
+/// The document that the options describe, but for its controller.
+Result<Document> ReadRequest(const Arguments& arguments) {
+  Document document;
+  const auto figure = ReadFigure(arguments.Last("figure", "mr-star-man"));
+  if (!figure) return std::unexpected(figure.error());
+  document.figure = *figure;
+  const auto task = IndexOf(kTaskNames, arguments.Last("task", "travel"), "--task");
+  if (!task) return std::unexpected(task.error());
+  document.task.kind = static_cast<TaskKind>(*task);
+  const auto algorithm = IndexOf(kAlgorithmNames, arguments.Last("search", "sphc"), "--search");
+  if (!algorithm) return std::unexpected(algorithm.error());
+  document.search.algorithm = static_cast<Algorithm>(*algorithm);
+  const auto duration = WholeSteps(arguments.Last("duration", "5"), "--duration", 1);
+  if (!duration) return std::unexpected(duration.error());
+  document.task.duration_steps = document.duration_steps = *duration;
+  if (auto sense = ReadSense(arguments.Last("sense", "physical"), document.senses); !sense) {
+    return std::unexpected(sense.error());
+  }
+  for (const std::string& weight : arguments.All("weight")) {
+    if (auto read = ReadWeight(weight, document.task); !read) return std::unexpected(read.error());
+  }
+  const auto rules = arguments.Integer("rules", 1, kMaxRules, document.rules);
+  if (!rules) return std::unexpected(rules.error());
+  document.rules = static_cast<int>(*rules);
+  const auto evaluations = arguments.Integer("evaluations", 1, 100'000'000, document.search.evaluations);
+  if (!evaluations) return std::unexpected(evaluations.error());
+  document.search.evaluations = static_cast<int>(*evaluations);
+  const auto seed = arguments.Integer("seed", 0, 0xffffffffLL, 1);
+  if (!seed) return std::unexpected(seed.error());
+  document.search.seed = static_cast<std::uint32_t>(*seed);
+  document.title = document.figure.name;
+  if (auto valid = Validate(document); !valid) return std::unexpected(valid.error());
+  return document;
+}
+
+std::string CurveCsv(const Search& search) {
+  std::string csv = "evaluation,best\n";
+  for (const auto& point : search.Curve()) {
+    char line[64];
+    std::snprintf(line, sizeof line, "%d,%.9g\n", point.evaluation, static_cast<double>(point.best));
+    csv += line;
+  }
+  return csv;
+}
+
+}  // namespace
+
+Result<void> SynthesizeCommand(Words words) {
+  static constexpr std::string_view kOptions[] = {"figure", "task",        "sense", "weight",
+                                                  "search", "evaluations", "seed",  "out",
+                                                  "curve",  "threads",     "rules", "duration"};
+  const auto arguments = Arguments::Parse(words, kOptions);
+  if (!arguments) return std::unexpected(arguments.error());
+  if (!arguments->Positional().empty()) {
+    return Fail(ErrorCode::kSyntax, arguments->Positional()[0], "does not belong here");
+  }
+  if (!arguments->Has("out"))
+    return Fail(ErrorCode::kMissing, "--out", "say where to write the document (- for standard output)");
+  auto document = ReadRequest(*arguments);
+  if (!document) return std::unexpected(document.error());
+  const auto threads = arguments->Integer("threads", 1, 256, Cores());
+  if (!threads) return std::unexpected(threads.error());
+
+  const auto search = MakeSearch(document->search, SpaceOf(*document));
+  ProgressBar bar;
+  RunSearch(*search, Evaluator(ProblemOf(*document)), static_cast<int>(*threads), [&](const Search& running) {
+    bar.Draw(running, document->search.evaluations);
+    return true;
+  });
+
+  document->controllers.push_back(
+      {"found by " + std::string(kAlgorithmNames[static_cast<std::size_t>(document->search.algorithm)]),
+       document->senses, document->rules, search->BestGenome()});
+  document->timeline.push_back({0, 0});
+  document->hash = Simulate(*document).Hash();
+  if (auto written = WriteText(arguments->Last("out"), EncodeJson(*document)); !written) return written;
+  if (arguments->Has("curve")) return WriteText(arguments->Last("curve"), CurveCsv(*search));
+  return {};
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Files that travel inside the program, written as arrays by embed.cmake: the typeface and the shipped documents.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace gaitsmith::shell {
+
+[[nodiscard]] std::span<const unsigned char> InterRegular();
+[[nodiscard]] std::span<const unsigned char> InterSemiBold();
+
+/// A document or figure of examples/.
+struct Example {
+  std::string_view name;  // the file's name without folder and ending, e.g. "star-man-shuffle"
+  std::string_view json;
+};
+[[nodiscard]] std::span<const Example> ExampleDocuments();
+[[nodiscard]] std::span<const Example> ExampleFigures();
+
+}  // namespace gaitsmith::shell

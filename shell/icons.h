@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The few pictograms, drawn as shapes so that they are sharp everywhere and need no icon font.
+#pragma once
+
+#include <imgui.h>
+
+namespace gaitsmith::shell {
+
+enum class Icon { kPlay, kPause, kStepForward, kStepBack, kRestart, kPlus, kMinus, kClose, kChevronDown, kCheck, kStop };
+
+/// @param size edge of the square it fills [points]; 14 suits 13 px type
+void DrawIcon(ImDrawList*, Icon, ImVec2 centre, float size, ImU32 colour);
+
+}  // namespace gaitsmith::shell

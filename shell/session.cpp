@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+// Opening, changing and undoing. The search's part is in session_search.cpp.
+#include "shell/session.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/document/json.h"
+#include "core/document/link.h"
+#include "shell/embedded.h"
+#include "shell/wording.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+// Mr. Star-Man: five equal rods from one hub, for the moment before any document is open.
+Figure StarMan() {
+  Figure figure{.name = "Mr. Star-Man", .rods = {}};
+  for (int i = 0; i < 5; ++i) {
+    Rod rod;
+    if (i > 0) {
+      rod.parent = 0;
+      rod.parent_end = RodEnd::kStart;
+    }
+    rod.rest_rad = i == 0 ? static_cast<float>(kPi / 2) : static_cast<float>(0.4 * kPi * i);
+    if (rod.rest_rad > static_cast<float>(kPi)) rod.rest_rad -= static_cast<float>(2 * kPi);
+    figure.rods.push_back(rod);
+  }
+  return figure;
+}
+
+// A motion that pauses at nothing: the same figure may come with every example, so names decide.
+std::vector<Figure> ShippedFigures() {
+  std::vector<Figure> figures;
+  const auto add = [&](const Figure& figure) {
+    const bool known = std::ranges::any_of(figures, [&](const Figure& f) { return f.name == figure.name; });
+    if (!known) figures.push_back(figure);
+  };
+  for (const Example& example : ExampleFigures()) {
+    if (const auto figure = DecodeFigureJson(example.json)) add(*figure);
+  }
+  for (const Example& example : ExampleDocuments()) {
+    if (const auto document = DecodeJson(example.json)) add(document->figure);
+  }
+  add(StarMan());
+  return figures;
+}
+
+bool SameRods(const Figure& a, const Figure& b) {
+  if (a.rods.size() != b.rods.size()) return false;
+  for (std::size_t i = 0; i < a.rods.size(); ++i) {
+    if (a.rods[i].parent != b.rods[i].parent || a.rods[i].parent_end != b.rods[i].parent_end) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string SenseWords(const SenseSpec& senses) {
+  if (senses.kind == SenseKind::kPhysical) return "physical senses";
+  return "timer " + Fixed(static_cast<float>(senses.period_steps) * kStep, 2) + " s";
+}
+
+std::string TaskWords(TaskKind kind) {
+  switch (kind) {
+    case TaskKind::kTravel: return "travel";
+    case TaskKind::kTravelRight: return "travel to the right";
+    case TaskKind::kTravelLeft: return "travel to the left";
+    case TaskKind::kJump: return "jump";
+  }
+  return {};
+}
+
+Session::Session(Host& host) : workers(host.MaxWorkers()), host_(host), figures_(ShippedFigures()) {
+  Document document;
+  document.title = "Mr. Star-Man";
+  document.figure = StarMan();
+  for (const Example& example : ExampleDocuments()) {
+    if (example.name != "star-man-shuffle") continue;
+    if (auto shipped = DecodeJson(example.json)) document = std::move(*shipped);
+  }
+  Show(std::move(document), true);
+}
+
+Result<void> Session::Open(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  const bool json = first != std::string_view::npos && text[first] == '{';
+  auto document = json ? DecodeJson(text) : DecodeLink(text);
+  if (!document) return std::unexpected(document.error());
+  Stop();
+  remembered_ = document_;
+  selected_clip_ = 0;
+  const auto expected = document->hash;
+  player.speed = static_cast<double>(document->view.speed);
+  Show(std::move(*document), true);
+  if (expected && *expected != player.Shown().Hash()) {
+    Say("This motion replays differently here than where it was made (hash " + HashText(player.Shown().Hash()) +
+        " instead of " + HashText(*expected) + ").");
+  } else {
+    Say("Opened " + document_.title + ".");
+  }
+  return {};
+}
+
+Document Session::WithHash() const {
+  Document document = document_;
+  document.hash = player.Shown().Hash();
+  return document;
+}
+
+void Session::Say(std::string sentence) {
+  notice = std::move(sentence);
+  host_.Status(notice);
+}
+
+void Session::Show(Document document, bool start_over) {
+  document.hash.reset();
+  document_ = std::move(document);
+  selected_clip_ = std::clamp(selected_clip_, 0, std::max(0, static_cast<int>(document_.timeline.size()) - 1));
+  player.Load(document_, start_over);
+  host_.DocumentChanged(document_.title);
+}
+
+bool Session::Change(const Edit& edit) {
+  Document next = document_;
+  edit(next);
+  if (const auto valid = Validate(next); !valid) {
+    Say("Not possible: " + valid.error().Sentence() + ".");
+    return false;
+  }
+  notice.clear();
+  Show(std::move(next), false);
+  return true;
+}
+
+bool Session::Set(const Edit& edit) {
+  Document next = document_;
+  edit(next);
+  if (const auto valid = Validate(next); !valid) {
+    Say("Not possible: " + valid.error().Sentence() + ".");
+    return false;
+  }
+  document_ = std::move(next);
+  host_.DocumentChanged(document_.title);
+  return true;
+}
+
+void Session::Undo() {
+  if (!remembered_) return;
+  Stop();
+  // Undoing twice brings the change back.
+  Document present = std::move(document_);
+  Show(std::move(*remembered_), true);
+  remembered_ = std::move(present);
+  notice.clear();
+  host_.Status("Undone.");
+}
+
+bool Session::ReplaceFigure(const Figure& figure) {
+  const bool fits = SameRods(figure, document_.figure);
+  const bool loses = !fits && !document_.controllers.empty();
+  if (!fits && Searching()) Stop();
+  const bool changed = Change([&](Document& d) {
+    d.figure = figure;
+    if (fits) return;
+    d.controllers.clear();
+    d.timeline.clear();
+    d.pushes.clear();
+  });
+  if (changed && loses) {
+    progress_ = {};
+    Say("The controllers were made for the figure as it was, so they are gone. Undo brings them back.");
+  }
+  return changed;
+}
+
+void Session::ChooseFigure(int index) {
+  const Figure& figure = figures_[static_cast<std::size_t>(index)];
+  Stop();
+  Remember();
+  // A shipped motion of this figure is better than one that stands still.
+  for (const Example& example : ExampleDocuments()) {
+    auto document = DecodeJson(example.json);
+    if (!document || document->figure.name != figure.name || document->controllers.empty()) continue;
+    const View view = document_.view;
+    selected_clip_ = 0;
+    Show(std::move(*document), true);
+    Set([&](Document& d) { d.view = view; });
+    progress_ = {};
+    Say(figure.name + " with a shipped motion. Undo brings the last figure back.");
+    return;
+  }
+  if (!Change([&](Document& d) {
+        d.figure = figure;
+        d.title = figure.name;
+        d.controllers.clear();
+        d.timeline.clear();
+        d.pushes.clear();
+      })) {
+    return;
+  }
+  progress_ = {};
+  player.Seek(0.0);
+  Say(figure.name + " cannot move yet: press Synthesize. Undo brings the last figure back.");
+}
+
+void Session::SelectClip(int clip) {
+  selected_clip_ = std::clamp(clip, 0, std::max(0, static_cast<int>(document_.timeline.size()) - 1));
+}
+
+const Controller* Session::ShownController() const {
+  if (document_.timeline.empty()) return nullptr;
+  const Clip& clip = document_.timeline[static_cast<std::size_t>(selected_clip_)];
+  return &document_.controllers[static_cast<std::size_t>(clip.controller)];
+}
+
+void Session::AddClip() {
+  if (document_.timeline.empty()) return;
+  Remember();
+  const int start = document_.duration_steps;
+  const bool added = Change([&](Document& d) {
+    d.timeline.push_back({d.timeline[static_cast<std::size_t>(selected_clip_)].controller, start});
+    d.duration_steps = std::min(kMaxSteps, start + d.task.duration_steps);
+  });
+  if (added) SelectClip(static_cast<int>(document_.timeline.size()) - 1);
+}
+
+void Session::RemoveClip() {
+  if (document_.timeline.size() < 2) return;
+  Remember();
+  const int clip = selected_clip_;
+  Change([&](Document& d) {
+    const bool last = clip + 1 == static_cast<int>(d.timeline.size());
+    if (last) d.duration_steps = d.timeline.back().start_step;
+    const int start = d.timeline[static_cast<std::size_t>(clip)].start_step;
+    d.timeline.erase(d.timeline.begin() + clip);
+    // The next clip takes over the time of the one that went.
+    if (!last) d.timeline[static_cast<std::size_t>(clip)].start_step = start;
+    d.timeline.front().start_step = 0;
+  });
+}
+
+void Session::MoveClip(int clip, int start_step) {
+  constexpr int kShortest = 20;  // steps; a clip must stay wide enough to be taken hold of
+  const auto i = static_cast<std::size_t>(clip);
+  const auto& timeline = document_.timeline;
+  const int low = timeline[i - 1].start_step + kShortest;
+  const int end = i + 1 < timeline.size() ? timeline[i + 1].start_step : document_.duration_steps;
+  const int start = std::clamp(start_step, low, std::max(low, end - kShortest));
+  if (start == timeline[i].start_step) return;
+  Change([&](Document& d) { d.timeline[i].start_step = start; });
+}
+
+void Session::SetDuration(int steps) {
+  Change([&](Document& d) {
+    d.task.duration_steps = steps;
+    if (d.timeline.size() < 2) d.duration_steps = steps;
+  });
+}
+
+}  // namespace gaitsmith::shell

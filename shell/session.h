@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// What is open and what may be done to it: the document, its playback, the search that improves it. Panels read it and
+// ask it for changes; it validates, simulates anew, and tells the host.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shell/host.h"
+#include "shell/playback.h"
+
+namespace gaitsmith::shell {
+
+class Session {
+ public:
+  explicit Session(Host& host);
+
+  // Opening. The text is JSON, or a link, or the payload of one.
+  [[nodiscard]] Result<void> Open(std::string_view text);
+  [[nodiscard]] const Document& Doc() const { return document_; }
+  /// With the present motion's hash, as it is saved and shared.
+  [[nodiscard]] Document WithHash() const;
+
+  // Changing.
+  using Edit = std::function<void(Document&)>;
+  /// Changes something that the motion depends on. An invalid result is refused with a sentence for the reader.
+  bool Change(const Edit& edit);
+  /// Changes settings of the next search or of the view, which the motion does not depend on.
+  bool Set(const Edit& edit);
+  /// Keeps the present document for Undo; call before a change, or once before a dragged one.
+  void Remember() { remembered_ = document_; }
+  [[nodiscard]] bool CanUndo() const { return remembered_.has_value(); }
+  void Undo();
+
+  // The figure.
+  /// Another figure: controllers that do not fit are dropped, with a sentence that says so.
+  bool ReplaceFigure(const Figure& figure);
+  [[nodiscard]] const std::vector<Figure>& Figures() const { return figures_; }
+  void ChooseFigure(int index);
+
+  // The timeline. One clip is selected: its controller is shown, and a search replaces it.
+  [[nodiscard]] int SelectedClip() const { return selected_clip_; }
+  void SelectClip(int clip);
+  [[nodiscard]] const Controller* ShownController() const;
+  void AddClip();
+  void RemoveClip();
+  void MoveClip(int clip, int start_step);
+  /// Task, senses and length of the motion belong together while there is only one clip.
+  void SetDuration(int steps);
+
+  // The search.
+  void Synthesize();
+  void Pause() { host_.PauseSearch(); }
+  void Resume() { host_.ResumeSearch(); }
+  void Stop();
+  void OnSearchProgress(SearchProgress progress);
+  [[nodiscard]] const SearchProgress& Progress() const { return progress_; }
+  [[nodiscard]] bool Searching() const {
+    return progress_.state == SearchState::kRunning || progress_.state == SearchState::kPaused;
+  }
+  /// Shows the best motion found so far, when the last one has been on the screen for a moment. @return true if it did
+  bool ShowImprovement(double seconds);
+  int workers = 1;
+
+  Playback player;
+  std::string notice;  // the last thing the reader should know, or empty
+
+  [[nodiscard]] Host& Place() { return host_; }
+
+ private:
+  void Show(Document document, bool start_over);
+  void Say(std::string sentence);
+  void PutController(Controller controller);
+
+  Host& host_;
+  Document document_;
+  std::optional<Document> remembered_;
+  std::vector<Figure> figures_;
+  int selected_clip_ = 0;
+  SearchProgress progress_;
+  std::optional<Document> searched_;  // the document as it was when the search began
+  Genome improvement_;                // found, not shown yet
+  double shown_for_s_ = 0.0;
+};
+
+/// "Physical senses" or "timer 0.80 s".
+[[nodiscard]] std::string SenseWords(const SenseSpec&);
+/// What the task rewards, e.g. "travel".
+[[nodiscard]] std::string TaskWords(TaskKind);
+
+}  // namespace gaitsmith::shell

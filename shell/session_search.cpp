@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// A session's search: starting it, and letting its best motion take the place of the one on the stage.
+#include <algorithm>
+
+#include "shell/session.h"
+#include "shell/wording.h"
+
+namespace gaitsmith::shell {
+
+void Session::Synthesize() {
+  if (Searching()) Stop();
+  Remember();
+  notice.clear();
+  searched_ = document_;
+  progress_ = {.state = SearchState::kRunning, .budget = document_.search.evaluations, .workers = workers,
+               .curve = {}, .best_genome = {}};
+  improvement_.clear();
+  shown_for_s_ = 1e9;
+  host_.StartSearch(document_, workers);
+}
+
+void Session::Stop() {
+  if (!Searching()) return;
+  host_.StopSearch();
+  progress_.state = SearchState::kStopped;
+  ShowImprovement(1e9);
+}
+
+void Session::OnSearchProgress(SearchProgress progress) {
+  if (!searched_) return;
+  const bool ended = progress.state == SearchState::kDone || progress.state == SearchState::kStopped ||
+                     progress.state == SearchState::kFailed;
+  if (!progress.best_genome.empty() && progress.best_genome != progress_.best_genome) {
+    improvement_ = progress.best_genome;
+  } else if (progress.best_genome.empty()) {
+    progress.best_genome = progress_.best_genome;
+  }
+  const bool first_end = ended && Searching();
+  progress_ = std::move(progress);
+  if (!ended) return;
+  ShowImprovement(1e9);
+  if (!first_end) return;
+  if (progress_.state == SearchState::kFailed) {
+    Say("The search failed.");
+  } else {
+    Say((progress_.state == SearchState::kDone ? "Search done: best " : "Search stopped: best ") +
+        Fixed(progress_.best_fitness, 2) + " after " + Grouped(progress_.evaluations) + " evaluations.");
+  }
+}
+
+bool Session::ShowImprovement(double seconds) {
+  // A new motion every frame would show none of them.
+  constexpr double kShortestShow = 0.8;
+  shown_for_s_ += seconds;
+  if (improvement_.empty() || shown_for_s_ < kShortestShow || !searched_) return false;
+  shown_for_s_ = 0.0;
+  const bool fits = searched_->figure.rods.size() == document_.figure.rods.size();
+  Genome genes = std::move(improvement_);
+  improvement_.clear();
+  if (!fits) return false;
+  const SearchSettings& search = searched_->search;
+  PutController({.name = search.algorithm == Algorithm::kSphc ? "SPHC, seed " + std::to_string(search.seed)
+                                                              : "RG&T, seed " + std::to_string(search.seed),
+                 .senses = searched_->senses,
+                 .rules = searched_->rules,
+                 .genes = std::move(genes)});
+  return true;
+}
+
+// Gives the selected clip this controller; other clips keep theirs, and controllers that nobody uses any more go.
+void Session::PutController(Controller controller) {
+  const bool first = document_.timeline.empty();
+  Change([&](Document& d) {
+    d.controllers.push_back(std::move(controller));
+    const int added = static_cast<int>(d.controllers.size()) - 1;
+    if (d.timeline.empty()) d.timeline.push_back({0, 0});
+    d.timeline[static_cast<std::size_t>(selected_clip_)].controller = added;
+    if (d.timeline.size() == 1) d.duration_steps = searched_->task.duration_steps;
+    for (int c = added; c >= 0; --c) {
+      if (std::ranges::any_of(d.timeline, [c](const Clip& clip) { return clip.controller == c; })) continue;
+      d.controllers.erase(d.controllers.begin() + c);
+      for (Clip& clip : d.timeline) clip.controller -= clip.controller > c ? 1 : 0;
+    }
+    d.title = d.figure.name + " · " + TaskWords(searched_->task.kind) + ", " + SenseWords(searched_->senses) +
+              ", seed " + std::to_string(searched_->search.seed);
+  });
+  if (first) player.Seek(0.0);
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+// Drawing of the stage, back to front: ground, past poses, trail, figure, forces, numbers.
+#include "shell/stage.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shell/camera.h"
+#include "shell/figure_drawing.h"
+#include "shell/wording.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+constexpr int kPosesShown = 5;
+
+struct Scene {
+  Ui& ui;
+  const Session& session;
+  const Playback& player;
+  ImDrawList* list;
+  ImRect rect;
+  Camera camera;
+  float ground_y;
+};
+
+// The figure keeps its size on the stage; where it goes, the camera follows a little later than it.
+Camera AimCamera(const Session& session, const ImRect& rect, float ground_y) {
+  const Playback& player = session.player;
+  const float reach = player.ReachM();
+  const float room = ground_y - rect.Min.y - 70.0f;
+  Camera camera;
+  const float radius = std::clamp(0.155f * rect.GetHeight(), 44.0f, std::max(44.0f, 0.185f * rect.GetWidth()));
+  camera.scale = std::min(radius / reach, std::max(20.0f, room) / std::max(player.HeightM(), 0.1f));
+
+  // The side it comes from gets more of the stage, since that is where its past stands.
+  const double width_m = static_cast<double>(rect.GetWidth() / camera.scale);
+  const double margin_m = 1.35 * static_cast<double>(reach);
+  const double x = player.CameraXAt(player.TimeS());
+  const bool leftwards = player.Shown().At(player.Shown().Frames() - 1).x_m < 0.0;
+  if (leftwards) {
+    camera.left_m = std::min(x - 0.34 * width_m, margin_m - width_m);
+    camera.left_m = std::max(camera.left_m, x - 0.8 * width_m);
+  } else {
+    camera.left_m = std::max(x - 0.66 * width_m, -margin_m);
+    camera.left_m = std::min(camera.left_m, x - 0.2 * width_m);
+  }
+  camera.origin = {rect.Min.x, ground_y};
+  camera.pivot = static_cast<float>(x - camera.left_m) * camera.scale;
+  const float slope = session.Doc().environment.slope_rad;
+  camera.sine = std::sin(slope);
+  camera.cosine = std::cos(slope);
+  return camera;
+}
+
+void DrawGround(const Scene& s) {
+  const Palette& p = s.ui.Ink();
+  const double width_m = static_cast<double>(s.rect.GetWidth() / s.camera.scale);
+  const double first = s.camera.left_m - width_m;
+  const double last = s.camera.left_m + 2.0 * width_m;
+  const ImVec2 left = s.camera.ToScreen(first, 0.0f);
+  const ImVec2 right = s.camera.ToScreen(last, 0.0f);
+  const float below = s.rect.Max.y + 0.6f * s.rect.GetWidth();
+  const ImVec2 corners[] = {left, right, {right.x, below}, {left.x, below}};
+  s.list->AddConvexPolyFilled(corners, 4, p.ground);
+
+  // A tick every metre, or every 5 or 10 when they would crowd.
+  int spacing = 1;
+  while (static_cast<float>(spacing) * s.camera.scale < 44.0f) spacing = spacing % 10 == 5 ? spacing * 2 : spacing * 5;
+  for (auto m = static_cast<long long>(std::floor(first)); static_cast<double>(m) < last; ++m) {
+    if (m % spacing != 0) continue;
+    ImVec2 at = s.camera.ToScreen(static_cast<double>(m), 0.0f);
+    if (at.x < s.rect.Min.x - 30.0f || at.x > s.rect.Max.x + 30.0f) continue;
+    const ImVec2 foot(at.x + 7.0f * s.camera.sine, at.y + 7.0f * s.camera.cosine);
+    s.list->AddLine(at, foot, p.second_ink);
+    const ImVec2 text(at.x + 19.0f * s.camera.sine, at.y + 19.0f * s.camera.cosine);
+    s.ui.Letters().Draw(s.list, Type::kSmall, text, p.second_ink, std::to_string(m) + " m", Align::kCentre);
+  }
+  s.list->AddLine(left, right, p.second_ink, 1.5f);
+}
+
+std::vector<ImVec2> OnScreen(const Scene& s, double time_s) {
+  std::vector<ImVec2> points;
+  for (const Playback::Point& point : s.player.EndpointsAt(time_s)) points.push_back(s.camera.ToScreen(point.x_m, point.y_m));
+  return points;
+}
+
+std::string LetterOf(int index) {
+  std::string letters(1, static_cast<char>('A' + index % 26));
+  if (index >= 26) letters += std::to_string(index / 26);
+  return letters;
+}
+
+ImU32 ActiveColour(const Scene& s) {
+  const Motion::Frame& frame = s.player.Shown().At(s.player.Frame());
+  return frame.clip < 0 ? s.ui.Ink().second_ink : s.ui.Look().Rule(frame.rule);
+}
+
+void DrawLetter(const Scene& s, double x_m, ImU32 colour, int index) {
+  const ImVec2 at = s.camera.ToScreen(x_m, 0.0f);
+  s.ui.Letters().Draw(s.list, Type::kStrong, {at.x + 42.0f * s.camera.sine, at.y + 42.0f * s.camera.cosine}, colour,
+                      LetterOf(index), Align::kCentre);
+}
+
+// Past poses, paler with age. @return the time of the oldest one drawn
+double DrawPast(const Scene& s) {
+  const Palette& p = s.ui.Ink();
+  const Motion& motion = s.player.Shown();
+  const double now_x = s.player.CentreAt(s.player.TimeS()).x_m;
+  std::vector<int> past;  // indices into PoseFrames
+  for (int i = 0; i < static_cast<int>(s.player.PoseFrames().size()); ++i) {
+    const int frame = s.player.PoseFrames()[static_cast<std::size_t>(i)];
+    if (frame >= s.player.Frame()) break;
+    // A figure that comes back must not stand in its own ghosts.
+    if (std::abs(motion.At(frame).x_m - now_x) > 1.1 * static_cast<double>(s.player.ReachM())) past.push_back(i);
+  }
+  if (past.size() > kPosesShown) past.erase(past.begin(), past.end() - kPosesShown);
+  if (past.empty()) return std::max(0.0, s.player.TimeS() - 2.0);
+
+  const float width = 0.72f * RodWidth(motion.Bones(), s.camera.scale);
+  for (std::size_t k = 0; k < past.size(); ++k) {
+    const int frame = s.player.PoseFrames()[static_cast<std::size_t>(past[k])];
+    const double time_s = frame * static_cast<double>(motion.StepS());
+    const float depth = 0.14f + 0.05f * static_cast<float>(k + kPosesShown - past.size());
+    DrawFigure(s.list, motion.Bones(), OnScreen(s, time_s), {.rods = Mix(p.paper, p.ink, depth), .width = width});
+    DrawLetter(s, motion.At(frame).x_m, p.second_ink, past[k]);
+  }
+  return s.player.PoseFrames()[static_cast<std::size_t>(past.front())] * static_cast<double>(motion.StepS());
+}
+
+// The path of the centre of mass as dots of equal distance.
+void DrawTrail(const Scene& s, double from_s) {
+  constexpr float kSpacing = 7.0f;
+  const Motion& motion = s.player.Shown();
+  const int last = s.player.Frame();
+  ImVec2 before = s.camera.ToScreen(motion.At(last).x_m, motion.At(last).y_m);
+  float due = kSpacing;
+  for (int frame = last - 1; frame >= static_cast<int>(from_s / static_cast<double>(motion.StepS())); --frame) {
+    const ImVec2 point = s.camera.ToScreen(motion.At(frame).x_m, motion.At(frame).y_m);
+    float length = std::hypot(point.x - before.x, point.y - before.y);
+    while (length >= due) {
+      const float share = due / length;
+      before = {before.x + (point.x - before.x) * share, before.y + (point.y - before.y) * share};
+      s.list->AddCircleFilled(before, 0.95f, s.ui.Ink().second_ink, 8);
+      length -= due;
+      due = kSpacing;
+    }
+    due -= length;
+    before = point;
+  }
+}
+
+void DrawForces(const Scene& s, const std::vector<ImVec2>& endpoints) {
+  const Motion& motion = s.player.Shown();
+  const float weight = motion.Bones().mass_kg * kStandardGravity;
+  const float unit = 0.62f * s.player.ReachM() * s.camera.scale;  // length of one body weight
+  for (int k = 0; k < motion.Bones().endpoints; ++k) {
+    const Motion::Point force = motion.Force(s.player.Frame(), k);
+    const float size = std::hypot(force.x, force.y) / weight;
+    if (size < 0.02f) continue;
+    const float length = unit * std::min(size, 2.2f);
+    const float x = force.x / (size * weight) * length;
+    const float y = force.y / (size * weight) * length;
+    const ImVec2 from = endpoints[static_cast<std::size_t>(k)];
+    const ImVec2 to(from.x + x * s.camera.cosine - y * s.camera.sine, from.y - x * s.camera.sine - y * s.camera.cosine);
+    DrawArrow(s.list, from, to, ActiveColour(s), Fade(s.ui.Ink().paper, 0.85f));
+  }
+}
+
+void DrawNumbers(const Scene& s) {
+  const Palette& p = s.ui.Ink();
+  const Fonts& letters = s.ui.Letters();
+  const Terms& terms = s.player.TermsNow();
+  const bool jump = s.session.Doc().task.kind == TaskKind::kJump;
+  const float metres = jump ? terms.max_cm_height_m - terms.start_height_m : std::abs(terms.travel_m);
+  const ImVec2 at(s.rect.Min.x + 16.0f, s.rect.Min.y + 23.0f);
+  letters.Draw(s.list, Type::kNumber, at, p.ink, Fixed(metres, 2) + " m");
+  const std::string words = std::string(jump ? "jump" : "travel") + " · slip " + Fixed(terms.slip_sum_m, 1) + " m · " +
+                            Fixed(terms.rotations, 1) + " rotations · peak " + Fixed(terms.max_cm_height_m, 2) + " m";
+  letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 22.0f}, s.rect.GetWidth() - 32.0f, p.second_ink, words);
+  if (terms.broke_physics) {
+    letters.Draw(s.list, Type::kNote, {at.x, at.y + 40.0f}, p.bad, "This motion breaks physics and counts as void.");
+  } else if (s.session.Doc().timeline.empty()) {
+    letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 40.0f}, s.rect.GetWidth() - 32.0f, p.accent,
+                       "No controller yet: press Synthesize in the Search panel.");
+  }
+}
+
+}  // namespace
+
+void DrawStage(Ui& ui, Session& session, const ImRect& rect) {
+  const Terms& terms = session.player.TermsNow();
+  const Touch touch = ui.Area("stage", rect, Grab::kPress,
+                              {.label = "Stage: " + session.Doc().figure.name,
+                               .role = "img",
+                               .value = Fixed(terms.travel_m, 2) + " m after " + Fixed(session.player.TimeS(), 2) + " s"});
+  if (touch.pressed) session.player.Play(!session.player.Playing());
+
+  const float ground_y = ui.Look().Snap(rect.Max.y - std::clamp(0.178f * rect.GetHeight(), 62.0f, 130.0f));
+  const Scene scene{.ui = ui,
+                    .session = session,
+                    .player = session.player,
+                    .list = ui.Canvas(),
+                    .rect = rect,
+                    .camera = AimCamera(session, rect, ground_y),
+                    .ground_y = ground_y};
+  const View& view = session.Doc().view;
+  scene.list->PushClipRect(rect.Min, rect.Max, true);
+  scene.list->AddRectFilled(rect.Min, rect.Max, ui.Ink().paper);
+  DrawGround(scene);
+  const double oldest_s = view.poses ? DrawPast(scene) : std::max(0.0, session.player.TimeS() - 4.0);
+  if (view.trail) DrawTrail(scene, oldest_s);
+
+  const Motion& motion = session.player.Shown();
+  const std::vector<ImVec2> endpoints = OnScreen(scene, session.player.TimeS());
+  const ImU32 active = ActiveColour(scene);
+  DrawFigure(scene.list, motion.Bones(), endpoints,
+             {.rods = ui.Ink().ink, .joints = active, .width = RodWidth(motion.Bones(), scene.camera.scale)});
+  if (view.forces) DrawForces(scene, endpoints);
+  if (view.poses) {
+    const auto& poses = session.player.PoseFrames();
+    const auto next = std::ranges::lower_bound(poses, session.player.Frame()) - poses.begin();
+    DrawLetter(scene, session.player.CentreAt(session.player.TimeS()).x_m, active, static_cast<int>(next));
+  }
+  DrawNumbers(scene);
+  ImRect ring = rect;
+  ring.Expand(-4.0f);
+  ui.DrawFocus(touch, ring, 4.0f);
+  scene.list->PopClipRect();
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// The look in numbers: colours for light and dark, the ten rule colours, sizes, and Dear ImGui's own style made to match.
+#pragma once
+
+#include <imgui.h>
+
+#include "shell/fonts.h"
+
+namespace gaitsmith::shell {
+
+struct Palette {
+  ImU32 paper;       // the stage
+  ImU32 panel;       // everything that is not the stage
+  ImU32 ink;         // text, figures
+  ImU32 second_ink;  // captions, ruler
+  ImU32 line;        // one-pixel borders
+  ImU32 soft;        // fills of tracks and wells
+  ImU32 accent;
+  ImU32 accent_ink;  // text on the accent
+  ImU32 good;
+  ImU32 bad;
+  ImU32 ground;  // laid over the paper below the ground line
+};
+
+[[nodiscard]] const Palette& PaletteOf(bool dark);
+
+/// Colour of a rule (or clip), counted from 0; repeats after ten. Told apart by colour-blind eyes: the least distance
+/// between any two is printed by the simulation in docs/design.md.
+[[nodiscard]] ImU32 RuleColour(int rule);
+
+/// `from` with this share of `to` laid over it, share in [0, 1]; opaque.
+[[nodiscard]] ImU32 Mix(ImU32 from, ImU32 to, float share);
+/// The same colour, at this opacity in [0, 1].
+[[nodiscard]] ImU32 Fade(ImU32 colour, float opacity);
+
+/// Everything a widget needs to know about how to look. One per window; rebuilt parts are replaced in place.
+struct Theme {
+  Palette palette = PaletteOf(false);
+  Fonts fonts;
+  bool dark = false;
+  bool touch = false;     // fingers: every target at least 36 px high
+  float density = 1.0f;   // device pixels per point
+  bool animate = true;    // off when the reader prefers reduced motion
+
+  /// Height of buttons, fields and sliders' hit areas [points].
+  [[nodiscard]] float ControlHeight() const { return touch ? 38.0f : 30.0f; }
+  /// Moves a coordinate to the nearest device pixel, so that one-pixel lines stay one pixel.
+  [[nodiscard]] float Snap(float points) const;
+};
+
+inline constexpr float kTransportHeight = 46.0f;
+inline constexpr float kTimelineHeight = 118.0f;
+inline constexpr float kPanelWidth = 348.0f;
+inline constexpr float kTabHeight = 39.0f;
+inline constexpr float kPanelPadding = 14.0f;
+inline constexpr float kPhoneWidth = 700.0f;  // narrower canvases get the phone's layout
+inline constexpr float kCornerRadius = 7.0f;
+
+/// Sets colours and sizes of the few parts that Dear ImGui draws itself (scroll bars, pop-ups, text fields).
+void ApplyStyle(const Theme&);
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// The registry's bookkeeping, its JSON, and the functions Dear ImGui calls when built with IMGUI_ENABLE_TEST_ENGINE.
+#include "shell/widget_registry.h"
+
+#include <cstdio>
+
+namespace gaitsmith::shell {
+namespace {
+
+void AppendFlag(std::string& json, const char* name, std::optional<bool> flag) {
+  if (!flag) return;
+  if (json.back() != '{') json += ',';
+  json += '"';
+  json += name;
+  json += *flag ? "\":true" : "\":false";
+}
+
+}  // namespace
+
+void WidgetRegistry::Attach() {
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  context.TestEngine = this;
+  context.TestEngineHookItems = true;
+}
+
+void WidgetRegistry::BeginFrame() {
+  rects_.clear();
+  widgets_.clear();
+}
+
+void WidgetRegistry::OnItem(ImGuiID id, const ImRect& rect) { rects_[id] = rect; }
+
+void WidgetRegistry::Describe(ImGuiID id, Widget widget) {
+  const auto found = rects_.find(id);
+  if (found == rects_.end()) return;
+  widget.rect = found->second;
+  widget.rect.ClipWithFull(ImGui::GetCurrentWindowRead()->ClipRect);
+  if (widget.rect.GetWidth() < 1.0f || widget.rect.GetHeight() < 1.0f) return;
+  widgets_.push_back(std::move(widget));
+}
+
+std::string WidgetRegistry::Json() const {
+  std::string json = "[";
+  for (const Widget& widget : widgets_) {
+    if (json.size() > 1) json += ",\n";
+    json += "{\"id\":" + JsonString(widget.id) + ",\"label\":" + JsonString(widget.label) +
+            ",\"role\":" + JsonString(widget.role) + ",\"value\":" + JsonString(widget.value) + ",\"state\":{";
+    AppendFlag(json, "focused", widget.state.focused);
+    AppendFlag(json, "disabled", widget.state.disabled);
+    AppendFlag(json, "pressed", widget.state.pressed);
+    AppendFlag(json, "selected", widget.state.selected);
+    AppendFlag(json, "checked", widget.state.checked);
+    AppendFlag(json, "expanded", widget.state.expanded);
+    char rect[128];
+    std::snprintf(rect, sizeof rect, "},\"rect\":{\"x\":%.1f,\"y\":%.1f,\"width\":%.1f,\"height\":%.1f}}",
+                  static_cast<double>(widget.rect.Min.x), static_cast<double>(widget.rect.Min.y),
+                  static_cast<double>(widget.rect.GetWidth()), static_cast<double>(widget.rect.GetHeight()));
+    json += rect;
+  }
+  return json + "]";
+}
+
+std::string JsonString(std::string_view text) {
+  std::string json = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      json += '\\';
+      json += c;
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      char escape[8];
+      std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(static_cast<unsigned char>(c)));
+      json += escape;
+    } else {
+      json += c;
+    }
+  }
+  return json + '"';
+}
+
+}  // namespace gaitsmith::shell
+
+void ImGuiTestEngineHook_ItemAdd(ImGuiContext* context, ImGuiID id, const ImRect& box, const ImGuiLastItemData*) {
+  if (context->TestEngine == nullptr) return;
+  static_cast<gaitsmith::shell::WidgetRegistry*>(context->TestEngine)->OnItem(id, box);
+}
+
+// Names, states and log lines come from our own widgets, which know more than Dear ImGui does.
+void ImGuiTestEngineHook_ItemInfo(ImGuiContext*, ImGuiID, const char*, ImGuiItemStatusFlags) {}
+void ImGuiTestEngineHook_Log(ImGuiContext*, const char*, ...) {}
+const char* ImGuiTestEngine_FindItemDebugLabel(ImGuiContext*, ImGuiID) { return nullptr; }

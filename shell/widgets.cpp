@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// Areas, layout and buttons. Sliders, fields and choices are in widgets_choice.cpp and widgets_value.cpp.
+#include "shell/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gaitsmith::shell {
+
+ImDrawList* Ui::Canvas() const {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->_FringeScale = 1.0f / theme_.density;
+  return list;
+}
+
+ImRect Ui::Row(float height) const {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, height);
+  ImGui::ItemSize(size);
+  return {at, {at.x + size.x, at.y + size.y}};
+}
+
+void Ui::Gap(float height) const { ImGui::ItemSize(ImVec2(0.0f, height)); }
+
+void Ui::Heading(std::string_view text) const {
+  const ImRect row = Row(Fonts::LineHeight(Type::kStrong) + 4.0f);
+  Letters().Draw(Canvas(), Type::kStrong, {row.Min.x, row.GetCenter().y}, Ink().ink, text);
+}
+
+void Ui::Paragraph(std::string_view text, Type type) const { Paragraph(text, Ink().second_ink, type); }
+
+void Ui::Paragraph(std::string_view text, ImU32 colour, Type type) const {
+  while (!text.empty()) {
+    const ImRect row = Row(Fonts::LineHeight(type));
+    const std::size_t length = std::max<std::size_t>(1, Letters().FitLine(type, text, row.GetWidth()));
+    Letters().Draw(Canvas(), type, {row.Min.x, row.GetCenter().y}, colour, text.substr(0, length));
+    text.remove_prefix(length);
+    while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  }
+}
+
+void Ui::Fact(std::string_view label, std::string_view value) const {
+  const ImRect row = Row(Fonts::LineHeight(Type::kBody) + 4.0f);
+  const float y = row.GetCenter().y;
+  const float value_width = Letters().Width(Type::kBody, value);
+  Letters().DrawElided(Canvas(), Type::kBody, {row.Min.x, y}, row.GetWidth() - value_width - 10.0f, Ink().ink, label);
+  Letters().Draw(Canvas(), Type::kBody, {row.Max.x, y}, Ink().second_ink, value, Align::kRight);
+}
+
+Touch Ui::Area(std::string_view id, const ImRect& rect, Grab grab, Widget description, bool enabled) {
+  ImGuiContext& g = *ImGui::GetCurrentContext();
+  ImGuiWindow* window = ImGui::GetCurrentWindow();
+  Touch touch;
+  touch.id = window->GetID(id.data(), id.data() + id.size());
+  touch.visible = ImGui::ItemAdd(rect, touch.id, nullptr, enabled ? 0 : ImGuiItemFlags_Disabled);
+  if (touch.visible && enabled) {
+    const ImGuiButtonFlags flags =
+        grab == Grab::kPress ? ImGuiButtonFlags_PressedOnClickRelease : ImGuiButtonFlags_PressedOnClick;
+    const bool was_held = g.ActiveId == touch.id;
+    touch.pressed = ImGui::ButtonBehavior(rect, touch.id, &touch.hovered, &touch.held, flags);
+    touch.held = touch.held && g.ActiveIdSource == ImGuiInputSource_Mouse;
+    touch.began = touch.held && !was_held;
+    if (grab != Grab::kDrag && touch.hovered && !theme_.touch) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  }
+
+  // With the keyboard here, left and right change the value instead of moving on.
+  if (grab == Grab::kArrows && enabled && g.NavId == touch.id && g.NavMoveSubmitted &&
+      (g.NavMoveDir == ImGuiDir_Left || g.NavMoveDir == ImGuiDir_Right)) {
+    touch.steps = (g.NavMoveDir == ImGuiDir_Left ? -1 : 1) * (g.IO.KeyShift ? 10 : 1);
+    ImGui::NavMoveRequestCancel();
+    g.NavDisableHighlight = false;
+  }
+  touch.focused = g.NavId == touch.id && !g.NavDisableHighlight;
+
+  description.id = id;
+  description.state.focused = g.NavId == touch.id;
+  description.state.disabled = !enabled;
+  registry_.Describe(touch.id, std::move(description));
+  return touch;
+}
+
+void Ui::DrawFocus(const Touch& touch, const ImRect& rect, float radius) const {
+  if (!touch.focused) return;
+  ImDrawList* list = Canvas();
+  ImRect ring = rect;
+  ring.Expand(2.5f);
+  // The ring may stand outside its row, but never outside the canvas.
+  ImRect whole(ImGui::GetCurrentWindowRead()->ClipRect);
+  ring.ClipWith(whole);
+  list->AddRect(ring.Min, ring.Max, Ink().accent, radius + 2.5f, 0, 2.0f);
+}
+
+void Ui::Frame(const ImRect& rect, ImU32 fill, ImU32 border, float radius) const {
+  ImDrawList* list = Canvas();
+  list->AddRectFilled(rect.Min, rect.Max, fill, radius);
+  list->AddRect(rect.Min, rect.Max, border, radius);
+}
+
+void Ui::HorizontalLine(float left, float right, float y) const {
+  const float top = theme_.Snap(y);
+  Canvas()->AddRectFilled({left, top}, {right, top + std::max(1.0f, std::floor(theme_.density)) / theme_.density},
+                          Ink().line);
+}
+
+void Ui::VerticalLine(float x, float top, float bottom) const {
+  const float left = theme_.Snap(x);
+  Canvas()->AddRectFilled({left, top}, {left + std::max(1.0f, std::floor(theme_.density)) / theme_.density, bottom},
+                          Ink().line);
+}
+
+// Draws a button's ground and returns the colour of what stands on it.
+ImU32 Ui::ButtonInk(ButtonLook look, const ImRect& rect, const Touch& touch, bool enabled) const {
+  const Palette& p = Ink();
+  const float lift = touch.held ? 0.16f : touch.hovered ? 0.08f : 0.0f;
+  ImDrawList* list = Canvas();
+  if (look == ButtonLook::kPrimary) {
+    const ImU32 fill = enabled ? Mix(p.accent, p.ink, lift) : Mix(p.soft, p.line, 0.4f);
+    list->AddRectFilled(rect.Min, rect.Max, fill, kCornerRadius);
+    return enabled ? p.accent_ink : p.second_ink;
+  }
+  if (look == ButtonLook::kOutlined) {
+    Frame(rect, Mix(p.panel, p.ink, 0.5f * lift), Mix(p.line, p.ink, lift));
+  } else if (lift > 0.0f) {
+    list->AddRectFilled(rect.Min, rect.Max, Mix(p.panel, p.ink, 0.6f * lift), kCornerRadius);
+  }
+  return enabled ? p.ink : Mix(p.panel, p.second_ink, 0.6f);
+}
+
+bool Ui::Button(std::string_view id, const ImRect& rect, std::string_view label, ButtonLook look, bool enabled) {
+  const Touch touch = Area(id, rect, Grab::kPress, {.label = std::string(label), .role = "button"}, enabled);
+  if (!touch.visible) return touch.pressed;
+  const ImU32 ink = ButtonInk(look, rect, touch, enabled);
+  Letters().Draw(Canvas(), look == ButtonLook::kPrimary ? Type::kStrong : Type::kBody, rect.GetCenter(), ink, label,
+                 Align::kCentre);
+  DrawFocus(touch, rect);
+  return touch.pressed;
+}
+
+bool Ui::IconButton(std::string_view id, const ImRect& rect, Icon icon, std::string_view label, ButtonLook look,
+                    bool enabled) {
+  const Touch touch = Area(id, rect, Grab::kPress, {.label = std::string(label), .role = "button"}, enabled);
+  if (!touch.visible) return touch.pressed;
+  const ImU32 ink = ButtonInk(look, rect, touch, enabled);
+  DrawIcon(Canvas(), icon, rect.GetCenter(), 14.0f, ink);
+  DrawFocus(touch, rect);
+  return touch.pressed;
+}
+
+}  // namespace gaitsmith::shell

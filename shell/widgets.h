@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// Every interactive thing on the canvas. Each widget draws itself in our look, works by mouse, touch and keyboard, shows
+// a focus ring, and tells the WidgetRegistry what it is. Callers say where: layout is plain rectangles.
+#pragma once
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "shell/icons.h"
+#include "shell/theme.h"
+#include "shell/widget_registry.h"
+
+namespace gaitsmith::shell {
+
+enum class ButtonLook { kPlain, kOutlined, kPrimary };
+
+/// What an interactive area takes besides a press.
+enum class Grab {
+  kPress,    // a click, Enter or the space bar
+  kDrag,     // reports `held` from the moment the pointer goes down
+  kArrows,   // kDrag, and the left and right arrow keys (10 steps with Shift)
+};
+
+/// What happened to an interactive area this frame.
+struct Touch {
+  ImGuiID id = 0;
+  bool visible = false;
+  bool hovered = false;
+  bool held = false;
+  bool began = false;    // held, and was not before
+  bool pressed = false;  // clicked or activated by key
+  bool focused = false;  // has the keyboard, and the keyboard is in use
+  int steps = 0;         // arrow keys: left negative
+};
+
+struct SliderRange {
+  double low = 0.0;
+  double high = 1.0;
+  double step = 0.01;        // of the arrow keys and of the value itself
+  bool logarithmic = false;  // equal distances are equal ratios; low > 0
+};
+
+class Ui {
+ public:
+  Ui(const Theme& theme, WidgetRegistry& registry) : theme_(theme), registry_(registry) {}
+
+  [[nodiscard]] const Theme& Look() const { return theme_; }
+  [[nodiscard]] const Palette& Ink() const { return theme_.palette; }
+  [[nodiscard]] const Fonts& Letters() const { return theme_.fonts; }
+  /// The current window's draw list, set to anti-alias over one device pixel.
+  [[nodiscard]] ImDrawList* Canvas() const;
+
+  // Layout in a panel: rows from the top down, as wide as the panel.
+  [[nodiscard]] ImRect Row(float height) const;
+  [[nodiscard]] ImRect ControlRow() const { return Row(theme_.ControlHeight()); }
+  void Gap(float height) const;
+  void Heading(std::string_view text) const;
+  void Paragraph(std::string_view text, Type type = Type::kBody) const;
+  void Paragraph(std::string_view text, ImU32 colour, Type type = Type::kBody) const;
+  /// A caption left, a value right.
+  void Fact(std::string_view label, std::string_view value) const;
+
+  // Widgets. `id` is stable and unique; `label` is what a person reads or hears.
+  bool Button(std::string_view id, const ImRect&, std::string_view label, ButtonLook = ButtonLook::kOutlined,
+              bool enabled = true);
+  bool IconButton(std::string_view id, const ImRect&, Icon, std::string_view label,
+                  ButtonLook = ButtonLook::kPlain, bool enabled = true);
+  /// A few options side by side. @return true when `selected` changed
+  bool Segmented(std::string_view id, const ImRect&, std::span<const std::string_view> options, int& selected);
+  /// Label and value above a thin track; takes its own rows. @return true when `value` changed
+  bool Slider(std::string_view id, std::string_view label, double& value, const SliderRange&,
+              std::string_view value_text);
+  /// A whole number with a step down and up; a click on the number types it.
+  bool Number(std::string_view id, std::string_view label, int& value, int low, int high, int step = 1);
+  bool Switch(std::string_view id, std::string_view label, bool& on);
+  bool Combo(std::string_view id, std::string_view label, std::span<const std::string> options, int& selected);
+  bool Tabs(std::string_view id, const ImRect&, std::span<const std::string_view> names, int& selected);
+
+  /// Anything else: registers an area, and the caller draws it. Call DrawFocus afterwards.
+  Touch Area(std::string_view id, const ImRect&, Grab, Widget description, bool enabled = true);
+  void DrawFocus(const Touch&, const ImRect&, float radius = kCornerRadius) const;
+
+  /// Fill and one-pixel border with rounded corners.
+  void Frame(const ImRect&, ImU32 fill, ImU32 border, float radius = kCornerRadius) const;
+  void HorizontalLine(float left, float right, float y) const;
+  void VerticalLine(float x, float top, float bottom) const;
+
+ private:
+  ImU32 ButtonInk(ButtonLook, const ImRect&, const Touch&, bool enabled) const;
+
+  const Theme& theme_;
+  WidgetRegistry& registry_;
+};
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// Widgets that hold a number or a yes or no: slider, number field, switch.
+#include <algorithm>
+#include <cmath>
+
+#include "shell/widgets.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+constexpr float kKnobRadius = 7.0f;
+
+// Where a value stands on its track, in [0, 1], and back.
+double ShareOf(double value, const SliderRange& range) {
+  const double share = range.logarithmic ? std::log(value / range.low) / std::log(range.high / range.low)
+                                         : (value - range.low) / (range.high - range.low);
+  return std::clamp(share, 0.0, 1.0);
+}
+
+double ValueAt(double share, const SliderRange& range) {
+  const double value = range.logarithmic ? range.low * std::pow(range.high / range.low, share)
+                                         : range.low + share * (range.high - range.low);
+  return std::clamp(std::round(value / range.step) * range.step, range.low, range.high);
+}
+
+// The next value by key: on a logarithmic track at least one step, at most one fiftieth of the track.
+double Stepped(double value, int steps, const SliderRange& range) {
+  if (!range.logarithmic) return std::clamp(value + steps * range.step, range.low, range.high);
+  const double moved = ValueAt(ShareOf(value, range) + 0.02 * steps, range);
+  const double least = value + steps * range.step;
+  return std::clamp(steps > 0 ? std::max(moved, least) : std::min(moved, least), range.low, range.high);
+}
+
+}  // namespace
+
+bool Ui::Slider(std::string_view id, std::string_view label, double& value, const SliderRange& range,
+                std::string_view value_text) {
+  const float label_height = Fonts::LineHeight(Type::kBody) + 4.0f;
+  const float track_height = theme_.touch ? 26.0f : 18.0f;
+  const ImRect rect = Row(label_height + track_height);
+  const float track_y = rect.Max.y - 0.5f * track_height;
+  const Touch touch = Area(id, rect, Grab::kArrows,
+                           {.label = std::string(label), .role = "slider", .value = std::string(value_text)});
+  if (!touch.visible) return false;
+
+  // The knob's centre travels inside the track's ends.
+  const float left = rect.Min.x + kKnobRadius;
+  const float right = rect.Max.x - kKnobRadius;
+  const double before = value;
+  if (touch.held && ImGui::GetIO().MouseClickedPos[0].y > rect.Min.y + 0.5f * label_height) {
+    value = ValueAt(std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0f, 1.0f), range);
+  }
+  if (touch.steps != 0) value = Stepped(value, touch.steps, range);
+
+  const Palette& p = Ink();
+  ImDrawList* list = Canvas();
+  const float label_y = rect.Min.y + 0.5f * label_height;
+  Letters().Draw(list, Type::kBody, {rect.Min.x, label_y}, p.ink, label);
+  Letters().Draw(list, Type::kBody, {rect.Max.x, label_y}, p.second_ink, value_text, Align::kRight);
+  const float x = left + static_cast<float>(ShareOf(value, range)) * (right - left);
+  const ImVec2 knob(x, track_y);
+  list->AddRectFilled({rect.Min.x, track_y - 2.0f}, {rect.Max.x, track_y + 2.0f}, p.soft, 2.0f);
+  list->AddRectFilled({rect.Min.x, track_y - 2.0f}, {x, track_y + 2.0f}, p.accent, 2.0f);
+  const float radius = touch.held ? kKnobRadius + 1.0f : kKnobRadius;
+  if (touch.hovered || touch.focused) list->AddCircleFilled(knob, radius + 5.0f, Fade(p.accent, 0.18f));
+  list->AddCircleFilled(knob, radius, p.accent);
+  list->AddCircleFilled(knob, radius - 2.0f, p.panel);
+  if (touch.focused) list->AddCircle(knob, radius + 5.0f, p.accent, 0, 2.0f);
+  return value != before;
+}
+
+bool Ui::Number(std::string_view id, std::string_view label, int& value, int low, int high, int step) {
+  const Palette& p = Ink();
+  const ImRect row = ControlRow();
+  const float size = row.GetHeight();
+  const ImRect plus({row.Max.x - size, row.Min.y}, row.Max);
+  const ImRect field({plus.Min.x - 92.0f, row.Min.y}, {plus.Min.x, row.Max.y});
+  const ImRect minus({field.Min.x - size, row.Min.y}, {field.Min.x, row.Max.y});
+  const int before = value;
+  Letters().Draw(Canvas(), Type::kBody, {row.Min.x, row.GetCenter().y}, p.ink, label);
+  Frame({minus.Min, plus.Max}, p.panel, p.line);
+
+  const std::string name(id);
+  const std::string words(label);
+  if (IconButton(name + "/less", minus, Icon::kMinus, "Less: " + words, ButtonLook::kPlain, value > low)) {
+    value -= step;
+  }
+
+  // A click or Enter on the number opens Dear ImGui's text field in its place.
+  ImGuiWindow* window = ImGui::GetCurrentWindow();
+  const ImGuiID field_id = window->GetID(id.data(), id.data() + id.size());
+  if (ImGui::TempInputIsActive(field_id)) {
+    ImGui::TempInputScalar(field, field_id, name.c_str(), ImGuiDataType_S32, &value, "%d", &low, &high);
+  } else {
+    const Touch touch = Area(id, field, Grab::kArrows,
+                             {.label = words, .role = "spinbutton", .value = std::to_string(value)});
+    value += touch.steps * step;
+    if (touch.hovered) Canvas()->AddRectFilled(field.Min, field.Max, Mix(p.panel, p.ink, 0.05f));
+    VerticalLine(field.Min.x, field.Min.y + 1.0f, field.Max.y - 1.0f);
+    VerticalLine(field.Max.x - 1.0f, field.Min.y + 1.0f, field.Max.y - 1.0f);
+    Letters().Draw(Canvas(), Type::kBody, field.GetCenter(), p.ink, std::to_string(value), Align::kCentre);
+    DrawFocus(touch, field, 3.0f);
+    if (touch.pressed && touch.steps == 0) {
+      ImGui::TempInputScalar(field, field_id, name.c_str(), ImGuiDataType_S32, &value, "%d", &low, &high);
+    }
+  }
+  if (IconButton(name + "/more", plus, Icon::kPlus, "More: " + words, ButtonLook::kPlain, value < high)) {
+    value += step;
+  }
+  value = std::clamp(value, low, high);
+  return value != before;
+}
+
+bool Ui::Switch(std::string_view id, std::string_view label, bool& on) {
+  const Palette& p = Ink();
+  const ImRect row = ControlRow();
+  const Touch touch = Area(id, row, Grab::kPress,
+                           {.label = std::string(label), .role = "switch", .value = on ? "on" : "off",
+                            .state = {.checked = on}});
+  if (touch.pressed) on = !on;
+  if (!touch.visible) return touch.pressed;
+  ImDrawList* list = Canvas();
+  const float y = row.GetCenter().y;
+  Letters().Draw(list, Type::kBody, {row.Min.x, y}, p.ink, label);
+  const ImRect track({row.Max.x - 34.0f, y - 9.0f}, {row.Max.x, y + 9.0f});
+  list->AddRectFilled(track.Min, track.Max, on ? p.accent : Mix(p.line, p.second_ink, touch.hovered ? 0.35f : 0.2f),
+                      9.0f);
+  list->AddCircleFilled({on ? track.Max.x - 9.0f : track.Min.x + 9.0f, y}, 7.0f, p.panel);
+  DrawFocus(touch, track, 9.0f);
+  return touch.pressed;
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Numbers to text.
+#include "shell/wording.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace gaitsmith::shell {
+
+std::string Fixed(double value, int decimals) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  // A rounded "-0.0" would only puzzle.
+  bool zero = text[0] == '-';
+  for (const char* c = text + 1; zero && *c != '\0'; ++c) zero = *c == '0' || *c == '.';
+  return zero ? text + 1 : text;
+}
+
+std::string Fixed(float value, int decimals) { return Fixed(static_cast<double>(value), decimals); }
+
+std::string Grouped(long long value) {
+  std::string text = std::to_string(value);
+  for (int at = static_cast<int>(text.size()) - 3; at > (value < 0 ? 1 : 0); at -= 3) {
+    text.insert(static_cast<std::size_t>(at), ",");
+  }
+  return text;
+}
+
+std::string Duration(double seconds) {
+  const auto whole = static_cast<long long>(std::ceil(seconds));
+  if (whole < 90) return Grouped(whole) + " s";
+  if (whole < 5400) return Grouped(whole / 60) + " min" + (whole % 60 != 0 ? " " + Grouped(whole % 60) + " s" : "");
+  return Grouped((whole + 1800) / 3600) + " h";
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Numbers as people read them. (Our compilers' standard library has no std::format yet.)
+#pragma once
+
+#include <string>
+
+namespace gaitsmith::shell {
+
+[[nodiscard]] std::string Fixed(double value, int decimals);
+[[nodiscard]] std::string Fixed(float value, int decimals);
+/// "13,600"
+[[nodiscard]] std::string Grouped(long long value);
+/// "2 s", "1 min 20 s", "3 h"
+[[nodiscard]] std::string Duration(double seconds);
+
+}  // namespace gaitsmith::shell
