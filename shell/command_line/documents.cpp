@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The commands that look at one document: hash, validate, link.
+#include <algorithm>
 #include <cstdio>
 
 #include "core/document/json.h"

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // gaitsmith synthesize: finds a controller and writes it as a document.
+
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <thread>
 
 #include "core/document/json.h"
 #include "shell/command_line/arguments.h"
@@ -17,31 +19,25 @@ namespace gaitsmith::shell {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double SecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 /// A bar on standard error, drawn at most ten times a second, and only for a person who watches.
 class ProgressBar {
  public:
-  void Draw(const Search& search, int budget) {
-    if (!terminal_ || (SecondsSince(drawn_) < 0.1 && !search.Done())) return;
-    drawn_ = Clock::now();
+  void Draw(const SearchProgress& progress) {
+    const auto now = std::chrono::steady_clock::now();
+    const bool done = progress.state == SearchState::kDone;
+    if (!terminal_ || (now - drawn_ < std::chrono::milliseconds(100) && !done)) return;
+    drawn_ = now;
     constexpr int kWidth = 28;
-    const double share = static_cast<double>(search.Evaluations()) / budget;
-    const double rate = search.Evaluations() / std::max(1e-3, SecondsSince(start_));
     std::string bar(kWidth, ' ');
-    std::fill_n(bar.begin(), static_cast<int>(share * kWidth), '=');
+    const auto filled = std::int64_t{progress.evaluations} * kWidth / progress.budget;
+    std::fill_n(bar.begin(), filled, '=');
     std::fprintf(stderr, "\r[%s] %d of %d  %.0f/s  best %.3f  %.0f s left \x1b[K%s", bar.c_str(),
-                 search.Evaluations(), budget, rate, static_cast<double>(search.BestFitness()),
-                 std::max(0.0, (budget - search.Evaluations()) / rate), search.Done() ? "\n" : "");
+                 progress.evaluations, progress.budget, progress.evaluations_per_second,
+                 static_cast<double>(progress.best_fitness), progress.seconds_left, done ? "\n" : "");
   }
 
  private:
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point drawn_ = start_ - std::chrono::seconds(1);
+  std::chrono::steady_clock::time_point drawn_;
   bool terminal_ = isatty(STDERR_FILENO) != 0;
 };
 
@@ -128,15 +124,18 @@ Result<Document> ReadRequest(const Arguments& arguments) {
   return document;
 }
 
-std::string CurveCsv(const Search& search) {
+std::string CurveCsv(const std::vector<Search::CurvePoint>& curve) {
   std::string csv = "evaluation,best\n";
-  for (const auto& point : search.Curve()) {
+  for (const auto& point : curve) {
     char line[64];
     std::snprintf(line, sizeof line, "%d,%.9g\n", point.evaluation, static_cast<double>(point.best));
     csv += line;
   }
   return csv;
 }
+
+/// Cores of this machine, at least 1.
+int Cores() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
 
 }  // namespace
 
@@ -156,20 +155,19 @@ Result<void> SynthesizeCommand(Words words) {
   const auto threads = arguments->Integer("threads", 1, 256, Cores());
   if (!threads) return std::unexpected(threads.error());
 
-  const auto search = MakeSearch(document->search, SpaceOf(*document));
   ProgressBar bar;
-  RunSearch(*search, Evaluator(ProblemOf(*document)), static_cast<int>(*threads), [&](const Search& running) {
-    bar.Draw(running, document->search.evaluations);
-    return true;
-  });
+  SearchControl control;
+  const SearchProgress found =
+      RunParallelSearch(ProblemOf(*document), document->search, static_cast<int>(*threads), control,
+                        [&](const SearchProgress& progress) { bar.Draw(progress); });
 
+  const auto algorithm = kAlgorithmNames[static_cast<std::size_t>(document->search.algorithm)];
   document->controllers.push_back(
-      {"found by " + std::string(kAlgorithmNames[static_cast<std::size_t>(document->search.algorithm)]),
-       document->senses, document->rules, search->BestGenome()});
+      {"found by " + std::string(algorithm), document->senses, document->rules, found.best_genome});
   document->timeline.push_back({0, 0});
   document->hash = Simulate(*document).Hash();
   if (auto written = WriteText(arguments->Last("out"), EncodeJson(*document)); !written) return written;
-  if (arguments->Has("curve")) return WriteText(arguments->Last("curve"), CurveCsv(*search));
+  if (arguments->Has("curve")) return WriteText(arguments->Last("curve"), CurveCsv(found.curve));
   return {};
 }
 

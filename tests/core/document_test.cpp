@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "core/document/document.h"
+
+#include <catch_amalgamated.hpp>
+
+#include "core/document/binary.h"
+#include "core/document/json.h"
+#include "core/document/link.h"
+#include "tests/scene.h"
+
+namespace gaitsmith::test {
+
+namespace {
+
+/// A document that uses every field with a value of its own.
+Document Everything(SenseKind kind) {
+  Document d = StarManTravel(kind);
+  d.title = "Tumble \"two\" \\ π";
+  d.figure = ShippedFigure("beryl-biped");
+  d.environment = {3.7f, 0.55f, -0.12f};
+  d.start = {0.4f, 1.5f, -0.25f, 2.5f};
+  d.pushes = {{10, kCentreOfMass, 1.5f, -2.0f}, {90, 3, 0.1f, 0.0f}};
+  d.task = {TaskKind::kTravelLeft, 731, {0.25f, -1.5f, 3.0f}};
+  d.senses.period_steps = 77;
+  d.senses.tau_min_s = 0.08f;
+  d.rules = 7;
+  d.search.seed = 4000000001u;
+  d.search.evaluations = 12345;
+  d.search.variation.creep = 0.07f;
+  d.controllers = {RandomController(d.figure, d.senses, 1), RandomController(d.figure, SenseSpec{}, 2)};
+  d.controllers[0].name = "first";
+  d.timeline = {{1, 0}, {0, 120}, {1, 300}};
+  d.duration_steps = 450;
+  d.view = {0.5f, 3, false, true, false};
+  REQUIRE(Validate(d));
+  return d;
+}
+
+std::string JsonFault(const std::string& json) {
+  const auto document = DecodeJson(json);
+  return document ? "valid" : document.error().Sentence();
+}
+
+std::string Changed(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+TEST_CASE("document: JSON -> binary -> link -> JSON is the identity", "[document]") {
+  for (const SenseKind kind : {SenseKind::kPhysical, SenseKind::kTimer}) {
+    Document d = Everything(kind);
+    d.hash = Simulate(d).Hash();
+    const std::string json = EncodeJson(d);
+    const auto from_json = DecodeJson(json);
+    REQUIRE(from_json);
+    REQUIRE(EncodeJson(*from_json) == json);
+    const auto binary = EncodeBinary(*from_json);
+    const auto from_binary = DecodeBinary(binary);
+    REQUIRE(from_binary);
+    const std::string link = EncodeLink(*from_binary);
+    const auto from_link = DecodeLink("https://example.org/play/#" + link + "\n");
+    REQUIRE(from_link);
+    REQUIRE(EncodeJson(*from_link) == json);
+    REQUIRE(Simulate(*from_link).Hash() == *d.hash);
+  }
+}
+
+TEST_CASE("document: links of ten-rule Star-Man controllers are short", "[document]") {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    for (const SenseKind kind : {SenseKind::kPhysical, SenseKind::kTimer}) {
+      Document d = StarManTravel(kind);
+      d.controllers = {RandomController(d.figure, d.senses, seed)};
+      d.timeline = {{0, 0}};
+      REQUIRE(EncodeLink(d).size() <= (kind == SenseKind::kPhysical ? 900u : 400u));
+    }
+  }
+  // The longest there can be: every rule cares about everything.
+  Document d = StarManTravel(SenseKind::kPhysical);
+  d.controllers = {RandomController(d.figure, d.senses, 1)};
+  for (Gene& gene : d.controllers[0].genes) gene = 12345;
+  d.timeline = {{0, 0}};
+  REQUIRE(EncodeLink(d).size() <= 900);
+}
+
+TEST_CASE("link: every truncation and every changed character is refused", "[document]") {
+  Document d = StarManTravel(SenseKind::kPhysical);
+  d.controllers = {RandomController(d.figure, d.senses, 3)};
+  d.timeline = {{0, 0}};
+  const std::string link = EncodeLink(d);
+  REQUIRE(DecodeLink(link));
+  for (std::size_t length = 0; length < link.size(); ++length) {
+    const auto cut = DecodeLink(std::string_view(link).substr(0, length));
+    REQUIRE(!cut);
+    REQUIRE(cut.error().where == "link");
+  }
+  for (std::size_t at = 0; at < link.size(); ++at) {
+    for (const char c : std::string("AZaz09-_ %é")) {
+      std::string changed = link;
+      if (changed[at] == c) continue;
+      changed[at] = c;
+      const auto decoded = DecodeLink(changed);
+      if (decoded) REQUIRE((at == 0 || at + 1 == link.size()));  // white space at either end is forgiven ...
+      if (decoded) FAIL_CHECK("character " << at << " changed unnoticed");
+    }
+  }
+  REQUIRE(!DecodeLink(link + "A"));
+}
+
+TEST_CASE("binary: every flipped bit is refused", "[document]") {
+  Document d = StarManTravel(SenseKind::kTimer);
+  d.controllers = {RandomController(d.figure, d.senses, 3)};
+  d.timeline = {{0, 0}};
+  const auto bytes = EncodeBinary(d);
+  for (std::size_t bit = 0; bit < bytes.size() * 8; ++bit) {
+    auto flipped = bytes;
+    flipped[bit / 8] = static_cast<std::uint8_t>(flipped[bit / 8] ^ (1u << (bit % 8)));
+    REQUIRE(!DecodeBinary(flipped));
+  }
+  auto newer = bytes;
+  newer[0] = 2;
+  REQUIRE(DecodeBinary(newer).error().code == ErrorCode::kUnknownVersion);
+  REQUIRE(DecodeBinary(std::span(bytes).first(30)).error().code == ErrorCode::kTruncated);
+  REQUIRE(DecodeBinary(std::span(bytes).first(30)).error().what ==
+          "was cut: 30 bytes arrived of " + std::to_string(bytes.size()));
+}
+
+TEST_CASE("binary: values out of range are refused even when the checksum is right", "[document]") {
+  Document d = StarManTravel(SenseKind::kTimer);
+  d.environment.friction = 99.0f;  // an encoder does not check, so this makes a well-formed lie
+  const auto decoded = DecodeBinary(EncodeBinary(d));
+  REQUIRE(!decoded);
+  REQUIRE(decoded.error().Sentence() == "environment.friction: must be from 0 to 10, is 99");
+  d = StarManTravel(SenseKind::kTimer);
+  d.timeline = {{5, 0}};
+  REQUIRE(DecodeBinary(EncodeBinary(d)).error().Sentence() ==
+          "timeline[0].controller: there is no controller 5, the document has 0");
+}
+
+TEST_CASE("CRC-32: the check value of the standard", "[document]") {
+  const std::string digits = "123456789";
+  REQUIRE(Crc32({reinterpret_cast<const std::uint8_t*>(digits.data()), digits.size()}) == 0xcbf43926u);
+}
+
+TEST_CASE("JSON: what is wrong is said with its place", "[document]") {
+  const std::string json = EncodeJson(Everything(SenseKind::kPhysical));
+  CHECK(JsonFault("") == "line 1, column 1: the text ends where a value should be");
+  CHECK(JsonFault("[]") == "a document must be an object, this is a list");
+  CHECK(JsonFault("{\n  \"title\": nope}") == "line 2, column 12: expected a value");
+  CHECK(JsonFault(json + "x").ends_with("there is more text after the end of the document"));
+  CHECK(JsonFault(Changed(json, "\"friction\": 0.55", "\"friction\": 12")) ==
+        "environment.friction: must be from 0 to 10, is 12");
+  CHECK(JsonFault(Changed(json, "\"friction\": 0.55", "\"friction\": \"a\"")) ==
+        "environment.friction: must be a number, is a text");
+  CHECK(JsonFault(Changed(json, "\"friction\": 0.55", "\"friktion\": 0.55")) ==
+        "environment.friktion: there is no such field");
+  CHECK(JsonFault(Changed(json, "\"friction\": 0.55", "\"friction\": 0.5, \"friction\": 0.55"))
+            .ends_with("the field \"friction\" is there twice"));
+  CHECK(JsonFault(Changed(json, "\"friction\": 0.55", "\"friction\": 1e999"))
+            .ends_with("the number is too large"));
+  CHECK(JsonFault(Changed(json, "\"seed\": 4000000001", "\"seed\": 4294967296")) ==
+        "search.seed: must be from 0 to 4294967295, is 4294967296");
+  CHECK(JsonFault(Changed(json, "\"rules\": 7", "\"rules\": 1.5")) ==
+        "rules: must be a whole number, is 1.5");
+  CHECK(JsonFault(Changed(json, "\"sphc\"", "\"hpc\"")) ==
+        "search.algorithm: \"hpc\" is not known; choose from rgt, sphc");
+  CHECK(JsonFault(Changed(json, "\"start_step\": 120", "\"start_step\": 300")) ==
+        "timeline[2].start_step: must be after the start of the clip before it");
+  CHECK(JsonFault(std::string(100, '[')).ends_with("is nested too deeply"));
+  CHECK(JsonFault("{\"title\": \"\xff\"}") == "title: must be printable UTF-8 text; byte 0 is not");
+  CHECK(JsonFault("{\"model\": 2}") == "model: must be from 1 to 1, is 2");
+}
+
+TEST_CASE("JSON: fields may be left out when they have a standard value", "[document]") {
+  const auto document = DecodeJson(R"({"figure": {"rods": [{}, {"parent": 0}]}})");
+  REQUIRE(document);
+  REQUIRE(document->environment.friction == 0.8f);
+  REQUIRE(document->figure.rods[1].parent == 0);
+}
+
+TEST_CASE("JSON: a controller of another figure is refused", "[document]") {
+  Document d = StarManTravel(SenseKind::kPhysical);
+  d.controllers = {RandomController(ShippedFigure("inchworm"), d.senses, 1)};
+  const auto valid = Validate(d);
+  REQUIRE(!valid);
+  REQUIRE(valid.error().where == "controllers[0].rules");
+}
+
+}  // namespace gaitsmith::test

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Pins: the trajectory hash of every document in tests/golden/motions, and the scores of twenty searches. The
+// same file runs natively with gcc and clang, at several optimisation levels, under sanitizers and as WASM
+// under Node. Does not pin: what the motions look like. To bless anew (only by a numbered decision in
+// docs/design.md):
+//   tests/golden/bless build/release/shell/gaitsmith
+// Has caught: nothing yet.
+#include <algorithm>
+#include <catch_amalgamated.hpp>
+
+#include "core/document/json.h"
+#include "core/physics/evaluator.h"
+#include "tests/scene.h"
+
+namespace gaitsmith::test {
+
+TEST_CASE("golden: every motion keeps its hash, in every lane", "[golden][determinism]") {
+  const auto names = GoldenMotions();
+  REQUIRE(names.size() >= 8);
+  for (const std::string& name : names) {
+    CAPTURE(name);
+    const auto document = DecodeJson(ReadFile(name));
+    REQUIRE(document);
+    REQUIRE(document->hash);
+    CHECK(HashText(Simulate(*document).Hash()) == HashText(*document->hash));
+    if (document->timeline.size() != 1) continue;
+    const Controller& controller =
+        document->controllers[static_cast<std::size_t>(document->timeline[0].controller)];
+    Problem problem = ProblemOf(*document);
+    problem.senses = controller.senses;
+    problem.rules = controller.rules;
+    problem.task.duration_steps = document->duration_steps;
+    for (const int lanes : Evaluator::kLaneCounts) {
+      const std::vector<Genome> copies(static_cast<std::size_t>(lanes), controller.genes);
+      for (const Evaluation& evaluation : Evaluator(problem, lanes, true).Evaluate(copies)) {
+        CAPTURE(lanes);
+        REQUIRE(HashText(evaluation.trajectory_hash) == HashText(*document->hash));
+      }
+    }
+  }
+}
+
+namespace {
+
+float BestOf(Algorithm algorithm, SenseKind senses, std::uint32_t seed) {
+  Document document = StarManTravel(senses);
+  document.search.algorithm = algorithm;
+  document.search.seed = seed;
+  const auto search = MakeSearch(document.search, SpaceOf(document));
+  const Evaluator evaluator(ProblemOf(document));
+  while (!search->Done()) {
+    std::vector<float> fitness;
+    for (const Evaluation& evaluation : evaluator.Evaluate(search->Ask(80)))
+      fitness.push_back(evaluation.fitness);
+    search->Tell(fitness);
+  }
+  return search->BestFitness();
+}
+
+}  // namespace
+
+TEST_CASE("golden: twenty searches on Star-Man keep their scores, and SPHC beats RG&T by half",
+          "[golden][search]") {
+  struct Pinned {
+    SenseKind senses;
+    std::vector<float> rgt, sphc;  // best fitness after 4,000 evaluations, seeds 1 to 10
+  };
+  const std::vector<Pinned> pinned = {
+#include "tests/golden/search_scores.inc"
+  };
+  for (const Pinned& row : pinned) {
+    std::vector<float> rgt, sphc;
+    for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+      rgt.push_back(BestOf(Algorithm::kRandomSearch, row.senses, seed));
+      sphc.push_back(BestOf(Algorithm::kSphc, row.senses, seed));
+    }
+    CHECK(rgt == row.rgt);
+    CHECK(sphc == row.sphc);
+    const auto median = [](std::vector<float> scores) {
+      std::ranges::sort(scores);
+      return 0.5f * (scores[4] + scores[5]);
+    };
+    CAPTURE(median(rgt), median(sphc));
+    CHECK(median(sphc) >= 1.5f * median(rgt));
+  }
+}
+
+}  // namespace gaitsmith::test

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "core/search/search.h"
+
+#include <algorithm>
+#include <catch_amalgamated.hpp>
+#include <cmath>
+#include <limits>
+
+#include "core/physics/evaluator.h"
+#include "tests/scene.h"
+
+namespace gaitsmith::test {
+
+namespace {
+
+const SearchSpace kSpace{BankShape(3, SenseKind::kTimer, 4), [] {
+                           SenseSpec senses;
+                           senses.kind = SenseKind::kTimer;
+                           return senses;
+                         }()};
+
+/// A smooth function with its top at one genome, so that searches can be tested without physics.
+float Hill(std::span<const Gene> genome) {
+  double distance = 0.0;
+  for (std::size_t i = 0; i < genome.size(); ++i) {
+    const double off = (genome[i] - (13107.0 * static_cast<double>(1 + i % 4))) / 65535.0;
+    distance += off * off;
+  }
+  return static_cast<float>(-distance);
+}
+
+struct Outcome {
+  Genome best;
+  float fitness;
+  std::vector<Search::CurvePoint> curve;
+  int told = 0;
+};
+
+template <class Score>
+Outcome Run(Search& search, int wanted, Score score) {
+  Outcome outcome;
+  while (!search.Done()) {
+    const auto genomes = search.Ask(wanted);
+    REQUIRE(!genomes.empty());
+    std::vector<float> fitness;
+    for (const Genome& genome : genomes) fitness.push_back(score(genome));
+    search.Tell(fitness);
+    outcome.told += static_cast<int>(genomes.size());
+  }
+  outcome.best = search.BestGenome();
+  outcome.fitness = search.BestFitness();
+  outcome.curve = search.Curve();
+  return outcome;
+}
+
+bool Same(const Outcome& a, const Outcome& b) {
+  return a.best == b.best && a.fitness == b.fitness &&
+         std::ranges::equal(a.curve, b.curve, [](const auto& p, const auto& q) {
+           return p.evaluation == q.evaluation && p.best == q.best;
+         });
+}
+
+SearchSettings Settings(Algorithm algorithm, int evaluations) {
+  SearchSettings settings;
+  settings.algorithm = algorithm;
+  settings.evaluations = evaluations;
+  settings.seed = 42;
+  settings.reseed_interval = 20;
+  return settings;
+}
+
+/// Figure 5 of the paper, word for word: one genome at a time, nothing ahead.
+Outcome SerialSphc(const SearchSettings& settings) {
+  struct Individual {
+    Genome genome;
+    float fitness;
+  };
+  std::vector<Individual> population;
+  Outcome outcome;
+  outcome.fitness = -std::numeric_limits<float>::infinity();
+  int evaluations = 0;
+  const auto note = [&](float fitness) {
+    ++evaluations;
+    if (outcome.curve.empty() || fitness > outcome.fitness) {
+      outcome.curve.push_back({evaluations, fitness});
+      outcome.fitness = fitness;
+    }
+  };
+  const auto size = static_cast<std::uint64_t>(settings.population);
+  for (std::uint64_t i = 0; i < size; ++i) {
+    RandomStream random(settings.seed, i, 0);
+    Genome genome = RandomGenome(kSpace.shape, kSpace.senses, settings.variation, random);
+    const float fitness = Hill(genome);
+    population.push_back({std::move(genome), fitness});
+    note(fitness);
+  }
+  for (std::uint64_t generation = 1; evaluations < settings.evaluations; ++generation) {
+    for (std::uint64_t i = 0; i < size && evaluations < settings.evaluations; ++i) {
+      RandomStream random(settings.seed, i, generation);
+      Genome child = Perturb(population[i].genome, kSpace.shape, kSpace.senses, settings.variation, random);
+      const float fitness = Hill(child);
+      if (fitness > population[i].fitness) population[i] = {std::move(child), fitness};
+      note(fitness);
+    }
+    if (generation % static_cast<std::uint64_t>(settings.reseed_interval) == 0 &&
+        evaluations < settings.evaluations) {
+      std::vector<std::size_t> rank(population.size());
+      for (std::size_t i = 0; i < rank.size(); ++i) rank[i] = i;
+      std::ranges::sort(rank, [&](auto a, auto b) {
+        return population[a].fitness != population[b].fitness ? population[a].fitness > population[b].fitness
+                                                              : a < b;
+      });
+      for (std::size_t i = 0; i < rank.size() / 2; ++i)
+        population[rank[rank.size() / 2 + i]] = population[rank[i]];
+    }
+  }
+  outcome.best = std::ranges::max_element(population, {}, &Individual::fitness)->genome;
+  return outcome;
+}
+
+}  // namespace
+
+TEST_CASE("SPHC: looking ahead gives exactly the serial result", "[search]") {
+  for (const int budget : {10, 13, 500, 1234, 4000}) {
+    const SearchSettings settings = Settings(Algorithm::kSphc, budget);
+    const Outcome serial = SerialSphc(settings);
+    for (const int wanted : {1, 10, 37, 160, 5000}) {
+      CAPTURE(budget, wanted);
+      const auto search = MakeSearch(settings, kSpace);
+      const Outcome ahead = Run(*search, wanted, Hill);
+      REQUIRE(Same(ahead, serial));
+      REQUIRE(search->Evaluations() == budget);
+    }
+  }
+}
+
+TEST_CASE("SPHC: looking ahead one step wastes nothing", "[search]") {
+  const auto search = MakeSearch(Settings(Algorithm::kSphc, 1000), kSpace);
+  REQUIRE(Run(*search, 10, Hill).told == 1000);
+}
+
+TEST_CASE("RG&T: the best of so many random genomes, however many are asked at a time", "[search]") {
+  const SearchSettings settings = Settings(Algorithm::kRandomSearch, 777);
+  const auto one = MakeSearch(settings, kSpace);
+  const Outcome serial = Run(*one, 1, Hill);
+  for (const int wanted : {5, 100, 10000}) {
+    const auto many = MakeSearch(settings, kSpace);
+    REQUIRE(Same(Run(*many, wanted, Hill), serial));
+  }
+  REQUIRE(serial.told == 777);
+}
+
+TEST_CASE("search: saved and loaded, it goes on as if nothing had happened", "[search]") {
+  for (const Algorithm algorithm : {Algorithm::kRandomSearch, Algorithm::kSphc}) {
+    const SearchSettings settings = Settings(algorithm, 900);
+    const auto whole = MakeSearch(settings, kSpace);
+    const Outcome uninterrupted = Run(*whole, 50, Hill);
+    auto search = MakeSearch(settings, kSpace);
+    while (!search->Done()) {
+      const auto genomes = search->Ask(50);
+      std::vector<float> fitness;
+      for (const Genome& genome : genomes) fitness.push_back(Hill(genome));
+      search->Tell(fitness);
+      BitWriter saved;
+      search->Save(saved);
+      search = MakeSearch(settings, kSpace);
+      BitReader reader(saved.Bytes());
+      REQUIRE(search->Load(reader));
+    }
+    REQUIRE(Same({search->BestGenome(), search->BestFitness(), search->Curve()}, uninterrupted));
+  }
+}
+
+TEST_CASE("search: a damaged state is refused", "[search]") {
+  for (const Algorithm algorithm : {Algorithm::kRandomSearch, Algorithm::kSphc}) {
+    const auto search = MakeSearch(Settings(algorithm, 900), kSpace);
+    search->Tell(std::vector<float>(search->Ask(10).size(), 1.0f));
+    BitWriter saved;
+    search->Save(saved);
+    auto bytes = saved.Bytes();
+    bytes.resize(bytes.size() / 2);
+    BitReader cut(bytes);
+    const auto loaded = search->Load(cut);
+    REQUIRE(!loaded);
+    REQUIRE(loaded.error().code == ErrorCode::kTruncated);
+  }
+}
+
+TEST_CASE("search: NaN loses to everything", "[search]") {
+  for (const Algorithm algorithm : {Algorithm::kRandomSearch, Algorithm::kSphc}) {
+    int asked = 0;
+    const auto search = MakeSearch(Settings(algorithm, 300), kSpace);
+    const Outcome outcome = Run(*search, 30, [&](const Genome& genome) {
+      return ++asked % 3 == 1 ? std::numeric_limits<float>::quiet_NaN() : Hill(genome);
+    });
+    REQUIRE(std::isfinite(outcome.fitness));
+    REQUIRE(outcome.fitness == Hill(outcome.best));
+  }
+}
+
+TEST_CASE("search: the curve rises and ends at the best", "[search]") {
+  const auto search = MakeSearch(Settings(Algorithm::kSphc, 2000), kSpace);
+  const Outcome outcome = Run(*search, 80, Hill);
+  REQUIRE(outcome.curve.front().evaluation == 1);
+  for (std::size_t i = 1; i < outcome.curve.size(); ++i) {
+    REQUIRE(outcome.curve[i].evaluation > outcome.curve[i - 1].evaluation);
+    REQUIRE(outcome.curve[i].best > outcome.curve[i - 1].best);
+  }
+  REQUIRE(outcome.curve.back().best == outcome.fitness);
+}
+
+}  // namespace gaitsmith::test

@@ -1,0 +1,58 @@
+# Arrows point one way: shell, web, examples -> core -> Eigen. Fails on any other include, and on words in core that
+# would bring in threads, clocks, files, printing, exceptions or the platform's own mathematics.
+#   cmake -DROOT=<repository> -P layering_test.cmake
+set(faults "")
+
+# Headers of the standard library that core has a use for; whatever is not here is not allowed.
+set(standard algorithm array bit charconv cmath cstddef cstdint cstdlib expected functional limits memory numeric optional
+    span string string_view utility vector variant tuple map)
+
+function(check_includes room allowed_rooms)
+  file(GLOB_RECURSE files ${ROOT}/${room}/*.h ${ROOT}/${room}/*.cpp)
+  foreach(file IN LISTS files)
+    file(STRINGS ${file} includes REGEX "^[ \t]*#[ \t]*include")
+    file(RELATIVE_PATH name ${ROOT} ${file})
+    foreach(line IN LISTS includes)
+      if(line MATCHES "\"([a-z_]+)/")
+        if(NOT CMAKE_MATCH_1 IN_LIST allowed_rooms)
+          set(faults "${faults}\n${name}: ${line}" PARENT_SCOPE)
+          set(faults "${faults}\n${name}: ${line}")
+        endif()
+      endif()
+      if(room STREQUAL "core" AND line MATCHES "<([^>]+)>")
+        if(NOT CMAKE_MATCH_1 IN_LIST standard AND NOT CMAKE_MATCH_1 MATCHES "^Eigen/")
+          set(faults "${faults}\n${name}: ${line}" PARENT_SCOPE)
+          set(faults "${faults}\n${name}: ${line}")
+        endif()
+      endif()
+    endforeach()
+  endforeach()
+endfunction()
+
+check_includes(core "core")
+check_includes(shell "core;shell")
+check_includes(web "core")
+check_includes(examples "core")
+
+# std::sin and friends round differently from one library to the next; the rest does not belong in core at all.
+set(forbidden
+    "std::(sin|cos|tan|asin|acos|atan|atan2|exp|exp2|log|log2|log10|pow|hypot|cbrt|fma|sinh|cosh|tanh|erf)[^a-z_0-9]"
+    "[^a-z_0-9:.](sinf?|cosf?|expf?|powf?|logf?|atan2f?)\\("
+    "std::(thread|jthread|mutex|async|atomic|chrono|cout|cerr|printf|ofstream|ifstream|random_device)"
+    "std::[a-z_]*_distribution" "std::hash" "unordered_" "[^a-z_]throw[^a-z_]" "[^a-z_]printf\\(" "__EMSCRIPTEN__"
+    "stable_sort")
+file(GLOB_RECURSE files ${ROOT}/core/*.h ${ROOT}/core/*.cpp)
+foreach(file IN LISTS files)
+  file(READ ${file} text)
+  string(REGEX REPLACE "//[^\n]*" "" text "${text}")  # prose may name what code must not
+  file(RELATIVE_PATH name ${ROOT} ${file})
+  foreach(pattern IN LISTS forbidden)
+    if(text MATCHES "${pattern}")
+      string(APPEND faults "\n${name}: ${CMAKE_MATCH_0}")
+    endif()
+  endforeach()
+endforeach()
+
+if(faults)
+  message(FATAL_ERROR "what core must not use, or rooms that must not be reached:${faults}")
+endif()

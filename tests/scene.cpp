@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "tests/scene.h"
+
+#include <algorithm>
+#include <catch_amalgamated.hpp>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "core/document/json.h"
+
+namespace gaitsmith::test {
+
+namespace {
+const std::filesystem::path kRoot = GAITSMITH_SOURCE_DIR;
+}
+
+std::string ReadFile(const std::string& path) {
+  std::ifstream file(kRoot / path, std::ios::binary);
+  INFO("reading " << path);
+  REQUIRE(file);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+Figure ShippedFigure(const std::string& name) {
+  auto figure = DecodeFigureJson(ReadFile("examples/figures/" + name + ".json"));
+  REQUIRE(figure);
+  return *figure;
+}
+
+Figure LyingRod() {
+  Rod rod;
+  rod.length_m = 1.3f;
+  rod.mass_kg = 0.7f;
+  return {"rod", {rod}};
+}
+
+Figure RandomFigure(std::uint64_t seed) {
+  RandomStream random(seed, 77, 0);
+  const auto between = [&](double low, double high) {
+    return static_cast<float>(low + (high - low) * random.Uniform());
+  };
+  Figure figure;
+  figure.name = "random " + std::to_string(seed);
+  const auto rods = 2 + random.Below(7);
+  for (std::uint32_t i = 0; i < rods; ++i) {
+    Rod rod;
+    rod.length_m = between(0.3, 1.2);
+    rod.mass_kg = between(0.2, 2.0);
+    rod.rest_rad = between(-3.0, 3.0);
+    if (i > 0) {
+      rod.parent = static_cast<int>(random.Below(i));
+      rod.parent_end = random.Chance(0.5) ? RodEnd::kStart : RodEnd::kEnd;
+    }
+    figure.rods.push_back(rod);
+  }
+  REQUIRE(Validate(figure));
+  return figure;
+}
+
+Controller HoldPose(const Figure& figure, const std::vector<float>& target_rad, float tau_s) {
+  Controller hold;
+  hold.rules = 1;
+  hold.senses.tau_min_s = tau_s;
+  hold.senses.tau_max_s = tau_s;
+  const BankShape shape(1, SenseKind::kPhysical, figure.Rods());
+  hold.genes.assign(shape.Genes(), 0);
+  for (int sense = 0; sense < shape.senses; ++sense) hold.genes[shape.High(0, sense)] = kGeneMax;
+  const Skeleton bones(figure);
+  for (int joint = 0; joint < shape.joints; ++joint) {
+    const auto& limb = bones.limbs[static_cast<std::size_t>(joint) + 1];
+    const float share =
+        (target_rad[static_cast<std::size_t>(joint)] - limb.min_rad) / (limb.max_rad - limb.min_rad);
+    hold.genes[shape.Target(0, joint)] = static_cast<Gene>(std::lround(share * 65535.0f));
+  }
+  return hold;
+}
+
+Controller RandomController(const Figure& figure, const SenseSpec& senses, std::uint64_t seed) {
+  RandomStream random(seed, 5, 0);
+  const BankShape shape(10, senses.kind, figure.Rods());
+  return {"random", senses, 10, RandomGenome(shape, senses, Variation{}, random)};
+}
+
+std::vector<std::string> GoldenMotions() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(kRoot / "tests/golden/motions")) {
+    if (entry.path().extension() == ".json")
+      names.push_back("tests/golden/motions/" + entry.path().filename().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+Document StarManTravel(SenseKind senses) {
+  Document document;
+  document.figure = ShippedFigure("mr-star-man");
+  document.senses.kind = senses;
+  document.search.evaluations = 4000;
+  return document;
+}
+
+}  // namespace gaitsmith::test

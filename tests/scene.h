@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Figures, controllers and documents that tests share. Scenes are the files of examples/: written once, used
+// everywhere.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/document/document.h"
+
+namespace gaitsmith::test {
+
+/// The whole file, by its path inside the repository.
+std::string ReadFile(const std::string& path);
+
+/// A figure of examples/figures, e.g. "mr-star-man".
+Figure ShippedFigure(const std::string& name);
+
+/// One rod of 1.3 m and 0.7 kg, lying flat.
+Figure LyingRod();
+
+/// A figure with random limbs: 2 to 8 rods, lengths 0.3 to 1.2 m, masses 0.2 to 2 kg, any rest angles.
+Figure RandomFigure(std::uint64_t seed);
+
+/// A controller with one rule that cares about nothing: it drives every joint to one pose for ever.
+Controller HoldPose(const Figure& figure, const std::vector<float>& target_rad, float tau_s);
+
+/// A random bank of ten rules.
+Controller RandomController(const Figure& figure, const SenseSpec& senses, std::uint64_t seed);
+
+/// All golden documents of tests/golden/motions, sorted by name.
+std::vector<std::string> GoldenMotions();
+
+/// Search settings and problem of Mr. Star-Man's travel.
+Document StarManTravel(SenseKind senses);
+
+}  // namespace gaitsmith::test

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// Searches through the page's own client and workers, under Node: the result is the same bits for any number
+// of workers, and whoever dies on the way. Pins nothing: every claim compares two runs.
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { NodeWorker } from './web_worker.mjs';
+
+const HERE = fileURLToPath(new URL('.', import.meta.url));
+const WEB = process.env.GAITSMITH_WEB ?? join(HERE, '../../build/wasm/web');
+
+/** @typedef {import('../../web/messages.js').SearchReport} SearchReport */
+/** @typedef {{reports: SearchReport[], incidents: string[], last: SearchReport, genome: Uint16Array}} Run */
+
+/** @type {typeof import('../../web/search_client.js').SearchClient} */
+let SearchClient;
+/** @type {import('../../web/engine.js').Engine} */
+let engine;
+/** @type {WebAssembly.Module} */
+let compiled;
+/** @type {string} */
+let figure;
+
+before(async () => {
+  ({ SearchClient } = await import(pathToFileURL(join(WEB, 'search_client.js')).href));
+  const { Engine } = await import(pathToFileURL(join(WEB, 'engine.js')).href);
+  compiled = await WebAssembly.compile(await readFile(join(WEB, 'engine.wasm')));
+  engine = await Engine.load(compiled);
+  figure = await readFile(join(HERE, '../../examples/figures/mr-star-man.json'), 'utf8');
+});
+
+/** @param {object} settings  of the search */
+function problem(settings) {
+  const search = { seed: 7, evaluations: 3000, ...settings };
+  return engine.documentFromText(JSON.stringify({ figure: JSON.parse(figure), search }));
+}
+
+/**
+ * Runs a search to its end.
+ * @param {Uint8Array} document
+ * @param {number} workers
+ * @param {(client: import('../../web/search_client.js').SearchClient, report: SearchReport, crew: NodeWorker[]) => void} [meddle]
+ *   called at every report
+ * @returns {Promise<Run>}
+ */
+function run(document, workers, meddle) {
+  return new Promise((resolve, reject) => {
+    /** @type {NodeWorker[]} */
+    const crew = [];
+    /** @type {SearchReport[]} */
+    const reports = [];
+    /** @type {string[]} */
+    const incidents = [];
+    const client = new SearchClient({
+      engine: compiled,
+      createWorker: () => {
+        crew.push(new NodeWorker(join(WEB, 'worker.js')));
+        return /** @type {any} */ (crew[crew.length - 1]);
+      },
+      listener: {
+        progress: (report) => {
+          reports.push(report);
+          if (report.state === 'done' || report.state === 'stopped') {
+            resolve({ reports, incidents, last: report, genome: report.bestGenome ?? new Uint16Array() });
+          } else {
+            meddle?.(client, report, crew);
+          }
+        },
+        incident: (sentence) => incidents.push(sentence),
+        failed: reject,
+      },
+    });
+    client.start(document, workers);
+    after(() => client.close());
+  });
+}
+
+/** @param {Run} a @param {Run} b */
+function assertSame(a, b) {
+  assert.ok(a.genome.length > 0);
+  assert.deepEqual(a.genome, b.genome);
+  assert.equal(a.last.bestFitness, b.last.bestFitness);
+  assert.equal(a.last.evaluations, b.last.evaluations);
+  assert.deepEqual(a.last.curve, b.last.curve);
+}
+
+for (const algorithm of ['sphc', 'rgt']) {
+  test(`${algorithm}: one, two and three workers find the same`, async () => {
+    const document = problem({ algorithm });
+    const [one, two, three] = [await run(document, 1), await run(document, 2), await run(document, 3)];
+    assert.equal(one.last.evaluations, 3000);
+    assert.ok(one.last.bestFitness > 0.5);
+    assertSame(one, two);
+    assertSame(one, three);
+  });
+}
+
+test('the best genome scores what the search says', async () => {
+  const document = problem({});
+  const { genome, last } = await run(document, 2);
+  assert.equal(engine.evaluator(document).evaluate(genome)[0], last.bestFitness);
+});
+
+/**
+ * Runs with two workers and terminates one of the crew at a third of the search, as a browser does that is
+ * short of memory: without a word. The coordinator is the first of the crew.
+ * @param {Uint8Array} document @param {number} victim
+ */
+function runWithDeath(document, victim) {
+  let killed = false;
+  return run(document, 2, (_, report, crew) => {
+    if (killed || report.evaluations < 5000) return;
+    killed = true;
+    crew[victim].terminate();
+  });
+}
+
+test('an evaluator that dies is replaced, and nothing is lost', async () => {
+  const document = problem({ evaluations: 15000 });
+  const dying = await runWithDeath(document, 1);
+  assert.equal(dying.incidents.length, 1);
+  assertSame(dying, await run(document, 1));
+});
+
+test('a coordinator that dies is replaced, and the search continues from its checkpoint', async () => {
+  const document = problem({ evaluations: 15000 });
+  const dying = await runWithDeath(document, 0);
+  assert.match(dying.incidents.join(), /continues from evaluation/);
+  assertSame(dying, await run(document, 1));
+});
+
+test('pause holds the search, resume goes on to the same end', async () => {
+  const document = problem({ evaluations: 6000 });
+  let paused = 0;
+  const held = await run(document, 2, (client, report) => {
+    if (report.evaluations > 1000 && report.state === 'running' && paused === 0) {
+      client.pause();
+      paused = 1;
+      setTimeout(() => client.resume(), 1200);
+    }
+  });
+  const still = held.reports.filter((report) => report.state === 'paused');
+  assert.ok(still.length >= 2);
+  assert.ok(still[still.length - 1].evaluations - still[0].evaluations <= 2 * 160);
+  assertSame(held, await run(document, 1));
+});
+
+test('stop ends the search early, with its best so far', async () => {
+  const stopped = await run(problem({ evaluations: 1e6 }), 2, (client, report) => {
+    if (report.evaluations > 500) client.stop();
+  });
+  assert.equal(stopped.last.state, 'stopped');
+  assert.ok(stopped.genome.length > 0);
+  assert.ok(stopped.last.evaluations < 1e6);
+});
+
+test('reports come at most 30 times a second, and the rate is about right', async () => {
+  const start = performance.now();
+  const { reports } = await run(problem({ evaluations: 10000 }), 1);
+  const seconds = (performance.now() - start) / 1000;
+  assert.ok(reports.length <= 30 * seconds + 2, `${reports.length} in ${seconds} s`);
+  const { rate } = reports[reports.length - 1];
+  assert.ok(rate > 0.5 * 10000 / seconds && rate < 3 * 10000 / seconds, `${rate}/s`);
+});
+
+test('a damaged document is refused with one clear fault, not tried again and again', async () => {
+  const document = problem({});
+  document[10] ^= 4;
+  await assert.rejects(run(document, 2), (error) => {
+    const fault = /** @type {import('../../web/engine.js').EngineError} */ (error).fault;
+    return fault.code === 'checksum' && fault.what.length > 0;
+  });
+});
