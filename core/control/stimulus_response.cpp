@@ -14,6 +14,10 @@ float DecodeTau(Gene gene, const SenseSpec& senses) {
 
 namespace {
 
+/// Share of hits on a stimulus interval that redraw it, or whether it is cared about, instead of moving its
+/// ends.
+constexpr double kRedrawCare = 0.25;
+
 void DrawInterval(Gene& low, Gene& high, RandomStream& random) {
   low = random.Gene();
   high = random.Gene();
@@ -53,7 +57,7 @@ void CreepRule(std::span<Gene> genes, const BankShape& shape, int rule, const Se
     if (!hit_low && !hit_high) continue;
     // Whether a rule cares about a sense is itself heritable: a hit redraws it now and then, in the
     // proportion of the initial generation, so that banks do not drift into caring about everything.
-    if (senses.kind == SenseKind::kPhysical && (!cares || random.Chance(0.25))) {
+    if (senses.kind == SenseKind::kPhysical && random.Chance(kRedrawCare)) {
       const bool ignore = random.Chance(static_cast<double>(variation.dont_care));
       if (ignore) {
         low = 0;
@@ -63,6 +67,7 @@ void CreepRule(std::span<Gene> genes, const BankShape& shape, int rule, const Se
       }
       continue;
     }
+    if (!cares) continue;
     if (hit_low) low = Creep(low, variation, random);
     if (hit_high) high = Creep(high, variation, random);
     if (low > high) std::swap(low, high);

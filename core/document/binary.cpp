@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t kHeaderBytes = 4;
 constexpr std::size_t kChecksumBytes = 4;
+constexpr int kChoiceBits = 5;  // more than any choice needs now: names are added without a new version
 
 class BinaryWriter : public Archive {
  public:
@@ -30,8 +31,8 @@ class BinaryWriter : public Archive {
   }
   void Flag(std::string_view, bool& value, bool) { bits_.Put(value ? 1 : 0, 1); }
   template <class Enum, class Names>
-  void Choice(std::string_view, Enum& value, const Names&, Enum) {
-    bits_.Put(static_cast<std::uint64_t>(value), 6);
+  void Choice(std::string_view, Enum& value, const Names&, Enum standard) {
+    if (!Standard(value == standard)) bits_.Put(static_cast<std::uint64_t>(value), kChoiceBits);
   }
   void Text(std::string_view, std::string& text) {
     bits_.Put(text.size(), 7);
@@ -99,8 +100,10 @@ class BinaryReader : public Archive {
   }
   void Flag(std::string_view name, bool& value, bool) { value = Given(name); }
   template <class Enum, class Names>
-  void Choice(std::string_view name, Enum& value, const Names& names, Enum) {
-    const auto index = static_cast<std::int64_t>(bits_.Take(6));
+  void Choice(std::string_view name, Enum& value, const Names& names, Enum standard) {
+    value = standard;
+    if (!Given(name)) return;
+    const auto index = static_cast<std::int64_t>(bits_.Take(kChoiceBits));
     CheckInteger(name, index, 0, static_cast<std::int64_t>(names.size()) - 1);
     CheckLeft(name);
     if (Ok()) value = static_cast<Enum>(index);

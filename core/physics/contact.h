@@ -40,58 +40,113 @@ struct RigidMotion {
   F spin;                    // of the root frame [rad/s]
 };
 
-/// Solves all contacts of one step. Sweeps go forward and backward in turn, so that neither end of a figure
-/// is favoured; they start from zero impulse and stop when one changes nothing in any lane (further ones
-/// would not either).
+/// Velocity of an endpoint by a unit impulse there: a symmetric 2 x 2 matrix, normal (n) and tangent (t).
+template <int W>
+struct Mobility {
+  using F = typename Lane<W>::F;
+  F nn, nt, tt;              // [1/kg]
+  F inverse_determinant;     // of the above [kg^2]; > 0
+  F spin_per_n, spin_per_t;  // spin of the figure by a unit impulse [1/(kg m)]
+};
+
+template <int W>
+struct Impulse {
+  using F = typename Lane<W>::F;
+  F normal, tangent;  // [N s]
+};
+
+/// The impulse that alone satisfies contact and friction at one endpoint, exactly:
+/// stick (both velocities vanish) if that lies in the friction cone, else slip one way or the other on its
+/// edge, else, should friction jam both ways, none of it; nothing for an endpoint that would not reach the
+/// ground.
+/// @param b_n, b_t velocities without this impulse (v_n with gap / h added) [m/s]
+template <int W>
+Impulse<W> SolveOne(const Mobility<W>& m, typename Lane<W>::F b_n, typename Lane<W>::F b_t, float friction) {
+  using L = Lane<W>;
+  using F = typename L::F;
+  using I = typename L::I;
+  const F stick_n = (m.nt * b_t - m.tt * b_n) * m.inverse_determinant;
+  const F stick_t = (m.nt * b_n - m.nn * b_t) * m.inverse_determinant;
+  const I sticks = (stick_n > 0.0f) & (L::Abs(stick_t) <= friction * stick_n);
+
+  // Friction +mu lambda_n pushes right, so the endpoint must slide left, and the other way round.
+  const F right_by = m.nn + friction * m.nt;
+  const F left_by = m.nn - friction * m.nt;
+  const F right_n = -b_n / right_by;
+  const F left_n = -b_n / left_by;
+  const I right = (right_by > 0.0f) & (b_t + (m.nt + friction * m.tt) * right_n <= 0.0f);
+  const I left = (left_by > 0.0f) & (b_t + (m.nt - friction * m.tt) * left_n >= 0.0f);
+
+  Impulse<W> impulse;
+  impulse.normal =
+      L::Select(sticks, stick_n, L::Select(right, right_n, L::Select(left, left_n, -b_n / m.nn)));
+  impulse.tangent = L::Select(
+      sticks, stick_t, L::Select(right, friction * right_n, L::Select(left, -(friction * left_n), F{})));
+  const I apart = ~(b_n < 0.0f);
+  impulse.normal = L::Select(apart, F{}, impulse.normal);
+  impulse.tangent = L::Select(apart, F{}, impulse.tangent);
+  return impulse;
+}
+
+/// Solves all contacts of one step, starting from the impulses they carry. Sweeps go forward and backward in
+/// turn, so that neither end of a figure is favoured. A lane that a sweep has hardly moved is settled and
+/// left alone from then on: what it gets depends on nothing but itself.
 /// @param inverse_inertia about the centre of mass [1/(kg m^2)]
+/// @param motion          without the contacts' impulses; with them afterwards
 template <int W>
 void SolveContacts(std::span<Contact<W>> contacts, float inverse_mass, typename Lane<W>::F inverse_inertia,
                    float friction, RigidMotion<W>& motion) {
   using L = Lane<W>;
   using F = typename L::F;
   using I = typename L::I;
-  struct Response {  // of the endpoint's velocity to an impulse there; zero in lanes that take no part
-    F normal_mass, tangent_mass, spin_per_normal, spin_per_tangent;
+  std::array<Mobility<W>, kMaxEndpoints> mobilities;
+  const auto apply = [&](const Mobility<W>& m, F push_n, F push_t) {
+    motion.velocity_x += push_t * inverse_mass;
+    motion.velocity_y += push_n * inverse_mass;
+    motion.spin += push_n * m.spin_per_n + push_t * m.spin_per_t;
   };
-  std::array<Response, kMaxEndpoints> responses;
+  const auto approach = [&](const Contact<W>& c) {
+    return motion.velocity_y + motion.spin * c.arm_x + c.drift_y;
+  };
+  const auto slide = [&](const Contact<W>& c) {
+    return motion.velocity_x - motion.spin * c.arm_y + c.drift_x;
+  };
+
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact<W>& c = contacts[i];
-    Response& r = responses[i];
-    r.spin_per_normal = c.arm_x * inverse_inertia;
-    r.spin_per_tangent = -c.arm_y * inverse_inertia;
-    r.normal_mass = L::Select(c.near_ground, 1.0f / (inverse_mass + c.arm_x * r.spin_per_normal), F{});
-    r.tangent_mass = L::Select(c.near_ground, 1.0f / (inverse_mass - c.arm_y * r.spin_per_tangent), F{});
+    Mobility<W>& m = mobilities[i];
+    m.spin_per_n = c.arm_x * inverse_inertia;
+    m.spin_per_t = -c.arm_y * inverse_inertia;
+    m.nn = inverse_mass + c.arm_x * m.spin_per_n;
+    m.nt = c.arm_x * m.spin_per_t;
+    m.tt = inverse_mass - c.arm_y * m.spin_per_t;
+    m.inverse_determinant = 1.0f / (m.nn * m.tt - m.nt * m.nt);
+    apply(m, c.normal, c.tangent);
   }
-
+  I settled{};
   for (int sweep = 0; sweep < kContactSweeps; ++sweep) {
-    I changed{};
+    F moved{};
     for (std::size_t turn = 0; turn < contacts.size(); ++turn) {
       const std::size_t i = sweep % 2 == 0 ? turn : contacts.size() - 1 - turn;
       Contact<W>& c = contacts[i];
-      const Response& r = responses[i];
-
-      const F v_n = motion.velocity_y + motion.spin * c.arm_x + c.drift_y;
-      const F normal = L::Max(c.normal - r.normal_mass * (v_n + c.reach), F{});
-      const F push_n = normal - c.normal;
-      c.normal = normal;
-      motion.velocity_y += push_n * inverse_mass;
-      motion.spin += push_n * r.spin_per_normal;
-
-      const F v_t = motion.velocity_x - motion.spin * c.arm_y + c.drift_x;
-      const F limit = friction * c.normal;
-      const F tangent = L::Max(L::Min(c.tangent - r.tangent_mass * v_t, limit), -limit);
-      const F push_t = tangent - c.tangent;
-      c.tangent = tangent;
-      motion.velocity_x += push_t * inverse_mass;
-      motion.spin += push_t * r.spin_per_tangent;
-
-      changed |= (push_n != 0.0f) | (push_t != 0.0f);
+      const Mobility<W>& m = mobilities[i];
+      const F b_n = approach(c) + c.reach - (m.nn * c.normal + m.nt * c.tangent);
+      const F b_t = slide(c) - (m.nt * c.normal + m.tt * c.tangent);
+      const Impulse<W> impulse = SolveOne<W>(m, b_n, b_t, friction);
+      const I takes_part = c.near_ground & ~settled;
+      const F push_n = L::Select(takes_part, impulse.normal - c.normal, F{});
+      const F push_t = L::Select(takes_part, impulse.tangent - c.tangent, F{});
+      c.normal = L::Select(takes_part, impulse.normal, c.normal);
+      c.tangent = L::Select(takes_part, impulse.tangent, c.tangent);
+      apply(m, push_n, push_t);
+      moved += L::Abs(push_n) + L::Abs(push_t);
     }
-    if (!L::Any(changed)) break;
+    settled |= moved * inverse_mass <= kContactTolerance;
+    if (!L::Any(~settled)) break;
   }
   for (Contact<W>& c : contacts) {
-    c.approach = motion.velocity_y + motion.spin * c.arm_x + c.drift_y;
-    c.slide = motion.velocity_x - motion.spin * c.arm_y + c.drift_x;
+    c.approach = approach(c);
+    c.slide = slide(c);
   }
 }
 

@@ -71,7 +71,7 @@ class Simulation {
 
     // Free flight: predict the whole step. The path follows the mean velocity, so that free fall is exact.
     spin_ = (angular_momentum_ - shape_momentum_) / inertia_;
-    const F path_x = step_s_ * (velocity_x_ - 0.5f * fall_x_);
+    path_x_ = step_s_ * (velocity_x_ - 0.5f * fall_x_);
     const F path_y = step_s_ * (velocity_y_ - 0.5f * fall_y_);
     const D turn = turn_ + L::ToDouble(spin_) * static_cast<double>(step_s_);
     F sine, cosine;
@@ -83,16 +83,17 @@ class Simulation {
       near_ground[k] = endpoint_height_[k] < kContactMargin;
       any_near |= near_ground[k];
     }
-    ForgetContacts();
+    normal_work_ = friction_work_ = lifting_work_ = F{};
     if (L::Any(any_near)) {
-      MeetGround(near_ground, path_x, path_y);
+      MeetGround(near_ground, path_x_, path_y);
     } else {
       turn_ = turn;
       sine_ = sine;
       cosine_ = cosine;
-      distance_ += L::ToDouble(path_x);
+      distance_ += L::ToDouble(path_x_);
       height_ += path_y;
       loaded_ = {};
+      impulses_ = {};
     }
     // Written so that NaN trips the guard too.
     broken_ |= ~(L::Abs(spin_) * step_s_ <= kMaxTurnPerStep);
@@ -137,10 +138,10 @@ class Simulation {
   [[nodiscard]] int Rule(int lane) const { return rule_[lane]; }
   [[nodiscard]] float SenseValue(int lane, int sense) const { return senses_[Index(sense)][lane]; }
   [[nodiscard]] float NormalForceN(int lane, int endpoint) const {
-    return normal_impulse_[Index(endpoint)][lane] * inverse_step_;
+    return impulses_[Index(endpoint)].normal[lane] * inverse_step_;
   }
   [[nodiscard]] float TangentForceN(int lane, int endpoint) const {
-    return tangent_impulse_[Index(endpoint)][lane] * inverse_step_;
+    return impulses_[Index(endpoint)].tangent[lane] * inverse_step_;
   }
   [[nodiscard]] float EndpointX(int lane, int endpoint) const {
     return (cosine_ * pose_.endpoint_x[Index(endpoint)] - sine_ * pose_.endpoint_y[Index(endpoint)])[lane];
@@ -254,16 +255,68 @@ class Simulation {
 
   /// The step again, with the ground, in the lanes whose endpoints are near it; the others keep the
   /// prediction.
-  void MeetGround(const std::array<I, kMaxEndpoints>& near_ground, F flight_x, F flight_y) {
-    // Half of the predicted turn, by series: at most 0.25 rad, or the motion is void anyway.
+  void MeetGround(std::array<I, kMaxEndpoints> near_ground, F flight_x, F flight_y) {
+    const D start_turn = turn_;
+    const F start_sine = sine_, start_cosine = cosine_, start_height = height_;
+    const RigidMotion<W> free{velocity_x_, velocity_y_, spin_};
+    const F start_momentum = angular_momentum_;
+    // The first round starts from the impulses of the step before: two feet that are driven apart stay on the
+    // edge of their friction cones, where from zero they would take many sweeps to arrive again. The second
+    // starts from the first.
+    // Only where an endpoint still is near: what other lanes do must not decide which old impulses are
+    // remembered.
+    std::array<Impulse<W>, kMaxEndpoints> known{};
+    for (std::size_t k = 0; k < Endpoints(); ++k) {
+      known[k].normal = L::Select(near_ground[k], impulses_[k].normal, F{});
+      known[k].tangent = L::Select(near_ground[k], impulses_[k].tangent, F{});
+    }
+    impulses_ = {};
+    std::array<Contact<W>, kMaxEndpoints> contacts;
+    std::span<Contact<W>> met;
+    for (int round = 0; round < kContactRounds; ++round) {
+      met = std::span(contacts.data(),
+                      GatherContacts(near_ground, known, start_sine, start_cosine, start_height, contacts));
+      RigidMotion<W> motion = free;
+      SolveContacts<W>(met, inverse_mass_, 1.0f / inertia_, friction_, motion);
+      F moment{};
+      I touched{};
+      for (const Contact<W>& c : met) {
+        moment += c.arm_x * c.normal - c.arm_y * c.tangent;
+        touched |= c.normal > 0.0f;
+        known[c.endpoint] = {c.normal, c.tangent};
+      }
+      // Impulses change L directly; the new spin follows from it, so that no rounding leaks from one into the
+      // other.
+      velocity_x_ = L::Select(touched, motion.velocity_x, free.velocity_x);
+      velocity_y_ = L::Select(touched, motion.velocity_y, free.velocity_y);
+      angular_momentum_ = L::Select(touched, start_momentum + moment, start_momentum);
+      spin_ = L::Select(touched, (angular_momentum_ - shape_momentum_) / inertia_, free.spin);
+      path_x_ = L::Select(touched, step_s_ * velocity_x_, flight_x);
+      height_ = start_height + L::Select(touched, step_s_ * velocity_y_, flight_y);
+      turn_ = start_turn + L::ToDouble(spin_) * static_cast<double>(step_s_);
+      SineCosineOfTurn(turn_, sine_, cosine_);
+      PlaceEndpoints(sine_, cosine_, height_);
+      // A landing may throw further endpoints against the ground: they take part in the next round.
+      for (std::size_t k = 0; k < Endpoints(); ++k)
+        near_ground[k] |= touched & (endpoint_height_[k] < kContactMargin);
+    }
+    distance_ += L::ToDouble(path_x_);
+    LiftOut();
+    Account(met);
+  }
+
+  /// Lists the endpoints near the ground in any lane, their arms taken at mid-step of the present guess of
+  /// the spin.
+  std::size_t GatherContacts(const std::array<I, kMaxEndpoints>& near_ground,
+                             const std::array<Impulse<W>, kMaxEndpoints>& known, F start_sine, F start_cosine,
+                             F start_height, std::array<Contact<W>, kMaxEndpoints>& contacts) const {
+    // Half of the turn, by series: at most 0.25 rad, or the motion is void anyway.
     const F half = 0.5f * step_s_ * spin_;
     const F half2 = half * half;
     const F half_sine = half * (1.0f - half2 * (1.0f / 6.0f) * (1.0f - half2 * (1.0f / 20.0f)));
     const F half_cosine = 1.0f - 0.5f * half2 * (1.0f - half2 * (1.0f / 12.0f));
-    const F sine = sine_ * half_cosine + cosine_ * half_sine;
-    const F cosine = cosine_ * half_cosine - sine_ * half_sine;
-
-    std::array<Contact<W>, kMaxEndpoints> contacts;
+    const F sine = start_sine * half_cosine + start_cosine * half_sine;
+    const F cosine = start_cosine * half_cosine - start_sine * half_sine;
     std::size_t count = 0;
     for (std::size_t k = 0; k < Endpoints(); ++k) {
       if (!L::Any(near_ground[k])) continue;
@@ -276,35 +329,14 @@ class Simulation {
       c.arm_y = sine * r_x + cosine * r_y;
       c.drift_x = cosine * u_x - sine * u_y;
       c.drift_y = sine * u_x + cosine * u_y;
-      const F gap = height_ + (sine_ * pose_.endpoint_x[k] + cosine_ * pose_.endpoint_y[k]);
+      const F gap = start_height + (start_sine * pose_.endpoint_x[k] + start_cosine * pose_.endpoint_y[k]);
       c.reach = L::Max(gap, F{}) * inverse_step_;
       c.near_ground = near_ground[k];
+      c.normal = known[k].normal;
+      c.tangent = known[k].tangent;
       c.endpoint = k;
     }
-    const std::span<Contact<W>> met(contacts.data(), count);
-    RigidMotion<W> motion{velocity_x_, velocity_y_, spin_};
-    SolveContacts<W>(met, inverse_mass_, 1.0f / inertia_, friction_, motion);
-
-    F moment{};
-    I touched{};
-    for (const Contact<W>& c : met) {
-      moment += c.arm_x * c.normal - c.arm_y * c.tangent;
-      touched |= c.normal > 0.0f;
-    }
-    // Impulses change L directly; the new spin follows from it, so that no rounding leaks from one into the
-    // other.
-    velocity_x_ = L::Select(touched, motion.velocity_x, velocity_x_);
-    velocity_y_ = L::Select(touched, motion.velocity_y, velocity_y_);
-    angular_momentum_ = L::Select(touched, angular_momentum_ + moment, angular_momentum_);
-    spin_ = L::Select(touched, (angular_momentum_ - shape_momentum_) / inertia_, spin_);
-
-    turn_ += L::ToDouble(spin_) * static_cast<double>(step_s_);
-    SineCosineOfTurn(turn_, sine_, cosine_);
-    distance_ += L::ToDouble(L::Select(touched, step_s_ * velocity_x_, flight_x));
-    height_ += L::Select(touched, step_s_ * velocity_y_, flight_y);
-    PlaceEndpoints(sine_, cosine_, height_);
-    LiftOut();
-    Account(met);
+    return count;
   }
 
   /// Whatever still ends below ground is lifted out, by position alone, without velocity.
@@ -315,20 +347,13 @@ class Simulation {
     lifting_work_ = lift * weight_n_;
   }
 
-  void ForgetContacts() {
-    normal_impulse_ = {};
-    tangent_impulse_ = {};
-    normal_work_ = friction_work_ = lifting_work_ = F{};
-  }
-
   void Account(std::span<const Contact<W>> met) {
     std::array<I, kMaxEndpoints> loaded{};
     for (const Contact<W>& c : met) {
       loaded[c.endpoint] = c.normal > 0.0f;
       const I slipping = loaded[c.endpoint] & loaded_[c.endpoint];
       slip_sum_ += L::Select(slipping, L::Abs(c.slide) * step_s_, F{});
-      normal_impulse_[c.endpoint] = c.normal;
-      tangent_impulse_[c.endpoint] = c.tangent;
+      impulses_[c.endpoint] = {c.normal, c.tangent};
       normal_work_ += c.normal * c.approach;
       friction_work_ += c.tangent * c.slide;
     }
@@ -361,7 +386,7 @@ class Simulation {
     }
     const float per_impulse = inverse_step_ / (spec.force_weights * skeleton_.mass_kg * kStandardGravity);
     for (std::size_t k = 0; k < Endpoints(); ++k) {
-      senses_[at++] = L::Min(normal_impulse_[k] * per_impulse, L::Splat(1.0f));
+      senses_[at++] = L::Min(impulses_[k].normal * per_impulse, L::Splat(1.0f));
     }
     senses_[at++] = height_ * (1.0f / (spec.height_rods * skeleton_.longest_rod_m));
     senses_[at++] = (velocity_y_ + spec.velocity_mps) * (1.0f / (2.0f * spec.velocity_mps));
@@ -385,6 +410,7 @@ class Simulation {
   F spin_{};              // of the root rod [rad/s]
   std::array<F, kMaxJoints> angle_{}, rate_{};
   std::array<I, kMaxEndpoints> loaded_{};
+  std::array<Impulse<W>, kMaxEndpoints> impulses_{};  // of the ground in the last step
   I rule_{};
   int step_ = 0;
   int timer_steps_ = 0;
@@ -395,8 +421,8 @@ class Simulation {
   std::array<F, kMaxJoints> joint_turn_{};
   Pose<W> pose_{}, next_pose_{};
   F inertia_{}, shape_momentum_{};
+  F path_x_{};  // of the centre of mass in this step [m]
   std::array<F, kMaxEndpoints> endpoint_height_{};
-  std::array<F, kMaxEndpoints> normal_impulse_{}, tangent_impulse_{};
   F normal_work_{}, friction_work_{}, lifting_work_{};
   SenseVector<W> senses_{};
 

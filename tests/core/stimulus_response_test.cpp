@@ -100,14 +100,14 @@ TEST_CASE("variation: random rules do switch", "[control]") {
   timer.kind = SenseKind::kTimer;
   for (const SenseSpec& senses : {SenseSpec{}, timer}) {
     int switches = 0;
-    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
       const Motion motion(figure, Environment{}, StartState{}, {},
                           std::vector{RandomController(figure, senses, seed)}, std::vector<Clip>{{0, 0}},
                           500);
       for (int i = 1; i < motion.Frames(); ++i)
         switches += motion.At(i).rule != motion.At(i - 1).rule ? 1 : 0;
     }
-    CHECK(switches / 30 >= 4);
+    CHECK(switches / 200 >= 4);
   }
 }
 

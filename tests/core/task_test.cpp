@@ -48,7 +48,7 @@ TEST_CASE("guard: spinning faster than the step resolves is void", "[task]") {
   const Motion slow(figure, Environment{}, start, {}, {}, {}, 20);
   CHECK(!slow.TermsAt(20).broke_physics);
   // Pushed at an endpoint until it turns at more than 50 rad/s.
-  const std::vector<Push> pushes = {{5, 1, -60.0f, 0.0f}};
+  const std::vector<Push> pushes = {{0, 1, -60.0f, 0.0f}};
   const Motion fast(figure, Environment{}, start, pushes, {}, {}, 20);
   CHECK(fast.TermsAt(20).broke_physics);
 }

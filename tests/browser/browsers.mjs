@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Starts what the browser tests need: the page's server, Chromium (headless) and Firefox (in a virtual display, since
+// without one it has no WebGL), each with a new profile.
+import { spawn } from 'node:child_process';
+import { existsSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+export const ROOT = join(dirname(fileURLToPath(import.meta.url)), '../..');
+
+/** @typedef {import('../../web/node_modules/puppeteer-core/lib/types.d.ts').Browser} Browser */
+/** @typedef {import('../../web/node_modules/puppeteer-core/lib/types.d.ts').Page} Page */
+
+/** @type {import('../../web/node_modules/puppeteer-core/lib/types.d.ts').PuppeteerNode} */
+const puppeteer = createRequire(join(ROOT, 'web/package.json'))('puppeteer-core');
+
+/** The tests' own children, ended by stopAll(). @type {import('node:child_process').ChildProcess[]} */
+const children = [];
+
+/**
+ * Starts a program and waits for the first line it prints.
+ * @param {string} program @param {string[]} options @param {import('node:child_process').StdioOptions} stdio
+ * @param {number} channel  of stdio, where the line comes
+ * @returns {Promise<string>}
+ */
+function firstLine(program, options, stdio, channel) {
+  return new Promise((resolve, reject) => {
+    const child = spawn(program, options, { stdio });
+    children.push(child);
+    child.once('error', reject);
+    child.once('exit', (code) => reject(new Error(`${program} ended with ${code}`)));
+    let text = '';
+    child.stdio[channel]?.on('data', (data) => {
+      text += data;
+      if (text.includes('\n')) resolve(text.trim());
+    });
+  });
+}
+
+/** Serves a folder. @param {string} folder @returns {Promise<string>} its address */
+export function serve(folder) {
+  return firstLine(process.execPath, [join(ROOT, 'web/serve.mjs'), folder, '0'], ['ignore', 'pipe', 'inherit'], 1);
+}
+
+export function stopAll() {
+  for (const child of children) child.kill();
+}
+
+/** @param {string[]} paths */
+const firstOf = (...paths) => paths.find((path) => path && existsSync(path));
+
+/** Chromium's flags: quiet, offline but for the page, and with a software WebGL, which it else refuses silently. */
+const CHROMIUM_FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
+  '--disable-component-update', '--disable-sync', '--use-gl=angle', '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader'];
+
+/** @typedef {{width: number, height: number, deviceScaleFactor?: number, isMobile?: boolean, hasTouch?: boolean}} Viewport */
+
+/** @param {Viewport} [viewport] @returns {Promise<Browser | null>} null: not installed */
+export async function startChromium(viewport = { width: 1280, height: 720 }) {
+  const executablePath = process.env.CHROMIUM ?? firstOf('/usr/bin/chromium', '/usr/bin/google-chrome',
+    '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome');
+  if (!executablePath) return null;
+  return puppeteer.launch({ executablePath, headless: true, args: CHROMIUM_FLAGS, defaultViewport: viewport });
+}
+
+/** @type {string | undefined} */
+let display;
+
+/** @returns {Promise<Browser | null>} null: not installed */
+export async function startFirefox() {
+  const executablePath = process.env.FIREFOX ?? firstOf('/usr/bin/firefox-esr', '/usr/bin/firefox',
+    '/Applications/Firefox.app/Contents/MacOS/firefox');
+  if (!executablePath) return null;
+  if (existsSync('/usr/bin/Xvfb')) {
+    display ??= `:${await firstLine('/usr/bin/Xvfb', ['-screen', '0', '1920x1200x24', '-nolisten', 'tcp', '-displayfd', '3'],
+      ['ignore', 'ignore', 'ignore', 'pipe'], 3)}`;
+  }
+  return puppeteer.launch({
+    browser: 'firefox',
+    executablePath,
+    headless: false,
+    defaultViewport: { width: 1280, height: 720 },
+    env: { ...process.env, ...(display ? { DISPLAY: display } : {}) },
+    extraPrefsFirefox: { 'webgl.force-enabled': true },
+  });
+}

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// One page under test: opens it, notes everything it complains about, and uses it as a person does.
+import assert from 'node:assert/strict';
+
+/** @typedef {import('./browsers.mjs').Browser} Browser */
+/** @typedef {import('./browsers.mjs').Page} Page */
+/** @typedef {import('../../web/app.js').Widget} Widget */
+
+const PATIENCE_MS = 60000;
+/** @param {number} ms */
+export const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+
+export class PageDriver {
+  /** Console errors, failed requests, requests to other hosts. @type {string[]} */
+  complaints = [];
+
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+  }
+
+  /**
+   * Opens an address in a fresh profile (a context of its own: no cookies, storage or cache of others).
+   * @param {Browser} browser @param {string} address
+   */
+  static async open(browser, address) {
+    const context = await browser.createBrowserContext();
+    const page = await context.newPage();
+    const driver = new PageDriver(page);
+    const { complaints } = driver;
+    page.on('console', (message) => {
+      if (['error', 'warn', 'assert'].includes(message.type()) && !/WebGL|GPU|GL Driver|software/i.test(message.text())) {
+        complaints.push(`console: ${message.text()}`);
+      }
+    });
+    page.on('pageerror', (error) => complaints.push(`uncaught: ${error}`));
+    page.on('requestfailed', (request) => complaints.push(`request failed: ${request.url()}`));
+    page.on('response', (response) => {
+      if (response.status() >= 400) complaints.push(`${response.status()}: ${response.url()}`);
+    });
+    const host = new URL(address).host;
+    page.on('request', (request) => {
+      const url = new URL(request.url());
+      if (/^(https?|wss?):$/.test(url.protocol) && url.host !== host) complaints.push(`request to another host: ${url}`);
+    });
+    await page.evaluateOnNewDocument(keepWorkers);
+    await page.goto(address);
+    await driver.call('ready', () => window.gaitsmith.ready.then(() => true));
+    return driver;
+  }
+
+  async close() { await this.page.browserContext().close(); }
+
+  /**
+   * Evaluates in the page, with a limit.
+   * @template T
+   * @param {string} what @param {() => T | Promise<T>} body
+   */
+  async call(what, body) {
+    let timer;
+    const late = new Promise((_, reject) => {
+      timer = setTimeout(() => reject(new Error(`${what}: no answer in ${PATIENCE_MS / 1000} s`)), PATIENCE_MS);
+    });
+    try {
+      return /** @type {T} */ (await Promise.race([this.page.evaluate(body), late]));
+    } finally {
+      clearTimeout(timer);
+    }
+  }
+
+  /** Waits until the page says so. @param {string} what @param {() => boolean} condition @param {number} [limit] */
+  async until(what, condition, limit = PATIENCE_MS) {
+    for (const start = Date.now(); Date.now() - start < limit; await sleep(50)) {
+      if (await this.page.evaluate(condition)) return;
+    }
+    assert.fail(`waited in vain for: ${what}`);
+  }
+
+  hash() { return this.page.evaluate(() => window.gaitsmith.hash()); }
+  link() { return this.page.evaluate(() => window.gaitsmith.link()); }
+  status() { return this.page.evaluate(() => document.querySelector('#status')?.textContent ?? ''); }
+
+  /** @returns {Promise<Widget[]>} */
+  widgets() { return this.page.evaluate(() => window.gaitsmith.widgets()); }
+
+  /** Clicks a widget of the canvas with the mouse. @param {string} id */
+  async click(id) {
+    for (const start = Date.now(); ; await sleep(50)) {
+      const widget = (await this.widgets()).find((candidate) => candidate.id === id);
+      if (widget) return this.clickAt(widget.rect.x + widget.rect.width / 2, widget.rect.y + widget.rect.height / 2);
+      assert.ok(Date.now() - start < 5000, `no widget ${id} on the canvas`);
+    }
+  }
+
+  /** An instant click could fall within one frame. @param {number} x @param {number} y */
+  async clickAt(x, y) {
+    await this.page.mouse.move(x, y);
+    await sleep(60);
+    await this.page.mouse.down();
+    await sleep(100);
+    await this.page.mouse.up();
+    await sleep(100);
+  }
+
+  /** Clicks an element of the page. @param {string} selector */
+  async clickElement(selector) {
+    const box = await (await this.page.$(selector))?.boundingBox();
+    assert.ok(box, `no visible ${selector}`);
+    await this.clickAt(box.x + box.width / 2, box.y + box.height / 2);
+  }
+
+  /**
+   * What the stage looks like: the spread of its pixels' brightness, and a sum that differs between pictures.
+   * @returns {Promise<{spread: number, sum: number}>}
+   */
+  async stage() {
+    const stage = (await this.widgets()).find(({ id }) => id === 'stage');
+    assert.ok(stage, 'no stage on the canvas');
+    const png = await this.page.screenshot({ encoding: 'base64', clip: stage.rect });
+    return this.page.evaluate(async (base64) => {
+      const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+      const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+      const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
+      context?.drawImage(image, 0, 0);
+      const { data = [] } = context?.getImageData(0, 0, image.width, image.height) ?? {};
+      let sum = 0, squares = 0, weighted = 0;
+      const count = data.length / 4;
+      for (let i = 0; i < count; i++) {
+        const v = data[4 * i] + data[4 * i + 1] + data[4 * i + 2];
+        sum += v;
+        squares += v * v;
+        weighted = (weighted * 31 + v) % 1000000007;
+      }
+      return { spread: Math.sqrt(squares / count - (sum / count) ** 2), sum: weighted };
+    }, png);
+  }
+
+  /** The page's workers in the order of their birth: coordinator first. @param {number} which */
+  terminateWorker(which) {
+    return this.page.evaluate((index) => /** @type {any} */ (window).testWorkers.at(index).terminate(), which);
+  }
+}
+
+/** Runs in the page before its scripts: keeps every Worker that it makes, to terminate one later. */
+function keepWorkers() {
+  const kept = /** @type {Worker[]} */ ([]);
+  Object.assign(window, {
+    testWorkers: kept,
+    Worker: class extends Worker {
+      /** @param {string | URL} url @param {WorkerOptions} [options] */
+      constructor(url, options) {
+        super(url, options);
+        kept.push(this);
+      }
+    },
+  });
+}

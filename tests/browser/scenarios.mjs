@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+// What must work in every browser. Each scenario is an observation a user could make; they share one page and build on
+// each other, as a visit does.
+import assert from 'node:assert/strict';
+import { PageDriver, sleep } from './page_driver.mjs';
+import { nativeHash } from './native.mjs';
+
+/** @typedef {import('./browsers.mjs').Browser} Browser */
+/**
+ * @typedef {object} Visit  what one browser's scenarios share
+ * @property {string} name
+ * @property {Browser} browser
+ * @property {string} address
+ * @property {PageDriver} page
+ * @property {Record<string, string>} found  hashes that every browser must agree on
+ * @property {string} link                   as Copy link gave it
+ * @property {Record<string, number | string>} figures  measured
+ */
+
+/** The searches of these tests are short: what they claim does not depend on length. */
+const EVALUATIONS = 2000;
+
+/** @type {[string, (visit: Visit) => Promise<void>][]} */
+export const SCENARIOS = [
+  ['opens without a complaint, and draws', async (visit) => {
+    visit.page = await PageDriver.open(visit.browser, visit.address);
+    visit.figures['open to first frame, ms'] = await visit.page.call('mark', () =>
+      Math.round(performance.getEntriesByName('gaitsmith-first-frame')[0].startTime));
+    await sleep(500);
+    const { spread } = await visit.page.stage();
+    assert.ok(spread > 10, `the stage is blank: spread ${spread}`);
+    assert.deepEqual(visit.page.complaints, []);
+  }],
+
+  ['a click on Synthesize starts a search, and the best improves', async (visit) => {
+    const { page } = visit;
+    await page.page.evaluate((evaluations) => {
+      const document = window.gaitsmith.document();
+      window.gaitsmith.open({ ...document, hash: undefined, search: { seed: 5, evaluations } });
+      const bests = /** @type {number[]} */ ([]);
+      Object.assign(window, { testBests: bests });
+      window.gaitsmith.on('progress', ({ detail }) => bests.push(detail.bestFitness));
+    }, EVALUATIONS);
+    await page.click('panels/3');
+    await watchFrames(page);
+    await page.click('search/start');
+    await page.until('a search', () => /** @type {any} */ (window).testBests.length > 2, 10000);
+    assert.match(await page.status(), /Searching with SPHC/);
+    await page.until('the end', () => document.querySelector('#status')?.textContent?.startsWith('Search done') ?? false);
+    const stall = await longestFrame(page);
+    visit.figures['longest gap between frames while searching, ms'] = stall;
+    assert.ok(stall < 1500, `the page stood still for ${stall} ms`);
+    const bests = await page.call('bests', () =>
+      /** @type {number[]} */ (/** @type {any} */ (window).testBests).filter((best) => Number.isFinite(best)));
+    assert.ok(bests[bests.length - 1] > bests[0], `best stayed at ${bests[0]}`);
+    visit.found.physical = await page.hash();
+  }],
+
+  ['the found motion moves on the stage', async ({ page }) => {
+    const before = await page.stage();
+    await sleep(400);
+    assert.notEqual((await page.stage()).sum, before.sum);
+  }],
+
+  ['the timer, chosen by a click, gives another search and another motion', async (visit) => {
+    const { page } = visit;
+    await page.click('panels/1');
+    await page.click('controller/senses/0');
+    assert.equal(await page.call('senses', () => window.gaitsmith.document().senses?.kind), 'timer');
+    await page.click('panels/3');
+    const before = await page.hash();
+    await page.page.evaluate(() => window.gaitsmith.on('done', () => Object.assign(window, { testDone: true })));
+    await page.click('search/start');
+    await page.until('the end', () => /** @type {any} */ (window).testDone === true);
+    visit.found.timer = await page.hash();
+    assert.notEqual(visit.found.timer, before);
+  }],
+
+  ['Copy link puts the link on the clipboard, or in a box to copy from', async (visit) => {
+    const { page } = visit;
+    await page.clickElement('#copy-link');
+    const boxed = await page.call('box', () => document.querySelector('textarea#link-text')?.closest('dialog')?.open);
+    if (boxed) {
+      visit.link = await page.call('link', () => /** @type {HTMLTextAreaElement} */ (document.querySelector('#link-text')).value);
+      await page.clickElement('#link-dialog button');
+    } else {
+      assert.equal(await page.call('toast', () => document.querySelector('#toast')?.textContent), 'Link copied');
+      // Read the clipboard as a person does: paste it into a text box.
+      await page.page.evaluate(() => addEventListener('paste', (event) =>
+        Object.assign(window, { testPasted: event.clipboardData?.getData('text/plain') }), { capture: true, once: true }));
+      await page.clickElement('#open');
+      await page.page.keyboard.down('Control');
+      await page.page.keyboard.press('v');
+      await page.page.keyboard.up('Control');
+      await sleep(300);
+      visit.link = await page.call('pasted', () => /** @type {any} */ (window).testPasted);
+      await page.call('closed', () => document.querySelector('dialog')?.close());
+    }
+    visit.figures['copied by'] = boxed ? 'box' : 'clipboard';
+    assert.equal(visit.link, await page.link());
+    assert.ok(visit.link.length < 1000, `${visit.link.length} characters`);
+    assert.equal(await page.hash(), visit.found.timer);
+  }],
+
+  ['the link shows the same motion, bit for bit, in a fresh profile and natively', async (visit) => {
+    const fresh = await PageDriver.open(visit.browser, visit.link);
+    assert.equal(await fresh.hash(), visit.found.timer);
+    assert.deepEqual(fresh.complaints, []);
+    await fresh.close();
+    const native = await nativeHash(visit.link);
+    if (native) assert.equal(native, visit.found.timer);
+  }],
+
+  ['the address follows the document at rest', async ({ page }) => {
+    await page.until('the address', () => location.href === window.gaitsmith.link(), 3000);
+  }],
+
+  ['one worker and two find the same motion', async (visit) => {
+    const { page } = visit;
+    const hashes = [];
+    for (const workers of [1, 2]) {
+      hashes.push(await page.page.evaluate(async (options) => (await window.gaitsmith.synthesize(options)).hash,
+        /** @type {const} */ ({ seed: 9, evaluations: EVALUATIONS, sense: 'physical', workers })));
+    }
+    assert.equal(hashes[0], hashes[1]);
+    visit.found.workers = hashes[0];
+  }],
+
+  ['a terminated evaluator is replaced, the status line says so, and nothing is lost', async (visit) => {
+    await dieOnTheWay(visit, -1, /worker stopped/);
+  }],
+
+  ['a terminated coordinator is replaced, the status line says so, and nothing is lost', async (visit) => {
+    await dieOnTheWay(visit, -3, /coordinator stopped/);
+  }],
+
+  ['a damaged link says what is wrong and leaves the work alone', async (visit) => {
+    const { page } = visit;
+    const before = await page.hash();
+    const link = await page.link();
+    await page.page.evaluate((hash) => { location.hash = hash; }, link.slice(link.indexOf('#'), -7));
+    await page.until('a banner', () => !document.querySelector('#banner')?.hasAttribute('hidden'), 3000);
+    const text = await page.call('banner', () => document.querySelector('#banner-text')?.textContent ?? '');
+    assert.match(text, /link/);
+    assert.match(text, /cut|damaged|truncated|ends|short/);
+    assert.equal(await page.hash(), before);
+    const covered = await page.call('cover', () => {
+      const banner = document.querySelector('#banner')?.getBoundingClientRect();
+      const canvas = document.querySelector('canvas')?.getBoundingClientRect();
+      return !banner || !canvas || banner.bottom > canvas.top + 1;
+    });
+    assert.ok(!covered, 'the banner covers the canvas');
+    await page.clickElement('#banner-close');
+    visit.figures['damaged link'] = text;
+  }],
+
+  ['the keyboard gets out of the canvas, and the main controls exist without it', async ({ page }) => {
+    await page.page.focus('canvas');
+    await sleep(100);
+    let presses = 0;
+    const inside = () => page.call('focus', () => document.activeElement?.id === 'canvas');
+    for (; presses < 80 && (await inside()); presses++) {
+      await page.page.keyboard.press('Tab', { delay: 30 });
+      await sleep(40);
+    }
+    assert.ok(presses < 80, 'Tab never leaves the canvas');
+    await page.page.focus('#control-play');
+    assert.ok(await page.call('seen', () => {
+      const box = document.querySelector('#control-play')?.getBoundingClientRect();
+      return box !== undefined && box.width > 20 && box.height > 20;
+    }), 'a focused control must be visible');
+    await page.page.focus('#control-describe');
+    await page.page.keyboard.press('Enter');
+    await sleep(100);
+    assert.match(await page.call('text', () => document.querySelector('#description')?.textContent ?? ''), / m after .* s/);
+    await page.page.focus('#open');
+  }],
+
+  ['the whole visit passed without a complaint', async ({ page }) => {
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+  }],
+];
+
+/**
+ * Terminates a worker at a third of a search of two; the hash must be that of the undisturbed search.
+ * @param {Visit} visit @param {number} which  of [coordinator, evaluator, evaluator], from the end
+ * @param {RegExp} sentence
+ */
+async function dieOnTheWay({ page, found }, which, sentence) {
+  const hash = page.page.evaluate(async (evaluations) => {
+    const { gaitsmith } = window;
+    const said = /** @type {string[]} */ ([]);
+    const status = /** @type {Element} */ (document.querySelector('#status'));
+    new MutationObserver(() => said.push(status.textContent ?? '')).observe(status, { childList: true });
+    Object.assign(window, { testSaid: said, testEvaluations: 0 });
+    gaitsmith.on('progress', ({ detail }) => Object.assign(window, { testEvaluations: detail.evaluations }));
+    return (await gaitsmith.synthesize({ seed: 9, evaluations, sense: 'physical', workers: 2 })).hash;
+  }, EVALUATIONS);
+  await page.until('a third', () => /** @type {any} */ (window).testEvaluations > 600);
+  await page.terminateWorker(which);
+  assert.equal(await hash, found.workers);
+  assert.match((await page.call('said', () => /** @type {any} */ (window).testSaid)).join('\n'), sentence);
+}
+
+/** Begins to watch for pauses of the page's thread. @param {PageDriver} page */
+async function watchFrames(page) {
+  await page.page.evaluate(() => {
+    let last = performance.now();
+    Object.assign(window, { testLongest: 0 });
+    const look = () => {
+      const now = performance.now();
+      const kept = /** @type {any} */ (window);
+      if (kept.testLongest === undefined) return;
+      kept.testLongest = Math.max(kept.testLongest, now - last);
+      last = now;
+      requestAnimationFrame(look);
+    };
+    requestAnimationFrame(look);
+  });
+}
+
+/** @param {PageDriver} page @returns {Promise<number>} ms */
+function longestFrame(page) {
+  return page.call('frames', () => {
+    const kept = /** @type {any} */ (window);
+    const longest = Math.round(kept.testLongest);
+    kept.testLongest = undefined;
+    return longest;
+  });
+}
