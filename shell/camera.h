@@ -7,11 +7,11 @@
 namespace gaitsmith::shell {
 
 struct Camera {
-  double left_m = 0.0;         // ground coordinate at the stage's left edge, at zero slope
-  float scale = 88.0f;         // points per metre
-  ImVec2 origin{0.0f, 0.0f};   // the stage's left edge on the ground line
-  float pivot = 0.0f;          // distance from the left edge around which a slope turns the picture [points]
-  float sine = 0.0f;           // of the slope, uphill to the right
+  double left_m = 0.0;        // ground coordinate at the stage's left edge, at zero slope
+  float scale = 88.0f;        // points per metre
+  ImVec2 origin{0.0f, 0.0f};  // the stage's left edge on the ground line
+  float pivot = 0.0f;         // distance from the left edge around which a slope turns the picture [points]
+  float sine = 0.0f;          // of the slope, uphill to the right
   float cosine = 1.0f;
 
   /// Positions differ from left_m in double precision, so that nothing trembles a kilometre away.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files that travel inside the program, written as arrays by embed.cmake: the typeface and the shipped documents.
+// Files that travel inside the program, written as arrays by embed.cmake: the typeface and the shipped
+// documents.
 #pragma once
 
 #include <span>

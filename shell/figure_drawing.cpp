@@ -27,7 +27,8 @@ void DrawArrow(ImDrawList* list, ImVec2 from, ImVec2 to, ImU32 colour, ImU32 edg
   const ImVec2 along(dx / length, dy / length);
   const float head = std::min(8.0f, 0.6f * length);
   const auto barb = [&](float side) {
-    return ImVec2(to.x - head * along.x - side * 0.62f * head * along.y, to.y - head * along.y + side * 0.62f * head * along.x);
+    return ImVec2(to.x - head * along.x - side * 0.62f * head * along.y,
+                  to.y - head * along.y + side * 0.62f * head * along.x);
   };
   for (const auto& [ink, width] : {std::pair{edge, 5.5f}, std::pair{colour, 2.5f}}) {
     DrawCapsule(list, from, to, width, ink);
@@ -36,7 +37,8 @@ void DrawArrow(ImDrawList* list, ImVec2 from, ImVec2 to, ImU32 colour, ImU32 edg
   }
 }
 
-void DrawFigure(ImDrawList* list, const Skeleton& skeleton, std::span<const ImVec2> endpoints, const FigureInk& ink) {
+void DrawFigure(ImDrawList* list, const Skeleton& skeleton, std::span<const ImVec2> endpoints,
+                const FigureInk& ink) {
   std::array<int, kMaxEndpoints> rods_at{};
   for (int rod = 0; rod < skeleton.rods; ++rod) {
     const auto i = static_cast<std::size_t>(rod);
@@ -59,7 +61,8 @@ void DrawFigure(ImDrawList* list, const Skeleton& skeleton, std::span<const ImVe
 
 std::vector<ImVec2> PoseOf(const Skeleton& skeleton, std::span<const float> angle_rad) {
   std::array<Lane<1>::F, kMaxJoints> angles{};
-  for (std::size_t joint = 0; joint < angle_rad.size(); ++joint) angles[joint] = Lane<1>::Splat(angle_rad[joint]);
+  for (std::size_t joint = 0; joint < angle_rad.size(); ++joint)
+    angles[joint] = Lane<1>::Splat(angle_rad[joint]);
   Pose<1> pose;
   PoseFigure<1>(skeleton, angles, pose);
   // PoseFigure lays the root rod along x; turn the whole as it was drawn.
@@ -75,7 +78,8 @@ std::vector<ImVec2> PoseOf(const Skeleton& skeleton, std::span<const float> angl
 
 float RodWidth(const Skeleton& skeleton, float points_per_metre) {
   float length = 0.0f;
-  for (int rod = 0; rod < skeleton.rods; ++rod) length += skeleton.limbs[static_cast<std::size_t>(rod)].length_m;
+  for (int rod = 0; rod < skeleton.rods; ++rod)
+    length += skeleton.limbs[static_cast<std::size_t>(rod)].length_m;
   const float mean = length / static_cast<float>(skeleton.rods) * points_per_metre;
   return std::clamp(0.18f * mean, 3.0f, 26.0f);
 }

@@ -26,8 +26,8 @@ void DrawCapsule(ImDrawList*, ImVec2 from, ImVec2 to, float width, ImU32 colour)
 /// An arrow with a light edge around it, so that it reads in front of the figure.
 void DrawArrow(ImDrawList*, ImVec2 from, ImVec2 to, ImU32 colour, ImU32 edge);
 
-/// The figure's endpoints in metres about its centre of mass, y upwards, for these joint angles (skeleton.joints, or
-/// none for the drawn pose).
+/// The figure's endpoints in metres about its centre of mass, y upwards, for these joint angles
+/// (skeleton.joints, or none for the drawn pose).
 [[nodiscard]] std::vector<ImVec2> PoseOf(const Skeleton&, std::span<const float> angle_rad);
 
 /// Rod thickness that suits a figure drawn at this scale [points].

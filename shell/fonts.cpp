@@ -12,7 +12,8 @@
 namespace gaitsmith::shell {
 namespace {
 
-// Dear ImGui measures a font by ascent - descent, designers by the em. For Inter the first is 1.21 of the second.
+// Dear ImGui measures a font by ascent - descent, designers by the em. For Inter the first is 1.21 of the
+// second.
 constexpr float kHeightPerEm = 1.2102f;
 constexpr float kCapitalHeightPerEm = 0.727f;
 
@@ -20,13 +21,14 @@ struct Face {
   float em;
   bool semibold;
 };
-constexpr std::array<Face, kTypes> kFaces = {{{11.0f, false}, {12.0f, false}, {13.0f, false},
-                                              {13.0f, true}, {15.0f, true}, {22.0f, true}}};
+constexpr std::array<Face, kTypes> kFaces = {
+    {{11.0f, false}, {12.0f, false}, {13.0f, false}, {13.0f, true}, {15.0f, true}, {22.0f, true}}};
 
 // The characters the interface uses; documents' names fall back to '?' beyond Latin-1.
-constexpr ImWchar kRanges[] = {0x20, 0x7e, 0xa0, 0xff, 0x394, 0x394, 0x3a3, 0x3a3, 0x3b8, 0x3b8, 0x3bc, 0x3bc,
-                               0x3c0, 0x3c0, 0x3c4, 0x3c4, 0x3c6, 0x3c6, 0x3c9, 0x3c9, 0x2013, 0x2014, 0x2018, 0x2019,
-                               0x201c, 0x201d, 0x2026, 0x2026, 0x2190, 0x2193, 0x2212, 0x2212, 0x2264, 0x2265, 0};
+constexpr ImWchar kRanges[] = {0x20,   0x7e,   0xa0,   0xff,   0x394,  0x394,  0x3a3,  0x3a3,  0x3b8,
+                               0x3b8,  0x3bc,  0x3bc,  0x3c0,  0x3c0,  0x3c4,  0x3c4,  0x3c6,  0x3c6,
+                               0x3c9,  0x3c9,  0x2013, 0x2014, 0x2018, 0x2019, 0x201c, 0x201d, 0x2026,
+                               0x2026, 0x2190, 0x2193, 0x2212, 0x2212, 0x2264, 0x2265, 0};
 
 // Gives all ten digits one width, each centred in it, so that counting numbers do not jitter.
 void MakeTabular(ImFont* font) {
@@ -68,8 +70,9 @@ void Fonts::Build(float density) {
     config.OversampleV = 1;
     config.GlyphRanges = kRanges;
     // The atlas only reads the bytes; its interface merely lacks the const.
-    fonts_[i] = atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(bytes.data()), static_cast<int>(bytes.size()),
-                                           kFaces[i].em * kHeightPerEm, &config);
+    fonts_[i] =
+        atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(bytes.data()), static_cast<int>(bytes.size()),
+                                   kFaces[i].em * kHeightPerEm, &config);
   }
   ImGui::GetIO().FontDefault = Raw(Type::kBody);
   atlas.Build();
@@ -100,8 +103,8 @@ void Fonts::Draw(ImDrawList* list, Type type, ImVec2 position, ImU32 colour, std
     if (glyph == nullptr) continue;
     if (glyph->Visible != 0) {
       list->PrimReserve(6, 4);
-      list->PrimRectUV({x + glyph->X0, top + glyph->Y0}, {x + glyph->X1, top + glyph->Y1}, {glyph->U0, glyph->V0},
-                       {glyph->U1, glyph->V1}, colour);
+      list->PrimRectUV({x + glyph->X0, top + glyph->Y0}, {x + glyph->X1, top + glyph->Y1},
+                       {glyph->U0, glyph->V0}, {glyph->U1, glyph->V1}, colour);
     }
     x += glyph->AdvanceX;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Type: Inter in the few sizes the design uses, rasterised for the device's own pixels, and text drawing that keeps
-// every baseline on a device pixel so that letters are sharp at any pixel ratio and browser zoom.
+// Type: Inter in the few sizes the design uses, rasterised for the device's own pixels, and text drawing that
+// keeps every baseline on a device pixel so that letters are sharp at any pixel ratio and browser zoom.
 #pragma once
 
 #include <imgui.h>
@@ -32,7 +32,8 @@ class Fonts {
   [[nodiscard]] float Width(Type, std::string_view text) const;
 
   /// Draws one line whose capitals are centred on y.
-  void Draw(ImDrawList*, Type, ImVec2 position, ImU32 colour, std::string_view text, Align = Align::kLeft) const;
+  void Draw(ImDrawList*, Type, ImVec2 position, ImU32 colour, std::string_view text,
+            Align = Align::kLeft) const;
 
   /// Draws one line, shortened with an ellipsis to this width.
   void DrawElided(ImDrawList*, Type, ImVec2 position, float width, ImU32 colour, std::string_view text) const;

@@ -1,28 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What the application needs from the place it runs in: the page (host_web.cpp) or the desktop (host_native.cpp).
+// What the application needs from the place it runs in: the page (host_web.cpp) or the desktop
+// (host_native.cpp).
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "core/document/document.h"
+#include "shell/search_progress.h"
 
 namespace gaitsmith::shell {
-
-enum class SearchState { kIdle, kRunning, kPaused, kDone, kStopped, kFailed };
-
-/// What a running search tells, at most about thirty times a second.
-struct SearchProgress {
-  SearchState state = SearchState::kIdle;
-  int evaluations = 0;
-  int budget = 0;
-  double evaluations_per_second = 0.0;
-  double seconds_left = 0.0;
-  int workers = 0;
-  float best_fitness = kVoidScore;
-  std::vector<Search::CurvePoint> curve;
-  Genome best_genome;  // empty when it has not changed since the last report, or there is none yet
-};
 
 class Host {
  public:
@@ -30,7 +16,8 @@ class Host {
 
   /// Most workers that make sense here.
   [[nodiscard]] virtual int MaxWorkers() const = 0;
-  /// Runs the document's search; a running one is stopped first. Progress comes through Session::OnSearchProgress.
+  /// Runs the document's search; a running one is stopped first. Progress comes through
+  /// Session::OnSearchProgress.
   virtual void StartSearch(const Document& document, int workers) = 0;
   virtual void PauseSearch() = 0;
   virtual void ResumeSearch() = 0;
@@ -41,7 +28,8 @@ class Host {
   virtual void DocumentChanged(const std::string& title) = 0;
   /// The first frame is on the screen.
   virtual void FirstFrame() {}
-  /// The keyboard wants to leave the canvas: +1 forwards (Tab), -1 backwards (Shift+Tab), 0 just away (Escape).
+  /// The keyboard wants to leave the canvas: +1 forwards (Tab), -1 backwards (Shift+Tab), 0 just away
+  /// (Escape).
   virtual void LeaveCanvas(int /*direction*/) {}
 };
 

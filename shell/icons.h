@@ -6,7 +6,19 @@
 
 namespace gaitsmith::shell {
 
-enum class Icon { kPlay, kPause, kStepForward, kStepBack, kRestart, kPlus, kMinus, kClose, kChevronDown, kCheck, kStop };
+enum class Icon {
+  kPlay,
+  kPause,
+  kStepForward,
+  kStepBack,
+  kRestart,
+  kPlus,
+  kMinus,
+  kClose,
+  kChevronDown,
+  kCheck,
+  kStop
+};
 
 /// @param size edge of the square it fills [points]; 14 suits 13 px type
 void DrawIcon(ImDrawList*, Icon, ImVec2 centre, float size, ImU32 colour);

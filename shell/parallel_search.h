@@ -1,23 +1,40 @@
 // SPDX-License-Identifier: MIT
-// Runs a search to its end on several threads. The threads only evaluate; what they evaluate, and in which
-// order the results count, is the search's affair, so the outcome is the same for any number of threads.
+// Runs a search to its end on several threads, for the desktop window and the command line. The result is the
+// same for any number of threads, since core's searches do not depend on how their batches are cut.
 #pragma once
 
+#include <condition_variable>
 #include <functional>
+#include <mutex>
 
-#include "core/physics/evaluator.h"
-#include "core/search/search.h"
+#include "core/physics/problem.h"
+#include "shell/search_progress.h"
 
 namespace gaitsmith::shell {
 
-/// Cores of this machine, at least 1.
-[[nodiscard]] int Cores();
+/// Lets another thread pause and cancel a running search.
+class SearchControl {
+ public:
+  void Pause(bool paused);
+  void Cancel();
+  [[nodiscard]] bool Cancelled() const;
+  [[nodiscard]] bool Paused() const;
+  /// Blocks while paused. @return false once cancelled
+  bool Proceed();
 
-/// @param threads [1, 256]
-/// @param go_on   called after every batch, on the calling thread; false ends the run early, and the search
-/// may be
-///                handed in again later to continue
-void RunSearch(Search& search, const Evaluator& evaluator, int threads,
-               const std::function<bool(const Search&)>& go_on);
+ private:
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  bool paused_ = false;
+  bool cancelled_ = false;
+};
+
+/// @param problem   valid
+/// @param threads   >= 1
+/// @param report    called on the calling thread, between batches
+/// @return the last report: kDone with the whole budget spent, or kStopped after Cancel
+SearchProgress RunParallelSearch(const Problem& problem, const SearchSettings& settings, int threads,
+                                 SearchControl& control,
+                                 const std::function<void(const SearchProgress&)>& report);
 
 }  // namespace gaitsmith::shell

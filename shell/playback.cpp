@@ -47,7 +47,8 @@ struct Between {
 };
 
 Between At(const Motion& motion, double time_s) {
-  const double position = std::clamp(time_s / static_cast<double>(motion.StepS()), 0.0, motion.Frames() - 1.0);
+  const double position =
+      std::clamp(time_s / static_cast<double>(motion.StepS()), 0.0, motion.Frames() - 1.0);
   const int frame = std::min(static_cast<int>(position), std::max(0, motion.Frames() - 2));
   return {frame, motion.Frames() < 2 ? 0.0f : static_cast<float>(position - frame)};
 }
@@ -69,7 +70,8 @@ std::vector<Playback::Point> Playback::EndpointsAt(double time_s) const {
   for (int k = 0; k < motion_->Bones().endpoints; ++k) {
     const Motion::Point a = motion_->Endpoint(frame, k);
     const Motion::Point b = motion_->Endpoint(next, k);
-    points.push_back({centre.x_m + static_cast<double>(a.x + (b.x - a.x) * share), centre.y_m + a.y + (b.y - a.y) * share});
+    points.push_back({centre.x_m + static_cast<double>(a.x + (b.x - a.x) * share),
+                      centre.y_m + a.y + (b.y - a.y) * share});
   }
   return points;
 }
@@ -106,7 +108,8 @@ void Playback::FindRuns() {
   }
 }
 
-// A pose is kept when the figure has moved on by about its own width; a figure on the spot keeps only its first.
+// A pose is kept when the figure has moved on by about its own width; a figure on the spot keeps only its
+// first.
 void Playback::ChoosePoses() {
   pose_frames_.assign(1, 0);
   for (int frame = 1; frame < motion_->Frames(); ++frame) {
@@ -127,7 +130,8 @@ void Playback::SmoothCamera() {
   for (int frame = 0; frame < frames; ++frame) {
     const int low = std::max(0, frame - window);
     const int high = std::min(frames, frame + window + 1);
-    camera_x_m_.push_back((sums[static_cast<std::size_t>(high)] - sums[static_cast<std::size_t>(low)]) / (high - low));
+    camera_x_m_.push_back((sums[static_cast<std::size_t>(high)] - sums[static_cast<std::size_t>(low)]) /
+                          (high - low));
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A document's motion being shown: where in time it is, how fast it runs, and what drawing it needs along the way.
-// The motion itself is core's; nothing here computes physics.
+// A document's motion being shown: where in time it is, how fast it runs, and what drawing it needs along the
+// way. The motion itself is core's; nothing here computes physics.
 #pragma once
 
 #include <imgui.h>
@@ -53,7 +53,9 @@ class Playback {
   /// The centre of mass, smoothed over a second: what a steady camera follows.
   [[nodiscard]] double CameraXAt(double time_s) const;
 
-  [[nodiscard]] float ReachM() const { return reach_m_; }    // farthest any endpoint gets from the centre of mass
+  [[nodiscard]] float ReachM() const {
+    return reach_m_;
+  }  // farthest any endpoint gets from the centre of mass
   [[nodiscard]] float HeightM() const { return height_m_; }  // highest any endpoint gets
   [[nodiscard]] const std::vector<RuleRun>& Runs() const { return runs_; }
   /// Frames whose poses stand apart enough to be drawn side by side: A, B, C...

@@ -68,12 +68,14 @@ void DrawPlot(Ui& ui, std::string_view id, std::string_view label, const ImRect&
   for (const double tick : ticks) {
     margin = std::max(margin, letters.Width(Type::kSmall, Short(tick, spacing) + std::string(axes.y_unit)));
   }
-  const ImRect field({rect.Min.x + margin + 8.0f, rect.Min.y + 8.0f}, {rect.Max.x - 4.0f, rect.Max.y - 22.0f});
+  const ImRect field({rect.Min.x + margin + 8.0f, rect.Min.y + 8.0f},
+                     {rect.Max.x - 4.0f, rect.Max.y - 22.0f});
   const auto x_of = [&](double x) {
     return field.Min.x + static_cast<float>(std::clamp(x / axes.x_end, 0.0, 1.0)) * field.GetWidth();
   };
   const auto y_of = [&](double y) {
-    return field.Max.y - static_cast<float>((y - extent.low) / (extent.high - extent.low)) * field.GetHeight();
+    return field.Max.y -
+           static_cast<float>((y - extent.low) / (extent.high - extent.low)) * field.GetHeight();
   };
 
   // Rules and their numbers.
@@ -86,12 +88,13 @@ void DrawPlot(Ui& ui, std::string_view id, std::string_view label, const ImRect&
   const std::vector<double> x_ticks = NiceTicks(0.0, axes.x_end);
   for (const double tick : x_ticks) {
     const float x = x_of(tick);
-    const std::string text = Short(tick, x_ticks.size() > 1 ? x_ticks[1] : 1.0);
+    const bool last = tick == x_ticks.back();
+    const std::string text =
+        Short(tick, x_ticks.size() > 1 ? x_ticks[1] : 1.0) + (last ? " " + std::string(axes.x_label) : "");
     const float half = 0.5f * letters.Width(Type::kSmall, text);
-    letters.Draw(list, Type::kSmall, {std::min(x, rect.Max.x - half), field.Max.y + 12.0f}, p.second_ink, text,
-                 Align::kCentre);
+    letters.Draw(list, Type::kSmall, {std::min(x, rect.Max.x - half), field.Max.y + 12.0f}, p.second_ink,
+                 text, Align::kCentre);
   }
-  letters.Draw(list, Type::kSmall, {field.Max.x, field.Min.y + 2.0f}, p.second_ink, axes.x_label, Align::kRight);
 
   // Each improvement is a step: nothing was better in between.
   for (const PlotSeries& one : series) {

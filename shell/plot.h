@@ -22,9 +22,9 @@ struct PlotSeries {
 };
 
 struct PlotAxes {
-  double x_end = 1.0;           // from 0
-  std::string_view x_label;     // e.g. "evaluations"
-  std::string_view y_unit;      // behind each tick, e.g. " m"
+  double x_end = 1.0;        // from 0
+  std::string_view x_label;  // e.g. "evaluations"
+  std::string_view y_unit;   // behind each tick, e.g. " m"
 };
 
 /// Three or four round numbers within [low, high], low < high.

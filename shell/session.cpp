@@ -7,6 +7,7 @@
 
 #include "core/document/json.h"
 #include "core/document/link.h"
+#include "core/numeric/scalar_math.h"
 #include "shell/embedded.h"
 #include "shell/wording.h"
 
@@ -29,7 +30,7 @@ Figure StarMan() {
   return figure;
 }
 
-// A motion that pauses at nothing: the same figure may come with every example, so names decide.
+// The same figure may come with several examples, so names decide.
 std::vector<Figure> ShippedFigures() {
   std::vector<Figure> figures;
   const auto add = [&](const Figure& figure) {
@@ -44,6 +45,14 @@ std::vector<Figure> ShippedFigures() {
   }
   add(StarMan());
   return figures;
+}
+
+// Takes away what was made for another figure.
+void Strip(Document& document) {
+  document.controllers.clear();
+  document.timeline.clear();
+  document.pushes.clear();
+  document.duration_steps = document.task.duration_steps;
 }
 
 bool SameRods(const Figure& a, const Figure& b) {
@@ -63,10 +72,14 @@ std::string SenseWords(const SenseSpec& senses) {
 
 std::string TaskWords(TaskKind kind) {
   switch (kind) {
-    case TaskKind::kTravel: return "travel";
-    case TaskKind::kTravelRight: return "travel to the right";
-    case TaskKind::kTravelLeft: return "travel to the left";
-    case TaskKind::kJump: return "jump";
+    case TaskKind::kTravel:
+      return "travel";
+    case TaskKind::kTravelRight:
+      return "travel to the right";
+    case TaskKind::kTravelLeft:
+      return "travel to the left";
+    case TaskKind::kJump:
+      return "jump";
   }
   return {};
 }
@@ -89,15 +102,17 @@ Result<void> Session::Open(std::string_view text) {
   if (!document) return std::unexpected(document.error());
   Stop();
   remembered_ = document_;
+  progress_ = {};
   selected_clip_ = 0;
   const auto expected = document->hash;
   player.speed = static_cast<double>(document->view.speed);
   Show(std::move(*document), true);
   if (expected && *expected != player.Shown().Hash()) {
-    Say("This motion replays differently here than where it was made (hash " + HashText(player.Shown().Hash()) +
-        " instead of " + HashText(*expected) + ").");
+    Say("This motion replays differently here than where it was made (hash " +
+        HashText(player.Shown().Hash()) + " instead of " + HashText(*expected) + ").");
   } else {
-    Say("Opened " + document_.title + ".");
+    notice.clear();
+    host_.Status("Opened " + document_.title + ".");
   }
   return {};
 }
@@ -116,7 +131,8 @@ void Session::Say(std::string sentence) {
 void Session::Show(Document document, bool start_over) {
   document.hash.reset();
   document_ = std::move(document);
-  selected_clip_ = std::clamp(selected_clip_, 0, std::max(0, static_cast<int>(document_.timeline.size()) - 1));
+  selected_clip_ =
+      std::clamp(selected_clip_, 0, std::max(0, static_cast<int>(document_.timeline.size()) - 1));
   player.Load(document_, start_over);
   host_.DocumentChanged(document_.title);
 }
@@ -159,13 +175,11 @@ void Session::Undo() {
 bool Session::ReplaceFigure(const Figure& figure) {
   const bool fits = SameRods(figure, document_.figure);
   const bool loses = !fits && !document_.controllers.empty();
-  if (!fits && Searching()) Stop();
+  Stop();  // it looks for motions of the figure as it was
   const bool changed = Change([&](Document& d) {
     d.figure = figure;
     if (fits) return;
-    d.controllers.clear();
-    d.timeline.clear();
-    d.pushes.clear();
+    Strip(d);
   });
   if (changed && loses) {
     progress_ = {};
@@ -193,9 +207,7 @@ void Session::ChooseFigure(int index) {
   if (!Change([&](Document& d) {
         d.figure = figure;
         d.title = figure.name;
-        d.controllers.clear();
-        d.timeline.clear();
-        d.pushes.clear();
+        Strip(d);
       })) {
     return;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is open and what may be done to it: the document, its playback, the search that improves it. Panels read it and
-// ask it for changes; it validates, simulates anew, and tells the host.
+// What is open and what may be done to it: the document, its playback, the search that improves it. Panels
+// read it and ask it for changes; it validates, simulates anew, and tells the host.
 #pragma once
 
 #include <functional>
@@ -26,7 +26,8 @@ class Session {
 
   // Changing.
   using Edit = std::function<void(Document&)>;
-  /// Changes something that the motion depends on. An invalid result is refused with a sentence for the reader.
+  /// Changes something that the motion depends on. An invalid result is refused with a sentence for the
+  /// reader.
   bool Change(const Edit& edit);
   /// Changes settings of the next search or of the view, which the motion does not depend on.
   bool Set(const Edit& edit);
@@ -61,7 +62,8 @@ class Session {
   [[nodiscard]] bool Searching() const {
     return progress_.state == SearchState::kRunning || progress_.state == SearchState::kPaused;
   }
-  /// Shows the best motion found so far, when the last one has been on the screen for a moment. @return true if it did
+  /// Shows the best motion found so far, when the last one has been on the screen for a moment. @return true
+  /// if it did
   bool ShowImprovement(double seconds);
   int workers = 1;
 

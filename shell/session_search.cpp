@@ -12,8 +12,11 @@ void Session::Synthesize() {
   Remember();
   notice.clear();
   searched_ = document_;
-  progress_ = {.state = SearchState::kRunning, .budget = document_.search.evaluations, .workers = workers,
-               .curve = {}, .best_genome = {}};
+  progress_ = {.state = SearchState::kRunning,
+               .budget = document_.search.evaluations,
+               .workers = workers,
+               .curve = {},
+               .best_genome = {}};
   improvement_.clear();
   shown_for_s_ = 1e9;
   host_.StartSearch(document_, workers);
@@ -43,8 +46,9 @@ void Session::OnSearchProgress(SearchProgress progress) {
   if (progress_.state == SearchState::kFailed) {
     Say("The search failed.");
   } else {
-    Say((progress_.state == SearchState::kDone ? "Search done: best " : "Search stopped: best ") +
-        Fixed(progress_.best_fitness, 2) + " after " + Grouped(progress_.evaluations) + " evaluations.");
+    host_.Status((progress_.state == SearchState::kDone ? "Search done: best " : "Search stopped: best ") +
+                 Fixed(progress_.best_fitness, 2) + " after " + Grouped(progress_.evaluations) +
+                 " evaluations.");
   }
 }
 
@@ -67,7 +71,8 @@ bool Session::ShowImprovement(double seconds) {
   return true;
 }
 
-// Gives the selected clip this controller; other clips keep theirs, and controllers that nobody uses any more go.
+// Gives the selected clip this controller; other clips keep theirs, and controllers that nobody uses any more
+// go.
 void Session::PutController(Controller controller) {
   const bool first = document_.timeline.empty();
   Change([&](Document& d) {

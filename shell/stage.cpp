@@ -30,20 +30,21 @@ Camera AimCamera(const Session& session, const ImRect& rect, float ground_y) {
   const float reach = player.ReachM();
   const float room = ground_y - rect.Min.y - 70.0f;
   Camera camera;
-  const float radius = std::clamp(0.155f * rect.GetHeight(), 44.0f, std::max(44.0f, 0.185f * rect.GetWidth()));
+  const float radius =
+      std::clamp(0.155f * rect.GetHeight(), 44.0f, std::max(44.0f, 0.185f * rect.GetWidth()));
   camera.scale = std::min(radius / reach, std::max(20.0f, room) / std::max(player.HeightM(), 0.1f));
 
   // The side it comes from gets more of the stage, since that is where its past stands.
   const double width_m = static_cast<double>(rect.GetWidth() / camera.scale);
   const double margin_m = 1.35 * static_cast<double>(reach);
   const double x = player.CameraXAt(player.TimeS());
-  const bool leftwards = player.Shown().At(player.Shown().Frames() - 1).x_m < 0.0;
-  if (leftwards) {
-    camera.left_m = std::min(x - 0.34 * width_m, margin_m - width_m);
-    camera.left_m = std::max(camera.left_m, x - 0.8 * width_m);
+  const double end_m = player.Shown().At(player.Shown().Frames() - 1).x_m;
+  if (std::abs(end_m) < margin_m) {
+    camera.left_m = x - 0.5 * width_m;
+  } else if (end_m < 0.0) {
+    camera.left_m = std::max(std::min(x - 0.34 * width_m, margin_m - width_m), x - 0.8 * width_m);
   } else {
-    camera.left_m = std::max(x - 0.66 * width_m, -margin_m);
-    camera.left_m = std::min(camera.left_m, x - 0.2 * width_m);
+    camera.left_m = std::min(std::max(x - 0.66 * width_m, -margin_m), x - 0.2 * width_m);
   }
   camera.origin = {rect.Min.x, ground_y};
   camera.pivot = static_cast<float>(x - camera.left_m) * camera.scale;
@@ -64,9 +65,11 @@ void DrawGround(const Scene& s) {
   const ImVec2 corners[] = {left, right, {right.x, below}, {left.x, below}};
   s.list->AddConvexPolyFilled(corners, 4, p.ground);
 
-  // A tick every metre, or every 5 or 10 when they would crowd.
+  // A tick every metre, or every 2, 5, 10... where they would crowd.
   int spacing = 1;
-  while (static_cast<float>(spacing) * s.camera.scale < 44.0f) spacing = spacing % 10 == 5 ? spacing * 2 : spacing * 5;
+  for (int grow = 0; static_cast<float>(spacing) * s.camera.scale < 44.0f; ++grow) {
+    spacing = grow % 3 == 1 ? spacing / 2 * 5 : spacing * 2;
+  }
   for (auto m = static_cast<long long>(std::floor(first)); static_cast<double>(m) < last; ++m) {
     if (m % spacing != 0) continue;
     ImVec2 at = s.camera.ToScreen(static_cast<double>(m), 0.0f);
@@ -74,14 +77,16 @@ void DrawGround(const Scene& s) {
     const ImVec2 foot(at.x + 7.0f * s.camera.sine, at.y + 7.0f * s.camera.cosine);
     s.list->AddLine(at, foot, p.second_ink);
     const ImVec2 text(at.x + 19.0f * s.camera.sine, at.y + 19.0f * s.camera.cosine);
-    s.ui.Letters().Draw(s.list, Type::kSmall, text, p.second_ink, std::to_string(m) + " m", Align::kCentre);
+    s.ui.Letters().Draw(s.list, Type::kSmall, text, p.second_ink,
+                        (m < 0 ? "−" : "") + std::to_string(std::abs(m)) + " m", Align::kCentre);
   }
   s.list->AddLine(left, right, p.second_ink, 1.5f);
 }
 
 std::vector<ImVec2> OnScreen(const Scene& s, double time_s) {
   std::vector<ImVec2> points;
-  for (const Playback::Point& point : s.player.EndpointsAt(time_s)) points.push_back(s.camera.ToScreen(point.x_m, point.y_m));
+  for (const Playback::Point& point : s.player.EndpointsAt(time_s))
+    points.push_back(s.camera.ToScreen(point.x_m, point.y_m));
   return points;
 }
 
@@ -98,12 +103,17 @@ ImU32 ActiveColour(const Scene& s) {
 
 void DrawLetter(const Scene& s, double x_m, ImU32 colour, int index) {
   const ImVec2 at = s.camera.ToScreen(x_m, 0.0f);
-  s.ui.Letters().Draw(s.list, Type::kStrong, {at.x + 42.0f * s.camera.sine, at.y + 42.0f * s.camera.cosine}, colour,
-                      LetterOf(index), Align::kCentre);
+  s.ui.Letters().Draw(s.list, Type::kStrong, {at.x + 42.0f * s.camera.sine, at.y + 42.0f * s.camera.cosine},
+                      colour, LetterOf(index), Align::kCentre);
 }
 
-// Past poses, paler with age. @return the time of the oldest one drawn
-double DrawPast(const Scene& s) {
+struct Past {
+  double oldest_s;  // time of the oldest pose drawn
+  int next;         // letter of the figure itself
+};
+
+// Past poses, paler with age.
+Past DrawPast(const Scene& s) {
   const Palette& p = s.ui.Ink();
   const Motion& motion = s.player.Shown();
   const double now_x = s.player.CentreAt(s.player.TimeS()).x_m;
@@ -112,20 +122,23 @@ double DrawPast(const Scene& s) {
     const int frame = s.player.PoseFrames()[static_cast<std::size_t>(i)];
     if (frame >= s.player.Frame()) break;
     // A figure that comes back must not stand in its own ghosts.
-    if (std::abs(motion.At(frame).x_m - now_x) > 1.1 * static_cast<double>(s.player.ReachM())) past.push_back(i);
+    if (std::abs(motion.At(frame).x_m - now_x) > 1.1 * static_cast<double>(s.player.ReachM()))
+      past.push_back(i);
   }
   if (past.size() > kPosesShown) past.erase(past.begin(), past.end() - kPosesShown);
-  if (past.empty()) return std::max(0.0, s.player.TimeS() - 2.0);
+  if (past.empty()) return {std::max(0.0, s.player.TimeS() - 2.0), 0};
 
   const float width = 0.72f * RodWidth(motion.Bones(), s.camera.scale);
   for (std::size_t k = 0; k < past.size(); ++k) {
     const int frame = s.player.PoseFrames()[static_cast<std::size_t>(past[k])];
     const double time_s = frame * static_cast<double>(motion.StepS());
     const float depth = 0.14f + 0.05f * static_cast<float>(k + kPosesShown - past.size());
-    DrawFigure(s.list, motion.Bones(), OnScreen(s, time_s), {.rods = Mix(p.paper, p.ink, depth), .width = width});
+    DrawFigure(s.list, motion.Bones(), OnScreen(s, time_s),
+               {.rods = Mix(p.paper, p.ink, depth), .width = width});
     DrawLetter(s, motion.At(frame).x_m, p.second_ink, past[k]);
   }
-  return s.player.PoseFrames()[static_cast<std::size_t>(past.front())] * static_cast<double>(motion.StepS());
+  const int oldest = s.player.PoseFrames()[static_cast<std::size_t>(past.front())];
+  return {oldest * static_cast<double>(motion.StepS()), past.back() + 1};
 }
 
 // The path of the centre of mass as dots of equal distance.
@@ -135,7 +148,8 @@ void DrawTrail(const Scene& s, double from_s) {
   const int last = s.player.Frame();
   ImVec2 before = s.camera.ToScreen(motion.At(last).x_m, motion.At(last).y_m);
   float due = kSpacing;
-  for (int frame = last - 1; frame >= static_cast<int>(from_s / static_cast<double>(motion.StepS())); --frame) {
+  for (int frame = last - 1; frame >= static_cast<int>(from_s / static_cast<double>(motion.StepS()));
+       --frame) {
     const ImVec2 point = s.camera.ToScreen(motion.At(frame).x_m, motion.At(frame).y_m);
     float length = std::hypot(point.x - before.x, point.y - before.y);
     while (length >= due) {
@@ -162,7 +176,8 @@ void DrawForces(const Scene& s, const std::vector<ImVec2>& endpoints) {
     const float x = force.x / (size * weight) * length;
     const float y = force.y / (size * weight) * length;
     const ImVec2 from = endpoints[static_cast<std::size_t>(k)];
-    const ImVec2 to(from.x + x * s.camera.cosine - y * s.camera.sine, from.y - x * s.camera.sine - y * s.camera.cosine);
+    const ImVec2 to(from.x + x * s.camera.cosine - y * s.camera.sine,
+                    from.y - x * s.camera.sine - y * s.camera.cosine);
     DrawArrow(s.list, from, to, ActiveColour(s), Fade(s.ui.Ink().paper, 0.85f));
   }
 }
@@ -175,11 +190,14 @@ void DrawNumbers(const Scene& s) {
   const float metres = jump ? terms.max_cm_height_m - terms.start_height_m : std::abs(terms.travel_m);
   const ImVec2 at(s.rect.Min.x + 16.0f, s.rect.Min.y + 23.0f);
   letters.Draw(s.list, Type::kNumber, at, p.ink, Fixed(metres, 2) + " m");
-  const std::string words = std::string(jump ? "jump" : "travel") + " · slip " + Fixed(terms.slip_sum_m, 1) + " m · " +
-                            Fixed(terms.rotations, 1) + " rotations · peak " + Fixed(terms.max_cm_height_m, 2) + " m";
-  letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 22.0f}, s.rect.GetWidth() - 32.0f, p.second_ink, words);
+  const std::string words = std::string(jump ? "jump" : "travel") + " · slip " + Fixed(terms.slip_sum_m, 1) +
+                            " m · " + Fixed(terms.rotations, 1) + " rotations · peak " +
+                            Fixed(terms.max_cm_height_m, 2) + " m";
+  letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 22.0f}, s.rect.GetWidth() - 32.0f, p.second_ink,
+                     words);
   if (terms.broke_physics) {
-    letters.Draw(s.list, Type::kNote, {at.x, at.y + 40.0f}, p.bad, "This motion breaks physics and counts as void.");
+    letters.Draw(s.list, Type::kNote, {at.x, at.y + 40.0f}, p.bad,
+                 "This motion breaks physics and counts as void.");
   } else if (s.session.Doc().timeline.empty()) {
     letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 40.0f}, s.rect.GetWidth() - 32.0f, p.accent,
                        "No controller yet: press Synthesize in the Search panel.");
@@ -190,10 +208,11 @@ void DrawNumbers(const Scene& s) {
 
 void DrawStage(Ui& ui, Session& session, const ImRect& rect) {
   const Terms& terms = session.player.TermsNow();
-  const Touch touch = ui.Area("stage", rect, Grab::kPress,
-                              {.label = "Stage: " + session.Doc().figure.name,
-                               .role = "img",
-                               .value = Fixed(terms.travel_m, 2) + " m after " + Fixed(session.player.TimeS(), 2) + " s"});
+  const Touch touch =
+      ui.Area("stage", rect, Grab::kPress,
+              {.label = "Stage: " + session.Doc().figure.name,
+               .role = "img",
+               .value = Fixed(terms.travel_m, 2) + " m after " + Fixed(session.player.TimeS(), 2) + " s"});
   if (touch.pressed) session.player.Play(!session.player.Playing());
 
   const float ground_y = ui.Look().Snap(rect.Max.y - std::clamp(0.178f * rect.GetHeight(), 62.0f, 130.0f));
@@ -208,8 +227,8 @@ void DrawStage(Ui& ui, Session& session, const ImRect& rect) {
   scene.list->PushClipRect(rect.Min, rect.Max, true);
   scene.list->AddRectFilled(rect.Min, rect.Max, ui.Ink().paper);
   DrawGround(scene);
-  const double oldest_s = view.poses ? DrawPast(scene) : std::max(0.0, session.player.TimeS() - 4.0);
-  if (view.trail) DrawTrail(scene, oldest_s);
+  const Past past = view.poses ? DrawPast(scene) : Past{std::max(0.0, session.player.TimeS() - 4.0), 0};
+  if (view.trail) DrawTrail(scene, past.oldest_s);
 
   const Motion& motion = session.player.Shown();
   const std::vector<ImVec2> endpoints = OnScreen(scene, session.player.TimeS());
@@ -217,11 +236,7 @@ void DrawStage(Ui& ui, Session& session, const ImRect& rect) {
   DrawFigure(scene.list, motion.Bones(), endpoints,
              {.rods = ui.Ink().ink, .joints = active, .width = RodWidth(motion.Bones(), scene.camera.scale)});
   if (view.forces) DrawForces(scene, endpoints);
-  if (view.poses) {
-    const auto& poses = session.player.PoseFrames();
-    const auto next = std::ranges::lower_bound(poses, session.player.Frame()) - poses.begin();
-    DrawLetter(scene, session.player.CentreAt(session.player.TimeS()).x_m, active, static_cast<int>(next));
-  }
+  if (view.poses) DrawLetter(scene, session.player.CentreAt(session.player.TimeS()).x_m, active, past.next);
   DrawNumbers(scene);
   ImRect ring = rect;
   ring.Expand(-4.0f);

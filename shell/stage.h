@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The stage: the figure on its ruled ground, where it has been, what the ground does to it, and how far it got.
+// The stage: the figure on its ruled ground, where it has been, what the ground does to it, and how far it
+// got.
 #pragma once
 
 #include "shell/session.h"

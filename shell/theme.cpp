@@ -36,8 +36,9 @@ constexpr Palette kDark = {.paper = Rgb(0x14181d),
                            .bad = Rgb(0xf08a80),
                            .ground = IM_COL32(0x33, 0x3c, 0x46, 89)};
 
-constexpr std::array<ImU32, 10> kRules = {Rgb(0x2f7fb8), Rgb(0xc2662d), Rgb(0x3d8f5f), Rgb(0x8a5fb0), Rgb(0xb8446a),
-                                          Rgb(0x7d8a2e), Rgb(0x2b8f94), Rgb(0xa06a3a), Rgb(0x5a6ad0), Rgb(0xc0902a)};
+constexpr std::array<ImU32, 10> kRules = {Rgb(0x2092ea), Rgb(0xdd8a53), Rgb(0x106c6f), Rgb(0x61459b),
+                                          Rgb(0xeb54a9), Rgb(0xb4af0f), Rgb(0x8cb58f), Rgb(0x804538),
+                                          Rgb(0x5b47e0), Rgb(0x71630f)};
 
 ImVec4 Float(ImU32 colour) { return ImGui::ColorConvertU32ToFloat4(colour); }
 
@@ -45,7 +46,11 @@ ImVec4 Float(ImU32 colour) { return ImGui::ColorConvertU32ToFloat4(colour); }
 
 const Palette& PaletteOf(bool dark) { return dark ? kDark : kLight; }
 
-ImU32 RuleColour(int rule) { return kRules[static_cast<std::size_t>(rule) % kRules.size()]; }
+ImU32 RuleColour(int rule, bool dark) {
+  const ImU32 colour = kRules[static_cast<std::size_t>(rule) % kRules.size()];
+  // The deep ones would sink into a dark panel; all rise together, so that their distances stay.
+  return dark ? Mix(colour, IM_COL32_WHITE, 0.24f) : colour;
+}
 
 ImU32 Mix(ImU32 from, ImU32 to, float share) {
   const ImVec4 a = Float(from);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The look in numbers: colours for light and dark, the ten rule colours, sizes, and Dear ImGui's own style made to match.
+// The look in numbers: colours for light and dark, the ten rule colours, sizes, and Dear ImGui's own style
+// made to match.
 #pragma once
 
 #include <imgui.h>
@@ -24,9 +25,10 @@ struct Palette {
 
 [[nodiscard]] const Palette& PaletteOf(bool dark);
 
-/// Colour of a rule (or clip), counted from 0; repeats after ten. Told apart by colour-blind eyes: the least distance
-/// between any two is printed by the simulation in docs/design.md.
-[[nodiscard]] ImU32 RuleColour(int rule);
+/// Colour of a rule (or controller), counted from 0; repeats after ten. Chosen near the design's ten so that
+/// any two stay at least 22 apart in CIE Lab for protanopes, deuteranopes and tritanopes [Machado 2009] (the
+/// design's: 4.5).
+[[nodiscard]] ImU32 RuleColour(int rule, bool dark);
 
 /// `from` with this share of `to` laid over it, share in [0, 1]; opaque.
 [[nodiscard]] ImU32 Mix(ImU32 from, ImU32 to, float share);
@@ -38,10 +40,10 @@ struct Theme {
   Palette palette = PaletteOf(false);
   Fonts fonts;
   bool dark = false;
-  bool touch = false;     // fingers: every target at least 36 px high
-  float density = 1.0f;   // device pixels per point
-  bool animate = true;    // off when the reader prefers reduced motion
+  bool touch = false;    // fingers: every target at least 36 px high
+  float density = 1.0f;  // device pixels per point
 
+  [[nodiscard]] ImU32 Rule(int rule) const { return RuleColour(rule, dark); }
   /// Height of buttons, fields and sliders' hit areas [points].
   [[nodiscard]] float ControlHeight() const { return touch ? 38.0f : 30.0f; }
   /// Moves a coordinate to the nearest device pixel, so that one-pixel lines stay one pixel.

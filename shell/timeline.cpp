@@ -15,7 +15,9 @@ struct Band {
   ImRect rect;  // of all clips
   float steps;
   float XOf(int step) const { return rect.Min.x + static_cast<float>(step) / steps * rect.GetWidth(); }
-  int StepAt(float x) const { return static_cast<int>(std::lround((x - rect.Min.x) / rect.GetWidth() * steps)); }
+  int StepAt(float x) const {
+    return static_cast<int>(std::lround((x - rect.Min.x) / rect.GetWidth() * steps));
+  }
 };
 
 int EndOf(const Document& d, std::size_t clip) {
@@ -28,8 +30,10 @@ void DrawClip(Ui& ui, Session& session, const Band& band, std::size_t index) {
   const Controller& controller = d.controllers[static_cast<std::size_t>(clip.controller)];
   const bool selected = session.SelectedClip() == static_cast<int>(index);
   const float gap = index + 1 < d.timeline.size() ? 4.0f : 0.0f;
-  const ImRect rect({band.XOf(clip.start_step), band.rect.Min.y}, {band.XOf(EndOf(d, index)) - gap, band.rect.Max.y});
-  const std::string name = controller.name.empty() ? "Controller " + std::to_string(clip.controller + 1) : controller.name;
+  const ImRect rect({band.XOf(clip.start_step), band.rect.Min.y},
+                    {band.XOf(EndOf(d, index)) - gap, band.rect.Max.y});
+  const std::string name =
+      controller.name.empty() ? "Controller " + std::to_string(clip.controller + 1) : controller.name;
   const Touch touch = ui.Area("timeline/clip/" + std::to_string(index), rect, Grab::kPress,
                               {.label = name,
                                .role = "option",
@@ -43,14 +47,16 @@ void DrawClip(Ui& ui, Session& session, const Band& band, std::size_t index) {
   const float tint = touch.hovered ? 0.19f : 0.13f;
   ui.Frame(rect, Mix(p.panel, colour, tint), colour, 8.0f);
   if (selected && d.timeline.size() > 1) {
-    list->AddRect({rect.Min.x + 0.5f, rect.Min.y + 0.5f}, {rect.Max.x - 0.5f, rect.Max.y - 0.5f}, colour, 8.0f, 0, 2.0f);
+    list->AddRect({rect.Min.x + 0.5f, rect.Min.y + 0.5f}, {rect.Max.x - 0.5f, rect.Max.y - 0.5f}, colour,
+                  8.0f, 0, 2.0f);
   }
   const float room = rect.GetWidth() - 18.0f;
   if (room > 12.0f) {
     const ImVec2 at(rect.Min.x + 10.0f, rect.Min.y);
     ui.Letters().DrawElided(list, Type::kStrong, {at.x, at.y + 16.0f}, room, p.ink, name);
-    ui.Letters().DrawElided(list, Type::kSmall, {at.x, at.y + 34.0f}, room, p.second_ink,
-                            SenseWords(controller.senses) + " · " + std::to_string(controller.rules) + " rules");
+    ui.Letters().DrawElided(
+        list, Type::kSmall, {at.x, at.y + 34.0f}, room, p.second_ink,
+        SenseWords(controller.senses) + " · " + std::to_string(controller.rules) + " rules");
   }
   ui.DrawFocus(touch, rect, 8.0f);
 }
@@ -93,8 +99,13 @@ void DrawRuler(Ui& ui, const Session& session, const Band& band) {
     const float x = std::clamp(x_of(tick), band.rect.Min.x + half, band.rect.Max.x - half);
     ui.Letters().Draw(ui.Canvas(), Type::kSmall, {x, y}, ui.Ink().second_ink, text, Align::kCentre);
   }
+  // The playhead is faint over the clips' names and plain at their lower edge.
   const float x = ui.Look().Snap(x_of(session.player.TimeS()));
-  ui.Canvas()->AddRectFilled({x - 0.75f, band.rect.Min.y - 3.0f}, {x + 0.75f, band.rect.Max.y + 3.0f}, ui.Ink().ink);
+  const float bottom = band.rect.Max.y;
+  ui.Canvas()->AddRectFilled({x - 0.5f, band.rect.Min.y + 1.0f}, {x + 0.5f, bottom - 1.0f},
+                             Fade(ui.Ink().ink, 0.22f));
+  ui.Canvas()->AddTriangleFilled({x, bottom - 5.0f}, {x + 4.5f, bottom + 3.0f}, {x - 4.5f, bottom + 3.0f},
+                                 ui.Ink().ink);
 }
 
 }  // namespace
@@ -110,8 +121,8 @@ void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
   const float right = rect.Max.x - kPanelPadding;
   const float half = ui.Look().touch ? 18.0f : 12.0f;
   const float row = ui.Look().touch ? rect.Min.y + 24.0f : row_y;
-  if (ui.Button("timeline/remove", {{right - 66.0f, row - half}, {right, row + half}}, "Remove", ButtonLook::kPlain,
-                session.Doc().timeline.size() > 1)) {
+  if (ui.Button("timeline/remove", {{right - 66.0f, row - half}, {right, row + half}}, "Remove",
+                ButtonLook::kPlain, session.Doc().timeline.size() > 1)) {
     session.RemoveClip();
   }
   if (ui.Button("timeline/add", {{right - 142.0f, row - half}, {right - 70.0f, row + half}}, "Add clip",
@@ -124,7 +135,8 @@ void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
                                 : session.Doc().timeline.size() > 1
                                     ? "drag a switch point; a search improves the selected clip"
                                     : "add a clip to chain another motion";
-  ui.Letters().DrawElided(ui.Canvas(), Type::kBody, {hint_x, row}, right - 152.0f - hint_x, p.second_ink, hint);
+  ui.Letters().DrawElided(ui.Canvas(), Type::kBody, {hint_x, row}, right - 152.0f - hint_x, p.second_ink,
+                          hint);
 
   const float top = row + (ui.Look().touch ? 24.0f : 16.0f);
   const Band band{.rect = {{left, top}, {right, top + 48.0f}},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The timeline: which controller is in charge when. Clips are selected with a click; the border between two is dragged.
+// The timeline: which controller is in charge when. Clips are selected with a click; the border between two
+// is dragged.
 #pragma once
 
 #include "shell/session.h"

@@ -39,10 +39,12 @@ void DrawStrip(Ui& ui, Session& session, const ImRect& rect) {
   for (const RuleRun& run : player.Runs()) {
     const float left = x_of(run.start_frame);
     const float right = x_of(run.end_frame);
-    list->AddRectFilled({left, top}, {right, top + 8.0f}, ui.Look().Rule(run.rule), right - left > 5.0f ? 2.0f : 0.0f);
+    list->AddRectFilled({left, top}, {right, top + 8.0f}, ui.Look().Rule(run.rule),
+                        right - left > 5.0f ? 2.0f : 0.0f);
   }
   list->AddRectFilled({rect.Min.x, top + 12.5f}, {rect.Max.x, top + 15.5f}, p.line, 1.5f);
-  const float x = ui.Look().Snap(rect.Min.x + static_cast<float>(player.TimeS() / duration) * rect.GetWidth());
+  const float x =
+      ui.Look().Snap(rect.Min.x + static_cast<float>(player.TimeS() / duration) * rect.GetWidth());
   list->AddRectFilled({x - 1.0f, top - 4.0f}, {x + 1.0f, top + 20.0f}, p.ink, 1.0f);
   if (touch.hovered || touch.held) list->AddCircleFilled({x, top + 14.0f}, 5.0f, p.ink);
   ui.DrawFocus(touch, rect, 4.0f);
@@ -66,8 +68,8 @@ void DrawTransport(Ui& ui, Session& session, const ImRect& rect) {
     return area;
   };
   const bool playing = player.Playing();
-  if (ui.IconButton("transport/play", box(43.0f), playing ? Icon::kPause : Icon::kPlay, playing ? "Pause" : "Play",
-                    ButtonLook::kOutlined)) {
+  if (ui.IconButton("transport/play", box(43.0f), playing ? Icon::kPause : Icon::kPlay,
+                    playing ? "Pause" : "Play", ButtonLook::kOutlined)) {
     player.Play(!playing);
   }
   x += 6.0f;
@@ -77,12 +79,16 @@ void DrawTransport(Ui& ui, Session& session, const ImRect& rect) {
   // The widest time sets the room, so that nothing moves while it counts.
   const std::string total = Fixed(player.DurationS(), 2);
   const float time_width = letters.Width(Type::kBody, total + " s");
-  letters.Draw(ui.Canvas(), Type::kBody, {x + time_width, y}, p.second_ink, Fixed(player.TimeS(), 2) + " s", Align::kRight);
+  letters.Draw(ui.Canvas(), Type::kBody, {x + time_width, y}, p.second_ink, Fixed(player.TimeS(), 2) + " s",
+               Align::kRight);
   x += time_width + 10.0f;
 
   const float speed_width = 42.0f;
   const ImRect speed_box({rect.Max.x - 14.0f - speed_width, y - half}, {rect.Max.x - 14.0f, y + half});
-  const std::string end = Fixed(player.DurationS(), std::abs(player.DurationS() - std::round(player.DurationS())) < 0.005 ? 0 : 1) + " s";
+  const std::string end =
+      Fixed(player.DurationS(),
+            std::abs(player.DurationS() - std::round(player.DurationS())) < 0.005 ? 0 : 1) +
+      " s";
   const float end_x = speed_box.Min.x - 10.0f;
   letters.Draw(ui.Canvas(), Type::kBody, {end_x, y}, p.second_ink, end, Align::kRight);
   const float strip_end = end_x - letters.Width(Type::kBody, end) - 10.0f;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The registry's bookkeeping, its JSON, and the functions Dear ImGui calls when built with IMGUI_ENABLE_TEST_ENGINE.
+// The registry's bookkeeping, its JSON, and the functions Dear ImGui calls when built with
+// IMGUI_ENABLE_TEST_ENGINE.
 #include "shell/widget_registry.h"
 
 #include <cstdio>
@@ -44,7 +45,8 @@ std::string WidgetRegistry::Json() const {
   for (const Widget& widget : widgets_) {
     if (json.size() > 1) json += ",\n";
     json += "{\"id\":" + JsonString(widget.id) + ",\"label\":" + JsonString(widget.label) +
-            ",\"role\":" + JsonString(widget.role) + ",\"value\":" + JsonString(widget.value) + ",\"state\":{";
+            ",\"role\":" + JsonString(widget.role) + ",\"value\":" + JsonString(widget.value) +
+            ",\"state\":{";
     AppendFlag(json, "focused", widget.state.focused);
     AppendFlag(json, "disabled", widget.state.disabled);
     AppendFlag(json, "pressed", widget.state.pressed);
@@ -79,7 +81,8 @@ std::string JsonString(std::string_view text) {
 
 }  // namespace gaitsmith::shell
 
-void ImGuiTestEngineHook_ItemAdd(ImGuiContext* context, ImGuiID id, const ImRect& box, const ImGuiLastItemData*) {
+void ImGuiTestEngineHook_ItemAdd(ImGuiContext* context, ImGuiID id, const ImRect& box,
+                                 const ImGuiLastItemData*) {
   if (context->TestEngine == nullptr) return;
   static_cast<gaitsmith::shell::WidgetRegistry*>(context->TestEngine)->OnItem(id, box);
 }

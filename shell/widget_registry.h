@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What is on the canvas right now, for tests, scripts and assistive tools: every visible widget with identity, role,
-// value, state and rectangle. Rectangles come from Dear ImGui's test-engine hooks, meaning from our widgets.
+// What is on the canvas right now, for tests, scripts and assistive tools: every visible widget with
+// identity, role, value, state and rectangle. Rectangles come from Dear ImGui's test-engine hooks, meaning
+// from our widgets.
 #pragma once
 
 #include <imgui.h>
@@ -25,7 +26,8 @@ struct WidgetState {
 struct Widget {
   std::string id = {};     // stable and unique, e.g. "search/start"
   std::string label = {};  // as a person reads it
-  std::string role = {};   // an ARIA role: button, radio, slider, switch, tab, combobox, option, spinbutton, img...
+  std::string role =
+      {};  // an ARIA role: button, radio, slider, switch, tab, combobox, option, spinbutton, img...
   std::string value = {};  // as shown, e.g. "0.80 s"
   WidgetState state = {};
   ImRect rect = {};  // the visible part, in points of the canvas (CSS pixels)

@@ -15,7 +15,8 @@ ImDrawList* Ui::Canvas() const {
 
 ImRect Ui::Row(float height) const {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const ImVec2 size(ImGui::GetContentRegionAvail().x, height);
+  const ImGuiWindow* window = ImGui::GetCurrentWindowRead();
+  const ImVec2 size(window->Size.x - 2.0f * window->WindowPadding.x, height);
   ImGui::ItemSize(size);
   return {at, {at.x + size.x, at.y + size.y}};
 }
@@ -43,7 +44,8 @@ void Ui::Fact(std::string_view label, std::string_view value) const {
   const ImRect row = Row(Fonts::LineHeight(Type::kBody) + 4.0f);
   const float y = row.GetCenter().y;
   const float value_width = Letters().Width(Type::kBody, value);
-  Letters().DrawElided(Canvas(), Type::kBody, {row.Min.x, y}, row.GetWidth() - value_width - 10.0f, Ink().ink, label);
+  Letters().DrawElided(Canvas(), Type::kBody, {row.Min.x, y}, row.GetWidth() - value_width - 10.0f, Ink().ink,
+                       label);
   Letters().Draw(Canvas(), Type::kBody, {row.Max.x, y}, Ink().second_ink, value, Align::kRight);
 }
 
@@ -98,14 +100,14 @@ void Ui::Frame(const ImRect& rect, ImU32 fill, ImU32 border, float radius) const
 
 void Ui::HorizontalLine(float left, float right, float y) const {
   const float top = theme_.Snap(y);
-  Canvas()->AddRectFilled({left, top}, {right, top + std::max(1.0f, std::floor(theme_.density)) / theme_.density},
-                          Ink().line);
+  Canvas()->AddRectFilled(
+      {left, top}, {right, top + std::max(1.0f, std::floor(theme_.density)) / theme_.density}, Ink().line);
 }
 
 void Ui::VerticalLine(float x, float top, float bottom) const {
   const float left = theme_.Snap(x);
-  Canvas()->AddRectFilled({left, top}, {left + std::max(1.0f, std::floor(theme_.density)) / theme_.density, bottom},
-                          Ink().line);
+  Canvas()->AddRectFilled(
+      {left, top}, {left + std::max(1.0f, std::floor(theme_.density)) / theme_.density, bottom}, Ink().line);
 }
 
 // Draws a button's ground and returns the colour of what stands on it.
@@ -126,24 +128,47 @@ ImU32 Ui::ButtonInk(ButtonLook look, const ImRect& rect, const Touch& touch, boo
   return enabled ? p.ink : Mix(p.panel, p.second_ink, 0.6f);
 }
 
-bool Ui::Button(std::string_view id, const ImRect& rect, std::string_view label, ButtonLook look, bool enabled) {
+bool Ui::Button(std::string_view id, const ImRect& rect, std::string_view label, ButtonLook look,
+                bool enabled) {
   const Touch touch = Area(id, rect, Grab::kPress, {.label = std::string(label), .role = "button"}, enabled);
   if (!touch.visible) return touch.pressed;
   const ImU32 ink = ButtonInk(look, rect, touch, enabled);
-  Letters().Draw(Canvas(), look == ButtonLook::kPrimary ? Type::kStrong : Type::kBody, rect.GetCenter(), ink, label,
-                 Align::kCentre);
+  Letters().Draw(Canvas(), look == ButtonLook::kPrimary ? Type::kStrong : Type::kBody, rect.GetCenter(), ink,
+                 label, Align::kCentre);
   DrawFocus(touch, rect);
   return touch.pressed;
 }
 
-bool Ui::IconButton(std::string_view id, const ImRect& rect, Icon icon, std::string_view label, ButtonLook look,
-                    bool enabled) {
+bool Ui::IconButton(std::string_view id, const ImRect& rect, Icon icon, std::string_view label,
+                    ButtonLook look, bool enabled) {
   const Touch touch = Area(id, rect, Grab::kPress, {.label = std::string(label), .role = "button"}, enabled);
   if (!touch.visible) return touch.pressed;
   const ImU32 ink = ButtonInk(look, rect, touch, enabled);
   DrawIcon(Canvas(), icon, rect.GetCenter(), 14.0f, ink);
   DrawFocus(touch, rect);
   return touch.pressed;
+}
+
+void Ui::ScrollBar(std::string_view id) {
+  ImGuiWindow* window = ImGui::GetCurrentWindow();
+  const float longer = window->ScrollMax.y;
+  if (longer <= 0.0f) return;
+  const ImRect inner = window->InnerRect;
+  const float height = inner.GetHeight();
+  const float thumb = std::max(28.0f, height * height / (height + longer));
+  const float top = inner.Min.y + window->Scroll.y / longer * (height - thumb);
+  const ImRect bar({inner.Max.x - 11.0f, top}, {inner.Max.x, top + thumb});
+  ImGui::PushClipRect(inner.Min, inner.Max, false);
+  ImGui::PushItemFlag(ImGuiItemFlags_NoNav | ImGuiItemFlags_NoTabStop, true);
+  const std::string share = std::to_string(static_cast<int>(100.0f * window->Scroll.y / longer)) + " %";
+  const Touch touch = Area(id, bar, Grab::kDrag, {.label = "Scroll", .role = "scrollbar", .value = share});
+  ImGui::PopItemFlag();
+  if (touch.held)
+    ImGui::SetScrollY(window->Scroll.y + ImGui::GetIO().MouseDelta.y * longer / (height - thumb));
+  const float strength = touch.held ? 0.6f : touch.hovered ? 0.45f : 0.18f;
+  Canvas()->AddRectFilled({bar.Max.x - 7.0f, bar.Min.y + 3.0f}, {bar.Max.x - 3.0f, bar.Max.y - 3.0f},
+                          Mix(Ink().panel, Ink().second_ink, strength), 2.0f);
+  ImGui::PopClipRect();
 }
 
 }  // namespace gaitsmith::shell

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Every interactive thing on the canvas. Each widget draws itself in our look, works by mouse, touch and keyboard, shows
-// a focus ring, and tells the WidgetRegistry what it is. Callers say where: layout is plain rectangles.
+// Every interactive thing on the canvas. Each widget draws itself in our look, works by mouse, touch and
+// keyboard, shows a focus ring, and tells the WidgetRegistry what it is. Callers say where: layout is plain
+// rectangles.
 #pragma once
 
 #include <imgui.h>
@@ -20,9 +21,9 @@ enum class ButtonLook { kPlain, kOutlined, kPrimary };
 
 /// What an interactive area takes besides a press.
 enum class Grab {
-  kPress,    // a click, Enter or the space bar
-  kDrag,     // reports `held` from the moment the pointer goes down
-  kArrows,   // kDrag, and the left and right arrow keys (10 steps with Shift)
+  kPress,   // a click, Enter or the space bar
+  kDrag,    // reports `held` from the moment the pointer goes down
+  kArrows,  // kDrag, and the left and right arrow keys (10 steps with Shift)
 };
 
 /// What happened to an interactive area this frame.
@@ -70,15 +71,22 @@ class Ui {
   bool IconButton(std::string_view id, const ImRect&, Icon, std::string_view label,
                   ButtonLook = ButtonLook::kPlain, bool enabled = true);
   /// A few options side by side. @return true when `selected` changed
-  bool Segmented(std::string_view id, const ImRect&, std::span<const std::string_view> options, int& selected);
+  bool Segmented(std::string_view id, const ImRect&, std::span<const std::string_view> options,
+                 int& selected);
   /// Label and value above a thin track; takes its own rows. @return true when `value` changed
   bool Slider(std::string_view id, std::string_view label, double& value, const SliderRange&,
               std::string_view value_text);
   /// A whole number with a step down and up; a click on the number types it.
   bool Number(std::string_view id, std::string_view label, int& value, int low, int high, int step = 1);
   bool Switch(std::string_view id, std::string_view label, bool& on);
-  bool Combo(std::string_view id, std::string_view label, std::span<const std::string> options, int& selected);
+  /// @param other shown when nothing of the list is selected (-1)
+  bool Combo(std::string_view id, std::string_view label, std::span<const std::string> options, int& selected,
+             std::string_view other = "");
   bool Tabs(std::string_view id, const ImRect&, std::span<const std::string_view> names, int& selected);
+
+  /// A thin bar in the right padding of the current window, when its contents are longer than it. Call it
+  /// last.
+  void ScrollBar(std::string_view id);
 
   /// Anything else: registers an area, and the caller draws it. Call DrawFocus afterwards.
   Touch Area(std::string_view id, const ImRect&, Grab, Widget description, bool enabled = true);

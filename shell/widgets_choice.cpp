@@ -6,7 +6,8 @@
 
 namespace gaitsmith::shell {
 
-bool Ui::Segmented(std::string_view id, const ImRect& rect, std::span<const std::string_view> options, int& selected) {
+bool Ui::Segmented(std::string_view id, const ImRect& rect, std::span<const std::string_view> options,
+                   int& selected) {
   const Palette& p = Ink();
   ImDrawList* list = Canvas();
   list->AddRectFilled(rect.Min, rect.Max, p.soft, 8.0f);
@@ -17,14 +18,16 @@ bool Ui::Segmented(std::string_view id, const ImRect& rect, std::span<const std:
     const ImRect part({rect.Min.x + 3.0f + width * static_cast<float>(i), rect.Min.y + 3.0f},
                       {rect.Min.x + 3.0f + width * static_cast<float>(i + 1), rect.Max.y - 3.0f});
     const bool on = i == selected;
-    const Touch touch = Area(std::string(id) + "/" + std::to_string(i), part, Grab::kPress,
-                             {.label = std::string(options[index]), .role = "radio", .state = {.checked = on}});
+    const Touch touch =
+        Area(std::string(id) + "/" + std::to_string(i), part, Grab::kPress,
+             {.label = std::string(options[index]), .role = "radio", .state = {.checked = on}});
     if (touch.pressed && !on) {
       selected = i;
       changed = true;
     }
     if (on) {
-      list->AddRectFilled({part.Min.x, part.Min.y + 1.0f}, {part.Max.x, part.Max.y + 1.5f}, IM_COL32(0, 0, 0, 26), 6.5f);
+      list->AddRectFilled({part.Min.x, part.Min.y + 1.0f}, {part.Max.x, part.Max.y + 1.5f},
+                          IM_COL32(0, 0, 0, 26), 6.5f);
       list->AddRectFilled(part.Min, part.Max, p.panel, 6.0f);
     }
     Letters().Draw(list, on ? Type::kStrong : Type::kBody, part.GetCenter(),
@@ -34,7 +37,8 @@ bool Ui::Segmented(std::string_view id, const ImRect& rect, std::span<const std:
   return changed;
 }
 
-bool Ui::Combo(std::string_view id, std::string_view label, std::span<const std::string> options, int& selected) {
+bool Ui::Combo(std::string_view id, std::string_view label, std::span<const std::string> options,
+               int& selected, std::string_view other) {
   const Palette& p = Ink();
   const ImRect row = ControlRow();
   const float label_width = label.empty() ? 0.0f : Letters().Width(Type::kBody, label) + 12.0f;
@@ -43,18 +47,20 @@ bool Ui::Combo(std::string_view id, std::string_view label, std::span<const std:
   const std::string popup(id);
   const std::string shown = selected >= 0 && selected < static_cast<int>(options.size())
                                 ? options[static_cast<std::size_t>(selected)]
-                                : "Own drawing";
+                                : std::string(other);
   const bool open = ImGui::IsPopupOpen(popup.c_str());
   const Touch touch = Area(id, box, Grab::kPress,
-                           {.label = label.empty() ? "Choose" : std::string(label), .role = "combobox",
-                            .value = shown, .state = {.expanded = open}});
+                           {.label = label.empty() ? "Choose" : std::string(label),
+                            .role = "combobox",
+                            .value = shown,
+                            .state = {.expanded = open}});
   if (touch.pressed) ImGui::OpenPopup(popup.c_str());
   if (touch.visible) {
     ImDrawList* list = Canvas();
     if (!label.empty()) Letters().Draw(list, Type::kBody, {row.Min.x, row.GetCenter().y}, p.ink, label);
     Frame(box, Mix(p.panel, p.ink, touch.hovered ? 0.04f : 0.0f), p.line);
-    Letters().DrawElided(list, Type::kBody, {box.Min.x + 10.0f, box.GetCenter().y}, box.GetWidth() - 36.0f, p.ink,
-                         shown);
+    Letters().DrawElided(list, Type::kBody, {box.Min.x + 10.0f, box.GetCenter().y}, box.GetWidth() - 36.0f,
+                         p.ink, shown);
     DrawIcon(list, Icon::kChevronDown, {box.Max.x - 15.0f, box.GetCenter().y}, 12.0f, p.second_ink);
     DrawFocus(touch, box);
   }
@@ -73,9 +79,10 @@ bool Ui::Combo(std::string_view id, std::string_view label, std::span<const std:
                               {.label = option, .role = "option", .state = {.selected = i == selected}});
       ImDrawList* list = Canvas();
       if (pick.hovered || pick.focused) list->AddRectFilled(line.Min, line.Max, p.soft, 6.0f);
-      Letters().DrawElided(list, i == selected ? Type::kStrong : Type::kBody, {line.Min.x + 8.0f, line.GetCenter().y},
-                           line.GetWidth() - 34.0f, p.ink, option);
-      if (i == selected) DrawIcon(list, Icon::kCheck, {line.Max.x - 14.0f, line.GetCenter().y}, 12.0f, p.accent);
+      Letters().DrawElided(list, i == selected ? Type::kStrong : Type::kBody,
+                           {line.Min.x + 8.0f, line.GetCenter().y}, line.GetWidth() - 34.0f, p.ink, option);
+      if (i == selected)
+        DrawIcon(list, Icon::kCheck, {line.Max.x - 14.0f, line.GetCenter().y}, 12.0f, p.accent);
       if (pick.pressed) {
         changed = i != selected;
         selected = i;
@@ -88,7 +95,8 @@ bool Ui::Combo(std::string_view id, std::string_view label, std::span<const std:
   return changed;
 }
 
-bool Ui::Tabs(std::string_view id, const ImRect& rect, std::span<const std::string_view> names, int& selected) {
+bool Ui::Tabs(std::string_view id, const ImRect& rect, std::span<const std::string_view> names,
+              int& selected) {
   const Palette& p = Ink();
   ImDrawList* list = Canvas();
   HorizontalLine(rect.Min.x, rect.Max.x, rect.Max.y - 1.0f);
@@ -97,7 +105,8 @@ bool Ui::Tabs(std::string_view id, const ImRect& rect, std::span<const std::stri
   for (int i = 0; i < static_cast<int>(names.size()); ++i) {
     const std::string_view name = names[static_cast<std::size_t>(i)];
     const bool on = i == selected;
-    const float width = Letters().Width(on ? Type::kStrong : Type::kBody, name) + (theme_.touch ? 16.0f : 15.0f);
+    const float width =
+        Letters().Width(on ? Type::kStrong : Type::kBody, name) + (theme_.touch ? 16.0f : 15.0f);
     const ImRect part({x, rect.Min.y}, {x + width, rect.Max.y});
     const Touch touch = Area(std::string(id) + "/" + std::to_string(i), part, Grab::kPress,
                              {.label = std::string(name), .role = "tab", .state = {.selected = on}});

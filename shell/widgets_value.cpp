@@ -48,7 +48,8 @@ bool Ui::Slider(std::string_view id, std::string_view label, double& value, cons
   const float right = rect.Max.x - kKnobRadius;
   const double before = value;
   if (touch.held && ImGui::GetIO().MouseClickedPos[0].y > rect.Min.y + 0.5f * label_height) {
-    value = ValueAt(std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0f, 1.0f), range);
+    const float share = std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0f, 1.0f);
+    value = ValueAt(static_cast<double>(share), range);
   }
   if (touch.steps != 0) value = Stepped(value, touch.steps, range);
 
@@ -60,7 +61,12 @@ bool Ui::Slider(std::string_view id, std::string_view label, double& value, cons
   const float x = left + static_cast<float>(ShareOf(value, range)) * (right - left);
   const ImVec2 knob(x, track_y);
   list->AddRectFilled({rect.Min.x, track_y - 2.0f}, {rect.Max.x, track_y + 2.0f}, p.soft, 2.0f);
-  list->AddRectFilled({rect.Min.x, track_y - 2.0f}, {x, track_y + 2.0f}, p.accent, 2.0f);
+  // A range across zero is filled from zero, so that "none" looks like none.
+  const bool signed_range = range.low < 0.0 && range.high > 0.0;
+  const float zero =
+      signed_range ? left + static_cast<float>(ShareOf(0.0, range)) * (right - left) : rect.Min.x;
+  list->AddRectFilled({std::min(zero, x), track_y - 2.0f}, {std::max(zero, x), track_y + 2.0f}, p.accent,
+                      2.0f);
   const float radius = touch.held ? kKnobRadius + 1.0f : kKnobRadius;
   if (touch.hovered || touch.focused) list->AddCircleFilled(knob, radius + 5.0f, Fade(p.accent, 0.18f));
   list->AddCircleFilled(knob, radius, p.accent);
@@ -90,7 +96,17 @@ bool Ui::Number(std::string_view id, std::string_view label, int& value, int low
   ImGuiWindow* window = ImGui::GetCurrentWindow();
   const ImGuiID field_id = window->GetID(id.data(), id.data() + id.size());
   if (ImGui::TempInputIsActive(field_id)) {
+    ImGui::ItemAdd(field, field_id, nullptr, ImGuiItemFlags_Inputable);
+    registry_.Describe(field_id,
+                       {.id = name, .label = words, .role = "textbox", .value = std::to_string(value)});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        {10.0f, 0.5f * (field.GetHeight() - ImGui::GetFontSize())});
+    ImGui::PushClipRect(field.Min, field.Max,
+                        true);  // cuts off the label that Dear ImGui writes behind a field
     ImGui::TempInputScalar(field, field_id, name.c_str(), ImGuiDataType_S32, &value, "%d", &low, &high);
+    ImGui::PopClipRect();
+    ImGui::PopStyleVar();
+    Canvas()->AddRect(field.Min, field.Max, p.accent, 3.0f, 0, 2.0f);
   } else {
     const Touch touch = Area(id, field, Grab::kArrows,
                              {.label = words, .role = "spinbutton", .value = std::to_string(value)});
@@ -101,7 +117,9 @@ bool Ui::Number(std::string_view id, std::string_view label, int& value, int low
     Letters().Draw(Canvas(), Type::kBody, field.GetCenter(), p.ink, std::to_string(value), Align::kCentre);
     DrawFocus(touch, field, 3.0f);
     if (touch.pressed && touch.steps == 0) {
+      ImGui::PushClipRect(field.Min, field.Max, true);
       ImGui::TempInputScalar(field, field_id, name.c_str(), ImGuiDataType_S32, &value, "%d", &low, &high);
+      ImGui::PopClipRect();
     }
   }
   if (IconButton(name + "/more", plus, Icon::kPlus, "More: " + words, ButtonLook::kPlain, value < high)) {
@@ -114,17 +132,17 @@ bool Ui::Number(std::string_view id, std::string_view label, int& value, int low
 bool Ui::Switch(std::string_view id, std::string_view label, bool& on) {
   const Palette& p = Ink();
   const ImRect row = ControlRow();
-  const Touch touch = Area(id, row, Grab::kPress,
-                           {.label = std::string(label), .role = "switch", .value = on ? "on" : "off",
-                            .state = {.checked = on}});
+  const Touch touch = Area(
+      id, row, Grab::kPress,
+      {.label = std::string(label), .role = "switch", .value = on ? "on" : "off", .state = {.checked = on}});
   if (touch.pressed) on = !on;
   if (!touch.visible) return touch.pressed;
   ImDrawList* list = Canvas();
   const float y = row.GetCenter().y;
   Letters().Draw(list, Type::kBody, {row.Min.x, y}, p.ink, label);
   const ImRect track({row.Max.x - 34.0f, y - 9.0f}, {row.Max.x, y + 9.0f});
-  list->AddRectFilled(track.Min, track.Max, on ? p.accent : Mix(p.line, p.second_ink, touch.hovered ? 0.35f : 0.2f),
-                      9.0f);
+  list->AddRectFilled(track.Min, track.Max,
+                      on ? p.accent : Mix(p.line, p.second_ink, touch.hovered ? 0.35f : 0.2f), 9.0f);
   list->AddCircleFilled({on ? track.Max.x - 9.0f : track.Min.x + 9.0f, y}, 7.0f, p.panel);
   DrawFocus(touch, track, 9.0f);
   return touch.pressed;

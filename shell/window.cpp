@@ -39,7 +39,9 @@ std::unique_ptr<Window> Window::Open(const Options& options) {
   SDL_SetHint(SDL_HINT_EMSCRIPTEN_KEYBOARD_ELEMENT, "#canvas");
   if (SDL_Init(SDL_INIT_VIDEO) != 0) return nullptr;
   ChooseContext();
-  const auto pixels = [&](int points) { return static_cast<int>(std::lround(static_cast<float>(points) * options.scale)); };
+  const auto pixels = [&](int points) {
+    return static_cast<int>(std::lround(static_cast<float>(points) * options.scale));
+  };
   SDL_Window* window = SDL_CreateWindow(options.title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
                                         pixels(options.width), pixels(options.height),
                                         SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
@@ -49,7 +51,9 @@ std::unique_ptr<Window> Window::Open(const Options& options) {
     SDL_DestroyWindow(window);
     return nullptr;
   }
-  SDL_GL_SetSwapInterval(1);
+#if !defined(__EMSCRIPTEN__)
+  SDL_GL_SetSwapInterval(1);  // a page's frames are paced by its browser
+#endif
   return std::unique_ptr<Window>(new Window(window, context, options.scale));
 }
 
@@ -105,10 +109,6 @@ void Window::SetDark(bool dark) {
 }
 
 void Window::SetSize(int width, int height) {
-  int present_width = 0;
-  int present_height = 0;
-  SDL_GetWindowSize(window_, &present_width, &present_height);
-  if (width == present_width && height == present_height) return;
   SDL_SetWindowSize(window_, width, height);
   RequestFrame();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The window (in a browser: the canvas), its OpenGL context and Dear ImGui's context. Draws a frame only when asked to
-// or when an event came, and keeps type and lines sharp as the device's pixel ratio changes.
+// The window (in a browser: the canvas), its OpenGL context and Dear ImGui's context. Draws a frame only when
+// asked to or when an event came, and keeps type and lines sharp as the device's pixel ratio changes.
 #pragma once
 
 #include <SDL.h>
@@ -32,7 +32,8 @@ class Window {
   /// Sees every event first; true keeps it from the interface.
   using EventFilter = std::function<bool(const SDL_Event&)>;
 
-  /// Takes all waiting events; waits up to this long for the first one. @return false when the user closes the window
+  /// Takes all waiting events; waits up to this long for the first one. @return false when the user closes
+  /// the window
   bool TakeEvents(int wait_ms, const EventFilter& filter);
 
   /// True for a few frames after an event: Dear ImGui needs a second one to settle.
@@ -43,7 +44,8 @@ class Window {
 
   void SetDark(bool dark);
   void SetTitle(const std::string& title) { SDL_SetWindowTitle(window_, title.c_str()); }
-  /// In a browser: the canvas has this size on the page now [CSS pixels].
+  /// In a browser: the canvas has this size on the page now [CSS pixels]; also call it when only the density
+  /// changed.
   void SetSize(int width, int height);
 
   [[nodiscard]] Theme& Look() { return theme_; }

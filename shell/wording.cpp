@@ -29,7 +29,8 @@ std::string Grouped(long long value) {
 std::string Duration(double seconds) {
   const auto whole = static_cast<long long>(std::ceil(seconds));
   if (whole < 90) return Grouped(whole) + " s";
-  if (whole < 5400) return Grouped(whole / 60) + " min" + (whole % 60 != 0 ? " " + Grouped(whole % 60) + " s" : "");
+  if (whole < 5400)
+    return Grouped(whole / 60) + " min" + (whole % 60 != 0 ? " " + Grouped(whole % 60) + " s" : "");
   return Grouped((whole + 1800) / 3600) + " h";
 }
 

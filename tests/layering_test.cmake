@@ -1,6 +1,7 @@
 # Arrows point one way: shell, web, examples -> core -> Eigen. Fails on any other include, and on words in core that
 # would bring in threads, clocks, files, printing, exceptions or the platform's own mathematics.
 #   cmake -DROOT=<repository> -P layering_test.cmake
+cmake_policy(VERSION 3.25)
 set(faults "")
 
 # Headers of the standard library that core has a use for; whatever is not here is not allowed.

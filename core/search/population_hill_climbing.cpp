@@ -75,8 +75,9 @@ void PopulationHillClimbing::ReseedIfDue() {
   // Rank by fitness; equals keep the order of their slots.
   std::vector<std::size_t> rank(slots_.size());
   std::iota(rank.begin(), rank.end(), std::size_t{0});
-  std::ranges::stable_sort(
-      rank, [&](std::size_t a, std::size_t b) { return slots_[a].fitness > slots_[b].fitness; });
+  std::ranges::sort(rank, [&](std::size_t a, std::size_t b) {
+    return slots_[a].fitness > slots_[b].fitness || (slots_[a].fitness == slots_[b].fitness && a < b);
+  });
   const std::size_t half = slots_.size() / 2;
   for (std::size_t r = slots_.size() - half; r < slots_.size(); ++r) {
     slots_[rank[r]].genome = slots_[rank[r - (slots_.size() - half)]].genome;

@@ -25,7 +25,7 @@ async function check(name, body) {
   }
 }
 
-/** Every golden document has the same hash here and natively. @param {PageDriver} page */
+/** Every golden document has the same hash here and natively. @param {PageDriver} page @returns {Promise<number>} how many */
 async function checkGoldens(page) {
   const folder = join(ROOT, 'tests/golden/motions');
   const files = (await readdir(folder).catch(() => /** @type {string[]} */ ([]))).filter((file) => file.endsWith('.json'));
@@ -39,6 +39,7 @@ async function checkGoldens(page) {
     const pinned = JSON.parse(text).hash;
     if (pinned) assert.equal(here, pinned, file);
   }
+  return files.length;
 }
 
 const SIZES = [['desk', 1280, 720, 1], ['large', 1920, 1080, 1], ['phone', 390, 844, 2]];
@@ -76,7 +77,7 @@ for (const [name, start] of /** @type {const} */ ([['Chromium', startChromium], 
   for (const [claim, body] of SCENARIOS) await check(`${name}: ${claim}`, () => body(visit));
   await check(`${name}: golden motions have their pinned hashes`, async () => {
     const page = await PageDriver.open(browser, address);
-    await checkGoldens(page);
+    visit.figures['golden motions'] = await checkGoldens(page);
     await page.close();
   });
   const before = visits[0];

@@ -18,7 +18,7 @@ import { nativeHash } from './native.mjs';
  */
 
 /** The searches of these tests are short: what they claim does not depend on length. */
-const EVALUATIONS = 2000;
+const EVALUATIONS = 1500;
 
 /** @type {[string, (visit: Visit) => Promise<void>][]} */
 export const SCENARIOS = [
@@ -197,7 +197,7 @@ async function dieOnTheWay({ page, found }, which, sentence) {
     gaitsmith.on('progress', ({ detail }) => Object.assign(window, { testEvaluations: detail.evaluations }));
     return (await gaitsmith.synthesize({ seed: 9, evaluations, sense: 'physical', workers: 2 })).hash;
   }, EVALUATIONS);
-  await page.until('a third', () => /** @type {any} */ (window).testEvaluations > 600);
+  await page.until('a third', () => /** @type {any} */ (window).testEvaluations > 400);
   await page.terminateWorker(which);
   assert.equal(await hash, found.workers);
   assert.match((await page.call('said', () => /** @type {any} */ (window).testSaid)).join('\n'), sentence);

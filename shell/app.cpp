@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// Layout, time and the keyboard.
+#include "shell/app.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "shell/panel_controller.h"
+#include "shell/panel_search.h"
+#include "shell/panel_style.h"
+#include "shell/stage.h"
+#include "shell/timeline.h"
+#include "shell/transport.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+// The order of View::panel. On a phone the timeline is the last of them.
+constexpr std::array<std::string_view, 5> kPanels = {"Figure", "Controller", "Style", "Search", "Timeline"};
+constexpr int kDeskPanels = 4;
+constexpr int kTimelinePanel = 4;
+
+// A finger that moves up or down over a panel scrolls it, unless it holds something that is dragged itself.
+void ScrollByTouch() {
+  ImGuiContext& g = *ImGui::GetCurrentContext();
+  const ImGuiWindow* window = ImGui::GetCurrentWindowRead();
+  if (g.IO.MouseSource != ImGuiMouseSource_TouchScreen || !g.IO.MouseDown[0]) return;
+  if (!window->InnerRect.Contains(g.IO.MouseClickedPos[0]) || g.OpenPopupStack.Size > 0) return;
+  const ImVec2 moved = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0f);
+  const bool mine = g.ActiveId == 0 || !g.ActiveIdHasBeenPressedBefore;
+  if (!mine || std::abs(moved.y) < 8.0f || std::abs(moved.y) < std::abs(moved.x)) return;
+  if (g.ActiveId != 0) ImGui::ClearActiveID();
+  ImGui::SetScrollY(window->Scroll.y - g.IO.MouseDelta.y);
+}
+
+}  // namespace
+
+bool App::Advance(double seconds) {
+  // After a pause of the whole page (a hidden tab) the motion goes on from where it was.
+  const double step = std::min(seconds, 0.1);
+  const bool improved = session_.ShowImprovement(step);
+  return session_.player.Advance(step) || improved;
+}
+
+int App::Panel(int panels) const { return std::clamp(session_.Doc().view.panel, 0, panels - 1); }
+
+void App::ChoosePanel(int panel) {
+  session_.Set([&](Document& d) { d.view.panel = panel; });
+}
+
+void App::Draw() {
+  Theme& theme = window_.Look();
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const bool phone = size.x < kPhoneWidth;
+  if (phone) theme.touch = true;
+  Ui ui(theme, window_.Registry());
+
+  ImGui::SetNextWindowPos({0.0f, 0.0f});
+  ImGui::SetNextWindowSize(size);
+  ImGui::Begin("Gaitsmith", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoScrollWithMouse |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus);
+  const ImRect whole({0.0f, 0.0f}, size);
+  if (phone) {
+    DrawPhone(ui, whole);
+  } else {
+    DrawDesk(ui, whole);
+  }
+  ImGui::End();
+  if (!first_frame_told_) host_.FirstFrame();
+  first_frame_told_ = true;
+}
+
+void App::DrawDesk(Ui& ui, const ImRect& whole) {
+  const float panel_x = whole.Max.x - kPanelWidth;
+  const float timeline_y = whole.Max.y - kTimelineHeight - (ui.Look().touch ? 14.0f : 0.0f);
+  const float transport_y = timeline_y - kTransportHeight;
+  DrawStage(ui, session_, {whole.Min, {panel_x, transport_y}});
+  DrawTransport(ui, session_, {{whole.Min.x, transport_y}, {panel_x, timeline_y}});
+  DrawTimeline(ui, session_, {{whole.Min.x, timeline_y}, {panel_x, whole.Max.y}});
+  ui.Canvas()->AddRectFilled({panel_x, whole.Min.y}, whole.Max, ui.Ink().panel);
+  ui.VerticalLine(panel_x, whole.Min.y, whole.Max.y);
+
+  int panel = Panel(kDeskPanels);
+  const ImRect tabs({panel_x + 1.0f, whole.Min.y}, {whole.Max.x, whole.Min.y + kTabHeight});
+  if (ui.Tabs("panels", tabs, std::span(kPanels).first(kDeskPanels), panel)) ChoosePanel(panel);
+  DrawPanel(ui, {{panel_x + 1.0f, tabs.Max.y}, whole.Max}, panel);
+}
+
+void App::DrawPhone(Ui& ui, const ImRect& whole) {
+  const float tab_height = 44.0f;
+  const float transport = 50.0f;
+  // The stage keeps the upper part; short canvases give the panel what it needs first.
+  const float sheet = std::clamp(0.33f * whole.GetHeight(), 190.0f, 420.0f);
+  const float tabs_y = whole.Max.y - sheet - tab_height;
+  DrawStage(ui, session_, {whole.Min, {whole.Max.x, tabs_y - transport}});
+  DrawTransport(ui, session_, {{whole.Min.x, tabs_y - transport}, {whole.Max.x, tabs_y}});
+  ui.Canvas()->AddRectFilled({whole.Min.x, tabs_y}, whole.Max, ui.Ink().panel);
+  ui.HorizontalLine(whole.Min.x, whole.Max.x, tabs_y);
+
+  int panel = Panel(static_cast<int>(kPanels.size()));
+  const ImRect tabs({whole.Min.x, tabs_y}, {whole.Max.x, tabs_y + tab_height});
+  if (ui.Tabs("panels", tabs, kPanels, panel)) ChoosePanel(panel);
+  const ImRect rest({whole.Min.x, tabs.Max.y}, whole.Max);
+  if (panel == kTimelinePanel) {
+    DrawTimeline(ui, session_, rest);
+  } else {
+    DrawPanel(ui, rest, panel);
+  }
+}
+
+void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
+  ImGui::SetCursorScreenPos(rect.Min);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPanelPadding, 14.0f});
+  const std::string id = "panel/" + std::string(kPanels[static_cast<std::size_t>(panel)]);
+  ImGui::BeginChild(id.c_str(), rect.GetSize(), ImGuiChildFlags_AlwaysUseWindowPadding,
+                    ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollbar);
+  ImGui::PopStyleVar();
+  if (!session_.notice.empty()) {
+    ui.Paragraph(session_.notice, ui.Ink().accent, Type::kNote);
+    ui.Gap(8.0f);
+  }
+  switch (panel) {
+    case 0:
+      DrawFigurePanel(ui, session_, figure_panel_);
+      break;
+    case 1:
+      DrawControllerPanel(ui, session_);
+      break;
+    case 2:
+      DrawStylePanel(ui, session_);
+      break;
+    default:
+      DrawSearchPanel(ui, session_);
+      break;
+  }
+  ui.Gap(6.0f);
+  ScrollByTouch();
+  ui.ScrollBar("panel/scroll");
+  ImGui::EndChild();
+}
+
+bool App::Take(const SDL_Event& event) {
+  if (event.type != SDL_KEYDOWN) return false;
+  const SDL_Keysym key = event.key.keysym;
+  const bool busy = ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
+  if (busy) return false;
+  const auto& widgets = window_.Registry().Widgets();
+  const auto focused = std::ranges::find_if(widgets, [](const Widget& w) { return w.state.focused; });
+
+  // The Tab key goes through the canvas once and then leaves it; Escape leaves it at once.
+  if (key.sym == SDLK_ESCAPE) {
+    host_.LeaveCanvas(0);
+    return true;
+  }
+  if (key.sym == SDLK_TAB && (key.mod & (KMOD_CTRL | KMOD_ALT)) == 0 && !widgets.empty() &&
+      focused != widgets.end()) {
+    const bool back = (key.mod & KMOD_SHIFT) != 0;
+    const auto enabled = [](const Widget& w) { return !w.state.disabled; };
+    const bool at_end = back ? std::none_of(widgets.begin(), focused, enabled)
+                             : std::none_of(focused + 1, widgets.end(), enabled);
+    if (at_end) {
+      host_.LeaveCanvas(back ? -1 : 1);
+      return true;
+    }
+  }
+  // The space bar plays and pauses where no widget wants it.
+  if (key.sym == SDLK_SPACE &&
+      (focused == widgets.end() || focused->id == "stage" || focused->id == "transport/scrub")) {
+    session_.player.Play(!session_.player.Playing());
+    return true;
+  }
+  return false;
+}
+
+}  // namespace gaitsmith::shell

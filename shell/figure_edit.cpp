@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Geometry of the figure's drawing board.
+#include "shell/figure_edit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/numeric/scalar_math.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+constexpr float kPiF = static_cast<float>(kPi);
+
+float Wrapped(float angle) {
+  while (angle > kPiF) angle -= 2.0f * kPiF;
+  while (angle < -kPiF) angle += 2.0f * kPiF;
+  return angle;
+}
+
+// Drawn numbers are rounded, so that a figure reads well as a file: whole centimetres and half degrees.
+float RoundLength(float metres) { return std::max(0.01f, std::round(metres * 100.0f) / 100.0f); }
+float RoundAngle(float radians) {
+  constexpr float kHalfDegree = kPiF / 360.0f;
+  return std::round(radians / kHalfDegree) * kHalfDegree;
+}
+
+float Direction(ImVec2 from, ImVec2 to) { return std::atan2(to.y - from.y, to.x - from.x); }
+float Distance(ImVec2 from, ImVec2 to) { return std::hypot(to.x - from.x, to.y - from.y); }
+
+float DirectionOf(const DrawnFigure& drawn, int limb) {
+  const auto i = static_cast<std::size_t>(limb);
+  return Direction(drawn.points[static_cast<std::size_t>(drawn.skeleton.limbs[i].start)],
+                   drawn.points[i + 1]);
+}
+
+}  // namespace
+
+Figure WithEndpointAt(const DrawnFigure& drawn, int endpoint, ImVec2 target) {
+  const int limb = std::max(0, endpoint - 1);
+  const Skeleton::Limb& moved = drawn.skeleton.limbs[static_cast<std::size_t>(limb)];
+  const ImVec2 from = endpoint == 0 ? target : drawn.points[static_cast<std::size_t>(moved.start)];
+  const ImVec2 to = endpoint == 0 ? drawn.points[1] : target;
+  Figure figure = drawn.figure;
+  Rod& rod = figure.rods[static_cast<std::size_t>(moved.drawn)];
+  const float before = DirectionOf(drawn, limb);
+  const float parent = moved.parent < 0 ? 0.0f : DirectionOf(drawn, moved.parent);
+  const float after = RoundAngle(Direction(from, to));
+  rod.length_m = RoundLength(Distance(from, to));
+  rod.rest_rad = Wrapped(after - parent);
+  for (Rod& child : figure.rods) {
+    if (child.parent == moved.drawn) child.rest_rad = Wrapped(child.rest_rad + before - after);
+  }
+  return figure;
+}
+
+Figure WithRodFrom(const DrawnFigure& drawn, int endpoint, ImVec2 target) {
+  const int limb = std::max(0, endpoint - 1);
+  Figure figure = drawn.figure;
+  float mass = 0.0f;
+  float length = 0.0f;
+  for (const Rod& rod : figure.rods) {
+    mass += rod.mass_kg;
+    length += rod.length_m;
+  }
+  const ImVec2 from = drawn.points[static_cast<std::size_t>(endpoint)];
+  Rod rod;
+  rod.length_m = RoundLength(Distance(from, target));
+  rod.mass_kg = std::max(0.01f, std::round(rod.length_m * mass / length * 100.0f) / 100.0f);
+  rod.parent = drawn.skeleton.limbs[static_cast<std::size_t>(limb)].drawn;
+  rod.parent_end = endpoint == 0 ? RodEnd::kStart : RodEnd::kEnd;
+  rod.rest_rad = Wrapped(RoundAngle(Direction(from, target)) - DirectionOf(drawn, limb));
+  figure.rods.push_back(rod);
+  return figure;
+}
+
+Figure WithoutRod(const Figure& figure, int rod) {
+  const int count = figure.Rods();
+  std::vector<bool> gone(static_cast<std::size_t>(count), false);
+  gone[static_cast<std::size_t>(rod)] = true;
+  // Rods may stand in any order, so the loss spreads until nothing changes.
+  for (int pass = 0; pass < count; ++pass) {
+    for (std::size_t i = 0; i < gone.size(); ++i) {
+      const int parent = figure.rods[i].parent;
+      if (parent != kNoParent && gone[static_cast<std::size_t>(parent)]) gone[i] = true;
+    }
+  }
+  Figure rest = figure;
+  rest.rods.clear();
+  std::vector<int> index(static_cast<std::size_t>(count), kNoParent);
+  for (std::size_t i = 0; i < gone.size(); ++i) {
+    if (gone[i]) continue;
+    index[i] = rest.Rods();
+    rest.rods.push_back(figure.rods[i]);
+  }
+  for (Rod& kept : rest.rods) {
+    if (kept.parent != kNoParent) kept.parent = index[static_cast<std::size_t>(kept.parent)];
+  }
+  return rest;
+}
+
+}  // namespace gaitsmith::shell

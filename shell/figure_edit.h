@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// What drawing does to a figure: an endpoint moved, a rod grown, a rod taken away. Nothing here validates;
+// core does.
+#pragma once
+
+#include <imgui.h>
+
+#include <span>
+
+#include "core/physics/skeleton.h"
+
+namespace gaitsmith::shell {
+
+/// Points are the skeleton's endpoints in metres, y upwards, in one frame with `target`.
+struct DrawnFigure {
+  const Figure& figure;
+  const Skeleton& skeleton;
+  std::span<const ImVec2> points;
+};
+
+/// Turns and stretches the rod that ends there. The rods that hang on it keep their direction and come along.
+[[nodiscard]] Figure WithEndpointAt(const DrawnFigure&, int endpoint, ImVec2 target);
+
+/// A new rod from this endpoint; as heavy per metre as the figure's average.
+[[nodiscard]] Figure WithRodFrom(const DrawnFigure&, int endpoint, ImVec2 target);
+
+/// Without this rod and all that hang on it. @param rod index in Figure::rods, not the root
+[[nodiscard]] Figure WithoutRod(const Figure&, int rod);
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The desktop as a host: searches run on threads of this process.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "shell/host.h"
+#include "shell/parallel_search.h"
+
+namespace gaitsmith::shell {
+
+class NativeHost final : public Host {
+ public:
+  ~NativeHost() override;
+
+  [[nodiscard]] int MaxWorkers() const override;
+  void StartSearch(const Document& document, int workers) override;
+  void PauseSearch() override;
+  void ResumeSearch() override;
+  void StopSearch() override;
+  void Status(const std::string& sentence) override { status_ = sentence; }
+  void DocumentChanged(const std::string& title) override { title_ = title; }
+
+  /// The newest report since the last call, if there is one.
+  [[nodiscard]] std::optional<SearchProgress> TakeProgress();
+  /// "Mr. Star-Man — Gaitsmith", for the window's frame.
+  [[nodiscard]] std::string WindowTitle() const;
+
+ private:
+  std::mutex mutex_;
+  std::optional<SearchProgress> latest_;  // guarded by mutex_
+  std::unique_ptr<SearchControl> control_;
+  std::jthread searcher_;
+  std::string status_;
+  std::string title_;
+};
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// The page as a host: the bridge between the canvas and the DOM, and the only file that knows Emscripten.
+//
+// The page calls the gs_ functions below (text is UTF-8; returned text is valid until the next call) and
+// provides, as Module.page, the functions that host_web.library.js forwards to.
+#include <emscripten/emscripten.h>
+#include <emscripten/html5.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/document/binary.h"
+#include "core/document/json.h"
+#include "core/document/json_value.h"
+#include "core/document/link.h"
+#include "shell/app.h"
+
+extern "C" {
+// host_web.library.js
+int gs_page_max_workers();
+void gs_page_start_search(const std::uint8_t* document, std::size_t bytes, int workers);
+void gs_page_pause_search();
+void gs_page_resume_search();
+void gs_page_stop_search();
+void gs_page_status(const char* sentence);
+void gs_page_document_changed(const char* title);
+void gs_page_first_frame();
+void gs_page_leave_canvas(int direction);
+}
+
+namespace gaitsmith::shell {
+namespace {
+
+class WebHost final : public Host {
+ public:
+  [[nodiscard]] int MaxWorkers() const override { return std::max(1, gs_page_max_workers()); }
+  void StartSearch(const Document& document, int workers) override {
+    const std::vector<std::uint8_t> bytes = EncodeBinary(document);
+    gs_page_start_search(bytes.data(), bytes.size(), workers);
+  }
+  void PauseSearch() override { gs_page_pause_search(); }
+  void ResumeSearch() override { gs_page_resume_search(); }
+  void StopSearch() override { gs_page_stop_search(); }
+  void Status(const std::string& sentence) override { gs_page_status(sentence.c_str()); }
+  void DocumentChanged(const std::string& title) override { gs_page_document_changed(title.c_str()); }
+  void FirstFrame() override { gs_page_first_frame(); }
+  void LeaveCanvas(int direction) override { gs_page_leave_canvas(direction); }
+};
+
+// Everything that lives as long as the page.
+struct Page {
+  std::unique_ptr<Window> window;
+  WebHost host;
+  std::unique_ptr<App> app;
+  std::string reply;
+  double before_ms = 0.0;
+  double width = 0.0;
+  double height = 0.0;
+  double density = 0.0;
+};
+
+// The C functions that the page calls have no other way to reach it.
+Page& ThePage() {
+  static Page page;
+  return page;
+}
+
+Session& TheSession() { return ThePage().app->State(); }
+
+const char* Reply(std::string text) {
+  ThePage().reply = std::move(text);
+  ThePage().window->RequestFrame();
+  return ThePage().reply.c_str();
+}
+
+// The canvas is as large as the page's style makes it; SDL hears only of the whole window's changes.
+void FollowCanvas(Page& page) {
+  double width = 0.0;
+  double height = 0.0;
+  emscripten_get_element_css_size("#canvas", &width, &height);
+  const double density = emscripten_get_device_pixel_ratio();
+  if (width == page.width && height == page.height && density == page.density) return;
+  page.width = width;
+  page.height = height;
+  page.density = density;
+  page.window->SetSize(static_cast<int>(std::lround(width)), static_cast<int>(std::lround(height)));
+}
+
+void Tick(void* argument) {
+  Page& page = *static_cast<Page*>(argument);
+  FollowCanvas(page);
+  page.window->TakeEvents(0, [&page](const SDL_Event& event) { return page.app->Take(event); });
+  const double now_ms = emscripten_get_now();
+  const bool moved = page.app->Advance((now_ms - page.before_ms) / 1000.0);
+  page.before_ms = now_ms;
+  if (moved || page.window->NeedsFrame()) page.window->Draw([&page] { page.app->Draw(); });
+}
+
+// Options of a search, each optional: {"algorithm": "sphc", "evaluations": 40000, "seed": 1, "workers": 2,
+// "sense": "physical" | "timer", "period": 0.8}.
+std::string ApplyOptions(const JsonValue& options, Document& document, int& workers) {
+  for (std::size_t i = 0; i < options.names.size(); ++i) {
+    const std::string& name = options.names[i];
+    const JsonValue& value = options.items[i];
+    const bool number = value.kind == JsonValue::Kind::kNumber && std::abs(value.number) < 2e9;
+    if (name == "algorithm" && value.text == "rgt") {
+      document.search.algorithm = Algorithm::kRandomSearch;
+    } else if (name == "algorithm" && value.text == "sphc") {
+      document.search.algorithm = Algorithm::kSphc;
+    } else if (name == "sense" && (value.text == "timer" || value.text == "physical")) {
+      document.senses.kind = value.text == "timer" ? SenseKind::kTimer : SenseKind::kPhysical;
+    } else if (name == "evaluations" && number) {
+      document.search.evaluations = static_cast<int>(value.number);
+    } else if (name == "seed" && number && value.number >= 0.0) {
+      document.search.seed = static_cast<std::uint32_t>(value.number);
+    } else if (name == "workers" && number && value.number >= 1.0 && value.number <= 64.0) {
+      workers = static_cast<int>(value.number);
+    } else if (name == "period" && number) {
+      document.senses.period_steps = static_cast<int>(std::lround(value.number / static_cast<double>(kStep)));
+    } else {
+      return "synthesize: unknown option or value: " + name;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+}  // namespace gaitsmith::shell
+
+using namespace gaitsmith;         // NOLINT: the functions below have no namespace
+using namespace gaitsmith::shell;  // NOLINT
+
+extern "C" {
+
+/// Opens JSON, a link or the payload of one. @return an empty text, or a sentence that says what is wrong and
+/// where
+EMSCRIPTEN_KEEPALIVE const char* gs_open(const char* text, int bytes) {
+  const auto opened = TheSession().Open({text, static_cast<std::size_t>(bytes)});
+  return Reply(opened ? "" : opened.error().Sentence());
+}
+
+EMSCRIPTEN_KEEPALIVE const char* gs_document_json() { return Reply(EncodeJson(TheSession().WithHash())); }
+/// The payload of a link, without an address.
+EMSCRIPTEN_KEEPALIVE const char* gs_link() { return Reply(EncodeLink(TheSession().Doc())); }
+/// 16 hexadecimal digits of the shown motion.
+EMSCRIPTEN_KEEPALIVE const char* gs_hash() { return Reply(HashText(TheSession().player.Shown().Hash())); }
+EMSCRIPTEN_KEEPALIVE const char* gs_title() { return Reply(TheSession().Doc().title); }
+
+/// Every visible widget of the last frame, as a JSON list.
+EMSCRIPTEN_KEEPALIVE const char* gs_widgets() {
+  ThePage().reply = ThePage().window->Registry().Json();
+  return ThePage().reply.c_str();
+}
+
+EMSCRIPTEN_KEEPALIVE void gs_set_theme(int dark) { ThePage().window->SetDark(dark != 0); }
+
+EMSCRIPTEN_KEEPALIVE void gs_play(int playing) {
+  TheSession().player.Play(playing != 0);
+  ThePage().window->RequestFrame();
+}
+
+EMSCRIPTEN_KEEPALIVE void gs_undo() {
+  TheSession().Undo();
+  ThePage().window->RequestFrame();
+}
+
+/// @param options JSON object or empty text. @return an empty text or a sentence
+EMSCRIPTEN_KEEPALIVE const char* gs_synthesize(const char* options) {
+  Session& session = TheSession();
+  int workers = session.workers;
+  std::string fault;
+  if (options != nullptr && *options != '\0') {
+    const auto parsed = ParseJson(options);
+    if (!parsed) return Reply(parsed.error().Sentence());
+    Document changed = session.Doc();
+    fault = ApplyOptions(*parsed, changed, workers);
+    if (!fault.empty()) return Reply(fault);
+    if (const auto valid = Validate(changed); !valid) return Reply(valid.error().Sentence());
+    session.Set([&](Document& d) { d = changed; });
+  }
+  session.workers = workers;
+  session.Synthesize();
+  return Reply("");
+}
+
+EMSCRIPTEN_KEEPALIVE void gs_pause() { TheSession().Pause(); }
+EMSCRIPTEN_KEEPALIVE void gs_resume() { TheSession().Resume(); }
+EMSCRIPTEN_KEEPALIVE void gs_stop() {
+  TheSession().Stop();
+  ThePage().window->RequestFrame();
+}
+
+/// @param state  0 idle, 1 running, 2 paused, 3 done, 4 stopped, 5 failed
+/// @param curve  pairs (evaluation, best);  @param genes the best genome, or none when it has not changed
+EMSCRIPTEN_KEEPALIVE void gs_search_progress(int state, int evaluations, int budget, double rate,
+                                             double seconds_left, float best, const float* curve, int points,
+                                             const std::uint16_t* genes, int gene_count) {
+  SearchProgress progress{.state = static_cast<SearchState>(std::clamp(state, 0, 5)),
+                          .evaluations = evaluations,
+                          .budget = budget,
+                          .evaluations_per_second = rate,
+                          .seconds_left = seconds_left,
+                          .workers = TheSession().workers,
+                          .best_fitness = best};
+  for (int i = 0; i < points; ++i)
+    progress.curve.push_back({static_cast<int>(curve[2 * i]), curve[2 * i + 1]});
+  if (gene_count > 0) progress.best_genome.assign(genes, genes + gene_count);
+  TheSession().OnSearchProgress(std::move(progress));
+  ThePage().window->RequestFrame();
+}
+
+}  // extern "C"
+
+int main() {
+  Page& page = ThePage();
+  // SDL takes the canvas' style as the master of its size only when it differs from what was asked for.
+  page.window = Window::Open({.width = 16, .height = 16});
+  if (!page.window) return 1;
+  page.app = std::make_unique<App>(page.host, *page.window);
+  page.before_ms = emscripten_get_now();
+  emscripten_set_main_loop_arg(Tick, &page, 0, false);
+  return 0;
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What the application calls on the page, as an Emscripten library: each function forwards to Module.page, an
+// object the page passes to createApp({canvas, page}). Functions the page leaves out do nothing.
+addToLibrary({
+  $callPage: (name, ...args) => Module['page']?.[name]?.(...args),
+
+  gs_page_max_workers__deps: ['$callPage'],
+  gs_page_max_workers: () => callPage('maxWorkers') ?? navigator.hardwareConcurrency ?? 2,
+
+  gs_page_start_search__deps: ['$callPage'],
+  gs_page_start_search: (pointer, bytes, workers) => {
+    callPage('startSearch', HEAPU8.slice(pointer, pointer + bytes), workers);
+  },
+  gs_page_pause_search__deps: ['$callPage'],
+  gs_page_pause_search: () => { callPage('pauseSearch'); },
+  gs_page_resume_search__deps: ['$callPage'],
+  gs_page_resume_search: () => { callPage('resumeSearch'); },
+  gs_page_stop_search__deps: ['$callPage'],
+  gs_page_stop_search: () => { callPage('stopSearch'); },
+
+  gs_page_status__deps: ['$callPage', '$UTF8ToString'],
+  gs_page_status: (sentence) => { callPage('status', UTF8ToString(sentence)); },
+  gs_page_document_changed__deps: ['$callPage', '$UTF8ToString'],
+  gs_page_document_changed: (title) => { callPage('documentChanged', UTF8ToString(title)); },
+  gs_page_first_frame__deps: ['$callPage'],
+  gs_page_first_frame: () => { callPage('firstFrame'); },
+
+  // Without help from the page the canvas just lets go of the keyboard.
+  gs_page_leave_canvas__deps: ['$callPage'],
+  gs_page_leave_canvas: (direction) => {
+    if (Module['page']?.['leaveCanvas']) callPage('leaveCanvas', direction);
+    else Module['canvas'].blur();
+  },
+});

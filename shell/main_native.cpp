@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// The desktop window:
+//   gaitsmith-window [document.json | link] [--dark] [--size 1280x720] [--scale 1.5] [--panel 0..4]
+// A file dropped on the window is opened; Ctrl+S saves beside it, Ctrl+C copies a link.
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "core/document/json.h"
+#include "core/document/link.h"
+#include "shell/app.h"
+#include "shell/host_native.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+struct Arguments {
+  std::string document;
+  bool dark = false;
+  int panel = -1;
+  Window::Options window;
+};
+
+float Number(const char* text) {
+  float value = 0.0f;
+  std::from_chars(text, text + std::strlen(text), value);
+  return value;
+}
+
+bool Parse(int count, char** words, Arguments& arguments) {
+  for (int i = 1; i < count; ++i) {
+    const std::string word = words[i];
+    const char* next = i + 1 < count ? words[i + 1] : "";
+    if (word == "--dark") {
+      arguments.dark = true;
+    } else if (word == "--size") {
+      if (std::sscanf(next, "%dx%d", &arguments.window.width, &arguments.window.height) != 2) return false;
+      ++i;
+    } else if (word == "--scale") {
+      arguments.window.scale = Number(next);
+      if (!(arguments.window.scale >= 0.5f && arguments.window.scale <= 8.0f)) return false;
+      ++i;
+    } else if (word == "--panel") {
+      arguments.panel = static_cast<int>(Number(next));
+      ++i;
+    } else if (word.starts_with("--") || !arguments.document.empty()) {
+      return false;
+    } else {
+      arguments.document = word;
+    }
+  }
+  return true;
+}
+
+class Desktop {
+ public:
+  explicit Desktop(Window& window) : window_(window), app_(host_, window) {}
+
+  App& Application() { return app_; }
+
+  void Open(const std::string& what) {
+    std::string text = what;
+    if (std::ifstream file(what, std::ios::binary); file) {
+      text.assign(std::istreambuf_iterator<char>(file), {});
+      path_ = what;
+    }
+    if (const auto opened = app_.State().Open(text); !opened)
+      Tell("Cannot open: " + opened.error().Sentence());
+  }
+
+  bool Take(const SDL_Event& event) {
+    if (event.type == SDL_DROPFILE) {
+      Open(event.drop.file);
+      SDL_free(event.drop.file);
+      return true;
+    }
+    const bool control = event.type == SDL_KEYDOWN && (event.key.keysym.mod & (KMOD_CTRL | KMOD_GUI)) != 0;
+    if (control && !ImGui::GetIO().WantTextInput) {
+      if (event.key.keysym.sym == SDLK_s) return Save();
+      if (event.key.keysym.sym == SDLK_z) return app_.State().Undo(), true;
+      if (event.key.keysym.sym == SDLK_c) {
+        SDL_SetClipboardText(EncodeLink(app_.State().Doc()).c_str());
+        Tell("Link copied.");
+        return true;
+      }
+    }
+    return app_.Take(event);
+  }
+
+  bool Advance(double seconds) {
+    if (auto progress = host_.TakeProgress()) {
+      app_.State().OnSearchProgress(std::move(*progress));
+      window_.RequestFrame();
+    }
+    if (const std::string title = host_.WindowTitle(); title != title_) window_.SetTitle(title_ = title);
+    return app_.Advance(seconds);
+  }
+
+ private:
+  bool Save() {
+    std::ofstream file(path_, std::ios::binary);
+    file << EncodeJson(app_.State().WithHash());
+    Tell(file.good() ? "Saved as " + path_ + "." : "Cannot write " + path_ + ".");
+    return true;
+  }
+  void Tell(const std::string& sentence) {
+    app_.State().notice = sentence;
+    host_.Status(sentence);
+  }
+
+  Window& window_;
+  NativeHost host_;
+  App app_;
+  std::string path_ = "gaitsmith.json";
+  std::string title_;
+};
+
+int Run(int count, char** words) {
+  Arguments arguments;
+  if (!Parse(count, words, arguments)) {
+    std::fputs(
+        "usage: gaitsmith-window [document.json | link] [--dark] [--size WxH] [--scale S] [--panel N]\n",
+        stderr);
+    return 2;
+  }
+  const auto window = Window::Open(arguments.window);
+  if (!window) {
+    std::fprintf(stderr, "gaitsmith-window: %s\n", SDL_GetError());
+    return 1;
+  }
+  window->SetDark(arguments.dark);
+  Desktop desktop(*window);
+  if (!arguments.document.empty()) desktop.Open(arguments.document);
+  if (arguments.panel >= 0)
+    desktop.Application().State().Set([&](Document& d) { d.view.panel = arguments.panel; });
+
+  auto before = std::chrono::steady_clock::now();
+  const Window::EventFilter filter = [&](const SDL_Event& event) { return desktop.Take(event); };
+  bool due = true;
+  // Sleeps until something happens, unless a motion plays; looks after a search ten times a second.
+  while (window->TakeEvents(due ? 0 : 100, filter)) {
+    const auto now = std::chrono::steady_clock::now();
+    due = desktop.Advance(std::chrono::duration<double>(now - before).count());
+    before = now;
+    due = window->NeedsFrame() || due;
+    if (due) window->Draw([&] { desktop.Application().Draw(); });
+    // Displays without vertical synchronisation must not spin.
+    const auto spent = std::chrono::steady_clock::now() - now;
+    if (due && spent < std::chrono::milliseconds(12)) SDL_Delay(4);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace gaitsmith::shell
+
+int main(int count, char** words) { return gaitsmith::shell::Run(count, words); }

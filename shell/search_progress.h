@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// How far a search has come: what a page's worker, the desktop's threads and the command line all report.
+#pragma once
+
+#include <vector>
+
+#include "core/physics/task.h"
+#include "core/search/search.h"
+
+namespace gaitsmith::shell {
+
+enum class SearchState { kIdle, kRunning, kPaused, kDone, kStopped, kFailed };
+
+/// Reported at most about thirty times a second, and once at the end.
+struct SearchProgress {
+  SearchState state = SearchState::kIdle;
+  int evaluations = 0;
+  int budget = 0;
+  double evaluations_per_second = 0.0;
+  double seconds_left = 0.0;
+  int workers = 0;
+  float best_fitness = kVoidScore;
+  std::vector<Search::CurvePoint> curve = {};
+  Genome best_genome = {};  // empty: as in the last report, or none yet
+};
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# The contract of docs/command-line.md, seen from a script:   contract_test.sh <gaitsmith> <repository>
+set -uo pipefail
+gaitsmith=$(realpath "$1") root=$(realpath "$2") failed=0
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+
+fault() { echo "FAILED: $*"; failed=1; }
+# refuses <words of the message> <command...>: non-zero exit, the message on standard error, nothing on standard output
+refuses() {
+  local message=$1 status=0; shift
+  "$@" >out 2>err || status=$?
+  [ $status != 0 ] || fault "accepted: $*"
+  [ ! -s out ] || fault "printed to standard output: $*"
+  grep -qF -- "$message" err || fault "said '$(cat err)', not '$message': $*"
+}
+same() { [ "$1" = "$2" ] || fault "$3: '$1' is not '$2'"; }
+
+golden=$root/tests/golden/motions/star-man-physical.json
+hash=$("$gaitsmith" hash "$golden")
+same "$hash" "$(sed -n 's/.*"hash": "\([0-9a-f]*\)".*/\1/p' "$golden")" "hash of a golden"
+for lanes in 1 2 4 8 16; do same "$("$gaitsmith" hash --lanes $lanes "$golden")" "$hash" "hash in $lanes lanes"; done
+"$gaitsmith" validate "$golden" >/dev/null || fault "a golden is not valid"
+
+# Documents come and go by file, link and standard streams without a changed byte.
+"$gaitsmith" link encode "$golden" >link.txt || fault "link encode"
+"$gaitsmith" link decode "$(cat link.txt)" >decoded.json || fault "link decode"
+cmp -s decoded.json "$golden" || fault "JSON -> link -> JSON changed the document"
+same "$("$gaitsmith" hash - <link.txt)" "$hash" "hash of a link on standard input"
+same "$("$gaitsmith" hash star-man-shuffle)" "$("$gaitsmith" hash "$root/examples/star-man-shuffle.json")" "shipped example"
+
+# One row a step, the start included, every column named.
+"$gaitsmith" simulate "$golden" --csv motion.csv || fault "simulate"
+same "$(head -1 motion.csv | cut -d, -f1-9)" "t,x,y,vx,vy,phi,L,rule,theta_1" "CSV header"
+same "$(wc -l <motion.csv)" 1002 "rows of a 10 s motion"
+same "$(awk -F, '{print NF}' motion.csv | sort -u | wc -l)" 1 "columns in every row"
+
+# The same document for any number of threads.
+find() { "$gaitsmith" synthesize --figure inchworm --task travel --sense timer=0.8 --weight slip_sum=0.5 --search "$1" \
+  --evaluations 300 --seed 9 --out "$2" --curve curve.csv --threads "$3"; }
+for search in rgt sphc; do
+  find $search one.json 1 || fault "synthesize"
+  for threads in 2 3 8; do
+    find $search many.json $threads; cmp -s one.json many.json || fault "$search with $threads threads found something else"
+  done
+done
+same "$(head -1 curve.csv)" "evaluation,best" "curve header"
+"$gaitsmith" validate one.json >/dev/null || fault "a found document is not valid"
+"$gaitsmith" synthesize --figure "$root/examples/figures/hopper.json" --task jump --search rgt --evaluations 20 --out - \
+  2>/dev/null | "$gaitsmith" validate - >/dev/null || fault "synthesize | validate"
+
+# Bad input: one clear sentence, and nothing is harmed.
+echo keep >precious.json
+refuses 'there is no figure "mr-moon"' "$gaitsmith" synthesize --figure mr-moon --out precious.json
+refuses '"fly" is not known; choose from travel' "$gaitsmith" synthesize --task fly --out precious.json
+refuses '--weight max_cm_height=x: must be a number' "$gaitsmith" synthesize --weight max_cm_height=x --out precious.json
+refuses 'must be from 0.02 to 120 s' "$gaitsmith" synthesize --sense timer=0.001 --out precious.json
+refuses 'must be a whole number from 1 to 100000000, is "many"' "$gaitsmith" synthesize --evaluations many --out precious.json
+refuses '--colour: this command has no such option' "$gaitsmith" synthesize --colour red --out precious.json
+refuses '--out: say where' "$gaitsmith" synthesize
+same "$(cat precious.json)" keep "a file after refused commands"
+refuses 'cannot be read' "$gaitsmith" hash nowhere.json
+refuses 'was cut' "$gaitsmith" link decode "$(head -c 100 link.txt)"
+refuses 'there is no command' "$gaitsmith" fly
+sed 's/"friction": 0.8/"friction": 12/' "$golden" >bad.json
+refuses 'environment.friction: must be from 0 to 10, is 12' "$gaitsmith" validate bad.json
+sed 's/"friction": 0.8/"friction": 0.7/' "$golden" >other.json
+refuses 'the motion differs from the one its maker saw' "$gaitsmith" validate other.json
+
+[ $failed = 0 ] && echo "the command line keeps its contract"
+exit $failed

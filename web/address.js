@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The document in the page's address: its link stands after '#', where no server sees it. Read at the start and
+// whenever it is changed by hand; written when the document has come to rest.
+import { banner } from './dom.js';
+
+/** @typedef {import('./app.js').App} App */
+
+const REST_MS = 600;
+
+export class Address {
+  #read = false;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #timer;
+
+  /** @param {App} app @param {() => boolean} busy  a search changes the document over and over */
+  constructor(app, busy) {
+    this.app = app;
+    this.busy = busy;
+    addEventListener('hashchange', () => this.open());
+  }
+
+  /** The whole address of the present document. */
+  link() { return `${location.href.split('#')[0]}#${this.app.link()}`; }
+
+  /** Opens what the address holds, if anything. A damaged link leaves the present work as it is. */
+  open() {
+    this.#read = true;
+    const payload = location.hash.slice(1);
+    if (payload === '' || payload === this.app.link()) return;
+    const fault = this.app.open(payload);
+    banner(fault && `This link was not opened: ${sentence(fault)} Please copy the whole link again; what is shown here is not what it held.`);
+  }
+
+  /** The document is another one now. */
+  changed() {
+    if (!this.#read) return; // the document the page begins with has no need of an address
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => (this.busy() ? this.changed() : this.write()), REST_MS);
+  }
+
+  write() { history.replaceState(null, '', this.link()); }
+}
+
+/** Core's sentence with a full stop. @param {string} fault */
+export function sentence(fault) {
+  return /[.!?]$/.test(fault) ? fault : `${fault}.`;
+}

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// window.gaitsmith: the page for scripts, for pages that embed it and for tests. docs/embedding.md documents it.
+
+/** @typedef {import('./app.js').App} App */
+/** @typedef {import('./app.js').DocumentJson} DocumentJson */
+/** @typedef {import('./app.js').SynthesizeOptions} SynthesizeOptions */
+/** @typedef {import('./app.js').Widget} Widget */
+/** @typedef {import('./messages.js').SearchReport} SearchReport */
+
+/** What the page is made of. @typedef {{app: App, searches: import('./searches.js').Searches, address: import('./address.js').Address, canvas: HTMLCanvasElement}} Parts */
+/** What a search came to. @typedef {{report: SearchReport, hash: string, link: string}} SearchResult */
+
+/** Events: 'progress' (detail: SearchReport), 'done' (detail: SearchResult), 'error' (detail: Error). */
+export class Gaitsmith extends EventTarget {
+  /** @type {Parts | null} */
+  #parts = null;
+  /** @type {(api: Gaitsmith) => void} */
+  #resolve = () => {};
+  /** @type {(error: Error) => void} */
+  #reject = () => {};
+
+  /** Resolved when the first frame is on the screen; rejected when the page cannot run here. @type {Promise<Gaitsmith>} */
+  ready = new Promise((resolve, reject) => {
+    this.#resolve = resolve;
+    this.#reject = reject;
+  });
+
+  constructor() {
+    super();
+    this.ready.catch(() => {}); // the page itself tells the reader
+  }
+
+  /**
+   * Opens a link, a link's payload, JSON text or a document object. Throws core's sentence if it is no good; then
+   * nothing has changed.
+   * @param {string | object} linkOrDocument
+   */
+  open(linkOrDocument) {
+    const text = typeof linkOrDocument === 'string' ? linkOrDocument : JSON.stringify(linkOrDocument);
+    const fault = this.#need().app.open(text);
+    if (fault) throw new Error(fault);
+  }
+
+  /** The whole link of the present document. */
+  link() { return this.#need().address.link(); }
+  /** The present document. @returns {DocumentJson} */
+  document() { return this.#need().app.document(); }
+  /** The trajectory hash of the motion shown: 16 hexadecimal digits. */
+  hash() { return this.#need().app.hash(); }
+
+  /**
+   * Searches a motion for the present document; one that runs is stopped first.
+   * @param {SynthesizeOptions} [options]
+   * @returns {Promise<SearchResult>} when the search is done or was stopped
+   */
+  synthesize(options = {}) {
+    return new Promise((resolve, reject) => {
+      const { app, searches } = this.#need();
+      const fault = app.synthesize(options);
+      if (fault) throw new Error(fault);
+      const ended = new AbortController();
+      searches.addEventListener('done', (event) => {
+        ended.abort();
+        resolve(this.#result(/** @type {CustomEvent<SearchReport>} */ (event).detail));
+      }, { signal: ended.signal });
+      searches.addEventListener('error', (event) => {
+        ended.abort();
+        reject(/** @type {CustomEvent<Error>} */ (event).detail);
+      }, { signal: ended.signal });
+    });
+  }
+
+  pause() { this.#need().app.pause(); }
+  resume() { this.#need().app.resume(); }
+  stop() { this.#need().app.stop(); }
+
+  /**
+   * @param {'progress' | 'done' | 'error'} type
+   * @param {(event: CustomEvent) => void} listener
+   */
+  on(type, listener) { this.addEventListener(type, /** @type {EventListener} */ (listener)); }
+
+  /** @param {'progress' | 'done' | 'error'} type @param {(event: CustomEvent) => void} listener */
+  off(type, listener) { this.removeEventListener(type, /** @type {EventListener} */ (listener)); }
+
+  /** Every widget on the canvas, its rectangle in CSS pixels of the page. @returns {Widget[]} */
+  widgets() {
+    const { app, canvas } = this.#need();
+    const { left, top } = canvas.getBoundingClientRect();
+    return app.widgets().map((widget) => ({
+      ...widget,
+      rect: { ...widget.rect, x: widget.rect.x + left, y: widget.rect.y + top },
+    }));
+  }
+
+  // For page.js.
+
+  /** @param {Parts} parts */
+  begin(parts) {
+    this.#parts = parts;
+    const forward = (/** @type {string} */ type, /** @type {any} */ detail) => this.dispatchEvent(new CustomEvent(type, { detail }));
+    parts.searches.addEventListener('progress', (event) => forward('progress', /** @type {CustomEvent} */ (event).detail));
+    parts.searches.addEventListener('done', (event) => forward('done', this.#result(/** @type {CustomEvent} */ (event).detail)));
+    parts.searches.addEventListener('error', (event) => forward('error', /** @type {CustomEvent} */ (event).detail));
+  }
+  firstFrame() { this.#resolve(this); }
+  /** @param {Error} error */
+  cannotRun(error) { this.#reject(error); }
+
+  /** @param {SearchReport} report @returns {SearchResult} */
+  #result(report) { return { report, hash: this.hash(), link: this.link() }; }
+
+  #need() {
+    if (!this.#parts) throw new Error('the page is still loading: await gaitsmith.ready');
+    return this.#parts;
+  }
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Types of app.mjs, the module that Emscripten makes of shell/. shell/host_web.cpp is the other side of this
+// border and says what each function does.
+
+/** An address in the module's memory; 0 is null. */
+export type Pointer = number;
+
+export interface AppModule {
+  readonly HEAPU8: Uint8Array;
+  UTF8ToString(text: Pointer): string;
+  stringToNewUTF8(text: string): Pointer;
+  _malloc(size: number): Pointer;
+  _free(at: Pointer): void;
+
+  _gs_open(text: Pointer, bytes: number): Pointer;
+  _gs_document_json(): Pointer;
+  _gs_link(): Pointer;
+  _gs_hash(): Pointer;
+  _gs_title(): Pointer;
+  _gs_widgets(): Pointer;
+  _gs_set_theme(dark: number): void;
+  _gs_play(playing: number): void;
+  _gs_undo(): void;
+  _gs_synthesize(options: Pointer): Pointer;
+  _gs_pause(): void;
+  _gs_resume(): void;
+  _gs_stop(): void;
+  _gs_search_progress(state: number, evaluations: number, budget: number, rate: number, seconds_left: number,
+    best: number, curve: Pointer, points: number, genes: Pointer, gene_count: number): void;
+}
+
+/** What the application calls on the page: shell/host.h, in JavaScript. */
+export interface PageForApp {
+  /** Most workers that make sense here. */
+  maxWorkers(): number;
+  /** Runs a document (in binary form); a search that runs is dropped. */
+  startSearch(document: Uint8Array, workers: number): void;
+  pauseSearch(): void;
+  resumeSearch(): void;
+  stopSearch(): void;
+  /** A sentence for the status line. */
+  status(sentence: string): void;
+  /** The document is another one, or not the same any more. */
+  documentChanged(title: string): void;
+  firstFrame(): void;
+  /** The keyboard leaves the canvas: 1 forwards, -1 backwards, 0 just away. */
+  leaveCanvas(direction: number): void;
+}
+
+export default function createApp(options: {
+  canvas: HTMLCanvasElement;
+  page: PageForApp;
+  onAbort?(reason: unknown): void;
+}): Promise<AppModule>;

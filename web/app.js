@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// The application in the canvas, for the page: text and numbers in and out of its memory.
+
+/** @typedef {import('./app.d.mts').AppModule} AppModule */
+/** @typedef {import('./messages.js').SearchReport} SearchReport */
+
+/**
+ * What is on the canvas: a widget that a person can see and use now.
+ * @typedef {object} Widget
+ * @property {string} id     stable, e.g. "search/start"
+ * @property {string} label
+ * @property {string} role   an ARIA role
+ * @property {string} value  as shown
+ * @property {Record<string, boolean>} state
+ * @property {{x: number, y: number, width: number, height: number}} rect  CSS pixels
+ */
+
+/**
+ * Options of a search; what is left out stays as the document has it.
+ * @typedef {object} SynthesizeOptions
+ * @property {'sphc' | 'rgt'} [algorithm]
+ * @property {'physical' | 'timer'} [sense]
+ * @property {number} [period]       of the timer, seconds
+ * @property {number} [evaluations]
+ * @property {number} [seed]
+ * @property {number} [workers]
+ */
+
+/** What a document says about its search, as far as the page shows it. @typedef {{algorithm?: string}} SearchJson */
+/**
+ * A document as JSON (docs/formats.md), as far as the page itself reads it.
+ * @typedef {{title?: string, figure: {name?: string}, senses?: {kind?: string}, search?: SearchJson,
+ *   task?: {kind?: string, weights?: Record<string, number>}}} DocumentJson
+ */
+
+// SearchState in shell/search_progress.h.
+const STATES = { running: 1, paused: 2, done: 3, stopped: 4, failed: 5 };
+
+export class App {
+  /** @param {AppModule} module */
+  constructor(module) {
+    this.module = module;
+  }
+
+  /**
+   * @param {string} text  JSON, a link, or the payload of one
+   * @returns {string} empty, or core's sentence about what is wrong and where; then nothing has changed
+   */
+  open(text) {
+    return this.#with(text, (at, bytes) => this.#text(this.module._gs_open(at, bytes)));
+  }
+
+  /** @returns {string} indented JSON */
+  documentText() { return this.#text(this.module._gs_document_json()); }
+  /** @returns {DocumentJson} */
+  document() { return JSON.parse(this.documentText()); }
+  /** The payload of a link: what stands after '#'. */
+  link() { return this.#text(this.module._gs_link()); }
+  /** Of the shown motion's trajectory: 16 hexadecimal digits. */
+  hash() { return this.#text(this.module._gs_hash()); }
+  title() { return this.#text(this.module._gs_title()); }
+
+  /** Visible widgets, their rectangles relative to the canvas. @returns {Widget[]} */
+  widgets() { return JSON.parse(this.#text(this.module._gs_widgets())); }
+
+  /** @param {boolean} dark */
+  setTheme(dark) { this.module._gs_set_theme(dark ? 1 : 0); }
+  /** @param {boolean} playing */
+  play(playing) { this.module._gs_play(playing ? 1 : 0); }
+  undo() { this.module._gs_undo(); }
+
+  /** @param {SynthesizeOptions} options @returns {string} empty, or a sentence; then nothing has started */
+  synthesize(options) {
+    return this.#with(JSON.stringify(options), (at) => this.#text(this.module._gs_synthesize(at)));
+  }
+  pause() { this.module._gs_pause(); }
+  resume() { this.module._gs_resume(); }
+  stop() { this.module._gs_stop(); }
+
+  /** Nothing came of the search. */
+  searchFailed() {
+    this.module._gs_search_progress(STATES.failed, 0, 0, 0, 0, 0, 0, 0, 0, 0);
+  }
+
+  /**
+   * @param {SearchReport} report
+   * @param {Float32Array} curve  pairs (evaluation, best) from the start of the search
+   */
+  searchProgress(report, curve) {
+    const genes = report.bestGenome ?? new Uint16Array(0);
+    const at = this.module._malloc(curve.byteLength + genes.byteLength + 4);
+    const heap = this.module.HEAPU8; // after malloc, which may grow it
+    heap.set(new Uint8Array(curve.buffer, curve.byteOffset, curve.byteLength), at);
+    heap.set(new Uint8Array(genes.buffer, genes.byteOffset, genes.byteLength), at + curve.byteLength);
+    this.module._gs_search_progress(STATES[report.state], report.evaluations, report.budget, report.rate,
+      report.secondsLeft, report.bestFitness, at, curve.length / 2, at + curve.byteLength, genes.length);
+    this.module._free(at);
+  }
+
+  /** @param {number} at */
+  #text(at) { return this.module.UTF8ToString(at); }
+
+  /**
+   * Lends the module a text.
+   * @template T
+   * @param {string} text
+   * @param {(at: number, bytes: number) => T} use
+   */
+  #with(text, use) {
+    const at = this.module.stringToNewUTF8(text);
+    try {
+      return use(at, new TextEncoder().encode(text).length);
+    } finally {
+      this.module._free(at);
+    }
+  }
+}

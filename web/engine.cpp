@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+// The engine: core behind a C interface, compiled to a small WebAssembly module of its own (engine.mjs,
+// engine.wasm) without window, files or exceptions. A worker uses one of its two roles: an evaluator scores
+// genomes, a search says which genomes to score. engine.d.mts declares this interface for JavaScript and
+// engine.js wraps it; nothing else calls it.
+//
+// Rules of the border:
+// - Bytes come in through gs_input(size): the caller writes them there, then calls a function that takes
+//   their count. That area is free again when the function returns.
+// - What comes out is a pointer that stays valid until the next call on the same object.
+// - A function that can fail returns null or false, and gs_error() then is {"code","where","what"} as JSON.
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/document/binary.h"
+#include "core/document/json.h"
+#include "core/document/json_value.h"
+#include "core/document/link.h"
+#include "core/physics/evaluator.h"
+#include "core/search/search.h"
+
+#define GS_EXPORT extern "C" __attribute__((used, visibility("default")))
+
+namespace gaitsmith {
+namespace {
+
+std::vector<std::uint8_t> input;
+std::string error_json;
+std::vector<std::uint8_t> document_bytes;
+
+std::string_view CodeName(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::kOutOfRange:
+      return "out-of-range";
+    case ErrorCode::kNotFinite:
+      return "not-finite";
+    case ErrorCode::kMissing:
+      return "missing";
+    case ErrorCode::kUnknownName:
+      return "unknown-name";
+    case ErrorCode::kUnknownVersion:
+      return "unknown-version";
+    case ErrorCode::kTruncated:
+      return "truncated";
+    case ErrorCode::kTrailing:
+      return "trailing";
+    case ErrorCode::kChecksum:
+      return "checksum";
+    case ErrorCode::kSyntax:
+      return "syntax";
+    case ErrorCode::kTooMany:
+      return "too-many";
+    case ErrorCode::kStructure:
+      return "structure";
+  }
+  return "unknown";
+}
+
+void Note(const Error& error) {
+  error_json = R"({"code":)" + QuoteJson(CodeName(error.code)) + R"(,"where":)" + QuoteJson(error.where) +
+               R"(,"what":)" + QuoteJson(error.what) + "}";
+}
+
+/// The document that lies in the input area, or nothing and a noted error.
+std::optional<Document> TakeDocument(std::size_t size) {
+  auto document = DecodeBinary(std::span(input).first(size));
+  if (document) return std::move(*document);
+  Note(document.error());
+  return std::nullopt;
+}
+
+struct EvaluatorRole {
+  Evaluator evaluator;
+  std::size_t genes;
+  std::vector<float> fitness;
+};
+
+struct SearchRole {
+  std::unique_ptr<Search> search;
+  int budget;
+  std::size_t genes;
+  std::size_t asked = 0;
+  std::vector<Gene> genomes;  // of the last ask, one after another (asked * genes)
+  std::vector<std::uint8_t> saved;
+};
+
+}  // namespace
+}  // namespace gaitsmith
+
+using namespace gaitsmith;  // NOLINT: everything below is the border
+
+GS_EXPORT std::uint8_t* gs_input(std::size_t size) {
+  input.resize(size);
+  return input.data();
+}
+GS_EXPORT const char* gs_error() { return error_json.c_str(); }
+
+// Documents. Text is JSON, or a link, or a link's payload; bytes are core/document/binary.h.
+/// @return the document's bytes, gs_document_size() of them
+GS_EXPORT const std::uint8_t* gs_document_from_text(std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(input.data()), size);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  const bool json = first != std::string_view::npos && text[first] == '{';
+  const auto document = json ? DecodeJson(text) : DecodeLink(text);
+  if (!document) {
+    Note(document.error());
+    return nullptr;
+  }
+  document_bytes = EncodeBinary(*document);
+  return document_bytes.data();
+}
+GS_EXPORT std::size_t gs_document_size() { return document_bytes.size(); }
+
+// Evaluator.
+GS_EXPORT EvaluatorRole* gs_evaluator_open(std::size_t size) {
+  const auto document = TakeDocument(size);
+  if (!document) return nullptr;
+  const Problem problem = ProblemOf(*document);
+  return new EvaluatorRole{Evaluator(problem), problem.Shape().Genes(), {}};
+}
+GS_EXPORT void gs_evaluator_close(EvaluatorRole* role) { delete role; }
+GS_EXPORT std::size_t gs_evaluator_genes(const EvaluatorRole* role) { return role->genes; }
+
+/// Scores `count` genomes that lie one after another in the input area, 16 bits a gene.
+/// @return `count` floats; null when the input is too short
+GS_EXPORT const float* gs_evaluator_run(EvaluatorRole* role, std::size_t count) {
+  if (input.size() / sizeof(Gene) / role->genes < count) {
+    Note({ErrorCode::kTruncated, "genomes", "fewer than announced"});
+    return nullptr;
+  }
+  // std::vector's storage is aligned for any fundamental type.
+  const auto* genes = reinterpret_cast<const Gene*>(input.data());
+  std::vector<std::span<const Gene>> genomes;
+  genomes.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) genomes.emplace_back(genes + i * role->genes, role->genes);
+  role->fitness.clear();
+  for (const Evaluation& evaluation : role->evaluator.Evaluate(genomes)) {
+    role->fitness.push_back(evaluation.fitness);
+  }
+  return role->fitness.data();
+}
+
+// Search.
+GS_EXPORT SearchRole* gs_search_open(std::size_t size) {
+  const auto document = TakeDocument(size);
+  if (!document) return nullptr;
+  const SearchSpace space = SpaceOf(*document);
+  return new SearchRole{.search = MakeSearch(document->search, space),
+                        .budget = document->search.evaluations,
+                        .genes = space.shape.Genes(),
+                        .genomes = {},
+                        .saved = {}};
+}
+GS_EXPORT void gs_search_close(SearchRole* role) { delete role; }
+GS_EXPORT std::size_t gs_search_genes(const SearchRole* role) { return role->genes; }
+GS_EXPORT int gs_search_budget(const SearchRole* role) { return role->budget; }
+
+/// @return how many genomes to score next; gs_search_genomes() are they
+GS_EXPORT std::size_t gs_search_ask(SearchRole* role, int wanted) {
+  role->genomes.clear();
+  role->asked = 0;
+  for (const Genome& genome : role->search->Ask(wanted)) {
+    role->genomes.insert(role->genomes.end(), genome.begin(), genome.end());
+    ++role->asked;
+  }
+  return role->asked;
+}
+GS_EXPORT const Gene* gs_search_genomes(const SearchRole* role) { return role->genomes.data(); }
+
+/// Takes the fitness of each genome of the last ask, in its order, as floats from the input area.
+GS_EXPORT bool gs_search_tell(SearchRole* role, std::size_t count) {
+  if (count != role->asked || input.size() < count * sizeof(float)) {
+    Note({ErrorCode::kStructure, "fitness", "must be one number for every genome asked"});
+    return false;
+  }
+  role->search->Tell({reinterpret_cast<const float*>(input.data()), count});
+  role->asked = 0;
+  return true;
+}
+GS_EXPORT int gs_search_evaluations(const SearchRole* role) { return role->search->Evaluations(); }
+GS_EXPORT bool gs_search_done(const SearchRole* role) { return role->search->Done(); }
+GS_EXPORT float gs_search_best_fitness(const SearchRole* role) { return role->search->BestFitness(); }
+
+/// @return gs_search_genes() genes, or null before the first tell
+GS_EXPORT const Gene* gs_search_best_genome(const SearchRole* role) {
+  const Genome& best = role->search->BestGenome();
+  return best.empty() ? nullptr : best.data();
+}
+
+/// The points of the best-so-far curve, each an int (evaluation) and a float (best).
+static_assert(sizeof(Search::CurvePoint) == 8);
+GS_EXPORT std::size_t gs_search_curve_length(const SearchRole* role) { return role->search->Curve().size(); }
+GS_EXPORT const void* gs_search_curve(const SearchRole* role) { return role->search->Curve().data(); }
+
+/// The whole state of the search, between a tell and an ask.
+GS_EXPORT const std::uint8_t* gs_search_save(SearchRole* role) {
+  BitWriter out;
+  role->search->Save(out);
+  role->saved = out.Bytes();
+  return role->saved.data();
+}
+GS_EXPORT std::size_t gs_search_saved_size(const SearchRole* role) { return role->saved.size(); }
+
+/// Continues from a saved state in the input area, which must come from the same document.
+GS_EXPORT bool gs_search_load(SearchRole* role, std::size_t size) {
+  BitReader in(std::span(input).first(size));
+  const auto loaded = role->search->Load(in);
+  if (!loaded) Note(loaded.error());
+  return loaded.has_value();
+}

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// The engine for JavaScript: documents, evaluators and searches as objects, errors as exceptions. Works in a
+// page, in a worker and under Node.
+import createEngine from './engine.mjs';
+
+/** @typedef {import('./engine.d.mts').EngineModule} EngineModule */
+/** @typedef {{code: string, where: string, what: string}} Fault  What core found wrong, and where. */
+
+/** A fault of core as an exception; its message is core's own sentence. */
+export class EngineError extends Error {
+  /** @param {Fault} fault */
+  constructor(fault) {
+    super(fault.where ? `${fault.where}: ${fault.what}` : fault.what);
+    this.name = 'EngineError';
+    this.fault = fault;
+  }
+}
+
+export class Engine {
+  /** @param {EngineModule} module */
+  constructor(module) {
+    this.module = module;
+  }
+
+  /**
+   * @param {WebAssembly.Module} [compiled]  compiled before, e.g. by the page; else engine.wasm is fetched
+   * @returns {Promise<Engine>}
+   */
+  static async load(compiled) {
+    if (!compiled) return new Engine(await createEngine());
+    return new Engine(await createEngine({
+      instantiateWasm(imports, receive) {
+        WebAssembly.instantiate(compiled, imports).then((instance) => receive(instance, compiled));
+        return {};
+      },
+    }));
+  }
+
+  /** Bytes of WebAssembly memory in use. */
+  get memoryBytes() { return this.module.HEAPU8.length; }
+
+  /**
+   * The binary form of a document, as evaluators and searches take it.
+   * @param {string} text  JSON, or a link
+   */
+  documentFromText(text) {
+    const size = this.put(new TextEncoder().encode(text));
+    const bytes = this.orThrow(this.module._gs_document_from_text(size));
+    return this.bytesAt(bytes, this.module._gs_document_size());
+  }
+
+  /** @param {Uint8Array} document @returns {Evaluator} */
+  evaluator(document) {
+    return new Evaluator(this, this.orThrow(this.module._gs_evaluator_open(this.put(document))));
+  }
+
+  /** @param {Uint8Array} document @returns {Search} */
+  search(document) {
+    return new Search(this, this.orThrow(this.module._gs_search_open(this.put(document))));
+  }
+
+  // For the classes below.
+
+  /**
+   * Copies a typed array into the engine's input area.
+   * @param {Uint8Array | Uint16Array | Float32Array} data
+   * @returns {number} its size in bytes
+   */
+  put(data) {
+    const at = this.module._gs_input(data.byteLength); // may grow the memory: take HEAPU8 after it
+    this.module.HEAPU8.set(new Uint8Array(data.buffer, data.byteOffset, data.byteLength), at);
+    return data.byteLength;
+  }
+
+  /** A copy, because the original moves when memory grows. @param {number} at @param {number} size */
+  bytesAt(at, size) {
+    return this.module.HEAPU8.slice(at, at + size);
+  }
+
+  /** @param {number} result  null or false means that it failed */
+  orThrow(result) {
+    if (result) return result;
+    const heap = this.module.HEAPU8;
+    const at = this.module._gs_error();
+    throw new EngineError(JSON.parse(new TextDecoder().decode(heap.subarray(at, heap.indexOf(0, at)))));
+  }
+}
+
+/** Scores genomes of one problem. */
+export class Evaluator {
+  /** @param {Engine} engine @param {number} handle */
+  constructor(engine, handle) {
+    this.engine = engine;
+    this.handle = handle;
+    /** Genes of one genome. */
+    this.genes = engine.module._gs_evaluator_genes(handle);
+  }
+
+  /**
+   * @param {Uint16Array} genomes  any number of them, one after another
+   * @returns {Float32Array} fitness of each
+   */
+  evaluate(genomes) {
+    const count = Math.floor(genomes.length / this.genes);
+    this.engine.put(genomes);
+    if (count === 0) return new Float32Array(0);
+    const at = this.engine.orThrow(this.engine.module._gs_evaluator_run(this.handle, count));
+    return new Float32Array(this.engine.bytesAt(at, 4 * count).buffer);
+  }
+
+  close() { this.engine.module._gs_evaluator_close(this.handle); }
+}
+
+/** Decides which genomes to score next, and remembers the best. */
+export class Search {
+  /** @param {Engine} engine @param {number} handle */
+  constructor(engine, handle) {
+    this.engine = engine;
+    this.handle = handle;
+    /** Genes of one genome. */
+    this.genes = engine.module._gs_search_genes(handle);
+    /** Evaluations in all. */
+    this.budget = engine.module._gs_search_budget(handle);
+  }
+
+  /**
+   * @param {number} wanted  about how many genomes
+   * @returns {Uint16Array} genomes, one after another
+   */
+  ask(wanted) {
+    const count = this.engine.module._gs_search_ask(this.handle, wanted);
+    return this.#genesAt(this.engine.module._gs_search_genomes(this.handle), count);
+  }
+
+  /** @param {Float32Array} fitness  of each genome of the last ask */
+  tell(fitness) {
+    this.engine.put(fitness);
+    this.engine.orThrow(this.engine.module._gs_search_tell(this.handle, fitness.length));
+  }
+
+  get evaluations() { return this.engine.module._gs_search_evaluations(this.handle); }
+  get done() { return this.engine.module._gs_search_done(this.handle) !== 0; }
+  get bestFitness() { return this.engine.module._gs_search_best_fitness(this.handle); }
+
+  /** @returns {Uint16Array} the best genome so far; empty before the first tell */
+  get bestGenome() {
+    const at = this.engine.module._gs_search_best_genome(this.handle);
+    return this.#genesAt(at, at ? 1 : 0);
+  }
+
+  /** Points of the best-so-far curve. */
+  get curveLength() { return this.engine.module._gs_search_curve_length(this.handle); }
+
+  /** The curve as core stores it: per point an int32 (evaluation) and a float32 (best). */
+  get curve() {
+    return this.engine.bytesAt(this.engine.module._gs_search_curve(this.handle), 8 * this.curveLength);
+  }
+
+  /** The whole state, to continue later or elsewhere. Only between a tell and an ask. */
+  save() {
+    const at = this.engine.module._gs_search_save(this.handle);
+    return this.engine.bytesAt(at, this.engine.module._gs_search_saved_size(this.handle));
+  }
+
+  /** @param {Uint8Array} state  saved by a search of the same document */
+  load(state) {
+    this.engine.orThrow(this.engine.module._gs_search_load(this.handle, this.engine.put(state)));
+  }
+
+  close() { this.engine.module._gs_search_close(this.handle); }
+
+  /** @param {number} at @param {number} count */
+  #genesAt(at, count) {
+    return new Uint16Array(this.engine.bytesAt(at, 2 * this.genes * count).buffer);
+  }
+}

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+// The page's side of a search: starts one coordinator and N evaluators, and replaces those that die. A dead
+// evaluator costs its slice, which is scored again; a dead coordinator costs what it did since its last
+// checkpoint. Neither changes the result.
+import { EngineError } from './engine.js';
+import { unreachable } from './messages.js';
+
+/** @typedef {import('./messages.js').CoordinatorToPage} CoordinatorToPage */
+/** @typedef {import('./messages.js').EvaluatorToPage} EvaluatorToPage */
+/** @typedef {import('./messages.js').PageToCoordinator} PageToCoordinator */
+/** @typedef {import('./messages.js').Role} Role */
+/** @typedef {import('./messages.js').SearchReport} SearchReport */
+
+/**
+ * What the client tells.
+ * @typedef {object} SearchListener
+ * @property {(report: SearchReport) => void} progress  at most about 30 times a second; the last one has state
+ *     'done' or 'stopped'
+ * @property {(sentence: string) => void} incident      a worker died and was replaced
+ * @property {(error: Error) => void} failed            the search is over without a result
+ */
+
+/** @typedef {{worker: Worker, ready: boolean, waitedMs: number}} Evaluator */
+/**
+ * @typedef {object} Crew  the workers of one search
+ * @property {Worker} coordinator
+ * @property {boolean} coordinatorReady
+ * @property {number} silentMs
+ * @property {Map<number, Evaluator>} evaluators
+ */
+
+const TICK_MS = 1000;
+// The coordinator reports twice a second.
+const COORDINATOR_SILENCE_MS = 5000;
+// Scripts may come over a slow line.
+const START_MS = 30000;
+// More deaths than this without an evaluation in between are no accident.
+const MOST_DEATHS = 8;
+
+export class SearchClient {
+  /** @type {Crew | null} */
+  #crew = null;
+  /** @type {Uint8Array} */
+  #document = new Uint8Array();
+  #workers = 1;
+  #paused = false;
+  /** @type {{state: Uint8Array, evaluations: number} | null} */
+  #checkpoint = null;
+  #deaths = 0;
+  #evaluations = 0;
+  #evaluatorNumber = 0;
+  /** @type {ReturnType<typeof setInterval> | undefined} */
+  #watch;
+
+  /**
+   * @param {object} options
+   * @param {WebAssembly.Module} options.engine  compiled engine.wasm; every worker gets it ready to run
+   * @param {() => Worker} options.createWorker  of worker.js
+   * @param {SearchListener} options.listener
+   */
+  constructor({ engine, createWorker, listener }) {
+    this.engine = engine;
+    this.createWorker = createWorker;
+    this.listener = listener;
+  }
+
+  get searching() { return this.#crew !== null; }
+
+  /**
+   * Runs the document's search; one that runs is dropped.
+   * @param {Uint8Array} document  binary form
+   * @param {number} workers       evaluators, at least 1
+   */
+  start(document, workers) {
+    this.#dismiss();
+    this.#document = document;
+    this.#workers = Math.max(1, Math.floor(workers));
+    this.#paused = false;
+    this.#checkpoint = null;
+    this.#deaths = 0;
+    this.#evaluations = 0;
+    this.#hire();
+  }
+
+  pause() {
+    this.#paused = true;
+    this.#send({ type: 'pause' });
+  }
+
+  resume() {
+    this.#paused = false;
+    this.#send({ type: 'resume' });
+  }
+
+  /** The last report comes with state 'stopped'. */
+  stop() { this.#send({ type: 'stop' }); }
+
+  /** Ends the workers at once, without a report. */
+  close() { this.#dismiss(); }
+
+  // The crew.
+
+  #hire() {
+    const coordinator = this.createWorker();
+    /** @type {Crew} */
+    const crew = { coordinator, coordinatorReady: false, silentMs: 0, evaluators: new Map() };
+    this.#crew = crew;
+    /** @param {MessageEvent<CoordinatorToPage>} event */
+    coordinator.onmessage = ({ data }) => {
+      if (crew === this.#crew) this.#hear(crew, data);
+    };
+    coordinator.onerror = (event) => {
+      event.preventDefault?.();
+      if (crew === this.#crew) this.#coordinatorDied();
+    };
+    /** @type {Role} */
+    const role = {
+      type: 'coordinate',
+      engine: this.engine,
+      document: this.#document,
+      state: this.#checkpoint?.state ?? null,
+      workers: this.#workers,
+    };
+    coordinator.postMessage(role);
+    if (this.#paused) coordinator.postMessage({ type: 'pause' });
+    for (let i = 0; i < this.#workers; i++) this.#addEvaluator(crew);
+    this.#watch = setInterval(() => this.#tick(crew), TICK_MS);
+  }
+
+  #dismiss() {
+    clearInterval(this.#watch);
+    this.#crew?.coordinator.terminate();
+    for (const { worker } of this.#crew?.evaluators.values() ?? []) worker.terminate();
+    this.#crew = null;
+  }
+
+  /** @param {Crew} crew */
+  #addEvaluator(crew) {
+    const evaluator = this.#evaluatorNumber++;
+    const worker = this.createWorker();
+    const { port1, port2 } = new MessageChannel();
+    const entry = { worker, ready: false, waitedMs: 0 };
+    crew.evaluators.set(evaluator, entry);
+    /** @param {MessageEvent<EvaluatorToPage>} event */
+    worker.onmessage = ({ data }) => {
+      if (crew !== this.#crew) return;
+      switch (data.type) {
+        case 'ready':
+          entry.ready = true;
+          this.#send({ type: 'add-evaluator', evaluator, port: port2 }, [port2]);
+          break;
+        case 'failed':
+          this.#fail(new EngineError(data.fault));
+          break;
+        default:
+          unreachable(data);
+      }
+    };
+    worker.onerror = (event) => {
+      event.preventDefault?.();
+      if (crew === this.#crew) this.#replace(crew, evaluator);
+    };
+    /** @type {Role} */
+    const role = { type: 'evaluate', engine: this.engine, document: this.#document, port: port1 };
+    worker.postMessage(role, [port1]);
+  }
+
+  /** @param {Crew} crew @param {CoordinatorToPage} message */
+  #hear(crew, message) {
+    crew.silentMs = 0;
+    switch (message.type) {
+      case 'ready':
+        crew.coordinatorReady = true;
+        break;
+      case 'progress':
+        if (message.report.evaluations > this.#evaluations) this.#deaths = 0;
+        this.#evaluations = Math.max(this.#evaluations, message.report.evaluations);
+        this.listener.progress(message.report);
+        break;
+      case 'finished':
+        this.#dismiss();
+        this.listener.progress(message.report);
+        break;
+      case 'checkpoint':
+        this.#checkpoint = message;
+        break;
+      case 'silent':
+        this.#replace(crew, message.evaluator);
+        break;
+      case 'failed':
+        this.#fail(new EngineError(message.fault));
+        break;
+      default:
+        unreachable(message);
+    }
+  }
+
+  // Deaths.
+
+  /** @param {Crew} crew */
+  #tick(crew) {
+    // Ticks are counted rather than a clock read: after a laptop's sleep nobody is late.
+    crew.silentMs += TICK_MS;
+    if (crew.silentMs > (crew.coordinatorReady ? COORDINATOR_SILENCE_MS : START_MS)) {
+      this.#coordinatorDied();
+      return;
+    }
+    for (const [evaluator, entry] of [...crew.evaluators]) {
+      if (!entry.ready && (entry.waitedMs += TICK_MS) > START_MS) this.#replace(crew, evaluator);
+    }
+  }
+
+  /** @param {Crew} crew @param {number} evaluator */
+  #replace(crew, evaluator) {
+    const entry = crew.evaluators.get(evaluator);
+    if (!entry) return; // told twice: by its error and by its silence
+    entry.worker.terminate();
+    crew.evaluators.delete(evaluator);
+    this.#send({ type: 'remove-evaluator', evaluator });
+    if (!this.#survives()) return;
+    this.listener.incident('A search worker stopped; another one took over and repeats its work.');
+    this.#addEvaluator(crew);
+  }
+
+  #coordinatorDied() {
+    this.#dismiss();
+    if (!this.#survives()) return;
+    const from = (this.#checkpoint?.evaluations ?? 0).toLocaleString('en');
+    this.listener.incident(`The search's coordinator stopped; another one continues from evaluation ${from}.`);
+    this.#hire();
+  }
+
+  #survives() {
+    if (++this.#deaths <= MOST_DEATHS) return true;
+    this.#fail(new Error('the search workers keep stopping; the search was given up'));
+    return false;
+  }
+
+  /** @param {Error} error */
+  #fail(error) {
+    this.#dismiss();
+    this.listener.failed(error);
+  }
+
+  /** @param {PageToCoordinator} message @param {Transferable[]} [transfer] */
+  #send(message, transfer = []) {
+    this.#crew?.coordinator.postMessage(message, transfer);
+  }
+}

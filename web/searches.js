@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Searches as the page knows them: the application asks for one, workers run it, and application, status line and
+// listeners hear how far it is.
+import { SearchClient } from './search_client.js';
+import { banner } from './dom.js';
+
+/** @typedef {import('./app.js').App} App */
+/** @typedef {import('./messages.js').SearchReport} SearchReport */
+
+const ALGORITHMS = /** @type {Record<string, string>} */ ({ sphc: 'SPHC', rgt: 'RG&T' });
+
+/** Tells its listeners 'progress' (a SearchReport), 'done' (a SearchReport) and 'error' (an Error). */
+export class Searches extends EventTarget {
+  /** @type {Promise<WebAssembly.Module> | null} */
+  #engine = null;
+  /** @type {SearchClient | null} */
+  #client = null;
+  #run = 0; // counts starts: what a slow start finds out may be outdated
+  #curve = new Float32Array(0);
+  #words = { algorithm: '', unit: '', workers: 1 };
+  /** What to do once the workers exist. @type {('pause' | 'resume' | 'stop')[]} */
+  #later = [];
+  searching = false;
+
+  /** @param {App} app @param {import('./status_line.js').StatusLine} statusLine */
+  constructor(app, statusLine) {
+    super();
+    this.app = app;
+    this.statusLine = statusLine;
+  }
+
+  /** Compiled once, for all workers. */
+  engine() {
+    this.#engine ??= WebAssembly.compileStreaming(fetch(new URL('engine.wasm', import.meta.url)));
+    this.#engine.catch(() => { this.#engine = null; }); // try again next time
+    return this.#engine;
+  }
+
+  /** @param {Uint8Array} document @param {number} workers */
+  async start(document, workers) {
+    const run = ++this.#run;
+    this.searching = true;
+    this.#later = [];
+    this.#curve = new Float32Array(0);
+    this.#words = { ...wordsOf(this.app), workers };
+    this.statusLine.say('');
+    this.#hear({ state: 'running', evaluations: 0, budget: 0, simulated: 0, rate: 0, secondsLeft: 0,
+      bestFitness: -Infinity, bestGenome: null, curve: null }, true);
+    try {
+      const engine = await this.engine();
+      if (run !== this.#run) return;
+      this.#client ??= new SearchClient({
+        engine,
+        createWorker: () => new Worker(new URL('worker.js', import.meta.url), { type: 'module' }),
+        listener: {
+          progress: (report) => this.#hear(report),
+          incident: (sentence) => this.statusLine.say(sentence),
+          failed: (error) => this.#fail(error),
+        },
+      });
+      this.#client.start(document, workers);
+      for (const wish of this.#later.splice(0)) this.#client[wish]();
+    } catch (error) {
+      if (run === this.#run) this.#fail(error instanceof Error ? error : new Error(String(error)));
+    }
+  }
+
+  pause() { this.#wish('pause'); }
+  resume() { this.#wish('resume'); }
+  stop() { this.#wish('stop'); }
+
+  /** @param {'pause' | 'resume' | 'stop'} wish */
+  #wish(wish) {
+    if (this.#client?.searching) this.#client[wish]();
+    else if (this.searching) this.#later.push(wish);
+  }
+
+  /** @param {SearchReport} report @param {boolean} [lineOnly] */
+  #hear(report, lineOnly = false) {
+    const ended = report.state === 'done' || report.state === 'stopped';
+    if (report.curve) this.#curve = pairs(report.curve);
+    if (ended) this.searching = false;
+    if (!lineOnly) this.app.searchProgress(report, this.#curve);
+    this.statusLine.show(report, this.#words);
+    if (lineOnly) return;
+    this.dispatchEvent(new CustomEvent('progress', { detail: report }));
+    if (ended) this.dispatchEvent(new CustomEvent('done', { detail: report }));
+  }
+
+  /** @param {Error} error */
+  #fail(error) {
+    this.searching = false;
+    this.app.searchFailed();
+    this.statusLine.clear();
+    banner(`The search failed: ${error.message}. What it had found is kept; you can start it again.`);
+    this.dispatchEvent(new CustomEvent('error', { detail: error }));
+  }
+}
+
+/**
+ * The curve as the application takes it. Core's points are an int32 and a float32 each.
+ * @param {Uint8Array} points
+ */
+function pairs(points) {
+  const view = new DataView(points.buffer, points.byteOffset, points.byteLength);
+  return Float32Array.from({ length: points.byteLength / 4 }, (_, i) =>
+    i % 2 === 0 ? view.getInt32(4 * i, true) : view.getFloat32(4 * i, true));
+}
+
+/** @param {App} app */
+function wordsOf(app) {
+  const { task, search } = app.document();
+  const styled = Object.values(task?.weights ?? {}).some((weight) => weight !== 0);
+  const algorithm = search?.algorithm ?? 'sphc';
+  return { algorithm: ALGORITHMS[algorithm] ?? algorithm, unit: styled ? '' : ' m' }; // every goal alone is a length
+}

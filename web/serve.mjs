@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Serves a folder on this machine:  node web/serve.mjs [folder, default build/site] [port, default 8080]
+// Prints the address. A taken port is left alone and a free one chosen; port 0 chooses one too.
+import { createReadStream } from 'node:fs';
+import { stat } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import { extname, join, resolve, sep } from 'node:path';
+
+const TYPES = {
+  '.css': 'text/css; charset=utf-8', '.html': 'text/html; charset=utf-8', '.js': 'text/javascript; charset=utf-8',
+  '.json': 'application/json', '.mjs': 'text/javascript; charset=utf-8', '.svg': 'image/svg+xml',
+  '.wasm': 'application/wasm', '.woff2': 'font/woff2',
+};
+const folder = resolve(process.argv[2] ?? 'build/site');
+const port = Number(process.argv[3] ?? 8080);
+
+const server = createServer(async (request, response) => {
+  const path = new URL(request.url ?? '/', 'http://localhost').pathname; // no file of ours needs escapes
+  const file = join(folder, path.replace(/\/$/, '/index.html'));
+  const found = file.startsWith(folder + sep) && (await stat(file).catch(() => null));
+  if (!found || !found.isFile()) {
+    response.writeHead(404, { 'content-type': 'text/plain' }).end('not found\n');
+    return;
+  }
+  const type = TYPES[/** @type {keyof typeof TYPES} */ (extname(file))] ?? 'application/octet-stream';
+  // Always fresh: a page that is being worked on must never come out of a cache.
+  response.writeHead(200, { 'content-type': type, 'content-length': found.size, 'cache-control': 'no-cache' });
+  createReadStream(file).pipe(response);
+});
+server.once('error', () => server.listen(0, '127.0.0.1')); // the port is taken
+server.on('listening', () => {
+  const address = server.address();
+  if (address && typeof address === 'object') console.log(`http://localhost:${address.port}/`);
+});
+server.listen(port, '127.0.0.1');

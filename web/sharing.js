@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Copy link, Open and Save, and the clipboard's keys. All of it happens in DOM event handlers, because browsers give
+// the clipboard and files only to those.
+import { element, onClick, toast } from './dom.js';
+import { sentence } from './address.js';
+
+/** @typedef {import('./app.js').App} App */
+
+/** @param {App} app @param {import('./address.js').Address} address */
+export function startSharing(app, address) {
+  onClick('copy-link', () => copy(address));
+  onClick('save', () => save(app));
+  startOpening(app);
+  startClipboardKeys(app, address);
+}
+
+/** @param {import('./address.js').Address} address */
+async function copy(address) {
+  const link = address.link();
+  try {
+    await navigator.clipboard.writeText(link);
+    toast('Link copied');
+  } catch {
+    // No permission, no focus, or a page that was not served securely: the person copies by hand.
+    const text = element('link-text', HTMLTextAreaElement);
+    text.value = link;
+    element('link-dialog', HTMLDialogElement).showModal();
+    text.select();
+  }
+}
+
+/** @param {App} app */
+function save(app) {
+  const anchor = document.createElement('a');
+  anchor.href = URL.createObjectURL(new Blob([app.documentText()], { type: 'application/json' }));
+  anchor.download = `${app.title().replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-+|-+$/g, '').toLowerCase() || 'gaitsmith'}.json`;
+  anchor.click();
+  setTimeout(() => URL.revokeObjectURL(anchor.href), 10000);
+}
+
+/** @param {App} app */
+function startOpening(app) {
+  const dialog = element('open-dialog', HTMLDialogElement);
+  const text = element('open-text', HTMLTextAreaElement);
+  const file = element('file', HTMLInputElement);
+  const error = element('open-error');
+  const open = (/** @type {string} */ content) => {
+    const fault = content.trim() === '' ? 'There is nothing to open yet.' : app.open(content);
+    error.textContent = fault && sentence(fault);
+    if (!fault) dialog.close();
+  };
+
+  onClick('open', () => {
+    text.value = '';
+    error.textContent = '';
+    dialog.showModal();
+    text.focus();
+  });
+  onClick('open-go', () => open(text.value));
+  onClick('open-file', () => file.click());
+  file.addEventListener('change', async () => {
+    const chosen = file.files?.[0];
+    file.value = ''; // the same file may be chosen again
+    if (chosen) open(await chosen.text());
+  });
+  text.addEventListener('paste', () => setTimeout(() => open(text.value)));
+  addEventListener('dragover', (event) => event.preventDefault());
+  addEventListener('drop', async (event) => {
+    event.preventDefault();
+    const content = await (event.dataTransfer?.files[0]?.text() ?? event.dataTransfer?.getData('text/plain'));
+    if (!content) return;
+    error.textContent = '';
+    const fault = app.open(content);
+    if (!fault) return;
+    error.textContent = sentence(fault);
+    if (!dialog.open) dialog.showModal();
+  });
+}
+
+/** @param {App} app @param {import('./address.js').Address} address */
+function startClipboardKeys(app, address) {
+  const typing = () => document.activeElement instanceof HTMLTextAreaElement;
+  addEventListener('copy', (event) => {
+    if (typing() || !getSelection()?.isCollapsed) return;
+    event.clipboardData?.setData('text/plain', address.link());
+    event.preventDefault();
+    toast('Link copied');
+  });
+  addEventListener('paste', (event) => {
+    const text = event.clipboardData?.getData('text/plain') ?? '';
+    if (typing() || text === '') return;
+    event.preventDefault();
+    const fault = app.open(text);
+    if (fault) toast(`Not opened: ${fault}`);
+  });
+}

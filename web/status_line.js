@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// The footer: how far the search is, or the last thing worth knowing. What changes thirty times a second is for the
+// eye only; screen readers get a sentence now and then.
+import { element, setText } from './dom.js';
+
+/** @typedef {import('./messages.js').SearchReport} SearchReport */
+/** What the line says about a search besides its report. @typedef {{algorithm: string, unit: string, workers: number}} SearchWords */
+
+const SPEAK_EVERY_MS = 10000;
+const SENTENCE_STAYS_MS = 6000;
+
+const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
+
+export class StatusLine {
+  #status = element('status');
+  #progress = element('progress');
+  #bar = /** @type {HTMLElement} */ (element('progress').firstElementChild);
+  #count = element('count');
+  #rate = element('rate');
+  #best = element('best');
+  #left = element('left');
+  #spoken = element('spoken');
+  #spokenMs = 0;
+  #sentenceUntilMs = 0;
+
+  /** Shows a sentence, also over the beginning of a search's line. @param {string} sentence */
+  say(sentence) {
+    setText(this.#status, sentence);
+    this.#sentenceUntilMs = sentence ? performance.now() + SENTENCE_STAYS_MS : 0;
+  }
+
+  /** @param {SearchReport} report @param {SearchWords} words */
+  show(report, { algorithm, unit, workers }) {
+    const now = performance.now();
+    const ended = report.state === 'done' || report.state === 'stopped';
+    const best = Number.isFinite(report.bestFitness) && report.bestFitness > -1e8
+      ? `best ${report.bestFitness.toFixed(2)}${unit}` : '';
+    const count = `${whole.format(report.evaluations)} of ${whole.format(report.budget)}`;
+    if (ended) {
+      this.clear();
+      setText(this.#status, `${report.state === 'done' ? 'Search done' : 'Search stopped'}: ${best || 'nothing found'} after ${
+        whole.format(report.evaluations)} evaluations`);
+      return;
+    }
+    const paused = report.state === 'paused';
+    if (now > this.#sentenceUntilMs) setText(this.#status, `${paused ? 'Paused: searching' : 'Searching'} with ${algorithm}`);
+    this.#progress.hidden = false;
+    this.#progress.setAttribute('aria-valuemax', String(report.budget));
+    this.#progress.setAttribute('aria-valuenow', String(report.evaluations));
+    this.#bar.style.transform = `scaleX(${report.evaluations / Math.max(1, report.budget)})`;
+    setText(this.#count, count);
+    setText(this.#rate, paused || report.rate === 0 ? '' :
+      `${whole.format(report.rate)}/s on ${workers} worker${workers === 1 ? '' : 's'}`);
+    setText(this.#best, best);
+    setText(this.#left, paused || report.rate === 0 ? '' : timeLeft(report.secondsLeft));
+    if (now - this.#spokenMs > SPEAK_EVERY_MS) {
+      this.#spokenMs = now;
+      setText(this.#spoken, `${count} evaluations, ${best}`);
+    }
+  }
+
+  /** No search: only the sentence remains. */
+  clear() {
+    this.#progress.hidden = true;
+    this.#sentenceUntilMs = 0;
+    for (const node of [this.#count, this.#rate, this.#best, this.#left, this.#spoken]) setText(node, '');
+  }
+}
+
+/** @param {number} seconds */
+function timeLeft(seconds) {
+  return seconds < 100 ? `${Math.ceil(seconds)} s left` : `${Math.ceil(seconds / 60)} min left`;
+}

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+// The coordinator's role: runs the search's ask/tell loop, deals each batch out to the evaluators in slices,
+// and puts the scores back in order. What is asked, and what a score leads to, core decides; so the result is
+// the same for any number of evaluators, and for any of them dying on the way.
+import { unreachable } from './messages.js';
+
+/** @typedef {import('./messages.js').PageToCoordinator} PageToCoordinator */
+/** @typedef {import('./messages.js').CoordinatorToPage} CoordinatorToPage */
+/** @typedef {import('./messages.js').EvaluatorToCoordinator} EvaluatorToCoordinator */
+/** @typedef {import('./messages.js').CoordinatorToEvaluator} CoordinatorToEvaluator */
+/** @typedef {import('./messages.js').SearchReport} SearchReport */
+
+/** @typedef {{first: number, count: number}} Slice  of the batch's genomes */
+/**
+ * @typedef {object} Hand  an evaluator, seen from here
+ * @property {MessagePort} port
+ * @property {number | null} slice   what it works on
+ * @property {number} sentMs         when it got it
+ * @property {number} waitedMs       how long it has been at it, counted in ticks: a sleeping machine does not count
+ */
+
+// Lanes are at most this wide: a slice that is no multiple of it leaves some empty.
+const LANES = 16;
+// Genomes per evaluator and batch. Larger batches lose less time between them, but a search that looks ahead throws
+// more away, above all at its beginning, when every fourth guess is an improvement. So the size follows the waste,
+// measured over some batches; it never changes the result.
+const BATCH_SIZES = [LANES, 2 * LANES, 3 * LANES, 5 * LANES, 10 * LANES];
+const FIRST_BATCH_SIZE = 1;
+const BATCHES_PER_MEASURE = 8;
+const MUCH_WASTE = 1.25; // simulated ÷ counted: measured, 80 a batch cost 1.6 in the first 2,000, 1.07 in the last
+const LITTLE_WASTE = 1.1;
+// A slice should take no longer, so that pause and stop are seen soon.
+const LONGEST_SLICE_MS = 100;
+const TICK_MS = 500;
+// An evaluator is given up after this long, or after this many times its usual time if that is longer.
+const SILENCE_MS = 5000;
+const SILENCE_RATIO = 50;
+const PROGRESS_MS = 34; // at most 30 reports a second
+const CHECKPOINT_MS = 900; // at least one a second
+const RATE_WINDOW_MS = 3000;
+
+export class Coordinator {
+  /** @type {Map<number, Hand>} */
+  #hands = new Map();
+  /** @type {Slice[]} */
+  #slices = [];
+  /** Numbers into #slices that nobody works on yet. @type {number[]} */
+  #waiting = [];
+  #missing = 0; // slices of the batch without a result
+  /** @type {Uint16Array} */
+  #genomes = new Uint16Array(0);
+  #fitness = new Float32Array(0);
+
+  /** @type {SearchReport['state']} */
+  #state = 'running';
+  #simulated = 0;
+  #batchSize = FIRST_BATCH_SIZE; // of BATCH_SIZES
+  #measure = { batches: 0, simulated: 0, evaluations: 0 }; // since the batch size was last considered
+  #genomeMs = 0; // what one genome takes an evaluator, smoothed
+  /** Recent progress, for the rate. @type {{ms: number, evaluations: number}[]} */
+  #pace = [];
+  #progressMs = -Infinity;
+  #checkpointMs = performance.now();
+  #curveSent = -1;
+  #bestSent = NaN;
+
+  /**
+   * @param {import('./engine.js').Engine} engine
+   * @param {import('./messages.js').Coordinate} role
+   * @param {(message: CoordinatorToPage, transfer?: Transferable[]) => void} post
+   */
+  constructor(engine, { document, state, workers }, post) {
+    this.search = engine.search(document);
+    if (state) this.search.load(state);
+    this.workers = workers;
+    this.#measure.evaluations = this.search.evaluations;
+    this.post = post;
+    this.ticker = setInterval(() => this.#tick(), TICK_MS);
+  }
+
+  /** @param {PageToCoordinator} message */
+  receive(message) {
+    switch (message.type) {
+      case 'add-evaluator':
+        this.#add(message.evaluator, message.port);
+        break;
+      case 'remove-evaluator':
+        this.#remove(message.evaluator);
+        break;
+      case 'pause':
+      case 'resume':
+        this.#state = message.type === 'pause' ? 'paused' : 'running';
+        this.#pace = [];
+        this.#report();
+        break;
+      case 'stop':
+        this.#finish('stopped');
+        break;
+      default:
+        unreachable(message);
+    }
+    this.#deal();
+  }
+
+  /** @param {number} evaluator @param {MessagePort} port */
+  #add(evaluator, port) {
+    const hand = { port, slice: null, sentMs: 0, waitedMs: 0 };
+    this.#hands.set(evaluator, hand);
+    /** @param {MessageEvent<EvaluatorToCoordinator>} event */
+    port.onmessage = ({ data }) => this.#take(hand, data);
+    // Where browsers tell that the other end has died, there is no need to wait for its silence.
+    port.addEventListener('close', () => {
+      if (this.#hands.get(evaluator) === hand) this.#giveUp(evaluator);
+    });
+  }
+
+  /** @param {number} evaluator */
+  #remove(evaluator) {
+    const hand = this.#hands.get(evaluator);
+    this.#hands.delete(evaluator);
+    if (!hand) return;
+    if (hand.slice !== null) this.#waiting.unshift(hand.slice);
+    hand.port.close();
+  }
+
+  /** @param {number} evaluator */
+  #giveUp(evaluator) {
+    this.#remove(evaluator);
+    this.post({ type: 'silent', evaluator });
+    this.#deal();
+  }
+
+  /** Gives every idle evaluator a slice, of a new batch if the last one is complete. */
+  #deal() {
+    for (const hand of this.#hands.values()) {
+      if (hand.slice !== null) continue;
+      if (this.#state !== 'running') return;
+      if (this.#missing === 0 && !this.#ask()) return;
+      const slice = this.#waiting.shift();
+      if (slice === undefined) return;
+      const { first, count } = this.#slices[slice];
+      const genes = this.search.genes;
+      const genomes = /** @type {Uint16Array<ArrayBuffer>} */ (this.#genomes.slice(first * genes, (first + count) * genes));
+      hand.slice = slice;
+      hand.sentMs = performance.now();
+      hand.waitedMs = 0;
+      /** @type {CoordinatorToEvaluator} */
+      const message = { type: 'score', slice, genomes };
+      hand.port.postMessage(message, [genomes.buffer]);
+    }
+  }
+
+  /** The next batch, cut into slices. @returns {boolean} false at the end of the search */
+  #ask() {
+    if (this.search.done) {
+      this.#finish('done');
+      return false;
+    }
+    this.#genomes = this.search.ask(BATCH_SIZES[this.#batchSize] * this.workers);
+    const count = this.#genomes.length / this.search.genes;
+    this.#fitness = new Float32Array(count);
+    const share = Math.ceil(count / Math.max(1, this.#hands.size));
+    const soon = this.#genomeMs > 0 ? LANES * Math.ceil(LONGEST_SLICE_MS / this.#genomeMs / LANES) : LANES;
+    this.#slices = cut(count, Math.min(share, soon));
+    this.#waiting = this.#slices.map((_, i) => i);
+    this.#missing = this.#slices.length;
+    return true;
+  }
+
+  /** @param {Hand} hand @param {EvaluatorToCoordinator} result */
+  #take(hand, { slice, fitness }) {
+    if (hand.slice !== slice) return; // it was taken from a hand that seemed dead
+    hand.slice = null;
+    const ms = (performance.now() - hand.sentMs) / fitness.length;
+    this.#genomeMs = this.#genomeMs > 0 ? 0.8 * this.#genomeMs + 0.2 * ms : ms;
+    this.#simulated += fitness.length;
+    this.#fitness.set(fitness, this.#slices[slice].first);
+    if (--this.#missing === 0) {
+      this.search.tell(this.#fitness);
+      this.#batchDone();
+    }
+    this.#deal();
+  }
+
+  #batchDone() {
+    this.#fitBatchSize();
+    const now = performance.now();
+    this.#pace.push({ ms: now, evaluations: this.search.evaluations });
+    while (this.#pace[0].ms < now - RATE_WINDOW_MS) this.#pace.shift();
+    if (now - this.#checkpointMs >= CHECKPOINT_MS) {
+      this.#checkpointMs = now;
+      const state = this.search.save();
+      this.post({ type: 'checkpoint', state, evaluations: this.search.evaluations }, [state.buffer]);
+    }
+    if (now - this.#progressMs >= PROGRESS_MS) this.#report();
+  }
+
+  #fitBatchSize() {
+    if (++this.#measure.batches < BATCHES_PER_MEASURE) return;
+    const { evaluations } = this.search;
+    const waste = (this.#simulated - this.#measure.simulated) / Math.max(1, evaluations - this.#measure.evaluations);
+    if (waste > MUCH_WASTE) this.#batchSize = Math.max(0, this.#batchSize - 1);
+    if (waste < LITTLE_WASTE) this.#batchSize = Math.min(BATCH_SIZES.length - 1, this.#batchSize + 1);
+    this.#measure = { batches: 0, simulated: this.#simulated, evaluations };
+  }
+
+  #tick() {
+    for (const [evaluator, hand] of [...this.#hands]) {
+      if (hand.slice === null) continue;
+      hand.waitedMs += TICK_MS;
+      const usualMs = this.#genomeMs * this.#slices[hand.slice].count;
+      if (hand.waitedMs > Math.max(SILENCE_MS, SILENCE_RATIO * usualMs)) this.#giveUp(evaluator);
+    }
+    // The page takes a silent coordinator for a dead one.
+    if (performance.now() - this.#progressMs >= TICK_MS) this.#report();
+  }
+
+  #report() {
+    this.#progressMs = performance.now();
+    this.post({ type: 'progress', report: this.#summary(false) });
+  }
+
+  /** @param {'done' | 'stopped'} state */
+  #finish(state) {
+    this.#state = state;
+    clearInterval(this.ticker);
+    this.post({ type: 'finished', report: this.#summary(true) });
+  }
+
+  /** @param {boolean} everything @returns {SearchReport} */
+  #summary(everything) {
+    const { search } = this;
+    const { evaluations, budget, bestFitness, curveLength } = search;
+    const pace = this.#pace;
+    const spanMs = pace.length > 1 ? pace[pace.length - 1].ms - pace[0].ms : 0;
+    const rate = spanMs > 0 ? (1000 * (pace[pace.length - 1].evaluations - pace[0].evaluations)) / spanMs : 0;
+    const newBest = everything || bestFitness !== this.#bestSent;
+    const newCurve = everything || curveLength !== this.#curveSent;
+    const bestGenome = newBest ? search.bestGenome : null;
+    if (bestGenome?.length) this.#bestSent = bestFitness;
+    this.#curveSent = curveLength;
+    return {
+      state: this.#state,
+      evaluations,
+      budget,
+      simulated: this.#simulated,
+      rate,
+      secondsLeft: rate > 0 ? (budget - evaluations) / rate : 0,
+      bestFitness,
+      bestGenome: bestGenome?.length ? bestGenome : null,
+      curve: newCurve ? search.curve : null,
+    };
+  }
+}
+
+/**
+ * Cuts `count` things into slices of at most `most`, as even as can be.
+ * @param {number} count @param {number} most
+ * @returns {Slice[]}
+ */
+export function cut(count, most) {
+  const slices = Math.max(1, Math.ceil(count / most));
+  return Array.from({ length: slices }, (_, i) => {
+    const first = Math.floor((i * count) / slices);
+    return { first, count: Math.floor(((i + 1) * count) / slices) - first };
+  });
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The evaluator's role: scores genomes as they arrive, and knows nothing of the search they belong to.
+
+/** @typedef {import('./messages.js').CoordinatorToEvaluator} CoordinatorToEvaluator */
+/** @typedef {import('./messages.js').EvaluatorToCoordinator} EvaluatorToCoordinator */
+
+/**
+ * @param {import('./engine.js').Engine} engine
+ * @param {import('./messages.js').Evaluate} role
+ */
+export function startEvaluator(engine, { document, port }) {
+  const evaluator = engine.evaluator(document);
+  /** @param {MessageEvent<CoordinatorToEvaluator>} event */
+  port.onmessage = ({ data }) => {
+    const fitness = evaluator.evaluate(data.genomes);
+    /** @type {EvaluatorToCoordinator} */
+    const reply = { type: 'scored', slice: data.slice, fitness };
+    port.postMessage(reply, [fitness.buffer]);
+  };
+}
