@@ -76,6 +76,7 @@ async function start() {
   startSharing(app, address);
   element('undo').hidden = false;
   onClick('undo', () => app.undo());
+  statusLine.welcome('Press Synthesize to search for a better motion');
   if (matchMedia('(prefers-reduced-motion: reduce)').matches) app.play(false);
 
   canvas.addEventListener('webglcontextlost', () => {

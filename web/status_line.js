@@ -23,6 +23,11 @@ export class StatusLine {
   #spokenMs = 0;
   #sentenceUntilMs = 0;
 
+  /** What stands there while there is nothing to tell. @param {string} sentence */
+  welcome(sentence) {
+    if (this.#status.textContent === '') setText(this.#status, sentence);
+  }
+
   /** Shows a sentence, also over the beginning of a search's line. @param {string} sentence */
   say(sentence) {
     setText(this.#status, sentence);
