@@ -35,7 +35,9 @@ struct BankShape {
       : rules(rule_count), senses(SenseCount(kind, rods)), joints(rods - 1) {}
 
   [[nodiscard]] int GenesPerRule() const { return 2 * senses + joints + 1; }
-  [[nodiscard]] std::size_t Genes() const { return static_cast<std::size_t>(rules * GenesPerRule()); }
+  [[nodiscard]] std::size_t Genes() const {
+    return static_cast<std::size_t>(rules) * static_cast<std::size_t>(GenesPerRule());
+  }
   [[nodiscard]] std::size_t Low(int rule, int sense) const { return At(rule, 2 * sense); }
   [[nodiscard]] std::size_t High(int rule, int sense) const { return At(rule, 2 * sense + 1); }
   [[nodiscard]] std::size_t Target(int rule, int joint) const { return At(rule, 2 * senses + joint); }
@@ -47,7 +49,8 @@ struct BankShape {
 
  private:
   [[nodiscard]] std::size_t At(int rule, int offset) const {
-    return static_cast<std::size_t>(rule * GenesPerRule() + offset);
+    return static_cast<std::size_t>(rule) * static_cast<std::size_t>(GenesPerRule()) +
+           static_cast<std::size_t>(offset);
   }
 };
 

@@ -19,6 +19,7 @@ Genome RandomSearch::Draw(int evaluation) const {
 std::vector<Genome> RandomSearch::Ask(int wanted) {
   std::vector<Genome> asked;
   const int count = std::clamp(wanted, 0, settings_.evaluations - evaluations_);
+  asked.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) asked.push_back(Draw(evaluations_ + i));
   return asked;
 }

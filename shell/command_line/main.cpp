@@ -2,6 +2,7 @@
 // gaitsmith: the command line.
 #include <array>
 #include <cstdio>
+#include <string>
 #include <vector>
 
 #include "shell/command_line/commands.h"
@@ -46,7 +47,8 @@ int main(int count, char** words) {
     if (command.name != given[0]) continue;
     const auto done = command.run(Words(given).subspan(1));
     if (done) return 0;
-    std::fprintf(stderr, "gaitsmith %s: %s\n", command.name.data(), done.error().Sentence().c_str());
+    std::fprintf(stderr, "gaitsmith %s: %s\n", std::string(command.name).c_str(),
+                 done.error().Sentence().c_str());
     return 1;
   }
   std::fprintf(stderr, "gaitsmith: there is no command \"%.*s\"; gaitsmith help lists them\n",

@@ -43,6 +43,7 @@ Outcome Run(Search& search, int wanted, Score score) {
     const auto genomes = search.Ask(wanted);
     REQUIRE(!genomes.empty());
     std::vector<float> fitness;
+    fitness.reserve(genomes.size());
     for (const Genome& genome : genomes) fitness.push_back(score(genome));
     search.Tell(fitness);
     outcome.told += static_cast<int>(genomes.size());
@@ -159,6 +160,7 @@ TEST_CASE("search: saved and loaded, it goes on as if nothing had happened", "[s
     while (!search->Done()) {
       const auto genomes = search->Ask(50);
       std::vector<float> fitness;
+      fitness.reserve(genomes.size());
       for (const Genome& genome : genomes) fitness.push_back(Hill(genome));
       search->Tell(fitness);
       BitWriter saved;

@@ -134,6 +134,7 @@ TEST_CASE("lanes: a batch of one and a batch of any size give the same bits, for
       document.pushes = {{40, 1, 1.0f, 2.0f}};
       const Problem problem = ProblemOf(document);
       std::vector<Genome> genomes;
+      genomes.reserve(23);
       for (std::uint64_t i = 0; i < 23; ++i) {
         genomes.push_back(RandomController(document.figure, document.senses, i).genes);
       }
