@@ -63,6 +63,14 @@ Problem ProblemOf(const Document& d) {
   return {d.figure, d.environment, d.start, d.pushes, d.task, d.senses, d.rules};
 }
 
+Problem ReplayProblem(const Document& d, const Controller& controller) {
+  Problem problem = ProblemOf(d);
+  problem.senses = controller.senses;
+  problem.rules = controller.rules;
+  problem.task.duration_steps = d.duration_steps;
+  return problem;
+}
+
 SearchSpace SpaceOf(const Document& d) {
   return {BankShape(d.rules, d.senses.kind, d.figure.Rods()), d.senses};
 }

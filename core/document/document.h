@@ -57,6 +57,10 @@ struct Document {
 [[nodiscard]] Problem ProblemOf(const Document&);
 [[nodiscard]] SearchSpace SpaceOf(const Document&);
 
+/// The problem in which a controller of the document, alone from the start, makes the motion shown; with
+/// exactly one clip its evaluation has the document's own trajectory hash.
+[[nodiscard]] Problem ReplayProblem(const Document&, const Controller&);
+
 /// 16 hexadecimal digits.
 [[nodiscard]] std::string HashText(std::uint64_t hash);
 

@@ -45,12 +45,9 @@ Result<void> HashCommand(Words words) {
   }
   const Controller& controller =
       document->controllers[static_cast<std::size_t>(document->timeline[0].controller)];
-  Problem problem = ProblemOf(*document);
-  problem.senses = controller.senses;
-  problem.rules = controller.rules;
-  problem.task.duration_steps = document->duration_steps;
   const std::vector<Genome> genomes(static_cast<std::size_t>(*lanes), controller.genes);
-  const auto results = Evaluator(problem, static_cast<int>(*lanes), true).Evaluate(genomes);
+  const auto results =
+      Evaluator(ReplayProblem(*document, controller), static_cast<int>(*lanes), true).Evaluate(genomes);
   for (const Evaluation& result : results) {
     if (result.trajectory_hash != results[0].trajectory_hash) {
       return Fail(ErrorCode::kStructure, "--lanes", "lanes disagree: this is a bug of Gaitsmith");

@@ -26,10 +26,7 @@ TEST_CASE("golden: every motion keeps its hash, in every lane", "[golden][determ
     if (document->timeline.size() != 1) continue;
     const Controller& controller =
         document->controllers[static_cast<std::size_t>(document->timeline[0].controller)];
-    Problem problem = ProblemOf(*document);
-    problem.senses = controller.senses;
-    problem.rules = controller.rules;
-    problem.task.duration_steps = document->duration_steps;
+    const Problem problem = ReplayProblem(*document, controller);
     for (const int lanes : Evaluator::kLaneCounts) {
       const std::vector<Genome> copies(static_cast<std::size_t>(lanes), controller.genes);
       for (const Evaluation& evaluation : Evaluator(problem, lanes, true).Evaluate(copies)) {

@@ -87,8 +87,8 @@ Outcome SerialSphc(const SearchSettings& settings) {
       outcome.fitness = fitness;
     }
   };
-  const auto size = static_cast<std::uint64_t>(settings.population);
-  for (std::uint64_t i = 0; i < size; ++i) {
+  const auto size = static_cast<std::size_t>(settings.population);
+  for (std::size_t i = 0; i < size; ++i) {
     RandomStream random(settings.seed, i, 0);
     Genome genome = RandomGenome(kSpace.shape, kSpace.senses, settings.variation, random);
     const float fitness = Hill(genome);
@@ -96,7 +96,7 @@ Outcome SerialSphc(const SearchSettings& settings) {
     note(fitness);
   }
   for (std::uint64_t generation = 1; evaluations < settings.evaluations; ++generation) {
-    for (std::uint64_t i = 0; i < size && evaluations < settings.evaluations; ++i) {
+    for (std::size_t i = 0; i < size && evaluations < settings.evaluations; ++i) {
       RandomStream random(settings.seed, i, generation);
       Genome child = Perturb(population[i].genome, kSpace.shape, kSpace.senses, settings.variation, random);
       const float fitness = Hill(child);
