@@ -44,6 +44,15 @@ inline void SinCos(typename Lane<W>::F x, typename Lane<W>::F& sine, typename La
   cosine = reinterpret_cast<F>(reinterpret_cast<I>(swap ? s : c) ^ cosine_sign);
 }
 
+/// The same for an angle that grows with every turn, in double precision [rad]: whole turns are taken off
+/// first.
+template <int W>
+inline void SinCosOfTurn(typename Lane<W>::D turn, typename Lane<W>::F& sine, typename Lane<W>::F& cosine) {
+  constexpr double kRound = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to the nearest integer
+  const typename Lane<W>::D whole = (turn * (0.5 / kPi) + kRound) - kRound;
+  SinCos<W>(Lane<W>::ToFloat(turn - whole * (2.0 * kPi)), sine, cosine);
+}
+
 struct SineCosine {
   float sine;
   float cosine;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where every part of W figures is, given their joint angles: seen from the root rod, measured from the
-// centre of mass.
+// Where every part of W figures is, given their joint angles, and how that shape changes: seen from the root
+// rod, measured from the centre of mass.
 #pragma once
 
 #include <array>
@@ -65,6 +65,36 @@ void PoseFigure(const Skeleton& skeleton, const std::array<typename Lane<W>::F, 
     pose.middle_x[rod] -= centre_x;
     pose.middle_y[rod] -= centre_y;
   }
+}
+
+/// The changing shape at mid-step, as the dynamics see it.
+template <int W>
+struct Shape {
+  using F = typename Lane<W>::F;
+  F inertia;   // J, about the centre of mass [kg m^2]
+  F momentum;  // H, angular momentum of the joints' motion alone, root held [kg m^2/s]
+};
+
+/// J and H from the poses around a step: r = (r0 + r1) / 2, u = (r1 - r0) / h.
+/// @param joint_turn change of each joint angle in the step [rad]
+template <int W>
+Shape<W> MeasureShape(const Skeleton& skeleton, const Pose<W>& before, const Pose<W>& after,
+                      const std::array<typename Lane<W>::F, kMaxJoints>& joint_turn, float inverse_step) {
+  using F = typename Lane<W>::F;
+  std::array<F, kMaxRods> turn;  // of each rod against the root in this step [rad]
+  turn[0] = F{};
+  F inertia{}, swept{};
+  for (std::size_t rod = 0; rod < static_cast<std::size_t>(skeleton.rods); ++rod) {
+    const Skeleton::Limb& limb = skeleton.limbs[rod];
+    if (rod > 0) turn[rod] = turn[static_cast<std::size_t>(limb.parent)] + joint_turn[rod - 1];
+    const F r_x = 0.5f * (before.middle_x[rod] + after.middle_x[rod]);
+    const F r_y = 0.5f * (before.middle_y[rod] + after.middle_y[rod]);
+    const F moved_x = after.middle_x[rod] - before.middle_x[rod];
+    const F moved_y = after.middle_y[rod] - before.middle_y[rod];
+    inertia += limb.mass_kg * (r_x * r_x + r_y * r_y) + limb.inertia_kgm2;
+    swept += limb.mass_kg * (r_x * moved_y - r_y * moved_x) + limb.inertia_kgm2 * turn[rod];
+  }
+  return {inertia, swept * inverse_step};
 }
 
 }  // namespace gaitsmith

@@ -21,6 +21,7 @@
 #include "core/control/bank.h"
 #include "core/physics/contact.h"
 #include "core/physics/environment.h"
+#include "core/physics/joint_response.h"
 #include "core/physics/pose.h"
 #include "core/physics/task.h"
 #include "core/physics/trajectory_hash.h"
@@ -65,17 +66,17 @@ class Simulation {
     velocity_x_ = velocity_x_ + fall_x_ + 0.0f;
     velocity_y_ = velocity_y_ + fall_y_ + 0.0f;
 
-    MoveJoints();
+    MoveJoints<W>(skeleton_, response_, step_s_, angle_, rate_, joint_turn_);
     PoseFigure<W>(skeleton_, angle_, next_pose_);
-    MeasureShape();
+    shape_ = MeasureShape<W>(skeleton_, pose_, next_pose_, joint_turn_, inverse_step_);
 
     // Free flight: predict the whole step. The path follows the mean velocity, so that free fall is exact.
-    spin_ = (angular_momentum_ - shape_momentum_) / inertia_;
+    spin_ = (angular_momentum_ - shape_.momentum) / shape_.inertia;
     path_x_ = step_s_ * (velocity_x_ - 0.5f * fall_x_);
     const F path_y = step_s_ * (velocity_y_ - 0.5f * fall_y_);
     const D turn = turn_ + L::ToDouble(spin_) * static_cast<double>(step_s_);
     F sine, cosine;
-    SineCosineOfTurn(turn, sine, cosine);
+    SinCosOfTurn<W>(turn, sine, cosine);
     PlaceEndpoints(sine, cosine, height_ + path_y);
     std::array<I, kMaxEndpoints> near_ground;
     I any_near{};
@@ -166,13 +167,13 @@ class Simulation {
   void PlaceAtStart(const StartState& start) {
     PoseFigure<W>(skeleton_, angle_, pose_);
     next_pose_ = pose_;
-    MeasureShape();
+    shape_ = MeasureShape<W>(skeleton_, pose_, next_pose_, joint_turn_, inverse_step_);
     velocity_x_ = L::Splat(start.velocity_x_mps);
     velocity_y_ = L::Splat(start.velocity_y_mps);
-    angular_momentum_ = inertia_ * start.spin_radps;
+    angular_momentum_ = shape_.inertia * start.spin_radps;
     spin_ = L::Splat(start.spin_radps);
     turn_ = L::ToDouble(L::Splat(skeleton_.start_angle_rad));
-    SineCosineOfTurn(turn_, sine_, cosine_);
+    SinCosOfTurn<W>(turn_, sine_, cosine_);
     PlaceEndpoints(sine_, cosine_, F{});
     height_ = L::Splat(start.drop_height_m) - Lowest();
     PlaceEndpoints(sine_, cosine_, height_);
@@ -192,52 +193,6 @@ class Simulation {
       const F arm_y = sine_ * pose_.endpoint_x[k] + cosine_ * pose_.endpoint_y[k];
       angular_momentum_ += arm_x * push.impulse_y_ns - arm_y * push.impulse_x_ns;
     }
-  }
-
-  /// Joint angles follow the active rule: critically damped, theta'' = (target - theta) / tau^2 - 2 theta' /
-  /// tau, in closed form over the step. A joint that reaches its limit stops there (a fast rule handing over
-  /// to a slow one would overshoot by several radians); the figure's momentum is untouched by that.
-  void MoveJoints() {
-    for (std::size_t j = 0; j < Joints(); ++j) {
-      const Skeleton::Limb& limb = skeleton_.limbs[j + 1];
-      const F off = angle_[j] - response_.target_rad[j];
-      const F pull_step = (rate_[j] + off * response_.inverse_tau) * step_s_;
-      F angle = response_.target_rad[j] + (off + pull_step) * response_.decay;
-      F rate = (rate_[j] - pull_step * response_.inverse_tau) * response_.decay;
-      const I below = angle < limb.min_rad;
-      const I above = angle > limb.max_rad;
-      angle = L::Select(below, L::Splat(limb.min_rad), L::Select(above, L::Splat(limb.max_rad), angle));
-      rate = L::Select(below | above, F{}, rate);
-      joint_turn_[j] = angle - angle_[j];
-      angle_[j] = angle;
-      rate_[j] = rate;
-    }
-  }
-
-  /// Inertia J and momentum H of the changing shape at mid-step.
-  void MeasureShape() {
-    std::array<F, kMaxRods> turn;  // of each rod against the root in this step [rad]
-    turn[0] = F{};
-    inertia_ = F{};
-    F swept{};  // H h
-    for (std::size_t rod = 0; rod < Rods(); ++rod) {
-      const Skeleton::Limb& limb = skeleton_.limbs[rod];
-      if (rod > 0) turn[rod] = turn[Index(limb.parent)] + joint_turn_[rod - 1];
-      const F r_x = 0.5f * (pose_.middle_x[rod] + next_pose_.middle_x[rod]);
-      const F r_y = 0.5f * (pose_.middle_y[rod] + next_pose_.middle_y[rod]);
-      const F moved_x = next_pose_.middle_x[rod] - pose_.middle_x[rod];
-      const F moved_y = next_pose_.middle_y[rod] - pose_.middle_y[rod];
-      inertia_ += limb.mass_kg * (r_x * r_x + r_y * r_y) + limb.inertia_kgm2;
-      swept += limb.mass_kg * (r_x * moved_y - r_y * moved_x) + limb.inertia_kgm2 * turn[rod];
-    }
-    shape_momentum_ = swept * inverse_step_;
-  }
-
-  /// sin and cos of an unbounded angle: whole turns are taken off in double precision first.
-  static void SineCosineOfTurn(D turn, F& sine, F& cosine) {
-    constexpr double kRound = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to the nearest integer
-    const D whole = (turn * (0.5 / kPi) + kRound) - kRound;
-    SinCos<W>(L::ToFloat(turn - whole * (2.0 * kPi)), sine, cosine);
   }
 
   /// Heights of all endpoints of the next pose above the ground.
@@ -277,7 +232,7 @@ class Simulation {
       met = std::span(contacts.data(),
                       GatherContacts(near_ground, known, start_sine, start_cosine, start_height, contacts));
       RigidMotion<W> motion = free;
-      SolveContacts<W>(met, inverse_mass_, 1.0f / inertia_, friction_, motion);
+      SolveContacts<W>(met, inverse_mass_, 1.0f / shape_.inertia, friction_, motion);
       F moment{};
       I touched{};
       for (const Contact<W>& c : met) {
@@ -290,11 +245,11 @@ class Simulation {
       velocity_x_ = L::Select(touched, motion.velocity_x, free.velocity_x);
       velocity_y_ = L::Select(touched, motion.velocity_y, free.velocity_y);
       angular_momentum_ = L::Select(touched, start_momentum + moment, start_momentum);
-      spin_ = L::Select(touched, (angular_momentum_ - shape_momentum_) / inertia_, free.spin);
+      spin_ = L::Select(touched, (angular_momentum_ - shape_.momentum) / shape_.inertia, free.spin);
       path_x_ = L::Select(touched, step_s_ * velocity_x_, flight_x);
       height_ = start_height + L::Select(touched, step_s_ * velocity_y_, flight_y);
       turn_ = start_turn + L::ToDouble(spin_) * static_cast<double>(step_s_);
-      SineCosineOfTurn(turn_, sine_, cosine_);
+      SinCosOfTurn<W>(turn_, sine_, cosine_);
       PlaceEndpoints(sine_, cosine_, height_);
       // A landing may throw further endpoints against the ground: they take part in the next round.
       for (std::size_t k = 0; k < Endpoints(); ++k)
@@ -420,7 +375,7 @@ class Simulation {
   Response<W> response_{};
   std::array<F, kMaxJoints> joint_turn_{};
   Pose<W> pose_{}, next_pose_{};
-  F inertia_{}, shape_momentum_{};
+  Shape<W> shape_{};
   F path_x_{};  // of the centre of mass in this step [m]
   std::array<F, kMaxEndpoints> endpoint_height_{};
   F normal_work_{}, friction_work_{}, lifting_work_{};

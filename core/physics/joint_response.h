@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// How joints follow the active rule of a controller.
+#pragma once
+
+#include <array>
+
+#include "core/control/bank.h"
+#include "core/physics/skeleton.h"
+
+namespace gaitsmith {
+
+/// Advances all joints by one step, critically damped,
+///   theta'' = (target - theta) / tau^2 - 2 theta' / tau,
+/// in closed form: with e = theta - target and A = theta' + e / tau,
+///   theta <- target + (e + A h) exp(-h / tau)      theta' <- (theta' - A h / tau) exp(-h / tau).
+/// A joint that reaches its limit stops there (a fast rule that hands over to a slow one would overshoot by
+/// several radians); the figure's momentum is untouched by that.
+/// @param angle, rate  of each joint [rad], [rad/s]; in and out
+/// @param turn         out: change of each angle in this step [rad]
+template <int W>
+void MoveJoints(const Skeleton& skeleton, const Response<W>& response, float step_s,
+                std::array<typename Lane<W>::F, kMaxJoints>& angle,
+                std::array<typename Lane<W>::F, kMaxJoints>& rate,
+                std::array<typename Lane<W>::F, kMaxJoints>& turn) {
+  using L = Lane<W>;
+  using F = typename L::F;
+  using I = typename L::I;
+  for (std::size_t j = 0; j < static_cast<std::size_t>(skeleton.joints); ++j) {
+    const Skeleton::Limb& limb = skeleton.limbs[j + 1];
+    const F off = angle[j] - response.target_rad[j];
+    const F pull_step = (rate[j] + off * response.inverse_tau) * step_s;
+    const F free_angle = response.target_rad[j] + (off + pull_step) * response.decay;
+    const F free_rate = (rate[j] - pull_step * response.inverse_tau) * response.decay;
+    const I below = free_angle < limb.min_rad;
+    const I above = free_angle > limb.max_rad;
+    const F held =
+        L::Select(below, L::Splat(limb.min_rad), L::Select(above, L::Splat(limb.max_rad), free_angle));
+    turn[j] = held - angle[j];
+    angle[j] = held;
+    rate[j] = L::Select(below | above, F{}, free_rate);
+  }
+}
+
+}  // namespace gaitsmith
