@@ -77,6 +77,7 @@ void DrawProgress(Ui& ui, const Session& session) {
 void DrawCurve(Ui& ui, const Session& session) {
   const SearchProgress& progress = session.Progress();
   std::vector<PlotPoint> points;
+  points.reserve(progress.curve.size() + 1);
   for (const Search::CurvePoint& point : progress.curve) {
     points.push_back(
         {static_cast<double>(point.evaluation), static_cast<double>(std::max(point.best, -1e3f))});
