@@ -157,9 +157,12 @@ bool App::Take(const SDL_Event& event) {
   if (key.sym == SDLK_TAB && (key.mod & (KMOD_CTRL | KMOD_ALT)) == 0 && !widgets.empty() &&
       focused != widgets.end()) {
     const bool back = (key.mod & KMOD_SHIFT) != 0;
-    const auto enabled = [](const Widget& w) { return !w.state.disabled; };
-    const bool at_end = back ? std::none_of(widgets.begin(), focused, enabled)
-                             : std::none_of(focused + 1, widgets.end(), enabled);
+    // Scroll bars and notes are there to be seen; the Tab key passes over them.
+    const auto stops = [](const Widget& w) {
+      return !w.state.disabled && w.role != "scrollbar" && w.role != "note";
+    };
+    const bool at_end = back ? std::none_of(widgets.begin(), focused, stops)
+                             : std::none_of(focused + 1, widgets.end(), stops);
     if (at_end) {
       host_.LeaveCanvas(back ? -1 : 1);
       return true;

@@ -159,8 +159,16 @@ EMSCRIPTEN_KEEPALIVE void gs_play(int playing) {
   ThePage().window->RequestFrame();
 }
 
+EMSCRIPTEN_KEEPALIVE int gs_can_undo() { return TheSession().CanUndo() ? 1 : 0; }
 EMSCRIPTEN_KEEPALIVE void gs_undo() {
   TheSession().Undo();
+  ThePage().window->RequestFrame();
+}
+
+/// Of the next search. @param kind  0 physical, 1 timer
+EMSCRIPTEN_KEEPALIVE void gs_set_senses(int kind) {
+  TheSession().Set(
+      [kind](Document& d) { d.senses.kind = kind == 1 ? SenseKind::kTimer : SenseKind::kPhysical; });
   ThePage().window->RequestFrame();
 }
 

@@ -13,7 +13,7 @@ namespace gaitsmith::shell {
 namespace {
 
 constexpr float kCardHeight = 70.0f;
-constexpr int kBarsShown = 4;
+constexpr std::size_t kBarsShown = 4;
 
 // How a timer compares with the length of the motion: below it the motion repeats, above it never does.
 std::string PeriodWords(int period_steps, int duration_steps) {
@@ -86,7 +86,7 @@ std::vector<Bar> BarsOf(const Controller& controller, const BankShape& shape, in
   const auto on_bar = [timer](float sense) {
     return timer ? sense : (sense - kEdgeLow) / (kEdgeHigh - kEdgeLow);
   };
-  for (int sense = 0; sense < shape.senses && static_cast<int>(bars.size()) < kBarsShown; ++sense) {
+  for (int sense = 0; sense < shape.senses; ++sense) {
     if (!shape.Cares(controller.genes, rule, sense)) continue;
     const float low = Decode(controller.genes[shape.Low(rule, sense)], 0.0f, 1.0f);
     const float high = Decode(controller.genes[shape.High(rule, sense)], 0.0f, 1.0f);
@@ -151,6 +151,7 @@ void DrawCard(Ui& ui, const Session& session, const Controller& controller, int 
   const float scale = 46.0f / std::max({high_x - low_x, high_y - low_y, session.player.ReachM()});
   const ImVec2 middle(rect.Min.x + 34.0f, rect.GetCenter().y);
   std::vector<ImVec2> points;
+  points.reserve(pose.size());
   for (const ImVec2& point : pose) {
     points.emplace_back(middle.x + (point.x - 0.5f * (low_x + high_x)) * scale,
                         middle.y - (point.y - 0.5f * (low_y + high_y)) * scale);
@@ -161,9 +162,17 @@ void DrawCard(Ui& ui, const Session& session, const Controller& controller, int 
 
   const float left = rect.Min.x + 66.0f;
   const float right = rect.Max.x - 10.0f;
-  ui.Letters().DrawElided(list, Type::kSmall, {left, rect.Min.y + 15.0f}, right - left,
+  std::vector<Bar> bars = BarsOf(controller, shape, rule, motion, session.player.Frame(), in_charge);
+  float title_right = right;
+  if (bars.size() > kBarsShown) {
+    // The card has no room for the rest, but it must not hide that there is one.
+    const std::string more = "+" + std::to_string(bars.size() - kBarsShown);
+    bars.resize(kBarsShown);
+    ui.Letters().Draw(list, Type::kSmall, {right, rect.Min.y + 15.0f}, p.second_ink, more, Align::kRight);
+    title_right -= ui.Letters().Width(Type::kSmall, more) + 6.0f;
+  }
+  ui.Letters().DrawElided(list, Type::kSmall, {left, rect.Min.y + 15.0f}, title_right - left,
                           active ? p.ink : p.second_ink, title);
-  const std::vector<Bar> bars = BarsOf(controller, shape, rule, motion, session.player.Frame(), in_charge);
   if (bars.empty())
     ui.Letters().DrawElided(list, Type::kSmall, {left, rect.Min.y + 34.0f}, right - left, p.second_ink,
                             "at any time");

@@ -108,13 +108,27 @@ void Playback::FindRuns() {
   }
 }
 
-// A pose is kept when the figure has moved on by about its own width; a figure on the spot keeps only its
-// first.
+// Free ground between two poses; negative where their limbs would cross.
+float Playback::GapM(int frame, int other) const {
+  const auto moved = static_cast<float>(motion_->At(other).x_m - motion_->At(frame).x_m);
+  const float side = moved < 0.0f ? -1.0f : 1.0f;
+  float leading = 0.0f, trailing = 0.0f;
+  for (int k = 0; k < motion_->Bones().endpoints; ++k) {
+    leading = std::max(leading, side * motion_->Endpoint(frame, k).x);
+    trailing = std::max(trailing, -side * motion_->Endpoint(other, k).x);
+  }
+  return side * moved - leading - trailing;
+}
+
+// A pose is kept where it stands clear of the one before, and in any case after the width of both; a figure
+// on the spot keeps only its first.
 void Playback::ChoosePoses() {
   pose_frames_.assign(1, 0);
   for (int frame = 1; frame < motion_->Frames(); ++frame) {
-    const double moved = std::abs(motion_->At(frame).x_m - motion_->At(pose_frames_.back()).x_m);
-    if (moved >= 1.55 * static_cast<double>(reach_m_)) pose_frames_.push_back(frame);
+    const int last = pose_frames_.back();
+    const double moved =
+        std::abs(motion_->At(frame).x_m - motion_->At(last).x_m) / static_cast<double>(reach_m_);
+    if (moved >= 2.0 || (moved >= 1.3 && GapM(last, frame) > 0.05f * reach_m_)) pose_frames_.push_back(frame);
   }
 }
 

@@ -64,6 +64,7 @@ class Playback {
  private:
   void Measure();
   void FindRuns();
+  [[nodiscard]] float GapM(int frame, int other) const;
   void ChoosePoses();
   void SmoothCamera();
 

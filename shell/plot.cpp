@@ -13,9 +13,12 @@ namespace {
 // "0", "10k", "2.5M": tick labels must stay short.
 std::string Short(double value, double spacing) {
   const double size = std::abs(value);
-  if (size >= 1e6) return Fixed(value / 1e6, spacing < 1e6 ? 1 : 0) + "M";
-  if (size >= 1e4) return Fixed(value / 1e3, spacing < 1e3 ? 1 : 0) + "k";
-  return Fixed(value, spacing >= 1.0 ? 0 : spacing >= 0.1 ? 1 : 2);
+  const double unit = size >= 1e6 ? 1e6 : size >= 1e4 ? 1e3 : 1.0;
+  // As many digits as the spacing has, so that equal steps read as equal.
+  int digits = 0;
+  for (double step = spacing / unit; digits < 2 && std::abs(step - std::round(step)) > 1e-6; step *= 10.0)
+    ++digits;
+  return Fixed(value / unit, digits) + (size >= 1e6 ? "M" : size >= 1e4 ? "k" : "");
 }
 
 struct Extent {

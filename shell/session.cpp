@@ -104,16 +104,13 @@ Result<void> Session::Open(std::string_view text) {
   remembered_ = document_;
   progress_ = {};
   selected_clip_ = 0;
-  const auto expected = document->hash;
   player.speed = static_cast<double>(document->view.speed);
   Show(std::move(*document), true);
-  if (expected && *expected != player.Shown().Hash()) {
-    Say("This motion replays differently here than where it was made (hash " +
-        HashText(player.Shown().Hash()) + " instead of " + HashText(*expected) + ").");
-  } else {
-    notice.clear();
-    host_.Status("Opened " + document_.title + ".");
-  }
+  notice.clear();
+  host_.Status(differs_from_maker_
+                   ? "This motion differs from the one its maker saw: hash " +
+                         HashText(player.Shown().Hash()) + " here, " + HashText(*document_.hash) + " there."
+                   : "Opened " + document_.title + ".");
   return {};
 }
 
@@ -129,11 +126,11 @@ void Session::Say(std::string sentence) {
 }
 
 void Session::Show(Document document, bool start_over) {
-  document.hash.reset();
   document_ = std::move(document);
   selected_clip_ =
       std::clamp(selected_clip_, 0, std::max(0, static_cast<int>(document_.timeline.size()) - 1));
   player.Load(document_, start_over);
+  differs_from_maker_ = document_.hash && *document_.hash != player.Shown().Hash();
   host_.DocumentChanged(document_.title);
 }
 
@@ -145,6 +142,7 @@ bool Session::Change(const Edit& edit) {
     return false;
   }
   notice.clear();
+  next.hash.reset();
   Show(std::move(next), false);
   return true;
 }

@@ -23,6 +23,8 @@ class Session {
   [[nodiscard]] const Document& Doc() const { return document_; }
   /// With the present motion's hash, as it is saved and shared.
   [[nodiscard]] Document WithHash() const;
+  /// The document says what its maker saw, and the motion here is another one.
+  [[nodiscard]] bool DiffersFromMaker() const { return differs_from_maker_; }
 
   // Changing.
   using Edit = std::function<void(Document&)>;
@@ -78,7 +80,8 @@ class Session {
   void PutController(Controller controller);
 
   Host& host_;
-  Document document_;
+  Document document_;  // its hash: as its maker saw it, until something that the motion depends on changes
+  bool differs_from_maker_ = false;
   std::optional<Document> remembered_;
   std::vector<Figure> figures_;
   int selected_clip_ = 0;

@@ -42,9 +42,9 @@ Camera AimCamera(const Session& session, const ImRect& rect, float ground_y) {
   if (std::abs(end_m) < margin_m) {
     camera.left_m = x - 0.5 * width_m;
   } else if (end_m < 0.0) {
-    camera.left_m = std::max(std::min(x - 0.34 * width_m, margin_m - width_m), x - 0.8 * width_m);
+    camera.left_m = std::max(std::min(x - 0.29 * width_m, margin_m - width_m), x - 0.8 * width_m);
   } else {
-    camera.left_m = std::min(std::max(x - 0.66 * width_m, -margin_m), x - 0.2 * width_m);
+    camera.left_m = std::min(std::max(x - 0.71 * width_m, -margin_m), x - 0.2 * width_m);
   }
   camera.origin = {rect.Min.x, ground_y};
   camera.pivot = static_cast<float>(x - camera.left_m) * camera.scale;
@@ -77,8 +77,11 @@ void DrawGround(const Scene& s) {
     const ImVec2 foot(at.x + 7.0f * s.camera.sine, at.y + 7.0f * s.camera.cosine);
     s.list->AddLine(at, foot, p.second_ink);
     const ImVec2 text(at.x + 19.0f * s.camera.sine, at.y + 19.0f * s.camera.cosine);
-    s.ui.Letters().Draw(s.list, Type::kSmall, text, p.second_ink,
-                        (m < 0 ? "−" : "") + std::to_string(std::abs(m)) + " m", Align::kCentre);
+    const std::string label = (m < 0 ? "−" : "") + std::to_string(std::abs(m)) + " m";
+    // Cut at the edge, "−1 m" would read "1 m".
+    const float half = 0.5f * s.ui.Letters().Width(Type::kSmall, label) + 2.0f;
+    if (text.x - half < s.rect.Min.x || text.x + half > s.rect.Max.x) continue;
+    s.ui.Letters().Draw(s.list, Type::kSmall, text, p.second_ink, label, Align::kCentre);
   }
   s.list->AddLine(left, right, p.second_ink, 1.5f);
 }
@@ -101,10 +104,12 @@ ImU32 ActiveColour(const Scene& s) {
   return frame.clip < 0 ? s.ui.Ink().second_ink : s.ui.Look().Rule(frame.rule);
 }
 
-void DrawLetter(const Scene& s, double x_m, ImU32 colour, int index) {
-  const ImVec2 at = s.camera.ToScreen(x_m, 0.0f);
-  s.ui.Letters().Draw(s.list, Type::kStrong, {at.x + 42.0f * s.camera.sine, at.y + 42.0f * s.camera.cosine},
-                      colour, LetterOf(index), Align::kCentre);
+// Below the centre of mass as the eye sees it, which on a slope is not at its ground coordinate.
+void DrawLetter(const Scene& s, double x_m, float y_m, ImU32 colour, int index) {
+  const double foot_m = x_m - static_cast<double>(y_m * s.camera.sine / s.camera.cosine);
+  const ImVec2 at = s.camera.ToScreen(foot_m, 0.0f);
+  s.ui.Letters().Draw(s.list, Type::kStrong, {at.x, at.y + 42.0f / s.camera.cosine}, colour, LetterOf(index),
+                      Align::kCentre);
 }
 
 struct Past {
@@ -122,7 +127,7 @@ Past DrawPast(const Scene& s) {
     const int frame = s.player.PoseFrames()[static_cast<std::size_t>(i)];
     if (frame >= s.player.Frame()) break;
     // A figure that comes back must not stand in its own ghosts.
-    if (std::abs(motion.At(frame).x_m - now_x) > 1.1 * static_cast<double>(s.player.ReachM()))
+    if (std::abs(motion.At(frame).x_m - now_x) > 1.3 * static_cast<double>(s.player.ReachM()))
       past.push_back(i);
   }
   if (past.size() > kPosesShown) past.erase(past.begin(), past.end() - kPosesShown);
@@ -135,7 +140,7 @@ Past DrawPast(const Scene& s) {
     const float depth = 0.14f + 0.05f * static_cast<float>(k + kPosesShown - past.size());
     DrawFigure(s.list, motion.Bones(), OnScreen(s, time_s),
                {.rods = Mix(p.paper, p.ink, depth), .width = width});
-    DrawLetter(s, motion.At(frame).x_m, p.second_ink, past[k]);
+    DrawLetter(s, motion.At(frame).x_m, motion.At(frame).y_m, p.second_ink, past[k]);
   }
   const int oldest = s.player.PoseFrames()[static_cast<std::size_t>(past.front())];
   return {oldest * static_cast<double>(motion.StepS()), past.back() + 1};
@@ -182,6 +187,17 @@ void DrawForces(const Scene& s, const std::vector<ImVec2>& endpoints) {
   }
 }
 
+// Stays as long as what it says is true, and is told to whoever cannot see it.
+void DrawNote(const Scene& s, ImVec2 at, const std::string& sentence) {
+  const float width =
+      std::min(s.ui.Letters().Width(Type::kNote, sentence), s.rect.GetWidth() - 2.0f * (at.x - s.rect.Min.x));
+  ImGui::PushItemFlag(ImGuiItemFlags_NoNav | ImGuiItemFlags_NoTabStop, true);
+  s.ui.Area("stage/note", {{at.x, at.y - 9.0f}, {at.x + width, at.y + 9.0f}}, Grab::kPress,
+            {.label = sentence, .role = "note"});
+  ImGui::PopItemFlag();
+  s.ui.Letters().DrawElided(s.list, Type::kNote, at, width + 1.0f, s.ui.Ink().bad, sentence);
+}
+
 void DrawNumbers(const Scene& s) {
   const Palette& p = s.ui.Ink();
   const Fonts& letters = s.ui.Letters();
@@ -198,6 +214,8 @@ void DrawNumbers(const Scene& s) {
   if (terms.broke_physics) {
     letters.Draw(s.list, Type::kNote, {at.x, at.y + 40.0f}, p.bad,
                  "This motion breaks physics and counts as void.");
+  } else if (s.session.DiffersFromMaker()) {
+    DrawNote(s, {at.x, at.y + 40.0f}, "This motion differs from the one its maker saw.");
   } else if (s.session.Doc().timeline.empty()) {
     letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 40.0f}, s.rect.GetWidth() - 32.0f, p.accent,
                        "No controller yet: press Synthesize in the Search panel.");
@@ -236,7 +254,10 @@ void DrawStage(Ui& ui, Session& session, const ImRect& rect) {
   DrawFigure(scene.list, motion.Bones(), endpoints,
              {.rods = ui.Ink().ink, .joints = active, .width = RodWidth(motion.Bones(), scene.camera.scale)});
   if (view.forces) DrawForces(scene, endpoints);
-  if (view.poses) DrawLetter(scene, session.player.CentreAt(session.player.TimeS()).x_m, active, past.next);
+  if (view.poses) {
+    const Playback::Point centre = session.player.CentreAt(session.player.TimeS());
+    DrawLetter(scene, centre.x_m, centre.y_m, active, past.next);
+  }
   DrawNumbers(scene);
   ImRect ring = rect;
   ring.Expand(-4.0f);

@@ -20,7 +20,9 @@ export interface AppModule {
   _gs_widgets(): Pointer;
   _gs_set_theme(dark: number): void;
   _gs_play(playing: number): void;
+  _gs_can_undo(): number;
   _gs_undo(): void;
+  _gs_set_senses(kind: number): void;
   _gs_synthesize(options: Pointer): Pointer;
   _gs_pause(): void;
   _gs_resume(): void;

@@ -67,7 +67,10 @@ export class App {
   setTheme(dark) { this.module._gs_set_theme(dark ? 1 : 0); }
   /** @param {boolean} playing */
   play(playing) { this.module._gs_play(playing ? 1 : 0); }
+  canUndo() { return this.module._gs_can_undo() !== 0; }
   undo() { this.module._gs_undo(); }
+  /** Of the next search. @param {'physical' | 'timer'} kind */
+  setSenses(kind) { this.module._gs_set_senses(kind === 'timer' ? 1 : 0); }
 
   /** @param {SynthesizeOptions} options @returns {string} empty, or a sentence; then nothing has started */
   synthesize(options) {

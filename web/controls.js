@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The main controls and a description of the motion as plain DOM, for people who cannot see or point at the canvas.
-// Hidden from view until the keyboard reaches it.
+// The main controls and a description of the motion as plain DOM, for people who cannot see or point at the canvas,
+// hidden from view until the keyboard reaches it; and the header's Undo.
 import { banner, element, onClick, setText } from './dom.js';
 
 /** @typedef {import('./app.js').App} App */
@@ -11,6 +11,7 @@ export class Controls {
   #synthesize = element('control-synthesize', HTMLButtonElement);
   #stop = element('control-stop', HTMLButtonElement);
   #description = element('description');
+  #undo = element('undo', HTMLButtonElement);
 
   /** @param {App} app */
   constructor(app) {
@@ -18,26 +19,31 @@ export class Controls {
     onClick('control-play', () => app.play(this.#play.textContent === 'Play'));
     onClick('control-synthesize', () => this.#start());
     onClick('control-stop', () => app.stop());
+    onClick('undo', () => app.undo());
     onClick('control-describe', () => setText(this.#description, this.#describe()));
     // What the canvas shows changes without a word to the page, but nobody needs it here more often than this.
     setInterval(() => this.#update(), 1000);
+    for (const radio of this.#radios) {
+      radio.addEventListener('change', () => app.setSenses(radio.value === 'timer' ? 'timer' : 'physical'));
+    }
     this.documentChanged();
   }
 
   documentChanged() {
     const kind = this.app.document().senses?.kind ?? 'physical';
     for (const radio of this.#radios) radio.checked = radio.value === kind;
+    this.#undo.disabled = !this.app.canUndo();
   }
 
   /** @param {boolean} searching */
   searching(searching) {
     this.#synthesize.disabled = searching;
     this.#stop.disabled = !searching;
+    this.#undo.disabled = !this.app.canUndo(); // a search that starts keeps what was there
   }
 
   #start() {
-    const sense = this.#radios.find((radio) => radio.checked)?.value;
-    const fault = this.app.synthesize({ sense: sense === 'timer' ? 'timer' : 'physical' });
+    const fault = this.app.synthesize({});
     if (fault) banner(fault);
   }
 

@@ -75,7 +75,6 @@ async function start() {
   searches.addEventListener('done', () => address.changed());
   startSharing(app, address);
   element('undo').hidden = false;
-  onClick('undo', () => app.undo());
   statusLine.welcome('Press Synthesize to search for a better motion');
   if (matchMedia('(prefers-reduced-motion: reduce)').matches) app.play(false);
 

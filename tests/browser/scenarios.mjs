@@ -2,6 +2,9 @@
 // What must work in every browser. Each scenario is an observation a user could make; they share one page and build on
 // each other, as a visit does.
 import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { ROOT } from './browsers.mjs';
 import { PageDriver, sleep } from './page_driver.mjs';
 import { nativeHash } from './native.mjs';
 
@@ -175,6 +178,49 @@ export const SCENARIOS = [
     await sleep(100);
     assert.match(await page.call('text', () => document.querySelector('#description')?.textContent ?? ''), / m after .* s/);
     await page.page.focus('#open');
+  }],
+
+  ['Undo waits until there is something to undo, and the plain controls act at once', async ({ browser, address }) => {
+    const fresh = await PageDriver.open(browser, address);
+    const undo = () => fresh.call('undo', () => /** @type {HTMLButtonElement} */ (document.querySelector('#undo')).disabled);
+    const senses = () => fresh.call('senses', () => window.gaitsmith.document().senses?.kind);
+    assert.equal(await undo(), true);
+    for (const kind of ['timer', 'physical']) {
+      await fresh.page.focus(`input[value=${kind}]`);
+      await fresh.page.keyboard.press(' ');
+      assert.equal(await senses(), kind);
+    }
+    const before = await fresh.hash();
+    await fresh.call('open', () => {
+      const document = window.gaitsmith.document();
+      window.gaitsmith.open({ ...document, hash: undefined, environment: { friction: 0.2 } });
+    });
+    assert.notEqual(await fresh.hash(), before);
+    assert.equal(await undo(), false);
+    await fresh.clickElement('#undo');
+    assert.equal(await fresh.hash(), before);
+    assert.deepEqual(fresh.complaints, []);
+    await fresh.close();
+  }],
+
+  ['a motion that differs from the one its maker saw says so, as long as it is shown', async ({ browser, address }) => {
+    const text = await readFile(join(ROOT, 'tests/golden/motions/star-man-physical.json'), 'utf8');
+    const altered = JSON.stringify({ ...JSON.parse(text), hash: '0123456789abcdef' });
+    const fresh = await PageDriver.open(browser, address);
+    const note = async () => (await fresh.widgets()).find(({ id }) => id === 'stage/note')?.label;
+    const show = async (/** @type {string} */ json) => {
+      await fresh.page.evaluate((content) => window.gaitsmith.open(content), json);
+      await sleep(300);
+    };
+    await show(altered);
+    assert.match(await note() ?? '', /differs from the one its maker saw/);
+    assert.match(await fresh.status(), /differs from the one its maker saw: hash [0-9a-f]{16} here, 0123456789abcdef there/);
+    await fresh.click('panels/1');
+    assert.ok(await note(), 'the note must stay while the motion is the same');
+    await show(text);
+    assert.equal(await note(), undefined);
+    assert.match(await fresh.status(), /^Opened /);
+    await fresh.close();
   }],
 
   ['the whole visit passed without a complaint', async ({ page }) => {
