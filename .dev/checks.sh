@@ -32,7 +32,7 @@ lint() {
 # Every compiler and optimisation level replays the golden motions bit for bit, in every lane count, and the command
 # line keeps its contract there.
 check_determinism() {
-  local preset document lanes hash
+  local preset document
   for preset in gcc-O0 clang-O0 clang-O2 release; do
     cmake --preset "$preset" >/dev/null
     cmake --build --preset "$preset" --target gaitsmith

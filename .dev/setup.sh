@@ -6,7 +6,7 @@
 LLVM=19                 # clang, lld, clang-format, clang-tidy
 SUITE=trixie            # the Debian release whose Emscripten and library sources are used
 EMSCRIPTEN=3.1.69       # in that suite
-EMSCRIPTEN_MIN=3.1.60   # oldest emcc accepted from PATH or $EMSDK
+EMSCRIPTEN_MIN=3.1.69   # oldest emcc accepted from PATH or $EMSDK
 IMGUI=1.90.1 CATCH2=3.7.1 EIGEN=3.4.0 SDL2=2.32.4
 ACORN=8.15.0            # Emscripten's optimiser imports it; Debian does not pack it as an ES module
 NODE_MIN=18

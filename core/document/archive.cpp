@@ -43,6 +43,14 @@ void Archive::CheckInteger(std::string_view name, std::int64_t value, std::int64
   }
 }
 
+void Archive::CheckModel(std::string_view name, std::int64_t model) {
+  if (model < 1 || model > kModelVersion) {
+    FailAt(name, ErrorCode::kUnknownVersion,
+           "needs physical model " + std::to_string(model) + ", this Gaitsmith knows models up to " +
+               std::to_string(kModelVersion) + "; a newer one is needed");
+  }
+}
+
 void Archive::CheckText(std::string_view name, const std::string& text) {
   if (text.size() > kMaxNameBytes) {
     return FailAt(name, ErrorCode::kTooMany,

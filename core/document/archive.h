@@ -27,6 +27,7 @@ class Archive {
   /// The checks of a value, whoever brought it.
   void CheckReal(std::string_view name, float& value, float low, float high);
   void CheckInteger(std::string_view name, std::int64_t value, std::int64_t low, std::int64_t high);
+  void CheckModel(std::string_view name, std::int64_t model);
   void CheckText(std::string_view name, const std::string& text);
   void CheckCount(std::string_view name, std::size_t count, std::size_t most);
 

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t kHeaderBytes = 4;
 constexpr std::size_t kChecksumBytes = 4;
-constexpr int kChoiceBits = 5;  // more than any choice needs now: names are added without a new version
+constexpr int kModelBits = 5;
+constexpr int kChoiceBits = 4;  // more than any choice needs now: names are added without a new version
 
 class BinaryWriter : public Archive {
  public:
@@ -25,6 +26,7 @@ class BinaryWriter : public Archive {
     if (Standard(value == standard)) return;
     bits_.Put(static_cast<std::uint64_t>(std::int64_t{value} - low), IntegerBits(low, high));
   }
+  void Model(std::string_view, int& model) { bits_.Put(static_cast<std::uint64_t>(model), kModelBits); }
   void Natural(std::string_view, std::uint32_t& value, std::uint32_t standard) {
     if (Standard(value == standard)) return;
     bits_.Put(value, 32);
@@ -44,6 +46,7 @@ class BinaryWriter : public Archive {
   }
   template <class Item, class Fields>
   void List(std::string_view, std::vector<Item>& list, int most, Fields fields) {
+    if (Standard(list.empty())) return;
     bits_.Put(list.size(), BitsFor(static_cast<std::uint64_t>(most) + 1));
     for (Item& item : list) fields(item);
   }
@@ -95,6 +98,11 @@ class BinaryReader : public Archive {
     CheckInteger(name, wide, low, high);
     if (Ok()) value = static_cast<int>(wide);
   }
+  void Model(std::string_view name, int& model) {
+    model = static_cast<int>(bits_.Take(kModelBits));
+    CheckLeft(name);
+    CheckModel(name, model);
+  }
   void Natural(std::string_view name, std::uint32_t& value, std::uint32_t standard) {
     value = Given(name) ? static_cast<std::uint32_t>(bits_.Take(32)) : standard;
   }
@@ -124,10 +132,11 @@ class BinaryReader : public Archive {
   }
   template <class Item, class Fields>
   void List(std::string_view name, std::vector<Item>& list, int most, Fields fields) {
+    list.clear();
+    if (!Given(name)) return;
     const auto count = static_cast<std::size_t>(bits_.Take(BitsFor(static_cast<std::uint64_t>(most) + 1)));
     CheckCount(name, count, static_cast<std::size_t>(most));
     CheckLeft(name);
-    list.clear();
     Enter(name);
     for (std::size_t i = 0; i < count && Ok(); ++i) {
       EnterElement(i);

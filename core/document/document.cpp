@@ -17,6 +17,7 @@ class Checker : public Archive {
   void Integer(std::string_view name, int& value, int low, int high, int) {
     CheckInteger(name, value, low, high);
   }
+  void Model(std::string_view name, int& model) { CheckModel(name, model); }
   void Natural(std::string_view, std::uint32_t&, std::uint32_t) {}
   void Flag(std::string_view, bool&, bool) {}
   template <class Enum, class Names>

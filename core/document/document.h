@@ -31,7 +31,8 @@ struct View {
 
 struct Document {
   std::string title;
-  int model = kModelVersion;
+  int model =
+      1;  // version of the physical model, [1, kModelVersion]; a literal, for old documents keep theirs
   Figure figure;
   Environment environment;
   StartState start;

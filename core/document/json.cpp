@@ -16,6 +16,7 @@ class JsonWriter : public Archive {
  public:
   void Real(std::string_view name, float& value, float, float, float) { Field(name, RealText(value)); }
   void Integer(std::string_view name, int& value, int, int, int) { Field(name, std::to_string(value)); }
+  void Model(std::string_view name, int& model) { Field(name, std::to_string(model)); }
   void Natural(std::string_view name, std::uint32_t& value, std::uint32_t) {
     Field(name, std::to_string(value));
   }
@@ -118,6 +119,12 @@ class JsonReader : public Archive {
     std::int64_t wide = 0;
     if (Whole(name, wide, low, high)) value = static_cast<int>(wide);
   }
+  void Model(std::string_view name, int& model) {
+    std::int64_t wide = 1;
+    Whole(name, wide, 0, 1'000'000);
+    if (Ok()) CheckModel(name, wide);
+    if (Ok()) model = static_cast<int>(wide);
+  }
   void Natural(std::string_view name, std::uint32_t& value, std::uint32_t standard) {
     value = standard;
     std::int64_t wide = 0;
@@ -184,13 +191,13 @@ class JsonReader : public Archive {
     const JsonValue* given = Get(name, JsonValue::Kind::kString);
     if (given == nullptr) return;
     std::uint64_t value = 0;
+    bool good = given->text.size() == 16;
     for (const char c : given->text) {
       const auto digit = std::string_view("0123456789abcdef").find(c);
-      if (digit == std::string_view::npos || given->text.size() != 16) {
-        return FailAt(name, ErrorCode::kSyntax, "must be 16 hexadecimal digits");
-      }
-      value = value << 4 | digit;
+      good = good && digit != std::string_view::npos;
+      value = value << 4 | (digit & 15u);
     }
+    if (!good) return FailAt(name, ErrorCode::kSyntax, "must be 16 hexadecimal digits");
     hash = value;
   }
   void Rules(Controller& controller, int rods) {

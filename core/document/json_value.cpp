@@ -33,7 +33,11 @@ const JsonValue* JsonValue::Find(std::string_view name) const {
 
 namespace {
 
+// Far beyond any document (64 controllers of 32 rules with 34 senses are under 200,000 values), and small
+// enough that text from a stranger costs neither minutes nor gigabytes.
 constexpr int kMaxDepth = 32;
+constexpr int kMaxValues = 300'000;
+constexpr std::size_t kMaxMembers = 64;
 
 class Parser {
  public:
@@ -80,6 +84,7 @@ class Parser {
 
   bool Value(JsonValue& value, int depth) {
     if (depth > kMaxDepth) return Fault("is nested too deeply");
+    if (++values_ > kMaxValues) return Fault("there are more values than any document has");
     Space();
     if (at_ >= text_.size()) return Fault("the text ends where a value should be");
     const char c = text_[at_];
@@ -109,6 +114,7 @@ class Parser {
       std::string name;
       const std::size_t before = at_;
       if (!String(name)) return false;
+      if (value.names.size() >= kMaxMembers) return Fault("there are more fields than any object has");
       if (value.Find(name) != nullptr) {
         at_ = before;
         return Fault("the field \"" + name + "\" is there twice");
@@ -159,7 +165,8 @@ class Parser {
       if (!Digits()) return Fault("expected a digit in the exponent");
     }
     value.text = std::string(text_.substr(first, at_ - first));
-    // The grammar above leaves strtod no choice; it rounds correctly on every platform we build for.
+    // strtod rounds correctly on every platform we build for; programs on core keep the "C" locale for
+    // numbers.
     value.number = std::strtod(value.text.c_str(), nullptr);
     if (!std::isfinite(value.number)) {
       at_ = first;
@@ -240,6 +247,7 @@ class Parser {
 
   std::string_view text_;
   std::size_t at_ = 0;
+  int values_ = 0;
   Error error_{};
 };
 

@@ -53,7 +53,7 @@ Result<std::vector<std::uint8_t>> FromBase64Url(std::string_view text) {
 
 std::string EncodeLink(const Document& document) {
   Document hashed = document;
-  hashed.hash = Simulate(document).Hash();
+  if (!hashed.hash) hashed.hash = Simulate(document).Hash();
   return ToBase64Url(EncodeBinary(hashed));
 }
 

@@ -9,7 +9,8 @@
 
 namespace gaitsmith {
 
-/// The hash of the document's trajectory is computed and travels along. @param document valid
+/// The hash of the document's trajectory travels along: its own, if it has one (so that a motion which
+/// differs from its maker's is never passed on as if it were the same), else computed. @param document valid
 [[nodiscard]] std::string EncodeLink(const Document& document);
 
 /// @param link a payload, or a whole address whose part after '#' is one; white space around it is ignored

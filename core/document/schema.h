@@ -127,7 +127,7 @@ void Describe(Archive& ar, View& view) {
 template <class Archive>
 void Describe(Archive& ar, Document& d) {
   const Document standard;
-  ar.Integer("model", d.model, 1, kModelVersion, standard.model);
+  ar.Model("model", d.model);
   ar.Text("title", d.title);
   ar.Group("figure", [&] { Describe(ar, d.figure); });
   ar.Group("environment", [&] { Describe(ar, d.environment); });

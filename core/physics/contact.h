@@ -55,10 +55,10 @@ struct Impulse {
   F normal, tangent;  // [N s]
 };
 
-/// The impulse that alone satisfies contact and friction at one endpoint, exactly:
-/// stick (both velocities vanish) if that lies in the friction cone, else slip one way or the other on its
-/// edge, else, should friction jam both ways, none of it; nothing for an endpoint that would not reach the
-/// ground.
+/// The impulse that alone satisfies contact and friction at one endpoint, exactly: nothing for an endpoint
+/// that would not reach the ground; stick (both velocities vanish) if that lies in the friction cone; else
+/// slip on the edge of the cone, to the side on which friction opposes it. One of the three always fits;
+/// where rounding denies all of them, at the very edge of the cone, the edge next to sticking is taken.
 /// @param b_n, b_t velocities without this impulse (v_n with gap / h added) [m/s]
 template <int W>
 Impulse<W> SolveOne(const Mobility<W>& m, typename Lane<W>::F b_n, typename Lane<W>::F b_t, float friction) {
@@ -78,10 +78,12 @@ Impulse<W> SolveOne(const Mobility<W>& m, typename Lane<W>::F b_n, typename Lane
   const I left = (left_by > 0.0f) & (b_t + (m.nt - friction * m.tt) * left_n >= 0.0f);
 
   Impulse<W> impulse;
-  impulse.normal =
-      L::Select(sticks, stick_n, L::Select(right, right_n, L::Select(left, left_n, -b_n / m.nn)));
-  impulse.tangent = L::Select(
-      sticks, stick_t, L::Select(right, friction * right_n, L::Select(left, -(friction * left_n), F{})));
+  const I rightward = right | (~left & (stick_t > 0.0f) & (right_by > 0.0f));
+  const I leftward = ~rightward & (left_by > 0.0f);
+  const F edge_n = L::Select(rightward, right_n, L::Select(leftward, left_n, -b_n / m.nn));
+  const F edge_t = L::Select(rightward, friction * right_n, L::Select(leftward, -(friction * left_n), F{}));
+  impulse.normal = L::Select(sticks, stick_n, edge_n);
+  impulse.tangent = L::Select(sticks, stick_t, edge_t);
   const I apart = ~(b_n < 0.0f);
   impulse.normal = L::Select(apart, F{}, impulse.normal);
   impulse.tangent = L::Select(apart, F{}, impulse.tangent);
@@ -120,7 +122,9 @@ void SolveContacts(std::span<Contact<W>> contacts, float inverse_mass, typename 
     m.nn = inverse_mass + c.arm_x * m.spin_per_n;
     m.nt = c.arm_x * m.spin_per_t;
     m.tt = inverse_mass - c.arm_y * m.spin_per_t;
-    m.inverse_determinant = 1.0f / (m.nn * m.tt - m.nt * m.nt);
+    // nn tt - nt^2, in the form that cannot cancel.
+    m.inverse_determinant =
+        1.0f / (inverse_mass * (inverse_mass + (c.arm_x * c.arm_x + c.arm_y * c.arm_y) * inverse_inertia));
     apply(m, c.normal, c.tangent);
   }
   I settled{};

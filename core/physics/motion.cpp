@@ -27,7 +27,8 @@ Motion::Motion(const Figure& figure, const Environment& environment, const Start
     const auto work = simulation.WorkOf(0);
     frames_.push_back({simulation.DistanceM(0), simulation.HeightM(0), simulation.VelocityXMps(0),
                        simulation.VelocityYMps(0), simulation.TurnRad(0), simulation.AngularMomentum(0),
-                       work.normal_j, work.friction_j, work.lifting_j, clip, simulation.Rule(0)});
+                       work.normal_j, work.friction_j, work.friction_gain_j, work.lifting_j, clip,
+                       simulation.Rule(0)});
     terms_.push_back(simulation.TermsOf(0));
     for (int k = 0; k < skeleton_.endpoints; ++k) {
       endpoints_.push_back({simulation.EndpointX(0, k), simulation.EndpointY(0, k)});

@@ -33,11 +33,12 @@ class Motion {
     double x_m;  // centre of mass, along the ground
     float y_m;   // and above it
     float velocity_x_mps, velocity_y_mps;
-    double turn_rad;                                       // of the root rod, whole turns included
-    float angular_momentum;                                // about the centre of mass [kg m^2/s]
-    float normal_work_j, friction_work_j, lifting_work_j;  // of the ground in the step that led here
-    int clip;                                              // which clip is in charge; -1 with none
-    int rule;                                              // its active rule
+    double turn_rad;                        // of the root rod, whole turns included
+    float angular_momentum;                 // about the centre of mass [kg m^2/s]
+    float normal_work_j, friction_work_j;   // of the ground in the step that led here
+    float friction_gain_j, lifting_work_j;  // of friction, where it had the wrong sign; of lifting
+    int clip;                               // which clip is in charge; -1 with none
+    int rule;                               // its active rule
   };
   struct Point {
     float x, y;

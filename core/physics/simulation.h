@@ -84,7 +84,7 @@ class Simulation {
       near_ground[k] = endpoint_height_[k] < kContactMargin;
       any_near |= near_ground[k];
     }
-    normal_work_ = friction_work_ = lifting_work_ = F{};
+    normal_work_ = friction_work_ = friction_gain_ = lifting_work_ = F{};
     if (L::Any(any_near)) {
       MeetGround(near_ground, path_x_, path_y);
     } else {
@@ -150,12 +150,13 @@ class Simulation {
   [[nodiscard]] float EndpointY(int lane, int endpoint) const {
     return (sine_ * pose_.endpoint_x[Index(endpoint)] + cosine_ * pose_.endpoint_y[Index(endpoint)])[lane];
   }
-  /// Work the ground did in the last step: by normal forces, by friction, by lifting [J].
+  /// Work the ground did in the last step: by normal forces; by friction; of that, by contacts where it had
+  /// the wrong sign; by lifting [J].
   struct GroundWork {
-    float normal_j, friction_j, lifting_j;
+    float normal_j, friction_j, friction_gain_j, lifting_j;
   };
   [[nodiscard]] GroundWork WorkOf(int lane) const {
-    return {normal_work_[lane], friction_work_[lane], lifting_work_[lane]};
+    return {normal_work_[lane], friction_work_[lane], friction_gain_[lane], lifting_work_[lane]};
   }
 
  private:
@@ -184,10 +185,9 @@ class Simulation {
   void ApplyPushes() {
     for (; next_push_ < pushes_.size() && pushes_[next_push_].step <= step_; ++next_push_) {
       const Push& push = pushes_[next_push_];
-      if (push.step < step_) continue;
       velocity_x_ += L::Splat(push.impulse_x_ns * inverse_mass_);
       velocity_y_ += L::Splat(push.impulse_y_ns * inverse_mass_);
-      if (push.endpoint == kCentreOfMass || push.endpoint >= skeleton_.endpoints) continue;
+      if (push.endpoint == kCentreOfMass) continue;
       const std::size_t k = Index(push.endpoint);
       const F arm_x = cosine_ * pose_.endpoint_x[k] - sine_ * pose_.endpoint_y[k];
       const F arm_y = sine_ * pose_.endpoint_x[k] + cosine_ * pose_.endpoint_y[k];
@@ -310,7 +310,9 @@ class Simulation {
       slip_sum_ += L::Select(slipping, L::Abs(c.slide) * step_s_, F{});
       impulses_[c.endpoint] = {c.normal, c.tangent};
       normal_work_ += c.normal * c.approach;
-      friction_work_ += c.tangent * c.slide;
+      const F work = c.tangent * c.slide;
+      friction_work_ += work;
+      friction_gain_ += L::Max(work, F{});
     }
     loaded_ = loaded;
     broken_ |= ~(normal_work_ + friction_work_ + lifting_work_ <= max_ground_work_j_);
@@ -378,7 +380,7 @@ class Simulation {
   Shape<W> shape_{};
   F path_x_{};  // of the centre of mass in this step [m]
   std::array<F, kMaxEndpoints> endpoint_height_{};
-  F normal_work_{}, friction_work_{}, lifting_work_{};
+  F normal_work_{}, friction_work_{}, friction_gain_{}, lifting_work_{};
   SenseVector<W> senses_{};
 
   // Measured over the motion.

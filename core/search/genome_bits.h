@@ -3,6 +3,7 @@
 #pragma once
 
 #include <bit>
+#include <limits>
 
 #include "core/control/stimulus_response.h"
 #include "core/numeric/bit_stream.h"
@@ -15,10 +16,12 @@ inline void PutGenome(BitWriter& out, const Genome& genome, float fitness) {
   out.Put(std::bit_cast<std::uint32_t>(fitness), 32);
 }
 
-inline void TakeGenome(BitReader& in, Genome& genome, float& fitness, std::size_t genes) {
+/// @return false when the fitness cannot be one: it is NaN or plus infinity
+[[nodiscard]] inline bool TakeGenome(BitReader& in, Genome& genome, float& fitness, std::size_t genes) {
   genome.assign(in.Take(1) != 0 ? genes : 0, 0);
   for (Gene& gene : genome) gene = static_cast<Gene>(in.Take(16));
   fitness = std::bit_cast<float>(static_cast<std::uint32_t>(in.Take(32)));
+  return fitness < std::numeric_limits<float>::infinity();
 }
 
 }  // namespace gaitsmith

@@ -65,6 +65,7 @@ void PopulationHillClimbing::Tell(std::span<const float> fitness) {
       if (better) break;
     }
   }
+  asked_.assign(asked_.size(), 0);
   curve_.SettleTo(Evaluations());
   ReseedIfDue();
 }
@@ -115,19 +116,27 @@ void PopulationHillClimbing::Save(BitWriter& out) const {
 }
 
 Result<void> PopulationHillClimbing::Load(BitReader& in) {
-  reseedings_ = static_cast<int>(in.Take(32) & 0x7fffffff);
+  PopulationHillClimbing read(settings_, space_);
+  const auto reseedings = static_cast<std::int64_t>(in.Take(32));
+  if (reseedings > settings_.evaluations / Population() / settings_.reseed_interval) {
+    return Fail(ErrorCode::kOutOfRange, "search.reseedings", "does not fit the budget");
+  }
+  read.reseedings_ = static_cast<int>(reseedings);
   for (int slot = 0; slot < Population(); ++slot) {
-    Slot& s = slots_[static_cast<std::size_t>(slot)];
-    TakeGenome(in, s.genome, s.fitness, space_.shape.Genes());
-    const std::uint64_t generation = in.Take(32);
-    if (generation > static_cast<std::uint64_t>(Budget(slot)) || (generation > 0 && s.genome.empty())) {
+    Slot& s = read.slots_[static_cast<std::size_t>(slot)];
+    const bool good = TakeGenome(in, s.genome, s.fitness, space_.shape.Genes());
+    const auto generation = static_cast<std::int64_t>(in.Take(32));
+    if (in.Overrun()) return Fail(ErrorCode::kTruncated, "search", "the saved search ends too early");
+    if (!good || generation > read.Horizon(slot) || (generation > 0) == s.genome.empty()) {
       return Fail(ErrorCode::kOutOfRange, "search.slots[" + std::to_string(slot) + "]",
-                  "does not fit its budget");
+                  "is not a state of this search");
     }
     s.generation = static_cast<int>(generation);
   }
-  curve_.Load(in);
+  read.curve_.Load(in);
   if (in.Overrun()) return Fail(ErrorCode::kTruncated, "search", "the saved search ends too early");
+  if (!in.AtEnd()) return Fail(ErrorCode::kTrailing, "search", "the saved search goes on after its end");
+  *this = std::move(read);
   return {};
 }
 

@@ -43,14 +43,17 @@ void RandomSearch::Save(BitWriter& out) const {
 }
 
 Result<void> RandomSearch::Load(BitReader& in) {
+  RandomSearch read(settings_, space_);
   const auto evaluations = static_cast<std::int64_t>(in.Take(32));
-  if (evaluations > settings_.evaluations) {
-    return Fail(ErrorCode::kOutOfRange, "search.evaluations", "the saved search is past its budget");
-  }
-  evaluations_ = static_cast<int>(evaluations);
-  TakeGenome(in, best_, best_fitness_, space_.shape.Genes());
-  curve_.Load(in);
+  const bool good = TakeGenome(in, read.best_, read.best_fitness_, space_.shape.Genes());
+  read.curve_.Load(in);
   if (in.Overrun()) return Fail(ErrorCode::kTruncated, "search", "the saved search ends too early");
+  if (!in.AtEnd()) return Fail(ErrorCode::kTrailing, "search", "the saved search goes on after its end");
+  if (!good || evaluations > settings_.evaluations || (evaluations > 0) == read.best_.empty()) {
+    return Fail(ErrorCode::kOutOfRange, "search", "is not a state of this search");
+  }
+  read.evaluations_ = static_cast<int>(evaluations);
+  *this = std::move(read);
   return {};
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Searches over genomes, as ask/tell: a search hands out genomes and is told their fitness, in the order it
 // asked. So one evaluator serves them all, and a search can pause, resume, be cancelled and be tested without
-// physics. Results depend on the settings alone: never on how many genomes are asked for at a time, nor on
-// who evaluates them.
+// physics. What a finished search found depends on its settings alone: never on how many genomes are asked
+// for at a time, nor on who evaluates them. (On the way, the best may come from ahead of the serial order, so
+// a search that is stopped early can differ.)
 #pragma once
 
 #include <array>

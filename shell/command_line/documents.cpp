@@ -21,40 +21,52 @@ Result<Document> TheDocument(const Arguments& arguments) {
   return ReadDocument(arguments.Positional()[0]);
 }
 
-}  // namespace
-
-Result<void> HashCommand(Words words) {
-  static constexpr std::string_view kOptions[] = {"lanes"};
-  const auto arguments = Arguments::Parse(words, kOptions);
-  if (!arguments) return std::unexpected(arguments.error());
-  const auto document = TheDocument(*arguments);
-  if (!document) return std::unexpected(document.error());
-  const auto lanes = arguments->Integer("lanes", 0, 16, 0);
-  if (!lanes) return std::unexpected(lanes.error());
-  if (*lanes == 0) {
-    std::printf("%s\n", HashText(Simulate(*document).Hash()).c_str());
-    return {};
-  }
-  // The same motion by the searchers' evaluator, with so many lanes, in each of them.
-  const auto is_count = [&](int count) { return count == *lanes; };
-  if (std::ranges::none_of(Evaluator::kLaneCounts, is_count)) {
+/// The same motion by the searchers' evaluator, in each of its lanes in turn, strangers simulated in the
+/// others.
+Result<void> HashInLanes(const Document& document, int lanes) {
+  if (std::ranges::none_of(Evaluator::kLaneCounts, [&](int count) { return count == lanes; })) {
     return Fail(ErrorCode::kOutOfRange, "--lanes", "must be 1, 2, 4, 8 or 16");
   }
-  if (document->timeline.size() != 1) {
+  if (document.timeline.size() != 1) {
     return Fail(ErrorCode::kStructure, "--lanes", "needs a document with exactly one clip");
   }
   const Controller& controller =
-      document->controllers[static_cast<std::size_t>(document->timeline[0].controller)];
-  const std::vector<Genome> genomes(static_cast<std::size_t>(*lanes), controller.genes);
-  const auto results =
-      Evaluator(ReplayProblem(*document, controller), static_cast<int>(*lanes), true).Evaluate(genomes);
-  for (const Evaluation& result : results) {
-    if (result.trajectory_hash != results[0].trajectory_hash) {
+      document.controllers[static_cast<std::size_t>(document.timeline[0].controller)];
+  const Problem problem = ReplayProblem(document, controller);
+  const Evaluator evaluator(problem, lanes, true);
+  std::optional<std::uint64_t> hash;
+  for (std::size_t place = 0; place < static_cast<std::size_t>(lanes); ++place) {
+    std::vector<Genome> genomes;
+    for (std::uint64_t lane = 0; lane < static_cast<std::uint64_t>(lanes); ++lane) {
+      RandomStream random(place, lane, 0);
+      genomes.push_back(RandomGenome(problem.Shape(), problem.senses, Variation{}, random));
+    }
+    genomes[place] = controller.genes;
+    const std::uint64_t found = evaluator.Evaluate(genomes)[place].trajectory_hash;
+    if (hash.value_or(found) != found) {
       return Fail(ErrorCode::kStructure, "--lanes", "lanes disagree: this is a bug of Gaitsmith");
     }
+    hash = found;
   }
-  std::printf("%s\n", HashText(results[0].trajectory_hash).c_str());
+  std::printf("%s\n", HashText(*hash).c_str());
   return {};
+}
+
+}  // namespace
+
+Result<void> HashCommand(Words words) {
+  static constexpr std::string_view kOptions[] = {"lanes", "out"};
+  const auto arguments = Arguments::Parse(words, kOptions);
+  if (!arguments) return std::unexpected(arguments.error());
+  auto document = TheDocument(*arguments);
+  if (!document) return std::unexpected(document.error());
+  const auto lanes = arguments->Integer("lanes", 0, 16, 0);
+  if (!lanes) return std::unexpected(lanes.error());
+  if (*lanes != 0) return HashInLanes(*document, static_cast<int>(*lanes));
+  document->hash = Simulate(*document).Hash();
+  std::printf("%s\n", HashText(*document->hash).c_str());
+  if (!arguments->Has("out")) return {};
+  return WriteText(arguments->Last("out"), EncodeJson(*document));
 }
 
 Result<void> ValidateCommand(Words words) {

@@ -23,7 +23,7 @@ constexpr std::array<Command, 5> kCommands = {{
      "synthesize --figure F --task T --sense physical|timer=SECONDS --weight TERM=W\n"
      "             --search rgt|sphc --evaluations N --seed S --out DOC [--curve CSV] [--threads K]\n"
      "             [--rules N] [--duration SECONDS]"},
-    {"hash", gaitsmith::shell::HashCommand, "hash DOC [--lanes 1|2|4|8|16]"},
+    {"hash", gaitsmith::shell::HashCommand, "hash DOC [--lanes 1|2|4|8|16] [--out DOC]"},
     {"validate", gaitsmith::shell::ValidateCommand, "validate DOC"},
     {"link", gaitsmith::shell::LinkCommand, "link encode DOC | link decode LINK [--out DOC]"},
 }};

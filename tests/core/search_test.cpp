@@ -185,6 +185,19 @@ TEST_CASE("search: a damaged state is refused", "[search]") {
     const auto loaded = search->Load(cut);
     REQUIRE(!loaded);
     REQUIRE(loaded.error().code == ErrorCode::kTruncated);
+    auto longer = saved.Bytes();
+    longer.push_back(1);
+    BitReader trailing(longer);
+    REQUIRE(!search->Load(trailing));
+    // The first number counts reseedings or evaluations: neither can be this large.
+    auto impossible = saved.Bytes();
+    impossible[3] = 0x7f;
+    BitReader beyond(impossible);
+    REQUIRE(!search->Load(beyond));
+    // A refused state changes nothing: the search goes on as it was.
+    BitWriter after;
+    search->Save(after);
+    REQUIRE(after.Bytes() == saved.Bytes());
   }
 }
 
