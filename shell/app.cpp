@@ -46,7 +46,7 @@ bool App::Advance(double seconds) {
 int App::Panel(int panels) const { return std::clamp(session_.Doc().view.panel, 0, panels - 1); }
 
 void App::ChoosePanel(int panel) {
-  session_.Set([&](Document& d) { d.view.panel = panel; });
+  session_.SetView([&](View& view) { view.panel = panel; });
 }
 
 void App::Draw() {
@@ -142,7 +142,11 @@ void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
 }
 
 bool App::Take(const SDL_Event& event) {
-  if (event.type != SDL_KEYDOWN) return false;
+  // A key that repeats, and the keys of a number being typed, go on with what was begun.
+  const bool key_down = event.type == SDL_KEYDOWN;
+  const bool fresh_key = key_down && event.key.repeat == 0 && !ImGui::GetIO().WantTextInput;
+  if (fresh_key || event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_FINGERDOWN) session_.BeginGesture();
+  if (!key_down) return false;
   const SDL_Keysym key = event.key.keysym;
   const bool busy = ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
   if (busy) return false;

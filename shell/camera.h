@@ -4,6 +4,8 @@
 
 #include <imgui.h>
 
+#include <cmath>
+
 namespace gaitsmith::shell {
 
 struct Camera {
@@ -14,11 +16,19 @@ struct Camera {
   float sine = 0.0f;          // of the slope, uphill to the right
   float cosine = 1.0f;
 
-  /// Positions differ from left_m in double precision, so that nothing trembles a kilometre away.
+  /// Positions differ from left_m in double precision, so that nothing trembles a kilometre away. What is
+  /// astronomically far, or not a number, comes out far off the stage, where it may be drawn without harm.
   [[nodiscard]] ImVec2 ToScreen(double x_m, float y_m) const {
     const float along = static_cast<float>(x_m - left_m) * scale - pivot;
     const float above = y_m * scale;
-    return {origin.x + pivot + along * cosine - above * sine, origin.y - along * sine - above * cosine};
+    return {Bounded(origin.x + pivot + along * cosine - above * sine),
+            Bounded(origin.y - along * sine - above * cosine)};
+  }
+
+ private:
+  static float Bounded(float points) {
+    constexpr float kFar = 1e6f;
+    return std::fmax(-kFar, std::fmin(points, kFar));  // fmin prefers kFar to a NaN
   }
 };
 

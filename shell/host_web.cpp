@@ -115,7 +115,7 @@ std::string ApplyOptions(const JsonValue& options, Document& document, int& work
       document.search.seed = static_cast<std::uint32_t>(value.number);
     } else if (name == "workers" && number && value.number >= 1.0 && value.number <= 64.0) {
       workers = static_cast<int>(value.number);
-    } else if (name == "period" && number) {
+    } else if (name == "period" && number && std::abs(value.number) < 1e6) {
       document.senses.period_steps = static_cast<int>(std::lround(value.number / static_cast<double>(kStep)));
     } else {
       return "synthesize: unknown option or value: " + name;
@@ -167,6 +167,7 @@ EMSCRIPTEN_KEEPALIVE void gs_undo() {
 
 /// Of the next search. @param kind  0 physical, 1 timer
 EMSCRIPTEN_KEEPALIVE void gs_set_senses(int kind) {
+  TheSession().BeginGesture();
   TheSession().Set(
       [kind](Document& d) { d.senses.kind = kind == 1 ? SenseKind::kTimer : SenseKind::kPhysical; });
   ThePage().window->RequestFrame();
@@ -175,6 +176,7 @@ EMSCRIPTEN_KEEPALIVE void gs_set_senses(int kind) {
 /// @param options JSON object or empty text. @return an empty text or a sentence
 EMSCRIPTEN_KEEPALIVE const char* gs_synthesize(const char* options) {
   Session& session = TheSession();
+  session.BeginGesture();
   int workers = session.workers;
   std::string fault;
   if (options != nullptr && *options != '\0') {
@@ -199,7 +201,8 @@ EMSCRIPTEN_KEEPALIVE void gs_stop() {
 }
 
 /// @param state  0 idle, 1 running, 2 paused, 3 done, 4 stopped, 5 failed
-/// @param curve  pairs (evaluation, best);  @param genes the best genome, or none when it has not changed
+/// @param curve  pairs (evaluation, best), whose evaluations are exact to 2^24, enough for a curve
+/// @param genes the best genome, or none when it has not changed
 EMSCRIPTEN_KEEPALIVE void gs_search_progress(int state, int evaluations, int budget, double rate,
                                              double seconds_left, float best, const float* curve, int points,
                                              const std::uint16_t* genes, int gene_count) {
@@ -210,6 +213,7 @@ EMSCRIPTEN_KEEPALIVE void gs_search_progress(int state, int evaluations, int bud
                           .seconds_left = seconds_left,
                           .workers = TheSession().workers,
                           .best_fitness = best};
+  progress.curve.reserve(static_cast<std::size_t>(std::max(points, 0)));
   for (int i = 0; i < points; ++i)
     progress.curve.push_back({static_cast<int>(curve[2 * i]), curve[2 * i + 1]});
   if (gene_count > 0) progress.best_genome.assign(genes, genes + gene_count);

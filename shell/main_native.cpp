@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -64,12 +65,14 @@ class Desktop {
 
   void Open(const std::string& what) {
     std::string text = what;
-    if (std::ifstream file(what, std::ios::binary); file) {
-      text.assign(std::istreambuf_iterator<char>(file), {});
-      path_ = what;
-    }
+    std::ifstream file(what, std::ios::binary);
+    if (file) text.assign(std::istreambuf_iterator<char>(file), {});
     if (const auto opened = app_.State().Open(text); !opened)
-      Tell("Cannot open: " + opened.error().Sentence());
+      return Tell("Cannot open: " + opened.error().Sentence());
+    // A file that holds a link stays a link; what is saved later gets a file of its own.
+    const auto first = text.find_first_not_of(" \t\r\n");
+    const bool document = file && first != std::string::npos && text[first] == '{';
+    path_ = document ? what : "";
   }
 
   bool Take(const SDL_Event& event) {
@@ -102,10 +105,21 @@ class Desktop {
 
  private:
   bool Save() {
-    std::ofstream file(path_, std::ios::binary);
+    const std::string path = path_.empty() ? FreePath() : path_;
+    std::ofstream file(path, std::ios::binary);
     file << EncodeJson(app_.State().WithHash());
-    Tell(file.good() ? "Saved as " + path_ + "." : "Cannot write " + path_ + ".");
+    file.close();
+    if (file.good()) path_ = path;
+    Tell(file.good() ? "Saved as " + path + "." : "Cannot write " + path + ".");
     return true;
+  }
+  // gaitsmith.json, gaitsmith-2.json...: whatever would not overwrite anything.
+  static std::string FreePath() {
+    std::string path = "gaitsmith.json";
+    std::error_code fault;
+    for (int number = 2; std::filesystem::exists(path, fault); ++number)
+      path = "gaitsmith-" + std::to_string(number) + ".json";
+    return path;
   }
   void Tell(const std::string& sentence) {
     app_.State().notice = sentence;
@@ -115,7 +129,7 @@ class Desktop {
   Window& window_;
   NativeHost host_;
   App app_;
-  std::string path_ = "gaitsmith.json";
+  std::string path_;  // where to save; empty until a document is opened or saved
   std::string title_;
 };
 
@@ -136,7 +150,7 @@ int Run(int count, char** words) {
   Desktop desktop(*window);
   if (!arguments.document.empty()) desktop.Open(arguments.document);
   if (arguments.panel >= 0)
-    desktop.Application().State().Set([&](Document& d) { d.view.panel = arguments.panel; });
+    desktop.Application().State().SetView([&](View& view) { view.panel = arguments.panel; });
 
   auto before = std::chrono::steady_clock::now();
   const Window::EventFilter filter = [&](const SDL_Event& event) { return desktop.Take(event); };

@@ -130,7 +130,6 @@ void UseBoard(Ui& ui, Session& session, FigurePanelState& state) {
     if (state.endpoint >= 0) {
       state.scale = board.scale;
       state.anchor = board.canvas[state.endpoint == 0 ? 1 : 0];
-      session.Remember();
     } else {
       state.rod = RodAt(board, pointer, near);
     }
@@ -206,7 +205,6 @@ void EditRod(Ui& ui, Session& session, FigurePanelState& state) {
   if (ui.Button("figure/delete", row,
                 root ? "The root carries all others" : "Delete this rod and what hangs on it",
                 ButtonLook::kOutlined, !root)) {
-    session.Remember();
     Figure rest = WithoutRod(figure, state.rod);
     rest.name = kOwnName;
     session.ReplaceFigure(rest);

@@ -79,12 +79,12 @@ void DrawCurve(Ui& ui, const Session& session) {
   std::vector<PlotPoint> points;
   points.reserve(progress.curve.size() + 1);
   for (const Search::CurvePoint& point : progress.curve) {
-    points.push_back(
-        {static_cast<double>(point.evaluation), static_cast<double>(std::max(point.best, -1e3f))});
+    if (point.best <= kVoidScore / 2.0f) continue;
+    points.push_back({static_cast<double>(point.evaluation), static_cast<double>(point.best)});
   }
   if (!points.empty()) points.push_back({static_cast<double>(progress.evaluations), points.back().y});
   const PlotSeries series{.name = "best so far", .points = points, .colour = ui.Ink().good};
-  const std::string best = progress.curve.empty() ? "none yet" : Fixed(progress.best_fitness, 2);
+  const std::string best = points.empty() ? "none yet" : Fixed(progress.best_fitness, 2);
   const ImRect head = ui.Row(24.0f);
   ui.Letters().Draw(ui.Canvas(), Type::kStrong, {head.Min.x, head.GetCenter().y}, ui.Ink().ink,
                     "Best so far");

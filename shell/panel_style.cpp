@@ -94,11 +94,11 @@ void DrawStylePanel(Ui& ui, Session& session) {
   bool poses = session.Doc().view.poses;
   bool trail = session.Doc().view.trail;
   bool forces = session.Doc().view.forces;
-  if (ui.Switch("view/poses", "Past poses", poses)) session.Set([&](Document& d) { d.view.poses = poses; });
+  if (ui.Switch("view/poses", "Past poses", poses)) session.SetView([&](View& v) { v.poses = poses; });
   if (ui.Switch("view/trail", "Path of the centre of mass", trail))
-    session.Set([&](Document& d) { d.view.trail = trail; });
+    session.SetView([&](View& v) { v.trail = trail; });
   if (ui.Switch("view/forces", "Contact forces", forces))
-    session.Set([&](Document& d) { d.view.forces = forces; });
+    session.SetView([&](View& v) { v.forces = forces; });
 }
 
 }  // namespace gaitsmith::shell

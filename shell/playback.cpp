@@ -67,6 +67,7 @@ std::vector<Playback::Point> Playback::EndpointsAt(double time_s) const {
   const int next = std::min(frame + 1, motion_->Frames() - 1);
   const Point centre = CentreAt(time_s);
   std::vector<Point> points;
+  points.reserve(static_cast<std::size_t>(motion_->Bones().endpoints));
   for (int k = 0; k < motion_->Bones().endpoints; ++k) {
     const Motion::Point a = motion_->Endpoint(frame, k);
     const Motion::Point b = motion_->Endpoint(next, k);
@@ -85,6 +86,9 @@ double Playback::CameraXAt(double time_s) const {
 }
 
 void Playback::Measure() {
+  // A motion that explodes must neither shrink its figure to nothing nor take infinite numbers to the stage.
+  constexpr float kFarthest = 1000.0f;
+  constexpr float kMostReaches = 50.0f;
   reach_m_ = 0.05f;
   height_m_ = 0.05f;
   for (int frame = 0; frame < motion_->Frames(); frame += 5) {
@@ -94,6 +98,8 @@ void Playback::Measure() {
       height_m_ = std::max(height_m_, motion_->At(frame).y_m + p.y);
     }
   }
+  reach_m_ = std::min(reach_m_, kFarthest);
+  height_m_ = std::min(height_m_, kMostReaches * reach_m_);
 }
 
 void Playback::FindRuns() {
@@ -141,6 +147,7 @@ void Playback::SmoothCamera() {
     sums[i + 1] = sums[i] + motion_->At(frame).x_m;
   }
   camera_x_m_.clear();
+  camera_x_m_.reserve(static_cast<std::size_t>(frames));
   for (int frame = 0; frame < frames; ++frame) {
     const int low = std::max(0, frame - window);
     const int high = std::min(frames, frame + window + 1);

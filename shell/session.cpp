@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/document/binary.h"
 #include "core/document/json.h"
 #include "core/document/link.h"
 #include "core/numeric/scalar_math.h"
@@ -63,6 +64,8 @@ bool SameRods(const Figure& a, const Figure& b) {
   return true;
 }
 
+bool Same(const Document& a, const Document& b) { return EncodeBinary(a) == EncodeBinary(b); }
+
 }  // namespace
 
 std::string SenseWords(const SenseSpec& senses) {
@@ -100,8 +103,10 @@ Result<void> Session::Open(std::string_view text) {
   const bool json = first != std::string_view::npos && text[first] == '{';
   auto document = json ? DecodeJson(text) : DecodeLink(text);
   if (!document) return std::unexpected(document.error());
-  Stop();
-  remembered_ = document_;
+  AbandonSearch();
+  BeginGesture();
+  Remember();
+  BeginGesture();
   progress_ = {};
   selected_clip_ = 0;
   player.speed = static_cast<double>(document->view.speed);
@@ -134,51 +139,75 @@ void Session::Show(Document document, bool start_over) {
   host_.DocumentChanged(document_.title);
 }
 
-bool Session::Change(const Edit& edit) {
+void Session::Remember() {
+  if (remembered_gesture_ == gesture_) return;
+  remembered_ = document_;
+  remembered_gesture_ = gesture_;
+}
+
+std::optional<Document> Session::Edited(const Edit& edit) {
   Document next = document_;
   edit(next);
   if (const auto valid = Validate(next); !valid) {
     Say("Not possible: " + valid.error().Sentence() + ".");
-    return false;
+    return std::nullopt;
   }
+  return next;
+}
+
+bool Session::Change(const Edit& edit) {
+  auto next = Edited(edit);
+  if (!next) return false;
   notice.clear();
-  next.hash.reset();
-  Show(std::move(next), false);
+  if (Same(*next, document_)) return true;
+  Remember();
+  next->hash.reset();
+  Show(std::move(*next), false);
   return true;
 }
 
 bool Session::Set(const Edit& edit) {
-  Document next = document_;
-  edit(next);
-  if (const auto valid = Validate(next); !valid) {
-    Say("Not possible: " + valid.error().Sentence() + ".");
-    return false;
-  }
-  document_ = std::move(next);
+  auto next = Edited(edit);
+  if (!next) return false;
+  if (Same(*next, document_)) return true;
+  Remember();
+  document_ = std::move(*next);
   host_.DocumentChanged(document_.title);
   return true;
 }
 
+void Session::SetView(const std::function<void(View&)>& edit) {
+  auto next = Edited([&](Document& d) { edit(d.view); });
+  if (!next) return;
+  document_ = std::move(*next);
+  host_.DocumentChanged(document_.title);
+}
+
 void Session::Undo() {
   if (!remembered_) return;
-  Stop();
+  AbandonSearch();
   // Undoing twice brings the change back.
   Document present = std::move(document_);
+  remembered_->view = present.view;
   Show(std::move(*remembered_), true);
   remembered_ = std::move(present);
+  BeginGesture();
   notice.clear();
   host_.Status("Undone.");
 }
 
 bool Session::ReplaceFigure(const Figure& figure) {
   const bool fits = SameRods(figure, document_.figure);
-  const bool loses = !fits && !document_.controllers.empty();
-  Stop();  // it looks for motions of the figure as it was
-  const bool changed = Change([&](Document& d) {
+  const Edit edit = [&](Document& d) {
     d.figure = figure;
-    if (fits) return;
-    Strip(d);
-  });
+    if (!fits) Strip(d);
+  };
+  const auto next = Edited(edit);
+  if (!next) return false;
+  if (Same(*next, document_)) return true;
+  AbandonSearch();  // it looks for motions of the figure as it was
+  const bool loses = !fits && !document_.controllers.empty();
+  const bool changed = Change(edit);
   if (changed && loses) {
     progress_ = {};
     Say("The controllers were made for the figure as it was, so they are gone. Undo brings them back.");
@@ -188,16 +217,15 @@ bool Session::ReplaceFigure(const Figure& figure) {
 
 void Session::ChooseFigure(int index) {
   const Figure& figure = figures_[static_cast<std::size_t>(index)];
-  Stop();
-  Remember();
+  AbandonSearch();
   // A shipped motion of this figure is better than one that stands still.
   for (const Example& example : ExampleDocuments()) {
     auto document = DecodeJson(example.json);
     if (!document || document->figure.name != figure.name || document->controllers.empty()) continue;
-    const View view = document_.view;
+    Remember();
+    document->view = document_.view;
     selected_clip_ = 0;
     Show(std::move(*document), true);
-    Set([&](Document& d) { d.view = view; });
     progress_ = {};
     Say(figure.name + " with a shipped motion. Undo brings the last figure back.");
     return;
@@ -226,7 +254,6 @@ const Controller* Session::ShownController() const {
 
 void Session::AddClip() {
   if (document_.timeline.empty()) return;
-  Remember();
   const int start = document_.duration_steps;
   const bool added = Change([&](Document& d) {
     d.timeline.push_back({d.timeline[static_cast<std::size_t>(selected_clip_)].controller, start});
@@ -237,9 +264,9 @@ void Session::AddClip() {
 
 void Session::RemoveClip() {
   if (document_.timeline.size() < 2) return;
-  Remember();
   const int clip = selected_clip_;
-  Change([&](Document& d) {
+  if (clip == searched_clip_) AbandonSearch();
+  const bool removed = Change([&](Document& d) {
     const bool last = clip + 1 == static_cast<int>(d.timeline.size());
     if (last) d.duration_steps = d.timeline.back().start_step;
     const int start = d.timeline[static_cast<std::size_t>(clip)].start_step;
@@ -248,6 +275,7 @@ void Session::RemoveClip() {
     if (!last) d.timeline[static_cast<std::size_t>(clip)].start_step = start;
     d.timeline.front().start_step = 0;
   });
+  if (removed && searched_clip_ > clip) --searched_clip_;
 }
 
 void Session::MoveClip(int clip, int start_step) {

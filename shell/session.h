@@ -31,10 +31,13 @@ class Session {
   /// Changes something that the motion depends on. An invalid result is refused with a sentence for the
   /// reader.
   bool Change(const Edit& edit);
-  /// Changes settings of the next search or of the view, which the motion does not depend on.
+  /// Changes settings of the next search, which the motion does not depend on.
   bool Set(const Edit& edit);
-  /// Keeps the present document for Undo; call before a change, or once before a dragged one.
-  void Remember() { remembered_ = document_; }
+  /// Changes what is shown and how, which Undo leaves alone.
+  void SetView(const std::function<void(View&)>& edit);
+  /// The person (or a script) begins to do something new: a press, a key. The first change after it keeps the
+  /// document as it was for Undo, so that a whole drag is undone at once.
+  void BeginGesture() { ++gesture_; }
   [[nodiscard]] bool CanUndo() const { return remembered_.has_value(); }
   void Undo();
 
@@ -77,16 +80,24 @@ class Session {
  private:
   void Show(Document document, bool start_over);
   void Say(std::string sentence);
+  void Remember();
+  /// The present document after an edit, or nothing and a sentence when that is invalid.
+  [[nodiscard]] std::optional<Document> Edited(const Edit& edit);
+  /// Ends the search for good: what it still reports belongs to a document that is no longer here.
+  void AbandonSearch();
   void PutController(Controller controller);
 
   Host& host_;
   Document document_;  // its hash: as its maker saw it, until something that the motion depends on changes
   bool differs_from_maker_ = false;
   std::optional<Document> remembered_;
+  int gesture_ = 1;
+  int remembered_gesture_ = 0;  // the one that `remembered_` was kept in
   std::vector<Figure> figures_;
   int selected_clip_ = 0;
   SearchProgress progress_;
-  std::optional<Document> searched_;  // the document as it was when the search began
+  std::optional<Document> searched_;  // the document as it was when the search began; empty: none is wanted
+  int searched_clip_ = 0;             // the clip that it improves
   Genome improvement_;                // found, not shown yet
   double shown_for_s_ = 0.0;
 };

@@ -12,6 +12,7 @@ void Session::Synthesize() {
   Remember();
   notice.clear();
   searched_ = document_;
+  searched_clip_ = selected_clip_;
   progress_ = {.state = SearchState::kRunning,
                .budget = document_.search.evaluations,
                .workers = workers,
@@ -29,8 +30,14 @@ void Session::Stop() {
   ShowImprovement(1e9);
 }
 
+void Session::AbandonSearch() {
+  Stop();
+  searched_.reset();
+  improvement_.clear();
+}
+
 void Session::OnSearchProgress(SearchProgress progress) {
-  if (!searched_) return;
+  if (!searched_) return;  // of a search that was stopped before its document went away
   const bool ended = progress.state == SearchState::kDone || progress.state == SearchState::kStopped ||
                      progress.state == SearchState::kFailed;
   if (!progress.best_genome.empty() && progress.best_genome != progress_.best_genome) {
@@ -42,6 +49,7 @@ void Session::OnSearchProgress(SearchProgress progress) {
   progress_ = std::move(progress);
   if (!ended) return;
   ShowImprovement(1e9);
+  searched_.reset();
   if (!first_end) return;
   if (progress_.state == SearchState::kFailed) {
     Say("The search failed.");
@@ -58,10 +66,8 @@ bool Session::ShowImprovement(double seconds) {
   shown_for_s_ += seconds;
   if (improvement_.empty() || shown_for_s_ < kShortestShow || !searched_) return false;
   shown_for_s_ = 0.0;
-  const bool fits = searched_->figure.rods.size() == document_.figure.rods.size();
   Genome genes = std::move(improvement_);
   improvement_.clear();
-  if (!fits) return false;
   const SearchSettings& search = searched_->search;
   PutController({.name = search.algorithm == Algorithm::kSphc ? "SPHC, seed " + std::to_string(search.seed)
                                                               : "RG&T, seed " + std::to_string(search.seed),
@@ -71,24 +77,32 @@ bool Session::ShowImprovement(double seconds) {
   return true;
 }
 
-// Gives the selected clip this controller; other clips keep theirs, and controllers that nobody uses any more
+// Gives the searched clip this controller; other clips keep theirs, and controllers that nobody uses any more
 // go.
 void Session::PutController(Controller controller) {
   const bool first = document_.timeline.empty();
-  Change([&](Document& d) {
+  auto next = Edited([&](Document& d) {
     d.controllers.push_back(std::move(controller));
     const int added = static_cast<int>(d.controllers.size()) - 1;
     if (d.timeline.empty()) d.timeline.push_back({0, 0});
-    d.timeline[static_cast<std::size_t>(selected_clip_)].controller = added;
+    const int clip = std::clamp(searched_clip_, 0, static_cast<int>(d.timeline.size()) - 1);
+    d.timeline[static_cast<std::size_t>(clip)].controller = added;
     if (d.timeline.size() == 1) d.duration_steps = searched_->task.duration_steps;
     for (int c = added; c >= 0; --c) {
-      if (std::ranges::any_of(d.timeline, [c](const Clip& clip) { return clip.controller == c; })) continue;
+      if (std::ranges::any_of(d.timeline, [c](const Clip& one) { return one.controller == c; })) continue;
       d.controllers.erase(d.controllers.begin() + c);
-      for (Clip& clip : d.timeline) clip.controller -= clip.controller > c ? 1 : 0;
+      for (Clip& one : d.timeline) one.controller -= one.controller > c ? 1 : 0;
     }
-    d.title = d.figure.name + " · " + TaskWords(searched_->task.kind) + ", " + SenseWords(searched_->senses) +
-              ", seed " + std::to_string(searched_->search.seed);
+    const std::string how = " · " + TaskWords(searched_->task.kind) + ", " + SenseWords(searched_->senses) +
+                            ", seed " + std::to_string(searched_->search.seed);
+    d.title = Shortened(d.figure.name, kMaxNameBytes - how.size()) + how;
   });
+  if (!next) return;
+  notice.clear();
+  next->hash.reset();
+  Show(std::move(*next), false);
+  // What was found in the middle of a drag must not be lost by undoing the drag.
+  BeginGesture();
   if (first) player.Seek(0.0);
 }
 

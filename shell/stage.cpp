@@ -13,6 +13,7 @@ namespace gaitsmith::shell {
 namespace {
 
 constexpr int kPosesShown = 5;
+constexpr int kTicksInReach = 120;  // on the stage and as far again to either side, where a slope shows them
 
 struct Scene {
   Ui& ui;
@@ -37,8 +38,9 @@ Camera AimCamera(const Session& session, const ImRect& rect, float ground_y) {
   // The side it comes from gets more of the stage, since that is where its past stands.
   const double width_m = static_cast<double>(rect.GetWidth() / camera.scale);
   const double margin_m = 1.35 * static_cast<double>(reach);
-  const double x = player.CameraXAt(player.TimeS());
-  const double end_m = player.Shown().At(player.Shown().Frames() - 1).x_m;
+  const auto finite = [](double metres) { return std::isfinite(metres) ? metres : 0.0; };
+  const double x = finite(player.CameraXAt(player.TimeS()));
+  const double end_m = finite(player.Shown().At(player.Shown().Frames() - 1).x_m);
   if (std::abs(end_m) < margin_m) {
     camera.left_m = x - 0.5 * width_m;
   } else if (end_m < 0.0) {
@@ -65,19 +67,25 @@ void DrawGround(const Scene& s) {
   const ImVec2 corners[] = {left, right, {right.x, below}, {left.x, below}};
   s.list->AddConvexPolyFilled(corners, 4, p.ground);
 
-  // A tick every metre, or every 2, 5, 10... where they would crowd.
-  int spacing = 1;
-  for (int grow = 0; static_cast<float>(spacing) * s.camera.scale < 44.0f; ++grow) {
-    spacing = grow % 3 == 1 ? spacing / 2 * 5 : spacing * 2;
-  }
-  for (auto m = static_cast<long long>(std::floor(first)); static_cast<double>(m) < last; ++m) {
-    if (m % spacing != 0) continue;
-    ImVec2 at = s.camera.ToScreen(static_cast<double>(m), 0.0f);
+  // A tick every metre, or every 2, 5, 10... where they would crowd. Counted from the first, since a metre
+  // may be too little to change a number.
+  const auto label_of = [](double metres) {
+    return (metres < 0.0 ? "−" : "") + Fixed(std::abs(metres), 0) + " m";
+  };
+  const float label_width = s.ui.Letters().Width(Type::kSmall, label_of(std::min(first, -last)));
+  const double crowded_m = static_cast<double>(std::max(44.0f, label_width + 8.0f) / s.camera.scale);
+  const double least_m = std::max(crowded_m, (last - first) / kTicksInReach);
+  double spacing = 1.0;
+  for (int grow = 0; spacing < least_m; ++grow) spacing *= grow % 3 == 1 ? 2.5 : 2.0;
+  const double first_tick = std::ceil(first / spacing) * spacing;
+  for (int tick = 0; tick <= kTicksInReach; ++tick) {
+    const double metres = first_tick + tick * spacing;
+    const ImVec2 at = s.camera.ToScreen(metres, 0.0f);
     if (at.x < s.rect.Min.x - 30.0f || at.x > s.rect.Max.x + 30.0f) continue;
     const ImVec2 foot(at.x + 7.0f * s.camera.sine, at.y + 7.0f * s.camera.cosine);
     s.list->AddLine(at, foot, p.second_ink);
     const ImVec2 text(at.x + 19.0f * s.camera.sine, at.y + 19.0f * s.camera.cosine);
-    const std::string label = (m < 0 ? "−" : "") + std::to_string(std::abs(m)) + " m";
+    const std::string label = label_of(metres);
     // Cut at the edge, "−1 m" would read "1 m".
     const float half = 0.5f * s.ui.Letters().Width(Type::kSmall, label) + 2.0f;
     if (text.x - half < s.rect.Min.x || text.x + half > s.rect.Max.x) continue;
@@ -87,9 +95,10 @@ void DrawGround(const Scene& s) {
 }
 
 std::vector<ImVec2> OnScreen(const Scene& s, double time_s) {
+  const std::vector<Playback::Point> metres = s.player.EndpointsAt(time_s);
   std::vector<ImVec2> points;
-  for (const Playback::Point& point : s.player.EndpointsAt(time_s))
-    points.push_back(s.camera.ToScreen(point.x_m, point.y_m));
+  points.reserve(metres.size());
+  for (const Playback::Point& point : metres) points.push_back(s.camera.ToScreen(point.x_m, point.y_m));
   return points;
 }
 
@@ -146,21 +155,28 @@ Past DrawPast(const Scene& s) {
   return {oldest * static_cast<double>(motion.StepS()), past.back() + 1};
 }
 
-// The path of the centre of mass as dots of equal distance.
+// The path of the centre of mass as dots of equal distance, where they can be seen.
 void DrawTrail(const Scene& s, double from_s) {
   constexpr float kSpacing = 7.0f;
   const Motion& motion = s.player.Shown();
   const int last = s.player.Frame();
+  const float diagonal = std::hypot(s.rect.GetWidth(), s.rect.GetHeight());
   ImVec2 before = s.camera.ToScreen(motion.At(last).x_m, motion.At(last).y_m);
   float due = kSpacing;
   for (int frame = last - 1; frame >= static_cast<int>(from_s / static_cast<double>(motion.StepS()));
        --frame) {
     const ImVec2 point = s.camera.ToScreen(motion.At(frame).x_m, motion.At(frame).y_m);
     float length = std::hypot(point.x - before.x, point.y - before.y);
+    // Between two frames it crossed the whole stage: no eye could follow.
+    if (length > diagonal) {
+      before = point;
+      due = kSpacing;
+      continue;
+    }
     while (length >= due) {
       const float share = due / length;
       before = {before.x + (point.x - before.x) * share, before.y + (point.y - before.y) * share};
-      s.list->AddCircleFilled(before, 0.95f, s.ui.Ink().second_ink, 8);
+      if (s.rect.Contains(before)) s.list->AddCircleFilled(before, 0.95f, s.ui.Ink().second_ink, 8);
       length -= due;
       due = kSpacing;
     }
@@ -176,7 +192,7 @@ void DrawForces(const Scene& s, const std::vector<ImVec2>& endpoints) {
   for (int k = 0; k < motion.Bones().endpoints; ++k) {
     const Motion::Point force = motion.Force(s.player.Frame(), k);
     const float size = std::hypot(force.x, force.y) / weight;
-    if (size < 0.02f) continue;
+    if (!(size >= 0.02f) || !std::isfinite(size)) continue;
     const float length = unit * std::min(size, 2.2f);
     const float x = force.x / (size * weight) * length;
     const float y = force.y / (size * weight) * length;

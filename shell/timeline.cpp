@@ -71,7 +71,6 @@ void DrawSwitchPoint(Ui& ui, Session& session, const Band& band, std::size_t ind
                                .role = "slider",
                                .value = Fixed(static_cast<float>(start) * kStep, 2) + " s"});
   if (touch.hovered || touch.held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-  if (touch.began || touch.steps != 0) session.Remember();
   if (touch.held && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 2.0f)) {
     session.MoveClip(static_cast<int>(index), band.StepAt(ImGui::GetIO().MousePos.x + 2.0f));
   }

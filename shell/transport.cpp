@@ -100,7 +100,7 @@ void DrawTransport(Ui& ui, Session& session, const ImRect& rect) {
   }
   if (ui.Button("transport/speed", speed_box, kSpeeds[speed].label)) {
     player.speed = kSpeeds[(speed + 1) % kSpeeds.size()].value;
-    session.Set([&](Document& d) { d.view.speed = static_cast<float>(player.speed); });
+    session.SetView([&](View& view) { view.speed = static_cast<float>(player.speed); });
   }
 }
 

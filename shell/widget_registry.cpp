@@ -5,6 +5,8 @@
 
 #include <cstdio>
 
+#include "core/document/json_value.h"
+
 namespace gaitsmith::shell {
 namespace {
 
@@ -44,9 +46,8 @@ std::string WidgetRegistry::Json() const {
   std::string json = "[";
   for (const Widget& widget : widgets_) {
     if (json.size() > 1) json += ",\n";
-    json += "{\"id\":" + JsonString(widget.id) + ",\"label\":" + JsonString(widget.label) +
-            ",\"role\":" + JsonString(widget.role) + ",\"value\":" + JsonString(widget.value) +
-            ",\"state\":{";
+    json += "{\"id\":" + QuoteJson(widget.id) + ",\"label\":" + QuoteJson(widget.label) +
+            ",\"role\":" + QuoteJson(widget.role) + ",\"value\":" + QuoteJson(widget.value) + ",\"state\":{";
     AppendFlag(json, "focused", widget.state.focused);
     AppendFlag(json, "disabled", widget.state.disabled);
     AppendFlag(json, "pressed", widget.state.pressed);
@@ -60,23 +61,6 @@ std::string WidgetRegistry::Json() const {
     json += rect;
   }
   return json + "]";
-}
-
-std::string JsonString(std::string_view text) {
-  std::string json = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      json += '\\';
-      json += c;
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(static_cast<unsigned char>(c)));
-      json += escape;
-    } else {
-      json += c;
-    }
-  }
-  return json + '"';
 }
 
 }  // namespace gaitsmith::shell

@@ -53,7 +53,4 @@ class WidgetRegistry {
   std::vector<Widget> widgets_;
 };
 
-/// JSON string literal of a text, quotes included.
-[[nodiscard]] std::string JsonString(std::string_view);
-
 }  // namespace gaitsmith::shell

@@ -34,4 +34,13 @@ std::string Duration(double seconds) {
   return Grouped((whole + 1800) / 3600) + " h";
 }
 
+std::string Shortened(const std::string& text, std::size_t bytes) {
+  static const std::string kEllipsis = "…";
+  if (text.size() <= bytes) return text;
+  std::size_t end = bytes - kEllipsis.size();
+  // Bytes 10xxxxxx continue a character.
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0u) == 0x80u) --end;
+  return text.substr(0, end) + kEllipsis;
+}
+
 }  // namespace gaitsmith::shell

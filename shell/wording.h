@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Numbers as people read them. (Our compilers' standard library has no std::format yet.)
+// Numbers and names as people read them. (Our compilers' standard library has no std::format yet.)
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace gaitsmith::shell {
@@ -12,5 +13,7 @@ namespace gaitsmith::shell {
 [[nodiscard]] std::string Grouped(long long value);
 /// "2 s", "1 min 20 s", "3 h"
 [[nodiscard]] std::string Duration(double seconds);
+/// At most so many bytes of UTF-8 text, at least 3; what is cut off leaves an ellipsis.
+[[nodiscard]] std::string Shortened(const std::string& text, std::size_t bytes);
 
 }  // namespace gaitsmith::shell

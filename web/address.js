@@ -9,6 +9,11 @@ const REST_MS = 600;
 
 export class Address {
   #read = false;
+  /**
+   * What the address held when it was opened, and that document's link as it is written here. While it is the
+   * present document the address stays as it was: it may hold the hash of a motion that looks different here.
+   */
+  #opened = { payload: '', link: '' };
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #timer;
 
@@ -28,6 +33,7 @@ export class Address {
     const payload = location.hash.slice(1);
     if (payload === '' || payload === this.app.link()) return;
     const fault = this.app.open(payload);
+    if (!fault) this.#opened = { payload, link: this.app.link() };
     banner(fault && `This link was not opened: ${sentence(fault)} Please copy the whole link again; what is shown here is not what it held.`);
   }
 
@@ -38,7 +44,10 @@ export class Address {
     this.#timer = setTimeout(() => (this.busy() ? this.changed() : this.write()), REST_MS);
   }
 
-  write() { history.replaceState(null, '', this.link()); }
+  write() {
+    const { payload, link } = this.#opened;
+    history.replaceState(null, '', this.app.link() === link ? `#${payload}` : this.link());
+  }
 }
 
 /** Core's sentence with a full stop. @param {string} fault */

@@ -51,23 +51,13 @@ export class Gaitsmith extends EventTarget {
   /**
    * Searches a motion for the present document; one that runs is stopped first.
    * @param {SynthesizeOptions} [options]
-   * @returns {Promise<SearchResult>} when the search is done or was stopped
+   * @returns {Promise<SearchResult>} when this search is done or was stopped, be it by the next one
    */
-  synthesize(options = {}) {
-    return new Promise((resolve, reject) => {
-      const { app, searches } = this.#need();
-      const fault = app.synthesize(options);
-      if (fault) throw new Error(fault);
-      const ended = new AbortController();
-      searches.addEventListener('done', (event) => {
-        ended.abort();
-        resolve(this.#result(/** @type {CustomEvent<SearchReport>} */ (event).detail));
-      }, { signal: ended.signal });
-      searches.addEventListener('error', (event) => {
-        ended.abort();
-        reject(/** @type {CustomEvent<Error>} */ (event).detail);
-      }, { signal: ended.signal });
-    });
+  async synthesize(options = {}) {
+    const { app, searches } = this.#need();
+    const fault = app.synthesize(options);
+    if (fault) throw new Error(fault);
+    return this.#result(await searches.ended);
   }
 
   pause() { this.#need().app.pause(); }

@@ -173,14 +173,19 @@ GS_EXPORT std::size_t gs_search_ask(SearchRole* role, int wanted) {
 }
 GS_EXPORT const Gene* gs_search_genomes(const SearchRole* role) { return role->genomes.data(); }
 
-/// Takes the fitness of each genome of the last ask, in its order, as floats from the input area.
+/// Takes the fitness of each genome of the last ask, in its order, as floats from the input area. Each ask is
+/// answered once.
 GS_EXPORT bool gs_search_tell(SearchRole* role, std::size_t count) {
+  if (role->asked == 0) {
+    Note({ErrorCode::kStructure, "fitness", "was not asked for"});
+    return false;
+  }
   if (count != role->asked || input.size() < count * sizeof(float)) {
     Note({ErrorCode::kStructure, "fitness", "must be one number for every genome asked"});
     return false;
   }
-  role->search->Tell({reinterpret_cast<const float*>(input.data()), count});
   role->asked = 0;
+  role->search->Tell({reinterpret_cast<const float*>(input.data()), count});
   return true;
 }
 GS_EXPORT int gs_search_evaluations(const SearchRole* role) { return role->search->Evaluations(); }
@@ -207,8 +212,10 @@ GS_EXPORT const std::uint8_t* gs_search_save(SearchRole* role) {
 }
 GS_EXPORT std::size_t gs_search_saved_size(const SearchRole* role) { return role->saved.size(); }
 
-/// Continues from a saved state in the input area, which must come from the same document.
+/// Continues from a saved state in the input area, which must come from the same document. What was asked
+/// before is asked no more.
 GS_EXPORT bool gs_search_load(SearchRole* role, std::size_t size) {
+  role->asked = 0;
   BitReader in(std::span(input).first(size));
   const auto loaded = role->search->Load(in);
   if (!loaded) Note(loaded.error());

@@ -28,11 +28,14 @@ export class Engine {
    */
   static async load(compiled) {
     if (!compiled) return new Engine(await createEngine());
-    return new Engine(await createEngine({
-      instantiateWasm(imports, receive) {
-        WebAssembly.instantiate(compiled, imports).then((instance) => receive(instance, compiled));
-        return {};
-      },
+    return new Engine(await new Promise((resolve, reject) => {
+      createEngine({
+        instantiateWasm(imports, receive) {
+          // Emscripten waits for `receive` and would wait forever, e.g. when there is no memory left.
+          WebAssembly.instantiate(compiled, imports).then((instance) => receive(instance, compiled)).catch(reject);
+          return {};
+        },
+      }).then(resolve, reject);
     }));
   }
 
@@ -132,7 +135,7 @@ export class Search {
     return this.#genesAt(this.engine.module._gs_search_genomes(this.handle), count);
   }
 
-  /** @param {Float32Array} fitness  of each genome of the last ask */
+  /** Once for each ask. @param {Float32Array} fitness  of each genome of the last ask */
   tell(fitness) {
     this.engine.put(fitness);
     this.engine.orThrow(this.engine.module._gs_search_tell(this.handle, fitness.length));

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The page's side of a search: starts one coordinator and N evaluators, and replaces those that die. A dead
 // evaluator costs its slice, which is scored again; a dead coordinator costs what it did since its last
-// checkpoint. Neither changes the result.
+// checkpoint. Neither changes the result. A search that is being stopped is not worth replacing anyone: it ends with
+// what is known.
 import { EngineError } from './engine.js';
-import { unreachable } from './messages.js';
+import { NO_REPORT, unreachable } from './messages.js';
 
 /** @typedef {import('./messages.js').CoordinatorToPage} CoordinatorToPage */
 /** @typedef {import('./messages.js').EvaluatorToPage} EvaluatorToPage */
@@ -34,6 +35,8 @@ const TICK_MS = 1000;
 const COORDINATOR_SILENCE_MS = 5000;
 // Scripts may come over a slow line.
 const START_MS = 30000;
+// A coordinator that has not ended its search by then hangs.
+const STOP_MS = 2000;
 // More deaths than this without an evaluation in between are no accident.
 const MOST_DEATHS = 8;
 
@@ -44,6 +47,10 @@ export class SearchClient {
   #document = new Uint8Array();
   #workers = 1;
   #paused = false;
+  /** Runs from the wish to stop until the coordinator has done so. @type {ReturnType<typeof setTimeout> | null} */
+  #stopping = null;
+  /** The last report, completed with what those before it said. @type {SearchReport} */
+  #known = NO_REPORT;
   /** @type {{state: Uint8Array, evaluations: number} | null} */
   #checkpoint = null;
   #deaths = 0;
@@ -76,6 +83,7 @@ export class SearchClient {
     this.#document = document;
     this.#workers = Math.max(1, Math.floor(workers));
     this.#paused = false;
+    this.#known = NO_REPORT;
     this.#checkpoint = null;
     this.#deaths = 0;
     this.#evaluations = 0;
@@ -83,20 +91,30 @@ export class SearchClient {
   }
 
   pause() {
+    if (this.#stopping !== null) return;
     this.#paused = true;
     this.#send({ type: 'pause' });
   }
 
   resume() {
+    if (this.#stopping !== null) return;
     this.#paused = false;
     this.#send({ type: 'resume' });
   }
 
-  /** The last report comes with state 'stopped'. */
-  stop() { this.#send({ type: 'stop' }); }
+  /** The last report comes with state 'stopped', also from a crew that hangs or dies now. */
+  stop() {
+    if (!this.#crew || this.#stopping !== null) return;
+    this.#stopping = setTimeout(() => this.#stopped(), STOP_MS);
+    this.#send({ type: 'stop' });
+  }
 
-  /** Ends the workers at once, without a report. */
-  close() { this.#dismiss(); }
+  /** Ends the workers at once. @returns {SearchReport} what is known of their search, as of one that was stopped */
+  close() {
+    const known = this.#crew ? this.#known : NO_REPORT;
+    this.#dismiss();
+    return { ...known, state: 'stopped', rate: 0, secondsLeft: 0 };
+  }
 
   // The crew.
 
@@ -129,6 +147,8 @@ export class SearchClient {
 
   #dismiss() {
     clearInterval(this.#watch);
+    if (this.#stopping !== null) clearTimeout(this.#stopping);
+    this.#stopping = null;
     this.#crew?.coordinator.terminate();
     for (const { worker } of this.#crew?.evaluators.values() ?? []) worker.terminate();
     this.#crew = null;
@@ -175,6 +195,11 @@ export class SearchClient {
       case 'progress':
         if (message.report.evaluations > this.#evaluations) this.#deaths = 0;
         this.#evaluations = Math.max(this.#evaluations, message.report.evaluations);
+        this.#known = {
+          ...message.report,
+          bestGenome: message.report.bestGenome ?? this.#known.bestGenome,
+          curve: message.report.curve ?? this.#known.curve,
+        };
         this.listener.progress(message.report);
         break;
       case 'finished':
@@ -217,18 +242,26 @@ export class SearchClient {
     entry.worker.terminate();
     crew.evaluators.delete(evaluator);
     this.#send({ type: 'remove-evaluator', evaluator });
+    if (this.#stopping !== null) return;
     if (!this.#survives()) return;
     this.listener.incident('A search worker stopped; another one took over and repeats its work.');
     this.#addEvaluator(crew);
   }
 
   #coordinatorDied() {
+    if (this.#stopping !== null) {
+      this.#stopped();
+      return;
+    }
     this.#dismiss();
     if (!this.#survives()) return;
     const from = (this.#checkpoint?.evaluations ?? 0).toLocaleString('en');
     this.listener.incident(`The search's coordinator stopped; another one continues from evaluation ${from}.`);
     this.#hire();
   }
+
+  /** Ends a search whose coordinator cannot report its end. */
+  #stopped() { this.listener.progress(this.close()); }
 
   #survives() {
     if (++this.#deaths <= MOST_DEATHS) return true;

@@ -2,12 +2,15 @@
 // Searches as the page knows them: the application asks for one, workers run it, and application, status line and
 // listeners hear how far it is.
 import { SearchClient } from './search_client.js';
+import { NO_REPORT } from './messages.js';
 import { banner } from './dom.js';
 
 /** @typedef {import('./app.js').App} App */
 /** @typedef {import('./messages.js').SearchReport} SearchReport */
 
 const ALGORITHMS = /** @type {Record<string, string>} */ ({ sphc: 'SPHC', rgt: 'RG&T' });
+
+/** @typedef {{resolve: (report: SearchReport) => void, reject: (error: Error) => void}} End */
 
 /** Tells its listeners 'progress' (a SearchReport), 'done' (a SearchReport) and 'error' (an Error). */
 export class Searches extends EventTarget {
@@ -21,6 +24,10 @@ export class Searches extends EventTarget {
   /** What to do once the workers exist. @type {('pause' | 'resume' | 'stop')[]} */
   #later = [];
   searching = false;
+  /** How the search started last ends: done, stopped, or replaced by another. @type {Promise<SearchReport>} */
+  ended = Promise.resolve(NO_REPORT);
+  /** @type {End | null} */
+  #end = null;
 
   /** @param {App} app @param {import('./status_line.js').StatusLine} statusLine */
   constructor(app, statusLine) {
@@ -39,13 +46,15 @@ export class Searches extends EventTarget {
   /** @param {Uint8Array} document @param {number} workers */
   async start(document, workers) {
     const run = ++this.#run;
+    this.#end?.resolve(this.#client?.close() ?? { ...NO_REPORT, state: 'stopped' });
+    this.ended = new Promise((resolve, reject) => { this.#end = { resolve, reject }; });
+    this.ended.catch(() => {}); // the banner tells, even if nobody waits
     this.searching = true;
     this.#later = [];
     this.#curve = new Float32Array(0);
     this.#words = { ...wordsOf(this.app), workers };
     this.statusLine.say('');
-    this.#hear({ state: 'running', evaluations: 0, budget: 0, simulated: 0, rate: 0, secondsLeft: 0,
-      bestFitness: -Infinity, bestGenome: null, curve: null }, true);
+    this.#hear(NO_REPORT, true);
     try {
       const engine = await this.engine();
       if (run !== this.#run) return;
@@ -84,7 +93,9 @@ export class Searches extends EventTarget {
     this.statusLine.show(report, this.#words);
     if (lineOnly) return;
     this.dispatchEvent(new CustomEvent('progress', { detail: report }));
-    if (ended) this.dispatchEvent(new CustomEvent('done', { detail: report }));
+    if (!ended) return;
+    this.#end?.resolve(report);
+    this.dispatchEvent(new CustomEvent('done', { detail: report }));
   }
 
   /** @param {Error} error */
@@ -93,6 +104,7 @@ export class Searches extends EventTarget {
     this.app.searchFailed();
     this.statusLine.clear();
     banner(`The search failed: ${error.message}. What it had found is kept; you can start it again.`);
+    this.#end?.reject(error);
     this.dispatchEvent(new CustomEvent('error', { detail: error }));
   }
 }

@@ -18,7 +18,7 @@ let role = null;
 // Later messages wait for the role that the first one began, and keep their order.
 self.addEventListener('message', ({ data }) => {
   if (!role) role = take(data);
-  else role.then((coordinator) => coordinator?.receive(data));
+  else role.then((coordinator) => coordinator?.receive(data)).catch(die);
 });
 
 /** @param {Role} message */
@@ -40,8 +40,16 @@ async function take(message) {
     }
   } catch (error) {
     if (error instanceof EngineError) post({ type: 'failed', fault: error.fault });
-    // Only an error that leaves the event loop reaches the page as the worker's 'error' event.
-    else setTimeout(() => { throw error; });
+    else die(error);
     return null;
   }
+}
+
+/**
+ * Only an error that leaves the event loop reaches the page as the worker's 'error' event, not a rejected promise;
+ * the page then replaces this worker.
+ * @param {unknown} error
+ */
+function die(error) {
+  setTimeout(() => { throw error; });
 }

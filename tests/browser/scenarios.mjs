@@ -130,6 +130,21 @@ export const SCENARIOS = [
     visit.found.workers = hashes[0];
   }],
 
+  ['a search that another one replaces is stopped, and each tells its own end', async ({ page, found }) => {
+    const [first, second] = await page.page.evaluate(async (evaluations) => {
+      const { gaitsmith } = window;
+      const long = gaitsmith.synthesize({ seed: 4, evaluations: 1000000, sense: 'physical', workers: 2 });
+      await new Promise((resolve) => setTimeout(resolve, 700));
+      const short = gaitsmith.synthesize({ seed: 9, evaluations, sense: 'physical', workers: 2 });
+      const { report } = await long;
+      const { report: { state, budget }, hash } = await short;
+      return [{ state: report.state, budget: report.budget }, { state, budget, hash }];
+    }, EVALUATIONS);
+    assert.equal(first.state, 'stopped');
+    assert.notEqual(first.budget, EVALUATIONS);
+    assert.deepEqual(second, { state: 'done', budget: EVALUATIONS, hash: found.workers });
+  }],
+
   ['a terminated evaluator is replaced, the status line says so, and nothing is lost', async (visit) => {
     await dieOnTheWay(visit, -1, /worker stopped/);
   }],
@@ -213,6 +228,7 @@ export const SCENARIOS = [
       await sleep(300);
     };
     await show(altered);
+    const link = await fresh.link();
     assert.match(await note() ?? '', /differs from the one its maker saw/);
     assert.match(await fresh.status(), /differs from the one its maker saw: hash [0-9a-f]{16} here, 0123456789abcdef there/);
     await fresh.click('panels/1');
@@ -220,6 +236,12 @@ export const SCENARIOS = [
     await show(text);
     assert.equal(await note(), undefined);
     assert.match(await fresh.status(), /^Opened /);
+    await fresh.until('the address at rest', () => location.href === window.gaitsmith.link(), 3000);
+    await fresh.page.evaluate((hash) => { location.hash = hash; }, link.slice(link.indexOf('#')));
+    await sleep(300);
+    assert.match(await note() ?? '', /differs from the one its maker saw/);
+    await sleep(1500);
+    assert.equal(await fresh.call('address', () => location.href), link, 'the maker\'s hash must stay in the address');
     await fresh.close();
   }],
 

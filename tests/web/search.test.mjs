@@ -43,9 +43,10 @@ function problem(settings) {
  * @param {number} workers
  * @param {(client: import('../../web/search_client.js').SearchClient, report: SearchReport, crew: NodeWorker[]) => void} [meddle]
  *   called at every report
+ * @param {WebAssembly.Module} [module]
  * @returns {Promise<Run>}
  */
-function run(document, workers, meddle) {
+function run(document, workers, meddle, module = compiled) {
   return new Promise((resolve, reject) => {
     /** @type {NodeWorker[]} */
     const crew = [];
@@ -54,7 +55,7 @@ function run(document, workers, meddle) {
     /** @type {string[]} */
     const incidents = [];
     const client = new SearchClient({
-      engine: compiled,
+      engine: module,
       createWorker: () => {
         crew.push(new NodeWorker(join(WEB, 'worker.js')));
         return /** @type {any} */ (crew[crew.length - 1]);
@@ -97,6 +98,12 @@ for (const algorithm of ['sphc', 'rgt']) {
   });
 }
 
+test('five and eight workers find the same as one', async () => {
+  const document = problem({ evaluations: 1000 });
+  const one = await run(document, 1);
+  for (const workers of [5, 8]) assertSame(one, await run(document, workers));
+});
+
 test('the best genome scores what the search says', async () => {
   const document = problem({});
   const { genome, last } = await run(document, 2);
@@ -131,6 +138,48 @@ test('a coordinator that dies is replaced, and the search continues from its che
   assertSame(dying, await run(document, 1));
 });
 
+test('an exception in the coordinator ends it, so that it is replaced', async () => {
+  const document = problem({ evaluations: 2000 });
+  let poisoned = false;
+  const dying = await run(document, 2, (_, report, crew) => {
+    if (poisoned || report.evaluations < 500) return;
+    poisoned = true;
+    crew[0].postMessage({ type: 'poison' });
+  });
+  assert.match(dying.incidents.join(), /continues from evaluation/);
+  assertSame(dying, await run(document, 1));
+});
+
+test('an engine that cannot be instantiated is an error, not a silence', async () => {
+  // Imports x.y, which nobody has.
+  const wanting = new WebAssembly.Module(new Uint8Array([
+    0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 1, 4, 1, 0x60, 0, 0, 2, 7, 1, 1, 0x78, 1, 0x79, 0, 0]));
+  const { Engine } = await import(pathToFileURL(join(WEB, 'engine.js')).href);
+  await assert.rejects(Engine.load(wanting), /instantiate/);
+  const start = performance.now();
+  await assert.rejects(run(problem({}), 1, undefined, wanting), /keep stopping/);
+  assert.ok(performance.now() - start < 20000);
+});
+
+test('scores that were not asked for are refused', () => {
+  const document = problem({});
+  const search = engine.search(document);
+  const evaluator = engine.evaluator(document);
+  const refused = { name: 'EngineError', message: /not asked/ };
+  assert.throws(() => search.tell(new Float32Array(0)), refused);
+  const fitness = evaluator.evaluate(search.ask(16));
+  search.tell(fitness);
+  assert.throws(() => search.tell(fitness), refused);
+  assert.throws(() => search.tell(new Float32Array(0)), refused);
+  const state = search.save();
+  const asked = search.ask(16);
+  search.load(state);
+  assert.throws(() => search.tell(evaluator.evaluate(asked)), refused);
+  assert.deepEqual(search.ask(16), asked);
+  search.close();
+  evaluator.close();
+});
+
 test('pause holds the search, resume goes on to the same end', async () => {
   const document = problem({ evaluations: 4000 });
   let paused = 0;
@@ -155,6 +204,33 @@ test('stop ends the search early, with its best so far', async () => {
   assert.ok(stopped.genome.length > 0);
   assert.ok(stopped.last.evaluations < 1e6);
 });
+
+for (const [how, die] of /** @type {[string, (coordinator: NodeWorker) => void][]} */ ([
+  ['hangs', () => {}],
+  ['dies', (coordinator) => setTimeout(() => coordinator.onerror?.({ message: 'out of memory' }), 100)],
+])) {
+  test(`stop ends the search also when the coordinator ${how}`, async () => {
+    let asked = 0;
+    /** @type {NodeWorker[]} */
+    let workers = [];
+    const stopped = await run(problem({ evaluations: 1e6 }), 2, (client, report, crew) => {
+      if (report.evaluations < 500 || asked) return;
+      asked = performance.now();
+      workers = crew;
+      crew[0].onmessage = null;
+      client.stop();
+      die(crew[0]);
+    });
+    assert.equal(stopped.last.state, 'stopped');
+    assert.ok(performance.now() - asked < 4000);
+    assert.ok(stopped.last.evaluations >= 500);
+    assert.equal(engine.evaluator(problem({})).evaluate(stopped.genome)[0], stopped.last.bestFitness);
+    assert.ok(stopped.last.curve?.length);
+    await new Promise((resolve) => setTimeout(resolve, 200));
+    assert.equal(workers.length, 3, 'nobody is hired for a search that is being stopped');
+    assert.deepEqual(stopped.incidents, []);
+  });
+}
 
 test('reports come at most 30 times a second, and the rate is about right', async () => {
   const start = performance.now();

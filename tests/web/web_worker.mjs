@@ -27,6 +27,8 @@ export class NodeWorker {
 // In the thread: the worker's global scope, then the worker's script.
 if (!isMainThread && parentPort && workerData?.script) {
   const port = parentPort;
+  // In a browser a rejected promise does not end the worker and is no 'error' event on the page; Node's would be.
+  process.on('unhandledRejection', () => {});
   /** @type {any[]} */
   const early = [];
   const keep = (/** @type {any} */ data) => early.push(data);
