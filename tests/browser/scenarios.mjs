@@ -225,12 +225,8 @@ export const SCENARIOS = [
     await sleep(400);
     const rectOf = async (/** @type {string} */ id) => (await fresh.widgets()).find((widget) => widget.id === id)?.rect;
     const press = async (/** @type {number} */ x, /** @type {number} */ y) => {
-      await fresh.page.mouse.move(x, y);
-      await sleep(100);
-      await fresh.page.mouse.down();
-      await sleep(100);
-      await fresh.page.mouse.up();
-      await sleep(400);
+      await fresh.clickAt(x, y);
+      await sleep(300);
     };
     const board = await rectOf('figure/board');
     assert.ok(board);
