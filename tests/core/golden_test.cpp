@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pins: the trajectory hash of every document in tests/golden/motions, and the scores of twenty searches. The
+// Pins: the trajectory hash of every document in tests/golden/motions, and the scores of forty searches. The
 // same file runs natively with gcc and clang, at several optimisation levels, under sanitizers and as WASM
 // under Node. Does not pin: what the motions look like. To bless anew (only by a numbered decision in
 // docs/design.md):
@@ -65,7 +65,7 @@ float BestOf(Algorithm algorithm, SenseKind senses, std::uint32_t seed) {
 
 }  // namespace
 
-TEST_CASE("golden: twenty searches on Star-Man keep their scores, and SPHC beats RG&T by half",
+TEST_CASE("golden: forty searches on Star-Man keep their scores, and SPHC beats RG&T by half",
           "[golden][search]") {
   struct Pinned {
     SenseKind senses;
