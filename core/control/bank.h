@@ -47,10 +47,10 @@ class Bank {
       DecodeResponses(genes, limits, step_s, lane);
     }
     for (int rule = 0; rule < shape.rules; ++rule) {
-      first_interval_[static_cast<std::size_t>(rule)] = static_cast<int>(intervals_.size());
+      const std::size_t before = intervals_.size();
       for (int sense = 0; sense < shape.senses; ++sense) AddInterval(genomes, rule, sense);
+      intervals_of_[static_cast<std::size_t>(rule)] = intervals_.size() - before;
     }
-    first_interval_[rules] = static_cast<int>(intervals_.size());
   }
 
   [[nodiscard]] const SenseSpec& Senses() const { return senses_; }
@@ -60,47 +60,41 @@ class Bank {
   /// to the rule that comes first.
   [[nodiscard]] I Choose(const SenseVector<W>& senses, I present) const {
     I chosen = present;
-    F deepest = L::Splat(-1.0f);
-    for (int rule = 0; rule < shape_.rules; ++rule) {
-      const F depth = Depth(senses, rule);
-      const I better = (depth >= 0.0f) & (depth > deepest);
-      chosen = L::Select(better, I{} + rule, chosen);
-      deepest = L::Select(better, depth, deepest);
+    F least = L::Splat(kJustOutside);
+    I number{};
+    const Interval* interval = intervals_.data();
+    for (std::size_t rule = 0; rule < static_cast<std::size_t>(shape_.rules); ++rule) {
+      F off{};  // how far the senses lie from the middle of the stimulus: 1 - depth
+      for (const Interval* end = interval + intervals_of_[rule]; interval != end; ++interval) {
+        const F sense = senses[interval->sense];
+        off = L::Max(L::Abs(sense - interval->middle) * interval->inverse_half_width, off);
+      }
+      chosen = L::Select(off < least, number, chosen);
+      least = L::Min(least, off);
+      number += 1;
     }
     return chosen;
   }
 
-  /// How deep the senses lie in a rule's stimulus: 1 in the middle (or when it cares about nothing), 0 on its
-  /// border, negative outside.
-  [[nodiscard]] F Depth(const SenseVector<W>& senses, int rule) const {
-    F depth = L::Splat(1.0f);
-    const auto end = static_cast<std::size_t>(first_interval_[static_cast<std::size_t>(rule) + 1]);
-    for (auto i = static_cast<std::size_t>(first_interval_[static_cast<std::size_t>(rule)]); i < end; ++i) {
-      const Interval& interval = intervals_[i];
-      const F off = L::Abs(senses[static_cast<std::size_t>(interval.sense)] - interval.middle);
-      depth = L::Min(depth, 1.0f - off * interval.inverse_half_width);
+  /// What one lane's rule asks of its joints.
+  void Respond(int rule, int lane, Response<W>& response) const {
+    const auto r = static_cast<std::size_t>(rule);
+    const auto joints = static_cast<std::size_t>(shape_.joints);
+    for (std::size_t j = 0; j < joints; ++j) {
+      L::Put(response.target_rad[j], lane, L::At(targets_[r * joints + j], lane));
     }
-    return depth;
-  }
-
-  /// Gathers the responses of one rule per lane.
-  void Respond(I rules, Response<W>& response) const {
-    for (int lane = 0; lane < W; ++lane) {
-      const auto rule = static_cast<std::size_t>(rules[lane]);
-      for (int joint = 0; joint < shape_.joints; ++joint) {
-        const auto j = static_cast<std::size_t>(joint);
-        response.target_rad[j][lane] = targets_[rule * static_cast<std::size_t>(shape_.joints) + j][lane];
-      }
-      response.decay[lane] = decay_[rule][lane];
-      response.inverse_tau[lane] = inverse_tau_[rule][lane];
-    }
+    L::Put(response.decay, lane, L::At(decay_[r], lane));
+    L::Put(response.inverse_tau, lane, L::At(inverse_tau_[r], lane));
   }
 
  private:
+  /// The least number above 1: a stimulus holds what lies on its border.
+  static constexpr float kJustOutside = 1.00000011920928955078125f;
+
   struct Interval {
     F middle;
-    F inverse_half_width;  // 0 in lanes that do not care: depth 1, which never is the least
-    int sense;
+    F inverse_half_width;  // 0 in lanes that do not care: never the furthest off
+    std::size_t sense;
   };
 
   void DecodeResponses(std::span<const Gene> genes, std::span<const std::array<float, 2>> limits,
@@ -119,7 +113,7 @@ class Bank {
   }
 
   void AddInterval(std::span<const std::span<const Gene>> genomes, int rule, int sense) {
-    Interval interval{F{}, F{}, sense};
+    Interval interval{F{}, F{}, static_cast<std::size_t>(sense)};
     bool any_cares = false;
     const bool timer = senses_.kind == SenseKind::kTimer;
     const float edge_low = timer ? 0.0f : kEdgeLow;
@@ -143,7 +137,7 @@ class Bank {
   SenseSpec senses_;
   BankShape shape_;
   std::vector<Interval> intervals_;  // of all rules in turn, only those that some lane cares about
-  std::array<int, kMaxRules + 1> first_interval_{};
+  std::array<std::size_t, kMaxRules> intervals_of_{};
   std::vector<F> targets_;      // [rad] (rules x joints)
   std::vector<F> decay_;        // (rules)
   std::vector<F> inverse_tau_;  // [1/s] (rules)

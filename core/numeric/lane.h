@@ -44,16 +44,29 @@ struct Lane {
   static F Max(F a, F b) { return a > b ? a : b; }
   static F Abs(F a) { return reinterpret_cast<F>(reinterpret_cast<I>(a) & 0x7fffffff); }
 
-  /// True when any lane of the mask is set. Integer work, so its order cannot matter.
+  /// True when any lane of the mask (0 or -1) is set. Integer work, so its order cannot matter.
   static bool Any(I mask) {
 #if defined(__clang__)
     return __builtin_reduce_or(mask) != 0;
 #else
-    std::int32_t any = 0;
-    for (int lane = 0; lane < W; ++lane) any |= mask[lane];
+    typedef std::int64_t Pair __attribute__((vector_size(16), may_alias));
+    std::int64_t any = 0;
+    if constexpr (W % 4 == 0) {
+      for (int i = 0; i < W / 4; ++i) {
+        const Pair four = reinterpret_cast<const Pair*>(&mask)[i];
+        any |= four[0] | four[1];
+      }
+    } else {
+      for (int lane = 0; lane < W; ++lane) any |= mask[lane];
+    }
     return any != 0;
 #endif
   }
+
+  /// One lane's number, read or written in place: lane need not be a constant.
+  static float At(const F& a, int lane) { return reinterpret_cast<const float*>(&a)[lane]; }
+  static std::int32_t At(const I& a, int lane) { return reinterpret_cast<const std::int32_t*>(&a)[lane]; }
+  static void Put(F& a, int lane, float value) { reinterpret_cast<float*>(&a)[lane] = value; }
 
   static D ToDouble(F a) { return __builtin_convertvector(a, D); }
   static F ToFloat(D a) { return __builtin_convertvector(a, F); }

@@ -21,18 +21,20 @@ struct Evaluation {
 
 class Evaluator {
  public:
-  /// Lanes simulated side by side. No count changes a bit of any result.
+  /// Figures that share an instruction. No count changes a bit of any result.
   static constexpr int kLaneCounts[] = {1, 2, 4, 8, 16};
-#if defined(__clang__)
-  static constexpr int kDefaultLanes =
-      16;  // clang keeps wide lanes in several registers, also for WebAssembly
-#else
-  static constexpr int kDefaultLanes = 4;  // gcc spills anything wider than one register to memory
-#endif
+  static constexpr int kDefaultLanes = 4;  // one register of SSE or of WebAssembly
 
-  /// @param problem valid; copied
-  /// @param lanes   one of kLaneCounts
-  explicit Evaluator(const Problem& problem, int lanes = kDefaultLanes, bool with_hash = false);
+  /// Figures simulated together at most: enough that those who meet the ground fill whole registers.
+  static constexpr int kHerd = 64;
+
+  /// @param problem   valid; copied
+  /// @param with_hash whether evaluations carry the trajectory's hash
+  explicit Evaluator(const Problem& problem, bool with_hash = false);
+
+  /// With another number of lanes, for those who check that it does not matter.
+  /// @param lanes one of kLaneCounts
+  Evaluator(const Problem& problem, int lanes, bool with_hash = false);
 
   /// @param genomes any number of them, each with Problem::Shape().Genes() genes
   /// @return an evaluation for each, in order
@@ -40,13 +42,16 @@ class Evaluator {
   [[nodiscard]] std::vector<Evaluation> Evaluate(std::span<const Genome> genomes) const;
 
  private:
+  using Herd = void (*)(const Evaluator&, std::span<const std::span<const Gene>>, std::span<Evaluation>);
+  Evaluator(const Problem& problem, Herd herd, bool with_hash);
   template <int W>
-  void EvaluateLanes(std::span<const std::span<const Gene>> genomes, std::span<Evaluation> results) const;
+  static void EvaluateHerd(const Evaluator&, std::span<const std::span<const Gene>> genomes,
+                           std::span<Evaluation> results);
 
   Problem problem_;
   Skeleton skeleton_;
   std::vector<std::array<float, 2>> joint_limits_;
-  int lanes_;
+  Herd herd_;
   bool with_hash_;
 };
 

@@ -37,7 +37,7 @@ void MoveJoints(const Skeleton& skeleton, const Response<W>& response, float ste
         L::Select(below, L::Splat(limb.min_rad), L::Select(above, L::Splat(limb.max_rad), free_angle));
     turn[j] = held - angle[j];
     angle[j] = held;
-    rate[j] = L::Select(below | above, F{}, free_rate);
+    rate[j] = L::Select(below | above | (L::Abs(free_rate) < kRestRate), F{}, free_rate);
   }
 }
 

@@ -20,32 +20,33 @@ Motion::Motion(const Figure& figure, const Environment& environment, const Start
                        std::span(&genes, 1), limits, step_s);
   }
 
-  Simulation<1> simulation(skeleton_, environment, start, pushes, step_s);
+  Simulation<1> simulation(skeleton_, environment, start, pushes, 1, step_s);
+  const MotionState<1>& s = simulation.Of(0).state;
   TrajectoryHash hash;
   int clip = -1;
   const auto record = [&] {
-    const auto work = simulation.WorkOf(0);
-    frames_.push_back({simulation.DistanceM(0), simulation.HeightM(0), simulation.VelocityXMps(0),
-                       simulation.VelocityYMps(0), simulation.TurnRad(0), simulation.AngularMomentum(0),
-                       work.normal_j, work.friction_j, work.friction_gain_j, work.lifting_j, clip,
-                       simulation.Rule(0)});
+    frames_.push_back({s.distance_m[0], s.height_m[0], s.velocity_x[0], s.velocity_y[0], s.turn_rad[0],
+                       s.angular_momentum[0], s.ground.normal_work_j[0], s.ground.friction_work_j[0],
+                       s.ground.friction_gain_j[0], s.lifting_work_j[0], clip, s.rule[0]});
     terms_.push_back(simulation.TermsOf(0));
-    for (int k = 0; k < skeleton_.endpoints; ++k) {
-      endpoints_.push_back({simulation.EndpointX(0, k), simulation.EndpointY(0, k)});
-      forces_.push_back({simulation.TangentForceN(0, k), simulation.NormalForceN(0, k)});
+    for (std::size_t k = 0; k < static_cast<std::size_t>(skeleton_.endpoints); ++k) {
+      const float x = s.PoseNow().endpoint_x[k][0], y = s.PoseNow().endpoint_y[k][0];
+      endpoints_.push_back({s.cosine[0] * x - s.sine[0] * y, s.sine[0] * x + s.cosine[0] * y});
+      forces_.push_back({s.last_tangent[k][0] / step_s, s.last_normal[k][0] / step_s});
     }
-    for (int j = 0; j < skeleton_.joints; ++j) {
-      angles_.push_back(simulation.AngleRad(0, j));
-      rates_.push_back(simulation.RateRadps(0, j));
+    for (std::size_t j = 0; j < static_cast<std::size_t>(skeleton_.joints); ++j) {
+      angles_.push_back(s.angle_rad[j][0]);
+      rates_.push_back(s.rate_radps[j][0]);
     }
-    for (int s = 0; s < senses_per_frame_; ++s) senses_.push_back(simulation.SenseValue(0, s));
+    for (std::size_t i = 0; i < static_cast<std::size_t>(senses_per_frame_); ++i)
+      senses_.push_back(s.senses[i][0]);
   };
 
   const auto take_over = [&](int step) {
     while (clip + 1 < static_cast<int>(clips.size()) &&
            clips[static_cast<std::size_t>(clip) + 1].start_step <= step) {
       ++clip;
-      simulation.Follow(banks[static_cast<std::size_t>(clip)]);
+      simulation.Follow(std::span(&banks[static_cast<std::size_t>(clip)], 1));
     }
   };
   take_over(0);

@@ -38,13 +38,10 @@ void PoseFigure(const Skeleton& skeleton, const std::array<typename Lane<W>::F, 
     const Skeleton::Limb& limb = skeleton.limbs[rod];
     if (rod > 0) {
       F sine, cosine;
-      SinCos<W>(angle_rad[rod - 1], sine, cosine);
-      // Turn by the rest angle, then by the parent's direction.
-      const F turned_x = limb.rest_cosine * cosine - limb.rest_sine * sine;
-      const F turned_y = limb.rest_sine * cosine + limb.rest_cosine * sine;
+      SinCos<W>(angle_rad[rod - 1] + limb.rest_rad, sine, cosine);
       const auto parent = static_cast<std::size_t>(limb.parent);
-      along_x[rod] = along_x[parent] * turned_x - along_y[parent] * turned_y;
-      along_y[rod] = along_y[parent] * turned_x + along_x[parent] * turned_y;
+      along_x[rod] = along_x[parent] * cosine - along_y[parent] * sine;
+      along_y[rod] = along_y[parent] * cosine + along_x[parent] * sine;
     }
     const auto start = static_cast<std::size_t>(limb.start);
     pose.endpoint_x[rod + 1] = pose.endpoint_x[start] + limb.length_m * along_x[rod];

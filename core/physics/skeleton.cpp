@@ -28,11 +28,11 @@ Skeleton::Skeleton(const Figure& figure)
       limb.start = is_root ? 0
                            : (rod.parent_end == RodEnd::kEnd ? parent + 1
                                                              : limbs[static_cast<std::size_t>(parent)].start);
-      const SineCosine rest = SinCos(is_root ? 0.0f : rod.rest_rad);
-      limb.rest_sine = rest.sine;
-      limb.rest_cosine = rest.cosine;
+      limb.rest_rad = is_root ? 0.0f : rod.rest_rad;
       limb.min_rad = is_root ? 0.0f : rod.min_rad;
       limb.max_rad = is_root ? 0.0f : rod.max_rad;
+      const float range = limb.max_rad - limb.min_rad;
+      limb.inverse_range = range > 0.0f ? 1.0f / range : 0.0f;
       limb.drawn = drawn;
       if (is_root) start_angle_rad = rod.rest_rad;
 

@@ -18,9 +18,10 @@ struct Skeleton {
     float inertia_kgm2;  // about its own midpoint, m l^2 / 12
     int parent;          // walked index; -1 for the root
     int start;           // endpoint where it starts
-    float rest_sine, rest_cosine;
+    float rest_rad;      // drawn angle against the parent
     float min_rad, max_rad;
-    int drawn;  // index in Figure::rods
+    float inverse_range;  // 1 / (max - min); 0 for a locked joint, which always feels its least angle
+    int drawn;            // index in Figure::rods
   };
 
   /// @param figure must be valid (see Validate)

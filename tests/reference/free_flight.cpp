@@ -17,8 +17,7 @@ FreeFlight::Shape FreeFlight::ShapeAt(const Angles& angle, const Angles& rate) c
     const auto& limb = bones_.limbs[i];
     if (i > 0) {
       const auto parent = static_cast<std::size_t>(limb.parent);
-      const double rest =
-          std::atan2(static_cast<double>(limb.rest_sine), static_cast<double>(limb.rest_cosine));
+      const double rest = static_cast<double>(limb.rest_rad);
       direction[i] = direction[parent] + rest + angle[i - 1];
       turning[i] = turning[parent] + rate[i - 1];
     }

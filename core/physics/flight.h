@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// A step as it would be without the ground. Controllers prescribe the joint angles, so at every instant a
+// figure is one rigid body of changing shape with three unknown motions. The state holds momentum, not
+// velocity: free flight then conserves linear and angular momentum exactly, whatever the joints do
+// (docs/physics.md derives every line).
+//
+//   L = J phi' + H      J(q) = sum m |r|^2 + m l^2 / 12      H(q, q') = sum m (r x u) + (m l^2 / 12) w
+//
+// J and H are taken at mid-step from the two poses around it: r = (r0 + r1) / 2, u = (r1 - r0) / h. One pose
+// per step thus serves both the dynamics (second order in flight) and the contacts, for which it is exact up
+// to the square of the angle turned in a step.
+#pragma once
+
+#include "core/physics/joint_response.h"
+#include "core/physics/motion_state.h"
+#include "core/physics/world.h"
+
+namespace gaitsmith {
+
+/// Where the figures are at the end of the step, given what the ground does as known by now.
+template <int W>
+void PlaceAtEnd(const Skeleton& skeleton, const World& world, MotionState<W>& s) {
+  using L = Lane<W>;
+  using F = typename L::F;
+  // Impulses change L directly; the spin follows from it, so that no rounding leaks from one into the other.
+  s.spin = (s.angular_momentum + s.ground.moment - s.shape.momentum) * s.inverse_inertia;
+  const auto touched = s.ground.up > 0.0f;
+  s.path_x =
+      L::Select(touched, world.step_s * (s.velocity_x + s.ground.along * world.inverse_mass), s.flight_x);
+  s.path_y = L::Select(touched, world.step_s * (s.velocity_y + s.ground.up * world.inverse_mass), s.flight_y);
+  s.next_sine = s.sine;
+  s.next_cosine = s.cosine;
+  Turn<W>(s.spin * world.step_s, s.next_sine, s.next_cosine);
+  const F height = s.height_m + s.path_y;
+  const Pose<W>& pose = s.NextPose();
+  for (std::size_t k = 0; k < static_cast<std::size_t>(skeleton.endpoints); ++k) {
+    s.endpoint_height[k] = height + (s.next_sine * pose.endpoint_x[k] + s.next_cosine * pose.endpoint_y[k]);
+  }
+}
+
+/// Endpoints that would end the step near the ground or below it, as bits.
+template <int W>
+typename Lane<W>::I EndpointsNearGround(const Skeleton& skeleton, const MotionState<W>& s) {
+  typename Lane<W>::I near{};
+  for (int k = 0; k < skeleton.endpoints; ++k) {
+    near |= (s.endpoint_height[static_cast<std::size_t>(k)] < kContactMargin) & (1 << k);
+  }
+  return near;
+}
+
+/// Gravity, joints and the path of a step without ground.
+template <int W>
+[[gnu::noinline]] void Fly(const Skeleton& skeleton, const World& world, MotionState<W>& s) {
+  // Adding zero turns -0 into +0, so that impulses of zero change no bit.
+  s.velocity_x = s.velocity_x + world.fall_x + 0.0f;
+  s.velocity_y = s.velocity_y + world.fall_y + 0.0f;
+  MoveJoints<W>(skeleton, s.response, world.step_s, s.angle_rad, s.rate_radps, s.joint_turn);
+  PoseFigure<W>(skeleton, s.angle_rad, s.NextPose());
+  s.shape = MeasureShape<W>(skeleton, s.PoseNow(), s.NextPose(), s.joint_turn, world.inverse_step);
+  s.inverse_inertia = 1.0f / s.shape.inertia;
+  // The path follows the mean velocity, so that free fall is exact.
+  s.flight_x = world.step_s * (s.velocity_x - 0.5f * world.fall_x);
+  s.flight_y = world.step_s * (s.velocity_y - 0.5f * world.fall_y);
+  s.ground = {};
+  PlaceAtEnd<W>(skeleton, world, s);
+  s.flight_spin = s.spin;
+  s.near_ground = EndpointsNearGround<W>(skeleton, s);
+}
+
+}  // namespace gaitsmith

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// What all figures of a simulation share: their environment and mass, as the numbers that a step needs.
+#pragma once
+
+#include "core/numeric/scalar_math.h"
+#include "core/physics/environment.h"
+#include "core/physics/skeleton.h"
+
+namespace gaitsmith {
+
+struct World {
+  World(const Skeleton& skeleton, const Environment& environment, float step)
+      : step_s(step),
+        inverse_step(1.0f / step),
+        friction(environment.friction),
+        mass_kg(skeleton.mass_kg),
+        inverse_mass(1.0f / skeleton.mass_kg) {
+    const SineCosine slope = SinCos(environment.slope_rad);
+    fall_x = -environment.gravity_mps2 * slope.sine * step;
+    fall_y = -environment.gravity_mps2 * slope.cosine * step;
+    weight_n = mass_kg * environment.gravity_mps2 * slope.cosine;
+    max_ground_work_j = kMaxGroundWork * mass_kg * kStandardGravity * skeleton.longest_rod_m;
+  }
+
+  float step_s, inverse_step;
+  float fall_x, fall_y;  // change of velocity by gravity in a step [m/s]
+  float weight_n;        // normal to the ground
+  float friction;        // Coulomb coefficient
+  float mass_kg, inverse_mass;
+  float max_ground_work_j;  // see kMaxGroundWork
+};
+
+}  // namespace gaitsmith
