@@ -44,6 +44,14 @@ check_determinism() {
   done
 }
 
+# Where time cannot be trusted, instructions can.
+check_instructions() {
+  setup_measures
+  cmake --preset release >/dev/null
+  cmake --build --preset release --target instructions
+  tests/bench/instruction_guard.sh build/release/tests/bench/instructions
+}
+
 check_browsers() { node tests/browser/run.mjs; }
 
 # A stage stops at its first failure; the later stages still run.
@@ -63,6 +71,7 @@ test_everything() {
   stage "tests (dev)" cmake --workflow --preset dev
   stage "tests (sanitizers)" cmake --workflow --preset asan
   stage determinism check_determinism
+  stage "instruction count" check_instructions
   stage "tests (WASM)" cmake --workflow --preset wasm
   stage site build_site
   stage browsers check_browsers

@@ -13,6 +13,7 @@ NODE_MIN=18
 PACKAGES=(build-essential cmake ninja-build git python3 clang-$LLVM lld-$LLVM llvm-$LLVM clang-format-$LLVM
           clang-tidy-$LLVM libclang-rt-$LLVM-dev patchelf libsdl2-dev libgl-dev libbenchmark-dev)
 BROWSERS=(chromium firefox-esr xvfb xauth)
+MEASURES=(valgrind libbox2d-dev) # instruction counts; the engine that ours is compared with
 
 T=$ROOT/.toolchain
 LOG=$T/setup.log
@@ -217,4 +218,10 @@ setup_browsers() {
   mkdir -p "$T"; touch "$LOG"
   command -v apt-get >/dev/null || { say "no apt here: the browser tests use the Chrome and Firefox they find"; return; }
   apt_need "${BROWSERS[@]}"
+}
+
+setup_measures() {
+  mkdir -p "$T"; touch "$LOG"
+  command -v apt-get >/dev/null || { say "no apt here: without valgrind and Box2D their comparisons are left out"; return; }
+  apt_need "${MEASURES[@]}"
 }

@@ -30,6 +30,9 @@ constexpr ImWchar kRanges[] = {0x20,   0x7e,   0xa0,   0xff,   0x394,  0x394,  0
                                0x3c9,  0x3c9,  0x2013, 0x2014, 0x2018, 0x2019, 0x201c, 0x201d, 0x2026,
                                0x2026, 0x2190, 0x2193, 0x2212, 0x2212, 0x2264, 0x2265, 0};
 
+// The largest type sets one number and its unit; all the rest of its letters would be a fifth of the atlas.
+constexpr ImWchar kNumberRanges[] = {0x20, 0x7e, 0x2212, 0x2212, 0};
+
 // Gives all ten digits one width, each centred in it, so that counting numbers do not jitter.
 void MakeTabular(ImFont* font) {
   float width = 0.0f;
@@ -68,7 +71,7 @@ void Fonts::Build(float density) {
     config.RasterizerDensity = density;
     config.OversampleH = density < 1.75f ? 3 : 2;
     config.OversampleV = 1;
-    config.GlyphRanges = kRanges;
+    config.GlyphRanges = i == static_cast<std::size_t>(Type::kNumber) ? kNumberRanges : kRanges;
     // The atlas only reads the bytes; its interface merely lacks the const.
     fonts_[i] =
         atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(bytes.data()), static_cast<int>(bytes.size()),

@@ -54,6 +54,9 @@ struct Page {
   std::unique_ptr<App> app;
   std::string reply;
   double before_ms = 0.0;
+  double drawn_ms = 0.0;
+  double shortest_frame_ms = 0.0;  // of the frames that are drawn
+  bool moved = false;              // since the last of them
   double width = 0.0;
   double height = 0.0;
   double density = 0.0;
@@ -91,9 +94,17 @@ void Tick(void* argument) {
   FollowCanvas(page);
   page.window->TakeEvents(0, [&page](const SDL_Event& event) { return page.app->Take(event); });
   const double now_ms = emscripten_get_now();
-  const bool moved = page.app->Advance((now_ms - page.before_ms) / 1000.0);
+  page.moved |= page.app->Advance((now_ms - page.before_ms) / 1000.0);
   page.before_ms = now_ms;
-  if (moved || page.window->NeedsFrame()) page.window->Draw([&page] { page.app->Draw(); });
+  // A search's new best was simulated. Drawing it as well would hold the page up for as long again.
+  constexpr double kLongMs = 6.0;
+  if (emscripten_get_now() - now_ms > kLongMs) return;
+  if (!page.moved && !page.window->NeedsFrame()) return;
+  constexpr double kEarlyMs = 2.0;  // the browser's frames come a little unevenly
+  if (now_ms - page.drawn_ms < page.shortest_frame_ms - kEarlyMs) return;
+  page.drawn_ms = now_ms;
+  page.moved = false;
+  page.window->Draw([&page] { page.app->Draw(); });
 }
 
 // Options of a search, each optional: {"algorithm": "sphc", "evaluations": 40000, "seed": 1, "workers": 2,
@@ -132,6 +143,9 @@ using namespace gaitsmith::shell;  // NOLINT
 
 extern "C" {
 
+/// 0: there is no canvas that WebGL draws on, and none of the other functions may be called.
+EMSCRIPTEN_KEEPALIVE int gs_running() { return ThePage().app ? 1 : 0; }
+
 /// Opens JSON, a link or the payload of one. @return an empty text, or a sentence that says what is wrong and
 /// where
 EMSCRIPTEN_KEEPALIVE const char* gs_open(const char* text, int bytes) {
@@ -153,6 +167,11 @@ EMSCRIPTEN_KEEPALIVE const char* gs_widgets() {
 }
 
 EMSCRIPTEN_KEEPALIVE void gs_set_theme(int dark) { ThePage().window->SetDark(dark != 0); }
+
+/// Draws no more often than this; 0: as often as the display does.
+EMSCRIPTEN_KEEPALIVE void gs_set_frame_rate(double per_second) {
+  ThePage().shortest_frame_ms = per_second > 0.0 ? 1000.0 / per_second : 0.0;
+}
 
 EMSCRIPTEN_KEEPALIVE void gs_play(int playing) {
   TheSession().player.Play(playing != 0);
@@ -218,7 +237,7 @@ EMSCRIPTEN_KEEPALIVE void gs_search_progress(int state, int evaluations, int bud
     progress.curve.push_back({static_cast<int>(curve[2 * i]), curve[2 * i + 1]});
   if (gene_count > 0) progress.best_genome.assign(genes, genes + gene_count);
   TheSession().OnSearchProgress(std::move(progress));
-  ThePage().window->RequestFrame();
+  ThePage().window->RequestOneFrame();
 }
 
 }  // extern "C"

@@ -68,8 +68,10 @@ Window::Window(SDL_Window* window, SDL_GLContext context, float scale)
   registry_.Attach();
   ImGui_ImplSDL2_InitForOpenGL(window_, context_);
   ImGui_ImplOpenGL3_Init(kShaderVersion);
-  theme_.density = 0.0f;
-  FollowDensity();
+  RasteriseType(Density());
+  ImGui_ImplOpenGL3_CreateDeviceObjects();  // else the backend does it at the first frame, and builds the
+                                            // type again
+  ImGui::GetIO().Fonts->ClearTexData();
 }
 
 Window::~Window() {
@@ -93,11 +95,15 @@ float Window::Density() const {
 void Window::FollowDensity() {
   const float density = Density();
   if (std::abs(density - theme_.density) < 0.004f) return;
-  theme_.density = density;
-  theme_.fonts.Build(density);
+  RasteriseType(density);
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();
   ImGui::GetIO().Fonts->ClearTexData();
+}
+
+void Window::RasteriseType(float density) {
+  theme_.density = density;
+  theme_.fonts.Build(density);
   ApplyStyle(theme_);
 }
 

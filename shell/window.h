@@ -5,6 +5,7 @@
 
 #include <SDL.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -39,6 +40,8 @@ class Window {
   /// True for a few frames after an event: Dear ImGui needs a second one to settle.
   [[nodiscard]] bool NeedsFrame() const { return frames_due_ > 0; }
   void RequestFrame() { frames_due_ = 3; }
+  /// The same when something is shown that no event came for.
+  void RequestOneFrame() { frames_due_ = std::max(frames_due_, 1); }
 
   void Draw(const std::function<void()>& contents);
 
@@ -55,6 +58,7 @@ class Window {
   Window(SDL_Window* window, SDL_GLContext context, float scale);
   void Handle(SDL_Event event);
   void FollowDensity();
+  void RasteriseType(float density);
   [[nodiscard]] float Density() const;
 
   SDL_Window* window_;

@@ -14,6 +14,7 @@
 export class Gaitsmith extends EventTarget {
   /** @type {Parts | null} */
   #parts = null;
+  #fps = 0;
   /** @type {(api: Gaitsmith) => void} */
   #resolve = () => {};
   /** @type {(error: Error) => void} */
@@ -58,6 +59,13 @@ export class Gaitsmith extends EventTarget {
     const fault = app.synthesize(options);
     if (fault) throw new Error(fault);
     return this.#result(await searches.ended);
+  }
+
+  /** Most frames drawn per second; 0: as many as the display shows. */
+  get fps() { return this.#fps; }
+  set fps(perSecond) {
+    this.#fps = perSecond > 0 ? perSecond : 0;
+    this.#need().app.setFrameRate(this.#fps);
   }
 
   pause() { this.#need().app.pause(); }

@@ -12,6 +12,7 @@ export interface AppModule {
   _malloc(size: number): Pointer;
   _free(at: Pointer): void;
 
+  _gs_running(): number;
   _gs_open(text: Pointer, bytes: number): Pointer;
   _gs_document_json(): Pointer;
   _gs_link(): Pointer;
@@ -19,6 +20,7 @@ export interface AppModule {
   _gs_title(): Pointer;
   _gs_widgets(): Pointer;
   _gs_set_theme(dark: number): void;
+  _gs_set_frame_rate(per_second: number): void;
   _gs_play(playing: number): void;
   _gs_can_undo(): number;
   _gs_undo(): void;

@@ -42,6 +42,9 @@ export class App {
     this.module = module;
   }
 
+  /** Whether it found WebGL. If not, nothing else may be called. */
+  running() { return this.module._gs_running() !== 0; }
+
   /**
    * @param {string} text  JSON, a link, or the payload of one
    * @returns {string} empty, or core's sentence about what is wrong and where; then nothing has changed
@@ -65,6 +68,8 @@ export class App {
 
   /** @param {boolean} dark */
   setTheme(dark) { this.module._gs_set_theme(dark ? 1 : 0); }
+  /** @param {number} perSecond  at most so many frames are drawn; 0: as many as the display shows */
+  setFrameRate(perSecond) { this.module._gs_set_frame_rate(perSecond); }
   /** @param {boolean} playing */
   play(playing) { this.module._gs_play(playing ? 1 : 0); }
   canUndo() { return this.module._gs_can_undo() !== 0; }

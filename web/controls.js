@@ -5,12 +5,16 @@ import { banner, element, onClick, setText } from './dom.js';
 
 /** @typedef {import('./app.js').App} App */
 
+const FOLLOW_MS = 100;
+
 export class Controls {
   #radios = /** @type {HTMLInputElement[]} */ ([...document.querySelectorAll('input[name=senses]')]);
   #play = element('control-play');
   #synthesize = element('control-synthesize', HTMLButtonElement);
   #stop = element('control-stop', HTMLButtonElement);
   #description = element('description');
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #follow;
   #undo = element('undo', HTMLButtonElement);
 
   /** @param {App} app */
@@ -30,9 +34,13 @@ export class Controls {
   }
 
   documentChanged() {
-    const kind = this.app.document().senses?.kind ?? 'physical';
-    for (const radio of this.#radios) radio.checked = radio.value === kind;
     this.#undo.disabled = !this.app.canUndo();
+    // A drag changes it at every frame, and reading the whole document takes some milliseconds.
+    this.#follow ??= setTimeout(() => {
+      this.#follow = undefined;
+      const kind = this.app.document().senses?.kind ?? 'physical';
+      for (const radio of this.#radios) radio.checked = radio.value === kind;
+    }, FOLLOW_MS);
   }
 
   /** @param {boolean} searching */

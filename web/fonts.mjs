@@ -15,6 +15,8 @@ const PUNCTUATION = '“”‘’–—…·';
 const SYMBOLS = '×÷±≤≥≪≫→←↔↑↓−°²³⟲✓▶';
 // Dear ImGui draws one glyph per character: no kerning, no substitutions.
 const PLAIN = { noLayoutClosure: true, noHinting: true, dropTables: ['GDEF', 'GPOS', 'GSUB'] };
+// The page: kerning, and digits of one width for numbers that count. Inter's other forms of letters are half its bytes.
+const PAGE = { noHinting: true, keepFeatures: ['kern', 'tnum'] };
 const SOFT_HYPHEN = 0xad;
 const CHARACTERS = printableLatin1() + GREEK + PUNCTUATION + SYMBOLS;
 
@@ -74,7 +76,7 @@ async function cutFonts(folder) {
   for (const [face, source] of Object.entries(FACES)) {
     const whole = await readFile(join(inter, `${source}.woff2`));
     const ttf = await subsetFont(whole, CHARACTERS, { targetFormat: 'truetype', ...PLAIN });
-    const woff2 = await subsetFont(whole, CHARACTERS, { targetFormat: 'woff2' });
+    const woff2 = await subsetFont(whole, CHARACTERS, { targetFormat: 'woff2', ...PAGE });
     await writeFile(join(folder, `inter-${face}.ttf`), ttf);
     await writeFile(join(folder, `inter-${face}.woff2`), woff2);
 

@@ -3,11 +3,12 @@
 //
 //   page ──PageToCoordinator──▶ coordinator ──CoordinatorToEvaluator──▶ evaluator 1..N
 //        ◀─CoordinatorToPage───             ◀─EvaluatorToCoordinator───
-//   page ──Role──▶ any new worker ──Ready──▶ page
+//   page ──Role──▶ any worker ──Ready──▶ page
 //
 // The page starts one coordinator and N evaluators; coordinator and evaluator talk through a MessagePort of
 // their own, so the page's thread has no part in the search's loop. Typed arrays are transferred wherever the
-// sender has no more use for them. After 'failed' or 'finished' the page ends the workers.
+// sender has no more use for them. After 'failed' or 'finished' the page ends the workers; or, when the search was
+// done, gives them roles in the next one.
 
 /** @typedef {import('./engine.js').Fault} Fault */
 
@@ -33,7 +34,7 @@
  * @property {MessagePort} port           transferred; its other end goes to the coordinator
  */
 
-/** The first message to every worker. @typedef {Coordinate | Evaluate} Role */
+/** The first message to every worker, and later ones when a search is done. @typedef {Coordinate | Evaluate} Role */
 
 // ---- page → coordinator ----
 

@@ -28,7 +28,6 @@ start().catch((error) => {
 
 async function start() {
   setTimeout(() => { element('loading-hint').hidden = false; }, HINT_AFTER_MS);
-  requireWebGl();
   const statusLine = new StatusLine();
   /** @type {{app: App, searches: Searches, address: Address, controls: Controls, canvas: HTMLCanvasElement} | null} */
   let parts = null;
@@ -56,7 +55,7 @@ async function start() {
         element('loading').hidden = true;
         performance.mark('gaitsmith-first-frame');
         // Workers need it at the first search; now the line is free.
-        setTimeout(() => parts?.searches.engine().catch(() => {}), 1000);
+        setTimeout(() => parts?.searches.prepare().catch(() => {}), 1000);
         gaitsmith.firstFrame();
       },
       leaveCanvas: (direction) => leaveCanvas(canvas, direction),
@@ -64,6 +63,7 @@ async function start() {
   });
 
   const app = new App(module);
+  if (!app.running()) throw new Error('this browser has no WebGL 2');
   const searches = new Searches(app, statusLine);
   const address = new Address(app, () => searches.searching);
   followTheme((dark) => app.setTheme(dark));
@@ -71,6 +71,7 @@ async function start() {
   showTitle(app.title());
   parts = { app, searches, address, controls: new Controls(app), canvas };
   gaitsmith.begin(parts);
+  gaitsmith.fps = Number(new URLSearchParams(location.search).get('fps'));
   for (const end of ['done', 'error']) searches.addEventListener(end, () => parts?.controls.searching(false));
   searches.addEventListener('done', () => address.changed());
   startSharing(app, address);
@@ -82,13 +83,6 @@ async function start() {
     address.write();
     banner('The graphics of this page were lost. Your work is in the address: reload to go on.', { reload: true });
   });
-}
-
-/** Without it SDL would leave an empty canvas. */
-function requireWebGl() {
-  const context = document.createElement('canvas').getContext('webgl2');
-  if (!context) throw new Error('this browser has no WebGL 2');
-  context.getExtension('WEBGL_lose_context')?.loseContext();
 }
 
 /** @param {string} title */

@@ -28,6 +28,7 @@ import { NO_REPORT, unreachable } from './messages.js';
  * @property {boolean} coordinatorReady
  * @property {number} silentMs
  * @property {Map<number, Evaluator>} evaluators
+ * @property {boolean} sound  none of them has died
  */
 
 const TICK_MS = 1000;
@@ -39,10 +40,17 @@ const START_MS = 30000;
 const STOP_MS = 2000;
 // More deaths than this without an evaluation in between are no accident.
 const MOST_DEATHS = 8;
+// Workers without a search are kept for the next one: they have their scripts and an engine. Not for ever, since each
+// holds some memory.
+const REST_MS = 60000;
 
 export class SearchClient {
   /** @type {Crew | null} */
   #crew = null;
+  /** Those of the last search, if it was done and nobody died; coordinator first. @type {Worker[]} */
+  #rested = [];
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #rest;
   /** @type {Uint8Array} */
   #document = new Uint8Array();
   #workers = 1;
@@ -109,8 +117,14 @@ export class SearchClient {
     this.#send({ type: 'stop' });
   }
 
-  /** Ends the workers at once. @returns {SearchReport} what is known of their search, as of one that was stopped */
+  /** Ends all workers at once. @returns {SearchReport} what is known of their search, as of one that was stopped */
   close() {
+    this.#sendHome();
+    return this.drop();
+  }
+
+  /** Ends a search that runs, and its workers, at once. @returns {SearchReport} as of close() */
+  drop() {
     const known = this.#crew ? this.#known : NO_REPORT;
     this.#dismiss();
     return { ...known, state: 'stopped', rate: 0, secondsLeft: 0 };
@@ -119,9 +133,10 @@ export class SearchClient {
   // The crew.
 
   #hire() {
-    const coordinator = this.createWorker();
+    clearTimeout(this.#rest);
+    const coordinator = this.#worker();
     /** @type {Crew} */
-    const crew = { coordinator, coordinatorReady: false, silentMs: 0, evaluators: new Map() };
+    const crew = { coordinator, coordinatorReady: false, silentMs: 0, evaluators: new Map(), sound: true };
     this.#crew = crew;
     /** @param {MessageEvent<CoordinatorToPage>} event */
     coordinator.onmessage = ({ data }) => {
@@ -142,7 +157,30 @@ export class SearchClient {
     coordinator.postMessage(role);
     if (this.#paused) coordinator.postMessage({ type: 'pause' });
     for (let i = 0; i < this.#workers; i++) this.#addEvaluator(crew);
+    this.#sendHome(); // those that are too many
     this.#watch = setInterval(() => this.#tick(crew), TICK_MS);
+  }
+
+  #worker() { return this.#rested.shift() ?? this.createWorker(); }
+
+  /** After a search that is done. @param {Crew} crew */
+  #letRest(crew) {
+    const evaluators = [...crew.evaluators.values()];
+    if (crew.sound && evaluators.every(({ ready }) => ready)) {
+      this.#crew = null; // so that they are not ended
+      this.#rested = [crew.coordinator, ...evaluators.map(({ worker }) => worker)];
+      for (const worker of this.#rested) {
+        worker.onmessage = null;
+        worker.onerror = () => this.#sendHome();
+      }
+      this.#rest = setTimeout(() => this.#sendHome(), REST_MS);
+    }
+    this.#dismiss();
+  }
+
+  #sendHome() {
+    clearTimeout(this.#rest);
+    for (const worker of this.#rested.splice(0)) worker.terminate();
   }
 
   #dismiss() {
@@ -157,7 +195,7 @@ export class SearchClient {
   /** @param {Crew} crew */
   #addEvaluator(crew) {
     const evaluator = this.#evaluatorNumber++;
-    const worker = this.createWorker();
+    const worker = this.#worker();
     const { port1, port2 } = new MessageChannel();
     const entry = { worker, ready: false, waitedMs: 0 };
     crew.evaluators.set(evaluator, entry);
@@ -203,7 +241,8 @@ export class SearchClient {
         this.listener.progress(message.report);
         break;
       case 'finished':
-        this.#dismiss();
+        if (message.report.state === 'done') this.#letRest(crew);
+        else this.#dismiss();
         this.listener.progress(message.report);
         break;
       case 'checkpoint':
@@ -241,6 +280,7 @@ export class SearchClient {
     if (!entry) return; // told twice: by its error and by its silence
     entry.worker.terminate();
     crew.evaluators.delete(evaluator);
+    crew.sound = false;
     this.#send({ type: 'remove-evaluator', evaluator });
     if (this.#stopping !== null) return;
     if (!this.#survives()) return;
@@ -261,7 +301,7 @@ export class SearchClient {
   }
 
   /** Ends a search whose coordinator cannot report its end. */
-  #stopped() { this.listener.progress(this.close()); }
+  #stopped() { this.listener.progress(this.drop()); }
 
   #survives() {
     if (++this.#deaths <= MOST_DEATHS) return true;

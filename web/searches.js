@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Searches as the page knows them: the application asks for one, workers run it, and application, status line and
 // listeners hear how far it is.
-import { SearchClient } from './search_client.js';
 import { NO_REPORT } from './messages.js';
 import { banner } from './dom.js';
 
@@ -10,12 +9,13 @@ import { banner } from './dom.js';
 
 const ALGORITHMS = /** @type {Record<string, string>} */ ({ sphc: 'SPHC', rgt: 'RG&T' });
 
+/** @typedef {import('./search_client.js').SearchClient} SearchClient */
 /** @typedef {{resolve: (report: SearchReport) => void, reject: (error: Error) => void}} End */
 
 /** Tells its listeners 'progress' (a SearchReport), 'done' (a SearchReport) and 'error' (an Error). */
 export class Searches extends EventTarget {
-  /** @type {Promise<WebAssembly.Module> | null} */
-  #engine = null;
+  /** @type {Promise<[WebAssembly.Module, typeof import('./search_client.js')]> | null} */
+  #prepared = null;
   /** @type {SearchClient | null} */
   #client = null;
   #run = 0; // counts starts: what a slow start finds out may be outdated
@@ -36,17 +36,18 @@ export class Searches extends EventTarget {
     this.statusLine = statusLine;
   }
 
-  /** Compiled once, for all workers. */
-  engine() {
-    this.#engine ??= WebAssembly.compileStreaming(fetch(new URL('engine.wasm', import.meta.url)));
-    this.#engine.catch(() => { this.#engine = null; }); // try again next time
-    return this.#engine;
+  /** What only a search needs: the engine, compiled once for all workers, and the code that looks after them. */
+  prepare() {
+    this.#prepared ??= Promise.all([
+      WebAssembly.compileStreaming(fetch(new URL('engine.wasm', import.meta.url))), import('./search_client.js')]);
+    this.#prepared.catch(() => { this.#prepared = null; }); // try again next time
+    return this.#prepared;
   }
 
   /** @param {Uint8Array} document @param {number} workers */
   async start(document, workers) {
     const run = ++this.#run;
-    this.#end?.resolve(this.#client?.close() ?? { ...NO_REPORT, state: 'stopped' });
+    this.#end?.resolve(this.#client?.drop() ?? { ...NO_REPORT, state: 'stopped' });
     this.ended = new Promise((resolve, reject) => { this.#end = { resolve, reject }; });
     this.ended.catch(() => {}); // the banner tells, even if nobody waits
     this.searching = true;
@@ -56,7 +57,7 @@ export class Searches extends EventTarget {
     this.statusLine.say('');
     this.#hear(NO_REPORT, true);
     try {
-      const engine = await this.engine();
+      const [engine, { SearchClient }] = await this.prepare();
       if (run !== this.#run) return;
       this.#client ??= new SearchClient({
         engine,

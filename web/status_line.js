@@ -9,7 +9,8 @@ import { element, setText } from './dom.js';
 const SPEAK_EVERY_MS = 10000;
 const SENTENCE_STAYS_MS = 6000;
 
-const whole = new Intl.NumberFormat('en', { maximumFractionDigits: 0 });
+// "40,000". Intl's formats take 40 ms to make.
+const whole = (/** @type {number} */ value) => String(Math.round(value)).replace(/\B(?=(\d{3})+$)/g, ',');
 
 export class StatusLine {
   #status = element('status');
@@ -40,11 +41,11 @@ export class StatusLine {
     const ended = report.state === 'done' || report.state === 'stopped';
     const best = Number.isFinite(report.bestFitness) && report.bestFitness > -1e8
       ? `best ${report.bestFitness.toFixed(2)}${unit}` : '';
-    const count = `${whole.format(report.evaluations)} of ${whole.format(report.budget)}`;
+    const count = `${whole(report.evaluations)} of ${whole(report.budget)}`;
     if (ended) {
       this.clear();
       setText(this.#status, `${report.state === 'done' ? 'Search done' : 'Search stopped'}: ${best || 'nothing found'} after ${
-        whole.format(report.evaluations)} evaluations`);
+        whole(report.evaluations)} evaluations`);
       return;
     }
     const paused = report.state === 'paused';
@@ -55,7 +56,7 @@ export class StatusLine {
     this.#bar.style.transform = `scaleX(${report.evaluations / Math.max(1, report.budget)})`;
     setText(this.#count, count);
     setText(this.#rate, paused || report.rate === 0 ? '' :
-      `${whole.format(report.rate)}/s on ${workers} worker${workers === 1 ? '' : 's'}`);
+      `${whole(report.rate)}/s on ${workers} worker${workers === 1 ? '' : 's'}`);
     setText(this.#best, best);
     setText(this.#left, paused || report.rate === 0 ? '' : timeLeft(report.secondsLeft));
     if (now - this.#spokenMs > SPEAK_EVERY_MS) {

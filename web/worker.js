@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A search worker. Its first message says whether it coordinates a search or evaluates for one.
+// A search worker. A message says whether it coordinates a search or evaluates for one; when that search is done, the
+// next role may follow.
 import { Coordinator } from './worker_coordinator.js';
 import { Engine, EngineError } from './engine.js';
 import { startEvaluator } from './worker_evaluator.js';
@@ -12,36 +13,45 @@ import { unreachable } from './messages.js';
 /** @type {(message: CoordinatorToPage, transfer?: Transferable[]) => void} */
 const post = (message, transfer = []) => self.postMessage(message, { transfer });
 
-/** @type {Promise<Coordinator | null> | null} */
-let role = null;
+/** @type {Promise<Engine> | null} */
+let engine = null;
+/** @type {Coordinator | null} */
+let coordinator = null;
+/** Frees what the role before holds. */
+let leave = () => {};
+let before = Promise.resolve();
 
-// Later messages wait for the role that the first one began, and keep their order.
+// Messages wait for the role that one before them began, and keep their order.
 self.addEventListener('message', ({ data }) => {
-  if (!role) role = take(data);
-  else role.then((coordinator) => coordinator?.receive(data)).catch(die);
+  const isRole = data.type === 'coordinate' || data.type === 'evaluate';
+  before = before.then(() => (isRole ? take(data) : coordinator?.receive(data))).catch(die);
 });
 
 /** @param {Role} message */
 async function take(message) {
   try {
-    const engine = await Engine.load(message.engine);
+    leave();
+    leave = () => {};
+    coordinator = null;
+    engine ??= Engine.load(message.engine);
+    const loaded = await engine;
     switch (message.type) {
       case 'coordinate': {
-        const coordinator = new Coordinator(engine, message, post);
-        post({ type: 'ready' });
-        return coordinator;
+        const mine = new Coordinator(loaded, message, post);
+        coordinator = mine;
+        leave = () => mine.close();
+        break;
       }
       case 'evaluate':
-        startEvaluator(engine, message);
-        post({ type: 'ready' });
-        return null;
+        leave = startEvaluator(loaded, message);
+        break;
       default:
-        return unreachable(message);
+        unreachable(message);
     }
+    post({ type: 'ready' });
   } catch (error) {
     if (error instanceof EngineError) post({ type: 'failed', fault: error.fault });
     else die(error);
-    return null;
   }
 }
 

@@ -224,8 +224,13 @@ export class Coordinator {
   #finish(state) {
     this.#state = state;
     clearInterval(this.ticker);
+    for (const { port } of this.#hands.values()) port.close();
+    this.#hands.clear();
     this.post({ type: 'finished', report: this.#summary(true) });
   }
+
+  /** Frees the search, after its end. */
+  close() { this.search.close(); }
 
   /** @param {boolean} everything @returns {SearchReport} */
   #summary(everything) {

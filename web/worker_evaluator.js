@@ -7,6 +7,7 @@
 /**
  * @param {import('./engine.js').Engine} engine
  * @param {import('./messages.js').Evaluate} role
+ * @returns {() => void} ends it
  */
 export function startEvaluator(engine, { document, port }) {
   const evaluator = engine.evaluator(document);
@@ -16,5 +17,9 @@ export function startEvaluator(engine, { document, port }) {
     /** @type {EvaluatorToCoordinator} */
     const reply = { type: 'scored', slice: data.slice, fitness };
     port.postMessage(reply, [fitness.buffer]);
+  };
+  return () => {
+    port.close();
+    evaluator.close();
   };
 }

@@ -110,6 +110,37 @@ test('the best genome scores what the search says', async () => {
   assert.equal(engine.evaluator(document).evaluate(genome)[0], last.bestFitness);
 });
 
+test('the workers of a search that is done run the next one, of another problem, as new ones would', async () => {
+  const [first, second] = [problem({ evaluations: 500 }), problem({ evaluations: 1500, seed: 11, algorithm: 'rgt' })];
+  /** @type {NodeWorker[]} */
+  const crew = [];
+  /** @type {(report: SearchReport) => void} */
+  let hear = () => {};
+  const client = new SearchClient({
+    engine: compiled,
+    createWorker: () => {
+      crew.push(new NodeWorker(join(WEB, 'worker.js')));
+      return /** @type {any} */ (crew[crew.length - 1]);
+    },
+    listener: { progress: (report) => hear(report), incident: assert.fail, failed: assert.fail },
+  });
+  after(() => client.close());
+  /** @param {Uint8Array} document @param {number} workers @returns {Promise<Run>} */
+  const search = (document, workers) => new Promise((resolve) => {
+    hear = (last) => {
+      if (last.state === 'done') resolve({ reports: [], incidents: [], last, genome: last.bestGenome ?? new Uint16Array() });
+    };
+    client.start(document, workers);
+  });
+  await search(first, 2);
+  assertSame(await search(second, 2), await run(second, 1));
+  assert.equal(crew.length, 3);
+  assertSame(await search(first, 1), await run(first, 1));
+  assert.equal(crew.length, 3);
+  assertSame(await search(second, 3), await run(second, 1));
+  assert.equal(crew.length, 5);
+});
+
 /**
  * Runs with two workers and terminates one of the crew halfway, as a browser does that is
  * short of memory: without a word. The coordinator is the first of the crew.
