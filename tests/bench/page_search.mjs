@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Whole searches in Chromium: by workers alone on an empty page, and as a visitor runs them, with the best motion
+// animating on the canvas.
+
+/** @typedef {import('../browser/browsers.mjs').Browser} Browser */
+/** @typedef {import('../../web/messages.js').SearchReport} SearchReport */
+
+/**
+ * What a search took.
+ * @typedef {object} Taken
+ * @property {number} seconds     from its start to its last report, workers' start included
+ * @property {number} evaluations as the serial search counts them
+ * @property {number} simulated   with what looking ahead threw away
+ * @property {number} simulatedPerSecond  of workers that have started
+ * @property {boolean} whole      false: it was stopped at the limit
+ */
+/**
+ * framesPerSecond: that the browser offered; a page with ?fps= draws fewer.
+ * @typedef {Taken & {framesPerSecond: number, longestStallMs: number}} Visited
+ */
+
+/**
+ * On an empty page, so that nothing else runs. A search that lasts longer than the limit is stopped.
+ * @param {Browser} browser @param {string} address
+ * @param {object} document  with its search settings
+ * @param {number} workers @param {number} limitMs
+ * @returns {Promise<Taken>}
+ */
+export async function searchAlone(browser, address, document, workers, limitMs) {
+  const page = await (await browser.createBrowserContext()).newPage();
+  await page.goto(`${address}an-empty-page`);
+  const taken = await page.evaluate(async (text, count, limit) => {
+    const { Engine } = await import(new URL('engine.js', location.href).href);
+    const { SearchClient } = await import(new URL('search_client.js', location.href).href);
+    const compiled = await WebAssembly.compileStreaming(fetch(new URL('engine.wasm', location.href)));
+    const engine = await Engine.load(compiled);
+    /** @type {{ms: number, simulated: number} | null} */
+    let first = null;
+    /** @type {SearchReport} */
+    const last = await new Promise((resolve, reject) => {
+      const client = new SearchClient({
+        engine: compiled,
+        createWorker: () => new Worker(new URL('worker.js', location.href), { type: 'module' }),
+        listener: {
+          progress: (/** @type {SearchReport} */ report) => {
+            if (report.simulated > 0) first ??= { ms: performance.now(), simulated: report.simulated };
+            if (['done', 'stopped'].includes(report.state)) resolve(report);
+          },
+          incident: console.error,
+          failed: reject,
+        },
+      });
+      performance.mark('bench-start');
+      client.start(engine.documentFromText(text), count);
+      setTimeout(() => client.stop(), limit); // nothing, once it is done
+    });
+    const seconds = performance.measure('bench', 'bench-start').duration / 1000;
+    const { ms, simulated } = /** @type {{ms: number, simulated: number}} */ (/** @type {unknown} */ (first));
+    return {
+      seconds,
+      evaluations: last.evaluations,
+      simulated: last.simulated,
+      simulatedPerSecond: (1000 * (last.simulated - simulated)) / (performance.now() - ms),
+      whole: last.state === 'done',
+    };
+  }, JSON.stringify(document), workers, limitMs);
+  await page.browserContext().close();
+  return taken;
+}
+
+/**
+ * In the real page, with the same limit.
+ * @param {Browser} browser
+ * @param {string} address  with the page's options
+ * @param {object} document  with its search settings
+ * @param {number} workers @param {number} limitMs
+ * @returns {Promise<Visited>}
+ */
+export async function searchInPage(browser, address, document, workers, limitMs) {
+  const page = await (await browser.createBrowserContext()).newPage();
+  await page.goto(address);
+  const taken = await page.evaluate(async (opened, options, limit) => {
+    await window.gaitsmith.ready;
+    window.gaitsmith.open(opened);
+    let frames = 0, ticked = performance.now(), longest = 0, running = true;
+    const frame = () => {
+      frames++;
+      if (running) requestAnimationFrame(frame);
+    };
+    requestAnimationFrame(frame);
+    // A message to oneself comes as soon as the thread is free; timers may be held back.
+    const { port1, port2 } = new MessageChannel();
+    const pause = 4;
+    port1.onmessage = () => {
+      const now = performance.now();
+      longest = Math.max(longest, now - ticked - pause);
+      ticked = now;
+      if (running) setTimeout(() => port2.postMessage(0), pause);
+    };
+    const start = performance.now();
+    ticked = start;
+    port2.postMessage(0);
+    const stop = setTimeout(() => window.gaitsmith.stop(), limit);
+    const { report } = await window.gaitsmith.synthesize(options);
+    clearTimeout(stop);
+    running = false;
+    const seconds = (performance.now() - start) / 1000;
+    return {
+      seconds,
+      evaluations: report.evaluations,
+      simulated: report.simulated,
+      simulatedPerSecond: report.simulated / seconds,
+      whole: report.state === 'done',
+      framesPerSecond: frames / seconds,
+      longestStallMs: longest,
+    };
+  }, document, { workers }, limitMs);
+  await page.browserContext().close();
+  return taken;
+}

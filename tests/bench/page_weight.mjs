@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// What the page weighs: bytes and time until the first motion, and memory at work.
+import { gzipSync } from 'node:zlib';
+
+/** @typedef {import('../browser/browsers.mjs').Browser} Browser */
+
+/** Milliseconds from opening to the first frame that moves. @param {Browser} browser @param {string} address */
+export async function openToFirstFrame(browser, address) {
+  const page = await (await browser.createBrowserContext()).newPage();
+  await page.goto(address);
+  const ms = await page.evaluate(async () => {
+    await window.gaitsmith.ready;
+    return performance.getEntriesByName('gaitsmith-first-frame')[0].startTime;
+  });
+  await page.browserContext().close();
+  return ms;
+}
+
+/** Every file that the page loads until its first frame, gzipped. @param {Browser} browser @param {string} address */
+export async function bytesUntilFirstMotion(browser, address) {
+  const page = await (await browser.createBrowserContext()).newPage();
+  /** @type {Promise<[string, number, number]>[]} */
+  const files = [];
+  let counting = true;
+  page.on('response', (response) => {
+    if (!counting || response.status() !== 200) return;
+    files.push(response.buffer().then((body) => [new URL(response.url()).pathname, body.length, gzipSync(body, { level: 9 }).length]));
+  });
+  await page.goto(address);
+  await page.evaluate(() => window.gaitsmith.ready.then(() => true));
+  counting = false;
+  const loaded = await Promise.all(files);
+  await page.browserContext().close();
+  return {
+    gzip: loaded.reduce((sum, [, , gzip]) => sum + gzip, 0),
+    plain: loaded.reduce((sum, [, plain]) => sum + plain, 0),
+    files: Object.fromEntries(loaded.map(([path, , gzip]) => [path, gzip])),
+  };
+}
+
+/**
+ * WebAssembly memory of the page's application after a search, and of an engine that plays both of a worker's roles, by
+ * algorithm.
+ * @param {Browser} browser @param {string} address @param {string[]} algorithms
+ */
+export async function memory(browser, address, algorithms) {
+  const page = await (await browser.createBrowserContext()).newPage();
+  await page.evaluateOnNewDocument(() => {
+    const original = WebAssembly.instantiateStreaming;
+    WebAssembly.instantiateStreaming = async (...options) => {
+      const result = await original(...options);
+      for (const value of Object.values(result.instance.exports)) {
+        const kept = /** @type {any} */ (window); // the application's is the first
+        if (value instanceof WebAssembly.Memory) kept.benchMemory ??= value;
+      }
+      return result;
+    };
+  });
+  await page.goto(address);
+  const bytes = await page.evaluate(async (names) => {
+    await window.gaitsmith.ready;
+    await window.gaitsmith.synthesize({ evaluations: 2000, seed: 1 });
+    const { Engine } = await import(new URL('engine.js', location.href).href);
+    const workers = /** @type {Record<string, number>} */ ({});
+    const shown = /** @type {any} */ (window.gaitsmith.document());
+    for (const algorithm of names) {
+      const engine = await Engine.load();
+      const text = JSON.stringify({ figure: shown.figure, search: { algorithm, evaluations: 100000 } });
+      const document = engine.documentFromText(text);
+      const search = engine.search(document);
+      const evaluator = engine.evaluator(document);
+      for (let i = 0; i < 12; i++) search.tell(evaluator.evaluate(search.ask(160)));
+      workers[algorithm] = engine.memoryBytes;
+    }
+    return { page: /** @type {any} */ (window).benchMemory?.buffer.byteLength, workers };
+  }, algorithms);
+  const { JSHeapUsedSize } = await page.metrics();
+  await page.browserContext().close();
+  return { ...bytes, pageScriptHeap: JSHeapUsedSize };
+}
