@@ -186,13 +186,14 @@ void SolveSingle(const World& world, const Body<W>& body, Contact<W>& contact) {
 /// Two endpoints: both if that pushes at both, else one alone if that keeps the other from the ground. There
 /// is one more way: friction can jam an endpoint that would not even approach; it is taken only where nothing
 /// else will do.
+/// @param has_two lanes that have a second contact; in the others `two` must be out of reach
 template <int W>
-void SolvePair(const World& world, const Body<W>& body, Contact<W>& one, Contact<W>& two) {
+void SolvePair(const World& world, const Body<W>& body, Contact<W>& one, Contact<W>& two,
+               const typename Lane<W>::I& has_two) {
   using L = Lane<W>;
   using F = typename L::F;
   using I = typename L::I;
-  const I both = SolveBoth<W>(world, body, one, two);
-  I open = ~both;
+  I open = ~(SolveBoth<W>(world, body, one, two) & has_two);
   if (!L::Any(open)) return;
   const Impulse<W> nothing = {F{}, F{}};
   const auto offer = [&](const Impulse<W>& for_one, const Impulse<W>& for_two, I fits) {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/physics/evaluator_herd.h"
+#include "core/physics/evaluator_width.h"
 
 namespace gaitsmith {
 
@@ -16,21 +16,21 @@ std::vector<std::array<float, 2>> JointLimits(const Skeleton& skeleton) {
   return limits;
 }
 
-Evaluator::Evaluator(const Problem& problem, Herd herd, bool with_hash)
+Evaluator::Evaluator(const Problem& problem, Width width, bool with_hash)
     : problem_(problem),
       skeleton_(problem.figure),
       joint_limits_(JointLimits(skeleton_)),
-      herd_(herd),
+      width_(width),
       with_hash_(with_hash) {}
 
 Evaluator::Evaluator(const Problem& problem, bool with_hash)
-    : Evaluator(problem, &EvaluateHerd<kDefaultLanes>, with_hash) {}
+    : Evaluator(problem, {kDefaultLanes, &EvaluateWidth<kDefaultLanes>}, with_hash) {}
 
 std::vector<Evaluation> Evaluator::Evaluate(std::span<const std::span<const Gene>> genomes) const {
   std::vector<Evaluation> results(genomes.size());
-  for (std::size_t at = 0; at < genomes.size(); at += kHerd) {
-    const std::size_t count = std::min(static_cast<std::size_t>(kHerd), genomes.size() - at);
-    herd_(*this, genomes.subspan(at, count), std::span(results).subspan(at, count));
+  for (std::size_t at = 0; at < genomes.size(); at += width_.lanes) {
+    const std::size_t count = std::min(width_.lanes, genomes.size() - at);
+    width_.evaluate(*this, genomes.subspan(at, count), std::span(results).subspan(at, count));
   }
   return results;
 }

@@ -21,12 +21,9 @@ struct Evaluation {
 
 class Evaluator {
  public:
-  /// Figures that share an instruction. No count changes a bit of any result.
+  /// Figures simulated side by side. No count changes a bit of any result.
   static constexpr int kLaneCounts[] = {1, 2, 4, 8, 16};
   static constexpr int kDefaultLanes = 4;  // one register of SSE or of WebAssembly
-
-  /// Figures simulated together at most: enough that those who meet the ground fill whole registers.
-  static constexpr int kHerd = 64;
 
   /// @param problem   valid; copied
   /// @param with_hash whether evaluations carry the trajectory's hash
@@ -42,16 +39,20 @@ class Evaluator {
   [[nodiscard]] std::vector<Evaluation> Evaluate(std::span<const Genome> genomes) const;
 
  private:
-  using Herd = void (*)(const Evaluator&, std::span<const std::span<const Gene>>, std::span<Evaluation>);
-  Evaluator(const Problem& problem, Herd herd, bool with_hash);
+  /// How many figures share an instruction, and how those are scored.
+  struct Width {
+    std::size_t lanes;
+    void (*evaluate)(const Evaluator&, std::span<const std::span<const Gene>>, std::span<Evaluation>);
+  };
+  Evaluator(const Problem& problem, Width width, bool with_hash);
   template <int W>
-  static void EvaluateHerd(const Evaluator&, std::span<const std::span<const Gene>> genomes,
-                           std::span<Evaluation> results);
+  static void EvaluateWidth(const Evaluator&, std::span<const std::span<const Gene>> genomes,
+                            std::span<Evaluation> results);
 
   Problem problem_;
   Skeleton skeleton_;
   std::vector<std::array<float, 2>> joint_limits_;
-  Herd herd_;
+  Width width_;
   bool with_hash_;
 };
 

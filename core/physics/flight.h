@@ -64,7 +64,6 @@ template <int W>
   s.ground = {};
   PlaceAtEnd<W>(skeleton, world, s);
   s.flight_spin = s.spin;
-  s.near_ground = EndpointsNearGround<W>(skeleton, s);
 }
 
 }  // namespace gaitsmith

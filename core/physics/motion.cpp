@@ -20,8 +20,8 @@ Motion::Motion(const Figure& figure, const Environment& environment, const Start
                        std::span(&genes, 1), limits, step_s);
   }
 
-  Simulation<1> simulation(skeleton_, environment, start, pushes, 1, step_s);
-  const MotionState<1>& s = simulation.Of(0).state;
+  Simulation<1> simulation(skeleton_, environment, start, pushes, step_s);
+  const MotionState<1>& s = simulation.State();
   TrajectoryHash hash;
   int clip = -1;
   const auto record = [&] {
@@ -46,7 +46,7 @@ Motion::Motion(const Figure& figure, const Environment& environment, const Start
     while (clip + 1 < static_cast<int>(clips.size()) &&
            clips[static_cast<std::size_t>(clip) + 1].start_step <= step) {
       ++clip;
-      simulation.Follow(std::span(&banks[static_cast<std::size_t>(clip)], 1));
+      simulation.Follow(banks[static_cast<std::size_t>(clip)]);
     }
   };
   take_over(0);

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Any number of figures of one kind in one environment, each following its own controller, advanced step by
-// step, W side by side.
+// W figures of one kind in one environment, each following its own controller, advanced step by step.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "core/control/bank.h"
 #include "core/physics/environment.h"
@@ -21,52 +19,41 @@ class Simulation {
   using L = Lane<W>;
   using F = typename L::F;
   using I = typename L::I;
-  using State = MotionState<W>;
 
  public:
-  /// @param pushes  sorted by step; must outlive the simulation, as must the skeleton
-  /// @param figures how many, at least 1
+  /// @param pushes sorted by step; must outlive the simulation, as must the skeleton
   Simulation(const Skeleton& skeleton, const Environment& environment, const StartState& start,
-             std::span<const Push> pushes, int figures = 1, float step_s = kStep)
-      : skeleton_(skeleton),
-        pushes_(pushes),
-        world_(skeleton, environment, step_s),
-        ground_(skeleton_, world_) {
-    State first;
-    PlaceAtStart(start, first);
-    states_.assign(static_cast<std::size_t>((figures + W - 1) / W), first);
+             std::span<const Push> pushes, float step_s = kStep)
+      : skeleton_(skeleton), pushes_(pushes), world_(skeleton, environment, step_s) {
+    PlaceAtStart(start);
   }
-  Simulation(const Simulation&) = delete;  // the ground refers to it
-  Simulation& operator=(const Simulation&) = delete;
 
-  /// Hands the figures to other controllers, W to a bank: their first rules become active, their timers start
-  /// at zero; the motion goes on as it is. The banks must outlive their use.
-  void Follow(std::span<const Bank<W>> banks) {
-    banks_ = banks;
+  /// Hands the figures to other controllers: their first rules become active, their timers start at zero; the
+  /// motion goes on as it is. The bank must outlive its use.
+  void Follow(const Bank<W>& bank) {
+    bank_ = &bank;
     timer_steps_ = 0;
-    for (std::size_t i = 0; i < states_.size(); ++i) {
-      states_[i].rule = I{};
-      for (int lane = 0; lane < W; ++lane) banks_[i].Respond(0, lane, states_[i].response);
-    }
+    state_.rule = I{};
+    for (int lane = 0; lane < W; ++lane) bank.Respond(0, lane, state_.response);
   }
 
   /// Advances every figure by one step.
   void Step() {
     for (; next_push_ < pushes_.size() && pushes_[next_push_].step <= step_; ++next_push_) {
-      for (State& s : states_) Give(pushes_[next_push_], s);
+      Give(pushes_[next_push_]);
     }
-    for (State& s : states_) Fly<W>(skeleton_, world_, s);
-    ground_.Meet(states_);
+    Fly<W>(skeleton_, world_, state_);
+    MeetGround<W>(skeleton_, world_, state_);
+    Conclude();
     ++step_;
     ++timer_steps_;
-    for (std::size_t i = 0; i < states_.size(); ++i) {
-      Conclude(states_[i]);
-      if (!banks_.empty()) ChooseRules(banks_[i], states_[i]);
-    }
+    if (bank_ != nullptr) ChooseRules();
   }
 
-  [[nodiscard]] Terms TermsOf(int figure) const {
-    const auto [s, lane] = Of(figure);
+  [[nodiscard]] const MotionState<W>& State() const { return state_; }
+
+  [[nodiscard]] Terms TermsOf(int lane) const {
+    const MotionState<W>& s = state_;
     Terms terms;
     terms.travel_m = static_cast<float>(s.distance_m[lane]);
     terms.start_height_m = s.start_height_m[lane];
@@ -80,8 +67,8 @@ class Simulation {
   }
 
   /// Adds this step's positions of one figure to a hash.
-  void AddTo(TrajectoryHash& hash, int figure) const {
-    const auto [s, lane] = Of(figure);
+  void AddTo(TrajectoryHash& hash, int lane) const {
+    const MotionState<W>& s = state_;
     hash.Add(s.distance_m[lane]);
     hash.Add(s.height_m[lane]);
     hash.Add(s.turn_rad[lane]);
@@ -89,17 +76,9 @@ class Simulation {
       hash.Add(s.angle_rad[j][lane]);
   }
 
-  /// The state that holds a figure, and its lane there.
-  struct Place {
-    const State& state;
-    int lane;
-  };
-  [[nodiscard]] Place Of(int figure) const {
-    return {states_[static_cast<std::size_t>(figure / W)], figure % W};
-  }
-
  private:
-  void PlaceAtStart(const StartState& start, State& s) {
+  void PlaceAtStart(const StartState& start) {
+    MotionState<W>& s = state_;
     PoseFigure<W>(skeleton_, s.angle_rad, s.poses[0]);
     const Pose<W>& pose = s.poses[0];
     s.velocity_x = L::Splat(start.velocity_x_mps);
@@ -119,7 +98,8 @@ class Simulation {
     s.height_m = s.start_height_m = s.greatest_height_m = L::Splat(start.drop_height_m) - lowest;
   }
 
-  void Give(const Push& push, State& s) const {
+  void Give(const Push& push) {
+    MotionState<W>& s = state_;
     s.velocity_x += L::Splat(push.impulse_x_ns * world_.inverse_mass);
     s.velocity_y += L::Splat(push.impulse_y_ns * world_.inverse_mass);
     if (push.endpoint == kCentreOfMass) return;
@@ -131,7 +111,8 @@ class Simulation {
   }
 
   /// The end of the step becomes the state; what was measured in it is added up.
-  [[gnu::noinline]] void Conclude(State& s) const {
+  [[gnu::noinline]] void Conclude() {
+    MotionState<W>& s = state_;
     const auto endpoints = static_cast<std::size_t>(skeleton_.endpoints);
     s.velocity_x += s.ground.along * world_.inverse_mass;
     s.velocity_y += s.ground.up * world_.inverse_mass;
@@ -161,18 +142,21 @@ class Simulation {
     s.now = 1 - s.now;
   }
 
-  [[gnu::noinline]] void ChooseRules(const Bank<W>& bank, State& s) const {
-    Sense(bank.Senses(), s);
-    const I chosen = bank.Choose(s.senses, s.rule);
+  [[gnu::noinline]] void ChooseRules() {
+    MotionState<W>& s = state_;
+    Sense();
+    const I chosen = bank_->Choose(s.senses, s.rule);
     const I changed = chosen != s.rule;
     if (!L::Any(changed)) return;
     s.rule = chosen;
     for (int lane = 0; lane < W; ++lane) {
-      if (L::At(changed, lane)) bank.Respond(L::At(chosen, lane), lane, s.response);
+      if (L::At(changed, lane)) bank_->Respond(L::At(chosen, lane), lane, s.response);
     }
   }
 
-  void Sense(const SenseSpec& spec, State& s) const {
+  void Sense() {
+    MotionState<W>& s = state_;
+    const SenseSpec& spec = bank_->Senses();
     if (spec.kind == SenseKind::kTimer) {
       const int phase = timer_steps_ % spec.period_steps;
       s.senses[0] = L::Splat(static_cast<float>(phase) / static_cast<float>(spec.period_steps));
@@ -195,9 +179,8 @@ class Simulation {
   const Skeleton& skeleton_;
   std::span<const Push> pushes_;
   World world_;
-  Ground<W> ground_;
-  std::vector<State> states_;
-  std::span<const Bank<W>> banks_;
+  MotionState<W> state_;
+  const Bank<W>* bank_ = nullptr;
   int step_ = 0;
   int timer_steps_ = 0;
   std::size_t next_push_ = 0;

@@ -88,7 +88,7 @@ TEST_CASE("contact: two endpoints are solved exactly", "[physics][contact]") {
   constexpr int kInstants = 20000;
   for (std::uint64_t seed = 0; seed < kInstants; ++seed) {
     Instant instant = RandomInstant(seed);
-    SolvePair<1>(instant.world, instant.body, instant.contact[0], instant.contact[1]);
+    SolvePair<1>(instant.world, instant.body, instant.contact[0], instant.contact[1], ~L::I{});
     solved += Offence(instant, 2) < 1e-3 ? 1 : 0;
   }
   REQUIRE(solved == kInstants);
