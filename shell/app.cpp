@@ -54,13 +54,13 @@ void App::Draw() {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const bool phone = size.x < kPhoneWidth;
   if (phone) theme.touch = true;
-  Ui ui(theme, window_.Registry());
+  Ui ui(theme, window_.Registry(), window_.Behind());
 
   ImGui::SetNextWindowPos({0.0f, 0.0f});
   ImGui::SetNextWindowSize(size);
   ImGui::Begin("Gaitsmith", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoScrollWithMouse |
-                   ImGuiWindowFlags_NoBringToFrontOnFocus);
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoBackground);
   const ImRect whole({0.0f, 0.0f}, size);
   if (phone) {
     DrawPhone(ui, whole);
@@ -79,7 +79,6 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
   DrawStage(ui, session_, {whole.Min, {panel_x, transport_y}});
   DrawTransport(ui, session_, {{whole.Min.x, transport_y}, {panel_x, timeline_y}});
   DrawTimeline(ui, session_, {{whole.Min.x, timeline_y}, {panel_x, whole.Max.y}});
-  ui.Canvas()->AddRectFilled({panel_x, whole.Min.y}, whole.Max, ui.Ink().panel);
   ui.VerticalLine(panel_x, whole.Min.y, whole.Max.y);
 
   int panel = Panel(kDeskPanels);
@@ -96,7 +95,6 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
   const float tabs_y = whole.Max.y - sheet - tab_height;
   DrawStage(ui, session_, {whole.Min, {whole.Max.x, tabs_y - transport}});
   DrawTransport(ui, session_, {{whole.Min.x, tabs_y - transport}, {whole.Max.x, tabs_y}});
-  ui.Canvas()->AddRectFilled({whole.Min.x, tabs_y}, whole.Max, ui.Ink().panel);
   ui.HorizontalLine(whole.Min.x, whole.Max.x, tabs_y);
 
   int panel = Panel(static_cast<int>(kPanels.size()));

@@ -14,6 +14,7 @@
 #include "core/document/json_value.h"
 #include "core/document/link.h"
 #include "shell/app.h"
+#include "shell/frame_pace.h"
 
 extern "C" {
 // host_web.library.js
@@ -54,9 +55,8 @@ struct Page {
   std::unique_ptr<App> app;
   std::string reply;
   double before_ms = 0.0;
-  double drawn_ms = 0.0;
-  double shortest_frame_ms = 0.0;  // of the frames that are drawn
-  bool moved = false;              // since the last of them
+  FramePace pace;
+  bool moved = false;  // since the last frame that was drawn
   double width = 0.0;
   double height = 0.0;
   double density = 0.0;
@@ -100,11 +100,12 @@ void Tick(void* argument) {
   constexpr double kLongMs = 6.0;
   if (emscripten_get_now() - now_ms > kLongMs) return;
   if (!page.moved && !page.window->NeedsFrame()) return;
-  constexpr double kEarlyMs = 2.0;  // the browser's frames come a little unevenly
-  if (now_ms - page.drawn_ms < page.shortest_frame_ms - kEarlyMs) return;
-  page.drawn_ms = now_ms;
+  // Whoever moves the pointer or types is not made to wait for a search.
+  const bool searching = page.app->State().Searching() && !page.window->OwesAnswer();
+  if (!page.pace.Due(now_ms, searching)) return;
   page.moved = false;
   page.window->Draw([&page] { page.app->Draw(); });
+  page.pace.Drawn(now_ms);
 }
 
 // Options of a search, each optional: {"algorithm": "sphc", "evaluations": 40000, "seed": 1, "workers": 2,
@@ -169,9 +170,7 @@ EMSCRIPTEN_KEEPALIVE const char* gs_widgets() {
 EMSCRIPTEN_KEEPALIVE void gs_set_theme(int dark) { ThePage().window->SetDark(dark != 0); }
 
 /// Draws no more often than this; 0: as often as the display does.
-EMSCRIPTEN_KEEPALIVE void gs_set_frame_rate(double per_second) {
-  ThePage().shortest_frame_ms = per_second > 0.0 ? 1000.0 / per_second : 0.0;
-}
+EMSCRIPTEN_KEEPALIVE void gs_set_frame_rate(double per_second) { ThePage().pace.Limit(per_second); }
 
 EMSCRIPTEN_KEEPALIVE void gs_play(int playing) {
   TheSession().player.Play(playing != 0);

@@ -63,9 +63,14 @@ void DrawGround(const Scene& s) {
   const double last = s.camera.left_m + 2.0 * width_m;
   const ImVec2 left = s.camera.ToScreen(first, 0.0f);
   const ImVec2 right = s.camera.ToScreen(last, 0.0f);
-  const float below = s.rect.Max.y + 0.6f * s.rect.GetWidth();
-  const ImVec2 corners[] = {left, right, {right.x, below}, {left.x, below}};
-  s.list->AddConvexPolyFilled(corners, 4, p.ground);
+  if (s.camera.sine == 0.0f) {
+    const float opacity = ImGui::ColorConvertU32ToFloat4(p.ground).w;
+    s.ui.Behind().Fill({{s.rect.Min.x, s.ground_y}, s.rect.Max}, Mix(p.paper, p.ground, opacity));
+  } else {
+    const float below = s.rect.Max.y + 0.6f * s.rect.GetWidth();
+    const ImVec2 corners[] = {left, right, {right.x, below}, {left.x, below}};
+    s.list->AddConvexPolyFilled(corners, 4, p.ground);
+  }
 
   // A tick every metre, or every 2, 5, 10... where they would crowd. Counted from the first, since a metre
   // may be too little to change a number.
@@ -259,7 +264,7 @@ void DrawStage(Ui& ui, Session& session, const ImRect& rect) {
                     .ground_y = ground_y};
   const View& view = session.Doc().view;
   scene.list->PushClipRect(rect.Min, rect.Max, true);
-  scene.list->AddRectFilled(rect.Min, rect.Max, ui.Ink().paper);
+  ui.Behind().Fill(rect, ui.Ink().paper);
   DrawGround(scene);
   const Past past = view.poses ? DrawPast(scene) : Past{std::max(0.0, session.player.TimeS() - 4.0), 0};
   if (view.trail) DrawTrail(scene, past.oldest_s);

@@ -112,7 +112,6 @@ void DrawRuler(Ui& ui, const Session& session, const Band& band) {
 void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
   const Palette& p = ui.Ink();
   const bool empty = session.Doc().timeline.empty();
-  ui.Canvas()->AddRectFilled(rect.Min, rect.Max, p.panel);
   ui.HorizontalLine(rect.Min.x, rect.Max.x, rect.Min.y);
 
   const float row_y = rect.Min.y + 19.0f;

@@ -56,7 +56,6 @@ void DrawTransport(Ui& ui, Session& session, const ImRect& rect) {
   const Palette& p = ui.Ink();
   const Fonts& letters = ui.Letters();
   Playback& player = session.player;
-  ui.Canvas()->AddRectFilled(rect.Min, rect.Max, p.panel);
   ui.HorizontalLine(rect.Min.x, rect.Max.x, rect.Min.y);
 
   const float y = rect.GetCenter().y;

@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "shell/backdrop.h"
 #include "shell/icons.h"
 #include "shell/theme.h"
 #include "shell/widget_registry.h"
@@ -47,13 +48,17 @@ struct SliderRange {
 
 class Ui {
  public:
-  Ui(const Theme& theme, WidgetRegistry& registry) : theme_(theme), registry_(registry) {}
+  Ui(const Theme& theme, WidgetRegistry& registry, Backdrop& backdrop)
+      : theme_(theme), registry_(registry), backdrop_(backdrop) {}
 
   [[nodiscard]] const Theme& Look() const { return theme_; }
   [[nodiscard]] const Palette& Ink() const { return theme_.palette; }
   [[nodiscard]] const Fonts& Letters() const { return theme_.fonts; }
   /// The current window's draw list, set to anti-alias over one device pixel.
   [[nodiscard]] ImDrawList* Canvas() const;
+
+  /// For large areas that lie behind everything; the window itself has the colour of panels.
+  [[nodiscard]] Backdrop& Behind() { return backdrop_; }
 
   // Layout in a panel: rows from the top down, as wide as the panel.
   [[nodiscard]] ImRect Row(float height) const;
@@ -102,6 +107,7 @@ class Ui {
 
   const Theme& theme_;
   WidgetRegistry& registry_;
+  Backdrop& backdrop_;
 };
 
 }  // namespace gaitsmith::shell

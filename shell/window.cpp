@@ -154,6 +154,37 @@ void Window::Handle(SDL_Event event) {
   ImGui_ImplSDL2_ProcessEvent(&event);
 }
 
+void Window::DrawBackdrop() {
+  int width = 0;
+  int height = 0;
+  SDL_GL_GetDrawableSize(window_, &width, &height);
+  const auto clear = [](ImU32 colour) {
+    const ImVec4 c = ImGui::ColorConvertU32ToFloat4(colour);
+    glClearColor(c.x, c.y, c.z, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+  };
+  glViewport(0, 0, width, height);
+  glDisable(GL_SCISSOR_TEST);
+  clear(theme_.palette.panel);
+  glEnable(GL_SCISSOR_TEST);
+  // Dear ImGui's lowest point; the canvas may have a pixel more at the top.
+  const int drawn_height = static_cast<int>(ImGui::GetIO().DisplaySize.y * theme_.density);
+  // The pixels whose centres lie inside, as for a rectangle that is drawn.
+  const auto pixels = [this](float points) {
+    return static_cast<int>(std::ceil(points * theme_.density - 0.5f));
+  };
+  for (const Backdrop::Area& area : backdrop_.Areas()) {
+    const int left = pixels(area.rect.Min.x);
+    const int bottom = pixels(area.rect.Max.y);
+    const int across = pixels(area.rect.Max.x) - left;
+    const int up = bottom - pixels(area.rect.Min.y);
+    if (across <= 0 || up <= 0) continue;
+    glScissor(left, drawn_height - bottom, across, up);
+    clear(area.colour);
+  }
+  glDisable(GL_SCISSOR_TEST);
+}
+
 void Window::Draw(const std::function<void()>& contents) {
   if (frames_due_ > 0) --frames_due_;
   FollowDensity();
@@ -166,17 +197,12 @@ void Window::Draw(const std::function<void()>& contents) {
   }
   io.DisplayFramebufferScale = {theme_.density, theme_.density};
   registry_.BeginFrame();
+  backdrop_.Clear();
   ImGui::NewFrame();
   contents();
   ImGui::Render();
 
-  const ImVec4 clear = ImGui::ColorConvertU32ToFloat4(theme_.palette.panel);
-  int width = 0;
-  int height = 0;
-  SDL_GL_GetDrawableSize(window_, &width, &height);
-  glViewport(0, 0, width, height);
-  glClearColor(clear.x, clear.y, clear.z, 1.0f);
-  glClear(GL_COLOR_BUFFER_BIT);
+  DrawBackdrop();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   SDL_GL_SwapWindow(window_);
 }

@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 
+#include "shell/backdrop.h"
 #include "shell/theme.h"
 #include "shell/widget_registry.h"
 
@@ -39,6 +40,8 @@ class Window {
 
   /// True for a few frames after an event: Dear ImGui needs a second one to settle.
   [[nodiscard]] bool NeedsFrame() const { return frames_due_ > 0; }
+  /// The same, but only for frames that answer somebody, whose first must not come late.
+  [[nodiscard]] bool OwesAnswer() const { return frames_due_ > 1; }
   void RequestFrame() { frames_due_ = 3; }
   /// The same when something is shown that no event came for.
   void RequestOneFrame() { frames_due_ = std::max(frames_due_, 1); }
@@ -53,12 +56,15 @@ class Window {
 
   [[nodiscard]] Theme& Look() { return theme_; }
   [[nodiscard]] WidgetRegistry& Registry() { return registry_; }
+  /// What the contents put behind themselves; the rest of the window has the colour of panels.
+  [[nodiscard]] Backdrop& Behind() { return backdrop_; }
 
  private:
   Window(SDL_Window* window, SDL_GLContext context, float scale);
   void Handle(SDL_Event event);
   void FollowDensity();
   void RasteriseType(float density);
+  void DrawBackdrop();
   [[nodiscard]] float Density() const;
 
   SDL_Window* window_;
@@ -68,6 +74,7 @@ class Window {
   ImVec2 pointer_{-1e6f, -1e6f};
   Theme theme_;
   WidgetRegistry registry_;
+  Backdrop backdrop_;
 };
 
 }  // namespace gaitsmith::shell

@@ -21,7 +21,7 @@ import { nativeHash } from './native.mjs';
  */
 
 /** The searches of these tests are short: what they claim does not depend on length. */
-const EVALUATIONS = 1500;
+const EVALUATIONS = 8000;
 
 /** @type {[string, (visit: Visit) => Promise<void>][]} */
 export const SCENARIOS = [
