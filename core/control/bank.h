@@ -2,6 +2,7 @@
 // W decoded stimulus-response banks side by side, and the choice of the active rule in every lane.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -51,6 +52,7 @@ class Bank {
       for (int sense = 0; sense < shape.senses; ++sense) AddInterval(genomes, rule, sense);
       intervals_of_[static_cast<std::size_t>(rule)] = intervals_.size() - before;
     }
+    if (senses.kind == SenseKind::kTimer) TableChoices();
   }
 
   [[nodiscard]] const SenseSpec& Senses() const { return senses_; }
@@ -76,6 +78,11 @@ class Bank {
     return chosen;
   }
 
+  /// The rules that a timer chooses at a phase: a function of that alone, so it is tabled; -1 where no
+  /// stimulus holds it and the present rule stays. Only for banks with a timer.
+  /// @param phase step within the period, [0, period_steps)
+  [[nodiscard]] const I& ChoiceAt(int phase) const { return choice_at_[static_cast<std::size_t>(phase)]; }
+
   /// What one lane's rule asks of its joints.
   void Respond(int rule, int lane, Response<W>& response) const {
     const auto r = static_cast<std::size_t>(rule);
@@ -96,6 +103,39 @@ class Bank {
     F inverse_half_width;  // 0 in lanes that do not care: never the furthest off
     std::size_t sense;
   };
+
+  /// As Choose, but rule by rule over the phases that it can hold, lane by lane.
+  void TableChoices() {
+    const int period = senses_.period_steps;
+    choice_at_.assign(static_cast<std::size_t>(period), I{} - 1);
+    std::vector<float> least(static_cast<std::size_t>(period));
+    for (int lane = 0; lane < W; ++lane) {
+      least.assign(least.size(), kJustOutside);
+      const Interval* interval = intervals_.data();
+      for (int rule = 0; rule < shape_.rules; ++rule) {
+        // No interval at all: no lane cares.
+        const bool stored = intervals_of_[static_cast<std::size_t>(rule)] > 0;
+        const float middle = stored ? interval->middle[lane] : 0.0f;
+        const float inverse = stored ? interval->inverse_half_width[lane] : 0.0f;
+        if (stored) ++interval;
+        int first = 0, end = period;
+        if (inverse > 0.0f) {
+          // One phase more on either side than the interval holds, so that rounding here decides nothing.
+          first = std::max(0, static_cast<int>((middle - 1.0f / inverse) * static_cast<float>(period)) - 1);
+          end =
+              std::min(period, static_cast<int>((middle + 1.0f / inverse) * static_cast<float>(period)) + 2);
+        }
+        for (int phase = first; phase < end; ++phase) {
+          const auto p = static_cast<std::size_t>(phase);
+          const float from_middle = TimerSense(phase, period) - middle;
+          const float off = (from_middle < 0.0f ? -from_middle : from_middle) * inverse;
+          if (!(off < least[p])) continue;
+          least[p] = off;
+          choice_at_[p][lane] = rule;
+        }
+      }
+    }
+  }
 
   void DecodeResponses(std::span<const Gene> genes, std::span<const std::array<float, 2>> limits,
                        float step_s, int lane) {
@@ -138,6 +178,7 @@ class Bank {
   BankShape shape_;
   std::vector<Interval> intervals_;  // of all rules in turn, only those that some lane cares about
   std::array<std::size_t, kMaxRules> intervals_of_{};
+  std::vector<I> choice_at_;    // (period_steps), with a timer
   std::vector<F> targets_;      // [rad] (rules x joints)
   std::vector<F> decay_;        // (rules)
   std::vector<F> inverse_tau_;  // [1/s] (rules)

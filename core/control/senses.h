@@ -35,6 +35,11 @@ struct SenseSpec {
   float velocity_mps = 3.0f;   // [0.1, 100]
 };
 
+/// What a timer shows at a step of its period.
+[[nodiscard]] inline float TimerSense(int phase, int period_steps) {
+  return static_cast<float>(phase) / static_cast<float>(period_steps);
+}
+
 /// Physical stimulus intervals end within [kEdgeLow, kEdgeHigh] of the normalised sense: wider than [0, 1],
 /// because a foot in the air feels exactly 0 most of the time and an interval must be able to hold that well
 /// inside.

@@ -144,8 +144,7 @@ class Simulation {
 
   [[gnu::noinline]] void ChooseRules() {
     MotionState<W>& s = state_;
-    Sense();
-    const I chosen = bank_->Choose(s.senses, s.rule);
+    const I chosen = Sense();
     const I changed = chosen != s.rule;
     if (!L::Any(changed)) return;
     s.rule = chosen;
@@ -154,13 +153,15 @@ class Simulation {
     }
   }
 
-  void Sense() {
+  /// @return the rules that hold what is felt
+  I Sense() {
     MotionState<W>& s = state_;
     const SenseSpec& spec = bank_->Senses();
     if (spec.kind == SenseKind::kTimer) {
       const int phase = timer_steps_ % spec.period_steps;
-      s.senses[0] = L::Splat(static_cast<float>(phase) / static_cast<float>(spec.period_steps));
-      return;
+      s.senses[0] = L::Splat(TimerSense(phase, spec.period_steps));
+      const I& choice = bank_->ChoiceAt(phase);
+      return L::Select(choice < 0, s.rule, choice);
     }
     std::size_t at = 0;
     const float unit_impulse =
@@ -174,6 +175,7 @@ class Simulation {
     }
     s.senses[at++] = s.height_m * (1.0f / (spec.height_rods * skeleton_.longest_rod_m));
     s.senses[at++] = (s.velocity_y + spec.velocity_mps) * (1.0f / (2.0f * spec.velocity_mps));
+    return bank_->Choose(s.senses, s.rule);
   }
 
   const Skeleton& skeleton_;
