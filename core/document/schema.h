@@ -114,10 +114,12 @@ void Describe(Archive& ar, RefineSettings& refine) {
 template <class Archive>
 void Describe(Archive& ar, CmaSettings& cma) {
   const CmaSettings standard;
+  ar.Choice("genes", cma.genes, kCmaGenesNames, standard.genes);
   ar.Choice("covariance", cma.covariance, kCovarianceNames, standard.covariance);
   ar.Integer("population", cma.population, 0, 10'000, standard.population);
   ar.Real("step", cma.step, 0.001f, 1.0f, standard.step);
   ar.Real("growth", cma.growth, 1.0f, 10.0f, standard.growth);
+  ar.Integer("draws", cma.draws, 1, 10'000, standard.draws);
 }
 
 template <class Archive>

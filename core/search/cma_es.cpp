@@ -19,13 +19,9 @@ double Square(double x) { return x * x; }
 
 }  // namespace
 
-CmaEs::CmaEs(const SearchSettings& settings, const SearchSpace& space)
-    : BatchSearch(settings, space), genes_(space.shape.Genes()) {
-  const Covariance kind = settings.cma.covariance;
-  full_ =
-      kind == Covariance::kFull || (kind == Covariance::kAutomatic && genes_ <= std::size_t{kMostFullGenes});
-  BeginRun(FirstPopulation());
-}
+CmaEs::CmaEs(const SearchSettings& settings, const SearchSpace& space) : BatchSearch(settings, space) {}
+
+int CmaEs::Draws() const { return run_ == 0 && !Space().start.empty() ? 1 : Settings().cma.draws; }
 
 int CmaEs::FirstPopulation() const {
   if (Settings().cma.population > 0) return Settings().cma.population;
@@ -67,18 +63,40 @@ std::size_t CmaEs::At(std::size_t row, std::size_t column) const {
   return full_ ? row * (row + 1) / 2 + column : row;
 }
 
-void CmaEs::BeginRun(int population) {
-  population_ = population;
-  rules_ = RulesFor(population);
+void CmaEs::BeginAt(const Genome& origin, int population) {
+  const BankShape& shape = Space().shape;
+  std::vector<bool> ignored(origin.size());
+  for (int rule = 0; rule < shape.rules; ++rule) {
+    for (int sense = 0; sense < shape.senses; ++sense) {
+      const bool gate = Settings().cma.genes == CmaGenes::kCared && !shape.Cares(origin, rule, sense);
+      ignored[shape.Low(rule, sense)] = ignored[shape.High(rule, sense)] = gate;
+    }
+  }
+  free_.clear();
+  for (std::size_t gene = 0; gene < origin.size(); ++gene) {
+    if (!ignored[gene]) free_.push_back(gene);
+  }
+  genes_ = free_.size();
+  const Covariance kind = Settings().cma.covariance;
+  full_ =
+      kind == Covariance::kFull || (kind == Covariance::kAutomatic && genes_ <= std::size_t{kMostFullGenes});
+  origin_ = origin;
+  population_ = std::max(population, FirstPopulation());
+  rules_ = RulesFor(population_);
   covariance_.assign(full_ ? genes_ * (genes_ + 1) / 2 : genes_, 0.0);
   for (std::size_t gene = 0; gene < genes_; ++gene) covariance_[At(gene, gene)] = 1.0;
   factor_ = covariance_;
   path_.assign(genes_, 0.0);
   sigma_path_.assign(genes_, 0.0);
-  mean_ = PointOf(First(run_));
+  mean_ = FreePointOf(origin);
   sigma_ = static_cast<double>(Settings().cma.step);
-  age_ = 0;
-  stale_ = 0;
+}
+
+std::vector<double> CmaEs::FreePointOf(const Genome& genome) const {
+  std::vector<double> point;
+  point.reserve(genes_);
+  for (const std::size_t gene : free_) point.push_back(genome[gene] * (1.0 / kGeneMax));
+  return point;
 }
 
 bool CmaEs::Factorise() {
@@ -100,11 +118,15 @@ bool CmaEs::Factorise() {
 }
 
 std::vector<Genome> CmaEs::Propose() const {
-  if (age_ == 0) return {First(run_)};
   std::vector<Genome> batch;
+  if (origin_.empty()) {
+    // A given start is individual 0; later runs have others.
+    for (int k = 0; k < Draws(); ++k) batch.push_back(First(run_ * Settings().cma.draws + k));
+    return batch;
+  }
   batch.reserve(static_cast<std::size_t>(population_));
   std::vector<double> normal(genes_);
-  std::vector<double> point(genes_);
+  std::vector<double> point = PointOf(origin_);
   for (int k = 0; k < population_; ++k) {
     RandomStream random = Stream(k, generation_);
     for (double& z : normal) z = random.Normal();
@@ -113,7 +135,7 @@ std::vector<Genome> CmaEs::Propose() const {
       for (std::size_t column = full_ ? 0 : row; column <= row; ++column) {
         sum += factor_[At(row, column)] * normal[column];
       }
-      point[row] = mean_[row] + sigma_ * sum;
+      point[free_[row]] = mean_[row] + sigma_ * sum;
     }
     batch.push_back(GenomeAt(point, Space().shape));
   }
@@ -133,7 +155,7 @@ void CmaEs::Adapt(std::span<const Genome> batch, std::span<const Score> scores) 
   std::vector<std::vector<double>> steps(parents);
   std::vector<double> mean_step(genes_, 0.0);
   for (std::size_t i = 0; i < parents; ++i) {
-    steps[i] = PointOf(batch[order[i]]);
+    steps[i] = FreePointOf(batch[order[i]]);
     for (std::size_t gene = 0; gene < genes_; ++gene) {
       steps[i][gene] = (steps[i][gene] - mean_[gene]) / sigma_;
       mean_step[gene] += r.weights[i] * steps[i][gene];
@@ -188,8 +210,10 @@ bool CmaEs::Stalled() const {
 }
 
 void CmaEs::Absorb(std::span<const Genome> batch, std::span<const Score> scores) {
-  if (age_ == 0) {
-    run_best_ = scores[0].fitness;
+  if (origin_.empty()) {
+    const auto best = std::ranges::max_element(scores, {}, &Score::fitness);
+    run_best_ = best->fitness;
+    BeginAt(batch[static_cast<std::size_t>(best - scores.begin())], population_);
     age_ = 1;
     return;
   }
@@ -199,14 +223,18 @@ void CmaEs::Absorb(std::span<const Genome> batch, std::span<const Score> scores)
   if (Factorise() && !Stalled()) return;
   ++run_;
   const double grown = population_ * static_cast<double>(Settings().cma.growth);
-  BeginRun(static_cast<int>(std::min<double>(grown, kMostPopulation)));
+  population_ = static_cast<int>(std::min<double>(grown, kMostPopulation));
+  origin_.clear();
+  age_ = 0;
+  stale_ = 0;
 }
 
 void CmaEs::SaveState(BitWriter& out) const {
   for (const int count : {run_, age_, generation_, stale_, population_}) {
     out.Put(static_cast<std::uint32_t>(count), 32);
   }
-  out.Put(std::bit_cast<std::uint32_t>(run_best_), 32);
+  PutGenome(out, origin_, run_best_);
+  if (origin_.empty()) return;
   PutReal(out, sigma_);
   for (const auto* list : {&mean_, &path_, &sigma_path_, &covariance_}) {
     for (const double value : *list) PutReal(out, value);
@@ -218,17 +246,21 @@ bool CmaEs::LoadState(BitReader& in) {
     if (!TakeCount(in, *count, Settings().evaluations + 1)) return false;
   }
   if (!TakeCount(in, population_, kMostPopulation)) return false;
-  if (population_ < std::min(4, FirstPopulation())) return in.Overrun();
-  rules_ = RulesFor(population_);
-  run_best_ = std::bit_cast<float>(static_cast<std::uint32_t>(in.Take(32)));
-  if (!(run_best_ < std::numeric_limits<float>::infinity()) || !TakeReal(in, sigma_)) return false;
+  Genome origin;
+  if (!TakeGenome(in, origin, run_best_, Space().shape.Genes())) return false;
+  if (generation_ < 1 || (age_ > 0) == origin.empty()) return false;
+  origin_.clear();
+  if (origin.empty()) return true;
+  const int population = population_;
+  BeginAt(origin, population);
+  if (population_ != population || !TakeReal(in, sigma_)) return false;
   for (auto* list : {&mean_, &path_, &sigma_path_, &covariance_}) {
     for (double& value : *list) {
       if (!TakeReal(in, value)) return false;
     }
   }
   if (in.Overrun()) return true;  // said by whoever reads on
-  return sigma_ > 0.0 && generation_ > 0 && Factorise();
+  return sigma_ > 0.0 && Factorise();
 }
 
 }  // namespace gaitsmith

@@ -7,8 +7,11 @@
 //
 // A is the Cholesky factor, as in [Krause 2016], not the symmetric root: its few loops sum in one fixed order
 // everywhere, which an eigensolver with cache-dependent blocks would not. Samples are moved to the nearest
-// genome before they count, so the distribution learns from what was simulated. A run begins with the
-// evaluation of its mean: the given start in the first run, random genomes in others.
+// genome before they count, so the distribution learns from what was simulated.
+//
+// A run begins at the best of some random genomes, the first run at the start if one is given. Which senses
+// its rules ignore is settled by that genome: an interval over the whole range is a gate, not a number, and
+// noise on it would make every rule care about everything, so that none ever fires.
 #pragma once
 
 #include "core/search/batch_search.h"
@@ -35,7 +38,11 @@ class CmaEs final : public BatchSearch {
 
   [[nodiscard]] Rules RulesFor(int population) const;
   [[nodiscard]] int FirstPopulation() const;
-  void BeginRun(int population);
+  /// Random genomes that this run begins with.
+  [[nodiscard]] int Draws() const;
+  /// Settles which genes are free, and everything that depends on how many they are.
+  void BeginAt(const Genome& origin, int population);
+  [[nodiscard]] std::vector<double> FreePointOf(const Genome&) const;
   void Adapt(std::span<const Genome> batch, std::span<const Score> scores);
   [[nodiscard]] bool Stalled() const;
   /// Row of the lower triangle of the covariance or its factor; the separable one has the diagonal alone.
@@ -43,16 +50,18 @@ class CmaEs final : public BatchSearch {
   /// @return false when the covariance is not positive definite any more
   [[nodiscard]] bool Factorise();
 
-  std::size_t genes_;
-  bool full_;
-  Rules rules_;
+  Genome origin_;                  // that the run began at; empty while it is looked for
+  std::vector<std::size_t> free_;  // genes that are searched
+  std::size_t genes_ = 0;          // their number
+  bool full_ = true;
+  Rules rules_{};
   std::vector<double> covariance_;  // lower triangle, row after row, or the diagonal
   std::vector<double> factor_;      // likewise; follows from the covariance
   std::vector<double> mean_, path_, sigma_path_;
   double sigma_ = 0.0;
   int population_ = 0;
   int run_ = 0;
-  int age_ = 0;         // generations of this run; 0: its mean is to be evaluated
+  int age_ = 0;         // generations of this run, its random genomes included
   int generation_ = 1;  // of all runs, for the random numbers
   int stale_ = 0;       // generations without a better one
   float run_best_ = 0.0f;

@@ -63,11 +63,19 @@ inline constexpr int kMostFullGenes = 128;  // of the automatic choice: Star-Man
 inline constexpr std::size_t kMostCovarianceGenes =
     600;  // of a full covariance at all: 600^2 numbers are 3 MB
 
+enum class CmaGenes {
+  kCared,  // those of intervals that the run's first genome ignores stay ignored
+  kAll,
+};
+inline constexpr std::array<std::string_view, 2> kCmaGenesNames = {"cared-for", "all"};
+
 struct CmaSettings {
+  CmaGenes genes = CmaGenes::kCared;
   Covariance covariance = Covariance::kAutomatic;
   int population = 0;   // lambda, 0 or [4, 10000]; 0: 4 + 3 ln(genes) [Hansen 2016]
   float step = 0.3f;    // first standard deviation, as a share of a gene's range, [0.001, 1]
   float growth = 2.0f;  // of the population at every restart, [1, 10]; 2: IPOP [Auger Hansen 2005]
+  int draws = 50;       // random genomes of which the best begins a run, [1, 10000]
 };
 
 struct ElitesSettings {
