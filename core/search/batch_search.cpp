@@ -33,6 +33,7 @@ std::vector<Genome> BatchSearch::Ask(int wanted) {
 }
 
 void BatchSearch::Tell(std::span<const Score> scores) {
+  if (scores.empty()) return;
   for (Score score : scores) {
     // NaN loses to everything, and no motion is infinitely good.
     if (!(score.fitness < std::numeric_limits<float>::infinity())) {
@@ -48,7 +49,10 @@ void BatchSearch::Tell(std::span<const Score> scores) {
     told_.push_back(score);
   }
   curve_.SettleTo(evaluations_);
-  if (told_.empty() || told_.size() < batch_.size()) return;
+  if (told_.size() < batch_.size()) {
+    if (Done()) AbsorbRest(std::span(batch_).first(told_.size()), told_);
+    return;
+  }
   Absorb(batch_, told_);
   batch_.clear();
   told_.clear();

@@ -32,6 +32,8 @@ class BatchSearch : public Search {
   [[nodiscard]] virtual std::vector<Genome> Propose() const = 0;
   /// Scores of the whole batch, fitness a number or minus infinity.
   virtual void Absorb(std::span<const Genome> batch, std::span<const Score> scores) = 0;
+  /// The part of a batch that the budget's end allowed. Nothing is proposed after it.
+  virtual void AbsorbRest(std::span<const Genome>, std::span<const Score>) {}
   virtual void SaveState(BitWriter&) const = 0;
   /// @return false when it cannot be a state of this search; then it may have been taken in part. Whoever
   /// reads past the end reads zeros and need not look out.

@@ -47,13 +47,17 @@ std::vector<Genome> MapElites::Propose() const {
   return batch;
 }
 
-void MapElites::Absorb(std::span<const Genome> batch, std::span<const Score> scores) {
+void MapElites::AbsorbRest(std::span<const Genome> batch, std::span<const Score> scores) {
   for (std::size_t i = 0; i < batch.size(); ++i) {
     const std::size_t cell = CellOf(scores[i]);
     if (cell == cells_.size()) continue;
     Elite& elite = cells_[cell];
     if (elite.genome.empty() || scores[i].fitness > elite.score.fitness) elite = {batch[i], scores[i]};
   }
+}
+
+void MapElites::Absorb(std::span<const Genome> batch, std::span<const Score> scores) {
+  AbsorbRest(batch, scores);
   ++generation_;
 }
 
@@ -74,7 +78,7 @@ bool MapElites::LoadState(BitReader& in) {
       value = std::bit_cast<float>(static_cast<std::uint32_t>(in.Take(32)));
     }
     if (in.Overrun()) return true;  // said by whoever reads on
-    if (!elite.genome.empty() && (generation_ == 0 || CellOf(elite.score) != cell)) return false;
+    if (!elite.genome.empty() && CellOf(elite.score) != cell) return false;
   }
   return true;
 }

@@ -23,6 +23,7 @@ class MapElites final : public BatchSearch {
  private:
   [[nodiscard]] std::vector<Genome> Propose() const override;
   void Absorb(std::span<const Genome> batch, std::span<const Score> scores) override;
+  void AbsorbRest(std::span<const Genome> batch, std::span<const Score> scores) override;
   void SaveState(BitWriter&) const override;
   [[nodiscard]] bool LoadState(BitReader&) override;
   /// @return Cells().size() for a style that is none
