@@ -127,8 +127,8 @@ GS_EXPORT void gs_evaluator_close(EvaluatorRole* role) { delete role; }
 GS_EXPORT std::size_t gs_evaluator_genes(const EvaluatorRole* role) { return role->genes; }
 
 /// Scores `count` genomes that lie one after another in the input area, 16 bits a gene.
-/// @return `count` scores of four floats: fitness, greatest height, slip, rotations; null when the input is too
-/// short
+/// @return `count` scores of four floats: fitness, greatest height, slip, rotations; null when the input is
+/// too short
 static_assert(sizeof(Score) == 4 * sizeof(float));
 GS_EXPORT const Score* gs_evaluator_run(EvaluatorRole* role, std::size_t count) {
   if (input.size() / sizeof(Gene) / role->genes < count) {
