@@ -122,7 +122,8 @@ SearchProgress RunParallelSearch(const Problem& problem, const SearchSettings& s
     progress.curve = search->Curve();
   };
 
-  // Five rounds of lanes for each thread: enough to keep all busy, little to throw away when a climb improves.
+  // Five rounds of lanes for each thread: enough to keep all busy, little to throw away when a climb
+  // improves.
   const int wanted = threads * Evaluator::kDefaultLanes * 5;
   while (!search->Done()) {
     if (control.Paused() && !control.Cancelled()) {
