@@ -15,13 +15,16 @@ int NativeHost::MaxWorkers() const {
 void NativeHost::StartSearch(const Document& document, int workers) {
   StopSearch();
   control_ = std::make_unique<SearchControl>();
-  searcher_ = std::jthread(
-      [this, control = control_.get(), problem = ProblemOf(document), settings = document.search, workers] {
-        RunParallelSearch(problem, settings, workers, *control, [this](const SearchProgress& progress) {
+  searcher_ = std::jthread([this, control = control_.get(), problem = ProblemOf(document),
+                            settings = document.search, start = SpaceOf(document).start, workers] {
+    RunParallelSearch(
+        problem, settings, workers, *control,
+        [this](const SearchProgress& progress) {
           const std::lock_guard lock(mutex_);
           latest_ = progress;
-        });
-      });
+        },
+        start);
+  });
 }
 
 void NativeHost::PauseSearch() {

@@ -115,10 +115,9 @@ std::string ApplyOptions(const JsonValue& options, Document& document, int& work
     const std::string& name = options.names[i];
     const JsonValue& value = options.items[i];
     const bool number = value.kind == JsonValue::Kind::kNumber && std::abs(value.number) < 2e9;
-    if (name == "algorithm" && value.text == "rgt") {
-      document.search.algorithm = Algorithm::kRandomSearch;
-    } else if (name == "algorithm" && value.text == "sphc") {
-      document.search.algorithm = Algorithm::kSphc;
+    const auto algorithm = std::ranges::find(kAlgorithmNames, value.text);
+    if (name == "algorithm" && algorithm != kAlgorithmNames.end()) {
+      document.search.algorithm = static_cast<Algorithm>(algorithm - kAlgorithmNames.begin());
     } else if (name == "sense" && (value.text == "timer" || value.text == "physical")) {
       document.senses.kind = value.text == "timer" ? SenseKind::kTimer : SenseKind::kPhysical;
     } else if (name == "evaluations" && number) {

@@ -5,28 +5,154 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "shell/algorithm_words.h"
 #include "shell/plot.h"
 #include "shell/wording.h"
 
 namespace gaitsmith::shell {
 namespace {
 
+/// A population must fit into the budget.
+void SuitBudget(SearchSettings& search) {
+  const bool genetic = search.algorithm == Algorithm::kGga || search.algorithm == Algorithm::kSsga;
+  if (genetic) search.evaluations = std::max(search.evaluations, search.genetic.population);
+  if (search.algorithm == Algorithm::kMpga) {
+    search.evaluations = std::max(search.evaluations, search.torus.side * search.torus.side);
+  }
+}
+
+/// One parameter of the next search, whole or real, in a row of its own.
+void WholeParameter(Ui& ui, Session& session, const char* id, const char* label, int low, int high, int step,
+                    int& (*field)(SearchSettings&)) {
+  SearchSettings search = session.Doc().search;
+  int value = field(search);
+  if (ui.Number(id, label, value, low, high, step)) {
+    session.Set([&](Document& d) {
+      field(d.search) = value;
+      SuitBudget(d.search);
+    });
+  }
+  ui.Gap(6.0f);
+}
+void RealParameter(Ui& ui, Session& session, const char* id, const char* label, const SliderRange& range,
+                   float& (*field)(SearchSettings&)) {
+  SearchSettings search = session.Doc().search;
+  double value = static_cast<double>(field(search));
+  if (ui.Slider(id, label, value, range, Fixed(value, 2))) {
+    session.Set([&](Document& d) { field(d.search) = static_cast<float>(value); });
+  }
+  ui.Gap(6.0f);
+}
+
+void DrawRates(Ui& ui, Session& session) {
+  RealParameter(ui, session, "search/mutation", "Mutation rate", {.low = 0.0, .high = 1.0},
+                [](SearchSettings& s) -> float& { return s.genetic.rates.mutation; });
+  RealParameter(ui, session, "search/crossover", "Crossover rate", {.low = 0.0, .high = 1.0},
+                [](SearchSettings& s) -> float& { return s.genetic.rates.crossover; });
+  static constexpr std::array<std::string_view, 2> kReadings = {"Per child", "Per component"};
+  int reading = static_cast<int>(session.Doc().search.genetic.rates.reading);
+  if (ui.Segmented("search/rates", ui.ControlRow(), kReadings, reading)) {
+    session.Set([&](Document& d) { d.search.genetic.rates.reading = static_cast<RateReading>(reading); });
+  }
+  ui.Gap(6.0f);
+}
+
+void DrawStart(Ui& ui, Session& session) {
+  const Document& d = session.Doc();
+  const Controller* shown = session.ShownController();
+  const bool fits = shown != nullptr && shown->senses == d.senses && shown->rules == d.rules;
+  if (!fits) return;
+  bool on = d.search.start >= 0;
+  if (ui.Switch("search/start-here", "Start from the shown motion", on)) {
+    session.Set([&](Document& next) {
+      const auto clip = static_cast<std::size_t>(session.SelectedClip());
+      next.search.start = on && clip < next.timeline.size() ? next.timeline[clip].controller : -1;
+    });
+  }
+  ui.Gap(6.0f);
+}
+
+/// What the chosen algorithm can be told, beside budget and seed.
+void DrawParameters(Ui& ui, Session& session) {
+  const Algorithm algorithm = session.Doc().search.algorithm;
+  if (RefinesOne(algorithm)) DrawStart(ui, session);
+  switch (algorithm) {
+    case Algorithm::kRandomSearch:
+    case Algorithm::kShc:
+      break;
+    case Algorithm::kSphc:
+      WholeParameter(ui, session, "search/population", "Population", 2, 1000, 1,
+                     [](SearchSettings& s) -> int& { return s.population; });
+      WholeParameter(ui, session, "search/reseed", "Reseed every (generations)", 1, 1'000'000, 10,
+                     [](SearchSettings& s) -> int& { return s.reseed_interval; });
+      break;
+    case Algorithm::kGga:
+    case Algorithm::kSsga:
+      WholeParameter(ui, session, "search/population", "Population", 2, 10'000, 10,
+                     [](SearchSettings& s) -> int& { return s.genetic.population; });
+      DrawRates(ui, session);
+      if (algorithm == Algorithm::kGga) break;
+      RealParameter(ui, session, "search/rank-bias", "Rank bias", {.low = 1.0, .high = 2.0},
+                    [](SearchSettings& s) -> float& { return s.genetic.rank_bias; });
+      break;
+    case Algorithm::kMpga:
+      WholeParameter(ui, session, "search/side", "Side of the torus", 2, 128, 1,
+                     [](SearchSettings& s) -> int& { return s.torus.side; });
+      WholeParameter(ui, session, "search/walk", "Walk to a mate (steps)", 1, 1000, 1,
+                     [](SearchSettings& s) -> int& { return s.torus.walk_steps; });
+      DrawRates(ui, session);
+      break;
+    case Algorithm::kNelderMead:
+    case Algorithm::kPowell:
+      RealParameter(ui, session, "search/step", "First step", {.low = 0.01, .high = 1.0},
+                    [](SearchSettings& s) -> float& { return s.refine.step; });
+      break;
+    case Algorithm::kCmaEs:
+      RealParameter(ui, session, "search/step", "First step", {.low = 0.01, .high = 1.0},
+                    [](SearchSettings& s) -> float& { return s.cma.step; });
+      RealParameter(ui, session, "search/growth", "Growth at a restart",
+                    {.low = 1.0, .high = 10.0, .step = 0.1},
+                    [](SearchSettings& s) -> float& { return s.cma.growth; });
+      break;
+    case Algorithm::kMapElites:
+      WholeParameter(ui, session, "search/bins", "Bins of each style term", 1, 32, 1,
+                     [](SearchSettings& s) -> int& { return s.elites.bins; });
+      WholeParameter(ui, session, "search/initial", "Random at first", 1, 100'000, 10,
+                     [](SearchSettings& s) -> int& { return s.elites.initial; });
+      break;
+  }
+}
+
 void DrawSettings(Ui& ui, Session& session) {
   const SearchSettings& search = session.Doc().search;
-  static const std::array<std::string, 2> kAlgorithms = {"RG&T: at random", "SPHC: hill climbing"};
+  static const std::vector<std::string> kAlgorithms = [] {
+    std::vector<std::string> titles;
+    for (const AlgorithmWords& words : AlgorithmTexts()) titles.push_back(words.title);
+    return titles;
+  }();
   int algorithm = static_cast<int>(search.algorithm);
   if (ui.Combo("search/algorithm", "Algorithm", kAlgorithms, algorithm)) {
-    session.Set([&](Document& d) { d.search.algorithm = static_cast<Algorithm>(algorithm); });
+    session.Set([&](Document& d) {
+      d.search.algorithm = static_cast<Algorithm>(algorithm);
+      SuitBudget(d.search);
+    });
   }
+  ui.Paragraph(WordsOf(search.algorithm).line, Type::kNote);
   ui.Gap(6.0f);
   double budget = search.evaluations;
   if (ui.Slider("search/budget", "Budget", budget,
                 {.low = 1000.0, .high = 1e6, .step = 1000.0, .logarithmic = true},
                 Grouped(search.evaluations) + " evaluations")) {
-    session.Set([&](Document& d) { d.search.evaluations = static_cast<int>(budget); });
+    session.Set([&](Document& d) {
+      d.search.evaluations = static_cast<int>(budget);
+      SuitBudget(d.search);
+    });
   }
   ui.Gap(8.0f);
+  DrawParameters(ui, session);
   int seed = static_cast<int>(std::min<std::uint32_t>(search.seed, 999'999'999u));
   if (ui.Number("search/seed", "Seed", seed, 0, 999'999'999)) {
     session.Set([&](Document& d) { d.search.seed = static_cast<std::uint32_t>(seed); });

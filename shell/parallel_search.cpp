@@ -8,7 +8,7 @@
 #include <chrono>
 #include <thread>
 
-#include "core/physics/evaluator.h"
+#include "core/search/evaluation_score.h"
 
 namespace gaitsmith::shell {
 namespace {
@@ -41,14 +41,14 @@ class Crew {
   Crew(const Crew&) = delete;
   Crew& operator=(const Crew&) = delete;
 
-  std::vector<float> Evaluate(const std::vector<Genome>& genomes) {
+  const std::vector<Score>& Evaluate(const std::vector<Genome>& genomes) {
     genomes_ = &genomes;
-    fitness_.assign(genomes.size(), kVoidScore);
+    scores_.assign(genomes.size(), {.fitness = kVoidScore});
     next_ = 0;
     start_.arrive_and_wait();
     TakePieces();
     finish_.arrive_and_wait();
-    return fitness_;
+    return scores_;
   }
 
  private:
@@ -58,7 +58,7 @@ class Crew {
     for (std::size_t at = next_.fetch_add(kPiece); at < genomes_->size(); at = next_.fetch_add(kPiece)) {
       const std::size_t count = std::min(kPiece, genomes_->size() - at);
       const auto results = evaluator_.Evaluate(std::span(*genomes_).subspan(at, count));
-      for (std::size_t i = 0; i < count; ++i) fitness_[at + i] = results[i].fitness;
+      for (std::size_t i = 0; i < count; ++i) scores_[at + i] = ScoreOf(results[i]);
     }
   }
 
@@ -66,7 +66,7 @@ class Crew {
   std::barrier<> start_, finish_;
   std::atomic<std::size_t> next_ = 0;
   const std::vector<Genome>* genomes_ = nullptr;
-  std::vector<float> fitness_;
+  std::vector<Score> scores_;
   bool leaving_ = false;               // written before start_ is passed
   std::vector<std::jthread> helpers_;  // last, so that they are joined before what they use goes
 };
@@ -103,8 +103,9 @@ bool SearchControl::Proceed() {
 
 SearchProgress RunParallelSearch(const Problem& problem, const SearchSettings& settings, int threads,
                                  SearchControl& control,
-                                 const std::function<void(const SearchProgress&)>& report) {
-  const auto search = MakeSearch(settings, {problem.Shape(), problem.senses});
+                                 const std::function<void(const SearchProgress&)>& report,
+                                 const Genome& start) {
+  const auto search = MakeSearch(settings, {problem.Shape(), problem.senses, start});
   Crew crew(problem, threads);
   SearchProgress progress{.state = SearchState::kRunning, .budget = settings.evaluations, .workers = threads};
   double working_s = 0.0;
@@ -121,7 +122,8 @@ SearchProgress RunParallelSearch(const Problem& problem, const SearchSettings& s
     progress.curve = search->Curve();
   };
 
-  // Five rounds of lanes for each thread: enough to keep all busy, little to throw away when a climb improves.
+  // Five rounds of lanes for each thread: enough to keep all busy, little to throw away when a climb
+  // improves.
   const int wanted = threads * Evaluator::kDefaultLanes * 5;
   while (!search->Done()) {
     if (control.Paused() && !control.Cancelled()) {

@@ -32,9 +32,11 @@ class SearchControl {
 /// @param problem   valid
 /// @param threads   >= 1
 /// @param report    called on the calling thread, between batches
+/// @param start     SearchSpace::start
 /// @return the last report: kDone with the whole budget spent, or kStopped after Cancel
 SearchProgress RunParallelSearch(const Problem& problem, const SearchSettings& settings, int threads,
                                  SearchControl& control,
-                                 const std::function<void(const SearchProgress&)>& report);
+                                 const std::function<void(const SearchProgress&)>& report,
+                                 const Genome& start = {});
 
 }  // namespace gaitsmith::shell

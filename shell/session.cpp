@@ -148,6 +148,13 @@ void Session::Remember() {
 std::optional<Document> Session::Edited(const Edit& edit) {
   Document next = document_;
   edit(next);
+  // A start that has gone, or does not fit other senses, is no start any more.
+  if (int& start = next.search.start; start >= 0) {
+    const auto index = static_cast<std::size_t>(start);
+    const bool fits = index < next.controllers.size() && next.controllers[index].senses == next.senses &&
+                      next.controllers[index].rules == next.rules;
+    if (!fits) start = -1;
+  }
   if (const auto valid = Validate(next); !valid) {
     Say("Not possible: " + valid.error().Sentence() + ".");
     return std::nullopt;

@@ -2,6 +2,7 @@
 // A session's search: starting it, and letting its best motion take the place of the one on the stage.
 #include <algorithm>
 
+#include "shell/algorithm_words.h"
 #include "shell/session.h"
 #include "shell/wording.h"
 
@@ -69,8 +70,7 @@ bool Session::ShowImprovement(double seconds) {
   Genome genes = std::move(improvement_);
   improvement_.clear();
   const SearchSettings& search = searched_->search;
-  PutController({.name = search.algorithm == Algorithm::kSphc ? "SPHC, seed " + std::to_string(search.seed)
-                                                              : "RG&T, seed " + std::to_string(search.seed),
+  PutController({.name = WordsOf(search.algorithm).name + ", seed " + std::to_string(search.seed),
                  .senses = searched_->senses,
                  .rules = searched_->rules,
                  .genes = std::move(genes)});
@@ -90,6 +90,9 @@ void Session::PutController(Controller controller) {
     if (d.timeline.size() == 1) d.duration_steps = searched_->task.duration_steps;
     for (int c = added; c >= 0; --c) {
       if (std::ranges::any_of(d.timeline, [c](const Clip& one) { return one.controller == c; })) continue;
+      // A search that began with what is replaced begins with what replaces it.
+      if (d.search.start == c) d.search.start = d.timeline[static_cast<std::size_t>(clip)].controller;
+      if (d.search.start > c) --d.search.start;
       d.controllers.erase(d.controllers.begin() + c);
       for (Clip& one : d.timeline) one.controller -= one.controller > c ? 1 : 0;
     }

@@ -18,7 +18,7 @@
 /**
  * Options of a search; what is left out stays as the document has it.
  * @typedef {object} SynthesizeOptions
- * @property {'sphc' | 'rgt'} [algorithm]
+ * @property {string} [algorithm]   rgt, sphc, gga, ssga, shc, mpga, nelder-mead, powell, cma-es or map-elites
  * @property {'physical' | 'timer'} [sense]
  * @property {number} [period]       of the timer, seconds
  * @property {number} [evaluations]

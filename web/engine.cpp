@@ -22,8 +22,7 @@
 #include "core/document/json.h"
 #include "core/document/json_value.h"
 #include "core/document/link.h"
-#include "core/physics/evaluator.h"
-#include "core/search/search.h"
+#include "core/search/evaluation_score.h"
 
 #define GS_EXPORT extern "C" __attribute__((used, visibility("default")))
 
@@ -78,7 +77,7 @@ std::optional<Document> TakeDocument(std::size_t size) {
 struct EvaluatorRole {
   Evaluator evaluator;
   std::size_t genes;
-  std::vector<float> fitness;
+  std::vector<Score> scores;
 };
 
 struct SearchRole {
@@ -128,8 +127,10 @@ GS_EXPORT void gs_evaluator_close(EvaluatorRole* role) { delete role; }
 GS_EXPORT std::size_t gs_evaluator_genes(const EvaluatorRole* role) { return role->genes; }
 
 /// Scores `count` genomes that lie one after another in the input area, 16 bits a gene.
-/// @return `count` floats; null when the input is too short
-GS_EXPORT const float* gs_evaluator_run(EvaluatorRole* role, std::size_t count) {
+/// @return `count` scores of four floats: fitness, greatest height, slip, rotations; null when the input is
+/// too short
+static_assert(sizeof(Score) == 4 * sizeof(float));
+GS_EXPORT const Score* gs_evaluator_run(EvaluatorRole* role, std::size_t count) {
   if (input.size() / sizeof(Gene) / role->genes < count) {
     Note({ErrorCode::kTruncated, "genomes", "fewer than announced"});
     return nullptr;
@@ -139,11 +140,11 @@ GS_EXPORT const float* gs_evaluator_run(EvaluatorRole* role, std::size_t count) 
   std::vector<std::span<const Gene>> genomes;
   genomes.reserve(count);
   for (std::size_t i = 0; i < count; ++i) genomes.emplace_back(genes + i * role->genes, role->genes);
-  role->fitness.clear();
+  role->scores.clear();
   for (const Evaluation& evaluation : role->evaluator.Evaluate(genomes)) {
-    role->fitness.push_back(evaluation.fitness);
+    role->scores.push_back(ScoreOf(evaluation));
   }
-  return role->fitness.data();
+  return role->scores.data();
 }
 
 // Search.
@@ -173,19 +174,26 @@ GS_EXPORT std::size_t gs_search_ask(SearchRole* role, int wanted) {
 }
 GS_EXPORT const Gene* gs_search_genomes(const SearchRole* role) { return role->genomes.data(); }
 
-/// Takes the fitness of each genome of the last ask, in its order, as floats from the input area. Each ask is
-/// answered once.
+/// Takes a score for each genome of the last ask, in its order, from the input area: four floats as
+/// gs_evaluator_run returns them, or the fitness alone for searches that need no more. Each ask is answered
+/// once.
+/// @param count floats
 GS_EXPORT bool gs_search_tell(SearchRole* role, std::size_t count) {
   if (role->asked == 0) {
     Note({ErrorCode::kStructure, "fitness", "was not asked for"});
     return false;
   }
-  if (count != role->asked || input.size() < count * sizeof(float)) {
-    Note({ErrorCode::kStructure, "fitness", "must be one number for every genome asked"});
+  const bool whole = count == 4 * role->asked;
+  if ((!whole && count != role->asked) || input.size() < count * sizeof(float)) {
+    Note({ErrorCode::kStructure, "fitness", "must be one number, or four, for every genome asked"});
     return false;
   }
+  if (whole) {
+    role->search->Tell(std::span(reinterpret_cast<const Score*>(input.data()), role->asked));
+  } else {
+    role->search->Tell(std::span(reinterpret_cast<const float*>(input.data()), role->asked));
+  }
   role->asked = 0;
-  role->search->Tell({reinterpret_cast<const float*>(input.data()), count});
   return true;
 }
 GS_EXPORT int gs_search_evaluations(const SearchRole* role) { return role->search->Evaluations(); }

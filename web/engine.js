@@ -89,6 +89,9 @@ export class Engine {
   }
 }
 
+/** Numbers in the score of a genome: fitness, greatest height, slip, rotations. */
+export const SCORE_LENGTH = 4;
+
 /** Scores genomes of one problem. */
 export class Evaluator {
   /** @param {Engine} engine @param {number} handle */
@@ -101,14 +104,19 @@ export class Evaluator {
 
   /**
    * @param {Uint16Array} genomes  any number of them, one after another
-   * @returns {Float32Array} fitness of each
+   * @returns {Float32Array} SCORE_LENGTH numbers for each
    */
-  evaluate(genomes) {
+  score(genomes) {
     const count = Math.floor(genomes.length / this.genes);
     this.engine.put(genomes);
     if (count === 0) return new Float32Array(0);
     const at = this.engine.orThrow(this.engine.module._gs_evaluator_run(this.handle, count));
-    return new Float32Array(this.engine.bytesAt(at, 4 * count).buffer);
+    return new Float32Array(this.engine.bytesAt(at, 4 * SCORE_LENGTH * count).buffer);
+  }
+
+  /** @param {Uint16Array} genomes @returns {Float32Array} fitness of each */
+  evaluate(genomes) {
+    return this.score(genomes).filter((_, i) => i % SCORE_LENGTH === 0);
   }
 
   close() { this.engine.module._gs_evaluator_close(this.handle); }
@@ -135,10 +143,13 @@ export class Search {
     return this.#genesAt(this.engine.module._gs_search_genomes(this.handle), count);
   }
 
-  /** Once for each ask. @param {Float32Array} fitness  of each genome of the last ask */
-  tell(fitness) {
-    this.engine.put(fitness);
-    this.engine.orThrow(this.engine.module._gs_search_tell(this.handle, fitness.length));
+  /**
+   * Once for each ask.
+   * @param {Float32Array} scores  of each genome of the last ask: SCORE_LENGTH numbers, or its fitness alone
+   */
+  tell(scores) {
+    this.engine.put(scores);
+    this.engine.orThrow(this.engine.module._gs_search_tell(this.handle, scores.length));
   }
 
   get evaluations() { return this.engine.module._gs_search_evaluations(this.handle); }

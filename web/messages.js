@@ -95,7 +95,7 @@ export const NO_REPORT = Object.freeze({ state: 'running', evaluations: 0, budge
  * Score these genomes, which lie one after another (transferred). Reply: 'scored' with the same slice.
  * @typedef {{type: 'score', slice: number, genomes: Uint16Array}} Score
  */
-/** @typedef {{type: 'scored', slice: number, fitness: Float32Array}} Scored */
+/** SCORE_LENGTH numbers for each genome. @typedef {{type: 'scored', slice: number, scores: Float32Array}} Scored */
 
 /** @typedef {Score} CoordinatorToEvaluator */
 /** @typedef {Scored} EvaluatorToCoordinator */

@@ -7,7 +7,8 @@ import { banner } from './dom.js';
 /** @typedef {import('./app.js').App} App */
 /** @typedef {import('./messages.js').SearchReport} SearchReport */
 
-const ALGORITHMS = /** @type {Record<string, string>} */ ({ sphc: 'SPHC', rgt: 'RG&T' });
+const ALGORITHMS = /** @type {Record<string, string>} */ ({ rgt: 'RG&T', sphc: 'SPHC', gga: 'GGA', ssga: 'SSGA', shc: 'SHC',
+  mpga: 'MPGA', 'nelder-mead': 'Nelder–Mead', powell: 'Powell', 'cma-es': 'CMA-ES', 'map-elites': 'MAP-Elites' });
 
 /** @typedef {import('./search_client.js').SearchClient} SearchClient */
 /** @typedef {{resolve: (report: SearchReport) => void, reject: (error: Error) => void}} End */

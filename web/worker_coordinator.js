@@ -2,6 +2,7 @@
 // The coordinator's role: runs the search's ask/tell loop, deals each batch out to the evaluators in slices,
 // and puts the scores back in order. What is asked, and what a score leads to, core decides; so the result is
 // the same for any number of evaluators, and for any of them dying on the way.
+import { SCORE_LENGTH } from './engine.js';
 import { unreachable } from './messages.js';
 
 /** @typedef {import('./messages.js').PageToCoordinator} PageToCoordinator */
@@ -50,7 +51,7 @@ export class Coordinator {
   #missing = 0; // slices of the batch without a result
   /** @type {Uint16Array} */
   #genomes = new Uint16Array(0);
-  #fitness = new Float32Array(0);
+  #scores = new Float32Array(0);
 
   /** @type {SearchReport['state']} */
   #state = 'running';
@@ -159,7 +160,7 @@ export class Coordinator {
     }
     this.#genomes = this.search.ask(BATCH_SIZES[this.#batchSize] * this.workers);
     const count = this.#genomes.length / this.search.genes;
-    this.#fitness = new Float32Array(count);
+    this.#scores = new Float32Array(SCORE_LENGTH * count);
     const share = Math.ceil(count / Math.max(1, this.#hands.size));
     const soon = this.#genomeMs > 0 ? LANES * Math.ceil(LONGEST_SLICE_MS / this.#genomeMs / LANES) : LANES;
     this.#slices = cut(count, Math.min(share, soon));
@@ -169,15 +170,16 @@ export class Coordinator {
   }
 
   /** @param {Hand} hand @param {EvaluatorToCoordinator} result */
-  #take(hand, { slice, fitness }) {
+  #take(hand, { slice, scores }) {
     if (hand.slice !== slice) return; // it was taken from a hand that seemed dead
     hand.slice = null;
-    const ms = (performance.now() - hand.sentMs) / fitness.length;
+    const count = scores.length / SCORE_LENGTH;
+    const ms = (performance.now() - hand.sentMs) / count;
     this.#genomeMs = this.#genomeMs > 0 ? 0.8 * this.#genomeMs + 0.2 * ms : ms;
-    this.#simulated += fitness.length;
-    this.#fitness.set(fitness, this.#slices[slice].first);
+    this.#simulated += count;
+    this.#scores.set(scores, SCORE_LENGTH * this.#slices[slice].first);
     if (--this.#missing === 0) {
-      this.search.tell(this.#fitness);
+      this.search.tell(this.#scores);
       this.#batchDone();
     }
     this.#deal();

@@ -13,10 +13,10 @@ export function startEvaluator(engine, { document, port }) {
   const evaluator = engine.evaluator(document);
   /** @param {MessageEvent<CoordinatorToEvaluator>} event */
   port.onmessage = ({ data }) => {
-    const fitness = evaluator.evaluate(data.genomes);
+    const scores = evaluator.score(data.genomes);
     /** @type {EvaluatorToCoordinator} */
-    const reply = { type: 'scored', slice: data.slice, fitness };
-    port.postMessage(reply, [fitness.buffer]);
+    const reply = { type: 'scored', slice: data.slice, scores };
+    port.postMessage(reply, [scores.buffer]);
   };
   return () => {
     port.close();

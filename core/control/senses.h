@@ -33,6 +33,8 @@ struct SenseSpec {
   float force_weights = 2.0f;  // [0.1, 100]
   float height_rods = 2.0f;    // [0.1, 100]
   float velocity_mps = 3.0f;   // [0.1, 100]
+
+  friend bool operator==(const SenseSpec&, const SenseSpec&) = default;
 };
 
 /// What a timer shows at a step of its period.

@@ -70,21 +70,4 @@ struct Controller {
 /// The time constant of a gene [s]: log-uniform over the spec's range.
 [[nodiscard]] float DecodeTau(Gene gene, const SenseSpec&);
 
-/// How random banks are made and perturbed. The paper leaves both open; these decide whether rules ever
-/// switch.
-struct Variation {
-  float dont_care =
-      0.8f;  // chance that a rule ignores a physical sense, [0, 1]; with none ignored no rule ever fires
-  float gene_chance = 0.1f;  // chance that one gene of a perturbed bank creeps, (0, 1]
-  float creep = 0.1f;        // standard deviation of a creep, as a share of the gene's range, (0, 1]
-  float redraw = 0.05f;      // chance that a rule of a perturbed bank is drawn anew instead, [0, 1]
-};
-
-/// A new random bank.
-[[nodiscard]] Genome RandomGenome(const BankShape&, const SenseSpec&, const Variation&, RandomStream&);
-
-/// A perturbed copy; differs from its parent in at least one gene.
-[[nodiscard]] Genome Perturb(std::span<const Gene> parent, const BankShape&, const SenseSpec&,
-                             const Variation&, RandomStream&);
-
 }  // namespace gaitsmith

@@ -103,6 +103,45 @@ Result<void> CheckSenses(const SenseSpec& senses, const std::string& where) {
   return {};
 }
 
+/// What only some values of a search's settings allow.
+Result<void> CheckSearch(const Document& d) {
+  const SearchSettings& search = d.search;
+  if (search.start >= 0) {
+    if (static_cast<std::size_t>(search.start) >= d.controllers.size()) {
+      return Fail(ErrorCode::kStructure, "search.start",
+                  "there is no controller " + std::to_string(search.start) + ", the document has " +
+                      std::to_string(d.controllers.size()));
+    }
+    const Controller& start = d.controllers[static_cast<std::size_t>(search.start)];
+    if (start.rules != d.rules || start.senses != d.senses) {
+      return Fail(ErrorCode::kStructure, "search.start",
+                  "must be a controller with the senses and the number of rules that are searched for");
+    }
+  }
+  const int side = search.torus.side;
+  const bool genetic = search.algorithm == Algorithm::kGga || search.algorithm == Algorithm::kSsga;
+  const int population = genetic                                ? search.genetic.population
+                         : search.algorithm == Algorithm::kMpga ? side * side
+                                                                : 0;
+  if (search.evaluations < population) {
+    return Fail(ErrorCode::kOutOfRange, "search.evaluations",
+                "must be at least the population, " + std::to_string(population) + ", is " +
+                    std::to_string(search.evaluations));
+  }
+  if (search.algorithm != Algorithm::kCmaEs) return {};
+  if (search.cma.population != 0 && search.cma.population < 4) {
+    return Fail(ErrorCode::kOutOfRange, "search.cma.population",
+                "must be 0 (automatic) or at least 4, is " + std::to_string(search.cma.population));
+  }
+  const std::size_t genes = SpaceOf(d).shape.Genes();
+  if (search.cma.covariance == Covariance::kFull && genes > kMostCovarianceGenes) {
+    return Fail(ErrorCode::kTooMany, "search.cma.covariance",
+                "can be full for at most " + std::to_string(kMostCovarianceGenes) + " genes, there are " +
+                    std::to_string(genes));
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<void> CheckReferences(const Document& d) {
@@ -120,6 +159,7 @@ Result<void> CheckReferences(const Document& d) {
                       " genes, this figure needs " + std::to_string(genes));
     }
   }
+  if (auto search = CheckSearch(d); !search) return search;
   for (std::size_t i = 0; i < d.timeline.size(); ++i) {
     const Clip& clip = d.timeline[i];
     if (static_cast<std::size_t>(clip.controller) >= d.controllers.size()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/document/binary.h"
 
+#include <algorithm>
 #include <bit>
 
 #include "core/document/archive.h"
@@ -18,6 +19,11 @@ constexpr int kChoiceBits = 4;  // more than any choice needs now: names are add
 
 class BinaryWriter : public Archive {
  public:
+  /// @param version fields of later ones are left out
+  explicit BinaryWriter(int version) : version_(version) {}
+  /// The oldest version that has every field written with a value of its own.
+  [[nodiscard]] int Needed() const { return needed_; }
+
   void Real(std::string_view, float& value, float, float, float standard) {
     if (Standard(value == standard)) return;
     bits_.Put(std::bit_cast<std::uint32_t>(value), 32);
@@ -31,7 +37,15 @@ class BinaryWriter : public Archive {
     if (Standard(value == standard)) return;
     bits_.Put(value, 32);
   }
-  void Flag(std::string_view, bool& value, bool) { bits_.Put(value ? 1 : 0, 1); }
+  void Flag(std::string_view, bool& value, bool standard) { Standard(value == standard, value); }
+  template <class Fields>
+  void Since(int version, Fields fields) {
+    if (version > version_) return;
+    const int outside = since_;
+    since_ = version;
+    fields();
+    since_ = outside;
+  }
   template <class Enum, class Names>
   void Choice(std::string_view, Enum& value, const Names&, Enum standard) {
     if (!Standard(value == standard)) bits_.Put(static_cast<std::uint64_t>(value), kChoiceBits);
@@ -73,16 +87,21 @@ class BinaryWriter : public Archive {
   static int IntegerBits(int low, int high) {
     return BitsFor(static_cast<std::uint64_t>(std::int64_t{high} - low) + 1);
   }
-  bool Standard(bool is_standard) {
-    bits_.Put(is_standard ? 0 : 1, 1);
+  bool Standard(bool is_standard) { return Standard(is_standard, !is_standard); }
+  bool Standard(bool is_standard, bool bit) {
+    bits_.Put(bit ? 1 : 0, 1);
+    if (!is_standard) needed_ = std::max(needed_, since_);
     return is_standard;
   }
   BitWriter bits_;
+  int version_;
+  int since_ = 1;  // version that brought the field at hand
+  int needed_ = 1;
 };
 
 class BinaryReader : public Archive {
  public:
-  explicit BinaryReader(std::span<const std::uint8_t> body) : bits_(body) {}
+  BinaryReader(std::span<const std::uint8_t> body, int version) : bits_(body), version_(version) {}
 
   void Real(std::string_view name, float& value, float low, float high, float standard) {
     value = standard;
@@ -171,6 +190,11 @@ class BinaryReader : public Archive {
     }
     CheckLeft("rules");
   }
+  /// An older version does not have these fields: what is being read keeps their standard values.
+  template <class Fields>
+  void Since(int version, Fields fields) {
+    if (version <= version_) fields();
+  }
   [[nodiscard]] bool AtEnd() { return bits_.AtEnd(); }
 
  private:
@@ -184,6 +208,7 @@ class BinaryReader : public Archive {
     if (bits_.Overrun()) FailAt(name, ErrorCode::kTruncated, "the data ends here, too early");
   }
   BitReader bits_;
+  int version_;
 };
 
 void PutLittleEndian(std::vector<std::uint8_t>& out, std::uint32_t value, int bytes) {
@@ -208,10 +233,14 @@ std::uint32_t Crc32(std::span<const std::uint8_t> bytes) {
 }
 
 std::vector<std::uint8_t> EncodeBinary(const Document& document) {
-  BinaryWriter writer;
   Document copy = document;
+  BinaryWriter writer(kBinaryVersion);
   Describe(writer, copy);
-  std::vector<std::uint8_t> bytes = {kBinaryVersion};
+  if (const int needed = writer.Needed(); needed < kBinaryVersion) {
+    writer = BinaryWriter(needed);
+    Describe(writer, copy);
+  }
+  std::vector<std::uint8_t> bytes = {static_cast<std::uint8_t>(writer.Needed())};
   PutLittleEndian(bytes, static_cast<std::uint32_t>(writer.Body().size()), 3);
   bytes.insert(bytes.end(), writer.Body().begin(), writer.Body().end());
   PutLittleEndian(bytes, Crc32(bytes), 4);
@@ -220,9 +249,9 @@ std::vector<std::uint8_t> EncodeBinary(const Document& document) {
 
 Result<Document> DecodeBinary(std::span<const std::uint8_t> bytes) {
   if (bytes.empty()) return Fail(ErrorCode::kTruncated, "", "there is no data");
-  if (bytes[0] != kBinaryVersion) {
+  if (bytes[0] < 1 || bytes[0] > kBinaryVersion) {
     return Fail(ErrorCode::kUnknownVersion, "",
-                "has format version " + std::to_string(bytes[0]) + ", this Gaitsmith reads version " +
+                "has format version " + std::to_string(bytes[0]) + ", this Gaitsmith reads versions up to " +
                     std::to_string(kBinaryVersion) + "; it was made by a newer one, or the data is damaged");
   }
   const std::size_t whole =
@@ -241,7 +270,7 @@ Result<Document> DecodeBinary(std::span<const std::uint8_t> bytes) {
     return Fail(ErrorCode::kChecksum, "", "was damaged on the way: its checksum does not match");
   }
 
-  BinaryReader reader(bytes.subspan(kHeaderBytes, whole - kHeaderBytes - kChecksumBytes));
+  BinaryReader reader(bytes.subspan(kHeaderBytes, whole - kHeaderBytes - kChecksumBytes), bytes[0]);
   Document document;
   Describe(reader, document);
   if (!reader.Ok()) return std::unexpected(*reader.Fault());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A document as few bytes: version (1), length of the body (3, little-endian), body of packed bits, CRC-32
-// (4). docs/formats.md lists every field. The encoding is canonical: a document has exactly one.
+// A document as few bytes: version (1 byte), length of the body (3, little-endian), body of packed bits,
+// CRC-32 (4). docs/formats.md lists every field. The encoding is canonical: a document has exactly one.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,8 @@
 
 namespace gaitsmith {
 
-inline constexpr std::uint8_t kBinaryVersion = 1;
+/// The newest version there is. A document is written in the oldest one that has all its fields.
+inline constexpr std::uint8_t kBinaryVersion = 2;
 
 /// @param document valid
 [[nodiscard]] std::vector<std::uint8_t> EncodeBinary(const Document& document);

@@ -43,6 +43,10 @@ class Checker : public Archive {
     Leave();
   }
   void Hash(std::string_view, std::optional<std::uint64_t>&) {}
+  template <class Fields>
+  void Since(int, Fields fields) {
+    fields();
+  }
   void Rules(Controller& controller, int) { CheckInteger("rules", controller.rules, 1, kMaxRules); }
 };
 
@@ -73,7 +77,9 @@ Problem ReplayProblem(const Document& d, const Controller& controller) {
 }
 
 SearchSpace SpaceOf(const Document& d) {
-  return {BankShape(d.rules, d.senses.kind, d.figure.Rods()), d.senses};
+  SearchSpace space{BankShape(d.rules, d.senses.kind, d.figure.Rods()), d.senses};
+  if (d.search.start >= 0) space.start = d.controllers[static_cast<std::size_t>(d.search.start)].genes;
+  return space;
 }
 
 std::string HashText(std::uint64_t hash) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/document/archive.h"
 #include "core/document/json_value.h"
@@ -14,18 +15,45 @@ namespace {
 
 class JsonWriter : public Archive {
  public:
-  void Real(std::string_view name, float& value, float, float, float) { Field(name, RealText(value)); }
-  void Integer(std::string_view name, int& value, int, int, int) { Field(name, std::to_string(value)); }
-  void Model(std::string_view name, int& model) { Field(name, std::to_string(model)); }
-  void Natural(std::string_view name, std::uint32_t& value, std::uint32_t) {
+  void Real(std::string_view name, float& value, float, float, float standard) {
+    Note(value == standard);
+    Field(name, RealText(value));
+  }
+  void Integer(std::string_view name, int& value, int, int, int standard) {
+    Note(value == standard);
     Field(name, std::to_string(value));
   }
-  void Flag(std::string_view name, bool& value, bool) { Field(name, value ? "true" : "false"); }
+  void Model(std::string_view name, int& model) { Field(name, std::to_string(model)); }
+  void Natural(std::string_view name, std::uint32_t& value, std::uint32_t standard) {
+    Note(value == standard);
+    Field(name, std::to_string(value));
+  }
+  void Flag(std::string_view name, bool& value, bool standard) {
+    Note(value == standard);
+    Field(name, value ? "true" : "false");
+  }
   template <class Enum, class Names>
-  void Choice(std::string_view name, Enum& value, const Names& names, Enum) {
+  void Choice(std::string_view name, Enum& value, const Names& names, Enum standard) {
+    Note(value == standard);
     Field(name, QuoteJson(names[static_cast<std::size_t>(value)]));
   }
-  void Text(std::string_view name, std::string& text) { Field(name, QuoteJson(text)); }
+  void Text(std::string_view name, std::string& text) {
+    Note(text.empty());
+    Field(name, QuoteJson(text));
+  }
+  /// Fields that came later are written only when one of them has a value of its own.
+  template <class Fields>
+  void Since(int, Fields fields) {
+    const std::size_t size = out_.size();
+    const bool first = first_;
+    const bool outside = std::exchange(all_standard_, true);
+    fields();
+    if (all_standard_) {
+      out_.resize(size);
+      first_ = first;
+    }
+    all_standard_ = all_standard_ && outside;
+  }
   template <class Fields>
   void Group(std::string_view name, Fields fields) {
     Field(name, "");
@@ -34,6 +62,7 @@ class JsonWriter : public Archive {
   template <class Item, class Fields>
   void List(std::string_view name, std::vector<Item>& list, int, Fields fields) {
     Field(name, "");
+    Note(list.empty());
     if (list.empty()) {
       out_ += "[]";
       return;
@@ -46,6 +75,7 @@ class JsonWriter : public Archive {
     });
   }
   void Hash(std::string_view name, std::optional<std::uint64_t>& hash) {
+    Note(!hash);
     if (hash) Field(name, QuoteJson(HashText(*hash)));
   }
   void Rules(Controller& controller, int rods) {
@@ -97,7 +127,10 @@ class JsonWriter : public Archive {
     out_ += "\n" + std::string(static_cast<std::size_t>(depth_) * 2, ' ') + close;
   }
 
+  void Note(bool standard) { all_standard_ = all_standard_ && standard; }
+
   std::string out_;
+  bool all_standard_ = true;  // since the innermost Since began
   int depth_ = 0;
   bool first_ = true;
 };
@@ -218,6 +251,10 @@ class JsonReader : public Archive {
       Leave();
     }
     Leave();
+  }
+  template <class Fields>
+  void Since(int, Fields fields) {
+    fields();
   }
   void Finish() { Close(); }
 

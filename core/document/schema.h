@@ -8,7 +8,10 @@
 //   Choice(name, Enum&, names, standard)         Text(name, string&)
 //   Group(name, function)                        List(name, vector&, most, function(element))
 //   Hash(name, optional<uint64_t>&)              Rules(Controller&, rods)
-// In JSON a field that equals its standard value may be left out; in a link it costs one bit.
+//   Since(version, function)
+// In JSON a field that equals its standard value may be left out; in a link it costs one bit. Since() holds
+// fields that came with a later version of the binary format: a document that leaves all of them at their
+// standard is written in the older version, with the very bytes it always had, and in JSON without them.
 #pragma once
 
 #include <string_view>
@@ -87,6 +90,50 @@ void Describe(Archive& ar, SenseSpec& senses) {
 }
 
 template <class Archive>
+void Describe(Archive& ar, GeneticSettings& genetic) {
+  const GeneticSettings standard;
+  ar.Integer("population", genetic.population, 2, 10'000, standard.population);
+  ar.Real("mutation_rate", genetic.rates.mutation, 0.0f, 1.0f, standard.rates.mutation);
+  ar.Real("crossover_rate", genetic.rates.crossover, 0.0f, 1.0f, standard.rates.crossover);
+  ar.Choice("rates", genetic.rates.reading, kRateReadingNames, standard.rates.reading);
+  ar.Real("rank_bias", genetic.rank_bias, 1.0f, 2.0f, standard.rank_bias);
+}
+
+template <class Archive>
+void Describe(Archive& ar, TorusSettings& torus) {
+  const TorusSettings standard;
+  ar.Integer("side", torus.side, 2, 128, standard.side);
+  ar.Integer("walk_steps", torus.walk_steps, 1, 1000, standard.walk_steps);
+}
+
+template <class Archive>
+void Describe(Archive& ar, RefineSettings& refine) {
+  ar.Real("step", refine.step, 0.001f, 1.0f, RefineSettings{}.step);
+}
+
+template <class Archive>
+void Describe(Archive& ar, CmaSettings& cma) {
+  const CmaSettings standard;
+  ar.Choice("genes", cma.genes, kCmaGenesNames, standard.genes);
+  ar.Choice("covariance", cma.covariance, kCovarianceNames, standard.covariance);
+  ar.Integer("population", cma.population, 0, 10'000, standard.population);
+  ar.Real("step", cma.step, 0.001f, 1.0f, standard.step);
+  ar.Real("growth", cma.growth, 1.0f, 10.0f, standard.growth);
+  ar.Integer("draws", cma.draws, 1, 10'000, standard.draws);
+}
+
+template <class Archive>
+void Describe(Archive& ar, ElitesSettings& elites) {
+  const ElitesSettings standard;
+  ar.Integer("initial", elites.initial, 1, 100'000, standard.initial);
+  ar.Integer("batch", elites.batch, 1, 1000, standard.batch);
+  ar.Integer("bins", elites.bins, 1, 32, standard.bins);
+  ar.Real("most_height_m", elites.most[0], 0.001f, 1000.0f, standard.most[0]);
+  ar.Real("most_slip_m", elites.most[1], 0.001f, 1000.0f, standard.most[1]);
+  ar.Real("most_rotations", elites.most[2], 0.001f, 1000.0f, standard.most[2]);
+}
+
+template <class Archive>
 void Describe(Archive& ar, SearchSettings& search) {
   const SearchSettings standard;
   const Variation vary;
@@ -99,6 +146,12 @@ void Describe(Archive& ar, SearchSettings& search) {
   ar.Real("gene_chance", search.variation.gene_chance, 0.001f, 1.0f, vary.gene_chance);
   ar.Real("creep", search.variation.creep, 0.001f, 1.0f, vary.creep);
   ar.Real("redraw", search.variation.redraw, 0.0f, 1.0f, vary.redraw);
+  ar.Since(2, [&] { ar.Integer("start", search.start, -1, kMaxControllers - 1, standard.start); });
+  ar.Since(2, [&] { ar.Group("genetic", [&] { Describe(ar, search.genetic); }); });
+  ar.Since(2, [&] { ar.Group("torus", [&] { Describe(ar, search.torus); }); });
+  ar.Since(2, [&] { ar.Group("refine", [&] { Describe(ar, search.refine); }); });
+  ar.Since(2, [&] { ar.Group("cma", [&] { Describe(ar, search.cma); }); });
+  ar.Since(2, [&] { ar.Group("elites", [&] { Describe(ar, search.elites); }); });
 }
 
 template <class Archive>

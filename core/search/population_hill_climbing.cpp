@@ -27,8 +27,8 @@ int PopulationHillClimbing::Horizon(int slot) const {
 }
 
 Genome PopulationHillClimbing::Propose(int slot, int proposal) const {
+  if (proposal == 0) return FirstGenome(space_, settings_.variation, settings_.seed, slot);
   RandomStream random(settings_.seed, static_cast<std::uint64_t>(slot), static_cast<std::uint64_t>(proposal));
-  if (proposal == 0) return RandomGenome(space_.shape, space_.senses, settings_.variation, random);
   return Perturb(slots_[static_cast<std::size_t>(slot)].genome, space_.shape, space_.senses,
                  settings_.variation, random);
 }
@@ -46,14 +46,14 @@ std::vector<Genome> PopulationHillClimbing::Ask(int wanted) {
   return asked;
 }
 
-void PopulationHillClimbing::Tell(std::span<const float> fitness) {
+void PopulationHillClimbing::Tell(std::span<const Score> scores) {
   std::size_t at = 0;
   for (int slot = 0; slot < Population(); ++slot) {
     const auto i = static_cast<std::size_t>(slot);
     Slot& s = slots_[i];
-    const auto results = fitness.subspan(at, static_cast<std::size_t>(asked_[i]));
+    const auto results = scores.subspan(at, static_cast<std::size_t>(asked_[i]));
     at += results.size();
-    for (const float value : results) {
+    for (const auto& [value, style] : results) {
       const int proposal = s.generation;
       const bool better = value > s.fitness;
       if (better || proposal == 0) {

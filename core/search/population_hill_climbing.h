@@ -20,7 +20,8 @@ class PopulationHillClimbing final : public Search {
   PopulationHillClimbing(const SearchSettings&, const SearchSpace&);
 
   [[nodiscard]] std::vector<Genome> Ask(int wanted) override;
-  void Tell(std::span<const float> fitness) override;
+  using Search::Tell;
+  void Tell(std::span<const Score> scores) override;
   [[nodiscard]] int Evaluations() const override;
   [[nodiscard]] bool Done() const override;
   [[nodiscard]] const Genome& BestGenome() const override;

@@ -12,6 +12,7 @@ RandomSearch::RandomSearch(const SearchSettings& settings, const SearchSpace& sp
     : settings_(settings), space_(space), best_fitness_(-std::numeric_limits<float>::infinity()) {}
 
 Genome RandomSearch::Draw(int evaluation) const {
+  if (evaluation == 0) return FirstGenome(space_, settings_.variation, settings_.seed, 0);
   RandomStream random(settings_.seed, 0, static_cast<std::uint64_t>(evaluation));
   return RandomGenome(space_.shape, space_.senses, settings_.variation, random);
 }
@@ -24,8 +25,8 @@ std::vector<Genome> RandomSearch::Ask(int wanted) {
   return asked;
 }
 
-void RandomSearch::Tell(std::span<const float> fitness) {
-  for (const float value : fitness) {
+void RandomSearch::Tell(std::span<const Score> scores) {
+  for (const auto& [value, style] : scores) {
     if (value > best_fitness_ || best_.empty()) {
       best_ = Draw(evaluations_);
       if (value > best_fitness_) best_fitness_ = value;

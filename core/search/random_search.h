@@ -12,7 +12,8 @@ class RandomSearch final : public Search {
   RandomSearch(const SearchSettings&, const SearchSpace&);
 
   [[nodiscard]] std::vector<Genome> Ask(int wanted) override;
-  void Tell(std::span<const float> fitness) override;
+  using Search::Tell;
+  void Tell(std::span<const Score> scores) override;
   [[nodiscard]] int Evaluations() const override { return evaluations_; }
   [[nodiscard]] bool Done() const override { return evaluations_ >= settings_.evaluations; }
   [[nodiscard]] const Genome& BestGenome() const override { return best_; }

@@ -13,18 +13,78 @@
 #include <string_view>
 #include <vector>
 
-#include "core/control/stimulus_response.h"
 #include "core/numeric/bit_stream.h"
 #include "core/numeric/error.h"
+#include "core/search/operators.h"
 
 namespace gaitsmith {
 
 enum class Algorithm {
   kRandomSearch,  // RG&T: random generate and test
   kSphc,          // stochastic population hill climbing, Figure 5
+  kGga,           // generational genetic algorithm, Figure 2
+  kSsga,          // steady-state genetic algorithm, Figure 3
+  kShc,           // stochastic hill climbing, Figure 4
+  kMpga,          // massively parallel genetic algorithm, Figure 1
+  kNelderMead,    // downhill simplex
+  kPowell,        // direction set
+  kCmaEs,         // covariance matrix adaptation
+  kMapElites,     // the best motion of every style
 };
 /// Names on the command line and in documents.
-inline constexpr std::array<std::string_view, 2> kAlgorithmNames = {"rgt", "sphc"};
+inline constexpr std::array<std::string_view, 10> kAlgorithmNames = {
+    "rgt", "sphc", "gga", "ssga", "shc", "mpga", "nelder-mead", "powell", "cma-es", "map-elites"};
+
+/// Parameters of GGA and SSGA, and the rates of MPGA.
+struct GeneticSettings {
+  int population = 200;  // GGA, SSGA, [2, 10000]; Table 2: 200
+  Rates rates;
+  float rank_bias = 1.5f;  // SSGA: the fittest is chosen so many times as often as the median, [1, 2]
+};
+
+/// Parameters of MPGA: one processor per cell of a square torus.
+struct TorusSettings {
+  int side = 64;        // cells, [2, 128]; the paper's Connection Machine: 64 x 64
+  int walk_steps = 10;  // of the random walk that looks for a mate, [1, 1000]
+};
+
+/// Parameters of Nelder-Mead and Powell.
+struct RefineSettings {
+  float step = 0.1f;  // first step along a gene, as a share of its range, [0.001, 1]
+};
+
+enum class Covariance {
+  kAutomatic,  // full up to kMostFullGenes genes, else separable
+  kFull,
+  kSeparable,  // variances only
+};
+inline constexpr std::array<std::string_view, 3> kCovarianceNames = {"automatic", "full", "separable"};
+inline constexpr int kMostFullGenes = 128;  // of the automatic choice: Star-Man's timer banks have 70
+inline constexpr std::size_t kMostCovarianceGenes =
+    600;  // of a full covariance at all: 600^2 numbers are 3 MB
+
+enum class CmaGenes {
+  kCared,  // those of intervals that the run's first genome ignores stay ignored
+  kAll,
+};
+inline constexpr std::array<std::string_view, 2> kCmaGenesNames = {"cared-for", "all"};
+
+struct CmaSettings {
+  CmaGenes genes = CmaGenes::kCared;
+  Covariance covariance = Covariance::kAutomatic;
+  int population = 0;   // lambda, 0 or [4, 10000]; 0: 4 + 3 ln(genes) [Hansen 2016]
+  float step = 0.3f;    // first standard deviation, as a share of a gene's range, [0.001, 1]
+  float growth = 2.0f;  // of the population at every restart, [1, 10]; 2: IPOP [Auger Hansen 2005]
+  int draws = 50;       // random genomes of which the best begins a run, [1, 10000]
+};
+
+struct ElitesSettings {
+  int initial = 200;  // random genomes at first, [1, 100000]
+  int batch = 32;     // children named together, [1, 1000]; part of the algorithm, not of its speed
+  int bins = 8;       // of each of the three style terms, [1, 32]
+  // Where the last bin of each term ends, (0, 1000]; what lies beyond belongs to the last bin.
+  std::array<float, 3> most = {4.0f, 10.0f, 4.0f};  // height [m], slip [m], rotations
+};
 
 struct SearchSettings {
   Algorithm algorithm = Algorithm::kSphc;
@@ -33,13 +93,23 @@ struct SearchSettings {
   int population = 10;        // SPHC, [2, 1000]; Table 2: 10
   int reseed_interval = 200;  // SPHC: generations between reseedings, [1, 1 million]; Table 2: 200
   Variation variation;
+  int start = -1;  // controller of the document that the search begins with; -1: a random one
+  GeneticSettings genetic;
+  TorusSettings torus;
+  RefineSettings refine;
+  CmaSettings cma;
+  ElitesSettings elites;
 };
 
-/// The space a search works in.
-struct SearchSpace {
-  BankShape shape;
-  SenseSpec senses;
+/// What a search is told of a motion.
+struct Score {
+  float fitness = 0.0f;
+  std::array<float, 3> style = {};  // the unweighted secondary terms, in the order of Table 3 (MAP-Elites)
 };
+
+/// Fitness at or below this belongs to no real motion (the evaluator's kVoidScore is -1e9): genetic
+/// algorithms that weigh differences must not measure from it.
+inline constexpr float kNoMotion = -1e8f;
 
 class Search {
  public:
@@ -49,8 +119,10 @@ class Search {
   /// their results; none once the budget is spent. Tell must follow before the next Ask.
   [[nodiscard]] virtual std::vector<Genome> Ask(int wanted) = 0;
 
-  /// Fitness of the genomes of the last Ask, in its order. NaN loses to everything.
-  virtual void Tell(std::span<const float> fitness) = 0;
+  /// Scores of the genomes of the last Ask, in its order. NaN loses to everything.
+  virtual void Tell(std::span<const Score> scores) = 0;
+  /// The same without style, for searches that need none.
+  void Tell(std::span<const float> fitness);
 
   /// Evaluations the serial algorithm would have made by now.
   [[nodiscard]] virtual int Evaluations() const = 0;
@@ -72,6 +144,7 @@ class Search {
   [[nodiscard]] virtual Result<void> Load(BitReader&) = 0;
 };
 
+/// @param settings valid, as of a valid document
 [[nodiscard]] std::unique_ptr<Search> MakeSearch(const SearchSettings&, const SearchSpace&);
 
 }  // namespace gaitsmith

@@ -13,6 +13,7 @@
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"
+#include "shell/command_line/search_options.h"
 #include "shell/parallel_search.h"
 
 namespace gaitsmith::shell {
@@ -89,26 +90,66 @@ Result<void> ReadWeight(const std::string& text, Task& task) {
   return {};
 }
 
-/// The document that the options describe, but for its controller.
-Result<Document> ReadRequest(const Arguments& arguments) {
-  Document document;
+/// A document's problem with the controller that it begins with, for a search to start from.
+Result<Document> ReadStart(const Arguments& arguments) {
+  for (const char* option : {"figure", "sense", "rules"}) {
+    if (!arguments.Has(option)) continue;
+    return Fail(ErrorCode::kStructure, std::string("--") + option,
+                "cannot be given with --from: the controller fits its own");
+  }
+  auto document = ReadDocument(arguments.Last("from"));
+  if (!document) return document;
+  if (document->controllers.empty()) {
+    return Fail(ErrorCode::kMissing, "--from " + arguments.Last("from"), "has no controller to start from");
+  }
+  const int first = document->timeline.empty() ? 0 : document->timeline.front().controller;
+  Controller start = document->controllers[static_cast<std::size_t>(first)];
+  document->senses = start.senses;
+  document->rules = start.rules;
+  document->controllers = {std::move(start)};
+  document->timeline.clear();
+  document->search = {};
+  document->search.start = 0;
+  document->hash.reset();
+  return document;
+}
+
+/// A new document about a figure.
+Result<Document> ReadNew(const Arguments& arguments) {
   const auto figure = ReadFigure(arguments.Last("figure", "mr-star-man"));
   if (!figure) return std::unexpected(figure.error());
+  Document document;
   document.figure = *figure;
-  const auto task = IndexOf(kTaskNames, arguments.Last("task", "travel"), "--task");
-  if (!task) return std::unexpected(task.error());
-  document.task.kind = static_cast<TaskKind>(*task);
+  document.title = figure->name;
+  return document;
+}
+
+/// The document that the options describe, but for the controller to be found.
+Result<Document> ReadRequest(const Arguments& arguments) {
+  auto read = arguments.Has("from") ? ReadStart(arguments) : ReadNew(arguments);
+  if (!read) return read;
+  Document& document = *read;
+  if (arguments.Has("task")) {
+    const auto task = IndexOf(kTaskNames, arguments.Last("task"), "--task");
+    if (!task) return std::unexpected(task.error());
+    document.task.kind = static_cast<TaskKind>(*task);
+  }
   const auto algorithm = IndexOf(kAlgorithmNames, arguments.Last("search", "sphc"), "--search");
   if (!algorithm) return std::unexpected(algorithm.error());
   document.search.algorithm = static_cast<Algorithm>(*algorithm);
-  const auto duration = WholeSteps(arguments.Last("duration", "5"), "--duration", 1);
-  if (!duration) return std::unexpected(duration.error());
-  document.task.duration_steps = document.duration_steps = *duration;
-  if (auto sense = ReadSense(arguments.Last("sense", "physical"), document.senses); !sense) {
-    return std::unexpected(sense.error());
+  if (arguments.Has("duration")) {
+    const auto duration = WholeSteps(arguments.Last("duration"), "--duration", 1);
+    if (!duration) return std::unexpected(duration.error());
+    document.task.duration_steps = *duration;
+  }
+  document.duration_steps = document.task.duration_steps;
+  if (arguments.Has("sense")) {
+    if (auto sense = ReadSense(arguments.Last("sense"), document.senses); !sense) {
+      return std::unexpected(sense.error());
+    }
   }
   for (const std::string& weight : arguments.All("weight")) {
-    if (auto read = ReadWeight(weight, document.task); !read) return std::unexpected(read.error());
+    if (auto set = ReadWeight(weight, document.task); !set) return std::unexpected(set.error());
   }
   const auto rules = arguments.Integer("rules", 1, kMaxRules, document.rules);
   if (!rules) return std::unexpected(rules.error());
@@ -119,7 +160,9 @@ Result<Document> ReadRequest(const Arguments& arguments) {
   const auto seed = arguments.Integer("seed", 0, 0xffffffffLL, 1);
   if (!seed) return std::unexpected(seed.error());
   document.search.seed = static_cast<std::uint32_t>(*seed);
-  document.title = document.figure.name;
+  for (const std::string& option : arguments.All("search-option")) {
+    if (auto set = SetSearchOption(option, document.search); !set) return std::unexpected(set.error());
+  }
   if (auto valid = Validate(document); !valid) return std::unexpected(valid.error());
   return document;
 }
@@ -140,9 +183,9 @@ int Cores() { return static_cast<int>(std::max(1u, std::thread::hardware_concurr
 }  // namespace
 
 Result<void> SynthesizeCommand(Words words) {
-  static constexpr std::string_view kOptions[] = {"figure", "task",        "sense", "weight",
-                                                  "search", "evaluations", "seed",  "out",
-                                                  "curve",  "threads",     "rules", "duration"};
+  static constexpr std::string_view kOptions[] = {
+      "figure", "task",  "sense",   "weight", "search",   "evaluations", "seed",
+      "out",    "curve", "threads", "rules",  "duration", "from",        "search-option"};
   const auto arguments = Arguments::Parse(words, kOptions);
   if (!arguments) return std::unexpected(arguments.error());
   if (!arguments->Positional().empty()) {
@@ -157,14 +200,14 @@ Result<void> SynthesizeCommand(Words words) {
 
   ProgressBar bar;
   SearchControl control;
-  const SearchProgress found =
-      RunParallelSearch(ProblemOf(*document), document->search, static_cast<int>(*threads), control,
-                        [&](const SearchProgress& progress) { bar.Draw(progress); });
+  const SearchProgress found = RunParallelSearch(
+      ProblemOf(*document), document->search, static_cast<int>(*threads), control,
+      [&](const SearchProgress& progress) { bar.Draw(progress); }, SpaceOf(*document).start);
 
   const auto algorithm = kAlgorithmNames[static_cast<std::size_t>(document->search.algorithm)];
   document->controllers.push_back(
       {"found by " + std::string(algorithm), document->senses, document->rules, found.best_genome});
-  document->timeline.push_back({0, 0});
+  document->timeline.push_back({static_cast<int>(document->controllers.size()) - 1, 0});
   document->hash = Simulate(*document).Hash();
   if (auto written = WriteText(arguments->Last("out"), EncodeJson(*document)); !written) return written;
   if (arguments->Has("curve")) return WriteText(arguments->Last("curve"), CurveCsv(found.curve));

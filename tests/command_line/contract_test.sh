@@ -43,10 +43,10 @@ same "$(awk -F, '{print NF}' motion.csv | sort -u | wc -l)" 1 "columns in every 
 
 # The same document for any number of threads.
 find() { "$gaitsmith" synthesize --figure inchworm --task travel --sense timer=0.8 --weight slip_sum=0.5 --search "$1" \
-  --evaluations 300 --seed 9 --out "$2" --curve curve.csv --threads "$3"; }
-for search in rgt sphc; do
+  --evaluations 300 --seed 9 --out "$2" --curve curve.csv --threads "$3" --search-option torus.side=8; }
+for search in rgt sphc gga ssga shc mpga nelder-mead powell cma-es map-elites; do
   find $search one.json 1 || fault "synthesize"
-  for threads in 2 3 4 5 6 7 8; do
+  for threads in $([ $search = sphc ] && echo 2 3 4 5 6 7 8 || echo 3); do
     find $search many.json $threads; cmp -s one.json many.json || fault "$search with $threads threads found something else"
   done
 done
@@ -54,6 +54,12 @@ same "$(head -1 curve.csv)" "evaluation,best" "curve header"
 "$gaitsmith" validate one.json >/dev/null || fault "a found document is not valid"
 "$gaitsmith" synthesize --figure "$root/examples/figures/hopper.json" --task jump --search rgt --evaluations 20 --out - \
   2>/dev/null | "$gaitsmith" validate - >/dev/null || fault "synthesize | validate"
+# A refiner starts from what was found, and the new document says from where.
+"$gaitsmith" synthesize --from one.json --search powell --evaluations 50 --search-option refine.step=0.05 --out refined.json \
+  --curve refined.csv || fault "synthesize --from"
+"$gaitsmith" validate refined.json >/dev/null || fault "a refined document is not valid"
+same "$(sed -n 2p refined.csv)" "1,$(tail -1 curve.csv | cut -d, -f2)" "fitness that a refiner starts from"
+same "$(grep -c '"start": 0' refined.json)" 1 "start in a refined document"
 
 # Bad input: one clear sentence, and nothing is harmed.
 echo keep >precious.json
@@ -63,6 +69,13 @@ refuses '--weight max_cm_height=x: must be a number' "$gaitsmith" synthesize --w
 refuses 'must be from 0.02 to 120 s' "$gaitsmith" synthesize --sense timer=0.001 --out precious.json
 refuses 'must be a whole number from 1 to 100000000, is "many"' "$gaitsmith" synthesize --evaluations many --out precious.json
 refuses '--colour: this command has no such option' "$gaitsmith" synthesize --colour red --out precious.json
+refuses '"annealing" is not known; choose from rgt, sphc, gga' "$gaitsmith" synthesize --search annealing --out precious.json
+refuses '"rate" is not known; choose from population' "$gaitsmith" synthesize --search-option rate=1 --out precious.json
+refuses '--search-option genetic.mutation_rate: must be from 0 to 1, is 2' \
+  "$gaitsmith" synthesize --search-option genetic.mutation_rate=2 --out precious.json
+refuses '--search-option torus.side: must be a whole number, is ""' "$gaitsmith" synthesize --search-option torus.side --out precious.json
+refuses 'must be at least the population, 200, is 100' "$gaitsmith" synthesize --search gga --evaluations 100 --out precious.json
+refuses '--figure: cannot be given with --from' "$gaitsmith" synthesize --from one.json --figure hopper --out precious.json
 refuses '--out: say where' "$gaitsmith" synthesize
 same "$(cat precious.json)" keep "a file after refused commands"
 refuses 'cannot be read' "$gaitsmith" hash nowhere.json

@@ -2,6 +2,8 @@
 #include "core/document/document.h"
 
 #include <catch_amalgamated.hpp>
+#include <cmath>
+#include <functional>
 
 #include "core/document/binary.h"
 #include "core/document/json.h"
@@ -120,7 +122,7 @@ TEST_CASE("binary: every flipped bit is refused", "[document]") {
     REQUIRE(!DecodeBinary(flipped));
   }
   auto newer = bytes;
-  newer[0] = 2;
+  newer[0] = kBinaryVersion + 1;
   REQUIRE(DecodeBinary(newer).error().code == ErrorCode::kUnknownVersion);
   REQUIRE(DecodeBinary(std::span(bytes).first(30)).error().code == ErrorCode::kTruncated);
   REQUIRE(DecodeBinary(std::span(bytes).first(30)).error().what ==
@@ -137,6 +139,146 @@ TEST_CASE("binary: values out of range are refused even when the checksum is rig
   d.timeline = {{5, 0}};
   REQUIRE(DecodeBinary(EncodeBinary(d)).error().Sentence() ==
           "timeline[0].controller: there is no controller 5, the document has 0");
+}
+
+TEST_CASE("document: a link made before version 2 decodes and encodes to the same characters", "[document]") {
+  // Written by a Gaitsmith that knew version 1 only.
+  constexpr std::string_view kLink =
+      "AVMAACHSFkZWBiKWB2JXJjeX9uYGEjOgu3srAIMzMzM_"
+      "AADGJQAMHgAAAMSBAQBM4XrsMVAwS5OboxuXABCSAcDUgamDOIG7gD4YgMEBm1OfZEsppCsNEtKOyA";
+  const auto document = DecodeLink(kLink);
+  REQUIRE(document);
+  REQUIRE(document->search.algorithm == Algorithm::kSphc);
+  REQUIRE(document->search.start == -1);
+  REQUIRE(document->search.genetic.population == 200);
+  REQUIRE(EncodeLink(*document) == kLink);
+  for (const std::string& name : GoldenMotions()) {
+    const std::string json = ReadFile(name);
+    const auto golden = DecodeJson(json);
+    REQUIRE(golden);
+    REQUIRE(EncodeBinary(*golden)[0] == 1);
+    REQUIRE(EncodeJson(*golden) == json);
+  }
+}
+
+TEST_CASE("document: every parameter of every search travels, and costs a version only when it is set",
+          "[document]") {
+  const std::vector<std::function<void(Document&)>> edits = {
+      [](Document& d) { d.search.start = 0; },
+      [](Document& d) { d.search.genetic.population = 64; },
+      [](Document& d) { d.search.genetic.rates.mutation = 0.0f; },
+      [](Document& d) { d.search.genetic.rates.crossover = 1.0f; },
+      [](Document& d) { d.search.genetic.rates.reading = RateReading::kPerComponent; },
+      [](Document& d) { d.search.genetic.rank_bias = 1.75f; },
+      [](Document& d) { d.search.torus.side = 16; },
+      [](Document& d) { d.search.torus.walk_steps = 3; },
+      [](Document& d) { d.search.refine.step = 0.25f; },
+      [](Document& d) { d.search.cma.covariance = Covariance::kSeparable; },
+      [](Document& d) { d.search.cma.genes = CmaGenes::kAll; },
+      [](Document& d) { d.search.cma.draws = 7; },
+      [](Document& d) { d.search.cma.population = 30; },
+      [](Document& d) { d.search.cma.step = 0.5f; },
+      [](Document& d) { d.search.cma.growth = 1.0f; },
+      [](Document& d) { d.search.elites.initial = 500; },
+      [](Document& d) { d.search.elites.batch = 8; },
+      [](Document& d) { d.search.elites.bins = 12; },
+      [](Document& d) { d.search.elites.most[0] = 5.0f; },
+      [](Document& d) { d.search.elites.most[1] = 6.0f; },
+      [](Document& d) { d.search.elites.most[2] = 7.0f; },
+  };
+  Document plain = StarManTravel(SenseKind::kTimer);
+  plain.controllers = {RandomController(plain.figure, plain.senses, 3)};
+  const std::size_t shortest = EncodeBinary(plain).size();
+  Document all = plain;
+  for (const auto& edit : edits) {
+    Document d = plain;
+    edit(d);
+    edit(all);
+    CAPTURE(&edit - edits.data());
+    REQUIRE(Validate(d));
+    const auto bytes = EncodeBinary(d);
+    REQUIRE(bytes[0] == 2);
+    REQUIRE(bytes.size() <=
+            shortest + 8);  // 21 more bits for the others, 33 for this one, one byte of rounding
+    const auto from_binary = DecodeBinary(bytes);
+    REQUIRE(from_binary);
+    REQUIRE(EncodeBinary(*from_binary) == bytes);
+    const std::string json = EncodeJson(d);
+    REQUIRE(json != EncodeJson(plain));
+    REQUIRE(EncodeJson(*from_binary) == json);
+    const auto from_json = DecodeJson(json);
+    REQUIRE(from_json);
+    REQUIRE(EncodeBinary(*from_json) == bytes);
+  }
+  const auto back = DecodeBinary(EncodeBinary(all));
+  REQUIRE(back);
+  REQUIRE(EncodeJson(*back) == EncodeJson(all));
+}
+
+TEST_CASE("document: algorithms alone need no new version; version 2 with nothing new is refused",
+          "[document]") {
+  Document d = StarManTravel(SenseKind::kTimer);
+  for (std::size_t i = 0; i < kAlgorithmNames.size(); ++i) {
+    d.search.algorithm = static_cast<Algorithm>(i);
+    const auto bytes = EncodeBinary(d);
+    REQUIRE(bytes[0] == 1);
+    d.search.evaluations = 4096;
+    REQUIRE(DecodeBinary(EncodeBinary(d))->search.algorithm == d.search.algorithm);
+    // The same body under the newer number, with a right checksum, is another spelling of the same document.
+    auto other = bytes;
+    other[0] = 2;
+    other.resize(other.size() - 4);
+    for (int k = 0; k < 4; ++k) other.push_back(0);
+    const std::uint32_t crc = Crc32(std::span(other).first(other.size() - 4));
+    for (std::size_t k = 0; k < 4; ++k)
+      other[other.size() - 4 + k] = static_cast<std::uint8_t>(crc >> (8 * k));
+    REQUIRE(!DecodeBinary(other));
+  }
+}
+
+TEST_CASE("document: settings that no search can have are refused with what is allowed", "[document]") {
+  const auto fault = [](const std::function<void(Document&)>& edit) {
+    Document d = StarManTravel(SenseKind::kTimer);
+    d.controllers = {RandomController(d.figure, d.senses, 3)};
+    edit(d);
+    const auto valid = Validate(d);
+    return valid ? std::string("valid") : valid.error().Sentence();
+  };
+  CHECK(fault([](Document& d) { d.search.genetic.population = 0; }) ==
+        "search.genetic.population: must be from 2 to 10000, is 0");
+  CHECK(fault([](Document& d) { d.search.genetic.rates.mutation = 1.5f; }) ==
+        "search.genetic.mutation_rate: must be from 0 to 1, is 1.5");
+  CHECK(fault([](Document& d) { d.search.genetic.rank_bias = NAN; }) ==
+        "search.genetic.rank_bias: must be a finite number");
+  CHECK(fault([](Document& d) { d.search.torus.side = 1; }) ==
+        "search.torus.side: must be from 2 to 128, is 1");
+  CHECK(fault([](Document& d) { d.search.elites.bins = 33; }) ==
+        "search.elites.bins: must be from 1 to 32, is 33");
+  CHECK(fault([](Document& d) { d.search.start = 1; }) ==
+        "search.start: there is no controller 1, the document has 1");
+  CHECK(fault([](Document& d) {
+          d.search.start = 0;
+          d.rules = 9;
+        }) ==
+        "search.start: must be a controller with the senses and the number of rules that are searched for");
+  CHECK(fault([](Document& d) {
+          d.search.algorithm = Algorithm::kGga;
+          d.search.evaluations = 199;
+        }) == "search.evaluations: must be at least the population, 200, is 199");
+  CHECK(fault([](Document& d) {
+          d.search.algorithm = Algorithm::kMpga;
+          d.search.evaluations = 4000;
+        }) == "search.evaluations: must be at least the population, 4096, is 4000");
+  CHECK(fault([](Document& d) {
+          d.search.algorithm = Algorithm::kCmaEs;
+          d.search.cma.population = 3;
+        }) == "search.cma.population: must be 0 (automatic) or at least 4, is 3");
+  CHECK(fault([](Document& d) {
+          d.search.algorithm = Algorithm::kCmaEs;
+          d.search.cma.covariance = Covariance::kFull;
+          d.senses.kind = SenseKind::kPhysical;
+          d.rules = 32;
+        }) == "search.cma.covariance: can be full for at most 600 genes, there are 928");
 }
 
 TEST_CASE("CRC-32: the check value of the standard", "[document]") {
@@ -165,7 +307,8 @@ TEST_CASE("JSON: what is wrong is said with its place", "[document]") {
   CHECK(JsonFault(Changed(json, "\"rules\": 7", "\"rules\": 1.5")) ==
         "rules: must be a whole number, is 1.5");
   CHECK(JsonFault(Changed(json, "\"sphc\"", "\"hpc\"")) ==
-        "search.algorithm: \"hpc\" is not known; choose from rgt, sphc");
+        "search.algorithm: \"hpc\" is not known; choose from rgt, sphc, gga, ssga, shc, mpga, nelder-mead, "
+        "powell, cma-es, map-elites");
   CHECK(JsonFault(Changed(json, "\"start_step\": 120", "\"start_step\": 300")) ==
         "timeline[2].start_step: must be after the start of the clip before it");
   CHECK(JsonFault(std::string(100, '[')).ends_with("is nested too deeply"));

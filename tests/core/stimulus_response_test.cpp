@@ -8,6 +8,7 @@
 #include "core/control/bank.h"
 #include "core/physics/evaluator.h"
 #include "core/physics/simulation.h"
+#include "core/search/operators.h"
 #include "tests/scene.h"
 
 namespace gaitsmith::test {

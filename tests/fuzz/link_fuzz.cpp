@@ -12,15 +12,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace gaitsmith;
   static_cast<void>(DecodeLink({reinterpret_cast<const char*>(data), size}));
 
-  std::vector<std::uint8_t> bytes = {kBinaryVersion, static_cast<std::uint8_t>(size),
-                                     static_cast<std::uint8_t>(size >> 8),
-                                     static_cast<std::uint8_t>(size >> 16)};
-  bytes.insert(bytes.end(), data, data + size);
-  const std::uint32_t crc = Crc32(bytes);
-  for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<std::uint8_t>(crc >> (8 * i)));
-  const auto document = DecodeBinary(bytes);
-  if (!document) return 0;
-  if (!Validate(*document)) std::abort();
-  if (EncodeBinary(*document) != bytes) std::abort();
+  for (std::uint8_t version = 1; version <= kBinaryVersion; ++version) {
+    std::vector<std::uint8_t> bytes = {version, static_cast<std::uint8_t>(size),
+                                       static_cast<std::uint8_t>(size >> 8),
+                                       static_cast<std::uint8_t>(size >> 16)};
+    bytes.insert(bytes.end(), data, data + size);
+    const std::uint32_t crc = Crc32(bytes);
+    for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<std::uint8_t>(crc >> (8 * i)));
+    const auto document = DecodeBinary(bytes);
+    if (!document) continue;
+    if (!Validate(*document)) std::abort();
+    if (EncodeBinary(*document) != bytes) std::abort();
+  }
   return 0;
 }

@@ -87,7 +87,7 @@ function assertSame(a, b) {
   assert.deepEqual(a.last.curve, b.last.curve);
 }
 
-for (const algorithm of ['sphc', 'rgt']) {
+for (const algorithm of ['sphc', 'rgt', 'gga', 'shc', 'cma-es', 'map-elites']) {
   test(`${algorithm}: one, two and three workers find the same`, async () => {
     const document = problem({ algorithm });
     const [one, two, three] = [await run(document, 1), await run(document, 2), await run(document, 3)];

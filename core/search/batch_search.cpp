@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "core/search/batch_search.h"
+
+#include <algorithm>
+
+namespace gaitsmith {
+
+namespace {
+
+void PutScore(BitWriter& out, const Score& score) {
+  for (const float value : {score.fitness, score.style[0], score.style[1], score.style[2]}) {
+    out.Put(std::bit_cast<std::uint32_t>(value), 32);
+  }
+}
+
+Score TakeScore(BitReader& in) {
+  Score score{};
+  for (float* value : {&score.fitness, &score.style[0], &score.style[1], &score.style[2]}) {
+    *value = std::bit_cast<float>(static_cast<std::uint32_t>(in.Take(32)));
+  }
+  return score;
+}
+
+}  // namespace
+
+std::vector<Genome> BatchSearch::Ask(int wanted) {
+  if (batch_.empty()) batch_ = Propose();
+  const auto left =
+      std::min(batch_.size() - told_.size(), static_cast<std::size_t>(settings_.evaluations - evaluations_));
+  const auto first = batch_.begin() + static_cast<std::ptrdiff_t>(told_.size());
+  return {first,
+          first + static_cast<std::ptrdiff_t>(std::min(left, static_cast<std::size_t>(std::max(1, wanted))))};
+}
+
+void BatchSearch::Tell(std::span<const Score> scores) {
+  if (scores.empty()) return;
+  for (Score score : scores) {
+    // NaN loses to everything, and no motion is infinitely good.
+    if (!(score.fitness < std::numeric_limits<float>::infinity())) {
+      score.fitness = -std::numeric_limits<float>::infinity();
+    }
+    const bool better = score.fitness > best_fitness_;
+    ++evaluations_;
+    if (better || best_.empty()) {
+      best_ = batch_[told_.size()];
+      best_fitness_ = score.fitness;
+      curve_.Add(evaluations_, best_fitness_);
+    }
+    told_.push_back(score);
+  }
+  curve_.SettleTo(evaluations_);
+  if (told_.size() < batch_.size()) {
+    if (Done()) AbsorbRest(std::span(batch_).first(told_.size()), told_);
+    return;
+  }
+  Absorb(batch_, told_);
+  batch_.clear();
+  told_.clear();
+}
+
+void BatchSearch::Save(BitWriter& out) const {
+  out.Put(static_cast<std::uint32_t>(evaluations_), 32);
+  PutGenome(out, best_, best_fitness_);
+  out.Put(told_.size(), 32);
+  for (const Score& score : told_) PutScore(out, score);
+  SaveState(out);
+  curve_.Save(out);
+}
+
+bool BatchSearch::Read(BitReader& in) {
+  if (!TakeCount(in, evaluations_, settings_.evaluations)) return false;
+  if (!TakeGenome(in, best_, best_fitness_, space_.shape.Genes())) return false;
+  if ((evaluations_ > 0) == best_.empty()) return false;
+  int told = 0;
+  if (!TakeCount(in, told, evaluations_)) return false;
+  told_.clear();
+  for (int i = 0; i < told && !in.Overrun(); ++i) {
+    told_.push_back(TakeScore(in));
+    if (!(told_.back().fitness < std::numeric_limits<float>::infinity())) return false;
+  }
+  batch_.clear();
+  if (!LoadState(in)) return false;
+  curve_.Load(in);
+  if (in.Overrun() || told_.empty()) return true;
+  batch_ = Propose();
+  return told_.size() < batch_.size();
+}
+
+Result<void> BatchSearch::Load(BitReader& in) {
+  BitWriter before;
+  Save(before);
+  const bool good = Read(in);
+  if (good && !in.Overrun() && in.AtEnd()) return {};
+  const Result<void> fault =
+      in.Overrun() ? Fail(ErrorCode::kTruncated, "search", "the saved search ends too early")
+      : good       ? Fail(ErrorCode::kTrailing, "search", "the saved search goes on after its end")
+                   : Fail(ErrorCode::kOutOfRange, "search", "is not a state of this search");
+  // A refused state changes nothing.
+  BitReader back(before.Bytes());
+  static_cast<void>(Read(back));
+  return fault;
+}
+
+void PutPopulation(BitWriter& out, const std::vector<Individual>& population) {
+  out.Put(population.size(), 32);
+  for (const Individual& one : population) PutGenome(out, one.genome, one.fitness);
+}
+
+bool TakePopulation(BitReader& in, std::vector<Individual>& population, std::size_t most, std::size_t genes) {
+  population.clear();
+  const auto size = static_cast<std::size_t>(in.Take(32));
+  if (size > most) return false;
+  for (std::size_t i = 0; i < size; ++i) {
+    Individual one;
+    if (!TakeGenome(in, one.genome, one.fitness, genes) || one.genome.size() != genes) return false;
+    population.push_back(std::move(one));
+  }
+  return true;
+}
+
+void PutReal(BitWriter& out, double value) { out.Put(std::bit_cast<std::uint64_t>(value), 64); }
+
+bool TakeReal(BitReader& in, double& value) {
+  value = std::bit_cast<double>(in.Take(64));
+  return value - value == 0.0;
+}
+
+bool TakeCount(BitReader& in, int& count, int most) {
+  const std::uint64_t wide = in.Take(32);
+  if (wide > static_cast<std::uint64_t>(most)) return false;
+  count = static_cast<int>(wide);
+  return true;
+}
+
+}  // namespace gaitsmith

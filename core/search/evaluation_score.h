@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// What a search is told of an evaluated motion. Here searches and physics meet; the rest of core/search knows
+// nothing of physics.
+#pragma once
+
+#include "core/physics/evaluator.h"
+#include "core/search/search.h"
+
+namespace gaitsmith {
+
+[[nodiscard]] inline Score ScoreOf(const Evaluation& evaluation) {
+  return {evaluation.fitness,
+          {evaluation.terms.max_cm_height_m, evaluation.terms.slip_sum_m, evaluation.terms.rotations}};
+}
+
+}  // namespace gaitsmith

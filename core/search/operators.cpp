@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "core/search/operators.h"
+
+#include <algorithm>
+
+namespace gaitsmith {
+
+namespace {
+
+/// Share of hits on a stimulus interval that redraw it, or whether it is cared about, instead of moving its
+/// ends.
+constexpr double kRedrawCare = 0.25;
+
+void DrawInterval(Gene& low, Gene& high, RandomStream& random) {
+  low = random.Gene();
+  high = random.Gene();
+  if (low > high) std::swap(low, high);
+}
+
+void DrawRule(std::span<Gene> genes, const BankShape& shape, int rule, const SenseSpec& senses,
+              const Variation& variation, RandomStream& random) {
+  for (int sense = 0; sense < shape.senses; ++sense) {
+    Gene& low = genes[shape.Low(rule, sense)];
+    Gene& high = genes[shape.High(rule, sense)];
+    if (senses.kind == SenseKind::kPhysical && random.Chance(static_cast<double>(variation.dont_care))) {
+      low = 0;
+      high = kGeneMax;
+    } else {
+      DrawInterval(low, high, random);
+    }
+  }
+  for (int joint = 0; joint < shape.joints; ++joint) genes[shape.Target(rule, joint)] = random.Gene();
+  genes[shape.Tau(rule)] = random.Gene();
+}
+
+Gene Creep(Gene gene, const Variation& variation, RandomStream& random) {
+  const double moved = gene + random.Normal() * static_cast<double>(variation.creep) * kGeneMax;
+  return static_cast<Gene>(std::clamp(moved + 0.5, 0.0, static_cast<double>(kGeneMax)));
+}
+
+void CreepRule(std::span<Gene> genes, const BankShape& shape, int rule, const SenseSpec& senses,
+               const Variation& variation, RandomStream& random) {
+  const auto hit = [&] { return random.Chance(static_cast<double>(variation.gene_chance)); };
+  for (int sense = 0; sense < shape.senses; ++sense) {
+    Gene& low = genes[shape.Low(rule, sense)];
+    Gene& high = genes[shape.High(rule, sense)];
+    const bool cares = low != 0 || high != kGeneMax;
+    const bool hit_low = hit();
+    const bool hit_high = hit();
+    if (!hit_low && !hit_high) continue;
+    // Whether a rule cares about a sense is itself heritable: a hit redraws it now and then, in the
+    // proportion of the initial generation, so that banks do not drift into caring about everything.
+    if (senses.kind == SenseKind::kPhysical && random.Chance(kRedrawCare)) {
+      const bool ignore = random.Chance(static_cast<double>(variation.dont_care));
+      if (ignore) {
+        low = 0;
+        high = kGeneMax;
+      } else {
+        DrawInterval(low, high, random);
+      }
+      continue;
+    }
+    if (!cares) continue;
+    if (hit_low) low = Creep(low, variation, random);
+    if (hit_high) high = Creep(high, variation, random);
+    if (low > high) std::swap(low, high);
+  }
+  for (int joint = 0; joint < shape.joints; ++joint) {
+    Gene& target = genes[shape.Target(rule, joint)];
+    if (hit()) target = Creep(target, variation, random);
+  }
+  Gene& tau = genes[shape.Tau(rule)];
+  if (hit()) tau = Creep(tau, variation, random);
+}
+
+/// One pass over a bank, which may leave it as it is.
+void PerturbOnce(Genome& child, const BankShape& shape, const SenseSpec& senses, const Variation& variation,
+                 RandomStream& random) {
+  for (int rule = 0; rule < shape.rules; ++rule) {
+    if (random.Chance(static_cast<double>(variation.redraw))) {
+      DrawRule(child, shape, rule, senses, variation, random);
+    } else {
+      CreepRule(child, shape, rule, senses, variation, random);
+    }
+  }
+}
+
+}  // namespace
+
+Genome RandomGenome(const BankShape& shape, const SenseSpec& senses, const Variation& variation,
+                    RandomStream& random) {
+  Genome genes(shape.Genes());
+  for (int rule = 0; rule < shape.rules; ++rule) DrawRule(genes, shape, rule, senses, variation, random);
+  return genes;
+}
+
+Genome Perturb(std::span<const Gene> parent, const BankShape& shape, const SenseSpec& senses,
+               const Variation& variation, RandomStream& random) {
+  Genome child(parent.begin(), parent.end());
+  for (;;) {
+    PerturbOnce(child, shape, senses, variation, random);
+    // A child equal to its parent would waste a simulation.
+    if (!std::ranges::equal(child, parent)) return child;
+  }
+}
+
+Genome FirstGenome(const SearchSpace& space, const Variation& variation, std::uint32_t seed, int individual) {
+  if (individual == 0 && !space.start.empty()) return space.start;
+  RandomStream random(seed, static_cast<std::uint64_t>(individual), 0);
+  return RandomGenome(space.shape, space.senses, variation, random);
+}
+
+Genome Cross(std::span<const Gene> first, std::span<const Gene> second, const BankShape& shape,
+             const Rates& rates, RandomStream& random) {
+  Genome child(second.begin(), second.end());
+  const bool per_child = rates.reading == RateReading::kPerChild;
+  const auto rate = static_cast<double>(rates.crossover);
+  if (per_child && !random.Chance(rate)) return child;
+  const double from_first = per_child ? 0.5 : rate;
+  const auto size = static_cast<std::size_t>(shape.GenesPerRule());
+  for (std::size_t at = 0; at < child.size(); at += size) {
+    if (random.Chance(from_first)) std::ranges::copy(first.subspan(at, size), &child[at]);
+  }
+  return child;
+}
+
+void Mutate(Genome& child, const SearchSpace& space, const Variation& variation, const Rates& rates,
+            RandomStream& random) {
+  if (rates.reading == RateReading::kPerChild) {
+    if (!random.Chance(static_cast<double>(rates.mutation))) return;
+    child = Perturb(child, space.shape, space.senses, variation, random);
+    return;
+  }
+  Variation per_gene = variation;
+  per_gene.gene_chance = rates.mutation;
+  per_gene.redraw = std::min(1.0f, variation.redraw * (rates.mutation / variation.gene_chance));
+  PerturbOnce(child, space.shape, space.senses, per_gene, random);
+}
+
+Offspring Breed(std::span<const Gene> first, std::span<const Gene> second, const SearchSpace& space,
+                const Variation& variation, const Rates& rates, RandomStream& random) {
+  Offspring children = {Genome(first.begin(), first.end()), Cross(first, second, space.shape, rates, random)};
+  Mutate(children.copy, space, variation, rates, random);
+  Mutate(children.hybrid, space, variation, rates, random);
+  return children;
+}
+
+std::vector<double> PointOf(std::span<const Gene> genome) {
+  std::vector<double> point;
+  point.reserve(genome.size());
+  for (const Gene gene : genome) point.push_back(gene * (1.0 / kGeneMax));
+  return point;
+}
+
+Genome GenomeAt(std::span<const double> point, const BankShape& shape) {
+  Genome genome;
+  genome.reserve(point.size());
+  for (const double x : point) {
+    // What is not a number becomes 0, like what is far below.
+    const double within = x > 0.0 ? std::min(x, 1.0) : 0.0;
+    genome.push_back(static_cast<Gene>(within * kGeneMax + 0.5));
+  }
+  for (int rule = 0; rule < shape.rules; ++rule) {
+    for (int sense = 0; sense < shape.senses; ++sense) {
+      Gene& low = genome[shape.Low(rule, sense)];
+      Gene& high = genome[shape.High(rule, sense)];
+      if (low > high) std::swap(low, high);
+    }
+  }
+  return genome;
+}
+
+}  // namespace gaitsmith

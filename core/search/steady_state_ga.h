@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Steady-state genetic algorithm (SSGA) [Fukunaga 1994, Figure 3]: two parents chosen by rank have two
+// children, which are inserted into the ranked population; the two lowest ranks are deleted. The evaluations
+// of the first population count.
+//
+// Linear rank selection [Whitley 1989]: of P ranks, best first, the one chosen is
+//   floor(P (b - sqrt(b^2 - 4 (b - 1) u)) / (2 (b - 1))),   u uniform in [0, 1)
+// so that the fittest has b times the chance of the median. Equals keep their order: older ones first.
+//
+// Every pair depends on the insertion of the one before, so that at most two genomes are asked at a time.
+#pragma once
+
+#include "core/search/batch_search.h"
+
+namespace gaitsmith {
+
+class SteadyStateGa final : public BatchSearch {
+ public:
+  SteadyStateGa(const SearchSettings& settings, const SearchSpace& space) : BatchSearch(settings, space) {}
+
+ private:
+  [[nodiscard]] std::vector<Genome> Propose() const override;
+  void Absorb(std::span<const Genome> batch, std::span<const Score> scores) override;
+  void SaveState(BitWriter&) const override;
+  [[nodiscard]] bool LoadState(BitReader&) override;
+  void Insert(const Genome&, float fitness);
+
+  std::vector<Individual> ranked_;  // best first; empty before the first population is known
+  int pair_ = 0;                    // iterations begun; 0: the first population
+};
+
+/// Rank chosen by a uniform deviate. @param bias [1, 2]; 1: all alike. @param u [0, 1)
+[[nodiscard]] std::size_t LinearRank(std::size_t population, double bias, double u);
+
+}  // namespace gaitsmith

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// The searches as people read them.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "core/search/search.h"
+
+namespace gaitsmith::shell {
+
+struct AlgorithmWords {
+  std::string name;   // "SPHC"
+  std::string title;  // "SPHC: hill climbing, reseeded"
+  std::string line;   // one sentence
+};
+
+/// In the order of Algorithm.
+[[nodiscard]] const std::array<AlgorithmWords, kAlgorithmNames.size()>& AlgorithmTexts();
+[[nodiscard]] const AlgorithmWords& WordsOf(Algorithm);
+
+/// Whether a search works from one genome onwards, so that giving it one makes sense.
+[[nodiscard]] bool RefinesOne(Algorithm);
+
+}  // namespace gaitsmith::shell

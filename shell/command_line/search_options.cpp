@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "shell/command_line/search_options.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/document/archive.h"
+#include "core/document/schema.h"
+#include "shell/command_line/arguments.h"
+
+namespace gaitsmith::shell {
+
+namespace {
+
+/// Walks the settings and changes the field of one name.
+class OptionArchive : public Archive {
+ public:
+  OptionArchive(std::string name, std::string value) : name_(std::move(name)), value_(std::move(value)) {}
+  [[nodiscard]] bool Found() const { return found_; }
+  [[nodiscard]] const std::string& Names() const { return names_; }
+
+  void Real(std::string_view name, float& field, float low, float high, float) {
+    if (!IsMeant(name)) return;
+    const auto number = ParseNumber(value_, "");
+    if (!number) return FailAt(name, number.error().code, number.error().what);
+    field = static_cast<float>(std::clamp(*number, -1e30, 1e30));
+    CheckReal(name, field, low, high);
+  }
+  void Integer(std::string_view name, int& field, int low, int high, int) {
+    if (!IsMeant(name)) return;
+    const auto number = ParseNumber(value_, "");
+    if (!number || *number != std::floor(*number) || std::abs(*number) > 9e15) {
+      return FailAt(name, ErrorCode::kSyntax, "must be a whole number, is \"" + value_ + "\"");
+    }
+    CheckInteger(name, static_cast<std::int64_t>(*number), low, high);
+    if (Ok()) field = static_cast<int>(*number);
+  }
+  template <class Enum, class Names>
+  void Choice(std::string_view name, Enum& field, const Names& names, Enum) {
+    if (!IsMeant(name)) return;
+    const auto found = std::ranges::find(names, value_);
+    if (found != names.end()) {
+      field = static_cast<Enum>(found - names.begin());
+      return;
+    }
+    std::string known;
+    for (const std::string_view option : names) known += (known.empty() ? "" : ", ") + std::string(option);
+    FailAt(name, ErrorCode::kUnknownName, "\"" + value_ + "\" is not known; choose from " + known);
+  }
+  void Natural(std::string_view, std::uint32_t&, std::uint32_t) {}  // the seed has an option of its own
+  template <class Fields>
+  void Group(std::string_view name, Fields fields) {
+    prefix_ = std::string(name) + ".";
+    fields();
+    prefix_.clear();
+  }
+  template <class Fields>
+  void Since(int, Fields fields) {
+    fields();
+  }
+
+ private:
+  bool IsMeant(std::string_view name) {
+    // These have options of their own.
+    if (prefix_.empty() && (name == "algorithm" || name == "evaluations" || name == "start")) return false;
+    const std::string full = prefix_ + std::string(name);
+    names_ += (names_.empty() ? "" : ", ") + full;
+    if (full != name_) return false;
+    found_ = true;
+    return true;
+  }
+
+  std::string name_, value_, prefix_, names_;
+  bool found_ = false;
+};
+
+}  // namespace
+
+Result<void> SetSearchOption(const std::string& option, SearchSettings& search) {
+  const auto equals = option.find('=');
+  const std::string name = option.substr(0, equals);
+  OptionArchive archive(name, equals == std::string::npos ? "" : option.substr(equals + 1));
+  Describe(archive, search);
+  if (!archive.Found()) {
+    return Fail(ErrorCode::kUnknownName, "--search-option",
+                "\"" + name + "\" is not known; choose from " + archive.Names());
+  }
+  if (archive.Ok()) return {};
+  return Fail(archive.Fault()->code, "--search-option " + name, archive.Fault()->what);
+}
+
+}  // namespace gaitsmith::shell
