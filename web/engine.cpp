@@ -84,8 +84,8 @@ struct SearchRole {
   std::unique_ptr<Search> search;
   int budget;
   std::size_t genes;
-  std::size_t asked = 0;
-  std::vector<Gene> genomes;  // of the last ask, one after another (asked * genes)
+  std::vector<std::size_t> asked;  // genomes of each ask that is not told yet, oldest first
+  std::vector<Gene> genomes;       // of the last ask, one after another (asked * genes)
   std::vector<std::uint8_t> saved;
 };
 
@@ -155,6 +155,7 @@ GS_EXPORT SearchRole* gs_search_open(std::size_t size) {
   return new SearchRole{.search = MakeSearch(document->search, space),
                         .budget = document->search.evaluations,
                         .genes = space.shape.Genes(),
+                        .asked = {},
                         .genomes = {},
                         .saved = {}};
 }
@@ -162,16 +163,19 @@ GS_EXPORT void gs_search_close(SearchRole* role) { delete role; }
 GS_EXPORT std::size_t gs_search_genes(const SearchRole* role) { return role->genes; }
 GS_EXPORT int gs_search_budget(const SearchRole* role) { return role->budget; }
 
-/// @return how many genomes to score next; gs_search_genomes() are they
+/// @return how many genomes to score next; gs_search_genomes() are they. 0 when nothing can be named before
+/// an ask is told; only some searches name genomes then (gs_search_asks_ahead)
 GS_EXPORT std::size_t gs_search_ask(SearchRole* role, int wanted) {
   role->genomes.clear();
-  role->asked = 0;
-  for (const Genome& genome : role->search->Ask(wanted)) {
+  if (!role->asked.empty() && !role->search->AsksAhead()) return 0;
+  const std::vector<Genome> genomes = role->search->Ask(wanted);
+  for (const Genome& genome : genomes) {
     role->genomes.insert(role->genomes.end(), genome.begin(), genome.end());
-    ++role->asked;
   }
-  return role->asked;
+  if (!genomes.empty()) role->asked.push_back(genomes.size());
+  return genomes.size();
 }
+GS_EXPORT bool gs_search_asks_ahead(const SearchRole* role) { return role->search->AsksAhead(); }
 GS_EXPORT const Gene* gs_search_genomes(const SearchRole* role) { return role->genomes.data(); }
 
 /// Takes a score for each genome of the last ask, in its order, from the input area: four floats as
@@ -179,21 +183,22 @@ GS_EXPORT const Gene* gs_search_genomes(const SearchRole* role) { return role->g
 /// once.
 /// @param count floats
 GS_EXPORT bool gs_search_tell(SearchRole* role, std::size_t count) {
-  if (role->asked == 0) {
+  if (role->asked.empty()) {
     Note({ErrorCode::kStructure, "fitness", "was not asked for"});
     return false;
   }
-  const bool whole = count == 4 * role->asked;
-  if ((!whole && count != role->asked) || input.size() < count * sizeof(float)) {
+  const std::size_t asked = role->asked.front();
+  const bool whole = count == 4 * asked;
+  if ((!whole && count != asked) || input.size() < count * sizeof(float)) {
     Note({ErrorCode::kStructure, "fitness", "must be one number, or four, for every genome asked"});
     return false;
   }
   if (whole) {
-    role->search->Tell(std::span(reinterpret_cast<const Score*>(input.data()), role->asked));
+    role->search->Tell(std::span(reinterpret_cast<const Score*>(input.data()), asked));
   } else {
-    role->search->Tell(std::span(reinterpret_cast<const float*>(input.data()), role->asked));
+    role->search->Tell(std::span(reinterpret_cast<const float*>(input.data()), asked));
   }
-  role->asked = 0;
+  role->asked.erase(role->asked.begin());
   return true;
 }
 GS_EXPORT int gs_search_evaluations(const SearchRole* role) { return role->search->Evaluations(); }
@@ -223,7 +228,7 @@ GS_EXPORT std::size_t gs_search_saved_size(const SearchRole* role) { return role
 /// Continues from a saved state in the input area, which must come from the same document. What was asked
 /// before is asked no more.
 GS_EXPORT bool gs_search_load(SearchRole* role, std::size_t size) {
-  role->asked = 0;
+  role->asked.clear();
   BitReader in(std::span(input).first(size));
   const auto loaded = role->search->Load(in);
   if (!loaded) Note(loaded.error());

@@ -24,6 +24,7 @@ export interface EngineModule {
   _gs_search_genes(search: Pointer): number;
   _gs_search_budget(search: Pointer): number;
   _gs_search_ask(search: Pointer, wanted: number): number;
+  _gs_search_asks_ahead(search: Pointer): number;
   _gs_search_genomes(search: Pointer): Pointer;
   _gs_search_tell(search: Pointer, count: number): number;
   _gs_search_evaluations(search: Pointer): number;

@@ -132,11 +132,13 @@ export class Search {
     this.genes = engine.module._gs_search_genes(handle);
     /** Evaluations in all. */
     this.budget = engine.module._gs_search_budget(handle);
+    /** Whether asks may follow one another before the first is told. */
+    this.asksAhead = engine.module._gs_search_asks_ahead(handle) !== 0;
   }
 
   /**
    * @param {number} wanted  about how many genomes
-   * @returns {Uint16Array} genomes, one after another
+   * @returns {Uint16Array} genomes, one after another; none when all depends on asks that are not told yet
    */
   ask(wanted) {
     const count = this.engine.module._gs_search_ask(this.handle, wanted);
@@ -144,8 +146,8 @@ export class Search {
   }
 
   /**
-   * Once for each ask.
-   * @param {Float32Array} scores  of each genome of the last ask: SCORE_LENGTH numbers, or its fitness alone
+   * Once for each ask, in their order.
+   * @param {Float32Array} scores  of each genome of the oldest ask not told yet: SCORE_LENGTH numbers, or its fitness alone
    */
   tell(scores) {
     this.engine.put(scores);

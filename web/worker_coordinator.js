@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The coordinator's role: runs the search's ask/tell loop, deals each batch out to the evaluators in slices,
-// and puts the scores back in order. What is asked, and what a score leads to, core decides; so the result is
+// and puts the scores back in order. Evaluators have a second slice at hand when they end the first, of a second
+// batch if the search can name one before it is told of the first: so they do not wait for the coordinator. What is asked, and what a score leads to, core decides; so the result is
 // the same for any number of evaluators, and for any of them dying on the way.
 import { SCORE_LENGTH } from './engine.js';
 import { unreachable } from './messages.js';
@@ -11,12 +12,14 @@ import { unreachable } from './messages.js';
 /** @typedef {import('./messages.js').CoordinatorToEvaluator} CoordinatorToEvaluator */
 /** @typedef {import('./messages.js').SearchReport} SearchReport */
 
-/** @typedef {{first: number, count: number}} Slice  of the batch's genomes */
+/** @typedef {{first: number, count: number}} Span  of a batch's genomes */
+/** @typedef {Span & {id: number, batch: Batch}} Slice */
+/** @typedef {{genomes: Uint16Array, scores: Float32Array, waiting: Slice[], missing: number}} Batch  missing: slices */
 /**
  * @typedef {object} Hand  an evaluator, seen from here
  * @property {MessagePort} port
- * @property {number | null} slice   what it works on
- * @property {number} sentMs         when it got it
+ * @property {Slice[]} slices        what it has, in the order of its work
+ * @property {number} startedMs      when it began with the first
  * @property {number} waitedMs       how long it has been at it, counted in ticks: a sleeping machine does not count
  */
 
@@ -25,8 +28,10 @@ const LANES = 4;
 // Genomes per evaluator and batch. Larger batches lose less time between them, but a search that looks ahead throws
 // more away, above all at its beginning, when every fourth guess is an improvement. So the size follows the waste,
 // measured over some batches; it never changes the result.
-const BATCH_SIZES = [2 * LANES, 3 * LANES, 5 * LANES, 10 * LANES, 20 * LANES];
+const BATCH_SIZES = [LANES, 2 * LANES, 3 * LANES, 5 * LANES, 10 * LANES];
 const FIRST_BATCH_SIZE = 2;
+const MOST_BATCHES = 2; // under way
+const SLICES_AT_HAND = 2;
 const BATCHES_PER_MEASURE = 16;
 // Simulated ÷ counted. Measured over the first 20,000 of a population of ten: 1.07 with 40 a batch, 1.17 with 80.
 const MUCH_WASTE = 1.12;
@@ -44,14 +49,9 @@ const RATE_WINDOW_MS = 3000;
 export class Coordinator {
   /** @type {Map<number, Hand>} */
   #hands = new Map();
-  /** @type {Slice[]} */
-  #slices = [];
-  /** Numbers into #slices that nobody works on yet. @type {number[]} */
-  #waiting = [];
-  #missing = 0; // slices of the batch without a result
-  /** @type {Uint16Array} */
-  #genomes = new Uint16Array(0);
-  #scores = new Float32Array(0);
+  /** Under way, oldest first. @type {Batch[]} */
+  #batches = [];
+  #lastSlice = 0;
 
   /** @type {SearchReport['state']} */
   #state = 'running';
@@ -106,7 +106,8 @@ export class Coordinator {
 
   /** @param {number} evaluator @param {MessagePort} port */
   #add(evaluator, port) {
-    const hand = { port, slice: null, sentMs: 0, waitedMs: 0 };
+    /** @type {Hand} */
+    const hand = { port, slices: [], startedMs: 0, waitedMs: 0 };
     this.#hands.set(evaluator, hand);
     /** @param {MessageEvent<EvaluatorToCoordinator>} event */
     port.onmessage = ({ data }) => this.#take(hand, data);
@@ -121,7 +122,7 @@ export class Coordinator {
     const hand = this.#hands.get(evaluator);
     this.#hands.delete(evaluator);
     if (!hand) return;
-    if (hand.slice !== null) this.#waiting.unshift(hand.slice);
+    for (const slice of hand.slices) slice.batch.waiting.unshift(slice);
     hand.port.close();
   }
 
@@ -132,54 +133,72 @@ export class Coordinator {
     this.#deal();
   }
 
-  /** Gives every idle evaluator a slice, of a new batch if the last one is complete. */
+  /** Gives every evaluator work until it has enough at hand, those with the least first. */
   #deal() {
-    for (const hand of this.#hands.values()) {
-      if (hand.slice !== null) continue;
-      if (this.#state !== 'running') return;
-      if (this.#missing === 0 && !this.#ask()) return;
-      const slice = this.#waiting.shift();
-      if (slice === undefined) return;
-      const { first, count } = this.#slices[slice];
-      const genes = this.search.genes;
-      const genomes = /** @type {Uint16Array<ArrayBuffer>} */ (this.#genomes.slice(first * genes, (first + count) * genes));
-      hand.slice = slice;
-      hand.sentMs = performance.now();
-      hand.waitedMs = 0;
-      /** @type {CoordinatorToEvaluator} */
-      const message = { type: 'score', slice, genomes };
-      hand.port.postMessage(message, [genomes.buffer]);
+    for (let level = 0; level < SLICES_AT_HAND; level++) {
+      for (const hand of this.#hands.values()) {
+        if (hand.slices.length > level) continue;
+        if (this.#state !== 'running') return;
+        const slice = this.#next();
+        if (!slice) return;
+        const genes = this.search.genes;
+        const { id, batch, first, count } = slice;
+        const genomes = /** @type {Uint16Array<ArrayBuffer>} */ (batch.genomes.slice(first * genes, (first + count) * genes));
+        if (hand.slices.push(slice) === 1) this.#begin(hand);
+        /** @type {CoordinatorToEvaluator} */
+        const message = { type: 'score', slice: id, genomes };
+        hand.port.postMessage(message, [genomes.buffer]);
+      }
     }
   }
 
-  /** The next batch, cut into slices. @returns {boolean} false at the end of the search */
+  /** @param {Hand} hand */
+  #begin(hand) {
+    hand.startedMs = performance.now();
+    hand.waitedMs = 0;
+  }
+
+  /** @returns {Slice | undefined} of the oldest batch that has one; of a new one if the search can name it */
+  #next() {
+    const batch = this.#batches.find(({ waiting }) => waiting.length > 0) ?? this.#ask();
+    return batch?.waiting.shift();
+  }
+
+  /** @returns {Batch | null} null at the end of the search, and when all depends on what is under way */
   #ask() {
+    const underWay = this.#batches.length;
+    if (underWay > 0 && (underWay >= MOST_BATCHES || !this.search.asksAhead)) return null;
     if (this.search.done) {
-      this.#finish('done');
-      return false;
+      if (underWay === 0) this.#finish('done');
+      return null;
     }
-    this.#genomes = this.search.ask(BATCH_SIZES[this.#batchSize] * this.workers);
-    const count = this.#genomes.length / this.search.genes;
-    this.#scores = new Float32Array(SCORE_LENGTH * count);
+    const genomes = this.search.ask(BATCH_SIZES[this.#batchSize] * this.workers);
+    const count = genomes.length / this.search.genes;
+    if (count === 0) return null;
     const share = Math.ceil(count / Math.max(1, this.#hands.size));
     const soon = this.#genomeMs > 0 ? LANES * Math.ceil(LONGEST_SLICE_MS / this.#genomeMs / LANES) : LANES;
-    this.#slices = cut(count, Math.min(share, soon));
-    this.#waiting = this.#slices.map((_, i) => i);
-    this.#missing = this.#slices.length;
-    return true;
+    /** @type {Batch} */
+    const batch = { genomes, scores: new Float32Array(SCORE_LENGTH * count), waiting: [], missing: 0 };
+    batch.waiting = cut(count, Math.min(share, soon)).map((span) => ({ ...span, id: ++this.#lastSlice, batch }));
+    batch.missing = batch.waiting.length;
+    this.#batches.push(batch);
+    return batch;
   }
 
   /** @param {Hand} hand @param {EvaluatorToCoordinator} result */
-  #take(hand, { slice, scores }) {
-    if (hand.slice !== slice) return; // it was taken from a hand that seemed dead
-    hand.slice = null;
-    const count = scores.length / SCORE_LENGTH;
-    const ms = (performance.now() - hand.sentMs) / count;
+  #take(hand, { slice: id, scores }) {
+    const slice = hand.slices[0];
+    if (slice?.id !== id) return; // it was taken from a hand that seemed dead
+    hand.slices.shift();
+    const ms = (performance.now() - hand.startedMs) / slice.count;
+    this.#begin(hand);
     this.#genomeMs = this.#genomeMs > 0 ? 0.8 * this.#genomeMs + 0.2 * ms : ms;
-    this.#simulated += count;
-    this.#scores.set(scores, SCORE_LENGTH * this.#slices[slice].first);
-    if (--this.#missing === 0) {
-      this.search.tell(this.#scores);
+    this.#simulated += slice.count;
+    const { batch } = slice;
+    batch.scores.set(scores, SCORE_LENGTH * slice.first);
+    batch.missing--;
+    while (this.#batches.length > 0 && this.#batches[0].missing === 0) {
+      this.search.tell(/** @type {Batch} */ (this.#batches.shift()).scores);
       this.#batchDone();
     }
     this.#deal();
@@ -209,9 +228,9 @@ export class Coordinator {
 
   #tick() {
     for (const [evaluator, hand] of [...this.#hands]) {
-      if (hand.slice === null) continue;
+      if (hand.slices.length === 0) continue;
       hand.waitedMs += TICK_MS;
-      const usualMs = this.#genomeMs * this.#slices[hand.slice].count;
+      const usualMs = this.#genomeMs * hand.slices[0].count;
       if (hand.waitedMs > Math.max(SILENCE_MS, SILENCE_RATIO * usualMs)) this.#giveUp(evaluator);
     }
     // The page takes a silent coordinator for a dead one.
@@ -264,7 +283,7 @@ export class Coordinator {
 /**
  * Cuts `count` things into slices of at most `most`, as even as whole lanes allow.
  * @param {number} count @param {number} most
- * @returns {Slice[]}
+ * @returns {Span[]}
  */
 export function cut(count, most) {
   const rows = Math.ceil(count / LANES);

@@ -29,8 +29,8 @@ class Touch {
       auto left = static_cast<std::uint32_t>(L::At(endpoints, lane));
       for (std::size_t c = 0; c < contacts; ++c, left &= left - 1) {
         present_[c][lane] = left != 0 ? -1 : 0;
-        number_[c][static_cast<std::size_t>(lane)] =
-            static_cast<std::size_t>((left != 0 ? std::countr_zero(left) : 0) * W + lane);
+        const auto endpoint = static_cast<std::size_t>(left != 0 ? std::countr_zero(left) : 0);
+        number_[c][static_cast<std::size_t>(lane)] = endpoint * W + static_cast<std::size_t>(lane);
       }
     }
     // Forces act in the middle of the step, as far as it is known by now.

@@ -158,7 +158,8 @@ Genome GenomeAt(std::span<const double> point, const BankShape& shape) {
   for (const double x : point) {
     // What is not a number becomes 0, like what is far below.
     const double within = x > 0.0 ? std::min(x, 1.0) : 0.0;
-    genome.push_back(static_cast<Gene>(within * kGeneMax + 0.5));
+    const double nearest = within * kGeneMax + 0.5;  // rounded down
+    genome.push_back(static_cast<Gene>(nearest));
   }
   for (int rule = 0; rule < shape.rules; ++rule) {
     for (int sense = 0; sense < shape.senses; ++sense) {

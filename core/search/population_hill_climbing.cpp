@@ -4,16 +4,24 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "core/search/genome_bits.h"
 
 namespace gaitsmith {
 
+namespace {
+
+/// Perturbations of one parent that are named at a time at least, when more than one of each is wanted: their
+/// kind shares stimuli, which is quicker side by side.
+constexpr int kLeastAhead = 4;
+
+}  // namespace
+
 PopulationHillClimbing::PopulationHillClimbing(const SearchSettings& settings, const SearchSpace& space)
     : settings_(settings), space_(space) {
   const int population = std::min(settings.population, settings.evaluations);
   slots_.assign(static_cast<std::size_t>(population), {{}, -std::numeric_limits<float>::infinity(), 0});
-  asked_.assign(slots_.size(), 0);
 }
 
 int PopulationHillClimbing::Budget(int slot) const {
@@ -34,38 +42,53 @@ Genome PopulationHillClimbing::Propose(int slot, int proposal) const {
 }
 
 std::vector<Genome> PopulationHillClimbing::Ask(int wanted) {
-  std::vector<Genome> asked;
-  const int ahead = std::max(1, wanted / Population());
-  for (int slot = 0; slot < Population(); ++slot) {
-    const auto i = static_cast<std::size_t>(slot);
-    const int first = slots_[i].generation;
-    // Nothing can be perturbed before the random start is known.
-    asked_[i] = first == 0 ? 1 : std::clamp(Horizon(slot) - first, 0, ahead);
-    for (int k = 0; k < asked_[i]; ++k) asked.push_back(Propose(slot, first + k));
+  // The climbs that are furthest behind and wait for no score.
+  std::vector<std::size_t> free;
+  for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
+    const auto is_slot = [&](const Asked& asked) { return asked.slot == slot; };
+    if (std::ranges::none_of(asks_, [&](const auto& ask) { return std::ranges::any_of(ask, is_slot); })) {
+      free.push_back(slot);
+    }
   }
-  return asked;
+  std::ranges::sort(free, {}, [&](std::size_t slot) { return std::pair(slots_[slot].generation, slot); });
+  const int ahead = wanted <= Population() ? 1 : std::max(kLeastAhead, wanted / Population());
+  std::vector<Genome> genomes;
+  std::vector<Asked> ask;
+  for (const std::size_t slot : free) {
+    if (static_cast<int>(genomes.size()) >= wanted) break;
+    const int first = slots_[slot].generation;
+    // Nothing can be perturbed before the random start is known.
+    const int count = first == 0 ? 1 : std::clamp(Horizon(static_cast<int>(slot)) - first, 0, ahead);
+    if (count == 0) continue;
+    ask.push_back({slot, count});
+    for (int k = 0; k < count; ++k) genomes.push_back(Propose(static_cast<int>(slot), first + k));
+  }
+  if (!ask.empty()) asks_.push_back(std::move(ask));
+  return genomes;
 }
 
 void PopulationHillClimbing::Tell(std::span<const Score> scores) {
+  if (asks_.empty()) return;
   std::size_t at = 0;
-  for (int slot = 0; slot < Population(); ++slot) {
-    const auto i = static_cast<std::size_t>(slot);
+  const std::vector<Asked> told = std::move(asks_.front());
+  asks_.erase(asks_.begin());
+  for (const auto& [i, count] : told) {
     Slot& s = slots_[i];
-    const auto results = scores.subspan(at, static_cast<std::size_t>(asked_[i]));
+    const int slot = static_cast<int>(i);
+    const auto results = scores.subspan(at, static_cast<std::size_t>(count));
     at += results.size();
-    for (const auto& [value, style] : results) {
+    for (const Score& score : results) {
       const int proposal = s.generation;
-      const bool better = value > s.fitness;
+      const bool better = score.fitness > s.fitness;
       if (better || proposal == 0) {
         s.genome = Propose(slot, proposal);
-        if (better) s.fitness = value;
+        if (better) s.fitness = score.fitness;
         curve_.Add(proposal * Population() + slot + 1, s.fitness);
       }
       ++s.generation;
       if (better) break;
     }
   }
-  asked_.assign(asked_.size(), 0);
   curve_.SettleTo(Evaluations());
   ReseedIfDue();
 }

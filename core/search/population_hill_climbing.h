@@ -20,6 +20,7 @@ class PopulationHillClimbing final : public Search {
   PopulationHillClimbing(const SearchSettings&, const SearchSpace&);
 
   [[nodiscard]] std::vector<Genome> Ask(int wanted) override;
+  [[nodiscard]] bool AsksAhead() const override { return true; }
   using Search::Tell;
   void Tell(std::span<const Score> scores) override;
   [[nodiscard]] int Evaluations() const override;
@@ -49,7 +50,12 @@ class PopulationHillClimbing final : public Search {
   SearchSettings settings_;
   SearchSpace space_;
   std::vector<Slot> slots_;
-  std::vector<int> asked_;  // proposals asked of each slot since the last Tell
+  /// Proposals asked of one slot, from its generation on.
+  struct Asked {
+    std::size_t slot;
+    int count;
+  };
+  std::vector<std::vector<Asked>> asks_;  // not told yet, oldest first
   int reseedings_ = 0;
   ProgressCurve curve_;
 };

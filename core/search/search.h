@@ -119,7 +119,12 @@ class Search {
   /// their results; none once the budget is spent. Tell must follow before the next Ask.
   [[nodiscard]] virtual std::vector<Genome> Ask(int wanted) = 0;
 
-  /// Scores of the genomes of the last Ask, in its order. NaN loses to everything.
+  /// Whether Ask may follow Ask before a Tell, so that those who evaluate need not wait for one another.
+  /// Tells then answer the asks in their order; an ask names nothing when all depends on what is not told
+  /// yet.
+  [[nodiscard]] virtual bool AsksAhead() const { return false; }
+
+  /// Scores of the genomes of the oldest Ask not told yet, in its order. NaN loses to everything.
   virtual void Tell(std::span<const Score> scores) = 0;
   /// The same without style, for searches that need none.
   void Tell(std::span<const float> fitness);

@@ -16,6 +16,7 @@ std::vector<Genome> SteadyStateGa::Propose() const {
   const GeneticSettings& genetic = Settings().genetic;
   if (ranked_.empty()) {
     std::vector<Genome> batch;
+    batch.reserve(static_cast<std::size_t>(genetic.population));
     for (int i = 0; i < genetic.population; ++i) batch.push_back(First(i));
     return batch;
   }

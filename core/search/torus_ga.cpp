@@ -59,7 +59,8 @@ void TorusGa::SaveState(BitWriter& out) const {
 }
 
 bool TorusGa::LoadState(BitReader& in) {
-  const auto size = static_cast<std::size_t>(Settings().torus.side * Settings().torus.side);
+  const auto side = static_cast<std::size_t>(Settings().torus.side);
+  const std::size_t size = side * side;
   return TakeCount(in, generation_, Settings().evaluations) &&
          TakePopulation(in, cells_, size, Space().shape.Genes()) &&
          cells_.size() == (generation_ > 0 ? size : 0);

@@ -135,6 +135,37 @@ TEST_CASE("SPHC: looking ahead gives exactly the serial result", "[search]") {
   }
 }
 
+TEST_CASE("SPHC: asks that do not wait for one another lead to the same end", "[search]") {
+  for (const int budget : {7, 333, 4001}) {
+    const SearchSettings settings = Settings(Algorithm::kSphc, budget);
+    const auto one_by_one = MakeSearch(settings, kSpace);
+    const Outcome serial = Run(*one_by_one, 1, Hill);
+    for (const std::size_t under_way : {2, 3, 7}) {
+      CAPTURE(budget, under_way);
+      const auto search = MakeSearch(settings, kSpace);
+      REQUIRE(search->AsksAhead());
+      std::vector<std::vector<Genome>> asks;  // oldest first
+      RandomStream random(11, 0, under_way);
+      while (!search->Done()) {
+        while (asks.size() < under_way) {
+          auto genomes = search->Ask(1 + static_cast<int>(30.0 * random.Uniform()));
+          if (genomes.empty()) break;
+          asks.push_back(std::move(genomes));
+        }
+        REQUIRE(!asks.empty());
+        std::vector<float> fitness;
+        fitness.reserve(asks.front().size());
+        for (const Genome& genome : asks.front()) fitness.push_back(Hill(genome));
+        asks.erase(asks.begin());
+        search->Tell(fitness);
+      }
+      REQUIRE(search->BestGenome() == serial.best);
+      REQUIRE(search->BestFitness() == serial.fitness);
+      REQUIRE(search->Evaluations() == budget);
+    }
+  }
+}
+
 TEST_CASE("SPHC: looking ahead one step wastes nothing", "[search]") {
   const auto search = MakeSearch(Settings(Algorithm::kSphc, 1000), kSpace);
   REQUIRE(Run(*search, 10, Hill).told == 1000);
