@@ -140,7 +140,7 @@ TEST_CASE("SPHC: asks that do not wait for one another lead to the same end", "[
     const SearchSettings settings = Settings(Algorithm::kSphc, budget);
     const auto one_by_one = MakeSearch(settings, kSpace);
     const Outcome serial = Run(*one_by_one, 1, Hill);
-    for (const std::size_t under_way : {2, 3, 7}) {
+    for (const std::size_t under_way : {2U, 3U, 7U}) {
       CAPTURE(budget, under_way);
       const auto search = MakeSearch(settings, kSpace);
       REQUIRE(search->AsksAhead());
