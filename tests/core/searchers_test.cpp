@@ -159,6 +159,7 @@ Outcome SerialGga(const SearchSettings& settings) {
   Log log;
   const auto size = static_cast<std::size_t>(settings.genetic.population);
   std::vector<Genome> population;
+  population.reserve(size);
   for (std::size_t i = 0; i < size; ++i) population.push_back(Random(settings, i));
   for (std::uint64_t generation = 1;; ++generation) {
     std::vector<Member> parents;
@@ -253,9 +254,9 @@ Outcome SerialMpga(const SearchSettings& settings) {
   Log log;
   const int side = settings.torus.side;
   std::map<std::pair<int, int>, Member> torus;
+  std::uint64_t born = 0;
   for (int y = 0; y < side; ++y) {
-    for (int x = 0; x < side; ++x)
-      torus[{y, x}].genome = Random(settings, static_cast<std::uint64_t>(y * side + x));
+    for (int x = 0; x < side; ++x) torus[{y, x}].genome = Random(settings, born++);
   }
   for (std::uint64_t generation = 1;; ++generation) {
     for (auto& [place, cell] : torus) {
