@@ -58,10 +58,9 @@ struct Contact {
 template <int W>
 struct Mobility {
   using F = typename Lane<W>::F;
-  F nn, nt, tt;           // [1/kg]
-  F inverse_determinant;  // of the above [kg^2]; > 0
-  F right_per_n,
-      left_per_n;  // impulse that stops an approach of 1 m/s while friction pushes right, left [kg]
+  F nn, nt, tt;               // [1/kg]
+  F inverse_determinant;      // of the above [kg^2]; > 0
+  F right_per_n, left_per_n;  // stops an approach of 1 m/s while friction pushes right, left [kg]
 
   Mobility() = default;
   Mobility(const World& world, const Body<W>& body, F arm) {

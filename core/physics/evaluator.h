@@ -16,7 +16,7 @@ namespace gaitsmith {
 struct Evaluation {
   float fitness = kVoidScore;
   Terms terms;
-  std::uint64_t trajectory_hash = 0;  // only filled when asked for: it costs a tenth of the simulation
+  std::uint64_t trajectory_hash = 0;  // only filled when asked for
 };
 
 class Evaluator {

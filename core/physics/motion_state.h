@@ -40,8 +40,8 @@ struct MotionState {
   std::array<F, kMaxJoints> angle_rad{}, rate_radps{};
   std::array<Pose<W>, 2> poses{};  // [now] as it is, the other one at the end of the step in progress
   int now = 0;
-  std::array<F, kMaxEndpoints> last_normal{},
-      last_tangent{};  // impulses of the ground in the last step [N s]
+  std::array<F, kMaxEndpoints> last_normal{};  // impulses of the ground in the last step [N s]
+  std::array<F, kMaxEndpoints> last_tangent{};
   I rule{};
   Response<W> response{};
   SenseVector<W> senses{};
@@ -59,7 +59,6 @@ struct MotionState {
   F flight_spin{}, spin{};       // of the root rod, likewise [rad/s]
   F next_sine{}, next_cosine{};  // at the end of the step, as known by now
   std::array<F, kMaxEndpoints> endpoint_height{};
-  I near_ground{};                                   // bit k: endpoint k takes part in the contact solution
   std::array<F, kMaxEndpoints> normal{}, tangent{};  // impulses in this step [N s]
   GroundEffect<W> ground{};
   F lifting_work_j{};

@@ -54,7 +54,7 @@ export class PageDriver {
   /**
    * Evaluates in the page, with a limit.
    * @template T
-   * @param {string} what @param {() => T | Promise<T>} body
+   * @param {string} what @param {(() => T | Promise<T>) | string} body
    */
   async call(what, body) {
     let timer;
@@ -83,23 +83,41 @@ export class PageDriver {
   /** @returns {Promise<Widget[]>} */
   widgets() { return this.page.evaluate(() => window.gaitsmith.widgets()); }
 
-  /** Clicks a widget of the canvas with the mouse. @param {string} id */
+  /**
+   * Waits until the page has had some frames more: on a slow machine a frame can take longer than any pause that
+   * a test would dare to write.
+   */
+  frames(count = 3) {
+    return this.call('frames', `new Promise((resolve) => {
+      let left = ${count};
+      const step = () => (left-- > 0 ? requestAnimationFrame(step) : resolve(true));
+      step();
+    })`);
+  }
+
+  /** Clicks a widget of the canvas with the mouse, once it has come to rest. @param {string} id */
   async click(id) {
-    for (const start = Date.now(); ; await sleep(50)) {
+    let last = '';
+    for (const start = Date.now(); ; await this.frames()) {
       const widget = (await this.widgets()).find((candidate) => candidate.id === id);
-      if (widget) return this.clickAt(widget.rect.x + widget.rect.width / 2, widget.rect.y + widget.rect.height / 2);
-      assert.ok(Date.now() - start < 5000, `no widget ${id} on the canvas`);
+      const place = widget ? JSON.stringify(widget.rect) : '';
+      if (widget && place === last) {
+        return this.clickAt(widget.rect.x + widget.rect.width / 2, widget.rect.y + widget.rect.height / 2);
+      }
+      last = place;
+      assert.ok(Date.now() - start < 10000, `no widget ${id} at rest on the canvas`);
     }
   }
 
-  /** An instant click could fall within one frame. @param {number} x @param {number} y */
+  /** Slowly: the canvas hovers in one frame, presses in the next and releases in a third. @param {number} x @param {number} y */
   async clickAt(x, y) {
     await this.page.mouse.move(x, y);
-    await sleep(60);
+    await this.frames();
     await this.page.mouse.down();
-    await sleep(100);
+    await this.frames();
     await this.page.mouse.up();
-    await sleep(100);
+    await this.frames();
+    await sleep(50);
   }
 
   /** Clicks an element of the page. @param {string} selector */

@@ -69,7 +69,7 @@ export const SCENARIOS = [
     const { page } = visit;
     await page.click('panels/1');
     await page.click('controller/senses/0');
-    assert.equal(await page.call('senses', () => window.gaitsmith.document().senses?.kind), 'timer');
+    await page.until('the timer', () => window.gaitsmith.document().senses?.kind === 'timer', 5000);
     await page.click('panels/3');
     const before = await page.hash();
     await page.page.evaluate(() => window.gaitsmith.on('done', () => Object.assign(window, { testDone: true })));
@@ -190,7 +190,7 @@ export const SCENARIOS = [
     }), 'a focused control must be visible');
     await page.page.focus('#control-describe');
     await page.page.keyboard.press('Enter');
-    await sleep(100);
+    await page.frames();
     assert.match(await page.call('text', () => document.querySelector('#description')?.textContent ?? ''), / m after .* s/);
     await page.page.focus('#open');
   }],
@@ -203,6 +203,7 @@ export const SCENARIOS = [
     for (const kind of ['timer', 'physical']) {
       await fresh.page.focus(`input[value=${kind}]`);
       await fresh.page.keyboard.press(' ');
+      await fresh.frames();
       assert.equal(await senses(), kind);
     }
     const before = await fresh.hash();
@@ -222,11 +223,11 @@ export const SCENARIOS = [
     const fresh = await PageDriver.open(browser, address);
     const before = await fresh.hash();
     await fresh.click('panels/0');
-    await sleep(400);
+    await fresh.frames(6);
     const rectOf = async (/** @type {string} */ id) => (await fresh.widgets()).find((widget) => widget.id === id)?.rect;
     const press = async (/** @type {number} */ x, /** @type {number} */ y) => {
       await fresh.clickAt(x, y);
-      await sleep(300);
+      await fresh.frames();
     };
     const board = await rectOf('figure/board');
     assert.ok(board);
@@ -252,7 +253,7 @@ export const SCENARIOS = [
     const note = async () => (await fresh.widgets()).find(({ id }) => id === 'stage/note')?.label;
     const show = async (/** @type {string} */ json) => {
       await fresh.page.evaluate((content) => window.gaitsmith.open(content), json);
-      await sleep(300);
+      await fresh.frames(6);
     };
     await show(altered);
     const link = await fresh.link();
@@ -265,7 +266,7 @@ export const SCENARIOS = [
     assert.match(await fresh.status(), /^Opened /);
     await fresh.until('the address at rest', () => location.href === window.gaitsmith.link(), 3000);
     await fresh.page.evaluate((hash) => { location.hash = hash; }, link.slice(link.indexOf('#')));
-    await sleep(300);
+    await fresh.frames(6);
     assert.match(await note() ?? '', /differs from the one its maker saw/);
     await sleep(1500);
     assert.equal(await fresh.call('address', () => location.href), link, 'the maker\'s hash must stay in the address');

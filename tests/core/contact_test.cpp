@@ -52,7 +52,8 @@ double Offence(const Instant& instant, int contacts) {
     after.Push(instant.world, c.arm, c.force);
   }
   double worst = 0.0;
-  const auto offends = [&](double by) { worst = std::max(worst, by); };
+  // What is no number offends most.
+  const auto offends = [&](double by) { worst = std::isnan(by) ? 1e9 : std::max(worst, by); };
   for (int i = 0; i < contacts; ++i) {
     const Contact<1>& c = instant.contact[static_cast<std::size_t>(i)];
     const double mobility = static_cast<double>(instant.world.inverse_mass);

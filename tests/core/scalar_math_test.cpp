@@ -24,6 +24,22 @@ TEST_CASE("sine and cosine: within 1.2e-7 of the truth up to 8192 rad", "[numeri
   REQUIRE(worst < 1.2e-7);
 }
 
+TEST_CASE("turn: a direction turned by up to 0.5 rad, within 2e-7", "[numeric]") {
+  using L = Lane<1>;
+  double worst = 0.0;
+  for (int i = -5000; i <= 5000; ++i) {
+    const float angle = static_cast<float>(i) * 1e-4f;
+    L::F sine = L::Splat(0.6f), cosine = L::Splat(0.8f);
+    Turn<1>(L::Splat(angle), sine, cosine);
+    const double s = std::sin(static_cast<double>(angle)), c = std::cos(static_cast<double>(angle));
+    const double from_s = static_cast<double>(0.6f), from_c = static_cast<double>(0.8f);
+    worst = std::max(worst, std::abs(static_cast<double>(sine[0]) - (from_s * c + from_c * s)));
+    worst = std::max(worst, std::abs(static_cast<double>(cosine[0]) - (from_c * c - from_s * s)));
+  }
+  CAPTURE(worst);
+  REQUIRE(worst < 2e-7);
+}
+
 TEST_CASE("sine and cosine: odd and even to the bit", "[numeric]") {
   for (float x = 0.013f; x < 50.0f; x += 0.37f) {
     REQUIRE(SinCos(-x).sine == -SinCos(x).sine);

@@ -50,6 +50,33 @@ TEST_CASE("rules: the deepest stimulus wins, ties go to the first, and the last 
   CHECK(bank.Choose(0.9f, 1) == 1);
 }
 
+TEST_CASE("timer: the table of choices says what the rules themselves say, at every phase", "[control]") {
+  const std::vector<std::array<float, 2>> limits = {{-1.0f, 1.0f}};
+  for (const int period : {2, 7, 100, 12000}) {
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+      CAPTURE(period, seed);
+      SenseSpec senses;
+      senses.kind = SenseKind::kTimer;
+      senses.period_steps = period;
+      const BankShape shape(10, SenseKind::kTimer, 2);
+      RandomStream random(seed, 0, 0);
+      Genome genes = RandomGenome(shape, senses, Variation{}, random);
+      if (seed % 3 == 0) genes[shape.High(4, 0)] = genes[shape.Low(4, 0)];  // a point
+      if (seed % 4 == 0) {                                                  // a rule that does not care
+        genes[shape.Low(7, 0)] = 0;
+        genes[shape.High(7, 0)] = kGeneMax;
+      }
+      const std::span<const Gene> span(genes);
+      const Bank<1> bank(shape, senses, std::span(&span, 1), limits, kStep);
+      for (int phase = 0; phase < period; ++phase) {
+        SenseVector<1> values{};
+        values[0][0] = TimerSense(phase, period);
+        if (bank.ChoiceAt(phase)[0] != bank.Choose(values, Lane<1>::I{-1})[0]) FAIL("phase " << phase);
+      }
+    }
+  }
+}
+
 TEST_CASE("rules: a sense a rule does not care about never counts", "[control]") {
   // Rule 0 cares about nothing: always exactly as deep as can be.
   const TimerBank bank({{0, kGeneMax}, {0, 30000}});
