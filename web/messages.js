@@ -14,6 +14,8 @@
 
 // ---- page → new worker ----
 
+/** Load what any role needs, and wait for one. No reply. @typedef {{type: 'stand-by', engine: WebAssembly.Module}} StandBy */
+
 /**
  * Be the coordinator: run the document's search. Reply: 'ready', then CoordinatorToPage messages; 'failed' if
  * core refuses the document.
@@ -34,7 +36,7 @@
  * @property {MessagePort} port           transferred; its other end goes to the coordinator
  */
 
-/** The first message to every worker, and later ones when a search is done. @typedef {Coordinate | Evaluate} Role */
+/** The first message to every worker, and later ones when a search is done. @typedef {StandBy | Coordinate | Evaluate} Role */
 
 // ---- page → coordinator ----
 

@@ -54,8 +54,8 @@ async function start() {
       firstFrame: () => {
         element('loading').hidden = true;
         performance.mark('gaitsmith-first-frame');
-        // Workers need it at the first search; now the line is free.
-        setTimeout(() => parts?.searches.prepare().catch(() => {}), 1000);
+        // Now the line is free.
+        setTimeout(() => parts?.searches.standBy(), 1000);
         gaitsmith.firstFrame();
       },
       leaveCanvas: (direction) => leaveCanvas(canvas, direction),

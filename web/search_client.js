@@ -42,12 +42,12 @@ const STOP_MS = 2000;
 const MOST_DEATHS = 8;
 // Workers without a search are kept for the next one: they have their scripts and an engine. Not for ever, since each
 // holds some memory.
-const REST_MS = 60000;
+const REST_MS = 5 * 60000;
 
 export class SearchClient {
   /** @type {Crew | null} */
   #crew = null;
-  /** Those of the last search, if it was done and nobody died; coordinator first. @type {Worker[]} */
+  /** Without a search: new ones, or those of the last search if it was done and nobody died. @type {Worker[]} */
   #rested = [];
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #rest;
@@ -77,6 +77,17 @@ export class SearchClient {
     this.engine = engine;
     this.createWorker = createWorker;
     this.listener = listener;
+  }
+
+  /**
+   * Has workers load what they need before a search is wished for, so that it begins at once.
+   * @param {number} workers  evaluators
+   */
+  standBy(workers) {
+    if (this.#crew || this.#rested.length > 0) return;
+    const standing = Array.from({ length: workers + 1 }, () => this.createWorker());
+    for (const worker of standing) worker.postMessage(/** @type {Role} */ ({ type: 'stand-by', engine: this.engine }));
+    this.#rests(standing);
   }
 
   get searching() { return this.#crew !== null; }
@@ -168,14 +179,19 @@ export class SearchClient {
     const evaluators = [...crew.evaluators.values()];
     if (crew.sound && evaluators.every(({ ready }) => ready)) {
       this.#crew = null; // so that they are not ended
-      this.#rested = [crew.coordinator, ...evaluators.map(({ worker }) => worker)];
-      for (const worker of this.#rested) {
-        worker.onmessage = null;
-        worker.onerror = () => this.#sendHome();
-      }
-      this.#rest = setTimeout(() => this.#sendHome(), REST_MS);
+      this.#rests([crew.coordinator, ...evaluators.map(({ worker }) => worker)]);
     }
     this.#dismiss();
+  }
+
+  /** @param {Worker[]} workers  coordinator first */
+  #rests(workers) {
+    this.#rested = workers;
+    for (const worker of workers) {
+      worker.onmessage = null;
+      worker.onerror = () => this.#sendHome();
+    }
+    this.#rest = setTimeout(() => this.#sendHome(), REST_MS);
   }
 
   #sendHome() {

@@ -10,12 +10,15 @@ import { banner } from './dom.js';
 const ALGORITHMS = /** @type {Record<string, string>} */ ({ rgt: 'RG&T', sphc: 'SPHC', gga: 'GGA', ssga: 'SSGA', shc: 'SHC',
   mpga: 'MPGA', 'nelder-mead': 'Nelder–Mead', powell: 'Powell', 'cma-es': 'CMA-ES', 'map-elites': 'MAP-Elites' });
 
+// Each holds some memory, and a search is not certain.
+const MOST_STANDING_BY = 4;
+
 /** @typedef {import('./search_client.js').SearchClient} SearchClient */
 /** @typedef {{resolve: (report: SearchReport) => void, reject: (error: Error) => void}} End */
 
 /** Tells its listeners 'progress' (a SearchReport), 'done' (a SearchReport) and 'error' (an Error). */
 export class Searches extends EventTarget {
-  /** @type {Promise<[WebAssembly.Module, typeof import('./search_client.js')]> | null} */
+  /** @type {Promise<SearchClient> | null} */
   #prepared = null;
   /** @type {SearchClient | null} */
   #client = null;
@@ -37,12 +40,27 @@ export class Searches extends EventTarget {
     this.statusLine = statusLine;
   }
 
-  /** What only a search needs: the engine, compiled once for all workers, and the code that looks after them. */
-  prepare() {
+  /** What only a search needs: the engine, compiled once for all workers, and the client that looks after them. */
+  #prepare() {
     this.#prepared ??= Promise.all([
-      WebAssembly.compileStreaming(fetch(new URL('engine.wasm', import.meta.url))), import('./search_client.js')]);
+      WebAssembly.compileStreaming(fetch(new URL('engine.wasm', import.meta.url))), import('./search_client.js'),
+    ]).then(([engine, { SearchClient }]) => new SearchClient({
+      engine,
+      createWorker: () => new Worker(new URL('worker.js', import.meta.url), { type: 'module' }),
+      listener: {
+        progress: (report) => this.#hear(report),
+        incident: (sentence) => this.statusLine.say(sentence),
+        failed: (error) => this.#fail(error),
+      },
+    }));
     this.#prepared.catch(() => { this.#prepared = null; }); // try again next time
     return this.#prepared;
+  }
+
+  /** Loads all that the first search will need, while nothing else is to be done. A failure is that search's to tell. */
+  async standBy() {
+    const client = await this.#prepare().catch(() => null);
+    if (!this.searching) client?.standBy(Math.min(navigator.hardwareConcurrency || 2, MOST_STANDING_BY));
   }
 
   /** @param {Uint8Array} document @param {number} workers */
@@ -58,17 +76,9 @@ export class Searches extends EventTarget {
     this.statusLine.say('');
     this.#hear(NO_REPORT, true);
     try {
-      const [engine, { SearchClient }] = await this.prepare();
+      const client = await this.#prepare();
       if (run !== this.#run) return;
-      this.#client ??= new SearchClient({
-        engine,
-        createWorker: () => new Worker(new URL('worker.js', import.meta.url), { type: 'module' }),
-        listener: {
-          progress: (report) => this.#hear(report),
-          incident: (sentence) => this.statusLine.say(sentence),
-          failed: (error) => this.#fail(error),
-        },
-      });
+      this.#client = client;
       this.#client.start(document, workers);
       for (const wish of this.#later.splice(0)) this.#client[wish]();
     } catch (error) {

@@ -23,7 +23,7 @@ let before = Promise.resolve();
 
 // Messages wait for the role that one before them began, and keep their order.
 self.addEventListener('message', ({ data }) => {
-  const isRole = data.type === 'coordinate' || data.type === 'evaluate';
+  const isRole = ['stand-by', 'coordinate', 'evaluate'].includes(data.type);
   before = before.then(() => (isRole ? take(data) : coordinator?.receive(data))).catch(die);
 });
 
@@ -36,6 +36,8 @@ async function take(message) {
     engine ??= Engine.load(message.engine);
     const loaded = await engine;
     switch (message.type) {
+      case 'stand-by':
+        return;
       case 'coordinate': {
         const mine = new Coordinator(loaded, message, post);
         coordinator = mine;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where and with what figures were measured; without it they mean nothing.
-import { execFileSync } from 'node:child_process';
+import { execFileSync, spawn } from 'node:child_process';
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus, loadavg } from 'node:os';
 import { join } from 'node:path';
@@ -58,6 +58,24 @@ async function machine() {
 export async function keep(name, figures) {
   mkdirSync(join(ROOT, 'build'), { recursive: true });
   writeFileSync(join(ROOT, `build/bench-${name}.json`), `${JSON.stringify({ machine: await machine(), ...figures }, null, 2)}\n`);
+}
+
+/**
+ * What two cores do for two programs that share nothing: the most that two workers can reach here and now.
+ * @returns {Promise<number | null>} 2 when neither disturbs the other; null: the command line has not been built
+ */
+export async function twoCoresOverOne() {
+  const program = join(ROOT, 'build/release/shell/gaitsmith');
+  if (!existsSync(program)) return null;
+  const words = ['synthesize', '--figure', 'mr-star-man', '--task', 'travel', '--sense', 'physical', '--search', 'sphc',
+    '--evaluations', '20000', '--seed', '1', '--threads', '1', '--out', '/dev/null'];
+  const run = () => new Promise((resolve, reject) => {
+    const start = performance.now();
+    spawn(program, words, { stdio: 'ignore' }).on('error', reject).on('close', () => resolve(performance.now() - start));
+  });
+  const alone = await run();
+  const [one, other] = await Promise.all([run(), run()]);
+  return alone / one + alone / other;
 }
 
 /** @param {number[]} values */

@@ -55,12 +55,14 @@ if (browser) {
   const rate = (/** @type {any} */ taken) => `${Math.round(taken.simulatedPerSecond)} motions/s`;
   const cut = (/** @type {any} */ taken) => (taken.whole ? '' : `, stopped at ${taken.evaluations}: the rest by its pace`);
   const whole = (/** @type {any} */ taken) => (taken.whole ? taken.seconds : (taken.seconds * 40000) / Math.max(1, taken.evaluations));
-  row('c', '40,000 evaluations, 2 workers, page at 10 frames/s', whole(capped), '<=', 5, ' s', `${rate(capped)}${cut(capped)}`);
-  row('c', 'the same on an empty page', whole(alone), '<=', 5, ' s', `${rate(alone)}${cut(alone)}`);
+  const best = (/** @type {any} */ taken) => `shortest ${taken.shortestSeconds.toFixed(1)} s, ${rate(taken)}${cut(taken)}`;
+  row('c', '40,000 evaluations, 2 workers, page at 10 frames/s', whole(capped), '<=', 5, ' s', best(capped));
+  row('c', 'the same on an empty page', whole(alone), '<=', 5, ' s', best(alone));
   row('c', 'the same, the best animating', whole(animating), '', 0, ' s',
     `${animating.framesPerSecond.toFixed(0)} frames/s, ${rate(animating)}${cut(animating)}`);
   row('d', '2 workers ÷ 1, motions per second', browser.twoWorkersOverOne.simulatedPerSecond, '>=', 1.85, '');
   row('d', '2 workers ÷ 1, whole search', browser.twoWorkersOverOne.wholeSearch, '>=', 1.85, '');
+  row('d', 'two native programs that share nothing ÷ one', browser.twoWorkersOverOne.coresAlone, '', 0, '');
 }
 
 for (const { what, value, relation, goal, unit, note } of costs(load('cost')?.benchmarks ?? [])) {
@@ -70,7 +72,8 @@ for (const { what, value, relation, goal, unit, note } of costs(load('cost')?.be
 if (browser) {
   row('f', 'first load until motion, gzip', browser.bytesUntilFirstMotion.gzip / 1000, '<=', 450, ' KB');
   row('f', 'open → first moving frame', browser.openToFirstFrameMs.median / 1000, '<=', 1, ' s');
-  row('f', 'longest main-thread stall while searching', browser.paper.capped.longestStallMs, '<=', 33, ' ms',
+  row('f', 'longest main-thread task while searching, its own work', browser.longestTask.processorMs, '<=', 33, ' ms');
+  row('f', 'the same as a person waits for it', browser.paper.capped.longestStallMs, '<=', 33, ' ms',
     `${browser.paper.animating.longestStallMs.toFixed(0)} ms animating`);
   const mega = 1024 * 1024;
   for (const [algorithm, bytes] of Object.entries(/** @type {Record<string, number>} */ (browser.wasmMemoryBytes.workers))) {

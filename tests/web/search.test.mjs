@@ -110,7 +110,7 @@ test('the best genome scores what the search says', async () => {
   assert.equal(engine.evaluator(document).evaluate(genome)[0], last.bestFitness);
 });
 
-test('the workers of a search that is done run the next one, of another problem, as new ones would', async () => {
+test('workers that stood by, or whose search is done, run the next one, of another problem, as new ones would', async () => {
   const [first, second] = [problem({ evaluations: 500 }), problem({ evaluations: 1500, seed: 11, algorithm: 'rgt' })];
   /** @type {NodeWorker[]} */
   const crew = [];
@@ -132,7 +132,10 @@ test('the workers of a search that is done run the next one, of another problem,
     };
     client.start(document, workers);
   });
-  await search(first, 2);
+  client.standBy(2);
+  client.standBy(2); // again: nothing new
+  assert.equal(crew.length, 3);
+  await search(first, 2); // at once, while they still load
   assertSame(await search(second, 2), await run(second, 1));
   assert.equal(crew.length, 3);
   assertSame(await search(first, 1), await run(first, 1));
