@@ -23,6 +23,8 @@ const std::array<AlgorithmWords, kAlgorithmNames.size()>& AlgorithmTexts() {
        "Samples around a mean and learns which directions pay. Quick with a timer."},
       {"MAP-Elites", "MAP-Elites: a suite of styles",
        "Keeps the best for every height, slip and turn: many motions from one search."},
+      {"Two-stage", "Two-stage: random, then climbing",
+       "Draws many at random, then climbs from the best: how networks were first found."},
   }};
   return kTexts;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Senses, period, number of rules, and the rule cards: a learner can read why the figure does what it does.
+// Senses, period, number of rules, and the rule cards or the network: a learner can read why the figure does
+// what it does.
 #include "shell/panel_controller.h"
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <cmath>
 
 #include "shell/figure_drawing.h"
+#include "shell/network_diagram.h"
 #include "shell/wording.h"
 
 namespace gaitsmith::shell {
@@ -26,11 +28,20 @@ std::string PeriodWords(int period_steps, int duration_steps) {
 
 void DrawSettings(Ui& ui, Session& session) {
   const SenseSpec& senses = session.Doc().senses;
-  static constexpr std::array<std::string_view, 2> kKinds = {"Timer", "Physical senses"};
-  int kind = senses.kind == SenseKind::kTimer ? 0 : 1;
+  static constexpr std::array<std::string_view, 3> kKinds = {"Timer", "Senses", "Network"};
+  const bool network = session.Doc().kind == ControllerKind::kNetwork;
+  int kind = network ? 2 : senses.kind == SenseKind::kTimer ? 0 : 1;
   if (ui.Segmented("controller/senses", ui.Row(ui.Look().touch ? 42.0f : 34.0f), kKinds, kind)) {
-    session.Set([&](Document& d) { d.senses.kind = kind == 0 ? SenseKind::kTimer : SenseKind::kPhysical; });
+    session.Set([&](Document& d) {
+      d.kind = kind == 2 ? ControllerKind::kNetwork : ControllerKind::kRules;
+      d.senses.kind = kind == 0 ? SenseKind::kTimer : SenseKind::kPhysical;
+    });
   }
+  ui.Gap(8.0f);
+  ui.Paragraph(kind == 0   ? "Rules that follow a clock: a wind-up toy."
+               : kind == 1 ? "Rules that feel angles, contacts, height and rise."
+                           : "Touch and angle sensors, hidden nodes and actuators, all connected.",
+               Type::kNote);
   ui.Gap(10.0f);
   if (kind == 0) {
     const float seconds = static_cast<float>(senses.period_steps) * kStep;
@@ -58,8 +69,8 @@ void DrawSettings(Ui& ui, Session& session) {
     ui.Gap(8.0f);
   }
   double rules = session.Doc().rules;
-  if (ui.Slider("controller/rules", "Rules", rules, {.low = 1.0, .high = 20.0, .step = 1.0},
-                std::to_string(session.Doc().rules))) {
+  if (ui.Slider("controller/rules", network ? "Hidden nodes" : "Rules", rules,
+                {.low = 1.0, .high = 20.0, .step = 1.0}, std::to_string(session.Doc().rules))) {
     session.Set([&](Document& d) { d.rules = static_cast<int>(rules); });
   }
   const float tau = session.Doc().senses.tau_min_s;
@@ -196,12 +207,12 @@ void DrawControllerPanel(Ui& ui, Session& session) {
   ui.Gap(10.0f);
   const Controller* shown = session.ShownController();
   const Document& d = session.Doc();
-  const bool differs = shown != nullptr && (shown->senses.kind != d.senses.kind || shown->rules != d.rules);
+  const bool differs = shown != nullptr && (shown->senses.kind != d.senses.kind || shown->rules != d.rules ||
+                                            shown->kind != d.kind);
   if (shown == nullptr || differs) {
-    ui.Paragraph(shown == nullptr
-                     ? "No controller yet. A search finds one with these settings."
-                     : "The next search uses these settings. On the stage: " + std::to_string(shown->rules) +
-                           " rules with " + SenseWords(shown->senses) + ".",
+    ui.Paragraph(shown == nullptr ? "No controller yet. A search finds one with these settings."
+                                  : "The next search uses these settings. On the stage: " +
+                                        ControllerWords(shown->kind, shown->senses, shown->rules) + ".",
                  Type::kNote);
     ui.Gap(6.0f);
     if (!session.Searching() &&
@@ -212,6 +223,7 @@ void DrawControllerPanel(Ui& ui, Session& session) {
     ui.Gap(12.0f);
   }
   if (shown == nullptr) return;
+  if (shown->kind == ControllerKind::kNetwork) return DrawNetwork(ui, session, *shown);
   for (int rule = 0; rule < shown->rules; rule += 2) {
     const ImRect row = ui.Row(kCardHeight);
     const float width = 0.5f * (row.GetWidth() - 8.0f);

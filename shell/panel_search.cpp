@@ -63,7 +63,8 @@ void DrawRates(Ui& ui, Session& session) {
 void DrawStart(Ui& ui, Session& session) {
   const Document& d = session.Doc();
   const Controller* shown = session.ShownController();
-  const bool fits = shown != nullptr && shown->senses == d.senses && shown->rules == d.rules;
+  const bool fits =
+      shown != nullptr && shown->senses == d.senses && shown->rules == d.rules && shown->kind == d.kind;
   if (!fits) return;
   bool on = d.search.start >= 0;
   if (ui.Switch("search/start-here", "Start from the shown motion", on)) {
@@ -122,6 +123,12 @@ void DrawParameters(Ui& ui, Session& session) {
                      [](SearchSettings& s) -> int& { return s.elites.bins; });
       WholeParameter(ui, session, "search/initial", "Random at first", 1, 100'000, 10,
                      [](SearchSettings& s) -> int& { return s.elites.initial; });
+      break;
+    case Algorithm::kTwoStage:
+      WholeParameter(ui, session, "search/random", "Random at first", 1, 1'000'000, 100,
+                     [](SearchSettings& s) -> int& { return s.two_stage.random; });
+      WholeParameter(ui, session, "search/kept", "Of which climb", 1, 1000, 1,
+                     [](SearchSettings& s) -> int& { return s.two_stage.kept; });
       break;
   }
 }
@@ -236,8 +243,8 @@ void DrawSearchPanel(Ui& ui, Session& session) {
   DrawSettings(ui, session);
   ui.Gap(10.0f);
   const Document& d = session.Doc();
-  ui.Paragraph("Looks for " + std::to_string(d.rules) + " rules with " + SenseWords(d.senses) +
-                   " that make " + d.figure.name + " " + TaskWords(d.task.kind) + " for " +
+  ui.Paragraph("Looks for " + ControllerWords(d.kind, d.senses, d.rules) + " that can make " + d.figure.name +
+                   " " + TaskWords(d.task.kind) + " for " +
                    Fixed(static_cast<float>(d.task.duration_steps) * kStep, 1) + " s.",
                Type::kNote);
 }

@@ -68,9 +68,14 @@ bool Same(const Document& a, const Document& b) { return EncodeBinary(a) == Enco
 
 }  // namespace
 
-std::string SenseWords(const SenseSpec& senses) {
-  if (senses.kind == SenseKind::kPhysical) return "physical senses";
-  return "timer " + Fixed(static_cast<float>(senses.period_steps) * kStep, 2) + " s";
+std::string ControllerWords(ControllerKind kind, const SenseSpec& senses, int rules) {
+  const std::string plural = rules == 1 ? "" : "s";
+  if (kind == ControllerKind::kNetwork)
+    return "a network of " + std::to_string(rules) + " hidden node" + plural;
+  const std::string with = senses.kind == SenseKind::kPhysical
+                               ? "physical senses"
+                               : "timer " + Fixed(static_cast<float>(senses.period_steps) * kStep, 2) + " s";
+  return std::to_string(rules) + " rule" + plural + " with " + with;
 }
 
 std::string TaskWords(TaskKind kind) {
@@ -152,7 +157,8 @@ std::optional<Document> Session::Edited(const Edit& edit) {
   if (int& start = next.search.start; start >= 0) {
     const auto index = static_cast<std::size_t>(start);
     const bool fits = index < next.controllers.size() && next.controllers[index].senses == next.senses &&
-                      next.controllers[index].rules == next.rules;
+                      next.controllers[index].rules == next.rules &&
+                      next.controllers[index].kind == next.kind;
     if (!fits) start = -1;
   }
   if (const auto valid = Validate(next); !valid) {

@@ -102,8 +102,8 @@ class Session {
   double shown_for_s_ = 0.0;
 };
 
-/// "Physical senses" or "timer 0.80 s".
-[[nodiscard]] std::string SenseWords(const SenseSpec&);
+/// "10 rules with physical senses", "10 rules with timer 0.80 s", "a network of 10 hidden nodes".
+[[nodiscard]] std::string ControllerWords(ControllerKind, const SenseSpec&, int rules);
 /// What the task rewards, e.g. "travel".
 [[nodiscard]] std::string TaskWords(TaskKind);
 

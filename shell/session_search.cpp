@@ -71,6 +71,7 @@ bool Session::ShowImprovement(double seconds) {
   improvement_.clear();
   const SearchSettings& search = searched_->search;
   PutController({.name = WordsOf(search.algorithm).name + ", seed " + std::to_string(search.seed),
+                 .kind = searched_->kind,
                  .senses = searched_->senses,
                  .rules = searched_->rules,
                  .genes = std::move(genes)});
@@ -96,7 +97,8 @@ void Session::PutController(Controller controller) {
       d.controllers.erase(d.controllers.begin() + c);
       for (Clip& one : d.timeline) one.controller -= one.controller > c ? 1 : 0;
     }
-    const std::string how = " · " + TaskWords(searched_->task.kind) + ", " + SenseWords(searched_->senses) +
+    const std::string how = " · " + TaskWords(searched_->task.kind) + ", " +
+                            ControllerWords(searched_->kind, searched_->senses, searched_->rules) +
                             ", seed " + std::to_string(searched_->search.seed);
     d.title = Shortened(d.figure.name, kMaxNameBytes - how.size()) + how;
   });

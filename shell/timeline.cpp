@@ -54,9 +54,8 @@ void DrawClip(Ui& ui, Session& session, const Band& band, std::size_t index) {
   if (room > 12.0f) {
     const ImVec2 at(rect.Min.x + 10.0f, rect.Min.y);
     ui.Letters().DrawElided(list, Type::kStrong, {at.x, at.y + 16.0f}, room, p.ink, name);
-    ui.Letters().DrawElided(
-        list, Type::kSmall, {at.x, at.y + 34.0f}, room, p.second_ink,
-        SenseWords(controller.senses) + " · " + std::to_string(controller.rules) + " rules");
+    ui.Letters().DrawElided(list, Type::kSmall, {at.x, at.y + 34.0f}, room, p.second_ink,
+                            ControllerWords(controller.kind, controller.senses, controller.rules));
   }
   ui.DrawFocus(touch, rect, 8.0f);
 }

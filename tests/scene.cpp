@@ -80,7 +80,7 @@ Controller HoldPose(const Figure& figure, const std::vector<float>& target_rad, 
 Controller RandomController(const Figure& figure, const SenseSpec& senses, std::uint64_t seed) {
   RandomStream random(seed, 5, 0);
   const BankShape shape(10, senses.kind, figure.Rods());
-  return {"random", senses, 10, RandomGenome(shape, senses, Variation{}, random)};
+  return {"random", ControllerKind::kRules, senses, 10, RandomGenome(shape, senses, Variation{}, random)};
 }
 
 std::vector<std::string> GoldenMotions() {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/control/response.h"
 #include "core/control/stimulus_response.h"
 #include "core/numeric/lane.h"
 #include "core/numeric/scalar_math.h"
@@ -16,15 +17,6 @@ namespace gaitsmith {
 /// Normalised senses of W figures; SenseCount() of them are in use.
 template <int W>
 using SenseVector = std::array<typename Lane<W>::F, kMaxSenses>;
-
-/// What the active rules ask of the joints, lane by lane.
-template <int W>
-struct Response {
-  using F = typename Lane<W>::F;
-  std::array<F, kMaxJoints> target_rad;
-  F decay;        // exp(-h / tau)
-  F inverse_tau;  // [1/s]
-};
 
 template <int W>
 class Bank {
@@ -89,9 +81,9 @@ class Bank {
     const auto joints = static_cast<std::size_t>(shape_.joints);
     for (std::size_t j = 0; j < joints; ++j) {
       L::Put(response.target_rad[j], lane, L::At(targets_[r * joints + j], lane));
+      L::Put(response.decay[j], lane, L::At(decay_[r], lane));
+      L::Put(response.inverse_tau[j], lane, L::At(inverse_tau_[r], lane));
     }
-    L::Put(response.decay, lane, L::At(decay_[r], lane));
-    L::Put(response.inverse_tau, lane, L::At(inverse_tau_[r], lane));
   }
 
  private:

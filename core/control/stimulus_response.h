@@ -54,14 +54,6 @@ struct BankShape {
   }
 };
 
-/// A found (or drawn) controller, as a document holds it.
-struct Controller {
-  std::string name;
-  SenseSpec senses;
-  int rules = 0;
-  Genome genes;  // BankShape(rules, senses.kind, rods).Genes() of them
-};
-
 /// A gene as a number: low + (high - low) * gene / 65535, in single precision, in this order of operations.
 [[nodiscard]] inline float Decode(Gene gene, float low, float high) {
   return low + (high - low) * (static_cast<float>(gene) * (1.0f / 65535.0f));

@@ -103,6 +103,13 @@ Result<void> CheckSenses(const SenseSpec& senses, const std::string& where) {
   return {};
 }
 
+Result<void> CheckKind(ControllerKind kind, const SenseSpec& senses, const std::string& where) {
+  if (kind == ControllerKind::kNetwork && senses.kind != SenseKind::kPhysical) {
+    return Fail(ErrorCode::kStructure, where, "a network has physical senses, not a timer");
+  }
+  return {};
+}
+
 /// What only some values of a search's settings allow.
 Result<void> CheckSearch(const Document& d) {
   const SearchSettings& search = d.search;
@@ -113,9 +120,10 @@ Result<void> CheckSearch(const Document& d) {
                       std::to_string(d.controllers.size()));
     }
     const Controller& start = d.controllers[static_cast<std::size_t>(search.start)];
-    if (start.rules != d.rules || start.senses != d.senses) {
-      return Fail(ErrorCode::kStructure, "search.start",
-                  "must be a controller with the senses and the number of rules that are searched for");
+    if (start.rules != d.rules || start.senses != d.senses || start.kind != d.kind) {
+      return Fail(
+          ErrorCode::kStructure, "search.start",
+          "must be a controller of the kind, the senses and the number of rules that are searched for");
     }
   }
   const int side = search.torus.side;
@@ -149,10 +157,12 @@ Result<void> CheckReferences(const Document& d) {
     return Fail(figure.error().code, "figure." + figure.error().where, figure.error().what);
   }
   if (auto senses = CheckSenses(d.senses, "senses"); !senses) return senses;
+  if (auto kind = CheckKind(d.kind, d.senses, "kind"); !kind) return kind;
   for (std::size_t i = 0; i < d.controllers.size(); ++i) {
     const Controller& c = d.controllers[i];
     if (auto senses = CheckSenses(c.senses, Element("controllers", i, "senses")); !senses) return senses;
-    const std::size_t genes = BankShape(c.rules, c.senses.kind, d.figure.Rods()).Genes();
+    if (auto kind = CheckKind(c.kind, c.senses, Element("controllers", i, "kind")); !kind) return kind;
+    const std::size_t genes = c.Shape(d.figure.Rods()).Genes();
     if (c.genes.size() != genes) {
       return Fail(ErrorCode::kStructure, Element("controllers", i, "rules"),
                   "is for another figure: it has " + std::to_string(c.genes.size()) +

@@ -67,8 +67,12 @@ class BinaryWriter : public Archive {
   void Hash(std::string_view, std::optional<std::uint64_t>& hash) {
     if (!Standard(!hash)) bits_.Put(*hash, 64);
   }
-  void Rules(Controller& controller, int rods) {
+  void Genes(Controller& controller, int rods) {
     bits_.Put(static_cast<std::uint64_t>(controller.rules - 1), BitsFor(kMaxRules));
+    if (controller.kind == ControllerKind::kNetwork) {
+      for (const Gene gene : controller.genes) bits_.Put(gene, 16);
+      return;
+    }
     const BankShape shape(controller.rules, controller.senses.kind, rods);
     for (int rule = 0; rule < shape.rules; ++rule) {
       for (int sense = 0; sense < shape.senses; ++sense) {
@@ -169,11 +173,15 @@ class BinaryReader : public Archive {
     if (Given(name)) hash = bits_.Take(64);
     CheckLeft(name);
   }
-  void Rules(Controller& controller, int rods) {
+  void Genes(Controller& controller, int rods) {
     controller.rules = static_cast<int>(bits_.Take(BitsFor(kMaxRules))) + 1;
     if (!Ok() || rods < 1) return FailAt("rules", ErrorCode::kStructure, "the figure has no rods");
     const BankShape shape(controller.rules, controller.senses.kind, rods);
-    controller.genes.assign(shape.Genes(), 0);
+    controller.genes.assign(controller.Shape(rods).Genes(), 0);
+    if (controller.kind == ControllerKind::kNetwork) {
+      for (Gene& gene : controller.genes) gene = static_cast<Gene>(bits_.Take(16));
+      return CheckLeft("nodes");
+    }
     for (int rule = 0; rule < shape.rules; ++rule) {
       for (int sense = 0; sense < shape.senses; ++sense) {
         Gene& low = controller.genes[shape.Low(rule, sense)];

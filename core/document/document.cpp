@@ -47,7 +47,7 @@ class Checker : public Archive {
   void Since(int, Fields fields) {
     fields();
   }
-  void Rules(Controller& controller, int) { CheckInteger("rules", controller.rules, 1, kMaxRules); }
+  void Genes(Controller& controller, int) { CheckInteger("rules", controller.rules, 1, kMaxRules); }
 };
 
 }  // namespace
@@ -65,19 +65,20 @@ Motion Simulate(const Document& d) {
 }
 
 Problem ProblemOf(const Document& d) {
-  return {d.figure, d.environment, d.start, d.pushes, d.task, d.senses, d.rules};
+  return {d.figure, d.environment, d.start, d.pushes, d.task, d.senses, d.rules, d.kind};
 }
 
 Problem ReplayProblem(const Document& d, const Controller& controller) {
   Problem problem = ProblemOf(d);
   problem.senses = controller.senses;
   problem.rules = controller.rules;
+  problem.kind = controller.kind;
   problem.task.duration_steps = d.duration_steps;
   return problem;
 }
 
 SearchSpace SpaceOf(const Document& d) {
-  SearchSpace space{BankShape(d.rules, d.senses.kind, d.figure.Rods()), d.senses};
+  SearchSpace space{ProblemOf(d).Shape(), d.senses};
   if (d.search.start >= 0) space.start = d.controllers[static_cast<std::size_t>(d.search.start)].genes;
   return space;
 }

@@ -38,8 +38,9 @@ struct Document {
   StartState start;
   std::vector<Push> pushes;  // sorted by step
   Task task;
-  SenseSpec senses;  // for the next search; each controller has its own
-  int rules = 10;    // likewise
+  SenseSpec senses;                              // for the next search; each controller has its own
+  int rules = 10;                                // likewise; or a network's hidden nodes
+  ControllerKind kind = ControllerKind::kRules;  // likewise
   SearchSettings search;
   std::vector<Controller> controllers;
   std::vector<Clip> timeline;  // sorted by start, the first at 0

@@ -7,7 +7,7 @@
 //   Natural(name, uint32_t&, standard)           Flag(name, bool&, standard)
 //   Choice(name, Enum&, names, standard)         Text(name, string&)
 //   Group(name, function)                        List(name, vector&, most, function(element))
-//   Hash(name, optional<uint64_t>&)              Rules(Controller&, rods)
+//   Hash(name, optional<uint64_t>&)              Genes(Controller&, rods)
 //   Since(version, function)
 // In JSON a field that equals its standard value may be left out; in a link it costs one bit. Since() holds
 // fields that came with a later version of the binary format: a document that leaves all of them at their
@@ -134,6 +134,13 @@ void Describe(Archive& ar, ElitesSettings& elites) {
 }
 
 template <class Archive>
+void Describe(Archive& ar, TwoStageSettings& stages) {
+  const TwoStageSettings standard;
+  ar.Integer("random", stages.random, 1, 1'000'000, standard.random);
+  ar.Integer("kept", stages.kept, 1, 1000, standard.kept);
+}
+
+template <class Archive>
 void Describe(Archive& ar, SearchSettings& search) {
   const SearchSettings standard;
   const Variation vary;
@@ -152,13 +159,15 @@ void Describe(Archive& ar, SearchSettings& search) {
   ar.Since(2, [&] { ar.Group("refine", [&] { Describe(ar, search.refine); }); });
   ar.Since(2, [&] { ar.Group("cma", [&] { Describe(ar, search.cma); }); });
   ar.Since(2, [&] { ar.Group("elites", [&] { Describe(ar, search.elites); }); });
+  ar.Since(2, [&] { ar.Group("two_stage", [&] { Describe(ar, search.two_stage); }); });
 }
 
 template <class Archive>
 void Describe(Archive& ar, Controller& controller, int rods) {
   ar.Text("name", controller.name);
   ar.Group("senses", [&] { Describe(ar, controller.senses); });
-  ar.Rules(controller, rods);
+  ar.Since(2, [&] { ar.Choice("kind", controller.kind, kControllerKindNames, ControllerKind::kRules); });
+  ar.Genes(controller, rods);
 }
 
 template <class Archive>
@@ -189,6 +198,7 @@ void Describe(Archive& ar, Document& d) {
   ar.Group("task", [&] { Describe(ar, d.task); });
   ar.Group("senses", [&] { Describe(ar, d.senses); });
   ar.Integer("rules", d.rules, 1, kMaxRules, standard.rules);
+  ar.Since(2, [&] { ar.Choice("kind", d.kind, kControllerKindNames, standard.kind); });
   ar.Group("search", [&] { Describe(ar, d.search); });
   const int rods = d.figure.Rods();
   ar.List("controllers", d.controllers, kMaxControllers, [&](Controller& c) { Describe(ar, c, rods); });

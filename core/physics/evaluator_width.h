@@ -13,9 +13,10 @@ template <int W>
 void Evaluator::EvaluateWidth(const Evaluator& evaluator, std::span<const std::span<const Gene>> genomes,
                               std::span<Evaluation> results) {
   const Problem& problem = evaluator.problem_;
-  const Bank<W> bank(problem.Shape(), problem.senses, genomes, evaluator.joint_limits_, kStep);
+  const Controllers<W> controllers =
+      DecodeControllers<W>(problem.Shape(), problem.senses, genomes, evaluator.joint_limits_, kStep);
   Simulation<W> simulation(evaluator.skeleton_, problem.environment, problem.start, problem.pushes);
-  simulation.Follow(bank);
+  simulation.Follow(controllers);
   std::array<TrajectoryHash, W> hashes;
   for (int step = 0; step < problem.task.duration_steps; ++step) {
     simulation.Step();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How joints follow the active rule of a controller.
+// How joints follow a controller.
 #pragma once
 
 #include <array>
 
-#include "core/control/bank.h"
+#include "core/control/response.h"
 #include "core/physics/skeleton.h"
 
 namespace gaitsmith {
@@ -28,9 +28,9 @@ void MoveJoints(const Skeleton& skeleton, const Response<W>& response, float ste
   for (std::size_t j = 0; j < static_cast<std::size_t>(skeleton.joints); ++j) {
     const Skeleton::Limb& limb = skeleton.limbs[j + 1];
     const F off = angle[j] - response.target_rad[j];
-    const F pull_step = (rate[j] + off * response.inverse_tau) * step_s;
-    const F free_angle = response.target_rad[j] + (off + pull_step) * response.decay;
-    const F free_rate = (rate[j] - pull_step * response.inverse_tau) * response.decay;
+    const F pull_step = (rate[j] + off * response.inverse_tau[j]) * step_s;
+    const F free_angle = response.target_rad[j] + (off + pull_step) * response.decay[j];
+    const F free_rate = (rate[j] - pull_step * response.inverse_tau[j]) * response.decay[j];
     const I below = free_angle < limb.min_rad;
     const I above = free_angle > limb.max_rad;
     const F held =

@@ -1,23 +1,37 @@
 // SPDX-License-Identifier: MIT
 #include "core/physics/motion.h"
 
+#include <bit>
+
 #include "core/physics/evaluator.h"
 #include "core/physics/simulation.h"
 
 namespace gaitsmith {
+
+namespace {
+
+/// Bit i: input i of the network is 1.
+std::uint64_t FiringBits(const MotionState<1>& s) {
+  static_assert(kMaxInputs <= 64);
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < kMaxInputs; ++i) bits |= std::uint64_t{s.network.input[i][0] > 0.0f} << i;
+  return bits;
+}
+
+}  // namespace
 
 Motion::Motion(const Figure& figure, const Environment& environment, const StartState& start,
                std::span<const Push> pushes, std::span<const Controller> controllers,
                std::span<const Clip> clips, int steps, float step_s)
     : skeleton_(figure), step_s_(step_s), senses_per_frame_(SenseCount(SenseKind::kPhysical, figure.Rods())) {
   const auto limits = JointLimits(skeleton_);
-  std::vector<Bank<1>> banks;
-  banks.reserve(clips.size());
+  std::vector<Controllers<1>> decoded;
+  decoded.reserve(clips.size());
   for (const Clip& clip : clips) {
     const Controller& controller = controllers[static_cast<std::size_t>(clip.controller)];
     const std::span<const Gene> genes(controller.genes);
-    banks.emplace_back(BankShape(controller.rules, controller.senses.kind, figure.Rods()), controller.senses,
-                       std::span(&genes, 1), limits, step_s);
+    decoded.push_back(DecodeControllers<1>(controller.Shape(figure.Rods()), controller.senses,
+                                           std::span(&genes, 1), limits, step_s));
   }
 
   Simulation<1> simulation(skeleton_, environment, start, pushes, step_s);
@@ -25,9 +39,16 @@ Motion::Motion(const Figure& figure, const Environment& environment, const Start
   TrajectoryHash hash;
   int clip = -1;
   const auto record = [&] {
+    const std::uint64_t firing = FiringBits(s);
+    // Hidden nodes are the last inputs.
+    const auto* network =
+        clip < 0 ? nullptr : std::get_if<Network<1>>(&decoded[static_cast<std::size_t>(clip)]);
+    const int rule = network == nullptr
+                         ? s.rule[0]
+                         : std::popcount(firing >> (network->Shape().touches + network->Shape().joints));
     frames_.push_back({s.distance_m[0], s.height_m[0], s.velocity_x[0], s.velocity_y[0], s.turn_rad[0],
                        s.angular_momentum[0], s.ground.normal_work_j[0], s.ground.friction_work_j[0],
-                       s.ground.friction_gain_j[0], s.lifting_work_j[0], clip, s.rule[0]});
+                       s.ground.friction_gain_j[0], s.lifting_work_j[0], clip, rule, firing});
     terms_.push_back(simulation.TermsOf(0));
     for (std::size_t k = 0; k < static_cast<std::size_t>(skeleton_.endpoints); ++k) {
       const float x = s.PoseNow().endpoint_x[k][0], y = s.PoseNow().endpoint_y[k][0];
@@ -46,7 +67,7 @@ Motion::Motion(const Figure& figure, const Environment& environment, const Start
     while (clip + 1 < static_cast<int>(clips.size()) &&
            clips[static_cast<std::size_t>(clip) + 1].start_step <= step) {
       ++clip;
-      simulation.Follow(banks[static_cast<std::size_t>(clip)]);
+      simulation.Follow(decoded[static_cast<std::size_t>(clip)]);
     }
   };
   take_over(0);

@@ -38,7 +38,8 @@ class Motion {
     float normal_work_j, friction_work_j;   // of the ground in the step that led here
     float friction_gain_j, lifting_work_j;  // of friction, where it had the wrong sign; of lifting
     int clip;                               // which clip is in charge; -1 with none
-    int rule;                               // its active rule
+    int rule;                               // its active rule; of a network: hidden nodes that fire
+    std::uint64_t firing;                   // bit i: input i of its network is 1
   };
   struct Point {
     float x, y;

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "core/control/bank.h"
+#include "core/control/network.h"
 #include "core/physics/contact.h"
 #include "core/physics/pose.h"
 
@@ -42,9 +43,10 @@ struct MotionState {
   int now = 0;
   std::array<F, kMaxEndpoints> last_normal{};  // impulses of the ground in the last step [N s]
   std::array<F, kMaxEndpoints> last_tangent{};
-  I rule{};
+  I rule{};  // of a bank
   Response<W> response{};
   SenseVector<W> senses{};
+  NetworkState<W> network{};
 
   // Measured over the motion.
   F start_height_m{}, greatest_height_m{}, slip_m{};

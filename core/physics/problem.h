@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/control/stimulus_response.h"
+#include "core/control/controller.h"
 #include "core/physics/environment.h"
 #include "core/physics/figure.h"
 #include "core/physics/task.h"
@@ -18,9 +18,10 @@ struct Problem {
   std::vector<Push> pushes;  // sorted by step
   Task task;
   SenseSpec senses;
-  int rules = 10;  // [1, kMaxRules]
+  int rules = 10;  // or a network's hidden nodes, [1, kMaxRules]
+  ControllerKind kind = ControllerKind::kRules;
 
-  [[nodiscard]] BankShape Shape() const { return {rules, senses.kind, figure.Rods()}; }
+  [[nodiscard]] ControllerShape Shape() const { return {kind, rules, senses.kind, figure.Rods()}; }
 };
 
 }  // namespace gaitsmith

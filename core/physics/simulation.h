@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "core/control/bank.h"
+#include "core/control/controllers.h"
 #include "core/physics/environment.h"
 #include "core/physics/ground.h"
 #include "core/physics/task.h"
@@ -28,13 +28,15 @@ class Simulation {
     PlaceAtStart(start);
   }
 
-  /// Hands the figures to other controllers: their first rules become active, their timers start at zero; the
-  /// motion goes on as it is. The bank must outlive its use.
-  void Follow(const Bank<W>& bank) {
-    bank_ = &bank;
+  /// Hands the figures to other controllers: their first rules become active, their timers start at zero,
+  /// their networks are empty; the motion goes on as it is. The controllers must outlive their use.
+  void Follow(const Controllers<W>& controllers) {
+    bank_ = std::get_if<Bank<W>>(&controllers);
+    network_ = std::get_if<Network<W>>(&controllers);
     timer_steps_ = 0;
     state_.rule = I{};
-    for (int lane = 0; lane < W; ++lane) bank.Respond(0, lane, state_.response);
+    if (network_ != nullptr) return network_->Begin(state_.network, state_.response);
+    for (int lane = 0; lane < W; ++lane) bank_->Respond(0, lane, state_.response);
   }
 
   /// Advances every figure by one step.
@@ -48,6 +50,9 @@ class Simulation {
     ++step_;
     ++timer_steps_;
     if (bank_ != nullptr) ChooseRules();
+    if (network_ != nullptr) {
+      network_->Advance(state_.angle_rad, state_.last_normal, state_.network, state_.response);
+    }
   }
 
   [[nodiscard]] const MotionState<W>& State() const { return state_; }
@@ -182,7 +187,8 @@ class Simulation {
   std::span<const Push> pushes_;
   World world_;
   MotionState<W> state_;
-  const Bank<W>* bank_ = nullptr;
+  const Bank<W>* bank_ = nullptr;  // at most one of the two
+  const Network<W>* network_ = nullptr;
   int step_ = 0;
   int timer_steps_ = 0;
   std::size_t next_push_ = 0;

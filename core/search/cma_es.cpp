@@ -64,12 +64,14 @@ std::size_t CmaEs::At(std::size_t row, std::size_t column) const {
 }
 
 void CmaEs::BeginAt(const Genome& origin, int population) {
-  const BankShape& shape = Space().shape;
   std::vector<bool> ignored(origin.size());
-  for (int rule = 0; rule < shape.rules; ++rule) {
-    for (int sense = 0; sense < shape.senses; ++sense) {
-      const bool gate = Settings().cma.genes == CmaGenes::kCared && !shape.Cares(origin, rule, sense);
-      ignored[shape.Low(rule, sense)] = ignored[shape.High(rule, sense)] = gate;
+  if (Settings().cma.genes == CmaGenes::kCared && Space().shape.Kind() == ControllerKind::kRules) {
+    const BankShape& bank = Space().shape.Bank();
+    for (int rule = 0; rule < bank.rules; ++rule) {
+      for (int sense = 0; sense < bank.senses; ++sense) {
+        const bool gate = !bank.Cares(origin, rule, sense);
+        ignored[bank.Low(rule, sense)] = ignored[bank.High(rule, sense)] = gate;
+      }
     }
   }
   free_.clear();

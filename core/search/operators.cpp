@@ -73,28 +73,52 @@ void CreepRule(std::span<Gene> genes, const BankShape& shape, int rule, const Se
   if (hit()) tau = Creep(tau, variation, random);
 }
 
-/// One pass over a bank, which may leave it as it is.
-void PerturbOnce(Genome& child, const BankShape& shape, const SenseSpec& senses, const Variation& variation,
-                 RandomStream& random) {
-  for (int rule = 0; rule < shape.rules; ++rule) {
+void DrawComponent(std::span<Gene> genes, const ControllerShape& shape, int component,
+                   const SenseSpec& senses, const Variation& variation, RandomStream& random) {
+  if (shape.Kind() == ControllerKind::kRules) {
+    return DrawRule(genes, shape.Bank(), component, senses, variation, random);
+  }
+  for (std::size_t at = shape.Begin(component); at < shape.Begin(component + 1); ++at) {
+    genes[at] = random.Gene();
+  }
+}
+
+void CreepComponent(std::span<Gene> genes, const ControllerShape& shape, int component,
+                    const SenseSpec& senses, const Variation& variation, RandomStream& random) {
+  if (shape.Kind() == ControllerKind::kRules) {
+    return CreepRule(genes, shape.Bank(), component, senses, variation, random);
+  }
+  for (std::size_t at = shape.Begin(component); at < shape.Begin(component + 1); ++at) {
+    if (random.Chance(static_cast<double>(variation.gene_chance))) {
+      genes[at] = Creep(genes[at], variation, random);
+    }
+  }
+}
+
+/// One pass over a controller, which may leave it as it is.
+void PerturbOnce(Genome& child, const ControllerShape& shape, const SenseSpec& senses,
+                 const Variation& variation, RandomStream& random) {
+  for (int component = 0; component < shape.Components(); ++component) {
     if (random.Chance(static_cast<double>(variation.redraw))) {
-      DrawRule(child, shape, rule, senses, variation, random);
+      DrawComponent(child, shape, component, senses, variation, random);
     } else {
-      CreepRule(child, shape, rule, senses, variation, random);
+      CreepComponent(child, shape, component, senses, variation, random);
     }
   }
 }
 
 }  // namespace
 
-Genome RandomGenome(const BankShape& shape, const SenseSpec& senses, const Variation& variation,
+Genome RandomGenome(const ControllerShape& shape, const SenseSpec& senses, const Variation& variation,
                     RandomStream& random) {
   Genome genes(shape.Genes());
-  for (int rule = 0; rule < shape.rules; ++rule) DrawRule(genes, shape, rule, senses, variation, random);
+  for (int component = 0; component < shape.Components(); ++component) {
+    DrawComponent(genes, shape, component, senses, variation, random);
+  }
   return genes;
 }
 
-Genome Perturb(std::span<const Gene> parent, const BankShape& shape, const SenseSpec& senses,
+Genome Perturb(std::span<const Gene> parent, const ControllerShape& shape, const SenseSpec& senses,
                const Variation& variation, RandomStream& random) {
   Genome child(parent.begin(), parent.end());
   for (;;) {
@@ -110,16 +134,18 @@ Genome FirstGenome(const SearchSpace& space, const Variation& variation, std::ui
   return RandomGenome(space.shape, space.senses, variation, random);
 }
 
-Genome Cross(std::span<const Gene> first, std::span<const Gene> second, const BankShape& shape,
+Genome Cross(std::span<const Gene> first, std::span<const Gene> second, const ControllerShape& shape,
              const Rates& rates, RandomStream& random) {
   Genome child(second.begin(), second.end());
   const bool per_child = rates.reading == RateReading::kPerChild;
   const auto rate = static_cast<double>(rates.crossover);
   if (per_child && !random.Chance(rate)) return child;
   const double from_first = per_child ? 0.5 : rate;
-  const auto size = static_cast<std::size_t>(shape.GenesPerRule());
-  for (std::size_t at = 0; at < child.size(); at += size) {
-    if (random.Chance(from_first)) std::ranges::copy(first.subspan(at, size), &child[at]);
+  for (int component = 0; component < shape.Components(); ++component) {
+    const std::size_t at = shape.Begin(component);
+    if (random.Chance(from_first)) {
+      std::ranges::copy(first.subspan(at, shape.Begin(component + 1) - at), &child[at]);
+    }
   }
   return child;
 }
@@ -152,7 +178,7 @@ std::vector<double> PointOf(std::span<const Gene> genome) {
   return point;
 }
 
-Genome GenomeAt(std::span<const double> point, const BankShape& shape) {
+Genome GenomeAt(std::span<const double> point, const ControllerShape& shape) {
   Genome genome;
   genome.reserve(point.size());
   for (const double x : point) {
@@ -161,10 +187,12 @@ Genome GenomeAt(std::span<const double> point, const BankShape& shape) {
     const double nearest = within * kGeneMax + 0.5;  // rounded down
     genome.push_back(static_cast<Gene>(nearest));
   }
-  for (int rule = 0; rule < shape.rules; ++rule) {
-    for (int sense = 0; sense < shape.senses; ++sense) {
-      Gene& low = genome[shape.Low(rule, sense)];
-      Gene& high = genome[shape.High(rule, sense)];
+  if (shape.Kind() != ControllerKind::kRules) return genome;
+  const BankShape& bank = shape.Bank();
+  for (int rule = 0; rule < bank.rules; ++rule) {
+    for (int sense = 0; sense < bank.senses; ++sense) {
+      Gene& low = genome[bank.Low(rule, sense)];
+      Gene& high = genome[bank.High(rule, sense)];
       if (low > high) std::swap(low, high);
     }
   }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How banks are made and changed: the operators that all searches share [Fukunaga 1994, section 2; Ngo 1993].
-// The paper describes them elsewhere, so these are our reading; design decisions 10 and 20 say why. A bank's
-// component is a rule: crossover exchanges whole rules, mutation perturbs genes within rules.
+// How controllers are made and changed: the operators that all searches share [Fukunaga 1994, section 2;
+// Ngo 1993]. The paper describes them elsewhere, so these are our reading; design decisions 10 and 20 say
+// why. A bank's component is a rule, a network's a node: crossover exchanges whole ones, mutation perturbs
+// genes within.
 #pragma once
 
 #include <array>
@@ -10,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/control/stimulus_response.h"
+#include "core/control/controller.h"
 
 namespace gaitsmith {
 
@@ -21,7 +22,7 @@ struct Variation {
       0.8f;  // chance that a rule ignores a physical sense, [0, 1]; with none ignored no rule ever fires
   float gene_chance = 0.1f;  // chance that one gene of a perturbed bank creeps, (0, 1]
   float creep = 0.1f;        // standard deviation of a creep, as a share of the gene's range, (0, 1]
-  float redraw = 0.05f;      // chance that a rule of a perturbed bank is drawn anew instead, [0, 1]
+  float redraw = 0.05f;  // chance that a component of a perturbed controller is drawn anew instead, [0, 1]
 };
 
 /// Table 2 gives rates as the chance "with which a component of the genome will be subject to crossover or
@@ -41,16 +42,16 @@ struct Rates {
 
 /// The space a search works in.
 struct SearchSpace {
-  BankShape shape;
+  ControllerShape shape;
   SenseSpec senses;
   Genome start = {};  // the first genome of every search: where refiners begin; empty: a random one
 };
 
-/// A new random bank.
-[[nodiscard]] Genome RandomGenome(const BankShape&, const SenseSpec&, const Variation&, RandomStream&);
+/// A new random controller.
+[[nodiscard]] Genome RandomGenome(const ControllerShape&, const SenseSpec&, const Variation&, RandomStream&);
 
 /// A perturbed copy; differs from its parent in at least one gene.
-[[nodiscard]] Genome Perturb(std::span<const Gene> parent, const BankShape&, const SenseSpec&,
+[[nodiscard]] Genome Perturb(std::span<const Gene> parent, const ControllerShape&, const SenseSpec&,
                              const Variation&, RandomStream&);
 
 /// Individual `individual` of a first generation: the given start for number 0, else a random bank of its
@@ -60,7 +61,7 @@ struct SearchSpace {
 /// Crossover: a copy of `second` with rules of `first` in their places. Per child: with chance
 /// `rates.crossover` every rule comes from either parent alike, otherwise none from `first`. Per component:
 /// every rule comes from `first` with that chance.
-[[nodiscard]] Genome Cross(std::span<const Gene> first, std::span<const Gene> second, const BankShape&,
+[[nodiscard]] Genome Cross(std::span<const Gene> first, std::span<const Gene> second, const ControllerShape&,
                            const Rates&, RandomStream&);
 
 /// Mutation. Per child: with chance `rates.mutation` the child is perturbed. Per component: every gene creeps
@@ -81,6 +82,6 @@ struct Offspring {
 
 /// The genome nearest to a point, for searches that work with real numbers: clamped to the cube, rounded to
 /// the 16-bit grid, and intervals whose ends have crossed turned round.
-[[nodiscard]] Genome GenomeAt(std::span<const double> point, const BankShape&);
+[[nodiscard]] Genome GenomeAt(std::span<const double> point, const ControllerShape&);
 
 }  // namespace gaitsmith

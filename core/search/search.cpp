@@ -10,6 +10,7 @@
 #include "core/search/random_search.h"
 #include "core/search/steady_state_ga.h"
 #include "core/search/torus_ga.h"
+#include "core/search/two_stage.h"
 
 namespace gaitsmith {
 
@@ -46,6 +47,8 @@ std::unique_ptr<Search> MakeSearch(const SearchSettings& settings, const SearchS
       return std::make_unique<CmaEs>(settings, space);
     case Algorithm::kMapElites:
       return std::make_unique<MapElites>(settings, space);
+    case Algorithm::kTwoStage:
+      return std::make_unique<TwoStage>(settings, space);
   }
   return std::make_unique<PopulationHillClimbing>(settings, space);
 }

@@ -30,10 +30,12 @@ enum class Algorithm {
   kPowell,        // direction set
   kCmaEs,         // covariance matrix adaptation
   kMapElites,     // the best motion of every style
+  kTwoStage,      // random generate and test, then ascents from the best
 };
 /// Names on the command line and in documents.
-inline constexpr std::array<std::string_view, 10> kAlgorithmNames = {
-    "rgt", "sphc", "gga", "ssga", "shc", "mpga", "nelder-mead", "powell", "cma-es", "map-elites"};
+inline constexpr std::array<std::string_view, 11> kAlgorithmNames = {
+    "rgt",         "sphc",   "gga",    "ssga",       "shc",      "mpga",
+    "nelder-mead", "powell", "cma-es", "map-elites", "two-stage"};
 
 /// Parameters of GGA and SSGA, and the rates of MPGA.
 struct GeneticSettings {
@@ -86,6 +88,11 @@ struct ElitesSettings {
   std::array<float, 3> most = {4.0f, 10.0f, 4.0f};  // height [m], slip [m], rotations
 };
 
+struct TwoStageSettings {
+  int random = 1000;  // of the first stage, [1, 1000000]
+  int kept = 5;       // ascents of the second, [1, 1000]
+};
+
 struct SearchSettings {
   Algorithm algorithm = Algorithm::kSphc;
   std::uint32_t seed = 1;
@@ -99,6 +106,7 @@ struct SearchSettings {
   RefineSettings refine;
   CmaSettings cma;
   ElitesSettings elites;
+  TwoStageSettings two_stage;
 };
 
 /// What a search is told of a motion.

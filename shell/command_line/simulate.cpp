@@ -29,7 +29,15 @@ std::string Header(const Skeleton& bones) {
   return line + "\n";
 }
 
-std::string Csv(const Motion& motion) {
+/// The active rule, counted from 1; of a network, how many hidden nodes fire.
+int RuleColumn(const Document& document, const Motion::Frame& frame) {
+  if (frame.clip < 0) return 0;
+  const auto& clip = document.timeline[static_cast<std::size_t>(frame.clip)];
+  const Controller& controller = document.controllers[static_cast<std::size_t>(clip.controller)];
+  return controller.kind == ControllerKind::kNetwork ? frame.rule : frame.rule + 1;
+}
+
+std::string Csv(const Document& document, const Motion& motion) {
   const Skeleton& bones = motion.Bones();
   std::string csv = Header(bones);
   for (int i = 0; i < motion.Frames(); ++i) {
@@ -41,7 +49,7 @@ std::string Csv(const Motion& motion) {
     Append(csv, static_cast<double>(frame.velocity_y_mps));
     Append(csv, frame.turn_rad);
     Append(csv, static_cast<double>(frame.angular_momentum));
-    Append(csv, frame.clip < 0 ? 0 : frame.rule + 1);
+    Append(csv, RuleColumn(document, frame));
     for (int j = 0; j < bones.joints; ++j) Append(csv, static_cast<double>(motion.AngleRad(i, j)));
     for (int k = 0; k < bones.endpoints; ++k) {
       const Motion::Point point = motion.Endpoint(i, k);
@@ -67,7 +75,7 @@ Result<void> SimulateCommand(Words words) {
     return Fail(ErrorCode::kMissing, "DOC", "give exactly one document");
   const auto document = ReadDocument(arguments->Positional()[0]);
   if (!document) return std::unexpected(document.error());
-  return WriteText(arguments->Last("csv", "-"), Csv(Simulate(*document)));
+  return WriteText(arguments->Last("csv", "-"), Csv(*document, Simulate(*document)));
 }
 
 }  // namespace gaitsmith::shell

@@ -92,7 +92,7 @@ Result<void> ReadWeight(const std::string& text, Task& task) {
 
 /// A document's problem with the controller that it begins with, for a search to start from.
 Result<Document> ReadStart(const Arguments& arguments) {
-  for (const char* option : {"figure", "sense", "rules"}) {
+  for (const char* option : {"figure", "sense", "rules", "controller"}) {
     if (!arguments.Has(option)) continue;
     return Fail(ErrorCode::kStructure, std::string("--") + option,
                 "cannot be given with --from: the controller fits its own");
@@ -106,6 +106,7 @@ Result<Document> ReadStart(const Arguments& arguments) {
   Controller start = document->controllers[static_cast<std::size_t>(first)];
   document->senses = start.senses;
   document->rules = start.rules;
+  document->kind = start.kind;
   document->controllers = {std::move(start)};
   document->timeline.clear();
   document->search = {};
@@ -151,6 +152,11 @@ Result<Document> ReadRequest(const Arguments& arguments) {
   for (const std::string& weight : arguments.All("weight")) {
     if (auto set = ReadWeight(weight, document.task); !set) return std::unexpected(set.error());
   }
+  if (arguments.Has("controller")) {
+    const auto kind = IndexOf(kControllerKindNames, arguments.Last("controller"), "--controller");
+    if (!kind) return std::unexpected(kind.error());
+    document.kind = static_cast<ControllerKind>(*kind);
+  }
   const auto rules = arguments.Integer("rules", 1, kMaxRules, document.rules);
   if (!rules) return std::unexpected(rules.error());
   document.rules = static_cast<int>(*rules);
@@ -184,8 +190,8 @@ int Cores() { return static_cast<int>(std::max(1u, std::thread::hardware_concurr
 
 Result<void> SynthesizeCommand(Words words) {
   static constexpr std::string_view kOptions[] = {
-      "figure", "task",  "sense",   "weight", "search",   "evaluations", "seed",
-      "out",    "curve", "threads", "rules",  "duration", "from",        "search-option"};
+      "figure", "task",    "sense", "weight",   "search", "evaluations",   "seed",      "out",
+      "curve",  "threads", "rules", "duration", "from",   "search-option", "controller"};
   const auto arguments = Arguments::Parse(words, kOptions);
   if (!arguments) return std::unexpected(arguments.error());
   if (!arguments->Positional().empty()) {
@@ -205,8 +211,8 @@ Result<void> SynthesizeCommand(Words words) {
       [&](const SearchProgress& progress) { bar.Draw(progress); }, SpaceOf(*document).start);
 
   const auto algorithm = kAlgorithmNames[static_cast<std::size_t>(document->search.algorithm)];
-  document->controllers.push_back(
-      {"found by " + std::string(algorithm), document->senses, document->rules, found.best_genome});
+  document->controllers.push_back({"found by " + std::string(algorithm), document->kind, document->senses,
+                                   document->rules, found.best_genome});
   document->timeline.push_back({static_cast<int>(document->controllers.size()) - 1, 0});
   document->hash = Simulate(*document).Hash();
   if (auto written = WriteText(arguments->Last("out"), EncodeJson(*document)); !written) return written;

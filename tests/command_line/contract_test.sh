@@ -44,7 +44,7 @@ same "$(awk -F, '{print NF}' motion.csv | sort -u | wc -l)" 1 "columns in every 
 # The same document for any number of threads.
 find() { "$gaitsmith" synthesize --figure inchworm --task travel --sense timer=0.8 --weight slip_sum=0.5 --search "$1" \
   --evaluations 300 --seed 9 --out "$2" --curve curve.csv --threads "$3" --search-option torus.side=8; }
-for search in rgt sphc gga ssga shc mpga nelder-mead powell cma-es map-elites; do
+for search in rgt sphc gga ssga shc mpga nelder-mead powell cma-es map-elites two-stage; do
   find $search one.json 1 || fault "synthesize"
   for threads in $([ $search = sphc ] && echo 2 3 4 5 6 7 8 || echo 3); do
     find $search many.json $threads; cmp -s one.json many.json || fault "$search with $threads threads found something else"

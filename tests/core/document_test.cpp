@@ -260,7 +260,8 @@ TEST_CASE("document: settings that no search can have are refused with what is a
           d.search.start = 0;
           d.rules = 9;
         }) ==
-        "search.start: must be a controller with the senses and the number of rules that are searched for");
+        "search.start: must be a controller of the kind, the senses and the number of rules that are "
+        "searched for");
   CHECK(fault([](Document& d) {
           d.search.algorithm = Algorithm::kGga;
           d.search.evaluations = 199;
@@ -308,7 +309,7 @@ TEST_CASE("JSON: what is wrong is said with its place", "[document]") {
         "rules: must be a whole number, is 1.5");
   CHECK(JsonFault(Changed(json, "\"sphc\"", "\"hpc\"")) ==
         "search.algorithm: \"hpc\" is not known; choose from rgt, sphc, gga, ssga, shc, mpga, nelder-mead, "
-        "powell, cma-es, map-elites");
+        "powell, cma-es, map-elites, two-stage");
   CHECK(JsonFault(Changed(json, "\"start_step\": 120", "\"start_step\": 300")) ==
         "timeline[2].start_step: must be after the start of the clip before it");
   CHECK(JsonFault(std::string(100, '[')).ends_with("is nested too deeply"));

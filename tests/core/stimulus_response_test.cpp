@@ -177,9 +177,10 @@ TEST_CASE("lanes: a batch of one and a batch of any size give the same bits, for
         }
       }
       // And the recorded motion is the evaluated one.
-      const Motion motion(document.figure, {}, {}, document.pushes,
-                          std::vector{Controller{"", document.senses, 10, genomes[3]}},
-                          std::vector<Clip>{{0, 0}}, 500);
+      const Motion motion(
+          document.figure, {}, {}, document.pushes,
+          std::vector{Controller{"", ControllerKind::kRules, document.senses, 10, genomes[3]}},
+          std::vector<Clip>{{0, 0}}, 500);
       REQUIRE(motion.Hash() == alone[3].trajectory_hash);
     }
   }

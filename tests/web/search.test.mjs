@@ -98,6 +98,15 @@ for (const algorithm of ['sphc', 'rgt', 'gga', 'shc', 'cma-es', 'map-elites']) {
   });
 }
 
+test('a network, by the two-stage search: one, two and three workers find the same', async () => {
+  const document = engine.documentFromText(JSON.stringify({ figure: JSON.parse(figure), kind: 'network',
+    search: { algorithm: 'two-stage', seed: 7, evaluations: 1500 } }));
+  const [one, two, three] = [await run(document, 1), await run(document, 2), await run(document, 3)];
+  assert.ok(one.last.bestFitness > 0.5);
+  assertSame(one, two);
+  assertSame(one, three);
+});
+
 test('five and eight workers find the same as one', async () => {
   const document = problem({ evaluations: 1000 });
   const one = await run(document, 1);

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Controllers of either kind: banks of stimulus-response rules and sensor-actuator networks.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/control/network.h"
+
+namespace gaitsmith {
+
+enum class ControllerKind {
+  kRules,    // banked stimulus-response rules: stimulus_response.h
+  kNetwork,  // a sensor-actuator network: network.h
+};
+/// Names on the command line and in documents.
+inline constexpr std::array<std::string_view, 2> kControllerKindNames = {"rules", "network"};
+
+/// Where each number of a controller stands in its genome, whatever its kind.
+class ControllerShape {
+ public:
+  // NOLINTBEGIN(google-explicit-constructor): whoever has the one has the other
+  ControllerShape(const BankShape& bank) : bank_(bank), network_(1, 1) {}
+  ControllerShape(const NetworkShape& network)
+      : kind_(ControllerKind::kNetwork), bank_(1, SenseKind::kTimer, 1), network_(network) {}
+  // NOLINTEND(google-explicit-constructor)
+
+  /// @param units rules of a bank or hidden nodes of a network, [1, kMaxRules]
+  ControllerShape(ControllerKind kind, int units, SenseKind senses, int rods)
+      : kind_(kind), bank_(units, senses, rods), network_(units, rods) {}
+
+  [[nodiscard]] ControllerKind Kind() const { return kind_; }
+  [[nodiscard]] const BankShape& Bank() const { return bank_; }           // of rules
+  [[nodiscard]] const NetworkShape& Network() const { return network_; }  // of a network
+  [[nodiscard]] std::size_t Genes() const { return Begin(Components()); }
+
+  /// What crossover exchanges as a whole and a mutation draws anew: a bank's rules, a network's nodes.
+  [[nodiscard]] int Components() const {
+    return kind_ == ControllerKind::kNetwork ? network_.Nodes() : bank_.rules;
+  }
+  /// The first gene of a component; of Components(), the number of all genes.
+  [[nodiscard]] std::size_t Begin(int component) const {
+    if (kind_ == ControllerKind::kNetwork) return network_.Node(component);
+    return static_cast<std::size_t>(component) * static_cast<std::size_t>(bank_.GenesPerRule());
+  }
+
+ private:
+  ControllerKind kind_ = ControllerKind::kRules;
+  BankShape bank_;
+  NetworkShape network_;
+};
+
+/// A found (or drawn) controller, as a document holds it.
+struct Controller {
+  std::string name;
+  ControllerKind kind = ControllerKind::kRules;
+  SenseSpec senses;  // a network has the physical ones, and uses the range of tau alone
+  int rules = 0;     // or a network's hidden nodes
+  Genome genes;
+
+  [[nodiscard]] ControllerShape Shape(int rods) const { return {kind, rules, senses.kind, rods}; }
+};
+
+}  // namespace gaitsmith

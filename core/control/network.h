@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// Sensor-actuator networks (SAN) [VanDePanne Fiume 1993], the other kind of controller: a few binary
+// sensors, hidden nodes and actuators, all connected by weights, and no state but delays. Design decision 21
+// says what we read into the sources.
+//
+//   touch sensor     1 while the ground pushes the endpoint
+//   angle sensor     1 while the joint's angle is above a threshold
+//   hidden node      charges while the weighted sum of its inputs is positive, discharges otherwise, in its
+//   delay
+//                    from empty to full; its output turns to 1 when full and to 0 when empty
+//   actuator         charges alike; its charge itself places the joint's target between two angles
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/control/response.h"
+#include "core/control/stimulus_response.h"
+#include "core/numeric/lane.h"
+#include "core/numeric/scalar_math.h"
+
+namespace gaitsmith {
+
+inline constexpr int kMaxHidden = kMaxRules;
+inline constexpr int kMaxNodes = kMaxHidden + kMaxJoints;
+inline constexpr int kMaxInputs = kMaxEndpoints + kMaxJoints + kMaxHidden;  // 64
+/// Weights lie in [-kMostWeight, kMostWeight].
+inline constexpr float kMostWeight = 2.0f;
+
+/// Where each number of a network stands in its genome: node after node, hidden ones first; per node the
+/// weight of every input (touches, angles, hidden outputs), the delay, and for an actuator the threshold of
+/// its joint's sensor, both ends of its target and its time constant.
+struct NetworkShape {
+  int hidden = 10;  // [1, kMaxHidden]
+  int touches = 0;  // endpoints
+  int joints = 0;
+
+  NetworkShape(int hidden_nodes, int rods) : hidden(hidden_nodes), touches(rods + 1), joints(rods - 1) {}
+
+  [[nodiscard]] int Inputs() const { return touches + joints + hidden; }
+  [[nodiscard]] int Nodes() const { return hidden + joints; }
+  [[nodiscard]] bool IsActuator(int node) const { return node >= hidden; }
+  /// The first gene of a node; of Nodes(), the number of all genes.
+  [[nodiscard]] std::size_t Node(int node) const {
+    const int actuators = std::max(0, node - hidden);
+    return static_cast<std::size_t>(node * (Inputs() + 1) + actuators * kActuatorGenes);
+  }
+  [[nodiscard]] std::size_t Genes() const { return Node(Nodes()); }
+  [[nodiscard]] std::size_t Weight(int node, int input) const {
+    return Node(node) + static_cast<std::size_t>(input);
+  }
+  [[nodiscard]] std::size_t Delay(int node) const { return Weight(node, Inputs()); }
+  [[nodiscard]] std::size_t Threshold(int actuator) const { return Delay(actuator) + 1; }
+  [[nodiscard]] std::size_t TargetEmpty(int actuator) const { return Delay(actuator) + 2; }
+  [[nodiscard]] std::size_t TargetFull(int actuator) const { return Delay(actuator) + 3; }
+  [[nodiscard]] std::size_t Tau(int actuator) const { return Delay(actuator) + 4; }
+
+ private:
+  static constexpr int kActuatorGenes = 4;  // more than a hidden node has
+};
+
+/// "touch 3", "angle 2", "node 7": inputs count from 1 like endpoints and joints.
+[[nodiscard]] std::string InputName(const NetworkShape&, int input);
+
+/// What W networks carry from step to step.
+template <int W>
+struct NetworkState {
+  using F = typename Lane<W>::F;
+  std::array<F, kMaxInputs> input{};  // 0 or 1
+  std::array<F, kMaxNodes> charge{};  // [0, 1]
+};
+
+/// W networks of one shape side by side.
+template <int W>
+class Network {
+  using L = Lane<W>;
+  using F = typename L::F;
+
+ public:
+  /// @param genomes 1 to W of them, all of this shape; missing lanes repeat the last one
+  /// @param limits  least and greatest angle of each joint [rad], shape.joints pairs
+  /// @param step_s  time step
+  Network(const NetworkShape& shape, const SenseSpec& senses, std::span<const std::span<const Gene>> genomes,
+          std::span<const std::array<float, 2>> limits, float step_s)
+      : shape_(shape),
+        weight_(static_cast<std::size_t>(shape.Nodes() * shape.Inputs())),
+        charging_(static_cast<std::size_t>(shape.Nodes())),
+        threshold_(static_cast<std::size_t>(shape.joints)),
+        target_empty_(threshold_.size()),
+        target_span_(threshold_.size()),
+        decay_(threshold_.size()),
+        inverse_tau_(threshold_.size()) {
+    for (int lane = 0; lane < W; ++lane) {
+      const auto& genes = genomes[std::min(static_cast<std::size_t>(lane), genomes.size() - 1)];
+      for (int node = 0; node < shape.Nodes(); ++node) {
+        for (int input = 0; input < shape.Inputs(); ++input) {
+          weight_[static_cast<std::size_t>(node * shape.Inputs() + input)][lane] =
+              Decode(genes[shape.Weight(node, input)], -kMostWeight, kMostWeight);
+        }
+        charging_[static_cast<std::size_t>(node)][lane] =
+            step_s / DecodeTau(genes[shape.Delay(node)], senses);
+      }
+      for (int joint = 0; joint < shape.joints; ++joint) {
+        const auto j = static_cast<std::size_t>(joint);
+        const int actuator = shape.hidden + joint;
+        const auto angle = [&](std::size_t gene) { return Decode(genes[gene], limits[j][0], limits[j][1]); };
+        threshold_[j][lane] = angle(shape.Threshold(actuator));
+        target_empty_[j][lane] = angle(shape.TargetEmpty(actuator));
+        target_span_[j][lane] = angle(shape.TargetFull(actuator)) - angle(shape.TargetEmpty(actuator));
+        const float tau = DecodeTau(genes[shape.Tau(actuator)], senses);
+        decay_[j][lane] = static_cast<float>(Exp(-static_cast<double>(step_s) / static_cast<double>(tau)));
+        inverse_tau_[j][lane] = 1.0f / tau;
+      }
+    }
+  }
+
+  /// All nodes empty and silent.
+  void Begin(NetworkState<W>& state, Response<W>& response) const {
+    state = {};
+    for (std::size_t j = 0; j < threshold_.size(); ++j) {
+      response.target_rad[j] = target_empty_[j];
+      response.decay[j] = decay_[j];
+      response.inverse_tau[j] = inverse_tau_[j];
+    }
+  }
+
+  /// One step of all nodes at once: each goes by the outputs that the others had.
+  /// @param angle_rad of each joint
+  /// @param push      of the ground at each endpoint, any unit; only its sign counts
+  void Advance(std::span<const F> angle_rad, std::span<const F> push, NetworkState<W>& state,
+               Response<W>& response) const {
+    const auto touches = static_cast<std::size_t>(shape_.touches);
+    const auto joints = static_cast<std::size_t>(shape_.joints);
+    const auto hidden = static_cast<std::size_t>(shape_.hidden);
+    const std::size_t inputs = touches + joints + hidden;
+    const F one = L::Splat(1.0f);
+    for (std::size_t k = 0; k < touches; ++k) state.input[k] = L::Select(push[k] > 0.0f, one, F{});
+    for (std::size_t j = 0; j < joints; ++j) {
+      state.input[touches + j] = L::Select(angle_rad[j] > threshold_[j], one, F{});
+    }
+    for (std::size_t node = 0; node < hidden + joints; ++node) {
+      F sum{};
+      const F* weight = &weight_[node * inputs];
+      for (std::size_t i = 0; i < inputs; ++i) sum += weight[i] * state.input[i];
+      const F step = L::Select(sum > 0.0f, charging_[node], -charging_[node]);
+      state.charge[node] = L::Max(L::Min(state.charge[node] + step, one), F{});
+    }
+    for (std::size_t node = 0; node < hidden; ++node) {
+      F& output = state.input[touches + joints + node];
+      const F charge = state.charge[node];
+      output = L::Select(charge >= 1.0f, one, L::Select(charge <= 0.0f, F{}, output));
+    }
+    for (std::size_t j = 0; j < joints; ++j) {
+      response.target_rad[j] = target_empty_[j] + target_span_[j] * state.charge[hidden + j];
+    }
+  }
+
+  [[nodiscard]] const NetworkShape& Shape() const { return shape_; }
+
+ private:
+  NetworkShape shape_;
+  std::vector<F> weight_;                                  // (nodes x inputs)
+  std::vector<F> charging_;                                // share of a full charge per step, (nodes)
+  std::vector<F> threshold_, target_empty_, target_span_;  // [rad] (joints)
+  std::vector<F> decay_, inverse_tau_;                     // (joints), [1], [1/s]
+};
+
+}  // namespace gaitsmith

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+// Walks a document and fills it from JSON, checking everything. Only for json.cpp.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/document/archive.h"
+#include "core/document/json_value.h"
+#include "core/document/schema.h"
+
+namespace gaitsmith {
+
+class JsonReader : public Archive {
+ public:
+  explicit JsonReader(const JsonValue& root) { Open(root); }
+
+  void Real(std::string_view name, float& value, float low, float high, float standard) {
+    value = standard;
+    const JsonValue* given = Get(name, JsonValue::Kind::kNumber);
+    if (given == nullptr) return;
+    if (std::abs(given->number) > 3.4e38) return FailAt(name, ErrorCode::kOutOfRange, "is too large");
+    value = static_cast<float>(given->number);
+    CheckReal(name, value, low, high);
+  }
+  void Integer(std::string_view name, int& value, int low, int high, int standard) {
+    value = standard;
+    std::int64_t wide = 0;
+    if (Whole(name, wide, low, high)) value = static_cast<int>(wide);
+  }
+  void Model(std::string_view name, int& model) {
+    std::int64_t wide = 1;
+    Whole(name, wide, 0, 1'000'000);
+    if (Ok()) CheckModel(name, wide);
+    if (Ok()) model = static_cast<int>(wide);
+  }
+  void Natural(std::string_view name, std::uint32_t& value, std::uint32_t standard) {
+    value = standard;
+    std::int64_t wide = 0;
+    if (Whole(name, wide, 0, 0xffffffff)) value = static_cast<std::uint32_t>(wide);
+  }
+  void Flag(std::string_view name, bool& value, bool standard) {
+    const JsonValue* given = Get(name, JsonValue::Kind::kBool);
+    value = given == nullptr ? standard : given->boolean;
+  }
+  template <class Enum, class Names>
+  void Choice(std::string_view name, Enum& value, const Names& names, Enum standard) {
+    value = standard;
+    const JsonValue* given = Get(name, JsonValue::Kind::kString);
+    if (given == nullptr) return;
+    const auto found = std::ranges::find(names, given->text);
+    if (found == names.end()) {
+      std::string known;
+      for (const std::string_view option : names) known += (known.empty() ? "" : ", ") + std::string(option);
+      return FailAt(name, ErrorCode::kUnknownName,
+                    "\"" + given->text + "\" is not known; choose from " + known);
+    }
+    value = static_cast<Enum>(found - names.begin());
+  }
+  void Text(std::string_view name, std::string& text) {
+    text.clear();
+    const JsonValue* given = Get(name, JsonValue::Kind::kString);
+    if (given == nullptr) return;
+    text = given->text;
+    CheckText(name, text);
+  }
+  template <class Fields>
+  void Group(std::string_view name, Fields fields) {
+    static const JsonValue kEmpty = OfKind(JsonValue::Kind::kObject);
+    const JsonValue* given = Get(name, JsonValue::Kind::kObject);
+    if (!Ok()) return;
+    Enter(name);
+    Open(given == nullptr ? kEmpty : *given);
+    fields();
+    Close();
+    Leave();
+  }
+  template <class Item, class Fields>
+  void List(std::string_view name, std::vector<Item>& list, int most, Fields fields) {
+    list.clear();
+    const JsonValue* given = Get(name, JsonValue::Kind::kArray);
+    if (given == nullptr) return;
+    CheckCount(name, given->items.size(), static_cast<std::size_t>(most));
+    Enter(name);
+    for (std::size_t i = 0; i < given->items.size() && Ok(); ++i) {
+      EnterElement(i);
+      if (given->items[i].kind != JsonValue::Kind::kObject) {
+        FailAt("", ErrorCode::kSyntax, std::string("must be an object, is ") + given->items[i].KindName());
+      } else {
+        Open(given->items[i]);
+        fields(list.emplace_back());
+        Close();
+      }
+      Leave();
+    }
+    Leave();
+  }
+  void Hash(std::string_view name, std::optional<std::uint64_t>& hash) {
+    hash.reset();
+    const JsonValue* given = Get(name, JsonValue::Kind::kString);
+    if (given == nullptr) return;
+    std::uint64_t value = 0;
+    bool good = given->text.size() == 16;
+    for (const char c : given->text) {
+      const auto digit = std::string_view("0123456789abcdef").find(c);
+      good = good && digit != std::string_view::npos;
+      value = value << 4 | (digit & 15u);
+    }
+    if (!good) return FailAt(name, ErrorCode::kSyntax, "must be 16 hexadecimal digits");
+    hash = value;
+  }
+  void Genes(Controller& controller, int rods) {
+    const bool network = controller.kind == ControllerKind::kNetwork;
+    const std::string_view list = network ? "nodes" : "rules";
+    const JsonValue* given = Get(list, JsonValue::Kind::kArray);
+    if (!Ok()) return;
+    if (rods < 1) return FailAt(list, ErrorCode::kStructure, "the figure has no rods");
+    const int outside = network ? rods - 1 : 0;  // nodes that are not hidden: the actuators
+    const auto least = static_cast<std::size_t>(1 + outside);
+    const auto most = static_cast<std::size_t>(kMaxRules + outside);
+    if (given == nullptr || given->items.size() < least || given->items.size() > most) {
+      return FailAt(list, ErrorCode::kOutOfRange,
+                    "there must be " + std::to_string(least) + " to " + std::to_string(most) +
+                        (network ? ": hidden nodes, then one for each joint" : ""));
+    }
+    controller.rules = static_cast<int>(given->items.size()) - outside;
+    const ControllerShape shape = controller.Shape(rods);
+    controller.genes.assign(shape.Genes(), 0);
+    Enter(list);
+    for (std::size_t i = 0; i < given->items.size() && Ok(); ++i) {
+      EnterElement(i);
+      const JsonValue& item = given->items[i];
+      if (item.kind != JsonValue::Kind::kObject) {
+        FailAt("", ErrorCode::kSyntax, std::string("must be an object, is ") + item.KindName());
+      } else {
+        Open(item);
+        if (network) {
+          Node(controller, shape.Network(), static_cast<int>(i));
+        } else {
+          Rule(controller, shape.Bank(), rods, static_cast<int>(i));
+        }
+        Close();
+      }
+      Leave();
+    }
+    Leave();
+  }
+  template <class Fields>
+  void Since(int, Fields fields) {
+    fields();
+  }
+  void Finish() { Close(); }
+
+ private:
+  void Rule(Controller& controller, const BankShape& shape, int rods, int rule) {
+    for (int sense = 0; sense < shape.senses; ++sense) controller.genes[shape.High(rule, sense)] = kGeneMax;
+    Group("when", [&] {
+      for (int sense = 0; sense < shape.senses; ++sense) {
+        const std::string name = SenseName(controller.senses.kind, rods, sense);
+        Gene interval[2] = {0, kGeneMax};
+        if (!GeneList(name, interval, false)) continue;
+        if (interval[0] > interval[1]) return FailAt(name, ErrorCode::kOutOfRange, "ends before it begins");
+        controller.genes[shape.Low(rule, sense)] = interval[0];
+        controller.genes[shape.High(rule, sense)] = interval[1];
+      }
+    });
+    GeneList("pose", GenesAt(controller, shape.Target(rule, 0), shape.joints), true);
+    OneGene("tau", controller.genes[shape.Tau(rule)]);
+  }
+  void Node(Controller& controller, const NetworkShape& shape, int node) {
+    GeneList("weights", GenesAt(controller, shape.Weight(node, 0), shape.Inputs()), true);
+    OneGene("delay", controller.genes[shape.Delay(node)]);
+    if (!shape.IsActuator(node)) return;
+    OneGene("threshold", controller.genes[shape.Threshold(node)]);
+    GeneList("targets", GenesAt(controller, shape.TargetEmpty(node), 2), true);
+    OneGene("tau", controller.genes[shape.Tau(node)]);
+  }
+
+  static std::span<Gene> GenesAt(Controller& controller, std::size_t first, int count) {
+    return std::span(controller.genes).subspan(first, static_cast<std::size_t>(count));
+  }
+  void OneGene(std::string_view name, Gene& gene) {
+    std::int64_t value = 0;
+    if (!Whole(name, value, 0, kGeneMax) && Ok()) FailAt(name, ErrorCode::kMissing, "is missing");
+    gene = static_cast<Gene>(value);
+  }
+  /// Reads as many genes as there is room for. @return whether they were given
+  bool GeneList(std::string_view name, std::span<Gene> genes, bool required) {
+    const JsonValue* given = Get(name, JsonValue::Kind::kArray);
+    if (given == nullptr) {
+      if (required && Ok()) FailAt(name, ErrorCode::kMissing, "is missing");
+      return false;
+    }
+    if (given->items.size() != genes.size()) {
+      FailAt(
+          name, ErrorCode::kStructure,
+          "needs " + std::to_string(genes.size()) + " numbers, has " + std::to_string(given->items.size()));
+      return false;
+    }
+    for (std::size_t i = 0; i < genes.size(); ++i) {
+      const double number = given->items[i].number;
+      if (given->items[i].kind != JsonValue::Kind::kNumber || number != std::floor(number) || number < 0 ||
+          number > kGeneMax) {
+        FailAt(name, ErrorCode::kOutOfRange, "must hold whole numbers from 0 to 65535");
+        return false;
+      }
+      genes[i] = static_cast<Gene>(number);
+    }
+    return true;
+  }
+
+  bool Whole(std::string_view name, std::int64_t& value, std::int64_t low, std::int64_t high) {
+    const JsonValue* given = Get(name, JsonValue::Kind::kNumber);
+    if (given == nullptr) return false;
+    if (given->number != std::floor(given->number) || std::abs(given->number) > 9e15) {
+      FailAt(name, ErrorCode::kSyntax, "must be a whole number, is " + given->text);
+      return false;
+    }
+    value = static_cast<std::int64_t>(given->number);
+    CheckInteger(name, value, low, high);
+    return Ok();
+  }
+
+  const JsonValue* Get(std::string_view name, JsonValue::Kind kind) {
+    if (!Ok()) return nullptr;
+    const JsonValue* value = open_.back().object->Find(name);
+    if (value == nullptr) return nullptr;
+    open_.back().asked.push_back(value);
+    if (value->kind == kind) return value;
+    FailAt(name, ErrorCode::kSyntax,
+           std::string("must be ") + OfKind(kind).KindName() + ", is " + value->KindName());
+    return nullptr;
+  }
+
+  static JsonValue OfKind(JsonValue::Kind kind) {
+    JsonValue value;
+    value.kind = kind;
+    return value;
+  }
+
+  void Open(const JsonValue& object) { open_.push_back({&object, {}}); }
+  /// Every member must have been asked for: whatever is left over is a field that does not exist.
+  void Close() {
+    const Level level = std::move(open_.back());
+    open_.pop_back();
+    if (!Ok()) return;
+    for (std::size_t i = 0; i < level.object->names.size(); ++i) {
+      if (std::ranges::find(level.asked, &level.object->items[i]) == level.asked.end()) {
+        return FailAt(level.object->names[i], ErrorCode::kUnknownName, "there is no such field");
+      }
+    }
+  }
+
+  struct Level {
+    const JsonValue* object;
+    std::vector<const JsonValue*> asked;
+  };
+  std::vector<Level> open_;
+};
+
+}  // namespace gaitsmith
