@@ -13,7 +13,7 @@ using gaitsmith::shell::Words;
 
 struct Command {
   std::string_view name;
-  gaitsmith::Result<void> (*run)(Words);
+  gaitsmith::shell::Outcome (*run)(Words);
   const char* usage;
 };
 
@@ -48,8 +48,8 @@ int main(int count, char** words) {
     const auto done = command.run(Words(given).subspan(1));
     if (done) return 0;
     std::fprintf(stderr, "gaitsmith %s: %s\n", std::string(command.name).c_str(),
-                 done.error().Sentence().c_str());
-    return 1;
+                 done.error().error.Sentence().c_str());
+    return done.error().status;
   }
   std::fprintf(stderr, "gaitsmith: there is no command \"%.*s\"; gaitsmith help lists them\n",
                static_cast<int>(given[0].size()), given[0].data());
