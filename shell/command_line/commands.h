@@ -4,6 +4,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "core/numeric/error.h"
@@ -28,8 +29,13 @@ using Outcome = std::expected<void, Refusal>;
 
 [[nodiscard]] Outcome SimulateCommand(Words words);
 [[nodiscard]] Outcome SynthesizeCommand(Words words);
+[[nodiscard]] Outcome CompareCommand(Words words);
+[[nodiscard]] Outcome MergeCommand(Words words);
 [[nodiscard]] Outcome HashCommand(Words words);
 [[nodiscard]] Outcome ValidateCommand(Words words);
 [[nodiscard]] Outcome LinkCommand(Words words);
+
+/// What `compare --summary` prints of a file of results.
+[[nodiscard]] Outcome Summarize(const std::string& path);
 
 }  // namespace gaitsmith::shell

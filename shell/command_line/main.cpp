@@ -17,12 +17,18 @@ struct Command {
   const char* usage;
 };
 
-constexpr std::array<Command, 5> kCommands = {{
+constexpr std::array<Command, 7> kCommands = {{
     {"simulate", gaitsmith::shell::SimulateCommand, "simulate DOC --csv OUT"},
     {"synthesize", gaitsmith::shell::SynthesizeCommand,
      "synthesize --figure F --task T --sense physical|timer=SECONDS --weight TERM=W\n"
      "             --search rgt|sphc --evaluations N --seed S --out DOC [--curve CSV] [--threads K]\n"
      "             [--rules N] [--duration SECONDS]"},
+    {"compare", gaitsmith::shell::CompareCommand,
+     "compare --problem DOC … --search ALG[:OPTION=VALUE…] … --trials N --evaluations E --out CSV\n"
+     "             --curves CSV [--first-seed S] [--points P] [--sense physical|timer=SECONDS]\n"
+     "             [--weight TERM=W] [--duration SECONDS] [--shard I/N] [--threads K]\n"
+     "  gaitsmith compare --summary CSV"},
+    {"merge", gaitsmith::shell::MergeCommand, "merge --out CSV [--complete] SHARD …"},
     {"hash", gaitsmith::shell::HashCommand, "hash DOC [--lanes 1|2|4|8|16] [--out DOC]"},
     {"validate", gaitsmith::shell::ValidateCommand, "validate DOC"},
     {"link", gaitsmith::shell::LinkCommand, "link encode DOC | link decode LINK [--out DOC]"},
