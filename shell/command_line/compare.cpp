@@ -54,9 +54,11 @@ class TrialCrew {
     }
     if (--working_ == 0) left_off_.notify_all();
   }
-  /// The curve first: a trial counts as finished when both files have it, and a curve takes longer to write.
   void Keep(std::size_t trial, const TrialRows& rows) {
-    auto kept = curves_.Add(trial, rows.curve);
+    auto kept = results_.Confirm(trial, rows.result);
+    if (kept) kept = curves_.Confirm(trial, rows.curve);
+    // The curve first, for it takes longer to write: a trial counts when both files have it.
+    if (kept) kept = curves_.Add(trial, rows.curve);
     if (kept) kept = results_.Add(trial, rows.result);
     if (kept) {
       ++finished_;
@@ -108,13 +110,18 @@ Result<Shard> ReadShard(const std::string& text) {
   return Shard{.first = number - 1, .of = of};
 }
 
-/// Neither output may be the other, nor the other's file of the moment before it is renamed.
+/// Both outputs must be files, and neither may be the other, nor the other's file of the moment before it is
+/// renamed.
 Result<void> CheckPaths(const std::string& out, const std::string& curves) {
   const auto canonical = [](const std::string& path) {
     std::error_code fault;
     const auto found = std::filesystem::weakly_canonical(path, fault);
     return fault ? path : found.string();
   };
+  if (out == "-" || curves == "-") {
+    return Fail(ErrorCode::kStructure, out == "-" ? "--out" : "--curves",
+                "must be a file, for finished trials are kept there");
+  }
   std::error_code ignored;
   const std::string one = canonical(out), other = canonical(curves);
   if (one != other && one + ".part" != other && other + ".part" != one &&
@@ -165,12 +172,13 @@ Outcome CompareCommand(Words words) {
   for (std::size_t i = shard->first; i < study->plan.Total(); i += shard->of) {
     if (!results->Has(i) || !curves->Has(i)) trials.push_back(i);
   }
+  const std::size_t wanted = trials.size();
   TrialCrew crew(*study, std::move(trials), *results, *curves);
   if (auto run = crew.Run(static_cast<int>(*threads)); !run) return std::unexpected(run.error());
   if (crew.Left() > 0) {
-    return Fail(
-        ErrorCode::kTruncated, "",
-        "stopped, " + std::to_string(crew.Left()) + " trials are left; the same command goes on with them");
+    return Fail(ErrorCode::kTruncated, "",
+                "stopped; " + std::to_string(crew.Left()) + " of " + std::to_string(wanted) +
+                    " trials are left, with which the same command goes on");
   }
   for (StudyLog* log : {&*results, &*curves}) {
     if (auto finished = log->Finish(); !finished) return std::unexpected(finished.error());

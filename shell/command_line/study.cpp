@@ -111,7 +111,9 @@ Result<SearchSettings> ReadSearch(const std::string& label) {
     const std::size_t next = std::min(label.find(':', colon + 1), label.size());
     const std::string option = label.substr(colon + 1, next - colon - 1);
     if (auto set = SetSearchOption(option, settings); !set) {
-      return Fail(set.error().code, where, option.substr(0, option.find('=')) + ": " + set.error().what);
+      const std::string name =
+          set.error().where != "--search-option" ? option.substr(0, option.find('=')) + ": " : "";
+      return Fail(set.error().code, where, name + set.error().what);
     }
     colon = next;
   }

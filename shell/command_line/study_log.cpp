@@ -39,7 +39,7 @@ Result<StudyLog> StudyLog::Open(const std::string& path, const StudyPlan& plan, 
   StudyLog log(path, plan, table);
   struct stat there{};
   const bool exists = ::stat(path.c_str(), &there) == 0;
-  if (path == "-" || (exists && !S_ISREG(there.st_mode))) {
+  if (exists && !S_ISREG(there.st_mode)) {
     return Fail(ErrorCode::kStructure, path, "must be a file of its own, for finished trials are kept there");
   }
   log.descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
@@ -88,16 +88,18 @@ Result<void> StudyLog::Begin() {
   return Write(Heading(file_.plan, file_.table));
 }
 
-Result<void> StudyLog::Add(std::size_t trial, const std::string& rows) {
+Result<void> StudyLog::Confirm(std::size_t trial, const std::string& rows) const {
   const auto there = file_.trials.find(trial);
-  if (there == file_.trials.end()) {
-    file_.trials[trial] = {.text = rows, .line = lines_ + 1};
-    lines_ += static_cast<std::size_t>(std::ranges::count(rows, '\n'));
-    return Write(rows);
-  }
-  if (there->second.text == rows) return {};
+  if (there == file_.trials.end() || there->second.text == rows) return {};
   return Fail(ErrorCode::kChecksum, path_ + ":" + std::to_string(there->second.line),
               "this trial now finds something else: the file was changed, or another version wrote it");
+}
+
+Result<void> StudyLog::Add(std::size_t trial, const std::string& rows) {
+  if (Has(trial)) return {};
+  file_.trials[trial] = {.text = rows, .line = lines_ + 1};
+  lines_ += static_cast<std::size_t>(std::ranges::count(rows, '\n'));
+  return Write(rows);
 }
 
 Result<void> StudyLog::Finish() {

@@ -20,7 +20,9 @@ class StudyLog {
   [[nodiscard]] bool Has(std::size_t trial) const { return file_.trials.contains(trial); }
   /// Writes the heading, or drops a torn end.
   [[nodiscard]] Result<void> Begin();
-  /// Appends a finished trial. One that is there already must be the same.
+  /// Whether a trial that is there has these very rows, so that one half of a trial can be trusted.
+  [[nodiscard]] Result<void> Confirm(std::size_t trial, const std::string& rows) const;
+  /// Appends a finished trial that is not there yet.
   [[nodiscard]] Result<void> Add(std::size_t trial, const std::string& rows);
   /// Rewrites the file in canonical order, at once or not at all.
   [[nodiscard]] Result<void> Finish();
