@@ -143,7 +143,8 @@ std::string RowsOf(const StudyPlan& plan, StudyTable table, std::size_t trial, c
 double BestIn(std::string_view row) {
   for (int field = 0; field < 4; ++field) row.remove_prefix(row.find(',') + 1);
   double best = 0.0;
-  std::from_chars(row.data(), row.data() + row.find(','), best);
+  row = row.substr(0, row.find(','));
+  std::from_chars(row.data(), row.data() + row.size(), best);
   return best;
 }
 

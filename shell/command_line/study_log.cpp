@@ -54,10 +54,10 @@ Result<StudyLog> StudyLog::Open(const std::string& path, const StudyPlan& plan, 
       there.st_ino != opened.st_ino || there.st_dev != opened.st_dev) {
     return Fail(ErrorCode::kStructure, path, "was replaced by another run just now; try again");
   }
-  log.created_ = !exists;
 
   const auto text = ReadText(path);
   if (!text) return std::unexpected(text.error());
+  log.created_ = !exists && text->empty();
   const std::string heading = Heading(plan, table);
   if (heading.starts_with(*text)) return log;  // killed before the heading was whole
   const auto found = ParseHeading(*text);
