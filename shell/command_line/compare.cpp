@@ -31,6 +31,7 @@ class TrialCrew {
     std::unique_lock lock(mutex_);
     std::vector<std::jthread> workers;
     working_ = std::min(static_cast<std::size_t>(threads), trials_.size());
+    workers.reserve(working_);
     for (std::size_t i = 0; i < working_; ++i) workers.emplace_back([this] { Work(); });
     while (!left_off_.wait_for(lock, std::chrono::milliseconds(250), [this] { return working_ == 0; }))
       Draw();
