@@ -2,15 +2,11 @@
 // One searching thread, which brings its own crew.
 #include "shell/host_native.h"
 
-#include <algorithm>
-
 namespace gaitsmith::shell {
 
 NativeHost::~NativeHost() { StopSearch(); }
 
-int NativeHost::MaxWorkers() const {
-  return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-}
+int NativeHost::MaxWorkers() const { return Cores(); }
 
 void NativeHost::StartSearch(const Document& document, int workers) {
   StopSearch();

@@ -101,6 +101,8 @@ bool SearchControl::Proceed() {
   return !cancelled_;
 }
 
+int Cores() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
+
 SearchProgress RunParallelSearch(const Problem& problem, const SearchSettings& settings, int threads,
                                  SearchControl& control,
                                  const std::function<void(const SearchProgress&)>& report,

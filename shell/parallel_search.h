@@ -29,6 +29,9 @@ class SearchControl {
   bool cancelled_ = false;
 };
 
+/// Cores of this machine, at least 1.
+[[nodiscard]] int Cores();
+
 /// @param problem   valid
 /// @param threads   >= 1
 /// @param report    called on the calling thread, between batches

@@ -29,8 +29,9 @@ void TwoStage::Absorb(std::span<const Genome> batch, std::span<const Score> scor
   }
   std::vector<std::size_t> order(batch.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(
-      order, [&](std::size_t a, std::size_t b) { return scores[a].fitness > scores[b].fitness; });
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
+    return scores[a].fitness != scores[b].fitness ? scores[a].fitness > scores[b].fitness : a < b;
+  });
   order.resize(std::min(order.size(), static_cast<std::size_t>(Settings().two_stage.kept)));
   for (const std::size_t i : order) kept_.push_back({batch[i], scores[i].fitness});
 }

@@ -8,7 +8,8 @@
 namespace gaitsmith::shell {
 
 Result<Arguments> Arguments::Parse(std::span<const std::string_view> words,
-                                   std::span<const std::string_view> known) {
+                                   std::span<const std::string_view> known,
+                                   std::span<const std::string_view> flags) {
   Arguments arguments;
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (!words[i].starts_with("--")) {
@@ -18,6 +19,13 @@ Result<Arguments> Arguments::Parse(std::span<const std::string_view> words,
     std::string_view option = words[i].substr(2);
     const auto equals = option.find('=');
     const std::string_view name = option.substr(0, equals);
+    if (std::ranges::find(flags, name) != flags.end()) {
+      if (equals != std::string_view::npos) {
+        return Fail(ErrorCode::kSyntax, "--" + std::string(name), "takes no value");
+      }
+      arguments.options_[std::string(name)].emplace_back();
+      continue;
+    }
     if (std::ranges::find(known, name) == known.end()) {
       return Fail(ErrorCode::kUnknownName, "--" + std::string(name), "this command has no such option");
     }
@@ -54,6 +62,15 @@ Result<long long> Arguments::Integer(std::string_view option, long long low, lon
                     ", is \"" + text + "\"");
   }
   return value;
+}
+
+Result<int> IndexOf(std::span<const std::string_view> names, std::string_view name, std::string_view where) {
+  const auto found = std::ranges::find(names, name);
+  if (found != names.end()) return static_cast<int>(found - names.begin());
+  std::string known;
+  for (const std::string_view option : names) known += (known.empty() ? "" : ", ") + std::string(option);
+  return Fail(ErrorCode::kUnknownName, std::string(where),
+              "\"" + std::string(name) + "\" is not known; choose from " + known);
 }
 
 Result<double> ParseNumber(std::string_view text, std::string_view what) {

@@ -14,9 +14,11 @@ namespace gaitsmith::shell {
 
 class Arguments {
  public:
-  /// @param known options this command has, without dashes; all of them take a value
+  /// @param known options this command has, without dashes, that take a value
+  /// @param flags those that take none
   [[nodiscard]] static Result<Arguments> Parse(std::span<const std::string_view> words,
-                                               std::span<const std::string_view> known);
+                                               std::span<const std::string_view> known,
+                                               std::span<const std::string_view> flags = {});
 
   [[nodiscard]] const std::vector<std::string>& Positional() const { return positional_; }
   /// All values given for an option, in order.
@@ -32,6 +34,10 @@ class Arguments {
   std::vector<std::string> positional_;
   std::map<std::string, std::vector<std::string>, std::less<>> options_;
 };
+
+/// The place of a name among those that are known, or a sentence that lists them.
+[[nodiscard]] Result<int> IndexOf(std::span<const std::string_view> names, std::string_view name,
+                                  std::string_view where);
 
 /// The whole text as a number, or what is wrong with it.
 [[nodiscard]] Result<double> ParseNumber(std::string_view text, std::string_view what);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The commands of `gaitsmith`; docs/command-line.md is the contract. Each takes its words and returns what
-// went wrong.
+// The commands of `gaitsmith`; docs/command-line.md is the contract. Each takes its words and returns why it
+// refused.
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "core/numeric/error.h"
@@ -12,10 +13,29 @@ namespace gaitsmith::shell {
 
 using Words = std::span<const std::string_view>;
 
-[[nodiscard]] Result<void> SimulateCommand(Words words);
-[[nodiscard]] Result<void> SynthesizeCommand(Words words);
-[[nodiscard]] Result<void> HashCommand(Words words);
-[[nodiscard]] Result<void> ValidateCommand(Words words);
-[[nodiscard]] Result<void> LinkCommand(Words words);
+/// Why a command refused, and the exit status that tells scripts.
+struct Refusal {
+  Refusal(Error fault, int exit_status = 1)  // implicit: most refusals are just an error
+      : error(std::move(fault)), status(exit_status) {}
+  Error error;
+  int status;  // 1, or 2 for a wrong call
+};
+using Outcome = std::expected<void, Refusal>;
+
+/// The call itself is wrong: no file could make it right.
+[[nodiscard]] inline std::unexpected<Refusal> WrongCall(Error error) {
+  return std::unexpected(Refusal(std::move(error), 2));
+}
+
+[[nodiscard]] Outcome SimulateCommand(Words words);
+[[nodiscard]] Outcome SynthesizeCommand(Words words);
+[[nodiscard]] Outcome CompareCommand(Words words);
+[[nodiscard]] Outcome MergeCommand(Words words);
+[[nodiscard]] Outcome HashCommand(Words words);
+[[nodiscard]] Outcome ValidateCommand(Words words);
+[[nodiscard]] Outcome LinkCommand(Words words);
+
+/// What `compare --summary` prints of a file of results.
+[[nodiscard]] Outcome Summarize(const std::string& path);
 
 }  // namespace gaitsmith::shell

@@ -54,7 +54,7 @@ Result<void> HashInLanes(const Document& document, int lanes) {
 
 }  // namespace
 
-Result<void> HashCommand(Words words) {
+Outcome HashCommand(Words words) {
   static constexpr std::string_view kOptions[] = {"lanes", "out"};
   const auto arguments = Arguments::Parse(words, kOptions);
   if (!arguments) return std::unexpected(arguments.error());
@@ -69,7 +69,7 @@ Result<void> HashCommand(Words words) {
   return WriteText(arguments->Last("out"), EncodeJson(*document));
 }
 
-Result<void> ValidateCommand(Words words) {
+Outcome ValidateCommand(Words words) {
   const auto arguments = Arguments::Parse(words, {});
   if (!arguments) return std::unexpected(arguments.error());
   const auto document = TheDocument(*arguments);
@@ -88,7 +88,7 @@ Result<void> ValidateCommand(Words words) {
   return {};
 }
 
-Result<void> LinkCommand(Words words) {
+Outcome LinkCommand(Words words) {
   static constexpr std::string_view kOptions[] = {"out"};
   const auto arguments = Arguments::Parse(words, kOptions);
   if (!arguments) return std::unexpected(arguments.error());

@@ -13,16 +13,22 @@ using gaitsmith::shell::Words;
 
 struct Command {
   std::string_view name;
-  gaitsmith::Result<void> (*run)(Words);
+  gaitsmith::shell::Outcome (*run)(Words);
   const char* usage;
 };
 
-constexpr std::array<Command, 5> kCommands = {{
+constexpr std::array<Command, 7> kCommands = {{
     {"simulate", gaitsmith::shell::SimulateCommand, "simulate DOC --csv OUT"},
     {"synthesize", gaitsmith::shell::SynthesizeCommand,
      "synthesize --figure F --task T --sense physical|timer=SECONDS --weight TERM=W\n"
-     "             --search rgt|sphc --evaluations N --seed S --out DOC [--curve CSV] [--threads K]\n"
-     "             [--rules N] [--duration SECONDS]"},
+     "             --search ALG --evaluations N --seed S --out DOC [--curve CSV] [--threads K]\n"
+     "             [--controller rules|network] [--rules N] [--duration SECONDS]"},
+    {"compare", gaitsmith::shell::CompareCommand,
+     "compare --problem DOC … --search ALG[:OPTION=VALUE…] … --trials N --evaluations E --out CSV\n"
+     "             --curves CSV [--first-seed S] [--points P] [--sense physical|timer=SECONDS]\n"
+     "             [--weight TERM=W] [--duration SECONDS] [--shard I/N] [--threads K]\n"
+     "  gaitsmith compare --summary CSV"},
+    {"merge", gaitsmith::shell::MergeCommand, "merge --out CSV [--complete] SHARD …"},
     {"hash", gaitsmith::shell::HashCommand, "hash DOC [--lanes 1|2|4|8|16] [--out DOC]"},
     {"validate", gaitsmith::shell::ValidateCommand, "validate DOC"},
     {"link", gaitsmith::shell::LinkCommand, "link encode DOC | link decode LINK [--out DOC]"},
@@ -48,8 +54,8 @@ int main(int count, char** words) {
     const auto done = command.run(Words(given).subspan(1));
     if (done) return 0;
     std::fprintf(stderr, "gaitsmith %s: %s\n", std::string(command.name).c_str(),
-                 done.error().Sentence().c_str());
-    return 1;
+                 done.error().error.Sentence().c_str());
+    return done.error().status;
   }
   std::fprintf(stderr, "gaitsmith: there is no command \"%.*s\"; gaitsmith help lists them\n",
                static_cast<int>(given[0].size()), given[0].data());

@@ -67,7 +67,7 @@ std::string Csv(const Document& document, const Motion& motion) {
 
 }  // namespace
 
-Result<void> SimulateCommand(Words words) {
+Outcome SimulateCommand(Words words) {
   static constexpr std::string_view kOptions[] = {"csv"};
   const auto arguments = Arguments::Parse(words, kOptions);
   if (!arguments) return std::unexpected(arguments.error());

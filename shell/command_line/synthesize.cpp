@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
-#include <thread>
 
 #include "core/document/json.h"
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"
+#include "shell/command_line/problem_options.h"
 #include "shell/command_line/search_options.h"
 #include "shell/parallel_search.h"
 
@@ -41,54 +40,6 @@ class ProgressBar {
   std::chrono::steady_clock::time_point drawn_;
   bool terminal_ = isatty(STDERR_FILENO) != 0;
 };
-
-template <class Names>
-Result<int> IndexOf(const Names& names, const std::string& name, const char* where) {
-  const auto found = std::ranges::find(names, name);
-  if (found != names.end()) return static_cast<int>(found - names.begin());
-  std::string known;
-  for (const std::string_view option : names) known += (known.empty() ? "" : ", ") + std::string(option);
-  return Fail(ErrorCode::kUnknownName, where, "\"" + name + "\" is not known; choose from " + known);
-}
-
-Result<int> WholeSteps(const std::string& text, const char* where, int least) {
-  const auto seconds = ParseNumber(text, where);
-  if (!seconds) return std::unexpected(seconds.error());
-  const double steps = std::round(*seconds / 0.01);
-  if (!(steps >= least && steps <= kMaxSteps) || std::abs(steps * 0.01 - *seconds) > 1e-9) {
-    char range[64];
-    std::snprintf(range, sizeof range, "must be from %g to %g s in steps of 0.01 s, is ", least * 0.01,
-                  kMaxSteps * 0.01);
-    return Fail(ErrorCode::kOutOfRange, where, range + text);
-  }
-  return static_cast<int>(steps);
-}
-
-Result<void> ReadSense(const std::string& text, SenseSpec& senses) {
-  if (text == "physical") {
-    senses.kind = SenseKind::kPhysical;
-    return {};
-  }
-  if (!text.starts_with("timer=")) {
-    return Fail(ErrorCode::kUnknownName, "--sense", "must be physical or timer=SECONDS, is \"" + text + "\"");
-  }
-  const auto period = WholeSteps(text.substr(6), "--sense timer", 2);
-  if (!period) return std::unexpected(period.error());
-  senses.kind = SenseKind::kTimer;
-  senses.period_steps = *period;
-  return {};
-}
-
-Result<void> ReadWeight(const std::string& text, Task& task) {
-  const auto equals = text.find('=');
-  const auto term = IndexOf(kStyleTermNames, text.substr(0, equals), "--weight");
-  if (!term) return std::unexpected(term.error());
-  const auto weight =
-      ParseNumber(equals == std::string::npos ? "" : text.substr(equals + 1), "--weight " + text);
-  if (!weight) return std::unexpected(weight.error());
-  task.weights[static_cast<std::size_t>(*term)] = static_cast<float>(*weight);
-  return {};
-}
 
 /// A document's problem with the controller that it begins with, for a search to start from.
 Result<Document> ReadStart(const Arguments& arguments) {
@@ -138,25 +89,8 @@ Result<Document> ReadRequest(const Arguments& arguments) {
   const auto algorithm = IndexOf(kAlgorithmNames, arguments.Last("search", "sphc"), "--search");
   if (!algorithm) return std::unexpected(algorithm.error());
   document.search.algorithm = static_cast<Algorithm>(*algorithm);
-  if (arguments.Has("duration")) {
-    const auto duration = WholeSteps(arguments.Last("duration"), "--duration", 1);
-    if (!duration) return std::unexpected(duration.error());
-    document.task.duration_steps = *duration;
-  }
+  if (auto set = SetProblemOptions(arguments, document); !set) return std::unexpected(set.error());
   document.duration_steps = document.task.duration_steps;
-  if (arguments.Has("sense")) {
-    if (auto sense = ReadSense(arguments.Last("sense"), document.senses); !sense) {
-      return std::unexpected(sense.error());
-    }
-  }
-  for (const std::string& weight : arguments.All("weight")) {
-    if (auto set = ReadWeight(weight, document.task); !set) return std::unexpected(set.error());
-  }
-  if (arguments.Has("controller")) {
-    const auto kind = IndexOf(kControllerKindNames, arguments.Last("controller"), "--controller");
-    if (!kind) return std::unexpected(kind.error());
-    document.kind = static_cast<ControllerKind>(*kind);
-  }
   const auto rules = arguments.Integer("rules", 1, kMaxRules, document.rules);
   if (!rules) return std::unexpected(rules.error());
   document.rules = static_cast<int>(*rules);
@@ -183,12 +117,9 @@ std::string CurveCsv(const std::vector<Search::CurvePoint>& curve) {
   return csv;
 }
 
-/// Cores of this machine, at least 1.
-int Cores() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
-
 }  // namespace
 
-Result<void> SynthesizeCommand(Words words) {
+Outcome SynthesizeCommand(Words words) {
   static constexpr std::string_view kOptions[] = {
       "figure", "task",    "sense", "weight",   "search", "evaluations",   "seed",      "out",
       "curve",  "threads", "rules", "duration", "from",   "search-option", "controller"};

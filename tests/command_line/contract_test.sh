@@ -61,6 +61,46 @@ same "$(head -1 curve.csv)" "evaluation,best" "curve header"
 same "$(sed -n 2p refined.csv)" "1,$(tail -1 curve.csv | cut -d, -f2)" "fitness that a refiner starts from"
 same "$(grep -c '"start": 0' refined.json)" 1 "start in a refined document"
 
+# A study: the same bytes for any number of threads, cut into shards, and continued after whatever happened.
+study() { "$gaitsmith" compare --problem one.json --problem refined.json --search powell \
+  --search ssga:genetic.population=8:genetic.rates=per-component --trials 2 --first-seed 9 --evaluations 60 --points 7 "$@"; }
+study --threads 1 --out results.csv --curves curves.csv || fault "compare"
+study --threads 2 --out results2.csv --curves curves2.csv || fault "compare with two threads"
+for file in results curves; do cmp -s $file.csv ${file}2.csv || fault "two threads wrote other $file"; done
+same "$(sed -n 2p results.csv)" "problem,search,seed,evaluations,best,travel,max_cm_height,slip_sum,rotations,hash" "columns of results"
+same "$(sed -n 2p curves.csv)" "problem,search,seed,evaluation,best" "columns of curves"
+same "$(wc -l <results.csv) $(wc -l <curves.csv)" "10 58" "rows of a study"
+same "$(sed -n '3,9s/^one,powell,9,\([0-9]*\),.*/\1/p' curves.csv | tr '\n' ' ')" "8 17 25 34 42 51 60 " "points of a curve"
+# A trial is the very search that synthesize makes, begun with the controller that search.start names.
+"$gaitsmith" synthesize --from one.json --search powell --evaluations 60 --seed 9 --out trial.json
+same "$(grep '^refined,powell,9,' results.csv | cut -d, -f10)" "$("$gaitsmith" hash trial.json)" "hash of a trial"
+for i in 1 2 3; do study --shard $i/3 --out shard$i.csv --curves curve$i.csv || fault "shard $i/3"; done
+"$gaitsmith" merge --complete --out merged.csv shard3.csv shard1.csv shard2.csv || fault "merge"
+cmp -s merged.csv results.csv || fault "merged shards are not the whole"
+"$gaitsmith" merge --complete --out - curve2.csv curve3.csv curve1.csv curve1.csv | cmp -s - curves.csv || fault "merged curves"
+"$gaitsmith" merge --out part.csv shard1.csv shard3.csv 2>err || fault "merge of some"
+same "$(cat err)" "gaitsmith merge: 3 of 8 trials are missing" "warning about missing trials"
+# One process a shard, several at a time.
+export -f study; export gaitsmith
+seq 3 | xargs -P 2 -I{} bash -c 'study --threads 1 --shard {}/3 --out many{}.csv --curves manyc{}.csv'
+"$gaitsmith" merge --complete --out - many?.csv | cmp -s - results.csv || fault "shards side by side"
+# Killed at any byte: what is whole is kept, the rest runs again.
+for bytes in 0 40 250 700 -1; do
+  for file in results curves; do head -c $bytes $file.csv >torn-$file.csv; done
+  study --out torn-results.csv --curves torn-curves.csv || fault "continued at $bytes"
+  for file in results curves; do cmp -s $file.csv torn-$file.csv || fault "continued at $bytes: other $file"; done
+done
+sed -n '1,2p;6,7p' results.csv >torn-results.csv; sed -n 4p results.csv >>torn-results.csv; rm torn-curves.csv  # as trials finish
+study --out torn-results.csv --curves torn-curves.csv || fault "continued with one file"
+for file in results curves; do cmp -s $file.csv torn-$file.csv || fault "continued with one file: other $file"; done
+"$gaitsmith" compare --problem one.json --search sphc --trials 4000 --evaluations 1000 --out stopped.csv --curves stoppedc.csv 2>err &
+for _ in $(seq 400); do [ "$(wc -l 2>/dev/null <stopped.csv || echo 0)" -le 3 ] || break; sleep 0.05; done
+kill -TERM $!; wait $! && fault "a stopped study exits with 0"
+grep -q 'of 4000 trials are left' err || fault "a stopped study said '$(cat err)'"
+"$gaitsmith" merge --out - stopped.csv >/dev/null 2>&1 || fault "a stopped study left a torn file"
+same "$("$gaitsmith" compare --summary results.csv | grep -c ,)" 8 "rows of a summary"
+same "$("$gaitsmith" compare --summary results.csv | sed -n 7p)" "problem,search_a,search_b,median_a,median_b,A12,p_holm" "pairs of a summary"
+
 # Bad input: one clear sentence, and nothing is harmed.
 echo keep >precious.json
 refuses 'there is no figure "mr-moon"' "$gaitsmith" synthesize --figure mr-moon --out precious.json
@@ -77,9 +117,51 @@ refuses '--search-option torus.side: must be a whole number, is ""' "$gaitsmith"
 refuses 'must be at least the population, 200, is 100' "$gaitsmith" synthesize --search gga --evaluations 100 --out precious.json
 refuses '--figure: cannot be given with --from' "$gaitsmith" synthesize --from one.json --figure hopper --out precious.json
 refuses '--out: say where' "$gaitsmith" synthesize
+# wrong <status> <words> <command...>: refused with this very status
+wrong() { refuses "${@:2}"; "${@:3}" >/dev/null 2>&1; same $? "$1" "exit status of: ${*:3}"; }
+to=(--out results.csv --curves curves.csv)
+cp results.csv results-before.csv; cp curves.csv curves-before.csv
+wrong 2 '--trials: must be a whole number from 1 to 1000000, is "0"' study "${to[@]}" --trials 0
+wrong 2 '--points: must be a whole number from 1 to 60, is "61"' study "${to[@]}" --points 61
+wrong 2 'must be at least the population, 200, is 60' study "${to[@]}" --search gga
+wrong 2 '"annealing" is not known; choose from rgt, sphc' study "${to[@]}" --search annealing
+wrong 2 '"rate" is not known; choose from population' study "${to[@]}" --search sphc:rate=1
+wrong 2 '--search: "powell" is there twice' study "${to[@]}" --search powell
+wrong 2 '--problem: "one" is there twice' study "${to[@]}" --problem ./one.json
+wrong 1 'nowhere.json: cannot be read' study "${to[@]}" --problem nowhere.json
+wrong 2 'must be i/n with i from 1 to n, such as 2/8, is "3/2"' study "${to[@]}" --shard 3/2
+wrong 2 '--weight slip_sum=nan: must be a number' study "${to[@]}" --weight slip_sum=nan
+wrong 2 'weights.slip_sum: must be from -1000 to 1000, is 2000' study "${to[@]}" --weight slip_sum=2000
+wrong 2 'search.start: must be a controller with the senses' study "${to[@]}" --sense physical
+wrong 2 'must be another file than --out' study --out results.csv --curves ./results.csv
+wrong 2 '--out: must be a file' study --out - --curves curves.csv
+wrong 2 '--curves: say which file' study --out results.csv
+wrong 1 'nowhere/c.csv: cannot be written' study --out new.csv --curves nowhere/c.csv
+[ ! -e new.csv ] || fault "a refused study left a file"
+wrong 1 "results.csv: is of another study, $(head -1 results.csv | cut -d' ' -f4); this one is" study "${to[@]}" --first-seed 8
+wrong 1 'holds the other table' study --out curves.csv --curves results.csv
+wrong 1 'precious.json:1: is not a file of gaitsmith compare' study --out precious.json --curves curves.csv
+wrong 1 'is of another study' "$gaitsmith" merge --out precious.json results.csv stopped.csv
+wrong 1 'holds curves, but results.csv holds results' "$gaitsmith" merge --out precious.json results.csv curves.csv
+wrong 1 '3 of 8 trials are missing' "$gaitsmith" merge --complete --out precious.json shard1.csv shard3.csv
+wrong 1 'holds trials that are not in the files given' "$gaitsmith" merge --out shard1.csv shard2.csv shard3.csv
+wrong 2 'give the files to be merged' "$gaitsmith" merge --out precious.json
+sed '5s/,60,/,59,/' results.csv >damaged.csv
+wrong 1 'damaged.csv:5: must have 60 evaluations' "$gaitsmith" merge --out precious.json damaged.csv
+sed 5d curves.csv >damaged.csv
+wrong 1 'damaged.csv:5: must be of evaluation 25' "$gaitsmith" merge --out precious.json damaged.csv
+sed '6s/,60,[0-9]/,60,7/' results.csv >damaged.csv
+wrong 1 'damaged.csv:6: disagrees about a trial with results.csv:6' "$gaitsmith" merge --out precious.json results.csv damaged.csv
+wrong 1 'damaged.csv:6: this trial now finds something else' study --out damaged.csv --curves new.csv
+head -c 700 results.csv >damaged.csv
+wrong 1 'the trial is cut short' "$gaitsmith" merge --out precious.json damaged.csv
+wrong 1 'holds curves' "$gaitsmith" compare --summary curves.csv
+wrong 2 'goes with no other option' "$gaitsmith" compare --summary results.csv --threads 2
+cmp -s results.csv results-before.csv && cmp -s curves.csv curves-before.csv || fault "a refused command changed a study"
 same "$(cat precious.json)" keep "a file after refused commands"
 refuses 'cannot be read' "$gaitsmith" hash nowhere.json
 refuses 'was cut' "$gaitsmith" link decode "$(head -c 100 link.txt)"
+for command in compare merge; do "$gaitsmith" help | grep -q "gaitsmith $command " || fault "help on $command"; done
 refuses 'there is no command' "$gaitsmith" fly
 sed 's/"friction": 0.8/"friction": 12/' "$golden" >bad.json
 refuses 'environment.friction: must be from 0 to 10, is 12' "$gaitsmith" validate bad.json

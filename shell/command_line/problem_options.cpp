@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "shell/command_line/problem_options.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace gaitsmith::shell {
+
+namespace {
+
+Result<int> WholeSteps(const std::string& text, const char* where, int least) {
+  const auto seconds = ParseNumber(text, where);
+  if (!seconds) return std::unexpected(seconds.error());
+  const double steps = std::round(*seconds / 0.01);
+  if (!(steps >= least && steps <= kMaxSteps) || std::abs(steps * 0.01 - *seconds) > 1e-9) {
+    char range[64];
+    std::snprintf(range, sizeof range, "must be from %g to %g s in steps of 0.01 s, is ", least * 0.01,
+                  kMaxSteps * 0.01);
+    return Fail(ErrorCode::kOutOfRange, where, range + text);
+  }
+  return static_cast<int>(steps);
+}
+
+Result<void> ReadSense(const std::string& text, SenseSpec& senses) {
+  if (text == "physical") {
+    senses.kind = SenseKind::kPhysical;
+    return {};
+  }
+  if (!text.starts_with("timer=")) {
+    return Fail(ErrorCode::kUnknownName, "--sense", "must be physical or timer=SECONDS, is \"" + text + "\"");
+  }
+  const auto period = WholeSteps(text.substr(6), "--sense timer", 2);
+  if (!period) return std::unexpected(period.error());
+  senses.kind = SenseKind::kTimer;
+  senses.period_steps = *period;
+  return {};
+}
+
+Result<void> ReadWeight(const std::string& text, Task& task) {
+  const auto equals = text.find('=');
+  const auto term = IndexOf(kStyleTermNames, text.substr(0, equals), "--weight");
+  if (!term) return std::unexpected(term.error());
+  const auto weight =
+      ParseNumber(equals == std::string::npos ? "" : text.substr(equals + 1), "--weight " + text);
+  if (!weight) return std::unexpected(weight.error());
+  task.weights[static_cast<std::size_t>(*term)] = static_cast<float>(std::clamp(*weight, -1e30, 1e30));
+  return {};
+}
+
+}  // namespace
+
+Result<void> SetProblemOptions(const Arguments& arguments, Document& document) {
+  if (arguments.Has("duration")) {
+    const auto duration = WholeSteps(arguments.Last("duration"), "--duration", 1);
+    if (!duration) return std::unexpected(duration.error());
+    document.task.duration_steps = *duration;
+  }
+  if (arguments.Has("sense")) {
+    if (auto sense = ReadSense(arguments.Last("sense"), document.senses); !sense) return sense;
+  }
+  if (arguments.Has("controller")) {
+    const auto kind = IndexOf(kControllerKindNames, arguments.Last("controller"), "--controller");
+    if (!kind) return std::unexpected(kind.error());
+    document.kind = static_cast<ControllerKind>(*kind);
+  }
+  for (const std::string& weight : arguments.All("weight")) {
+    if (auto set = ReadWeight(weight, document.task); !set) return set;
+  }
+  return {};
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "shell/command_line/study_file.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+#include "core/document/document.h"
+
+namespace gaitsmith::shell {
+
+namespace {
+
+std::string Number(double value) {
+  if (value != value) return "nan";  // of a motion that broke physics; some libraries print its sign
+  char text[32];
+  std::snprintf(text, sizeof text, "%.9g", value);
+  return text;
+}
+
+/// "problem,search,seed,"
+std::string TrialText(const StudyPlan& plan, std::size_t index) {
+  const StudyPlan::Trial trial = plan.At(index);
+  return plan.problems[trial.problem] + "," + plan.searches[trial.search] + "," + std::to_string(trial.seed) +
+         ",";
+}
+
+/// Reads the rows of one file, one after another. The curve of a trial stands together, in order.
+class RowReader {
+ public:
+  explicit RowReader(const StudyFile& file) : file_(file) {}
+
+  /// What is wrong with a row, or nothing.
+  std::string Read(std::string_view row) {
+    Cut(row);
+    const bool results = file_.table == StudyTable::kResults;
+    if (count_ != (results ? 10 : 5)) {
+      return "has " + std::to_string(count_) + " fields instead of " + (results ? "10" : "5");
+    }
+    std::uint32_t seed = 0;
+    if (!Whole(fields_[2], seed)) return "its seed is not a number";
+    const auto trial = file_.plan.Find(fields_[0], fields_[1], seed);
+    if (!trial) return "is of no trial of this study";
+    if (points_ > 0 && trial != trial_) return "comes before the curve of another trial is complete";
+    trial_ = *trial;
+    const std::string fault = results ? CheckResult() : CheckPoint();
+    return fault.empty() && file_.trials.contains(trial_) ? "is there twice, first in line " + FirstLine()
+                                                          : fault;
+  }
+  [[nodiscard]] std::size_t Trial() const { return trial_; }
+  /// Whether the last row was the last of its trial.
+  [[nodiscard]] bool Complete() const { return points_ == 0; }
+
+ private:
+  void Cut(std::string_view row) {
+    count_ = 0;
+    for (std::size_t at = 0; at <= row.size(); ++count_) {
+      const std::size_t end = std::min(row.find(',', at), row.size());
+      if (count_ < fields_.size()) fields_[count_] = row.substr(at, end - at);
+      at = end + 1;
+    }
+  }
+  template <class Value>
+  static bool Whole(std::string_view text, Value& value) {
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return fault == std::errc{} && end == text.data() + text.size();
+  }
+  /// Only what we write ourselves: a number that was changed or shortened on its way is damage.
+  static bool IsNumber(std::string_view text, double& value) {
+    return Whole(text, value) && Number(value) == text;
+  }
+
+  std::string CheckResult() const {
+    int evaluations = 0;
+    if (!Whole(fields_[3], evaluations) || evaluations != file_.plan.evaluations) {
+      return "must have " + std::to_string(file_.plan.evaluations) + " evaluations";
+    }
+    double value = 0.0;  // a motion that broke physics may have terms that are no numbers, but has a score
+    for (std::size_t i = 4; i < 9; ++i) {
+      if (!IsNumber(fields_[i], value) || (i == 4 && !std::isfinite(value)))
+        return "has a damaged number, \"" + std::string(fields_[i]) + "\"";
+    }
+    if (fields_[9].size() != 16 ||
+        fields_[9].find_first_not_of("0123456789abcdef") != std::string_view::npos) {
+      return "its hash is not 16 hexadecimal digits";
+    }
+    return "";
+  }
+  std::string CheckPoint() {
+    const StudyPlan& plan = file_.plan;
+    int evaluations = 0;
+    if (!Whole(fields_[3], evaluations)) return "its evaluation is not a number";
+    // The first rows of a curve may be missing, where nothing had a score yet; then each follows the last.
+    int point = points_;
+    while (points_ == 0 && point + 1 < plan.points && plan.EvaluationsAt(point) < evaluations) ++point;
+    if (plan.EvaluationsAt(point) != evaluations) {
+      return "must be of evaluation " + std::to_string(plan.EvaluationsAt(point));
+    }
+    double best = 0.0;
+    if (!IsNumber(fields_[4], best) || !std::isfinite(best))
+      return "has a damaged number, \"" + std::string(fields_[4]) + "\"";
+    if (points_ > 0 && best < best_) return "is worse than the row before it";
+    best_ = best;
+    points_ = (point + 1) % plan.points;
+    return "";
+  }
+  std::string FirstLine() const { return std::to_string(file_.trials.at(trial_).line); }
+
+  const StudyFile& file_;
+  std::array<std::string_view, 10> fields_;
+  std::size_t count_ = 0, trial_ = 0;
+  int points_ = 0;  // of the curve that is being read; 0 between curves
+  double best_ = 0.0;
+};
+
+}  // namespace
+
+std::string RowsOf(const StudyPlan& plan, StudyTable table, std::size_t trial, const TrialResult& result) {
+  const std::string start = TrialText(plan, trial);
+  if (table == StudyTable::kResults) {
+    std::string row = start + std::to_string(plan.evaluations);
+    const Terms& terms = result.terms;
+    for (const float value :
+         {result.best, terms.travel_m, terms.max_cm_height_m, terms.slip_sum_m, terms.rotations}) {
+      row += "," + Number(static_cast<double>(value));
+    }
+    return row + "," + HashText(result.hash) + "\n";
+  }
+  std::string rows;
+  std::size_t at = 0;  // points of the search's curve that have been passed
+  for (int point = 0; point < plan.points; ++point) {
+    const int evaluations = plan.EvaluationsAt(point);
+    while (at < result.curve.size() && result.curve[at].evaluation <= evaluations) ++at;
+    if (at == 0 || !std::isfinite(result.curve[at - 1].best)) continue;
+    rows += start + std::to_string(evaluations) + "," +
+            Number(static_cast<double>(result.curve[at - 1].best)) + "\n";
+  }
+  return rows;
+}
+
+double BestIn(std::string_view row) {
+  for (int field = 0; field < 4; ++field) row.remove_prefix(row.find(',') + 1);
+  double best = 0.0;
+  row = row.substr(0, row.find(','));
+  std::from_chars(row.data(), row.data() + row.size(), best);
+  return best;
+}
+
+Result<StudyFile> StudyFile::Parse(std::string_view text, const std::string& path, Ending ending) {
+  auto heading = ParseHeading(text);
+  if (!heading) return Fail(heading.error().code, path + ":1", heading.error().what);
+  StudyFile file{.plan = std::move(heading->plan), .table = heading->table};
+  RowReader reader(file);
+  std::size_t at = Heading(file.plan, file.table).size(), first = at, line = 3, first_line = line;
+  file.whole_bytes = at;
+  for (; at < text.size(); ++line) {
+    const std::size_t end = text.find('\n', at);
+    if (end == std::string_view::npos) break;
+    if (const std::string fault = reader.Read(text.substr(at, end - at)); !fault.empty()) {
+      return Fail(ErrorCode::kSyntax, path + ":" + std::to_string(line), fault);
+    }
+    at = end + 1;
+    if (!reader.Complete()) continue;
+    file.trials[reader.Trial()] = {.text = std::string(text.substr(first, at - first)), .line = first_line};
+    file.whole_bytes = first = at;
+    first_line = line + 1;
+  }
+  if (ending == Ending::kWhole && file.whole_bytes != text.size()) {
+    return Fail(ErrorCode::kTruncated, path + ":" + std::to_string(first_line),
+                "the trial is cut short; run its command again to finish it");
+  }
+  return file;
+}
+
+std::string StudyFile::Text() const {
+  std::string text = Heading(plan, table);
+  for (const auto& [index, rows] : trials) text += rows.text;
+  return text;
+}
+
+}  // namespace gaitsmith::shell

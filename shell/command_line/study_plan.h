@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// What a study tries: every search on every problem, with so many seeds. The first line of each of its files
+// says so, which is all that it takes to continue, merge or judge a file.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/numeric/error.h"
+
+namespace gaitsmith::shell {
+
+inline constexpr int kMostTrials = 1'000'000;  // of one search on one problem
+inline constexpr int kMostPoints = 100'000;
+inline constexpr int kMostEvaluations = 100'000'000;
+
+/// Which of a study's two files.
+enum class StudyTable {
+  kResults,  // a row for each trial: what its best motion is worth
+  kCurves,   // rows for each trial: the best so far after so many evaluations
+};
+
+struct StudyPlan {
+  std::string fingerprint;                      // 16 hexadecimal digits: everything that decides the results
+  std::uint32_t first_seed = 1;                 // the others follow
+  int trials = 1;                               // of each search on each problem, [1, kMostTrials]
+  int evaluations = 1;                          // of each trial, [1, kMostEvaluations]
+  int points = 1;                               // of a curve, [1, evaluations], at most kMostPoints
+  std::vector<std::string> problems, searches;  // labels, as of IsLabel, no two the same
+
+  struct Trial {
+    std::size_t problem, search;
+    std::uint32_t seed;
+  };
+  [[nodiscard]] std::size_t Total() const;
+  /// Trials in canonical order: by problem, search, seed. @param index below Total()
+  [[nodiscard]] Trial At(std::size_t index) const;
+  /// The index of a trial; nothing if it is not of this study.
+  [[nodiscard]] std::optional<std::size_t> Find(std::string_view problem, std::string_view search,
+                                                std::uint32_t seed) const;
+  /// How many evaluations a point of the curve stands for, ascending to all of them.
+  /// @param point [0, points)
+  [[nodiscard]] int EvaluationsAt(int point) const;
+};
+
+/// Whether a label can stand in a CSV and in a heading: not empty, no blank, comma, quote or control
+/// character.
+[[nodiscard]] bool IsLabel(std::string_view);
+
+/// The first two lines of a file: the comment and the names of the columns.
+[[nodiscard]] std::string Heading(const StudyPlan&, StudyTable);
+
+struct ReadHeading {
+  StudyPlan plan;
+  StudyTable table;
+};
+/// @param text begins with the two lines; the error's `where` is left empty
+[[nodiscard]] Result<ReadHeading> ParseHeading(std::string_view text);
+
+}  // namespace gaitsmith::shell
