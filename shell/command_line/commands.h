@@ -16,6 +16,7 @@ using Words = std::span<const std::string_view>;
 [[nodiscard]] Result<void> SynthesizeCommand(Words words);
 [[nodiscard]] Result<void> HashCommand(Words words);
 [[nodiscard]] Result<void> ValidateCommand(Words words);
+[[nodiscard]] Result<void> MeasureCommand(Words words);
 [[nodiscard]] Result<void> LinkCommand(Words words);
 
 }  // namespace gaitsmith::shell

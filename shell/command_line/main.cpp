@@ -17,7 +17,7 @@ struct Command {
   const char* usage;
 };
 
-constexpr std::array<Command, 5> kCommands = {{
+constexpr std::array<Command, 6> kCommands = {{
     {"simulate", gaitsmith::shell::SimulateCommand, "simulate DOC --csv OUT"},
     {"synthesize", gaitsmith::shell::SynthesizeCommand,
      "synthesize --figure F --task T --sense physical|timer=SECONDS --weight TERM=W\n"
@@ -25,6 +25,7 @@ constexpr std::array<Command, 5> kCommands = {{
      "             [--rules N] [--duration SECONDS]"},
     {"hash", gaitsmith::shell::HashCommand, "hash DOC [--lanes 1|2|4|8|16] [--out DOC]"},
     {"validate", gaitsmith::shell::ValidateCommand, "validate DOC"},
+    {"measure", gaitsmith::shell::MeasureCommand, "measure DOC"},
     {"link", gaitsmith::shell::LinkCommand, "link encode DOC | link decode LINK [--out DOC]"},
 }};
 
