@@ -16,12 +16,11 @@ namespace {
 /// that adds. What has no weight is measured all the same.
 class ScoreTable {
  public:
-  ScoreTable(Ui& ui, float height) : ui_(ui), rows_(ui.Look().touch ? 24.0f : 20.0f), whole_(ui.Row(height)) {
-    y_ = whole_.Min.y;
-  }
-  static float Height(const Ui& ui, int lines) {
-    return (ui.Look().touch ? 24.0f : 20.0f) * static_cast<float>(lines) + kRuleGap;
-  }
+  ScoreTable(Ui& ui, int lines)
+      : ui_(ui),
+        line_height_(ui.Look().touch ? 24.0f : 20.0f),
+        whole_(ui.Row(line_height_ * static_cast<float>(lines) + kRuleGap)),
+        y_(whole_.Min.y) {}
 
   void Head() {
     const float y = Next();
@@ -59,8 +58,8 @@ class ScoreTable {
   static constexpr float kRuleGap = 7.0f;
 
   float Next() {
-    y_ += rows_;
-    return y_ - 0.5f * rows_;
+    y_ += line_height_;
+    return y_ - 0.5f * line_height_;
   }
   void Put(Type type, float y, float column, ImU32 colour, std::string_view text) const {
     ui_.Letters().Draw(ui_.Canvas(), type, {whole_.Min.x + column * whole_.GetWidth(), y}, colour, text,
@@ -68,9 +67,9 @@ class ScoreTable {
   }
 
   Ui& ui_;
-  float rows_;
+  float line_height_;
   ImRect whole_;
-  float y_ = 0.0f;
+  float y_;  // of the next line
 };
 
 void DrawScore(Ui& ui, const Session& session) {
@@ -82,7 +81,7 @@ void DrawScore(Ui& ui, const Session& session) {
   ui.Letters().Draw(ui.Canvas(), Type::kNote, {head.Max.x, y}, ui.Ink().second_ink,
                     "at " + Fixed(session.player.TimeS(), 2) + " s", Align::kRight);
   const float fitness = Fitness(task, terms);
-  ScoreTable table(ui, ScoreTable::Height(ui, kStyleTerms + 4));
+  ScoreTable table(ui, kStyleTerms + 4);  // head, primary term, sum, end
   // One note that says the whole sum, for tools that read the canvas.
   ImGui::PushItemFlag(ImGuiItemFlags_NoNav | ImGuiItemFlags_NoTabStop, true);
   ui.Area("style/score", table.Whole(), Grab::kNothing,
@@ -90,24 +89,24 @@ void DrawScore(Ui& ui, const Session& session) {
   ImGui::PopItemFlag();
   table.Head();
   const float primary = Primary(task, terms);
-  table.Line(PrimaryLabel(task.kind), Fixed(primary, 2) + " m", "", Fixed(primary, 2));
+  table.Line(PrimaryLabel(task.kind), AmountText(primary, 2) + " m", "", AmountText(primary, 2));
   for (std::size_t i = 0; i < kStyleTerms; ++i) {
     const TermWords& words = TermTexts()[i];
     const float value = terms.Style(static_cast<StyleTerm>(i));
     const float weight = task.weights[i];
     const bool weighed = weight != 0.0f;
     table.Line(words.label, ValueText(words, value), weighed ? WeightText(words, weight) : "",
-               weighed ? Fixed(weight * value, 2) : "");
+               weighed ? AmountText(weight * value, 2) : "");
   }
   if (fitness <= kVoidScore) {
     table.Sum("Void: this motion breaks physics", "", ui.Ink().bad);
   } else {
-    table.Sum("Score", Fixed(fitness, 2), ui.Ink().good);
+    table.Sum("Score", AmountText(fitness, 2), ui.Ink().good);
   }
   const Motion& motion = session.player.Shown();
   const float whole = Fitness(task, motion.TermsAt(motion.Frames() - 1));
   table.Line("At the end, " + Fixed(session.player.DurationS(), 2) + " s", "", "",
-             whole <= kVoidScore ? "void" : Fixed(whole, 2));
+             whole <= kVoidScore ? "void" : AmountText(whole, 2));
 }
 
 void DrawWeights(Ui& ui, Session& session) {
@@ -119,10 +118,12 @@ void DrawWeights(Ui& ui, Session& session) {
   for (std::size_t i = 0; i < kStyleTerms; ++i) {
     const TermWords& words = TermTexts()[i];
     double weight = static_cast<double>(task.weights[i]);
-    const std::string per = *words.unit != '\0' ? std::string(" per ") + words.unit : "";
+    const std::string per = std::string(*words.per != '\0' ? " " : "") + words.per;
     if (ui.Slider(words.id, words.label, weight, {.low = -words.most, .high = words.most, .step = words.step},
                   WeightText(words, task.weights[i]) + per)) {
-      session.Set([&](Document& d) { d.task.weights[i] = static_cast<float>(weight); });
+      // On the slider's own grid, or steps by key would gather rounding.
+      const auto chosen = static_cast<float>(std::round(weight / words.step) * words.step);
+      session.Set([&](Document& d) { d.task.weights[i] = chosen; });
     }
     ui.Paragraph(words.line, Type::kNote);
     ui.Gap(8.0f);

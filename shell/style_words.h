@@ -14,6 +14,7 @@ struct TermWords {
   const char* label;  // "Slip"
   const char* line;   // what it measures, in a few words
   const char* unit;   // "m", or empty for a plain number
+  const char* per;    // "per m": what its weight is counted by
   int decimals;       // of the measured value
   double most;        // weight at either end of its slider
   double step;        // of that weight
@@ -22,9 +23,11 @@ struct TermWords {
 /// In the order of StyleTerm.
 [[nodiscard]] const std::array<TermWords, kStyleTerms>& TermTexts();
 
+/// A number with so many decimals, with fewer when it is large: it must fit into a column.
+[[nodiscard]] std::string AmountText(float amount, int decimals);
 /// "20.86 m"
 [[nodiscard]] std::string ValueText(const TermWords&, float value);
-/// A weight with as many decimals as its slider has, or as many more as it needs: "-0.05".
+/// A weight with as many decimals as its slider has, or as it needs and a column can hold: "-0.05".
 [[nodiscard]] std::string WeightText(const TermWords&, float weight);
 /// "Travel to the right": the primary term.
 [[nodiscard]] std::string PrimaryLabel(TaskKind);

@@ -10,6 +10,7 @@
 #include "core/document/link.h"
 #include "core/numeric/scalar_math.h"
 #include "core/physics/evaluator.h"
+#include "core/physics/trajectory_hash.h"
 #include "core/search/evaluation_score.h"
 #include "tests/scene.h"
 
@@ -148,6 +149,19 @@ TEST_CASE("style: every frame of every golden is what its recording says", "[tas
   }
 }
 
+TEST_CASE("style: the terms of the goldens have the same bits on every machine",
+          "[task][style][golden][determinism]") {
+  // A search that weighs a term finds the same motion everywhere only if the term is the same everywhere.
+  TrajectoryHash hash;
+  for (const std::string& name : GoldenMotions()) {
+    const Motion motion = Simulate(DecodeJson(ReadFile(name)).value());
+    for (int i = 0; i < motion.Frames(); ++i) {
+      for (std::size_t term = 0; term < kStyleTerms; ++term) hash.Add(Style(motion.TermsAt(i), term));
+    }
+  }
+  CHECK(HashText(hash.Value()) == "627497062cedab1c");
+}
+
 TEST_CASE("style: the head is the highest endpoint as drawn, of equals the first", "[figure][style]") {
   CHECK(Skeleton(LyingRod()).head == 0);
   // A V: both arms end at the same height, but for rounding.
@@ -184,6 +198,7 @@ TEST_CASE("style: the evaluator's terms and fitness are the recorded motion's, t
       d.senses.tau_min_s = 0.07f;
       d.environment.slope_rad = 0.1f;
       std::vector<Genome> genomes;
+      genomes.reserve(7);
       for (std::uint64_t i = 0; i < 7; ++i) genomes.push_back(RandomController(d.figure, d.senses, i).genes);
       // Each term alone, then all of them.
       for (std::size_t which = 0; which <= kFurther; ++which) {
