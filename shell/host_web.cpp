@@ -15,6 +15,7 @@
 #include "core/document/link.h"
 #include "shell/app.h"
 #include "shell/frame_pace.h"
+#include "shell/style_words.h"
 
 extern "C" {
 // host_web.library.js
@@ -163,6 +164,12 @@ EMSCRIPTEN_KEEPALIVE const char* gs_title() { return Reply(TheSession().Doc().ti
 /// Every visible widget of the last frame, as a JSON list.
 EMSCRIPTEN_KEEPALIVE const char* gs_widgets() {
   ThePage().reply = ThePage().window->Registry().Json();
+  return ThePage().reply.c_str();
+}
+
+/// What the motion is worth so far, term by term, in words.
+EMSCRIPTEN_KEEPALIVE const char* gs_score() {
+  ThePage().reply = ScoreWords(TheSession().Doc().task, TheSession().player.TermsNow());
   return ThePage().reply.c_str();
 }
 

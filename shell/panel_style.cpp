@@ -2,54 +2,134 @@
 // Task, duration, weights, and the live score term by term.
 #include "shell/panel_style.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "shell/style_words.h"
 #include "shell/wording.h"
 
 namespace gaitsmith::shell {
 namespace {
 
-struct TermWords {
-  const char* id;
-  const char* label;
-  const char* hint;
-  const char* unit;
+/// The score of what the stage has shown so far, as a sum: a line for each term, measured × weight and what
+/// that adds. What has no weight is measured all the same.
+class ScoreTable {
+ public:
+  ScoreTable(Ui& ui, int lines)
+      : ui_(ui),
+        line_height_(ui.Look().touch ? 24.0f : 20.0f),
+        whole_(ui.Row(line_height_ * static_cast<float>(lines) + kRuleGap)),
+        y_(whole_.Min.y) {}
+
+  void Head() {
+    const float y = Next();
+    Put(Type::kNote, y, kMeasured, ui_.Ink().second_ink, "measured");
+    Put(Type::kNote, y, kWeight, ui_.Ink().second_ink, "weight");
+    Put(Type::kNote, y, kAdds, ui_.Ink().second_ink, "adds");
+  }
+  /// @param weight empty: it has none
+  void Line(std::string_view name, const std::string& measured, const std::string& weight,
+            const std::string& adds) {
+    const float y = Next();
+    const bool counts = !adds.empty();
+    const ImU32 ink = counts ? ui_.Ink().ink : ui_.Ink().second_ink;
+    ui_.Letters().Draw(ui_.Canvas(), Type::kBody, {whole_.Min.x, y}, ink, name);
+    Put(Type::kBody, y, kMeasured, ui_.Ink().second_ink, measured);
+    if (!weight.empty()) Put(Type::kBody, y, kWeight, ui_.Ink().second_ink, "× " + weight);
+    if (counts) Put(Type::kBody, y, kAdds, ink, adds);
+  }
+  /// @param sum empty: there is none, and the name says why
+  void Sum(std::string_view name, const std::string& sum, ImU32 colour) {
+    y_ += kRuleGap;
+    ui_.HorizontalLine(whole_.Min.x, whole_.Max.x, y_ - 0.5f * kRuleGap);
+    const float y = Next();
+    ui_.Letters().Draw(ui_.Canvas(), Type::kStrong, {whole_.Min.x, y}, sum.empty() ? colour : ui_.Ink().ink,
+                       name);
+    Put(Type::kStrong, y, kAdds, colour, sum);
+  }
+  [[nodiscard]] const ImRect& Whole() const { return whole_; }
+
+ private:
+  // Where columns end, as shares of the width; what they hold is right-aligned.
+  static constexpr float kMeasured = 0.58f;
+  static constexpr float kWeight = 0.78f;
+  static constexpr float kAdds = 1.0f;
+  static constexpr float kRuleGap = 7.0f;
+
+  float Next() {
+    y_ += line_height_;
+    return y_ - 0.5f * line_height_;
+  }
+  void Put(Type type, float y, float column, ImU32 colour, std::string_view text) const {
+    ui_.Letters().Draw(ui_.Canvas(), type, {whole_.Min.x + column * whole_.GetWidth(), y}, colour, text,
+                       Align::kRight);
+  }
+
+  Ui& ui_;
+  float line_height_;
+  ImRect whole_;
+  float y_;  // of the next line
 };
-constexpr std::array<TermWords, kStyleTerms> kTerms = {
-    {{"style/height", "Height", "peak of the centre of mass", " m"},
-     {"style/slip", "Slip", "how far the feet slide", " m"},
-     {"style/rotations", "Rotations", "whole turns", ""}}};
 
 void DrawScore(Ui& ui, const Session& session) {
   const Task& task = session.Doc().task;
   const Terms& terms = session.player.TermsNow();
-  const Palette& p = ui.Ink();
-  ui.Heading("Score now");
-  const auto line = [&](std::string_view name, const std::string& sum, float value, bool strong) {
-    const ImRect row = ui.Row(22.0f);
-    const float y = row.GetCenter().y;
-    const Type type = strong ? Type::kStrong : Type::kBody;
-    ui.Letters().Draw(ui.Canvas(), type, {row.Min.x, y}, p.ink, name);
-    ui.Letters().Draw(ui.Canvas(), Type::kBody, {row.Max.x - 70.0f, y}, p.second_ink, sum, Align::kRight);
-    ui.Letters().Draw(ui.Canvas(), type, {row.Max.x, y}, strong ? p.good : p.ink, Fixed(value, 2),
-                      Align::kRight);
-  };
-  const std::string words = TaskWords(task.kind);
-  line(static_cast<char>(words[0] - 'a' + 'A') + words.substr(1), "", Primary(task, terms), false);
-  for (std::size_t i = 0; i < kStyleTerms; ++i) {
-    const float value = terms.Style(static_cast<StyleTerm>(i));
-    line(kTerms[i].label, Fixed(task.weights[i], 1) + " × " + Fixed(value, 2) + kTerms[i].unit,
-         task.weights[i] * value, false);
-  }
-  ui.Gap(4.0f);
-  const ImRect rule = ui.Row(5.0f);
-  ui.HorizontalLine(rule.Min.x, rule.Max.x, rule.Min.y);
+  const ImRect head = ui.Row(Fonts::LineHeight(Type::kStrong) + 4.0f);
+  const float y = head.GetCenter().y;
+  ui.Letters().Draw(ui.Canvas(), Type::kStrong, {head.Min.x, y}, ui.Ink().ink, "Score so far");
+  ui.Letters().Draw(ui.Canvas(), Type::kNote, {head.Max.x, y}, ui.Ink().second_ink,
+                    "at " + Fixed(session.player.TimeS(), 2) + " s", Align::kRight);
   const float fitness = Fitness(task, terms);
+  ScoreTable table(ui, kStyleTerms + 4);  // head, primary term, sum, end
+  // One note that says the whole sum, for tools that read the canvas.
+  ImGui::PushItemFlag(ImGuiItemFlags_NoNav | ImGuiItemFlags_NoTabStop, true);
+  ui.Area("style/score", table.Whole(), Grab::kNothing,
+          {.label = "Score so far", .role = "note", .value = ScoreWords(task, terms)});
+  ImGui::PopItemFlag();
+  table.Head();
+  const float primary = Primary(task, terms);
+  table.Line(PrimaryLabel(task.kind), AmountText(primary, 2) + " m", "", AmountText(primary, 2));
+  for (std::size_t i = 0; i < kStyleTerms; ++i) {
+    const TermWords& words = TermTexts()[i];
+    const float value = terms.Style(static_cast<StyleTerm>(i));
+    const float weight = task.weights[i];
+    const bool weighed = weight != 0.0f;
+    table.Line(words.label, ValueText(words, value), weighed ? WeightText(words, weight) : "",
+               weighed ? AmountText(weight * value, 2) : "");
+  }
   if (fitness <= kVoidScore) {
-    ui.Paragraph("Void: this motion breaks physics.", p.bad);
+    table.Sum("Void: this motion breaks physics", "", ui.Ink().bad);
   } else {
-    line("Score", "", fitness, true);
+    table.Sum("Score", AmountText(fitness, 2), ui.Ink().good);
+  }
+  const Motion& motion = session.player.Shown();
+  const float whole = Fitness(task, motion.TermsAt(motion.Frames() - 1));
+  table.Line("At the end, " + Fixed(session.player.DurationS(), 2) + " s", "", "",
+             whole <= kVoidScore ? "void" : AmountText(whole, 2));
+}
+
+void DrawWeights(Ui& ui, Session& session) {
+  const Task& task = session.Doc().task;
+  const bool any = std::ranges::any_of(task.weights, [](float weight) { return weight != 0.0f; });
+  ui.Heading("Style");
+  ui.Paragraph("A weight above 0 asks for more, below 0 for less.", Type::kNote);
+  ui.Gap(8.0f);
+  for (std::size_t i = 0; i < kStyleTerms; ++i) {
+    const TermWords& words = TermTexts()[i];
+    double weight = static_cast<double>(task.weights[i]);
+    const std::string per = std::string(*words.per != '\0' ? " " : "") + words.per;
+    if (ui.Slider(words.id, words.label, weight, {.low = -words.most, .high = words.most, .step = words.step},
+                  WeightText(words, task.weights[i]) + per)) {
+      // On the slider's own grid, or steps by key would gather rounding.
+      const auto chosen = static_cast<float>(std::round(weight / words.step) * words.step);
+      session.Set([&](Document& d) { d.task.weights[i] = chosen; });
+    }
+    ui.Paragraph(words.line, Type::kNote);
+    ui.Gap(8.0f);
+  }
+  if (ui.Button("style/reset", ui.ControlRow(), "Reset all weights to 0", ButtonLook::kOutlined, any)) {
+    session.Set([](Document& d) { d.task.weights = {}; });
   }
 }
 
@@ -63,6 +143,7 @@ void DrawStylePanel(Ui& ui, Session& session) {
   if (ui.Combo("style/task", "Goal", kTasks, kind)) {
     session.Set([&](Document& d) { d.task.kind = static_cast<TaskKind>(kind); });
   }
+  ui.Paragraph(PrimaryLine(task.kind), Type::kNote);
   ui.Gap(8.0f);
   const float seconds = static_cast<float>(task.duration_steps) * kStep;
   double duration = static_cast<double>(seconds);
@@ -70,21 +151,11 @@ void DrawStylePanel(Ui& ui, Session& session) {
                 Fixed(seconds, 1) + " s")) {
     session.SetDuration(static_cast<int>(std::lround(duration * 100.0)));
   }
-  ui.Gap(12.0f);
-  ui.Heading("Style");
-  ui.Paragraph("A weight above 0 asks for more of it, below 0 for less.", Type::kNote);
-  ui.Gap(6.0f);
-  for (std::size_t i = 0; i < kStyleTerms; ++i) {
-    double weight = static_cast<double>(task.weights[i]);
-    const std::string label = std::string(kTerms[i].label) + "  (" + kTerms[i].hint + ")";
-    if (ui.Slider(kTerms[i].id, label, weight, {.low = -10.0, .high = 10.0, .step = 0.1}, Fixed(weight, 1))) {
-      session.Set([&](Document& d) { d.task.weights[i] = static_cast<float>(weight); });
-    }
-    ui.Gap(4.0f);
-  }
-  ui.Gap(12.0f);
+  ui.Gap(10.0f);
   DrawScore(ui, session);
-  ui.Gap(12.0f);
+  ui.Gap(14.0f);
+  DrawWeights(ui, session);
+  ui.Gap(8.0f);
   if (!session.Searching() &&
       ui.Button("style/start", ui.Row(38.0f), "Synthesize in this style", ButtonLook::kOutlined)) {
     session.Synthesize();

@@ -55,7 +55,7 @@ Touch Ui::Area(std::string_view id, const ImRect& rect, Grab grab, Widget descri
   Touch touch;
   touch.id = window->GetID(id.data(), id.data() + id.size());
   touch.visible = ImGui::ItemAdd(rect, touch.id, nullptr, enabled ? 0 : ImGuiItemFlags_Disabled);
-  if (touch.visible && enabled) {
+  if (touch.visible && enabled && grab != Grab::kNothing) {
     const ImGuiButtonFlags flags =
         grab == Grab::kPress ? ImGuiButtonFlags_PressedOnClickRelease : ImGuiButtonFlags_PressedOnClick;
     const bool was_held = g.ActiveId == touch.id;

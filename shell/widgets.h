@@ -22,9 +22,10 @@ enum class ButtonLook { kPlain, kOutlined, kPrimary };
 
 /// What an interactive area takes besides a press.
 enum class Grab {
-  kPress,   // a click, Enter or the space bar
-  kDrag,    // reports `held` from the moment the pointer goes down
-  kArrows,  // kDrag, and the left and right arrow keys (10 steps with Shift)
+  kNothing,  // only says what it is: text that tools read
+  kPress,    // a click, Enter or the space bar
+  kDrag,     // reports `held` from the moment the pointer goes down
+  kArrows,   // kDrag, and the left and right arrow keys (10 steps with Shift)
 };
 
 /// What happened to an interactive area this frame.

@@ -19,6 +19,7 @@ export interface AppModule {
   _gs_hash(): Pointer;
   _gs_title(): Pointer;
   _gs_widgets(): Pointer;
+  _gs_score(): Pointer;
   _gs_set_theme(dark: number): void;
   _gs_set_frame_rate(per_second: number): void;
   _gs_play(playing: number): void;

@@ -66,6 +66,9 @@ export class App {
   /** Visible widgets, their rectangles relative to the canvas. @returns {Widget[]} */
   widgets() { return JSON.parse(this.#text(this.module._gs_widgets())); }
 
+  /** What the motion is worth so far, term by term, as a sentence. */
+  score() { return this.#text(this.module._gs_score()); }
+
   /** @param {boolean} dark */
   setTheme(dark) { this.module._gs_set_theme(dark ? 1 : 0); }
   /** @param {number} perSecond  at most so many frames are drawn; 0: as many as the display shows */

@@ -69,6 +69,6 @@ export class Controls {
     const rule = widgets.find(({ id, state }) => id.startsWith('controller/rule/') && state.selected);
     const figure = this.app.document().figure.name || 'The figure';
     const where = stage ? `has travelled ${stage.value}` : 'is on the stage';
-    return `${figure} ${where}.${rule ? ` Active rule: ${rule.label}.` : ''}`;
+    return `${figure} ${where}.${rule ? ` Active rule: ${rule.label}.` : ''} ${this.app.score()}`;
   }
 }

@@ -15,7 +15,7 @@ namespace gaitsmith {
 /// What one motion was worth.
 struct Evaluation {
   float fitness = kVoidScore;
-  Terms terms;
+  Terms terms;                        // further ones only where the task weighs them
   std::uint64_t trajectory_hash = 0;  // only filled when asked for
 };
 

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "core/physics/evaluator.h"
 #include "core/physics/simulation.h"
+#include "core/physics/style_meter.h"
 
 namespace gaitsmith {
 
@@ -17,14 +19,22 @@ void Evaluator::EvaluateWidth(const Evaluator& evaluator, std::span<const std::s
       DecodeControllers<W>(problem.Shape(), problem.senses, genomes, evaluator.joint_limits_, kStep);
   Simulation<W> simulation(evaluator.skeleton_, problem.environment, problem.start, problem.pushes);
   simulation.Follow(controllers);
+  // Most searches weigh none of the further terms, and then nobody measures them.
+  std::optional<StyleMeter<W>> meter;
+  const FurtherTerms weighted = WeightedFurtherTerms(problem.task);
+  if (weighted != FurtherTerms{}) {
+    meter.emplace(evaluator.skeleton_, simulation.State(), weighted, kStep);
+  }
   std::array<TrajectoryHash, W> hashes;
   for (int step = 0; step < problem.task.duration_steps; ++step) {
     simulation.Step();
+    if (meter) meter->Add();
     if (!evaluator.with_hash_) continue;
     for (int lane = 0; lane < W; ++lane) simulation.AddTo(hashes[static_cast<std::size_t>(lane)], lane);
   }
   for (std::size_t i = 0; i < results.size(); ++i) {
     results[i].terms = simulation.TermsOf(static_cast<int>(i));
+    if (meter) meter->Put(static_cast<int>(i), results[i].terms);
     results[i].fitness = Fitness(problem.task, results[i].terms);
     if (evaluator.with_hash_) results[i].trajectory_hash = hashes[i].Value();
   }

@@ -5,6 +5,7 @@
 
 #include "core/physics/evaluator.h"
 #include "core/physics/simulation.h"
+#include "core/physics/style_meter.h"
 
 namespace gaitsmith {
 
@@ -36,6 +37,7 @@ Motion::Motion(const Figure& figure, const Environment& environment, const Start
 
   Simulation<1> simulation(skeleton_, environment, start, pushes, step_s);
   const MotionState<1>& s = simulation.State();
+  StyleMeter<1> meter(skeleton_, s, kAllFurtherTerms, step_s);
   TrajectoryHash hash;
   int clip = -1;
   const auto record = [&] {
@@ -49,7 +51,7 @@ Motion::Motion(const Figure& figure, const Environment& environment, const Start
     frames_.push_back({s.distance_m[0], s.height_m[0], s.velocity_x[0], s.velocity_y[0], s.turn_rad[0],
                        s.angular_momentum[0], s.ground.normal_work_j[0], s.ground.friction_work_j[0],
                        s.ground.friction_gain_j[0], s.lifting_work_j[0], clip, rule, firing});
-    terms_.push_back(simulation.TermsOf(0));
+    meter.Put(0, terms_.emplace_back(simulation.TermsOf(0)));
     for (std::size_t k = 0; k < static_cast<std::size_t>(skeleton_.endpoints); ++k) {
       const float x = s.PoseNow().endpoint_x[k][0], y = s.PoseNow().endpoint_y[k][0];
       endpoints_.push_back({s.cosine[0] * x - s.sine[0] * y, s.sine[0] * x + s.cosine[0] * y});
@@ -75,6 +77,7 @@ Motion::Motion(const Figure& figure, const Environment& environment, const Start
   for (int step = 0; step < steps; ++step) {
     take_over(step);
     simulation.Step();
+    meter.Add();
     simulation.AddTo(hash, 0);
     record();
   }

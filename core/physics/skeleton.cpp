@@ -3,9 +3,32 @@
 
 #include <algorithm>
 
-#include "core/numeric/scalar_math.h"
+#include "core/physics/pose.h"
 
 namespace gaitsmith {
+
+namespace {
+
+/// Endpoints as high as the highest but for this share of the longest rod count as equally high: what tells
+/// the ends of a symmetric figure apart would be rounding.
+constexpr float kSameHeight = 1e-4f;
+
+int HighestEndpoint(const Skeleton& skeleton) {
+  Pose<1> pose;
+  PoseFigure<1>(skeleton, {}, pose);
+  const SineCosine root = SinCos(skeleton.start_angle_rad);
+  const auto endpoints = static_cast<std::size_t>(skeleton.endpoints);
+  std::array<float, kMaxEndpoints> height_m{};
+  for (std::size_t k = 0; k < endpoints; ++k) {
+    height_m[k] = root.sine * pose.endpoint_x[k][0] + root.cosine * pose.endpoint_y[k][0];
+  }
+  const float highest = *std::max_element(height_m.begin(), height_m.begin() + skeleton.endpoints);
+  int head = 0;
+  while (height_m[static_cast<std::size_t>(head)] < highest - kSameHeight * skeleton.longest_rod_m) ++head;
+  return head;
+}
+
+}  // namespace
 
 Skeleton::Skeleton(const Figure& figure)
     : rods(figure.Rods()), joints(figure.Joints()), endpoints(figure.Endpoints()) {
@@ -41,6 +64,7 @@ Skeleton::Skeleton(const Figure& figure)
       walked_index[static_cast<std::size_t>(drawn)] = walked++;
     }
   }
+  head = HighestEndpoint(*this);
 }
 
 }  // namespace gaitsmith

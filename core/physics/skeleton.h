@@ -34,6 +34,7 @@ struct Skeleton {
   float mass_kg = 0.0f;          // of the whole
   float longest_rod_m = 0.0f;    // scales the height sense and the ground-work guard
   float start_angle_rad = 0.0f;  // of the root against horizontal, in the drawn pose
+  int head = 0;                  // highest endpoint of the drawn pose; of equals the first
 };
 
 }  // namespace gaitsmith

@@ -19,11 +19,19 @@ float Primary(const Task& task, const Terms& terms) {
   return kVoidScore;
 }
 
+FurtherTerms WeightedFurtherTerms(const Task& task) {
+  FurtherTerms weighted{};
+  for (std::size_t i = 0; i < weighted.size(); ++i) weighted[i] = task.weights[kPaperTerms + i] != 0.0f;
+  return weighted;
+}
+
 float Fitness(const Task& task, const Terms& terms) {
   if (terms.broke_physics) return kVoidScore;
   float fitness = Primary(task, terms);
   for (int term = 0; term < kStyleTerms; ++term) {
-    fitness += task.weights[static_cast<std::size_t>(term)] * terms.Style(static_cast<StyleTerm>(term));
+    const float weight = task.weights[static_cast<std::size_t>(term)];
+    if (term >= kPaperTerms && weight == 0.0f) continue;  // may not have been measured
+    fitness += weight * terms.Style(static_cast<StyleTerm>(term));
   }
   return std::isfinite(fitness) ? fitness : kVoidScore;
 }

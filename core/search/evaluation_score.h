@@ -8,6 +8,7 @@
 
 namespace gaitsmith {
 
+/// Fitness holds every weighted term; beside it stand the paper's three, which MAP-Elites sorts by.
 [[nodiscard]] inline Score ScoreOf(const Evaluation& evaluation) {
   return {evaluation.fitness,
           {evaluation.terms.max_cm_height_m, evaluation.terms.slip_sum_m, evaluation.terms.rotations}};

@@ -33,6 +33,7 @@ using Outcome = std::expected<void, Refusal>;
 [[nodiscard]] Outcome MergeCommand(Words words);
 [[nodiscard]] Outcome HashCommand(Words words);
 [[nodiscard]] Outcome ValidateCommand(Words words);
+[[nodiscard]] Outcome MeasureCommand(Words words);
 [[nodiscard]] Outcome LinkCommand(Words words);
 
 /// What `compare --summary` prints of a file of results.

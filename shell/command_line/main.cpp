@@ -17,7 +17,7 @@ struct Command {
   const char* usage;
 };
 
-constexpr std::array<Command, 7> kCommands = {{
+constexpr std::array<Command, 8> kCommands = {{
     {"simulate", gaitsmith::shell::SimulateCommand, "simulate DOC --csv OUT"},
     {"synthesize", gaitsmith::shell::SynthesizeCommand,
      "synthesize --figure F --task T --sense physical|timer=SECONDS --weight TERM=W\n"
@@ -31,6 +31,7 @@ constexpr std::array<Command, 7> kCommands = {{
     {"merge", gaitsmith::shell::MergeCommand, "merge --out CSV [--complete] SHARD …"},
     {"hash", gaitsmith::shell::HashCommand, "hash DOC [--lanes 1|2|4|8|16] [--out DOC]"},
     {"validate", gaitsmith::shell::ValidateCommand, "validate DOC"},
+    {"measure", gaitsmith::shell::MeasureCommand, "measure DOC"},
     {"link", gaitsmith::shell::LinkCommand, "link encode DOC | link decode LINK [--out DOC]"},
 }};
 

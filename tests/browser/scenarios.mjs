@@ -195,6 +195,40 @@ export const SCENARIOS = [
     await page.page.focus('#open');
   }],
 
+  ['the Style panel weighs further terms by mouse and key, tells the sum, and resets', async ({ browser, address }) => {
+    const fresh = await PageDriver.open(browser, address);
+    const weights = () => fresh.call('weights', () => window.gaitsmith.document().task?.weights ?? {});
+    await fresh.page.evaluate(() => {
+      const document = window.gaitsmith.document();
+      window.gaitsmith.open({ ...document, task: { ...document.task, weights: { slip_sum: 0.5, upright: 4 } } });
+    });
+    const before = await fresh.hash();
+    await fresh.click('panels/2');
+    const note = (await fresh.widgets()).find(({ id }) => id === 'style/score');
+    assert.match(note?.value ?? '', /^Score .*: travel.* m; slip .* m times 0\.5 adds .*; upright .* times 4\.0 .*\. Not weighed: .*effort/);
+    const stage = (await fresh.widgets()).find(({ id }) => id === 'stage')?.rect ?? { x: 0, y: 0, width: 0, height: 0 };
+    await fresh.page.mouse.move(stage.x + stage.width + 100, stage.y + 200);
+    await fresh.page.mouse.wheel({ deltaY: 2000 });
+    await fresh.frames();
+    await fresh.click('style/effort'); // in the middle of its track, where the weight is 0
+    await fresh.page.keyboard.press('ArrowLeft', { delay: 60 });
+    await fresh.frames();
+    await fresh.page.keyboard.press('ArrowLeft', { delay: 60 });
+    await fresh.frames();
+    const { effort = 0 } = await weights();
+    assert.ok(Math.abs(effort + 0.02) < 0.0051, `effort weighs ${effort}`);
+    await fresh.page.focus('#control-describe');
+    await fresh.page.keyboard.press('Enter');
+    await fresh.frames();
+    assert.match(await fresh.call('text', () => document.querySelector('#description')?.textContent ?? ''),
+      / Score .*; effort .* rad times -0\.0\d takes away /);
+    await fresh.click('style/reset');
+    assert.ok(Object.values(await weights()).every((weight) => weight === 0), 'a weight was not reset');
+    assert.equal(await fresh.hash(), before);
+    assert.deepEqual(fresh.complaints, []);
+    await fresh.close();
+  }],
+
   ['Undo waits until there is something to undo, and the plain controls act at once', async ({ browser, address }) => {
     const fresh = await PageDriver.open(browser, address);
     const undo = () => fresh.call('undo', () => /** @type {HTMLButtonElement} */ (document.querySelector('#undo')).disabled);

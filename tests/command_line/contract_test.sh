@@ -41,6 +41,26 @@ same "$(head -1 motion.csv | cut -d, -f1-9)" "t,x,y,vx,vy,phi,L,rule,theta_1" "C
 same "$(wc -l <motion.csv)" 1002 "rows of a 10 s motion"
 same "$(awk -F, '{print NF}' motion.csv | sort -u | wc -l)" 1 "columns in every row"
 
+# Every term of a motion in one row.
+"$gaitsmith" measure "$golden" >measured.csv || fault "measure"
+same "$(head -1 measured.csv)" "travel,max_cm_height,slip_sum,rotations,effort,upright,smoothness,head_height,fitness,hash" "header"
+same "$(wc -l <measured.csv)" 2 "rows of measure"
+same "$(sed -n 2p measured.csv | cut -d, -f10)" "$hash" "hash in measure"
+# column <number> <document>
+column() { "$gaitsmith" measure "$2" | sed -n 2p | cut -d, -f"$1"; }
+same "$(column 6 star-man-shuffle)" "$("$gaitsmith" link encode star-man-shuffle | "$gaitsmith" measure - | sed -n 2p | cut -d, -f6)" \
+  "upright of a link"
+
+# A weight changes what a search finds and what it is worth.
+weigh() { "$gaitsmith" synthesize --figure inchworm --sense timer=0.8 --search rgt --evaluations 200 --seed 4 --out "$1" "${@:2}"; }
+weigh plain.json
+weigh lazy.json --weight effort=-1 --weight head_height=0.5
+grep -q '"effort": -1' lazy.json || fault "the weight of effort is not in the document"
+grep -q '"effort"' plain.json && fault "a weight of 0 is in the document"
+awk -v lazy="$(column 5 lazy.json)" -v plain="$(column 5 plain.json)" 'BEGIN { exit !(lazy < plain) }' || fault "less effort was not found"
+awk -F, 'NR == 2 { d = ($1 < 0 ? -$1 : $1) - $5 + 0.5 * $8 - $9; exit !(d * d < 1e-8) }' <("$gaitsmith" measure lazy.json) ||
+  fault "fitness is not the sum of its terms"
+
 # The same document for any number of threads.
 find() { "$gaitsmith" synthesize --figure inchworm --task travel --sense timer=0.8 --weight slip_sum=0.5 --search "$1" \
   --evaluations 300 --seed 9 --out "$2" --curve curve.csv --threads "$3" --search-option torus.side=8; }
@@ -106,6 +126,13 @@ echo keep >precious.json
 refuses 'there is no figure "mr-moon"' "$gaitsmith" synthesize --figure mr-moon --out precious.json
 refuses '"fly" is not known; choose from travel' "$gaitsmith" synthesize --task fly --out precious.json
 refuses '--weight max_cm_height=x: must be a number' "$gaitsmith" synthesize --weight max_cm_height=x --out precious.json
+refuses '"zeal" is not known; choose from max_cm_height, slip_sum, rotations, effort, upright, smoothness, head_height' \
+  "$gaitsmith" synthesize --weight zeal=1 --out precious.json
+for weight in nan inf '' 1e; do
+  refuses "--weight effort=$weight: must be a number" "$gaitsmith" synthesize --weight effort=$weight --out precious.json
+done
+refuses 'task.weights.upright: must be from -1000 to 1000, is 1001' "$gaitsmith" synthesize --weight upright=1001 --out precious.json
+refuses 'DOC: give exactly one document' "$gaitsmith" measure
 refuses 'must be from 0.02 to 120 s' "$gaitsmith" synthesize --sense timer=0.001 --out precious.json
 refuses 'must be a whole number from 1 to 100000000, is "many"' "$gaitsmith" synthesize --evaluations many --out precious.json
 refuses '--colour: this command has no such option' "$gaitsmith" synthesize --colour red --out precious.json
@@ -132,7 +159,7 @@ wrong 1 'nowhere.json: cannot be read' study "${to[@]}" --problem nowhere.json
 wrong 2 'must be i/n with i from 1 to n, such as 2/8, is "3/2"' study "${to[@]}" --shard 3/2
 wrong 2 '--weight slip_sum=nan: must be a number' study "${to[@]}" --weight slip_sum=nan
 wrong 2 'weights.slip_sum: must be from -1000 to 1000, is 2000' study "${to[@]}" --weight slip_sum=2000
-wrong 2 'search.start: must be a controller with the senses' study "${to[@]}" --sense physical
+wrong 2 'search.start: must be a controller of the kind, the senses' study "${to[@]}" --sense physical
 wrong 2 'must be another file than --out' study --out results.csv --curves ./results.csv
 wrong 2 '--out: must be a file' study --out - --curves curves.csv
 wrong 2 '--curves: say which file' study --out results.csv
