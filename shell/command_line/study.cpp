@@ -205,11 +205,15 @@ std::optional<TrialRows> RunTrial(const Study& study, std::size_t trial,
     search->Tell(scores);
     evaluations += search->Evaluations() - before;
   }
-  const Genome& best = search->BestGenome();
-  const Evaluation measured = Evaluator(problem, true).Evaluate(std::span(&best, 1)).front();
+  Document found = document;
+  found.controllers.push_back({"", document.kind, document.senses, document.rules, search->BestGenome()});
+  found.timeline = {{static_cast<int>(found.controllers.size()) - 1, 0}};
+  found.duration_steps = document.task.duration_steps;
+  const Motion motion = Simulate(found);
   const TrialResult result{.best = search->BestFitness(),
-                           .terms = measured.terms,
-                           .hash = measured.trajectory_hash,
+                           .terms = motion.TermsAt(motion.Frames() - 1),
+                           .ground = GroundUseOf(motion),
+                           .hash = motion.Hash(),
                            .curve = search->Curve()};
   return TrialRows{.result = RowsOf(study.plan, StudyTable::kResults, trial, result),
                    .curve = RowsOf(study.plan, StudyTable::kCurves, trial, result)};

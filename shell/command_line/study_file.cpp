@@ -13,6 +13,8 @@ namespace gaitsmith::shell {
 
 namespace {
 
+constexpr std::size_t kResultFields = 12, kCurveFields = 5;
+
 std::string Number(double value) {
   if (value != value) return "nan";  // of a motion that broke physics; some libraries print its sign
   char text[32];
@@ -36,8 +38,9 @@ class RowReader {
   std::string Read(std::string_view row) {
     Cut(row);
     const bool results = file_.table == StudyTable::kResults;
-    if (count_ != (results ? 10 : 5)) {
-      return "has " + std::to_string(count_) + " fields instead of " + (results ? "10" : "5");
+    if (count_ != (results ? kResultFields : kCurveFields)) {
+      return "has " + std::to_string(count_) + " fields instead of " +
+             std::to_string(results ? kResultFields : kCurveFields);
     }
     std::uint32_t seed = 0;
     if (!Whole(fields_[2], seed)) return "its seed is not a number";
@@ -78,12 +81,12 @@ class RowReader {
       return "must have " + std::to_string(file_.plan.evaluations) + " evaluations";
     }
     double value = 0.0;  // a motion that broke physics may have terms that are no numbers, but has a score
-    for (std::size_t i = 4; i < 9; ++i) {
+    for (std::size_t i = 4; i < kResultFields - 1; ++i) {
       if (!IsNumber(fields_[i], value) || (i == 4 && !std::isfinite(value)))
         return "has a damaged number, \"" + std::string(fields_[i]) + "\"";
     }
-    if (fields_[9].size() != 16 ||
-        fields_[9].find_first_not_of("0123456789abcdef") != std::string_view::npos) {
+    if (fields_[kResultFields - 1].size() != 16 ||
+        fields_[kResultFields - 1].find_first_not_of("0123456789abcdef") != std::string_view::npos) {
       return "its hash is not 16 hexadecimal digits";
     }
     return "";
@@ -109,7 +112,7 @@ class RowReader {
   std::string FirstLine() const { return std::to_string(file_.trials.at(trial_).line); }
 
   const StudyFile& file_;
-  std::array<std::string_view, 10> fields_;
+  std::array<std::string_view, kResultFields> fields_;
   std::size_t count_ = 0, trial_ = 0;
   int points_ = 0;  // of the curve that is being read; 0 between curves
   double best_ = 0.0;
@@ -123,7 +126,8 @@ std::string RowsOf(const StudyPlan& plan, StudyTable table, std::size_t trial, c
     std::string row = start + std::to_string(plan.evaluations);
     const Terms& terms = result.terms;
     for (const float value :
-         {result.best, terms.travel_m, terms.max_cm_height_m, terms.slip_sum_m, terms.rotations}) {
+         {result.best, terms.travel_m, terms.max_cm_height_m, terms.slip_sum_m, terms.rotations,
+          result.ground.share, static_cast<float>(result.ground.bearers)}) {
       row += "," + Number(static_cast<double>(value));
     }
     return row + "," + HashText(result.hash) + "\n";

@@ -5,7 +5,7 @@
 #include <map>
 #include <span>
 
-#include "core/physics/task.h"
+#include "core/physics/ground_use.h"
 #include "core/search/search.h"
 #include "shell/command_line/study_plan.h"
 
@@ -15,6 +15,7 @@ namespace gaitsmith::shell {
 struct TrialResult {
   float best;          // fitness
   Terms terms;         // of the best motion
+  GroundUse ground;    // likewise
   std::uint64_t hash;  // of its trajectory
   std::span<const Search::CurvePoint> curve;
 };

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kTableNames = {"results", "curves"};
 constexpr std::array<std::string_view, 2> kColumns = {
-    "problem,search,seed,evaluations,best,travel,max_cm_height,slip_sum,rotations,hash",
+    "problem,search,seed,evaluations,best,travel,max_cm_height,slip_sum,rotations,grounded,bearers,hash",
     "problem,search,seed,evaluation,best"};
 
 std::string Joined(const std::vector<std::string>& labels) {

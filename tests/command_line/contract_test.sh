@@ -87,13 +87,13 @@ study() { "$gaitsmith" compare --problem one.json --problem refined.json --searc
 study --threads 1 --out results.csv --curves curves.csv || fault "compare"
 study --threads 2 --out results2.csv --curves curves2.csv || fault "compare with two threads"
 for file in results curves; do cmp -s $file.csv ${file}2.csv || fault "two threads wrote other $file"; done
-same "$(sed -n 2p results.csv)" "problem,search,seed,evaluations,best,travel,max_cm_height,slip_sum,rotations,hash" "columns of results"
+same "$(sed -n 2p results.csv)" "problem,search,seed,evaluations,best,travel,max_cm_height,slip_sum,rotations,grounded,bearers,hash" "columns of results"
 same "$(sed -n 2p curves.csv)" "problem,search,seed,evaluation,best" "columns of curves"
 same "$(wc -l <results.csv) $(wc -l <curves.csv)" "10 58" "rows of a study"
 same "$(sed -n '3,9s/^one,powell,9,\([0-9]*\),.*/\1/p' curves.csv | tr '\n' ' ')" "8 17 25 34 42 51 60 " "points of a curve"
 # A trial is the very search that synthesize makes, begun with the controller that search.start names.
 "$gaitsmith" synthesize --from one.json --search powell --evaluations 60 --seed 9 --out trial.json
-same "$(grep '^refined,powell,9,' results.csv | cut -d, -f10)" "$("$gaitsmith" hash trial.json)" "hash of a trial"
+same "$(grep '^refined,powell,9,' results.csv | cut -d, -f12)" "$("$gaitsmith" hash trial.json)" "hash of a trial"
 for i in 1 2 3; do study --shard $i/3 --out shard$i.csv --curves curve$i.csv || fault "shard $i/3"; done
 "$gaitsmith" merge --complete --out merged.csv shard3.csv shard1.csv shard2.csv || fault "merge"
 cmp -s merged.csv results.csv || fault "merged shards are not the whole"

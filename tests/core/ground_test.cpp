@@ -4,6 +4,7 @@
 #include <catch_amalgamated.hpp>
 #include <cmath>
 
+#include "core/physics/ground_use.h"
 #include "core/physics/motion.h"
 #include "tests/reference/free_flight.h"
 #include "tests/scene.h"
@@ -173,6 +174,18 @@ TEST_CASE("mirror: a mirrored figure does the mirrored fall", "[physics][ground]
   const Motion other(mirrored, Environment{}, StartState{}, {}, {}, {}, 60);
   REQUIRE(other.At(60).x_m == Catch::Approx(-one.At(60).x_m).margin(1e-4));
   REQUIRE(other.At(60).y_m == Catch::Approx(one.At(60).y_m).margin(1e-4f));
+}
+
+TEST_CASE("ground use: a rod at rest lies on both ends all the time, one that is thrown on none",
+          "[physics][ground]") {
+  const GroundUse lying = GroundUseOf(Motion(LyingRod(), {}, {}, {}, {}, {}, 200));
+  CHECK(lying.share == 1.0f);
+  CHECK(lying.bearers == 2);
+  StartState thrown;
+  thrown.drop_height_m = 50.0f;
+  const GroundUse flying = GroundUseOf(Motion(LyingRod(), {}, thrown, {}, {}, {}, 200));
+  CHECK(flying.share == 0.0f);
+  CHECK(flying.bearers == 0);
 }
 
 }  // namespace gaitsmith::test
