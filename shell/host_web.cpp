@@ -109,8 +109,11 @@ void Tick(void* argument) {
   page.pace.Drawn(now_ms);
 }
 
+// In the order of Decider.
+constexpr std::array<std::string_view, 3> kDeciderNames = {"timer", "physical", "network"};
+
 // Options of a search, each optional: {"algorithm": "sphc", "evaluations": 40000, "seed": 1, "workers": 2,
-// "sense": "physical" | "timer", "period": 0.8}.
+// "sense": "physical" | "timer" | "network", "period": 0.8}.
 std::string ApplyOptions(const JsonValue& options, Document& document, int& workers) {
   for (std::size_t i = 0; i < options.names.size(); ++i) {
     const std::string& name = options.names[i];
@@ -119,8 +122,9 @@ std::string ApplyOptions(const JsonValue& options, Document& document, int& work
     const auto algorithm = std::ranges::find(kAlgorithmNames, value.text);
     if (name == "algorithm" && algorithm != kAlgorithmNames.end()) {
       document.search.algorithm = static_cast<Algorithm>(algorithm - kAlgorithmNames.begin());
-    } else if (name == "sense" && (value.text == "timer" || value.text == "physical")) {
-      document.senses.kind = value.text == "timer" ? SenseKind::kTimer : SenseKind::kPhysical;
+    } else if (const auto decider = std::ranges::find(kDeciderNames, value.text);
+               name == "sense" && decider != kDeciderNames.end()) {
+      Decide(document, static_cast<Decider>(decider - kDeciderNames.begin()));
     } else if (name == "evaluations" && number) {
       document.search.evaluations = static_cast<int>(value.number);
     } else if (name == "seed" && number && value.number >= 0.0) {
@@ -189,11 +193,10 @@ EMSCRIPTEN_KEEPALIVE void gs_undo() {
   ThePage().window->RequestFrame();
 }
 
-/// Of the next search. @param kind  0 physical, 1 timer
+/// Of the next search. @param kind  a Decider
 EMSCRIPTEN_KEEPALIVE void gs_set_senses(int kind) {
   TheSession().BeginGesture();
-  TheSession().Set(
-      [kind](Document& d) { d.senses.kind = kind == 1 ? SenseKind::kTimer : SenseKind::kPhysical; });
+  TheSession().Set([kind](Document& d) { Decide(d, static_cast<Decider>(std::clamp(kind, 0, 2))); });
   ThePage().window->RequestFrame();
 }
 

@@ -30,12 +30,9 @@ void DrawSettings(Ui& ui, Session& session) {
   const SenseSpec& senses = session.Doc().senses;
   static constexpr std::array<std::string_view, 3> kKinds = {"Timer", "Senses", "Network"};
   const bool network = session.Doc().kind == ControllerKind::kNetwork;
-  int kind = network ? 2 : senses.kind == SenseKind::kTimer ? 0 : 1;
+  int kind = static_cast<int>(DeciderOf(session.Doc()));
   if (ui.Segmented("controller/senses", ui.Row(ui.Look().touch ? 42.0f : 34.0f), kKinds, kind)) {
-    session.Set([&](Document& d) {
-      d.kind = kind == 2 ? ControllerKind::kNetwork : ControllerKind::kRules;
-      d.senses.kind = kind == 0 ? SenseKind::kTimer : SenseKind::kPhysical;
-    });
+    session.Set([&](Document& d) { Decide(d, static_cast<Decider>(kind)); });
   }
   ui.Gap(8.0f);
   ui.Paragraph(kind == 0   ? "Rules that follow a clock: a wind-up toy."

@@ -68,6 +68,16 @@ bool Same(const Document& a, const Document& b) { return EncodeBinary(a) == Enco
 
 }  // namespace
 
+Decider DeciderOf(const Document& d) {
+  if (d.kind == ControllerKind::kNetwork) return Decider::kNetwork;
+  return d.senses.kind == SenseKind::kTimer ? Decider::kTimer : Decider::kSenses;
+}
+
+void Decide(Document& d, Decider decider) {
+  d.kind = decider == Decider::kNetwork ? ControllerKind::kNetwork : ControllerKind::kRules;
+  d.senses.kind = decider == Decider::kTimer ? SenseKind::kTimer : SenseKind::kPhysical;
+}
+
 std::string ControllerWords(ControllerKind kind, const SenseSpec& senses, int rules) {
   const std::string plural = rules == 1 ? "" : "s";
   if (kind == ControllerKind::kNetwork)

@@ -102,6 +102,12 @@ class Session {
   double shown_for_s_ = 0.0;
 };
 
+/// What decides: a clock, the physical senses, or a network of sensors.
+enum class Decider { kTimer, kSenses, kNetwork };
+[[nodiscard]] Decider DeciderOf(const Document&);
+/// Of the next search.
+void Decide(Document&, Decider);
+
 /// "10 rules with physical senses", "10 rules with timer 0.80 s", "a network of 10 hidden nodes".
 [[nodiscard]] std::string ControllerWords(ControllerKind, const SenseSpec&, int rules);
 /// What the task rewards, e.g. "travel".

@@ -19,7 +19,7 @@
  * Options of a search; what is left out stays as the document has it.
  * @typedef {object} SynthesizeOptions
  * @property {string} [algorithm]   rgt, sphc, gga, ssga, shc, mpga, nelder-mead, powell, cma-es or map-elites
- * @property {'physical' | 'timer'} [sense]
+ * @property {'timer' | 'physical' | 'network'} [sense]
  * @property {number} [period]       of the timer, seconds
  * @property {number} [evaluations]
  * @property {number} [seed]
@@ -29,7 +29,7 @@
 /** What a document says about its search, as far as the page shows it. @typedef {{algorithm?: string}} SearchJson */
 /**
  * A document as JSON (docs/formats.md), as far as the page itself reads it.
- * @typedef {{title?: string, figure: {name?: string}, senses?: {kind?: string}, search?: SearchJson,
+ * @typedef {{title?: string, figure: {name?: string}, kind?: string, senses?: {kind?: string}, search?: SearchJson,
  *   task?: {kind?: string, weights?: Record<string, number>}}} DocumentJson
  */
 
@@ -77,8 +77,8 @@ export class App {
   play(playing) { this.module._gs_play(playing ? 1 : 0); }
   canUndo() { return this.module._gs_can_undo() !== 0; }
   undo() { this.module._gs_undo(); }
-  /** Of the next search. @param {'physical' | 'timer'} kind */
-  setSenses(kind) { this.module._gs_set_senses(kind === 'timer' ? 1 : 0); }
+  /** Of the next search. @param {'timer' | 'physical' | 'network'} kind */
+  setSenses(kind) { this.module._gs_set_senses(['timer', 'physical', 'network'].indexOf(kind)); }
 
   /** @param {SynthesizeOptions} options @returns {string} empty, or a sentence; then nothing has started */
   synthesize(options) {

@@ -28,7 +28,7 @@ export class Controls {
     // What the canvas shows changes without a word to the page, but nobody needs it here more often than this.
     setInterval(() => this.#update(), 1000);
     for (const radio of this.#radios) {
-      radio.addEventListener('change', () => app.setSenses(radio.value === 'timer' ? 'timer' : 'physical'));
+      radio.addEventListener('change', () => app.setSenses(/** @type {'timer' | 'physical' | 'network'} */ (radio.value)));
     }
     this.documentChanged();
   }
@@ -38,7 +38,8 @@ export class Controls {
     // A drag changes it at every frame, and reading the whole document takes some milliseconds.
     this.#follow ??= setTimeout(() => {
       this.#follow = undefined;
-      const kind = this.app.document().senses?.kind ?? 'physical';
+      const { kind: controller, senses } = this.app.document();
+      const kind = controller === 'network' ? controller : senses?.kind ?? 'physical';
       for (const radio of this.#radios) radio.checked = radio.value === kind;
     }, FOLLOW_MS);
   }
@@ -67,8 +68,9 @@ export class Controls {
   #describe(widgets = this.app.widgets()) {
     const stage = widgets.find(({ id }) => id === 'stage');
     const rule = widgets.find(({ id, state }) => id.startsWith('controller/rule/') && state.selected);
+    const network = widgets.find(({ id }) => id === 'controller/network');
     const figure = this.app.document().figure.name || 'The figure';
     const where = stage ? `has travelled ${stage.value}` : 'is on the stage';
-    return `${figure} ${where}.${rule ? ` Active rule: ${rule.label}.` : ''} ${this.app.score()}`;
+    return `${figure} ${where}.${rule ? ` Active rule: ${rule.label}.` : ''}${network ? ` ${network.label}, ${network.value}.` : ''} ${this.app.score()}`;
   }
 }

@@ -234,6 +234,11 @@ export const SCENARIOS = [
     const undo = () => fresh.call('undo', () => /** @type {HTMLButtonElement} */ (document.querySelector('#undo')).disabled);
     const senses = () => fresh.call('senses', () => window.gaitsmith.document().senses?.kind);
     assert.equal(await undo(), true);
+    const decider = () => fresh.call('kind', () => window.gaitsmith.document().kind);
+    await fresh.page.focus('input[value=network]');
+    await fresh.page.keyboard.press(' ');
+    await fresh.frames();
+    assert.deepEqual([await decider(), await senses()], ['network', 'physical']);
     for (const kind of ['timer', 'physical']) {
       await fresh.page.focus(`input[value=${kind}]`);
       await fresh.page.keyboard.press(' ');
