@@ -43,6 +43,7 @@ Document OnlyProblem(const Document& given) {
   document.pushes = given.pushes;
   document.task = given.task;
   document.senses = given.senses;
+  document.kind = given.kind;
   document.rules = given.rules;
   if (given.search.start >= 0) {
     document.controllers = {given.controllers[static_cast<std::size_t>(given.search.start)]};
