@@ -15,6 +15,7 @@
 #include "core/document/link.h"
 #include "shell/app.h"
 #include "shell/frame_pace.h"
+#include "shell/script_options.h"
 #include "shell/style_words.h"
 
 extern "C" {
@@ -123,61 +124,6 @@ void Tick(void* argument) {
   page.pace.Drawn(now_ms);
 }
 
-// Options of a search, each optional: {"algorithm": "sphc", "evaluations": 40000, "seed": 1, "workers": 2,
-// "sense": "physical" | "timer", "period": 0.8}.
-std::string ApplyOptions(const JsonValue& options, Document& document, int& workers) {
-  for (std::size_t i = 0; i < options.names.size(); ++i) {
-    const std::string& name = options.names[i];
-    const JsonValue& value = options.items[i];
-    const bool number = value.kind == JsonValue::Kind::kNumber && std::abs(value.number) < 2e9;
-    const auto algorithm = std::ranges::find(kAlgorithmNames, value.text);
-    if (name == "algorithm" && algorithm != kAlgorithmNames.end()) {
-      document.search.algorithm = static_cast<Algorithm>(algorithm - kAlgorithmNames.begin());
-    } else if (name == "sense" && (value.text == "timer" || value.text == "physical")) {
-      document.senses.kind = value.text == "timer" ? SenseKind::kTimer : SenseKind::kPhysical;
-    } else if (name == "evaluations" && number) {
-      document.search.evaluations = static_cast<int>(value.number);
-    } else if (name == "seed" && number && value.number >= 0.0) {
-      document.search.seed = static_cast<std::uint32_t>(value.number);
-    } else if (name == "workers" && number && value.number >= 1.0 && value.number <= 64.0) {
-      workers = static_cast<int>(value.number);
-    } else if (name == "period" && number && std::abs(value.number) < 1e6) {
-      document.senses.period_steps = static_cast<int>(std::lround(value.number / static_cast<double>(kStep)));
-    } else {
-      return "synthesize: unknown option or value: " + name;
-    }
-  }
-  return {};
-}
-
-// Options of the lab, each optional: {"algorithms": ["sphc", "rgt"], "trials": 10, "evaluations": 4000,
-// "firstSeed": 1}. Ranges are the lab's to check.
-std::string ApplyOptions(const JsonValue& options, LabSettings& settings) {
-  for (std::size_t i = 0; i < options.names.size(); ++i) {
-    const std::string& name = options.names[i];
-    const JsonValue& value = options.items[i];
-    const bool number = value.kind == JsonValue::Kind::kNumber && value.number == std::floor(value.number);
-    const bool small = number && std::abs(value.number) < 2e9;
-    if (name == "trials" && small) {
-      settings.trials = static_cast<int>(value.number);
-    } else if (name == "evaluations" && small) {
-      settings.evaluations = static_cast<int>(value.number);
-    } else if (name == "firstSeed" && number && value.number >= 0.0 && value.number <= 4294967295.0) {
-      settings.first_seed = static_cast<std::uint32_t>(value.number);
-    } else if (name == "algorithms" && value.kind == JsonValue::Kind::kArray) {
-      settings.chosen.fill(false);
-      for (const JsonValue& item : value.items) {
-        const auto algorithm = std::ranges::find(kAlgorithmNames, item.text);
-        if (algorithm == kAlgorithmNames.end()) return "lab: unknown algorithm: " + item.text;
-        settings.chosen[static_cast<std::size_t>(algorithm - kAlgorithmNames.begin())] = true;
-      }
-    } else {
-      return "lab: unknown option or value: " + name;
-    }
-  }
-  return {};
-}
-
 }  // namespace
 }  // namespace gaitsmith::shell
 
@@ -250,7 +196,7 @@ EMSCRIPTEN_KEEPALIVE const char* gs_synthesize(const char* options) {
     const auto parsed = ParseJson(options);
     if (!parsed) return Reply(parsed.error().Sentence());
     Document changed = session.Doc();
-    fault = ApplyOptions(*parsed, changed, workers);
+    fault = ApplySearchOptions(*parsed, changed, workers);
     if (!fault.empty()) return Reply(fault);
     if (const auto valid = Validate(changed); !valid) return Reply(valid.error().Sentence());
     session.Set([&](Document& d) { d = changed; });
@@ -266,7 +212,7 @@ EMSCRIPTEN_KEEPALIVE const char* gs_lab(const char* options) {
   const auto parsed = ParseJson(options);
   if (!parsed) return Reply(parsed.error().Sentence());
   LabSettings settings = TheSession().lab.settings;
-  if (std::string fault = ApplyOptions(*parsed, settings); !fault.empty()) return Reply(std::move(fault));
+  if (std::string fault = ApplyLabOptions(*parsed, settings); !fault.empty()) return Reply(std::move(fault));
   const auto started = TheSession().StartLab(settings);
   return Reply(started ? "" : started.error().Sentence());
 }
