@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "shell/panel_controller.h"
+#include "shell/panel_lab.h"
 #include "shell/panel_search.h"
 #include "shell/panel_style.h"
 #include "shell/stage.h"
@@ -17,9 +18,10 @@ namespace gaitsmith::shell {
 namespace {
 
 // The order of View::panel. On a phone the timeline is the last of them.
-constexpr std::array<std::string_view, 5> kPanels = {"Figure", "Controller", "Style", "Search", "Timeline"};
-constexpr int kDeskPanels = 4;
-constexpr int kTimelinePanel = 4;
+constexpr std::array<std::string_view, 6> kPanels = {"Figure", "Controller", "Style",
+                                                     "Search", "Lab",        "Timeline"};
+constexpr int kDeskPanels = 5;
+constexpr int kTimelinePanel = 5;
 
 // A finger that moves up or down over a panel scrolls it, unless it holds something that is dragged itself.
 void ScrollByTouch() {
@@ -128,6 +130,9 @@ void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
       break;
     case 2:
       DrawStylePanel(ui, session_);
+      break;
+    case 4:
+      DrawLabPanel(ui, session_);
       break;
     default:
       DrawSearchPanel(ui, session_);

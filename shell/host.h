@@ -10,6 +10,13 @@
 
 namespace gaitsmith::shell {
 
+/// A trial of the lab as the page tells of it.
+struct TrialWords {
+  std::string words;  // "SPHC, seed 3"
+  int finished = 0;   // trials before it
+  int total = 0;
+};
+
 class Host {
  public:
   virtual ~Host() = default;
@@ -19,12 +26,17 @@ class Host {
   /// Runs the document's search; a running one is stopped first. Progress comes through
   /// Session::OnSearchProgress.
   virtual void StartSearch(const Document& document, int workers) = 0;
+  /// Runs a search of the lab in the same way, one after another. LabEnded follows the last.
+  virtual void StartTrial(const Document& document, int workers, const TrialWords& trial) = 0;
+  virtual void LabEnded() {}
   virtual void PauseSearch() = 0;
   virtual void ResumeSearch() = 0;
   virtual void StopSearch() = 0;
 
   /// One sentence for the status line, spoken by screen readers.
   virtual void Status(const std::string& sentence) = 0;
+  /// Gives the reader a file.
+  virtual void SaveText(const std::string& name, const std::string& text) = 0;
   virtual void DocumentChanged(const std::string& title) = 0;
   /// The first frame is on the screen.
   virtual void FirstFrame() {}

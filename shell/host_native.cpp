@@ -2,6 +2,9 @@
 // One searching thread, which brings its own crew.
 #include "shell/host_native.h"
 
+#include <filesystem>
+#include <fstream>
+
 namespace gaitsmith::shell {
 
 NativeHost::~NativeHost() { StopSearch(); }
@@ -21,6 +24,25 @@ void NativeHost::StartSearch(const Document& document, int workers) {
         },
         start);
   });
+}
+
+void NativeHost::StartTrial(const Document& document, int workers, const TrialWords& trial) {
+  status_ = "Lab: trial " + std::to_string(trial.finished + 1) + " of " + std::to_string(trial.total) + ", " +
+            trial.words;
+  StartSearch(document, workers);
+}
+
+void NativeHost::SaveText(const std::string& name, const std::string& text) {
+  std::filesystem::path path = name;
+  std::error_code fault;
+  for (int number = 2; std::filesystem::exists(path, fault); ++number) {
+    path = std::filesystem::path(name).stem().string() + "-" + std::to_string(number) +
+           std::filesystem::path(name).extension().string();
+  }
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  status_ = file.good() ? "Saved as " + path.string() + "." : "Cannot write " + path.string() + ".";
 }
 
 void NativeHost::PauseSearch() {

@@ -19,10 +19,13 @@ class NativeHost final : public Host {
 
   [[nodiscard]] int MaxWorkers() const override;
   void StartSearch(const Document& document, int workers) override;
+  void StartTrial(const Document& document, int workers, const TrialWords& trial) override;
   void PauseSearch() override;
   void ResumeSearch() override;
   void StopSearch() override;
   void Status(const std::string& sentence) override { status_ = sentence; }
+  /// Into the working directory; never over another file.
+  void SaveText(const std::string& name, const std::string& text) override;
   void DocumentChanged(const std::string& title) override { title_ = title; }
 
   /// The newest report since the last call, if there is one.

@@ -15,12 +15,17 @@
 #include "core/document/link.h"
 #include "shell/app.h"
 #include "shell/frame_pace.h"
+#include "shell/script_options.h"
 #include "shell/style_words.h"
 
 extern "C" {
 // host_web.library.js
 int gs_page_max_workers();
 void gs_page_start_search(const std::uint8_t* document, std::size_t bytes, int workers);
+void gs_page_start_trial(const std::uint8_t* document, std::size_t bytes, int workers, const char* words,
+                         int finished, int total);
+void gs_page_lab_ended();
+void gs_page_save_text(const char* name, const char* text);
 void gs_page_pause_search();
 void gs_page_resume_search();
 void gs_page_stop_search();
@@ -39,6 +44,15 @@ class WebHost final : public Host {
   void StartSearch(const Document& document, int workers) override {
     const std::vector<std::uint8_t> bytes = EncodeBinary(document);
     gs_page_start_search(bytes.data(), bytes.size(), workers);
+  }
+  void StartTrial(const Document& document, int workers, const TrialWords& trial) override {
+    const std::vector<std::uint8_t> bytes = EncodeBinary(document);
+    gs_page_start_trial(bytes.data(), bytes.size(), workers, trial.words.c_str(), trial.finished,
+                        trial.total);
+  }
+  void LabEnded() override { gs_page_lab_ended(); }
+  void SaveText(const std::string& name, const std::string& text) override {
+    gs_page_save_text(name.c_str(), text.c_str());
   }
   void PauseSearch() override { gs_page_pause_search(); }
   void ResumeSearch() override { gs_page_resume_search(); }
@@ -102,42 +116,12 @@ void Tick(void* argument) {
   if (emscripten_get_now() - now_ms > kLongMs) return;
   if (!page.moved && !page.window->NeedsFrame()) return;
   // Whoever moves the pointer or types is not made to wait for a search.
-  const bool searching = page.app->State().Searching() && !page.window->OwesAnswer();
+  const Session& session = page.app->State();
+  const bool searching = (session.Searching() || session.lab.Running()) && !page.window->OwesAnswer();
   if (!page.pace.Due(now_ms, searching)) return;
   page.moved = false;
   page.window->Draw([&page] { page.app->Draw(); });
   page.pace.Drawn(now_ms);
-}
-
-// In the order of Decider.
-constexpr std::array<std::string_view, 3> kDeciderNames = {"timer", "physical", "network"};
-
-// Options of a search, each optional: {"algorithm": "sphc", "evaluations": 40000, "seed": 1, "workers": 2,
-// "sense": "physical" | "timer" | "network", "period": 0.8}.
-std::string ApplyOptions(const JsonValue& options, Document& document, int& workers) {
-  for (std::size_t i = 0; i < options.names.size(); ++i) {
-    const std::string& name = options.names[i];
-    const JsonValue& value = options.items[i];
-    const bool number = value.kind == JsonValue::Kind::kNumber && std::abs(value.number) < 2e9;
-    const auto algorithm = std::ranges::find(kAlgorithmNames, value.text);
-    if (name == "algorithm" && algorithm != kAlgorithmNames.end()) {
-      document.search.algorithm = static_cast<Algorithm>(algorithm - kAlgorithmNames.begin());
-    } else if (const auto decider = std::ranges::find(kDeciderNames, value.text);
-               name == "sense" && decider != kDeciderNames.end()) {
-      Decide(document, static_cast<Decider>(decider - kDeciderNames.begin()));
-    } else if (name == "evaluations" && number) {
-      document.search.evaluations = static_cast<int>(value.number);
-    } else if (name == "seed" && number && value.number >= 0.0) {
-      document.search.seed = static_cast<std::uint32_t>(value.number);
-    } else if (name == "workers" && number && value.number >= 1.0 && value.number <= 64.0) {
-      workers = static_cast<int>(value.number);
-    } else if (name == "period" && number && std::abs(value.number) < 1e6) {
-      document.senses.period_steps = static_cast<int>(std::lround(value.number / static_cast<double>(kStep)));
-    } else {
-      return "synthesize: unknown option or value: " + name;
-    }
-  }
-  return {};
 }
 
 }  // namespace
@@ -203,6 +187,7 @@ EMSCRIPTEN_KEEPALIVE void gs_set_senses(int kind) {
 /// @param options JSON object or empty text. @return an empty text or a sentence
 EMSCRIPTEN_KEEPALIVE const char* gs_synthesize(const char* options) {
   Session& session = TheSession();
+  if (session.lab.Running()) return Reply("The lab is running: stop it first, or let it end.");
   session.BeginGesture();
   int workers = session.workers;
   std::string fault;
@@ -210,7 +195,7 @@ EMSCRIPTEN_KEEPALIVE const char* gs_synthesize(const char* options) {
     const auto parsed = ParseJson(options);
     if (!parsed) return Reply(parsed.error().Sentence());
     Document changed = session.Doc();
-    fault = ApplyOptions(*parsed, changed, workers);
+    fault = ApplySearchOptions(*parsed, changed, workers);
     if (!fault.empty()) return Reply(fault);
     if (const auto valid = Validate(changed); !valid) return Reply(valid.error().Sentence());
     session.Set([&](Document& d) { d = changed; });
@@ -219,6 +204,21 @@ EMSCRIPTEN_KEEPALIVE const char* gs_synthesize(const char* options) {
   session.Synthesize();
   return Reply("");
 }
+
+/// Starts the lab; one that runs is stopped first. @param options JSON object
+/// @return an empty text, or a sentence, and then nothing has changed
+EMSCRIPTEN_KEEPALIVE const char* gs_lab(const char* options) {
+  const auto parsed = ParseJson(options);
+  if (!parsed) return Reply(parsed.error().Sentence());
+  LabSettings settings = TheSession().lab.settings;
+  if (std::string fault = ApplyLabOptions(*parsed, settings); !fault.empty()) return Reply(std::move(fault));
+  const auto started = TheSession().StartLab(settings);
+  return Reply(started ? "" : started.error().Sentence());
+}
+/// The lab's curves so far, as a file.
+EMSCRIPTEN_KEEPALIVE const char* gs_lab_csv() { return Reply(TheSession().lab.Csv()); }
+/// As of LabState.
+EMSCRIPTEN_KEEPALIVE int gs_lab_state() { return static_cast<int>(TheSession().lab.State()); }
 
 EMSCRIPTEN_KEEPALIVE void gs_pause() { TheSession().Pause(); }
 EMSCRIPTEN_KEEPALIVE void gs_resume() { TheSession().Resume(); }

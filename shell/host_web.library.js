@@ -11,6 +11,14 @@ addToLibrary({
   gs_page_start_search: (pointer, bytes, workers) => {
     callPage('startSearch', HEAPU8.slice(pointer, pointer + bytes), workers);
   },
+  gs_page_start_trial__deps: ['$callPage', '$UTF8ToString'],
+  gs_page_start_trial: (pointer, bytes, workers, words, finished, total) => {
+    callPage('startTrial', HEAPU8.slice(pointer, pointer + bytes), workers, { words: UTF8ToString(words), finished, total });
+  },
+  gs_page_lab_ended__deps: ['$callPage'],
+  gs_page_lab_ended: () => { callPage('labEnded'); },
+  gs_page_save_text__deps: ['$callPage', '$UTF8ToString'],
+  gs_page_save_text: (name, text) => { callPage('saveText', UTF8ToString(name), UTF8ToString(text)); },
   gs_page_pause_search__deps: ['$callPage'],
   gs_page_pause_search: () => { callPage('pauseSearch'); },
   gs_page_resume_search__deps: ['$callPage'],

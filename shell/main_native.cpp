@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The desktop window:
-//   gaitsmith-window [document.json | link] [--dark] [--size 1280x720] [--scale 1.5] [--panel 0..4]
+//   gaitsmith-window [document.json | link] [--dark] [--size 1280x720] [--scale 1.5] [--panel 0..5]
 // A file dropped on the window is opened; Ctrl+S saves beside it, Ctrl+C copies a link.
 #include <charconv>
 #include <chrono>

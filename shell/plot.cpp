@@ -33,6 +33,10 @@ Extent ExtentOf(std::span<const PlotSeries> series) {
       extent.low = std::min(extent.low, point.y);
       extent.high = std::max(extent.high, point.y);
     }
+    for (const PlotSpread& spread : one.spread) {
+      extent.low = std::min(extent.low, spread.low);
+      extent.high = std::max(extent.high, spread.high);
+    }
   }
   if (extent.high - extent.low < 1e-6) extent.high = extent.low + 1.0;
   extent.high += 0.06 * (extent.high - extent.low);
@@ -89,14 +93,26 @@ void DrawPlot(Ui& ui, std::string_view id, std::string_view label, const ImRect&
                  Short(tick, spacing) + std::string(axes.y_unit), Align::kRight);
   }
   const std::vector<double> x_ticks = NiceTicks(0.0, axes.x_end);
-  for (const double tick : x_ticks) {
-    const float x = x_of(tick);
-    const bool last = tick == x_ticks.back();
-    const std::string text =
-        Short(tick, x_ticks.size() > 1 ? x_ticks[1] : 1.0) + (last ? " " + std::string(axes.x_label) : "");
+  // From the right, since the last one carries the unit and may leave no room for the one before it.
+  float free = rect.Max.x;
+  for (std::size_t i = x_ticks.size(); i-- > 0;) {
+    const bool last = i + 1 == x_ticks.size();
+    const std::string text = Short(x_ticks[i], x_ticks.size() > 1 ? x_ticks[1] : 1.0) +
+                             (last ? " " + std::string(axes.x_label) : "");
     const float half = 0.5f * letters.Width(Type::kSmall, text);
-    letters.Draw(list, Type::kSmall, {std::min(x, rect.Max.x - half), field.Max.y + 12.0f}, p.second_ink,
-                 text, Align::kCentre);
+    const float x = last ? std::min(x_of(x_ticks[i]), rect.Max.x - half) : x_of(x_ticks[i]);
+    if (x + half > free) continue;
+    free = x - half - 6.0f;
+    letters.Draw(list, Type::kSmall, {x, field.Max.y + 12.0f}, p.second_ink, text, Align::kCentre);
+  }
+
+  // Bands lie behind all lines. Each value stands from its x to the next one's.
+  for (const PlotSeries& one : series) {
+    for (std::size_t i = 0; i + 1 < one.spread.size(); ++i) {
+      const PlotSpread& here = one.spread[i];
+      list->AddRectFilled({x_of(here.x), y_of(here.high)}, {x_of(one.spread[i + 1].x), y_of(here.low)},
+                          Fade(one.colour, 0.18f));
+    }
   }
 
   // Each improvement is a step: nothing was better in between.
@@ -106,11 +122,12 @@ void DrawPlot(Ui& ui, std::string_view id, std::string_view label, const ImRect&
     float drawn_x = x_of(one.points.front().x);
     for (std::size_t i = 1; i < one.points.size(); ++i) {
       const float x = x_of(one.points[i].x);
+      const bool rises = one.points[i].y != one.points[i - 1].y;
       // Steps closer than half a point cannot be told apart.
-      if (x - drawn_x < 0.5f && i + 1 < one.points.size()) continue;
+      if ((!rises || x - drawn_x < 0.5f) && i + 1 < one.points.size()) continue;
       drawn_x = x;
       list->PathLineTo({x, y_of(one.points[i - 1].y)});
-      list->PathLineTo({x, y_of(one.points[i].y)});
+      if (rises) list->PathLineTo({x, y_of(one.points[i].y)});
     }
     const ImVec2 end(drawn_x, y_of(one.points.back().y));
     list->PathStroke(one.colour, 0, 2.0f);

@@ -15,10 +15,18 @@ struct PlotPoint {
   double y;
 };
 
+/// How far values scatter; holds until the next one.
+struct PlotSpread {
+  double x;
+  double low;
+  double high;
+};
+
 struct PlotSeries {
   std::string_view name;
   std::span<const PlotPoint> points;  // x ascending; each y holds until the next point
   ImU32 colour;
+  std::span<const PlotSpread> spread = {};  // a band behind the lines, x ascending
 };
 
 struct PlotAxes {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "shell/host.h"
+#include "shell/lab.h"
 #include "shell/playback.h"
 
 namespace gaitsmith::shell {
@@ -59,8 +60,13 @@ class Session {
 
   // The search.
   void Synthesize();
-  void Pause() { host_.PauseSearch(); }
-  void Resume() { host_.ResumeSearch(); }
+  void Pause() {
+    if (Searching()) host_.PauseSearch();
+  }
+  void Resume() {
+    if (Searching()) host_.ResumeSearch();
+  }
+  /// Ends the search, or the lab.
   void Stop();
   void OnSearchProgress(SearchProgress progress);
   [[nodiscard]] const SearchProgress& Progress() const { return progress_; }
@@ -71,6 +77,16 @@ class Session {
   /// if it did
   bool ShowImprovement(double seconds);
   int workers = 1;
+
+  // The lab: many searches for the present document's problem, of which only the curves are kept. It and the
+  // search exclude each other.
+  Lab lab;
+  /// Runs the lab with these settings; one that runs is stopped first. Refused while a search runs.
+  [[nodiscard]] Result<void> StartLab(const LabSettings&);
+  /// The same with the settings on the panel, and the notice says what speaks against it.
+  void StartLab();
+  void StopLab();
+  void SaveLabCurves();
 
   Playback player;
   std::string notice;  // the last thing the reader should know, or empty
@@ -86,6 +102,9 @@ class Session {
   /// Ends the search for good: what it still reports belongs to a document that is no longer here.
   void AbandonSearch();
   void PutController(Controller controller);
+  void RunTrial();
+  void OnTrialProgress(const SearchProgress&);
+  void EndLab(LabState);
 
   Host& host_;
   Document document_;  // its hash: as its maker saw it, until something that the motion depends on changes

@@ -9,6 +9,10 @@
 namespace gaitsmith::shell {
 
 void Session::Synthesize() {
+  if (lab.Running()) {
+    Say("The lab is running: stop it first, or let it end.");
+    return;
+  }
   if (Searching()) Stop();
   Remember();
   notice.clear();
@@ -25,6 +29,7 @@ void Session::Synthesize() {
 }
 
 void Session::Stop() {
+  StopLab();
   if (!Searching()) return;
   host_.StopSearch();
   progress_.state = SearchState::kStopped;
@@ -32,12 +37,13 @@ void Session::Stop() {
 }
 
 void Session::AbandonSearch() {
-  Stop();
+  if (Searching()) Stop();
   searched_.reset();
   improvement_.clear();
 }
 
 void Session::OnSearchProgress(SearchProgress progress) {
+  if (lab.Running()) return OnTrialProgress(progress);
   if (!searched_) return;  // of a search that was stopped before its document went away
   const bool ended = progress.state == SearchState::kDone || progress.state == SearchState::kStopped ||
                      progress.state == SearchState::kFailed;

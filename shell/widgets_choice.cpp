@@ -101,12 +101,16 @@ bool Ui::Tabs(std::string_view id, const ImRect& rect, std::span<const std::stri
   ImDrawList* list = Canvas();
   HorizontalLine(rect.Min.x, rect.Max.x, rect.Max.y - 1.0f);
   float x = rect.Min.x + 8.0f;
+  // On a narrow phone the names stand closer together.
+  float letters = 0.0f;
+  for (const std::string_view name : names) letters += Letters().Width(Type::kStrong, name);
+  const float spare = (rect.GetWidth() - 16.0f - letters) / static_cast<float>(names.size());
+  const float padding = std::clamp(spare, 4.0f, theme_.touch ? 16.0f : 15.0f);
   bool changed = false;
   for (int i = 0; i < static_cast<int>(names.size()); ++i) {
     const std::string_view name = names[static_cast<std::size_t>(i)];
     const bool on = i == selected;
-    const float width =
-        Letters().Width(on ? Type::kStrong : Type::kBody, name) + (theme_.touch ? 16.0f : 15.0f);
+    const float width = Letters().Width(on ? Type::kStrong : Type::kBody, name) + padding;
     const ImRect part({x, rect.Min.y}, {x + width, rect.Max.y});
     const Touch touch = Area(std::string(id) + "/" + std::to_string(i), part, Grab::kPress,
                              {.label = std::string(name), .role = "tab", .state = {.selected = on}});

@@ -3,11 +3,13 @@
 
 /** @typedef {import('./app.js').App} App */
 /** @typedef {import('./app.js').DocumentJson} DocumentJson */
+/** @typedef {import('./app.js').LabOptions} LabOptions */
 /** @typedef {import('./app.js').SynthesizeOptions} SynthesizeOptions */
 /** @typedef {import('./app.js').Widget} Widget */
+/** @typedef {import('./lab.js').LabResult} LabResult */
 /** @typedef {import('./messages.js').SearchReport} SearchReport */
 
-/** What the page is made of. @typedef {{app: App, searches: import('./searches.js').Searches, address: import('./address.js').Address, canvas: HTMLCanvasElement}} Parts */
+/** What the page is made of. @typedef {{app: App, searches: import('./searches.js').Searches, lab: import('./lab.js').Lab, address: import('./address.js').Address, canvas: HTMLCanvasElement}} Parts */
 /** What a search came to. @typedef {{report: SearchReport, hash: string, link: string}} SearchResult */
 
 /** Events: 'progress' (detail: SearchReport), 'done' (detail: SearchResult), 'error' (detail: Error). */
@@ -60,6 +62,14 @@ export class Gaitsmith extends EventTarget {
     if (fault) throw new Error(fault);
     return this.#result(await searches.ended);
   }
+
+  /**
+   * Runs the lab: several algorithms on the present document's problem, each with several seeds. One that runs is
+   * stopped first; rejected while a search runs. The shown motion stays.
+   * @param {LabOptions} [options]
+   * @returns {Promise<LabResult>} when all trials are finished or it was stopped
+   */
+  async lab(options = {}) { return this.#need().lab.run(options); }
 
   /** Most frames drawn per second; 0: as many as the display shows. */
   get fps() { return this.#fps; }

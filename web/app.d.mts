@@ -27,6 +27,9 @@ export interface AppModule {
   _gs_undo(): void;
   _gs_set_senses(kind: number): void;
   _gs_synthesize(options: Pointer): Pointer;
+  _gs_lab(options: Pointer): Pointer;
+  _gs_lab_csv(): Pointer;
+  _gs_lab_state(): number;
   _gs_pause(): void;
   _gs_resume(): void;
   _gs_stop(): void;
@@ -40,6 +43,12 @@ export interface PageForApp {
   maxWorkers(): number;
   /** Runs a document (in binary form); a search that runs is dropped. */
   startSearch(document: Uint8Array, workers: number): void;
+  /** Runs a trial of the lab like a search; the next one may be asked for while the page reports the end of this one. */
+  startTrial(document: Uint8Array, workers: number, trial: { words: string, finished: number, total: number }): void;
+  /** The lab is over, and has no more trials. */
+  labEnded(): void;
+  /** Gives the reader a file. */
+  saveText(name: string, text: string): void;
   pauseSearch(): void;
   resumeSearch(): void;
   stopSearch(): void;

@@ -18,12 +18,21 @@
 /**
  * Options of a search; what is left out stays as the document has it.
  * @typedef {object} SynthesizeOptions
- * @property {string} [algorithm]   rgt, sphc, gga, ssga, shc, mpga, nelder-mead, powell, cma-es or map-elites
+ * @property {string} [algorithm]   rgt, sphc, gga, ssga, shc, mpga, nelder-mead, powell, cma-es, map-elites or two-stage
  * @property {'timer' | 'physical' | 'network'} [sense]
  * @property {number} [period]       of the timer, seconds
  * @property {number} [evaluations]
  * @property {number} [seed]
  * @property {number} [workers]
+ */
+
+/**
+ * Options of the lab; what is left out stays as the Lab panel has it.
+ * @typedef {object} LabOptions
+ * @property {string[]} [algorithms]  as of SynthesizeOptions
+ * @property {number} [trials]        of each algorithm, 2 to 50
+ * @property {number} [evaluations]   of each trial, up to 1,000,000
+ * @property {number} [firstSeed]
  */
 
 /** What a document says about its search, as far as the page shows it. @typedef {{algorithm?: string}} SearchJson */
@@ -35,6 +44,9 @@
 
 // SearchState in shell/search_progress.h.
 const STATES = { running: 1, paused: 2, done: 3, stopped: 4, failed: 5 };
+
+// LabState in shell/lab.h.
+const LAB_STATES = /** @type {const} */ (['idle', 'running', 'done', 'stopped', 'failed']);
 
 export class App {
   /** @param {AppModule} module */
@@ -84,6 +96,15 @@ export class App {
   synthesize(options) {
     return this.#with(JSON.stringify(options), (at) => this.#text(this.module._gs_synthesize(at)));
   }
+
+  /** @param {LabOptions} options @returns {string} empty, or a sentence; then nothing has changed */
+  lab(options) {
+    return this.#with(JSON.stringify(options), (at) => this.#text(this.module._gs_lab(at)));
+  }
+  labState() { return LAB_STATES[this.module._gs_lab_state()]; }
+  /** The curves of the trials that are finished, as a file. */
+  labCsv() { return this.#text(this.module._gs_lab_csv()); }
+
   pause() { this.module._gs_pause(); }
   resume() { this.module._gs_resume(); }
   stop() { this.module._gs_stop(); }

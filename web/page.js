@@ -4,9 +4,10 @@ import { Address } from './address.js';
 import { App } from './app.js';
 import { Controls } from './controls.js';
 import { Gaitsmith } from './api.js';
+import { Lab } from './lab.js';
 import { Searches } from './searches.js';
 import { StatusLine } from './status_line.js';
-import { banner, element, onClick, setText } from './dom.js';
+import { banner, element, offerFile, onClick, setText } from './dom.js';
 import { guardKeys, leaveCanvas } from './keys.js';
 import { startSharing } from './sharing.js';
 import { followTheme, startTheme } from './theme.js';
@@ -29,7 +30,7 @@ start().catch((error) => {
 async function start() {
   setTimeout(() => { element('loading-hint').hidden = false; }, HINT_AFTER_MS);
   const statusLine = new StatusLine();
-  /** @type {{app: App, searches: Searches, address: Address, controls: Controls, canvas: HTMLCanvasElement} | null} */
+  /** @type {{app: App, searches: Searches, lab: Lab, address: Address, controls: Controls, canvas: HTMLCanvasElement} | null} */
   let parts = null;
 
   const { default: createApp } = await import('./app.mjs');
@@ -42,6 +43,16 @@ async function start() {
         parts?.controls.searching(true);
         void parts?.searches.start(document, workers);
       },
+      startTrial: (document, workers, trial) => {
+        parts?.controls.searching(true);
+        void parts?.searches.start(document, workers, trial);
+      },
+      labEnded: () => {
+        parts?.controls.searching(false);
+        parts?.searches.labEnded();
+        parts?.lab.ended();
+      },
+      saveText: (name, text) => offerFile(name, text, 'text/csv'),
       pauseSearch: () => parts?.searches.pause(),
       resumeSearch: () => parts?.searches.resume(),
       stopSearch: () => parts?.searches.stop(),
@@ -65,11 +76,11 @@ async function start() {
   const app = new App(module);
   if (!app.running()) throw new Error('this browser has no WebGL 2');
   const searches = new Searches(app, statusLine);
-  const address = new Address(app, () => searches.searching);
+  const address = new Address(app, () => searches.improving);
   followTheme((dark) => app.setTheme(dark));
   address.open();
   showTitle(app.title());
-  parts = { app, searches, address, controls: new Controls(app), canvas };
+  parts = { app, searches, lab: new Lab(app), address, controls: new Controls(app), canvas };
   gaitsmith.begin(parts);
   gaitsmith.fps = Number(new URLSearchParams(location.search).get('fps'));
   for (const end of ['done', 'error']) searches.addEventListener(end, () => parts?.controls.searching(false));

@@ -14,6 +14,7 @@ const ALGORITHMS = /** @type {Record<string, string>} */ ({ rgt: 'RG&T', sphc: '
 const MOST_STANDING_BY = 4;
 
 /** @typedef {import('./search_client.js').SearchClient} SearchClient */
+/** A trial of the lab: how it is told, and how many come before and are in all. @typedef {{words: string, finished: number, total: number}} Trial */
 /** @typedef {{resolve: (report: SearchReport) => void, reject: (error: Error) => void}} End */
 
 /** Tells its listeners 'progress' (a SearchReport), 'done' (a SearchReport) and 'error' (an Error). */
@@ -24,7 +25,10 @@ export class Searches extends EventTarget {
   #client = null;
   #run = 0; // counts starts: what a slow start finds out may be outdated
   #curve = new Float32Array(0);
-  #words = { algorithm: '', unit: '', workers: 1 };
+  #words = { doing: '', unit: '', workers: 1 };
+  /** What runs is a trial of the lab. @type {Trial | null} */
+  #trial = null;
+  #labOver = false; // its last trial may still report
   /** What to do once the workers exist. @type {('pause' | 'resume' | 'stop')[]} */
   #later = [];
   searching = false;
@@ -63,8 +67,11 @@ export class Searches extends EventTarget {
     if (!this.searching) client?.standBy(Math.min(navigator.hardwareConcurrency || 2, MOST_STANDING_BY));
   }
 
-  /** @param {Uint8Array} document @param {number} workers */
-  async start(document, workers) {
+  /** Of the document on the page, which changes as it improves. */
+  get improving() { return this.searching && this.#trial === null; }
+
+  /** @param {Uint8Array} document @param {number} workers @param {Trial | null} [trial] */
+  async start(document, workers, trial = null) {
     const run = ++this.#run;
     this.#end?.resolve(this.#client?.drop() ?? { ...NO_REPORT, state: 'stopped' });
     this.ended = new Promise((resolve, reject) => { this.#end = { resolve, reject }; });
@@ -72,9 +79,17 @@ export class Searches extends EventTarget {
     this.searching = true;
     this.#later = [];
     this.#curve = new Float32Array(0);
-    this.#words = { ...wordsOf(this.app), workers };
-    this.statusLine.say('');
-    this.#hear(NO_REPORT, true);
+    this.#trial = trial;
+    this.#labOver = false;
+    if (trial) {
+      const doing = `Lab: trial ${trial.finished + 1} of ${trial.total}, ${trial.words}`;
+      this.#words = { doing, unit: '', workers };
+      if (trial.finished === 0) this.statusLine.say('');
+    } else {
+      this.#words = { ...wordsOf(this.app), workers };
+      this.statusLine.say('');
+      this.statusLine.show(NO_REPORT, this.#words);
+    }
     try {
       const client = await this.#prepare();
       if (run !== this.#run) return;
@@ -84,6 +99,12 @@ export class Searches extends EventTarget {
     } catch (error) {
       if (run === this.#run) this.#fail(error instanceof Error ? error : new Error(String(error)));
     }
+  }
+
+  /** The application wants no more trials. */
+  labEnded() {
+    this.#labOver = true;
+    this.statusLine.clear();
   }
 
   pause() { this.#wish('pause'); }
@@ -96,14 +117,18 @@ export class Searches extends EventTarget {
     else if (this.searching) this.#later.push(wish);
   }
 
-  /** @param {SearchReport} report @param {boolean} [lineOnly] */
-  #hear(report, lineOnly = false) {
+  /** @param {SearchReport} report */
+  #hear(report) {
     const ended = report.state === 'done' || report.state === 'stopped';
     if (report.curve) this.#curve = pairs(report.curve);
     if (ended) this.searching = false;
-    if (!lineOnly) this.app.searchProgress(report, this.#curve);
+    const trial = this.#trial;
+    this.app.searchProgress(report, this.#curve); // at the end of a trial the next one begins in here
+    if (trial) {
+      if (!ended && !this.#labOver) this.statusLine.show(ofAll(report, trial), this.#words);
+      return;
+    }
     this.statusLine.show(report, this.#words);
-    if (lineOnly) return;
     this.dispatchEvent(new CustomEvent('progress', { detail: report }));
     if (!ended) return;
     this.#end?.resolve(report);
@@ -131,10 +156,21 @@ function pairs(points) {
     i % 2 === 0 ? view.getInt32(4 * i, true) : view.getFloat32(4 * i, true));
 }
 
+/**
+ * A trial's report as one of the whole lab. Its best is nobody's: the next trial begins anew.
+ * @param {SearchReport} report @param {Trial} trial
+ */
+function ofAll(report, { finished, total }) {
+  const evaluations = finished * report.budget + report.evaluations;
+  const budget = total * report.budget;
+  const secondsLeft = report.rate > 0 ? (budget - evaluations) / report.rate : 0;
+  return { ...report, evaluations, budget, secondsLeft, bestFitness: -Infinity };
+}
+
 /** @param {App} app */
 function wordsOf(app) {
   const { task, search } = app.document();
   const styled = Object.values(task?.weights ?? {}).some((weight) => weight !== 0);
   const algorithm = search?.algorithm ?? 'sphc';
-  return { algorithm: ALGORITHMS[algorithm] ?? algorithm, unit: styled ? '' : ' m' }; // every goal alone is a length
+  return { doing: `Searching with ${ALGORITHMS[algorithm] ?? algorithm}`, unit: styled ? '' : ' m' }; // every goal alone is a length
 }

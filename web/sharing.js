@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Copy link, Open and Save, and the clipboard's keys. All of it happens in DOM event handlers, because browsers give
 // the clipboard and files only to those.
-import { element, onClick, toast } from './dom.js';
+import { element, offerFile, onClick, toast } from './dom.js';
 import { sentence } from './address.js';
 
 /** @typedef {import('./app.js').App} App */
@@ -31,11 +31,8 @@ async function copy(address) {
 
 /** @param {App} app */
 function save(app) {
-  const anchor = document.createElement('a');
-  anchor.href = URL.createObjectURL(new Blob([app.documentText()], { type: 'application/json' }));
-  anchor.download = `${app.title().replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-+|-+$/g, '').toLowerCase() || 'gaitsmith'}.json`;
-  anchor.click();
-  setTimeout(() => URL.revokeObjectURL(anchor.href), 10000);
+  const name = app.title().replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-+|-+$/g, '').toLowerCase() || 'gaitsmith';
+  offerFile(`${name}.json`, app.documentText(), 'application/json');
 }
 
 /** @param {App} app */

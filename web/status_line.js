@@ -4,7 +4,7 @@
 import { element, setText } from './dom.js';
 
 /** @typedef {import('./messages.js').SearchReport} SearchReport */
-/** What the line says about a search besides its report. @typedef {{algorithm: string, unit: string, workers: number}} SearchWords */
+/** What the line says about a search besides its report. @typedef {{doing: string, unit: string, workers: number}} SearchWords */
 
 const SPEAK_EVERY_MS = 10000;
 const SENTENCE_STAYS_MS = 6000;
@@ -36,7 +36,7 @@ export class StatusLine {
   }
 
   /** @param {SearchReport} report @param {SearchWords} words */
-  show(report, { algorithm, unit, workers }) {
+  show(report, { doing, unit, workers }) {
     const now = performance.now();
     const ended = report.state === 'done' || report.state === 'stopped';
     const best = Number.isFinite(report.bestFitness) && report.bestFitness > -1e8
@@ -49,7 +49,7 @@ export class StatusLine {
       return;
     }
     const paused = report.state === 'paused';
-    if (now > this.#sentenceUntilMs) setText(this.#status, `${paused ? 'Paused: searching' : 'Searching'} with ${algorithm}`);
+    if (now > this.#sentenceUntilMs) setText(this.#status, paused ? `Paused: ${doing[0].toLowerCase()}${doing.slice(1)}` : doing);
     this.#progress.hidden = false;
     this.#progress.setAttribute('aria-valuemax', String(report.budget));
     this.#progress.setAttribute('aria-valuenow', String(report.evaluations));

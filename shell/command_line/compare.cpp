@@ -12,8 +12,9 @@
 #include <thread>
 
 #include "shell/command_line/interruption.h"
-#include "shell/command_line/study.h"
 #include "shell/command_line/study_log.h"
+#include "shell/command_line/study_options.h"
+#include "shell/command_line/trial.h"
 #include "shell/parallel_search.h"
 
 namespace gaitsmith::shell {

@@ -6,7 +6,7 @@
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"
-#include "shell/command_line/study_file.h"
+#include "shell/study/study_file.h"
 
 namespace gaitsmith::shell {
 

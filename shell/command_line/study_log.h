@@ -3,7 +3,7 @@
 // program loses only trials under way, and the same command continues.
 #pragma once
 
-#include "shell/command_line/study_file.h"
+#include "shell/study/study_file.h"
 
 namespace gaitsmith::shell {
 

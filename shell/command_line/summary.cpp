@@ -5,8 +5,8 @@
 
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"
-#include "shell/command_line/rank_test.h"
-#include "shell/command_line/study_file.h"
+#include "shell/study/rank_test.h"
+#include "shell/study/study_file.h"
 
 namespace gaitsmith::shell {
 

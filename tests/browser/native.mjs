@@ -2,10 +2,43 @@
 // The command line's opinion of a document, to compare browsers with.
 import { spawn } from 'node:child_process';
 import { existsSync } from 'node:fs';
+import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { ROOT } from './browsers.mjs';
 
 const PROGRAM = ['release', 'dev'].map((preset) => join(ROOT, `build/${preset}/shell/gaitsmith`)).find(existsSync);
+
+/** @param {string[]} words @param {string} [input] @returns {Promise<string>} what it prints */
+async function gaitsmith(words, input = '') {
+  const child = spawn(/** @type {string} */ (PROGRAM), words, { stdio: ['pipe', 'pipe', 'inherit'] });
+  child.stdin.end(input);
+  let output = '';
+  child.stdout.on('data', (data) => { output += data; });
+  await new Promise((resolve) => child.on('close', resolve));
+  return output;
+}
+
+/**
+ * @param {string} text   a document
+ * @param {string} label  the problem's in the file
+ * @param {{algorithms: string[], trials: number, evaluations: number, firstSeed: number}} options
+ * @returns {Promise<string | null>} the file of curves that `gaitsmith compare` writes; null as below
+ */
+export async function nativeCurves(text, label, { algorithms, trials, evaluations, firstSeed }) {
+  if (!PROGRAM) return null;
+  const folder = await mkdtemp(join(tmpdir(), 'gaitsmith-'));
+  try {
+    const curves = join(folder, 'curves.csv');
+    await writeFile(join(folder, `${label}.json`), text);
+    await gaitsmith(['compare', '--problem', join(folder, `${label}.json`), ...algorithms.flatMap((name) => ['--search', name]),
+      '--trials', `${trials}`, '--evaluations', `${evaluations}`, '--first-seed', `${firstSeed}`,
+      '--out', join(folder, 'results.csv'), '--curves', curves]);
+    return await readFile(curves, 'utf8');
+  } finally {
+    await rm(folder, { recursive: true });
+  }
+}
 
 /**
  * @param {string} text  JSON or a link
@@ -13,11 +46,7 @@ const PROGRAM = ['release', 'dev'].map((preset) => join(ROOT, `build/${preset}/s
  */
 export async function nativeHash(text) {
   if (!PROGRAM) return null;
-  const child = spawn(PROGRAM, ['hash', '-'], { stdio: ['pipe', 'pipe', 'inherit'] });
-  child.stdin.end(text);
-  let output = '';
-  child.stdout.on('data', (data) => { output += data; });
-  await new Promise((resolve) => child.on('close', resolve));
+  const output = await gaitsmith(['hash', '-'], text);
   const found = /\b[0-9a-f]{16}\b/.exec(output);
   if (!found) throw new Error(`gaitsmith hash said: ${output}`);
   return found[0];

@@ -6,6 +6,7 @@ import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { ROOT } from './browsers.mjs';
 import { PageDriver, sleep } from './page_driver.mjs';
+import { LAB_SCENARIOS } from './lab_scenarios.mjs';
 import { nativeHash } from './native.mjs';
 
 /** @typedef {import('./browsers.mjs').Browser} Browser */
@@ -228,6 +229,8 @@ export const SCENARIOS = [
     assert.deepEqual(fresh.complaints, []);
     await fresh.close();
   }],
+
+  ...LAB_SCENARIOS,
 
   ['Undo waits until there is something to undo, and the plain controls act at once', async ({ browser, address }) => {
     const fresh = await PageDriver.open(browser, address);

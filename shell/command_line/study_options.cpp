@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "shell/command_line/study.h"
+#include "shell/command_line/study_options.h"
 
 #include <algorithm>
 #include <filesystem>
 
-#include "core/document/binary.h"
-#include "core/physics/constants.h"
-#include "core/search/evaluation_score.h"
 #include "shell/command_line/files.h"
 #include "shell/command_line/problem_options.h"
 #include "shell/command_line/search_options.h"
@@ -14,58 +11,6 @@
 namespace gaitsmith::shell {
 
 namespace {
-
-/// Genomes asked for at a time: two registers full; with more, climbs that improve throw more away.
-constexpr int kAskedTogether = Evaluator::kDefaultLanes * 2;
-
-/// FNV-1a [Fowler Noll Vo 1991] over fields that cannot run into each other.
-class Fingerprint {
- public:
-  void Add(std::span<const std::uint8_t> bytes) {
-    AddNumber(bytes.size());
-    for (const std::uint8_t byte : bytes) AddByte(byte);
-  }
-  void Add(std::string_view text) {
-    AddNumber(text.size());
-    for (const char c : text) AddByte(static_cast<std::uint8_t>(c));
-  }
-  void AddNumber(std::uint64_t number) {
-    for (int i = 0; i < 8; ++i, number >>= 8) AddByte(static_cast<std::uint8_t>(number & 255u));
-  }
-  [[nodiscard]] std::string Text() const { return HashText(hash_); }
-
- private:
-  void AddByte(std::uint8_t byte) { hash_ = (hash_ ^ byte) * 0x00000100000001b3ULL; }
-  std::uint64_t hash_ = 0xcbf29ce484222325ULL;
-};
-
-/// The document that a trial's search is for.
-Document TrialDocument(const Study& study, std::size_t problem, std::size_t search, std::uint32_t seed) {
-  Document document = study.problems[problem];
-  const int start = document.search.start;
-  document.search = study.searches[search];
-  document.search.start = start;
-  document.search.seed = seed;
-  return document;
-}
-
-std::string FingerprintOf(const Study& study) {
-  const StudyPlan& plan = study.plan;
-  Fingerprint print;
-  print.Add("gaitsmith study 1");  // another number when rows come to mean something else
-  for (const int number : {kModelVersion, plan.trials, plan.points}) {
-    print.AddNumber(static_cast<std::uint64_t>(number));
-  }
-  print.AddNumber(study.problems.size());
-  for (std::size_t p = 0; p < study.problems.size(); ++p) {
-    print.Add(plan.problems[p]);
-    for (std::size_t s = 0; s < study.searches.size(); ++s) {
-      print.Add(plan.searches[s]);
-      print.Add(EncodeBinary(TrialDocument(study, p, s, plan.first_seed)));
-    }
-  }
-  return print.Text();
-}
 
 Result<void> CheckLabel(const std::vector<std::string>& labels, const std::string& label,
                         const char* option) {
@@ -77,26 +22,6 @@ Result<void> CheckLabel(const std::vector<std::string>& labels, const std::strin
     return Fail(ErrorCode::kStructure, option, "\"" + label + "\" is there twice; labels must differ");
   }
   return {};
-}
-
-/// What a trial needs of a document. Names, the motion shown and its view decide nothing.
-Document OnlyProblem(const Document& given) {
-  Document document;
-  document.model = given.model;
-  document.figure = given.figure;
-  document.figure.name.clear();
-  document.environment = given.environment;
-  document.start = given.start;
-  document.pushes = given.pushes;
-  document.task = given.task;
-  document.senses = given.senses;
-  document.rules = given.rules;
-  if (given.search.start >= 0) {
-    document.controllers = {given.controllers[static_cast<std::size_t>(given.search.start)]};
-    document.controllers[0].name.clear();
-    document.search.start = 0;
-  }
-  return document;
 }
 
 /// "ssga:genetic.rates=per-component"
@@ -186,37 +111,6 @@ std::expected<Study, Refusal> ReadStudy(const Arguments& arguments) {
   }
   study.plan.fingerprint = FingerprintOf(study);
   return study;
-}
-
-std::optional<TrialRows> RunTrial(const Study& study, std::size_t trial,
-                                  std::atomic<std::int64_t>& evaluations, const std::function<bool()>& stop) {
-  const StudyPlan::Trial place = study.plan.At(trial);
-  const Document document = TrialDocument(study, place.problem, place.search, place.seed);
-  const Problem problem = ProblemOf(document);
-  const Evaluator evaluator(problem);
-  const auto search = MakeSearch(document.search, SpaceOf(document));
-  std::vector<Score> scores;
-  while (!search->Done()) {
-    if (stop()) return std::nullopt;
-    const int before = search->Evaluations();
-    const std::vector<Genome> genomes = search->Ask(kAskedTogether);
-    scores.clear();
-    for (const Evaluation& evaluation : evaluator.Evaluate(genomes)) scores.push_back(ScoreOf(evaluation));
-    search->Tell(scores);
-    evaluations += search->Evaluations() - before;
-  }
-  Document found = document;
-  found.controllers.push_back({"", document.kind, document.senses, document.rules, search->BestGenome()});
-  found.timeline = {{static_cast<int>(found.controllers.size()) - 1, 0}};
-  found.duration_steps = document.task.duration_steps;
-  const Motion motion = Simulate(found);
-  const TrialResult result{.best = search->BestFitness(),
-                           .terms = motion.TermsAt(motion.Frames() - 1),
-                           .ground = GroundUseOf(motion),
-                           .hash = motion.Hash(),
-                           .curve = search->Curve()};
-  return TrialRows{.result = RowsOf(study.plan, StudyTable::kResults, trial, result),
-                   .curve = RowsOf(study.plan, StudyTable::kCurves, trial, result)};
 }
 
 }  // namespace gaitsmith::shell

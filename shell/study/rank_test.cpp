@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shell/command_line/rank_test.h"
+#include "shell/study/rank_test.h"
 
 #include <algorithm>
 #include <cmath>

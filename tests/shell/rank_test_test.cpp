@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The rank test against all the ways in which a sample could have been dealt to the two sides.
-#include "shell/command_line/rank_test.h"
+#include "shell/study/rank_test.h"
 
 #include <bit>
 #include <catch_amalgamated.hpp>

@@ -1,27 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A study that can be run: its plan, and the problems and searches that the plan names.
+// One trial of a study, on the thread that calls.
 #pragma once
 
 #include <atomic>
 #include <functional>
 
-#include "core/document/document.h"
-#include "shell/command_line/arguments.h"
-#include "shell/command_line/commands.h"
-#include "shell/command_line/study_file.h"
+#include "shell/study/study.h"
 
 namespace gaitsmith::shell {
-
-struct Study {
-  StudyPlan plan;
-  /// Each document holds its problem alone, and the controller to start from if its search asks for one.
-  std::vector<Document> problems;
-  std::vector<SearchSettings> searches;  // but for `seed` and `start`
-};
-
-/// From --problem, --search, --trials, --first-seed, --evaluations, --points and what changes the problems.
-/// Every search on every problem is valid.
-[[nodiscard]] std::expected<Study, Refusal> ReadStudy(const Arguments&);
 
 /// A trial's rows for both files.
 struct TrialRows {

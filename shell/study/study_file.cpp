@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "shell/command_line/study_file.h"
+#include "shell/study/study_file.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 #include "core/document/document.h"
 
@@ -21,6 +22,9 @@ std::string Number(double value) {
   std::snprintf(text, sizeof text, "%.9g", value);
   return text;
 }
+
+/// Of text that begins with one. (Emscripten's std::from_chars knows whole numbers only.)
+double Real(std::string_view text) { return std::strtod(std::string(text).c_str(), nullptr); }
 
 /// "problem,search,seed,"
 std::string TrialText(const StudyPlan& plan, std::size_t index) {
@@ -72,7 +76,8 @@ class RowReader {
   }
   /// Only what we write ourselves: a number that was changed or shortened on its way is damage.
   static bool IsNumber(std::string_view text, double& value) {
-    return Whole(text, value) && Number(value) == text;
+    value = Real(text);
+    return Number(value) == text;
   }
 
   std::string CheckResult() const {
@@ -146,10 +151,7 @@ std::string RowsOf(const StudyPlan& plan, StudyTable table, std::size_t trial, c
 
 double BestIn(std::string_view row) {
   for (int field = 0; field < 4; ++field) row.remove_prefix(row.find(',') + 1);
-  double best = 0.0;
-  row = row.substr(0, row.find(','));
-  std::from_chars(row.data(), row.data() + row.size(), best);
-  return best;
+  return Real(row.substr(0, row.find(',')));
 }
 
 Result<StudyFile> StudyFile::Parse(std::string_view text, const std::string& path, Ending ending) {

@@ -7,7 +7,7 @@
 
 #include "core/physics/ground_use.h"
 #include "core/search/search.h"
-#include "shell/command_line/study_plan.h"
+#include "shell/study/study_plan.h"
 
 namespace gaitsmith::shell {
 

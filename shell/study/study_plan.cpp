@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shell/command_line/study_plan.h"
+#include "shell/study/study_plan.h"
 
 #include <algorithm>
 #include <array>

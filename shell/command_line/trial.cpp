@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "shell/command_line/trial.h"
+
+#include "core/physics/evaluator.h"
+#include "core/search/evaluation_score.h"
+
+namespace gaitsmith::shell {
+
+namespace {
+
+/// Genomes asked for at a time: two registers full; with more, climbs that improve throw more away.
+constexpr int kAskedTogether = Evaluator::kDefaultLanes * 2;
+
+}  // namespace
+
+std::optional<TrialRows> RunTrial(const Study& study, std::size_t trial,
+                                  std::atomic<std::int64_t>& evaluations, const std::function<bool()>& stop) {
+  const StudyPlan::Trial place = study.plan.At(trial);
+  const Document document = TrialDocument(study, place.problem, place.search, place.seed);
+  const Problem problem = ProblemOf(document);
+  const Evaluator evaluator(problem);
+  const auto search = MakeSearch(document.search, SpaceOf(document));
+  std::vector<Score> scores;
+  while (!search->Done()) {
+    if (stop()) return std::nullopt;
+    const int before = search->Evaluations();
+    const std::vector<Genome> genomes = search->Ask(kAskedTogether);
+    scores.clear();
+    for (const Evaluation& evaluation : evaluator.Evaluate(genomes)) scores.push_back(ScoreOf(evaluation));
+    search->Tell(scores);
+    evaluations += search->Evaluations() - before;
+  }
+  Document found = document;
+  found.controllers.push_back({"", document.kind, document.senses, document.rules, search->BestGenome()});
+  found.timeline = {{static_cast<int>(found.controllers.size()) - 1, 0}};
+  found.duration_steps = document.task.duration_steps;
+  const Motion motion = Simulate(found);
+  const TrialResult result{.best = search->BestFitness(),
+                           .terms = motion.TermsAt(motion.Frames() - 1),
+                           .ground = GroundUseOf(motion),
+                           .hash = motion.Hash(),
+                           .curve = search->Curve()};
+  return TrialRows{.result = RowsOf(study.plan, StudyTable::kResults, trial, result),
+                   .curve = RowsOf(study.plan, StudyTable::kCurves, trial, result)};
+}
+
+}  // namespace gaitsmith::shell

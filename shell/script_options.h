@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// What scripts on the page may ask for (docs/embedding.md), as JSON objects.
+#pragma once
+
+#include <string>
+
+#include "core/document/document.h"
+#include "core/document/json_value.h"
+#include "shell/lab.h"
+
+namespace gaitsmith::shell {
+
+/// Options of a search, each optional: {"algorithm": "sphc", "evaluations": 40000, "seed": 1, "workers": 2,
+/// "sense": "physical" | "timer", "period": 0.8}. The document is not validated.
+/// @return an empty text, or a sentence
+[[nodiscard]] std::string ApplySearchOptions(const JsonValue& options, Document& document, int& workers);
+
+/// Options of the lab, each optional: {"algorithms": ["sphc", "rgt"], "trials": 10, "evaluations": 4000,
+/// "firstSeed": 1}. Ranges are the lab's to check.
+/// @return an empty text, or a sentence
+[[nodiscard]] std::string ApplyLabOptions(const JsonValue& options, LabSettings& settings);
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// A session's lab: its trials are run by whoever runs searches, one after another, and the shown motion
+// stays.
+#include "shell/algorithm_words.h"
+#include "shell/session.h"
+#include "shell/wording.h"
+
+namespace gaitsmith::shell {
+
+Result<void> Session::StartLab(const LabSettings& settings) {
+  if (Searching()) {
+    return Fail(ErrorCode::kStructure, "", "A search is running: stop it first, or let it end");
+  }
+  Lab next = lab;
+  next.settings = settings;
+  if (const auto begun = next.Begin(document_); !begun) return begun;
+  StopLab();
+  lab = std::move(next);
+  notice.clear();
+  // What an ended search still reports is nobody's any more.
+  searched_.reset();
+  improvement_.clear();
+  RunTrial();
+  return {};
+}
+
+void Session::StartLab() {
+  if (const auto started = StartLab(lab.settings); !started)
+    Say("The lab cannot start: " + started.error().Sentence() + ".");
+}
+
+void Session::RunTrial() {
+  const Lab::Trial trial = lab.Now();
+  host_.StartTrial(trial.document, workers,
+                   {.words = WordsOf(trial.algorithm).name + ", seed " + std::to_string(trial.seed),
+                    .finished = lab.Finished(),
+                    .total = lab.Total()});
+}
+
+void Session::StopLab() {
+  if (!lab.Running()) return;
+  host_.StopSearch();
+  EndLab(LabState::kStopped);
+}
+
+void Session::EndLab(LabState state) {
+  lab.End(state);
+  host_.LabEnded();
+  const std::string count = Grouped(lab.Finished()) + " of " + Grouped(lab.Total()) + " trials.";
+  if (lab.State() == LabState::kFailed) {
+    Say("The lab failed after " + count);
+  } else {
+    host_.Status((lab.State() == LabState::kDone ? "Lab done: " : "Lab stopped: ") + count);
+  }
+}
+
+void Session::OnTrialProgress(const SearchProgress& progress) {
+  switch (progress.state) {
+    case SearchState::kDone:
+      lab.Finish(progress.curve);
+      if (lab.Running()) {
+        RunTrial();
+      } else {
+        EndLab(LabState::kDone);
+      }
+      break;
+    case SearchState::kStopped:
+      EndLab(LabState::kStopped);
+      break;
+    case SearchState::kFailed:
+      EndLab(LabState::kFailed);
+      break;
+    default:
+      break;
+  }
+}
+
+void Session::SaveLabCurves() { host_.SaveText(lab.Label() + "-curves.csv", lab.Csv()); }
+
+}  // namespace gaitsmith::shell
