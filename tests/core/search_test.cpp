@@ -8,6 +8,7 @@
 
 #include "core/physics/evaluator.h"
 #include "tests/scene.h"
+#include "tests/search_run.h"
 
 namespace gaitsmith::test {
 
@@ -27,38 +28,6 @@ float Hill(std::span<const Gene> genome) {
     distance += off * off;
   }
   return static_cast<float>(-distance);
-}
-
-struct Outcome {
-  Genome best;
-  float fitness;
-  std::vector<Search::CurvePoint> curve;
-  int told = 0;
-};
-
-template <class Score>
-Outcome Run(Search& search, int wanted, Score score) {
-  Outcome outcome;
-  while (!search.Done()) {
-    const auto genomes = search.Ask(wanted);
-    REQUIRE(!genomes.empty());
-    std::vector<float> fitness;
-    fitness.reserve(genomes.size());
-    for (const Genome& genome : genomes) fitness.push_back(score(genome));
-    search.Tell(fitness);
-    outcome.told += static_cast<int>(genomes.size());
-  }
-  outcome.best = search.BestGenome();
-  outcome.fitness = search.BestFitness();
-  outcome.curve = search.Curve();
-  return outcome;
-}
-
-bool Same(const Outcome& a, const Outcome& b) {
-  return a.best == b.best && a.fitness == b.fitness &&
-         std::ranges::equal(a.curve, b.curve, [](const auto& p, const auto& q) {
-           return p.evaluation == q.evaluation && p.best == q.best;
-         });
 }
 
 SearchSettings Settings(Algorithm algorithm, int evaluations) {
