@@ -1,6 +1,6 @@
 # Writes files as arrays into one C++ source, the definitions of shell/embedded.h:
 #   cmake -DOUTPUT=... -DFONTS=<folder> -DEXAMPLES=<folder> -P embed.cmake
-# Documents are *.json of the examples folder itself, figures those of its folder figures/.
+# Documents are *.json of the examples folder itself, figures and problems those of its folders figures/ and problems/.
 set(text "// Written by shell/embed.cmake.\n#include \"shell/embedded.h\"\n\n#include <array>\n\nnamespace gaitsmith::shell {\nnamespace {\n\n")
 
 function(append_array name file)
@@ -38,12 +38,14 @@ endfunction()
 
 append_examples(kDocuments "${EXAMPLES}/*.json")
 append_examples(kFigures "${EXAMPLES}/figures/*.json")
+append_examples(kProblems "${EXAMPLES}/problems/*.json")
 
 string(APPEND text "}  // namespace\n
 std::span<const unsigned char> InterRegular() { return kInterRegular; }
 std::span<const unsigned char> InterSemiBold() { return kInterSemiBold; }
 std::span<const Example> ExampleDocuments() { return kDocuments; }
 std::span<const Example> ExampleFigures() { return kFigures; }
+std::span<const Example> ExampleProblems() { return kProblems; }
 
 }  // namespace gaitsmith::shell\n")
 file(WRITE "${OUTPUT}" "${text}")

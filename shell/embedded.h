@@ -11,12 +11,14 @@ namespace gaitsmith::shell {
 [[nodiscard]] std::span<const unsigned char> InterRegular();
 [[nodiscard]] std::span<const unsigned char> InterSemiBold();
 
-/// A document or figure of examples/.
+/// A document, figure or problem of examples/.
 struct Example {
   std::string_view name;  // the file's name without folder and ending, e.g. "star-man-shuffle"
   std::string_view json;
 };
 [[nodiscard]] std::span<const Example> ExampleDocuments();
 [[nodiscard]] std::span<const Example> ExampleFigures();
+/// Documents without a controller: a figure, a task and senses that go well together.
+[[nodiscard]] std::span<const Example> ExampleProblems();
 
 }  // namespace gaitsmith::shell

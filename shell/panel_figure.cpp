@@ -214,6 +214,25 @@ void EditRod(Ui& ui, Session& session, FigurePanelState& state) {
 
 }  // namespace
 
+namespace {
+
+// A figure with the task, the senses and the joints that suit it: what the paper calls a problem.
+void DrawProblems(Ui& ui, Session& session, FigurePanelState& state) {
+  std::vector<std::string> titles;
+  int chosen = -1;
+  for (const Document& problem : session.Problems()) {
+    const bool same =
+        problem.figure.name == session.Doc().figure.name && problem.task.kind == session.Doc().task.kind;
+    if (same) chosen = static_cast<int>(titles.size());
+    titles.push_back(problem.title);
+  }
+  if (!ui.Combo("figure/problem", "Problem", titles, chosen, "Own")) return;
+  session.ChooseProblem(chosen);
+  state = {.tool = state.tool};
+}
+
+}  // namespace
+
 void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
   std::vector<std::string> names;
   int chosen = -1;
@@ -225,6 +244,8 @@ void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
     session.ChooseFigure(chosen);
     state = {.tool = state.tool};
   }
+  ui.Gap(6.0f);
+  DrawProblems(ui, session, state);
   ui.Gap(10.0f);
   static constexpr std::array<std::string_view, 2> kTools = {"Move", "Grow a rod"};
   const ImRect tools = ui.Row(ui.Look().touch ? 42.0f : 34.0f);

@@ -48,6 +48,14 @@ std::vector<Figure> ShippedFigures() {
   return figures;
 }
 
+std::vector<Document> ShippedProblems() {
+  std::vector<Document> problems;
+  for (const Example& example : ExampleProblems()) {
+    if (auto document = DecodeJson(example.json)) problems.push_back(std::move(*document));
+  }
+  return problems;
+}
+
 // Takes away what was made for another figure.
 void Strip(Document& document) {
   document.controllers.clear();
@@ -102,7 +110,8 @@ std::string TaskWords(TaskKind kind) {
   return {};
 }
 
-Session::Session(Host& host) : workers(host.MaxWorkers()), host_(host), figures_(ShippedFigures()) {
+Session::Session(Host& host)
+    : workers(host.MaxWorkers()), host_(host), figures_(ShippedFigures()), problems_(ShippedProblems()) {
   Document document;
   document.title = "Mr. Star-Man";
   document.figure = StarMan();
@@ -263,6 +272,17 @@ void Session::ChooseFigure(int index) {
   progress_ = {};
   player.Seek(0.0);
   Say(figure.name + " cannot move yet: press Synthesize. Undo brings the last figure back.");
+}
+
+void Session::ChooseProblem(int index) {
+  Document problem = problems_[static_cast<std::size_t>(index)];
+  AbandonSearch();
+  Remember();
+  problem.view = document_.view;
+  selected_clip_ = 0;
+  Show(std::move(problem), true);
+  progress_ = {};
+  Say(document_.title + ": press Synthesize. Undo brings back what was here.");
 }
 
 void Session::SelectClip(int clip) {

@@ -47,6 +47,9 @@ class Session {
   bool ReplaceFigure(const Figure& figure);
   [[nodiscard]] const std::vector<Figure>& Figures() const { return figures_; }
   void ChooseFigure(int index);
+  /// Shipped ones: a figure with a task and senses that go well together.
+  [[nodiscard]] const std::vector<Document>& Problems() const { return problems_; }
+  void ChooseProblem(int index);
 
   // The timeline. One clip is selected: its controller is shown, and a search replaces it.
   [[nodiscard]] int SelectedClip() const { return selected_clip_; }
@@ -113,6 +116,7 @@ class Session {
   int gesture_ = 1;
   int remembered_gesture_ = 0;  // the one that `remembered_` was kept in
   std::vector<Figure> figures_;
+  std::vector<Document> problems_;
   int selected_clip_ = 0;
   SearchProgress progress_;
   std::optional<Document> searched_;  // the document as it was when the search began; empty: none is wanted

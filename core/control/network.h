@@ -40,12 +40,18 @@ struct NetworkShape {
   NetworkShape(int hidden_nodes, int rods) : hidden(hidden_nodes), touches(rods + 1), joints(rods - 1) {}
 
   [[nodiscard]] int Inputs() const { return touches + joints + hidden; }
+  /// Row and column of a matrix with a row per node and a column per input.
+  [[nodiscard]] std::size_t Connection(int node, int input) const {
+    const int at = node * Inputs() + input;
+    return static_cast<std::size_t>(at);
+  }
   [[nodiscard]] int Nodes() const { return hidden + joints; }
   [[nodiscard]] bool IsActuator(int node) const { return node >= hidden; }
   /// The first gene of a node; of Nodes(), the number of all genes.
   [[nodiscard]] std::size_t Node(int node) const {
     const int actuators = std::max(0, node - hidden);
-    return static_cast<std::size_t>(node * (Inputs() + 1) + actuators * kActuatorGenes);
+    const int before = node * (Inputs() + 1) + actuators * kActuatorGenes;
+    return static_cast<std::size_t>(before);
   }
   [[nodiscard]] std::size_t Genes() const { return Node(Nodes()); }
   [[nodiscard]] std::size_t Weight(int node, int input) const {
@@ -85,7 +91,7 @@ class Network {
   Network(const NetworkShape& shape, const SenseSpec& senses, std::span<const std::span<const Gene>> genomes,
           std::span<const std::array<float, 2>> limits, float step_s)
       : shape_(shape),
-        weight_(static_cast<std::size_t>(shape.Nodes() * shape.Inputs())),
+        weight_(shape.Connection(shape.Nodes(), 0)),
         charging_(static_cast<std::size_t>(shape.Nodes())),
         threshold_(static_cast<std::size_t>(shape.joints)),
         target_empty_(threshold_.size()),
@@ -96,7 +102,7 @@ class Network {
       const auto& genes = genomes[std::min(static_cast<std::size_t>(lane), genomes.size() - 1)];
       for (int node = 0; node < shape.Nodes(); ++node) {
         for (int input = 0; input < shape.Inputs(); ++input) {
-          weight_[static_cast<std::size_t>(node * shape.Inputs() + input)][lane] =
+          weight_[shape.Connection(node, input)][lane] =
               Decode(genes[shape.Weight(node, input)], -kMostWeight, kMostWeight);
         }
         charging_[static_cast<std::size_t>(node)][lane] =

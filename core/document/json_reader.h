@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "core/document/archive.h"
 #include "core/document/json_value.h"
@@ -117,9 +118,10 @@ class JsonReader : public Archive {
     if (!Ok()) return;
     if (rods < 1) return FailAt(list, ErrorCode::kStructure, "the figure has no rods");
     const int outside = network ? rods - 1 : 0;  // nodes that are not hidden: the actuators
-    const auto least = static_cast<std::size_t>(1 + outside);
-    const auto most = static_cast<std::size_t>(kMaxRules + outside);
-    if (given == nullptr || given->items.size() < least || given->items.size() > most) {
+    const int least = 1 + outside;
+    const int most = kMaxRules + outside;
+    if (given == nullptr || std::cmp_less(given->items.size(), least) ||
+        std::cmp_greater(given->items.size(), most)) {
       return FailAt(list, ErrorCode::kOutOfRange,
                     "there must be " + std::to_string(least) + " to " + std::to_string(most) +
                         (network ? ": hidden nodes, then one for each joint" : ""));

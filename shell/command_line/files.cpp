@@ -54,6 +54,9 @@ Result<Document> ReadDocument(const std::string& path) {
   for (const Example& example : ExampleDocuments()) {
     if (example.name == path && !std::filesystem::exists(path)) return DecodeJson(example.json);
   }
+  for (const Example& example : ExampleProblems()) {
+    if (example.name == path && !std::filesystem::exists(path)) return DecodeJson(example.json);
+  }
   const auto text = ReadText(path);
   if (!text) return std::unexpected(text.error());
   const auto first = text->find_first_not_of(" \t\r\n");

@@ -63,7 +63,7 @@ Workload Peers() {
   document.senses.period_steps = kPeerSteps;
   document.senses.tau_min_s = kPeerTauS;
   document.senses.tau_max_s = kPeerTauS;
-  const BankShape shape = SpaceOf(document).shape;
+  const BankShape shape = SpaceOf(document).shape.Bank();
   for (std::uint64_t figure = 0; figure < kGenomes; ++figure) {
     RandomStream random(3, 0, figure);
     Genome genome(shape.Genes());
@@ -78,7 +78,7 @@ Workload Peers() {
 }
 
 float PeerTarget(const Workload& peers, int figure, int interval, int joint) {
-  const BankShape shape = SpaceOf(peers.document).shape;
+  const BankShape shape = SpaceOf(peers.document).shape.Bank();
   const Rod& rod = peers.document.figure.rods[static_cast<std::size_t>(joint) + 1];
   const Genome& genome = peers.genomes[static_cast<std::size_t>(figure)];
   return Decode(genome[shape.Target(interval, joint)], rod.min_rad, rod.max_rad);

@@ -33,6 +33,9 @@ done
 "$gaitsmith" link decode "$(cat link.txt)" >decoded.json || fault "link decode"
 cmp -s decoded.json "$golden" || fault "JSON -> link -> JSON changed the document"
 same "$("$gaitsmith" hash - <link.txt)" "$hash" "hash of a link on standard input"
+for problem in "$root"/examples/problems/*.json; do
+  same "$("$gaitsmith" hash "$(basename "$problem" .json)")" "$("$gaitsmith" hash "$problem")" "shipped problem"
+done
 same "$("$gaitsmith" hash star-man-shuffle)" "$("$gaitsmith" hash "$root/examples/star-man-shuffle.json")" "shipped example"
 
 # One row a step, the start included, every column named.

@@ -174,7 +174,12 @@ Outcome SerialTwoStage(const SearchSettings& settings) {
     drawn.push_back({genome, log.Evaluate(genome)});
     if (log.evaluations == settings.evaluations) return log.outcome;
   }
-  std::ranges::stable_sort(drawn, [](const Member& a, const Member& b) { return a.fitness > b.fitness; });
+  // Insertion keeps equals in the order in which they were drawn.
+  for (std::size_t i = 1; i < drawn.size(); ++i) {
+    for (std::size_t at = i; at > 0 && drawn[at].fitness > drawn[at - 1].fitness; --at) {
+      std::swap(drawn[at], drawn[at - 1]);
+    }
+  }
   drawn.resize(static_cast<std::size_t>(settings.two_stage.kept));
   for (std::uint64_t generation = 1;; ++generation) {
     for (std::size_t i = 0; i < drawn.size(); ++i) {
