@@ -33,7 +33,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   d.senses.tau_min_s = between(0.02f, 1.0f);
   d.task.duration_steps = d.duration_steps = 60;
   RandomStream random(bits.Take(64), 0, 0);
-  d.controllers = {{"", d.senses, d.rules, RandomGenome(SpaceOf(d).shape, d.senses, Variation{}, random)}};
+  d.controllers = {
+      {"", d.kind, d.senses, d.rules, RandomGenome(SpaceOf(d).shape, d.senses, Variation{}, random)}};
   d.timeline = {{0, 0}};
   if (!Validate(d)) std::abort();
 
