@@ -51,18 +51,6 @@ Result<Study> StudyOf(const LabSettings& settings, const Document& document) {
   return study;
 }
 
-/// The best so far after so many evaluations; a step function.
-std::vector<double> Sampled(const StudyPlan& plan, std::span<const Search::CurvePoint> curve) {
-  std::vector<double> values;
-  values.reserve(static_cast<std::size_t>(plan.points));
-  std::size_t at = 0;
-  for (int point = 0; point < plan.points; ++point) {
-    while (at < curve.size() && curve[at].evaluation <= plan.EvaluationsAt(point)) ++at;
-    values.push_back(static_cast<double>(at == 0 ? kVoidScore : curve[at - 1].best));
-  }
-  return values;
-}
-
 }  // namespace
 
 std::string LabelOf(const std::string& title) {
@@ -108,15 +96,15 @@ Lab::Trial Lab::Now() const {
 
 void Lab::Finish(std::span<const Search::CurvePoint> curve) {
   const auto [problem, search, seed] = Place();
-  const std::size_t index =
-      search * static_cast<std::size_t>(study_.plan.trials) + seed - study_.plan.first_seed;
+  const StudyPlan& plan = study_.plan;
+  const std::size_t index = *plan.Find(plan.problems[problem], plan.searches[search], seed);
   const TrialResult result{.best = curve.empty() ? kVoidScore : curve.back().best,
                            .terms = {},
                            .ground = {},
                            .hash = 0,
                            .curve = curve};
-  rows_[index] = {.text = RowsOf(study_.plan, StudyTable::kCurves, index, result), .line = 0};
-  samples_[search].push_back(Sampled(study_.plan, curve));
+  rows_[index] = {.text = RowsOf(plan, StudyTable::kCurves, index, result), .line = 0};
+  samples_[search].push_back(BestAtPoints(plan, curve, kVoidScore));
   SumUp(search);
   if (++finished_ == Total()) state_ = LabState::kDone;
 }
@@ -132,7 +120,7 @@ void Lab::SumUp(std::size_t search) {
   std::vector<double> sample(samples_[search].size());
   for (int point = 0; point < study_.plan.points; ++point) {
     for (std::size_t i = 0; i < sample.size(); ++i)
-      sample[i] = samples_[search][i][static_cast<std::size_t>(point)];
+      sample[i] = static_cast<double>(samples_[search][i][static_cast<std::size_t>(point)]);
     const double lower = Quantile(sample, 0.25);
     if (lower <= static_cast<double>(kNoMotion)) continue;
     series.points.push_back(

@@ -93,7 +93,7 @@ class Lab {
   int finished_ = 0;
   /// For each algorithm of the run and each of its finished trials: the best so far at each of the plan's
   /// points.
-  std::vector<std::vector<std::vector<double>>> samples_;
+  std::vector<std::vector<std::vector<float>>> samples_;
   std::vector<LabSeries> series_;
   std::map<std::size_t, StudyFile::Rows> rows_;  // by canonical index
 };

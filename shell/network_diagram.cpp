@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shell/wording.h"
-
 namespace gaitsmith::shell {
 namespace {
 

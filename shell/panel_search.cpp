@@ -63,9 +63,7 @@ void DrawRates(Ui& ui, Session& session) {
 void DrawStart(Ui& ui, Session& session) {
   const Document& d = session.Doc();
   const Controller* shown = session.ShownController();
-  const bool fits =
-      shown != nullptr && shown->senses == d.senses && shown->rules == d.rules && shown->kind == d.kind;
-  if (!fits) return;
+  if (shown == nullptr || !SuitsSearch(d, *shown)) return;
   bool on = d.search.start >= 0;
   if (ui.Switch("search/start-here", "Start from the shown motion", on)) {
     session.Set([&](Document& next) {

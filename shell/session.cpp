@@ -175,9 +175,7 @@ std::optional<Document> Session::Edited(const Edit& edit) {
   // A start that has gone, or does not fit other senses, is no start any more.
   if (int& start = next.search.start; start >= 0) {
     const auto index = static_cast<std::size_t>(start);
-    const bool fits = index < next.controllers.size() && next.controllers[index].senses == next.senses &&
-                      next.controllers[index].rules == next.rules &&
-                      next.controllers[index].kind == next.kind;
+    const bool fits = index < next.controllers.size() && SuitsSearch(next, next.controllers[index]);
     if (!fits) start = -1;
   }
   if (const auto valid = Validate(next); !valid) {

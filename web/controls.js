@@ -71,6 +71,7 @@ export class Controls {
     const network = widgets.find(({ id }) => id === 'controller/network');
     const figure = this.app.document().figure.name || 'The figure';
     const where = stage ? `has travelled ${stage.value}` : 'is on the stage';
-    return `${figure} ${where}.${rule ? ` Active rule: ${rule.label}.` : ''}${network ? ` ${network.label}, ${network.value}.` : ''} ${this.app.score()}`;
+    const decides = rule ? ` Active rule: ${rule.label}.` : network ? ` ${network.label}, ${network.value}.` : '';
+    return `${figure} ${where}.${decides} ${this.app.score()}`;
   }
 }

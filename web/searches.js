@@ -8,7 +8,8 @@ import { banner } from './dom.js';
 /** @typedef {import('./messages.js').SearchReport} SearchReport */
 
 const ALGORITHMS = /** @type {Record<string, string>} */ ({ rgt: 'RG&T', sphc: 'SPHC', gga: 'GGA', ssga: 'SSGA', shc: 'SHC',
-  mpga: 'MPGA', 'nelder-mead': 'Nelder–Mead', powell: 'Powell', 'cma-es': 'CMA-ES', 'map-elites': 'MAP-Elites' });
+  mpga: 'MPGA', 'nelder-mead': 'Nelder–Mead', powell: 'Powell', 'cma-es': 'CMA-ES', 'map-elites': 'MAP-Elites',
+  'two-stage': 'Two-stage' });
 
 // Each holds some memory, and a search is not certain.
 const MOST_STANDING_BY = 4;

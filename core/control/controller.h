@@ -19,11 +19,8 @@ inline constexpr std::array<std::string_view, 2> kControllerKindNames = {"rules"
 /// Where each number of a controller stands in its genome, whatever its kind.
 class ControllerShape {
  public:
-  // NOLINTBEGIN(google-explicit-constructor): whoever has the one has the other
+  // NOLINTNEXTLINE(google-explicit-constructor): whoever has a bank's shape has this
   ControllerShape(const BankShape& bank) : bank_(bank), network_(1, 1) {}
-  ControllerShape(const NetworkShape& network)
-      : kind_(ControllerKind::kNetwork), bank_(1, SenseKind::kTimer, 1), network_(network) {}
-  // NOLINTEND(google-explicit-constructor)
 
   /// @param units rules of a bank or hidden nodes of a network, [1, kMaxRules]
   ControllerShape(ControllerKind kind, int units, SenseKind senses, int rods)

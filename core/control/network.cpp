@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/control/network.h"
 
-#include <string>
-
 namespace gaitsmith {
 
 std::string InputName(const NetworkShape& shape, int input) {

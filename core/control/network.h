@@ -3,17 +3,17 @@
 // sensors, hidden nodes and actuators, all connected by weights, and no state but delays. Design decision 21
 // says what we read into the sources.
 //
-//   touch sensor     1 while the ground pushes the endpoint
-//   angle sensor     1 while the joint's angle is above a threshold
-//   hidden node      charges while the weighted sum of its inputs is positive, discharges otherwise, in its
-//   delay
-//                    from empty to full; its output turns to 1 when full and to 0 when empty
-//   actuator         charges alike; its charge itself places the joint's target between two angles
+//   touch sensor   1 while the ground pushes the endpoint
+//   angle sensor   1 while the joint's angle is above a threshold
+//   hidden node    charges while the weighted sum of its inputs is positive, else discharges, from empty to
+//                  full in its delay; its output turns to 1 when full and to 0 when empty
+//   actuator       charges alike; its charge itself places the joint's target between two angles
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/control/response.h"

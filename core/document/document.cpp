@@ -68,6 +68,10 @@ Problem ProblemOf(const Document& d) {
   return {d.figure, d.environment, d.start, d.pushes, d.task, d.senses, d.rules, d.kind};
 }
 
+bool SuitsSearch(const Document& d, const Controller& controller) {
+  return controller.kind == d.kind && controller.senses == d.senses && controller.rules == d.rules;
+}
+
 Problem ReplayProblem(const Document& d, const Controller& controller) {
   Problem problem = ProblemOf(d);
   problem.senses = controller.senses;

@@ -59,6 +59,9 @@ struct Document {
 [[nodiscard]] Problem ProblemOf(const Document&);
 [[nodiscard]] SearchSpace SpaceOf(const Document&);
 
+/// Whether a search of the document may begin with the controller.
+[[nodiscard]] bool SuitsSearch(const Document&, const Controller&);
+
 /// The problem in which a controller of the document, alone from the start, makes the motion shown; with
 /// exactly one clip its evaluation has the document's own trajectory hash.
 [[nodiscard]] Problem ReplayProblem(const Document&, const Controller&);

@@ -41,10 +41,10 @@ Motion::Motion(const Figure& figure, const Environment& environment, const Start
   TrajectoryHash hash;
   int clip = -1;
   const auto record = [&] {
-    const std::uint64_t firing = FiringBits(s);
-    // Hidden nodes are the last inputs.
     const auto* network =
         clip < 0 ? nullptr : std::get_if<Network<1>>(&decoded[static_cast<std::size_t>(clip)]);
+    const std::uint64_t firing = network == nullptr ? 0 : FiringBits(s);
+    // Hidden nodes are the last inputs.
     const int rule = network == nullptr
                          ? s.rule[0]
                          : std::popcount(firing >> (network->Shape().touches + network->Shape().joints));

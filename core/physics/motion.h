@@ -39,7 +39,7 @@ class Motion {
     float friction_gain_j, lifting_work_j;  // of friction, where it had the wrong sign; of lifting
     int clip;                               // which clip is in charge; -1 with none
     int rule;                               // its active rule; of a network: hidden nodes that fire
-    std::uint64_t firing;                   // bit i: input i of its network is 1
+    std::uint64_t firing;                   // bit i: input i of its network is 1; of a bank 0
   };
   struct Point {
     float x, y;

@@ -40,6 +40,14 @@ Result<Arguments> Arguments::Parse(std::span<const std::string_view> words,
   return arguments;
 }
 
+Result<Arguments> Arguments::ParseOptions(std::span<const std::string_view> words,
+                                          std::span<const std::string_view> known) {
+  auto arguments = Parse(words, known);
+  if (arguments && !arguments->Positional().empty())
+    return Fail(ErrorCode::kSyntax, arguments->Positional()[0], "does not belong here");
+  return arguments;
+}
+
 const std::vector<std::string>& Arguments::All(std::string_view option) const {
   static const std::vector<std::string> kNone;
   const auto found = options_.find(option);

@@ -20,6 +20,10 @@ class Arguments {
                                                std::span<const std::string_view> known,
                                                std::span<const std::string_view> flags = {});
 
+  /// Of a command that takes options alone.
+  [[nodiscard]] static Result<Arguments> ParseOptions(std::span<const std::string_view> words,
+                                                      std::span<const std::string_view> known);
+
   [[nodiscard]] const std::vector<std::string>& Positional() const { return positional_; }
   /// All values given for an option, in order.
   [[nodiscard]] const std::vector<std::string>& All(std::string_view option) const;

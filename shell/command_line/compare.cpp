@@ -139,11 +139,8 @@ Outcome CompareCommand(Words words) {
   static constexpr std::string_view kOptions[] = {
       "problem", "search",   "trials", "first-seed", "evaluations", "points", "controller", "sense",
       "weight",  "duration", "shard",  "threads",    "out",         "curves", "summary"};
-  const auto arguments = Arguments::Parse(words, kOptions);
+  const auto arguments = Arguments::ParseOptions(words, kOptions);
   if (!arguments) return WrongCall(arguments.error());
-  if (!arguments->Positional().empty()) {
-    return WrongCall({ErrorCode::kSyntax, arguments->Positional()[0], "does not belong here"});
-  }
   if (arguments->Has("summary")) {
     if (words.size() <= 2) return Summarize(arguments->Last("summary"));
     return WrongCall({ErrorCode::kStructure, "--summary", "goes with no other option"});

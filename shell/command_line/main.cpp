@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // gaitsmith: the command line.
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string>
@@ -44,14 +45,20 @@ int Usage(std::FILE* out) {
   return out == stdout ? 0 : 2;
 }
 
+bool IsHelp(std::string_view word) { return word == "--help" || word == "-h"; }
+
 }  // namespace
 
 int main(int count, char** words) {
   const std::vector<std::string_view> given(words + 1, words + count);
   if (given.empty()) return Usage(stderr);
-  if (given[0] == "help" || given[0] == "--help" || given[0] == "-h") return Usage(stdout);
+  if (given[0] == "help" || IsHelp(given[0])) return Usage(stdout);
   for (const Command& command : kCommands) {
     if (command.name != given[0]) continue;
+    if (std::ranges::any_of(given, IsHelp)) {
+      std::printf("usage:\n  gaitsmith %s\n", command.usage);
+      return 0;
+    }
     const auto done = command.run(Words(given).subspan(1));
     if (done) return 0;
     std::fprintf(stderr, "gaitsmith %s: %s\n", std::string(command.name).c_str(),

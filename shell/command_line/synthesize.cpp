@@ -123,11 +123,8 @@ Outcome SynthesizeCommand(Words words) {
   static constexpr std::string_view kOptions[] = {
       "figure", "task",    "sense", "weight",   "search", "evaluations",   "seed",      "out",
       "curve",  "threads", "rules", "duration", "from",   "search-option", "controller"};
-  const auto arguments = Arguments::Parse(words, kOptions);
+  const auto arguments = Arguments::ParseOptions(words, kOptions);
   if (!arguments) return std::unexpected(arguments.error());
-  if (!arguments->Positional().empty()) {
-    return Fail(ErrorCode::kSyntax, arguments->Positional()[0], "does not belong here");
-  }
   if (!arguments->Has("out"))
     return Fail(ErrorCode::kMissing, "--out", "say where to write the document (- for standard output)");
   auto document = ReadRequest(*arguments);

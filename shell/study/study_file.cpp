@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 
 #include "core/document/document.h"
 
@@ -138,15 +139,26 @@ std::string RowsOf(const StudyPlan& plan, StudyTable table, std::size_t trial, c
     return row + "," + HashText(result.hash) + "\n";
   }
   std::string rows;
-  std::size_t at = 0;  // points of the search's curve that have been passed
+  const auto values = BestAtPoints(plan, result.curve, -std::numeric_limits<float>::infinity());
   for (int point = 0; point < plan.points; ++point) {
-    const int evaluations = plan.EvaluationsAt(point);
-    while (at < result.curve.size() && result.curve[at].evaluation <= evaluations) ++at;
-    if (at == 0 || !std::isfinite(result.curve[at - 1].best)) continue;
-    rows += start + std::to_string(evaluations) + "," +
-            Number(static_cast<double>(result.curve[at - 1].best)) + "\n";
+    const float best = values[static_cast<std::size_t>(point)];
+    if (!std::isfinite(best)) continue;
+    rows +=
+        start + std::to_string(plan.EvaluationsAt(point)) + "," + Number(static_cast<double>(best)) + "\n";
   }
   return rows;
+}
+
+std::vector<float> BestAtPoints(const StudyPlan& plan, std::span<const Search::CurvePoint> curve,
+                                float before) {
+  std::vector<float> values;
+  values.reserve(static_cast<std::size_t>(plan.points));
+  std::size_t passed = 0;
+  for (int point = 0; point < plan.points; ++point) {
+    while (passed < curve.size() && curve[passed].evaluation <= plan.EvaluationsAt(point)) ++passed;
+    values.push_back(passed == 0 ? before : curve[passed - 1].best);
+  }
+  return values;
 }
 
 double BestIn(std::string_view row) {

@@ -22,6 +22,11 @@ struct TrialResult {
 /// The trial's rows in one of the files. Points of the curve before any score have none.
 [[nodiscard]] std::string RowsOf(const StudyPlan&, StudyTable, std::size_t trial, const TrialResult&);
 
+/// The best so far at each point of the plan: a step function.
+/// @param before what stands at points before any score
+[[nodiscard]] std::vector<float> BestAtPoints(const StudyPlan&, std::span<const Search::CurvePoint> curve,
+                                              float before);
+
 /// The fitness in a row of results that was checked.
 [[nodiscard]] double BestIn(std::string_view row);
 

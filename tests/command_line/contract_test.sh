@@ -191,7 +191,10 @@ cmp -s results.csv results-before.csv && cmp -s curves.csv curves-before.csv || 
 same "$(cat precious.json)" keep "a file after refused commands"
 refuses 'cannot be read' "$gaitsmith" hash nowhere.json
 refuses 'was cut' "$gaitsmith" link decode "$(head -c 100 link.txt)"
-for command in compare merge; do "$gaitsmith" help | grep -q "gaitsmith $command " || fault "help on $command"; done
+for command in compare merge; do
+  "$gaitsmith" help | grep -q "gaitsmith $command " || fault "help on $command"
+  "$gaitsmith" $command --help | grep -q "gaitsmith $command " || fault "$command --help"
+done
 refuses 'there is no command' "$gaitsmith" fly
 sed 's/"friction": 0.8/"friction": 12/' "$golden" >bad.json
 refuses 'environment.friction: must be from 0 to 10, is 12' "$gaitsmith" validate bad.json

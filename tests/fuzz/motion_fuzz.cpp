@@ -30,6 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   d.start = {between(0.0f, 100.0f), between(-100.0f, 100.0f), between(-100.0f, 100.0f),
              between(-40.0f, 40.0f)};
   d.senses.kind = bits.Take(1) != 0 ? SenseKind::kTimer : SenseKind::kPhysical;
+  if (d.senses.kind == SenseKind::kPhysical && bits.Take(1) != 0) d.kind = ControllerKind::kNetwork;
   d.senses.tau_min_s = between(0.02f, 1.0f);
   d.task.duration_steps = d.duration_steps = 60;
   RandomStream random(bits.Take(64), 0, 0);
