@@ -11,7 +11,8 @@ IMGUI=1.90.1 CATCH2=3.7.1 EIGEN=3.4.0 SDL2=2.32.4
 ACORN=8.15.0            # Emscripten's optimiser imports it; Debian does not pack it as an ES module
 NODE_MIN=18
 PACKAGES=(build-essential cmake ninja-build git python3 clang-$LLVM lld-$LLVM llvm-$LLVM clang-format-$LLVM
-          clang-tidy-$LLVM libclang-rt-$LLVM-dev patchelf libsdl2-dev libgl-dev libbenchmark-dev)
+          clang-tidy-$LLVM libclang-rt-$LLVM-dev patchelf libsdl2-dev libgl-dev libbenchmark-dev
+          parallel) # the documented way to spread a study is tested
 BROWSERS=(chromium firefox-esr xvfb xauth)
 MEASURES=(valgrind libbox2d-dev) # instruction counts; the engine that ours is compared with
 

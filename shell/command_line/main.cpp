@@ -23,7 +23,8 @@ constexpr std::array<Command, 8> kCommands = {{
     {"synthesize", gaitsmith::shell::SynthesizeCommand,
      "synthesize --figure F --task T --sense physical|timer=SECONDS --weight TERM=W\n"
      "             --search ALG --evaluations N --seed S --out DOC [--curve CSV] [--threads K]\n"
-     "             [--controller rules|network] [--rules N] [--duration SECONDS]"},
+     "             [--controller rules|network] [--rules N] [--duration SECONDS]\n"
+     "             [--search-option NAME=VALUE] [--problem DOC | --from DOC]"},
     {"compare", gaitsmith::shell::CompareCommand,
      "compare --problem DOC … --search ALG[:OPTION=VALUE…] … --trials N --evaluations E --out CSV\n"
      "             --curves CSV [--first-seed S] [--points P] [--sense physical|timer=SECONDS]\n"

@@ -66,6 +66,21 @@ Result<Document> ReadStart(const Arguments& arguments) {
   return document;
 }
 
+/// A document's problem, to be searched from a random controller.
+Result<Document> ReadProblem(const Arguments& arguments) {
+  for (const char* option : {"figure", "from"}) {
+    if (!arguments.Has(option)) continue;
+    return Fail(ErrorCode::kStructure, std::string("--") + option, "cannot be given with --problem");
+  }
+  auto document = ReadDocument(arguments.Last("problem"));
+  if (!document) return document;
+  document->controllers.clear();
+  document->timeline.clear();
+  document->search = {};
+  document->hash.reset();
+  return document;
+}
+
 /// A new document about a figure.
 Result<Document> ReadNew(const Arguments& arguments) {
   const auto figure = ReadFigure(arguments.Last("figure", "mr-star-man"));
@@ -78,7 +93,9 @@ Result<Document> ReadNew(const Arguments& arguments) {
 
 /// The document that the options describe, but for the controller to be found.
 Result<Document> ReadRequest(const Arguments& arguments) {
-  auto read = arguments.Has("from") ? ReadStart(arguments) : ReadNew(arguments);
+  auto read = arguments.Has("problem") ? ReadProblem(arguments)
+              : arguments.Has("from")  ? ReadStart(arguments)
+                                       : ReadNew(arguments);
   if (!read) return read;
   Document& document = *read;
   if (arguments.Has("task")) {
@@ -121,8 +138,8 @@ std::string CurveCsv(const std::vector<Search::CurvePoint>& curve) {
 
 Outcome SynthesizeCommand(Words words) {
   static constexpr std::string_view kOptions[] = {
-      "figure", "task",    "sense", "weight",   "search", "evaluations",   "seed",      "out",
-      "curve",  "threads", "rules", "duration", "from",   "search-option", "controller"};
+      "figure", "task",    "sense", "weight",   "search", "evaluations",   "seed",       "out",
+      "curve",  "threads", "rules", "duration", "from",   "search-option", "controller", "problem"};
   const auto arguments = Arguments::ParseOptions(words, kOptions);
   if (!arguments) return std::unexpected(arguments.error());
   if (!arguments->Has("out"))

@@ -84,6 +84,13 @@ same "$(head -1 curve.csv)" "evaluation,best" "curve header"
 same "$(sed -n 2p refined.csv)" "1,$(tail -1 curve.csv | cut -d, -f2)" "fitness that a refiner starts from"
 same "$(grep -c '"start": 0' refined.json)" 1 "start in a refined document"
 
+# A problem by name, as compare takes it: the same motion as that of its first seed.
+"$gaitsmith" synthesize --problem hopper-jump --weight rotations=1 --search shc --evaluations 40 --seed 3 --out hopper.json || fault "a problem"
+"$gaitsmith" compare --problem hopper-jump --weight rotations=1 --search shc --evaluations 40 --trials 1 --first-seed 3 --points 1 \
+  --out hopper.csv --curves hopper-curve.csv
+same "$("$gaitsmith" hash hopper.json)" "$(sed -n '3s/.*,//p' hopper.csv)" "what synthesize and compare find of one problem"
+refuses '--figure: cannot be given with --problem' "$gaitsmith" synthesize --problem hopper-jump --figure hopper --out no.json
+
 # A study: the same bytes for any number of threads, cut into shards, and continued after whatever happened.
 study() { "$gaitsmith" compare --problem one.json --problem refined.json --search powell \
   --search ssga:genetic.population=8:genetic.rates=per-component --trials 2 --first-seed 9 --evaluations 60 --points 7 "$@"; }
@@ -107,6 +114,17 @@ same "$(cat err)" "gaitsmith merge: 3 of 8 trials are missing" "warning about mi
 export -f study; export gaitsmith
 seq 3 | xargs -P 2 -I{} bash -c 'study --threads 1 --shard {}/3 --out many{}.csv --curves manyc{}.csv'
 "$gaitsmith" merge --complete --out - many?.csv | cmp -s - results.csv || fault "shards side by side"
+
+# The line of docs/command-line.md for GNU parallel, word for word but for the number of shards.
+if command -v parallel >/dev/null; then
+  line=$(sed -n 's/^    \(parallel gaitsmith compare .*\)/\1/p' "$root/docs/command-line.md")
+  joined=$(sed -n 's/^    \(gaitsmith merge --complete --out results.csv r\*.csv\) .*/\1/p' "$root/docs/command-line.md")
+  mkdir spread
+  (cd spread && PATH=$(dirname "$gaitsmith"):$PATH && cp ../one.json ../refined.json . &&
+    STUDY="--problem one.json --problem refined.json --search powell --search ssga:genetic.population=8:genetic.rates=per-component
+      --trials 2 --first-seed 9 --evaluations 60 --points 7" && eval "${line//64/3}" 2>err && eval "$joined") || fault "GNU parallel: $(cat spread/err)"
+  cmp -s spread/results.csv results.csv || fault "GNU parallel found something else"
+fi
 # Killed at any byte: what is whole is kept, the rest runs again.
 for bytes in 0 40 250 700 -1; do
   for file in results curves; do head -c $bytes $file.csv >torn-$file.csv; done
