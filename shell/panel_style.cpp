@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/document/usual_weights.h"
 #include "shell/style_words.h"
 #include "shell/wording.h"
 
@@ -95,7 +96,7 @@ void DrawScore(Ui& ui, const Session& session) {
     const float value = terms.Style(static_cast<StyleTerm>(i));
     const float weight = task.weights[i];
     const bool weighed = weight != 0.0f;
-    table.Line(words.label, ValueText(words, value), weighed ? WeightText(words, weight) : "",
+    table.Line(words.label, ValueText(words, value), weighed ? WeightText(weight) : "",
                weighed ? AmountText(weight * value, 2) : "");
   }
   if (fitness <= kVoidScore) {
@@ -109,20 +110,30 @@ void DrawScore(Ui& ui, const Session& session) {
              whole <= kVoidScore ? "void" : AmountText(whole, 2));
 }
 
+// Of a weight's slider, in usual weights.
+constexpr double kMostUnits = 3.0;
+constexpr double kUnitStep = 0.1;
+
 void DrawWeights(Ui& ui, Session& session) {
   const Task& task = session.Doc().task;
   const bool any = std::ranges::any_of(task.weights, [](float weight) { return weight != 0.0f; });
   ui.Heading("Style");
-  ui.Paragraph("A weight above 0 asks for more, below 0 for less.", Type::kNote);
+  ui.Paragraph("Above 0 asks for more, below 0 for less; 1 is the usual weight of this figure.", Type::kNote);
   ui.Gap(8.0f);
+  const auto usual = UsualWeights(session.Doc());
   for (std::size_t i = 0; i < kStyleTerms; ++i) {
     const TermWords& words = TermTexts()[i];
-    double weight = static_cast<double>(task.weights[i]);
-    const std::string per = std::string(*words.per != '\0' ? " " : "") + words.per;
-    if (ui.Slider(words.id, words.label, weight, {.low = -words.most, .high = words.most, .step = words.step},
-                  WeightText(words, task.weights[i]) + per)) {
+    const auto unit = static_cast<double>(usual[i]);
+    double units = static_cast<double>(task.weights[i]) / unit;
+    std::string text = "0";
+    if (task.weights[i] != 0.0f) {
+      text = AmountText(static_cast<float>(units), 1) + " · " + WeightText(task.weights[i]);
+      if (*words.per != '\0') text += std::string(" ") + words.per;
+    }
+    if (ui.Slider(words.id, words.label, units, {.low = -kMostUnits, .high = kMostUnits, .step = kUnitStep},
+                  text)) {
       // On the slider's own grid, or steps by key would gather rounding.
-      const auto chosen = static_cast<float>(std::round(weight / words.step) * words.step);
+      const auto chosen = static_cast<float>(std::round(units / kUnitStep) * kUnitStep * unit);
       session.Set([&](Document& d) { d.task.weights[i] = chosen; });
     }
     ui.Paragraph(words.line, Type::kNote);

@@ -18,17 +18,14 @@ std::string LowerCase(std::string text) {
 }  // namespace
 
 const std::array<TermWords, kStyleTerms>& TermTexts() {
-  // The slider of a weight reaches as far as the term can then outweigh some metres of travel.
   static constexpr std::array<TermWords, kStyleTerms> kTexts = {{
-      {"style/height", "Height", "peak of the centre of mass", "m", "per m", 2, 10.0, 0.1},
-      {"style/slip", "Slip", "how far loaded endpoints slide", "m", "per m", 2, 10.0, 0.1},
-      {"style/rotations", "Rotations", "turns of the root from start to end", "turns", "per turn", 2, 50.0,
-       0.5},
-      {"style/effort", "Effort", "angle that all joints travel together", "rad", "per rad", 1, 1.0, 0.01},
-      {"style/upright", "Upright", "mean: 1 as drawn, −1 upside down", "", "", 2, 20.0, 0.1},
-      {"style/smoothness", "Smoothness", "0 when joints never change speed", "rad/s²", "per rad/s²", 1, 1.0,
-       0.01},
-      {"style/head", "Head height", "mean height of the endpoint drawn highest", "m", "per m", 2, 20.0, 0.1},
+      {"style/height", "Height", "peak of the centre of mass", "m", "per m", 2},
+      {"style/slip", "Slip", "how far loaded endpoints slide", "m", "per m", 2},
+      {"style/rotations", "Rotations", "turns of the root from start to end", "turns", "per turn", 2},
+      {"style/effort", "Effort", "angle that all joints travel together", "rad", "per rad", 1},
+      {"style/upright", "Upright", "mean: 1 as drawn, −1 upside down", "", "", 2},
+      {"style/smoothness", "Smoothness", "0 when joints never change speed", "rad/s²", "per rad/s²", 1},
+      {"style/head", "Head height", "mean height of the endpoint drawn highest", "m", "per m", 2},
   }};
   return kTexts;
 }
@@ -42,9 +39,9 @@ std::string ValueText(const TermWords& words, float value) {
   return AmountText(value, words.decimals) + (*words.unit != '\0' ? " " : "") + words.unit;
 }
 
-std::string WeightText(const TermWords& words, float weight) {
+std::string WeightText(float weight) {
   const float size = std::abs(weight);
-  const int least = size >= 100.0f ? 0 : words.step < 0.1 ? 2 : 1;
+  const int least = size >= 100.0f ? 0 : 1;
   const int most = size >= 100.0f ? 1 : size >= 10.0f ? 2 : 4;
   int decimals = least;
   const auto shown_exactly = [&] {
@@ -90,8 +87,8 @@ std::string ScoreWords(const Task& task, const Terms& terms) {
       rest += (rest.empty() ? " Not weighed: " : ", ") + measured;
     } else {
       const float adds = weight * value;
-      sum += "; " + measured + " times " + WeightText(words, weight) +
-             (adds < 0.0f ? " takes away " : " adds ") + AmountText(std::abs(adds), 2);
+      sum += "; " + measured + " times " + WeightText(weight) + (adds < 0.0f ? " takes away " : " adds ") +
+             AmountText(std::abs(adds), 2);
     }
   }
   return sum + "." + rest + (rest.empty() ? "" : ".");

@@ -16,8 +16,6 @@ struct TermWords {
   const char* unit;   // "m", or empty for a plain number
   const char* per;    // "per m": what its weight is counted by
   int decimals;       // of the measured value
-  double most;        // weight at either end of its slider
-  double step;        // of that weight
 };
 
 /// In the order of StyleTerm.
@@ -27,8 +25,8 @@ struct TermWords {
 [[nodiscard]] std::string AmountText(float amount, int decimals);
 /// "20.86 m"
 [[nodiscard]] std::string ValueText(const TermWords&, float value);
-/// A weight with as many decimals as its slider has, or as it needs and a column can hold: "-0.05".
-[[nodiscard]] std::string WeightText(const TermWords&, float weight);
+/// A weight with as many decimals as it needs and a column can hold, one at least: "-0.05".
+[[nodiscard]] std::string WeightText(float weight);
 /// "Travel to the right": the primary term.
 [[nodiscard]] std::string PrimaryLabel(TaskKind);
 /// What the primary term measures, in a sentence.

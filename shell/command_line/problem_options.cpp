@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/document/usual_weights.h"
+
 namespace gaitsmith::shell {
 
 namespace {
@@ -37,14 +39,19 @@ Result<void> ReadSense(const std::string& text, SenseSpec& senses) {
   return {};
 }
 
-Result<void> ReadWeight(const std::string& text, Task& task) {
+Result<void> ReadWeight(const std::string& text, Document& document) {
   const auto equals = text.find('=');
   const auto term = IndexOf(kStyleTermNames, text.substr(0, equals), "--weight");
   if (!term) return std::unexpected(term.error());
-  const auto weight =
-      ParseNumber(equals == std::string::npos ? "" : text.substr(equals + 1), "--weight " + text);
+  const auto index = static_cast<std::size_t>(*term);
+  const std::string number = equals == std::string::npos ? "" : text.substr(equals + 1);
+  if (number == "usual") {
+    document.task.weights[index] = UsualWeights(document)[index];
+    return {};
+  }
+  const auto weight = ParseNumber(number, "--weight " + text);
   if (!weight) return std::unexpected(weight.error());
-  task.weights[static_cast<std::size_t>(*term)] = static_cast<float>(std::clamp(*weight, -1e30, 1e30));
+  document.task.weights[index] = static_cast<float>(std::clamp(*weight, -1e30, 1e30));
   return {};
 }
 
@@ -65,7 +72,7 @@ Result<void> SetProblemOptions(const Arguments& arguments, Document& document) {
     document.kind = static_cast<ControllerKind>(*kind);
   }
   for (const std::string& weight : arguments.All("weight")) {
-    if (auto set = ReadWeight(weight, document.task); !set) return set;
+    if (auto set = ReadWeight(weight, document); !set) return set;
   }
   return {};
 }

@@ -90,6 +90,8 @@ same "$(grep -c '"start": 0' refined.json)" 1 "start in a refined document"
   --out hopper.csv --curves hopper-curve.csv
 same "$("$gaitsmith" hash hopper.json)" "$(sed -n '3s/.*,//p' hopper.csv)" "what synthesize and compare find of one problem"
 refuses '--figure: cannot be given with --problem' "$gaitsmith" synthesize --problem hopper-jump --figure hopper --out no.json
+"$gaitsmith" synthesize --problem star-man-travel --sense timer=3 --weight slip_sum=usual --search shc --evaluations 8 --seed 3 --out usual.json
+same "$(grep '"slip_sum"' usual.json | tr -d ' ,')" '"slip_sum":0.45' "the usual weight"
 
 # A study: the same bytes for any number of threads, cut into shards, and continued after whatever happened.
 study() { "$gaitsmith" compare --problem one.json --problem refined.json --search powell \

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The further style terms: closed forms, the same in the evaluator and in the recorded motion, and what a
 // search does with their weights.
+#include <algorithm>
 #include <catch_amalgamated.hpp>
 #include <cmath>
 #include <limits>
@@ -8,6 +9,7 @@
 #include "core/document/binary.h"
 #include "core/document/json.h"
 #include "core/document/link.h"
+#include "core/document/usual_weights.h"
 #include "core/numeric/scalar_math.h"
 #include "core/physics/evaluator.h"
 #include "core/physics/trajectory_hash.h"
@@ -361,6 +363,21 @@ TEST_CASE("style: a search asked for more of a term finds more of it, for less f
       CHECK(found(seed, term, kWeights[i]) > none);
       CHECK(found(seed, term, -kWeights[i]) < none);
     }
+  }
+}
+
+TEST_CASE("usual weights: by the figure's name up to a comma and its senses, and something for every figure",
+          "[style]") {
+  Document document;
+  document.figure.name = "Mr. Star-Man, limber";
+  document.senses.kind = SenseKind::kPhysical;
+  const auto slip = static_cast<std::size_t>(StyleTerm::kSlipSum);
+  REQUIRE(UsualWeights(document)[slip] == 0.6f);
+  document.senses.kind = SenseKind::kTimer;
+  REQUIRE(UsualWeights(document)[slip] == 0.45f);
+  for (const char* name : {"", ",", "Mr. Star", "Five-Rod Fred"}) {
+    document.figure.name = name;
+    REQUIRE(std::ranges::all_of(UsualWeights(document), [](float weight) { return weight > 0.0f; }));
   }
 }
 
