@@ -78,7 +78,7 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
   const float panel_x = whole.Max.x - kPanelWidth;
   const float timeline_y = whole.Max.y - kTimelineHeight - (ui.Look().touch ? 14.0f : 0.0f);
   const float transport_y = timeline_y - kTransportHeight;
-  DrawStage(ui, session_, {whole.Min, {panel_x, transport_y}});
+  DrawStage(ui, session_, stage_, {whole.Min, {panel_x, transport_y}});
   DrawTransport(ui, session_, {{whole.Min.x, transport_y}, {panel_x, timeline_y}});
   DrawTimeline(ui, session_, {{whole.Min.x, timeline_y}, {panel_x, whole.Max.y}});
   ui.VerticalLine(panel_x, whole.Min.y, whole.Max.y);
@@ -95,7 +95,7 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
   // The stage keeps the upper part; short canvases give the panel what it needs first.
   const float sheet = std::clamp(0.33f * whole.GetHeight(), 190.0f, 420.0f);
   const float tabs_y = whole.Max.y - sheet - tab_height;
-  DrawStage(ui, session_, {whole.Min, {whole.Max.x, tabs_y - transport}});
+  DrawStage(ui, session_, stage_, {whole.Min, {whole.Max.x, tabs_y - transport}});
   DrawTransport(ui, session_, {{whole.Min.x, tabs_y - transport}, {whole.Max.x, tabs_y}});
   ui.HorizontalLine(whole.Min.x, whole.Max.x, tabs_y);
 

@@ -4,6 +4,7 @@
 
 #include "shell/panel_figure.h"
 #include "shell/session.h"
+#include "shell/stage.h"
 #include "shell/window.h"
 
 namespace gaitsmith::shell {
@@ -33,6 +34,7 @@ class App {
   Window& window_;
   Session session_;
   FigurePanelState figure_panel_;
+  StageState stage_;
   bool first_frame_told_ = false;
 };
 

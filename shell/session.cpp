@@ -159,6 +159,9 @@ void Session::Show(Document document, bool start_over) {
   selected_clip_ =
       std::clamp(selected_clip_, 0, std::max(0, static_cast<int>(document_.timeline.size()) - 1));
   player.Load(document_, start_over);
+  // What was done to the world of another figure has no meaning for this one.
+  if (start_over || !SameRods(calm_.figure, document_.figure)) calm_ = document_;
+  LoadGhost();
   differs_from_maker_ = document_.hash && *document_.hash != player.Shown().Hash();
   host_.DocumentChanged(document_.title);
 }
@@ -218,8 +221,10 @@ void Session::Undo() {
   AbandonSearch();
   // Undoing twice brings the change back.
   Document present = std::move(document_);
+  const Document calm = calm_;
   remembered_->view = present.view;
   Show(std::move(*remembered_), true);
+  if (SameRods(calm.figure, document_.figure)) calm_ = calm;
   remembered_ = std::move(present);
   BeginGesture();
   notice.clear();

@@ -61,6 +61,22 @@ class Session {
   /// Task, senses and length of the motion belong together while there is only one clip.
   void SetDuration(int steps);
 
+  // The world. What a person does to it is part of the document, so that a link carries it.
+  /// An impulse on an endpoint (or kCentreOfMass) at the moment that is shown [N s], along the ground and
+  /// away from it. @return false, with a sentence, when there are too many pushes
+  bool Kick(int endpoint, float impulse_x_ns, float impulse_y_ns);
+  void RemovePush(std::size_t index);
+  /// Ground, gravity and pushes differ from what was opened.
+  [[nodiscard]] bool WorldChanged() const;
+  void ResetWorld();
+
+  /// A second motion of the figure, drawn behind it: without what was done to the world, or of another
+  /// controller of the document in the same world, with the same pushes.
+  static constexpr int kNoGhost = -2, kCalmGhost = -1;  // others: index of the controller
+  void ChooseGhost(int choice);
+  [[nodiscard]] int ChosenGhost() const { return ghost_; }
+  [[nodiscard]] const Playback* Ghost() const { return ghost_ == kNoGhost ? nullptr : &ghost_player_; }
+
   // The search.
   void Synthesize();
   void Pause() {
@@ -105,6 +121,7 @@ class Session {
   /// Ends the search for good: what it still reports belongs to a document that is no longer here.
   void AbandonSearch();
   void PutController(Controller controller);
+  void LoadGhost();
   void RunTrial();
   void OnTrialProgress(const SearchProgress&);
   void EndLab(LabState);
@@ -118,6 +135,9 @@ class Session {
   std::vector<Figure> figures_;
   std::vector<Document> problems_;
   int selected_clip_ = 0;
+  Document calm_;  // as it was opened, for its world
+  int ghost_ = kNoGhost;
+  Playback ghost_player_;
   SearchProgress progress_;
   std::optional<Document> searched_;  // the document as it was when the search began; empty: none is wanted
   int searched_clip_ = 0;             // the clip that it improves

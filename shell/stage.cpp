@@ -7,13 +7,14 @@
 
 #include "shell/camera.h"
 #include "shell/figure_drawing.h"
+#include "shell/ground_drawing.h"
+#include "shell/push_gesture.h"
 #include "shell/wording.h"
 
 namespace gaitsmith::shell {
 namespace {
 
 constexpr int kPosesShown = 5;
-constexpr int kTicksInReach = 120;  // on the stage and as far again to either side, where a slope shows them
 
 struct Scene {
   Ui& ui;
@@ -26,14 +27,15 @@ struct Scene {
 };
 
 // The figure keeps its size on the stage; where it goes, the camera follows a little later than it.
-Camera AimCamera(const Session& session, const ImRect& rect, float ground_y) {
+Camera AimCamera(const Session& session, const StageState& state, const ImRect& rect, float ground_y) {
   const Playback& player = session.player;
   const float reach = player.ReachM();
   const float room = ground_y - rect.Min.y - 70.0f;
   Camera camera;
   const float radius =
       std::clamp(0.155f * rect.GetHeight(), 44.0f, std::max(44.0f, 0.185f * rect.GetWidth()));
-  camera.scale = std::min(radius / reach, std::max(20.0f, room) / std::max(player.HeightM(), 0.1f));
+  camera.scale =
+      state.zoom * std::min(radius / reach, std::max(20.0f, room) / std::max(player.HeightM(), 0.1f));
 
   // The side it comes from gets more of the stage, since that is where its past stands.
   const double width_m = static_cast<double>(rect.GetWidth() / camera.scale);
@@ -48,6 +50,7 @@ Camera AimCamera(const Session& session, const ImRect& rect, float ground_y) {
   } else {
     camera.left_m = std::min(std::max(x - 0.71 * width_m, -margin_m), x - 0.2 * width_m);
   }
+  camera.left_m += state.pan_m;
   camera.origin = {rect.Min.x, ground_y};
   camera.pivot = static_cast<float>(x - camera.left_m) * camera.scale;
   const float slope = session.Doc().environment.slope_rad;
@@ -56,51 +59,8 @@ Camera AimCamera(const Session& session, const ImRect& rect, float ground_y) {
   return camera;
 }
 
-void DrawGround(const Scene& s) {
-  const Palette& p = s.ui.Ink();
-  const double width_m = static_cast<double>(s.rect.GetWidth() / s.camera.scale);
-  const double first = s.camera.left_m - width_m;
-  const double last = s.camera.left_m + 2.0 * width_m;
-  const ImVec2 left = s.camera.ToScreen(first, 0.0f);
-  const ImVec2 right = s.camera.ToScreen(last, 0.0f);
-  if (s.camera.sine == 0.0f) {
-    const float opacity = ImGui::ColorConvertU32ToFloat4(p.ground).w;
-    s.ui.Behind().Fill({{s.rect.Min.x, s.ground_y}, s.rect.Max}, Mix(p.paper, p.ground, opacity));
-  } else {
-    const float below = s.rect.Max.y + 0.6f * s.rect.GetWidth();
-    const ImVec2 corners[] = {left, right, {right.x, below}, {left.x, below}};
-    s.list->AddConvexPolyFilled(corners, 4, p.ground);
-  }
-
-  // A tick every metre, or every 2, 5, 10... where they would crowd. Counted from the first, since a metre
-  // may be too little to change a number.
-  const auto label_of = [](double metres) {
-    return (metres < 0.0 ? "−" : "") + Fixed(std::abs(metres), 0) + " m";
-  };
-  const float label_width = s.ui.Letters().Width(Type::kSmall, label_of(std::min(first, -last)));
-  const double crowded_m = static_cast<double>(std::max(44.0f, label_width + 8.0f) / s.camera.scale);
-  const double least_m = std::max(crowded_m, (last - first) / kTicksInReach);
-  double spacing = 1.0;
-  for (int grow = 0; spacing < least_m; ++grow) spacing *= grow % 3 == 1 ? 2.5 : 2.0;
-  const double first_tick = std::ceil(first / spacing) * spacing;
-  for (int tick = 0; tick <= kTicksInReach; ++tick) {
-    const double metres = first_tick + tick * spacing;
-    const ImVec2 at = s.camera.ToScreen(metres, 0.0f);
-    if (at.x < s.rect.Min.x - 30.0f || at.x > s.rect.Max.x + 30.0f) continue;
-    const ImVec2 foot(at.x + 7.0f * s.camera.sine, at.y + 7.0f * s.camera.cosine);
-    s.list->AddLine(at, foot, p.second_ink);
-    const ImVec2 text(at.x + 19.0f * s.camera.sine, at.y + 19.0f * s.camera.cosine);
-    const std::string label = label_of(metres);
-    // Cut at the edge, "−1 m" would read "1 m".
-    const float half = 0.5f * s.ui.Letters().Width(Type::kSmall, label) + 2.0f;
-    if (text.x - half < s.rect.Min.x || text.x + half > s.rect.Max.x) continue;
-    s.ui.Letters().Draw(s.list, Type::kSmall, text, p.second_ink, label, Align::kCentre);
-  }
-  s.list->AddLine(left, right, p.second_ink, 1.5f);
-}
-
-std::vector<ImVec2> OnScreen(const Scene& s, double time_s) {
-  const std::vector<Playback::Point> metres = s.player.EndpointsAt(time_s);
+std::vector<ImVec2> OnScreen(const Scene& s, const Playback& player, double time_s) {
+  const std::vector<Playback::Point> metres = player.EndpointsAt(time_s);
   std::vector<ImVec2> points;
   points.reserve(metres.size());
   for (const Playback::Point& point : metres) points.push_back(s.camera.ToScreen(point.x_m, point.y_m));
@@ -152,7 +112,7 @@ Past DrawPast(const Scene& s) {
     const int frame = s.player.PoseFrames()[static_cast<std::size_t>(past[k])];
     const double time_s = frame * static_cast<double>(motion.StepS());
     const float depth = 0.14f + 0.05f * static_cast<float>(k + kPosesShown - past.size());
-    DrawFigure(s.list, motion.Bones(), OnScreen(s, time_s),
+    DrawFigure(s.list, motion.Bones(), OnScreen(s, s.player, time_s),
                {.rods = Mix(p.paper, p.ink, depth), .width = width});
     DrawLetter(s, motion.At(frame).x_m, motion.At(frame).y_m, p.second_ink, past[k]);
   }
@@ -188,6 +148,19 @@ void DrawTrail(const Scene& s, double from_s) {
     due -= length;
     before = point;
   }
+}
+
+// Another motion at the same time, as an outline of another colour: it must not be taken for a past pose.
+void DrawGhost(const Scene& s) {
+  const Playback* ghost = s.session.Ghost();
+  if (ghost == nullptr) return;
+  const float width = RodWidth(s.player.Shown().Bones(), s.camera.scale);
+  const std::vector<ImVec2> points = OnScreen(s, *ghost, s.player.TimeS());
+  const Skeleton& bones = ghost->Shown().Bones();
+  DrawFigure(s.list, bones, points,
+             {.rods = Mix(s.ui.Ink().paper, s.ui.Ink().accent, 0.75f), .width = 0.8f * width});
+  DrawFigure(s.list, bones, points,
+             {.rods = Mix(s.ui.Ink().paper, s.ui.Ink().accent, 0.15f), .width = 0.8f * width - 3.0f});
 }
 
 void DrawForces(const Scene& s, const std::vector<ImVec2>& endpoints) {
@@ -235,6 +208,9 @@ void DrawNumbers(const Scene& s) {
   if (terms.broke_physics) {
     letters.Draw(s.list, Type::kNote, {at.x, at.y + 40.0f}, p.bad,
                  "This motion breaks physics and counts as void.");
+  } else if (s.session.WorldChanged()) {
+    letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 40.0f}, s.rect.GetWidth() - 32.0f, p.accent,
+                       "You changed its world: this is not the motion that was opened.");
   } else if (s.session.DiffersFromMaker()) {
     DrawNote(s, {at.x, at.y + 40.0f}, "This motion differs from the one its maker saw.");
   } else if (s.session.Doc().timeline.empty()) {
@@ -243,38 +219,69 @@ void DrawNumbers(const Scene& s) {
   }
 }
 
+void Zoom(StageState& state, const Touch& touch) {
+  const float wheel = ImGui::GetIO().MouseWheel;
+  if (!touch.hovered || wheel == 0.0f) return;
+  state.zoom = std::clamp(state.zoom * std::pow(1.15f, wheel), 0.1f, 6.0f);
+  if (std::abs(state.zoom - 1.0f) < 0.02f) state.zoom = 1.0f;
+}
+
+// @return true when a drag has moved the picture, until it ends
+bool Pan(StageState& state, const Touch& touch, float scale) {
+  const bool panned = state.panning;
+  if (!touch.held) {
+    state.panning = false;
+    return panned;
+  }
+  if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 5.0f)) state.panning = true;
+  if (state.panning) state.pan_m -= static_cast<double>(ImGui::GetIO().MouseDelta.x / scale);
+  return state.panning;
+}
+
+void DrawFollowButton(Ui& ui, StageState& state, const ImRect& rect) {
+  const float height = ui.Look().touch ? 40.0f : 32.0f;
+  const ImVec2 corner(rect.Max.x - 98.0f, rect.Min.y + 10.0f);
+  if (!ui.Button("stage/follow", {{corner.x - 82.0f, corner.y}, {corner.x, corner.y + height}}, "Follow"))
+    return;
+  state.zoom = 1.0f;
+  state.pan_m = 0.0;
+}
+
 }  // namespace
 
-void DrawStage(Ui& ui, Session& session, const ImRect& rect) {
+void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect) {
   const Terms& terms = session.player.TermsNow();
   const Touch touch =
       ui.Area("stage", rect, Grab::kPress,
               {.label = "Stage: " + session.Doc().figure.name,
                .role = "img",
                .value = Fixed(terms.travel_m, 2) + " m after " + Fixed(session.player.TimeS(), 2) + " s"});
-  if (touch.pressed) session.player.Play(!session.player.Playing());
-
+  Zoom(state, touch);
   const float ground_y = ui.Look().Snap(rect.Max.y - std::clamp(0.178f * rect.GetHeight(), 62.0f, 130.0f));
   const Scene scene{.ui = ui,
                     .session = session,
                     .player = session.player,
                     .list = ui.Canvas(),
                     .rect = rect,
-                    .camera = AimCamera(session, rect, ground_y),
+                    .camera = AimCamera(session, state, rect, ground_y),
                     .ground_y = ground_y};
   const View& view = session.Doc().view;
   scene.list->PushClipRect(rect.Min, rect.Max, true);
   ui.Behind().Fill(rect, ui.Ink().paper);
-  DrawGround(scene);
+  DrawGround(ui, rect, scene.camera);
   const Past past = view.poses ? DrawPast(scene) : Past{std::max(0.0, session.player.TimeS() - 4.0), 0};
   if (view.trail) DrawTrail(scene, past.oldest_s);
 
   const Motion& motion = session.player.Shown();
-  const std::vector<ImVec2> endpoints = OnScreen(scene, session.player.TimeS());
+  DrawGhost(scene);
+  const std::vector<ImVec2> endpoints = OnScreen(scene, session.player, session.player.TimeS());
   const ImU32 active = ActiveColour(scene);
   DrawFigure(scene.list, motion.Bones(), endpoints,
              {.rods = ui.Ink().ink, .joints = active, .width = RodWidth(motion.Bones(), scene.camera.scale)});
   if (view.forces) DrawForces(scene, endpoints);
+  const bool pushing = PushByHand(ui, session, state.push, touch, scene.camera, endpoints);
+  const bool panned = !pushing && Pan(state, touch, scene.camera.scale);
+  if (touch.pressed && !pushing && !panned) session.player.Play(!session.player.Playing());
   if (view.poses) {
     const Playback::Point centre = session.player.CentreAt(session.player.TimeS());
     DrawLetter(scene, centre.x_m, centre.y_m, active, past.next);
@@ -284,6 +291,8 @@ void DrawStage(Ui& ui, Session& session, const ImRect& rect) {
   ring.Expand(-4.0f);
   ui.DrawFocus(touch, ring, 4.0f);
   scene.list->PopClipRect();
+  DrawWorldCard(ui, session, state.world, rect);
+  if (state.zoom != 1.0f || state.pan_m != 0.0) DrawFollowButton(ui, state, rect);
 }
 
 }  // namespace gaitsmith::shell

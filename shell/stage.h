@@ -3,11 +3,22 @@
 // got.
 #pragma once
 
+#include "shell/push_gesture.h"
 #include "shell/session.h"
 #include "shell/widgets.h"
+#include "shell/world_card.h"
 
 namespace gaitsmith::shell {
 
-void DrawStage(Ui&, Session&, const ImRect&);
+/// What the stage remembers between frames: where a person looks, and what they hold.
+struct StageState {
+  float zoom = 1.0f;
+  double pan_m = 0.0;  // of the camera away from the figure
+  bool panning = false;
+  PushGesture push;
+  WorldCardState world;
+};
+
+void DrawStage(Ui&, Session&, StageState&, const ImRect&);
 
 }  // namespace gaitsmith::shell

@@ -14,6 +14,8 @@ struct Environment {
   float gravity_mps2 = kStandardGravity;  // [0, 100]
   float friction = 0.8f;                  // Coulomb coefficient, [0, 10]
   float slope_rad = 0.0f;                 // uphill to the right, [-0.6, 0.6]
+
+  bool operator==(const Environment&) const = default;
 };
 
 /// The figure starts in its drawn pose, joints at rest, centre of mass at x = 0.
@@ -33,6 +35,8 @@ struct Push {
   int endpoint = kCentreOfMass;  // index of the endpoint it acts on
   float impulse_x_ns = 0.0f;     // N s, [-1e6, 1e6]
   float impulse_y_ns = 0.0f;
+
+  bool operator==(const Push&) const = default;
 };
 
 }  // namespace gaitsmith

@@ -102,11 +102,12 @@ std::expected<Study, Refusal> ReadStudy(const Arguments& arguments) {
     const std::string label = std::filesystem::path(path).stem().string();
     if (auto fine = CheckLabel(study.plan.problems, label, "--problem"); !fine)
       return WrongCall(fine.error());
-    const auto document = ReadDocument(path);
+    auto document = ReadDocument(path);
     if (!document) return std::unexpected(Refusal(document.error()));
+    // Before the figure loses its name, which usual weights go by.
+    if (auto set = SetProblemOptions(arguments, *document); !set) return WrongCall(set.error());
     study.plan.problems.push_back(label);
     study.problems.push_back(OnlyProblem(*document));
-    if (auto set = SetProblemOptions(arguments, study.problems.back()); !set) return WrongCall(set.error());
     if (auto fine = CheckProblem(study, study.problems.size() - 1); !fine) return WrongCall(fine.error());
   }
   study.plan.fingerprint = FingerprintOf(study);

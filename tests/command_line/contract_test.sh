@@ -88,6 +88,11 @@ same "$(grep -c '"start": 0' refined.json)" 1 "start in a refined document"
 "$gaitsmith" synthesize --problem hopper-jump --weight rotations=1 --search shc --evaluations 40 --seed 3 --out hopper.json || fault "a problem"
 "$gaitsmith" compare --problem hopper-jump --weight rotations=1 --search shc --evaluations 40 --trials 1 --first-seed 3 --points 1 \
   --out hopper.csv --curves hopper-curve.csv
+for weight in usual 30; do
+  "$gaitsmith" compare --problem star-man-travel --weight rotations=$weight --search shc --evaluations 9 --trials 1 --points 1 \
+    --out usual-$weight.csv --curves usual-curve-$weight.csv
+done
+cmp -s usual-usual.csv usual-30.csv || fault "usual weights of a study"
 same "$("$gaitsmith" hash hopper.json)" "$(sed -n '3s/.*,//p' hopper.csv)" "what synthesize and compare find of one problem"
 refuses '--figure: cannot be given with --problem' "$gaitsmith" synthesize --problem hopper-jump --figure hopper --out no.json
 "$gaitsmith" synthesize --problem star-man-travel --sense timer=3 --weight slip_sum=usual --search shc --evaluations 8 --seed 3 --out usual.json

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "shell/world_card.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/numeric/scalar_math.h"
+#include "shell/wording.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+constexpr float kWidth = 290.0f;
+constexpr float kButtonWidth = 78.0f;
+constexpr double kDegree = kPi / 180.0;
+
+std::string NameOfEndpoint(int endpoint) {
+  return endpoint == kCentreOfMass ? "centre of mass" : "endpoint " + std::to_string(endpoint + 1);
+}
+
+void DrawGroundAndGravity(Ui& ui, Session& session) {
+  const Environment& world = session.Doc().environment;
+  const auto change = [&](float Environment::* field, double value) {
+    session.Change([&](Document& d) { d.environment.*field = static_cast<float>(value); });
+  };
+  double slope = static_cast<double>(world.slope_rad) / kDegree;
+  if (ui.Slider("world/slope", "Slope", slope, {.low = -30.0, .high = 30.0, .step = 0.5},
+                Fixed(slope, 1) + "°" +
+                    (slope > 0.0   ? " up"
+                     : slope < 0.0 ? " down"
+                                   : ""))) {
+    change(&Environment::slope_rad, slope * kDegree);
+  }
+  double friction = static_cast<double>(world.friction);
+  if (ui.Slider("world/friction", "Friction", friction, {.low = 0.0, .high = 2.0, .step = 0.05},
+                Fixed(friction, 2) + (friction < 0.15  ? " ice"
+                                      : friction > 1.5 ? " rubber"
+                                                       : ""))) {
+    change(&Environment::friction, friction);
+  }
+  double gravity = static_cast<double>(world.gravity_mps2);
+  if (ui.Slider("world/gravity", "Gravity", gravity, {.low = 0.0, .high = 25.0, .step = 0.1},
+                Fixed(gravity, 1) + " m/s²")) {
+    change(&Environment::gravity_mps2, gravity);
+  }
+}
+
+void DrawPushes(Ui& ui, Session& session, WorldCardState& state) {
+  const Skeleton& bones = session.player.Shown().Bones();
+  ui.Heading("Push");
+  ui.Paragraph("Drag from a joint or tip on the stage, or set it here.", Type::kNote);
+  ui.Gap(6.0f);
+  std::vector<std::string> places = {"Centre of mass"};
+  for (int k = 0; k < bones.endpoints; ++k) places.push_back("Endpoint " + std::to_string(k + 1));
+  state.endpoint = std::clamp(state.endpoint, 0, bones.endpoints);
+  ui.Combo("world/endpoint", "Where", places, state.endpoint);
+  const double most = std::max(5.0, 8.0 * static_cast<double>(bones.mass_kg));
+  state.strength_ns = std::min(state.strength_ns, most);
+  ui.Slider("world/strength", "Strength", state.strength_ns, {.low = 0.5, .high = most, .step = 0.5},
+            Fixed(state.strength_ns, 1) + " N s");
+  ui.Slider("world/direction", "Direction", state.direction_deg, {.low = -180.0, .high = 180.0, .step = 5.0},
+            Fixed(state.direction_deg, 0) + "°");
+  if (ui.Button("world/push", ui.ControlRow(), "Push now")) {
+    const double angle = state.direction_deg * kDegree;
+    session.Kick(state.endpoint - 1, static_cast<float>(state.strength_ns * std::cos(angle)),
+                 static_cast<float>(state.strength_ns * std::sin(angle)));
+  }
+  const auto& pushes = session.Doc().pushes;
+  for (std::size_t i = 0; i < pushes.size(); ++i) {
+    const Push& push = pushes[i];
+    const ImRect row = ui.ControlRow();
+    const std::string words = Fixed(static_cast<float>(push.step) * kStep, 2) + " s · " +
+                              Fixed(std::hypot(push.impulse_x_ns, push.impulse_y_ns), 1) + " N s · " +
+                              NameOfEndpoint(push.endpoint);
+    ui.Letters().DrawElided(ui.Canvas(), Type::kNote, {row.Min.x, row.GetCenter().y},
+                            row.GetWidth() - row.GetHeight() - 4.0f, ui.Ink().second_ink, words);
+    const ImRect button({row.Max.x - row.GetHeight(), row.Min.y}, row.Max);
+    if (ui.IconButton("world/remove/" + std::to_string(i), button, Icon::kClose,
+                      "Remove the push at " + words)) {
+      session.RemovePush(i);
+      break;
+    }
+  }
+}
+
+void DrawGhostChoice(Ui& ui, Session& session) {
+  std::vector<std::string> choices = {"None", "Without your changes"};
+  for (const Controller& controller : session.Doc().controllers) {
+    choices.push_back(controller.name.empty() ? "Controller " + std::to_string(choices.size() - 1)
+                                              : controller.name);
+  }
+  int chosen = session.ChosenGhost() - Session::kNoGhost;
+  if (ui.Combo("world/ghost", "Ghost", choices, chosen)) session.ChooseGhost(chosen + Session::kNoGhost);
+}
+
+}  // namespace
+
+void DrawWorldCard(Ui& ui, Session& session, WorldCardState& state, const ImRect& stage) {
+  const float height = ui.Look().touch ? 40.0f : 32.0f;
+  const ImRect button({stage.Max.x - kButtonWidth - 12.0f, stage.Min.y + 10.0f},
+                      {stage.Max.x - 12.0f, stage.Min.y + 10.0f + height});
+  if (ui.Button("world/open", button, state.open ? "Close" : "World", ButtonLook::kOutlined)) {
+    state.open = !state.open;
+  }
+  if (!state.open) return;
+  const float width = std::min(kWidth, stage.GetWidth() - 24.0f);
+  const ImRect card({stage.Max.x - width - 12.0f, button.Max.y + 8.0f},
+                    {stage.Max.x - 12.0f, stage.Max.y - 10.0f});
+  ImGui::SetCursorScreenPos(card.Min);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {14.0f, 12.0f});
+  ImGui::BeginChild("world", card.GetSize(), ImGuiChildFlags_AlwaysUseWindowPadding,
+                    ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollbar);
+  ImGui::PopStyleVar();
+  ui.Frame(card, ui.Ink().panel, ui.Ink().line);
+  DrawGroundAndGravity(ui, session);
+  ui.Gap(8.0f);
+  DrawPushes(ui, session, state);
+  ui.Gap(8.0f);
+  DrawGhostChoice(ui, session);
+  ui.Gap(8.0f);
+  if (ui.Button("world/reset", ui.ControlRow(), "Back to the world it was opened with", ButtonLook::kOutlined,
+                session.WorldChanged())) {
+    session.ResetWorld();
+  }
+  ui.Gap(6.0f);
+  ui.ScrollBar("world/scroll");
+  ImGui::EndChild();
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// A card on the stage: ground and gravity, pushes of a set strength, and the ghost to compare with.
+#pragma once
+
+#include "shell/session.h"
+#include "shell/widgets.h"
+
+namespace gaitsmith::shell {
+
+/// What the card remembers between frames.
+struct WorldCardState {
+  bool open = false;
+  int endpoint = 0;  // that the next push acts on: 0 the centre of mass, then the endpoints
+  double strength_ns = 5.0;
+  double direction_deg = 0.0;  // anticlockwise from the right along the ground
+};
+
+/// The button in the stage's corner and, when it is open, the card below it.
+void DrawWorldCard(Ui&, Session&, WorldCardState&, const ImRect& stage);
+
+}  // namespace gaitsmith::shell
