@@ -23,19 +23,6 @@ constexpr std::array<std::string_view, 6> kPanels = {"Figure", "Controller", "St
 constexpr int kDeskPanels = 5;
 constexpr int kTimelinePanel = 5;
 
-// A finger that moves up or down over a panel scrolls it, unless it holds something that is dragged itself.
-void ScrollByTouch() {
-  ImGuiContext& g = *ImGui::GetCurrentContext();
-  const ImGuiWindow* window = ImGui::GetCurrentWindowRead();
-  if (g.IO.MouseSource != ImGuiMouseSource_TouchScreen || !g.IO.MouseDown[0]) return;
-  if (!window->InnerRect.Contains(g.IO.MouseClickedPos[0]) || g.OpenPopupStack.Size > 0) return;
-  const ImVec2 moved = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0f);
-  const bool mine = g.ActiveId == 0 || !g.ActiveIdHasBeenPressedBefore;
-  if (!mine || std::abs(moved.y) < 8.0f || std::abs(moved.y) < std::abs(moved.x)) return;
-  if (g.ActiveId != 0) ImGui::ClearActiveID();
-  ImGui::SetScrollY(window->Scroll.y - g.IO.MouseDelta.y);
-}
-
 }  // namespace
 
 bool App::Advance(double seconds) {
@@ -78,7 +65,13 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
   const float panel_x = whole.Max.x - kPanelWidth;
   const float timeline_y = whole.Max.y - kTimelineHeight - (ui.Look().touch ? 14.0f : 0.0f);
   const float transport_y = timeline_y - kTransportHeight;
-  DrawStage(ui, session_, stage_, {whole.Min, {panel_x, transport_y}});
+  const ImRect stage(whole.Min, {panel_x, transport_y});
+  DrawStage(ui, session_, stage_, stage);
+  if (stage_.world.open) {
+    const ImRect card = WorldCardOn(stage, stage_.world);
+    ui.Frame(card, ui.Ink().panel, ui.Ink().line);
+    DrawWorldCard(ui, session_, stage_.world, card);
+  }
   DrawTransport(ui, session_, {{whole.Min.x, transport_y}, {panel_x, timeline_y}});
   DrawTimeline(ui, session_, {{whole.Min.x, timeline_y}, {panel_x, whole.Max.y}});
   ui.VerticalLine(panel_x, whole.Min.y, whole.Max.y);
@@ -101,9 +94,14 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
 
   int panel = Panel(static_cast<int>(kPanels.size()));
   const ImRect tabs({whole.Min.x, tabs_y}, {whole.Max.x, tabs_y + tab_height});
-  if (ui.Tabs("panels", tabs, kPanels, panel)) ChoosePanel(panel);
+  if (ui.Tabs("panels", tabs, kPanels, panel)) {
+    ChoosePanel(panel);
+    stage_.world.open = false;
+  }
   const ImRect rest({whole.Min.x, tabs.Max.y}, whole.Max);
-  if (panel == kTimelinePanel) {
+  if (stage_.world.open) {
+    DrawWorldCard(ui, session_, stage_.world, rest);  // the stage has no room for it
+  } else if (panel == kTimelinePanel) {
     DrawTimeline(ui, session_, rest);
   } else {
     DrawPanel(ui, rest, panel);
@@ -139,7 +137,7 @@ void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
       break;
   }
   ui.Gap(6.0f);
-  ScrollByTouch();
+  ui.ScrollByTouch();
   ui.ScrollBar("panel/scroll");
   ImGui::EndChild();
 }

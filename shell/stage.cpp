@@ -251,6 +251,7 @@ void DrawFollowButton(Ui& ui, StageState& state, const ImRect& rect) {
 
 void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect) {
   const Terms& terms = session.player.TermsNow();
+  ImGui::SetNextItemAllowOverlap();  // its buttons lie on it
   const Touch touch =
       ui.Area("stage", rect, Grab::kPress,
               {.label = "Stage: " + session.Doc().figure.name,
@@ -291,7 +292,7 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect) 
   ring.Expand(-4.0f);
   ui.DrawFocus(touch, ring, 4.0f);
   scene.list->PopClipRect();
-  DrawWorldCard(ui, session, state.world, rect);
+  DrawWorldButton(ui, state.world, rect);
   if (state.zoom != 1.0f || state.pan_m != 0.0) DrawFollowButton(ui, state, rect);
 }
 

@@ -81,6 +81,18 @@ Touch Ui::Area(std::string_view id, const ImRect& rect, Grab grab, Widget descri
   return touch;
 }
 
+void Ui::ScrollByTouch() const {
+  ImGuiContext& g = *ImGui::GetCurrentContext();
+  const ImGuiWindow* window = ImGui::GetCurrentWindowRead();
+  if (g.IO.MouseSource != ImGuiMouseSource_TouchScreen || !g.IO.MouseDown[0]) return;
+  if (!window->InnerRect.Contains(g.IO.MouseClickedPos[0]) || g.OpenPopupStack.Size > 0) return;
+  const ImVec2 moved = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0f);
+  const bool mine = g.ActiveId == 0 || !g.ActiveIdHasBeenPressedBefore;
+  if (!mine || std::abs(moved.y) < 8.0f || std::abs(moved.y) < std::abs(moved.x)) return;
+  if (g.ActiveId != 0) ImGui::ClearActiveID();
+  ImGui::SetScrollY(window->Scroll.y - g.IO.MouseDelta.y);
+}
+
 void Ui::DrawFocus(const Touch& touch, const ImRect& rect, float radius) const {
   if (!touch.focused) return;
   ImDrawList* list = Canvas();

@@ -94,6 +94,10 @@ class Ui {
   /// last.
   void ScrollBar(std::string_view id);
 
+  /// A finger that moves up or down over the current window scrolls it, unless it holds something that is
+  /// dragged itself.
+  void ScrollByTouch() const;
+
   /// Anything else: registers an area, and the caller draws it. Call DrawFocus afterwards.
   Touch Area(std::string_view id, const ImRect&, Grab, Widget description, bool enabled = true);
   void DrawFocus(const Touch&, const ImRect&, float radius = kCornerRadius) const;

@@ -48,7 +48,7 @@ void DrawGroundAndGravity(Ui& ui, Session& session) {
 void DrawPushes(Ui& ui, Session& session, WorldCardState& state) {
   const Skeleton& bones = session.player.Shown().Bones();
   ui.Heading("Push");
-  ui.Paragraph("Drag from a joint or tip on the stage, or set it here.", Type::kNote);
+  ui.Paragraph("Pull at a joint on the stage, or set it here.", Type::kNote);
   ui.Gap(6.0f);
   std::vector<std::string> places = {"Centre of mass"};
   for (int k = 0; k < bones.endpoints; ++k) places.push_back("Endpoint " + std::to_string(k + 1));
@@ -60,6 +60,7 @@ void DrawPushes(Ui& ui, Session& session, WorldCardState& state) {
             Fixed(state.strength_ns, 1) + " N s");
   ui.Slider("world/direction", "Direction", state.direction_deg, {.low = -180.0, .high = 180.0, .step = 5.0},
             Fixed(state.direction_deg, 0) + "°");
+  ui.Gap(6.0f);
   if (ui.Button("world/push", ui.ControlRow(), "Push now")) {
     const double angle = state.direction_deg * kDegree;
     session.Kick(state.endpoint - 1, static_cast<float>(state.strength_ns * std::cos(angle)),
@@ -95,34 +96,39 @@ void DrawGhostChoice(Ui& ui, Session& session) {
 
 }  // namespace
 
-void DrawWorldCard(Ui& ui, Session& session, WorldCardState& state, const ImRect& stage) {
+void DrawWorldButton(Ui& ui, WorldCardState& state, const ImRect& stage) {
   const float height = ui.Look().touch ? 40.0f : 32.0f;
-  const ImRect button({stage.Max.x - kButtonWidth - 12.0f, stage.Min.y + 10.0f},
-                      {stage.Max.x - 12.0f, stage.Min.y + 10.0f + height});
-  if (ui.Button("world/open", button, state.open ? "Close" : "World", ButtonLook::kOutlined)) {
+  const ImVec2 corner(stage.Max.x - 12.0f, stage.Min.y + 10.0f);
+  const ImRect button({corner.x - kButtonWidth, corner.y}, {corner.x, corner.y + height});
+  if (ui.Button("world/open", button, state.open ? "Close" : "World", ButtonLook::kOutlined))
     state.open = !state.open;
-  }
-  if (!state.open) return;
-  const float width = std::min(kWidth, stage.GetWidth() - 24.0f);
-  const ImRect card({stage.Max.x - width - 12.0f, button.Max.y + 8.0f},
-                    {stage.Max.x - 12.0f, stage.Max.y - 10.0f});
+}
+
+ImRect WorldCardOn(const ImRect& stage, const WorldCardState& state) {
+  const float top = stage.Min.y + 50.0f;
+  return {{stage.Max.x - kWidth - 12.0f, top},
+          {stage.Max.x - 12.0f, std::min(stage.Max.y - 10.0f, top + state.height)}};
+}
+
+void DrawWorldCard(Ui& ui, Session& session, WorldCardState& state, const ImRect& card) {
   ImGui::SetCursorScreenPos(card.Min);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {14.0f, 12.0f});
-  ImGui::BeginChild("world", card.GetSize(), ImGuiChildFlags_AlwaysUseWindowPadding,
-                    ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollbar);
+  ImGui::BeginChild(
+      "world", card.GetSize(), ImGuiChildFlags_AlwaysUseWindowPadding,
+      ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoBackground);
   ImGui::PopStyleVar();
-  ui.Frame(card, ui.Ink().panel, ui.Ink().line);
   DrawGroundAndGravity(ui, session);
   ui.Gap(8.0f);
   DrawPushes(ui, session, state);
   ui.Gap(8.0f);
   DrawGhostChoice(ui, session);
   ui.Gap(8.0f);
-  if (ui.Button("world/reset", ui.ControlRow(), "Back to the world it was opened with", ButtonLook::kOutlined,
+  if (ui.Button("world/reset", ui.ControlRow(), "Back to the world as opened", ButtonLook::kOutlined,
                 session.WorldChanged())) {
     session.ResetWorld();
   }
-  ui.Gap(6.0f);
+  state.height = ImGui::GetCursorPosY() + ImGui::GetScrollY() + 8.0f;
+  ui.ScrollByTouch();
   ui.ScrollBar("world/scroll");
   ImGui::EndChild();
 }

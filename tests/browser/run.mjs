@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Drives the built page in Chromium and Firefox:  node tests/browser/run.mjs [folder, default build/site]
+// Drives the built page in Chromium and Firefox:  node tests/browser/run.mjs [folder, default build/site] [words of the scenarios to run, default all]
 // Leaves pictures of it in build/screenshots. Prints what passed and fails if anything did not.
 import assert from 'node:assert/strict';
 import { mkdir, readdir, readFile } from 'node:fs/promises';
@@ -74,7 +74,7 @@ for (const [name, start] of /** @type {const} */ ([['Chromium', startChromium], 
   console.log(`\n${name}: ${await browser.version()}`);
   const visit = /** @type {import('./scenarios.mjs').Visit} */ ({ name, browser, address, found: {}, link: '', figures: {} });
   visits.push(visit);
-  for (const [claim, body] of SCENARIOS) await check(`${name}: ${claim}`, () => body(visit));
+  for (const [claim, body] of SCENARIOS.filter(([text]) => text.includes(process.argv[3] ?? ''))) await check(`${name}: ${claim}`, () => body(visit));
   await check(`${name}: golden motions have their pinned hashes`, async () => {
     const page = await PageDriver.open(browser, address);
     visit.figures['golden motions'] = await checkGoldens(page);

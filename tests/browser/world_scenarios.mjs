@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// What a person does to the world of a figure, by number and by hand. Each opens pages of its own.
+import assert from 'node:assert/strict';
+import { PageDriver } from './page_driver.mjs';
+
+/** @typedef {import('./scenarios.mjs').Visit} Visit */
+
+/** @param {PageDriver} page */
+const pushes = (page) => page.call('pushes', () => window.gaitsmith.document().pushes ?? []);
+/** @param {PageDriver} page @param {string} id */
+const widget = async (page, id) => (await page.widgets()).find((candidate) => candidate.id === id);
+
+/** @param {Visit} visit */
+async function byNumber({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const calm = await page.hash();
+  await page.click('world/open');
+  await page.click('world/push');
+  assert.equal((await pushes(page)).length, 1);
+  assert.match(await page.status(), /^Pushed with 5\.0 N s at \d\.\d\d s\.$/);
+  const pushed = await page.hash();
+  assert.notEqual(pushed, calm);
+  const link = await page.link();
+  const other = await PageDriver.open(browser, link);
+  assert.equal(await other.hash(), pushed, 'a link carries the push');
+  assert.equal((await pushes(other)).length, 1);
+  await other.close();
+  await page.click('world/remove/0');
+  assert.equal(await page.hash(), calm, 'without the push, the motion it was');
+
+  await page.page.mouse.move(10, 300); // away from the wheel's way
+  await page.click('world/slope'); // the middle of its track: level
+  for (let k = 0; k < 4; k++) {
+    await page.page.keyboard.press('ArrowRight', { delay: 60 });
+    await page.frames();
+  }
+  const slope = await page.call('slope', () => window.gaitsmith.document().environment?.slope_rad ?? 0);
+  assert.ok(slope > 0, `the ground rises by ${slope}`);
+  assert.notEqual(await page.hash(), calm);
+  const card = await widget(page, 'world/slope');
+  await page.page.mouse.move((card?.rect.x ?? 0) + 40, (card?.rect.y ?? 0) + 100);
+  await page.page.mouse.wheel({ deltaY: 2000 });
+  await page.frames();
+  await page.click('world/reset');
+  assert.equal(await page.hash(), calm, 'reset');
+  assert.equal((await widget(page, 'world/reset'))?.state.disabled, true);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function byHand({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  await page.click('transport/scrub'); // somewhere in the middle
+  await page.click('transport/step'); // and at rest
+  const calm = await page.hash();
+  const stage = (await widget(page, 'stage'))?.rect ?? { x: 0, y: 0, width: 0, height: 0 };
+  const ground = stage.y + stage.height - Math.min(130, Math.max(62, 0.178 * stage.height));
+  // A foot stands somewhere on the ground, in the right half since he has come from the left: whoever misses it moves the picture instead, and comes back.
+  for (let x = stage.x + 0.5 * stage.width; x < stage.x + 0.9 * stage.width; x += 30) {
+    await page.page.mouse.move(x, ground - 6);
+    await page.frames();
+    await page.page.mouse.down();
+    await page.frames();
+    await page.page.mouse.move(x + 30, ground - 40, { steps: 4 });
+    await page.frames();
+    await page.page.mouse.move(x + 60, ground - 80, { steps: 4 });
+    await page.frames();
+    await page.page.mouse.up();
+    await page.frames();
+    if ((await pushes(page)).length > 0) break;
+    await page.click('stage/follow');
+  }
+  const [push] = await pushes(page);
+  assert.ok(push, 'no joint could be pulled at');
+  assert.ok(push.endpoint >= 0 && push.impulse_x_ns > 0 && push.impulse_y_ns > 0, JSON.stringify(push));
+  assert.notEqual(await page.hash(), calm);
+  await page.clickElement('#undo');
+  await page.frames();
+  assert.equal((await pushes(page)).length, 0);
+  assert.equal(await page.hash(), calm);
+  // A still click on the stage plays, and the wheel brings it nearer.
+  await page.page.mouse.move(stage.x + 200, stage.y + 120);
+  await page.page.mouse.wheel({ deltaY: -300 });
+  await page.frames();
+  assert.ok(await widget(page, 'stage/follow'), 'a zoomed stage offers to follow again');
+  await page.click('stage/follow');
+  assert.equal(await widget(page, 'stage/follow'), undefined);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @type {[string, (visit: Visit) => Promise<void>][]} */
+export const WORLD_SCENARIOS = [
+  ['the world by number: a push and a slope change the motion, a link carries them, reset takes them back', byNumber],
+  ['the world by hand: a foot pulled on the stage is pushed, Undo takes it back; zoom and follow', byHand],
+];
