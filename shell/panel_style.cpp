@@ -167,9 +167,14 @@ void DrawStylePanel(Ui& ui, Session& session) {
   ui.Gap(14.0f);
   DrawWeights(ui, session);
   ui.Gap(8.0f);
-  if (!session.Searching() &&
-      ui.Button("style/start", ui.Row(38.0f), "Synthesize in this style", ButtonLook::kOutlined)) {
-    session.Synthesize();
+  if (!session.Searching()) {
+    if (ui.Button("style/try", ui.Row(38.0f), "Try: a moment from this motion", ButtonLook::kOutlined,
+                  session.ShownController() != nullptr)) {
+      session.TryStyle();
+    }
+    ui.Gap(8.0f);
+    if (ui.Button("style/start", ui.Row(38.0f), "Synthesize in this style", ButtonLook::kOutlined))
+      session.Synthesize();
   }
   ui.Gap(14.0f);
   ui.Heading("Shown on the stage");

@@ -64,6 +64,10 @@ void Strip(Document& document) {
   document.duration_steps = document.task.duration_steps;
 }
 
+bool Same(const Document& a, const Document& b) { return EncodeBinary(a) == EncodeBinary(b); }
+
+}  // namespace
+
 bool SameRods(const Figure& a, const Figure& b) {
   if (a.rods.size() != b.rods.size()) return false;
   for (std::size_t i = 0; i < a.rods.size(); ++i) {
@@ -71,10 +75,6 @@ bool SameRods(const Figure& a, const Figure& b) {
   }
   return true;
 }
-
-bool Same(const Document& a, const Document& b) { return EncodeBinary(a) == EncodeBinary(b); }
-
-}  // namespace
 
 Decider DeciderOf(const Document& d) {
   if (d.kind == ControllerKind::kNetwork) return Decider::kNetwork;

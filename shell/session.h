@@ -70,15 +70,18 @@ class Session {
   [[nodiscard]] bool WorldChanged() const;
   void ResetWorld();
 
-  /// A second motion of the figure, drawn behind it: without what was done to the world, or of another
-  /// controller of the document in the same world, with the same pushes.
-  static constexpr int kNoGhost = -2, kCalmGhost = -1;  // others: index of the controller
+  /// A second motion of the figure, drawn behind it: as it was before the last search, without what was done
+  /// to the world, or of another controller of the document in the same world, with the same pushes.
+  static constexpr int kNoGhost = -3, kEarlierGhost = -2, kCalmGhost = -1;  // others: index of the controller
   void ChooseGhost(int choice);
   [[nodiscard]] int ChosenGhost() const { return ghost_; }
   [[nodiscard]] const Playback* Ghost() const { return ghost_ == kNoGhost ? nullptr : &ghost_player_; }
 
   // The search.
   void Synthesize();
+  /// Climbs a moment from the shown motion, in the style that is set; the ghost is what it was before.
+  void TryStyle();
+  static constexpr int kTryEvaluations = 4000;
   void Pause() {
     if (Searching()) host_.PauseSearch();
   }
@@ -121,6 +124,7 @@ class Session {
   /// Ends the search for good: what it still reports belongs to a document that is no longer here.
   void AbandonSearch();
   void PutController(Controller controller);
+  void BeginSearch(Document wanted);
   void LoadGhost();
   void RunTrial();
   void OnTrialProgress(const SearchProgress&);
@@ -135,7 +139,8 @@ class Session {
   std::vector<Figure> figures_;
   std::vector<Document> problems_;
   int selected_clip_ = 0;
-  Document calm_;  // as it was opened, for its world
+  Document calm_;     // as it was opened, for its world
+  Document earlier_;  // as it was before the last search, for the ghost
   int ghost_ = kNoGhost;
   Playback ghost_player_;
   SearchProgress progress_;
@@ -144,6 +149,9 @@ class Session {
   Genome improvement_;                // found, not shown yet
   double shown_for_s_ = 0.0;
 };
+
+/// The same rods on the same joints, whatever their lengths: controllers of one fit the other.
+[[nodiscard]] bool SameRods(const Figure&, const Figure&);
 
 /// What decides: a clock, the physical senses, or a network of sensors.
 enum class Decider { kTimer, kSenses, kNetwork };

@@ -8,7 +8,26 @@
 
 namespace gaitsmith::shell {
 
-void Session::Synthesize() {
+void Session::Synthesize() { BeginSearch(document_); }
+
+void Session::TryStyle() {
+  const Controller* shown = ShownController();
+  if (shown == nullptr || !SuitsSearch(document_, *shown)) {
+    Say("There is no motion to begin with: press Synthesize.");
+    return;
+  }
+  // A moment's climb from what is there: the settings of the real search stay as they are.
+  Document wanted = document_;
+  wanted.search = SearchSettings{};
+  wanted.search.algorithm = Algorithm::kShc;
+  wanted.search.seed = document_.search.seed;
+  wanted.search.evaluations = kTryEvaluations;
+  wanted.search.start = document_.timeline[static_cast<std::size_t>(selected_clip_)].controller;
+  BeginSearch(std::move(wanted));
+  if (Searching()) ChooseGhost(kEarlierGhost);
+}
+
+void Session::BeginSearch(Document wanted) {
   if (lab.Running()) {
     Say("The lab is running: stop it first, or let it end.");
     return;
@@ -16,16 +35,17 @@ void Session::Synthesize() {
   if (Searching()) Stop();
   Remember();
   notice.clear();
-  searched_ = document_;
+  earlier_ = document_;
+  searched_ = std::move(wanted);
   searched_clip_ = selected_clip_;
   progress_ = {.state = SearchState::kRunning,
-               .budget = document_.search.evaluations,
+               .budget = searched_->search.evaluations,
                .workers = workers,
                .curve = {},
                .best_genome = {}};
   improvement_.clear();
   shown_for_s_ = 1e9;
-  host_.StartSearch(document_, workers);
+  host_.StartSearch(*searched_, workers);
 }
 
 void Session::Stop() {

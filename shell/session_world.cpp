@@ -54,9 +54,12 @@ void Session::ChooseGhost(int choice) {
 
 void Session::LoadGhost() {
   if (ghost_ >= static_cast<int>(document_.controllers.size())) ghost_ = kNoGhost;
+  if (ghost_ == kEarlierGhost && !SameRods(earlier_.figure, document_.figure)) ghost_ = kNoGhost;
   if (ghost_ == kNoGhost) return;
   Document document = document_;
-  if (ghost_ == kCalmGhost) {
+  if (ghost_ == kEarlierGhost) {
+    document = InWorld(earlier_, document_);
+  } else if (ghost_ == kCalmGhost) {
     document = InWorld(std::move(document), calm_);
   } else {
     document.timeline = {{.controller = ghost_, .start_step = 0}};

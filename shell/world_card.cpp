@@ -85,10 +85,11 @@ void DrawPushes(Ui& ui, Session& session, WorldCardState& state) {
 }
 
 void DrawGhostChoice(Ui& ui, Session& session) {
-  std::vector<std::string> choices = {"None", "Without your changes"};
+  std::vector<std::string> choices = {"None", "Before the last search", "Without your changes"};
+  int number = 0;
   for (const Controller& controller : session.Doc().controllers) {
-    choices.push_back(controller.name.empty() ? "Controller " + std::to_string(choices.size() - 1)
-                                              : controller.name);
+    ++number;
+    choices.push_back(controller.name.empty() ? "Controller " + std::to_string(number) : controller.name);
   }
   int chosen = session.ChosenGhost() - Session::kNoGhost;
   if (ui.Combo("world/ghost", "Ghost", choices, chosen)) session.ChooseGhost(chosen + Session::kNoGhost);
