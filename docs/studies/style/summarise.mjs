@@ -23,6 +23,8 @@ function median(values) {
   return sorted.length % 2 ? sorted[Math.floor(middle)] : (sorted[middle - 1] + sorted[middle]) / 2;
 }
 const travel = (/** @type {Record<string, number>} */ trial) => Math.abs(trial.travel);
+const shuffle = (/** @type {Record<string, number>} */ t) => t.slip_sum >= 0.7 * travel(t) && t.rotations < 0.25;
+const cartwheel = (/** @type {Record<string, number>} */ t) => t.rotations >= 2 && t.grounded >= 0.7 && t.bearers >= 3;
 
 console.log('| problem | senses | term | seeds that raise it | its median: without, with | travel: median with ÷ without | seeds of the kind asked for |');
 console.log('|---|---|---|---|---|---|---|');
@@ -34,8 +36,6 @@ for (const [cell, terms] of Object.entries(studies)) {
     const usual = median(plain.map((trial) => trial[term]));
     const raised = styled.filter((trial) => trial[term] > usual).length;
     const kept = median(styled.map(travel)) / median(plain.map(travel));
-    const shuffle = (/** @type {Record<string, number>} */ t) => t.slip_sum >= 0.7 * travel(t) && t.rotations < 0.25;
-    const cartwheel = (/** @type {Record<string, number>} */ t) => t.rotations >= 2 && t.grounded >= 0.7 && t.bearers >= 3;
     const kind = !cell.startsWith('star-man') ? ''
       : term === 'slip_sum' ? `${styled.filter(shuffle).length} shuffles`
       : term === 'rotations' ? `${styled.filter(cartwheel).length} cartwheels` : '';
@@ -44,4 +44,20 @@ for (const [cell, terms] of Object.entries(studies)) {
   }
   console.log(`| ${cell.replace(',', ' | ')} | none | | | ${median(plain.map(travel)).toFixed(1)} m | ` +
     `${plain.filter((t) => t.rotations < 0.25).length} hardly turn, ${plain.filter((t) => t.rotations >= 2).length} turn twice |`);
+}
+
+console.log('\n| Beryl, timer of | travel | turns | slip ÷ travel | endpoints that bear load | shuffles | turn over |');
+console.log('|---|---|---|---|---|---|---|');
+for (const period of ['0.5', '1', '12']) {
+  const found = trials('beryl-travel,timer', `period-${period}`);
+  console.log(`| ${period} s | ${median(found.map(travel)).toFixed(1)} m | ${median(found.map((t) => t.rotations)).toFixed(2)} | ` +
+    `${median(found.map((t) => t.slip_sum / travel(t))).toFixed(2)} | ${median(found.map((t) => t.bearers))} | ` +
+    `${found.filter(shuffle).length} of ${found.length} | ${found.filter((t) => t.rotations >= 0.5).length} of ${found.length} |`);
+}
+console.log('\n| Star-Man, seeds 21 to 40 | shuffles, slip weighed | cartwheels, rotations weighed |');
+console.log('|---|---|---|');
+for (const sense of ['physical', 'timer']) {
+  const slipping = trials(`star-man-travel,${sense}`, 'fresh-slip_sum');
+  const turning = trials(`star-man-travel,${sense}`, 'fresh-rotations');
+  console.log(`| ${sense} | ${slipping.filter(shuffle).length} of ${slipping.length} | ${turning.filter(cartwheel).length} of ${turning.length} |`);
 }
