@@ -14,7 +14,7 @@ void Session::Synthesize() {
     return;
   }
   if (Searching()) Stop();
-  Remember();
+  search_occasion_ = ++occasions_;
   notice.clear();
   searched_ = document_;
   searched_clip_ = selected_clip_;
@@ -110,6 +110,7 @@ void Session::PutController(Controller controller) {
   });
   if (!next) return;
   notice.clear();
+  Remember(search_occasion_);
   next->hash.reset();
   Show(std::move(*next), false);
   // What was found in the middle of a drag must not be lost by undoing the drag.
