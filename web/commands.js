@@ -17,14 +17,18 @@ import { remembered, remember } from './storage.js';
  * @property {() => void} run
  */
 
-const GROUPS = ['Document', 'Motion', 'Search', 'Panels', 'View', 'Help', 'Kept work', 'Examples', 'Tasks', 'Figures'];
+// The first of all is what Enter does in a palette opened by mistake, so it had better be harmless.
+const GROUPS = ['Motion', 'Search', 'Document', 'Panels', 'View', 'Help', 'Kept work', 'Examples', 'Tasks', 'Figures'];
 const SINGLE_KEYS = 'gaitsmith-single-keys';
 const TEXT = 'textarea, input:not([type=radio], [type=checkbox]), [contenteditable]';
-const CONTROL = 'a, button, input, select, summary';
+const PRESSED = 'a, button, summary';
+const CHOSEN = 'input, select';
 
 export class Commands {
+  /** @type {Command[]} */
+  #own = [];
   /** @type {(() => Command[])[]} */
-  #sources = [];
+  #shelves = [];
   #singleKeys = remembered(SINGLE_KEYS) !== 'off';
 
   /** @param {App} app @param {HTMLCanvasElement} canvas */
@@ -33,8 +37,10 @@ export class Commands {
     this.canvas = canvas;
   }
 
-  /** @param {() => Command[]} source  asked whenever the list is wanted */
-  add(source) { this.#sources.push(source); }
+  /** @param {Command[]} commands  of the page */
+  add(commands) { this.#own.push(...commands); }
+  /** Commands without keys that come and go. @param {() => Command[]} source  asked whenever the list is wanted */
+  addShelf(source) { this.#shelves.push(source); }
 
   /** A click on the button with this id does it. @param {string} id @returns {() => void} */
   static click(id) { return () => element(id).click(); }
@@ -43,10 +49,8 @@ export class Commands {
   all() {
     const canvas = this.app.commands().map((command) => ({ ...command, run: () => { this.app.run(command.id); } }));
     const place = (/** @type {Command} */ { group }) => GROUPS.indexOf(group);
-    return [...canvas, ...this.#own()].sort((a, b) => place(a) - place(b));
+    return [...canvas, ...this.#own, ...this.#shelves.flatMap((source) => source())].sort((a, b) => place(a) - place(b));
   }
-
-  #own() { return this.#sources.flatMap((source) => source()); }
 
   /** Keys that are characters act without Ctrl. Who speaks to the machine, or rests a hand on it, may turn them off. */
   get singleKeys() { return this.#singleKeys; }
@@ -62,8 +66,9 @@ export class Commands {
     const name = keyName(event);
     if (target.matches(TEXT) || (name.length === 1 && !this.#singleKeys)) return false;
     const onCanvas = target === this.canvas;
-    if (!onCanvas && belongsToControls(name) && target.closest(CONTROL)) return false;
-    const own = this.#own().find(({ keys }) => keys.includes(name));
+    if (target.closest(PRESSED) && /^(Space|Enter)$/.test(name)) return false;
+    if (target.closest(CHOSEN) && belongsToControls(name)) return false;
+    const own = this.#own.find(({ keys }) => keys.includes(name));
     // Whatever is being typed on the canvas comes first.
     if (own && !(onCanvas && name.length === 1 && this.app.typing())) {
       if (!event.repeat) own.run();

@@ -119,7 +119,7 @@ function showTitle(title) {
 /** What the page itself can do; the application adds its own. @param {Commands} commands @param {{autosave: Autosave, palette: Palette, help: HelpSheet}} parts */
 function addCommands(commands, { autosave, palette, help }) {
   const click = Commands.click;
-  commands.add(() => [
+  commands.add([
     { id: 'document/open', group: 'Document', title: 'Open a file or a link', keys: ['Ctrl+o'], pressed: ['Ctrl+v'], run: click('open') },
     { id: 'document/save', group: 'Document', title: 'Save as a file', keys: ['Ctrl+s'], run: click('save') },
     { id: 'document/copy-link', group: 'Document', title: 'Copy link', keys: ['c'], pressed: ['Ctrl+c'], run: click('copy-link') },
@@ -127,7 +127,7 @@ function addCommands(commands, { autosave, palette, help }) {
     { id: 'help/commands', group: 'Help', title: 'Find a command', keys: ['Ctrl+k'], run: () => palette.open() },
     { id: 'help/keys', group: 'Help', title: 'All keys', keys: ['?', 'F1'], run: () => help.open() },
   ]);
-  commands.add(() => autosave.commands());
+  commands.addShelf(() => autosave.commands());
   onClick('new', () => commands.app.run('document/new'));
   onClick('home', (event) => {
     if (event.ctrlKey || event.metaKey || event.shiftKey) return; // another tab, another window

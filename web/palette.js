@@ -29,7 +29,7 @@ export class Palette {
       if (row) this.#run([...this.#list.children].indexOf(row));
     });
     // A press on the list must not take the keyboard out of the field.
-    this.#list.addEventListener('pointerdown', (event) => event.preventDefault());
+    this.#list.addEventListener('mousedown', (event) => event.preventDefault());
     closeOnBackdrop(this.#dialog);
   }
 

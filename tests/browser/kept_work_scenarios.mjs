@@ -18,6 +18,12 @@ const title = (page) => page.call('title', () => window.gaitsmith.document().tit
 /** Whether the line about the last work is to be seen. @param {PageDriver} page */
 const offered = (page) => page.call('line', () => !document.querySelector('#kept')?.hasAttribute('hidden'));
 
+/** How many works are kept after the page was told that it is left. @param {PageDriver} page @returns {Promise<number>} */
+const leave = (page) => page.call('leave', () => {
+  dispatchEvent(new Event('pagehide'));
+  return Object.keys(localStorage).filter((key) => key.startsWith('gaitsmith-work/')).length;
+});
+
 /** Goes away as a person does, so that the page hears of it. @param {PageDriver} page @param {string} address */
 const leaveFor = async (page, address) => {
   await page.page.goto(address);
@@ -27,10 +33,17 @@ const leaveFor = async (page, address) => {
 /** @param {Visit} visit */
 async function reloadRestores({ browser, address }) {
   const page = await PageDriver.open(browser, address);
+  await work(page, 'Taken back');
+  assert.equal(await leave(page), 1);
+  await page.call('undo', () => window.gaitsmith.undo());
+  assert.equal(await leave(page), 0, 'what was undone is not kept');
+  await work(page, 'First');
+  await page.reload();
   await work(page, 'Before the reload');
   const state = await stateOf(page);
   await page.reload(); // at once: neither address nor storage had time on their own
   assert.equal(await stateOf(page), state);
+  assert.equal(await leave(page), 1, 'a reload goes on with the same work');
   assert.equal(await page.call('undo', () => window.gaitsmith.canUndo()), false);
   await page.page.goto('about:blank');
   // Another tab, with the bare address, as after a crash or a closed tab.
@@ -39,6 +52,28 @@ async function reloadRestores({ browser, address }) {
   assert.match(await next.status(), /^Your last work is back: Before the reload/);
   assert.equal(await offered(next), false);
   assert.deepEqual([page.complaints, next.complaints], [[], []]);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function reloadMidSearch({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const before = await page.hash();
+  await page.call('search', () => {
+    const kept = Object.assign(window, { testBests: 0 });
+    window.gaitsmith.on('progress', ({ detail }) => { kept.testBests += detail.bestGenome ? 1 : 0; });
+    void window.gaitsmith.synthesize({ seed: 4, evaluations: 1000000, sense: 'physical', workers: 1 });
+  });
+  await page.until('a better motion', () => /** @type {any} */ (window).testBests > 0 && window.gaitsmith.canUndo());
+  await page.call('pause', () => window.gaitsmith.pause());
+  await sleep(1500); // the last improvement is on the stage
+  const state = await stateOf(page);
+  assert.notEqual(await page.hash(), before);
+  assert.notEqual(await page.call('address', () => location.href), await page.link(), 'the address must not follow a search');
+  await page.reload();
+  assert.equal(await stateOf(page), state);
+  await page.until('the address', () => location.hash === '' || location.href === window.gaitsmith.link(), 3000);
+  assert.deepEqual(page.complaints, []);
   await page.close();
 }
 
@@ -153,6 +188,7 @@ async function embedded({ browser, address }) {
 /** @type {[string, (visit: Visit) => Promise<void>][]} */
 export const KEPT_WORK_SCENARIOS = [
   ['a reload brings back the work, and so does the bare address in another tab', reloadRestores],
+  ['a reload in the middle of a search brings back the best so far', reloadMidSearch],
   ['a link in the address wins, and the last work is one press away until dismissed', linkWins],
   ['two tabs keep their own work, and the next visit begins with the later one', twoTabs],
   ['where storage is forbidden, it is said once, and all else works', forbidden],
