@@ -41,8 +41,8 @@ void App::ChoosePanel(int panel) {
 void App::Draw() {
   Theme& theme = window_.Look();
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const bool phone = size.x < kPhoneWidth;
-  if (phone) theme.touch = true;
+  phone_ = size.x < kPhoneWidth;
+  if (phone_) theme.touch = true;
   Ui ui(theme, window_.Registry(), window_.Behind());
 
   ImGui::SetNextWindowPos({0.0f, 0.0f});
@@ -51,7 +51,7 @@ void App::Draw() {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoScrollWithMouse |
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoBackground);
   const ImRect whole({0.0f, 0.0f}, size);
-  if (phone) {
+  if (phone_) {
     DrawPhone(ui, whole);
   } else {
     DrawDesk(ui, whole);
@@ -142,6 +142,46 @@ void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
   ImGui::EndChild();
 }
 
+std::vector<Command> App::Commands() {
+  std::vector<Command> list = CommandsOf(session_, phone_);
+  for (Command& command : ShelfOf(session_)) list.push_back(std::move(command));
+  return list;
+}
+
+bool App::Run(std::string_view id) {
+  const std::vector<Command> list = Commands();
+  const auto command = std::ranges::find(list, id, &Command::id);
+  if (command == list.end() || !command->why_not.empty()) return false;
+  session_.BeginGesture();
+  command->run();
+  window_.RequestFrame();
+  return true;
+}
+
+bool App::Key(std::string_view name, bool on_canvas, bool repeated) {
+  if (ImGui::GetIO().MouseDown[0]) return false;  // what is being dragged must not go away
+  if (on_canvas && (ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0))
+    return false;
+  const auto wants_keys = [](const Widget& w) {
+    return w.state.focused && w.id != "stage" && w.id != "transport/scrub";
+  };
+  if (on_canvas && BelongsToControls(name) && std::ranges::any_of(window_.Registry().Widgets(), wants_keys))
+    return false;
+  for (const Command& command : CommandsOf(session_, phone_)) {
+    if (std::ranges::find(command.keys, name) == command.keys.end()) continue;
+    if (repeated && !command.repeats) return true;
+    if (!command.why_not.empty()) {
+      host_.Status("Not now: " + command.why_not + ".");
+      return true;
+    }
+    session_.BeginGesture();
+    command.run();
+    window_.RequestFrame();
+    return true;
+  }
+  return false;
+}
+
 bool App::Take(const SDL_Event& event) {
   // A key that repeats, and the keys of a number being typed, go on with what was begun.
   const bool key_down = event.type == SDL_KEYDOWN;
@@ -172,12 +212,6 @@ bool App::Take(const SDL_Event& event) {
       host_.LeaveCanvas(back ? -1 : 1);
       return true;
     }
-  }
-  // The space bar plays and pauses where no widget wants it.
-  if (key.sym == SDLK_SPACE &&
-      (focused == widgets.end() || focused->id == "stage" || focused->id == "transport/scrub")) {
-    session_.player.Play(!session_.player.Playing());
-    return true;
   }
   return false;
 }

@@ -2,6 +2,10 @@
 // The application: one session, laid out for a desk or a phone, advanced in time and drawn.
 #pragma once
 
+#include <string_view>
+#include <vector>
+
+#include "shell/commands.h"
 #include "shell/panel_figure.h"
 #include "shell/session.h"
 #include "shell/stage.h"
@@ -20,6 +24,14 @@ class App {
   /// Keys that the application itself takes. @return true when the interface must not see the event
   bool Take(const SDL_Event& event);
 
+  /// Everything that can be done without a control: the table's commands, then the shelf's.
+  [[nodiscard]] std::vector<Command> Commands();
+  /// @return false: there is no such command, or it is not possible now
+  bool Run(std::string_view id);
+  /// A key went down. @param name as in Command::keys. @param on_canvas the canvas has the keyboard, so that
+  /// its controls come first. @return true when a command took it
+  bool Key(std::string_view name, bool on_canvas, bool repeated);
+
   [[nodiscard]] Session& State() { return session_; }
   [[nodiscard]] Window& Surface() { return window_; }
 
@@ -35,6 +47,7 @@ class App {
   Session session_;
   FigurePanelState figure_panel_;
   StageState stage_;
+  bool phone_ = false;
   bool first_frame_told_ = false;
 };
 

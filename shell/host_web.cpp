@@ -14,6 +14,7 @@
 #include "core/document/json_value.h"
 #include "core/document/link.h"
 #include "shell/app.h"
+#include "shell/commands.h"
 #include "shell/frame_pace.h"
 #include "shell/script_options.h"
 #include "shell/style_words.h"
@@ -144,7 +145,11 @@ EMSCRIPTEN_KEEPALIVE const char* gs_open(const char* text, int bytes) {
 
 EMSCRIPTEN_KEEPALIVE const char* gs_document_json() { return Reply(EncodeJson(TheSession().WithHash())); }
 /// The payload of a link, without an address.
-EMSCRIPTEN_KEEPALIVE const char* gs_link() { return Reply(EncodeLink(TheSession().Doc())); }
+EMSCRIPTEN_KEEPALIVE const char* gs_link() {
+  // With the hash at hand, for the motion would be simulated for it.
+  const Document& document = TheSession().Doc();
+  return Reply(EncodeLink(document.hash ? document : TheSession().WithHash()));
+}
 /// 16 hexadecimal digits of the shown motion.
 EMSCRIPTEN_KEEPALIVE const char* gs_hash() { return Reply(HashText(TheSession().player.Shown().Hash())); }
 EMSCRIPTEN_KEEPALIVE const char* gs_title() { return Reply(TheSession().Doc().title); }
@@ -175,6 +180,22 @@ EMSCRIPTEN_KEEPALIVE int gs_can_undo() { return TheSession().CanUndo() ? 1 : 0; 
 EMSCRIPTEN_KEEPALIVE void gs_undo() {
   TheSession().Undo();
   ThePage().window->RequestFrame();
+}
+EMSCRIPTEN_KEEPALIVE int gs_can_redo() { return TheSession().CanRedo() ? 1 : 0; }
+EMSCRIPTEN_KEEPALIVE void gs_redo() {
+  TheSession().Redo();
+  ThePage().window->RequestFrame();
+}
+/// What is open now is where Undo ends.
+EMSCRIPTEN_KEEPALIVE void gs_forget_past() { TheSession().ForgetPast(); }
+
+/// What can be done without a control, as CommandsJson.
+EMSCRIPTEN_KEEPALIVE const char* gs_commands() { return Reply(CommandsJson(ThePage().app->Commands())); }
+/// @return 0: no such command, or not possible now
+EMSCRIPTEN_KEEPALIVE int gs_run(const char* id) { return ThePage().app->Run(id) ? 1 : 0; }
+/// A key went down. @param name as in Command::keys. @return 1 when a command took it
+EMSCRIPTEN_KEEPALIVE int gs_key(const char* name, int on_canvas, int repeated) {
+  return ThePage().app->Key(name, on_canvas != 0, repeated != 0) ? 1 : 0;
 }
 
 /// Of the next search. @param kind  a Decider

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The desktop window:
 //   gaitsmith-window [document.json | link] [--dark] [--size 1280x720] [--scale 1.5] [--panel 0..5]
-// A file dropped on the window is opened; Ctrl+S saves beside it, Ctrl+C copies a link.
+// A file dropped on the window is opened; Ctrl+S saves beside it, Ctrl+C copies a link. Other keys are the
+// commands' (commands.cpp).
 #include <charconv>
 #include <chrono>
 #include <cstdio>
@@ -57,6 +58,36 @@ bool Parse(int count, char** words, Arguments& arguments) {
   return true;
 }
 
+// A key as a command names it.
+std::string NameOf(const SDL_Keysym& key) {
+  std::string name;
+  switch (key.sym) {
+    case SDLK_SPACE:
+      name = "Space";
+      break;
+    case SDLK_LEFT:
+      name = "ArrowLeft";
+      break;
+    case SDLK_RIGHT:
+      name = "ArrowRight";
+      break;
+    case SDLK_HOME:
+      name = "Home";
+      break;
+    case SDLK_END:
+      name = "End";
+      break;
+    default:
+      if (key.sym <= ' ' || key.sym > '~') return {};
+      name = static_cast<char>(key.sym);
+      break;
+  }
+  const bool letter = key.sym >= SDLK_a && key.sym <= SDLK_z;
+  if ((key.mod & KMOD_SHIFT) != 0 && (letter || name.size() > 1)) name = "Shift+" + name;
+  if ((key.mod & (KMOD_CTRL | KMOD_GUI)) != 0) name = "Ctrl+" + name;
+  return (key.mod & KMOD_ALT) != 0 ? "Alt+" + name : name;
+}
+
 class Desktop {
  public:
   explicit Desktop(Window& window) : window_(window), app_(host_, window) {}
@@ -84,13 +115,14 @@ class Desktop {
     const bool control = event.type == SDL_KEYDOWN && (event.key.keysym.mod & (KMOD_CTRL | KMOD_GUI)) != 0;
     if (control && !ImGui::GetIO().WantTextInput) {
       if (event.key.keysym.sym == SDLK_s) return Save();
-      if (event.key.keysym.sym == SDLK_z) return app_.State().Undo(), true;
       if (event.key.keysym.sym == SDLK_c) {
         SDL_SetClipboardText(EncodeLink(app_.State().Doc()).c_str());
         Tell("Link copied.");
         return true;
       }
     }
+    if (event.type == SDL_KEYDOWN && app_.Key(NameOf(event.key.keysym), true, event.key.repeat != 0))
+      return true;
     return app_.Take(event);
   }
 

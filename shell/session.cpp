@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Opening, changing and undoing. The search's part is in session_search.cpp.
+// Opening and changing. Undoing is in session_history.cpp, the search's part in session_search.cpp.
 #include "shell/session.h"
 
 #include <algorithm>
@@ -15,22 +15,6 @@
 namespace gaitsmith::shell {
 namespace {
 
-// Mr. Star-Man: five equal rods from one hub, for the moment before any document is open.
-Figure StarMan() {
-  Figure figure{.name = "Mr. Star-Man", .rods = {}};
-  for (int i = 0; i < 5; ++i) {
-    Rod rod;
-    if (i > 0) {
-      rod.parent = 0;
-      rod.parent_end = RodEnd::kStart;
-    }
-    rod.rest_rad = i == 0 ? static_cast<float>(kPi / 2) : static_cast<float>(0.4 * kPi * i);
-    if (rod.rest_rad > static_cast<float>(kPi)) rod.rest_rad -= static_cast<float>(2 * kPi);
-    figure.rods.push_back(rod);
-  }
-  return figure;
-}
-
 // The same figure may come with several examples, so names decide.
 std::vector<Figure> ShippedFigures() {
   std::vector<Figure> figures;
@@ -44,7 +28,7 @@ std::vector<Figure> ShippedFigures() {
   for (const Example& example : ExampleDocuments()) {
     if (const auto document = DecodeJson(example.json)) add(document->figure);
   }
-  add(StarMan());
+  add(StandardFigure());
   return figures;
 }
 
@@ -74,6 +58,21 @@ bool SameRods(const Figure& a, const Figure& b) {
     if (a.rods[i].parent != b.rods[i].parent || a.rods[i].parent_end != b.rods[i].parent_end) return false;
   }
   return true;
+}
+
+Figure StandardFigure() {
+  Figure figure{.name = "Mr. Star-Man", .rods = {}};
+  for (int i = 0; i < 5; ++i) {
+    Rod rod;
+    if (i > 0) {
+      rod.parent = 0;
+      rod.parent_end = RodEnd::kStart;
+    }
+    rod.rest_rad = i == 0 ? static_cast<float>(kPi / 2) : static_cast<float>(0.4 * kPi * i);
+    if (rod.rest_rad > static_cast<float>(kPi)) rod.rest_rad -= static_cast<float>(2 * kPi);
+    figure.rods.push_back(rod);
+  }
+  return figure;
 }
 
 Decider DeciderOf(const Document& d) {
@@ -114,7 +113,7 @@ Session::Session(Host& host)
     : workers(host.MaxWorkers()), host_(host), figures_(ShippedFigures()), problems_(ShippedProblems()) {
   Document document;
   document.title = "Mr. Star-Man";
-  document.figure = StarMan();
+  document.figure = StandardFigure();
   for (const Example& example : ExampleDocuments()) {
     if (example.name != "star-man-shuffle") continue;
     if (auto shipped = DecodeJson(example.json)) document = std::move(*shipped);
@@ -166,12 +165,6 @@ void Session::Show(Document document, bool start_over) {
   host_.DocumentChanged(document_.title);
 }
 
-void Session::Remember() {
-  if (remembered_gesture_ == gesture_) return;
-  remembered_ = document_;
-  remembered_gesture_ = gesture_;
-}
-
 std::optional<Document> Session::Edited(const Edit& edit) {
   Document next = document_;
   edit(next);
@@ -216,21 +209,6 @@ void Session::SetView(const std::function<void(View&)>& edit) {
   host_.DocumentChanged(document_.title);
 }
 
-void Session::Undo() {
-  if (!remembered_) return;
-  AbandonSearch();
-  // Undoing twice brings the change back.
-  Document present = std::move(document_);
-  const Document calm = calm_;
-  remembered_->view = present.view;
-  Show(std::move(*remembered_), true);
-  if (SameRods(calm.figure, document_.figure)) calm_ = calm;
-  remembered_ = std::move(present);
-  BeginGesture();
-  notice.clear();
-  host_.Status("Undone.");
-}
-
 bool Session::ReplaceFigure(const Figure& figure) {
   const bool fits = SameRods(figure, document_.figure);
   const Edit edit = [&](Document& d) {
@@ -257,11 +235,7 @@ void Session::ChooseFigure(int index) {
   for (const Example& example : ExampleDocuments()) {
     auto document = DecodeJson(example.json);
     if (!document || document->figure.name != figure.name || document->controllers.empty()) continue;
-    Remember();
-    document->view = document_.view;
-    selected_clip_ = 0;
-    Show(std::move(*document), true);
-    progress_ = {};
+    Replace(std::move(*document));
     Say(figure.name + " with a shipped motion. Undo brings the last figure back.");
     return;
   }
@@ -277,15 +251,23 @@ void Session::ChooseFigure(int index) {
   Say(figure.name + " cannot move yet: press Synthesize. Undo brings the last figure back.");
 }
 
-void Session::ChooseProblem(int index) {
-  Document problem = problems_[static_cast<std::size_t>(index)];
+void Session::Replace(Document document) {
   AbandonSearch();
   Remember();
-  problem.view = document_.view;
+  document.view = document_.view;
   selected_clip_ = 0;
-  Show(std::move(problem), true);
   progress_ = {};
+  Show(std::move(document), true);
+}
+
+void Session::ChooseProblem(int index) {
+  Replace(problems_[static_cast<std::size_t>(index)]);
   Say(document_.title + ": press Synthesize. Undo brings back what was here.");
+}
+
+void Session::ChooseExample(const Document& example) {
+  Replace(example);
+  Say(document_.title + ". Undo brings back what was here.");
 }
 
 void Session::SelectClip(int clip) {

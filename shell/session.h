@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "shell/history.h"
 #include "shell/host.h"
 #include "shell/lab.h"
 #include "shell/playback.h"
@@ -21,6 +22,8 @@ class Session {
 
   // Opening. The text is JSON, or a link, or the payload of one.
   [[nodiscard]] Result<void> Open(std::string_view text);
+  /// The standard figure, standing still.
+  void New();
   [[nodiscard]] const Document& Doc() const { return document_; }
   /// With the present motion's hash, as it is saved and shared.
   [[nodiscard]] Document WithHash() const;
@@ -38,9 +41,13 @@ class Session {
   void SetView(const std::function<void(View&)>& edit);
   /// The person (or a script) begins to do something new: a press, a key. The first change after it keeps the
   /// document as it was for Undo, so that a whole drag is undone at once.
-  void BeginGesture() { ++gesture_; }
-  [[nodiscard]] bool CanUndo() const { return remembered_.has_value(); }
+  void BeginGesture() { gesture_ = ++occasions_; }
+  [[nodiscard]] bool CanUndo() const { return history_.CanUndo(document_); }
+  [[nodiscard]] bool CanRedo() const { return history_.CanRedo(); }
   void Undo();
+  void Redo();
+  /// What is open now is where Undo ends.
+  void ForgetPast();
 
   // The figure.
   /// Another figure: controllers that do not fit are dropped, with a sentence that says so.
@@ -50,6 +57,8 @@ class Session {
   /// Shipped ones: a figure with a task and senses that go well together.
   [[nodiscard]] const std::vector<Document>& Problems() const { return problems_; }
   void ChooseProblem(int index);
+  /// Shipped motions to look at.
+  void ChooseExample(const Document& example);
 
   // The timeline. One clip is selected: its controller is shown, and a search replaces it.
   [[nodiscard]] int SelectedClip() const { return selected_clip_; }
@@ -118,7 +127,13 @@ class Session {
  private:
   void Show(Document document, bool start_over);
   void Say(std::string sentence);
-  void Remember();
+  /// Keeps the present document for Undo, once on each occasion.
+  void Remember(int occasion);
+  void Remember() { Remember(gesture_); }
+  void Return(const Document& document, const std::string& words);
+  /// Another document in the place of this one, which Undo brings back.
+  void Replace(Document document);
+  [[nodiscard]] bool FoundNothingYet() const;
   /// The present document after an edit, or nothing and a sentence when that is invalid.
   [[nodiscard]] std::optional<Document> Edited(const Edit& edit);
   /// Ends the search for good: what it still reports belongs to a document that is no longer here.
@@ -133,9 +148,10 @@ class Session {
   Host& host_;
   Document document_;  // its hash: as its maker saw it, until something that the motion depends on changes
   bool differs_from_maker_ = false;
-  std::optional<Document> remembered_;
+  History history_;
+  int occasions_ = 1;  // so far
   int gesture_ = 1;
-  int remembered_gesture_ = 0;  // the one that `remembered_` was kept in
+  int search_occasion_ = 0;  // all that one search finds is one step
   std::vector<Figure> figures_;
   std::vector<Document> problems_;
   int selected_clip_ = 0;
@@ -152,6 +168,8 @@ class Session {
 
 /// The same rods on the same joints, whatever their lengths: controllers of one fit the other.
 [[nodiscard]] bool SameRods(const Figure&, const Figure&);
+/// Mr. Star-Man: five equal rods from one hub.
+[[nodiscard]] Figure StandardFigure();
 
 /// What decides: a clock, the physical senses, or a network of sensors.
 enum class Decider { kTimer, kSenses, kNetwork };

@@ -33,7 +33,7 @@ void Session::BeginSearch(Document wanted) {
     return;
   }
   if (Searching()) Stop();
-  Remember();
+  search_occasion_ = ++occasions_;
   notice.clear();
   earlier_ = document_;
   searched_ = std::move(wanted);
@@ -130,6 +130,7 @@ void Session::PutController(Controller controller) {
   });
   if (!next) return;
   notice.clear();
+  Remember(search_occasion_);
   next->hash.reset();
   Show(std::move(*next), false);
   // What was found in the middle of a drag must not be lost by undoing the drag.

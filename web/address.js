@@ -16,6 +16,8 @@ export class Address {
   #opened = { payload: '', link: '' };
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #timer;
+  /** Called when the address holds the present document. */
+  written = () => {};
 
   /** @param {App} app @param {() => boolean} busy  a search changes the document over and over */
   constructor(app, busy) {
@@ -29,13 +31,16 @@ export class Address {
 
   /** Opens what the address holds, if anything. A damaged link leaves the present work as it is. */
   open() {
-    this.#read = true;
+    this.follow();
     const payload = location.hash.slice(1);
     if (payload === '' || payload === this.app.link()) return;
     const fault = this.app.open(payload);
     if (!fault) this.#opened = { payload, link: this.app.link() };
     banner(fault && `This link was not opened: ${sentence(fault)} Please copy the whole link again; what is shown here is not what it held.`);
   }
+
+  /** From now on the address follows the document. */
+  follow() { this.#read = true; }
 
   /** The document is another one now. */
   changed() {
@@ -47,6 +52,7 @@ export class Address {
   write() {
     const { payload, link } = this.#opened;
     history.replaceState(null, '', this.app.link() === link ? `#${payload}` : this.link());
+    this.written();
   }
 }
 

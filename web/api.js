@@ -51,6 +51,23 @@ export class Gaitsmith extends EventTarget {
   /** The trajectory hash of the motion shown: 16 hexadecimal digits. */
   hash() { return this.#need().app.hash(); }
 
+  canUndo() { return this.#need().app.canUndo(); }
+  canRedo() { return this.#need().app.canRedo(); }
+  /** One step back: what one gesture, one search or one opening changed. @returns {boolean} whether there was one */
+  undo() {
+    const { app } = this.#need();
+    const can = app.canUndo();
+    app.undo();
+    return can;
+  }
+  /** @returns {boolean} whether there was a step to do again */
+  redo() {
+    const { app } = this.#need();
+    const can = app.canRedo();
+    app.redo();
+    return can;
+  }
+
   /**
    * Searches a motion for the present document; one that runs is stopped first.
    * @param {SynthesizeOptions} [options]

@@ -25,6 +25,12 @@ export interface AppModule {
   _gs_play(playing: number): void;
   _gs_can_undo(): number;
   _gs_undo(): void;
+  _gs_can_redo(): number;
+  _gs_redo(): void;
+  _gs_forget_past(): void;
+  _gs_commands(): Pointer;
+  _gs_run(id: Pointer): number;
+  _gs_key(name: Pointer, on_canvas: number, repeated: number): number;
   _gs_set_senses(kind: number): void;
   _gs_synthesize(options: Pointer): Pointer;
   _gs_lab(options: Pointer): Pointer;

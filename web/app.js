@@ -42,6 +42,8 @@
  *   task?: {kind?: string, weights?: Record<string, number>}}} DocumentJson
  */
 
+/** Of shell/commands.h. @typedef {{id: string, group: string, title: string, whyNot: string, keys: string[]}} CanvasCommand */
+
 // SearchState in shell/search_progress.h.
 const STATES = { running: 1, paused: 2, done: 3, stopped: 4, failed: 5 };
 
@@ -88,7 +90,26 @@ export class App {
   /** @param {boolean} playing */
   play(playing) { this.module._gs_play(playing ? 1 : 0); }
   canUndo() { return this.module._gs_can_undo() !== 0; }
+  canRedo() { return this.module._gs_can_redo() !== 0; }
   undo() { this.module._gs_undo(); }
+  redo() { this.module._gs_redo(); }
+  /** What is open now is where Undo ends. */
+  forgetPast() { this.module._gs_forget_past(); }
+
+  /** What can be done without a control. @returns {CanvasCommand[]} */
+  commands() { return JSON.parse(this.#text(this.module._gs_commands())); }
+  /** @param {string} id @returns {boolean} false: there is no such command, or it is not possible now */
+  run(id) { return this.#with(id, (at) => this.module._gs_run(at)) !== 0; }
+  /**
+   * A key went down.
+   * @param {string} name  as of keyName @param {boolean} onCanvas  its controls come first @param {boolean} repeated
+   * @returns {boolean} whether a command took it
+   */
+  key(name, onCanvas, repeated) {
+    return this.#with(name, (at) => this.module._gs_key(at, onCanvas ? 1 : 0, repeated ? 1 : 0)) !== 0;
+  }
+  /** Whether a text field on the canvas is open. */
+  typing() { return this.widgets().some(({ role }) => role === 'textbox'); }
   /** Of the next search. @param {'timer' | 'physical' | 'network'} kind */
   setSenses(kind) { this.module._gs_set_senses(['timer', 'physical', 'network'].indexOf(kind)); }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The main controls and a description of the motion as plain DOM, for people who cannot see or point at the canvas,
-// hidden from view until the keyboard reaches it; and the header's Undo.
+// hidden from view until the keyboard reaches it.
 import { banner, element, onClick, setText } from './dom.js';
 
 /** @typedef {import('./app.js').App} App */
@@ -15,7 +15,6 @@ export class Controls {
   #description = element('description');
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #follow;
-  #undo = element('undo', HTMLButtonElement);
 
   /** @param {App} app */
   constructor(app) {
@@ -23,7 +22,6 @@ export class Controls {
     onClick('control-play', () => app.play(this.#play.textContent === 'Play'));
     onClick('control-synthesize', () => this.#start());
     onClick('control-stop', () => app.stop());
-    onClick('undo', () => app.undo());
     onClick('control-describe', () => setText(this.#description, this.#describe()));
     // What the canvas shows changes without a word to the page, but nobody needs it here more often than this.
     setInterval(() => this.#update(), 1000);
@@ -34,7 +32,6 @@ export class Controls {
   }
 
   documentChanged() {
-    this.#undo.disabled = !this.app.canUndo();
     // A drag changes it at every frame, and reading the whole document takes some milliseconds.
     this.#follow ??= setTimeout(() => {
       this.#follow = undefined;
@@ -48,7 +45,6 @@ export class Controls {
   searching(searching) {
     this.#synthesize.disabled = searching;
     this.#stop.disabled = !searching;
-    this.#undo.disabled = !this.app.canUndo(); // a search that starts keeps what was there
   }
 
   #start() {

@@ -2,13 +2,19 @@
 // The page: starts the application in the canvas and connects it with address, workers, header and footer.
 import { Address } from './address.js';
 import { App } from './app.js';
+import { Autosave } from './autosave.js';
+import { Commands } from './commands.js';
 import { Controls } from './controls.js';
 import { Gaitsmith } from './api.js';
+import { HelpSheet } from './help_sheet.js';
 import { Lab } from './lab.js';
+import { Palette } from './palette.js';
 import { Searches } from './searches.js';
 import { StatusLine } from './status_line.js';
 import { banner, element, offerFile, onClick, setText } from './dom.js';
+import { HistoryButtons, startHeader } from './header.js';
 import { guardKeys, leaveCanvas } from './keys.js';
+import { startDropping } from './dropping.js';
 import { startSharing } from './sharing.js';
 import { followTheme, startTheme } from './theme.js';
 
@@ -17,8 +23,10 @@ const canvas = element('canvas', HTMLCanvasElement);
 
 const gaitsmith = new Gaitsmith();
 window.gaitsmith = gaitsmith;
+/** @type {Commands | null} */
+let commands = null;
 startTheme();
-guardKeys();
+guardKeys((event) => commands?.take(event) ?? false);
 startHeader();
 start().catch((error) => {
   element('loading').hidden = true;
@@ -30,7 +38,7 @@ start().catch((error) => {
 async function start() {
   setTimeout(() => { element('loading-hint').hidden = false; }, HINT_AFTER_MS);
   const statusLine = new StatusLine();
-  /** @type {{app: App, searches: Searches, lab: Lab, address: Address, controls: Controls, canvas: HTMLCanvasElement} | null} */
+  /** @type {{app: App, searches: Searches, lab: Lab, address: Address, autosave: Autosave, controls: Controls, buttons: HistoryButtons, canvas: HTMLCanvasElement} | null} */
   let parts = null;
 
   const { default: createApp } = await import('./app.mjs');
@@ -60,6 +68,8 @@ async function start() {
       documentChanged: (title) => {
         showTitle(title);
         parts?.address.changed();
+        parts?.autosave.changed();
+        parts?.buttons.update();
         parts?.controls.documentChanged();
       },
       firstFrame: () => {
@@ -78,20 +88,24 @@ async function start() {
   const searches = new Searches(app, statusLine);
   const address = new Address(app, () => searches.improving);
   followTheme((dark) => app.setTheme(dark));
-  address.open();
+  const autosave = new Autosave(app, address, statusLine);
+  autosave.begin();
   showTitle(app.title());
-  parts = { app, searches, lab: new Lab(app), address, controls: new Controls(app), canvas };
+  parts = { app, searches, lab: new Lab(app), address, autosave, controls: new Controls(app), buttons: new HistoryButtons(app), canvas };
   gaitsmith.begin(parts);
   gaitsmith.fps = Number(new URLSearchParams(location.search).get('fps'));
   for (const end of ['done', 'error']) searches.addEventListener(end, () => parts?.controls.searching(false));
   searches.addEventListener('done', () => address.changed());
   startSharing(app, address);
-  element('undo').hidden = false;
+  startDropping(app);
+  commands = new Commands(app, canvas);
+  addCommands(commands, { autosave, palette: new Palette(commands), help: new HelpSheet(commands) });
   statusLine.welcome('Press Synthesize to search for a better motion');
   if (matchMedia('(prefers-reduced-motion: reduce)').matches) app.play(false);
 
   canvas.addEventListener('webglcontextlost', () => {
     address.write();
+    autosave.save();
     banner('The graphics of this page were lost. Your work is in the address: reload to go on.', { reload: true });
   });
 }
@@ -102,27 +116,24 @@ function showTitle(title) {
   document.title = title ? `${title} — Gaitsmith` : 'Gaitsmith';
 }
 
-function startHeader() {
-  onClick('banner-close', () => banner(''));
-  onClick('banner-reload', () => location.reload());
-  const more = element('more');
-  const menu = element('menu');
-  const show = (/** @type {boolean} */ shown) => {
-    menu.classList.toggle('shown', shown);
-    more.setAttribute('aria-expanded', String(shown));
-  };
-  more.addEventListener('click', (event) => {
-    event.stopPropagation();
-    show(!menu.classList.contains('shown'));
+/** What the page itself can do; the application adds its own. @param {Commands} commands @param {{autosave: Autosave, palette: Palette, help: HelpSheet}} parts */
+function addCommands(commands, { autosave, palette, help }) {
+  const click = Commands.click;
+  commands.add([
+    { id: 'document/open', group: 'Document', title: 'Open a file or a link', keys: ['Ctrl+o'], pressed: ['Ctrl+v'], run: click('open') },
+    { id: 'document/save', group: 'Document', title: 'Save as a file', keys: ['Ctrl+s'], run: click('save') },
+    { id: 'document/copy-link', group: 'Document', title: 'Copy link', keys: ['c'], pressed: ['Ctrl+c'], run: click('copy-link') },
+    { id: 'view/theme', group: 'View', title: 'Light or dark', keys: ['t'], run: click('theme') },
+    { id: 'help/commands', group: 'Help', title: 'Find a command', keys: ['Ctrl+k'], run: () => palette.open() },
+    { id: 'help/keys', group: 'Help', title: 'All keys', keys: ['?', 'F1'], run: () => help.open() },
+  ]);
+  commands.addShelf(() => autosave.commands());
+  onClick('new', () => commands.app.run('document/new'));
+  onClick('home', (event) => {
+    if (event.ctrlKey || event.metaKey || event.shiftKey) return; // another tab, another window
+    event.preventDefault();
+    commands.app.run('document/new');
   });
-  for (const type of ['click', 'pointerdown']) {
-    document.addEventListener(type, (event) => {
-      if (type === 'click' || !(event.target instanceof Node && (menu.contains(event.target) || more.contains(event.target)))) show(false);
-    });
-  }
-  menu.addEventListener('keydown', (event) => {
-    if (event.key !== 'Escape') return;
-    show(false);
-    more.focus();
-  });
+  onClick('commands', () => palette.open());
+  onClick('keys', () => help.open());
 }

@@ -6,6 +6,8 @@ import { sentence } from './address.js';
 
 /** @typedef {import('./app.js').App} App */
 
+const MOST_BYTES = 8e6;
+
 /** @param {App} app @param {import('./address.js').Address} address */
 export function startSharing(app, address) {
   onClick('copy-link', () => copy(address));
@@ -58,20 +60,29 @@ function startOpening(app) {
   file.addEventListener('change', async () => {
     const chosen = file.files?.[0];
     file.value = ''; // the same file may be chosen again
-    if (chosen) open(await chosen.text());
+    if (!chosen) return;
+    const { text: content, fault } = await textOf(chosen);
+    if (fault) error.textContent = sentence(fault);
+    else open(content);
   });
   text.addEventListener('paste', () => setTimeout(() => open(text.value)));
-  addEventListener('dragover', (event) => event.preventDefault());
-  addEventListener('drop', async (event) => {
-    event.preventDefault();
-    const content = await (event.dataTransfer?.files[0]?.text() ?? event.dataTransfer?.getData('text/plain'));
-    if (!content) return;
-    error.textContent = '';
-    const fault = app.open(content);
-    if (!fault) return;
-    error.textContent = sentence(fault);
-    if (!dialog.open) dialog.showModal();
-  });
+}
+
+/**
+ * What a file holds, if it can be a document at all: what core says about a picture is no help to anyone.
+ * @param {File} file
+ * @returns {Promise<{text: string, fault: string}>}
+ */
+export async function textOf(file) {
+  const no = (/** @type {string} */ fault) => ({ text: '', fault });
+  if (file.size > MOST_BYTES) return no(`it has ${Math.round(file.size / 1e6)} MB, and no Gaitsmith document is that large`);
+  let text;
+  try {
+    text = new TextDecoder('utf-8', { fatal: true }).decode(await file.arrayBuffer());
+  } catch {
+    return no('it is not a Gaitsmith document (a file that Save made, or a text with a link)');
+  }
+  return text.trim() === '' ? no('it is empty') : { text, fault: '' };
 }
 
 /** @param {App} app @param {import('./address.js').Address} address */

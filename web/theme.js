@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Light or dark: as the system is, until the person says otherwise.
 import { element, onClick } from './dom.js';
+import { remember, remembered } from './storage.js';
 
 const KEY = 'gaitsmith-theme';
 
 const system = matchMedia('(prefers-color-scheme: dark)');
 /** @type {((dark: boolean) => void)[]} */
 const followers = [];
-let chosen = remembered();
+let chosen = remembered(KEY);
 
 const isDark = () => (chosen ? chosen === 'dark' : system.matches);
 
@@ -31,19 +32,7 @@ export function startTheme() {
   system.addEventListener('change', update);
   onClick('theme', () => {
     chosen = isDark() ? 'light' : 'dark';
-    try {
-      localStorage.setItem(KEY, chosen);
-    } catch {
-      // An embedding page may forbid storage: the choice holds until the page is left.
-    }
+    remember(KEY, chosen); // where storage is forbidden it holds until the page is left
     update();
   });
-}
-
-function remembered() {
-  try {
-    return localStorage.getItem(KEY);
-  } catch {
-    return null;
-  }
 }

@@ -20,11 +20,13 @@ export class PageDriver {
   }
 
   /**
-   * Opens an address in a fresh profile (a context of its own: no cookies, storage or cache of others).
+   * Opens an address in a fresh profile (a context of its own: no cookies, storage or cache of others), or in another
+   * tab of the profile of a page that is open.
    * @param {Browser} browser @param {string} address
+   * @param {{beside?: PageDriver, before?: () => void}} [options]  before: runs in the page before its own scripts
    */
-  static async open(browser, address) {
-    const context = await browser.createBrowserContext();
+  static async open(browser, address, { beside, before } = {}) {
+    const context = beside ? beside.page.browserContext() : await browser.createBrowserContext();
     const page = await context.newPage();
     const driver = new PageDriver(page);
     const { complaints } = driver;
@@ -44,9 +46,15 @@ export class PageDriver {
       if (/^(https?|wss?):$/.test(url.protocol) && url.host !== host) complaints.push(`request to another host: ${url}`);
     });
     await page.evaluateOnNewDocument(keepWorkers);
+    if (before) await page.evaluateOnNewDocument(before);
     await page.goto(address);
     await driver.call('ready', () => window.gaitsmith.ready.then(() => true));
     return driver;
+  }
+
+  async reload() {
+    await this.page.reload();
+    await this.call('ready', () => window.gaitsmith.ready.then(() => true));
   }
 
   async close() { await this.page.browserContext().close(); }
@@ -118,6 +126,23 @@ export class PageDriver {
     await this.page.mouse.up();
     await this.frames();
     await sleep(50);
+  }
+
+  /** Presses keys together, the last one as often as asked for. @param {string} keys  like Control+Shift+z */
+  async press(keys, times = 1) {
+    const all = /** @type {import('../../web/node_modules/puppeteer-core/lib/types.d.ts').KeyInput[]} */ (keys.split('+'));
+    const last = all.pop();
+    for (const key of all) await this.page.keyboard.down(key);
+    for (let i = 0; last && i < times; i++) {
+      await this.page.keyboard.press(last, { delay: 30 });
+      await this.frames();
+    }
+    for (const key of all.reverse()) await this.page.keyboard.up(key);
+  }
+
+  /** Text of an element of the page. @param {string} selector @returns {Promise<string>} */
+  text(selector) {
+    return this.page.evaluate((where) => document.querySelector(where)?.textContent ?? '', selector);
   }
 
   /** Clicks an element of the page. @param {string} selector */

@@ -6,7 +6,10 @@ import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { ROOT } from './browsers.mjs';
 import { PageDriver, sleep } from './page_driver.mjs';
+import { HISTORY_SCENARIOS } from './history_scenarios.mjs';
+import { KEPT_WORK_SCENARIOS } from './kept_work_scenarios.mjs';
 import { LAB_SCENARIOS } from './lab_scenarios.mjs';
+import { PALETTE_SCENARIOS } from './palette_scenarios.mjs';
 import { WORLD_SCENARIOS } from './world_scenarios.mjs';
 import { nativeHash } from './native.mjs';
 
@@ -232,12 +235,15 @@ export const SCENARIOS = [
   }],
 
   ...LAB_SCENARIOS,
+  ...HISTORY_SCENARIOS,
+  ...KEPT_WORK_SCENARIOS,
+  ...PALETTE_SCENARIOS,
 
   ...WORLD_SCENARIOS,
 
   ['Undo waits until there is something to undo, and the plain controls act at once', async ({ browser, address }) => {
     const fresh = await PageDriver.open(browser, address);
-    const undo = () => fresh.call('undo', () => /** @type {HTMLButtonElement} */ (document.querySelector('#undo')).disabled);
+    const undo = () => fresh.call('undo', () => document.querySelector('#undo')?.getAttribute('aria-disabled') === 'true');
     const senses = () => fresh.call('senses', () => window.gaitsmith.document().senses?.kind);
     assert.equal(await undo(), true);
     const decider = () => fresh.call('kind', () => window.gaitsmith.document().kind);

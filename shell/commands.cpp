@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "shell/commands.h"
+
+#include <array>
+#include <utility>
+
+#include "core/document/json.h"
+#include "core/document/json_value.h"
+#include "shell/embedded.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+void AddHistory(std::vector<Command>& list, Session& session) {
+  list.push_back(
+      {.id = "document/new", .group = "Document", .title = "New", .run = [&session] { session.New(); }});
+  list.push_back({.id = "document/undo",
+                  .group = "Document",
+                  .title = "Undo",
+                  .keys = {"Ctrl+z"},
+                  .why_not = session.CanUndo() || session.Searching() ? "" : "nothing to undo",
+                  .repeats = true,
+                  .run = [&session] { session.Undo(); }});
+  list.push_back({.id = "document/redo",
+                  .group = "Document",
+                  .title = "Redo",
+                  .keys = {"Ctrl+Shift+z", "Ctrl+y"},
+                  .why_not = session.CanRedo() ? "" : "nothing to redo",
+                  .repeats = true,
+                  .run = [&session] { session.Redo(); }});
+}
+
+void AddMotion(std::vector<Command>& list, Session& session) {
+  Playback& player = session.player;
+  const auto add = [&](std::string id, std::string title, std::vector<std::string> keys, bool repeats,
+                       auto run) {
+    list.push_back({.id = "motion/" + std::move(id),
+                    .group = "Motion",
+                    .title = std::move(title),
+                    .keys = std::move(keys),
+                    .repeats = repeats,
+                    .run = run});
+  };
+  add("play", "Play or pause", {"Space"}, false, [&player] { player.Play(!player.Playing()); });
+  add("forward", "One step forward", {".", "ArrowRight"}, true, [&player] { player.Step(1); });
+  add("back", "One step back", {",", "ArrowLeft"}, true, [&player] { player.Step(-1); });
+  add("start", "To the start", {"Home"}, false, [&player] { player.Seek(0.0); });
+  add("end", "To the end", {"End"}, false, [&player] {
+    player.Play(false);
+    player.Seek(player.DurationS());
+  });
+}
+
+void AddSearch(std::vector<Command>& list, Session& session) {
+  const bool busy = session.Searching() || session.lab.Running();
+  list.push_back({.id = "search/synthesize",
+                  .group = "Search",
+                  .title = "Synthesize, or stop",
+                  .keys = {"s"},
+                  .run = [&session, busy] { busy ? session.Stop() : session.Synthesize(); }});
+  const bool paused = session.Progress().state == SearchState::kPaused;
+  list.push_back({.id = "search/pause",
+                  .group = "Search",
+                  .title = "Pause the search, or go on",
+                  .keys = {"p"},
+                  .why_not = session.Searching() ? "" : "no search runs",
+                  .run = [&session, paused] { paused ? session.Resume() : session.Pause(); }});
+}
+
+void AddPanels(std::vector<Command>& list, Session& session, bool phone) {
+  constexpr std::array<const char*, 6> kNames = {"Figure", "Controller", "Style",
+                                                 "Search", "Lab",        "Timeline"};
+  for (int i = 0; i < (phone ? 6 : 5); ++i) {
+    const std::string name = kNames[static_cast<std::size_t>(i)];
+    list.push_back({.id = "panel/" + name,
+                    .group = "Panels",
+                    .title = name + " panel",
+                    .keys = {std::to_string(i + 1)},
+                    .run = [&session, i] { session.SetView([i](View& view) { view.panel = i; }); }});
+  }
+}
+
+void AddView(std::vector<Command>& list, Session& session) {
+  const auto add = [&](std::string id, const std::string& what, bool View::* shown) {
+    const bool now = session.Doc().view.*shown;
+    list.push_back({.id = "view/" + std::move(id),
+                    .group = "View",
+                    .title = (now ? "Hide " : "Show ") + what,
+                    .run = [&session, shown, now] {
+                      session.SetView([shown, now](View& view) { view.*shown = !now; });
+                    }});
+  };
+  add("poses", "past poses", &View::poses);
+  add("trail", "the path of the centre of mass", &View::trail);
+  add("forces", "contact forces", &View::forces);
+}
+
+}  // namespace
+
+std::vector<Command> CommandsOf(Session& session, bool phone) {
+  std::vector<Command> list;
+  AddHistory(list, session);
+  AddMotion(list, session);
+  AddSearch(list, session);
+  AddPanels(list, session, phone);
+  AddView(list, session);
+  return list;
+}
+
+std::vector<Command> ShelfOf(Session& session) {
+  std::vector<Command> list;
+  for (const Example& example : ExampleDocuments()) {
+    auto document = DecodeJson(example.json);
+    if (!document) continue;
+    list.push_back({.id = "example/" + std::string(example.name),
+                    .group = "Examples",
+                    .title = "Open example: " + document->title,
+                    .run = [&session, document = std::move(*document)] { session.ChooseExample(document); }});
+  }
+  int index = 0;
+  for (const Document& problem : session.Problems()) {
+    list.push_back({.id = "task/" + std::to_string(index),
+                    .group = "Tasks",
+                    .title = "Choose task: " + problem.title,
+                    .run = [&session, index] { session.ChooseProblem(index); }});
+    ++index;
+  }
+  index = 0;
+  for (const Figure& figure : session.Figures()) {
+    list.push_back({.id = "figure/" + std::to_string(index),
+                    .group = "Figures",
+                    .title = "Choose figure: " + figure.name,
+                    .run = [&session, index] { session.ChooseFigure(index); }});
+    ++index;
+  }
+  return list;
+}
+
+std::string CommandsJson(const std::vector<Command>& commands) {
+  std::string json = "[";
+  for (const Command& command : commands) {
+    if (json.size() > 1) json += ",\n";
+    json += "{\"id\":" + QuoteJson(command.id) + ",\"group\":" + QuoteJson(command.group) +
+            ",\"title\":" + QuoteJson(command.title) + ",\"whyNot\":" + QuoteJson(command.why_not) +
+            ",\"keys\":[";
+    for (std::size_t i = 0; i < command.keys.size(); ++i)
+      json += (i > 0 ? "," : "") + QuoteJson(command.keys[i]);
+    json += "]}";
+  }
+  return json + "]";
+}
+
+bool BelongsToControls(std::string_view key) {
+  return key == "Space" || key == "Home" || key == "End" || key.starts_with("Arrow");
+}
+
+}  // namespace gaitsmith::shell

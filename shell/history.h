@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The past and the future of a document, for Undo and Redo: bounded in steps and in bytes, the oldest going
+// first. What is shown and how (the view) is no part of it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "core/document/document.h"
+
+namespace gaitsmith::shell {
+
+class History {
+ public:
+  struct Limits {
+    std::size_t steps = 200;
+    std::size_t bytes = std::size_t{4} << 20;  // of the past; a document takes some hundreds
+  };
+
+  History() = default;
+  explicit History(const Limits& limits) : limits_(limits) {}
+
+  /// Begins a step: the document as it was before. What was undone is forgotten.
+  /// @param occasion  what the step belongs to, not 0: a drag, a search. All that follows one another on the
+  /// same occasion is one step
+  void Keep(const Document& before, int occasion);
+
+  [[nodiscard]] bool CanUndo(const Document& present) const;
+  [[nodiscard]] bool CanRedo() const { return !future_.empty(); }
+
+  /// The document one step back, with the present view; nothing when there is none. Steps that changed
+  /// nothing are passed over.
+  [[nodiscard]] std::optional<Document> Back(const Document& present);
+  [[nodiscard]] std::optional<Document> Forward(const Document& present);
+
+  void Clear();
+
+ private:
+  using Bytes = std::vector<std::uint8_t>;
+  static Bytes Packed(Document document);
+  static std::optional<Document> Unpacked(const Bytes& bytes, const View& view);
+  void Forget();
+
+  Limits limits_;
+  std::deque<Bytes> past_;  // the newest last
+  std::vector<Bytes> future_;
+  std::size_t past_bytes_ = 0;
+  int occasion_ = 0;  // of the newest step; 0: none that could go on
+};
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// Undo, Redo, New, and what may be dropped on the page. Each opens pages of its own.
+import assert from 'node:assert/strict';
+import { PageDriver } from './page_driver.mjs';
+
+/** @typedef {import('./scenarios.mjs').Visit} Visit */
+
+/** What Undo must bring back: the motion and the whole document but its view. @param {PageDriver} page @returns {Promise<string>} */
+export function stateOf(page) {
+  return page.call('state', () => JSON.stringify([window.gaitsmith.hash(), { ...window.gaitsmith.document(), view: null }]));
+}
+
+/** @param {PageDriver} page @param {string} id  of a button */
+const told = (page, id) => page.page.evaluate((selector) => {
+  const button = /** @type {HTMLElement} */ (document.querySelector(selector));
+  return { off: button.getAttribute('aria-disabled') === 'true', title: button.title };
+}, id);
+
+/** @param {Visit} visit */
+async function threeEdits({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const states = [await stateOf(page)];
+  assert.deepEqual(await told(page, '#undo'), { off: true, title: 'Nothing to undo' });
+
+  // A whole drag of a slider is one step.
+  await page.click('panels/2');
+  await page.frames(6);
+  const slider = (await page.widgets()).find(({ id, role }) => role === 'slider' && id.startsWith('style/'))?.rect;
+  assert.ok(slider, 'no slider');
+  const y = slider.y + 0.8 * slider.height;
+  await page.page.mouse.move(slider.x + 0.5 * slider.width, y);
+  await page.frames();
+  await page.page.mouse.down();
+  for (const share of [0.55, 0.6, 0.65, 0.7]) {
+    await page.page.mouse.move(slider.x + share * slider.width, y);
+    await page.frames();
+  }
+  await page.page.mouse.up();
+  await page.frames();
+  states.push(await stateOf(page));
+  // A click on a button is another; looking at other panels is none.
+  await page.click('panels/3');
+  await page.click('search/seed/more');
+  states.push(await stateOf(page));
+  await page.click('panels/1');
+  // And so is opening something.
+  await page.call('open', () => {
+    const document = window.gaitsmith.document();
+    window.gaitsmith.open({ ...document, hash: undefined, environment: { friction: 0.2 } });
+  });
+  states.push(await stateOf(page));
+  assert.equal(new Set(states).size, 4, 'an edit changed nothing');
+
+  // Back by key from the stage, by button, and by script.
+  await page.page.focus('canvas');
+  await page.press('Control+z');
+  assert.equal(await stateOf(page), states[2]);
+  await page.clickElement('#undo');
+  assert.equal(await stateOf(page), states[1]);
+  assert.equal(await page.call('undo', () => window.gaitsmith.undo()), true);
+  assert.equal(await stateOf(page), states[0]);
+  assert.deepEqual(await told(page, '#undo'), { off: true, title: 'Nothing to undo' });
+  assert.equal(await page.call('undo', () => window.gaitsmith.canUndo() || window.gaitsmith.undo()), false);
+  assert.match(await page.status(), /nothing to undo/);
+  // And forth again.
+  await page.press('Control+Shift+Z');
+  assert.equal(await stateOf(page), states[1]);
+  await page.clickElement('#redo');
+  assert.equal(await stateOf(page), states[2]);
+  await page.press('Control+y');
+  assert.equal(await stateOf(page), states[3]);
+  assert.deepEqual(await told(page, '#redo'), { off: true, title: 'Nothing to redo' });
+  assert.equal(await page.call('redo', () => window.gaitsmith.canRedo() || window.gaitsmith.redo()), false);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function searchIsOneStep({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const before = await page.hash();
+  const found = await page.call('search', async () => (await window.gaitsmith.synthesize({ seed: 9, evaluations: 800, sense: 'physical' })).hash);
+  assert.notEqual(found, before);
+  await page.call('undo', () => window.gaitsmith.undo());
+  assert.equal(await page.hash(), before);
+  await page.call('redo', () => window.gaitsmith.redo());
+  assert.equal(await page.hash(), found);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function newAsksNothing({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const before = await stateOf(page);
+  for (const selector of ['#new', '#home']) {
+    await page.clickElement(selector);
+    assert.equal(await page.call('clips', () => /** @type {any} */ (window.gaitsmith.document()).controllers?.length ?? 0), 0);
+    assert.match(await page.status(), /^A new document.* Undo brings back/);
+    await page.press('Control+z');
+    assert.equal(await stateOf(page), before, selector);
+  }
+  await page.close();
+}
+
+/**
+ * Drags files over the page and lets go of them there.
+ * @param {PageDriver} page @param {{name: string, text?: string, bytes?: number[]}[]} files
+ * @returns {Promise<boolean>} whether the hint was to be seen
+ */
+async function drop(page, files) {
+  const hinted = await page.page.evaluate((list) => {
+    const dataTransfer = new DataTransfer();
+    for (const { name, text, bytes } of list) dataTransfer.items.add(new File([text ?? new Uint8Array(bytes ?? [])], name));
+    const canvas = /** @type {Element} */ (document.querySelector('canvas'));
+    const send = (/** @type {string} */ type) =>
+      canvas.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
+    send('dragover');
+    const box = document.querySelector('#drop-hint')?.getBoundingClientRect();
+    send('drop');
+    return (box?.width ?? 0) > 100;
+  }, files);
+  await page.frames();
+  return hinted;
+}
+
+/** @param {Visit} visit */
+async function dropping({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const before = await stateOf(page);
+  const banner = () => page.call('banner', () =>
+    (document.querySelector('#banner')?.hasAttribute('hidden') ? '' : document.querySelector('#banner-text')?.textContent ?? ''));
+  const good = await page.call('text', () =>
+    JSON.stringify({ ...window.gaitsmith.document(), title: 'Dropped', hash: undefined, environment: { friction: 0.2 } }));
+  const bad = /** @type {[RegExp, {name: string, text?: string, bytes?: number[]}[]][]} */ ([
+    [/“photo\.png” was not opened: it is not a Gaitsmith document/, [{ name: 'photo.png', bytes: [0x89, 0x50, 0x4e, 0x47, 0xff, 0] }]],
+    [/“empty\.json” was not opened: it is empty/, [{ name: 'empty.json', text: ' \n' }]],
+    [/“half\.json” was not opened: /, [{ name: 'half.json', text: good.slice(0, good.length / 2) }]],
+    [/one file at a time/, [{ name: 'a.json', text: good }, { name: 'b.json', text: good }]],
+  ]);
+  for (const [sentence, files] of bad) {
+    assert.ok(await drop(page, files), 'no hint');
+    await page.until('a banner', () => !document.querySelector('#banner')?.hasAttribute('hidden'), 3000);
+    assert.match(await banner(), sentence);
+    assert.equal(await stateOf(page), before);
+    await page.clickElement('#banner-close');
+  }
+  assert.equal(await page.call('undo', () => window.gaitsmith.canUndo()), false);
+  await drop(page, [{ name: 'good.json', text: good }]);
+  await page.until('the document', () => window.gaitsmith.document().title === 'Dropped', 3000);
+  assert.equal(await banner(), '');
+  assert.ok(await page.call('hint', () => document.querySelector('#drop-hint')?.hasAttribute('hidden')));
+  await page.call('undo', () => window.gaitsmith.undo());
+  assert.equal(await stateOf(page), before);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @type {[string, (visit: Visit) => Promise<void>][]} */
+export const HISTORY_SCENARIOS = [
+  ['three edits undone and done again, by key, button and script, are the same documents and motions', threeEdits],
+  ['a search is one step back and forth', searchIsOneStep],
+  ['New asks nothing, says how to go back, and Undo does', newAsksNothing],
+  ['a dropped document opens; what is none is named, and changes nothing', dropping],
+];

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// Work that is kept in the browser, between visits and tabs. Each opens profiles of its own.
+import assert from 'node:assert/strict';
+import { stateOf } from './history_scenarios.mjs';
+import { PageDriver, sleep } from './page_driver.mjs';
+
+/** @typedef {import('./scenarios.mjs').Visit} Visit */
+
+/** Does something that is worth keeping. @param {PageDriver} page @param {string} title */
+const work = (page, title) => page.page.evaluate((name) => {
+  const document = window.gaitsmith.document();
+  window.gaitsmith.open({ ...document, hash: undefined, title: name, environment: { friction: 0.1 + name.length / 100 } });
+}, title);
+
+/** @param {PageDriver} page @returns {Promise<string>} */
+const title = (page) => page.call('title', () => window.gaitsmith.document().title ?? '');
+
+/** Whether the line about the last work is to be seen. @param {PageDriver} page */
+const offered = (page) => page.call('line', () => !document.querySelector('#kept')?.hasAttribute('hidden'));
+
+/** How many works are kept after the page was told that it is left. @param {PageDriver} page @returns {Promise<number>} */
+const leave = (page) => page.call('leave', () => {
+  dispatchEvent(new Event('pagehide'));
+  return Object.keys(localStorage).filter((key) => key.startsWith('gaitsmith-work/')).length;
+});
+
+/** Goes away as a person does, so that the page hears of it. @param {PageDriver} page @param {string} address */
+const leaveFor = async (page, address) => {
+  await page.page.goto(address);
+  await page.call('ready', () => window.gaitsmith.ready.then(() => true));
+};
+
+/** @param {Visit} visit */
+async function reloadRestores({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  await work(page, 'Taken back');
+  assert.equal(await leave(page), 1);
+  await page.call('undo', () => window.gaitsmith.undo());
+  assert.equal(await leave(page), 0, 'what was undone is not kept');
+  await work(page, 'First');
+  await page.reload();
+  await work(page, 'Before the reload');
+  const state = await stateOf(page);
+  await page.reload(); // at once: neither address nor storage had time on their own
+  assert.equal(await stateOf(page), state);
+  assert.equal(await leave(page), 1, 'a reload goes on with the same work');
+  assert.equal(await page.call('undo', () => window.gaitsmith.canUndo()), false);
+  await page.page.goto('about:blank');
+  // Another tab, with the bare address, as after a crash or a closed tab.
+  const next = await PageDriver.open(browser, address, { beside: page });
+  assert.equal(await stateOf(next), state);
+  assert.match(await next.status(), /^Your last work is back: Before the reload/);
+  assert.equal(await offered(next), false);
+  assert.deepEqual([page.complaints, next.complaints], [[], []]);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function reloadMidSearch({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const before = await page.hash();
+  await page.call('search', () => {
+    const kept = Object.assign(window, { testBests: 0 });
+    window.gaitsmith.on('progress', ({ detail }) => { kept.testBests += detail.bestGenome ? 1 : 0; });
+    void window.gaitsmith.synthesize({ seed: 4, evaluations: 1000000, sense: 'physical', workers: 1 });
+  });
+  await page.until('a better motion', () => /** @type {any} */ (window).testBests > 0 && window.gaitsmith.canUndo());
+  await page.call('pause', () => window.gaitsmith.pause());
+  await sleep(1500); // the last improvement is on the stage
+  const state = await stateOf(page);
+  assert.notEqual(await page.hash(), before);
+  assert.notEqual(await page.call('address', () => location.href), await page.link(), 'the address must not follow a search');
+  await page.reload();
+  assert.equal(await stateOf(page), state);
+  await page.until('the address', () => location.hash === '' || location.href === window.gaitsmith.link(), 3000);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function linkWins({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  await work(page, 'A linked motion');
+  const link = await page.link();
+  await page.close();
+
+  const mine = await PageDriver.open(browser, address);
+  await work(mine, 'Mine');
+  const state = await stateOf(mine);
+  await leaveFor(mine, `${address}?elsewhere`);
+  const other = await PageDriver.open(browser, link, { beside: mine });
+  assert.equal(await title(other), 'A linked motion');
+  assert.equal(await other.call('address', () => location.href), link);
+  assert.equal(await offered(other), true);
+  assert.equal(await other.text('#kept-title'), 'Mine');
+  await other.clickElement('#kept-open');
+  assert.equal(await stateOf(other), state);
+  assert.equal(await offered(other), false);
+  await other.press('Control+z');
+  assert.equal(await title(other), 'A linked motion');
+
+  // Dismissed, it stays away, and stays kept. Who only looks at a link loses nothing by it.
+  const third = await PageDriver.open(browser, link, { beside: mine });
+  assert.equal(await offered(third), true);
+  await third.clickElement('#kept-close');
+  assert.equal(await offered(third), false);
+  const fourth = await PageDriver.open(browser, link, { beside: mine });
+  assert.equal(await offered(fourth), false);
+  await fourth.press('Control+k');
+  await fourth.page.keyboard.type('kept mine');
+  await fourth.press('Enter');
+  assert.equal(await stateOf(fourth), state);
+  for (const { complaints } of [mine, other, third, fourth]) assert.deepEqual(complaints, []);
+  await mine.close();
+}
+
+/** @param {Visit} visit */
+async function twoTabs({ browser, address }) {
+  const one = await PageDriver.open(browser, address);
+  const two = await PageDriver.open(browser, address, { beside: one });
+  await work(one, 'Tab one');
+  await work(two, 'The second tab');
+  await two.reload();
+  await one.page.bringToFront();
+  assert.equal(await title(one), 'Tab one');
+  await one.reload();
+  assert.equal(await title(one), 'Tab one');
+  assert.equal(await title(two), 'The second tab');
+  await two.page.bringToFront();
+  await work(two, 'The second tab, later');
+  await two.reload();
+  const three = await PageDriver.open(browser, address, { beside: one });
+  assert.equal(await title(three), 'The second tab, later');
+  await one.close();
+}
+
+/** @param {Visit} visit */
+async function forbidden({ browser, address }) {
+  const page = await PageDriver.open(browser, address, {
+    before: () => {
+      for (const name of ['localStorage', 'sessionStorage']) {
+        Object.defineProperty(window, name, { get() { throw new DOMException('no', 'SecurityError'); } });
+      }
+    },
+  });
+  await work(page, 'Not to be kept');
+  await page.until('a sentence', () => /does not let the page keep your work/.test(document.querySelector('#status')?.textContent ?? ''), 5000);
+  await work(page, 'Nor this one');
+  assert.match(await page.status(), /^Opened Nor this one/);
+  await sleep(2600); // longer than it waits before it keeps something
+  assert.match(await page.status(), /^Opened Nor this one/, 'said twice');
+  await page.clickElement('#theme');
+  await page.press('Control+z');
+  assert.equal(await title(page), 'Not to be kept');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function full({ browser, address }) {
+  const page = await PageDriver.open(browser, address, {
+    before: () => { Storage.prototype.setItem = () => { throw new DOMException('full', 'QuotaExceededError'); }; },
+  });
+  await work(page, 'No room');
+  await page.until('a sentence', () => /does not let the page keep your work/.test(document.querySelector('#status')?.textContent ?? ''), 5000);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function embedded({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  await page.call('frame', async () => {
+    const frame = document.createElement('iframe');
+    frame.src = location.pathname;
+    document.body.append(frame);
+    await new Promise((resolve) => frame.addEventListener('load', resolve));
+    const { gaitsmith } = /** @type {Window} */ (frame.contentWindow);
+    await gaitsmith.ready;
+    gaitsmith.open({ ...gaitsmith.document(), hash: undefined, title: 'Inside' });
+    frame.contentWindow?.dispatchEvent(new Event('pagehide'));
+  });
+  await sleep(2600);
+  assert.deepEqual(await page.call('works', () => Object.keys(localStorage).filter((key) => key.startsWith('gaitsmith-work'))), []);
+  await page.close();
+}
+
+/** @type {[string, (visit: Visit) => Promise<void>][]} */
+export const KEPT_WORK_SCENARIOS = [
+  ['a reload brings back the work, and so does the bare address in another tab', reloadRestores],
+  ['a reload in the middle of a search brings back the best so far', reloadMidSearch],
+  ['a link in the address wins, and the last work is one press away until dismissed', linkWins],
+  ['two tabs keep their own work, and the next visit begins with the later one', twoTabs],
+  ['where storage is forbidden, it is said once, and all else works', forbidden],
+  ['where storage is full, it is said', full],
+  ['inside another page nothing is kept', embedded],
+];

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// The header: its menu on narrow screens, the banner below it, and Undo and Redo, which say why they are not possible.
+import { banner, element, onClick } from './dom.js';
+import { keyCap } from './keys.js';
+
+/** @typedef {import('./app.js').App} App */
+
+/** Before there is anything to undo. */
+export function startHeader() {
+  onClick('banner-close', () => banner(''));
+  onClick('banner-reload', () => location.reload());
+  const more = element('more');
+  const menu = element('menu');
+  const show = (/** @type {boolean} */ shown) => {
+    menu.classList.toggle('shown', shown);
+    more.setAttribute('aria-expanded', String(shown));
+  };
+  more.addEventListener('click', (event) => {
+    event.stopPropagation();
+    show(!menu.classList.contains('shown'));
+  });
+  for (const type of ['click', 'pointerdown']) {
+    document.addEventListener(type, (event) => {
+      if (type === 'click' || !(event.target instanceof Node && (menu.contains(event.target) || more.contains(event.target)))) show(false);
+    });
+  }
+  menu.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape') return;
+    show(false);
+    more.focus();
+  });
+}
+
+export class HistoryButtons {
+  #undo = element('undo');
+  #redo = element('redo');
+
+  /** @param {App} app */
+  constructor(app) {
+    this.app = app;
+    // The application says in the status line when there is nothing to do.
+    onClick('undo', () => app.undo());
+    onClick('redo', () => app.redo());
+    this.update();
+  }
+
+  /** The document is another one now. */
+  update() {
+    say(this.#undo, `Undo (${keyCap('Ctrl+z')})`, this.app.canUndo() ? '' : 'Nothing to undo');
+    say(this.#redo, `Redo (${keyCap('Ctrl+Shift+z')})`, this.app.canRedo() ? '' : 'Nothing to redo');
+  }
+}
+
+/**
+ * Not `disabled`, which would take the keyboard away from whoever has just pressed the button for the last time.
+ * @param {HTMLElement} button @param {string} title @param {string} whyNot
+ */
+function say(button, title, whyNot) {
+  button.title = whyNot || title;
+  button.setAttribute('aria-disabled', String(whyNot !== ''));
+}
