@@ -32,12 +32,12 @@ void AddHistory(std::vector<Command>& list, Session& session) {
 
 void AddMotion(std::vector<Command>& list, Session& session) {
   Playback& player = session.player;
-  const auto add = [&](std::string id, std::string title, std::vector<std::string> keys, bool repeats,
-                       auto run) {
-    list.push_back({.id = "motion/" + std::move(id),
+  const auto add = [&](const std::string& id, const std::string& title, const std::vector<std::string>& keys,
+                       bool repeats, auto run) {
+    list.push_back({.id = "motion/" + id,
                     .group = "Motion",
-                    .title = std::move(title),
-                    .keys = std::move(keys),
+                    .title = title,
+                    .keys = keys,
                     .repeats = repeats,
                     .run = run});
   };
@@ -81,9 +81,9 @@ void AddPanels(std::vector<Command>& list, Session& session, bool phone) {
 }
 
 void AddView(std::vector<Command>& list, Session& session) {
-  const auto add = [&](std::string id, const std::string& what, bool View::* shown) {
+  const auto add = [&](const std::string& id, const std::string& what, bool View::* shown) {
     const bool now = session.Doc().view.*shown;
-    list.push_back({.id = "view/" + std::move(id),
+    list.push_back({.id = "view/" + id,
                     .group = "View",
                     .title = (now ? "Hide " : "Show ") + what,
                     .run = [&session, shown, now] {
