@@ -2,6 +2,7 @@
 // The application: one session, laid out for a desk or a phone, advanced in time and drawn.
 #pragma once
 
+#include "shell/panel_controller.h"
 #include "shell/panel_figure.h"
 #include "shell/session.h"
 #include "shell/window.h"
@@ -33,6 +34,7 @@ class App {
   Window& window_;
   Session session_;
   FigurePanelState figure_panel_;
+  ControllerPanelState controller_panel_;
   bool first_frame_told_ = false;
 };
 

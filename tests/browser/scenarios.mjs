@@ -7,6 +7,7 @@ import { join } from 'node:path';
 import { ROOT } from './browsers.mjs';
 import { PageDriver, sleep } from './page_driver.mjs';
 import { LAB_SCENARIOS } from './lab_scenarios.mjs';
+import { RULE_SCENARIOS } from './rule_scenarios.mjs';
 import { nativeHash } from './native.mjs';
 
 /** @typedef {import('./browsers.mjs').Browser} Browser */
@@ -231,6 +232,7 @@ export const SCENARIOS = [
   }],
 
   ...LAB_SCENARIOS,
+  ...RULE_SCENARIOS,
 
   ['Undo waits until there is something to undo, and the plain controls act at once', async ({ browser, address }) => {
     const fresh = await PageDriver.open(browser, address);
