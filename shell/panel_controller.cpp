@@ -105,8 +105,11 @@ void DrawRules(Ui& ui, Session& session, const Controller& shown, ControllerPane
     ui.Gap(8.0f);
     if (state.editor.rule < first || state.editor.rule > first + 1) continue;
     if (state.editor.reveal) {
-      // The row that was opened goes to the top, so that its editor has the panel.
-      ImGui::SetScrollFromPosY(row.Min.y - ImGui::GetWindowPos().y - 10.0f, 0.0f);
+      // The row that was opened goes to the top, so that its editor has the panel; where that is low, the
+      // editor.
+      const bool low = ImGui::GetWindowHeight() < 5.0f * kCardHeight;
+      const float top = low ? ImGui::GetCursorScreenPos().y : row.Min.y - 10.0f;
+      ImGui::SetScrollFromPosY(top - ImGui::GetWindowPos().y, 0.0f);
       state.editor.reveal = false;
     }
     DrawRuleEditor(ui, session, controller, state.editor);

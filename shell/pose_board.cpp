@@ -36,9 +36,14 @@ struct Picture {
 Picture LayOut(const Skeleton& bones, const std::vector<ImVec2>& metres, const RuleEditorState& state,
                const ImRect& rect) {
   if (state.limb >= 0) return {bones, state.scale, state.origin};
+  // Room for the drawn pose too, which the joints now are seldom far outside of.
   ImRect extent(metres[0], metres[0]);
   for (const ImVec2& point : metres) extent.Add(point);
-  const float scale = 0.74f * std::min(rect.GetHeight() / std::max(extent.GetHeight(), 0.1f),
+  const std::vector<ImVec2> rest = PoseOf(bones, {});
+  for (const ImVec2& point : rest) {
+    extent.Add(ImVec2(point.x - rest[0].x + metres[0].x, point.y - rest[0].y + metres[0].y));
+  }
+  const float scale = 0.82f * std::min(rect.GetHeight() / std::max(extent.GetHeight(), 0.1f),
                                        rect.GetWidth() / std::max(extent.GetWidth(), 0.1f));
   const ImVec2 middle = rect.GetCenter();
   return {bones,

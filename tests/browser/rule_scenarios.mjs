@@ -49,8 +49,10 @@ async function undo(page) {
   await page.frames();
 }
 
-/** @param {PageDriver} page */
-const document = (page) => page.call('document', () => window.gaitsmith.document());
+/** What the tests look at. @typedef {{figure: {name: string, rods: unknown[]}, controllers?: {name: string, rules: unknown[]}[]}} Contents */
+
+/** @param {PageDriver} page @returns {Promise<Contents>} */
+const document = (page) => page.call('document', () => /** @type {any} */ (window.gaitsmith.document()));
 
 /** The number of the rule that acts now and cares about something, and of a sense it cares about. @param {PageDriver} page */
 async function activeRule(page) {
