@@ -124,7 +124,7 @@ void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
       DrawFigurePanel(ui, session_, figure_panel_);
       break;
     case 1:
-      DrawControllerPanel(ui, session_);
+      DrawControllerPanel(ui, session_, controller_panel_);
       break;
     case 2:
       DrawStylePanel(ui, session_);
@@ -202,13 +202,7 @@ bool App::Take(const SDL_Event& event) {
   if (key.sym == SDLK_TAB && (key.mod & (KMOD_CTRL | KMOD_ALT)) == 0 && !widgets.empty() &&
       focused != widgets.end()) {
     const bool back = (key.mod & KMOD_SHIFT) != 0;
-    // Scroll bars and notes are there to be seen; the Tab key passes over them.
-    const auto stops = [](const Widget& w) {
-      return !w.state.disabled && w.role != "scrollbar" && w.role != "note";
-    };
-    const bool at_end = back ? std::none_of(widgets.begin(), focused, stops)
-                             : std::none_of(focused + 1, widgets.end(), stops);
-    if (at_end) {
+    if (!window_.Registry().StopsBeyondFocus(back)) {
       host_.LeaveCanvas(back ? -1 : 1);
       return true;
     }

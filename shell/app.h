@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "shell/commands.h"
+#include "shell/panel_controller.h"
 #include "shell/panel_figure.h"
 #include "shell/session.h"
 #include "shell/stage.h"
@@ -48,6 +49,7 @@ class App {
   FigurePanelState figure_panel_;
   StageState stage_;
   bool phone_ = false;
+  ControllerPanelState controller_panel_;
   bool first_frame_told_ = false;
 };
 

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The Controller panel: what the figure senses, and its rules as cards.
+// The Controller panel: what the figure senses, its rules as cards, and the one of them that is being
+// changed.
 #pragma once
 
-#include "shell/session.h"
-#include "shell/widgets.h"
+#include "shell/rule_editor.h"
+#include "shell/rule_why.h"
 
 namespace gaitsmith::shell {
 
-void DrawControllerPanel(Ui&, Session&);
+/// What the panel remembers between frames.
+struct ControllerPanelState {
+  RuleWhyState why;
+  RuleEditorState editor;
+};
+
+void DrawControllerPanel(Ui&, Session&, ControllerPanelState&);
 
 }  // namespace gaitsmith::shell

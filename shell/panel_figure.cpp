@@ -9,6 +9,7 @@
 #include "core/numeric/scalar_math.h"
 #include "shell/figure_drawing.h"
 #include "shell/figure_edit.h"
+#include "shell/figure_gallery.h"
 #include "shell/wording.h"
 
 namespace gaitsmith::shell {
@@ -228,22 +229,25 @@ void DrawProblems(Ui& ui, Session& session, FigurePanelState& state) {
   }
   if (!ui.Combo("figure/problem", "Problem", titles, chosen, "Own")) return;
   session.ChooseProblem(chosen);
-  state = {.tool = state.tool};
+  state = {.tool = state.tool, .gallery_open = state.gallery_open};
 }
 
 }  // namespace
 
 void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
-  std::vector<std::string> names;
   int chosen = -1;
-  for (const Figure& figure : session.Figures()) {
-    if (figure.name == session.Doc().figure.name) chosen = static_cast<int>(names.size());
-    names.push_back(figure.name);
+  for (std::size_t i = 0; i < session.Figures().size(); ++i) {
+    if (session.Figures()[i].name == session.Doc().figure.name) chosen = static_cast<int>(i);
   }
-  if (ui.Combo("figure/choose", "Figure", names, chosen, "Own drawing")) {
-    session.ChooseFigure(chosen);
-    state = {.tool = state.tool};
+  ui.Heading("Figures");
+  ui.Gap(2.0f);
+  if (const auto pressed = DrawFigureGallery(ui, session.Figures(), chosen, state.gallery_open)) {
+    if (*pressed != chosen) session.ChooseFigure(*pressed);
+    state = {.tool = state.tool, .gallery_open = state.gallery_open};
   }
+  ui.Gap(4.0f);
+  ui.Paragraph("Another figure needs a controller of its own: the present ones go. Undo brings them back.",
+               Type::kNote);
   ui.Gap(6.0f);
   DrawProblems(ui, session, state);
   ui.Gap(10.0f);
@@ -253,7 +257,7 @@ void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
   if (ui.Button("figure/undo", {{tools.Max.x - 68.0f, tools.Min.y}, tools.Max}, "Undo", ButtonLook::kOutlined,
                 session.CanUndo())) {
     session.Undo();
-    state = {.tool = state.tool};
+    state = {.tool = state.tool, .gallery_open = state.gallery_open};
   }
   ui.Gap(8.0f);
   UseBoard(ui, session, state);

@@ -9,8 +9,9 @@ namespace gaitsmith::shell {
 
 /// What the figure's drawing board remembers between frames.
 struct FigurePanelState {
-  int tool = 0;       // 0 move, 1 grow a rod
-  int rod = -1;       // the selected one, as Figure::rods counts; -1 for none
+  int tool = 0;  // 0 move, 1 grow a rod
+  int rod = -1;  // the selected one, as Figure::rods counts; -1 for none
+  bool gallery_open = false;
   int endpoint = -1;  // the one being dragged, as the skeleton counts; -1 for none
   // While an endpoint is dragged the picture must not run away under the pointer: another endpoint stays
   // where it is.

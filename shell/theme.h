@@ -57,6 +57,7 @@ inline constexpr float kTabHeight = 39.0f;
 inline constexpr float kPanelPadding = 14.0f;
 inline constexpr float kPhoneWidth = 700.0f;  // narrower canvases get the phone's layout
 inline constexpr float kCornerRadius = 7.0f;
+inline constexpr float kKnobRadius = 7.0f;  // of sliders
 
 /// Sets colours and sizes of the few parts that Dear ImGui draws itself (scroll bars, pop-ups, text fields).
 void ApplyStyle(const Theme&);

@@ -29,6 +29,8 @@ void WidgetRegistry::Attach() {
 void WidgetRegistry::BeginFrame() {
   rects_.clear();
   widgets_.clear();
+  stops_before_focus_ = stops_after_focus_ = 0;
+  focus_seen_ = false;
 }
 
 void WidgetRegistry::OnItem(ImGuiID id, const ImRect& rect) { rects_[id] = rect; }
@@ -36,10 +38,21 @@ void WidgetRegistry::OnItem(ImGuiID id, const ImRect& rect) { rects_[id] = rect;
 void WidgetRegistry::Describe(ImGuiID id, Widget widget) {
   const auto found = rects_.find(id);
   if (found == rects_.end()) return;
+  // Scroll bars and notes are there to be seen; the Tab key passes over them.
+  const bool stops = !widget.state.disabled && widget.role != "scrollbar" && widget.role != "note";
+  if (widget.state.focused) {
+    focus_seen_ = true;
+  } else if (stops) {
+    ++(focus_seen_ ? stops_after_focus_ : stops_before_focus_);
+  }
   widget.rect = found->second;
   widget.rect.ClipWithFull(ImGui::GetCurrentWindowRead()->ClipRect);
   if (widget.rect.GetWidth() < 1.0f || widget.rect.GetHeight() < 1.0f) return;
   widgets_.push_back(std::move(widget));
+}
+
+bool WidgetRegistry::StopsBeyondFocus(bool back) const {
+  return (back ? stops_before_focus_ : stops_after_focus_) > 0;
 }
 
 std::string WidgetRegistry::Json() const {

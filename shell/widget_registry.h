@@ -46,11 +46,16 @@ class WidgetRegistry {
 
   /// In the order of drawing, which is the order of the Tab key.
   [[nodiscard]] const std::vector<Widget>& Widgets() const { return widgets_; }
+  /// Whether the Tab key has somewhere to go from the focused widget, scrolled out of sight or not.
+  [[nodiscard]] bool StopsBeyondFocus(bool back) const;
   [[nodiscard]] std::string Json() const;
 
  private:
   std::unordered_map<ImGuiID, ImRect> rects_;
   std::vector<Widget> widgets_;
+  int stops_before_focus_ = 0;
+  int stops_after_focus_ = 0;
+  bool focus_seen_ = false;
 };
 
 }  // namespace gaitsmith::shell

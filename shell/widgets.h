@@ -13,6 +13,7 @@
 
 #include "shell/backdrop.h"
 #include "shell/icons.h"
+#include "shell/slider_range.h"
 #include "shell/theme.h"
 #include "shell/widget_registry.h"
 
@@ -40,11 +41,11 @@ struct Touch {
   int steps = 0;         // arrow keys: left negative
 };
 
-struct SliderRange {
-  double low = 0.0;
-  double high = 1.0;
-  double step = 0.01;        // of the arrow keys and of the value itself
-  bool logarithmic = false;  // equal distances are equal ratios; low > 0
+/// An interval in [0, 1] of its track, drawn in its colour.
+struct SliderInterval {
+  float low, high;
+  std::string low_text, high_text;  // the ends as a person reads them
+  float mark = -1.0f;               // a value that moves in it; below 0: none
 };
 
 class Ui {
@@ -82,6 +83,13 @@ class Ui {
   /// Label and value above a thin track; takes its own rows. @return true when `value` changed
   bool Slider(std::string_view id, std::string_view label, double& value, const SliderRange&,
               std::string_view value_text);
+  /// The same in one row.
+  bool LineSlider(std::string_view id, std::string_view label, double& value, const SliderRange&,
+                  std::string_view value_text, ImU32 colour);
+  /// Two ends that never cross, each by pointer and by key, as widgets `id`/low and `id`/high; a row of its
+  /// own.
+  /// @return true when an end changed
+  bool IntervalSlider(std::string_view id, std::string_view label, SliderInterval&, ImU32 colour);
   /// A whole number with a step down and up; a click on the number types it.
   bool Number(std::string_view id, std::string_view label, int& value, int low, int high, int step = 1);
   bool Switch(std::string_view id, std::string_view label, bool& on);
@@ -109,6 +117,7 @@ class Ui {
 
  private:
   ImU32 ButtonInk(ButtonLook, const ImRect&, const Touch&, bool enabled) const;
+  void DrawKnob(ImVec2 centre, const Touch&, ImU32 colour) const;
 
   const Theme& theme_;
   WidgetRegistry& registry_;

@@ -6,33 +6,6 @@
 #include "shell/widgets.h"
 
 namespace gaitsmith::shell {
-namespace {
-
-constexpr float kKnobRadius = 7.0f;
-
-// Where a value stands on its track, in [0, 1], and back.
-double ShareOf(double value, const SliderRange& range) {
-  const double share = range.logarithmic ? std::log(value / range.low) / std::log(range.high / range.low)
-                                         : (value - range.low) / (range.high - range.low);
-  return std::clamp(share, 0.0, 1.0);
-}
-
-double ValueAt(double share, const SliderRange& range) {
-  const double value = range.logarithmic ? range.low * std::pow(range.high / range.low, share)
-                                         : range.low + share * (range.high - range.low);
-  return std::clamp(std::round(value / range.step) * range.step, range.low, range.high);
-}
-
-// The next value by key: on a logarithmic track at least one step, at most one fiftieth of the track.
-double Stepped(double value, int steps, const SliderRange& range) {
-  if (!range.logarithmic) return std::clamp(value + steps * range.step, range.low, range.high);
-  const double moved = ValueAt(ShareOf(value, range) + 0.02 * steps, range);
-  const double least = value + steps * range.step;
-  return std::clamp(steps > 0 ? std::max(moved, least) : std::min(moved, least), range.low, range.high);
-}
-
-}  // namespace
-
 bool Ui::Slider(std::string_view id, std::string_view label, double& value, const SliderRange& range,
                 std::string_view value_text) {
   const float label_height = Fonts::LineHeight(Type::kBody) + 4.0f;
@@ -49,29 +22,25 @@ bool Ui::Slider(std::string_view id, std::string_view label, double& value, cons
   const double before = value;
   if (touch.held && ImGui::GetIO().MouseClickedPos[0].y > rect.Min.y + 0.5f * label_height) {
     const float share = std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0f, 1.0f);
-    value = ValueAt(static_cast<double>(share), range);
+    value = range.ValueAt(static_cast<double>(share));
   }
-  if (touch.steps != 0) value = Stepped(value, touch.steps, range);
+  if (touch.steps != 0) value = range.Stepped(value, touch.steps);
 
   const Palette& p = Ink();
   ImDrawList* list = Canvas();
   const float label_y = rect.Min.y + 0.5f * label_height;
   Letters().Draw(list, Type::kBody, {rect.Min.x, label_y}, p.ink, label);
   Letters().Draw(list, Type::kBody, {rect.Max.x, label_y}, p.second_ink, value_text, Align::kRight);
-  const float x = left + static_cast<float>(ShareOf(value, range)) * (right - left);
+  const float x = left + static_cast<float>(range.ShareOf(value)) * (right - left);
   const ImVec2 knob(x, track_y);
   list->AddRectFilled({rect.Min.x, track_y - 2.0f}, {rect.Max.x, track_y + 2.0f}, p.soft, 2.0f);
   // A range across zero is filled from zero, so that "none" looks like none.
   const bool signed_range = range.low < 0.0 && range.high > 0.0;
   const float zero =
-      signed_range ? left + static_cast<float>(ShareOf(0.0, range)) * (right - left) : rect.Min.x;
+      signed_range ? left + static_cast<float>(range.ShareOf(0.0)) * (right - left) : rect.Min.x;
   list->AddRectFilled({std::min(zero, x), track_y - 2.0f}, {std::max(zero, x), track_y + 2.0f}, p.accent,
                       2.0f);
-  const float radius = touch.held ? kKnobRadius + 1.0f : kKnobRadius;
-  if (touch.hovered || touch.focused) list->AddCircleFilled(knob, radius + 5.0f, Fade(p.accent, 0.18f));
-  list->AddCircleFilled(knob, radius, p.accent);
-  list->AddCircleFilled(knob, radius - 2.0f, p.panel);
-  if (touch.focused) list->AddCircle(knob, radius + 5.0f, p.accent, 0, 2.0f);
+  DrawKnob(knob, touch, p.accent);
   return value != before;
 }
 

@@ -29,6 +29,15 @@ Figure ShippedFigure(const std::string& name) {
   return *figure;
 }
 
+std::vector<std::string> ShippedFigureFiles() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(kRoot / "examples/figures")) {
+    names.push_back(entry.path().stem().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
 Figure LyingRod() {
   Rod rod;
   rod.length_m = 1.3f;

@@ -16,6 +16,9 @@ std::string ReadFile(const std::string& path);
 /// A figure of examples/figures, e.g. "mr-star-man".
 Figure ShippedFigure(const std::string& name);
 
+/// The names of all figures of examples/figures, sorted.
+std::vector<std::string> ShippedFigureFiles();
+
 /// One rod of 1.3 m and 0.7 kg, lying flat.
 Figure LyingRod();
 

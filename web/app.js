@@ -39,6 +39,7 @@
 /**
  * A document as JSON (docs/formats.md), as far as the page itself reads it.
  * @typedef {{title?: string, figure: {name?: string}, kind?: string, senses?: {kind?: string}, search?: SearchJson,
+ *   environment?: {slope_rad?: number}, pushes?: {endpoint: number, impulse_x_ns: number, impulse_y_ns: number}[],
  *   task?: {kind?: string, weights?: Record<string, number>}}} DocumentJson
  */
 

@@ -70,6 +70,21 @@ class Bank {
     return chosen;
   }
 
+  /// What Choose compares, number by number: tells (rule, sense, off) of every interval that this lane's
+  /// rules care about, in their order; off = |S - mid| / half-width, at most 1 inside.
+  template <class Told>
+  void Measure(const SenseVector<W>& senses, int lane, Told told) const {
+    const Interval* interval = intervals_.data();
+    for (std::size_t rule = 0; rule < static_cast<std::size_t>(shape_.rules); ++rule) {
+      for (const Interval* end = interval + intervals_of_[rule]; interval != end; ++interval) {
+        const F off = L::Abs(senses[interval->sense] - interval->middle) * interval->inverse_half_width;
+        if (L::At(interval->inverse_half_width, lane) > 0.0f) {
+          told(static_cast<int>(rule), static_cast<int>(interval->sense), L::At(off, lane));
+        }
+      }
+    }
+  }
+
   /// The rules that a timer chooses at a phase: a function of that alone, so it is tabled; -1 where no
   /// stimulus holds it and the present rule stays. Only for banks with a timer.
   /// @param phase step within the period, [0, period_steps)
@@ -147,9 +162,7 @@ class Bank {
   void AddInterval(std::span<const std::span<const Gene>> genomes, int rule, int sense) {
     Interval interval{F{}, F{}, static_cast<std::size_t>(sense)};
     bool any_cares = false;
-    const bool timer = senses_.kind == SenseKind::kTimer;
-    const float edge_low = timer ? 0.0f : kEdgeLow;
-    const float edge_high = timer ? 1.0f : kEdgeHigh;
+    const auto [edge_low, edge_high] = EdgesOf(senses_.kind);
     // Half a grid cell: a stimulus of one point is still a point that can be hit.
     const float least_half_width = (edge_high - edge_low) * (0.5f / 65535.0f);
     for (int lane = 0; lane < W; ++lane) {

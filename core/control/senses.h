@@ -48,6 +48,14 @@ struct SenseSpec {
 inline constexpr float kEdgeLow = -0.25f;
 inline constexpr float kEdgeHigh = 1.25f;
 
+/// Where the ends of stimulus intervals may lie.
+struct Edges {
+  float low, high;
+};
+[[nodiscard]] constexpr Edges EdgesOf(SenseKind kind) {
+  return kind == SenseKind::kTimer ? Edges{0.0f, 1.0f} : Edges{kEdgeLow, kEdgeHigh};
+}
+
 /// Values in the sense vector of a figure with this many rods: 2 n + 2 physical, 1 timer.
 [[nodiscard]] int SenseCount(SenseKind kind, int rods);
 

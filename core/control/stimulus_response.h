@@ -59,7 +59,15 @@ struct BankShape {
   return low + (high - low) * (static_cast<float>(gene) * (1.0f / 65535.0f));
 }
 
+/// The gene whose number lies nearest: Encode(Decode(g)) = g wherever the grid is wider than a float's
+/// rounding.
+/// @param value clamped to [low, high]; an empty range gives 0
+[[nodiscard]] Gene Encode(float value, float low, float high);
+
 /// The time constant of a gene [s]: log-uniform over the spec's range.
 [[nodiscard]] float DecodeTau(Gene gene, const SenseSpec&);
+
+/// The gene whose time constant lies nearest, as a ratio. @param tau_s clamped to the spec's range
+[[nodiscard]] Gene EncodeTau(float tau_s, const SenseSpec&);
 
 }  // namespace gaitsmith

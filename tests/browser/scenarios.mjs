@@ -11,6 +11,7 @@ import { KEPT_WORK_SCENARIOS } from './kept_work_scenarios.mjs';
 import { LAB_SCENARIOS } from './lab_scenarios.mjs';
 import { PALETTE_SCENARIOS } from './palette_scenarios.mjs';
 import { WORLD_SCENARIOS } from './world_scenarios.mjs';
+import { RULE_SCENARIOS } from './rule_scenarios.mjs';
 import { nativeHash } from './native.mjs';
 
 /** @typedef {import('./browsers.mjs').Browser} Browser */
@@ -240,6 +241,7 @@ export const SCENARIOS = [
   ...PALETTE_SCENARIOS,
 
   ...WORLD_SCENARIOS,
+  ...RULE_SCENARIOS,
 
   ['Undo waits until there is something to undo, and the plain controls act at once', async ({ browser, address }) => {
     const fresh = await PageDriver.open(browser, address);

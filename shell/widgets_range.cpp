@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// Sliders in one row: one value, or the two ends of an interval.
+#include <algorithm>
+
+#include "shell/widgets.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+constexpr float kTrack = 4.0f;     // height
+constexpr float kKeyStep = 0.01f;  // of an interval's track
+constexpr float kLabelWidth = 66.0f;
+constexpr float kValueWidth = 50.0f;
+
+// Where the pointer has the knob: it keeps the distance that it was taken hold of at, so that nothing jumps.
+float HeldAt(const Touch& touch, float knob_x) {
+  ImGuiStorage* storage = ImGui::GetStateStorage();
+  const float pointer = ImGui::GetIO().MousePos.x;
+  if (touch.began) storage->SetFloat(touch.id, knob_x - pointer);
+  return pointer + storage->GetFloat(touch.id);
+}
+
+}  // namespace
+
+void Ui::DrawKnob(ImVec2 centre, const Touch& touch, ImU32 colour) const {
+  ImDrawList* list = Canvas();
+  const float radius = touch.held ? kKnobRadius + 1.0f : kKnobRadius;
+  if (touch.hovered || touch.focused) list->AddCircleFilled(centre, radius + 5.0f, Fade(colour, 0.18f));
+  list->AddCircleFilled(centre, radius, colour);
+  list->AddCircleFilled(centre, radius - 2.0f, Ink().panel);
+  if (touch.focused) list->AddCircle(centre, radius + 5.0f, Ink().accent, 0, 2.0f);
+}
+
+bool Ui::LineSlider(std::string_view id, std::string_view label, double& value, const SliderRange& range,
+                    std::string_view value_text, ImU32 colour) {
+  const ImRect row = ControlRow();
+  const float y = row.GetCenter().y;
+  const float left = row.Min.x + kLabelWidth + kKnobRadius;
+  const float right = row.Max.x - kValueWidth - kKnobRadius;
+  const Touch touch = Area(id, row, Grab::kArrows,
+                           {.label = std::string(label), .role = "slider", .value = std::string(value_text)});
+  if (!touch.visible) return false;
+  const double before = value;
+  if (touch.held && ImGui::GetIO().MouseClickedPos[0].x > left - 2.0f * kKnobRadius) {
+    const float share = std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0f, 1.0f);
+    value = range.ValueAt(static_cast<double>(share));
+  }
+  if (touch.steps != 0) value = range.Stepped(value, touch.steps);
+
+  const Palette& p = Ink();
+  ImDrawList* list = Canvas();
+  Letters().Draw(list, Type::kBody, {row.Min.x, y}, p.ink, label);
+  Letters().Draw(list, Type::kBody, {row.Max.x, y}, p.second_ink, value_text, Align::kRight);
+  const auto x_of = [&](double v) { return left + static_cast<float>(range.ShareOf(v)) * (right - left); };
+  list->AddRectFilled({left - kKnobRadius, y - 0.5f * kTrack}, {right + kKnobRadius, y + 0.5f * kTrack},
+                      p.soft, 2.0f);
+  const float zero = range.low < 0.0 && range.high > 0.0 ? x_of(0.0) : left - kKnobRadius;
+  list->AddRectFilled({std::min(zero, x_of(value)), y - 0.5f * kTrack},
+                      {std::max(zero, x_of(value)), y + 0.5f * kTrack}, colour, 2.0f);
+  DrawKnob({x_of(value), y}, touch, colour);
+  return value != before;
+}
+
+bool Ui::IntervalSlider(std::string_view id, std::string_view label, SliderInterval& interval, ImU32 colour) {
+  const Palette& p = Ink();
+  ImDrawList* list = Canvas();
+  const ImRect row = Row(theme_.touch ? 36.0f : 26.0f);
+  const float y = row.GetCenter().y;
+  const float left = row.Min.x + kKnobRadius;
+  const float right = row.Max.x - kKnobRadius;
+  const auto x_of = [&](float share) { return left + share * (right - left); };
+
+  // Each end owns the space on its own side, so that both can be had where they stand on each other.
+  const float reach = theme_.touch ? 22.0f : 13.0f;
+  const float low_x = x_of(interval.low), high_x = x_of(interval.high);
+  const float between = 0.5f * (low_x + high_x);
+  const ImRect low_area({low_x - reach, row.Min.y}, {std::min(low_x + reach, between), row.Max.y});
+  const ImRect high_area({std::max(high_x - reach, between), row.Min.y}, {high_x + reach, row.Max.y});
+  const std::string name(id), words(label);
+  const Touch low = Area(name + "/low", low_area, Grab::kArrows,
+                         {.label = words + " from", .role = "slider", .value = interval.low_text});
+  const Touch high = Area(name + "/high", high_area, Grab::kArrows,
+                          {.label = words + " to", .role = "slider", .value = interval.high_text});
+  const float low_before = interval.low, high_before = interval.high;
+  const auto moved = [&](const Touch& touch, float share, float least, float most) {
+    if (!touch.held && touch.steps == 0) return share;
+    if (touch.held) share = (HeldAt(touch, x_of(share)) - left) / (right - left);
+    return std::clamp(share + kKeyStep * static_cast<float>(touch.steps), least, most);
+  };
+  interval.low = moved(low, interval.low, 0.0f, std::max(interval.high, interval.low));
+  interval.high = moved(high, interval.high, interval.low, 1.0f);
+
+  list->AddRectFilled({row.Min.x, y - 3.0f}, {row.Max.x, y + 3.0f}, Mix(p.soft, p.line, 0.5f), 3.0f);
+  const bool holds = interval.mark >= interval.low && interval.mark <= interval.high;
+  list->AddRectFilled({x_of(interval.low), y - 3.0f}, {x_of(interval.high), y + 3.0f},
+                      Mix(p.panel, colour, holds ? 0.95f : 0.45f));
+  DrawKnob({x_of(interval.low), y}, low, colour);
+  DrawKnob({x_of(interval.high), y}, high, colour);
+  if (interval.mark >= 0.0f) {
+    const float x = theme_.Snap(x_of(std::min(interval.mark, 1.0f)));
+    list->AddRectFilled({x - 1.0f, y - 7.0f}, {x + 1.0f, y + 7.0f}, p.ink);
+  }
+  return interval.low != low_before || interval.high != high_before;
+}
+
+}  // namespace gaitsmith::shell

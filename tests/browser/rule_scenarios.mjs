@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// The rules of a controller, read and changed by hand, and the gallery of figures. Each opens pages of its own.
+import assert from 'node:assert/strict';
+import { PageDriver } from './page_driver.mjs';
+
+/** @typedef {import('./scenarios.mjs').Visit} Visit */
+
+/** @param {PageDriver} page @param {string} id */
+async function widget(page, id) {
+  return (await page.widgets()).find((candidate) => candidate.id === id);
+}
+
+/** @param {PageDriver} page @param {string} id */
+async function centre(page, id) {
+  const found = await widget(page, id);
+  assert.ok(found, `no ${id} on the canvas`);
+  const { x, y, width, height } = found.rect;
+  return { x: x + width / 2, y: y + height / 2 };
+}
+
+/** Turns the wheel over the panel until the widget is wholly there. @param {PageDriver} page @param {string} id */
+async function scrollTo(page, id) {
+  const stage = (await widget(page, 'stage'))?.rect ?? { x: 0, y: 0, width: 0, height: 0 };
+  await page.page.mouse.move(stage.x + stage.width + 150, stage.y + 300);
+  for (let turn = 0; turn < 20 && ((await widget(page, id))?.rect.height ?? 0) < 24; turn++) {
+    await page.page.mouse.wheel({ deltaY: 120 });
+    await page.frames();
+  }
+  await page.frames();
+}
+
+/** @param {PageDriver} page @param {{x: number, y: number}} from @param {number} right */
+async function drag(page, from, right) {
+  await page.page.mouse.move(from.x, from.y);
+  await page.frames();
+  await page.page.mouse.down();
+  await page.frames();
+  for (let step = 1; step <= 4; step++) {
+    await page.page.mouse.move(from.x + (right * step) / 4, from.y);
+    await page.frames(2);
+  }
+  await page.page.mouse.up();
+  await page.frames();
+}
+
+/** @param {PageDriver} page */
+async function undo(page) {
+  await page.clickElement('#undo');
+  await page.frames();
+}
+
+/** What the tests look at. @typedef {{figure: {name: string, rods: unknown[]}, controllers?: {name: string, rules: unknown[]}[]}} Contents */
+
+/** @param {PageDriver} page @returns {Promise<Contents>} */
+const document = (page) => page.call('document', () => /** @type {any} */ (window.gaitsmith.document()));
+
+/** The number of the rule that acts now and cares about something, and of a sense it cares about. @param {PageDriver} page */
+async function activeRule(page) {
+  for (let step = 0; step < 40; step++) {
+    const card = (await page.widgets()).find(({ id, state, value }) => id.startsWith('controller/rule/') && state.selected && !value.includes('no sense'));
+    if (card) return card;
+    await page.click('transport/step');
+  }
+  return assert.fail('no active rule on the panel');
+}
+
+/** @param {Visit} visit */
+async function byMouse({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  await page.click('panels/1');
+  await page.click('transport/play');
+  const before = await page.hash();
+  const card = await activeRule(page);
+  const number = card.id.split('/')[2];
+  const why = await widget(page, 'controller/why');
+  assert.match(why?.label ?? '', new RegExp(`Rule ${number} (acts|stays on)`));
+  assert.equal(card.state.expanded, false);
+  await page.click(card.id);
+  assert.equal((await widget(page, card.id))?.state.expanded, true);
+  assert.equal(await page.hash(), before, 'opening a rule changes nothing');
+
+  // A whole drag is one step back.
+  await scrollTo(page, 'rule-edit/tau');
+  const low = (await page.widgets()).find(({ id }) => /^rule-edit\/sense\/\d+\/low$/.test(id));
+  assert.ok(low, 'an active rule has an interval');
+  await drag(page, await centre(page, low.id), 60);
+  assert.notEqual((await widget(page, low.id))?.value, low.value);
+  const changed = await page.hash();
+  assert.notEqual(changed, before);
+  const edited = await document(page);
+  assert.match(edited.controllers?.[0].name ?? '', /, edited$/);
+  await undo(page);
+  assert.equal(await page.hash(), before);
+  assert.doesNotMatch((await document(page)).controllers?.[0].name ?? '', /edited/);
+
+  // A limb of the target pose.
+  const pose = await widget(page, 'rule-edit/pose');
+  assert.ok(pose, 'the pose is on the panel');
+  const middle = { x: pose.rect.x + pose.rect.width / 2, y: pose.rect.y + pose.rect.height / 2 };
+  const genes = async () => JSON.stringify((await document(page)).controllers?.[0]);
+  const kept = await genes();
+  // Limbs are taken hold of to all sides of the hub, until one is hit.
+  for (let angle = 0.1; angle < 6.3 && await genes() === kept; angle += 0.4) {
+    await drag(page, { x: middle.x + 32 * Math.cos(angle), y: middle.y + 32 * Math.sin(angle) }, 24);
+  }
+  assert.notEqual(await genes(), kept, 'no limb could be turned');
+  await undo(page);
+  assert.equal(await genes(), kept);
+  assert.equal(await page.hash(), before);
+
+  // A copy changes no motion; without its first rule it is another.
+  const count = async () => (await document(page)).controllers?.[0].rules.length;
+  const rules = await count() ?? 0;
+  await page.page.mouse.move(middle.x, middle.y);
+  await page.page.mouse.wheel({ deltaY: -100 });
+  await page.frames();
+  await page.click('rule-edit/copy');
+  assert.equal(await count(), rules + 1);
+  assert.equal(await page.hash(), before);
+  await page.click('rule-edit/delete');
+  assert.equal(await count(), rules);
+  assert.equal(await page.hash(), before);
+  assert.equal(await widget(page, 'rule-edit/pose'), undefined, 'the editor of a deleted rule closes');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** Presses Tab until the widget has the focus. @param {PageDriver} page @param {(id: string) => boolean} wanted */
+async function tabTo(page, wanted) {
+  for (let presses = 0; presses < 90; presses++) {
+    const focused = (await page.widgets()).find(({ state }) => state.focused);
+    if (focused && wanted(focused.id)) return focused.id;
+    await page.page.keyboard.press('Tab', { delay: 40 });
+    await page.frames(2);
+  }
+  return assert.fail('Tab does not get there');
+}
+
+/** @param {Visit} visit */
+async function byKeyboard({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const before = await page.hash();
+  await page.page.focus('canvas');
+  await page.frames(6);
+  for (const id of ['transport/play', 'panels/1']) {
+    await tabTo(page, (candidate) => candidate === id);
+    await page.page.keyboard.press('Enter', { delay: 40 });
+    await page.frames(6);
+  }
+  const card = await tabTo(page, (id) => id === 'controller/rule/1');
+  assert.match((await widget(page, 'controller/why'))?.label ?? '', /Rule 1 /, 'what has the keyboard is explained');
+  await page.page.keyboard.press('Enter', { delay: 40 });
+  await page.frames(6);
+  assert.equal((await widget(page, card))?.state.expanded, true);
+  const end = await tabTo(page, (id) => /^rule-edit\/sense\/\d+\/high$/.test(id));
+  const value = (await widget(page, end))?.value;
+  await page.page.keyboard.down('Shift');
+  await page.page.keyboard.press('ArrowLeft', { delay: 60 });
+  await page.page.keyboard.up('Shift');
+  await page.frames();
+  assert.notEqual((await widget(page, end))?.value, value);
+  assert.notEqual(await page.hash(), before);
+  await page.page.focus('#undo');
+  await page.page.keyboard.press('Enter', { delay: 40 });
+  await page.frames();
+  assert.equal(await page.hash(), before);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function gallery({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const before = await page.hash();
+  await page.click('panels/0');
+  const tiles = async () => (await page.widgets()).filter(({ id }) => /^figure\/gallery\/\d+$/.test(id));
+  assert.equal((await tiles()).length, 3, 'closed, it shows the row of the present figure');
+  assert.equal((await tiles()).find(({ state }) => state.checked)?.label, 'Mr. Star-Man');
+  await page.click('figure/gallery');
+  const all = await tiles();
+  assert.ok(all.length >= 15, `${all.length} figures in the gallery`);
+  assert.equal(new Set(all.map(({ label }) => label)).size, all.length);
+  const spider = all.find(({ label }) => label === 'Spider');
+  assert.ok(spider);
+  await page.click(spider.id);
+  const chosen = await document(page);
+  assert.deepEqual([chosen.figure.name, chosen.figure.rods.length, chosen.controllers?.length ?? 0], ['Spider', 13, 0]);
+  assert.match(await page.status(), /Spider.*Synthesize.*Undo/);
+  assert.equal((await tiles()).find(({ state }) => state.checked)?.label, 'Spider');
+  await undo(page);
+  assert.equal(await page.hash(), before);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @type {[string, (visit: Visit) => Promise<void>][]} */
+export const RULE_SCENARIOS = [
+  ['a rule is opened, its interval and its pose are dragged, copied and deleted; Undo brings the motion back', byMouse],
+  ['a rule is changed by the keyboard alone, and the one in focus is explained', byKeyboard],
+  ['the gallery shows all figures, and one of them takes the stage', gallery],
+];
