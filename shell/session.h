@@ -55,8 +55,8 @@ class Session {
   [[nodiscard]] int SelectedClip() const { return selected_clip_; }
   void SelectClip(int clip);
   [[nodiscard]] const Controller* ShownController() const;
-  /// Changes the shown controller in place, by hand: its name says so from then on, a search that would replace it
-  /// ends, and settings of the next search that were this controller's number of rules stay so.
+  /// Changes the shown controller in place, by hand: its name says so from then on, a search that would
+  /// replace it ends, and settings of the next search that were this controller's number of rules stay so.
   bool ChangeController(const std::function<void(Controller&)>& edit);
   void AddClip();
   void RemoveClip();
