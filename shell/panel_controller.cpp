@@ -84,8 +84,9 @@ void DrawSettings(Ui& ui, Session& session) {
 }
 
 // The cards, two in a row; the editor of an open one follows its row.
-void DrawRules(Ui& ui, Session& session, const Controller& shown, ControllerPanelState& state) {
-  const Controller controller = shown;  // an edit replaces the shown one while the rest is still being drawn
+void DrawRules(Ui& ui, Session& session, ControllerPanelState& state) {
+  // A copy: an edit replaces the shown one while the rest is still being drawn.
+  const Controller controller = *session.ShownController();
   if (state.editor.rule >= controller.rules) state.editor = {};
   const ImRect why = RuleWhyRow(ui);
   ui.Gap(10.0f);
@@ -143,7 +144,7 @@ void DrawControllerPanel(Ui& ui, Session& session, ControllerPanelState& state) 
   }
   if (shown == nullptr) return;
   if (shown->kind == ControllerKind::kNetwork) return DrawNetwork(ui, session, *shown);
-  DrawRules(ui, session, *shown, state);
+  DrawRules(ui, session, state);
 }
 
 }  // namespace gaitsmith::shell

@@ -239,15 +239,15 @@ void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
   for (std::size_t i = 0; i < session.Figures().size(); ++i) {
     if (session.Figures()[i].name == session.Doc().figure.name) chosen = static_cast<int>(i);
   }
-  ui.Heading("Figures");
-  ui.Gap(2.0f);
   if (const auto pressed = DrawFigureGallery(ui, session.Figures(), chosen, state.gallery_open)) {
     if (*pressed != chosen) session.ChooseFigure(*pressed);
     state = {.tool = state.tool, .gallery_open = state.gallery_open};
   }
-  ui.Gap(4.0f);
-  ui.Paragraph("Another figure needs a controller of its own: the present ones go. Undo brings them back.",
-               Type::kNote);
+  if (state.gallery_open) {
+    ui.Gap(4.0f);
+    ui.Paragraph("Another figure needs a controller of its own: the present ones go. Undo brings them back.",
+                 Type::kNote);
+  }
   ui.Gap(6.0f);
   DrawProblems(ui, session, state);
   ui.Gap(10.0f);

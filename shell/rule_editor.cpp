@@ -211,11 +211,9 @@ void DrawJoints(const OpenRule& open) {
 }  // namespace
 
 void DrawRuleEditor(Ui& ui, Session& session, const Controller& controller, RuleEditorState& state) {
-  // The session makes a new motion and a new controller at every change, so each part of one frame works on
-  // copies of what was there when it began.
-  const Controller drawn = controller;
+  // A change makes a new motion, while the rest is still being drawn.
   const Skeleton bones = session.player.Shown().Bones();
-  const OpenRule open{ui, session, drawn, bones, state.rule, ui.Look().Rule(state.rule)};
+  const OpenRule open{ui, session, controller, bones, state.rule, ui.Look().Rule(state.rule)};
   const float top = ImGui::GetCursorScreenPos().y;
   if (!DrawHeader(open, state)) return;
   ui.Gap(4.0f);

@@ -18,7 +18,9 @@ struct RuleEditorState {
   ImVec2 origin{0.0f, 0.0f};  // canvas position of endpoint 0
 };
 
-/// @param controller the session's shown one, of rules; state.rule is one of them
+/// @param controller the session's shown one as this frame began, of rules: a copy, for edits replace the
+/// session's
+///                   own. state.rule is one of them
 void DrawRuleEditor(Ui&, Session&, const Controller& controller, RuleEditorState&);
 
 }  // namespace gaitsmith::shell

@@ -39,15 +39,15 @@ struct Clockwork {
 
 TEST_CASE("why: the winner's sense, its depth, and by how much it beats the next", "[shell][rule_words]") {
   const Clockwork clockwork;
-  // The timer of a frame is that of the step before: 0.30 s. Rule 1 is 1 - 0.1 / 0.2 deep, rule 2 1 - 0.3 /
+  // Rule 1 is 1 - 0.1 / 0.2 deep, rule 2 1 - 0.3 /
   // 0.4.
-  CHECK(clockwork.Why(31, 0) ==
+  CHECK(clockwork.Why(30, 0) ==
         "Rule 1 acts: timer at 0.30 s lies in its interval (depth 0.50 of 1). It beats rule 2 (depth 0.25) "
         "by 0.25.");
-  CHECK(clockwork.Why(31, 1) == "Rule 2 holds too (depth 0.25), but rule 1 is deeper by 0.25.");
-  CHECK(clockwork.Why(31, 2) == "Rule 3 rests: timer at 0.30 s lies 0.30 s below its interval.");
+  CHECK(clockwork.Why(30, 1) == "Rule 2 holds too (depth 0.25), but rule 1 is deeper by 0.25.");
+  CHECK(clockwork.Why(30, 2) == "Rule 3 rests: timer at 0.30 s lies 0.30 s below its interval.");
   // 1.10 s is 0.10 s again.
-  CHECK(clockwork.Why(111, 0) ==
+  CHECK(clockwork.Why(110, 0) ==
         "Rule 1 acts: timer at 0.10 s lies in its interval (depth 0.50 of 1). No other rule holds; nearest "
         "is rule 2: "
         "timer at 0.10 s, 0.10 s below its interval.");
@@ -60,12 +60,12 @@ TEST_CASE("why: before anything is felt the first rule acts, and without a match
         "Rule 1 acts: a controller begins with its first rule, before anything is felt.");
   CHECK(clockwork.Why(0, 2) == "Rule 3 waits: nothing is felt yet, and a controller begins with rule 1.");
   RuleEdit(clockwork.document.controllers[0], 3, 1).SetInterval(0, 0.2f, 0.5f);
-  CHECK(clockwork.Why(56, 1) ==
+  CHECK(clockwork.Why(55, 1) ==
         "Rule 2 stays on: no rule's intervals hold what is felt. Nearest is rule 1: timer at 0.55 s, 0.15 s "
         "above its "
         "interval.");
   RuleEdit(clockwork.document.controllers[0], 3, 2).SetCares(0, false);
-  CHECK(clockwork.Why(56, 2).starts_with("Rule 3 acts: it heeds no sense, so it always holds."));
+  CHECK(clockwork.Why(55, 2).starts_with("Rule 3 acts: it heeds no sense, so it always holds."));
 }
 
 TEST_CASE("why: of a clip that is not in charge nothing is said", "[shell][rule_words]") {
