@@ -10,7 +10,7 @@ namespace {
 
 // In double precision, so that rounding here never costs a grid cell.
 Gene Nearest(double share) {
-  return static_cast<Gene>(std::clamp(share, 0.0, 1.0) * static_cast<double>(kGeneMax) + 0.5);
+  return static_cast<Gene>(std::lround(std::clamp(share, 0.0, 1.0) * static_cast<double>(kGeneMax)));
 }
 
 }  // namespace

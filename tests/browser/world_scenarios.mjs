@@ -90,8 +90,30 @@ async function byHand({ browser, address }) {
   await page.close();
 }
 
+/** @param {Visit} visit */
+async function style({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const before = await page.hash();
+  await page.click('panels/2');
+  const stage = (await widget(page, 'stage'))?.rect ?? { x: 0, y: 0, width: 0, height: 0 };
+  await page.page.mouse.move(stage.x + stage.width + 100, stage.y + 200);
+  await page.page.mouse.wheel({ deltaY: 3000 });
+  await page.click('style/try');
+  await page.until('the trial to end', () => /^Search done/.test(document.querySelector('#status')?.textContent ?? ''));
+  const settings = await page.call('search', () => window.gaitsmith.document().search);
+  assert.equal(settings?.algorithm, 'sphc', 'a trial changed the settings of the real search');
+  await page.click('world/open');
+  assert.equal((await widget(page, 'world/ghost'))?.value, 'Before the last search');
+  if (await page.hash() !== before) await page.clickElement('#undo');
+  await page.frames();
+  assert.equal(await page.hash(), before);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
 /** @type {[string, (visit: Visit) => Promise<void>][]} */
 export const WORLD_SCENARIOS = [
   ['the world by number: a push and a slope change the motion, a link carries them, reset takes them back', byNumber],
   ['the world by hand: a foot pulled on the stage is pushed, Undo takes it back; zoom and follow', byHand],
+  ['a style tried from the shown motion leaves the search as it was, shows what was before as a ghost, and can be undone', style],
 ];
