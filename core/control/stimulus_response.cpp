@@ -2,6 +2,7 @@
 #include "core/control/stimulus_response.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/numeric/scalar_math.h"
 

@@ -40,14 +40,14 @@ TEST_CASE("choice: depths, winner and runner-up are those of the law by hand", "
     spec.kind = seed % 4 == 0 ? SenseKind::kTimer : SenseKind::kPhysical;
     const Controller controller = RandomController(figure, spec, seed);
     const BankShape shape = controller.Shape(figure.Rods()).Bank();
-    std::vector<float> senses;
-    for (int i = 0; i < shape.senses; ++i) senses.push_back(static_cast<float>(random.Uniform()));
+    std::vector<float> senses(static_cast<std::size_t>(shape.senses));
+    for (float& sense : senses) sense = static_cast<float>(random.Uniform());
     const int present = static_cast<int>(random.Below(10));
     const RuleChoice choice = ChoiceOf(controller, figure.Rods(), senses, present);
 
-    std::vector<double> depth;
+    std::vector<double> depth(static_cast<std::size_t>(shape.rules));
     for (int rule = 0; rule < shape.rules; ++rule)
-      depth.push_back(DepthByHand(controller, shape, rule, senses));
+      depth[static_cast<std::size_t>(rule)] = DepthByHand(controller, shape, rule, senses);
     const auto at = [&](int rule) { return depth[static_cast<std::size_t>(rule)]; };
     const auto best = static_cast<int>(std::ranges::max_element(depth) - depth.begin());
     // What rounding may decide is not asked.
@@ -88,8 +88,8 @@ TEST_CASE("choice: of every frame of a motion it names the rule that acted", "[c
       const int count = SenseCount(kind, document.figure.Rods());
       int wrong = 0;
       for (int frame = 1; frame < motion.Frames(); ++frame) {
-        std::vector<float> senses;
-        for (int i = 0; i < count; ++i) senses.push_back(motion.Sense(frame, i));
+        std::vector<float> senses(static_cast<std::size_t>(count));
+        for (int i = 0; i < count; ++i) senses[static_cast<std::size_t>(i)] = motion.Sense(frame, i);
         const RuleChoice choice =
             ChoiceOf(document.controllers[0], document.figure.Rods(), senses, motion.At(frame - 1).rule);
         wrong += choice.rule != motion.At(frame).rule ? 1 : 0;
