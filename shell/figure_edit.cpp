@@ -29,6 +29,27 @@ float RoundAngle(float radians) {
 float Direction(ImVec2 from, ImVec2 to) { return std::atan2(to.y - from.y, to.x - from.x); }
 float Distance(ImVec2 from, ImVec2 to) { return std::hypot(to.x - from.x, to.y - from.y); }
 
+/// The joint as its mirror image has it. A root has no joint, and its angle is against the ground.
+void MirrorJoint(Rod& rod) {
+  rod.rest_rad = rod.parent == kNoParent ? Wrapped(kPiF - rod.rest_rad) : Wrapped(-rod.rest_rad);
+  const float least = rod.min_rad;
+  rod.min_rad = -rod.max_rad;
+  rod.max_rad = -least;
+}
+
+/// Which rods are this one or hang on it, however far down. Rods may stand in any order.
+std::vector<bool> LimbOf(const Figure& figure, int rod) {
+  std::vector<bool> limb(figure.rods.size(), false);
+  limb[static_cast<std::size_t>(rod)] = true;
+  for (std::size_t pass = 0; pass < limb.size(); ++pass) {
+    for (std::size_t i = 0; i < limb.size(); ++i) {
+      const int parent = figure.rods[i].parent;
+      if (parent != kNoParent && limb[static_cast<std::size_t>(parent)]) limb[i] = true;
+    }
+  }
+  return limb;
+}
+
 float DirectionOf(const DrawnFigure& drawn, int limb) {
   const auto i = static_cast<std::size_t>(limb);
   return Direction(drawn.points[static_cast<std::size_t>(drawn.skeleton.limbs[i].start)],
@@ -76,19 +97,10 @@ Figure WithRodFrom(const DrawnFigure& drawn, int endpoint, ImVec2 target) {
 }
 
 Figure WithoutRod(const Figure& figure, int rod) {
-  const int count = figure.Rods();
-  std::vector<bool> gone(static_cast<std::size_t>(count), false);
-  gone[static_cast<std::size_t>(rod)] = true;
-  // Rods may stand in any order, so the loss spreads until nothing changes.
-  for (int pass = 0; pass < count; ++pass) {
-    for (std::size_t i = 0; i < gone.size(); ++i) {
-      const int parent = figure.rods[i].parent;
-      if (parent != kNoParent && gone[static_cast<std::size_t>(parent)]) gone[i] = true;
-    }
-  }
+  const std::vector<bool> gone = LimbOf(figure, rod);
   Figure rest = figure;
   rest.rods.clear();
-  std::vector<int> index(static_cast<std::size_t>(count), kNoParent);
+  std::vector<int> index(gone.size(), kNoParent);
   for (std::size_t i = 0; i < gone.size(); ++i) {
     if (gone[i]) continue;
     index[i] = rest.Rods();
@@ -98,6 +110,40 @@ Figure WithoutRod(const Figure& figure, int rod) {
     if (kept.parent != kNoParent) kept.parent = index[static_cast<std::size_t>(kept.parent)];
   }
   return rest;
+}
+
+Figure WithLimbCopied(const Figure& figure, int rod) {
+  const std::vector<bool> limb = LimbOf(figure, rod);
+  Figure grown = figure;
+  std::vector<int> index(limb.size(), kNoParent);
+  for (std::size_t i = 0; i < limb.size(); ++i) {
+    if (!limb[i]) continue;
+    index[i] = grown.Rods();
+    grown.rods.push_back(figure.rods[i]);
+    MirrorJoint(grown.rods.back());
+  }
+  for (std::size_t i = 0; i < limb.size(); ++i) {
+    if (!limb[i] || static_cast<int>(i) == rod) continue;
+    grown.rods[static_cast<std::size_t>(index[i])].parent =
+        index[static_cast<std::size_t>(figure.rods[i].parent)];
+  }
+  Rod& top = grown.rods[static_cast<std::size_t>(index[static_cast<std::size_t>(rod)])];
+  constexpr float kClose = 0.1f;
+  constexpr float kTurn = kPiF / 9.0f;  // 18 of them go round
+  const auto taken = [&] {
+    return std::ranges::any_of(figure.rods, [&](const Rod& other) {
+      return other.parent == top.parent && other.parent_end == top.parent_end &&
+             std::abs(Wrapped(other.rest_rad - top.rest_rad)) < kClose;
+    });
+  };
+  for (int turn = 0; turn < 18 && taken(); ++turn) top.rest_rad = Wrapped(top.rest_rad + kTurn);
+  return grown;
+}
+
+Figure Mirrored(const Figure& figure) {
+  Figure mirrored = figure;
+  for (Rod& rod : mirrored.rods) MirrorJoint(rod);
+  return mirrored;
 }
 
 }  // namespace gaitsmith::shell

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What drawing does to a figure: an endpoint moved, a rod grown, a rod taken away. Nothing here validates;
-// core does.
+// What drawing does to a figure: an endpoint moved, a rod grown, taken away or copied, all of it mirrored.
+// Nothing here validates; core does.
 #pragma once
 
 #include <imgui.h>
@@ -26,5 +26,12 @@ struct DrawnFigure {
 
 /// Without this rod and all that hang on it. @param rod index in Figure::rods, not the root
 [[nodiscard]] Figure WithoutRod(const Figure&, int rod);
+
+/// The rod and all that hang on it once more, mirrored about their parent: a left leg makes a right one.
+/// Turned on a little where another rod stands there already. @param rod index in Figure::rods, not the root
+[[nodiscard]] Figure WithLimbCopied(const Figure&, int rod);
+
+/// Left and right exchanged, joint limits too.
+[[nodiscard]] Figure Mirrored(const Figure&);
 
 }  // namespace gaitsmith::shell

@@ -202,14 +202,20 @@ void EditRod(Ui& ui, Session& session, FigurePanelState& state) {
     });
   }
   ui.Gap(8.0f);
+  if (root) {
+    ui.Paragraph("The root carries all others, so it can be neither copied nor deleted.", Type::kNote);
+    return;
+  }
   const ImRect row = ui.ControlRow();
-  if (ui.Button("figure/delete", row,
-                root ? "The root carries all others" : "Delete this rod and what hangs on it",
-                ButtonLook::kOutlined, !root)) {
-    Figure rest = WithoutRod(figure, state.rod);
-    rest.name = kOwnName;
-    session.ReplaceFigure(rest);
-    state.rod = -1;
+  const float middle = row.GetCenter().x;
+  const auto replace = [&](Figure next, int selected) {
+    next.name = kOwnName;
+    if (session.ReplaceFigure(next)) state.rod = selected;
+  };
+  if (ui.Button("figure/copy", {row.Min, {middle - 4.0f, row.Max.y}}, "Copy limb")) {
+    replace(WithLimbCopied(figure, state.rod), figure.Rods());
+  } else if (ui.Button("figure/delete", {{middle + 4.0f, row.Min.y}, row.Max}, "Delete limb")) {
+    replace(WithoutRod(figure, state.rod), -1);
   }
 }
 
@@ -267,6 +273,9 @@ void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
                Type::kNote);
   ui.Gap(8.0f);
   EditRod(ui, session, state);
+  ui.Gap(8.0f);
+  if (ui.Button("figure/mirror", ui.ControlRow(), "Mirror left and right"))
+    session.ReplaceFigure(Mirrored(session.Doc().figure));
 }
 
 }  // namespace gaitsmith::shell

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Copying limbs and mirroring, on figures whose endpoints can be compared.
+#include "shell/figure_edit.h"
+
+#include <catch_amalgamated.hpp>
+#include <cmath>
+
+#include "core/document/json.h"
+#include "shell/embedded.h"
+
+namespace gaitsmith::shell {
+
+namespace {
+
+/// Endpoints as drawn [m], the root's start at the origin.
+std::vector<ImVec2> Drawn(const Figure& figure) {
+  const Skeleton bones(figure);
+  std::vector<ImVec2> points(static_cast<std::size_t>(bones.endpoints));
+  std::vector<float> direction(static_cast<std::size_t>(bones.rods));
+  for (std::size_t i = 0; i < direction.size(); ++i) {
+    const Skeleton::Limb& limb = bones.limbs[i];
+    direction[i] = limb.parent < 0 ? bones.start_angle_rad
+                                   : direction[static_cast<std::size_t>(limb.parent)] + limb.rest_rad;
+    const ImVec2 start = points[static_cast<std::size_t>(limb.start)];
+    points[i + 1] = {start.x + limb.length_m * std::cos(direction[i]),
+                     start.y + limb.length_m * std::sin(direction[i])};
+  }
+  return points;
+}
+
+std::vector<Figure> Shipped() {
+  std::vector<Figure> figures;
+  for (const Example& example : ExampleFigures()) figures.push_back(*DecodeFigureJson(example.json));
+  return figures;
+}
+
+}  // namespace
+
+TEST_CASE("a mirrored figure has every endpoint on the other side, and mirrored again it is the first",
+          "[figure_edit]") {
+  for (const Figure& figure : Shipped()) {
+    CAPTURE(figure.name);
+    const Figure mirrored = Mirrored(figure);
+    REQUIRE(Validate(mirrored));
+    const auto before = Drawn(figure);
+    const auto after = Drawn(mirrored);
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      REQUIRE(std::abs(after[k].x + before[k].x) < 1e-4f);
+      REQUIRE(std::abs(after[k].y - before[k].y) < 1e-4f);
+    }
+    const Figure back = Mirrored(mirrored);
+    for (std::size_t i = 0; i < figure.rods.size(); ++i) {
+      REQUIRE(std::abs(std::remainder(back.rods[i].rest_rad - figure.rods[i].rest_rad, 6.2831853f)) < 1e-5f);
+      REQUIRE(back.rods[i].min_rad == figure.rods[i].min_rad);
+      REQUIRE(back.rods[i].max_rad == figure.rods[i].max_rad);
+    }
+  }
+}
+
+TEST_CASE("a copied limb has as many rods again, the same lengths, and stands where none stood",
+          "[figure_edit]") {
+  for (const Figure& figure : Shipped()) {
+    for (int rod = 0; rod < figure.Rods(); ++rod) {
+      if (figure.rods[static_cast<std::size_t>(rod)].parent == kNoParent) continue;
+      CAPTURE(figure.name, rod);
+      const int limb = figure.Rods() - WithoutRod(figure, rod).Rods();
+      const Figure grown = WithLimbCopied(figure, rod);
+      REQUIRE(grown.Rods() == figure.Rods() + limb);
+      if (grown.Rods() <= kMaxRods) REQUIRE(Validate(grown));
+      // Taken away again, the figure is what it was.
+      const Figure back = WithoutRod(grown, figure.Rods());
+      REQUIRE(back.Rods() <= figure.Rods() + limb - 1);
+      for (int i = 0; i < figure.Rods(); ++i) {
+        REQUIRE(back.rods[static_cast<std::size_t>(i)].rest_rad ==
+                figure.rods[static_cast<std::size_t>(i)].rest_rad);
+      }
+      float lengths = 0.0f;
+      for (const Rod& one : figure.rods) lengths += one.length_m;
+      float without = 0.0f;
+      for (const Rod& one : WithoutRod(figure, rod).rods) without += one.length_m;
+      float grown_lengths = 0.0f;
+      for (const Rod& one : grown.rods) grown_lengths += one.length_m;
+      REQUIRE(std::abs(grown_lengths - (2.0f * lengths - without)) < 1e-3f);
+    }
+  }
+}
+
+}  // namespace gaitsmith::shell
