@@ -38,7 +38,7 @@
 /** What a document says about its search, as far as the page shows it. @typedef {{algorithm?: string}} SearchJson */
 /**
  * A document as JSON (docs/formats.md), as far as the page itself reads it.
- * @typedef {{title?: string, figure: {name?: string}, kind?: string, senses?: {kind?: string}, search?: SearchJson,
+ * @typedef {{title?: string, figure: {name?: string, rods?: object[]}, kind?: string, senses?: {kind?: string}, search?: SearchJson,
  *   environment?: {slope_rad?: number}, pushes?: {endpoint: number, impulse_x_ns: number, impulse_y_ns: number}[],
  *   task?: {kind?: string, weights?: Record<string, number>}}} DocumentJson
  */

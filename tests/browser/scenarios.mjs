@@ -6,6 +6,7 @@ import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { ROOT } from './browsers.mjs';
 import { PageDriver, sleep } from './page_driver.mjs';
+import { FIGURE_SCENARIOS } from './figure_scenarios.mjs';
 import { HISTORY_SCENARIOS } from './history_scenarios.mjs';
 import { KEPT_WORK_SCENARIOS } from './kept_work_scenarios.mjs';
 import { LAB_SCENARIOS } from './lab_scenarios.mjs';
@@ -241,6 +242,7 @@ export const SCENARIOS = [
   ...PALETTE_SCENARIOS,
 
   ...WORLD_SCENARIOS,
+  ...FIGURE_SCENARIOS,
   ...RULE_SCENARIOS,
 
   ['Undo waits until there is something to undo, and the plain controls act at once', async ({ browser, address }) => {
