@@ -10,20 +10,12 @@
 #include "shell/panel_lab.h"
 #include "shell/panel_search.h"
 #include "shell/panel_style.h"
+#include "shell/panels.h"
 #include "shell/stage.h"
 #include "shell/timeline.h"
 #include "shell/transport.h"
 
 namespace gaitsmith::shell {
-namespace {
-
-// The order of View::panel. On a phone the timeline is the last of them.
-constexpr std::array<std::string_view, 6> kPanels = {"Figure", "Controller", "Style",
-                                                     "Search", "Lab",        "Timeline"};
-constexpr int kDeskPanels = 5;
-constexpr int kTimelinePanel = 5;
-
-}  // namespace
 
 bool App::Advance(double seconds) {
   // After a pause of the whole page (a hidden tab) the motion goes on from where it was.
@@ -94,10 +86,10 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
 
   int panel = Panel(static_cast<int>(kPanels.size()));
   const ImRect tabs({whole.Min.x, tabs_y}, {whole.Max.x, tabs_y + tab_height});
-  if (ui.Tabs("panels", tabs, kPanels, panel)) {
-    ChoosePanel(panel);
-    stage_.world.open = false;
-  }
+  if (ui.Tabs("panels", tabs, kPanels, panel)) ChoosePanel(panel);
+  // Whatever chooses another panel, a tab, a key or a command, wants to see it.
+  if (panel != panel_before_) stage_.world.open = false;
+  panel_before_ = panel;
   const ImRect rest({whole.Min.x, tabs.Max.y}, whole.Max);
   if (stage_.world.open) {
     DrawWorldCard(ui, session_, stage_.world, rest);  // the stage has no room for it
@@ -144,6 +136,11 @@ void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
 
 std::vector<Command> App::Commands() {
   std::vector<Command> list = CommandsOf(session_, phone_);
+  list.push_back(
+      {.id = "view/world",
+       .group = "View",
+       .title = stage_.world.open ? "Close the world card" : "World: push, slope, friction, gravity, ghost",
+       .run = [this] { stage_.world.open = !stage_.world.open; }});
   for (Command& command : ShelfOf(session_)) list.push_back(std::move(command));
   return list;
 }

@@ -48,6 +48,7 @@ class App {
   Session session_;
   FigurePanelState figure_panel_;
   StageState stage_;
+  int panel_before_ = -1;  // on a phone, in the frame before
   bool phone_ = false;
   ControllerPanelState controller_panel_;
   bool first_frame_told_ = false;

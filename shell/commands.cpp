@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "shell/commands.h"
 
-#include <array>
 #include <utility>
 
 #include "core/document/json.h"
 #include "core/document/json_value.h"
 #include "shell/embedded.h"
+#include "shell/panels.h"
 
 namespace gaitsmith::shell {
 namespace {
@@ -68,10 +68,8 @@ void AddSearch(std::vector<Command>& list, Session& session) {
 }
 
 void AddPanels(std::vector<Command>& list, Session& session, bool phone) {
-  constexpr std::array<const char*, 6> kNames = {"Figure", "Controller", "Style",
-                                                 "Search", "Lab",        "Timeline"};
-  for (int i = 0; i < (phone ? 6 : 5); ++i) {
-    const std::string name = kNames[static_cast<std::size_t>(i)];
+  for (int i = 0; i < (phone ? static_cast<int>(kPanels.size()) : kDeskPanels); ++i) {
+    const std::string name(kPanels[static_cast<std::size_t>(i)]);
     list.push_back({.id = "panel/" + name,
                     .group = "Panels",
                     .title = name + " panel",

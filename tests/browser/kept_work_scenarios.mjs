@@ -25,10 +25,7 @@ const leave = (page) => page.call('leave', () => {
 });
 
 /** Goes away as a person does, so that the page hears of it. @param {PageDriver} page @param {string} address */
-const leaveFor = async (page, address) => {
-  await page.page.goto(address);
-  await page.call('ready', () => window.gaitsmith.ready.then(() => true));
-};
+const leaveFor = (page, address) => page.arrive(() => page.page.goto(address));
 
 /** @param {Visit} visit */
 async function reloadRestores({ browser, address }) {

@@ -47,13 +47,26 @@ export class PageDriver {
     });
     await page.evaluateOnNewDocument(keepWorkers);
     if (before) await page.evaluateOnNewDocument(before);
-    await page.goto(address);
-    await driver.call('ready', () => window.gaitsmith.ready.then(() => true));
+    await driver.arrive(() => page.goto(address));
     return driver;
   }
 
-  async reload() {
-    await this.page.reload();
+  async reload() { await this.arrive(() => this.page.reload()); }
+
+  /**
+   * Goes to a page of the playground and waits until it is ready. A browser may say that it has arrived while scripts
+   * are still answered by the page before, or by none: so that one is marked, and answers without a page do not count.
+   * @param {() => Promise<unknown>} leave
+   */
+  async arrive(leave) {
+    await this.page.evaluate(() => { document.documentElement.dataset.left = 'true'; });
+    await leave();
+    for (const start = Date.now(); ; await sleep(50)) {
+      const there = await this.page.evaluate(() => !document.documentElement.dataset.left && 'gaitsmith' in window)
+        .catch(() => false);
+      if (there) break;
+      assert.ok(Date.now() - start < PATIENCE_MS, 'the page has not come');
+    }
     await this.call('ready', () => window.gaitsmith.ready.then(() => true));
   }
 
