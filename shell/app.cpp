@@ -179,11 +179,27 @@ bool App::Key(std::string_view name, bool on_canvas, bool repeated) {
   return false;
 }
 
+// SDL makes a mouse of the first finger, which must let go when a second one comes.
+bool App::TakeFingers(const SDL_Event& event) {
+  if (event.type == SDL_FINGERDOWN || event.type == SDL_FINGERMOTION || event.type == SDL_FINGERUP) {
+    if (stage_.pinch.Take(event.tfinger, ImGui::GetIO().DisplaySize)) {
+      ImGui::GetIO().AddMousePosEvent(-FLT_MAX, -FLT_MAX);
+      ImGui::GetIO().AddMouseButtonEvent(ImGuiMouseButton_Left, false);
+    }
+    return false;
+  }
+  if (!stage_.pinch.Holds()) return false;
+  return (event.type == SDL_MOUSEMOTION && event.motion.which == SDL_TOUCH_MOUSEID) ||
+         ((event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEBUTTONUP) &&
+          event.button.which == SDL_TOUCH_MOUSEID);
+}
+
 bool App::Take(const SDL_Event& event) {
   // A key that repeats, and the keys of a number being typed, go on with what was begun.
   const bool key_down = event.type == SDL_KEYDOWN;
   const bool fresh_key = key_down && event.key.repeat == 0 && !ImGui::GetIO().WantTextInput;
   if (fresh_key || event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_FINGERDOWN) session_.BeginGesture();
+  if (TakeFingers(event)) return true;
   if (!key_down) return false;
   const SDL_Keysym key = event.key.keysym;
   const bool busy = ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;

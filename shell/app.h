@@ -40,6 +40,7 @@ class App {
   void DrawDesk(Ui&, const ImRect& whole);
   void DrawPhone(Ui&, const ImRect& whole);
   void DrawPanel(Ui&, const ImRect&, int panel);
+  bool TakeFingers(const SDL_Event&);
   [[nodiscard]] int Panel(int panels) const;
   void ChoosePanel(int panel);
 

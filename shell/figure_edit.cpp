@@ -76,6 +76,31 @@ Figure WithEndpointAt(const DrawnFigure& drawn, int endpoint, ImVec2 target) {
   return figure;
 }
 
+Figure WithLimbTurned(const DrawnFigure& drawn, int limb, float direction_rad) {
+  const Skeleton::Limb& turned = drawn.skeleton.limbs[static_cast<std::size_t>(limb)];
+  const float parent = turned.parent < 0 ? 0.0f : DirectionOf(drawn, turned.parent);
+  Figure figure = drawn.figure;
+  figure.rods[static_cast<std::size_t>(turned.drawn)].rest_rad =
+      Wrapped(RoundAngle(Wrapped(direction_rad)) - parent);
+  return figure;
+}
+
+float SnappedAngle(float radians) {
+  constexpr float kStep = kPiF / 12.0f;
+  return std::round(radians / kStep) * kStep;
+}
+
+ImVec2 Snapped(ImVec2 from, ImVec2 to) {
+  constexpr float kStep = 0.05f;
+  const float length = std::max(kStep, std::round(Distance(from, to) / kStep) * kStep);
+  const float angle = SnappedAngle(Direction(from, to));
+  return {from.x + length * std::cos(angle), from.y + length * std::sin(angle)};
+}
+
+Figure SingleRod() {
+  return {.name = "", .rods = {{.length_m = 1.0f, .mass_kg = 1.0f, .rest_rad = 0.5f * kPiF}}};
+}
+
 Figure WithRodFrom(const DrawnFigure& drawn, int endpoint, ImVec2 target) {
   const int limb = std::max(0, endpoint - 1);
   Figure figure = drawn.figure;

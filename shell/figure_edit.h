@@ -21,6 +21,18 @@ struct DrawnFigure {
 /// Turns and stretches the rod that ends there. The rods that hang on it keep their direction and come along.
 [[nodiscard]] Figure WithEndpointAt(const DrawnFigure&, int endpoint, ImVec2 target);
 
+/// Turns this rod and all that hang on it about the joint where it begins. @param direction_rad of the rod,
+/// anticlockwise from the right
+[[nodiscard]] Figure WithLimbTurned(const DrawnFigure&, int limb, float direction_rad);
+
+/// To the next 15°.
+[[nodiscard]] float SnappedAngle(float radians);
+/// `to`, in a snapped direction and a whole number of 5 cm from `from`, at least one.
+[[nodiscard]] ImVec2 Snapped(ImVec2 from, ImVec2 to);
+
+/// One upright rod to begin with.
+[[nodiscard]] Figure SingleRod();
+
 /// A new rod from this endpoint; as heavy per metre as the figure's average.
 [[nodiscard]] Figure WithRodFrom(const DrawnFigure&, int endpoint, ImVec2 target);
 

@@ -166,7 +166,12 @@ EMSCRIPTEN_KEEPALIVE const char* gs_score() {
   return ThePage().reply.c_str();
 }
 
-EMSCRIPTEN_KEEPALIVE void gs_set_theme(int dark) { ThePage().window->SetDark(dark != 0); }
+/// @param palette a PaletteName
+EMSCRIPTEN_KEEPALIVE void gs_set_theme(int palette, double scale) {
+  Window& window = *ThePage().window;
+  window.SetPalette(static_cast<PaletteName>(std::clamp(palette, 0, 3)));
+  window.SetScale(static_cast<float>(std::clamp(scale, 0.5, 4.0)));
+}
 
 /// Draws no more often than this; 0: as often as the display does.
 EMSCRIPTEN_KEEPALIVE void gs_set_frame_rate(double per_second) { ThePage().pace.Limit(per_second); }

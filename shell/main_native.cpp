@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The desktop window:
-//   gaitsmith-window [document.json | link] [--dark] [--size 1280x720] [--scale 1.5] [--panel 0..5]
+//   gaitsmith-window [document.json | link] [--theme light|dark|projector|contrast] [--size 1280x720]
+//   [--scale 1.5] [--panel 0..5]
 // A file dropped on the window is opened; Ctrl+S saves beside it, Ctrl+C copies a link. Other keys are the
 // commands' (commands.cpp).
 #include <charconv>
@@ -22,7 +23,7 @@ namespace {
 
 struct Arguments {
   std::string document;
-  bool dark = false;
+  PaletteName palette = PaletteName::kLight;
   int panel = -1;
   Window::Options window;
 };
@@ -33,12 +34,29 @@ float Number(const char* text) {
   return value;
 }
 
+bool ParseTheme(std::string_view name, Arguments& arguments) {
+  if (name == "light") {
+    arguments.palette = PaletteName::kLight;
+  } else if (name == "dark") {
+    arguments.palette = PaletteName::kDark;
+  } else if (name == "projector") {
+    arguments.palette = PaletteName::kStrongLight;
+    arguments.window.scale *= 1.25f;
+  } else if (name == "contrast") {
+    arguments.palette = PaletteName::kStrongDark;
+  } else {
+    return false;
+  }
+  return true;
+}
+
 bool Parse(int count, char** words, Arguments& arguments) {
   for (int i = 1; i < count; ++i) {
     const std::string word = words[i];
     const char* next = i + 1 < count ? words[i + 1] : "";
-    if (word == "--dark") {
-      arguments.dark = true;
+    if (word == "--theme") {
+      if (!ParseTheme(next, arguments)) return false;
+      ++i;
     } else if (word == "--size") {
       if (std::sscanf(next, "%dx%d", &arguments.window.width, &arguments.window.height) != 2) return false;
       ++i;
@@ -169,7 +187,8 @@ int Run(int count, char** words) {
   Arguments arguments;
   if (!Parse(count, words, arguments)) {
     std::fputs(
-        "usage: gaitsmith-window [document.json | link] [--dark] [--size WxH] [--scale S] [--panel N]\n",
+        "usage: gaitsmith-window [document.json | link] [--theme light|dark|projector|contrast] [--size WxH] "
+        "[--scale S] [--panel N]\n",
         stderr);
     return 2;
   }
@@ -178,7 +197,7 @@ int Run(int count, char** words) {
     std::fprintf(stderr, "gaitsmith-window: %s\n", SDL_GetError());
     return 1;
   }
-  window->SetDark(arguments.dark);
+  window->SetPalette(arguments.palette);
   Desktop desktop(*window);
   if (!arguments.document.empty()) desktop.Open(arguments.document);
   if (arguments.panel >= 0)

@@ -213,7 +213,9 @@ bool Session::ReplaceFigure(const Figure& figure) {
   const bool fits = SameRods(figure, document_.figure);
   const Edit edit = [&](Document& d) {
     d.figure = figure;
-    if (!fits) Strip(d);
+    if (fits) return;
+    Strip(d);
+    d.title = figure.name;
   };
   const auto next = Edited(edit);
   if (!next) return false;

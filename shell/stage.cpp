@@ -15,6 +15,8 @@ namespace gaitsmith::shell {
 namespace {
 
 constexpr int kPosesShown = 5;
+constexpr float kLeastZoom = 0.1f;
+constexpr float kMostZoom = 6.0f;
 
 struct Scene {
   Ui& ui;
@@ -203,7 +205,8 @@ void DrawNumbers(const Scene& s) {
   const std::string words = std::string(jump ? "jump" : "travel") + " · slip " + Fixed(terms.slip_sum_m, 1) +
                             " m · " + Fixed(terms.rotations, 1) + " rotations · peak " +
                             Fixed(terms.max_cm_height_m, 2) + " m";
-  letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 22.0f}, s.rect.GetWidth() - 32.0f, p.second_ink,
+  // The button in the corner reaches down to this line.
+  letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 22.0f}, s.rect.GetWidth() - 134.0f, p.second_ink,
                      words);
   if (terms.broke_physics) {
     letters.Draw(s.list, Type::kNote, {at.x, at.y + 40.0f}, p.bad,
@@ -222,8 +225,25 @@ void DrawNumbers(const Scene& s) {
 void Zoom(StageState& state, const Touch& touch) {
   const float wheel = ImGui::GetIO().MouseWheel;
   if (!touch.hovered || wheel == 0.0f) return;
-  state.zoom = std::clamp(state.zoom * std::pow(1.15f, wheel), 0.1f, 6.0f);
+  state.zoom = std::clamp(state.zoom * std::pow(1.15f, wheel), kLeastZoom, kMostZoom);
   if (std::abs(state.zoom - 1.0f) < 0.02f) state.zoom = 1.0f;
+}
+
+// What lies between the fingers stays there. Whatever one finger had begun is over.
+void TakePinch(Session& session, StageState& state, const ImRect& rect, float ground_y) {
+  state.pinch.area = rect;
+  if (!state.pinch.Holds()) return;
+  if (state.push.drawn) session.player.Play(state.push.was_playing);
+  state.push = {};
+  state.panning = false;
+  const Pinch::Change change = state.pinch.TakeChange();
+  const auto metres = [&](float x) {
+    const Camera camera = AimCamera(session, state, rect, ground_y);
+    return camera.left_m + static_cast<double>((x - rect.Min.x) / camera.scale);
+  };
+  const double held_m = metres(change.from.x);
+  state.zoom = std::clamp(state.zoom * change.zoom, kLeastZoom, kMostZoom);
+  state.pan_m += held_m - metres(change.to.x);
 }
 
 // @return true when a drag has moved the picture, until it ends
@@ -259,6 +279,7 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect) 
                .value = Fixed(terms.travel_m, 2) + " m after " + Fixed(session.player.TimeS(), 2) + " s"});
   Zoom(state, touch);
   const float ground_y = ui.Look().Snap(rect.Max.y - std::clamp(0.178f * rect.GetHeight(), 62.0f, 130.0f));
+  TakePinch(session, state, rect, ground_y);
   const Scene scene{.ui = ui,
                     .session = session,
                     .player = session.player,
@@ -280,9 +301,10 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect) 
   DrawFigure(scene.list, motion.Bones(), endpoints,
              {.rods = ui.Ink().ink, .joints = active, .width = RodWidth(motion.Bones(), scene.camera.scale)});
   if (view.forces) DrawForces(scene, endpoints);
-  const bool pushing = PushByHand(ui, session, state.push, touch, scene.camera, endpoints);
-  const bool panned = !pushing && Pan(state, touch, scene.camera.scale);
-  if (touch.pressed && !pushing && !panned) session.player.Play(!session.player.Playing());
+  const bool pinching = state.pinch.Holds();
+  const bool pushing = !pinching && PushByHand(ui, session, state.push, touch, scene.camera, endpoints);
+  const bool panned = !pinching && !pushing && Pan(state, touch, scene.camera.scale);
+  if (touch.pressed && !pinching && !pushing && !panned) session.player.Play(!session.player.Playing());
   if (view.poses) {
     const Playback::Point centre = session.player.CentreAt(session.player.TimeS());
     DrawLetter(scene, centre.x_m, centre.y_m, active, past.next);

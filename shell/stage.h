@@ -3,6 +3,7 @@
 // got.
 #pragma once
 
+#include "shell/pinch.h"
 #include "shell/push_gesture.h"
 #include "shell/session.h"
 #include "shell/widgets.h"
@@ -16,6 +17,7 @@ struct StageState {
   double pan_m = 0.0;  // of the camera away from the figure
   bool panning = false;
   PushGesture push;
+  Pinch pinch;
   WorldCardState world;
 };
 

@@ -34,7 +34,33 @@ constexpr Palette kDark = {.paper = Rgb(0x14181d),
                            .accent_ink = Rgb(0x0d1420),
                            .good = Rgb(0x63c796),
                            .bad = Rgb(0xf08a80),
-                           .ground = IM_COL32(0x33, 0x3c, 0x46, 89)};
+                           .ground = IM_COL32(0x33, 0x3c, 0x46, 89),
+                           .dark = true};
+
+constexpr Palette kStrongLight = {.paper = Rgb(0xffffff),
+                                  .panel = Rgb(0xffffff),
+                                  .ink = Rgb(0x000000),
+                                  .second_ink = Rgb(0x2b2b2b),
+                                  .line = Rgb(0x767676),
+                                  .soft = Rgb(0xe6e6e6),
+                                  .accent = Rgb(0x0039b3),
+                                  .accent_ink = Rgb(0xffffff),
+                                  .good = Rgb(0x005c2e),
+                                  .bad = Rgb(0x9b0000),
+                                  .ground = IM_COL32(0x00, 0x00, 0x00, 36)};
+
+constexpr Palette kStrongDark = {.paper = Rgb(0x000000),
+                                 .panel = Rgb(0x000000),
+                                 .ink = Rgb(0xffffff),
+                                 .second_ink = Rgb(0xdcdcdc),
+                                 .line = Rgb(0x8c8c8c),
+                                 .soft = Rgb(0x2a2a2a),
+                                 .accent = Rgb(0xffd83d),
+                                 .accent_ink = Rgb(0x000000),
+                                 .good = Rgb(0x6dff9f),
+                                 .bad = Rgb(0xff9d92),
+                                 .ground = IM_COL32(0xff, 0xff, 0xff, 48),
+                                 .dark = true};
 
 constexpr std::array<ImU32, 10> kRules = {Rgb(0x2092ea), Rgb(0xdd8a53), Rgb(0x106c6f), Rgb(0x61459b),
                                           Rgb(0xeb54a9), Rgb(0xb4af0f), Rgb(0x8cb58f), Rgb(0x804538),
@@ -44,7 +70,18 @@ ImVec4 Float(ImU32 colour) { return ImGui::ColorConvertU32ToFloat4(colour); }
 
 }  // namespace
 
-const Palette& PaletteOf(bool dark) { return dark ? kDark : kLight; }
+const Palette& PaletteOf(PaletteName name) {
+  switch (name) {
+    case PaletteName::kDark:
+      return kDark;
+    case PaletteName::kStrongLight:
+      return kStrongLight;
+    case PaletteName::kStrongDark:
+      return kStrongDark;
+    default:
+      return kLight;
+  }
+}
 
 ImU32 RuleColour(int rule, bool dark) {
   const ImU32 colour = kRules[static_cast<std::size_t>(rule) % kRules.size()];

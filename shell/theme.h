@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The look in numbers: colours for light and dark, the ten rule colours, sizes, and Dear ImGui's own style
+// The look in numbers: colours of the themes, the ten rule colours, sizes, and Dear ImGui's own style
 // made to match.
 #pragma once
 
@@ -21,9 +21,13 @@ struct Palette {
   ImU32 good;
   ImU32 bad;
   ImU32 ground;  // laid over the paper below the ground line
+  bool dark = false;
 };
 
-[[nodiscard]] const Palette& PaletteOf(bool dark);
+/// The strong ones have the contrast that projectors and tired eyes need: every colour of text and line at
+/// least 7 : 1 and 4.5 : 1 against what it stands on.
+enum class PaletteName { kLight, kDark, kStrongLight, kStrongDark };
+[[nodiscard]] const Palette& PaletteOf(PaletteName);
 
 /// Colour of a rule (or controller), counted from 0; repeats after ten. Chosen near the design's ten so that
 /// any two stay at least 22 apart in CIE Lab for protanopes, deuteranopes and tritanopes [Machado 2009] (the
@@ -37,13 +41,12 @@ struct Palette {
 
 /// Everything a widget needs to know about how to look. One per window; rebuilt parts are replaced in place.
 struct Theme {
-  Palette palette = PaletteOf(false);
+  Palette palette = PaletteOf(PaletteName::kLight);
   Fonts fonts;
-  bool dark = false;
   bool touch = false;    // fingers: every target at least 36 px high
   float density = 1.0f;  // device pixels per point
 
-  [[nodiscard]] ImU32 Rule(int rule) const { return RuleColour(rule, dark); }
+  [[nodiscard]] ImU32 Rule(int rule) const { return RuleColour(rule, palette.dark); }
   /// Height of buttons, fields and sliders' hit areas [points].
   [[nodiscard]] float ControlHeight() const { return touch ? 38.0f : 30.0f; }
   /// Moves a coordinate to the nearest device pixel, so that one-pixel lines stay one pixel.

@@ -69,8 +69,10 @@ std::string WidgetRegistry::Json() const {
     AppendFlag(json, "expanded", widget.state.expanded);
     char rect[128];
     std::snprintf(rect, sizeof rect, "},\"rect\":{\"x\":%.1f,\"y\":%.1f,\"width\":%.1f,\"height\":%.1f}}",
-                  static_cast<double>(widget.rect.Min.x), static_cast<double>(widget.rect.Min.y),
-                  static_cast<double>(widget.rect.GetWidth()), static_cast<double>(widget.rect.GetHeight()));
+                  static_cast<double>(widget.rect.Min.x * scale_),
+                  static_cast<double>(widget.rect.Min.y * scale_),
+                  static_cast<double>(widget.rect.GetWidth() * scale_),
+                  static_cast<double>(widget.rect.GetHeight() * scale_));
     json += rect;
   }
   return json + "]";

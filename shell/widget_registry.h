@@ -30,13 +30,16 @@ struct Widget {
       {};  // an ARIA role: button, radio, slider, switch, tab, combobox, option, spinbutton, img...
   std::string value = {};  // as shown, e.g. "0.80 s"
   WidgetState state = {};
-  ImRect rect = {};  // the visible part, in points of the canvas (CSS pixels)
+  ImRect rect = {};  // the visible part, in points of the canvas
 };
 
 class WidgetRegistry {
  public:
   /// Makes Dear ImGui's current context report to this registry.
   void Attach();
+
+  /// CSS pixels for a point of the canvas.
+  void SetScale(float scale) { scale_ = scale; }
 
   void BeginFrame();
   /// From the hooks: an item was laid out.
@@ -48,11 +51,13 @@ class WidgetRegistry {
   [[nodiscard]] const std::vector<Widget>& Widgets() const { return widgets_; }
   /// Whether the Tab key has somewhere to go from the focused widget, scrolled out of sight or not.
   [[nodiscard]] bool StopsBeyondFocus(bool back) const;
+  /// Rectangles in CSS pixels.
   [[nodiscard]] std::string Json() const;
 
  private:
   std::unordered_map<ImGuiID, ImRect> rects_;
   std::vector<Widget> widgets_;
+  float scale_ = 1.0f;
   int stops_before_focus_ = 0;
   int stops_after_focus_ = 0;
   bool focus_seen_ = false;

@@ -59,6 +59,7 @@ std::unique_ptr<Window> Window::Open(const Options& options) {
 
 Window::Window(SDL_Window* window, SDL_GLContext context, float scale)
     : window_(window), context_(context), scale_(scale) {
+  registry_.SetScale(scale);
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
@@ -107,10 +108,15 @@ void Window::RasteriseType(float density) {
   ApplyStyle(theme_);
 }
 
-void Window::SetDark(bool dark) {
-  theme_.dark = dark;
-  theme_.palette = PaletteOf(dark);
+void Window::SetPalette(PaletteName name) {
+  theme_.palette = PaletteOf(name);
   ApplyStyle(theme_);
+  RequestFrame();
+}
+
+void Window::SetScale(float scale) {
+  scale_ = scale;
+  registry_.SetScale(scale);
   RequestFrame();
 }
 

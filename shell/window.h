@@ -48,7 +48,9 @@ class Window {
 
   void Draw(const std::function<void()>& contents);
 
-  void SetDark(bool dark);
+  void SetPalette(PaletteName);
+  /// Enlarges everything, in (0, 8].
+  void SetScale(float scale);
   void SetTitle(const std::string& title) { SDL_SetWindowTitle(window_, title.c_str()); }
   /// In a browser: the canvas has this size on the page now [CSS pixels]; also call it when only the density
   /// changed.

@@ -9,7 +9,7 @@
 /** @typedef {import('./lab.js').LabResult} LabResult */
 /** @typedef {import('./messages.js').SearchReport} SearchReport */
 
-/** What the page is made of. @typedef {{app: App, searches: import('./searches.js').Searches, lab: import('./lab.js').Lab, address: import('./address.js').Address, canvas: HTMLCanvasElement}} Parts */
+/** What the page is made of. @typedef {{app: App, searches: import('./searches.js').Searches, lab: import('./lab.js').Lab, address: import('./address.js').Address, commands: import('./commands.js').Commands, canvas: HTMLCanvasElement}} Parts */
 /** What a search came to. @typedef {{report: SearchReport, hash: string, link: string}} SearchResult */
 
 /** Events: 'progress' (detail: SearchReport), 'done' (detail: SearchResult), 'error' (detail: Error). */
@@ -116,6 +116,19 @@ export class Gaitsmith extends EventTarget {
       ...widget,
       rect: { ...widget.rect, x: widget.rect.x + left, y: widget.rect.y + top },
     }));
+  }
+
+  /** What the palette offers now. @returns {{id: string, group: string, title: string, keys: string[], whyNot: string}[]} */
+  commands() {
+    return this.#need().commands.all().map(({ id, group, title, keys, whyNot = '' }) => ({ id, group, title, keys, whyNot }));
+  }
+
+  /** Does what a command of the palette does. @param {string} id @returns {boolean} false: there is none, or not now */
+  run(id) {
+    const command = this.#need().commands.all().find((candidate) => candidate.id === id);
+    if (!command || command.whyNot) return false;
+    command.run();
+    return true;
   }
 
   // For page.js.

@@ -20,7 +20,7 @@ export interface AppModule {
   _gs_title(): Pointer;
   _gs_widgets(): Pointer;
   _gs_score(): Pointer;
-  _gs_set_theme(dark: number): void;
+  _gs_set_theme(palette: number, scale: number): void;
   _gs_set_frame_rate(per_second: number): void;
   _gs_play(playing: number): void;
   _gs_can_undo(): number;

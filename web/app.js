@@ -48,6 +48,9 @@
 // SearchState in shell/search_progress.h.
 const STATES = { running: 1, paused: 2, done: 3, stopped: 4, failed: 5 };
 
+// PaletteName in shell/theme.h.
+const PALETTES = ['light', 'dark', 'strong-light', 'strong-dark'];
+
 // LabState in shell/lab.h.
 const LAB_STATES = /** @type {const} */ (['idle', 'running', 'done', 'stopped', 'failed']);
 
@@ -84,8 +87,8 @@ export class App {
   /** What the motion is worth so far, term by term, as a sentence. */
   score() { return this.#text(this.module._gs_score()); }
 
-  /** @param {boolean} dark */
-  setTheme(dark) { this.module._gs_set_theme(dark ? 1 : 0); }
+  /** @param {import('./theme.js').Look} look */
+  setTheme({ palette, scale }) { this.module._gs_set_theme(PALETTES.indexOf(palette), scale); }
   /** @param {number} perSecond  at most so many frames are drawn; 0: as many as the display shows */
   setFrameRate(perSecond) { this.module._gs_set_frame_rate(perSecond); }
   /** @param {boolean} playing */

@@ -16,7 +16,7 @@ import { HistoryButtons, startHeader } from './header.js';
 import { guardKeys, leaveCanvas } from './keys.js';
 import { startDropping } from './dropping.js';
 import { startSharing } from './sharing.js';
-import { followTheme, startTheme } from './theme.js';
+import { chooseTheme, followTheme, nextTheme, startTheme, THEMES } from './theme.js';
 
 const HINT_AFTER_MS = 5000;
 const canvas = element('canvas', HTMLCanvasElement);
@@ -38,7 +38,7 @@ start().catch((error) => {
 async function start() {
   setTimeout(() => { element('loading-hint').hidden = false; }, HINT_AFTER_MS);
   const statusLine = new StatusLine();
-  /** @type {{app: App, searches: Searches, lab: Lab, address: Address, autosave: Autosave, controls: Controls, buttons: HistoryButtons, canvas: HTMLCanvasElement} | null} */
+  /** @type {{app: App, searches: Searches, lab: Lab, address: Address, autosave: Autosave, controls: Controls, buttons: HistoryButtons, commands: Commands, canvas: HTMLCanvasElement} | null} */
   let parts = null;
 
   const { default: createApp } = await import('./app.mjs');
@@ -87,18 +87,18 @@ async function start() {
   if (!app.running()) throw new Error('this browser has no WebGL 2');
   const searches = new Searches(app, statusLine);
   const address = new Address(app, () => searches.improving);
-  followTheme((dark) => app.setTheme(dark));
+  followTheme((look) => app.setTheme(look));
   const autosave = new Autosave(app, address, statusLine);
   autosave.begin();
   showTitle(app.title());
-  parts = { app, searches, lab: new Lab(app), address, autosave, controls: new Controls(app), buttons: new HistoryButtons(app), canvas };
+  commands = new Commands(app, canvas);
+  parts = { app, searches, lab: new Lab(app), address, autosave, controls: new Controls(app), buttons: new HistoryButtons(app), commands, canvas };
   gaitsmith.begin(parts);
   gaitsmith.fps = Number(new URLSearchParams(location.search).get('fps'));
   for (const end of ['done', 'error']) searches.addEventListener(end, () => parts?.controls.searching(false));
   searches.addEventListener('done', () => address.changed());
   startSharing(app, address);
   startDropping(app);
-  commands = new Commands(app, canvas);
   addCommands(commands, { autosave, palette: new Palette(commands), help: new HelpSheet(commands) });
   statusLine.welcome('Press Synthesize to search for a better motion');
   if (matchMedia('(prefers-reduced-motion: reduce)').matches) app.play(false);
@@ -123,11 +123,13 @@ function addCommands(commands, { autosave, palette, help }) {
     { id: 'document/open', group: 'Document', title: 'Open a file or a link', keys: ['Ctrl+o'], pressed: ['Ctrl+v'], run: click('open') },
     { id: 'document/save', group: 'Document', title: 'Save as a file', keys: ['Ctrl+s'], run: click('save') },
     { id: 'document/copy-link', group: 'Document', title: 'Copy link', keys: ['c'], pressed: ['Ctrl+c'], run: click('copy-link') },
-    { id: 'view/theme', group: 'View', title: 'Light or dark', keys: ['t'], run: click('theme') },
+    { id: 'view/theme', group: 'View', title: 'Next theme', keys: ['t'], run: nextTheme },
     { id: 'help/commands', group: 'Help', title: 'Find a command', keys: ['Ctrl+k'], run: () => palette.open() },
     { id: 'help/keys', group: 'Help', title: 'All keys', keys: ['?', 'F1'], run: () => help.open() },
   ]);
   commands.addShelf(() => autosave.commands());
+  commands.addShelf(() => Object.entries(THEMES).map(([theme, name]) => (
+    { id: `view/theme/${theme}`, group: 'View', title: `Theme: ${name.toLowerCase()}`, keys: [], run: () => chooseTheme(theme) })));
   onClick('new', () => commands.app.run('document/new'));
   onClick('home', (event) => {
     if (event.ctrlKey || event.metaKey || event.shiftKey) return; // another tab, another window

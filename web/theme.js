@@ -1,38 +1,73 @@
 // SPDX-License-Identifier: MIT
-// Light or dark: as the system is, until the person says otherwise.
-import { element, onClick } from './dom.js';
+// How the page looks: as the system does, until the person says otherwise.
+import { element } from './dom.js';
 import { remember, remembered } from './storage.js';
 
 const KEY = 'gaitsmith-theme';
 
-const system = matchMedia('(prefers-color-scheme: dark)');
-/** @type {((dark: boolean) => void)[]} */
+/** What can be chosen, and its name. @type {Record<string, string>} */
+export const THEMES = { system: 'As the system', light: 'Light', dark: 'Dark', projector: 'Projector', contrast: 'High contrast' };
+
+/**
+ * What is then shown.
+ * @typedef {object} Look
+ * @property {'light' | 'dark' | 'strong-light' | 'strong-dark'} palette  as in shell/theme.h
+ * @property {number} scale  of everything: a room reads from further away than a desk
+ */
+
+const dark = matchMedia('(prefers-color-scheme: dark)');
+const contrast = matchMedia('(prefers-contrast: more), (forced-colors: active)');
+/** @type {((look: Look) => void)[]} */
 const followers = [];
-let chosen = remembered(KEY);
+const kept = remembered(KEY) ?? '';
+let chosen = kept in THEMES ? kept : 'system';
 
-const isDark = () => (chosen ? chosen === 'dark' : system.matches);
-
-/** Calls back now and at every change. @param {(dark: boolean) => void} apply */
-export function followTheme(apply) {
-  followers.push(apply);
-  apply(isDark());
+/** @returns {Look} */
+function look() {
+  const strong = dark.matches ? 'strong-dark' : 'strong-light';
+  switch (chosen) {
+    case 'light': case 'dark': return { palette: chosen, scale: 1 };
+    case 'projector': return { palette: 'strong-light', scale: 1.25 };
+    case 'contrast': return { palette: strong, scale: 1 };
+    default: return { palette: contrast.matches ? strong : dark.matches ? 'dark' : 'light', scale: 1 };
+  }
 }
 
-/** Gives the page its theme and the button its work. */
+function update() {
+  for (const apply of followers) apply(look());
+}
+
+/** Calls back now and at every change. @param {(look: Look) => void} apply */
+export function followTheme(apply) {
+  followers.push(apply);
+  apply(look());
+}
+
+/** Where storage is forbidden it holds until the page is left. @param {string} theme  of THEMES */
+export function chooseTheme(theme) {
+  chosen = theme;
+  remember(KEY, theme === 'system' ? null : theme);
+  update();
+}
+
+/** The one after the present one, the system's left out: for a key. */
+export function nextTheme() {
+  const [, ...names] = Object.keys(THEMES);
+  const { palette, scale } = look();
+  const now = chosen !== 'system' ? chosen : palette === 'light' || palette === 'dark' ? palette : scale > 1 ? 'projector' : 'contrast';
+  chooseTheme(names[(names.indexOf(now) + 1) % names.length]);
+}
+
+/** Gives the page its theme and the list in the header its work. */
 export function startTheme() {
-  const update = () => {
-    for (const apply of followers) apply(isDark());
-  };
-  followTheme((dark) => {
-    document.documentElement.dataset.theme = dark ? 'dark' : 'light';
-    const button = element('theme');
-    button.textContent = dark ? 'Light' : 'Dark';
-    button.setAttribute('aria-label', dark ? 'Light theme' : 'Dark theme');
+  const list = element('theme', HTMLSelectElement);
+  for (const [value, name] of Object.entries(THEMES)) list.append(new Option(name, value));
+  followTheme(({ palette, scale }) => {
+    const { dataset } = document.documentElement;
+    dataset.theme = palette;
+    dataset.scale = scale > 1 ? 'large' : 'normal';
+    list.value = chosen;
   });
-  system.addEventListener('change', update);
-  onClick('theme', () => {
-    chosen = isDark() ? 'light' : 'dark';
-    remember(KEY, chosen); // where storage is forbidden it holds until the page is left
-    update();
-  });
+  for (const query of [dark, contrast]) query.addEventListener('change', update);
+  list.addEventListener('change', () => chooseTheme(list.value));
 }

@@ -146,7 +146,7 @@ async function forbidden({ browser, address }) {
   assert.match(await page.status(), /^Opened Nor this one/);
   await sleep(2600); // longer than it waits before it keeps something
   assert.match(await page.status(), /^Opened Nor this one/, 'said twice');
-  await page.clickElement('#theme');
+  await page.page.focus('#save');
   await page.press('Control+z');
   assert.equal(await title(page), 'Not to be kept');
   assert.deepEqual(page.complaints, []);

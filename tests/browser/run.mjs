@@ -2,11 +2,12 @@
 // Drives the built page in Chromium and Firefox:  node tests/browser/run.mjs [folder, default build/site] [words of the scenarios to run, default all]
 // Leaves pictures of it in build/screenshots. Prints what passed and fails if anything did not.
 import assert from 'node:assert/strict';
-import { mkdir, readdir, readFile } from 'node:fs/promises';
+import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { PageDriver, sleep } from './page_driver.mjs';
+import { PageDriver } from './page_driver.mjs';
 import { ROOT, serve, startChromium, startFirefox, stopAll } from './browsers.mjs';
 import { SCENARIOS } from './scenarios.mjs';
+import { takePictures } from './pictures.mjs';
 import { nativeHash } from './native.mjs';
 
 let passed = 0;
@@ -42,26 +43,6 @@ async function checkGoldens(page) {
   return files.length;
 }
 
-const SIZES = [['desk', 1280, 720, 1], ['large', 1920, 1080, 1], ['phone', 390, 844, 2]];
-
-/** @param {import('./browsers.mjs').Browser} browser @param {string} link */
-async function takePictures(browser, link) {
-  const folder = join(ROOT, 'build/screenshots');
-  await mkdir(folder, { recursive: true });
-  for (const theme of ['light', 'dark']) {
-    for (const [name, width, height, deviceScaleFactor] of /** @type {[string, number, number, number][]} */ (SIZES)) {
-      const driver = await PageDriver.open(browser, link);
-      await driver.page.setViewport({ width, height, deviceScaleFactor });
-      await driver.page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: theme }]);
-      const searching = name === 'desk';
-      if (searching) await driver.page.evaluate(() => { void window.gaitsmith.synthesize({ evaluations: 40000 }); });
-      await sleep(1500);
-      await driver.page.screenshot({ path: /** @type {`${string}.png`} */ (join(folder, `${name}-${theme}.png`)) });
-      await driver.close();
-    }
-  }
-}
-
 const wanted = process.argv[3] ?? '';
 const address = await serve(process.argv[2] ?? join(ROOT, 'build/site'));
 /** @type {import('./scenarios.mjs').Visit[]} */
@@ -90,7 +71,9 @@ for (const [name, start] of /** @type {const} */ ([['Chromium', startChromium], 
       await page.close();
     });
   }
-  if (name === 'Chromium' && wanted === '') await check(`${name}: pictures of the page`, () => takePictures(browser, visit.link || address));
+  if (name === 'Chromium' && wanted === '') await check(`${name}: pictures of every panel in every theme`, async () => {
+    visit.figures.pictures = await takePictures(browser, address);
+  });
   await browser.close();
   for (const [what, value] of Object.entries(visit.figures)) console.log(`        ${what}: ${value}`);
 }

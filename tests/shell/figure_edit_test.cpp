@@ -57,6 +57,55 @@ TEST_CASE("a mirrored figure has every endpoint on the other side, and mirrored 
   }
 }
 
+TEST_CASE("a turned rod takes along what hangs on it, and nothing else moves or changes its length",
+          "[figure_edit]") {
+  for (const Figure& figure : Shipped()) {
+    CAPTURE(figure.name);
+    const Skeleton bones(figure);
+    const auto before = Drawn(figure);
+    const int limb = bones.rods - 1;
+    const auto i = static_cast<std::size_t>(limb);
+    const Figure turned = WithLimbTurned({.figure = figure, .skeleton = bones, .points = before}, limb, 0.5f);
+    REQUIRE(Validate(turned));
+    const auto after = Drawn(turned);
+    const ImVec2 start = after[static_cast<std::size_t>(bones.limbs[i].start)];
+    // To the half degree that drawn angles are rounded to.
+    REQUIRE(std::abs(std::atan2(after[i + 1].y - start.y, after[i + 1].x - start.x) - 0.5f) < 0.005f);
+    for (std::size_t k = 0; k + 1 < before.size(); ++k) {
+      REQUIRE(std::abs(after[k].x - before[k].x) < 1e-5f);
+      REQUIRE(std::abs(after[k].y - before[k].y) < 1e-5f);
+    }
+    for (std::size_t k = 0; k < figure.rods.size(); ++k)
+      REQUIRE(turned.rods[k].length_m == figure.rods[k].length_m);
+  }
+}
+
+TEST_CASE("snapped, a rod has a whole number of 15 degrees and of 5 cm, and never none", "[figure_edit]") {
+  const ImVec2 from{0.3f, -0.2f};
+  for (int k = 0; k < 200; ++k) {
+    const float x = 0.013f * static_cast<float>(k) - 1.3f;
+    const ImVec2 to = Snapped(from, {from.x + x, from.y + 0.7f * x * x - 0.4f});
+    const float length = std::hypot(to.x - from.x, to.y - from.y) / 0.05f;
+    const float angle = std::atan2(to.y - from.y, to.x - from.x) / (3.14159265f / 12.0f);
+    REQUIRE(length > 0.99f);
+    REQUIRE(std::abs(length - std::round(length)) < 1e-3f);
+    REQUIRE(std::abs(angle - std::round(angle)) < 1e-3f);
+  }
+}
+
+TEST_CASE("a figure grows from one rod", "[figure_edit]") {
+  Figure figure = SingleRod();
+  REQUIRE(Validate(figure));
+  for (int rods = 2; rods <= 4; ++rods) {
+    const Skeleton bones(figure);
+    const auto points = Drawn(figure);
+    figure = WithRodFrom({.figure = figure, .skeleton = bones, .points = points}, 1,
+                         {points[1].x + 0.3f * static_cast<float>(rods), points[1].y - 0.5f});
+    REQUIRE(Validate(figure));
+    REQUIRE(figure.Rods() == rods);
+  }
+}
+
 TEST_CASE("a copied limb has as many rods again, the same lengths, and stands where none stood",
           "[figure_edit]") {
   for (const Figure& figure : Shipped()) {

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Pictures of the page to look at, in build/screenshots: each panel in each theme on three screens.
+//   node tests/browser/pictures.mjs [words of the pictures to take, default all]
+import assert from 'node:assert/strict';
+import { mkdir, readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { PageDriver } from './page_driver.mjs';
+import { ROOT, serve, startChromium, stopAll } from './browsers.mjs';
+
+/** @type {[string, number, number, number][]} */
+const SCREENS = [['desk', 1280, 720, 1], ['large', 1920, 1080, 1], ['phone', 390, 844, 2]];
+const THEMES = ['light', 'dark', 'projector', 'contrast'];
+const PANELS = ['figure', 'controller', 'style', 'search', 'lab', 'timeline', 'world'];
+const FOLDER = join(ROOT, 'build/screenshots');
+
+/** @param {import('./browsers.mjs').Browser} browser @param {string} address @returns {Promise<number>} how many */
+export async function takePictures(browser, address, wanted = '') {
+  await mkdir(FOLDER, { recursive: true });
+  const example = await readFile(join(ROOT, 'examples/star-man-shuffle.json'), 'utf8');
+  let count = 0;
+  for (const [screen, width, height, deviceScaleFactor] of SCREENS) {
+    const driver = await PageDriver.open(browser, address);
+    const { page } = driver;
+    const run = (/** @type {string} */ id) => page.evaluate((name) => window.gaitsmith.run(name), id);
+    await page.setViewport({ width, height, deviceScaleFactor });
+    await page.evaluate((text) => window.gaitsmith.open(text), example);
+    // A moment in the middle, and standing still: a picture that moves shows nothing of a change.
+    await page.evaluate(() => document.querySelector('canvas')?.focus());
+    await driver.press('Home');
+    await driver.press('ArrowRight', 28);
+    for (const theme of THEMES) {
+      await run(`view/theme/${theme}`);
+      for (const panel of PANELS) {
+        const name = `${screen}-${theme}-${panel}`;
+        if (!name.includes(wanted) || (panel === 'timeline' && screen !== 'phone')) continue;
+        await run(panel === 'world' ? 'view/world' : `panel/${panel[0].toUpperCase()}${panel.slice(1)}`);
+        await driver.frames(4);
+        await page.screenshot({ path: /** @type {`${string}.png`} */ (join(FOLDER, `${name}.png`)) });
+        if (panel === 'world') await run('view/world');
+        count++;
+      }
+    }
+    assert.deepEqual(driver.complaints, []);
+    await driver.close();
+  }
+  return count;
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
+  const address = await serve(join(ROOT, 'build/site'));
+  const browser = await startChromium();
+  assert.ok(browser, 'Chromium is installed (./dev setup browsers)');
+  console.log(`${await takePictures(browser, address, process.argv[2])} pictures in build/screenshots`);
+  await browser.close();
+  await stopAll();
+}
