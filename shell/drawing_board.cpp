@@ -167,6 +167,8 @@ void DrawDrawingBoard(Ui& ui, Session& session, DrawingBoardState& state) {
   const DrawnFigure drawn{.figure = figure, .skeleton = board.skeleton, .points = board.metres};
   const bool growing = state.tool == DrawingTool::kGrow && state.endpoint >= 0;
   const bool held = state.endpoint >= 0 || state.turning >= 0;
+  // A finger that takes hold of nothing may scroll the panel, which the board fills on a phone.
+  if (touch.held && !held && ui.Look().touch) ImGui::ClearActiveID();
   const auto tip = [&] {
     const ImVec2 target = board.ToMetres(pointer);
     return state.snap ? Snapped(board.metres[static_cast<std::size_t>(state.endpoint)], target) : target;

@@ -13,6 +13,7 @@ import { LAB_SCENARIOS } from './lab_scenarios.mjs';
 import { PALETTE_SCENARIOS } from './palette_scenarios.mjs';
 import { WORLD_SCENARIOS } from './world_scenarios.mjs';
 import { RULE_SCENARIOS } from './rule_scenarios.mjs';
+import { WALK_SCENARIOS } from './walk_scenarios.mjs';
 import { nativeHash } from './native.mjs';
 
 /** @typedef {import('./browsers.mjs').Browser} Browser */
@@ -244,6 +245,7 @@ export const SCENARIOS = [
   ...WORLD_SCENARIOS,
   ...FIGURE_SCENARIOS,
   ...RULE_SCENARIOS,
+  ...WALK_SCENARIOS,
 
   ['Undo waits until there is something to undo, and the plain controls act at once', async ({ browser, address }) => {
     const fresh = await PageDriver.open(browser, address);
