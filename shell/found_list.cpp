@@ -19,30 +19,36 @@ std::string ScoreText(const FoundMotion& found) {
   return found.Score() <= kVoidScore ? "no score" : Fixed(found.Score(), 2);
 }
 
-/// "SPHC · seed 3 · 40,000 evaluations", "… · stopped after 3,100 of 40,000", "kept by hand"
-std::string LineOf(const FoundMotion& found) {
+/// What controls it: the controller's own, which need not be what its document would search next.
+struct Control {
+  ControllerKind kind;
+  SenseSpec senses;
+  int rules;
+};
+Control ControlOf(const Document& d) {
+  if (d.controllers.empty()) return {d.kind, d.senses, d.rules};
+  const Controller& last = d.controllers.back();
+  return {last.kind, last.senses, last.rules};
+}
+
+/// "SPHC · seed 3 · 40,000 · physical", "SPHC · seed 3 · stopped at 3,100 · timer 0.80 s", "kept by hand ·
+/// network"
+/// @param unit  behind the number of evaluations
+std::string LineOf(const FoundMotion& found, const std::string& unit = "") {
   const Document& d = found.document;
-  const std::string start =
-      WordsOf(d.search.algorithm).name + " · seed " + std::to_string(d.search.seed) + " · ";
-  switch (found.origin) {
-    case Origin::kDone:
-      return SearchLine(d);
-    case Origin::kStopped:
-      return start + "stopped after " + Grouped(found.evaluations);
-    case Origin::kFailed:
-      return start + "failed after " + Grouped(found.evaluations);
-    case Origin::kByHand:
-      break;
-  }
-  return "kept by hand";
+  const Control control = ControlOf(d);
+  const std::string senses = " · " + DeciderWords(control.kind, control.senses);
+  if (found.origin == Origin::kByHand) return "kept by hand" + senses;
+  const std::string end = found.origin == Origin::kStopped  ? "stopped at "
+                          : found.origin == Origin::kFailed ? "failed at "
+                                                            : "";
+  return WordsOf(d.search.algorithm).name + " · seed " + std::to_string(d.search.seed) + " · " + end +
+         Grouped(found.evaluations) + unit + senses;
 }
 
 std::string SceneText(const FoundMotion& found) {
-  const Document& d = found.document;
-  const Controller* controller = d.controllers.empty() ? nullptr : &d.controllers.back();
-  return SearchTitle(d) + ", " +
-         (controller == nullptr ? ControllerWords(d.kind, d.senses, d.rules)
-                                : ControllerWords(controller->kind, controller->senses, controller->rules));
+  const Control control = ControlOf(found.document);
+  return SearchTitle(found.document) + ", " + ControllerWords(control.kind, control.senses, control.rules);
 }
 
 Wish DrawEntry(Ui& ui, const Session& session, const FoundMotions::Entry& entry) {
@@ -77,7 +83,7 @@ Wish DrawEntry(Ui& ui, const Session& session, const FoundMotions::Entry& entry)
     const float score_width = letters.Width(Type::kStrong, score);
     const ImU32 score_ink = !found.Moves() || found.Score() <= kVoidScore ? p.bad : p.ink;
     letters.DrawElided(ui.Canvas(), Type::kBody, {left, y - 8.0f}, right - left - score_width - 8.0f, p.ink,
-                       scene);
+                       SearchTitle(found.document));
     letters.Draw(ui.Canvas(), Type::kStrong, {right, y - 8.0f}, score_ink, score, Align::kRight);
     letters.DrawElided(ui.Canvas(), Type::kNote, {left, y + 9.0f}, right - left, p.second_ink, LineOf(found));
     ui.DrawFocus(touch, words);

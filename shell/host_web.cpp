@@ -244,9 +244,11 @@ EMSCRIPTEN_KEEPALIVE const char* gs_enqueue(const char* options) {
   const auto parsed = ParseJson(options);
   if (!parsed) return Reply(parsed.error().Sentence());
   Document wanted = session.Doc();
-  if (std::string fault = ApplySearchOptions(*parsed, wanted, session.workers); !fault.empty())
+  int workers = session.workers;
+  if (std::string fault = ApplySearchOptions(*parsed, wanted, workers); !fault.empty())
     return Reply(std::move(fault));
   if (const auto valid = Validate(wanted); !valid) return Reply(valid.error().Sentence());
+  session.workers = workers;
   return Reply(session.Enqueue(wanted) ? "" : session.notice);
 }
 /// What waits, as QueueJson.

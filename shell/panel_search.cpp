@@ -66,12 +66,10 @@ void DrawKeepingButtons(Ui& ui, Session& session) {
 void DrawProgress(Ui& ui, const Session& session) {
   const SearchProgress& progress = session.Progress();
   const Palette& p = ui.Ink();
-  if (session.RunsQueued() && session.Searched() != nullptr) {
-    ui.Paragraph(
-        "From the queue: " + SearchTitle(*session.Searched()) + ", " + SearchLine(*session.Searched()), p.ink,
-        Type::kNote);
-    ui.Gap(5.0f);
-  }
+  // One line, whatever runs, so that nothing below moves away under the pointer when the next search begins.
+  const ImRect title = ui.Row(Fonts::LineHeight(Type::kNote) + 6.0f);
+  ui.Letters().DrawElided(ui.Canvas(), Type::kNote, {title.Min.x, title.GetCenter().y - 3.0f},
+                          title.GetWidth(), p.second_ink, session.ProgressTitle());
   const float share = progress.budget > 0
                           ? static_cast<float>(progress.evaluations) / static_cast<float>(progress.budget)
                           : 0.0f;
@@ -180,14 +178,14 @@ std::string Count(std::size_t count, const char* none, const char* what) {
 void DrawSearchPanel(Ui& ui, Session& session, SearchPanelState& state) {
   DrawSearchButtons(ui, session);
   ui.Gap(kGap);
-  DrawKeepingButtons(ui, session);
-  ui.Gap(10.0f);
   if (session.Progress().budget > 0) {
     DrawProgress(ui, session);
     ui.Gap(4.0f);
     DrawCurve(ui, session);
-    ui.Gap(8.0f);
+    ui.Gap(10.0f);
   }
+  DrawKeepingButtons(ui, session);
+  ui.Gap(kGap);
   DrawSettings(ui, session, state);
   const std::size_t waiting = session.queue.Waiting().size();
   if (DrawFold(ui, "queue", "Queue", Count(waiting, "empty", waiting == 1 ? " waits" : " wait"), state.queue))

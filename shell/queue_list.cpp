@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "shell/algorithm_words.h"
 #include "shell/search_words.h"
 #include "shell/wording.h"
 
@@ -30,9 +31,11 @@ Wish DrawEntry(Ui& ui, const SearchQueue::Entry& entry, std::size_t place) {
     const Fonts& letters = ui.Letters();
     const float y = row.GetCenter().y;
     letters.DrawElided(ui.Canvas(), Type::kBody, {words.Min.x, y - 8.0f}, words.GetWidth(), ui.Ink().ink,
-                       title + ", " + with);
+                       title);
     letters.DrawElided(ui.Canvas(), Type::kNote, {words.Min.x, y + 9.0f}, words.GetWidth(),
-                       ui.Ink().second_ink, SearchLine(d));
+                       ui.Ink().second_ink,
+                       WordsOf(d.search.algorithm).name + " · seed " + std::to_string(d.search.seed) + " · " +
+                           Grouped(d.search.evaluations) + " · " + DeciderWords(d.kind, d.senses));
   }
   const float top = row.GetCenter().y - 0.5f * size;
   const ImRect remove({row.Max.x - size, top}, {row.Max.x, top + size});

@@ -16,6 +16,16 @@ std::string SearchLine(const Document& d) {
          Grouped(d.search.evaluations) + " evaluations";
 }
 
+std::string DeciderWords(ControllerKind kind, const SenseSpec& senses) {
+  if (kind == ControllerKind::kNetwork) return "network";
+  if (senses.kind == SenseKind::kPhysical) return "physical";
+  return "timer " + Fixed(static_cast<float>(senses.period_steps) * kStep, 2) + " s";
+}
+
+std::string WaitingWords(std::size_t count) {
+  return Grouped(static_cast<long long>(count)) + (count == 1 ? " search waits" : " searches wait");
+}
+
 std::string FoundTitle(const std::string& figure, const Document& d) {
   const std::string how = " · " + TaskWords(d.task.kind) + ", " + ControllerWords(d.kind, d.senses, d.rules) +
                           ", seed " + std::to_string(d.search.seed);

@@ -12,6 +12,10 @@ namespace gaitsmith::shell {
 [[nodiscard]] std::string SearchTitle(const Document&);
 /// "SPHC · seed 3 · 40,000 evaluations"
 [[nodiscard]] std::string SearchLine(const Document&);
+/// What decides, in a word or two: "timer 0.80 s", "physical", "network".
+[[nodiscard]] std::string DeciderWords(ControllerKind, const SenseSpec&);
+/// "1 search waits", "12 searches wait"
+[[nodiscard]] std::string WaitingWords(std::size_t count);
 /// Of what it finds: "Mr. Star-Man · travel, 10 rules with physical senses, seed 3", no longer than a title
 /// may be.
 /// @param figure  its name

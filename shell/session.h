@@ -103,10 +103,12 @@ class Session {
   void Resume() {
     if (Searching()) host_.ResumeSearch();
   }
-  /// Ends the search, or the lab.
+  /// Ends the search, or the lab. What waits in the queue goes on waiting.
   void Stop();
   void OnSearchProgress(SearchProgress progress);
   [[nodiscard]] const SearchProgress& Progress() const { return progress_; }
+  /// Whose it is, in one line: "Mr. Star-Man · travel, SPHC, seed 3"; of the queue with a word that says so.
+  [[nodiscard]] const std::string& ProgressTitle() const { return progress_title_; }
   /// How the population of the present or last search scattered.
   [[nodiscard]] const SpreadCurve& PopulationSpread() const { return spread_; }
   [[nodiscard]] bool Searching() const {
@@ -179,6 +181,7 @@ class Session {
   void AbandonSearch();
   void PutController(Controller controller);
   void BeginSearch(Document wanted, bool queued = false);
+  void Halt();
   void RunNext();
   void EndSearch();
   void NoteFound();
@@ -204,6 +207,7 @@ class Session {
   int ghost_ = kNoGhost;
   Playback ghost_player_;
   SearchProgress progress_;
+  std::string progress_title_;
   std::optional<Document> searched_;  // the document as it was when the search began; empty: none is wanted
   int searched_clip_ = 0;             // the clip that it improves
   bool queued_ = false;               // it came from the queue

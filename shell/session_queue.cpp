@@ -7,13 +7,6 @@
 #include "shell/wording.h"
 
 namespace gaitsmith::shell {
-namespace {
-
-std::string Waiting(std::size_t count) {
-  return Grouped(static_cast<long long>(count)) + (count == 1 ? " search waits" : " searches wait");
-}
-
-}  // namespace
 
 bool Session::Enqueue(const Document& document) {
   if (!queue.Add(document)) {
@@ -22,7 +15,7 @@ bool Session::Enqueue(const Document& document) {
     return false;
   }
   host_.Status("Added to the queue: " + SearchTitle(document) + ", " + SearchLine(document) + ". " +
-               Waiting(queue.Waiting().size()) + ".");
+               WaitingWords(queue.Waiting().size()) + ".");
   return true;
 }
 

@@ -33,7 +33,7 @@ void Session::BeginSearch(Document wanted, bool queued) {
     Say("The lab is running: stop it first, or let it end.");
     return;
   }
-  if (Searching()) Stop();
+  if (Searching()) Halt();
   EndSearch();
   search_occasion_ = ++occasions_;
   searched_ = std::move(wanted);
@@ -46,6 +46,9 @@ void Session::BeginSearch(Document wanted, bool queued) {
                .workers = workers,
                .curve = {},
                .best_genome = {}};
+  progress_title_ = (queued ? "Queue: " : "") + SearchTitle(*searched_) + ", " +
+                    WordsOf(searched_->search.algorithm).name + ", seed " +
+                    std::to_string(searched_->search.seed);
   spread_.Begin(progress_.budget);
   shown_for_s_ = 1e9;
   if (BelongsOnStage()) earlier_ = document_;
@@ -60,6 +63,12 @@ void Session::BeginSearch(Document wanted, bool queued) {
 void Session::Stop() {
   StopLab();
   if (!Searching()) return;
+  Halt();
+  if (const std::size_t count = queue.Waiting().size(); count > 0)
+    Say("Stopped. " + WaitingWords(count) + " until you press Run queue.");
+}
+
+void Session::Halt() {
   host_.StopSearch();
   progress_.state = SearchState::kStopped;
   ShowImprovement(1e9);
@@ -73,7 +82,7 @@ void Session::AbandonSearch() {
     return;
   }
   if (Searching()) {
-    Stop();
+    Halt();
     queue_due_ = true;
   }
   EndSearch();

@@ -75,12 +75,14 @@ async function runsThrough({ browser, address }) {
   assert.equal(await stateOf(page), before, 'the stage belongs to the document in hand');
   assert.equal((await widget(page, 'queue'))?.value, 'empty');
 
+  await page.click('queue'); // folded, it leaves the room to the results
+
   // Shown, it is what the same search finds by itself, and the command line replays it.
   const found = (await results(page)).find(({ seed }) => seed === 5);
   assert.ok(found && found.origin === 'done' && found.evaluations === EVALUATIONS);
   const entry = await widget(page, `found/${found.id}`);
   assert.match(entry?.label ?? '', /^Show First · travel, 10 rules/);
-  assert.match(entry?.value ?? '', /^SPHC · seed 5 · 800 evaluations\. Score /);
+  assert.match(entry?.value ?? '', /^SPHC · seed 5 · 800 evaluations · physical\. Score /);
   await page.click(`found/${found.id}`);
   assert.equal(await page.hash(), found.hash);
   assert.equal(await page.link(), found.link);
@@ -109,7 +111,7 @@ async function stopped({ browser, address }) {
   await queueThree(page, 1000000);
   await page.call('run', () => { window.gaitsmith.runQueue(); });
   await page.until('a beginning', () => /Queue: First · travel, SPHC/.test(document.querySelector('#status')?.textContent ?? ''));
-  await page.until('progress', () => /[1-9]/.test(document.querySelector('#count')?.textContent ?? ''));
+  await page.until('progress', () => /^[1-9]/.test(document.querySelector('#count')?.textContent ?? ''));
   // Opening something else does not concern it.
   await page.call('new', () => { document.querySelector('#new')?.dispatchEvent(new MouseEvent('click', { bubbles: true })); });
   await page.frames();
@@ -126,6 +128,7 @@ async function stopped({ browser, address }) {
   assert.equal(await page.call('queue', () => window.gaitsmith.queue().length), 2);
   await page.call('run', () => { window.gaitsmith.runQueue(); });
   await page.until('the next one', () => /Queue: Second/.test(document.querySelector('#status')?.textContent ?? ''));
+  await page.until('progress', () => /^[1-9]/.test(document.querySelector('#count')?.textContent ?? ''));
   await page.call('clear', () => { window.gaitsmith.clearQueue(); });
   await page.call('stop', () => { window.gaitsmith.stop(); });
   await page.until('its end', () => window.gaitsmith.results().length === 2);

@@ -162,7 +162,9 @@ TEST_CASE("session: after Stop the others wait, until somebody says go on", "[sh
   CHECK(Newest(session)[0]->motion.document.controllers[0].genes[0] == 25000);
   CHECK(Newest(session)[0]->motion.evaluations == 50);
   CHECK(session.queue.Waiting().size() == 2);
+  CHECK(session.notice.find("2 searches wait until") != std::string::npos);
   REQUIRE(session.RunQueue());
+  CHECK(session.notice.empty());
   CHECK(host.started.size() == 2);
   CHECK_FALSE(session.RunQueue());
   CHECK(host.started.size() == 2);
