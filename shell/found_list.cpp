@@ -66,8 +66,8 @@ Wish DrawEntry(Ui& ui, const Session& session, const FoundMotions::Entry& entry)
   if (ImGui::IsRectVisible(row.Min, row.Max)) {
     scene = SceneText(found);
     score = ScoreText(found);
-    spoken =
-        LineOf(found) + ". " + (found.Moves() ? ScoreWords(found.document.task, found.terms) : "It failed.");
+    spoken = LineOf(found, " evaluations") + ". " +
+             (found.Moves() ? ScoreWords(found.document.task, found.terms) : "It failed.");
   }
   const Touch touch =
       ui.Area(id, words, Grab::kPress,

@@ -28,6 +28,8 @@ export class KeptResults {
   store(id, text) {
     if (!this.#keeps || remember(PREFIX + id, text || null) || !text || this.#told) return;
     this.#told = true;
-    this.statusLine.say('This browser has no room for more results, or does not let the page keep them: they are here until you leave.');
+    // After the words about the search that has found it.
+    setTimeout(() => this.statusLine.say(
+      'This browser has no room for more results, or does not let the page keep them: they are here until you leave.'));
   }
 }
