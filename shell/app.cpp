@@ -8,7 +8,6 @@
 
 #include "shell/panel_controller.h"
 #include "shell/panel_lab.h"
-#include "shell/panel_search.h"
 #include "shell/panel_style.h"
 #include "shell/panels.h"
 #include "shell/stage.h"
@@ -20,6 +19,7 @@ namespace gaitsmith::shell {
 bool App::Advance(double seconds) {
   // After a pause of the whole page (a hidden tab) the motion goes on from where it was.
   const double step = std::min(seconds, 0.1);
+  session_.GoOn();
   const bool improved = session_.ShowImprovement(step);
   return session_.player.Advance(step) || improved;
 }
@@ -125,7 +125,7 @@ void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
       DrawLabPanel(ui, session_);
       break;
     default:
-      DrawSearchPanel(ui, session_);
+      DrawSearchPanel(ui, session_, search_panel_);
       break;
   }
   ui.Gap(6.0f);

@@ -8,6 +8,7 @@
 #include "shell/commands.h"
 #include "shell/panel_controller.h"
 #include "shell/panel_figure.h"
+#include "shell/panel_search.h"
 #include "shell/session.h"
 #include "shell/stage.h"
 #include "shell/window.h"
@@ -52,6 +53,7 @@ class App {
   int panel_before_ = -1;  // on a phone, in the frame before
   bool phone_ = false;
   ControllerPanelState controller_panel_;
+  SearchPanelState search_panel_;
   bool first_frame_told_ = false;
 };
 

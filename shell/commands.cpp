@@ -18,7 +18,9 @@ void AddHistory(std::vector<Command>& list, Session& session) {
                   .group = "Document",
                   .title = "Undo",
                   .keys = {"Ctrl+z"},
-                  .why_not = session.CanUndo() || session.Searching() ? "" : "nothing to undo",
+                  .why_not = session.CanUndo() || (session.Searching() && !session.RunsQueued())
+                                 ? ""
+                                 : "nothing to undo",
                   .repeats = true,
                   .run = [&session] { session.Undo(); }});
   list.push_back({.id = "document/redo",
@@ -67,6 +69,55 @@ void AddSearch(std::vector<Command>& list, Session& session) {
                   .run = [&session, paused] { paused ? session.Resume() : session.Pause(); }});
 }
 
+void AddQueue(std::vector<Command>& list, Session& session) {
+  const bool none = session.queue.Waiting().empty();
+  const std::string full = session.queue.Full() ? "the queue is full" : "";
+  const bool busy = session.Searching() || session.lab.Running();
+  list.push_back({.id = "queue/add",
+                  .group = "Search",
+                  .title = "Add this search to the queue",
+                  .keys = {"q"},
+                  .why_not = full,
+                  .run = [&session] { session.Enqueue(session.Doc()); }});
+  list.push_back({.id = "queue/seeds",
+                  .group = "Search",
+                  .title = "Queue five seeds of this search",
+                  .why_not = full,
+                  .run = [&session] { session.EnqueueSeeds(kQueuedSeeds); }});
+  list.push_back({.id = "queue/run",
+                  .group = "Search",
+                  .title = "Run the queue",
+                  .why_not = none   ? "nothing waits"
+                             : busy ? "a search or the lab is running"
+                                    : "",
+                  .run = [&session] { session.RunQueue(); }});
+  list.push_back({.id = "queue/clear",
+                  .group = "Search",
+                  .title = "Clear the queue",
+                  .why_not = none ? "nothing waits" : "",
+                  .run = [&session] { session.queue.Clear(); }});
+}
+
+void AddFound(std::vector<Command>& list, Session& session) {
+  list.push_back({.id = "found/keep",
+                  .group = "Results",
+                  .title = "Keep this motion",
+                  .keys = {"k"},
+                  .why_not = session.Doc().timeline.empty() ? "there is no motion yet" : "",
+                  .run = [&session] { session.KeepMotion(); }});
+  const FoundMotions::Entry* best = session.found.Best(session.Doc());
+  list.push_back({.id = "found/best",
+                  .group = "Results",
+                  .title = "Show the best result for this figure and task",
+                  .why_not = best == nullptr ? "there are no results yet" : "",
+                  .run = [&session, id = best == nullptr ? "" : best->id] { session.ShowFound(id); }});
+  list.push_back({.id = "found/bring-back",
+                  .group = "Results",
+                  .title = "Bring back the deleted result",
+                  .why_not = session.found.Removed() == nullptr ? "nothing was deleted" : "",
+                  .run = [&session] { session.found.BringBack(); }});
+}
+
 void AddPanels(std::vector<Command>& list, Session& session, bool phone) {
   for (int i = 0; i < (phone ? static_cast<int>(kPanels.size()) : kDeskPanels); ++i) {
     const std::string name(kPanels[static_cast<std::size_t>(i)]);
@@ -100,6 +151,8 @@ std::vector<Command> CommandsOf(Session& session, bool phone) {
   AddHistory(list, session);
   AddMotion(list, session);
   AddSearch(list, session);
+  AddQueue(list, session);
+  AddFound(list, session);
   AddPanels(list, session, phone);
   AddView(list, session);
   return list;

@@ -29,6 +29,12 @@ class Host {
   /// Runs a search of the lab in the same way, one after another. LabEnded follows the last.
   virtual void StartTrial(const Document& document, int workers, const TrialWords& trial) = 0;
   virtual void LabEnded() {}
+  /// Runs a search of the queue in the same way.
+  /// @param words what it is, e.g. "Mr. Star-Man · travel, SPHC · seed 3"
+  virtual void StartQueued(const Document& document, int workers, const std::string& words) {
+    Status("Queue: " + words);
+    StartSearch(document, workers);
+  }
   virtual void PauseSearch() = 0;
   virtual void ResumeSearch() = 0;
   virtual void StopSearch() = 0;
@@ -38,6 +44,10 @@ class Host {
   /// Gives the reader a file.
   virtual void SaveText(const std::string& name, const std::string& text) = 0;
   virtual void DocumentChanged(const std::string& title) = 0;
+  /// A found motion is new or has changed: its text stands for it at the next visit. Empty: it has gone.
+  virtual void StoreFound(const std::string& /*id*/, const std::string& /*text*/) {}
+  /// Of this machine's clock, since 1970 [s]; 0: it has none.
+  [[nodiscard]] virtual double NowS() const { return 0.0; }
   /// The first frame is on the screen.
   virtual void FirstFrame() {}
   /// The keyboard wants to leave the canvas: +1 forwards (Tab), -1 backwards (Shift+Tab), 0 just away

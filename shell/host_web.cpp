@@ -16,6 +16,7 @@
 #include "shell/app.h"
 #include "shell/commands.h"
 #include "shell/frame_pace.h"
+#include "shell/script_answers.h"
 #include "shell/script_options.h"
 #include "shell/style_words.h"
 
@@ -25,6 +26,8 @@ int gs_page_max_workers();
 void gs_page_start_search(const std::uint8_t* document, std::size_t bytes, int workers);
 void gs_page_start_trial(const std::uint8_t* document, std::size_t bytes, int workers, const char* words,
                          int finished, int total);
+void gs_page_start_queued(const std::uint8_t* document, std::size_t bytes, int workers, const char* words);
+void gs_page_store_found(const char* id, const char* text);
 void gs_page_lab_ended();
 void gs_page_save_text(const char* name, const char* text);
 void gs_page_pause_search();
@@ -51,6 +54,14 @@ class WebHost final : public Host {
     gs_page_start_trial(bytes.data(), bytes.size(), workers, trial.words.c_str(), trial.finished,
                         trial.total);
   }
+  void StartQueued(const Document& document, int workers, const std::string& words) override {
+    const std::vector<std::uint8_t> bytes = EncodeBinary(document);
+    gs_page_start_queued(bytes.data(), bytes.size(), workers, words.c_str());
+  }
+  void StoreFound(const std::string& id, const std::string& text) override {
+    gs_page_store_found(id.c_str(), text.c_str());
+  }
+  [[nodiscard]] double NowS() const override { return 1e-3 * emscripten_date_now(); }
   void LabEnded() override { gs_page_lab_ended(); }
   void SaveText(const std::string& name, const std::string& text) override {
     gs_page_save_text(name.c_str(), text.c_str());
@@ -231,6 +242,42 @@ EMSCRIPTEN_KEEPALIVE const char* gs_synthesize(const char* options) {
   return Reply("");
 }
 
+/// Adds a search to the queue, with these options in place of the document's own. @param options JSON object
+/// @return an empty text or a sentence
+EMSCRIPTEN_KEEPALIVE const char* gs_enqueue(const char* options) {
+  Session& session = TheSession();
+  const auto parsed = ParseJson(options);
+  if (!parsed) return Reply(parsed.error().Sentence());
+  Document wanted = session.Doc();
+  int workers = session.workers;
+  if (std::string fault = ApplySearchOptions(*parsed, wanted, workers); !fault.empty())
+    return Reply(std::move(fault));
+  if (const auto valid = Validate(wanted); !valid) return Reply(valid.error().Sentence());
+  session.workers = workers;
+  return Reply(session.Enqueue(wanted) ? "" : session.notice);
+}
+/// What waits, as QueueJson.
+EMSCRIPTEN_KEEPALIVE const char* gs_queue() {
+  ThePage().reply = QueueJson(TheSession().queue);
+  return ThePage().reply.c_str();
+}
+/// What was found, the newest first, as FoundJson.
+EMSCRIPTEN_KEEPALIVE const char* gs_found() {
+  ThePage().reply = FoundJson(TheSession().found);
+  return ThePage().reply.c_str();
+}
+/// @return 0: there is no such result
+EMSCRIPTEN_KEEPALIVE int gs_show_found(const char* id) {
+  TheSession().BeginGesture();
+  ThePage().window->RequestFrame();
+  return TheSession().ShowFound(id) ? 1 : 0;
+}
+/// A found motion of an earlier visit. @return 0: the text is none
+EMSCRIPTEN_KEEPALIVE int gs_restore_found(const char* text) {
+  ThePage().window->RequestFrame();
+  return TheSession().found.Restore(text) ? 1 : 0;
+}
+
 /// Starts the lab; one that runs is stopped first. @param options JSON object
 /// @return an empty text, or a sentence, and then nothing has changed
 EMSCRIPTEN_KEEPALIVE const char* gs_lab(const char* options) {
@@ -256,9 +303,11 @@ EMSCRIPTEN_KEEPALIVE void gs_stop() {
 /// @param state  0 idle, 1 running, 2 paused, 3 done, 4 stopped, 5 failed
 /// @param curve  pairs (evaluation, best), whose evaluations are exact to 2^24, enough for a curve
 /// @param genes the best genome, or none when it has not changed
+/// @param spread of the population: members, least, lower quartile, median, upper quartile, best; null: none
 EMSCRIPTEN_KEEPALIVE void gs_search_progress(int state, int evaluations, int budget, double rate,
                                              double seconds_left, float best, const float* curve, int points,
-                                             const std::uint16_t* genes, int gene_count) {
+                                             const std::uint16_t* genes, int gene_count,
+                                             const float* spread) {
   SearchProgress progress{.state = static_cast<SearchState>(std::clamp(state, 0, 5)),
                           .evaluations = evaluations,
                           .budget = budget,
@@ -270,6 +319,9 @@ EMSCRIPTEN_KEEPALIVE void gs_search_progress(int state, int evaluations, int bud
   for (int i = 0; i < points; ++i)
     progress.curve.push_back({static_cast<int>(curve[2 * i]), curve[2 * i + 1]});
   if (gene_count > 0) progress.best_genome.assign(genes, genes + gene_count);
+  if (spread != nullptr) {
+    progress.spread = {static_cast<int>(spread[0]), spread[1], spread[2], spread[3], spread[4], spread[5]};
+  }
   TheSession().OnSearchProgress(std::move(progress));
   ThePage().window->RequestOneFrame();
 }

@@ -15,6 +15,12 @@ addToLibrary({
   gs_page_start_trial: (pointer, bytes, workers, words, finished, total) => {
     callPage('startTrial', HEAPU8.slice(pointer, pointer + bytes), workers, { words: UTF8ToString(words), finished, total });
   },
+  gs_page_start_queued__deps: ['$callPage', '$UTF8ToString'],
+  gs_page_start_queued: (pointer, bytes, workers, words) => {
+    callPage('startQueued', HEAPU8.slice(pointer, pointer + bytes), workers, UTF8ToString(words));
+  },
+  gs_page_store_found__deps: ['$callPage', '$UTF8ToString'],
+  gs_page_store_found: (id, text) => { callPage('storeFound', UTF8ToString(id), UTF8ToString(text)); },
   gs_page_lab_ended__deps: ['$callPage'],
   gs_page_lab_ended: () => { callPage('labEnded'); },
   gs_page_save_text__deps: ['$callPage', '$UTF8ToString'],

@@ -73,11 +73,21 @@ void DrawIcon(ImDrawList* list, Icon icon, ImVec2 centre, float size, ImU32 colo
     case Icon::kChevronDown:
       pen.Stroke({{-0.55f, -0.25f}, {0.0f, 0.3f}, {0.55f, -0.25f}});
       break;
+    case Icon::kChevronUp:
+      pen.Stroke({{-0.55f, 0.25f}, {0.0f, -0.3f}, {0.55f, 0.25f}});
+      break;
     case Icon::kCheck:
       pen.Stroke({{-0.6f, 0.05f}, {-0.15f, 0.5f}, {0.65f, -0.5f}});
       break;
     case Icon::kStop:
       pen.Bar({-0.6f, -0.6f}, {0.6f, 0.6f});
+      break;
+    case Icon::kBookmark:
+      pen.Stroke({{0.0f, 0.25f}, {0.5f, 0.7f}, {0.5f, -0.7f}, {-0.5f, -0.7f}, {-0.5f, 0.7f}, {0.0f, 0.25f}});
+      break;
+    case Icon::kBookmarkFull:
+      pen.Fill({{-0.55f, -0.75f}, {0.0f, -0.75f}, {0.0f, 0.25f}, {-0.55f, 0.75f}});
+      pen.Fill({{0.0f, -0.75f}, {0.55f, -0.75f}, {0.55f, 0.75f}, {0.0f, 0.25f}});
       break;
   }
 }

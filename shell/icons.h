@@ -16,8 +16,11 @@ enum class Icon {
   kMinus,
   kClose,
   kChevronDown,
+  kChevronUp,
   kCheck,
-  kStop
+  kStop,
+  kBookmark,  // outlined, and full for what is kept
+  kBookmarkFull
 };
 
 /// @param size edge of the square it fills [points]; 14 suits 13 px type

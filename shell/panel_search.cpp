@@ -1,182 +1,39 @@
 // SPDX-License-Identifier: MIT
-// Settings, the one big button, progress and the curve.
+// The one big button, progress and the curve; below them the sections that fold away.
 #include "shell/panel_search.h"
 
 #include <algorithm>
 #include <array>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "shell/algorithm_words.h"
+#include "shell/fold.h"
+#include "shell/found_list.h"
 #include "shell/plot.h"
+#include "shell/queue_list.h"
+#include "shell/search_settings_form.h"
+#include "shell/search_words.h"
 #include "shell/wording.h"
 
 namespace gaitsmith::shell {
 namespace {
 
-/// A population must fit into the budget.
-void SuitBudget(SearchSettings& search) {
-  const bool genetic = search.algorithm == Algorithm::kGga || search.algorithm == Algorithm::kSsga;
-  if (genetic) search.evaluations = std::max(search.evaluations, search.genetic.population);
-  if (search.algorithm == Algorithm::kMpga) {
-    search.evaluations = std::max(search.evaluations, search.torus.side * search.torus.side);
-  }
+constexpr float kGap = 8.0f;  // between buttons in a row
+
+std::array<ImRect, 2> Halves(const ImRect& row) {
+  const float middle = row.GetCenter().x;
+  return {ImRect(row.Min, {middle - 0.5f * kGap, row.Max.y}),
+          ImRect({middle + 0.5f * kGap, row.Min.y}, row.Max)};
 }
 
-/// One parameter of the next search, whole or real, in a row of its own.
-void WholeParameter(Ui& ui, Session& session, const char* id, const char* label, int low, int high, int step,
-                    int& (*field)(SearchSettings&)) {
-  SearchSettings search = session.Doc().search;
-  int value = field(search);
-  if (ui.Number(id, label, value, low, high, step)) {
-    session.Set([&](Document& d) {
-      field(d.search) = value;
-      SuitBudget(d.search);
-    });
-  }
-  ui.Gap(6.0f);
-}
-void RealParameter(Ui& ui, Session& session, const char* id, const char* label, const SliderRange& range,
-                   float& (*field)(SearchSettings&)) {
-  SearchSettings search = session.Doc().search;
-  double value = static_cast<double>(field(search));
-  if (ui.Slider(id, label, value, range, Fixed(value, 2))) {
-    session.Set([&](Document& d) { field(d.search) = static_cast<float>(value); });
-  }
-  ui.Gap(6.0f);
-}
-
-void DrawRates(Ui& ui, Session& session) {
-  RealParameter(ui, session, "search/mutation", "Mutation rate", {.low = 0.0, .high = 1.0},
-                [](SearchSettings& s) -> float& { return s.genetic.rates.mutation; });
-  RealParameter(ui, session, "search/crossover", "Crossover rate", {.low = 0.0, .high = 1.0},
-                [](SearchSettings& s) -> float& { return s.genetic.rates.crossover; });
-  static constexpr std::array<std::string_view, 2> kReadings = {"Per child", "Per component"};
-  int reading = static_cast<int>(session.Doc().search.genetic.rates.reading);
-  if (ui.Segmented("search/rates", ui.ControlRow(), kReadings, reading)) {
-    session.Set([&](Document& d) { d.search.genetic.rates.reading = static_cast<RateReading>(reading); });
-  }
-  ui.Gap(6.0f);
-}
-
-void DrawStart(Ui& ui, Session& session) {
-  const Document& d = session.Doc();
-  const Controller* shown = session.ShownController();
-  if (shown == nullptr || !SuitsSearch(d, *shown)) return;
-  bool on = d.search.start >= 0;
-  if (ui.Switch("search/start-here", "Start from the shown motion", on)) {
-    session.Set([&](Document& next) {
-      const auto clip = static_cast<std::size_t>(session.SelectedClip());
-      next.search.start = on && clip < next.timeline.size() ? next.timeline[clip].controller : -1;
-    });
-  }
-  ui.Gap(6.0f);
-}
-
-/// What the chosen algorithm can be told, beside budget and seed.
-void DrawParameters(Ui& ui, Session& session) {
-  const Algorithm algorithm = session.Doc().search.algorithm;
-  if (RefinesOne(algorithm)) DrawStart(ui, session);
-  switch (algorithm) {
-    case Algorithm::kRandomSearch:
-    case Algorithm::kShc:
-      break;
-    case Algorithm::kSphc:
-      WholeParameter(ui, session, "search/population", "Population", 2, 1000, 1,
-                     [](SearchSettings& s) -> int& { return s.population; });
-      WholeParameter(ui, session, "search/reseed", "Reseed every (generations)", 1, 1'000'000, 10,
-                     [](SearchSettings& s) -> int& { return s.reseed_interval; });
-      break;
-    case Algorithm::kGga:
-    case Algorithm::kSsga:
-      WholeParameter(ui, session, "search/population", "Population", 2, 10'000, 10,
-                     [](SearchSettings& s) -> int& { return s.genetic.population; });
-      DrawRates(ui, session);
-      if (algorithm == Algorithm::kGga) break;
-      RealParameter(ui, session, "search/rank-bias", "Rank bias", {.low = 1.0, .high = 2.0},
-                    [](SearchSettings& s) -> float& { return s.genetic.rank_bias; });
-      break;
-    case Algorithm::kMpga:
-      WholeParameter(ui, session, "search/side", "Side of the torus", 2, 128, 1,
-                     [](SearchSettings& s) -> int& { return s.torus.side; });
-      WholeParameter(ui, session, "search/walk", "Walk to a mate (steps)", 1, 1000, 1,
-                     [](SearchSettings& s) -> int& { return s.torus.walk_steps; });
-      DrawRates(ui, session);
-      break;
-    case Algorithm::kNelderMead:
-    case Algorithm::kPowell:
-      RealParameter(ui, session, "search/step", "First step", {.low = 0.01, .high = 1.0},
-                    [](SearchSettings& s) -> float& { return s.refine.step; });
-      break;
-    case Algorithm::kCmaEs:
-      RealParameter(ui, session, "search/step", "First step", {.low = 0.01, .high = 1.0},
-                    [](SearchSettings& s) -> float& { return s.cma.step; });
-      RealParameter(ui, session, "search/growth", "Growth at a restart",
-                    {.low = 1.0, .high = 10.0, .step = 0.1},
-                    [](SearchSettings& s) -> float& { return s.cma.growth; });
-      break;
-    case Algorithm::kMapElites:
-      WholeParameter(ui, session, "search/bins", "Bins of each style term", 1, 32, 1,
-                     [](SearchSettings& s) -> int& { return s.elites.bins; });
-      WholeParameter(ui, session, "search/initial", "Random at first", 1, 100'000, 10,
-                     [](SearchSettings& s) -> int& { return s.elites.initial; });
-      break;
-    case Algorithm::kTwoStage:
-      WholeParameter(ui, session, "search/random", "Random at first", 1, 1'000'000, 100,
-                     [](SearchSettings& s) -> int& { return s.two_stage.random; });
-      WholeParameter(ui, session, "search/kept", "Of which climb", 1, 1000, 1,
-                     [](SearchSettings& s) -> int& { return s.two_stage.kept; });
-      break;
-  }
-}
-
-void DrawSettings(Ui& ui, Session& session) {
-  const SearchSettings& search = session.Doc().search;
-  static const std::vector<std::string> kAlgorithms = [] {
-    std::vector<std::string> titles;
-    for (const AlgorithmWords& words : AlgorithmTexts()) titles.push_back(words.title);
-    return titles;
-  }();
-  int algorithm = static_cast<int>(search.algorithm);
-  if (ui.Combo("search/algorithm", "Algorithm", kAlgorithms, algorithm)) {
-    session.Set([&](Document& d) {
-      d.search.algorithm = static_cast<Algorithm>(algorithm);
-      SuitBudget(d.search);
-    });
-  }
-  ui.Paragraph(WordsOf(search.algorithm).line, Type::kNote);
-  ui.Gap(6.0f);
-  double budget = search.evaluations;
-  if (ui.Slider("search/budget", "Budget", budget,
-                {.low = 1000.0, .high = 1e6, .step = 1000.0, .logarithmic = true},
-                Grouped(search.evaluations) + " evaluations")) {
-    session.Set([&](Document& d) {
-      d.search.evaluations = static_cast<int>(budget);
-      SuitBudget(d.search);
-    });
-  }
-  ui.Gap(8.0f);
-  DrawParameters(ui, session);
-  int seed = static_cast<int>(std::min<std::uint32_t>(search.seed, 999'999'999u));
-  if (ui.Number("search/seed", "Seed", seed, 0, 999'999'999)) {
-    session.Set([&](Document& d) { d.search.seed = static_cast<std::uint32_t>(seed); });
-  }
-  ui.Gap(6.0f);
-  const int most = std::max(1, session.Place().MaxWorkers());
-  ui.Number("search/workers", "Workers", session.workers, 1, most);
-}
-
-void DrawButtons(Ui& ui, Session& session) {
-  const float height = 38.0f;
-  const ImRect row = ui.Row(height);
+void DrawSearchButtons(Ui& ui, Session& session) {
+  const ImRect row = ui.Row(38.0f);
   if (!session.Searching()) {
     if (ui.Button("search/start", row, "Synthesize", ButtonLook::kPrimary)) session.Synthesize();
     return;
   }
-  const float middle = row.GetCenter().x;
-  const ImRect left(row.Min, {middle - 4.0f, row.Max.y});
-  const ImRect right({middle + 4.0f, row.Min.y}, row.Max);
+  const auto [left, right] = Halves(row);
   if (session.Progress().state == SearchState::kPaused) {
     if (ui.Button("search/resume", left, "Resume", ButtonLook::kPrimary)) session.Resume();
   } else {
@@ -185,9 +42,34 @@ void DrawButtons(Ui& ui, Session& session) {
   if (ui.Button("search/stop", right, "Stop")) session.Stop();
 }
 
+/// The search to the queue, once or with several seeds; the motion to the results.
+void DrawKeepingButtons(Ui& ui, Session& session) {
+  const ImRect row = ui.ControlRow();
+  const float part = (row.GetWidth() - 2.0f * kGap) / 3.0f;
+  const auto place = [&](float from, float to) {
+    return ImRect({row.Min.x + from * (part + kGap), row.Min.y},
+                  {row.Min.x + to * (part + kGap) - kGap, row.Max.y});
+  };
+  const bool full = session.queue.Full();
+  if (ui.Button("queue/add", place(0, 1), full ? "Queue is full" : "Add to queue", ButtonLook::kOutlined,
+                !full))
+    session.Enqueue(session.Doc());
+  if (ui.Button("queue/seeds", place(1, 2), full ? "Queue is full" : "Queue 5 seeds", ButtonLook::kOutlined,
+                !full))
+    session.EnqueueSeeds(kQueuedSeeds);
+  const bool motion = !session.Doc().timeline.empty();
+  if (ui.Button("found/keep", place(2, 3), motion ? "Keep motion" : "No motion yet", ButtonLook::kOutlined,
+                motion))
+    session.KeepMotion();
+}
+
 void DrawProgress(Ui& ui, const Session& session) {
   const SearchProgress& progress = session.Progress();
   const Palette& p = ui.Ink();
+  // One line, whatever runs, so that nothing below moves away under the pointer when the next search begins.
+  const ImRect title = ui.Row(Fonts::LineHeight(Type::kNote) + 6.0f);
+  ui.Letters().DrawElided(ui.Canvas(), Type::kNote, {title.Min.x, title.GetCenter().y - 3.0f},
+                          title.GetWidth(), p.second_ink, session.ProgressTitle());
   const float share = progress.budget > 0
                           ? static_cast<float>(progress.evaluations) / static_cast<float>(progress.budget)
                           : 0.0f;
@@ -197,54 +79,119 @@ void DrawProgress(Ui& ui, const Session& session) {
                              p.good, 3.0f);
   ui.Gap(8.0f);
   ui.Fact(Grouped(progress.evaluations) + " of " + Grouped(progress.budget),
-          progress.state == SearchState::kRunning  ? Duration(progress.seconds_left) + " left"
-          : progress.state == SearchState::kPaused ? "paused"
-          : progress.state == SearchState::kDone   ? "done"
-                                                   : "stopped");
+          progress.state == SearchState::kRunning   ? Duration(progress.seconds_left) + " left"
+          : progress.state == SearchState::kPaused  ? "paused"
+          : progress.state == SearchState::kDone    ? "done"
+          : progress.state == SearchState::kStopped ? "stopped"
+                                                    : "failed");
   ui.Fact(Grouped(static_cast<long long>(progress.evaluations_per_second)) + " evaluations/s",
           std::to_string(progress.workers) + (progress.workers == 1 ? " worker" : " workers"));
 }
 
+/// "10 in hand: median 4.21, quartiles 3.90 and 5.02, from 2.10 to 5.31"; empty: no population
+std::string SpreadText(const SearchProgress& progress) {
+  if (!progress.spread) return {};
+  const Spread& s = *progress.spread;
+  return Grouped(s.members) + " in hand: median " + Fixed(s.median, 2) + ", quartiles " +
+         Fixed(s.lower_quartile, 2) + " and " + Fixed(s.upper_quartile, 2) + ", from " + Fixed(s.least, 2) +
+         " to " + Fixed(s.best, 2);
+}
+
+/// A sample of each line and its name.
+void DrawLegend(Ui& ui, const SearchProgress& progress) {
+  const Palette& p = ui.Ink();
+  const ImRect row = ui.Row(Fonts::LineHeight(Type::kNote));
+  const float y = row.GetCenter().y;
+  const float sample = 14.0f;
+  ui.Canvas()->AddRectFilled({row.Min.x, y - 1.0f}, {row.Min.x + sample, y + 1.0f}, p.good);
+  float x = row.Min.x + sample + 6.0f;
+  ui.Letters().Draw(ui.Canvas(), Type::kNote, {x, y}, p.second_ink, "best");
+  if (!progress.spread) return;  // one after another, or nothing is known of it yet
+  x += ui.Letters().Width(Type::kNote, "best") + 14.0f;
+  ui.Canvas()->AddRectFilled({x, y - 5.0f}, {x + sample, y + 5.0f}, Fade(p.second_ink, 0.18f));
+  ui.Canvas()->AddRectFilled({x, y - 0.6f}, {x + sample, y + 0.6f}, p.second_ink);
+  x += sample + 6.0f;
+  ui.Letters().DrawElided(ui.Canvas(), Type::kNote, {x, y}, row.Max.x - x, p.second_ink,
+                          "population of " + Grouped(progress.spread->members) + ": median and quartiles");
+}
+
 void DrawCurve(Ui& ui, const Session& session) {
   const SearchProgress& progress = session.Progress();
-  std::vector<PlotPoint> points;
-  points.reserve(progress.curve.size() + 1);
+  std::vector<PlotPoint> best_points;
+  best_points.reserve(progress.curve.size() + 1);
   for (const Search::CurvePoint& point : progress.curve) {
     if (point.best <= kVoidScore / 2.0f) continue;
-    points.push_back({static_cast<double>(point.evaluation), static_cast<double>(point.best)});
+    best_points.push_back({static_cast<double>(point.evaluation), static_cast<double>(point.best)});
   }
-  if (!points.empty()) points.push_back({static_cast<double>(progress.evaluations), points.back().y});
-  const PlotSeries series{.name = "best so far", .points = points, .colour = ui.Ink().good};
-  const std::string best = points.empty() ? "none yet" : Fixed(progress.best_fitness, 2);
+  if (!best_points.empty())
+    best_points.push_back({static_cast<double>(progress.evaluations), best_points.back().y});
+  std::vector<PlotPoint> medians;
+  std::vector<PlotSpread> quartiles;
+  for (const auto& [evaluation, spread] : session.PopulationSpread().Points()) {
+    const auto x = static_cast<double>(evaluation);
+    medians.push_back({x, static_cast<double>(spread.median)});
+    quartiles.push_back(
+        {x, static_cast<double>(spread.lower_quartile), static_cast<double>(spread.upper_quartile)});
+  }
+  const std::array<PlotSeries, 2> series = {
+      PlotSeries{.name = "population",
+                 .points = medians,
+                 .colour = ui.Ink().second_ink,
+                 .spread = quartiles,
+                 .thin = true},
+      PlotSeries{.name = "best so far", .points = best_points, .colour = ui.Ink().good}};
+  const std::string best = best_points.empty() ? "none yet" : Fixed(progress.best_fitness, 2);
   const ImRect head = ui.Row(24.0f);
   ui.Letters().Draw(ui.Canvas(), Type::kStrong, {head.Min.x, head.GetCenter().y}, ui.Ink().ink,
                     "Best so far");
   ui.Letters().Draw(ui.Canvas(), Type::kStrong, {head.Max.x, head.GetCenter().y}, ui.Ink().good, best,
                     Align::kRight);
+  const std::string spread = SpreadText(progress);
   DrawPlot(
-      ui, "search/curve", "Best score so far", ui.Row(168.0f),
+      ui, "search/curve", "Best score so far, and the population's spread", ui.Row(158.0f),
       {.x_end = static_cast<double>(std::max(progress.budget, 1)), .x_label = "evaluations", .y_unit = ""},
-      std::span(&series, 1), "best " + best + " after " + Grouped(progress.evaluations) + " evaluations");
+      series,
+      "best " + best + " after " + Grouped(progress.evaluations) + " evaluations" +
+          (spread.empty() ? "" : "; " + spread));
+  DrawLegend(ui, progress);
 }
 
-}  // namespace
-
-void DrawSearchPanel(Ui& ui, Session& session) {
-  DrawButtons(ui, session);
-  ui.Gap(12.0f);
-  if (session.Progress().budget > 0) {
-    DrawProgress(ui, session);
-    ui.Gap(6.0f);
-    DrawCurve(ui, session);
-    ui.Gap(12.0f);
-  }
-  DrawSettings(ui, session);
-  ui.Gap(10.0f);
+void DrawSettings(Ui& ui, Session& session, SearchPanelState& state) {
   const Document& d = session.Doc();
+  if (!DrawFold(ui, "search/settings", "Next search", state.settings ? "" : SearchLine(d), state.settings))
+    return;
   ui.Paragraph("Looks for " + ControllerWords(d.kind, d.senses, d.rules) + " that can make " + d.figure.name +
                    " " + TaskWords(d.task.kind) + " for " +
                    Fixed(static_cast<float>(d.task.duration_steps) * kStep, 1) + " s.",
                Type::kNote);
+  ui.Gap(6.0f);
+  DrawSearchSettings(ui, session, state.variation);
+  ui.Gap(6.0f);
+}
+
+std::string Count(std::size_t count, const char* none, const char* what) {
+  return count == 0 ? none : Grouped(static_cast<long long>(count)) + what;
+}
+
+}  // namespace
+
+void DrawSearchPanel(Ui& ui, Session& session, SearchPanelState& state) {
+  DrawSearchButtons(ui, session);
+  ui.Gap(kGap);
+  if (session.Progress().budget > 0) {
+    DrawProgress(ui, session);
+    ui.Gap(4.0f);
+    DrawCurve(ui, session);
+    ui.Gap(10.0f);
+  }
+  DrawKeepingButtons(ui, session);
+  ui.Gap(kGap);
+  DrawSettings(ui, session, state);
+  const std::size_t waiting = session.queue.Waiting().size();
+  if (DrawFold(ui, "queue", "Queue", Count(waiting, "empty", waiting == 1 ? " waits" : " wait"), state.queue))
+    DrawQueue(ui, session);
+  if (DrawFold(ui, "found", "Results", Count(session.found.Count(), "none yet", ""), state.found))
+    DrawFound(ui, session, state.order);
 }
 
 }  // namespace gaitsmith::shell

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The Search panel: how to look for a better motion, and how far the search has come.
+// The Search panel: how far the search has come, how to look for a better motion, what waits, what was found.
 #pragma once
 
 #include "shell/session.h"
@@ -7,6 +7,15 @@
 
 namespace gaitsmith::shell {
 
-void DrawSearchPanel(Ui&, Session&);
+/// Which sections are open, and how the results are sorted.
+struct SearchPanelState {
+  bool settings = true;
+  bool variation = false;
+  bool queue = true;
+  bool found = true;
+  FoundMotions::Order order = FoundMotions::Order::kNewest;
+};
+
+void DrawSearchPanel(Ui&, Session&, SearchPanelState&);
 
 }  // namespace gaitsmith::shell

@@ -122,6 +122,7 @@ SearchProgress RunParallelSearch(const Problem& problem, const SearchSettings& s
     progress.best_fitness = search->BestFitness();
     progress.best_genome = search->BestGenome();
     progress.curve = search->Curve();
+    progress.spread = SpreadOf(search->PopulationFitness());
   };
 
   // Five rounds of lanes for each thread: enough to keep all busy, little to throw away when a climb

@@ -130,8 +130,8 @@ void DrawPlot(Ui& ui, std::string_view id, std::string_view label, const ImRect&
       if (rises) list->PathLineTo({x, y_of(one.points[i].y)});
     }
     const ImVec2 end(drawn_x, y_of(one.points.back().y));
-    list->PathStroke(one.colour, 0, 2.0f);
-    list->AddCircleFilled(end, 3.5f, one.colour);
+    list->PathStroke(one.colour, 0, one.thin ? 1.2f : 2.0f);
+    if (!one.thin) list->AddCircleFilled(end, 3.5f, one.colour);
   }
   ui.DrawFocus(touch, rect);
 }

@@ -27,6 +27,7 @@ struct PlotSeries {
   std::span<const PlotPoint> points;  // x ascending; each y holds until the next point
   ImU32 colour;
   std::span<const PlotSpread> spread = {};  // a band behind the lines, x ascending
+  bool thin = false;                        // a background to the others: a fine line without an end
 };
 
 struct PlotAxes {

@@ -2,10 +2,12 @@
 // How far a search has come: what a page's worker, the desktop's threads and the command line all report.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/physics/task.h"
 #include "core/search/search.h"
+#include "core/search/spread.h"
 
 namespace gaitsmith::shell {
 
@@ -21,7 +23,8 @@ struct SearchProgress {
   int workers = 0;
   float best_fitness = kVoidScore;
   std::vector<Search::CurvePoint> curve = {};
-  Genome best_genome = {};  // empty: as in the last report, or none yet
+  Genome best_genome = {};            // empty: as in the last report, or none yet
+  std::optional<Spread> spread = {};  // of the population now
 };
 
 }  // namespace gaitsmith::shell

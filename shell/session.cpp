@@ -111,6 +111,7 @@ std::string TaskWords(TaskKind kind) {
 
 Session::Session(Host& host)
     : workers(host.MaxWorkers()), host_(host), figures_(ShippedFigures()), problems_(ShippedProblems()) {
+  found.on_change = [this](const std::string& id, const std::string& text) { host_.StoreFound(id, text); };
   Document document;
   document.title = "Mr. Star-Man";
   document.figure = StandardFigure();
@@ -130,7 +131,7 @@ Result<void> Session::Open(std::string_view text) {
   BeginGesture();
   Remember();
   BeginGesture();
-  progress_ = {};
+  ForgetProgress();
   selected_clip_ = 0;
   player.speed = static_cast<double>(document->view.speed);
   Show(std::move(*document), true);
@@ -224,7 +225,7 @@ bool Session::ReplaceFigure(const Figure& figure) {
   const bool loses = !fits && !document_.controllers.empty();
   const bool changed = Change(edit);
   if (changed && loses) {
-    progress_ = {};
+    ForgetProgress();
     Say("The controllers were made for the figure as it was, so they are gone. Undo brings them back.");
   }
   return changed;
@@ -248,7 +249,7 @@ void Session::ChooseFigure(int index) {
       })) {
     return;
   }
-  progress_ = {};
+  ForgetProgress();
   player.Seek(0.0);
   Say(figure.name + " cannot move yet: press Synthesize. Undo brings the last figure back.");
 }
@@ -258,7 +259,7 @@ void Session::Replace(Document document) {
   Remember();
   document.view = document_.view;
   selected_clip_ = 0;
-  progress_ = {};
+  ForgetProgress();
   Show(std::move(document), true);
 }
 

@@ -9,10 +9,13 @@
 #include <string_view>
 #include <vector>
 
+#include "shell/found_motions.h"
 #include "shell/history.h"
 #include "shell/host.h"
 #include "shell/lab.h"
 #include "shell/playback.h"
+#include "shell/search_queue.h"
+#include "shell/spread_curve.h"
 
 namespace gaitsmith::shell {
 
@@ -100,10 +103,14 @@ class Session {
   void Resume() {
     if (Searching()) host_.ResumeSearch();
   }
-  /// Ends the search, or the lab.
+  /// Ends the search, or the lab. What waits in the queue goes on waiting.
   void Stop();
   void OnSearchProgress(SearchProgress progress);
   [[nodiscard]] const SearchProgress& Progress() const { return progress_; }
+  /// Whose it is, in one line: "Mr. Star-Man · travel, SPHC, seed 3"; of the queue with a word that says so.
+  [[nodiscard]] const std::string& ProgressTitle() const { return progress_title_; }
+  /// How the population of the present or last search scattered.
+  [[nodiscard]] const SpreadCurve& PopulationSpread() const { return spread_; }
   [[nodiscard]] bool Searching() const {
     return progress_.state == SearchState::kRunning || progress_.state == SearchState::kPaused;
   }
@@ -111,6 +118,37 @@ class Session {
   /// if it did
   bool ShowImprovement(double seconds);
   int workers = 1;
+
+  // The queue: searches with their own problems, which begin one after another when the search before them is
+  // done or has failed. One that a person stops leaves the others waiting for RunQueue. They leave the stage
+  // alone, unless the document in hand asks for just that search; what they find goes to the found motions.
+  SearchQueue queue;
+  /// Puts a document's search behind all that wait. @param document valid. @return false, with a sentence: no
+  /// room
+  bool Enqueue(const Document& document);
+  /// The search of the document in hand, with further seeds that neither run nor wait yet. @return how many
+  int EnqueueSeeds(int count);
+  /// Begins with the first that waits; then they go on by themselves. Refused, with a sentence, while a
+  /// search or the lab runs.
+  bool RunQueue();
+  /// Once a frame: goes on where a search ended by the way, because its document went away.
+  void GoOn() {
+    if (queue_due_) RunNext();
+  }
+  /// What runs came from the queue: stopping, undoing and opening in the document in hand do not concern it.
+  [[nodiscard]] bool RunsQueued() const { return Searching() && queued_; }
+  /// What the running search looks for; null: none runs.
+  [[nodiscard]] const Document* Searched() const { return Searching() && searched_ ? &*searched_ : nullptr; }
+
+  // Found motions: of every search that ended, and what a person keeps.
+  FoundMotions found;
+  /// Keeps the motion in hand. Refused, with a sentence: there is none, or no room.
+  bool KeepMotion();
+  /// The document as it was found, in the place of the one in hand, which Undo brings back. @return false:
+  /// there is no such motion
+  bool ShowFound(const std::string& id);
+  /// Whether a found motion is what is in hand now.
+  [[nodiscard]] bool InHand(const FoundMotions::Entry&) const;
 
   // The lab: many searches for the present document's problem, of which only the curves are kept. It and the
   // search exclude each other.
@@ -142,7 +180,13 @@ class Session {
   /// Ends the search for good: what it still reports belongs to a document that is no longer here.
   void AbandonSearch();
   void PutController(Controller controller);
-  void BeginSearch(Document wanted);
+  void BeginSearch(Document wanted, bool queued = false);
+  void Halt();
+  void RunNext();
+  void EndSearch();
+  void NoteFound();
+  [[nodiscard]] bool BelongsOnStage() const;
+  void ForgetProgress();
   void LoadGhost();
   void RunTrial();
   void OnTrialProgress(const SearchProgress&);
@@ -163,9 +207,15 @@ class Session {
   int ghost_ = kNoGhost;
   Playback ghost_player_;
   SearchProgress progress_;
+  std::string progress_title_;
   std::optional<Document> searched_;  // the document as it was when the search began; empty: none is wanted
   int searched_clip_ = 0;             // the clip that it improves
-  Genome improvement_;                // found, not shown yet
+  bool queued_ = false;               // it came from the queue
+  bool off_stage_ = false;            // it did, and what it finds is no longer wanted on the stage
+  std::string noted_;                 // what it has found so far, among the found motions; empty: not there
+  bool queue_due_ = false;            // a search ended by the way: the next one begins with the next frame
+  SpreadCurve spread_;
+  Genome improvement_;  // found, not shown yet
   double shown_for_s_ = 0.0;
 };
 

@@ -48,7 +48,7 @@ std::string ChangeWords(const Document& a, const Document& b) {
 void Session::Remember(int occasion) { history_.Keep(document_, occasion); }
 
 bool Session::FoundNothingYet() const {
-  if (!Searching() || !searched_ || !improvement_.empty()) return false;
+  if (!Searching() || queued_ || !searched_ || !improvement_.empty()) return false;
   Document begun = earlier_;
   begun.view = document_.view;
   return EncodeBinary(begun) == EncodeBinary(document_);

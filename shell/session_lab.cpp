@@ -17,9 +17,7 @@ Result<void> Session::StartLab(const LabSettings& settings) {
   StopLab();
   lab = std::move(next);
   notice.clear();
-  // What an ended search still reports is nobody's any more.
-  searched_.reset();
-  improvement_.clear();
+  EndSearch();
   RunTrial();
   return {};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "shell/algorithm_words.h"
+#include "shell/search_words.h"
 #include "shell/session.h"
 #include "shell/wording.h"
 
@@ -27,39 +28,78 @@ void Session::TryStyle() {
   if (Searching()) ChooseGhost(kEarlierGhost);
 }
 
-void Session::BeginSearch(Document wanted) {
+void Session::BeginSearch(Document wanted, bool queued) {
   if (lab.Running()) {
     Say("The lab is running: stop it first, or let it end.");
     return;
   }
-  if (Searching()) Stop();
+  if (Searching()) Halt();
+  EndSearch();
   search_occasion_ = ++occasions_;
-  notice.clear();
-  earlier_ = document_;
   searched_ = std::move(wanted);
   searched_clip_ = selected_clip_;
+  queued_ = queued;
+  off_stage_ = false;
+  queue_due_ = false;
   progress_ = {.state = SearchState::kRunning,
                .budget = searched_->search.evaluations,
                .workers = workers,
                .curve = {},
                .best_genome = {}};
-  improvement_.clear();
+  progress_title_ = (queued ? "Queue: " : "") + SearchTitle(*searched_) + ", " +
+                    WordsOf(searched_->search.algorithm).name + ", seed " +
+                    std::to_string(searched_->search.seed);
+  spread_.Begin(progress_.budget);
   shown_for_s_ = 1e9;
-  host_.StartSearch(*searched_, workers);
+  if (BelongsOnStage()) earlier_ = document_;
+  if (queued) {
+    host_.StartQueued(*searched_, workers, SearchTitle(*searched_) + ", " + SearchLine(*searched_));
+  } else {
+    notice.clear();
+    host_.StartSearch(*searched_, workers);
+  }
 }
 
 void Session::Stop() {
   StopLab();
   if (!Searching()) return;
+  Halt();
+  if (const std::size_t count = queue.Waiting().size(); count > 0)
+    Say("Stopped. " + WaitingWords(count) + " until you press Run queue.");
+}
+
+void Session::Halt() {
   host_.StopSearch();
   progress_.state = SearchState::kStopped;
   ShowImprovement(1e9);
+  NoteFound();
 }
 
 void Session::AbandonSearch() {
-  if (Searching()) Stop();
+  if (RunsQueued()) {
+    off_stage_ = true;
+    improvement_.clear();
+    return;
+  }
+  if (Searching()) {
+    Halt();
+    queue_due_ = true;
+  }
+  EndSearch();
+}
+
+// What it still reports is nobody's any more.
+void Session::EndSearch() {
   searched_.reset();
   improvement_.clear();
+  noted_.clear();
+  queued_ = false;
+}
+
+void Session::ForgetProgress() {
+  if (RunsQueued()) return;  // it goes on behind another document
+  progress_ = {};
+  spread_.Begin(1);
 }
 
 void Session::OnSearchProgress(SearchProgress progress) {
@@ -67,6 +107,11 @@ void Session::OnSearchProgress(SearchProgress progress) {
   if (!searched_) return;  // of a search that was stopped before its document went away
   const bool ended = progress.state == SearchState::kDone || progress.state == SearchState::kStopped ||
                      progress.state == SearchState::kFailed;
+  if (progress.state == SearchState::kFailed) {
+    // It has nothing more to say, but what it said before holds.
+    progress = progress_;
+    progress.state = SearchState::kFailed;
+  }
   if (!progress.best_genome.empty() && progress.best_genome != progress_.best_genome) {
     improvement_ = progress.best_genome;
   } else if (progress.best_genome.empty()) {
@@ -74,17 +119,30 @@ void Session::OnSearchProgress(SearchProgress progress) {
   }
   const bool first_end = ended && Searching();
   progress_ = std::move(progress);
+  if (progress_.spread) spread_.Add(progress_.evaluations, *progress_.spread);
   if (!ended) return;
   ShowImprovement(1e9);
-  searched_.reset();
+  NoteFound();
+  const std::string whose = queued_ ? SearchTitle(*searched_) + ": " : "";
+  EndSearch();
   if (!first_end) return;
   if (progress_.state == SearchState::kFailed) {
-    Say("The search failed.");
+    Say(whose.empty() ? "The search failed." : whose + "the search failed.");
   } else {
-    host_.Status((progress_.state == SearchState::kDone ? "Search done: best " : "Search stopped: best ") +
-                 Fixed(progress_.best_fitness, 2) + " after " + Grouped(progress_.evaluations) +
-                 " evaluations.");
+    host_.Status(
+        whose + (progress_.state == SearchState::kDone ? "Search done: best " : "Search stopped: best ") +
+        Fixed(progress_.best_fitness, 2) + " after " + Grouped(progress_.evaluations) + " evaluations.");
   }
+  // At once rather than with the next frame: a tab that is not seen has none.
+  if (progress_.state != SearchState::kStopped) RunNext();
+}
+
+// A search of the queue improves the document in hand only where that asks for the very same search.
+bool Session::BelongsOnStage() const {
+  if (!searched_) return false;
+  if (!queued_) return true;
+  return !off_stage_ && document_.timeline.size() < 2 && searched_->search.start < 0 &&
+         SameSearch(document_, *searched_);
 }
 
 bool Session::ShowImprovement(double seconds) {
@@ -95,6 +153,7 @@ bool Session::ShowImprovement(double seconds) {
   shown_for_s_ = 0.0;
   Genome genes = std::move(improvement_);
   improvement_.clear();
+  if (!BelongsOnStage()) return false;
   const SearchSettings& search = searched_->search;
   PutController({.name = WordsOf(search.algorithm).name + ", seed " + std::to_string(search.seed),
                  .kind = searched_->kind,
@@ -123,10 +182,7 @@ void Session::PutController(Controller controller) {
       d.controllers.erase(d.controllers.begin() + c);
       for (Clip& one : d.timeline) one.controller -= one.controller > c ? 1 : 0;
     }
-    const std::string how = " · " + TaskWords(searched_->task.kind) + ", " +
-                            ControllerWords(searched_->kind, searched_->senses, searched_->rules) +
-                            ", seed " + std::to_string(searched_->search.seed);
-    d.title = Shortened(d.figure.name, kMaxNameBytes - how.size()) + how;
+    d.title = FoundTitle(d.figure.name, *searched_);
   });
   if (!next) return;
   notice.clear();

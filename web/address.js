@@ -27,7 +27,9 @@ export class Address {
   }
 
   /** The whole address of the present document. */
-  link() { return `${location.href.split('#')[0]}#${this.app.link()}`; }
+  link() { return this.linkOf(this.app.link()); }
+  /** @param {string} payload */
+  linkOf(payload) { return `${location.href.split('#')[0]}#${payload}`; }
 
   /** Opens what the address holds, if anything. A damaged link leaves the present work as it is. */
   open() {

@@ -3,7 +3,9 @@
 
 /** @typedef {import('./app.js').App} App */
 /** @typedef {import('./app.js').DocumentJson} DocumentJson */
+/** @typedef {import('./app.js').FoundMotion} FoundMotion */
 /** @typedef {import('./app.js').LabOptions} LabOptions */
+/** @typedef {import('./app.js').QueuedSearch} QueuedSearch */
 /** @typedef {import('./app.js').SynthesizeOptions} SynthesizeOptions */
 /** @typedef {import('./app.js').Widget} Widget */
 /** @typedef {import('./lab.js').LabResult} LabResult */
@@ -88,6 +90,30 @@ export class Gaitsmith extends EventTarget {
    */
   async lab(options = {}) { return this.#need().lab.run(options); }
 
+  /**
+   * Adds a search to the queue: the present document's with these options, as it is now.
+   * @param {SynthesizeOptions} [options]
+   */
+  enqueue(options = {}) {
+    const fault = this.#need().app.enqueue(options);
+    if (fault) throw new Error(fault);
+  }
+  /** What waits in the queue, the next one first. @returns {QueuedSearch[]} */
+  queue() { return this.#need().app.queue(); }
+  /** Begins with the first that waits; the others follow. @returns {boolean} false: nothing waits, or something runs */
+  runQueue() { return this.#need().app.run('queue/run'); }
+  /** @returns {boolean} whether anything waited */
+  clearQueue() { return this.#need().app.run('queue/clear'); }
+  /** What searches have found and a person has kept, the newest first; each with its whole link. @returns {FoundMotion[]} */
+  results() {
+    const { app, address } = this.#need();
+    return app.found().map((found) => ({ ...found, link: address.linkOf(found.link) }));
+  }
+  /** Shows a result as it was found; Undo brings back what was there. @param {string} id @returns {boolean} false: there is none */
+  showResult(id) { return this.#need().app.showFound(id); }
+  /** Keeps the present motion among the results. @returns {boolean} false: there is no motion */
+  keep() { return this.#need().app.run('found/keep'); }
+
   /** Most frames drawn per second; 0: as many as the display shows. */
   get fps() { return this.#fps; }
   set fps(perSecond) {
@@ -138,7 +164,10 @@ export class Gaitsmith extends EventTarget {
     this.#parts = parts;
     const forward = (/** @type {string} */ type, /** @type {any} */ detail) => this.dispatchEvent(new CustomEvent(type, { detail }));
     parts.searches.addEventListener('progress', (event) => forward('progress', /** @type {CustomEvent} */ (event).detail));
-    parts.searches.addEventListener('done', (event) => forward('done', this.#result(/** @type {CustomEvent} */ (event).detail)));
+    parts.searches.addEventListener('done', (event) => {
+      const { report, queued } = /** @type {CustomEvent} */ (event).detail;
+      forward('done', queued ? this.#newest(report) : this.#result(report));
+    });
     parts.searches.addEventListener('error', (event) => forward('error', /** @type {CustomEvent} */ (event).detail));
   }
   firstFrame() { this.#resolve(this); }
@@ -147,6 +176,12 @@ export class Gaitsmith extends EventTarget {
 
   /** @param {SearchReport} report @returns {SearchResult} */
   #result(report) { return { report, hash: this.hash(), link: this.link() }; }
+
+  /** Of a search of the queue, which need not be on the stage; nothing where it has found nothing. @param {SearchReport} report @returns {SearchResult} */
+  #newest(report) {
+    const newest = this.results().find(({ score }) => score !== null && Math.fround(score) === report.bestFitness);
+    return { report, hash: newest?.hash ?? '', link: newest?.link ?? '' };
+  }
 
   #need() {
     if (!this.#parts) throw new Error('the page is still loading: await gaitsmith.ready');

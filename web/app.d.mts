@@ -33,6 +33,11 @@ export interface AppModule {
   _gs_key(name: Pointer, on_canvas: number, repeated: number): number;
   _gs_set_senses(kind: number): void;
   _gs_synthesize(options: Pointer): Pointer;
+  _gs_enqueue(options: Pointer): Pointer;
+  _gs_queue(): Pointer;
+  _gs_found(): Pointer;
+  _gs_show_found(id: Pointer): number;
+  _gs_restore_found(text: Pointer): number;
   _gs_lab(options: Pointer): Pointer;
   _gs_lab_csv(): Pointer;
   _gs_lab_state(): number;
@@ -40,7 +45,8 @@ export interface AppModule {
   _gs_resume(): void;
   _gs_stop(): void;
   _gs_search_progress(state: number, evaluations: number, budget: number, rate: number, seconds_left: number,
-    best: number, curve: Pointer, points: number, genes: Pointer, gene_count: number): void;
+    best: number, curve: Pointer, points: number, genes: Pointer, gene_count: number,
+    spread: Pointer): void;
 }
 
 /** What the application calls on the page: shell/host.h, in JavaScript. */
@@ -51,6 +57,10 @@ export interface PageForApp {
   startSearch(document: Uint8Array, workers: number): void;
   /** Runs a trial of the lab like a search; the next one may be asked for while the page reports the end of this one. */
   startTrial(document: Uint8Array, workers: number, trial: { words: string, finished: number, total: number }): void;
+  /** Runs a search of the queue; the next one is asked for while the page reports the end of this one. */
+  startQueued(document: Uint8Array, workers: number, words: string): void;
+  /** A found motion to keep for the next visit; without text: to forget. */
+  storeFound(id: string, text: string): void;
   /** The lab is over, and has no more trials. */
   labEnded(): void;
   /** Gives the reader a file. */

@@ -35,6 +35,23 @@
  * @property {number} [firstSeed]
  */
 
+/** A search that waits. @typedef {{title: string, algorithm: string, seed: number, evaluations: number}} QueuedSearch */
+/**
+ * A result of a search, or what a person has kept.
+ * @typedef {object} FoundMotion
+ * @property {string} id
+ * @property {string} title
+ * @property {'done' | 'stopped' | 'failed' | 'by-hand'} origin  how its search ended; or kept as it was shown
+ * @property {number | null} score   null: nothing moves, or physics broke
+ * @property {string} algorithm
+ * @property {number} seed
+ * @property {number} evaluations    that were made
+ * @property {boolean} kept          it does not make way for new ones
+ * @property {number} when           seconds since 1970
+ * @property {string} hash           of its trajectory
+ * @property {string} link           payload of its document
+ */
+
 /** What a document says about its search, as far as the page shows it. @typedef {{algorithm?: string}} SearchJson */
 /**
  * A document as JSON (docs/formats.md), as far as the page itself reads it.
@@ -122,6 +139,19 @@ export class App {
     return this.#with(JSON.stringify(options), (at) => this.#text(this.module._gs_synthesize(at)));
   }
 
+  /** @param {SynthesizeOptions} options @returns {string} empty, or a sentence; then nothing waits more than before */
+  enqueue(options) {
+    return this.#with(JSON.stringify(options), (at) => this.#text(this.module._gs_enqueue(at)));
+  }
+  /** What waits, the next one first. @returns {QueuedSearch[]} */
+  queue() { return JSON.parse(this.#text(this.module._gs_queue())); }
+  /** What was found and kept, the newest first. @returns {FoundMotion[]} */
+  found() { return JSON.parse(this.#text(this.module._gs_found())); }
+  /** @param {string} id @returns {boolean} false: there is no such result */
+  showFound(id) { return this.#with(id, (at) => this.module._gs_show_found(at)) !== 0; }
+  /** A found motion of an earlier visit. @param {string} text @returns {boolean} false: it is none */
+  restoreFound(text) { return this.#with(text, (at) => this.module._gs_restore_found(at)) !== 0; }
+
   /** @param {LabOptions} options @returns {string} empty, or a sentence; then nothing has changed */
   lab(options) {
     return this.#with(JSON.stringify(options), (at) => this.#text(this.module._gs_lab(at)));
@@ -136,7 +166,7 @@ export class App {
 
   /** Nothing came of the search. */
   searchFailed() {
-    this.module._gs_search_progress(STATES.failed, 0, 0, 0, 0, 0, 0, 0, 0, 0);
+    this.module._gs_search_progress(STATES.failed, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
   }
 
   /**
@@ -145,12 +175,18 @@ export class App {
    */
   searchProgress(report, curve) {
     const genes = report.bestGenome ?? new Uint16Array(0);
-    const at = this.module._malloc(curve.byteLength + genes.byteLength + 4);
+    const { spread } = report;
+    const numbers = Float32Array.from(spread ? [spread.members, spread.least, spread.lowerQuartile, spread.median,
+      spread.upperQuartile, spread.best] : []);
+    const at = this.module._malloc(curve.byteLength + numbers.byteLength + genes.byteLength + 4);
+    const spreadAt = at + curve.byteLength;
+    const genesAt = spreadAt + numbers.byteLength;
     const heap = this.module.HEAPU8; // after malloc, which may grow it
     heap.set(new Uint8Array(curve.buffer, curve.byteOffset, curve.byteLength), at);
-    heap.set(new Uint8Array(genes.buffer, genes.byteOffset, genes.byteLength), at + curve.byteLength);
+    heap.set(new Uint8Array(numbers.buffer), spreadAt);
+    heap.set(new Uint8Array(genes.buffer, genes.byteOffset, genes.byteLength), genesAt);
     this.module._gs_search_progress(STATES[report.state], report.evaluations, report.budget, report.rate,
-      report.secondsLeft, report.bestFitness, at, curve.length / 2, at + curve.byteLength, genes.length);
+      report.secondsLeft, report.bestFitness, at, curve.length / 2, genesAt, genes.length, spread ? spreadAt : 0);
     this.module._free(at);
   }
 

@@ -23,6 +23,7 @@
 #include "core/document/json_value.h"
 #include "core/document/link.h"
 #include "core/search/evaluation_score.h"
+#include "core/search/spread.h"
 
 #define GS_EXPORT extern "C" __attribute__((used, visibility("default")))
 
@@ -86,6 +87,7 @@ struct SearchRole {
   std::size_t genes;
   std::vector<std::size_t> asked;  // genomes of each ask that is not told yet, oldest first
   std::vector<Gene> genomes;       // of the last ask, one after another (asked * genes)
+  std::optional<Spread> spread = {};
   std::vector<std::uint8_t> saved;
 };
 
@@ -215,6 +217,14 @@ GS_EXPORT const Gene* gs_search_best_genome(const SearchRole* role) {
 static_assert(sizeof(Search::CurvePoint) == 8);
 GS_EXPORT std::size_t gs_search_curve_length(const SearchRole* role) { return role->search->Curve().size(); }
 GS_EXPORT const void* gs_search_curve(const SearchRole* role) { return role->search->Curve().data(); }
+
+/// The spread of the population's fitness: an int (members) and five floats (least, lower quartile, median,
+/// upper quartile, best); null where there is none.
+static_assert(sizeof(Spread) == 24);
+GS_EXPORT const Spread* gs_search_spread(SearchRole* role) {
+  role->spread = SpreadOf(role->search->PopulationFitness());
+  return role->spread ? &*role->spread : nullptr;
+}
 
 /// The whole state of the search, between a tell and an ask.
 GS_EXPORT const std::uint8_t* gs_search_save(SearchRole* role) {

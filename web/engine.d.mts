@@ -33,6 +33,7 @@ export interface EngineModule {
   _gs_search_best_genome(search: Pointer): Pointer;
   _gs_search_curve_length(search: Pointer): number;
   _gs_search_curve(search: Pointer): Pointer;
+  _gs_search_spread(search: Pointer): Pointer;
   _gs_search_save(search: Pointer): Pointer;
   _gs_search_saved_size(search: Pointer): number;
   _gs_search_load(search: Pointer, size: number): number;

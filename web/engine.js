@@ -6,6 +6,11 @@ import createEngine from './engine.mjs';
 /** @typedef {import('./engine.d.mts').EngineModule} EngineModule */
 /** @typedef {{code: string, where: string, what: string}} Fault  What core found wrong, and where. */
 
+/**
+ * Fitness of a population: of its members that have a motion, at least two.
+ * @typedef {{members: number, least: number, lowerQuartile: number, median: number, upperQuartile: number, best: number}} Spread
+ */
+
 /** A fault of core as an exception; its message is core's own sentence. */
 export class EngineError extends Error {
   /** @param {Fault} fault */
@@ -170,6 +175,15 @@ export class Search {
   /** The curve as core stores it: per point an int32 (evaluation) and a float32 (best). */
   get curve() {
     return this.engine.bytesAt(this.engine.module._gs_search_curve(this.handle), 8 * this.curveLength);
+  }
+
+  /** How the fitness of the population scatters now. @returns {Spread | null} null where there is none */
+  get spread() {
+    const at = this.engine.module._gs_search_spread(this.handle);
+    if (!at) return null;
+    const view = new DataView(this.engine.bytesAt(at, 24).buffer);
+    const [least, lowerQuartile, median, upperQuartile, best] = [4, 8, 12, 16, 20].map((offset) => view.getFloat32(offset, true));
+    return { members: view.getInt32(0, true), least, lowerQuartile, median, upperQuartile, best };
   }
 
   /** The whole state, to continue later or elsewhere. Only between a tell and an ask. */

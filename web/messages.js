@@ -11,6 +11,7 @@
 // done, gives them roles in the next one.
 
 /** @typedef {import('./engine.js').Fault} Fault */
+/** @typedef {import('./engine.js').Spread} Spread */
 
 // ---- page → new worker ----
 
@@ -70,11 +71,12 @@
  * @property {number} bestFitness
  * @property {Uint16Array | null} bestGenome  null when it is that of the last report
  * @property {Uint8Array | null} curve        as core stores it; null when it is that of the last report
+ * @property {Spread | null} spread           of the population now; null when there is none
  */
 
 /** A search of which nothing is known yet. @type {Readonly<SearchReport>} */
 export const NO_REPORT = Object.freeze({ state: 'running', evaluations: 0, budget: 0, simulated: 0, rate: 0,
-  secondsLeft: 0, bestFitness: -Infinity, bestGenome: null, curve: null });
+  secondsLeft: 0, bestFitness: -Infinity, bestGenome: null, curve: null, spread: null });
 
 /** At most 30 a second, at least one in two. @typedef {{type: 'progress', report: SearchReport}} Progress */
 /** The last message of a search; its report has everything. @typedef {{type: 'finished', report: SearchReport}} Finished */

@@ -13,6 +13,7 @@ import { Searches } from './searches.js';
 import { StatusLine } from './status_line.js';
 import { banner, element, offerFile, onClick, setText } from './dom.js';
 import { HistoryButtons, startHeader } from './header.js';
+import { KeptResults } from './kept_results.js';
 import { guardKeys, leaveCanvas } from './keys.js';
 import { startDropping } from './dropping.js';
 import { startSharing } from './sharing.js';
@@ -38,7 +39,7 @@ start().catch((error) => {
 async function start() {
   setTimeout(() => { element('loading-hint').hidden = false; }, HINT_AFTER_MS);
   const statusLine = new StatusLine();
-  /** @type {{app: App, searches: Searches, lab: Lab, address: Address, autosave: Autosave, controls: Controls, buttons: HistoryButtons, commands: Commands, canvas: HTMLCanvasElement} | null} */
+  /** @type {{app: App, searches: Searches, lab: Lab, address: Address, autosave: Autosave, kept: KeptResults, controls: Controls, buttons: HistoryButtons, commands: Commands, canvas: HTMLCanvasElement} | null} */
   let parts = null;
 
   const { default: createApp } = await import('./app.mjs');
@@ -53,8 +54,13 @@ async function start() {
       },
       startTrial: (document, workers, trial) => {
         parts?.controls.searching(true);
-        void parts?.searches.start(document, workers, trial);
+        void parts?.searches.start(document, workers, { trial });
       },
+      startQueued: (document, workers, words) => {
+        parts?.controls.searching(true);
+        void parts?.searches.start(document, workers, { queued: words });
+      },
+      storeFound: (id, text) => parts?.kept.store(id, text),
       labEnded: () => {
         parts?.controls.searching(false);
         parts?.searches.labEnded();
@@ -75,6 +81,8 @@ async function start() {
       firstFrame: () => {
         element('loading').hidden = true;
         performance.mark('gaitsmith-first-frame');
+        // Nobody needs them sooner.
+        if (parts) parts.kept.restore(parts.app);
         // Now the line is free.
         setTimeout(() => parts?.searches.standBy(), 1000);
         gaitsmith.firstFrame();
@@ -92,10 +100,10 @@ async function start() {
   autosave.begin();
   showTitle(app.title());
   commands = new Commands(app, canvas);
-  parts = { app, searches, lab: new Lab(app), address, autosave, controls: new Controls(app), buttons: new HistoryButtons(app), commands, canvas };
+  parts = { app, searches, lab: new Lab(app), address, autosave, kept: new KeptResults(statusLine), controls: new Controls(app), buttons: new HistoryButtons(app), commands, canvas };
   gaitsmith.begin(parts);
   gaitsmith.fps = Number(new URLSearchParams(location.search).get('fps'));
-  for (const end of ['done', 'error']) searches.addEventListener(end, () => parts?.controls.searching(false));
+  for (const end of ['done', 'error']) searches.addEventListener(end, () => parts?.controls.searching(searches.searching));
   searches.addEventListener('done', () => address.changed());
   startSharing(app, address);
   startDropping(app);

@@ -18,7 +18,7 @@ const MOST_STANDING_BY = 4;
 /** A trial of the lab: how it is told, and how many come before and are in all. @typedef {{words: string, finished: number, total: number}} Trial */
 /** @typedef {{resolve: (report: SearchReport) => void, reject: (error: Error) => void}} End */
 
-/** Tells its listeners 'progress' (a SearchReport), 'done' (a SearchReport) and 'error' (an Error). */
+/** Tells its listeners 'progress' (a SearchReport), 'done' ({report, queued}: whether it came from the queue) and 'error' (an Error). */
 export class Searches extends EventTarget {
   /** @type {Promise<SearchClient> | null} */
   #prepared = null;
@@ -29,6 +29,8 @@ export class Searches extends EventTarget {
   #words = { doing: '', unit: '', workers: 1 };
   /** What runs is a trial of the lab. @type {Trial | null} */
   #trial = null;
+  /** What runs came from the queue. */
+  #queued = false;
   #labOver = false; // its last trial may still report
   /** What to do once the workers exist. @type {('pause' | 'resume' | 'stop')[]} */
   #later = [];
@@ -69,10 +71,13 @@ export class Searches extends EventTarget {
   }
 
   /** Of the document on the page, which changes as it improves. */
-  get improving() { return this.searching && this.#trial === null; }
+  get improving() { return this.searching && this.#trial === null && !this.#queued; }
 
-  /** @param {Uint8Array} document @param {number} workers @param {Trial | null} [trial] */
-  async start(document, workers, trial = null) {
+  /**
+   * @param {Uint8Array} document @param {number} workers
+   * @param {{trial?: Trial, queued?: string}} [as]  of the lab; or of the queue, and what it is
+   */
+  async start(document, workers, { trial, queued } = {}) {
     const run = ++this.#run;
     this.#end?.resolve(this.#client?.drop() ?? { ...NO_REPORT, state: 'stopped' });
     this.ended = new Promise((resolve, reject) => { this.#end = { resolve, reject }; });
@@ -80,14 +85,15 @@ export class Searches extends EventTarget {
     this.searching = true;
     this.#later = [];
     this.#curve = new Float32Array(0);
-    this.#trial = trial;
+    this.#trial = trial ?? null;
+    this.#queued = queued !== undefined;
     this.#labOver = false;
     if (trial) {
       const doing = `Lab: trial ${trial.finished + 1} of ${trial.total}, ${trial.words}`;
       this.#words = { doing, unit: '', workers };
       if (trial.finished === 0) this.statusLine.say('');
     } else {
-      this.#words = { ...wordsOf(this.app), workers };
+      this.#words = queued === undefined ? { ...wordsOf(this.app), workers } : { doing: `Queue: ${queued}`, unit: '', workers };
       this.statusLine.say('');
       this.statusLine.show(NO_REPORT, this.#words);
     }
@@ -122,27 +128,36 @@ export class Searches extends EventTarget {
   #hear(report) {
     const ended = report.state === 'done' || report.state === 'stopped';
     if (report.curve) this.#curve = pairs(report.curve);
-    if (ended) this.searching = false;
     const trial = this.#trial;
-    this.app.searchProgress(report, this.#curve); // at the end of a trial the next one begins in here
+    const words = this.#words;
+    const queued = this.#queued;
+    const end = this.#end;
+    if (ended) {
+      this.searching = false;
+      this.#end = null;
+    }
+    this.app.searchProgress(report, this.#curve); // at the end of one the next of lab or queue begins in here
     if (trial) {
-      if (!ended && !this.#labOver) this.statusLine.show(ofAll(report, trial), this.#words);
+      if (!ended && !this.#labOver) this.statusLine.show(ofAll(report, trial), words);
       return;
     }
-    this.statusLine.show(report, this.#words);
+    if (!(ended && this.searching)) this.statusLine.show(report, words);
     this.dispatchEvent(new CustomEvent('progress', { detail: report }));
     if (!ended) return;
-    this.#end?.resolve(report);
-    this.dispatchEvent(new CustomEvent('done', { detail: report }));
+    end?.resolve(report);
+    this.dispatchEvent(new CustomEvent('done', { detail: { report, queued } }));
   }
 
   /** @param {Error} error */
   #fail(error) {
+    const end = this.#end;
+    const again = this.#queued ? 'the queue goes on' : 'you can start it again';
     this.searching = false;
-    this.app.searchFailed();
-    this.statusLine.clear();
-    banner(`The search failed: ${error.message}. What it had found is kept; you can start it again.`);
-    this.#end?.reject(error);
+    this.#end = null;
+    this.app.searchFailed(); // the next of the queue may begin in here
+    if (!this.searching) this.statusLine.clear();
+    banner(`The search failed: ${error.message}. What it had found is kept; ${again}.`);
+    end?.reject(error);
     this.dispatchEvent(new CustomEvent('error', { detail: error }));
   }
 }

@@ -276,6 +276,7 @@ export class Coordinator {
       bestFitness,
       bestGenome: bestGenome?.length ? bestGenome : null,
       curve: newCurve ? search.curve : null,
+      spread: search.spread,
     };
   }
 }

@@ -101,6 +101,13 @@ Result<void> BatchSearch::Load(BitReader& in) {
   return fault;
 }
 
+std::vector<float> FitnessOf(const std::vector<Individual>& population) {
+  std::vector<float> fitness;
+  fitness.reserve(population.size());
+  for (const Individual& one : population) fitness.push_back(one.fitness);
+  return fitness;
+}
+
 void PutPopulation(BitWriter& out, const std::vector<Individual>& population) {
   out.Put(population.size(), 32);
   for (const Individual& one : population) PutGenome(out, one.genome, one.fitness);

@@ -68,6 +68,8 @@ struct Individual {
   float fitness = -std::numeric_limits<float>::infinity();
 };
 
+[[nodiscard]] std::vector<float> FitnessOf(const std::vector<Individual>&);
+
 void PutPopulation(BitWriter&, const std::vector<Individual>&);
 /// @param most members at most. @return false when it cannot be a population
 [[nodiscard]] bool TakePopulation(BitReader&, std::vector<Individual>&, std::size_t most, std::size_t genes);

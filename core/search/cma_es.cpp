@@ -212,6 +212,8 @@ bool CmaEs::Stalled() const {
 }
 
 void CmaEs::Absorb(std::span<const Genome> batch, std::span<const Score> scores) {
+  last_fitness_.clear();
+  for (const Score& score : scores) last_fitness_.push_back(score.fitness);
   if (origin_.empty()) {
     const auto best = std::ranges::max_element(scores, {}, &Score::fitness);
     run_best_ = best->fitness;

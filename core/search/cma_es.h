@@ -21,6 +21,7 @@ namespace gaitsmith {
 class CmaEs final : public BatchSearch {
  public:
   CmaEs(const SearchSettings& settings, const SearchSpace& space);
+  [[nodiscard]] std::vector<float> PopulationFitness() const override { return last_fitness_; }
 
  private:
   /// Constants that follow from dimension and population.
@@ -65,6 +66,7 @@ class CmaEs final : public BatchSearch {
   int generation_ = 1;  // of all runs, for the random numbers
   int stale_ = 0;       // generations without a better one
   float run_best_ = 0.0f;
+  std::vector<float> last_fitness_;  // of the last generation, for display: not saved
 };
 
 }  // namespace gaitsmith

@@ -14,6 +14,7 @@ namespace gaitsmith {
 class GenerationalGa final : public BatchSearch {
  public:
   GenerationalGa(const SearchSettings& settings, const SearchSpace& space) : BatchSearch(settings, space) {}
+  [[nodiscard]] std::vector<float> PopulationFitness() const override { return FitnessOf(population_); }
 
  private:
   [[nodiscard]] std::vector<Genome> Propose() const override;

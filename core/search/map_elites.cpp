@@ -23,6 +23,14 @@ std::size_t MapElites::CellOf(const Score& score) const {
   return cell;
 }
 
+std::vector<float> MapElites::PopulationFitness() const {
+  std::vector<float> fitness;
+  for (const Elite& elite : cells_) {
+    if (!elite.genome.empty()) fitness.push_back(elite.score.fitness);
+  }
+  return fitness;
+}
+
 std::vector<Genome> MapElites::Propose() const {
   std::vector<Genome> batch;
   const ElitesSettings& elites = Settings().elites;

@@ -17,6 +17,7 @@ class MapElites final : public BatchSearch {
     Genome genome;  // empty: nobody yet
     Score score;
   };
+  [[nodiscard]] std::vector<float> PopulationFitness() const override;
   /// bins^3 cells; the number of a cell is (height bin * bins + slip bin) * bins + rotations bin.
   [[nodiscard]] const std::vector<Elite>& Cells() const { return cells_; }
 

@@ -15,6 +15,7 @@ namespace gaitsmith {
 class NelderMead final : public BatchSearch {
  public:
   NelderMead(const SearchSettings& settings, const SearchSpace& space) : BatchSearch(settings, space) {}
+  [[nodiscard]] std::vector<float> PopulationFitness() const override { return FitnessOf(simplex_); }
 
  private:
   enum class Move { kBegin, kReflect, kExpand, kContract, kShrink };

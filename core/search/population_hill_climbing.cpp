@@ -129,6 +129,14 @@ const PopulationHillClimbing::Slot& PopulationHillClimbing::Best() const {
 const Genome& PopulationHillClimbing::BestGenome() const { return Best().genome; }
 float PopulationHillClimbing::BestFitness() const { return Best().fitness; }
 
+std::vector<float> PopulationHillClimbing::PopulationFitness() const {
+  std::vector<float> fitness;
+  for (const Slot& slot : slots_) {
+    if (slot.generation > 0) fitness.push_back(slot.fitness);
+  }
+  return fitness;
+}
+
 void PopulationHillClimbing::Save(BitWriter& out) const {
   out.Put(static_cast<std::uint32_t>(reseedings_), 32);
   for (const Slot& slot : slots_) {

@@ -28,6 +28,7 @@ class PopulationHillClimbing final : public Search {
   [[nodiscard]] const Genome& BestGenome() const override;
   [[nodiscard]] float BestFitness() const override;
   [[nodiscard]] const std::vector<CurvePoint>& Curve() const override { return curve_.Points(); }
+  [[nodiscard]] std::vector<float> PopulationFitness() const override;
   void Save(BitWriter&) const override;
   [[nodiscard]] Result<void> Load(BitReader&) override;
 

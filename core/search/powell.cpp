@@ -57,6 +57,11 @@ void Powell::ResetDirections() {
   for (int gene = 0; std::cmp_less(gene, directions_.size()); ++gene) axes_.push_back(gene);
 }
 
+std::vector<float> Powell::PopulationFitness() const {
+  if (phase_ == Phase::kFirst) return {};
+  return {here_.fitness};
+}
+
 std::vector<double> Powell::PointAt(double at) const {
   std::vector<double> point = PointOf(here_.genome);
   const Direction& along = directions_[line_];

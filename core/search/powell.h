@@ -18,6 +18,8 @@ namespace gaitsmith {
 class Powell final : public BatchSearch {
  public:
   Powell(const SearchSettings& settings, const SearchSpace& space);
+  /// The point it has come to, alone.
+  [[nodiscard]] std::vector<float> PopulationFitness() const override;
 
   /// A point tried on a line: `at` counts from where the line begins, in shares of a gene's range.
   struct Trial {

@@ -19,6 +19,7 @@ class RandomSearch final : public Search {
   [[nodiscard]] const Genome& BestGenome() const override { return best_; }
   [[nodiscard]] float BestFitness() const override { return best_fitness_; }
   [[nodiscard]] const std::vector<CurvePoint>& Curve() const override { return curve_.Points(); }
+  [[nodiscard]] std::vector<float> PopulationFitness() const override { return {}; }
   void Save(BitWriter&) const override;
   [[nodiscard]] Result<void> Load(BitReader&) override;
 

@@ -152,6 +152,12 @@ class Search {
   };
   [[nodiscard]] virtual const std::vector<CurvePoint>& Curve() const = 0;
 
+  /// Fitness of those that the search has in hand now: its climbs, its population, its last generation, its
+  /// simplex, its elites. None where one follows another (RG&T), before the first generation is known, and
+  /// after a Load for a search whose saved state does without (CMA-ES, until its next generation). For
+  /// display; nothing follows from it.
+  [[nodiscard]] virtual std::vector<float> PopulationFitness() const = 0;
+
   /// The whole state between a Tell and an Ask; Load of it continues as if nothing had happened.
   virtual void Save(BitWriter&) const = 0;
   [[nodiscard]] virtual Result<void> Load(BitReader&) = 0;

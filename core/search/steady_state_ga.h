@@ -17,6 +17,7 @@ namespace gaitsmith {
 class SteadyStateGa final : public BatchSearch {
  public:
   SteadyStateGa(const SearchSettings& settings, const SearchSpace& space) : BatchSearch(settings, space) {}
+  [[nodiscard]] std::vector<float> PopulationFitness() const override { return FitnessOf(ranked_); }
 
  private:
   [[nodiscard]] std::vector<Genome> Propose() const override;

@@ -13,6 +13,7 @@ namespace gaitsmith {
 class TorusGa final : public BatchSearch {
  public:
   TorusGa(const SearchSettings& settings, const SearchSpace& space) : BatchSearch(settings, space) {}
+  [[nodiscard]] std::vector<float> PopulationFitness() const override { return FitnessOf(cells_); }
 
  private:
   [[nodiscard]] std::vector<Genome> Propose() const override;

@@ -11,6 +11,7 @@ namespace gaitsmith {
 class TwoStage final : public BatchSearch {
  public:
   TwoStage(const SearchSettings& settings, const SearchSpace& space) : BatchSearch(settings, space) {}
+  [[nodiscard]] std::vector<float> PopulationFitness() const override { return FitnessOf(kept_); }
 
  private:
   [[nodiscard]] std::vector<Genome> Propose() const override;

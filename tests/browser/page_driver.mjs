@@ -89,7 +89,7 @@ export class PageDriver {
     }
   }
 
-  /** Waits until the page says so. @param {string} what @param {() => boolean} condition @param {number} [limit] */
+  /** Waits until the page says so. @param {string} what @param {(() => boolean) | string} condition @param {number} [limit] */
   async until(what, condition, limit = PATIENCE_MS) {
     for (const start = Date.now(); Date.now() - start < limit; await sleep(50)) {
       if (await this.page.evaluate(condition)) return;

@@ -11,6 +11,7 @@ import { HISTORY_SCENARIOS } from './history_scenarios.mjs';
 import { KEPT_WORK_SCENARIOS } from './kept_work_scenarios.mjs';
 import { LAB_SCENARIOS } from './lab_scenarios.mjs';
 import { PALETTE_SCENARIOS } from './palette_scenarios.mjs';
+import { QUEUE_SCENARIOS } from './queue_scenarios.mjs';
 import { WORLD_SCENARIOS } from './world_scenarios.mjs';
 import { RULE_SCENARIOS } from './rule_scenarios.mjs';
 import { WALK_SCENARIOS } from './walk_scenarios.mjs';
@@ -241,6 +242,7 @@ export const SCENARIOS = [
   ...HISTORY_SCENARIOS,
   ...KEPT_WORK_SCENARIOS,
   ...PALETTE_SCENARIOS,
+  ...QUEUE_SCENARIOS,
 
   ...WORLD_SCENARIOS,
   ...FIGURE_SCENARIOS,

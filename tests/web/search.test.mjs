@@ -113,6 +113,19 @@ test('five and eight workers find the same as one', async () => {
   for (const workers of [5, 8]) assertSame(one, await run(document, workers));
 });
 
+test('reports tell how the population scatters, and random search has none', async () => {
+  const { reports, last } = await run(problem({ population: 12 }), 2);
+  assert.equal(last.spread?.members, 12);
+  assert.equal(last.spread?.best, last.bestFitness);
+  for (const { spread } of reports) {
+    if (!spread) continue; // before two of them have been scored
+    const { least, lowerQuartile, median, upperQuartile, best } = spread;
+    assert.deepEqual([least, lowerQuartile, median, upperQuartile, best].sort((a, b) => a - b),
+      [least, lowerQuartile, median, upperQuartile, best]);
+  }
+  assert.equal((await run(problem({ algorithm: 'rgt', evaluations: 400 }), 2)).last.spread, null);
+});
+
 test('the best genome scores what the search says', async () => {
   const document = problem({});
   const { genome, last } = await run(document, 2);

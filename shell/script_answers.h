@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// What scripts on the page are told of queue and results (docs/embedding.md), as JSON lists.
+#pragma once
+
+#include <string>
+
+#include "shell/found_motions.h"
+#include "shell/search_queue.h"
+
+namespace gaitsmith::shell {
+
+/// The next one first: {"title", "algorithm", "seed", "evaluations"}.
+[[nodiscard]] std::string QueueJson(const SearchQueue&);
+/// The newest first: {"id", "title", "origin", "score", "algorithm", "seed", "evaluations", "kept", "when",
+/// "hash", "link"}; "score" is null where there is none, "link" a payload.
+[[nodiscard]] std::string FoundJson(const FoundMotions&);
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// What a search looks for and how, as lists, titles and the status line say it.
+#pragma once
+
+#include <string>
+
+#include "core/document/document.h"
+
+namespace gaitsmith::shell {
+
+/// "Mr. Star-Man · travel"
+[[nodiscard]] std::string SearchTitle(const Document&);
+/// "SPHC · seed 3 · 40,000 evaluations"
+[[nodiscard]] std::string SearchLine(const Document&);
+/// What decides, in a word or two: "timer 0.80 s", "physical", "network".
+[[nodiscard]] std::string DeciderWords(ControllerKind, const SenseSpec&);
+/// "1 search waits", "12 searches wait"
+[[nodiscard]] std::string WaitingWords(std::size_t count);
+/// Of what it finds: "Mr. Star-Man · travel, 10 rules with physical senses, seed 3", no longer than a title
+/// may be.
+/// @param figure  its name
+[[nodiscard]] std::string FoundTitle(const std::string& figure, const Document&);
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// A session's queue of searches, and the motions that searches have found.
+#include <algorithm>
+
+#include "shell/search_words.h"
+#include "shell/session.h"
+#include "shell/wording.h"
+
+namespace gaitsmith::shell {
+
+bool Session::Enqueue(const Document& document) {
+  if (!queue.Add(document)) {
+    Say("The queue is full: " + std::to_string(SearchQueue::kMost) +
+        " searches wait. Remove one, or let some run.");
+    return false;
+  }
+  host_.Status("Added to the queue: " + SearchTitle(document) + ", " + SearchLine(document) + ". " +
+               WaitingWords(queue.Waiting().size()) + ".");
+  return true;
+}
+
+int Session::EnqueueSeeds(int count) {
+  std::vector<Document> others;
+  if (const Document* running = Searched()) others.push_back(*running);
+  for (const SearchQueue::Entry& entry : queue.Waiting()) others.push_back(entry.document);
+  int added = 0;
+  Document next = document_;
+  for (const std::uint32_t seed : FreeSeeds(document_, others, count)) {
+    next.search.seed = seed;
+    if (!Enqueue(next)) break;
+    ++added;
+  }
+  return added;
+}
+
+bool Session::RunQueue() {
+  if (lab.Running()) {
+    Say("The lab is running: stop it first, or let it end.");
+    return false;
+  }
+  if (Searching() || queue.Waiting().empty()) {
+    Say(Searching() ? "A search is running: the queue goes on when it is done." : "Nothing waits.");
+    return false;
+  }
+  notice.clear();
+  RunNext();
+  return true;
+}
+
+void Session::RunNext() {
+  queue_due_ = false;
+  if (Searching() || lab.Running()) return;
+  if (auto next = queue.TakeFirst()) BeginSearch(std::move(*next), true);
+}
+
+// At the end of a search, and once more when a stopped one tells how far it came in the end.
+void Session::NoteFound() {
+  const bool failed = progress_.state == SearchState::kFailed;
+  const bool any = !progress_.best_genome.empty() && progress_.best_fitness > kVoidScore;
+  if (!searched_ || (!any && !failed)) return;
+  Document document = any ? FoundDocument(*searched_, progress_.best_genome) : SearchOf(*searched_);
+  if (!any) document.title = SearchTitle(document);
+  FoundMotion motion = Measured(std::move(document),
+                                failed                                     ? Origin::kFailed
+                                : progress_.state == SearchState::kStopped ? Origin::kStopped
+                                                                           : Origin::kDone,
+                                progress_.evaluations);
+  motion.when_s = host_.NowS();
+  noted_ = found.Add(std::move(motion), noted_);
+  if (noted_.empty()) Say("What was found is not among the results: all of them are kept. Delete some.");
+}
+
+bool Session::KeepMotion() {
+  if (document_.timeline.empty()) {
+    Say("There is no motion to keep: press Synthesize.");
+    return false;
+  }
+  FoundMotion motion = Measured(document_, Origin::kByHand, 0);
+  motion.kept = true;
+  motion.when_s = host_.NowS();
+  const std::string id = FoundId(motion.document);
+  // What a search has found is known better than what is seen.
+  const bool there = found.Keep(id, true);
+  if (!there && found.Add(std::move(motion)).empty()) {
+    Say("Not kept: there is no room for more than what is kept. Delete something first.");
+    return false;
+  }
+  host_.Status("Kept among the results: " + document_.title + ".");
+  return true;
+}
+
+bool Session::ShowFound(const std::string& id) {
+  const FoundMotions::Entry* entry = found.Find(id);
+  if (entry == nullptr) return false;
+  const Document document = entry->motion.document;
+  const bool moves = entry->motion.Moves();
+  Replace(document);
+  if (differs_from_maker_) return true;  // the stage says so
+  Say(moves ? document_.title + ". Undo brings back what was here."
+            : document_.title + ": this search failed. Undo brings back what was here.");
+  return true;
+}
+
+bool Session::InHand(const FoundMotions::Entry& entry) const {
+  // The cheap question first: this is asked at every frame.
+  return entry.motion.document.hash == player.Shown().Hash() && entry.id == FoundId(WithHash());
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Found motions that this browser keeps, so that a reload does not lose them: the application says what changes, one
+// entry each, so that two tabs never write over each other's. What an entry holds is the application's concern.
+import { remember, remembered, rememberedKeys } from './storage.js';
+
+/** @typedef {import('./app.js').App} App */
+
+const PREFIX = 'gaitsmith-found/';
+
+export class KeptResults {
+  // Pages inside other pages keep nothing.
+  #keeps = window.top === window;
+  #told = false;
+
+  /** @param {import('./status_line.js').StatusLine} statusLine */
+  constructor(statusLine) {
+    this.statusLine = statusLine;
+  }
+
+  /** Gives the application what earlier visits kept. @param {App} app */
+  restore(app) {
+    if (!this.#keeps) return;
+    // What is not understood is left alone: it may be of a newer page.
+    for (const key of rememberedKeys(PREFIX)) app.restoreFound(remembered(key) ?? '');
+  }
+
+  /** @param {string} id @param {string} text  empty: forget it */
+  store(id, text) {
+    if (!this.#keeps || remember(PREFIX + id, text || null) || !text || this.#told) return;
+    this.#told = true;
+    // After the words about the search that has found it.
+    setTimeout(() => this.statusLine.say(
+      'This browser has no room for more results, or does not let the page keep them: they are here until you leave.'));
+  }
+}
