@@ -259,7 +259,8 @@ void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
   ui.Gap(10.0f);
   static constexpr std::array<std::string_view, 2> kTools = {"Move", "Grow a rod"};
   const ImRect tools = ui.Row(ui.Look().touch ? 42.0f : 34.0f);
-  ui.Segmented("figure/tool", {tools.Min, {tools.Max.x - 76.0f, tools.Max.y}}, kTools, state.tool);
+  ui.Segmented("figure/tool", {tools.Min, {tools.Max.x - 76.0f, tools.Max.y}}, "Tool of the drawing board",
+               kTools, state.tool);
   if (ui.Button("figure/undo", {{tools.Max.x - 68.0f, tools.Min.y}, tools.Max}, "Undo", ButtonLook::kOutlined,
                 session.CanUndo())) {
     session.Undo();

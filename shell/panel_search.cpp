@@ -54,7 +54,7 @@ void DrawRates(Ui& ui, Session& session) {
                 [](SearchSettings& s) -> float& { return s.genetic.rates.crossover; });
   static constexpr std::array<std::string_view, 2> kReadings = {"Per child", "Per component"};
   int reading = static_cast<int>(session.Doc().search.genetic.rates.reading);
-  if (ui.Segmented("search/rates", ui.ControlRow(), kReadings, reading)) {
+  if (ui.Segmented("search/rates", ui.ControlRow(), "Rates are", kReadings, reading)) {
     session.Set([&](Document& d) { d.search.genetic.rates.reading = static_cast<RateReading>(reading); });
   }
   ui.Gap(6.0f);
