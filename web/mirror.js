@@ -4,7 +4,7 @@
 // answers with what changed.
 import { MirrorKeys } from './mirror_keys.js';
 import { element } from './dom.js';
-import { ROVING, domId, isBesideNumber, isMirrored, isNumber, nodeFor, nodeForPart, setAttribute, takesKeyboard, update } from './mirror_nodes.js';
+import { ROVING, controlledPart, isBesideNumber, isMirrored, isNumber, nodeFor, nodeForPart, setAttribute, takesKeyboard, update } from './mirror_nodes.js';
 
 /** @typedef {import('./app.js').App} App */
 /** @typedef {import('./app.js').MirrorPart} MirrorPart */
@@ -20,7 +20,7 @@ export class Mirror {
   #root = element('mirror');
   /** In the order of drawing. @type {Map<string, Reflection>} */
   #reflections = new Map();
-  /** @type {Map<string, HTMLElement>} */
+  /** @type {Map<string | undefined, HTMLElement>} */
   #parts = new Map();
   #keyboard = false;
   #waiting = false;
@@ -107,6 +107,7 @@ export class Mirror {
     const own = performance.now() - this.#actedMs < OWN_MS || !this.app.playing();
     /** @type {Map<HTMLElement, HTMLElement[]>} */
     const children = new Map([[this.#root, []]]);
+    /** @type {Map<string | undefined, HTMLElement>} */
     const partNodes = new Map();
     const nodeOf = (/** @type {number} */ index) => {
       if (index < 0) return this.#root;
@@ -131,6 +132,9 @@ export class Mirror {
       reflections.set(widget.id, { node, widget });
     }
     for (const [node, inside] of children) placeChildren(node, inside);
+    for (const { node, widget } of reflections.values()) {
+      setAttribute(node, 'aria-controls', partNodes.get(controlledPart(widget))?.id);
+    }
     this.#reflections = reflections;
     this.#parts = partNodes;
   }
@@ -238,9 +242,6 @@ export class Mirror {
     if (keep && Number.isFinite(value)) this.set({ node, widget }, value);
     else node.value = widget.value;
   }
-
-  /** @param {string} id  of a widget */
-  node(id) { return document.getElementById(domId(id)); }
 }
 
 /**

@@ -92,11 +92,13 @@ export function update(node, widget, withValue) {
     // "on" and "off" are said by the role.
     if (role === 'button' || role === 'option') setAttribute(node, 'aria-description', value || undefined);
   }
-  if (role === 'combobox') {
-    setAttribute(node, 'aria-haspopup', 'listbox');
-    setAttribute(node, 'aria-controls', state.expanded ? domId(`part/${widget.id}/list`) : undefined);
-  }
-  if (role === 'tab') setAttribute(node, 'aria-controls', state.selected ? domId('part/panel') : undefined);
+  if (role === 'combobox') setAttribute(node, 'aria-haspopup', 'listbox');
+}
+
+/** The part that it opens or shows. @param {MirrorWidget} widget @returns {string | undefined} */
+export function controlledPart({ id, role, state }) {
+  if (role === 'combobox' && state.expanded) return `${id}/list`;
+  return role === 'tab' && state.selected ? 'panel' : undefined;
 }
 
 /** @param {HTMLInputElement} node @param {MirrorWidget} widget @param {boolean} withValue */
