@@ -37,6 +37,7 @@ void WidgetRegistry::Attach() {
 void WidgetRegistry::BeginFrame() {
   rects_.clear();
   widgets_.clear();
+  ids_.clear();
   parts_.clear();
   part_ = -1;
   texts_ = 0;
@@ -46,6 +47,10 @@ void WidgetRegistry::BeginFrame() {
 void WidgetRegistry::EndFrame() {
   const ImGuiContext& g = *ImGui::GetCurrentContext();
   keyboard_ = !g.NavDisableHighlight;
+  // It may have changed hands while the frame was drawn, and only one has it.
+  for (std::size_t i = 0; i < widgets_.size(); ++i) {
+    if (ids_[i] != 0) widgets_[i].state.focused = ids_[i] == g.NavId;
+  }
   requests_.EndFrame();
 }
 
@@ -58,6 +63,7 @@ void WidgetRegistry::Describe(ImGuiID id, Widget widget) {
   widget.part = part_;
   ClipToSight(widget, ImGui::GetCurrentWindowRead()->ClipRect);
   widgets_.push_back(std::move(widget));
+  ids_.push_back(id);
 }
 
 void WidgetRegistry::DescribeText(std::string_view role, std::string_view text, const ImRect& rect) {
@@ -68,6 +74,7 @@ void WidgetRegistry::DescribeText(std::string_view role, std::string_view text, 
   widget.part = part_;
   ClipToSight(widget, ImGui::GetCurrentWindowRead()->ClipRect);
   widgets_.push_back(std::move(widget));
+  ids_.push_back(0);
 }
 
 void WidgetRegistry::EnterPart(WidgetPart part) {

@@ -92,6 +92,7 @@ class WidgetRegistry {
  private:
   std::unordered_map<ImGuiID, ImRect> rects_;
   std::vector<Widget> widgets_;
+  std::vector<ImGuiID> ids_;  // of widgets_; 0: of a text
   std::vector<WidgetPart> parts_;
   int part_ = -1;          // that is being drawn
   int texts_ = 0;          // so far

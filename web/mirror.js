@@ -15,6 +15,8 @@ import { ROVING, controlledPart, isBesideNumber, isMirrored, isNumber, nodeFor, 
 const EVERY_MS = 250;
 // For so long a change of what has the keyboard counts as the person's own.
 const OWN_MS = 1500;
+// What comes so near to where something went has its place, though a line of text may have shifted it. [CSS pixels]
+const NEAR = 60;
 
 export class Mirror {
   #root = element('mirror');
@@ -24,7 +26,8 @@ export class Mirror {
   #parts = new Map();
   #keyboard = false;
   #waiting = false;
-  #following = false;
+  /** The widget whose element the page's focus was last seen on. @type {string | undefined} */
+  #here;
   #soon = false;
   #actedMs = -OWN_MS;
 
@@ -38,7 +41,9 @@ export class Mirror {
     this.#root.addEventListener('change', (event) => this.#changed(event));
     this.#root.addEventListener('focusin', (event) => this.#focused(event));
     this.#root.addEventListener('focusout', (event) => {
-      if (!this.contains(event.relatedTarget) && event.relatedTarget !== canvas) app.unfocus();
+      if (this.contains(event.relatedTarget)) return;
+      this.#here = undefined;
+      if (event.relatedTarget !== canvas) app.unfocus();
     });
     this.#root.addEventListener('keydown', (event) => this.keys.take(event));
     // A browser that scrolled it to something out of sight would shift it against the canvas.
@@ -159,12 +164,13 @@ export class Mirror {
     if (this.#waiting || !this.#keyboard) return;
     const here = this.at(document.activeElement);
     if (!here && document.activeElement !== this.canvas) return;
+    // A window that is not in front gets no events when its focus moves.
+    if (here && here.widget.id !== this.#here) return this.#came(here);
     const there = this.all.find(({ widget }) => widget.state.focused);
     // A number that is typed into the canvas is typed there.
     if (!there || there === here || there.widget.role === 'textbox' || !takesKeyboard(there.widget)) return;
-    this.#following = true;
+    this.#here = there.widget.id;
     this.focus(there);
-    this.#following = false;
   }
 
   /** What had the keyboard is gone: what stands in its place gets it, or what stood before it. @param {Reflection} gone @param {Reflection[]} before */
@@ -173,10 +179,13 @@ export class Mirror {
     const y = rect.y + rect.height / 2;
     const known = new Set(before.map(({ widget }) => widget.id));
     const after = this.all.filter(({ widget }) => takesKeyboard(widget));
-    const heir = after.find(({ widget }) => !known.has(widget.id) && covers(widget.rect, x, y))
+    const far = (/** @type {Reflection} */ { widget }) => distance(widget.rect, x, y);
+    const heir = after.filter((one) => !known.has(one.widget.id) && far(one) < NEAR).sort((a, b) => far(a) - far(b))[0]
       ?? before.slice(0, before.findIndex(({ widget }) => widget.id === id)).reverse()
         .map(({ widget }) => this.#reflections.get(widget.id)).find((one) => one && takesKeyboard(one.widget)) ?? after[0];
-    if (heir) this.focus(heir);
+    if (!heir) return;
+    const chosen = this.group(heir).find(({ widget: { state } }) => state.selected || state.checked);
+    this.focus(known.has(heir.widget.id) && chosen ? chosen : heir);
   }
 
   /** @param {Reflection} reflection */
@@ -201,7 +210,12 @@ export class Mirror {
     const { node, widget } = reflection;
     if (node instanceof HTMLInputElement && node.type === 'text') node.select();
     this.#rove();
-    if (this.#following) return;
+    if (widget.id !== this.#here) this.#came(reflection);
+  }
+
+  /** The page's focus came to it: on the canvas the keyboard does, too. @param {Reflection} reflection */
+  #came({ node, widget }) {
+    this.#here = widget.id;
     this.app.focus(widget.id, node.matches(':focus-visible'));
     this.#updateSoon();
   }
@@ -261,4 +275,4 @@ function placeChildren(parent, wanted) {
 }
 
 /** @param {MirrorWidget['rect']} rect @param {number} x @param {number} y */
-const covers = (rect, x, y) => x >= rect.x && x <= rect.x + rect.width && y >= rect.y && y <= rect.y + rect.height;
+const distance = (rect, x, y) => Math.hypot(Math.max(rect.x - x, 0, x - rect.x - rect.width), Math.max(rect.y - y, 0, y - rect.y - rect.height));

@@ -50,8 +50,8 @@ export class StatusLine {
       this.#speaking = '';
       const end = `${report.state === 'done' ? 'Search done' : 'Search stopped'}: ${best || 'nothing found'} after ${
         whole(report.evaluations)} evaluations`;
+      if (!this.#status.textContent?.startsWith(end)) announce(end); // the application may have said it
       setText(this.#status, end);
-      announce(end);
       return;
     }
     const paused = report.state === 'paused';

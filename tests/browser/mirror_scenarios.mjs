@@ -8,15 +8,26 @@ import { PageDriver, sleep } from './page_driver.mjs';
 /** @typedef {import('../../web/app.js').Widget} Widget */
 
 /**
- * The element with this role and name, as the browser's accessibility tree has it, once it is there.
+ * The element with this role and name, once it is there: as Chromium's accessibility tree has it; Firefox takes seconds
+ * to build its own for each question, so there it is sought by what the page says.
  * @param {PageDriver} page @param {string} role @param {string} name
  */
 async function byRole(page, role, name) {
+  const tree = /chrome/i.test(await page.page.browser().version());
   for (const start = Date.now(); ; await sleep(100)) {
-    const found = await page.page.$(`::-p-aria([name="${name}"][role="${role}"])`);
+    const found = tree ? await page.page.$(`::-p-aria([name="${name}"][role="${role}"])`)
+      : (await page.page.evaluateHandle(seek, role, name)).asElement();
     if (found) return found;
     assert.ok(Date.now() - start < 5000, `no ${role} "${name}"`);
   }
+}
+
+/** Runs in the page. @param {string} role @param {string} name */
+function seek(role, name) {
+  const implicit = /** @type {Record<string, string>} */ ({ BUTTON: 'button', INPUT: 'slider' });
+  return [...document.querySelectorAll('button, input, [role]')].find((node) =>
+    (node.getAttribute('role') ?? implicit[node.tagName]) === role &&
+    (node.getAttribute('aria-label') ?? node.textContent) === name) ?? null;
 }
 
 /** As an assistive tool presses it: no pointer, no keys. @param {PageDriver} page @param {string} role @param {string} name */
@@ -141,6 +152,8 @@ const searchDone = (page) => page.until('the end of the search', () => /^Search 
 async function loopByRoles({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   await activate(page, 'tab', 'Figure');
+  const all = (await page.widgets()).find(({ id }) => id === 'figure/gallery');
+  await activate(page, 'button', all?.label ?? '');
   await activate(page, 'radio', 'Beryl Biped');
   assert.equal((await documentOf(page)).figure, 'Beryl Biped');
   await activate(page, 'tab', 'Controller');
@@ -257,7 +270,8 @@ async function loopByKeyboard({ browser, address }) {
   await page.press('Enter');
   await searchDone(page);
   await settle(page);
-  assert.match(await active(page), /^search\//, 'the keyboard is lost when a button goes');
+  const heir = await active(page);
+  assert.match(heir, /^search\//, `the keyboard is lost to ${heir} when a button goes`);
 
   await tabTo(page, 'transport/scrub', 'Shift+Tab');
   await page.press(' '); // plays or pauses
@@ -383,7 +397,7 @@ async function saidInWords({ browser, address }) {
   await sleep(2000);
   const search = (await said()).slice(2).filter((sentence) => !sentence.startsWith('Paused at'));
   assert.match(search[0], /^Searching with /);
-  assert.match(search[search.length - 1], /Search done: best [\d.]+ m after 20,000 evaluations/);
+  assert.match(search[search.length - 1], /^Search done: best [\d.]+( m)? after 20,000 evaluations\.?$/);
   assert.ok(search.length <= 3 + (Date.now() - start) / 9000, `a running commentary: ${search.join(' / ')}`);
   assert.deepEqual(page.complaints, []);
   await page.close();
