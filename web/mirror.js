@@ -65,6 +65,8 @@ export class Mirror {
   get current() {
     return this.at(document.activeElement) ?? this.all.find(({ widget }) => widget.state.focused);
   }
+  /** The name of the open panel. */
+  get #panel() { return this.#parts.get('panel')?.getAttribute('aria-label'); }
   /** @returns {Reflection[]} */
   get all() { return [...this.#reflections.values()]; }
   /** Where the Tab key stops. @returns {Reflection[]} */
@@ -90,8 +92,15 @@ export class Mirror {
     this.#waiting = told.waiting;
     const active = this.at(document.activeElement);
     const before = this.stops;
+    const panel = this.#panel;
     this.#arrange(told.parts, told.widgets.filter(isMirrored));
-    if (active && !active.node.isConnected) this.#comeFrom(active, before);
+    if (active && !active.node.isConnected) {
+      // Another panel came: its tab says which.
+      const tab = panel === this.#panel ? undefined
+        : this.all.find(({ widget }) => widget.role === 'tab' && widget.state.selected);
+      if (tab) this.focus(tab);
+      else this.#comeFrom(active, before);
+    }
     this.#rove();
     this.#follow();
     if (this.#waiting) this.#updateSoon();
@@ -216,6 +225,7 @@ export class Mirror {
   /** The page's focus came to it: on the canvas the keyboard does, too. @param {Reflection} reflection */
   #came({ node, widget }) {
     this.#here = widget.id;
+    this.#waiting = true; // what was told last does not know of it
     this.app.focus(widget.id, node.matches(':focus-visible'));
     this.#updateSoon();
   }

@@ -11,6 +11,7 @@ import { FIGURE_SCENARIOS } from './figure_scenarios.mjs';
 import { HISTORY_SCENARIOS } from './history_scenarios.mjs';
 import { KEPT_WORK_SCENARIOS } from './kept_work_scenarios.mjs';
 import { LAB_SCENARIOS } from './lab_scenarios.mjs';
+import { LOOP_SCENARIOS } from './loop_scenarios.mjs';
 import { MIRROR_SCENARIOS } from './mirror_scenarios.mjs';
 import { PALETTE_SCENARIOS } from './palette_scenarios.mjs';
 import { WORLD_SCENARIOS } from './world_scenarios.mjs';
@@ -233,6 +234,7 @@ export const SCENARIOS = [
   ...KEPT_WORK_SCENARIOS,
   ...PALETTE_SCENARIOS,
   ...MIRROR_SCENARIOS,
+  ...LOOP_SCENARIOS,
   ...AXE_SCENARIOS,
 
   ...WORLD_SCENARIOS,
