@@ -36,6 +36,8 @@ void App::Draw() {
   phone_ = size.x < kPhoneWidth;
   if (phone_) theme.touch = true;
   Ui ui(theme, window_.Registry(), window_.Behind());
+  if (const WidgetRequest* due = window_.Registry().Requests().Due(); due != nullptr && due->begins)
+    session_.BeginGesture();
 
   ImGui::SetNextWindowPos({0.0f, 0.0f});
   ImGui::SetNextWindowSize(size);
@@ -70,7 +72,7 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
 
   int panel = Panel(kDeskPanels);
   const ImRect tabs({panel_x + 1.0f, whole.Min.y}, {whole.Max.x, whole.Min.y + kTabHeight});
-  if (ui.Tabs("panels", tabs, std::span(kPanels).first(kDeskPanels), panel)) ChoosePanel(panel);
+  if (ui.Tabs("panels", tabs, "Panels", std::span(kPanels).first(kDeskPanels), panel)) ChoosePanel(panel);
   DrawPanel(ui, {{panel_x + 1.0f, tabs.Max.y}, whole.Max}, panel);
 }
 
@@ -86,7 +88,7 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
 
   int panel = Panel(static_cast<int>(kPanels.size()));
   const ImRect tabs({whole.Min.x, tabs_y}, {whole.Max.x, tabs_y + tab_height});
-  if (ui.Tabs("panels", tabs, kPanels, panel)) ChoosePanel(panel);
+  if (ui.Tabs("panels", tabs, "Panels", kPanels, panel)) ChoosePanel(panel);
   // Whatever chooses another panel, a tab, a key or a command, wants to see it.
   if (panel != panel_before_) stage_.world.open = false;
   panel_before_ = panel;
@@ -94,6 +96,7 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
   if (stage_.world.open) {
     DrawWorldCard(ui, session_, stage_.world, rest);  // the stage has no room for it
   } else if (panel == kTimelinePanel) {
+    const PartScope part = ui.Part("panel", "tabpanel", kPanels[kTimelinePanel]);
     DrawTimeline(ui, session_, rest);
   } else {
     DrawPanel(ui, rest, panel);
@@ -103,7 +106,9 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
 void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
   ImGui::SetCursorScreenPos(rect.Min);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPanelPadding, 14.0f});
-  const std::string id = "panel/" + std::string(kPanels[static_cast<std::size_t>(panel)]);
+  const std::string_view name = kPanels[static_cast<std::size_t>(panel)];
+  const PartScope part = ui.Part("panel", "tabpanel", name);
+  const std::string id = "panel/" + std::string(name);
   ImGui::BeginChild(id.c_str(), rect.GetSize(), ImGuiChildFlags_AlwaysUseWindowPadding,
                     ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollbar);
   ImGui::PopStyleVar();
@@ -159,8 +164,10 @@ bool App::Key(std::string_view name, bool on_canvas, bool repeated) {
   if (ImGui::GetIO().MouseDown[0]) return false;  // what is being dragged must not go away
   if (on_canvas && (ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0))
     return false;
-  const auto wants_keys = [](const Widget& w) {
-    return w.state.focused && w.id != "stage" && w.id != "transport/scrub";
+  const std::string_view coming = window_.Registry().Requests().Last();
+  const auto wants_keys = [coming](const Widget& w) {
+    const bool focused = coming.empty() ? w.state.focused : w.id == coming;
+    return focused && w.id != "stage" && w.id != "transport/scrub";
   };
   if (on_canvas && BelongsToControls(name) && std::ranges::any_of(window_.Registry().Widgets(), wants_keys))
     return false;

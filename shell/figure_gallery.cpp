@@ -65,18 +65,21 @@ std::optional<int> DrawFigureGallery(Ui& ui, const std::vector<Figure>& figures,
   // Closed, it shows the row that the present figure stands in.
   const int start = open ? 0 : std::max(0, chosen) / kColumns * kColumns;
   const int end = open ? count : std::min(count, start + kColumns);
-  for (int first = start; first < end; first += kColumns) {
-    const ImRect row = ui.Row(kTileHeight);
-    const float width = (row.GetWidth() - kGap * (kColumns - 1)) / kColumns;
-    for (int i = first; i < std::min(first + kColumns, end); ++i) {
-      const float x = row.Min.x + static_cast<float>(i - first) * (width + kGap);
-      const std::string id = "figure/gallery/" + std::to_string(i);
-      if (DrawTile(ui, figures[static_cast<std::size_t>(i)], id, i == chosen,
-                   {{x, row.Min.y}, {x + width, row.Max.y}})) {
-        pressed = i;
+  {
+    const PartScope part = ui.Part("figure/tiles", "radiogroup", "Figure");
+    for (int first = start; first < end; first += kColumns) {
+      const ImRect row = ui.Row(kTileHeight);
+      const float width = (row.GetWidth() - kGap * (kColumns - 1)) / kColumns;
+      for (int i = first; i < std::min(first + kColumns, end); ++i) {
+        const float x = row.Min.x + static_cast<float>(i - first) * (width + kGap);
+        const std::string id = "figure/gallery/" + std::to_string(i);
+        if (DrawTile(ui, figures[static_cast<std::size_t>(i)], id, i == chosen,
+                     {{x, row.Min.y}, {x + width, row.Max.y}})) {
+          pressed = i;
+        }
       }
+      ui.Gap(kGap);
     }
-    ui.Gap(kGap);
   }
   const ImRect row = ui.ControlRow();
   const std::string words = open ? "Fewer figures" : "All " + std::to_string(count) + " figures";

@@ -126,7 +126,7 @@ void DrawFound(Ui& ui, Session& session, FoundMotions::Order& order) {
   }
   static constexpr std::array<std::string_view, 2> kOrders = {"Newest first", "Best first"};
   int chosen = static_cast<int>(order);
-  if (ui.Segmented("found/order", ui.ControlRow(), kOrders, chosen))
+  if (ui.Segmented("found/order", ui.ControlRow(), "Order of the results", kOrders, chosen))
     order = static_cast<FoundMotions::Order>(chosen);
   ui.Gap(6.0f);
   // What is pressed changes the list, so it is done after it.

@@ -16,9 +16,9 @@
 #include "shell/app.h"
 #include "shell/commands.h"
 #include "shell/frame_pace.h"
+#include "shell/moment_words.h"
 #include "shell/script_answers.h"
 #include "shell/script_options.h"
-#include "shell/style_words.h"
 
 extern "C" {
 // host_web.library.js
@@ -81,6 +81,7 @@ struct Page {
   WebHost host;
   std::unique_ptr<App> app;
   std::string reply;
+  std::string mirrored;  // as told last
   double before_ms = 0.0;
   FramePace pace;
   bool moved = false;  // since the last frame that was drawn
@@ -114,6 +115,17 @@ void FollowCanvas(Page& page) {
   page.height = height;
   page.density = density;
   page.window->SetSize(static_cast<int>(std::lround(width)), static_cast<int>(std::lround(height)));
+}
+
+// @return 0: it is not on the canvas, or cannot be used now
+int Request(WidgetRequest request) {
+  WidgetRegistry& registry = ThePage().window->Registry();
+  const Widget* widget = registry.Find(request.id);
+  const bool moves = request.kind != WidgetRequest::Kind::kFocus;
+  if (widget == nullptr || (moves && widget->state.disabled)) return 0;
+  registry.Requests().Add(std::move(request));
+  ThePage().window->RequestFrame();
+  return 1;
 }
 
 void Tick(void* argument) {
@@ -171,11 +183,59 @@ EMSCRIPTEN_KEEPALIVE const char* gs_widgets() {
   return ThePage().reply.c_str();
 }
 
-/// What the motion is worth so far, term by term, in words.
-EMSCRIPTEN_KEEPALIVE const char* gs_score() {
-  ThePage().reply = ScoreWords(TheSession().Doc().task, TheSession().player.TermsNow());
+/// Everything on the canvas, in and out of sight, as WidgetRegistry::MirrorJson; empty: as at the last call.
+EMSCRIPTEN_KEEPALIVE const char* gs_mirror() {
+  std::string now = ThePage().window->Registry().MirrorJson();
+  if (now == ThePage().mirrored) return "";
+  ThePage().mirrored = std::move(now);
+  return ThePage().mirrored.c_str();
+}
+
+// What is asked of a widget happens in the next frame. @return 0: it is not on the canvas, or cannot be used
+// now.
+// @param again  more of what was asked before, as a key that is held: no step of its own for Undo
+/// As by a click.
+EMSCRIPTEN_KEEPALIVE int gs_activate(const char* id) {
+  return Request({.id = id, .kind = WidgetRequest::Kind::kPress});
+}
+/// As by arrow keys.
+EMSCRIPTEN_KEEPALIVE int gs_step(const char* id, int steps, int again) {
+  return Request({.id = id,
+                  .kind = WidgetRequest::Kind::kStep,
+                  .number = static_cast<double>(steps),
+                  .begins = again == 0});
+}
+/// @param value  as of WidgetRange
+EMSCRIPTEN_KEEPALIVE int gs_set_value(const char* id, double value, int again) {
+  return Request({.id = id, .kind = WidgetRequest::Kind::kSet, .number = value, .begins = again == 0});
+}
+/// @param ring  it shows that it has the keyboard
+EMSCRIPTEN_KEEPALIVE int gs_focus(const char* id, int ring) {
+  return Request({.id = id, .kind = WidgetRequest::Kind::kFocus, .ring = ring != 0, .begins = false});
+}
+/// The keyboard is elsewhere on the page: nothing on the canvas shows a ring.
+EMSCRIPTEN_KEEPALIVE void gs_unfocus() {
+  ImGui::GetCurrentContext()->NavDisableHighlight = true;
+  ThePage().window->RequestFrame();
+}
+/// Closes an open list. @return 0: there is none
+EMSCRIPTEN_KEEPALIVE int gs_dismiss() {
+  if (ImGui::GetCurrentContext()->OpenPopupStack.Size == 0) return 0;
+  ImGui::ClosePopupToLevel(0, true);
+  ThePage().window->RequestFrame();
+  return 1;
+}
+
+/// The moment on the stage in words, short or in full.
+EMSCRIPTEN_KEEPALIVE const char* gs_moment() {
+  ThePage().reply = MomentWords(TheSession());
   return ThePage().reply.c_str();
 }
+EMSCRIPTEN_KEEPALIVE const char* gs_description() {
+  ThePage().reply = DescriptionOf(TheSession());
+  return ThePage().reply.c_str();
+}
+EMSCRIPTEN_KEEPALIVE int gs_playing() { return TheSession().player.Playing() ? 1 : 0; }
 
 /// @param palette a PaletteName
 EMSCRIPTEN_KEEPALIVE void gs_set_theme(int palette, double scale) {
@@ -212,13 +272,6 @@ EMSCRIPTEN_KEEPALIVE int gs_run(const char* id) { return ThePage().app->Run(id) 
 /// A key went down. @param name as in Command::keys. @return 1 when a command took it
 EMSCRIPTEN_KEEPALIVE int gs_key(const char* name, int on_canvas, int repeated) {
   return ThePage().app->Key(name, on_canvas != 0, repeated != 0) ? 1 : 0;
-}
-
-/// Of the next search. @param kind  a Decider
-EMSCRIPTEN_KEEPALIVE void gs_set_senses(int kind) {
-  TheSession().BeginGesture();
-  TheSession().Set([kind](Document& d) { Decide(d, static_cast<Decider>(std::clamp(kind, 0, 2))); });
-  ThePage().window->RequestFrame();
 }
 
 /// @param options JSON object or empty text. @return an empty text or a sentence

@@ -28,7 +28,8 @@ void DrawSettings(Ui& ui, Session& session) {
   static constexpr std::array<std::string_view, 3> kKinds = {"Timer", "Senses", "Network"};
   const bool network = session.Doc().kind == ControllerKind::kNetwork;
   int kind = static_cast<int>(DeciderOf(session.Doc()));
-  if (ui.Segmented("controller/senses", ui.Row(ui.Look().touch ? 42.0f : 34.0f), kKinds, kind)) {
+  if (ui.Segmented("controller/senses", ui.Row(ui.Look().touch ? 42.0f : 34.0f), "What decides", kKinds,
+                   kind)) {
     session.Set([&](Document& d) { Decide(d, static_cast<Decider>(kind)); });
   }
   ui.Gap(8.0f);

@@ -166,7 +166,8 @@ void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
   static constexpr std::array<std::string_view, 2> kTools = {"Move", "Grow a rod"};
   const ImRect tools = ui.Row(ui.Look().touch ? 42.0f : 34.0f);
   int tool = static_cast<int>(state.board.tool);
-  if (ui.Segmented("figure/tool", {tools.Min, {tools.Max.x - 76.0f, tools.Max.y}}, kTools, tool))
+  if (ui.Segmented("figure/tool", {tools.Min, {tools.Max.x - 76.0f, tools.Max.y}},
+                   "Tool of the drawing board", kTools, tool))
     state.board.tool = static_cast<DrawingTool>(tool);
   if (ui.Button("figure/undo", {{tools.Max.x - 68.0f, tools.Min.y}, tools.Max}, "Undo", ButtonLook::kOutlined,
                 session.CanUndo())) {

@@ -131,6 +131,7 @@ void DrawTable(Ui& ui, const Lab& lab) {
 /// Toggles, as many in a row as fit.
 void DrawAlgorithms(Ui& ui, LabSettings& settings) {
   constexpr float kGap = 6.0f;
+  const PartScope part = ui.Part("lab/algorithms", "group", "Algorithms to compare");
   const Palette& p = ui.Ink();
   const auto width_of = [&](std::size_t i) {
     return ui.Letters().Width(Type::kBody, AlgorithmTexts()[i].name) + 34.0f;

@@ -55,14 +55,15 @@ bool DrawHeader(const OpenRule& open, RuleEditorState& state) {
   const int rods = open.bones.rods;
   const int rule = open.rule;
   if (ui.Button("rule-edit/copy", box(58.0f), "Copy", ButtonLook::kOutlined,
-                open.controller.rules < kMaxRules)) {
+                open.controller.rules < kMaxRules, "Copy the rule")) {
     const bool copied = open.session.ChangeController([&](Controller& c) {
       if (rule < c.rules && c.rules < kMaxRules) CopyRule(c, rods, rule);
     });
     if (copied) state = {.rule = rule + 1, .reveal = true};
     return false;
   }
-  if (ui.Button("rule-edit/delete", box(64.0f), "Delete", ButtonLook::kOutlined, open.controller.rules > 1)) {
+  if (ui.Button("rule-edit/delete", box(64.0f), "Delete", ButtonLook::kOutlined, open.controller.rules > 1,
+                "Delete the rule")) {
     open.session.ChangeController([&](Controller& c) {
       if (rule < c.rules && c.rules > 1) DeleteRule(c, rods, rule);
     });
@@ -214,6 +215,7 @@ void DrawRuleEditor(Ui& ui, Session& session, const Controller& controller, Rule
   // A change makes a new motion, while the rest is still being drawn.
   const Skeleton bones = session.player.Shown().Bones();
   const OpenRule open{ui, session, controller, bones, state.rule, ui.Look().Rule(state.rule)};
+  const PartScope part = ui.Part("rule-edit", "group", "Editor of rule " + std::to_string(state.rule + 1));
   const float top = ImGui::GetCursorScreenPos().y;
   if (!DrawHeader(open, state)) return;
   ui.Gap(4.0f);

@@ -14,6 +14,10 @@ double SliderRange::ShareOf(double value) const {
 
 double SliderRange::ValueAt(double share) const {
   const double value = logarithmic ? low * std::pow(high / low, share) : low + share * (high - low);
+  return Nearest(value);
+}
+
+double SliderRange::Nearest(double value) const {
   return std::clamp(std::round(value / step) * step, low, high);
 }
 

@@ -13,6 +13,8 @@ struct SliderRange {
   /// Where a value stands on its track, in [0, 1], and back.
   [[nodiscard]] double ShareOf(double value) const;
   [[nodiscard]] double ValueAt(double share) const;
+  /// The value on its grid that is nearest to this one.
+  [[nodiscard]] double Nearest(double value) const;
   /// The next value by key: on a logarithmic track at least one step, at most one fiftieth of the track.
   [[nodiscard]] double Stepped(double value, int steps) const;
 };

@@ -208,17 +208,19 @@ void DrawNumbers(const Scene& s) {
   // The button in the corner reaches down to this line.
   letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 22.0f}, s.rect.GetWidth() - 134.0f, p.second_ink,
                      words);
+  const auto remark = [&](ImU32 colour, std::string_view sentence) {
+    const float width = s.rect.GetWidth() - 32.0f;
+    letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 40.0f}, width, colour, sentence);
+    s.ui.Tell(sentence, {{at.x, at.y + 31.0f}, {at.x + width, at.y + 49.0f}});
+  };
   if (terms.broke_physics) {
-    letters.Draw(s.list, Type::kNote, {at.x, at.y + 40.0f}, p.bad,
-                 "This motion breaks physics and counts as void.");
+    remark(p.bad, "This motion breaks physics and counts as void.");
   } else if (s.session.WorldChanged()) {
-    letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 40.0f}, s.rect.GetWidth() - 32.0f, p.accent,
-                       "You changed its world: this is not the motion that was opened.");
+    remark(p.accent, "You changed its world: this is not the motion that was opened.");
   } else if (s.session.DiffersFromMaker()) {
     DrawNote(s, {at.x, at.y + 40.0f}, "This motion differs from the one its maker saw.");
   } else if (s.session.Doc().timeline.empty()) {
-    letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 40.0f}, s.rect.GetWidth() - 32.0f, p.accent,
-                       "No controller yet: press Synthesize in the Search panel.");
+    remark(p.accent, "No controller yet: press Synthesize in the Search panel.");
   }
 }
 
@@ -270,6 +272,7 @@ void DrawFollowButton(Ui& ui, StageState& state, const ImRect& rect) {
 }  // namespace
 
 void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect) {
+  const PartScope part = ui.Part("stage", "region", "Stage");
   const Terms& terms = session.player.TermsNow();
   ImGui::SetNextItemAllowOverlap();  // its buttons lie on it
   const Touch touch =

@@ -62,18 +62,23 @@ void DrawClip(Ui& ui, Session& session, const Band& band, std::size_t index) {
 
 void DrawSwitchPoint(Ui& ui, Session& session, const Band& band, std::size_t index) {
   const int start = session.Doc().timeline[index].start_step;
+  constexpr auto kStepS = static_cast<double>(kStep);
   const float x = ui.Look().Snap(band.XOf(start) - 2.0f);
   const float half = ui.Look().touch ? 16.0f : 7.0f;
   const ImRect rect({x - half, band.rect.Min.y - 4.0f}, {x + half, band.rect.Max.y + 4.0f});
-  const Touch touch = ui.Area("timeline/switch/" + std::to_string(index), rect, Grab::kArrows,
-                              {.label = "Switch point before clip " + std::to_string(index + 1),
-                               .role = "slider",
-                               .value = Fixed(static_cast<float>(start) * kStep, 2) + " s"});
+  const Touch touch =
+      ui.Area("timeline/switch/" + std::to_string(index), rect, Grab::kArrows,
+              {.label = "Switch point before clip " + std::to_string(index + 1),
+               .role = "slider",
+               .value = Fixed(static_cast<float>(start) * kStep, 2) + " s",
+               .range = WidgetRange{0.0, session.Doc().duration_steps * kStepS, kStepS, start * kStepS}});
   if (touch.hovered || touch.held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   if (touch.held && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 2.0f)) {
     session.MoveClip(static_cast<int>(index), band.StepAt(ImGui::GetIO().MousePos.x + 2.0f));
   }
   if (touch.steps != 0) session.MoveClip(static_cast<int>(index), start + touch.steps);
+  if (touch.wanted)
+    session.MoveClip(static_cast<int>(index), static_cast<int>(std::lround(*touch.wanted / kStepS)));
 
   const ImU32 ink = touch.hovered || touch.held ? ui.Ink().ink : ui.Ink().second_ink;
   const float y = band.rect.GetCenter().y;
@@ -109,6 +114,7 @@ void DrawRuler(Ui& ui, const Session& session, const Band& band) {
 }  // namespace
 
 void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
+  const PartScope part = ui.Part("timeline", "region", "Timeline");
   const Palette& p = ui.Ink();
   const bool empty = session.Doc().timeline.empty();
   ui.HorizontalLine(rect.Min.x, rect.Max.x, rect.Min.y);
@@ -119,7 +125,7 @@ void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
   const float half = ui.Look().touch ? 18.0f : 12.0f;
   const float row = ui.Look().touch ? rect.Min.y + 24.0f : row_y;
   if (ui.Button("timeline/remove", {{right - 66.0f, row - half}, {right, row + half}}, "Remove",
-                ButtonLook::kPlain, session.Doc().timeline.size() > 1)) {
+                ButtonLook::kPlain, session.Doc().timeline.size() > 1, "Remove the selected clip")) {
     session.RemoveClip();
   }
   if (ui.Button("timeline/add", {{right - 142.0f, row - half}, {right - 70.0f, row + half}}, "Add clip",
@@ -134,6 +140,7 @@ void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
                                     : "add a clip to chain another motion";
   ui.Letters().DrawElided(ui.Canvas(), Type::kBody, {hint_x, row}, right - 152.0f - hint_x, p.second_ink,
                           hint);
+  ui.Tell(hint, {{hint_x, row - half}, {std::max(hint_x, right - 152.0f), row + half}});
 
   const float top = row + (ui.Look().touch ? 24.0f : 16.0f);
   const Band band{.rect = {{left, top}, {right, top + 48.0f}},
@@ -143,7 +150,10 @@ void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
     return;
   }
   // Clips may go away while they are drawn, so the count is looked at anew.
-  for (std::size_t i = 0; i < session.Doc().timeline.size(); ++i) DrawClip(ui, session, band, i);
+  {
+    const PartScope clips = ui.Part("timeline/clips", "listbox", "Clips");
+    for (std::size_t i = 0; i < session.Doc().timeline.size(); ++i) DrawClip(ui, session, band, i);
+  }
   DrawRuler(ui, session, band);
   for (std::size_t i = 1; i < session.Doc().timeline.size(); ++i) DrawSwitchPoint(ui, session, band, i);
 }

@@ -20,14 +20,22 @@ constexpr std::array<Speed, 4> kSpeeds = {{{1.0, "1×"}, {2.0, "2×"}, {0.25, "�
 void DrawStrip(Ui& ui, Session& session, const ImRect& rect) {
   Playback& player = session.player;
   const double duration = std::max(player.DurationS(), 1e-6);
-  const Touch touch = ui.Area("transport/scrub", rect, Grab::kArrows,
-                              {.label = "Time", .role = "slider", .value = Fixed(player.TimeS(), 2) + " s"});
+  const Touch touch = ui.Area(
+      "transport/scrub", rect, Grab::kArrows,
+      {.label = "Time",
+       .role = "slider",
+       .value = Fixed(player.TimeS(), 2) + " s",
+       .range = WidgetRange{0.0, duration, static_cast<double>(player.Shown().StepS()), player.TimeS()}});
   if (touch.held) {
     if (touch.began) player.Play(false);
     const float share = std::clamp((ImGui::GetIO().MousePos.x - rect.Min.x) / rect.GetWidth(), 0.0f, 1.0f);
     player.Seek(static_cast<double>(share) * duration);
   }
   if (touch.steps != 0) player.Step(touch.steps);
+  if (touch.wanted) {
+    player.Play(false);
+    player.Seek(*touch.wanted);
+  }
 
   const Palette& p = ui.Ink();
   ImDrawList* list = ui.Canvas();
@@ -53,6 +61,7 @@ void DrawStrip(Ui& ui, Session& session, const ImRect& rect) {
 }  // namespace
 
 void DrawTransport(Ui& ui, Session& session, const ImRect& rect) {
+  const PartScope part = ui.Part("transport", "group", "Playback");
   const Palette& p = ui.Ink();
   const Fonts& letters = ui.Letters();
   Playback& player = session.player;
@@ -97,7 +106,8 @@ void DrawTransport(Ui& ui, Session& session, const ImRect& rect) {
   for (std::size_t i = 0; i < kSpeeds.size(); ++i) {
     if (std::abs(player.speed - kSpeeds[i].value) < 1e-6) speed = i;
   }
-  if (ui.Button("transport/speed", speed_box, kSpeeds[speed].label)) {
+  if (ui.Button("transport/speed", speed_box, kSpeeds[speed].label, ButtonLook::kOutlined, true,
+                "Speed " + std::string(kSpeeds[speed].label))) {
     player.speed = kSpeeds[(speed + 1) % kSpeeds.size()].value;
     session.SetView([&](View& view) { view.speed = static_cast<float>(player.speed); });
   }

@@ -1,21 +1,29 @@
 // SPDX-License-Identifier: MIT
-// The registry's bookkeeping, its JSON, and the functions Dear ImGui calls when built with
-// IMGUI_ENABLE_TEST_ENGINE.
+// The registry's bookkeeping, and the functions Dear ImGui calls when built with IMGUI_ENABLE_TEST_ENGINE.
 #include "shell/widget_registry.h"
 
-#include <cstdio>
-
-#include "core/document/json_value.h"
+#include <algorithm>
 
 namespace gaitsmith::shell {
 namespace {
 
-void AppendFlag(std::string& json, const char* name, std::optional<bool> flag) {
-  if (!flag) return;
-  if (json.back() != '{') json += ',';
-  json += '"';
-  json += name;
-  json += *flag ? "\":true" : "\":false";
+// Scroll bars, notes and texts are there to be seen or read; the Tab key passes over them.
+bool Stops(const Widget& widget) {
+  return !widget.state.disabled && widget.role != "scrollbar" && widget.role != "note" &&
+         widget.role != "heading" && widget.role != "paragraph";
+}
+
+// Whatever is scrolled away lies on the edge that it went over, so that nothing of it stands outside.
+void ClipToSight(Widget& widget, const ImRect& sight) {
+  const ImRect whole = widget.rect;
+  widget.rect.ClipWithFull(sight);
+  if (widget.rect.GetWidth() >= 1.0f && widget.rect.GetHeight() >= 1.0f) return;
+  widget.in_sight = false;
+  widget.rect.Min = {std::clamp(whole.Min.x, sight.Min.x, std::max(sight.Min.x, sight.Max.x - 1.0f)),
+                     std::clamp(whole.Min.y, sight.Min.y, std::max(sight.Min.y, sight.Max.y - 1.0f))};
+  widget.rect.Max = {
+      std::clamp(whole.Max.x, widget.rect.Min.x + 1.0f, std::max(widget.rect.Min.x + 1.0f, sight.Max.x)),
+      widget.rect.Min.y + 1.0f};
 }
 
 }  // namespace
@@ -29,8 +37,21 @@ void WidgetRegistry::Attach() {
 void WidgetRegistry::BeginFrame() {
   rects_.clear();
   widgets_.clear();
-  stops_before_focus_ = stops_after_focus_ = 0;
-  focus_seen_ = false;
+  ids_.clear();
+  parts_.clear();
+  part_ = -1;
+  texts_ = 0;
+  requests_.BeginFrame();
+}
+
+void WidgetRegistry::EndFrame() {
+  const ImGuiContext& g = *ImGui::GetCurrentContext();
+  keyboard_ = !g.NavDisableHighlight;
+  // It may have changed hands while the frame was drawn, and only one has it.
+  for (std::size_t i = 0; i < widgets_.size(); ++i) {
+    if (ids_[i] != 0) widgets_[i].state.focused = ids_[i] == g.NavId;
+  }
+  requests_.EndFrame();
 }
 
 void WidgetRegistry::OnItem(ImGuiID id, const ImRect& rect) { rects_[id] = rect; }
@@ -38,44 +59,43 @@ void WidgetRegistry::OnItem(ImGuiID id, const ImRect& rect) { rects_[id] = rect;
 void WidgetRegistry::Describe(ImGuiID id, Widget widget) {
   const auto found = rects_.find(id);
   if (found == rects_.end()) return;
-  // Scroll bars and notes are there to be seen; the Tab key passes over them.
-  const bool stops = !widget.state.disabled && widget.role != "scrollbar" && widget.role != "note";
-  if (widget.state.focused) {
-    focus_seen_ = true;
-  } else if (stops) {
-    ++(focus_seen_ ? stops_after_focus_ : stops_before_focus_);
-  }
   widget.rect = found->second;
-  widget.rect.ClipWithFull(ImGui::GetCurrentWindowRead()->ClipRect);
-  if (widget.rect.GetWidth() < 1.0f || widget.rect.GetHeight() < 1.0f) return;
+  widget.part = part_;
+  ClipToSight(widget, ImGui::GetCurrentWindowRead()->ClipRect);
   widgets_.push_back(std::move(widget));
+  ids_.push_back(id);
+}
+
+void WidgetRegistry::DescribeText(std::string_view role, std::string_view text, const ImRect& rect) {
+  if (text.empty()) return;
+  Widget widget{
+      .id = "text/" + std::to_string(++texts_), .label = std::string(text), .role = std::string(role)};
+  widget.rect = rect;
+  widget.part = part_;
+  ClipToSight(widget, ImGui::GetCurrentWindowRead()->ClipRect);
+  widgets_.push_back(std::move(widget));
+  ids_.push_back(0);
+}
+
+void WidgetRegistry::EnterPart(WidgetPart part) {
+  part.parent = part_;
+  part_ = static_cast<int>(parts_.size());
+  parts_.push_back(std::move(part));
+}
+
+void WidgetRegistry::LeavePart() {
+  if (part_ >= 0) part_ = parts_[static_cast<std::size_t>(part_)].parent;
+}
+
+const Widget* WidgetRegistry::Find(std::string_view id) const {
+  const auto found = std::ranges::find(widgets_, id, &Widget::id);
+  return found == widgets_.end() ? nullptr : &*found;
 }
 
 bool WidgetRegistry::StopsBeyondFocus(bool back) const {
-  return (back ? stops_before_focus_ : stops_after_focus_) > 0;
-}
-
-std::string WidgetRegistry::Json() const {
-  std::string json = "[";
-  for (const Widget& widget : widgets_) {
-    if (json.size() > 1) json += ",\n";
-    json += "{\"id\":" + QuoteJson(widget.id) + ",\"label\":" + QuoteJson(widget.label) +
-            ",\"role\":" + QuoteJson(widget.role) + ",\"value\":" + QuoteJson(widget.value) + ",\"state\":{";
-    AppendFlag(json, "focused", widget.state.focused);
-    AppendFlag(json, "disabled", widget.state.disabled);
-    AppendFlag(json, "pressed", widget.state.pressed);
-    AppendFlag(json, "selected", widget.state.selected);
-    AppendFlag(json, "checked", widget.state.checked);
-    AppendFlag(json, "expanded", widget.state.expanded);
-    char rect[128];
-    std::snprintf(rect, sizeof rect, "},\"rect\":{\"x\":%.1f,\"y\":%.1f,\"width\":%.1f,\"height\":%.1f}}",
-                  static_cast<double>(widget.rect.Min.x * scale_),
-                  static_cast<double>(widget.rect.Min.y * scale_),
-                  static_cast<double>(widget.rect.GetWidth() * scale_),
-                  static_cast<double>(widget.rect.GetHeight() * scale_));
-    json += rect;
-  }
-  return json + "]";
+  const auto focused = std::ranges::find_if(widgets_, [](const Widget& w) { return w.state.focused; });
+  return back ? std::any_of(widgets_.begin(), focused, Stops)
+              : focused != widgets_.end() && std::any_of(focused + 1, widgets_.end(), Stops);
 }
 
 }  // namespace gaitsmith::shell

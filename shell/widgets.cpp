@@ -25,23 +25,33 @@ void Ui::Gap(float height) const { ImGui::ItemSize(ImVec2(0.0f, height)); }
 
 void Ui::Heading(std::string_view text) const {
   const ImRect row = Row(Fonts::LineHeight(Type::kStrong) + 4.0f);
+  registry_.DescribeText("heading", text, row);
   Letters().Draw(Canvas(), Type::kStrong, {row.Min.x, row.GetCenter().y}, Ink().ink, text);
 }
 
 void Ui::Paragraph(std::string_view text, Type type) const { Paragraph(text, Ink().second_ink, type); }
 
 void Ui::Paragraph(std::string_view text, ImU32 colour, Type type) const {
+  const std::string_view whole = text;
+  ImRect rows(ImGui::GetCursorScreenPos(), ImGui::GetCursorScreenPos());
   while (!text.empty()) {
     const ImRect row = Row(Fonts::LineHeight(type));
+    rows.Add(row);
     const std::size_t length = std::max<std::size_t>(1, Letters().FitLine(type, text, row.GetWidth()));
     Letters().Draw(Canvas(), type, {row.Min.x, row.GetCenter().y}, colour, text.substr(0, length));
     text.remove_prefix(length);
     while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   }
+  Tell(whole, rows);
+}
+
+void Ui::Tell(std::string_view text, const ImRect& rect) const {
+  registry_.DescribeText("paragraph", text, rect);
 }
 
 void Ui::Fact(std::string_view label, std::string_view value) const {
   const ImRect row = Row(Fonts::LineHeight(Type::kBody) + 4.0f);
+  Tell(std::string(label) + ": " + std::string(value), row);
   const float y = row.GetCenter().y;
   const float value_width = Letters().Width(Type::kBody, value);
   Letters().DrawElided(Canvas(), Type::kBody, {row.Min.x, y}, row.GetWidth() - value_width - 10.0f, Ink().ink,
@@ -54,6 +64,9 @@ Touch Ui::Area(std::string_view id, const ImRect& rect, Grab grab, Widget descri
   ImGuiWindow* window = ImGui::GetCurrentWindow();
   Touch touch;
   touch.id = window->GetID(id.data(), id.data() + id.size());
+  const WidgetRequest* asked = registry_.Requests().DueFor(id);
+  // First the keyboard: whoever has it is drawn even where it is scrolled out of sight.
+  if (asked != nullptr) TakeKeyboard(rect, touch.id, asked->ring);
   touch.visible = ImGui::ItemAdd(rect, touch.id, nullptr, enabled ? 0 : ImGuiItemFlags_Disabled);
   if (touch.visible && enabled && grab != Grab::kNothing) {
     const ImGuiButtonFlags flags =
@@ -73,12 +86,30 @@ Touch Ui::Area(std::string_view id, const ImRect& rect, Grab grab, Widget descri
     g.NavDisableHighlight = false;
   }
   touch.focused = g.NavId == touch.id && !g.NavDisableHighlight;
+  if (asked != nullptr && enabled && grab != Grab::kNothing) {
+    touch.pressed |= asked->kind == WidgetRequest::Kind::kPress;
+    if (asked->kind == WidgetRequest::Kind::kStep && grab == Grab::kArrows)
+      touch.steps = static_cast<int>(asked->number);
+    if (asked->kind == WidgetRequest::Kind::kSet && grab == Grab::kArrows) touch.wanted = asked->number;
+  }
 
   description.id = id;
   description.state.focused = g.NavId == touch.id;
   description.state.disabled = !enabled;
   registry_.Describe(touch.id, std::move(description));
   return touch;
+}
+
+void Ui::TakeKeyboard(const ImRect& rect, ImGuiID id, bool ring) const {
+  ImGuiContext& g = *ImGui::GetCurrentContext();
+  ImGuiWindow* window = ImGui::GetCurrentWindow();
+  if (g.ActiveId != 0 && g.ActiveId != id) ImGui::ClearActiveID();  // a number that was being typed
+  if (g.NavWindow != window) ImGui::FocusWindow(window);            // closes a list over it
+  ImGui::SetFocusID(id, window);
+  window->NavRectRel[ImGuiNavLayer_Main] = ImGui::WindowRectAbsToRel(window, rect);
+  g.NavDisableHighlight = !ring;
+  if ((window->Flags & ImGuiWindowFlags_ChildWindow) != 0)
+    ImGui::ScrollToRectEx(window, rect, ImGuiScrollFlags_KeepVisibleEdgeY | ImGuiScrollFlags_NoScrollParent);
 }
 
 void Ui::ScrollByTouch() const {
@@ -141,8 +172,9 @@ ImU32 Ui::ButtonInk(ButtonLook look, const ImRect& rect, const Touch& touch, boo
 }
 
 bool Ui::Button(std::string_view id, const ImRect& rect, std::string_view label, ButtonLook look,
-                bool enabled) {
-  const Touch touch = Area(id, rect, Grab::kPress, {.label = std::string(label), .role = "button"}, enabled);
+                bool enabled, std::string_view heard) {
+  const Touch touch = Area(id, rect, Grab::kPress,
+                           {.label = std::string(heard.empty() ? label : heard), .role = "button"}, enabled);
   if (!touch.visible) return touch.pressed;
   const ImU32 ink = ButtonInk(look, rect, touch, enabled);
   Letters().Draw(Canvas(), look == ButtonLook::kPrimary ? Type::kStrong : Type::kBody, rect.GetCenter(), ink,

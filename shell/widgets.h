@@ -7,6 +7,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -35,10 +36,11 @@ struct Touch {
   bool visible = false;
   bool hovered = false;
   bool held = false;
-  bool began = false;    // held, and was not before
-  bool pressed = false;  // clicked or activated by key
-  bool focused = false;  // has the keyboard, and the keyboard is in use
-  int steps = 0;         // arrow keys: left negative
+  bool began = false;                 // held, and was not before
+  bool pressed = false;               // clicked or activated by key
+  bool focused = false;               // has the keyboard, and the keyboard is in use
+  int steps = 0;                      // arrow keys: left negative
+  std::optional<double> wanted = {};  // a number asked for by other means than pointer and keys
 };
 
 /// An interval in [0, 1] of its track, drawn in its colour.
@@ -73,13 +75,14 @@ class Ui {
   void Fact(std::string_view label, std::string_view value) const;
 
   // Widgets. `id` is stable and unique; `label` is what a person reads or hears.
+  /// @param heard  the label in full, where the place says the rest; empty: the label
   bool Button(std::string_view id, const ImRect&, std::string_view label, ButtonLook = ButtonLook::kOutlined,
-              bool enabled = true);
+              bool enabled = true, std::string_view heard = {});
   bool IconButton(std::string_view id, const ImRect&, Icon, std::string_view label,
                   ButtonLook = ButtonLook::kPlain, bool enabled = true);
-  /// A few options side by side. @return true when `selected` changed
-  bool Segmented(std::string_view id, const ImRect&, std::span<const std::string_view> options,
-                 int& selected);
+  /// A few options side by side; the label is heard, not seen. @return true when `selected` changed
+  bool Segmented(std::string_view id, const ImRect&, std::string_view label,
+                 std::span<const std::string_view> options, int& selected);
   /// Label and value above a thin track; takes its own rows. @return true when `value` changed
   bool Slider(std::string_view id, std::string_view label, double& value, const SliderRange&,
               std::string_view value_text);
@@ -96,7 +99,8 @@ class Ui {
   /// @param other shown when nothing of the list is selected (-1)
   bool Combo(std::string_view id, std::string_view label, std::span<const std::string> options, int& selected,
              std::string_view other = "");
-  bool Tabs(std::string_view id, const ImRect&, std::span<const std::string_view> names, int& selected);
+  bool Tabs(std::string_view id, const ImRect&, std::string_view label,
+            std::span<const std::string_view> names, int& selected);
 
   /// A thin bar in the right padding of the current window, when its contents are longer than it. Call it
   /// last.
@@ -110,12 +114,20 @@ class Ui {
   Touch Area(std::string_view id, const ImRect&, Grab, Widget description, bool enabled = true);
   void DrawFocus(const Touch&, const ImRect&, float radius = kCornerRadius) const;
 
+  /// Text that the caller draws itself, for whoever reads the canvas without seeing it.
+  void Tell(std::string_view text, const ImRect&) const;
+  /// What is drawn while the result lives belongs together, under this name. @param role as of WidgetPart
+  [[nodiscard]] PartScope Part(std::string_view id, std::string_view role, std::string_view label) {
+    return {registry_, {.id = std::string(id), .label = std::string(label), .role = std::string(role)}};
+  }
+
   /// Fill and one-pixel border with rounded corners.
   void Frame(const ImRect&, ImU32 fill, ImU32 border, float radius = kCornerRadius) const;
   void HorizontalLine(float left, float right, float y) const;
   void VerticalLine(float x, float top, float bottom) const;
 
  private:
+  void TakeKeyboard(const ImRect&, ImGuiID, bool ring) const;
   ImU32 ButtonInk(ButtonLook, const ImRect&, const Touch&, bool enabled) const;
   void DrawKnob(ImVec2 centre, const Touch&, ImU32 colour) const;
 

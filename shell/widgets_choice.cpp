@@ -6,8 +6,9 @@
 
 namespace gaitsmith::shell {
 
-bool Ui::Segmented(std::string_view id, const ImRect& rect, std::span<const std::string_view> options,
-                   int& selected) {
+bool Ui::Segmented(std::string_view id, const ImRect& rect, std::string_view label,
+                   std::span<const std::string_view> options, int& selected) {
+  const PartScope part_of = Part(id, "radiogroup", label);
   const Palette& p = Ink();
   ImDrawList* list = Canvas();
   list->AddRectFilled(rect.Min, rect.Max, p.soft, 8.0f);
@@ -72,6 +73,7 @@ bool Ui::Combo(std::string_view id, std::string_view label, std::span<const std:
   ImGui::SetNextWindowSize({box.GetWidth(), height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {5.0f, 5.0f});
   if (ImGui::BeginPopup(popup.c_str(), ImGuiWindowFlags_NoMove)) {
+    const PartScope part = Part(popup + "/list", "listbox", label.empty() ? "Choose" : label);
     for (int i = 0; i < static_cast<int>(options.size()); ++i) {
       const std::string& option = options[static_cast<std::size_t>(i)];
       const ImRect line = ControlRow();
@@ -95,8 +97,9 @@ bool Ui::Combo(std::string_view id, std::string_view label, std::span<const std:
   return changed;
 }
 
-bool Ui::Tabs(std::string_view id, const ImRect& rect, std::span<const std::string_view> names,
-              int& selected) {
+bool Ui::Tabs(std::string_view id, const ImRect& rect, std::string_view label,
+              std::span<const std::string_view> names, int& selected) {
+  const PartScope part_of = Part(id, "tablist", label);
   const Palette& p = Ink();
   ImDrawList* list = Canvas();
   HorizontalLine(rect.Min.x, rect.Max.x, rect.Max.y - 1.0f);

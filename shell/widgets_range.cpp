@@ -37,8 +37,12 @@ bool Ui::LineSlider(std::string_view id, std::string_view label, double& value, 
   const float y = row.GetCenter().y;
   const float left = row.Min.x + kLabelWidth + kKnobRadius;
   const float right = row.Max.x - kValueWidth - kKnobRadius;
-  const Touch touch = Area(id, row, Grab::kArrows,
-                           {.label = std::string(label), .role = "slider", .value = std::string(value_text)});
+  const Touch touch =
+      Area(id, row, Grab::kArrows,
+           {.label = std::string(label),
+            .role = "slider",
+            .value = std::string(value_text),
+            .range = WidgetRange{range.low, range.high, range.logarithmic ? 0.0 : range.step, value}});
   if (!touch.visible) return false;
   const double before = value;
   if (touch.held && ImGui::GetIO().MouseClickedPos[0].x > left - 2.0f * kKnobRadius) {
@@ -46,6 +50,7 @@ bool Ui::LineSlider(std::string_view id, std::string_view label, double& value, 
     value = range.ValueAt(static_cast<double>(share));
   }
   if (touch.steps != 0) value = range.Stepped(value, touch.steps);
+  if (touch.wanted) value = range.Nearest(*touch.wanted);
 
   const Palette& p = Ink();
   ImDrawList* list = Canvas();
@@ -77,13 +82,23 @@ bool Ui::IntervalSlider(std::string_view id, std::string_view label, SliderInter
   const ImRect low_area({low_x - reach, row.Min.y}, {std::min(low_x + reach, between), row.Max.y});
   const ImRect high_area({std::max(high_x - reach, between), row.Min.y}, {high_x + reach, row.Max.y});
   const std::string name(id), words(label);
+  const auto range_of = [](float share) {
+    return WidgetRange{0.0, 1.0, static_cast<double>(kKeyStep), static_cast<double>(share)};
+  };
   const Touch low = Area(name + "/low", low_area, Grab::kArrows,
-                         {.label = words + " from", .role = "slider", .value = interval.low_text});
+                         {.label = words + " from",
+                          .role = "slider",
+                          .value = interval.low_text,
+                          .range = range_of(interval.low)});
   const Touch high = Area(name + "/high", high_area, Grab::kArrows,
-                          {.label = words + " to", .role = "slider", .value = interval.high_text});
+                          {.label = words + " to",
+                           .role = "slider",
+                           .value = interval.high_text,
+                           .range = range_of(interval.high)});
   const float low_before = interval.low, high_before = interval.high;
   const auto moved = [&](const Touch& touch, float share, float least, float most) {
-    if (!touch.held && touch.steps == 0) return share;
+    if (!touch.held && touch.steps == 0 && !touch.wanted) return share;
+    if (touch.wanted) share = static_cast<float>(*touch.wanted);
     if (touch.held) share = (HeldAt(touch, x_of(share)) - left) / (right - left);
     return std::clamp(share + kKeyStep * static_cast<float>(touch.steps), least, most);
   };

@@ -12,8 +12,12 @@ bool Ui::Slider(std::string_view id, std::string_view label, double& value, cons
   const float track_height = theme_.touch ? 26.0f : 18.0f;
   const ImRect rect = Row(label_height + track_height);
   const float track_y = rect.Max.y - 0.5f * track_height;
-  const Touch touch = Area(id, rect, Grab::kArrows,
-                           {.label = std::string(label), .role = "slider", .value = std::string(value_text)});
+  const Touch touch =
+      Area(id, rect, Grab::kArrows,
+           {.label = std::string(label),
+            .role = "slider",
+            .value = std::string(value_text),
+            .range = WidgetRange{range.low, range.high, range.logarithmic ? 0.0 : range.step, value}});
   if (!touch.visible) return false;
 
   // The knob's centre travels inside the track's ends.
@@ -25,6 +29,7 @@ bool Ui::Slider(std::string_view id, std::string_view label, double& value, cons
     value = range.ValueAt(static_cast<double>(share));
   }
   if (touch.steps != 0) value = range.Stepped(value, touch.steps);
+  if (touch.wanted) value = range.Nearest(*touch.wanted);
 
   const Palette& p = Ink();
   ImDrawList* list = Canvas();
@@ -57,6 +62,8 @@ bool Ui::Number(std::string_view id, std::string_view label, int& value, int low
 
   const std::string name(id);
   const std::string words(label);
+  const WidgetRange range{static_cast<double>(low), static_cast<double>(high), static_cast<double>(step),
+                          static_cast<double>(value)};
   if (IconButton(name + "/less", minus, Icon::kMinus, "Less: " + words, ButtonLook::kPlain, value > low)) {
     value -= step;
   }
@@ -66,8 +73,12 @@ bool Ui::Number(std::string_view id, std::string_view label, int& value, int low
   const ImGuiID field_id = window->GetID(id.data(), id.data() + id.size());
   if (ImGui::TempInputIsActive(field_id)) {
     ImGui::ItemAdd(field, field_id, nullptr, ImGuiItemFlags_Inputable);
-    registry_.Describe(field_id,
-                       {.id = name, .label = words, .role = "textbox", .value = std::to_string(value)});
+    registry_.Describe(field_id, {.id = name,
+                                  .label = words,
+                                  .role = "textbox",
+                                  .value = std::to_string(value),
+                                  .state = {.focused = true},
+                                  .range = range});
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                         {10.0f, 0.5f * (field.GetHeight() - ImGui::GetFontSize())});
     ImGui::PushClipRect(field.Min, field.Max,
@@ -77,9 +88,11 @@ bool Ui::Number(std::string_view id, std::string_view label, int& value, int low
     ImGui::PopStyleVar();
     Canvas()->AddRect(field.Min, field.Max, p.accent, 3.0f, 0, 2.0f);
   } else {
-    const Touch touch = Area(id, field, Grab::kArrows,
-                             {.label = words, .role = "spinbutton", .value = std::to_string(value)});
+    const Touch touch =
+        Area(id, field, Grab::kArrows,
+             {.label = words, .role = "spinbutton", .value = std::to_string(value), .range = range});
     value += touch.steps * step;
+    if (touch.wanted) value = static_cast<int>(std::lround(std::clamp(*touch.wanted, range.low, range.high)));
     if (touch.hovered) Canvas()->AddRectFilled(field.Min, field.Max, Mix(p.panel, p.ink, 0.05f));
     VerticalLine(field.Min.x, field.Min.y + 1.0f, field.Max.y - 1.0f);
     VerticalLine(field.Max.x - 1.0f, field.Min.y + 1.0f, field.Max.y - 1.0f);

@@ -206,6 +206,8 @@ void Window::Draw(const std::function<void()>& contents) {
   backdrop_.Clear();
   ImGui::NewFrame();
   contents();
+  registry_.EndFrame();
+  if (registry_.Requests().Waiting()) RequestFrame();
   ImGui::Render();
 
   DrawBackdrop();

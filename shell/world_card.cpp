@@ -101,7 +101,8 @@ void DrawWorldButton(Ui& ui, WorldCardState& state, const ImRect& stage) {
   const float height = ui.Look().touch ? 40.0f : 32.0f;
   const ImVec2 corner(stage.Max.x - 12.0f, stage.Min.y + 10.0f);
   const ImRect button({corner.x - kButtonWidth, corner.y}, {corner.x, corner.y + height});
-  if (ui.Button("world/open", button, state.open ? "Close" : "World", ButtonLook::kOutlined))
+  if (ui.Button("world/open", button, state.open ? "Close" : "World", ButtonLook::kOutlined, true,
+                state.open ? "Close the world card" : "World: push, slope, friction, gravity, ghost"))
     state.open = !state.open;
 }
 
@@ -112,6 +113,7 @@ ImRect WorldCardOn(const ImRect& stage, const WorldCardState& state) {
 }
 
 void DrawWorldCard(Ui& ui, Session& session, WorldCardState& state, const ImRect& card) {
+  const PartScope part = ui.Part("world", "region", "World");
   ImGui::SetCursorScreenPos(card.Min);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {14.0f, 12.0f});
   ImGui::BeginChild(

@@ -20,6 +20,16 @@ export interface AppModule {
   _gs_title(): Pointer;
   _gs_widgets(): Pointer;
   _gs_score(): Pointer;
+  _gs_mirror(): Pointer;
+  _gs_activate(id: Pointer): number;
+  _gs_step(id: Pointer, steps: number, again: number): number;
+  _gs_set_value(id: Pointer, value: number, again: number): number;
+  _gs_focus(id: Pointer, ring: number): number;
+  _gs_unfocus(): void;
+  _gs_dismiss(): number;
+  _gs_moment(): Pointer;
+  _gs_description(): Pointer;
+  _gs_playing(): number;
   _gs_set_theme(palette: number, scale: number): void;
   _gs_set_frame_rate(per_second: number): void;
   _gs_play(playing: number): void;
@@ -31,7 +41,6 @@ export interface AppModule {
   _gs_commands(): Pointer;
   _gs_run(id: Pointer): number;
   _gs_key(name: Pointer, on_canvas: number, repeated: number): number;
-  _gs_set_senses(kind: number): void;
   _gs_synthesize(options: Pointer): Pointer;
   _gs_enqueue(options: Pointer): Pointer;
   _gs_queue(): Pointer;

@@ -60,6 +60,14 @@
  *   task?: {kind?: string, weights?: Record<string, number>}}} DocumentJson
  */
 
+/**
+ * The numbers that a slider or a field can stand at. step 0: of no fixed size.
+ * @typedef {{low: number, high: number, step: number, now: number}} WidgetRange
+ */
+/** A widget for the mirror, which has those out of sight and texts ("heading", "paragraph"), too. @typedef {Widget & {range?: WidgetRange, part: number}} MirrorWidget */
+/** A named part of the canvas; parent: index of the one it is in, or -1. @typedef {{id: string, label: string, role: string, parent: number}} MirrorPart */
+/** keyboard: what has it shows it; waiting: something asked for is still to be done. @typedef {{keyboard: boolean, waiting: boolean, parts: MirrorPart[], widgets: MirrorWidget[]}} MirrorState */
+
 /** Of shell/commands.h. @typedef {{id: string, group: string, title: string, whyNot: string, keys: string[]}} CanvasCommand */
 
 // SearchState in shell/search_progress.h.
@@ -101,8 +109,33 @@ export class App {
   /** Visible widgets, their rectangles relative to the canvas. @returns {Widget[]} */
   widgets() { return JSON.parse(this.#text(this.module._gs_widgets())); }
 
-  /** What the motion is worth so far, term by term, as a sentence. */
-  score() { return this.#text(this.module._gs_score()); }
+  /** Everything on the canvas, in the order of drawing. @returns {MirrorState | null} null: as at the last call */
+  mirror() {
+    const text = this.#text(this.module._gs_mirror());
+    return text ? JSON.parse(text) : null;
+  }
+
+  // What is asked of a widget it does in the next frame. False: it is not on the canvas, or cannot be used now.
+  // `again`: more of what was asked before, as a key that is held; no step of its own for Undo.
+
+  /** As by a click. @param {string} id */
+  activate(id) { return this.#with(id, (at) => this.module._gs_activate(at)) !== 0; }
+  /** As by arrow keys. @param {string} id @param {number} steps @param {boolean} again */
+  step(id, steps, again) { return this.#with(id, (at) => this.module._gs_step(at, steps, again ? 1 : 0)) !== 0; }
+  /** @param {string} id @param {number} value  as of WidgetRange @param {boolean} again */
+  setValue(id, value, again) { return this.#with(id, (at) => this.module._gs_set_value(at, value, again ? 1 : 0)) !== 0; }
+  /** @param {string} id @param {boolean} ring  it shows that it has the keyboard */
+  focus(id, ring) { return this.#with(id, (at) => this.module._gs_focus(at, ring ? 1 : 0)) !== 0; }
+  /** The keyboard is elsewhere on the page. */
+  unfocus() { this.module._gs_unfocus(); }
+  /** Closes an open list. */
+  dismiss() { return this.module._gs_dismiss() !== 0; }
+
+  /** The moment on the stage, for instance "Paused at 2.31 s, 1.84 m to the right. Rule 3 acts." */
+  moment() { return this.#text(this.module._gs_moment()); }
+  /** The same in full: what touches the ground, why the rule acts, what it is worth. */
+  description() { return this.#text(this.module._gs_description()); }
+  playing() { return this.module._gs_playing() !== 0; }
 
   /** @param {import('./theme.js').Look} look */
   setTheme({ palette, scale }) { this.module._gs_set_theme(PALETTES.indexOf(palette), scale); }
@@ -131,8 +164,6 @@ export class App {
   }
   /** Whether a text field on the canvas is open. */
   typing() { return this.widgets().some(({ role }) => role === 'textbox'); }
-  /** Of the next search. @param {'timer' | 'physical' | 'network'} kind */
-  setSenses(kind) { this.module._gs_set_senses(['timer', 'physical', 'network'].indexOf(kind)); }
 
   /** @param {SynthesizeOptions} options @returns {string} empty, or a sentence; then nothing has started */
   synthesize(options) {

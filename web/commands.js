@@ -6,6 +6,7 @@ import { belongsToControls, keyName } from './keys.js';
 import { remembered, remember } from './storage.js';
 
 /** @typedef {import('./app.js').App} App */
+/** @typedef {import('./mirror.js').Mirror} Mirror */
 /**
  * @typedef {object} Command
  * @property {string} id
@@ -31,10 +32,10 @@ export class Commands {
   #shelves = [];
   #singleKeys = remembered(SINGLE_KEYS) !== 'off';
 
-  /** @param {App} app @param {HTMLCanvasElement} canvas */
-  constructor(app, canvas) {
+  /** @param {App} app @param {Mirror} mirror */
+  constructor(app, mirror) {
     this.app = app;
-    this.canvas = canvas;
+    this.mirror = mirror;
   }
 
   /** @param {Command[]} commands  of the page */
@@ -64,10 +65,12 @@ export class Commands {
     const { target } = event;
     if (!(target instanceof Element) || event.isComposing || document.querySelector('dialog[open]')) return false;
     const name = keyName(event);
-    if (target.matches(TEXT) || (name.length === 1 && !this.#singleKeys)) return false;
-    const onCanvas = target === this.canvas;
+    const mirrored = this.mirror.contains(target);
+    if (mirrored ? this.mirror.keys.wants(target, name) : target.matches(TEXT)) return false;
+    if (name.length === 1 && !this.#singleKeys) return false;
+    const onCanvas = mirrored || target === this.mirror.canvas;
     if (target.closest(PRESSED) && /^(Space|Enter)$/.test(name)) return false;
-    if (target.closest(CHOSEN) && belongsToControls(name)) return false;
+    if (!mirrored && target.closest(CHOSEN) && belongsToControls(name)) return false;
     const own = this.#own.find(({ keys }) => keys.includes(name));
     // Whatever is being typed on the canvas comes first.
     if (own && !(onCanvas && name.length === 1 && this.app.typing())) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Small helpers over the DOM, typed.
+import { announce } from './announcer.js';
 
 /**
  * The element of this id, of this class.
@@ -40,6 +41,7 @@ let toastTimer;
 export function toast(sentence) {
   const node = element('toast');
   setText(node, sentence);
+  announce(sentence);
   node.classList.add('shown');
   clearTimeout(toastTimer);
   toastTimer = setTimeout(() => {

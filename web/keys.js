@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Keys: their names, who gets them, and how the keyboard leaves the canvas.
+// Keys: their names, and who gets them.
 
 // Those that belong to the browser or to the page, not to the canvas. SDL prevents the default of every key it gets
 // with Ctrl, so it must not get these: the guard sees them first.
@@ -47,17 +47,4 @@ export function guardKeys(take) {
       if (control ? WITH_CONTROL.has(key) : ALONE.has(key) || event.altKey) event.stopImmediatePropagation();
     }, { capture: true });
   }
-}
-
-/**
- * Moves the keyboard from the canvas to its neighbour in the page.
- * @param {HTMLCanvasElement} canvas
- * @param {number} direction  1 forwards, -1 backwards, 0 just away
- */
-export function leaveCanvas(canvas, direction) {
-  const all = [...document.querySelectorAll('a[href], button, input, textarea, canvas')].filter((node) =>
-    node instanceof HTMLElement && !node.matches(':disabled') && node.getClientRects().length > 0 && !node.closest('dialog:not([open])'));
-  const next = direction === 0 ? undefined : all[(all.indexOf(canvas) + direction + all.length) % all.length];
-  if (next instanceof HTMLElement) next.focus();
-  else canvas.blur();
 }

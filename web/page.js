@@ -4,17 +4,18 @@ import { Address } from './address.js';
 import { App } from './app.js';
 import { Autosave } from './autosave.js';
 import { Commands } from './commands.js';
-import { Controls } from './controls.js';
 import { Gaitsmith } from './api.js';
 import { HelpSheet } from './help_sheet.js';
 import { Lab } from './lab.js';
+import { Mirror } from './mirror.js';
+import { Narrator } from './narrator.js';
 import { Palette } from './palette.js';
 import { Searches } from './searches.js';
 import { StatusLine } from './status_line.js';
 import { banner, element, offerFile, onClick, setText } from './dom.js';
 import { HistoryButtons, startHeader } from './header.js';
 import { KeptResults } from './kept_results.js';
-import { guardKeys, leaveCanvas } from './keys.js';
+import { guardKeys } from './keys.js';
 import { startDropping } from './dropping.js';
 import { startSharing } from './sharing.js';
 import { chooseTheme, followTheme, nextTheme, startTheme, THEMES } from './theme.js';
@@ -27,7 +28,7 @@ window.gaitsmith = gaitsmith;
 /** @type {Commands | null} */
 let commands = null;
 startTheme();
-guardKeys((event) => commands?.take(event) ?? false);
+guardKeys((event) => commands !== null && (commands.mirror.keys.passing(event) || commands.take(event)));
 startHeader();
 start().catch((error) => {
   element('loading').hidden = true;
@@ -39,7 +40,7 @@ start().catch((error) => {
 async function start() {
   setTimeout(() => { element('loading-hint').hidden = false; }, HINT_AFTER_MS);
   const statusLine = new StatusLine();
-  /** @type {{app: App, searches: Searches, lab: Lab, address: Address, autosave: Autosave, kept: KeptResults, controls: Controls, buttons: HistoryButtons, commands: Commands, canvas: HTMLCanvasElement} | null} */
+  /** @type {{app: App, searches: Searches, lab: Lab, address: Address, autosave: Autosave, kept: KeptResults, buttons: HistoryButtons, commands: Commands, canvas: HTMLCanvasElement} | null} */
   let parts = null;
 
   const { default: createApp } = await import('./app.mjs');
@@ -48,21 +49,11 @@ async function start() {
     onAbort: () => banner('Gaitsmith stopped working. Your last state is in the address: reload to go on.', { reload: true }),
     page: {
       maxWorkers: () => navigator.hardwareConcurrency || 2,
-      startSearch: (document, workers) => {
-        parts?.controls.searching(true);
-        void parts?.searches.start(document, workers);
-      },
-      startTrial: (document, workers, trial) => {
-        parts?.controls.searching(true);
-        void parts?.searches.start(document, workers, { trial });
-      },
-      startQueued: (document, workers, words) => {
-        parts?.controls.searching(true);
-        void parts?.searches.start(document, workers, { queued: words });
-      },
+      startSearch: (document, workers) => void parts?.searches.start(document, workers),
+      startTrial: (document, workers, trial) => void parts?.searches.start(document, workers, { trial }),
+      startQueued: (document, workers, words) => void parts?.searches.start(document, workers, { queued: words }),
       storeFound: (id, text) => parts?.kept.store(id, text),
       labEnded: () => {
-        parts?.controls.searching(false);
         parts?.searches.labEnded();
         parts?.lab.ended();
       },
@@ -76,7 +67,6 @@ async function start() {
         parts?.address.changed();
         parts?.autosave.changed();
         parts?.buttons.update();
-        parts?.controls.documentChanged();
       },
       firstFrame: () => {
         element('loading').hidden = true;
@@ -87,7 +77,7 @@ async function start() {
         setTimeout(() => parts?.searches.standBy(), 1000);
         gaitsmith.firstFrame();
       },
-      leaveCanvas: (direction) => leaveCanvas(canvas, direction),
+      leaveCanvas: () => canvas.blur(), // Tab does not get so far
     },
   });
 
@@ -99,17 +89,17 @@ async function start() {
   const autosave = new Autosave(app, address, statusLine);
   autosave.begin();
   showTitle(app.title());
-  commands = new Commands(app, canvas);
-  parts = { app, searches, lab: new Lab(app), address, autosave, kept: new KeptResults(statusLine), controls: new Controls(app), buttons: new HistoryButtons(app), commands, canvas };
+  commands = new Commands(app, new Mirror(app, canvas));
+  parts = { app, searches, lab: new Lab(app), address, autosave, kept: new KeptResults(statusLine), buttons: new HistoryButtons(app), commands, canvas };
   gaitsmith.begin(parts);
   gaitsmith.fps = Number(new URLSearchParams(location.search).get('fps'));
-  for (const end of ['done', 'error']) searches.addEventListener(end, () => parts?.controls.searching(searches.searching));
   searches.addEventListener('done', () => address.changed());
   startSharing(app, address);
   startDropping(app);
+  if (matchMedia('(prefers-reduced-motion: reduce)').matches) app.play(false);
+  new Narrator(app);
   addCommands(commands, { autosave, palette: new Palette(commands), help: new HelpSheet(commands) });
   statusLine.welcome('Press Synthesize to search for a better motion');
-  if (matchMedia('(prefers-reduced-motion: reduce)').matches) app.play(false);
 
   canvas.addEventListener('webglcontextlost', () => {
     address.write();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The footer: how far the search is, or the last thing worth knowing. What changes thirty times a second is for the
 // eye only; screen readers get a sentence now and then.
+import { announce } from './announcer.js';
 import { element, setText } from './dom.js';
 
 /** @typedef {import('./messages.js').SearchReport} SearchReport */
@@ -20,8 +21,9 @@ export class StatusLine {
   #rate = element('rate');
   #best = element('best');
   #left = element('left');
-  #spoken = element('spoken');
   #spokenMs = 0;
+  /** What was said of the search that runs. */
+  #speaking = '';
   #sentenceUntilMs = 0;
 
   /** What stands there while there is nothing to tell. @param {string} sentence */
@@ -32,6 +34,7 @@ export class StatusLine {
   /** Shows a sentence, also over the beginning of a search's line. @param {string} sentence */
   say(sentence) {
     setText(this.#status, sentence);
+    announce(sentence);
     this.#sentenceUntilMs = sentence ? performance.now() + SENTENCE_STAYS_MS : 0;
   }
 
@@ -44,12 +47,16 @@ export class StatusLine {
     const count = `${whole(report.evaluations)} of ${whole(report.budget)}`;
     if (ended) {
       this.clear();
-      setText(this.#status, `${report.state === 'done' ? 'Search done' : 'Search stopped'}: ${best || 'nothing found'} after ${
-        whole(report.evaluations)} evaluations`);
+      this.#speaking = '';
+      const end = `${report.state === 'done' ? 'Search done' : 'Search stopped'}: ${best || 'nothing found'} after ${
+        whole(report.evaluations)} evaluations`;
+      if (!this.#status.textContent?.startsWith(end)) announce(end); // the application may have said it
+      setText(this.#status, end);
       return;
     }
     const paused = report.state === 'paused';
-    if (now > this.#sentenceUntilMs) setText(this.#status, paused ? `Paused: ${doing[0].toLowerCase()}${doing.slice(1)}` : doing);
+    const sentence = paused ? `Paused: ${doing[0].toLowerCase()}${doing.slice(1)}` : doing;
+    if (now > this.#sentenceUntilMs) setText(this.#status, sentence);
     this.#progress.hidden = false;
     this.#progress.setAttribute('aria-valuemax', String(report.budget));
     this.#progress.setAttribute('aria-valuenow', String(report.evaluations));
@@ -59,9 +66,13 @@ export class StatusLine {
       `${whole(report.rate)}/s on ${workers} worker${workers === 1 ? '' : 's'}`);
     setText(this.#best, best);
     setText(this.#left, paused || report.rate === 0 ? '' : timeLeft(report.secondsLeft));
-    if (now - this.#spokenMs > SPEAK_EVERY_MS) {
+    if (sentence !== this.#speaking) {
+      this.#speaking = sentence;
       this.#spokenMs = now;
-      setText(this.#spoken, `${count} evaluations, ${best}`);
+      announce(sentence);
+    } else if (!paused && now - this.#spokenMs > SPEAK_EVERY_MS) {
+      this.#spokenMs = now;
+      announce(`${count} evaluations, ${best || 'nothing found yet'}`);
     }
   }
 
@@ -69,7 +80,7 @@ export class StatusLine {
   clear() {
     this.#progress.hidden = true;
     this.#sentenceUntilMs = 0;
-    for (const node of [this.#count, this.#rate, this.#best, this.#left, this.#spoken]) setText(node, '');
+    for (const node of [this.#count, this.#rate, this.#best, this.#left]) setText(node, '');
   }
 }
 

@@ -6,10 +6,13 @@ import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { ROOT } from './browsers.mjs';
 import { PageDriver, sleep } from './page_driver.mjs';
+import { AXE_SCENARIOS } from './axe_scenarios.mjs';
 import { FIGURE_SCENARIOS } from './figure_scenarios.mjs';
 import { HISTORY_SCENARIOS } from './history_scenarios.mjs';
 import { KEPT_WORK_SCENARIOS } from './kept_work_scenarios.mjs';
 import { LAB_SCENARIOS } from './lab_scenarios.mjs';
+import { LOOP_SCENARIOS } from './loop_scenarios.mjs';
+import { MIRROR_SCENARIOS } from './mirror_scenarios.mjs';
 import { PALETTE_SCENARIOS } from './palette_scenarios.mjs';
 import { QUEUE_SCENARIOS } from './queue_scenarios.mjs';
 import { WORLD_SCENARIOS } from './world_scenarios.mjs';
@@ -182,22 +185,12 @@ export const SCENARIOS = [
     visit.figures['damaged link'] = text;
   }],
 
-  ['the keyboard gets out of the canvas, and the main controls exist without it', async ({ page }) => {
-    await page.page.focus('canvas');
-    await sleep(100);
-    let presses = 0;
-    const inside = () => page.call('focus', () => document.activeElement?.id === 'canvas');
-    for (; presses < 80 && (await inside()); presses++) {
-      await page.page.keyboard.press('Tab', { delay: 30 });
-      await sleep(40);
-    }
-    assert.ok(presses < 80, 'Tab never leaves the canvas');
-    await page.page.focus('#control-play');
+  ['the motion can be had in words', async ({ page }) => {
+    await page.page.focus('#describe');
     assert.ok(await page.call('seen', () => {
-      const box = document.querySelector('#control-play')?.getBoundingClientRect();
+      const box = document.querySelector('#describe')?.getBoundingClientRect();
       return box !== undefined && box.width > 20 && box.height > 20;
     }), 'a focused control must be visible');
-    await page.page.focus('#control-describe');
     await page.page.keyboard.press('Enter');
     await page.frames();
     assert.match(await page.call('text', () => document.querySelector('#description')?.textContent ?? ''), / m after .* s/);
@@ -226,7 +219,7 @@ export const SCENARIOS = [
     await fresh.frames();
     const { effort = 0 } = await weights();
     assert.ok(Math.abs(effort + 0.01) < 0.0026, `effort weighs ${effort}`); // two tenths of the usual 0.05
-    await fresh.page.focus('#control-describe');
+    await fresh.page.focus('#describe');
     await fresh.page.keyboard.press('Enter');
     await fresh.frames();
     assert.match(await fresh.call('text', () => document.querySelector('#description')?.textContent ?? ''),
@@ -243,28 +236,19 @@ export const SCENARIOS = [
   ...KEPT_WORK_SCENARIOS,
   ...PALETTE_SCENARIOS,
   ...QUEUE_SCENARIOS,
+  ...MIRROR_SCENARIOS,
+  ...LOOP_SCENARIOS,
+  ...AXE_SCENARIOS,
 
   ...WORLD_SCENARIOS,
   ...FIGURE_SCENARIOS,
   ...RULE_SCENARIOS,
   ...WALK_SCENARIOS,
 
-  ['Undo waits until there is something to undo, and the plain controls act at once', async ({ browser, address }) => {
+  ['Undo waits until there is something to undo', async ({ browser, address }) => {
     const fresh = await PageDriver.open(browser, address);
     const undo = () => fresh.call('undo', () => document.querySelector('#undo')?.getAttribute('aria-disabled') === 'true');
-    const senses = () => fresh.call('senses', () => window.gaitsmith.document().senses?.kind);
     assert.equal(await undo(), true);
-    const decider = () => fresh.call('kind', () => window.gaitsmith.document().kind);
-    await fresh.page.focus('input[value=network]');
-    await fresh.page.keyboard.press(' ');
-    await fresh.frames();
-    assert.deepEqual([await decider(), await senses()], ['network', 'physical']);
-    for (const kind of ['timer', 'physical']) {
-      await fresh.page.focus(`input[value=${kind}]`);
-      await fresh.page.keyboard.press(' ');
-      await fresh.frames();
-      assert.equal(await senses(), kind);
-    }
     const before = await fresh.hash();
     await fresh.call('open', () => {
       const document = window.gaitsmith.document();

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// A page as assistive tools use it: by roles and names, without pointer and keys.
+import assert from 'node:assert/strict';
+import { sleep } from './page_driver.mjs';
+
+/** @typedef {import('./page_driver.mjs').PageDriver} PageDriver */
+
+/**
+ * The element with this role and name, once it is there: as Chromium's accessibility tree has it; Firefox takes seconds
+ * to build its own for each question, so there it is sought by what the page says.
+ * @param {PageDriver} page @param {string} role @param {string} name
+ */
+export async function byRole(page, role, name) {
+  const tree = /chrome/i.test(await page.page.browser().version());
+  for (const start = Date.now(); ; await sleep(100)) {
+    const found = tree ? await page.page.$(`::-p-aria([name="${name}"][role="${role}"])`)
+      : (await page.page.evaluateHandle(seek, role, name)).asElement();
+    if (found) return found;
+    assert.ok(Date.now() - start < 5000, `no ${role} "${name}"`);
+  }
+}
+
+/** Runs in the page. @param {string} role @param {string} name */
+function seek(role, name) {
+  const implicit = /** @type {Record<string, string>} */ ({ BUTTON: 'button', INPUT: 'slider' });
+  return [...document.querySelectorAll('button, input, [role]')].find((node) =>
+    (node.getAttribute('role') ?? implicit[node.tagName]) === role &&
+    (node.getAttribute('aria-label') ?? node.textContent) === name) ?? null;
+}
+
+/** As an assistive tool presses it: no pointer, no keys. @param {PageDriver} page @param {string} role @param {string} name */
+export async function activate(page, role, name) {
+  await (await byRole(page, role, name)).evaluate((node) => /** @type {HTMLElement} */ (node).click());
+  await settle(page);
+}
+
+/** As an assistive tool sets it. @param {PageDriver} page @param {string} role @param {string} name @param {string} value */
+export async function setValue(page, role, name, value) {
+  await (await byRole(page, role, name)).evaluate((node, text) => {
+    const input = /** @type {HTMLInputElement} */ (node);
+    input.value = text;
+    input.dispatchEvent(new Event('input', { bubbles: true }));
+    input.dispatchEvent(new Event('change', { bubbles: true }));
+  }, value);
+  await settle(page);
+}
+
+/** Until the canvas has drawn what was asked and the mirror has it. @param {PageDriver} page */
+export async function settle(page) {
+  await page.frames(5);
+  await sleep(300);
+}
+
+/** @param {PageDriver} page */
+export const active = (page) => page.call('active', () => {
+  const node = /** @type {HTMLElement} */ (document.activeElement);
+  return node.dataset.id ?? (node.id || node.tagName.toLowerCase());
+});
+
+/** @param {PageDriver} page */
+export const scrubbed = async (page) => Number.parseFloat((await page.widgets()).find(({ id }) => id === 'transport/scrub')?.value ?? '');

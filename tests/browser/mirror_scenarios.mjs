@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+// The mirror of the canvas: that it is complete, that the keyboard has one order, and what is said. Each opens pages of
+// its own.
+import assert from 'node:assert/strict';
+import { activate, active, scrubbed, settle } from './assistive.mjs';
+import { PageDriver, sleep } from './page_driver.mjs';
+
+/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('../../web/app.js').Widget} Widget */
+
+/** Has the keyboard on the canvas, and shows it. @param {PageDriver} page @returns {Promise<string | undefined>} */
+const focusedWidget = async (page) => (await page.widgets()).find(({ state }) => state.focused)?.id;
+
+/** What the page has in the mirror, as widgets() would say it. @param {PageDriver} page */
+const mirrored = (page) => page.call('mirror', () => [...document.querySelectorAll('#mirror [data-id]')].map((node) => {
+  const input = node instanceof HTMLInputElement ? node : null;
+  const implicit = { BUTTON: 'button', INPUT: 'slider', H2: 'heading', P: 'paragraph' }[node.tagName] ?? '';
+  const flag = (/** @type {string} */ name) => node.getAttribute(name) === 'true';
+  const { x, y, width, height } = node.getBoundingClientRect();
+  return {
+    id: /** @type {HTMLElement} */ (node).dataset.id ?? '',
+    role: node.getAttribute('role') ?? implicit,
+    name: node.getAttribute('aria-label') ?? node.textContent ?? '',
+    value: node.getAttribute('aria-valuetext') ?? input?.value ?? (node.getAttribute('role') === 'combobox' ? node.textContent : null)
+      ?? node.getAttribute('aria-description') ?? '',
+    disabled: flag('aria-disabled'), checked: flag('aria-checked'), selected: flag('aria-selected') || flag('aria-current'),
+    expanded: flag('aria-expanded'), focused: node === document.activeElement, rect: { x, y, width, height },
+  };
+}));
+
+/** @param {PageDriver} page @param {string} where */
+async function assertMirrored(page, where) {
+  await settle(page);
+  const [widgets, nodes] = [await page.widgets(), await mirrored(page)];
+  assert.ok(widgets.length > 12, `${widgets.length} widgets in ${where}`);
+  for (const widget of widgets.filter(({ role }) => role !== 'scrollbar')) {
+    const node = nodes.find(({ id }) => id === widget.id);
+    const what = `${where}: ${widget.role} ${widget.id}`;
+    assert.ok(node, `${what} has no element`);
+    assert.equal(node.role, widget.role, what);
+    assert.ok(node.name.startsWith(widget.label), `${what} is called "${node.name}", not "${widget.label}"`);
+    if (['slider', 'spinbutton', 'combobox', 'button', 'option'].includes(widget.role)) assert.equal(node.value, widget.value, what);
+    for (const flag of /** @type {const} */ (['disabled', 'checked', 'selected', 'expanded'])) {
+      assert.equal(node[flag], widget.state[flag] ?? false, `${what}: ${flag}`);
+    }
+    for (const side of /** @type {const} */ (['x', 'y', 'width', 'height'])) {
+      assert.ok(Math.abs(node.rect[side] - widget.rect[side]) < 1, `${what}: ${side} is ${node.rect[side]}, not ${widget.rect[side]}`);
+    }
+  }
+  const ids = new Set(widgets.map(({ id }) => id));
+  const extra = nodes.filter(({ id, role }) => !ids.has(id) && !['paragraph', 'heading'].includes(role));
+  const { bottom, top } = await page.call('canvas', () => {
+    const box = /** @type {Element} */ (document.querySelector('canvas')).getBoundingClientRect();
+    return { top: box.top, bottom: box.bottom };
+  });
+  for (const { id, rect } of extra) {
+    assert.ok(rect.height <= 1.5 && rect.y >= top - 1 && rect.y <= bottom + 1, `${where}: ${id} is not on the canvas, yet has room in the mirror`);
+  }
+}
+
+/** @param {Visit} visit */
+async function equal({ browser, address, name }) {
+  const page = await PageDriver.open(browser, address);
+  await page.page.focus('canvas');
+  await page.press(' ');
+  const phone = name === 'Chromium'; // Firefox's window cannot be made so small
+  for (const size of [{ width: 1280, height: 720 }, ...(phone ? [{ width: 390, height: 844 }] : [])]) {
+    await page.page.setViewport(size);
+    for (const panel of ['Figure', 'Controller', 'Style', 'Search', 'Lab', ...(size.width < 700 ? ['Timeline'] : [])]) {
+      await activate(page, 'tab', panel);
+      await assertMirrored(page, `${panel}, ${size.width}`);
+      if (panel !== 'Controller') continue;
+      await activate(page, 'button', 'Rule 2');
+      await assertMirrored(page, `the rule editor, ${size.width}`);
+      await activate(page, 'button', 'Close the editor');
+    }
+    await activate(page, 'button', 'World: push, slope, friction, gravity, ghost');
+    await assertMirrored(page, `the World card, ${size.width}`);
+    await activate(page, 'combobox', 'Where');
+    await assertMirrored(page, `an open list, ${size.width}`);
+    await activate(page, 'option', 'Endpoint 2');
+    await activate(page, 'button', 'Close the world card');
+  }
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function oneOrder({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  await activate(page, 'tab', 'Style');
+  await page.page.focus('#copy-link');
+  /** @type {string[]} */
+  const forwards = [];
+  for (let i = 0; i < 80 && forwards.at(-1) !== 'describe'; i++) {
+    await page.press('Tab');
+    forwards.push(await active(page));
+    const id = forwards[i];
+    if (id === 'describe') break;
+    // The same on the canvas, and in sight.
+    await page.frames(3);
+    assert.equal(await focusedWidget(page), id);
+  }
+  assert.equal(forwards.at(-1), 'describe', 'Tab does not leave the canvas');
+  assert.equal(new Set(forwards).size, forwards.length, `a stop twice: ${forwards}`);
+  assert.ok(forwards.includes('view/forces') && forwards[0] === 'stage', `${forwards}`);
+  const backwards = [];
+  for (let i = 0; i < forwards.length && backwards.at(-1) !== 'copy-link'; i++) {
+    await page.press('Shift+Tab');
+    backwards.push(await active(page));
+  }
+  assert.deepEqual(backwards, [...forwards.slice(0, -1).reverse(), 'copy-link']);
+
+  // From a click on the canvas the Tab key goes on; Escape and Tab leave.
+  await page.click('transport/step');
+  await page.press('Tab');
+  assert.equal(await active(page), 'transport/scrub');
+  await page.press('Escape');
+  assert.equal(await active(page), 'body');
+  await page.press('Tab');
+  assert.equal(await active(page), 'describe');
+  // Without the keyboard there, nothing on the canvas shows a ring.
+  await page.page.focus('#describe');
+  await page.frames(4);
+  const plain = await page.stage();
+  await page.page.focus('[data-id=stage]');
+  await page.frames(4);
+  assert.notEqual((await page.stage()).sum, plain.sum);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function saidInWords({ browser, address }) {
+  const page = await PageDriver.open(browser, address, { before: noteSaid });
+  const said = () => page.call('said', () => /** @type {string[]} */ (/** @type {any} */ (window).testSaid));
+  const description = () => page.text('#description');
+  await sleep(2500);
+  assert.deepEqual(await said(), [], 'a motion that plays is not talked about');
+  await page.page.focus('[data-id=stage]');
+  await page.press(' ');
+  await sleep(1500);
+  assert.match((await said()).join(), /^Paused at [\d.]+ s, [\d.]+ m to the (right|left)\. Rule \d+ acts\.$/);
+  const before = await description();
+  assert.match(before, /^Mr\. Star-Man has travelled [\d.]+ m to the (right|left) after [\d.]+ s of [\d.]+ s\. .* the ground\. Rule \d+ (acts|stays)/);
+  assert.match(before, / Score /);
+  assert.equal(await page.call('described', () => document.getElementById(document.querySelector('[data-id=stage]')
+    ?.getAttribute('aria-describedby') ?? '')?.textContent), before);
+  await page.press('.', 4);
+  await sleep(1500);
+  assert.notEqual(await description(), before);
+  assert.equal((await said()).length, 2, `${await said()}`);
+  const start = Date.now();
+  await page.page.evaluate(() => { void window.gaitsmith.synthesize({ evaluations: 20000, seed: 5 }); });
+  await page.until('the end', () => /^Search done/.test(document.querySelector('#status')?.textContent ?? ''));
+  await sleep(2000);
+  const search = (await said()).slice(2).filter((sentence) => !sentence.startsWith('Paused at'));
+  assert.match(search[0], /^Searching with /);
+  assert.match(search[search.length - 1], /^Search done: best [\d.]+( m)? after 20,000 evaluations\.?$/);
+  assert.ok(search.length <= 3 + (Date.now() - start) / 9000, `a running commentary: ${search.join(' / ')}`);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** Runs in the page before its scripts: notes what its live region says. */
+function noteSaid() {
+  const said = /** @type {string[]} */ ([]);
+  Object.assign(window, { testSaid: said });
+  addEventListener('DOMContentLoaded', () => {
+    const region = /** @type {Element} */ (document.querySelector('#spoken'));
+    new MutationObserver((changes) => {
+      for (const { addedNodes } of changes) for (const node of addedNodes) said.push(node.textContent ?? '');
+    }).observe(region, { childList: true });
+  });
+}
+
+/** @param {Visit} visit */
+async function stillness({ browser, address, name }) {
+  if (name === 'Firefox') return; // takes no such wish from a test
+  const page = await PageDriver.open(browser, address);
+  await page.page.emulateMediaFeatures([{ name: 'prefers-reduced-motion', value: 'reduce' }]);
+  await page.reload();
+  await sleep(500);
+  const time = await scrubbed(page);
+  await sleep(500);
+  assert.equal(await scrubbed(page), time);
+  assert.ok(time < 0.3, `${time}`);
+  assert.equal(await page.call('transition', () => getComputedStyle(/** @type {Element} */ (document.querySelector('#toast'))).transitionDuration), '0s');
+  // Whoever asks for it gets it.
+  await activate(page, 'button', 'Play');
+  await sleep(400);
+  assert.ok(await scrubbed(page) > time);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function cheap({ browser, address, figures }) {
+  const page = await PageDriver.open(browser, address, { before: timeMirror });
+  await page.call('mark', () => { /** @type {any} */ (window).testMirrorMs.length = 0; });
+  await sleep(4000);
+  const times = await page.call('times', () => /** @type {number[]} */ (/** @type {any} */ (window).testMirrorMs));
+  const sum = times.reduce((a, b) => a + b, 0);
+  figures['mirror, ms a second while a motion plays'] = (sum / 4).toFixed(1);
+  assert.ok(times.length >= 8 && times.length <= 20, `${times.length} looks in 4 s`);
+  assert.ok(sum / 4 < 30, `${sum / 4} ms a second`);
+  await page.close();
+}
+
+/** Runs in the page before its scripts: times what the quarter-second timers do. */
+function timeMirror() {
+  const times = /** @type {number[]} */ ([]);
+  const { setInterval: plain } = window;
+  Object.assign(window, {
+    testMirrorMs: times,
+    setInterval: (/** @type {() => void} */ body, /** @type {number} */ ms) => plain(() => {
+      const start = performance.now();
+      body();
+      if (String(body).includes('update')) times.push(performance.now() - start);
+    }, ms),
+  });
+}
+
+/** @type {[string, (visit: Visit) => Promise<void>][]} */
+export const MIRROR_SCENARIOS = [
+  ['the mirror has every widget of every panel, with role, name, value, state and place', equal],
+  ['there is one Tab order, which shows on the canvas, scrolls, and ends', oneOrder],
+  ['what happens is said in words, at a pace to listen to', saidInWords],
+  ['who wishes for less motion begins with a still one', stillness],
+  ['the mirror costs little while a motion plays', cheap],
+];
