@@ -19,7 +19,7 @@ import { remembered, remember } from './storage.js';
  */
 
 // The first of all is what Enter does in a palette opened by mistake, so it had better be harmless.
-const GROUPS = ['Motion', 'Search', 'Document', 'Panels', 'View', 'Help', 'Kept work', 'Examples', 'Tasks', 'Figures'];
+const GROUPS = ['Motion', 'Search', 'Results', 'Document', 'Panels', 'View', 'Help', 'Kept work', 'Examples', 'Tasks', 'Figures'];
 const SINGLE_KEYS = 'gaitsmith-single-keys';
 const TEXT = 'textarea, input:not([type=radio], [type=checkbox]), [contenteditable]';
 const PRESSED = 'a, button, summary';

@@ -45,6 +45,8 @@ const SILENCE_RATIO = 50;
 const PROGRESS_MS = 34; // at most 30 reports a second
 const CHECKPOINT_MS = 900; // at least one a second
 const RATE_WINDOW_MS = 3000;
+// The spread of thousands takes a millisecond or two: a fiftieth of the time at most.
+const SPREAD_REST = 50;
 
 export class Coordinator {
   /** @type {Map<number, Hand>} */
@@ -65,6 +67,9 @@ export class Coordinator {
   #checkpointMs = performance.now();
   #curveSent = -1;
   #bestSent = NaN;
+  /** @type {SearchReport['spread']} */
+  #spread = null;
+  #spreadDueMs = 0;
 
   /**
    * @param {import('./engine.js').Engine} engine
@@ -254,6 +259,16 @@ export class Coordinator {
   /** Frees the search, after its end. */
   close() { this.search.close(); }
 
+  /** Not older than fifty times what it takes to find it. @param {boolean} anew */
+  #spreadNow(anew) {
+    const start = performance.now();
+    if (anew || start >= this.#spreadDueMs) {
+      this.#spread = this.search.spread;
+      this.#spreadDueMs = start + SPREAD_REST * (performance.now() - start);
+    }
+    return this.#spread;
+  }
+
   /** @param {boolean} everything @returns {SearchReport} */
   #summary(everything) {
     const { search } = this;
@@ -276,7 +291,7 @@ export class Coordinator {
       bestFitness,
       bestGenome: bestGenome?.length ? bestGenome : null,
       curve: newCurve ? search.curve : null,
-      spread: search.spread,
+      spread: this.#spreadNow(everything),
     };
   }
 }

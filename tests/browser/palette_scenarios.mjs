@@ -38,7 +38,8 @@ async function byKeyboard({ browser, address }) {
   for (const title of ['New', 'Undo', 'Save as a file', 'Play or pause', 'Lab panel', 'Open example: There and back', 'Choose task: Beryl Biped travels']) {
     assert.ok(all.titles.includes(title), `no command ${title}`);
   }
-  assert.deepEqual(all.off, ['Pause the search, or go on', 'Undo', 'Redo']);
+  assert.deepEqual(all.off, ['Pause the search, or go on', 'Run the queue', 'Clear the queue',
+    'Show the best result for this figure and task', 'Bring back the deleted result', 'Undo', 'Redo']);
   // Round the end and back; the one that is chosen is always to be seen.
   await page.press('ArrowUp');
   const last = await palette(page);

@@ -168,6 +168,10 @@ TEST_CASE("session: after Stop the others wait, until somebody says go on", "[sh
   CHECK(host.started.size() == 2);
   CHECK_FALSE(session.RunQueue());
   CHECK(host.started.size() == 2);
+  // One that ends as stopped although nobody here has stopped it leaves the rest waiting, too.
+  Report(session, host, 20000, SearchState::kStopped);
+  CHECK_FALSE(session.Searching());
+  CHECK(host.started.size() == 2);
 }
 
 TEST_CASE("session: what is done to the document in hand does not concern a search of the queue",
