@@ -19,6 +19,7 @@ std::string WayWords(float travel_m) {
 }
 
 std::string ContactWords(const Motion& motion, int frame) {
+  if (frame == 0) return "";       // forces are of the step before
   constexpr float kLeast = 0.02f;  // of the weight: what the stage draws as an arrow
   const float weight = motion.Bones().mass_kg * kStandardGravity;
   std::vector<std::string> touching;
@@ -26,8 +27,8 @@ std::string ContactWords(const Motion& motion, int frame) {
     const Motion::Point force = motion.Force(frame, k);
     if (std::hypot(force.x, force.y) >= kLeast * weight) touching.push_back(std::to_string(k + 1));
   }
-  if (touching.empty()) return "Nothing touches the ground.";
-  std::string words = touching.size() == 1 ? "Endpoint " : "Endpoints ";
+  if (touching.empty()) return " Nothing touches the ground.";
+  std::string words = touching.size() == 1 ? " Endpoint " : " Endpoints ";
   for (std::size_t i = 0; i < touching.size(); ++i)
     words += (i == 0 ? "" : i + 1 < touching.size() ? ", " : " and ") + touching[i];
   return words + (touching.size() == 1 ? " touches the ground." : " touch the ground.");
@@ -60,7 +61,7 @@ std::string DescriptionOf(const Session& session) {
   const Document& d = session.Doc();
   std::string words = (d.figure.name.empty() ? "The figure" : d.figure.name) + " has travelled " +
                       WayWords(player.TermsNow().travel_m) + " after " + Fixed(player.TimeS(), 2) + " s of " +
-                      Fixed(player.DurationS(), 2) + " s. " + ContactWords(motion, frame);
+                      Fixed(player.DurationS(), 2) + " s." + ContactWords(motion, frame);
   if (const Controller* controller = InCharge(session, frame)) {
     if (const auto moment = MomentOf(*controller, motion, motion.At(frame).clip, frame)) {
       words += " " + WhyWords(*moment, motion.At(frame).rule);
