@@ -43,7 +43,7 @@ struct Widget {
   std::string value = {};  // as shown, e.g. "0.80 s"
   WidgetState state = {};
   std::optional<WidgetRange> range = {};
-  ImRect rect = {};  // the visible part, in points of the canvas; else the nearest edge to it
+  ImRect rect = {};      // the visible part, in points of the canvas; else the nearest edge to it
   bool in_sight = true;  // false: scrolled away
   int part = -1;         // of WidgetRegistry::Parts
 };
