@@ -20,6 +20,8 @@ export interface AppModule {
   _gs_title(): Pointer;
   _gs_widgets(): Pointer;
   _gs_score(): Pointer;
+  _gs_typeface(semibold: number): Pointer;
+  _gs_typeface_size(semibold: number): number;
   _gs_mirror(): Pointer;
   _gs_activate(id: Pointer): number;
   _gs_step(id: Pointer, steps: number, again: number): number;

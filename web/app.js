@@ -137,6 +137,15 @@ export class App {
   description() { return this.#text(this.module._gs_description()); }
   playing() { return this.module._gs_playing() !== 0; }
 
+  /** The canvas's typeface for the rest of the page: loaded once, drawn twice. */
+  lendTypeface() {
+    for (const [semibold, weight] of [[0, '400'], [1, '600']]) {
+      const at = this.module._gs_typeface(Number(semibold));
+      const bytes = this.module.HEAPU8.slice(at, at + this.module._gs_typeface_size(Number(semibold)));
+      document.fonts.add(new FontFace('Inter', bytes, { weight: String(weight) }));
+    }
+  }
+
   /** @param {import('./theme.js').Look} look */
   setTheme({ palette, scale }) { this.module._gs_set_theme(PALETTES.indexOf(palette), scale); }
   /** @param {number} perSecond  at most so many frames are drawn; 0: as many as the display shows */

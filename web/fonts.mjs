@@ -2,8 +2,8 @@
 //
 //   node web/fonts.mjs [folder, default build/fonts]
 //
-// Writes inter-{regular,semibold}.ttf, TrueType outlines for Dear ImGui (stb_truetype reads no WOFF2), and
-// the same as .woff2 for the page. Characters that Inter lacks are reported, not drawn from elsewhere.
+// Writes inter-{regular,semibold}.ttf, TrueType outlines, since Dear ImGui's stb_truetype reads no WOFF2; the page takes
+// them from the application. Characters that Inter lacks are reported, not drawn from elsewhere.
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
@@ -13,10 +13,9 @@ const FACES = { regular: 'Inter-Regular', semibold: 'Inter-SemiBold' };
 const GREEK = 'τθφωμΔπΣ';
 const PUNCTUATION = '“”‘’–—…·';
 const SYMBOLS = '×÷±≤≥≪≫→←↔↑↓−°²³⟲✓▶';
-// Dear ImGui draws one glyph per character: no kerning, no substitutions.
-const PLAIN = { noLayoutClosure: true, noHinting: true, dropTables: ['GDEF', 'GPOS', 'GSUB'] };
-// The page: kerning, and digits of one width for numbers that count. Inter's other forms of letters are half its bytes.
-const PAGE = { noHinting: true, keepFeatures: ['kern', 'tnum'] };
+// Dear ImGui draws one glyph per character, without kerning, and so the page does. What it needs besides are digits of one
+// width for numbers that count. Inter's other forms of letters and its kerning are two thirds of its bytes.
+const CUT = { noHinting: true, keepFeatures: ['tnum'], dropTables: ['GDEF', 'GPOS'] };
 const SOFT_HYPHEN = 0xad;
 const CHARACTERS = printableLatin1() + GREEK + PUNCTUATION + SYMBOLS;
 
@@ -75,14 +74,12 @@ async function cutFonts(folder) {
 
   for (const [face, source] of Object.entries(FACES)) {
     const whole = await readFile(join(inter, `${source}.woff2`));
-    const ttf = await subsetFont(whole, CHARACTERS, { targetFormat: 'truetype', ...PLAIN });
-    const woff2 = await subsetFont(whole, CHARACTERS, { targetFormat: 'woff2', ...PAGE });
+    const ttf = await subsetFont(whole, CHARACTERS, { targetFormat: 'truetype', ...CUT });
     await writeFile(join(folder, `inter-${face}.ttf`), ttf);
-    await writeFile(join(folder, `inter-${face}.woff2`), woff2);
 
     const present = mappedCodePoints(ttf);
     const missing = [...CHARACTERS].filter((c) => !present.has(/** @type {number} */ (c.codePointAt(0))));
-    console.log(`inter-${face}: ttf ${ttf.length} bytes, woff2 ${woff2.length} bytes` +
+    console.log(`inter-${face}: ${ttf.length} bytes` +
       (missing.length ? `; Inter has no ${missing.join(' ')}` : ''));
   }
 }

@@ -82,6 +82,7 @@ async function start() {
   });
 
   const app = new App(module);
+  app.lendTypeface();
   if (!app.running()) throw new Error('this browser has no WebGL 2');
   const searches = new Searches(app, statusLine);
   const address = new Address(app, () => searches.improving);

@@ -9,7 +9,7 @@ import { extname, join, resolve, sep } from 'node:path';
 const TYPES = {
   '.css': 'text/css; charset=utf-8', '.html': 'text/html; charset=utf-8', '.js': 'text/javascript; charset=utf-8',
   '.json': 'application/json', '.mjs': 'text/javascript; charset=utf-8', '.svg': 'image/svg+xml',
-  '.wasm': 'application/wasm', '.woff2': 'font/woff2',
+  '.wasm': 'application/wasm',
 };
 const folder = resolve(process.argv[2] ?? 'build/site');
 const port = Number(process.argv[3] ?? 8080);
