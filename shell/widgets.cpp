@@ -108,6 +108,7 @@ void Ui::TakeKeyboard(const ImRect& rect, ImGuiID id, bool ring) const {
   ImGui::SetFocusID(id, window);
   window->NavRectRel[ImGuiNavLayer_Main] = ImGui::WindowRectAbsToRel(window, rect);
   g.NavDisableHighlight = !ring;
+  if (ring) g.NavDisableMouseHover = true;  // a pointer that merely rests somewhere does not count any more
   if ((window->Flags & ImGuiWindowFlags_ChildWindow) != 0)
     ImGui::ScrollToRectEx(window, rect, ImGuiScrollFlags_KeepVisibleEdgeY | ImGuiScrollFlags_NoScrollParent);
 }

@@ -26,6 +26,8 @@ export class Mirror {
   #parts = new Map();
   #keyboard = false;
   #waiting = false;
+  /** Keys that are down on the canvas. @type {Set<string>} */
+  #held = new Set();
   /** The widget whose element the page's focus was last seen on. @type {string | undefined} */
   #here;
   #soon = false;
@@ -46,6 +48,12 @@ export class Mirror {
       if (event.relatedTarget !== canvas) app.unfocus();
     });
     this.#root.addEventListener('keydown', (event) => this.keys.take(event));
+    canvas.addEventListener('keydown', ({ code }) => this.#held.add(code));
+    canvas.addEventListener('keyup', ({ code }) => {
+      this.#held.delete(code);
+      this.#updateSoon();
+    });
+    canvas.addEventListener('blur', () => this.#held.clear());
     // A browser that scrolled it to something out of sight would shift it against the canvas.
     this.#root.addEventListener('scroll', () => this.#root.scrollTo(0, 0));
     setInterval(() => { if (!document.hidden) this.update(); }, EVERY_MS);
@@ -87,7 +95,7 @@ export class Mirror {
   /** Reads the canvas, and changes what differs. */
   update() {
     const told = this.app.mirror();
-    if (!told) return;
+    if (!told) return this.#follow();
     this.#keyboard = told.keyboard;
     this.#waiting = told.waiting;
     const active = this.at(document.activeElement);
@@ -173,6 +181,8 @@ export class Mirror {
     if (this.#waiting || !this.#keyboard) return;
     const here = this.at(document.activeElement);
     if (!here && document.activeElement !== this.canvas) return;
+    // Who takes the keyboard from the canvas while a key is down leaves it down there for ever.
+    if (this.#held.size > 0) return;
     // A window that is not in front gets no events when its focus moves.
     if (here && here.widget.id !== this.#here) return this.#came(here);
     const there = this.all.find(({ widget }) => widget.state.focused);

@@ -193,7 +193,7 @@ export const SCENARIOS = [
     }), 'a focused control must be visible');
     await page.page.keyboard.press('Enter');
     await page.frames();
-    assert.match(await page.call('text', () => document.querySelector('#description')?.textContent ?? ''), / m after .* s/);
+    assert.match(await page.call('text', () => document.querySelector('#description')?.textContent ?? ''), / m to the (left|right) after .* s/);
     await page.page.focus('#open');
   }],
 
