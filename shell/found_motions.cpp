@@ -117,8 +117,9 @@ std::vector<const FoundMotions::Entry*> FoundMotions::Sorted(Order order) const 
   std::vector<const Entry*> sorted;
   for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) sorted.push_back(&*entry);
   if (order == Order::kBest) {
-    std::ranges::stable_sort(sorted, std::ranges::greater{},
-                             [](const Entry* entry) { return entry->motion.Score(); });
+    // Of equals the newer one first: the entries lie in one array, the newest last.
+    std::ranges::sort(sorted, std::ranges::greater{},
+                      [](const Entry* entry) { return std::pair(entry->motion.Score(), entry); });
   }
   return sorted;
 }

@@ -13,7 +13,7 @@ namespace {
 
 // "1.84 m to the right"
 std::string WayWords(float travel_m) {
-  const std::string metres = Fixed(std::abs(travel_m), 2) + " m";
+  std::string metres = Fixed(std::abs(travel_m), 2) + " m";
   if (std::abs(travel_m) < 0.005f) return metres;
   return metres + (travel_m > 0.0f ? " to the right" : " to the left");
 }

@@ -63,7 +63,7 @@ TEST_CASE("every search: its population is as large as it should be, and no bett
       case Algorithm::kSsga:
         return static_cast<std::size_t>(s.genetic.population);
       case Algorithm::kMpga:
-        return static_cast<std::size_t>(s.torus.side * s.torus.side);
+        return static_cast<std::size_t>(s.torus.side) * static_cast<std::size_t>(s.torus.side);
       case Algorithm::kNelderMead:
         return genes + 1;
       case Algorithm::kTwoStage:
