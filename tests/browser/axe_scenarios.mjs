@@ -15,6 +15,12 @@ const axe = () => readFile(join(ROOT, 'web/node_modules/axe-core/axe.min.js'), '
 const violations = (page) => page.call('axe', `axe.run({ resultTypes: ['violations'] }).then(({ violations }) => violations.map(
   ({ id, impact, nodes }) => [impact, id, ...nodes.slice(0, 4).map(({ html }) => html.slice(0, 160))].join(' | ')))`);
 
+/** Clicks a widget's element as soon as it is there: on a slow machine a panel takes its time. @param {PageDriver} page @param {string} id */
+async function press(page, id) {
+  const node = await page.page.waitForSelector(`#mirror [data-id="${id}"]`, { timeout: 20000 });
+  await node?.evaluate((found) => { /** @type {HTMLElement} */ (found).click(); });
+}
+
 /** @param {Visit} visit */
 async function nothingToComplainOf({ browser, address, name, figures }) {
   if (name !== 'Chromium') return;
@@ -45,17 +51,17 @@ async function nothingToComplainOf({ browser, address, name, figures }) {
         await page.page.evaluate(source);
       }
       for (const panel of ['Figure', 'Controller', 'Style', 'Search', 'Lab', ...(width < 700 ? ['Timeline'] : [])]) {
-        await page.call('panel', `document.querySelector('#mirror [role=tab][data-id="panels/${['Figure', 'Controller', 'Style', 'Search', 'Lab', 'Timeline'].indexOf(panel)}"]').click()`);
+        await press(page, `panels/${['Figure', 'Controller', 'Style', 'Search', 'Lab', 'Timeline'].indexOf(panel)}`);
         await page.frames(6);
-        if (panel === 'Controller') await page.call('rule', () => { /** @type {HTMLElement} */ (document.querySelector('[data-id="controller/rule/1"]')).click(); });
-        if (panel === 'Search') await page.call('list', () => { /** @type {HTMLElement} */ (document.querySelector('[data-id="search/algorithm"]')).click(); });
+        if (panel === 'Controller') await press(page, 'controller/rule/1');
+        if (panel === 'Search') await press(page, 'search/algorithm');
         await look(place(`the ${panel} panel`));
         if (panel === 'Search') {
           await page.page.focus('[data-id="search/algorithm/0"]').catch(() => {});
           await page.press('Escape');
         }
       }
-      await page.call('world', () => { /** @type {HTMLElement} */ (document.querySelector('[data-id="world/open"]')).click(); });
+      await press(page, 'world/open');
       await look(place('the World card'));
       for (const [key, what] of [['Control+k', 'the palette'], ['F1', 'the sheet of keys'], ['Control+o', 'the dialog that opens']]) {
         await page.page.focus('canvas');

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Drawing by copying: a limb copied and deleted, a figure mirrored. Each opens pages of its own.
 import assert from 'node:assert/strict';
+import { Mouse } from './hands.mjs';
 import { PageDriver } from './page_driver.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
@@ -21,11 +22,7 @@ async function copiesAndMirrors({ browser, address }) {
   const board = (await widget('figure/board'))?.rect;
   assert.ok(board);
   assert.equal(await rods(), 5);
-  // The leg goes down to the left of the hub.
-  for (const share of [0.1, 0.13, 0.16]) {
-    if (await widget('figure/length')) break;
-    await page.clickAt(board.x + board.width / 2 - share * 0.75 * board.height, board.y + board.height / 2 + share * board.height);
-  }
+  await new Mouse(page).press('figure/rod/more'); // the root cannot be copied, the second rod can
   await toTheEnd();
   await page.click('figure/copy');
   assert.equal(await rods(), 6);

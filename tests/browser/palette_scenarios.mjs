@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Keys, the sheet that lists them, the palette, and the header where there is little room. Each opens pages of its own.
 import assert from 'node:assert/strict';
+import { Mouse } from './hands.mjs';
 import { PageDriver } from './page_driver.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
@@ -120,7 +121,7 @@ async function keysWork({ browser, address }) {
   await page.until('its end', () => /^Search stopped/.test(document.querySelector('#status')?.textContent ?? ''), 20000);
 
   // A number that is being typed gets its digits.
-  await page.click('search/seed');
+  await new Mouse(page).press('search/seed'); // the curve has pushed it down
   await page.page.keyboard.type('21');
   await page.press('Enter');
   await page.frames();
