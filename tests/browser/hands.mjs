@@ -34,12 +34,17 @@ class Hand {
   /** One turn of the panel. @param {boolean} _down @returns {Promise<void>} */
   async scroll(_down) { throw new Error('a hand of a kind'); }
 
+  /** Where the scroll bar stands, if there is one. */
+  async #scrolled() { return (await this.page.widgets()).find(({ role }) => role === 'scrollbar')?.rect.y; }
+
   /** Until the widget is wholly to be seen: first down, then up. @param {string} id @param {number} [height] */
   async scrollTo(id, height = 17) {
     for (const down of [true, false]) {
       for (let turn = 0; turn < 24; turn++) {
         if (((await this.find(id))?.rect.height ?? 0) >= height) return this.page.frames(4);
+        const before = await this.#scrolled();
         await this.scroll(down);
+        if (await this.#scrolled() === before) break; // the end
       }
     }
     assert.fail(`${id} is nowhere on the panel`);
