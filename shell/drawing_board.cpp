@@ -113,8 +113,6 @@ void DrawBoard(Ui& ui, const Board& board, const DrawingBoardState& state, const
   }
 }
 
-float Direction(ImVec2 from, ImVec2 to) { return std::atan2(to.y - from.y, to.x - from.x); }
-
 // What is taken hold of: an endpoint before a rod.
 void Begin(DrawingBoardState& state, const Board& board, ImVec2 pointer, float near) {
   constexpr int kNone = DrawingBoardState::kNone;

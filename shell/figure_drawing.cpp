@@ -76,6 +76,8 @@ std::vector<ImVec2> PoseOf(const Skeleton& skeleton, std::span<const float> angl
   return points;
 }
 
+float Direction(ImVec2 from, ImVec2 to) { return std::atan2(to.y - from.y, to.x - from.x); }
+
 float RodWidth(const Skeleton& skeleton, float points_per_metre) {
   float length = 0.0f;
   for (int rod = 0; rod < skeleton.rods; ++rod)

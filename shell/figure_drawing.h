@@ -30,6 +30,9 @@ void DrawArrow(ImDrawList*, ImVec2 from, ImVec2 to, ImU32 colour, ImU32 edge);
 /// (skeleton.joints, or none for the drawn pose).
 [[nodiscard]] std::vector<ImVec2> PoseOf(const Skeleton&, std::span<const float> angle_rad);
 
+/// Anticlockwise from the right, y upwards [rad].
+[[nodiscard]] float Direction(ImVec2 from, ImVec2 to);
+
 /// Rod thickness that suits a figure drawn at this scale [points].
 [[nodiscard]] float RodWidth(const Skeleton&, float points_per_metre);
 

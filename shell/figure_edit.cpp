@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/numeric/scalar_math.h"
+#include "shell/figure_drawing.h"
 
 namespace gaitsmith::shell {
 namespace {
@@ -26,7 +27,6 @@ float RoundAngle(float radians) {
   return std::round(radians / kHalfDegree) * kHalfDegree;
 }
 
-float Direction(ImVec2 from, ImVec2 to) { return std::atan2(to.y - from.y, to.x - from.x); }
 float Distance(ImVec2 from, ImVec2 to) { return std::hypot(to.x - from.x, to.y - from.y); }
 
 /// The joint as its mirror image has it. A root has no joint, and its angle is against the ground.
@@ -119,6 +119,26 @@ Figure WithRodFrom(const DrawnFigure& drawn, int endpoint, ImVec2 target) {
   rod.rest_rad = Wrapped(RoundAngle(Direction(from, target)) - DirectionOf(drawn, limb));
   figure.rods.push_back(rod);
   return figure;
+}
+
+Figure WithRodGrown(const Figure& figure, int rod) {
+  const Skeleton bones(figure);
+  const std::vector<ImVec2> points = PoseOf(bones, {});
+  const DrawnFigure drawn{.figure = figure, .skeleton = bones, .points = points};
+  int limb = 0;
+  while (bones.limbs[static_cast<std::size_t>(limb)].drawn != rod) ++limb;
+  const ImVec2 tip = points[static_cast<std::size_t>(limb) + 1];
+  const float length = bones.limbs[static_cast<std::size_t>(limb)].length_m;
+  ImVec2 target;
+  // 30° to one side, to the other, 60°, and so on round.
+  for (int turn = 1; turn < 12; ++turn) {
+    const int side = turn % 2 == 1 ? (turn + 1) / 2 : -turn / 2;
+    const float angle = DirectionOf(drawn, limb) + static_cast<float>(side) * kPiF / 6.0f;
+    target = {tip.x + length * std::cos(angle), tip.y + length * std::sin(angle)};
+    const auto taken = [&](ImVec2 point) { return Distance(point, target) < 0.2f * length; };
+    if (std::ranges::none_of(points, taken)) break;
+  }
+  return WithRodFrom(drawn, limb + 1, target);
 }
 
 Figure WithoutRod(const Figure& figure, int rod) {

@@ -36,6 +36,10 @@ struct DrawnFigure {
 /// A new rod from this endpoint; as heavy per metre as the figure's average.
 [[nodiscard]] Figure WithRodFrom(const DrawnFigure&, int endpoint, ImVec2 target);
 
+/// The same without a hand: from the far end of this rod, as long as it, in a direction where there is room.
+/// @param rod index in Figure::rods
+[[nodiscard]] Figure WithRodGrown(const Figure&, int rod);
+
 /// Without this rod and all that hang on it. @param rod index in Figure::rods, not the root
 [[nodiscard]] Figure WithoutRod(const Figure&, int rod);
 

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "core/numeric/scalar_math.h"
-#include "shell/figure_drawing.h"
 #include "shell/figure_edit.h"
 #include "shell/figure_gallery.h"
 #include "shell/wording.h"
@@ -60,28 +59,6 @@ void EditNumbers(Ui& ui, const Rod& rod, const std::function<void(const RodEdit&
   });
 }
 
-// From the far end of the selected rod, where there is room; for whoever does not drag.
-Figure Grown(const Figure& figure, int rod) {
-  const Skeleton bones(figure);
-  const std::vector<ImVec2> points = PoseOf(bones, {});
-  std::size_t limb = 0;
-  while (bones.limbs[limb].drawn != rod) ++limb;
-  const ImVec2 start = points[static_cast<std::size_t>(bones.limbs[limb].start)];
-  const ImVec2 tip = points[limb + 1];
-  const float along = std::atan2(tip.y - start.y, tip.x - start.x);
-  const float length = bones.limbs[limb].length_m;
-  ImVec2 target;
-  for (int turn = 1; turn < 12; ++turn) {
-    const float angle =
-        along + 30.0f * kDegree * static_cast<float>(turn % 2 == 1 ? (turn + 1) / 2 : -turn / 2);
-    target = {tip.x + length * std::cos(angle), tip.y + length * std::sin(angle)};
-    const auto taken = [&](ImVec2 p) { return std::hypot(p.x - target.x, p.y - target.y) < 0.2f * length; };
-    if (std::ranges::none_of(points, taken)) break;
-  }
-  return WithRodFrom({.figure = figure, .skeleton = bones, .points = points}, static_cast<int>(limb) + 1,
-                     target);
-}
-
 void EditRod(Ui& ui, Session& session, DrawingBoardState& state) {
   const Figure& figure = session.Doc().figure;
   state.rod = std::clamp(state.rod, 0, figure.Rods() - 1);
@@ -110,7 +87,7 @@ void EditRod(Ui& ui, Session& session, DrawingBoardState& state) {
   const bool root = rod.parent == kNoParent;
   const bool room = figure.Rods() < kMaxRods;
   if (ui.Button("figure/grow", third(0), "Grow a rod", ButtonLook::kOutlined, room)) {
-    replace(Grown(figure, state.rod), figure.Rods());
+    replace(WithRodGrown(figure, state.rod), figure.Rods());
   } else if (ui.Button("figure/copy", third(1), "Copy limb", ButtonLook::kOutlined, room && !root)) {
     replace(WithLimbCopied(figure, state.rod), figure.Rods());
   } else if (ui.Button("figure/delete", third(2), "Delete limb", ButtonLook::kOutlined, !root)) {

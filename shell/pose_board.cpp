@@ -57,10 +57,10 @@ ImVec2 StartOf(const Skeleton& bones, const std::vector<ImVec2>& points, int lim
 }
 
 // Anticlockwise from the right, as angles are; the canvas counts y downwards.
-float Direction(ImVec2 from, ImVec2 to) { return std::atan2(from.y - to.y, to.x - from.x); }
+float CanvasDirection(ImVec2 from, ImVec2 to) { return std::atan2(from.y - to.y, to.x - from.x); }
 
 float DirectionOf(const Skeleton& bones, const std::vector<ImVec2>& points, int limb) {
-  return Direction(StartOf(bones, points, limb), points[static_cast<std::size_t>(limb) + 1]);
+  return CanvasDirection(StartOf(bones, points, limb), points[static_cast<std::size_t>(limb) + 1]);
 }
 
 // The nearest limb that has a joint; of those that meet at the pointer, the one whose middle is nearest.
@@ -118,7 +118,7 @@ std::optional<PoseEdit> DrawPoseBoard(Ui& ui, const Skeleton& bones, const std::
     state.origin = picture.origin;
     if (state.limb > 0) {
       const ImVec2 joint = StartOf(bones, points, state.limb);
-      state.grip_rad = Direction(joint, pointer) - DirectionOf(bones, points, state.limb);
+      state.grip_rad = CanvasDirection(joint, pointer) - DirectionOf(bones, points, state.limb);
     }
   }
 
@@ -126,7 +126,7 @@ std::optional<PoseEdit> DrawPoseBoard(Ui& ui, const Skeleton& bones, const std::
   if (touch.held && state.limb > 0) {
     const auto joint = static_cast<std::size_t>(state.limb) - 1;
     const Skeleton::Limb& bone = bones.limbs[static_cast<std::size_t>(state.limb)];
-    const float wanted = Direction(StartOf(bones, points, state.limb), pointer) - state.grip_rad;
+    const float wanted = CanvasDirection(StartOf(bones, points, state.limb), pointer) - state.grip_rad;
     // The way round that is shorter from where it is: a limb at its limit must not flip to the other one.
     const float turn = Wrapped(wanted - DirectionOf(bones, points, state.limb));
     edit = PoseEdit{static_cast<int>(joint), std::clamp(angles[joint] + turn, bone.min_rad, bone.max_rad)};

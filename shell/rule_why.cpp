@@ -12,8 +12,8 @@ namespace gaitsmith::shell {
 namespace {
 
 constexpr double kReadingTimeS = 0.6;
-constexpr int kRows = 6;   // of the box: the sentence's lines, then senses
-constexpr int kLines = 4;  // of the sentence at most
+constexpr int kBoxRows = 6;  // of the box: the sentence's lines, then senses
+constexpr int kLines = 4;    // of the sentence at most
 constexpr float kSenseHeight = 17.0f;
 constexpr float kPadding = 10.0f;
 
@@ -68,7 +68,9 @@ void DrawSenses(Ui& ui, const RuleMoment& moment, int rule, int most, ImRect row
 
 }  // namespace
 
-ImRect RuleWhyRow(Ui& ui) { return ui.Row(2.0f * kPadding + kRows * Fonts::LineHeight(Type::kNote) + 4.0f); }
+ImRect RuleWhyRow(Ui& ui) {
+  return ui.Row(2.0f * kPadding + kBoxRows * Fonts::LineHeight(Type::kNote) + 4.0f);
+}
 
 void DrawRuleWhy(Ui& ui, const ImRect& box, const Session& session, const Controller& controller,
                  RuleWhyState& state) {
@@ -103,7 +105,7 @@ void DrawRuleWhy(Ui& ui, const ImRect& box, const Session& session, const Contro
   const int lines = DrawSentence(ui, inner, sentence);
   if (!moment) return;
   inner.Min.y += static_cast<float>(lines) * line_height + 4.0f;
-  DrawSenses(ui, *moment, rule, kRows - lines, inner);
+  DrawSenses(ui, *moment, rule, kBoxRows - lines, inner);
 }
 
 }  // namespace gaitsmith::shell

@@ -53,8 +53,8 @@ export function chooseTheme(theme) {
 /** The one after the present one, the system's left out: for a key. */
 export function nextTheme() {
   const [, ...names] = Object.keys(THEMES);
-  const { palette, scale } = look();
-  const now = chosen !== 'system' ? chosen : palette === 'light' || palette === 'dark' ? palette : scale > 1 ? 'projector' : 'contrast';
+  const { palette } = look();
+  const now = chosen !== 'system' ? chosen : palette.startsWith('strong') ? 'contrast' : palette;
   chooseTheme(names[(names.indexOf(now) + 1) % names.length]);
 }
 

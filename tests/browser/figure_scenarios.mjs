@@ -1,47 +1,74 @@
 // SPDX-License-Identifier: MIT
-// Drawing by copying: a limb copied and deleted, a figure mirrored. Each opens pages of its own.
+// The drawing board: a rod made longer, a limb copied and deleted, a figure mirrored. Each opens a page of its own.
 import assert from 'node:assert/strict';
 import { Mouse } from './hands.mjs';
 import { PageDriver } from './page_driver.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
 
-/** @param {Visit} visit */
-async function copiesAndMirrors({ browser, address }) {
+/** A page with the board on its panel. @param {Visit} visit */
+async function drawing({ browser, address }) {
   const page = await PageDriver.open(browser, address);
-  const widget = async (/** @type {string} */ id) => (await page.widgets()).find((candidate) => candidate.id === id);
-  const rods = () => page.call('rods', () => window.gaitsmith.document().figure.rods?.length);
-  const stage = (await widget('stage'))?.rect ?? { x: 0, y: 0, width: 0, height: 0 };
-  const toTheEnd = async () => { // of the panel
-    await page.page.mouse.move(stage.x + stage.width + 100, stage.y + 60);
-    await page.page.mouse.wheel({ deltaY: 3000 });
-    await page.frames();
-  };
-  const before = await page.hash();
   await page.click('panels/0');
-  const board = (await widget('figure/board'))?.rect;
+  await page.frames(6);
+  const hand = new Mouse(page);
+  const board = await hand.find('figure/board');
   assert.ok(board);
-  assert.equal(await rods(), 5);
-  await new Mouse(page).press('figure/rod/more'); // the root cannot be copied, the second rod can
-  await toTheEnd();
-  await page.click('figure/copy');
-  assert.equal(await rods(), 6);
-  await page.click('figure/delete'); // the copy, which is the selected one now
-  assert.equal(await rods(), 5);
-  await page.clickElement('#undo');
+  return { page, hand, board: board.rect };
+}
+
+/** @param {PageDriver} page */
+async function undo(page) {
   await page.clickElement('#undo');
   await page.frames();
+}
+
+/** @param {Visit} visit */
+async function lengthens(visit) {
+  const { page, hand, board } = await drawing(visit);
+  const before = await page.hash();
+  // The head rod goes up from the hub, in the middle of the board; choosing it changes nothing.
+  for (const up of [10, 25, 40]) {
+    if (await hand.find('figure/length')) break;
+    await hand.tap({ x: board.x + board.width / 2, y: board.y + board.height / 2 - up });
+  }
+  assert.equal(await page.hash(), before);
+  await hand.scrollTo('figure/length', 30);
+  const length = (await hand.find('figure/length'))?.rect;
+  assert.ok(length, 'a chosen rod shows its length');
+  await hand.tap({ x: length.x + 0.8 * length.width, y: length.y + 0.75 * length.height });
+  assert.notEqual(await page.hash(), before);
+  await undo(page);
+  assert.equal(await page.hash(), before);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function copiesAndMirrors(visit) {
+  const { page, hand } = await drawing(visit);
+  const rods = () => page.call('rods', () => window.gaitsmith.document().figure.rods?.length);
+  const before = await page.hash();
+  assert.equal(await rods(), 5);
+  await hand.press('figure/rod/more'); // the root cannot be copied, the second rod can
+  await hand.press('figure/copy');
+  assert.equal(await rods(), 6);
+  await hand.press('figure/delete'); // the copy, which is the selected one now
+  assert.equal(await rods(), 5);
+  await undo(page);
+  await undo(page);
   assert.equal(await page.hash(), before, 'as it was, controllers and all');
 
-  await toTheEnd();
-  await page.click('figure/mirror');
+  await hand.press('figure/mirror');
   assert.notEqual(await page.hash(), before);
-  await page.clickElement('#undo');
-  await page.frames();
+  await undo(page);
   assert.equal(await page.hash(), before);
   assert.deepEqual(page.complaints, []);
   await page.close();
 }
 
 /** @type {[string, (visit: Visit) => Promise<void>][]} */
-export const FIGURE_SCENARIOS = [['a limb copied and deleted, a figure mirrored; Undo brings back each', copiesAndMirrors]];
+export const FIGURE_SCENARIOS = [
+  ['a rod made longer changes the motion, and Undo brings the old one back', lengthens],
+  ['a limb copied and deleted, a figure mirrored; Undo brings back each', copiesAndMirrors],
+];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The rules of a controller, read and changed by hand, and the gallery of figures. Each opens pages of its own.
 import assert from 'node:assert/strict';
+import { Mouse } from './hands.mjs';
 import { PageDriver } from './page_driver.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
@@ -8,39 +9,6 @@ import { PageDriver } from './page_driver.mjs';
 /** @param {PageDriver} page @param {string} id */
 async function widget(page, id) {
   return (await page.widgets()).find((candidate) => candidate.id === id);
-}
-
-/** @param {PageDriver} page @param {string} id */
-async function centre(page, id) {
-  const found = await widget(page, id);
-  assert.ok(found, `no ${id} on the canvas`);
-  const { x, y, width, height } = found.rect;
-  return { x: x + width / 2, y: y + height / 2 };
-}
-
-/** Turns the wheel over the panel until the widget is wholly there. @param {PageDriver} page @param {string} id */
-async function scrollTo(page, id) {
-  const stage = (await widget(page, 'stage'))?.rect ?? { x: 0, y: 0, width: 0, height: 0 };
-  await page.page.mouse.move(stage.x + stage.width + 150, stage.y + 300);
-  for (let turn = 0; turn < 20 && ((await widget(page, id))?.rect.height ?? 0) < 24; turn++) {
-    await page.page.mouse.wheel({ deltaY: 120 });
-    await page.frames();
-  }
-  await page.frames();
-}
-
-/** @param {PageDriver} page @param {{x: number, y: number}} from @param {number} right */
-async function drag(page, from, right) {
-  await page.page.mouse.move(from.x, from.y);
-  await page.frames();
-  await page.page.mouse.down();
-  await page.frames();
-  for (let step = 1; step <= 4; step++) {
-    await page.page.mouse.move(from.x + (right * step) / 4, from.y);
-    await page.frames(2);
-  }
-  await page.page.mouse.up();
-  await page.frames();
 }
 
 /** @param {PageDriver} page */
@@ -80,10 +48,12 @@ async function byMouse({ browser, address }) {
   assert.equal(await page.hash(), before, 'opening a rule changes nothing');
 
   // A whole drag is one step back.
-  await scrollTo(page, 'rule-edit/tau');
+  const hand = new Mouse(page);
+  const right = (/** @type {import('./hands.mjs').Point} */ { x, y }, /** @type {number} */ by) => hand.drag({ x, y }, { x: x + by, y });
+  await hand.scrollTo('rule-edit/tau', 24);
   const low = (await page.widgets()).find(({ id }) => /^rule-edit\/sense\/\d+\/low$/.test(id));
   assert.ok(low, 'an active rule has an interval');
-  await drag(page, await centre(page, low.id), 60);
+  await right(await hand.centre(low.id), 60);
   assert.notEqual((await widget(page, low.id))?.value, low.value);
   const changed = await page.hash();
   assert.notEqual(changed, before);
@@ -101,7 +71,7 @@ async function byMouse({ browser, address }) {
   const kept = await genes();
   // Limbs are taken hold of to all sides of the hub, until one is hit.
   for (let angle = 0.1; angle < 6.3 && await genes() === kept; angle += 0.4) {
-    await drag(page, { x: middle.x + 32 * Math.cos(angle), y: middle.y + 32 * Math.sin(angle) }, 24);
+    await right({ x: middle.x + 32 * Math.cos(angle), y: middle.y + 32 * Math.sin(angle) }, 24);
   }
   assert.notEqual(await genes(), kept, 'no limb could be turned');
   await undo(page);

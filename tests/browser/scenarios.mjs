@@ -262,33 +262,6 @@ export const SCENARIOS = [
     await fresh.close();
   }],
 
-  ['a rod made longer changes the motion, and Undo brings the old one back', async ({ browser, address }) => {
-    const fresh = await PageDriver.open(browser, address);
-    const before = await fresh.hash();
-    await fresh.click('panels/0');
-    await fresh.frames(6);
-    const rectOf = async (/** @type {string} */ id) => (await fresh.widgets()).find((widget) => widget.id === id)?.rect;
-    const press = async (/** @type {number} */ x, /** @type {number} */ y) => {
-      await fresh.clickAt(x, y);
-      await fresh.frames();
-    };
-    const board = await rectOf('figure/board');
-    assert.ok(board);
-    // The head rod goes up from the hub, in the middle of the board; choosing it changes nothing.
-    for (const up of [10, 25, 40]) {
-      if (!(await rectOf('figure/length'))) await press(board.x + board.width / 2, board.y + board.height / 2 - up);
-    }
-    assert.equal(await fresh.hash(), before);
-    const length = await rectOf('figure/length');
-    assert.ok(length, 'a chosen rod shows its length');
-    await press(length.x + 0.8 * length.width, length.y + 0.75 * length.height);
-    assert.notEqual(await fresh.hash(), before);
-    await fresh.clickElement('#undo');
-    assert.equal(await fresh.hash(), before);
-    assert.deepEqual(fresh.complaints, []);
-    await fresh.close();
-  }],
-
   ['a motion that differs from the one its maker saw says so, as long as it is shown', async ({ browser, address }) => {
     const text = await readFile(join(ROOT, 'tests/golden/motions/star-man-physical.json'), 'utf8');
     const altered = JSON.stringify({ ...JSON.parse(text), hash: '0123456789abcdef' });

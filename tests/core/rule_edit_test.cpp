@@ -13,7 +13,7 @@ namespace gaitsmith::test {
 
 namespace {
 
-SenseSpec Timer() {
+SenseSpec EightySevenSteps() {
   SenseSpec senses;
   senses.kind = SenseKind::kTimer;
   senses.period_steps = 87;
@@ -90,7 +90,7 @@ TEST_CASE("rule edit: what is set is read back, and every other gene keeps its b
 TEST_CASE("rule edit: an interval drawn to both ends is still cared about; only the switch forgets it",
           "[control][rule_edit]") {
   const Figure figure = ShippedFigure("inchworm");
-  for (const SenseSpec& senses : {SenseSpec{}, Timer()}) {
+  for (const SenseSpec& senses : {SenseSpec{}, EightySevenSteps()}) {
     Controller controller = RandomController(figure, senses, 5);
     RuleEdit edit(controller, figure.Rods(), 2);
     const auto [low, high] = EdgesOf(senses.kind);
@@ -162,7 +162,7 @@ TEST_CASE("senses: their scales turn what a controller feels into what the motio
           1e-5f);
   }
   CHECK(greatest_force > 1.0f);
-  CHECK(ScaleOf(Timer(), bones, 0).Of(0.5f) == Catch::Approx(0.435));
+  CHECK(ScaleOf(EightySevenSteps(), bones, 0).Of(0.5f) == Catch::Approx(0.435));
 }
 
 }  // namespace gaitsmith::test

@@ -30,7 +30,7 @@ float Hill(std::span<const Gene> genome) {
   return static_cast<float>(-distance);
 }
 
-SearchSettings Settings(Algorithm algorithm, int evaluations) {
+SearchSettings BriefSettings(Algorithm algorithm, int evaluations) {
   SearchSettings settings;
   settings.algorithm = algorithm;
   settings.evaluations = evaluations;
@@ -92,7 +92,7 @@ Outcome SerialSphc(const SearchSettings& settings) {
 
 TEST_CASE("SPHC: looking ahead gives exactly the serial result", "[search]") {
   for (const int budget : {10, 13, 500, 1234, 4000}) {
-    const SearchSettings settings = Settings(Algorithm::kSphc, budget);
+    const SearchSettings settings = BriefSettings(Algorithm::kSphc, budget);
     const Outcome serial = SerialSphc(settings);
     for (const int wanted : {1, 10, 37, 160, 5000}) {
       CAPTURE(budget, wanted);
@@ -106,7 +106,7 @@ TEST_CASE("SPHC: looking ahead gives exactly the serial result", "[search]") {
 
 TEST_CASE("SPHC: asks that do not wait for one another lead to the same end", "[search]") {
   for (const int budget : {7, 333, 4001}) {
-    const SearchSettings settings = Settings(Algorithm::kSphc, budget);
+    const SearchSettings settings = BriefSettings(Algorithm::kSphc, budget);
     const auto one_by_one = MakeSearch(settings, kSpace);
     const Outcome serial = Run(*one_by_one, 1, Hill);
     for (const std::size_t under_way : {2U, 3U, 7U}) {
@@ -136,12 +136,12 @@ TEST_CASE("SPHC: asks that do not wait for one another lead to the same end", "[
 }
 
 TEST_CASE("SPHC: looking ahead one step wastes nothing", "[search]") {
-  const auto search = MakeSearch(Settings(Algorithm::kSphc, 1000), kSpace);
+  const auto search = MakeSearch(BriefSettings(Algorithm::kSphc, 1000), kSpace);
   REQUIRE(Run(*search, 10, Hill).told == 1000);
 }
 
 TEST_CASE("RG&T: the best of so many random genomes, however many are asked at a time", "[search]") {
-  const SearchSettings settings = Settings(Algorithm::kRandomSearch, 777);
+  const SearchSettings settings = BriefSettings(Algorithm::kRandomSearch, 777);
   const auto one = MakeSearch(settings, kSpace);
   const Outcome serial = Run(*one, 1, Hill);
   for (const int wanted : {5, 100, 10000}) {
@@ -153,7 +153,7 @@ TEST_CASE("RG&T: the best of so many random genomes, however many are asked at a
 
 TEST_CASE("search: saved and loaded, it goes on as if nothing had happened", "[search]") {
   for (const Algorithm algorithm : {Algorithm::kRandomSearch, Algorithm::kSphc}) {
-    const SearchSettings settings = Settings(algorithm, 900);
+    const SearchSettings settings = BriefSettings(algorithm, 900);
     const auto whole = MakeSearch(settings, kSpace);
     const Outcome uninterrupted = Run(*whole, 50, Hill);
     auto search = MakeSearch(settings, kSpace);
@@ -175,7 +175,7 @@ TEST_CASE("search: saved and loaded, it goes on as if nothing had happened", "[s
 
 TEST_CASE("search: a damaged state is refused", "[search]") {
   for (const Algorithm algorithm : {Algorithm::kRandomSearch, Algorithm::kSphc}) {
-    const auto search = MakeSearch(Settings(algorithm, 900), kSpace);
+    const auto search = MakeSearch(BriefSettings(algorithm, 900), kSpace);
     search->Tell(std::vector<float>(search->Ask(10).size(), 1.0f));
     BitWriter saved;
     search->Save(saved);
@@ -204,7 +204,7 @@ TEST_CASE("search: a damaged state is refused", "[search]") {
 TEST_CASE("search: NaN loses to everything", "[search]") {
   for (const Algorithm algorithm : {Algorithm::kRandomSearch, Algorithm::kSphc}) {
     int asked = 0;
-    const auto search = MakeSearch(Settings(algorithm, 300), kSpace);
+    const auto search = MakeSearch(BriefSettings(algorithm, 300), kSpace);
     const Outcome outcome = Run(*search, 30, [&](const Genome& genome) {
       return ++asked % 3 == 1 ? std::numeric_limits<float>::quiet_NaN() : Hill(genome);
     });
@@ -214,7 +214,7 @@ TEST_CASE("search: NaN loses to everything", "[search]") {
 }
 
 TEST_CASE("search: the curve rises and ends at the best", "[search]") {
-  const auto search = MakeSearch(Settings(Algorithm::kSphc, 2000), kSpace);
+  const auto search = MakeSearch(BriefSettings(Algorithm::kSphc, 2000), kSpace);
   const Outcome outcome = Run(*search, 80, Hill);
   REQUIRE(outcome.curve.front().evaluation == 1);
   for (std::size_t i = 1; i < outcome.curve.size(); ++i) {

@@ -106,6 +106,30 @@ TEST_CASE("a figure grows from one rod", "[figure_edit]") {
   }
 }
 
+TEST_CASE("a rod grown without a hand stands where no end of another is, as long as the one it grows from",
+          "[figure_edit]") {
+  for (const Figure& figure : Shipped()) {
+    if (figure.Rods() == kMaxRods) continue;
+    CAPTURE(figure.name);
+    for (int rod = 0; rod < figure.Rods(); ++rod) {
+      const Figure grown = WithRodGrown(figure, rod);
+      REQUIRE(Validate(grown));
+      REQUIRE(grown.Rods() == figure.Rods() + 1);
+      REQUIRE(std::abs(grown.rods.back().length_m - figure.rods[static_cast<std::size_t>(rod)].length_m) <
+              0.006f);
+      const Skeleton bones(grown);
+      const auto points = Drawn(grown);
+      std::size_t tip = 0;
+      while (bones.limbs[tip].drawn != figure.Rods()) ++tip;
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        if (k == tip + 1) continue;
+        REQUIRE(std::hypot(points[k].x - points[tip + 1].x, points[k].y - points[tip + 1].y) >
+                0.15f * grown.rods.back().length_m);
+      }
+    }
+  }
+}
+
 TEST_CASE("a copied limb has as many rods again, the same lengths, and stands where none stood",
           "[figure_edit]") {
   for (const Figure& figure : Shipped()) {

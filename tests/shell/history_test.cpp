@@ -8,44 +8,19 @@
 #include "core/document/binary.h"
 #include "core/document/json.h"
 #include "shell/commands.h"
-#include "shell/session.h"
 #include "tests/scene.h"
+#include "tests/shell/quiet_host.h"
 
 namespace gaitsmith::shell::test {
 
 namespace {
 
-Document Problem(float friction) {
+Document StarManOn(float friction) {
   Document document;
   document.title = "History";
   document.figure = gaitsmith::test::ShippedFigure("mr-star-man");
   document.environment.friction = friction;
   return document;
-}
-
-// A place without workers: searches begin, and report what the test makes them report.
-class Stub final : public Host {
- public:
-  [[nodiscard]] int MaxWorkers() const override { return 1; }
-  void StartSearch(const Document&, int) override { ++searches; }
-  void StartTrial(const Document&, int, const TrialWords&) override {}
-  void PauseSearch() override {}
-  void ResumeSearch() override {}
-  void StopSearch() override { ++stops; }
-  void Status(const std::string& sentence) override { status = sentence; }
-  void SaveText(const std::string&, const std::string&) override {}
-  void DocumentChanged(const std::string&) override {}
-
-  int searches = 0;
-  int stops = 0;
-  std::string status;
-};
-
-// All but the view, which is no part of any step.
-std::string State(const Session& session) {
-  Document document = session.Doc();
-  document.view = {};
-  return EncodeJson(document);
 }
 
 void SetFriction(Session& session, float friction) {
@@ -63,7 +38,7 @@ SearchProgress Found(const Session& session, std::uint16_t gene, SearchState sta
 
 TEST_CASE("history: every step back and forth again, in order, and then no further", "[shell][history]") {
   History history;
-  Document present = Problem(0.3f);
+  Document present = StarManOn(0.3f);
   for (int i = 1; i <= 3; ++i) {
     history.Keep(present, i);
     present.environment.friction += 0.125f;
@@ -84,25 +59,25 @@ TEST_CASE("history: every step back and forth again, in order, and then no furth
 
 TEST_CASE("history: what happens on one occasion is one step", "[shell][history]") {
   History history;
-  Document present = Problem(0.3f);
+  Document present = StarManOn(0.3f);
   for (int i = 0; i < 10; ++i) {
     history.Keep(present, 7);
     present.environment.friction += 0.03f;
   }
   CHECK(history.Back(present)->environment.friction == 0.3f);
-  CHECK_FALSE(history.CanUndo(Problem(0.3f)));
+  CHECK_FALSE(history.CanUndo(StarManOn(0.3f)));
 }
 
 TEST_CASE("history: a drag that ends where it began is no step", "[shell][history]") {
   History history;
-  history.Keep(Problem(0.3f), 1);  // to 0.4
-  history.Keep(Problem(0.4f), 2);  // away and back
-  CHECK(history.Back(Problem(0.4f))->environment.friction == 0.3f);
+  history.Keep(StarManOn(0.3f), 1);  // to 0.4
+  history.Keep(StarManOn(0.4f), 2);  // away and back
+  CHECK(history.Back(StarManOn(0.4f))->environment.friction == 0.3f);
 }
 
 TEST_CASE("history: the view stays as it is", "[shell][history]") {
   History history;
-  Document present = Problem(0.3f);
+  Document present = StarManOn(0.3f);
   history.Keep(present, 1);
   present.environment.friction = 0.7f;
   present.view.panel = 3;
@@ -110,19 +85,19 @@ TEST_CASE("history: the view stays as it is", "[shell][history]") {
   const Document before = *history.Back(present);
   CHECK(before.view.panel == 3);
   CHECK_FALSE(before.view.trail);
-  Document viewed = Problem(0.3f);
+  Document viewed = StarManOn(0.3f);
   viewed.view.speed = 2.0f;
   CHECK_FALSE(history.CanUndo(viewed));
 }
 
 TEST_CASE("history: bounded in steps and in bytes, the oldest going first", "[shell][history]") {
-  const std::size_t bytes = EncodeBinary(Problem(0.3f)).size();
+  const std::size_t bytes = EncodeBinary(StarManOn(0.3f)).size();
   const bool by_steps = GENERATE(true, false);
   CAPTURE(by_steps);
   History history(by_steps ? History::Limits{.steps = 5, .bytes = 1000 * bytes}
                            : History::Limits{.steps = 1000, .bytes = 5 * bytes + bytes / 2});
-  for (int i = 0; i < 20; ++i) history.Keep(Problem(0.25f + 0.03125f * static_cast<float>(i)), i + 1);
-  Document present = Problem(0.25f + 0.03125f * 20.0f);
+  for (int i = 0; i < 20; ++i) history.Keep(StarManOn(0.25f + 0.03125f * static_cast<float>(i)), i + 1);
+  Document present = StarManOn(0.25f + 0.03125f * 20.0f);
   int steps = 0;
   for (; history.CanUndo(present); ++steps) present = *history.Back(present);
   CHECK(steps == 5);
@@ -131,14 +106,14 @@ TEST_CASE("history: bounded in steps and in bytes, the oldest going first", "[sh
 
 TEST_CASE("history: a document larger than all room can still be taken back to", "[shell][history]") {
   History history({.steps = 5, .bytes = 1});
-  history.Keep(Problem(0.3f), 1);
-  history.Keep(Problem(0.4f), 2);
-  CHECK(history.Back(Problem(0.5f))->environment.friction == 0.4f);
+  history.Keep(StarManOn(0.3f), 1);
+  history.Keep(StarManOn(0.4f), 2);
+  CHECK(history.Back(StarManOn(0.5f))->environment.friction == 0.4f);
 }
 
 TEST_CASE("session: three edits undone and done again are the same documents, bit for bit",
           "[shell][session]") {
-  Stub host;
+  QuietHost host;
   Session session(host);
   std::vector<std::string> states = {State(session)};
   std::vector<std::uint64_t> hashes = {session.player.Shown().Hash()};
@@ -171,7 +146,7 @@ TEST_CASE("session: three edits undone and done again are the same documents, bi
 
 TEST_CASE("session: a drag is one step, what is shown is none, and a new edit forgets what was undone",
           "[shell][session]") {
-  Stub host;
+  QuietHost host;
   Session session(host);
   const auto before = State(session);
   session.BeginGesture();
@@ -189,7 +164,7 @@ TEST_CASE("session: a drag is one step, what is shown is none, and a new edit fo
 
 TEST_CASE("session: what a search finds is one step, apart from what was edited meanwhile",
           "[shell][session]") {
-  Stub host;
+  QuietHost host;
   Session session(host);
   const auto before = State(session);
   session.BeginGesture();
@@ -214,7 +189,7 @@ TEST_CASE("session: what a search finds is one step, apart from what was edited 
 
 TEST_CASE("session: Undo while a search has found nothing stops it and takes back nothing else",
           "[shell][session]") {
-  Stub host;
+  QuietHost host;
   Session session(host);
   SetFriction(session, 0.3f);
   const auto before = State(session);
@@ -228,13 +203,13 @@ TEST_CASE("session: Undo while a search has found nothing stops it and takes bac
 }
 
 TEST_CASE("session: opening is a step, and a document that is no good changes nothing", "[shell][session]") {
-  Stub host;
+  QuietHost host;
   Session session(host);
   const auto before = State(session);
   CHECK_FALSE(session.Open("{\"title\": 7}"));
   CHECK(State(session) == before);
   CHECK_FALSE(session.CanUndo());
-  REQUIRE(session.Open(EncodeJson(Problem(0.3f))));
+  REQUIRE(session.Open(EncodeJson(StarManOn(0.3f))));
   session.Undo();
   CHECK(session.Doc().title != "History");
   session.Redo();
@@ -244,7 +219,7 @@ TEST_CASE("session: opening is a step, and a document that is no good changes no
 }
 
 TEST_CASE("session: New keeps how things are shown, and Undo has what was here", "[shell][session]") {
-  Stub host;
+  QuietHost host;
   Session session(host);
   session.SetView([](View& view) { view.panel = 2; });
   const auto before = State(session);
@@ -259,7 +234,7 @@ TEST_CASE("session: New keeps how things are shown, and Undo has what was here",
 
 TEST_CASE("commands: no key and no name twice, and every one that is possible does no harm",
           "[shell][commands]") {
-  Stub host;
+  QuietHost host;
   Session session(host);
   std::vector<std::string> ids;
   std::vector<std::string> keys;

@@ -7,27 +7,15 @@
 
 #include "shell/embedded.h"
 #include "shell/wording.h"
+#include "tests/shell/quiet_host.h"
 
 namespace gaitsmith::shell::test {
 namespace {
 
-class Nowhere final : public Host {
- public:
-  [[nodiscard]] int MaxWorkers() const override { return 1; }
-  void StartSearch(const Document&, int) override {}
-  void StartTrial(const Document&, int, const TrialWords&) override {}
-  void PauseSearch() override {}
-  void ResumeSearch() override {}
-  void StopSearch() override {}
-  void Status(const std::string&) override {}
-  void SaveText(const std::string&, const std::string&) override {}
-  void DocumentChanged(const std::string&) override {}
-};
-
 bool Has(const std::string& words, const std::string& part) { return words.find(part) != std::string::npos; }
 
 TEST_CASE("the description names figure, way, contacts, the rule that acts and why, and the score") {
-  Nowhere host;
+  QuietHost host;
   Session session(host);
   session.player.Seek(2.0);
   session.player.Play(false);
@@ -69,7 +57,7 @@ TEST_CASE("the description names figure, way, contacts, the rule that acts and w
 }
 
 TEST_CASE("without a controller the description says that nothing drives the figure") {
-  Nowhere host;
+  QuietHost host;
   Session session(host);
   session.New();
   CHECK(Has(DescriptionOf(session), "Nothing drives it"));

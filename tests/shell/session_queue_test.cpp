@@ -2,47 +2,19 @@
 // A session's queue and results: what runs when, what the stage shows, and what one step of Undo is.
 #include <algorithm>
 #include <catch_amalgamated.hpp>
-#include <map>
 
 #include "core/document/binary.h"
 #include "core/document/json.h"
 #include "shell/commands.h"
-#include "shell/session.h"
 #include "tests/scene.h"
+#include "tests/shell/quiet_host.h"
 
 namespace gaitsmith::shell::test {
 
 namespace {
 
-// A place without workers: searches begin, and report what the test makes them report.
-class Stub final : public Host {
- public:
-  [[nodiscard]] int MaxWorkers() const override { return 1; }
-  void StartSearch(const Document& document, int) override { started.push_back(document); }
-  void StartTrial(const Document&, int, const TrialWords&) override {}
-  void PauseSearch() override {}
-  void ResumeSearch() override {}
-  void StopSearch() override { ++stops; }
-  void Status(const std::string& sentence) override { status = sentence; }
-  void SaveText(const std::string&, const std::string&) override {}
-  void DocumentChanged(const std::string&) override {}
-  void StoreFound(const std::string& id, const std::string& text) override { stored[id] = text; }
-  [[nodiscard]] double NowS() const override { return 1000.0 + static_cast<double>(started.size()); }
-
-  std::vector<Document> started;
-  std::map<std::string, std::string> stored;
-  int stops = 0;
-  std::string status;
-};
-
-std::string State(const Session& session) {
-  Document document = session.Doc();
-  document.view = {};
-  return EncodeJson(document);
-}
-
 // A genome that the search started last could have found.
-void Report(Session& session, const Stub& host, Gene gene, SearchState state) {
+void Report(Session& session, const QuietHost& host, Gene gene, SearchState state) {
   const Document& problem = host.started.back();
   SearchProgress progress{.state = state, .evaluations = 50, .budget = 100, .curve = {}, .best_genome = {}};
   progress.best_genome.assign(ProblemOf(problem).Shape().Genes(), gene);
@@ -67,7 +39,7 @@ std::vector<const FoundMotions::Entry*> Newest(const Session& session) {
 
 TEST_CASE("session: the queue runs one after another by itself and leaves the stage alone",
           "[shell][session][queue]") {
-  Stub host;
+  QuietHost host;
   Session session(host);
   const std::string before = State(session);
   QueueThree(session);
@@ -97,7 +69,7 @@ TEST_CASE("session: the queue runs one after another by itself and leaves the st
 }
 
 TEST_CASE("session: a result is shown as it was found, in one step", "[shell][session][found]") {
-  Stub host;
+  QuietHost host;
   Session session(host);
   QueueThree(session);
   REQUIRE(session.RunQueue());
@@ -123,7 +95,7 @@ TEST_CASE("session: a result is shown as it was found, in one step", "[shell][se
 
 TEST_CASE("session: one that fails does not stop the rest, and says so among the results",
           "[shell][session][queue]") {
-  Stub host;
+  QuietHost host;
   Session session(host);
   QueueThree(session);
   REQUIRE(session.RunQueue());
@@ -146,7 +118,7 @@ TEST_CASE("session: one that fails does not stop the rest, and says so among the
 }
 
 TEST_CASE("session: after Stop the others wait, until somebody says go on", "[shell][session][queue]") {
-  Stub host;
+  QuietHost host;
   Session session(host);
   QueueThree(session);
   REQUIRE(session.RunQueue());
@@ -176,7 +148,7 @@ TEST_CASE("session: after Stop the others wait, until somebody says go on", "[sh
 
 TEST_CASE("session: what is done to the document in hand does not concern a search of the queue",
           "[shell][session][queue]") {
-  Stub host;
+  QuietHost host;
   Session session(host);
   QueueThree(session);
   REQUIRE(session.RunQueue());
@@ -200,7 +172,7 @@ TEST_CASE("session: what is done to the document in hand does not concern a sear
 
 TEST_CASE("session: a search of the queue that the document in hand asks for is shown as it improves",
           "[shell][session][queue]") {
-  Stub host;
+  QuietHost host;
   Session session(host);
   session.ChooseProblem(0);
   session.BeginGesture();
@@ -241,7 +213,7 @@ TEST_CASE("session: a search of the queue that the document in hand asks for is 
 
 TEST_CASE("session: the queue follows a search of one's own, and one that ended because its document went",
           "[shell][session][queue]") {
-  Stub host;
+  QuietHost host;
   Session session(host);
   session.ChooseProblem(0);
   session.Synthesize();
@@ -262,7 +234,7 @@ TEST_CASE("session: the queue follows a search of one's own, and one that ended 
 
 TEST_CASE("session: five seeds are five more of this search, also when asked twice",
           "[shell][session][queue]") {
-  Stub host;
+  QuietHost host;
   Session session(host);
   session.ChooseProblem(0);
   session.Set([](Document& d) { d.search.seed = 3; });
@@ -279,7 +251,7 @@ TEST_CASE("session: five seeds are five more of this search, also when asked twi
 }
 
 TEST_CASE("session: the lab and the queue wait for each other", "[shell][session][queue]") {
-  Stub host;
+  QuietHost host;
   Session session(host);
   REQUIRE(session.StartLab(session.lab.settings));
   QueueThree(session);
@@ -291,7 +263,7 @@ TEST_CASE("session: the lab and the queue wait for each other", "[shell][session
 
 TEST_CASE("session: every search that found something is among the results, and Keep marks it",
           "[shell][session][found]") {
-  Stub host;
+  QuietHost host;
   Session session(host);
   session.ChooseProblem(0);
   CHECK_FALSE(session.KeepMotion());
@@ -320,7 +292,7 @@ TEST_CASE("session: every search that found something is among the results, and 
 }
 
 TEST_CASE("commands: of queue and results say why not, and do it when they can", "[shell][commands]") {
-  Stub host;
+  QuietHost host;
   Session session(host);
   const auto command = [&](std::string_view id) {
     const auto list = CommandsOf(session, false);
