@@ -17,6 +17,7 @@ import { HistoryButtons, startHeader } from './header.js';
 import { KeptResults } from './kept_results.js';
 import { guardKeys } from './keys.js';
 import { startDropping } from './dropping.js';
+import { Tour } from './tour.js';
 import { startSharing } from './sharing.js';
 import { chooseTheme, followTheme, nextTheme, startTheme, THEMES } from './theme.js';
 
@@ -99,7 +100,9 @@ async function start() {
   startDropping(app);
   if (matchMedia('(prefers-reduced-motion: reduce)').matches) app.play(false);
   new Narrator(app);
-  addCommands(commands, { autosave, palette: new Palette(commands), help: new HelpSheet(commands) });
+  const tour = new Tour(app, canvas);
+  addCommands(commands, { autosave, palette: new Palette(commands), help: new HelpSheet(commands), tour });
+  void gaitsmith.ready.then(() => tour.offer());
   statusLine.welcome('Press Synthesize to search for a better motion');
 
   canvas.addEventListener('webglcontextlost', () => {
@@ -115,8 +118,8 @@ function showTitle(title) {
   document.title = title ? `${title} — Gaitsmith` : 'Gaitsmith';
 }
 
-/** What the page itself can do; the application adds its own. @param {Commands} commands @param {{autosave: Autosave, palette: Palette, help: HelpSheet}} parts */
-function addCommands(commands, { autosave, palette, help }) {
+/** What the page itself can do; the application adds its own. @param {Commands} commands @param {{autosave: Autosave, palette: Palette, help: HelpSheet, tour: Tour}} parts */
+function addCommands(commands, { autosave, palette, help, tour }) {
   const click = Commands.click;
   commands.add([
     { id: 'document/open', group: 'Document', title: 'Open a file or a link', keys: ['Ctrl+o'], pressed: ['Ctrl+v'], run: click('open') },
@@ -125,6 +128,7 @@ function addCommands(commands, { autosave, palette, help }) {
     { id: 'view/theme', group: 'View', title: 'Next theme', keys: ['t'], run: nextTheme },
     { id: 'help/commands', group: 'Help', title: 'Find a command', keys: ['Ctrl+k'], run: () => palette.open() },
     { id: 'help/keys', group: 'Help', title: 'All keys', keys: ['?', 'F1'], run: () => help.open() },
+    { id: 'help/tour', group: 'Help', title: 'Tour of the playground', keys: [], run: () => tour.start() },
   ]);
   commands.addShelf(() => autosave.commands());
   commands.addShelf(() => Object.entries(THEMES).map(([theme, name]) => (

@@ -23,9 +23,10 @@ export class PageDriver {
    * Opens an address in a fresh profile (a context of its own: no cookies, storage or cache of others), or in another
    * tab of the profile of a page that is open.
    * @param {Browser} browser @param {string} address
-   * @param {{beside?: PageDriver, before?: () => void}} [options]  before: runs in the page before its own scripts
+   * @param {{beside?: PageDriver, before?: () => void, newcomer?: boolean}} [options]  before: runs in the page before its own
+   * scripts; newcomer: is offered the tour
    */
-  static async open(browser, address, { beside, before } = {}) {
+  static async open(browser, address, { beside, before, newcomer = false } = {}) {
     const context = beside ? beside.page.browserContext() : await browser.createBrowserContext();
     const page = await context.newPage();
     const driver = new PageDriver(page);
@@ -46,6 +47,7 @@ export class PageDriver {
       if (/^(https?|wss?):$/.test(url.protocol) && url.host !== host) complaints.push(`request to another host: ${url}`);
     });
     await page.evaluateOnNewDocument(keepWorkers);
+    if (!newcomer) await page.evaluateOnNewDocument(declineTour);
     if (before) await page.evaluateOnNewDocument(before);
     await driver.arrive(() => page.goto(address));
     return driver;
@@ -210,4 +212,12 @@ function keepWorkers() {
       }
     },
   });
+}
+
+function declineTour() {
+  try {
+    localStorage.setItem('gaitsmith-tour', 'offered');
+  } catch {
+    // Where storage is forbidden it is not offered.
+  }
 }
