@@ -55,7 +55,7 @@ Camera AimCamera(const Session& session, const StageState& state, const ImRect& 
   camera.left_m += state.pan_m;
   camera.origin = {rect.Min.x, ground_y};
   camera.pivot = static_cast<float>(x - camera.left_m) * camera.scale;
-  const float slope = session.Doc().environment.slope_rad;
+  const float slope = GroundAngle(session.Doc().environment, static_cast<float>(player.TimeS()));
   camera.sine = std::sin(slope);
   camera.cosine = std::cos(slope);
   return camera;

@@ -31,6 +31,17 @@ void DrawGroundAndGravity(Ui& ui, Session& session) {
                                    : ""))) {
     change(&Environment::slope_rad, slope * kDegree);
   }
+  double sway = static_cast<double>(world.sway_rad) / kDegree;
+  if (ui.Slider("world/sway", "Rocks", sway, {.low = 0.0, .high = 30.0, .step = 0.5},
+                sway == 0.0 ? "not" : "±" + Fixed(sway, 1) + "°")) {
+    change(&Environment::sway_rad, sway * kDegree);
+  }
+  double period = static_cast<double>(world.sway_period_s);
+  if (sway != 0.0 &&
+      ui.Slider("world/sway-period", "once in", period,
+                {.low = 0.5, .high = 20.0, .step = 0.1, .logarithmic = true}, Fixed(period, 1) + " s")) {
+    change(&Environment::sway_period_s, period);
+  }
   double friction = static_cast<double>(world.friction);
   if (ui.Slider("world/friction", "Friction", friction, {.low = 0.0, .high = 2.0, .step = 0.05},
                 Fixed(friction, 2) + (friction < 0.15  ? " ice"

@@ -10,7 +10,7 @@ namespace gaitsmith::shell {
 /// What the card remembers between frames.
 struct WorldCardState {
   bool open = false;
-  float height = 470.0f;  // of what it holds [points]
+  float height = 510.0f;  // of what it holds [points]
   int endpoint = 0;       // that the next push acts on: 0 the centre of mass, then the endpoints
   double strength_ns = 5.0;
   double direction_deg = 0.0;  // anticlockwise from the right along the ground

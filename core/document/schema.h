@@ -47,6 +47,9 @@ void Describe(Archive& ar, Environment& environment) {
   ar.Real("gravity_mps2", environment.gravity_mps2, 0.0f, 100.0f, standard.gravity_mps2);
   ar.Real("friction", environment.friction, 0.0f, 10.0f, standard.friction);
   ar.Real("slope_rad", environment.slope_rad, -0.6f, 0.6f, standard.slope_rad);
+  ar.Since(2, [&] { ar.Real("sway_rad", environment.sway_rad, 0.0f, 0.6f, standard.sway_rad); });
+  ar.Since(2,
+           [&] { ar.Real("sway_period_s", environment.sway_period_s, 0.5f, 60.0f, standard.sway_period_s); });
 }
 
 template <class Archive>

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/numeric/scalar_math.h"
 #include "core/physics/constants.h"
 
 namespace gaitsmith {
@@ -14,9 +15,20 @@ struct Environment {
   float gravity_mps2 = kStandardGravity;  // [0, 100]
   float friction = 0.8f;                  // Coulomb coefficient, [0, 10]
   float slope_rad = 0.0f;                 // uphill to the right, [-0.6, 0.6]
+  float sway_rad = 0.0f;                  // rocks so far about its slope, either way, [0, 0.6]
+  float sway_period_s = 4.0f;             // [0.5, 60]
 
   bool operator==(const Environment&) const = default;
 };
+
+/// How steep the ground is at a time from the start [s]. Like the deck of a ship far from its pivot: what
+/// rocks is the direction of gravity; that the ground itself is moved is left out.
+[[nodiscard]] inline float GroundAngle(const Environment& environment, float time_s) {
+  if (environment.sway_rad == 0.0f) return environment.slope_rad;
+  const float turns = time_s / environment.sway_period_s;
+  const float part = turns - static_cast<float>(static_cast<int>(turns));
+  return environment.slope_rad + environment.sway_rad * SinCos(2.0f * static_cast<float>(kPi) * part).sine;
+}
 
 /// The figure starts in its drawn pose, joints at rest, centre of mass at x = 0.
 struct StartState {

@@ -24,7 +24,10 @@ class Simulation {
   /// @param pushes sorted by step; must outlive the simulation, as must the skeleton
   Simulation(const Skeleton& skeleton, const Environment& environment, const StartState& start,
              std::span<const Push> pushes, float step_s = kStep)
-      : skeleton_(skeleton), pushes_(pushes), world_(skeleton, environment, step_s) {
+      : skeleton_(skeleton),
+        pushes_(pushes),
+        environment_(environment),
+        world_(skeleton, environment, step_s) {
     PlaceAtStart(start);
   }
 
@@ -43,6 +46,10 @@ class Simulation {
   void Step() {
     for (; next_push_ < pushes_.size() && pushes_[next_push_].step <= step_; ++next_push_) {
       Give(pushes_[next_push_]);
+    }
+    if (environment_.sway_rad != 0.0f) {
+      const float time_s = static_cast<float>(step_) * world_.step_s;
+      world_.Tilt(environment_.gravity_mps2, GroundAngle(environment_, time_s));
     }
     Fly<W>(skeleton_, world_, state_);
     MeetGround<W>(skeleton_, world_, state_);
@@ -185,6 +192,7 @@ class Simulation {
 
   const Skeleton& skeleton_;
   std::span<const Push> pushes_;
+  Environment environment_;
   World world_;
   MotionState<W> state_;
   const Bank<W>* bank_ = nullptr;  // at most one of the two

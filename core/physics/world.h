@@ -15,16 +15,21 @@ struct World {
         friction(environment.friction),
         mass_kg(skeleton.mass_kg),
         inverse_mass(1.0f / skeleton.mass_kg) {
-    const SineCosine slope = SinCos(environment.slope_rad);
-    fall_x = -environment.gravity_mps2 * slope.sine * step;
-    fall_y = -environment.gravity_mps2 * slope.cosine * step;
-    weight_n = mass_kg * environment.gravity_mps2 * slope.cosine;
+    weight_n = mass_kg * environment.gravity_mps2 * Tilt(environment.gravity_mps2, environment.slope_rad);
     max_ground_work_j = kMaxGroundWork * mass_kg * kStandardGravity * skeleton.longest_rod_m;
+  }
+
+  /// Gravity for ground of this slope. @return the slope's cosine
+  float Tilt(float gravity_mps2, float slope_rad) {
+    const SineCosine slope = SinCos(slope_rad);
+    fall_x = -gravity_mps2 * slope.sine * step_s;
+    fall_y = -gravity_mps2 * slope.cosine * step_s;
+    return slope.cosine;
   }
 
   float step_s, inverse_step;
   float fall_x, fall_y;  // change of velocity by gravity in a step [m/s]
-  float weight_n;        // normal to the ground
+  float weight_n;        // normal to the ground at its mean slope
   float friction;        // Coulomb coefficient
   float mass_kg, inverse_mass;
   float max_ground_work_j;  // see kMaxGroundWork

@@ -44,6 +44,42 @@ TEST_CASE("ground: on a slope, friction holds below its angle and lets slide abo
   REQUIRE(slid.At(300).x_m == Catch::Approx(-0.5 * pull * 9.0).epsilon(0.01));
 }
 
+TEST_CASE("ground: on ice that rocks, a rod goes where gravity's component takes it", "[physics][ground]") {
+  Environment environment;
+  environment.friction = 0.0f;
+  environment.sway_rad = 0.3f;
+  environment.sway_period_s = 1.7f;
+  for (const float slope : {0.0f, -0.1f}) {
+    environment.slope_rad = slope;
+    const Motion motion(LyingRod(), environment, StartState{}, {}, {}, {}, 600);
+    double speed = 0.0, x = 0.0;
+    for (int step = 0; step < 600; ++step) {
+      const double angle =
+          static_cast<double>(slope) + 0.3 * std::sin(2.0 * 3.14159265358979 * step * 0.01 / 1.7);
+      speed -= 9.8 * std::sin(angle) * 0.01;
+      x += speed * 0.01;
+    }
+    CAPTURE(slope, x);
+    REQUIRE(motion.At(600).velocity_x_mps == Catch::Approx(speed).margin(1e-4));
+    REQUIRE(motion.At(600).x_m == Catch::Approx(x).margin(1e-3));
+    REQUIRE(std::abs(motion.At(600).y_m - motion.At(0).y_m) < 1e-4f);
+  }
+}
+
+TEST_CASE("ground: rocking to the right is the mirror image of rocking to the left", "[physics][ground]") {
+  Environment environment;
+  environment.sway_rad = 0.2f;
+  environment.slope_rad = 0.05f;
+  const float half = 0.5f * environment.sway_period_s;
+  for (const float time : {0.0f, 0.3f, 1.1f, 3.9f, 40.2f}) {
+    const float here = GroundAngle(environment, time) - environment.slope_rad;
+    const float later = GroundAngle(environment, time + half) - environment.slope_rad;
+    CAPTURE(time);
+    REQUIRE(std::abs(here + later) < 1e-5f);
+    REQUIRE(std::abs(here) <= 0.2f);
+  }
+}
+
 TEST_CASE("ground: rest stays rest for a minute", "[physics][ground]") {
   for (const char* name : {"mr-star-man", "beryl-biped", "horse", "five-rod-fred"}) {
     CAPTURE(name);
