@@ -60,9 +60,9 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
   const float timeline_y = whole.Max.y - kTimelineHeight - (ui.Look().touch ? 14.0f : 0.0f);
   const float transport_y = timeline_y - kTransportHeight;
   const ImRect stage(whole.Min, {panel_x, transport_y});
-  DrawStage(ui, session_, stage_, stage);
+  const ImRect card = WorldCardOn(stage, stage_.world);
+  DrawStage(ui, session_, stage_, stage, stage_.world.open ? stage.Max.x - card.Min.x : 0.0f);
   if (stage_.world.open) {
-    const ImRect card = WorldCardOn(stage, stage_.world);
     ui.Frame(card, ui.Ink().panel, ui.Ink().line);
     DrawWorldCard(ui, session_, stage_.world, card);
   }

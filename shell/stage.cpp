@@ -271,7 +271,7 @@ void DrawFollowButton(Ui& ui, StageState& state, const ImRect& rect) {
 
 }  // namespace
 
-void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect) {
+void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, float covered) {
   const PartScope part = ui.Part("stage", "region", "Stage");
   const Terms& terms = session.player.TermsNow();
   ImGui::SetNextItemAllowOverlap();  // its buttons lie on it
@@ -282,13 +282,14 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect) 
                .value = Fixed(terms.travel_m, 2) + " m after " + Fixed(session.player.TimeS(), 2) + " s"});
   Zoom(state, touch);
   const float ground_y = ui.Look().Snap(rect.Max.y - std::clamp(0.178f * rect.GetHeight(), 62.0f, 130.0f));
-  TakePinch(session, state, rect, ground_y);
+  const ImRect free(rect.Min, {rect.Max.x - covered, rect.Max.y});
+  TakePinch(session, state, free, ground_y);
   const Scene scene{.ui = ui,
                     .session = session,
                     .player = session.player,
                     .list = ui.Canvas(),
                     .rect = rect,
-                    .camera = AimCamera(session, state, rect, ground_y),
+                    .camera = AimCamera(session, state, free, ground_y),
                     .ground_y = ground_y};
   const View& view = session.Doc().view;
   scene.list->PushClipRect(rect.Min, rect.Max, true);

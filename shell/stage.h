@@ -21,6 +21,7 @@ struct StageState {
   WorldCardState world;
 };
 
-void DrawStage(Ui&, Session&, StageState&, const ImRect&);
+/// @param covered of its right side by a card, which the figure keeps out of [points]
+void DrawStage(Ui&, Session&, StageState&, const ImRect&, float covered = 0.0f);
 
 }  // namespace gaitsmith::shell

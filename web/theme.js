@@ -20,7 +20,7 @@ const contrast = matchMedia('(prefers-contrast: more), (forced-colors: active)')
 /** @type {((look: Look) => void)[]} */
 const followers = [];
 const kept = remembered(KEY) ?? '';
-let chosen = kept in THEMES ? kept : 'system';
+let chosen = Object.hasOwn(THEMES, kept) ? kept : 'system';
 
 /** @returns {Look} */
 function look() {

@@ -17,6 +17,7 @@ import { PALETTE_SCENARIOS } from './palette_scenarios.mjs';
 import { QUEUE_SCENARIOS } from './queue_scenarios.mjs';
 import { WORLD_SCENARIOS } from './world_scenarios.mjs';
 import { RULE_SCENARIOS } from './rule_scenarios.mjs';
+import { THEME_SCENARIOS } from './theme_scenarios.mjs';
 import { TOUR_SCENARIOS } from './tour_scenarios.mjs';
 import { WALK_SCENARIOS } from './walk_scenarios.mjs';
 import { nativeHash } from './native.mjs';
@@ -245,6 +246,7 @@ export const SCENARIOS = [
   ...FIGURE_SCENARIOS,
   ...RULE_SCENARIOS,
   ...WALK_SCENARIOS,
+  ...THEME_SCENARIOS,
   ...TOUR_SCENARIOS,
 
   ['Undo waits until there is something to undo', async ({ browser, address }) => {

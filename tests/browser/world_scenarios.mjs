@@ -37,6 +37,10 @@ async function byNumber({ browser, address }) {
   const slope = await page.call('slope', () => window.gaitsmith.document().environment?.slope_rad ?? 0);
   assert.ok(slope > 0, `the ground rises by ${slope}`);
   assert.notEqual(await page.hash(), calm);
+  const level = await page.hash();
+  await page.click('world/sway');
+  assert.notEqual(await page.hash(), level, 'ground that rocks');
+  assert.ok(await widget(page, 'world/sway-period'), 'how fast it rocks can be set');
   const card = await widget(page, 'world/slope');
   await page.page.mouse.move((card?.rect.x ?? 0) + 40, (card?.rect.y ?? 0) + 100);
   await page.page.mouse.wheel({ deltaY: 2000 });

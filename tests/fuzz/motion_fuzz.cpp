@@ -26,7 +26,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     rod.parent_end = bits.Take(1) != 0 ? RodEnd::kEnd : RodEnd::kStart;
     d.figure.rods.push_back(rod);
   }
-  d.environment = {between(0.0f, 100.0f), between(0.0f, 10.0f), between(-0.6f, 0.6f)};
+  d.environment = {between(0.0f, 100.0f), between(0.0f, 10.0f), between(-0.6f, 0.6f), between(0.0f, 0.6f),
+                   between(0.5f, 60.0f)};
+  if (bits.Take(1) != 0) d.environment.sway_rad = 0.0f;
   d.start = {between(0.0f, 100.0f), between(-100.0f, 100.0f), between(-100.0f, 100.0f),
              between(-40.0f, 40.0f)};
   d.senses.kind = bits.Take(1) != 0 ? SenseKind::kTimer : SenseKind::kPhysical;
