@@ -142,6 +142,13 @@ void AddView(std::vector<Command>& list, Session& session) {
   add("poses", "past poses", &View::poses);
   add("trail", "the path of the centre of mass", &View::trail);
   add("forces", "contact forces", &View::forces);
+  const bool beside = session.SideBySide();
+  list.push_back(
+      {.id = "view/compare",
+       .group = "View",
+       .title = beside ? "Stop comparing side by side" : "Compare timer and senses side by side",
+       .why_not = session.ShownController() == nullptr ? "there is no motion yet" : "",
+       .run = [&session, beside] { beside ? session.StopComparing() : session.CompareDeciders(); }});
 }
 
 }  // namespace

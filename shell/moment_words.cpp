@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shell/moment_words.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -72,7 +73,12 @@ std::string DescriptionOf(const Session& session) {
   } else {
     words += " Nothing drives it: a search finds a controller.";
   }
-  return words + " " + ScoreWords(d.task, player.TermsNow());
+  words += " " + ScoreWords(d.task, player.TermsNow());
+  if (const Playback* other = session.SideBySide() ? session.Ghost() : nullptr) {
+    words += " Beside it, " + session.GhostWords() + ": " +
+             WayWords(other->Shown().TermsAt(std::min(frame, other->Shown().Frames() - 1)).travel_m) + ".";
+  }
+  return words;
 }
 
 }  // namespace gaitsmith::shell

@@ -121,6 +121,30 @@ void DrawRules(Ui& ui, Session& session, ControllerPanelState& state) {
   DrawRuleWhy(ui, why, session, *session.ShownController(), state.why);
 }
 
+// The same figure with a timer and with senses, side by side.
+void DrawComparison(Ui& ui, Session& session, const Controller& shown) {
+  const bool with_timer = RivalOf(shown) == Decider::kTimer;
+  const bool beside = session.SideBySide();
+  const bool awaits = !beside && session.AwaitsRival();
+  const std::string label = beside       ? "Stop comparing"
+                            : with_timer ? "Compare with a timer"
+                                         : "Compare with senses";
+  if (ui.Button("controller/compare", ui.ControlRow(), label, ButtonLook::kOutlined, !awaits,
+                awaits ? label + ": a search for it runs or waits" : "")) {
+    if (beside) {
+      session.StopComparing();
+    } else {
+      session.CompareDeciders();
+    }
+  }
+  if (awaits) {
+    ui.Paragraph(with_timer ? "A search with a timer runs or waits: what it finds comes to stand beside."
+                            : "A search with senses runs or waits: what it finds comes to stand beside.",
+                 Type::kNote);
+  }
+  ui.Gap(10.0f);
+}
+
 }  // namespace
 
 void DrawControllerPanel(Ui& ui, Session& session, ControllerPanelState& state) {
@@ -144,6 +168,7 @@ void DrawControllerPanel(Ui& ui, Session& session, ControllerPanelState& state) 
     ui.Gap(12.0f);
   }
   if (shown == nullptr) return;
+  DrawComparison(ui, session, *shown);
   if (shown->kind == ControllerKind::kNetwork) return DrawNetwork(ui, session, *shown);
   DrawRules(ui, session, state);
 }

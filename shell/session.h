@@ -84,13 +84,33 @@ class Session {
   /// Ground, gravity and pushes differ from what was opened.
   [[nodiscard]] bool WorldChanged() const;
   void ResetWorld();
+  [[nodiscard]] const Environment& CalmWorld() const { return calm_.environment; }
 
-  /// A second motion of the figure, drawn behind it: as it was before the last search, without what was done
-  /// to the world, or of another controller of the document in the same world, with the same pushes.
-  static constexpr int kNoGhost = -3, kEarlierGhost = -2, kCalmGhost = -1;  // others: index of the controller
+  /// A second motion of the figure, drawn behind it or beside it: as it was before the last search, without
+  /// what was done to the world, or of another controller in the same world, with the same pushes: one of the
+  /// document or a found one.
+  static constexpr int kFoundGhost = -4, kNoGhost = -3, kEarlierGhost = -2,
+                       kCalmGhost = -1;  // others: index of the controller
+  /// @param choice not kFoundGhost
   void ChooseGhost(int choice);
+  /// @return false: there is no such motion, or its figure has other rods
+  bool ChooseFoundGhost(const std::string& id);
   [[nodiscard]] int ChosenGhost() const { return ghost_; }
+  /// Id of the found motion that it is.
+  [[nodiscard]] const std::string& FoundGhostId() const { return found_ghost_id_; }
   [[nodiscard]] const Playback* Ghost() const { return ghost_ == kNoGhost ? nullptr : &ghost_player_; }
+  /// Whose it is: "without your changes", "timer 3.00 s".
+  [[nodiscard]] std::string GhostWords() const;
+  /// The ghost is at the moment that is shown.
+  void KeepGhostInTime() { ghost_player_.Seek(player.TimeS()); }
+  [[nodiscard]] bool SideBySide() const { return side_by_side_ && ghost_ != kNoGhost; }
+  void PutSideBySide(bool beside);
+  /// Beside the shown motion the best one that was found with the other kind of sense variables, for the same
+  /// figure and task; when there is none, a search for one begins, or waits in the queue.
+  void CompareDeciders();
+  void StopComparing();
+  /// What CompareDeciders has ordered is still being looked for.
+  [[nodiscard]] bool AwaitsRival() const;
 
   // The search.
   void Synthesize();
@@ -188,6 +208,8 @@ class Session {
   [[nodiscard]] bool BelongsOnStage() const;
   void ForgetProgress();
   void LoadGhost();
+  /// The found motion that was noted last stands beside, if it was ordered.
+  void MeetRival();
   void RunTrial();
   void OnTrialProgress(const SearchProgress&);
   void EndLab(LabState);
@@ -205,6 +227,10 @@ class Session {
   Document calm_;     // as it was opened, for its world
   Document earlier_;  // as it was before the last search, for the ghost
   int ghost_ = kNoGhost;
+  Document found_ghost_;  // the found motion that it is, if it is one
+  std::string found_ghost_id_;
+  bool side_by_side_ = false;
+  std::optional<Document> rival_;  // the search whose motion is to stand beside
   Playback ghost_player_;
   SearchProgress progress_;
   std::string progress_title_;
@@ -229,6 +255,9 @@ enum class Decider { kTimer, kSenses, kNetwork };
 [[nodiscard]] Decider DeciderOf(const Document&);
 /// Of the next search.
 void Decide(Document&, Decider);
+
+/// What a controller is compared with: a timer with senses, all others with a timer.
+[[nodiscard]] Decider RivalOf(const Controller&);
 
 /// "10 rules with physical senses", "10 rules with timer 0.80 s", "a network of 10 hidden nodes".
 [[nodiscard]] std::string ControllerWords(ControllerKind, const SenseSpec&, int rules);

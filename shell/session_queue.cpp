@@ -68,6 +68,7 @@ void Session::NoteFound() {
   motion.when_s = host_.NowS();
   noted_ = found.Add(std::move(motion), noted_);
   if (noted_.empty()) Say("What was found is not among the results: all of them are kept. Delete some.");
+  MeetRival();
 }
 
 bool Session::KeepMotion() {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The session's part in the world around the figure: pushes, ground and gravity, and the ghost to compare
-// with.
+// The session's part in the world around the figure: pushes, ground and gravity.
 #include <algorithm>
 #include <cmath>
 
@@ -8,16 +7,6 @@
 #include "shell/wording.h"
 
 namespace gaitsmith::shell {
-
-namespace {
-
-Document InWorld(Document document, const Document& other) {
-  document.environment = other.environment;
-  document.pushes = other.pushes;
-  return document;
-}
-
-}  // namespace
 
 bool Session::Kick(int endpoint, float impulse_x_ns, float impulse_y_ns) {
   const int step = std::min(player.Frame(), kMaxSteps - 1);
@@ -43,28 +32,10 @@ bool Session::WorldChanged() const {
 }
 
 void Session::ResetWorld() {
-  Change([&](Document& d) { d = InWorld(std::move(d), calm_); });
-}
-
-void Session::ChooseGhost(int choice) {
-  ghost_ = std::clamp(choice, kNoGhost, static_cast<int>(document_.controllers.size()) - 1);
-  LoadGhost();
-  host_.DocumentChanged(document_.title);
-}
-
-void Session::LoadGhost() {
-  if (ghost_ >= static_cast<int>(document_.controllers.size())) ghost_ = kNoGhost;
-  if (ghost_ == kEarlierGhost && !SameRods(earlier_.figure, document_.figure)) ghost_ = kNoGhost;
-  if (ghost_ == kNoGhost) return;
-  Document document = document_;
-  if (ghost_ == kEarlierGhost) {
-    document = InWorld(earlier_, document_);
-  } else if (ghost_ == kCalmGhost) {
-    document = InWorld(std::move(document), calm_);
-  } else {
-    document.timeline = {{.controller = ghost_, .start_step = 0}};
-  }
-  ghost_player_.Load(document, false);
+  Change([&](Document& d) {
+    d.environment = calm_.environment;
+    d.pushes = calm_.pushes;
+  });
 }
 
 }  // namespace gaitsmith::shell

@@ -5,6 +5,7 @@
 
 #include "shell/pinch.h"
 #include "shell/push_gesture.h"
+#include "shell/scene.h"
 #include "shell/session.h"
 #include "shell/widgets.h"
 #include "shell/world_card.h"
@@ -13,8 +14,7 @@ namespace gaitsmith::shell {
 
 /// What the stage remembers between frames: where a person looks, and what they hold.
 struct StageState {
-  float zoom = 1.0f;
-  double pan_m = 0.0;  // of the camera away from the figure
+  Gaze gaze;
   bool panning = false;
   PushGesture push;
   Pinch pinch;

@@ -2,9 +2,11 @@
 #include "shell/world_card.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/numeric/scalar_math.h"
+#include "shell/search_words.h"
 #include "shell/wording.h"
 
 namespace gaitsmith::shell {
@@ -95,15 +97,53 @@ void DrawPushes(Ui& ui, Session& session, WorldCardState& state) {
   }
 }
 
+// What searches have found for these rods, the newest first.
+std::vector<const FoundMotions::Entry*> Rivals(const Session& session) {
+  constexpr std::size_t kMost = 12;  // a list that a phone can show
+  std::vector<const FoundMotions::Entry*> rivals;
+  for (const FoundMotions::Entry* entry : session.found.Sorted(FoundMotions::Order::kNewest)) {
+    if (rivals.size() == kMost) break;
+    if (entry->motion.Moves() && SameRods(entry->motion.document.figure, session.Doc().figure))
+      rivals.push_back(entry);
+  }
+  return rivals;
+}
+
 void DrawGhostChoice(Ui& ui, Session& session) {
-  std::vector<std::string> choices = {"None", "Before the last search", "Without your changes"};
+  std::vector<std::string> choices = {"Nothing", "Before the last search", "Without your changes"};
   int number = 0;
   for (const Controller& controller : session.Doc().controllers) {
     ++number;
     choices.push_back(controller.name.empty() ? "Controller " + std::to_string(number) : controller.name);
   }
+  const int own = static_cast<int>(choices.size());
+  const std::vector<const FoundMotions::Entry*> rivals = Rivals(session);
   int chosen = session.ChosenGhost() - Session::kNoGhost;
-  if (ui.Combo("world/ghost", "Ghost", choices, chosen)) session.ChooseGhost(chosen + Session::kNoGhost);
+  for (const FoundMotions::Entry* entry : rivals) {
+    const Controller& controller = entry->motion.document.controllers.back();
+    if (session.ChosenGhost() == Session::kFoundGhost && session.FoundGhostId() == entry->id)
+      chosen = static_cast<int>(choices.size());
+    choices.push_back(Fixed(entry->motion.Score(), 2) + " · " +
+                      DeciderWords(controller.kind, controller.senses));
+  }
+  if (chosen < 0) {  // it has left the results meanwhile
+    chosen = static_cast<int>(choices.size());
+    choices.push_back(session.GhostWords());
+  }
+  ui.Heading("Compare");
+  if (ui.Combo("world/ghost", "With", choices, chosen)) {
+    if (chosen < own) {
+      session.ChooseGhost(chosen + Session::kNoGhost);
+    } else if (static_cast<std::size_t>(chosen - own) < rivals.size()) {
+      session.ChooseFoundGhost(rivals[static_cast<std::size_t>(chosen - own)]->id);
+    }
+  }
+  if (session.Ghost() == nullptr) return;
+  static constexpr std::array<std::string_view, 2> kPlaces = {"Behind it", "Beside it"};
+  int place = session.SideBySide() ? 1 : 0;
+  ui.Gap(6.0f);
+  if (ui.Segmented("world/beside", ui.ControlRow(), "Where the other is drawn", kPlaces, place))
+    session.PutSideBySide(place == 1);
 }
 
 }  // namespace

@@ -37,8 +37,8 @@ export class Narrator {
     if (moment !== this.#seen) {
       this.#seen = moment;
       this.#sinceMs = performance.now();
-      this.#describe();
     }
+    this.#describe(); // what stands beside may change while the moment does not
     if (performance.now() - this.#sinceMs < REST_MS || moment === this.#told) return;
     const before = this.#told;
     this.#told = moment;

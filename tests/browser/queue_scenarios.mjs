@@ -81,7 +81,8 @@ async function runsThrough({ browser, address }) {
   await untilResults(page, 2);
   await page.until('the end', () => document.querySelector('#status')?.textContent?.startsWith('Search done') ?? false);
   assert.equal(await stateOf(page), before, 'the stage belongs to the document in hand');
-  assert.equal((await widget(page, 'queue'))?.value, 'empty');
+  await page.until('an empty queue, as drawn', () =>
+    window.gaitsmith.widgets().find(({ id }) => id === 'queue')?.value === 'empty', 10000);
 
   await toEnd(page);
 

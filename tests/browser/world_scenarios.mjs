@@ -115,9 +115,46 @@ async function style({ browser, address }) {
   await page.close();
 }
 
+/** @param {Visit} visit */
+async function sideBySide({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  await page.call('open', () => {
+    const document = window.gaitsmith.document();
+    window.gaitsmith.open({ ...document, search: { ...document.search, evaluations: 400 } });
+  });
+  await page.click('panels/1');
+  await page.frames();
+  const before = await page.hash();
+  await page.click('transport/step'); // at rest the stage is described
+  const described = () => page.text('#description');
+  await page.click('controller/compare');
+  await page.until('a timer beside the senses', () =>
+    window.gaitsmith.widgets().some(({ id, label }) => id === 'controller/compare' && label === 'Stop comparing'), 30000);
+  await page.until('it is told', () => /Beside it, timer/.test(document.querySelector('#description')?.textContent ?? ''));
+  assert.equal(await page.hash(), before, 'the shown motion is as it was');
+  await page.click('world/open');
+  assert.match((await widget(page, 'world/ghost'))?.value ?? '', /timer/);
+  const at = async (/** @type {string} */ end) => {
+    await page.call('go', `window.gaitsmith.run('motion/${end}')`);
+    await page.until('it is told', `/after ${end === 'end' ? '10.00' : '0.00'} s/.test(document.querySelector('#description').textContent)`);
+    return (await described()).match(/Beside it, .*/)?.[0];
+  };
+  const calm = await at('end');
+  await at('start');
+  await page.click('world/push');
+  assert.notEqual(await page.hash(), before);
+  assert.notEqual(await at('end'), calm, 'the other was pushed too');
+  await page.click('controller/compare');
+  assert.equal((await widget(page, 'controller/compare'))?.label, 'Compare with a timer');
+  await page.until('it is told of one again', () => !/Beside it/.test(document.querySelector('#description')?.textContent ?? ''), 5000);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
 /** @type {[string, (visit: Visit) => Promise<void>][]} */
 export const WORLD_SCENARIOS = [
   ['the world by number: a push and a slope change the motion, a link carries them, reset takes them back', byNumber],
   ['the world by hand: a foot pulled on the stage is pushed, Undo takes it back; zoom and follow', byHand],
   ['a style tried from the shown motion leaves the search as it was, shows what was before as a ghost, and can be undone', style],
+  ['timer and senses side by side: a search finds the other, and a push meets both', sideBySide],
 ];

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// The motion that the shown one is compared with: whose it is, and that the same is done to both.
+#include <catch_amalgamated.hpp>
+
+#include "tests/shell/quiet_host.h"
+
+namespace gaitsmith::shell::test {
+namespace {
+
+// The search that was started last ends with this gene everywhere.
+void End(Session& session, const QuietHost& host, Gene gene) {
+  const Document& problem = host.started.back();
+  SearchProgress progress{
+      .state = SearchState::kDone, .evaluations = 50, .budget = 50, .curve = {}, .best_genome = {}};
+  progress.best_genome.assign(ProblemOf(problem).Shape().Genes(), gene);
+  progress.best_fitness = 1.0;
+  session.OnSearchProgress(progress);
+}
+
+std::uint64_t GhostHash(const Session& session) { return session.Ghost()->Shown().Hash(); }
+
+}  // namespace
+
+TEST_CASE("session: a timer is searched for the shown senses, and stands beside them",
+          "[shell][session][ghost]") {
+  QuietHost host;
+  Session session(host);
+  const std::string before = State(session);
+  session.CompareDeciders();
+  REQUIRE(host.started.size() == 1);
+  CHECK(host.started[0].senses.kind == SenseKind::kTimer);
+  CHECK(host.started[0].figure.name == session.Doc().figure.name);
+  CHECK(session.AwaitsRival());
+  CHECK_FALSE(session.SideBySide());
+  session.CompareDeciders();
+  CHECK(host.started.size() == 1);
+  CHECK(session.queue.Waiting().empty());
+
+  End(session, host, 30000);
+  CHECK_FALSE(session.AwaitsRival());
+  REQUIRE(session.SideBySide());
+  CHECK(session.GhostWords().find("timer") != std::string::npos);
+  CHECK(State(session) == before);
+  CHECK(GhostHash(session) != session.player.Shown().Hash());
+
+  // The same push to both; without it both are as they were.
+  const std::uint64_t calm = session.player.Shown().Hash();
+  const std::uint64_t ghost_calm = GhostHash(session);
+  session.player.Seek(0.5);
+  REQUIRE(session.Kick(kCentreOfMass, 6.0f, 3.0f));
+  CHECK(session.player.Shown().Hash() != calm);
+  const std::uint64_t ghost_pushed = GhostHash(session);
+  CHECK(ghost_pushed != ghost_calm);
+  Document expected = session.found.Sorted(FoundMotions::Order::kNewest)[0]->motion.document;
+  expected.pushes = session.Doc().pushes;
+  expected.duration_steps = session.Doc().duration_steps;
+  CHECK(ghost_pushed == Simulate(expected).Hash());
+  session.Undo();
+  CHECK(GhostHash(session) == ghost_calm);
+
+  session.player.Seek(1.25);
+  session.KeepGhostInTime();
+  CHECK(session.Ghost()->TimeS() == 1.25);
+}
+
+TEST_CASE("session: what was found before is compared at once, and nothing with another figure",
+          "[shell][session][ghost]") {
+  QuietHost host;
+  Session session(host);
+  session.CompareDeciders();
+  End(session, host, 20000);
+  session.StopComparing();
+  CHECK(session.Ghost() == nullptr);
+  session.CompareDeciders();
+  CHECK(host.started.size() == 1);
+  REQUIRE(session.SideBySide());
+  // The results may lose it, the stage does not.
+  session.found.Remove(session.FoundGhostId());
+  CHECK(session.Change([](Document& d) { d.environment.friction = 0.4f; }));
+  CHECK(session.SideBySide());
+  CHECK(session.GhostWords().find("timer") != std::string::npos);
+
+  int other = 0;
+  for (const Figure& figure : session.Figures()) {
+    if (!SameRods(figure, session.Doc().figure)) break;
+    ++other;
+  }
+  session.ChooseFigure(other);
+  CHECK(session.Ghost() == nullptr);
+  CHECK_FALSE(session.SideBySide());
+  CHECK_FALSE(session.ChooseFoundGhost("0123456789abcdef"));
+}
+
+TEST_CASE("session: a comparison waits behind a search that runs, and is given up with it",
+          "[shell][session][ghost]") {
+  QuietHost host;
+  Session session(host);
+  session.Synthesize();
+  session.CompareDeciders();
+  REQUIRE(host.started.size() == 1);
+  CHECK(session.queue.Waiting().size() == 1);
+  CHECK(session.AwaitsRival());
+  session.queue.Clear();
+  CHECK_FALSE(session.AwaitsRival());
+
+  session.New();
+  session.notice.clear();
+  session.CompareDeciders();
+  CHECK_FALSE(session.notice.empty());
+  CHECK(host.started.size() == 1);
+}
+
+}  // namespace gaitsmith::shell::test
