@@ -6,6 +6,13 @@
 #include <cmath>
 
 namespace gaitsmith::shell {
+namespace {
+
+// In a window's storage, by the key of a widget: a finger is on it, and nobody knows yet what it wants.
+constexpr ImGuiID kFingerKey = 0x66696e67;
+constexpr int kFingerWaits = 1;
+
+}  // namespace
 
 ImDrawList* Ui::Canvas() const {
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -75,6 +82,8 @@ Touch Ui::Area(std::string_view id, const ImRect& rect, Grab grab, Widget descri
     touch.pressed = ImGui::ButtonBehavior(rect, touch.id, &touch.hovered, &touch.held, flags);
     touch.held = touch.held && g.ActiveIdSource == ImGuiInputSource_Mouse;
     touch.began = touch.held && !was_held;
+    if (grab == Grab::kArrows && g.IO.MouseSource == ImGuiMouseSource_TouchScreen)
+      AwaitFinger(touch, was_held);
     if (grab != Grab::kDrag && touch.hovered && !theme_.touch) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   }
 
@@ -100,6 +109,20 @@ Touch Ui::Area(std::string_view id, const ImRect& rect, Grab grab, Widget descri
   return touch;
 }
 
+void Ui::AwaitFinger(Touch& touch, bool was_held) const {
+  ImGuiStorage* storage = ImGui::GetStateStorage();
+  const ImGuiID key = touch.id + kFingerKey;
+  if (touch.began) storage->SetInt(key, kFingerWaits);
+  if (storage->GetInt(key) != kFingerWaits) return;
+  if (!touch.held && !was_held) return storage->SetInt(key, 0);  // it went on to scroll
+  const ImVec2 moved = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0f);
+  const bool sideways = touch.held && std::abs(moved.x) >= 6.0f && std::abs(moved.x) >= std::abs(moved.y);
+  const bool lifted = !touch.held && was_held;
+  if (sideways || lifted) storage->SetInt(key, 0);
+  touch.held = touch.began = sideways || lifted;
+  touch.pressed = lifted;
+}
+
 void Ui::TakeKeyboard(const ImRect& rect, ImGuiID id, bool ring) const {
   ImGuiContext& g = *ImGui::GetCurrentContext();
   ImGuiWindow* window = ImGui::GetCurrentWindow();
@@ -119,7 +142,8 @@ void Ui::ScrollByTouch() const {
   if (g.IO.MouseSource != ImGuiMouseSource_TouchScreen || !g.IO.MouseDown[0]) return;
   if (!window->InnerRect.Contains(g.IO.MouseClickedPos[0]) || g.OpenPopupStack.Size > 0) return;
   const ImVec2 moved = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0f);
-  const bool mine = g.ActiveId == 0 || !g.ActiveIdHasBeenPressedBefore;
+  const bool mine = g.ActiveId == 0 || !g.ActiveIdHasBeenPressedBefore ||
+                    ImGui::GetStateStorage()->GetInt(g.ActiveId + kFingerKey) == kFingerWaits;
   if (!mine || std::abs(moved.y) < 8.0f || std::abs(moved.y) < std::abs(moved.x)) return;
   if (g.ActiveId != 0) ImGui::ClearActiveID();
   ImGui::SetScrollY(window->Scroll.y - g.IO.MouseDelta.y);

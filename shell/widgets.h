@@ -128,6 +128,9 @@ class Ui {
 
  private:
   void TakeKeyboard(const ImRect&, ImGuiID, bool ring) const;
+  /// A finger that comes down on a slider may be about to scroll: it counts once it goes sideways, or when it
+  /// is lifted where it came down.
+  void AwaitFinger(Touch&, bool was_held) const;
   ImU32 ButtonInk(ButtonLook, const ImRect&, const Touch&, bool enabled) const;
   void DrawKnob(ImVec2 centre, const Touch&, ImU32 colour) const;
 

@@ -182,6 +182,41 @@ async function embedded({ browser, address }) {
   await page.close();
 }
 
+/** @param {Visit} visit */
+async function tabKilled({ name, browser, address }) {
+  if (name !== 'Chromium') return; // the other one lets nobody kill a tab
+  const page = await PageDriver.open(browser, address);
+  await work(page, 'Before the crash');
+  const state = await stateOf(page);
+  await sleep(2600); // it is kept by itself, for nobody says goodbye
+  void page.page.goto('chrome://crash').catch(() => {});
+  await sleep(1000);
+  const next = await PageDriver.open(browser, address, { beside: page });
+  assert.equal(await stateOf(next), state);
+  assert.match(await next.status(), /^Your last work is back: Before the crash/);
+  assert.deepEqual(next.complaints, []);
+  await next.close();
+}
+
+/** @param {Visit} visit */
+async function graphicsLost({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  await work(page, 'Before the loss');
+  const state = await stateOf(page);
+  await page.call('loss', () => {
+    const canvas = document.querySelector('canvas');
+    const context = canvas?.getContext('webgl2') ?? canvas?.getContext('webgl');
+    context?.getExtension('WEBGL_lose_context')?.loseContext();
+  });
+  await page.until('a word about it', () => /graphics of this page were lost/.test(document.body.innerText), 5000);
+  await page.reload();
+  assert.equal(await stateOf(page), state);
+  await page.frames(4);
+  assert.ok((await page.stage()).spread > 10, 'drawn again');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
 /** @type {[string, (visit: Visit) => Promise<void>][]} */
 export const KEPT_WORK_SCENARIOS = [
   ['a reload brings back the work, and so does the bare address in another tab', reloadRestores],
@@ -191,4 +226,6 @@ export const KEPT_WORK_SCENARIOS = [
   ['where storage is forbidden, it is said once, and all else works', forbidden],
   ['where storage is full, it is said', full],
   ['inside another page nothing is kept', embedded],
+  ['a tab that is killed loses nothing', tabKilled],
+  ['where the graphics are lost the page says so, and a reload goes on', graphicsLost],
 ];

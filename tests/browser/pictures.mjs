@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Pictures of the page to look at, in build/screenshots: each panel in each theme on three screens.
 //   node tests/browser/pictures.mjs [words of the pictures to take, default all]
+//   node tests/browser/pictures.mjs docs    those that docs/pictures.md shows, into docs/pictures
 import assert from 'node:assert/strict';
-import { mkdir, readFile } from 'node:fs/promises';
+import { copyFile, mkdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { PageDriver } from './page_driver.mjs';
@@ -11,7 +12,8 @@ import { ROOT, serve, startChromium, stopAll } from './browsers.mjs';
 /** @type {[string, number, number, number][]} */
 const SCREENS = [['desk', 1280, 720, 1], ['large', 1920, 1080, 1], ['phone', 390, 844, 2]];
 const THEMES = ['light', 'dark', 'projector', 'contrast'];
-const PANELS = ['figure', 'controller', 'style', 'search', 'lab', 'timeline', 'world'];
+const PANELS = ['figure', 'controller', 'style', 'search', 'lab', 'timeline', 'world', 'beside'];
+const COMMANDS = new Map([['world', 'view/world'], ['beside', 'view/compare']]);
 const FOLDER = join(ROOT, 'build/screenshots');
 
 /** @param {import('./browsers.mjs').Browser} browser @param {string} address @returns {Promise<number>} how many */
@@ -24,7 +26,10 @@ export async function takePictures(browser, address, wanted = '') {
     const { page } = driver;
     const run = (/** @type {string} */ id) => page.evaluate((name) => window.gaitsmith.run(name), id);
     await page.setViewport({ width, height, deviceScaleFactor });
-    await page.evaluate((text) => window.gaitsmith.open(text), example);
+    await page.evaluate((text) => {
+      const document = JSON.parse(text);
+      window.gaitsmith.open({ ...document, search: { ...document.search, evaluations: 400 } });
+    }, example);
     // A moment in the middle, and standing still: a picture that moves shows nothing of a change.
     await page.evaluate(() => document.querySelector('canvas')?.focus());
     await driver.press('Home');
@@ -34,10 +39,13 @@ export async function takePictures(browser, address, wanted = '') {
       for (const panel of PANELS) {
         const name = `${screen}-${theme}-${panel}`;
         if (!name.includes(wanted) || (panel === 'timeline' && screen !== 'phone')) continue;
-        await run(panel === 'world' ? 'view/world' : `panel/${panel[0].toUpperCase()}${panel.slice(1)}`);
+        await run(COMMANDS.get(panel) ?? `panel/${panel[0].toUpperCase()}${panel.slice(1)}`);
+        // The first time, a short search finds what stands beside.
+        if (panel === 'beside') await driver.until('another motion beside', () =>
+          window.gaitsmith.commands().some(({ title }) => title === 'Stop comparing side by side'));
         await driver.frames(4);
         await page.screenshot({ path: /** @type {`${string}.png`} */ (join(FOLDER, `${name}.png`)) });
-        if (panel === 'world') await run('view/world');
+        if (COMMANDS.has(panel)) await run(COMMANDS.get(panel) ?? '');
         count++;
       }
     }
@@ -51,7 +59,12 @@ if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   const address = await serve(join(ROOT, 'build/site'));
   const browser = await startChromium();
   assert.ok(browser, 'Chromium is installed (./dev setup browsers)');
-  console.log(`${await takePictures(browser, address, process.argv[2])} pictures in build/screenshots`);
+  const docs = process.argv[2] === 'docs';
+  console.log(`${await takePictures(browser, address, docs ? '' : process.argv[2])} pictures in build/screenshots`);
+  if (docs) {
+    const text = await readFile(join(ROOT, 'docs/pictures.md'), 'utf8');
+    for (const [, name] of text.matchAll(/\(pictures\/(.+?\.png)\)/g)) await copyFile(join(FOLDER, name), join(ROOT, 'docs/pictures', name));
+  }
   await browser.close();
   await stopAll();
 }

@@ -8,6 +8,7 @@ import { ROOT } from './browsers.mjs';
 import { PageDriver, sleep } from './page_driver.mjs';
 import { AXE_SCENARIOS } from './axe_scenarios.mjs';
 import { FIGURE_SCENARIOS } from './figure_scenarios.mjs';
+import { FINGER_SCENARIOS } from './finger_scenarios.mjs';
 import { HISTORY_SCENARIOS } from './history_scenarios.mjs';
 import { KEPT_WORK_SCENARIOS } from './kept_work_scenarios.mjs';
 import { LAB_SCENARIOS } from './lab_scenarios.mjs';
@@ -246,6 +247,7 @@ export const SCENARIOS = [
   ...FIGURE_SCENARIOS,
   ...RULE_SCENARIOS,
   ...WALK_SCENARIOS,
+  ...FINGER_SCENARIOS,
   ...THEME_SCENARIOS,
   ...TOUR_SCENARIOS,
 
