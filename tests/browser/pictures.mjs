@@ -31,9 +31,10 @@ export async function takePictures(browser, address, wanted = '') {
       window.gaitsmith.open({ ...document, search: { ...document.search, evaluations: 400 } });
     }, example);
     // A moment in the middle, and standing still: a picture that moves shows nothing of a change.
-    await page.evaluate(() => document.querySelector('canvas')?.focus());
-    await driver.press('Home');
-    await driver.press('ArrowRight', 28);
+    await page.evaluate(() => {
+      window.gaitsmith.run('motion/start');
+      for (let frame = 0; frame < 310; frame++) window.gaitsmith.run('motion/forward');
+    });
     for (const theme of THEMES) {
       await run(`view/theme/${theme}`);
       for (const panel of PANELS) {
