@@ -102,7 +102,9 @@ class Session {
   /// Whose it is: "without your changes", "timer 3.00 s".
   [[nodiscard]] std::string GhostWords() const;
   /// The ghost is at the moment that is shown.
-  void KeepGhostInTime() { ghost_player_.Seek(player.TimeS()); }
+  void KeepGhostInTime() {
+    if (Ghost() != nullptr) ghost_player_.Seek(player.TimeS());
+  }
   [[nodiscard]] bool SideBySide() const { return side_by_side_ && ghost_ != kNoGhost; }
   void PutSideBySide(bool beside);
   /// Beside the shown motion the best one that was found with the other kind of sense variables, for the same

@@ -26,6 +26,8 @@ TEST_CASE("session: a timer is searched for the shown senses, and stands beside 
   QuietHost host;
   Session session(host);
   const std::string before = State(session);
+  session.KeepGhostInTime();  // there is none yet
+  CHECK(session.Ghost() == nullptr);
   session.CompareDeciders();
   REQUIRE(host.started.size() == 1);
   CHECK(host.started[0].senses.kind == SenseKind::kTimer);
