@@ -59,12 +59,13 @@ void Session::CompareDeciders() {
     Say("There is no motion to compare: press Synthesize.");
     return;
   }
-  side_by_side_ = true;
   Document wanted = document_;
   Decide(wanted, RivalOf(*shown));
   wanted.search.start = -1;
   for (const FoundMotions::Entry* entry : found.Sorted(FoundMotions::Order::kBest)) {
-    if (SuitsAsRival(entry->motion, wanted) && ChooseFoundGhost(entry->id)) return;
+    if (!SuitsAsRival(entry->motion, wanted) || !ChooseFoundGhost(entry->id)) continue;
+    side_by_side_ = true;
+    return;
   }
   if (AwaitsRival() || !Enqueue(wanted)) return;
   rival_ = std::move(wanted);
@@ -87,7 +88,7 @@ void Session::MeetRival() {
   const FoundMotions::Entry* entry = rival_ ? found.Find(noted_) : nullptr;
   if (entry == nullptr || !SuitsAsRival(entry->motion, *rival_)) return;
   rival_.reset();
-  if (side_by_side_) ChooseFoundGhost(noted_);
+  if (ChooseFoundGhost(noted_)) side_by_side_ = true;
 }
 
 void Session::LoadGhost() {

@@ -75,8 +75,10 @@ void Zoom(StageState& state, const Touch& touch) {
 }
 
 // What lies between the fingers stays there. Whatever one finger had begun is over.
-void TakePinch(Session& session, StageState& state, const ImRect& rect, float ground_y) {
-  state.pinch.area = rect;
+/// @param area of the whole stage. @param rect that the figure keeps in; another of its width may stand
+/// beside
+void TakePinch(Session& session, StageState& state, const ImRect& area, const ImRect& rect, float ground_y) {
+  state.pinch.area = area;
   if (!state.pinch.Holds()) return;
   if (state.push.drawn) session.player.Play(state.push.was_playing);
   state.push = {};
@@ -84,7 +86,8 @@ void TakePinch(Session& session, StageState& state, const ImRect& rect, float gr
   const Pinch::Change change = state.pinch.TakeChange();
   const auto metres = [&](float x) {
     const Camera camera = AimCamera(session.player, session.Doc().environment, state.gaze, rect, ground_y);
-    return camera.left_m + static_cast<double>((x - rect.Min.x) / camera.scale);
+    const float across = x > rect.Max.x ? x - rect.Max.x : x - rect.Min.x;
+    return camera.left_m + static_cast<double>(across / camera.scale);
   };
   const double held_m = metres(change.from.x);
   state.gaze.zoom = std::clamp(state.gaze.zoom * change.zoom, kLeastZoom, kMostZoom);
@@ -152,7 +155,7 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
   const float middle = two ? ui.Look().Snap(0.5f * (rect.Min.x + open_x)) : rect.Max.x;
   const ImRect own(rect.Min, {middle, rect.Max.y});
   const ImRect free(rect.Min, {std::min(middle, open_x), rect.Max.y});
-  TakePinch(session, state, free, ground_y);
+  TakePinch(session, state, {rect.Min, {open_x, rect.Max.y}}, free, ground_y);
   const Scene scene{
       .ui = ui,
       .session = session,
