@@ -105,6 +105,11 @@ async function start() {
   void gaitsmith.ready.then(() => tour.offer());
   statusLine.welcome('Press Synthesize to search for a better motion');
 
+  // SDL cancels every touch, and browsers warn of it where a busy page is asked too late to be able to.
+  for (const type of ['touchstart', 'touchmove', 'touchend']) {
+    canvas.addEventListener(type, (event) => { if (!event.cancelable) event.preventDefault = () => {}; }, { capture: true });
+  }
+
   canvas.addEventListener('webglcontextlost', () => {
     address.write();
     autosave.save();

@@ -32,9 +32,7 @@ export class PageDriver {
     const driver = new PageDriver(page);
     const { complaints } = driver;
     page.on('console', (message) => {
-      // Of drawing by software; and of touches that a busy machine answers late.
-      const harmless = /WebGL|GPU|GL Driver|software|Ignored attempt to cancel a touch/i;
-      if (['error', 'warn', 'assert'].includes(message.type()) && !harmless.test(message.text())) {
+      if (['error', 'warn', 'assert'].includes(message.type()) && !/WebGL|GPU|GL Driver|software/i.test(message.text())) {
         complaints.push(`console: ${message.text()}`);
       }
     });
