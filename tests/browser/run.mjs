@@ -56,7 +56,7 @@ for (const [name, start] of /** @type {const} */ ([['Chromium', startChromium], 
   console.log(`\n${name}: ${await browser.version()}`);
   const visit = /** @type {import('./scenarios.mjs').Visit} */ ({ name, browser, address, found: {}, link: '', figures: {} });
   visits.push(visit);
-  for (const [claim, body] of SCENARIOS.filter(([text]) => text.includes(wanted))) await check(`${name}: ${claim}`, () => body(visit));
+  for (const [claim, body] of SCENARIOS.filter(([text, , only = name]) => text.includes(wanted) && only === name)) await check(`${name}: ${claim}`, () => body(visit));
   await check(`${name}: golden motions have their pinned hashes`, async () => {
     const page = await PageDriver.open(browser, address);
     visit.figures['golden motions'] = await checkGoldens(page);

@@ -38,7 +38,7 @@ import { nativeHash } from './native.mjs';
 /** The searches of these tests are short: what they claim does not depend on length. */
 const EVALUATIONS = 8000;
 
-/** @type {[string, (visit: Visit) => Promise<void>][]} */
+/** What is claimed, how it is seen, and the only browser that can show it, if it is one. @type {[string, (visit: Visit) => Promise<void>, string?][]} */
 export const SCENARIOS = [
   ['opens without a complaint, and draws', async (visit) => {
     visit.page = await PageDriver.open(visit.browser, visit.address);
