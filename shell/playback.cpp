@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/document/composite.h"
+
 namespace gaitsmith::shell {
 
 void Playback::Load(const Document& document, bool start_over) {
-  motion_ = std::make_unique<Motion>(Simulate(document));
+  motion_ = std::make_unique<Motion>(motion_ ? SimulateAnew(document, shown_, std::move(*motion_))
+                                             : Simulate(document));
+  shown_ = document;
   if (start_over || time_s_ > DurationS()) time_s_ = 0.0;
   Measure();
   FindRuns();

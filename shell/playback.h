@@ -69,6 +69,7 @@ class Playback {
   void SmoothCamera();
 
   std::unique_ptr<Motion> motion_;
+  Document shown_;  // what it is the motion of
   double time_s_ = 0.0;
   bool playing_ = true;
   float reach_m_ = 1.0f;

@@ -20,10 +20,6 @@ struct Band {
   }
 };
 
-int EndOf(const Document& d, std::size_t clip) {
-  return clip + 1 < d.timeline.size() ? d.timeline[clip + 1].start_step : d.duration_steps;
-}
-
 void DrawClip(Ui& ui, Session& session, const Band& band, std::size_t index) {
   const Document& d = session.Doc();
   const Clip& clip = d.timeline[index];

@@ -125,6 +125,29 @@ Result<void> CheckSearch(const Document& d) {
           "must be a controller of the kind, the senses and the number of rules that are searched for");
     }
   }
+  if (search.in_place_of >= 0) {
+    const auto clip = static_cast<std::size_t>(search.in_place_of);
+    if (clip >= d.timeline.size()) {
+      return Fail(ErrorCode::kStructure, "search.in_place_of",
+                  "there is no clip " + std::to_string(clip) + ", the timeline has " +
+                      std::to_string(d.timeline.size()));
+    }
+    if (EndOf(d, clip) <= d.timeline[clip].start_step) {
+      return Fail(ErrorCode::kStructure, "search.in_place_of",
+                  "the motion ends before clip " + std::to_string(clip) + " begins");
+    }
+    if (!search.handovers.empty()) {
+      return Fail(ErrorCode::kStructure, "search.handovers", "cannot go together with in_place_of");
+    }
+  }
+  for (std::size_t i = 0; i < search.handovers.size(); ++i) {
+    const int controller = search.handovers[i].controller;
+    if (static_cast<std::size_t>(controller) >= d.controllers.size()) {
+      return Fail(ErrorCode::kStructure, Element("search.handovers", i, "controller"),
+                  "there is no controller " + std::to_string(controller) + ", the document has " +
+                      std::to_string(d.controllers.size()));
+    }
+  }
   const int side = search.torus.side;
   const bool genetic = search.algorithm == Algorithm::kGga || search.algorithm == Algorithm::kSsga;
   const int population = genetic                                ? search.genetic.population

@@ -65,7 +65,25 @@ Motion Simulate(const Document& d) {
 }
 
 Problem ProblemOf(const Document& d) {
-  return {d.figure, d.environment, d.start, d.pushes, d.task, d.senses, d.rules, d.kind};
+  Problem problem = {d.figure, d.environment, d.start, d.pushes, d.task, d.senses, d.rules, d.kind};
+  if (d.search.in_place_of >= 0) {
+    const auto clip = static_cast<std::size_t>(d.search.in_place_of);
+    const int start = d.timeline[clip].start_step;
+    problem.beginnings.push_back(
+        {d.controllers, {d.timeline.begin(), d.timeline.begin() + d.search.in_place_of}, start});
+    problem.task.duration_steps = EndOf(d, clip) - start;
+  }
+  if (!d.search.handovers.empty()) problem.beginnings.emplace_back();  // the start itself
+  for (const Handover& handover : d.search.handovers) {
+    problem.beginnings.push_back({{d.controllers[static_cast<std::size_t>(handover.controller)]},
+                                  {{.controller = 0, .start_step = 0}},
+                                  handover.step});
+  }
+  return problem;
+}
+
+int EndOf(const Document& d, std::size_t clip) {
+  return clip + 1 < d.timeline.size() ? d.timeline[clip + 1].start_step : d.duration_steps;
 }
 
 bool SuitsSearch(const Document& d, const Controller& controller) {
@@ -78,6 +96,7 @@ Problem ReplayProblem(const Document& d, const Controller& controller) {
   problem.rules = controller.rules;
   problem.kind = controller.kind;
   problem.task.duration_steps = d.duration_steps;
+  problem.beginnings.clear();
   return problem;
 }
 

@@ -55,6 +55,10 @@ struct Document {
 /// The motion the document describes. @param document valid
 [[nodiscard]] Motion Simulate(const Document& document);
 
+/// The step at which a clip of the timeline ends: where the next one takes over, or with the motion. May lie
+/// before its start, in a document whose motion ends before that. @param clip an index of the timeline
+[[nodiscard]] int EndOf(const Document& document, std::size_t clip);
+
 /// What its search settings ask for.
 [[nodiscard]] Problem ProblemOf(const Document&);
 [[nodiscard]] SearchSpace SpaceOf(const Document&);

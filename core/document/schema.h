@@ -159,6 +159,14 @@ void Describe(Archive& ar, SearchSettings& search) {
   ar.Real("creep", search.variation.creep, 0.001f, 1.0f, vary.creep);
   ar.Real("redraw", search.variation.redraw, 0.0f, 1.0f, vary.redraw);
   ar.Since(2, [&] { ar.Integer("start", search.start, -1, kMaxControllers - 1, standard.start); });
+  ar.Since(2,
+           [&] { ar.Integer("in_place_of", search.in_place_of, -1, kMaxClips - 1, standard.in_place_of); });
+  ar.Since(2, [&] {
+    ar.List("handovers", search.handovers, kMaxHandovers, [&](Handover& handover) {
+      ar.Integer("controller", handover.controller, 0, kMaxControllers - 1, 0);
+      ar.Integer("step", handover.step, 0, kMaxSteps - 1, 0);
+    });
+  });
   ar.Since(2, [&] { ar.Group("genetic", [&] { Describe(ar, search.genetic); }); });
   ar.Since(2, [&] { ar.Group("torus", [&] { Describe(ar, search.torus); }); });
   ar.Since(2, [&] { ar.Group("refine", [&] { Describe(ar, search.refine); }); });

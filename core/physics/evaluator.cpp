@@ -7,6 +7,27 @@
 
 namespace gaitsmith {
 
+void AddToMean(Evaluation& mean, const Evaluation& next, int before) {
+  const float share = 1.0f / static_cast<float>(before + 1);
+  const auto add = [&](float& value, float more) {
+    value = before == 0 ? more : value + (more - value) * share;
+  };
+  const bool broken = (before > 0 && mean.terms.broke_physics) || next.terms.broke_physics;
+  add(mean.terms.travel_m, next.terms.travel_m);
+  add(mean.terms.start_height_m, next.terms.start_height_m);
+  add(mean.terms.max_cm_height_m, next.terms.max_cm_height_m);
+  add(mean.terms.slip_sum_m, next.terms.slip_sum_m);
+  add(mean.terms.rotations, next.terms.rotations);
+  add(mean.terms.effort_rad, next.terms.effort_rad);
+  add(mean.terms.upright, next.terms.upright);
+  add(mean.terms.smoothness_radps2, next.terms.smoothness_radps2);
+  add(mean.terms.head_height_m, next.terms.head_height_m);
+  mean.terms.broke_physics = broken;
+  const bool is_void = (before > 0 && mean.fitness <= kVoidScore) || next.fitness <= kVoidScore;
+  add(mean.fitness, next.fitness);
+  if (is_void) mean.fitness = kVoidScore;
+}
+
 std::vector<std::array<float, 2>> JointLimits(const Skeleton& skeleton) {
   std::vector<std::array<float, 2>> limits;
   for (int joint = 0; joint < skeleton.joints; ++joint) {
@@ -16,12 +37,38 @@ std::vector<std::array<float, 2>> JointLimits(const Skeleton& skeleton) {
   return limits;
 }
 
+namespace {
+
+// The state at the end of a beginning.
+Moment<1> MomentAfter(const Beginning& beginning, const Problem& problem, const Skeleton& skeleton,
+                      std::span<const std::array<float, 2>> limits) {
+  Simulation<1> simulation(skeleton, problem.environment, problem.start, problem.pushes);
+  std::vector<Controllers<1>> decoded;
+  for (const Controller& controller : beginning.controllers) {
+    const std::span<const Gene> genes(controller.genes);
+    decoded.push_back(DecodeControllers<1>(controller.Shape(skeleton.rods), controller.senses,
+                                           std::span(&genes, 1), limits, kStep));
+  }
+  std::size_t next = 0;
+  for (int step = 0; step < beginning.steps; ++step) {
+    for (; next < beginning.clips.size() && beginning.clips[next].start_step <= step; ++next)
+      simulation.Follow(decoded[static_cast<std::size_t>(beginning.clips[next].controller)]);
+    simulation.Step();
+  }
+  return simulation.Save();
+}
+
+}  // namespace
+
 Evaluator::Evaluator(const Problem& problem, Width width, bool with_hash)
     : problem_(problem),
       skeleton_(problem.figure),
       joint_limits_(JointLimits(skeleton_)),
       width_(width),
-      with_hash_(with_hash) {}
+      with_hash_(with_hash) {
+  for (const Beginning& beginning : problem_.beginnings)
+    moments_.push_back(MomentAfter(beginning, problem_, skeleton_, joint_limits_));
+}
 
 Evaluator::Evaluator(const Problem& problem, bool with_hash)
     : Evaluator(problem, {kDefaultLanes, &EvaluateWidth<kDefaultLanes>}, with_hash) {}

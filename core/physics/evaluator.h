@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/physics/motion_state.h"
 #include "core/physics/problem.h"
 #include "core/physics/skeleton.h"
 
@@ -14,10 +15,13 @@ namespace gaitsmith {
 
 /// What one motion was worth.
 struct Evaluation {
-  float fitness = kVoidScore;
-  Terms terms;                        // further ones only where the task weighs them
+  float fitness = kVoidScore;         // with several beginnings: the mean, void if one is
+  Terms terms;                        // likewise; further ones only where the task weighs them
   std::uint64_t trajectory_hash = 0;  // only filled when asked for
 };
+
+/// Takes one more of several evaluations into their mean. @param before how many are in it
+void AddToMean(Evaluation& mean, const Evaluation& next, int before);
 
 class Evaluator {
  public:
@@ -52,6 +56,7 @@ class Evaluator {
   Problem problem_;
   Skeleton skeleton_;
   std::vector<std::array<float, 2>> joint_limits_;
+  std::vector<Moment<1>> moments_;  // of the problem's beginnings
   Width width_;
   bool with_hash_;
 };

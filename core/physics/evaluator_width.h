@@ -2,6 +2,7 @@
 // How the evaluator simulates W figures side by side. Only for evaluator*.cpp.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -17,27 +18,36 @@ void Evaluator::EvaluateWidth(const Evaluator& evaluator, std::span<const std::s
   const Problem& problem = evaluator.problem_;
   const Controllers<W> controllers =
       DecodeControllers<W>(problem.Shape(), problem.senses, genomes, evaluator.joint_limits_, kStep);
-  Simulation<W> simulation(evaluator.skeleton_, problem.environment, problem.start, problem.pushes);
-  simulation.Follow(controllers);
-  // Most searches weigh none of the further terms, and then nobody measures them.
-  std::optional<StyleMeter<W>> meter;
   const FurtherTerms weighted = WeightedFurtherTerms(problem.task);
-  if (weighted != FurtherTerms{}) {
-    meter.emplace(evaluator.skeleton_, simulation.State(), weighted, kStep);
-  }
   std::array<TrajectoryHash, W> hashes;
-  for (int step = 0; step < problem.task.duration_steps; ++step) {
-    simulation.Step();
-    if (meter) meter->Add();
-    if (!evaluator.with_hash_) continue;
-    for (int lane = 0; lane < W; ++lane) simulation.AddTo(hashes[static_cast<std::size_t>(lane)], lane);
+  const std::size_t beginnings = evaluator.moments_.size();
+  for (std::size_t begin = 0; begin < std::max<std::size_t>(1, beginnings); ++begin) {
+    Simulation<W> simulation(evaluator.skeleton_, problem.environment, problem.start, problem.pushes);
+    if (beginnings > 0) simulation.BeginAt(evaluator.moments_[begin]);
+    simulation.Follow(controllers);
+    // Most searches weigh none of the further terms, and then nobody measures them.
+    std::optional<StyleMeter<W>> meter;
+    if (weighted != FurtherTerms{}) meter.emplace(evaluator.skeleton_, simulation.State(), weighted, kStep);
+    for (int step = 0; step < problem.task.duration_steps; ++step) {
+      simulation.Step();
+      if (meter) meter->Add();
+      if (!evaluator.with_hash_) continue;
+      for (int lane = 0; lane < W; ++lane) simulation.AddTo(hashes[static_cast<std::size_t>(lane)], lane);
+    }
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      Evaluation result;
+      result.terms = simulation.TermsOf(static_cast<int>(i));
+      if (meter) meter->Put(static_cast<int>(i), result.terms);
+      result.fitness = Fitness(problem.task, result.terms);
+      if (beginnings > 1) {
+        AddToMean(results[i], result, static_cast<int>(begin));
+      } else {
+        results[i] = result;
+      }
+    }
   }
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    results[i].terms = simulation.TermsOf(static_cast<int>(i));
-    if (meter) meter->Put(static_cast<int>(i), results[i].terms);
-    results[i].fitness = Fitness(problem.task, results[i].terms);
-    if (evaluator.with_hash_) results[i].trajectory_hash = hashes[i].Value();
-  }
+  if (!evaluator.with_hash_) return;
+  for (std::size_t i = 0; i < results.size(); ++i) results[i].trajectory_hash = hashes[i].Value();
 }
 
 }  // namespace gaitsmith

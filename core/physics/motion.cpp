@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/physics/motion.h"
 
+#include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "core/physics/evaluator.h"
 #include "core/physics/simulation.h"
@@ -10,6 +12,8 @@
 namespace gaitsmith {
 
 namespace {
+
+constexpr int kCheckpointSteps = 100;
 
 /// Bit i: input i of the network is 1.
 std::uint64_t FiringBits(const MotionState<1>& s) {
@@ -21,23 +25,62 @@ std::uint64_t FiringBits(const MotionState<1>& s) {
 
 }  // namespace
 
+struct Motion::Checkpoint {
+  Moment<1> moment;  // before a clip that begins here takes over
+  StyleMeter<1>::Sums sums;
+  TrajectoryHash hash;
+  int clip;
+};
+
+Motion::Motion(Motion&&) noexcept = default;
+Motion& Motion::operator=(Motion&&) noexcept = default;
+Motion::~Motion() = default;
+
 Motion::Motion(const Figure& figure, const Environment& environment, const StartState& start,
                std::span<const Push> pushes, std::span<const Controller> controllers,
                std::span<const Clip> clips, int steps, float step_s)
     : skeleton_(figure), step_s_(step_s), senses_per_frame_(SenseCount(SenseKind::kPhysical, figure.Rods())) {
+  Run(environment, start, pushes, controllers, clips, steps);
+}
+
+Motion::Motion(Motion known, int parting, const Figure& figure, const Environment& environment,
+               const StartState& start, std::span<const Push> pushes, std::span<const Controller> controllers,
+               std::span<const Clip> clips, int steps)
+    : Motion(std::move(known)) {
+  skeleton_ = Skeleton(figure);
+  senses_per_frame_ = SenseCount(SenseKind::kPhysical, figure.Rods());
+  Rewind(std::min(parting, steps));
+  Run(environment, start, pushes, controllers, clips, steps);
+}
+
+void Motion::Rewind(int step) {
+  while (!checkpoints_.empty() && checkpoints_.back().moment.step > step) checkpoints_.pop_back();
+  const std::size_t frames =
+      checkpoints_.empty() ? 0 : static_cast<std::size_t>(checkpoints_.back().moment.step) + 1;
+  frames_.resize(frames);
+  terms_.resize(frames);
+  endpoints_.resize(frames * static_cast<std::size_t>(skeleton_.endpoints));
+  forces_.resize(endpoints_.size());
+  angles_.resize(frames * static_cast<std::size_t>(skeleton_.joints));
+  rates_.resize(angles_.size());
+  senses_.resize(frames * static_cast<std::size_t>(senses_per_frame_));
+}
+
+void Motion::Run(const Environment& environment, const StartState& start, std::span<const Push> pushes,
+                 std::span<const Controller> controllers, std::span<const Clip> clips, int steps) {
   const auto limits = JointLimits(skeleton_);
   std::vector<Controllers<1>> decoded;
   decoded.reserve(clips.size());
   for (const Clip& clip : clips) {
     const Controller& controller = controllers[static_cast<std::size_t>(clip.controller)];
     const std::span<const Gene> genes(controller.genes);
-    decoded.push_back(DecodeControllers<1>(controller.Shape(figure.Rods()), controller.senses,
-                                           std::span(&genes, 1), limits, step_s));
+    decoded.push_back(DecodeControllers<1>(controller.Shape(skeleton_.rods), controller.senses,
+                                           std::span(&genes, 1), limits, step_s_));
   }
 
-  Simulation<1> simulation(skeleton_, environment, start, pushes, step_s);
+  Simulation<1> simulation(skeleton_, environment, start, pushes, step_s_);
   const MotionState<1>& s = simulation.State();
-  StyleMeter<1> meter(skeleton_, s, kAllFurtherTerms, step_s);
+  StyleMeter<1> meter(skeleton_, s, kAllFurtherTerms, step_s_);
   TrajectoryHash hash;
   int clip = -1;
   const auto record = [&] {
@@ -55,7 +98,7 @@ Motion::Motion(const Figure& figure, const Environment& environment, const Start
     for (std::size_t k = 0; k < static_cast<std::size_t>(skeleton_.endpoints); ++k) {
       const float x = s.PoseNow().endpoint_x[k][0], y = s.PoseNow().endpoint_y[k][0];
       endpoints_.push_back({s.cosine[0] * x - s.sine[0] * y, s.sine[0] * x + s.cosine[0] * y});
-      forces_.push_back({s.last_tangent[k][0] / step_s, s.last_normal[k][0] / step_s});
+      forces_.push_back({s.last_tangent[k][0] / step_s_, s.last_normal[k][0] / step_s_});
     }
     for (std::size_t j = 0; j < static_cast<std::size_t>(skeleton_.joints); ++j) {
       angles_.push_back(s.angle_rad[j][0]);
@@ -72,9 +115,20 @@ Motion::Motion(const Figure& figure, const Environment& environment, const Start
       simulation.Follow(decoded[static_cast<std::size_t>(clip)]);
     }
   };
-  take_over(0);
-  record();
-  for (int step = 0; step < steps; ++step) {
+  if (checkpoints_.empty()) {
+    take_over(0);
+    record();
+  } else {
+    const Checkpoint& last = checkpoints_.back();
+    clip = last.clip;
+    simulation.Restore(last.moment, clip < 0 ? nullptr : &decoded[static_cast<std::size_t>(clip)]);
+    meter.Restore(last.sums);
+    hash = last.hash;
+    checkpoints_.pop_back();
+  }
+  for (int step = static_cast<int>(frames_.size()) - 1; step < steps; ++step) {
+    if (step % kCheckpointSteps == 0 && step > 0)
+      checkpoints_.push_back({simulation.Save(), meter.Save(), hash, clip});
     take_over(step);
     simulation.Step();
     meter.Add();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -10,13 +11,6 @@
 #include "core/physics/skeleton.h"
 
 namespace gaitsmith {
-
-/// A controller that takes over at a step. The whole state of the figure, joint rates included, carries
-/// across.
-struct Clip {
-  int controller = 0;  // index into the document's controllers
-  int start_step = 0;
-};
 
 class Motion {
  public:
@@ -27,6 +21,15 @@ class Motion {
   Motion(const Figure& figure, const Environment& environment, const StartState& start,
          std::span<const Push> pushes, std::span<const Controller> controllers, std::span<const Clip> clips,
          int steps, float step_s = kStep);
+  /// The same, where another motion of the same figure, ground and start is known: what they have in common
+  /// is taken from it, and only the rest is simulated. Not a bit differs.
+  /// @param parting all that acts before this step acts in both motions: clips, controllers and pushes
+  Motion(Motion known, int parting, const Figure& figure, const Environment& environment,
+         const StartState& start, std::span<const Push> pushes, std::span<const Controller> controllers,
+         std::span<const Clip> clips, int steps);
+  Motion(Motion&&) noexcept;
+  Motion& operator=(Motion&&) noexcept;
+  ~Motion();
 
   /// Everything about one instant; frame 0 is the start.
   struct Frame {
@@ -76,6 +79,15 @@ class Motion {
     return static_cast<std::size_t>(frame) * static_cast<std::size_t>(width);
   }
 
+  /// States to go on from, one a second.
+  struct Checkpoint;
+
+  /// Simulates on from the last checkpoint.
+  void Run(const Environment&, const StartState&, std::span<const Push>, std::span<const Controller>,
+           std::span<const Clip>, int steps);
+  /// Forgets all from the last checkpoint at or before a step.
+  void Rewind(int step);
+
   Skeleton skeleton_;
   float step_s_;
   int senses_per_frame_ = 0;
@@ -84,6 +96,7 @@ class Motion {
   std::vector<Point> endpoints_, forces_;       // (frames x endpoints)
   std::vector<float> angles_, rates_, senses_;  // (frames x joints), (frames x joints), (frames x senses)
   std::uint64_t hash_ = 0;
+  std::vector<Checkpoint> checkpoints_;
 };
 
 }  // namespace gaitsmith

@@ -70,4 +70,40 @@ struct MotionState {
   [[nodiscard]] Pose<W>& NextPose() { return poses[static_cast<std::size_t>(1 - now)]; }
 };
 
+/// A moment of a motion, from which it can go on as if it had never been left.
+template <int W>
+struct Moment {
+  MotionState<W> state;
+  int step = 0;         // since the start
+  int timer_steps = 0;  // since the controller in charge took over
+};
+
+/// Puts every lane where one figure is, its joint rates and what its endpoints bear included, and measures
+/// from there. What a controller keeps is left to the next one.
+template <int W>
+void SpreadState(const MotionState<1>& one, MotionState<W>& all) {
+  using L = Lane<W>;
+  const auto spread = [](const auto& from, auto& to) {
+    for (std::size_t i = 0; i < from.size(); ++i) to[i] = L::Splat(from[i][0]);
+  };
+  all = {};
+  all.height_m = all.start_height_m = all.greatest_height_m = L::Splat(one.height_m[0]);
+  all.velocity_x = L::Splat(one.velocity_x[0]);
+  all.velocity_y = L::Splat(one.velocity_y[0]);
+  all.angular_momentum = L::Splat(one.angular_momentum[0]);
+  all.turn_rad = one.turn_rad[0] - typename L::D{};
+  all.sine = L::Splat(one.sine[0]);
+  all.cosine = L::Splat(one.cosine[0]);
+  all.spin = L::Splat(one.spin[0]);
+  spread(one.angle_rad, all.angle_rad);
+  spread(one.rate_radps, all.rate_radps);
+  const Pose<1>& pose = one.PoseNow();
+  spread(pose.endpoint_x, all.poses[0].endpoint_x);
+  spread(pose.endpoint_y, all.poses[0].endpoint_y);
+  spread(pose.middle_x, all.poses[0].middle_x);
+  spread(pose.middle_y, all.poses[0].middle_y);
+  spread(one.last_normal, all.last_normal);
+  spread(one.last_tangent, all.last_tangent);
+}
+
 }  // namespace gaitsmith

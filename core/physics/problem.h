@@ -11,6 +11,20 @@
 
 namespace gaitsmith {
 
+/// A controller that takes over at a step. The whole state of the figure, joint rates included, carries
+/// across.
+struct Clip {
+  int controller = 0;  // index into a list of controllers
+  int start_step = 0;
+};
+
+/// What the figure does before the controller that is scored takes over.
+struct Beginning {
+  std::vector<Controller> controllers;
+  std::vector<Clip> clips;  // sorted by start_step, the first at 0; with none it holds its drawn pose
+  int steps = 0;            // [0, kMaxSteps]
+};
+
 struct Problem {
   Figure figure;  // valid
   Environment environment;
@@ -20,6 +34,9 @@ struct Problem {
   SenseSpec senses;
   int rules = 10;  // or a network's hidden nodes, [1, kMaxRules]
   ControllerKind kind = ControllerKind::kRules;
+  /// Where the controller takes over; none: at the start. With several it is scored from each of them, and
+  /// what counts is the mean: a robust controller [Fukunaga 1994, section 6].
+  std::vector<Beginning> beginnings = {};
 
   [[nodiscard]] ControllerShape Shape() const { return {kind, rules, senses.kind, figure.Rods()}; }
 };

@@ -27,7 +27,8 @@ class Simulation {
       : skeleton_(skeleton),
         pushes_(pushes),
         environment_(environment),
-        world_(skeleton, environment, step_s) {
+        world_(skeleton, environment, step_s),
+        start_turn_rad_(static_cast<double>(skeleton.start_angle_rad)) {
     PlaceAtStart(start);
   }
 
@@ -40,6 +41,26 @@ class Simulation {
     state_.rule = I{};
     if (network_ != nullptr) return network_->Begin(state_.network, state_.response);
     for (int lane = 0; lane < W; ++lane) bank_->Respond(0, lane, state_.response);
+  }
+
+  [[nodiscard]] Moment<W> Save() const { return {state_, step_, timer_steps_}; }
+  /// @param moment of a simulation with the same figure, step and ground, and the same pushes before it
+  /// @param controllers in charge at that moment; null: none
+  void Restore(const Moment<W>& moment, const Controllers<W>* controllers) {
+    state_ = moment.state;
+    step_ = moment.step;
+    timer_steps_ = moment.timer_steps;
+    bank_ = controllers == nullptr ? nullptr : std::get_if<Bank<W>>(controllers);
+    network_ = controllers == nullptr ? nullptr : std::get_if<Network<W>>(controllers);
+    SkipPushes();
+  }
+  /// Every lane begins as one figure was at a moment, at rest or not; what is measured is measured from
+  /// there.
+  void BeginAt(const Moment<1>& moment) {
+    SpreadState<W>(moment.state, state_);
+    step_ = moment.step;
+    start_turn_rad_ = moment.state.turn_rad[0];
+    SkipPushes();
   }
 
   /// Advances every figure by one step.
@@ -71,7 +92,7 @@ class Simulation {
     terms.start_height_m = s.start_height_m[lane];
     terms.max_cm_height_m = s.greatest_height_m[lane];
     terms.slip_sum_m = s.slip_m[lane];
-    const double turns = (s.turn_rad[lane] - static_cast<double>(skeleton_.start_angle_rad)) / (2.0 * kPi);
+    const double turns = (s.turn_rad[lane] - start_turn_rad_) / (2.0 * kPi);
     terms.rotations = static_cast<float>(turns < 0.0 ? -turns : turns);
     terms.broke_physics =
         s.broken[lane] != 0 || !std::isfinite(s.distance_m[lane]) || !std::isfinite(s.height_m[lane]);
@@ -108,6 +129,12 @@ class Simulation {
       lowest = L::Min(height_of(k), lowest);
     }
     s.height_m = s.start_height_m = s.greatest_height_m = L::Splat(start.drop_height_m) - lowest;
+  }
+
+  /// Past those that were given before the present step.
+  void SkipPushes() {
+    next_push_ = 0;
+    while (next_push_ < pushes_.size() && pushes_[next_push_].step < step_) ++next_push_;
   }
 
   void Give(const Push& push) {
@@ -195,6 +222,7 @@ class Simulation {
   Environment environment_;
   World world_;
   MotionState<W> state_;
+  double start_turn_rad_;          // of the root rod
   const Bank<W>* bank_ = nullptr;  // at most one of the two
   const Network<W>* network_ = nullptr;
   int step_ = 0;

@@ -18,46 +18,58 @@ class StyleMeter {
   using D = typename L::D;
 
  public:
+  /// What has been summed up so far.
+  struct Sums {
+    int steps = 0;
+    std::array<F, kMaxJoints> rate_radps{};  // of each joint before the step
+    D turned_rad{}, rate_change_radps{}, upright{}, head_m{};
+  };
+  [[nodiscard]] const Sums& Save() const { return sums_; }
+  void Restore(const Sums& sums) { sums_ = sums; }
+
   /// @param skeleton, state of a simulation that has not stepped yet; both must outlive the meter
   /// @param wanted          terms to measure; the others stay 0
   StyleMeter(const Skeleton& skeleton, const MotionState<W>& state, const FurtherTerms& wanted, float step_s)
-      : skeleton_(skeleton), state_(state), wanted_(wanted), step_s_(step_s), rate_radps_(state.rate_radps) {}
+      : skeleton_(skeleton), state_(state), wanted_(wanted), step_s_(step_s) {
+    sums_.rate_radps = state.rate_radps;
+  }
 
   /// Call it after every step. A step's sum over the joints is single, the motion's sum double precision, so
   /// that two minutes lose nothing.
   [[gnu::noinline]] void Add() {
-    ++steps_;
+    ++sums_.steps;
     if (Wants(StyleTerm::kEffort)) {
       F turned{};
       for (std::size_t j = 0; j < Joints(); ++j) turned += L::Abs(state_.joint_turn[j]);
-      turned_rad_ += L::ToDouble(turned);
+      sums_.turned_rad += L::ToDouble(turned);
     }
     if (Wants(StyleTerm::kSmoothness)) {
       F changed{};
       for (std::size_t j = 0; j < Joints(); ++j) {
-        changed += L::Abs(state_.rate_radps[j] - rate_radps_[j]);
-        rate_radps_[j] = state_.rate_radps[j];
+        changed += L::Abs(state_.rate_radps[j] - sums_.rate_radps[j]);
+        sums_.rate_radps[j] = state_.rate_radps[j];
       }
-      rate_change_radps_ += L::ToDouble(changed);
+      sums_.rate_change_radps += L::ToDouble(changed);
     }
-    if (Wants(StyleTerm::kUpright)) upright_ += L::ToDouble(Upright());
-    if (Wants(StyleTerm::kHeadHeight)) head_m_ += L::ToDouble(HeadHeight());
+    if (Wants(StyleTerm::kUpright)) sums_.upright += L::ToDouble(Upright());
+    if (Wants(StyleTerm::kHeadHeight)) sums_.head_m += L::ToDouble(HeadHeight());
   }
 
   /// Puts what one figure has done so far into its terms. Before the first step a mean is the start's value.
   void Put(int lane, Terms& terms) const {
-    const double steps = steps_;
-    const bool none = steps_ == 0;
-    if (Wants(StyleTerm::kEffort)) terms.effort_rad = static_cast<float>(turned_rad_[lane]);
+    const double steps = sums_.steps;
+    const bool none = sums_.steps == 0;
+    if (Wants(StyleTerm::kEffort)) terms.effort_rad = static_cast<float>(sums_.turned_rad[lane]);
     if (Wants(StyleTerm::kUpright)) {
-      terms.upright = none ? L::At(Upright(), lane) : static_cast<float>(upright_[lane] / steps);
+      terms.upright = none ? L::At(Upright(), lane) : static_cast<float>(sums_.upright[lane] / steps);
     }
     if (Wants(StyleTerm::kSmoothness) && !none && skeleton_.joints > 0) {
       const double seconds = steps * skeleton_.joints * static_cast<double>(step_s_);
-      terms.smoothness_radps2 = static_cast<float>(0.0 - rate_change_radps_[lane] / seconds);  // never -0
+      terms.smoothness_radps2 =
+          static_cast<float>(0.0 - sums_.rate_change_radps[lane] / seconds);  // never -0
     }
     if (Wants(StyleTerm::kHeadHeight)) {
-      terms.head_height_m = none ? L::At(HeadHeight(), lane) : static_cast<float>(head_m_[lane] / steps);
+      terms.head_height_m = none ? L::At(HeadHeight(), lane) : static_cast<float>(sums_.head_m[lane] / steps);
     }
   }
 
@@ -83,9 +95,7 @@ class StyleMeter {
   const MotionState<W>& state_;
   FurtherTerms wanted_;
   float step_s_;
-  int steps_ = 0;
-  std::array<F, kMaxJoints> rate_radps_;                         // of each joint before the step
-  D turned_rad_{}, rate_change_radps_{}, upright_{}, head_m_{};  // summed over the steps
+  Sums sums_;
 };
 
 }  // namespace gaitsmith

@@ -93,6 +93,13 @@ struct TwoStageSettings {
   int kept = 5;       // ascents of the second, [1, 1000]
 };
 
+inline constexpr int kMaxHandovers = 64;
+/// A controller of the document that has been in charge from the start, and when it hands the figure over.
+struct Handover {
+  int controller = 0;
+  int step = 0;  // [0, kMaxSteps - 1]
+};
+
 struct SearchSettings {
   Algorithm algorithm = Algorithm::kSphc;
   std::uint32_t seed = 1;
@@ -101,6 +108,11 @@ struct SearchSettings {
   int reseed_interval = 200;  // SPHC: generations between reseedings, [1, 1 million]; Table 2: 200
   Variation variation;
   int start = -1;  // controller of the document that the search begins with; -1: a random one
+  /// The clip in whose place the controller is scored, from the state in which the clips before it leave the
+  /// figure and for as long as it lasts; -1: from the start, as long as the task says.
+  int in_place_of = -1;
+  /// The controller is also scored from where these leave the figure; not together with in_place_of.
+  std::vector<Handover> handovers = {};
   GeneticSettings genetic;
   TorusSettings torus;
   RefineSettings refine;

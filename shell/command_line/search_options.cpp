@@ -54,6 +54,8 @@ class OptionArchive : public Archive {
     fields();
     prefix_.clear();
   }
+  template <class Item, class Fields>
+  void List(std::string_view, std::vector<Item>&, int, Fields) {}  // no option can hold one
   template <class Fields>
   void Since(int, Fields fields) {
     fields();
@@ -62,7 +64,9 @@ class OptionArchive : public Archive {
  private:
   bool IsMeant(std::string_view name) {
     // These have options of their own.
-    if (prefix_.empty() && (name == "algorithm" || name == "evaluations" || name == "start")) return false;
+    if (prefix_.empty() &&
+        (name == "algorithm" || name == "evaluations" || name == "start" || name == "in_place_of"))
+      return false;
     const std::string full = prefix_ + std::string(name);
     names_ += (names_.empty() ? "" : ", ") + full;
     if (full != name_) return false;

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// Controllers that are scored from where others leave the figure.
+#include <catch_amalgamated.hpp>
+
+#include "core/document/document.h"
+#include "core/physics/evaluator.h"
+#include "tests/scene.h"
+
+namespace gaitsmith::test {
+namespace {
+
+Document TwoClips() {
+  Document d = StarManTravel(SenseKind::kPhysical);
+  d.controllers = {RandomController(d.figure, d.senses, 5), RandomController(d.figure, d.senses, 6)};
+  d.timeline = {{.controller = 0, .start_step = 0}, {.controller = 1, .start_step = 230}};
+  d.duration_steps = 530;
+  return d;
+}
+
+}  // namespace
+
+TEST_CASE("handover: in place of a clip, a controller is scored as the composite shows it", "[evaluator]") {
+  Document d = TwoClips();
+  d.task.weights = {0.5f, -0.25f, 2.0f, 0.01f, 0.3f, 0.01f, 0.2f};
+  d.search.in_place_of = 1;
+  REQUIRE(Validate(d));
+  const Problem problem = ProblemOf(d);
+  CHECK(problem.task.duration_steps == 300);
+  const Motion motion = Simulate(d);
+  const double way = motion.At(530).x_m - motion.At(230).x_m;
+  float highest = 0.0f;
+  for (int frame = 230; frame <= 530; ++frame) highest = std::max(highest, motion.At(frame).y_m);
+  for (const int lanes : Evaluator::kLaneCounts) {
+    const std::vector<Genome> genomes(5, d.controllers[1].genes);
+    const auto found = Evaluator(problem, lanes, false).Evaluate(genomes);
+    CHECK(std::abs(static_cast<double>(found[4].terms.travel_m) - way) < 1e-5);
+    CHECK(found[4].terms.max_cm_height_m == highest);
+    CHECK(found[4].terms.start_height_m == motion.At(230).y_m);
+    const double turns = std::abs(motion.At(530).turn_rad - motion.At(230).turn_rad) / 6.283185307179586;
+    CHECK(std::abs(static_cast<double>(found[4].terms.rotations) - turns) < 1e-6);
+  }
+}
+
+TEST_CASE("handover: a beginning of no length is the start", "[evaluator]") {
+  const Document d = TwoClips();
+  const Problem plain = ProblemOf(d);
+  Problem begun = plain;
+  begun.beginnings.emplace_back();
+  for (const Controller& controller : d.controllers) {
+    const std::vector<Genome> genomes = {controller.genes};
+    const auto a = Evaluator(plain, true).Evaluate(genomes)[0];
+    const auto b = Evaluator(begun, true).Evaluate(genomes)[0];
+    CHECK(a.fitness == b.fitness);
+    CHECK(a.trajectory_hash == b.trajectory_hash);
+  }
+}
+
+TEST_CASE("handover: with several, the mean counts", "[evaluator]") {
+  Document d = TwoClips();
+  d.search.handovers = {{.controller = 1, .step = 140}, {.controller = 0, .step = 333}};
+  REQUIRE(Validate(d));
+  const Problem all = ProblemOf(d);
+  REQUIRE(all.beginnings.size() == 3);
+  const std::vector<Genome> genomes = {d.controllers[0].genes, d.controllers[1].genes};
+  const auto mean = Evaluator(all).Evaluate(genomes);
+  std::vector<double> sums(2, 0.0);
+  for (const Beginning& beginning : all.beginnings) {
+    Problem one = all;
+    one.beginnings = {beginning};
+    const auto found = Evaluator(one).Evaluate(genomes);
+    for (std::size_t i = 0; i < 2; ++i) sums[i] += static_cast<double>(found[i].fitness);
+  }
+  for (std::size_t i = 0; i < 2; ++i)
+    CHECK(std::abs(static_cast<double>(mean[i].fitness) - sums[i] / 3.0) < 1e-5);
+}
+
+TEST_CASE("handover: what a document cannot ask for", "[document]") {
+  Document d = TwoClips();
+  d.search.in_place_of = 2;
+  CHECK(Validate(d).error().Sentence() == "search.in_place_of: there is no clip 2, the timeline has 2");
+  d.search.in_place_of = 1;
+  d.duration_steps = 200;
+  CHECK(Validate(d).error().Sentence() == "search.in_place_of: the motion ends before clip 1 begins");
+  d.duration_steps = 530;
+  d.search.handovers = {{.controller = 0, .step = 10}};
+  CHECK(Validate(d).error().where == "search.handovers");
+  d.search.in_place_of = -1;
+  CHECK(Validate(d));
+  d.search.handovers[0].controller = 2;
+  CHECK(Validate(d).error().where == "search.handovers[0].controller");
+}
+
+}  // namespace gaitsmith::test

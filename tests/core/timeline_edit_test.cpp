@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// Cutting and joining clips, and the composite motions that follow from it.
+#include "core/document/timeline_edit.h"
+
+#include <catch_amalgamated.hpp>
+
+#include "core/document/composite.h"
+#include "core/physics/mirror_image.h"
+#include "tests/scene.h"
+
+namespace gaitsmith::test {
+namespace {
+
+// Three clips of two seconds, a and b and a.
+Document ThreeClips(SenseKind kind = SenseKind::kTimer) {
+  Document d = StarManTravel(kind);
+  d.controllers = {RandomController(d.figure, d.senses, 3), RandomController(d.figure, d.senses, 4)};
+  d.timeline = {{.controller = 0, .start_step = 0},
+                {.controller = 1, .start_step = 200},
+                {.controller = 0, .start_step = 400}};
+  d.duration_steps = 600;
+  REQUIRE(Validate(d));
+  return d;
+}
+
+std::vector<int> Starts(const Document& d) {
+  std::vector<int> starts;
+  for (const Clip& clip : d.timeline) starts.push_back(clip.start_step);
+  return starts;
+}
+std::vector<int> Order(const Document& d) {
+  std::vector<int> order;
+  for (const Clip& clip : d.timeline) order.push_back(clip.controller);
+  return order;
+}
+
+bool SameMotion(const Motion& a, const Motion& b) {
+  if (a.Hash() != b.Hash() || a.Frames() != b.Frames()) return false;
+  for (int frame = 0; frame < a.Frames(); ++frame) {
+    const Motion::Frame &x = a.At(frame), &y = b.At(frame);
+    if (x.x_m != y.x_m || x.turn_rad != y.turn_rad || x.clip != y.clip || x.rule != y.rule) return false;
+    if (a.TermsAt(frame).effort_rad != b.TermsAt(frame).effort_rad) return false;
+    if (a.TermsAt(frame).smoothness_radps2 != b.TermsAt(frame).smoothness_radps2) return false;
+    for (int k = 0; k < a.Bones().endpoints; ++k) {
+      if (a.Endpoint(frame, k).y != b.Endpoint(frame, k).y || a.Force(frame, k).y != b.Force(frame, k).y)
+        return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("timeline: lengths travel with their clips", "[timeline]") {
+  Document d = ThreeClips();
+  REQUIRE(SetClipLength(d, 0, 300));
+  CHECK(Starts(d) == std::vector{0, 300, 500});
+  CHECK(d.duration_steps == 700);
+  REQUIRE(ReorderClip(d, 0, 1));
+  CHECK(Order(d) == std::vector{1, 0, 0});
+  CHECK(Starts(d) == std::vector{0, 200, 500});
+  REQUIRE(DuplicateClip(d, 0));
+  CHECK(Order(d) == std::vector{1, 1, 0, 0});
+  REQUIRE(RemoveClip(d, 2));
+  CHECK(Order(d) == std::vector{1, 1, 0});
+  CHECK(d.duration_steps == 600);
+  REQUIRE(LoopTimeline(d, 3));
+  CHECK(d.timeline.size() == 9);
+  CHECK(d.duration_steps == 1800);
+  CHECK(Validate(d));
+}
+
+TEST_CASE("timeline: a switch point stays between its neighbours", "[timeline]") {
+  Document d = ThreeClips();
+  REQUIRE(MoveSwitch(d, 1, 5000));
+  CHECK(Starts(d) == std::vector{0, 400 - kShortestClip, 400});
+  REQUIRE(MoveSwitch(d, 1, -5));
+  CHECK(Starts(d) == std::vector{0, kShortestClip, 400});
+  CHECK(d.duration_steps == 600);
+  CHECK_FALSE(MoveSwitch(d, 0, 10));
+  CHECK_FALSE(MoveSwitch(d, 3, 10));
+}
+
+TEST_CASE("timeline: splitting and inserting", "[timeline]") {
+  Document d = ThreeClips();
+  REQUIRE(SplitClip(d, 300));
+  CHECK(Starts(d) == std::vector{0, 200, 300, 400});
+  CHECK(Order(d) == std::vector{0, 1, 1, 0});
+  CHECK_FALSE(SplitClip(d, 395));
+  REQUIRE(InsertClip(d, 1, 100, 150));
+  CHECK(Starts(d) == std::vector{0, 100, 250, 350, 450, 550});
+  CHECK(Order(d) == std::vector{0, 1, 0, 1, 1, 0});
+  CHECK(d.duration_steps == 750);
+  REQUIRE(InsertClip(d, 0, 750, 100));  // at the end
+  CHECK(Order(d).back() == 0);
+  CHECK(d.duration_steps == 850);
+  CHECK(Validate(d));
+}
+
+TEST_CASE("timeline: what goes over a limit changes nothing", "[timeline]") {
+  Document d = ThreeClips();
+  const auto before = Starts(d);
+  CHECK(LoopTimeline(d, 21).error().what == "at most 120 s, there would be 126 s");
+  CHECK_FALSE(LoopTimeline(d, 1));
+  CHECK_FALSE(InsertClip(d, 2, 100, 100));
+  CHECK_FALSE(RemoveClip(d, -1));
+  CHECK_FALSE(DuplicateClip(d, 3));
+  CHECK(Starts(d) == before);
+  for (int i = 0; i < kMaxControllers - 2; ++i) {
+    Controller c = d.controllers[0];
+    c.name = std::to_string(i);
+    REQUIRE(AddController(d, c));
+  }
+  CHECK(AddController(d, d.controllers[0]) == 0);  // known already
+  Controller more = d.controllers[0];
+  more.name = "more";
+  CHECK_FALSE(AddController(d, more));
+  DropUnusedControllers(d);
+  CHECK(d.controllers.size() == 2);
+}
+
+TEST_CASE("composite: simulated anew from a change on, it is the same to the bit",
+          "[timeline][determinism]") {
+  for (const SenseKind kind : {SenseKind::kTimer, SenseKind::kPhysical}) {
+    const Document first = ThreeClips(kind);
+    const auto check = [&](const char* what, auto edit, int parts_at) {
+      INFO(what);
+      Document next = first;
+      edit(next);
+      REQUIRE(Validate(next));
+      CHECK(PartingStep(next, first) == parts_at);
+      CHECK(SameMotion(SimulateAnew(next, first, Simulate(first)), Simulate(next)));
+    };
+    check(
+        "nothing", [](Document&) {}, kMaxSteps);
+    check(
+        "later switch", [](Document& d) { d.timeline[1].start_step = 333; }, 200);
+    check(
+        "earlier switch", [](Document& d) { d.timeline[2].start_step = 250; }, 250);
+    check(
+        "longer", [](Document& d) { d.duration_steps = 777; }, kMaxSteps);
+    check(
+        "shorter", [](Document& d) { d.duration_steps = 431; }, kMaxSteps);
+    check(
+        "shorter than a checkpoint", [](Document& d) { d.duration_steps = 40; }, kMaxSteps);
+    check(
+        "another clip",
+        [](Document& d) {
+          d.timeline.push_back({1, 500});
+        },
+        500);
+    check(
+        "a clip less", [](Document& d) { d.timeline.pop_back(); }, 400);
+    check(
+        "another rule", [](Document& d) { d.controllers[1].genes[0] ^= 0x5555; }, 200);
+    check(
+        "a push", [](Document& d) { d.pushes = {{.step = 317, .endpoint = 2, .impulse_x_ns = 3.0f}}; }, 317);
+    check(
+        "another ground", [](Document& d) { d.environment.slope_rad = 0.1f; }, 0);
+    check(
+        "another start", [](Document& d) { d.start.drop_height_m = 0.4f; }, 0);
+    check(
+        "a figure with a rod less",
+        [](Document& d) {
+          d.figure.rods.pop_back();
+          d.controllers = {RandomController(d.figure, d.senses, 7), RandomController(d.figure, d.senses, 8)};
+        },
+        0);
+    check(
+        "another figure", [](Document& d) { d.figure.rods[1].length_m = 0.9f; }, 0);
+  }
+}
+
+TEST_CASE("composite: rocking ground and pushes before the change are kept in time",
+          "[timeline][determinism]") {
+  Document first = ThreeClips(SenseKind::kPhysical);
+  first.environment.sway_rad = 0.2f;
+  first.pushes = {{.step = 100, .endpoint = 1, .impulse_x_ns = 2.0f},
+                  {.step = 420, .endpoint = 0, .impulse_y_ns = 3.0f}};
+  Document next = first;
+  next.timeline[2].start_step = 350;
+  next.pushes[1].impulse_x_ns = -4.0f;
+  CHECK(SameMotion(SimulateAnew(next, first, Simulate(first)), Simulate(next)));
+}
+
+TEST_CASE("mirror image: a symmetric figure goes the other way", "[timeline][physics]") {
+  for (const SenseKind kind : {SenseKind::kTimer, SenseKind::kPhysical}) {
+    Document d = ThreeClips(kind);
+    d.timeline.resize(1);
+    d.duration_steps = 60;  // rounding grows: later the two may part
+    const Motion there = Simulate(d);
+    REQUIRE(MirrorClip(d, 0));
+    CHECK(d.controllers.size() == 3);
+    const Motion back = Simulate(d);
+    for (int frame = 0; frame < there.Frames(); ++frame) {
+      CHECK(std::abs(there.At(frame).x_m + back.At(frame).x_m) < 1e-3);
+      CHECK(std::abs(there.At(frame).y_m - back.At(frame).y_m) < 1e-3f);
+    }
+    CHECK(std::abs(there.At(60).x_m) > 1e-3);
+    REQUIRE(MirrorClip(d, 0));  // the image of the image
+    CHECK(d.controllers.size() == 3);
+    CHECK(d.timeline[0].controller == 0);
+  }
+}
+
+TEST_CASE("mirror image: which figures have one", "[timeline]") {
+  Figure chain{.name = "worm", .rods = {}};
+  for (int i = 0; i < 4; ++i) chain.rods.push_back({.parent = i - 1, .min_rad = -1.0f, .max_rad = 0.5f});
+  const auto symmetry = SymmetryOf(chain);
+  REQUIRE(symmetry);
+  // A chain that lies flat is turned round: the first joint does what the last one did, in the same sense.
+  CHECK(symmetry->joint[0] == 2);
+  CHECK_FALSE(symmetry->reversed[0]);
+  CHECK(symmetry->endpoint[0] == 4);
+  chain.rods[3].length_m = 1.5f;
+  CHECK(SymmetryOf(chain).error().what == "is not its own mirror image as it is drawn");
+  Figure star = ShippedFigure("mr-star-man");
+  CHECK(SymmetryOf(star));
+  star.rods[1].max_rad = 0.3f;
+  CHECK(SymmetryOf(star).error().what.starts_with("its joints "));
+}
+
+}  // namespace gaitsmith::test
