@@ -124,7 +124,8 @@ Result<void> SpeakLanguage(std::string_view json) {
     Spoken() = Language{};
     return {};
   }
-  const auto table = ParseJson(json);
+  constexpr std::size_t kMostWords = 4000;
+  const auto table = ParseJson(json, kMostWords);
   if (!table) return std::unexpected(table.error());
   const auto text = [&](const char* name) -> const JsonValue* {
     const JsonValue* value = table->Find(name);
