@@ -11,8 +11,8 @@ namespace gaitsmith::shell {
 
 struct AlgorithmWords {
   std::string name;   // "SPHC"
-  std::string title;  // "SPHC: hill climbing, reseeded"
-  std::string line;   // one sentence
+  const char* title;  // "SPHC: hill climbing, reseeded", to be translated
+  const char* line;   // one sentence, to be translated
 };
 
 /// In the order of Algorithm.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "shell/language.h"
 #include "shell/panel_controller.h"
 #include "shell/panel_lab.h"
 #include "shell/panel_style.h"
@@ -72,7 +73,7 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
 
   int panel = Panel(kDeskPanels);
   const ImRect tabs({panel_x + 1.0f, whole.Min.y}, {whole.Max.x, whole.Min.y + kTabHeight});
-  if (ui.Tabs("panels", tabs, "Panels", std::span(kPanels).first(kDeskPanels), panel)) ChoosePanel(panel);
+  if (ui.Tabs("panels", tabs, Tr("Panels"), std::span(kPanels).first(kDeskPanels), panel)) ChoosePanel(panel);
   DrawPanel(ui, {{panel_x + 1.0f, tabs.Max.y}, whole.Max}, panel);
 }
 
@@ -88,7 +89,7 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
 
   int panel = Panel(static_cast<int>(kPanels.size()));
   const ImRect tabs({whole.Min.x, tabs_y}, {whole.Max.x, tabs_y + tab_height});
-  if (ui.Tabs("panels", tabs, "Panels", kPanels, panel)) ChoosePanel(panel);
+  if (ui.Tabs("panels", tabs, Tr("Panels"), kPanels, panel)) ChoosePanel(panel);
   // Whatever chooses another panel, a tab, a key or a command, wants to see it.
   if (panel != panel_before_) stage_.world.open = false;
   panel_before_ = panel;
@@ -96,7 +97,7 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
   if (stage_.world.open) {
     DrawWorldCard(ui, session_, stage_.world, rest);  // the stage has no room for it
   } else if (panel == kTimelinePanel) {
-    const PartScope part = ui.Part("panel", "tabpanel", kPanels[kTimelinePanel]);
+    const PartScope part = ui.Part("panel", "tabpanel", Tr(kPanels[kTimelinePanel]));
     DrawTimeline(ui, session_, rest);
   } else {
     DrawPanel(ui, rest, panel);
@@ -106,8 +107,8 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
 void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
   ImGui::SetCursorScreenPos(rect.Min);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPanelPadding, 14.0f});
-  const std::string_view name = kPanels[static_cast<std::size_t>(panel)];
-  const PartScope part = ui.Part("panel", "tabpanel", name);
+  const char* name = kPanels[static_cast<std::size_t>(panel)];
+  const PartScope part = ui.Part("panel", "tabpanel", Tr(name));
   const std::string id = "panel/" + std::string(name);
   ImGui::BeginChild(id.c_str(), rect.GetSize(), ImGuiChildFlags_AlwaysUseWindowPadding,
                     ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollbar);
@@ -141,11 +142,11 @@ void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
 
 std::vector<Command> App::Commands() {
   std::vector<Command> list = CommandsOf(session_, phone_);
-  list.push_back(
-      {.id = "view/world",
-       .group = "View",
-       .title = stage_.world.open ? "Close the world card" : "World: push, slope, friction, gravity, ghost",
-       .run = [this] { stage_.world.open = !stage_.world.open; }});
+  list.push_back({.id = "view/world",
+                  .group = Tr("View"),
+                  .title = Tr(stage_.world.open ? "Close the world card"
+                                                : "World: push, slope, friction, gravity, ghost"),
+                  .run = [this] { stage_.world.open = !stage_.world.open; }});
   for (Command& command : ShelfOf(session_)) list.push_back(std::move(command));
   return list;
 }
@@ -175,7 +176,7 @@ bool App::Key(std::string_view name, bool on_canvas, bool repeated) {
     if (std::ranges::find(command.keys, name) == command.keys.end()) continue;
     if (repeated && !command.repeats) return true;
     if (!command.why_not.empty()) {
-      host_.Status("Not now: " + command.why_not + ".");
+      host_.Status(Tr("Not now: {1}.", command.why_not));
       return true;
     }
     session_.BeginGesture();

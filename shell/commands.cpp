@@ -6,28 +6,30 @@
 #include "core/document/json.h"
 #include "core/document/json_value.h"
 #include "shell/embedded.h"
+#include "shell/language.h"
 #include "shell/panels.h"
 
 namespace gaitsmith::shell {
 namespace {
 
 void AddHistory(std::vector<Command>& list, Session& session) {
-  list.push_back(
-      {.id = "document/new", .group = "Document", .title = "New", .run = [&session] { session.New(); }});
+  list.push_back({.id = "document/new", .group = Tr("Document"), .title = Tr("New"), .run = [&session] {
+                    session.New();
+                  }});
   list.push_back({.id = "document/undo",
-                  .group = "Document",
-                  .title = "Undo",
+                  .group = Tr("Document"),
+                  .title = Tr("Undo"),
                   .keys = {"Ctrl+z"},
                   .why_not = session.CanUndo() || (session.Searching() && !session.RunsQueued())
                                  ? ""
-                                 : "nothing to undo",
+                                 : Tr("nothing to undo"),
                   .repeats = true,
                   .run = [&session] { session.Undo(); }});
   list.push_back({.id = "document/redo",
-                  .group = "Document",
-                  .title = "Redo",
+                  .group = Tr("Document"),
+                  .title = Tr("Redo"),
                   .keys = {"Ctrl+Shift+z", "Ctrl+y"},
-                  .why_not = session.CanRedo() ? "" : "nothing to redo",
+                  .why_not = session.CanRedo() ? "" : Tr("nothing to redo"),
                   .repeats = true,
                   .run = [&session] { session.Redo(); }});
 }
@@ -37,17 +39,17 @@ void AddMotion(std::vector<Command>& list, Session& session) {
   const auto add = [&](const std::string& id, const std::string& title, const std::vector<std::string>& keys,
                        bool repeats, auto run) {
     list.push_back({.id = "motion/" + id,
-                    .group = "Motion",
+                    .group = Tr("Motion"),
                     .title = title,
                     .keys = keys,
                     .repeats = repeats,
                     .run = run});
   };
-  add("play", "Play or pause", {"Space"}, false, [&player] { player.Play(!player.Playing()); });
-  add("forward", "One step forward", {".", "ArrowRight"}, true, [&player] { player.Step(1); });
-  add("back", "One step back", {",", "ArrowLeft"}, true, [&player] { player.Step(-1); });
-  add("start", "To the start", {"Home"}, false, [&player] { player.Seek(0.0); });
-  add("end", "To the end", {"End"}, false, [&player] {
+  add("play", Tr("Play or pause"), {"Space"}, false, [&player] { player.Play(!player.Playing()); });
+  add("forward", Tr("One step forward"), {".", "ArrowRight"}, true, [&player] { player.Step(1); });
+  add("back", Tr("One step back"), {",", "ArrowLeft"}, true, [&player] { player.Step(-1); });
+  add("start", Tr("To the start"), {"Home"}, false, [&player] { player.Seek(0.0); });
+  add("end", Tr("To the end"), {"End"}, false, [&player] {
     player.Play(false);
     player.Seek(player.DurationS());
   });
@@ -56,98 +58,99 @@ void AddMotion(std::vector<Command>& list, Session& session) {
 void AddSearch(std::vector<Command>& list, Session& session) {
   const bool busy = session.Searching() || session.lab.Running();
   list.push_back({.id = "search/synthesize",
-                  .group = "Search",
-                  .title = "Synthesize, or stop",
+                  .group = Tr("Search"),
+                  .title = Tr("Synthesize, or stop"),
                   .keys = {"s"},
                   .run = [&session, busy] { busy ? session.Stop() : session.Synthesize(); }});
   const bool paused = session.Progress().state == SearchState::kPaused;
   list.push_back({.id = "search/pause",
-                  .group = "Search",
-                  .title = "Pause the search, or go on",
+                  .group = Tr("Search"),
+                  .title = Tr("Pause the search, or go on"),
                   .keys = {"p"},
-                  .why_not = session.Searching() ? "" : "no search runs",
+                  .why_not = session.Searching() ? "" : Tr("no search runs"),
                   .run = [&session, paused] { paused ? session.Resume() : session.Pause(); }});
 }
 
 void AddQueue(std::vector<Command>& list, Session& session) {
   const bool none = session.queue.Waiting().empty();
-  const std::string full = session.queue.Full() ? "the queue is full" : "";
+  const std::string full = session.queue.Full() ? Tr("the queue is full") : "";
   const bool busy = session.Searching() || session.lab.Running();
   list.push_back({.id = "queue/add",
-                  .group = "Search",
-                  .title = "Add this search to the queue",
+                  .group = Tr("Search"),
+                  .title = Tr("Add this search to the queue"),
                   .keys = {"q"},
                   .why_not = full,
                   .run = [&session] { session.Enqueue(session.Doc()); }});
   list.push_back({.id = "queue/seeds",
-                  .group = "Search",
-                  .title = "Queue five seeds of this search",
+                  .group = Tr("Search"),
+                  .title = Tr("Queue five seeds of this search"),
                   .why_not = full,
                   .run = [&session] { session.EnqueueSeeds(kQueuedSeeds); }});
   list.push_back({.id = "queue/run",
-                  .group = "Search",
-                  .title = "Run the queue",
-                  .why_not = none   ? "nothing waits"
-                             : busy ? "a search or the lab is running"
+                  .group = Tr("Search"),
+                  .title = Tr("Run the queue"),
+                  .why_not = none   ? Tr("nothing waits")
+                             : busy ? Tr("a search or the lab is running")
                                     : "",
                   .run = [&session] { session.RunQueue(); }});
   list.push_back({.id = "queue/clear",
-                  .group = "Search",
-                  .title = "Clear the queue",
-                  .why_not = none ? "nothing waits" : "",
+                  .group = Tr("Search"),
+                  .title = Tr("Clear the queue"),
+                  .why_not = none ? Tr("nothing waits") : "",
                   .run = [&session] { session.queue.Clear(); }});
 }
 
 void AddFound(std::vector<Command>& list, Session& session) {
   list.push_back({.id = "found/keep",
-                  .group = "Results",
-                  .title = "Keep this motion",
+                  .group = Tr("Results"),
+                  .title = Tr("Keep this motion"),
                   .keys = {"k"},
-                  .why_not = session.Doc().timeline.empty() ? "there is no motion yet" : "",
+                  .why_not = session.Doc().timeline.empty() ? Tr("there is no motion yet") : "",
                   .run = [&session] { session.KeepMotion(); }});
   const FoundMotions::Entry* best = session.found.Best(session.Doc());
   list.push_back({.id = "found/best",
-                  .group = "Results",
-                  .title = "Show the best result for this figure and task",
-                  .why_not = best == nullptr ? "there are no results yet" : "",
+                  .group = Tr("Results"),
+                  .title = Tr("Show the best result for this figure and task"),
+                  .why_not = best == nullptr ? Tr("there are no results yet") : "",
                   .run = [&session, id = best == nullptr ? "" : best->id] { session.ShowFound(id); }});
   list.push_back({.id = "found/bring-back",
-                  .group = "Results",
-                  .title = "Bring back the deleted result",
-                  .why_not = session.found.Removed() == nullptr ? "nothing was deleted" : "",
+                  .group = Tr("Results"),
+                  .title = Tr("Bring back the deleted result"),
+                  .why_not = session.found.Removed() == nullptr ? Tr("nothing was deleted") : "",
                   .run = [&session] { session.found.BringBack(); }});
 }
 
 void AddPanels(std::vector<Command>& list, Session& session, bool phone) {
   for (int i = 0; i < (phone ? static_cast<int>(kPanels.size()) : kDeskPanels); ++i) {
-    const std::string name(kPanels[static_cast<std::size_t>(i)]);
-    list.push_back({.id = "panel/" + name,
-                    .group = "Panels",
-                    .title = name + " panel",
+    const char* name = kPanels[static_cast<std::size_t>(i)];
+    list.push_back({.id = std::string("panel/") + name,
+                    .group = Tr("Panels"),
+                    .title = Tr("{1} panel", Tr(name)),
                     .keys = {std::to_string(i + 1)},
                     .run = [&session, i] { session.SetView([i](View& view) { view.panel = i; }); }});
   }
 }
 
 void AddView(std::vector<Command>& list, Session& session) {
-  const auto add = [&](const std::string& id, const std::string& what, bool View::* shown) {
+  const auto add = [&](const std::string& id, const char* show, const char* hide, bool View::* shown) {
     const bool now = session.Doc().view.*shown;
     list.push_back({.id = "view/" + id,
-                    .group = "View",
-                    .title = (now ? "Hide " : "Show ") + what,
+                    .group = Tr("View"),
+                    .title = Tr(now ? hide : show),
                     .run = [&session, shown, now] {
                       session.SetView([shown, now](View& view) { view.*shown = !now; });
                     }});
   };
-  add("poses", "past poses", &View::poses);
-  add("trail", "the path of the centre of mass", &View::trail);
-  add("forces", "contact forces", &View::forces);
+  add("poses", TrLater("Show past poses"), TrLater("Hide past poses"), &View::poses);
+  add("trail", TrLater("Show the path of the centre of mass"), TrLater("Hide the path of the centre of mass"),
+      &View::trail);
+  add("forces", TrLater("Show contact forces"), TrLater("Hide contact forces"), &View::forces);
   const bool beside = session.SideBySide();
   list.push_back(
       {.id = "view/compare",
-       .group = "View",
-       .title = beside ? "Stop comparing side by side" : "Compare timer and senses side by side",
-       .why_not = session.ShownController() == nullptr ? "there is no motion yet" : "",
+       .group = Tr("View"),
+       .title = Tr(beside ? "Stop comparing side by side" : "Compare timer and senses side by side"),
+       .why_not = session.ShownController() == nullptr ? Tr("there is no motion yet") : "",
        .run = [&session, beside] { beside ? session.StopComparing() : session.CompareDeciders(); }});
 }
 
@@ -171,23 +174,23 @@ std::vector<Command> ShelfOf(Session& session) {
     auto document = DecodeJson(example.json);
     if (!document) continue;
     list.push_back({.id = "example/" + std::string(example.name),
-                    .group = "Examples",
-                    .title = "Open example: " + document->title,
+                    .group = Tr("Examples"),
+                    .title = Tr("Open example: {1}", TrTitle(document->title)),
                     .run = [&session, document = std::move(*document)] { session.ChooseExample(document); }});
   }
   int index = 0;
   for (const Document& problem : session.Problems()) {
     list.push_back({.id = "task/" + std::to_string(index),
-                    .group = "Tasks",
-                    .title = "Choose task: " + problem.title,
+                    .group = Tr("Tasks"),
+                    .title = Tr("Choose task: {1}", TrTitle(problem.title)),
                     .run = [&session, index] { session.ChooseProblem(index); }});
     ++index;
   }
   index = 0;
   for (const Figure& figure : session.Figures()) {
     list.push_back({.id = "figure/" + std::to_string(index),
-                    .group = "Figures",
-                    .title = "Choose figure: " + figure.name,
+                    .group = Tr("Figures"),
+                    .title = Tr("Choose figure: {1}", TrTitle(figure.name)),
                     .run = [&session, index] { session.ChooseFigure(index); }});
     ++index;
   }

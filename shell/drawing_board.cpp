@@ -6,6 +6,7 @@
 
 #include "shell/figure_drawing.h"
 #include "shell/figure_edit.h"
+#include "shell/language.h"
 
 namespace gaitsmith::shell {
 namespace {
@@ -156,7 +157,7 @@ void DrawDrawingBoard(Ui& ui, Session& session, DrawingBoardState& state) {
   const Figure& figure = session.Doc().figure;
   const Touch touch =
       ui.Area("figure/board", rect, Grab::kDrag,
-              {.label = "Drawing board", .role = "img", .value = std::to_string(figure.Rods()) + " rods"});
+              {.label = Tr("Drawing board"), .role = "img", .value = Tr("{1} rods", figure.Rods())});
   const ImVec2 pointer = ImGui::GetIO().MousePos;
   const float near = ui.Look().touch ? 26.0f : 15.0f;
   Board board = LayOut(figure, state, rect);

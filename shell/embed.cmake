@@ -1,5 +1,5 @@
 # Writes files as arrays into one C++ source, the definitions of shell/embedded.h:
-#   cmake -DOUTPUT=... -DFONTS=<folder> -DEXAMPLES=<folder> -P embed.cmake
+#   cmake -DOUTPUT=... -DFONTS=<folder> -DEXAMPLES=<folder> [-DGERMAN=<file>] -P embed.cmake
 # Documents are *.json of the examples folder itself, figures and problems those of its folders figures/ and problems/.
 set(text "// Written by shell/embed.cmake.\n#include \"shell/embedded.h\"\n\n#include <array>\n\nnamespace gaitsmith::shell {\nnamespace {\n\n")
 
@@ -13,6 +13,12 @@ endfunction()
 
 append_array(kInterRegular "${FONTS}/inter-regular.ttf")
 append_array(kInterSemiBold "${FONTS}/inter-semibold.ttf")
+
+set(german "{}")
+if(GERMAN)
+  append_array(kGerman "${GERMAN}")
+  set(german "{reinterpret_cast<const char*>(kGerman), sizeof kGerman}")
+endif()
 
 # JSON is text: raw strings in pieces, since compilers limit the length of one.
 function(append_examples table pattern)
@@ -46,6 +52,7 @@ std::span<const unsigned char> InterSemiBold() { return kInterSemiBold; }
 std::span<const Example> ExampleDocuments() { return kDocuments; }
 std::span<const Example> ExampleFigures() { return kFigures; }
 std::span<const Example> ExampleProblems() { return kProblems; }
+std::string_view GermanTable() { return ${german}; }
 
 }  // namespace gaitsmith::shell\n")
 file(WRITE "${OUTPUT}" "${text}")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files that travel inside the program, written as arrays by embed.cmake: the typeface and the shipped
-// documents.
+// Files that travel inside the program, written as arrays by embed.cmake: the typeface, the shipped documents
+// and another language.
 #pragma once
 
 #include <span>
@@ -20,5 +20,8 @@ struct Example {
 [[nodiscard]] std::span<const Example> ExampleFigures();
 /// Documents without a controller: a figure, a task and senses that go well together.
 [[nodiscard]] std::span<const Example> ExampleProblems();
+
+/// languages/de.json; empty in the page, which fetches it.
+[[nodiscard]] std::string_view GermanTable();
 
 }  // namespace gaitsmith::shell

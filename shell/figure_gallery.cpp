@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "shell/figure_drawing.h"
+#include "shell/language.h"
 
 namespace gaitsmith::shell {
 namespace {
@@ -29,15 +30,16 @@ void DrawThumbnail(Ui& ui, const Figure& figure, const ImRect& rect, ImU32 colou
 }
 
 bool DrawTile(Ui& ui, const Figure& figure, const std::string& id, bool chosen, const ImRect& rect) {
+  const std::string shown = TrTitle(figure.name);
   const Touch touch =
-      ui.Area(id, rect, Grab::kPress, {.label = figure.name, .role = "radio", .state = {.checked = chosen}});
+      ui.Area(id, rect, Grab::kPress, {.label = shown, .role = "radio", .state = {.checked = chosen}});
   if (!touch.visible) return touch.pressed;
   const Palette& p = ui.Ink();
   const ImU32 edge = chosen ? p.accent : touch.hovered ? Mix(p.line, p.ink, 0.45f) : p.line;
   ui.Frame(rect, chosen ? Mix(p.panel, p.accent, 0.08f) : p.panel, edge, 9.0f);
   // A long name takes two lines.
   const float room = rect.GetWidth() - 8.0f;
-  std::string_view name = figure.name;
+  std::string_view name = shown;
   const std::size_t first = ui.Letters().FitLine(Type::kNote, name, room);
   const bool two_lines = first < name.size();
   const ImU32 ink = chosen ? p.ink : p.second_ink;
@@ -66,7 +68,7 @@ std::optional<int> DrawFigureGallery(Ui& ui, const std::vector<Figure>& figures,
   const int start = open ? 0 : std::max(0, chosen) / kColumns * kColumns;
   const int end = open ? count : std::min(count, start + kColumns);
   {
-    const PartScope part = ui.Part("figure/tiles", "radiogroup", "Figure");
+    const PartScope part = ui.Part("figure/tiles", "radiogroup", Tr("Figure"));
     for (int first = start; first < end; first += kColumns) {
       const ImRect row = ui.Row(kTileHeight);
       const float width = (row.GetWidth() - kGap * (kColumns - 1)) / kColumns;
@@ -82,7 +84,7 @@ std::optional<int> DrawFigureGallery(Ui& ui, const std::vector<Figure>& figures,
     }
   }
   const ImRect row = ui.ControlRow();
-  const std::string words = open ? "Fewer figures" : "All " + std::to_string(count) + " figures";
+  const std::string words = open ? Tr("Fewer figures") : Tr("All {1} figures", count);
   if (ui.Button("figure/gallery", row, words)) open = !open;
   return pressed;
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "shell/algorithm_words.h"
+#include "shell/language.h"
 #include "shell/search_words.h"
 #include "shell/style_words.h"
 #include "shell/wording.h"
@@ -15,8 +16,8 @@ namespace {
 enum class Wish { kNothing, kShow, kKeep, kDelete };
 
 std::string ScoreText(const FoundMotion& found) {
-  if (!found.Moves()) return "failed";
-  return found.Score() <= kVoidScore ? "no score" : Fixed(found.Score(), 2);
+  if (!found.Moves()) return Tr("failed");
+  return found.Score() <= kVoidScore ? Tr("no score") : Fixed(found.Score(), 2);
 }
 
 /// What controls it: the controller's own, which need not be what its document would search next.
@@ -33,17 +34,22 @@ Control ControlOf(const Document& d) {
 
 /// "SPHC · seed 3 · 40,000 · physical", "SPHC · seed 3 · stopped at 3,100 · timer 0.80 s", "kept by hand ·
 /// network"
-/// @param unit  behind the number of evaluations
-std::string LineOf(const FoundMotion& found, const std::string& unit = "") {
+std::string LineOf(const FoundMotion& found, bool with_unit) {
   const Document& d = found.document;
   const Control control = ControlOf(d);
-  const std::string senses = " · " + DeciderWords(control.kind, control.senses);
-  if (found.origin == Origin::kByHand) return "kept by hand" + senses;
-  const std::string end = found.origin == Origin::kStopped  ? "stopped at "
-                          : found.origin == Origin::kFailed ? "failed at "
-                                                            : "";
-  return WordsOf(d.search.algorithm).name + " · seed " + std::to_string(d.search.seed) + " · " + end +
-         Grouped(found.evaluations) + unit + senses;
+  const std::string decider = DeciderWords(control.kind, control.senses);
+  if (found.origin == Origin::kByHand) return Tr("kept by hand · {1}", decider);
+  const char* pattern =
+      with_unit ? TrLater("{1} · seed {2} · {3} evaluations · {4}") : TrLater("{1} · seed {2} · {3} · {4}");
+  if (found.origin == Origin::kStopped) {
+    pattern = with_unit ? TrLater("{1} · seed {2} · stopped at {3} evaluations · {4}")
+                        : TrLater("{1} · seed {2} · stopped at {3} · {4}");
+  } else if (found.origin == Origin::kFailed) {
+    pattern = with_unit ? TrLater("{1} · seed {2} · failed at {3} evaluations · {4}")
+                        : TrLater("{1} · seed {2} · failed at {3} · {4}");
+  }
+  return Tr(pattern, WordsOf(d.search.algorithm).name, std::to_string(d.search.seed),
+            Grouped(found.evaluations), decider);
 }
 
 std::string SceneText(const FoundMotion& found) {
@@ -66,12 +72,12 @@ Wish DrawEntry(Ui& ui, const Session& session, const FoundMotions::Entry& entry)
   if (ImGui::IsRectVisible(row.Min, row.Max)) {
     scene = SceneText(found);
     score = ScoreText(found);
-    spoken = LineOf(found, " evaluations") + ". " +
-             (found.Moves() ? ScoreWords(found.document.task, found.terms) : "It failed.");
+    spoken = LineOf(found, true) + ". " +
+             (found.Moves() ? ScoreWords(found.document.task, found.terms) : Tr("It failed."));
   }
-  const Touch touch =
-      ui.Area(id, words, Grab::kPress,
-              {.label = "Show " + scene, .role = "button", .value = spoken, .state = {.selected = shown}});
+  const Touch touch = ui.Area(
+      id, words, Grab::kPress,
+      {.label = Tr("Show {1}", scene), .role = "button", .value = spoken, .state = {.selected = shown}});
   if (touch.pressed) wish = Wish::kShow;
   if (touch.visible) {
     const ImU32 fill =
@@ -85,16 +91,17 @@ Wish DrawEntry(Ui& ui, const Session& session, const FoundMotions::Entry& entry)
     letters.DrawElided(ui.Canvas(), Type::kBody, {left, y - 8.0f}, right - left - score_width - 8.0f, p.ink,
                        SearchTitle(found.document));
     letters.Draw(ui.Canvas(), Type::kStrong, {right, y - 8.0f}, score_ink, score, Align::kRight);
-    letters.DrawElided(ui.Canvas(), Type::kNote, {left, y + 9.0f}, right - left, p.second_ink, LineOf(found));
+    letters.DrawElided(ui.Canvas(), Type::kNote, {left, y + 9.0f}, right - left, p.second_ink,
+                       LineOf(found, false));
     ui.DrawFocus(touch, words);
   }
   const float top = words.GetCenter().y - 0.5f * size;
   const ImRect remove({row.Max.x - size, top}, {row.Max.x, top + size});
   const ImRect keep({remove.Min.x - size, top}, {remove.Min.x, top + size});
   const Touch star = ui.Area(id + "/keep", keep, Grab::kPress,
-                             {.label = "Keep: " + scene,
+                             {.label = Tr("Keep: {1}", scene),
                               .role = "switch",
-                              .value = found.kept ? "on" : "off",
+                              .value = Tr(found.kept ? "on" : "off"),
                               .state = {.checked = found.kept}});
   if (star.pressed) wish = Wish::kKeep;
   if (star.visible) {
@@ -104,7 +111,7 @@ Wish DrawEntry(Ui& ui, const Session& session, const FoundMotions::Entry& entry)
              found.kept ? p.accent : p.second_ink);
     ui.DrawFocus(star, keep);
   }
-  if (ui.IconButton(id + "/delete", remove, Icon::kClose, "Delete: " + scene)) wish = Wish::kDelete;
+  if (ui.IconButton(id + "/delete", remove, Icon::kClose, Tr("Delete: {1}", scene))) wish = Wish::kDelete;
   return wish;
 }
 
@@ -116,17 +123,17 @@ void DrawFound(Ui& ui, Session& session, FoundMotions::Order& order) {
     const ImRect row = ui.ControlRow();
     const ImRect button({row.Max.x - 96.0f, row.Min.y}, row.Max);
     ui.Letters().DrawElided(ui.Canvas(), Type::kNote, {row.Min.x, row.GetCenter().y}, row.GetWidth() - 104.0f,
-                            ui.Ink().second_ink, "Deleted: " + SceneText(removed->motion));
-    if (ui.Button("found/bring-back", button, "Bring back")) found.BringBack();
+                            ui.Ink().second_ink, Tr("Deleted: {1}", SceneText(removed->motion)));
+    if (ui.Button("found/bring-back", button, Tr("Bring back"))) found.BringBack();
     ui.Gap(6.0f);
   }
   if (found.Empty()) {
-    ui.Paragraph("What searches find is listed here, and what you keep.", Type::kNote);
+    ui.Paragraph(Tr("What searches find is listed here, and what you keep."), Type::kNote);
     return;
   }
-  static constexpr std::array<std::string_view, 2> kOrders = {"Newest first", "Best first"};
+  static constexpr std::array<const char*, 2> kOrders = {TrLater("Newest first"), TrLater("Best first")};
   int chosen = static_cast<int>(order);
-  if (ui.Segmented("found/order", ui.ControlRow(), "Order of the results", kOrders, chosen))
+  if (ui.Segmented("found/order", ui.ControlRow(), Tr("Order of the results"), kOrders, chosen))
     order = static_cast<FoundMotions::Order>(chosen);
   ui.Gap(6.0f);
   // What is pressed changes the list, so it is done after it.
@@ -141,7 +148,7 @@ void DrawFound(Ui& ui, Session& session, FoundMotions::Order& order) {
     kept = entry->motion.kept;
   }
   ui.Gap(4.0f);
-  ui.Paragraph("Up to 100 stay; where room is short, the oldest that are not kept go.", Type::kNote);
+  ui.Paragraph(Tr("Up to 100 stay; where room is short, the oldest that are not kept go."), Type::kNote);
   if (wish == Wish::kShow) session.ShowFound(id);
   if (wish == Wish::kKeep) found.Keep(id, !kept);
   if (wish == Wish::kDelete) found.Remove(id);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/document/document.h"
+#include "shell/language.h"
 #include "shell/search_progress.h"
 
 namespace gaitsmith::shell {
@@ -32,7 +33,7 @@ class Host {
   /// Runs a search of the queue in the same way.
   /// @param words what it is, e.g. "Mr. Star-Man · travel, SPHC · seed 3"
   virtual void StartQueued(const Document& document, int workers, const std::string& words) {
-    Status("Queue: " + words);
+    Status(Tr("Queue: {1}", words));
     StartSearch(document, workers);
   }
   virtual void PauseSearch() = 0;

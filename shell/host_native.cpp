@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "shell/language.h"
+
 namespace gaitsmith::shell {
 
 NativeHost::~NativeHost() { StopSearch(); }
@@ -27,8 +29,7 @@ void NativeHost::StartSearch(const Document& document, int workers) {
 }
 
 void NativeHost::StartTrial(const Document& document, int workers, const TrialWords& trial) {
-  status_ = "Lab: trial " + std::to_string(trial.finished + 1) + " of " + std::to_string(trial.total) + ", " +
-            trial.words;
+  status_ = Tr("Lab: trial {1} of {2}, {3}", trial.finished + 1, trial.total, trial.words);
   StartSearch(document, workers);
 }
 
@@ -42,7 +43,7 @@ void NativeHost::SaveText(const std::string& name, const std::string& text) {
   std::ofstream file(path, std::ios::binary);
   file << text;
   file.close();
-  status_ = file.good() ? "Saved as " + path.string() + "." : "Cannot write " + path.string() + ".";
+  status_ = Tr(file.good() ? "Saved as {1}." : "Cannot write {1}.", path.string());
 }
 
 void NativeHost::PauseSearch() {
@@ -67,7 +68,7 @@ std::optional<SearchProgress> NativeHost::TakeProgress() {
 }
 
 std::string NativeHost::WindowTitle() const {
-  return title_ + " — Gaitsmith" + (status_.empty() ? "" : " — " + status_);
+  return TrTitle(title_) + " — Gaitsmith" + (status_.empty() ? "" : " — " + status_);
 }
 
 }  // namespace gaitsmith::shell

@@ -1,79 +1,29 @@
 // SPDX-License-Identifier: MIT
-// The page as a host: the bridge between the canvas and the DOM, and the only file that knows Emscripten.
+// The page as a host: the bridge between the canvas and the DOM, and with web_host.h the only file that knows
+// Emscripten.
 //
 // The page calls the gs_ functions below (text is UTF-8; returned text is valid until the next call) and
-// provides, as Module.page, the functions that host_web.library.js forwards to.
+// provides, as Module.page, the functions that web_host.h calls and host_web.library.js forwards to.
 #include <emscripten/emscripten.h>
 #include <emscripten/html5.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/document/binary.h"
 #include "core/document/json.h"
 #include "core/document/json_value.h"
 #include "core/document/link.h"
 #include "shell/app.h"
 #include "shell/commands.h"
 #include "shell/frame_pace.h"
+#include "shell/language.h"
 #include "shell/moment_words.h"
 #include "shell/script_answers.h"
 #include "shell/script_options.h"
-
-extern "C" {
-// host_web.library.js
-int gs_page_max_workers();
-void gs_page_start_search(const std::uint8_t* document, std::size_t bytes, int workers);
-void gs_page_start_trial(const std::uint8_t* document, std::size_t bytes, int workers, const char* words,
-                         int finished, int total);
-void gs_page_start_queued(const std::uint8_t* document, std::size_t bytes, int workers, const char* words);
-void gs_page_store_found(const char* id, const char* text);
-void gs_page_lab_ended();
-void gs_page_save_text(const char* name, const char* text);
-void gs_page_pause_search();
-void gs_page_resume_search();
-void gs_page_stop_search();
-void gs_page_status(const char* sentence);
-void gs_page_document_changed(const char* title);
-void gs_page_first_frame();
-void gs_page_leave_canvas(int direction);
-}
+#include "shell/web_host.h"
 
 namespace gaitsmith::shell {
 namespace {
-
-class WebHost final : public Host {
- public:
-  [[nodiscard]] int MaxWorkers() const override { return std::max(1, gs_page_max_workers()); }
-  void StartSearch(const Document& document, int workers) override {
-    const std::vector<std::uint8_t> bytes = EncodeBinary(document);
-    gs_page_start_search(bytes.data(), bytes.size(), workers);
-  }
-  void StartTrial(const Document& document, int workers, const TrialWords& trial) override {
-    const std::vector<std::uint8_t> bytes = EncodeBinary(document);
-    gs_page_start_trial(bytes.data(), bytes.size(), workers, trial.words.c_str(), trial.finished,
-                        trial.total);
-  }
-  void StartQueued(const Document& document, int workers, const std::string& words) override {
-    const std::vector<std::uint8_t> bytes = EncodeBinary(document);
-    gs_page_start_queued(bytes.data(), bytes.size(), workers, words.c_str());
-  }
-  void StoreFound(const std::string& id, const std::string& text) override {
-    gs_page_store_found(id.c_str(), text.c_str());
-  }
-  [[nodiscard]] double NowS() const override { return 1e-3 * emscripten_date_now(); }
-  void LabEnded() override { gs_page_lab_ended(); }
-  void SaveText(const std::string& name, const std::string& text) override {
-    gs_page_save_text(name.c_str(), text.c_str());
-  }
-  void PauseSearch() override { gs_page_pause_search(); }
-  void ResumeSearch() override { gs_page_resume_search(); }
-  void StopSearch() override { gs_page_stop_search(); }
-  void Status(const std::string& sentence) override { gs_page_status(sentence.c_str()); }
-  void DocumentChanged(const std::string& title) override { gs_page_document_changed(title.c_str()); }
-  void FirstFrame() override { gs_page_first_frame(); }
-  void LeaveCanvas(int direction) override { gs_page_leave_canvas(direction); }
-};
 
 // Everything that lives as long as the page.
 struct Page {
@@ -163,7 +113,7 @@ EMSCRIPTEN_KEEPALIVE int gs_running() { return ThePage().app ? 1 : 0; }
 /// where
 EMSCRIPTEN_KEEPALIVE const char* gs_open(const char* text, int bytes) {
   const auto opened = TheSession().Open({text, static_cast<std::size_t>(bytes)});
-  return Reply(opened ? "" : opened.error().Sentence());
+  return Reply(opened ? "" : TrError(opened.error()));
 }
 
 EMSCRIPTEN_KEEPALIVE const char* gs_document_json() { return Reply(EncodeJson(TheSession().WithHash())); }
@@ -244,6 +194,18 @@ EMSCRIPTEN_KEEPALIVE void gs_set_theme(int palette, double scale) {
   window.SetScale(static_cast<float>(std::clamp(scale, 0.5, 4.0)));
 }
 
+/// Everything is said in another language from now on. @param table of shell/languages, as JSON; empty:
+/// English
+/// @return 0: it is no such table, and nothing has changed
+EMSCRIPTEN_KEEPALIVE int gs_set_language(const char* table) {
+  if (!SpeakLanguage(table)) return 0;
+  Page& page = ThePage();
+  if (!page.app) return 1;
+  page.host.DocumentChanged(TheSession().Doc().title);
+  page.window->RequestFrame();
+  return 1;
+}
+
 /// Draws no more often than this; 0: as often as the display does.
 EMSCRIPTEN_KEEPALIVE void gs_set_frame_rate(double per_second) { ThePage().pace.Limit(per_second); }
 
@@ -277,17 +239,17 @@ EMSCRIPTEN_KEEPALIVE int gs_key(const char* name, int on_canvas, int repeated) {
 /// @param options JSON object or empty text. @return an empty text or a sentence
 EMSCRIPTEN_KEEPALIVE const char* gs_synthesize(const char* options) {
   Session& session = TheSession();
-  if (session.lab.Running()) return Reply("The lab is running: stop it first, or let it end.");
+  if (session.lab.Running()) return Reply(Tr("The lab is running: stop it first, or let it end."));
   session.BeginGesture();
   int workers = session.workers;
   std::string fault;
   if (options != nullptr && *options != '\0') {
     const auto parsed = ParseJson(options);
-    if (!parsed) return Reply(parsed.error().Sentence());
+    if (!parsed) return Reply(TrError(parsed.error()));
     Document changed = session.Doc();
     fault = ApplySearchOptions(*parsed, changed, workers);
     if (!fault.empty()) return Reply(fault);
-    if (const auto valid = Validate(changed); !valid) return Reply(valid.error().Sentence());
+    if (const auto valid = Validate(changed); !valid) return Reply(TrError(valid.error()));
     session.Set([&](Document& d) { d = changed; });
   }
   session.workers = workers;
@@ -300,12 +262,12 @@ EMSCRIPTEN_KEEPALIVE const char* gs_synthesize(const char* options) {
 EMSCRIPTEN_KEEPALIVE const char* gs_enqueue(const char* options) {
   Session& session = TheSession();
   const auto parsed = ParseJson(options);
-  if (!parsed) return Reply(parsed.error().Sentence());
+  if (!parsed) return Reply(TrError(parsed.error()));
   Document wanted = session.Doc();
   int workers = session.workers;
   if (std::string fault = ApplySearchOptions(*parsed, wanted, workers); !fault.empty())
     return Reply(std::move(fault));
-  if (const auto valid = Validate(wanted); !valid) return Reply(valid.error().Sentence());
+  if (const auto valid = Validate(wanted); !valid) return Reply(TrError(valid.error()));
   session.workers = workers;
   return Reply(session.Enqueue(wanted) ? "" : session.notice);
 }
@@ -335,11 +297,11 @@ EMSCRIPTEN_KEEPALIVE int gs_restore_found(const char* text) {
 /// @return an empty text, or a sentence, and then nothing has changed
 EMSCRIPTEN_KEEPALIVE const char* gs_lab(const char* options) {
   const auto parsed = ParseJson(options);
-  if (!parsed) return Reply(parsed.error().Sentence());
+  if (!parsed) return Reply(TrError(parsed.error()));
   LabSettings settings = TheSession().lab.settings;
   if (std::string fault = ApplyLabOptions(*parsed, settings); !fault.empty()) return Reply(std::move(fault));
   const auto started = TheSession().StartLab(settings);
-  return Reply(started ? "" : started.error().Sentence());
+  return Reply(started ? "" : TrError(started.error()));
 }
 /// The lab's curves so far, as a file.
 EMSCRIPTEN_KEEPALIVE const char* gs_lab_csv() { return Reply(TheSession().lab.Csv()); }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/document/binary.h"
+#include "shell/language.h"
 #include "shell/study/rank_test.h"
 
 namespace gaitsmith::shell {
@@ -23,7 +24,7 @@ Result<Study> StudyOf(const LabSettings& settings, const Document& document) {
                 "must be from 1 to " + std::to_string(kMostLabEvaluations));
   }
   if (settings.first_seed > 0xffffffffu - static_cast<std::uint32_t>(settings.trials - 1)) {
-    return Fail(ErrorCode::kOutOfRange, "firstSeed", "leaves no seeds for so many trials");
+    return Fail(ErrorCode::kOutOfRange, "firstSeed", TrLater("leaves no seeds for so many trials"));
   }
   Study study{.plan = {.fingerprint = {},
                        .first_seed = settings.first_seed,
@@ -43,10 +44,12 @@ Result<Study> StudyOf(const LabSettings& settings, const Document& document) {
     study.searches.push_back(search);
     const auto valid = Validate(TrialDocument(study, 0, study.searches.size() - 1, settings.first_seed));
     if (!valid) {
-      return Fail(valid.error().code, std::string(kAlgorithmNames[i]), valid.error().Sentence());
+      const std::string& where = valid.error().where;
+      return Fail(valid.error().code, std::string(kAlgorithmNames[i]) + (where.empty() ? "" : ": ") + where,
+                  valid.error().what);
     }
   }
-  if (study.searches.empty()) return Fail(ErrorCode::kMissing, "", "choose at least one algorithm");
+  if (study.searches.empty()) return Fail(ErrorCode::kMissing, "", TrLater("choose at least one algorithm"));
   study.plan.fingerprint = FingerprintOf(study);
   return study;
 }

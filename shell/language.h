@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What a person reads, in the language they chose. English stands where it is used and is the key to every other
-// language: languages/*.json hold all of it in one table each, and tests/web/language.test.js sees that nothing is
-// missing there and nothing left over.
+// What a person reads, in the language they chose. English stands where it is used and is the key to every
+// other language: languages/*.json hold all of it in one table each, and tests/web/language.test.mjs sees
+// that nothing is missing there and nothing left over.
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -40,9 +41,12 @@ template <class... Inserts>
   return Fill(Tr(english), {Insert(inserts)...});
 }
 
-/// A sentence made elsewhere, for instance by core's decoders, whose numbers and "quoted" parts stand in the table as
-/// {1}, {2}...; as it is where the table has none.
+/// A sentence made elsewhere, for instance by core's decoders, whose numbers and "quoted" parts stand in the
+/// table as {1}, {2}...; as it is where the table has none.
 [[nodiscard]] std::string TrSentence(std::string_view english);
+/// The name of a document or a controller, which stays as it was made, as a person reads it: shipped ones,
+/// and what a search has written: "Mr. Star-Man · travel, 10 rules with physical senses, seed 3".
+[[nodiscard]] std::string TrTitle(std::string_view title);
 /// An error as a person reads it: the place stays as the document names it.
 [[nodiscard]] std::string TrError(const Error&);
 

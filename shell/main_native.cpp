@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The desktop window:
 //   gaitsmith-window [document.json | link] [--theme light|dark|projector|contrast] [--size 1280x720]
-//   [--scale 1.5] [--panel 0..5]
-// A file dropped on the window is opened; Ctrl+S saves beside it, Ctrl+C copies a link. Other keys are the
-// commands' (commands.cpp).
+//   [--scale 1.5] [--panel 0..5] [--language de|en]
+// Without --language it speaks that of the environment (LC_ALL, LC_MESSAGES or LANG) if it knows it, else
+// English. A file dropped on the window is opened; Ctrl+S saves beside it, Ctrl+C copies a link. Other keys
+// are the commands' (commands.cpp).
 #include <charconv>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -16,7 +18,9 @@
 #include "core/document/json.h"
 #include "core/document/link.h"
 #include "shell/app.h"
+#include "shell/embedded.h"
 #include "shell/host_native.h"
+#include "shell/language.h"
 
 namespace gaitsmith::shell {
 namespace {
@@ -25,6 +29,7 @@ struct Arguments {
   std::string document;
   PaletteName palette = PaletteName::kLight;
   int panel = -1;
+  std::string language;  // empty: as the environment has it
   Window::Options window;
 };
 
@@ -67,6 +72,10 @@ bool Parse(int count, char** words, Arguments& arguments) {
     } else if (word == "--panel") {
       arguments.panel = static_cast<int>(Number(next));
       ++i;
+    } else if (word == "--language") {
+      arguments.language = next;
+      if (arguments.language != "de" && arguments.language != "en") return false;
+      ++i;
     } else if (word.starts_with("--") || !arguments.document.empty()) {
       return false;
     } else {
@@ -74,6 +83,15 @@ bool Parse(int count, char** words, Arguments& arguments) {
     }
   }
   return true;
+}
+
+// The first that is set decides, as for every program.
+std::string LanguageOfEnvironment() {
+  for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
+    const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): there is one thread yet
+    if (value != nullptr && *value != '\0') return value;
+  }
+  return {};
 }
 
 // A key as a command names it.
@@ -117,7 +135,7 @@ class Desktop {
     std::ifstream file(what, std::ios::binary);
     if (file) text.assign(std::istreambuf_iterator<char>(file), {});
     if (const auto opened = app_.State().Open(text); !opened)
-      return Tell("Cannot open: " + opened.error().Sentence());
+      return Tell(Tr("Cannot open: {1}", TrError(opened.error())));
     // A file that holds a link stays a link; what is saved later gets a file of its own.
     const auto first = text.find_first_not_of(" \t\r\n");
     const bool document = file && first != std::string::npos && text[first] == '{';
@@ -135,7 +153,7 @@ class Desktop {
       if (event.key.keysym.sym == SDLK_s) return Save();
       if (event.key.keysym.sym == SDLK_c) {
         SDL_SetClipboardText(EncodeLink(app_.State().Doc()).c_str());
-        Tell("Link copied.");
+        Tell(Tr("Link copied."));
         return true;
       }
     }
@@ -160,7 +178,7 @@ class Desktop {
     file << EncodeJson(app_.State().WithHash());
     file.close();
     if (file.good()) path_ = path;
-    Tell(file.good() ? "Saved as " + path + "." : "Cannot write " + path + ".");
+    Tell(Tr(file.good() ? "Saved as {1}." : "Cannot write {1}.", path));
     return true;
   }
   // gaitsmith.json, gaitsmith-2.json...: whatever would not overwrite anything.
@@ -188,10 +206,13 @@ int Run(int count, char** words) {
   if (!Parse(count, words, arguments)) {
     std::fputs(
         "usage: gaitsmith-window [document.json | link] [--theme light|dark|projector|contrast] [--size WxH] "
-        "[--scale S] [--panel N]\n",
+        "[--scale S] [--panel N] [--language de|en]\n",
         stderr);
     return 2;
   }
+  const std::string language = arguments.language.empty() ? LanguageOfEnvironment() : arguments.language;
+  if (language.starts_with("de") && !SpeakLanguage(GermanTable()))
+    std::fputs("gaitsmith-window: the German table is broken\n", stderr);
   const auto window = Window::Open(arguments.window);
   if (!window) {
     std::fprintf(stderr, "gaitsmith-window: %s\n", SDL_GetError());

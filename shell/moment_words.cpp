@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "shell/language.h"
 #include "shell/rule_words.h"
 #include "shell/style_words.h"
 #include "shell/wording.h"
@@ -14,9 +15,9 @@ namespace {
 
 // "1.84 m to the right"
 std::string WayWords(float travel_m) {
-  std::string metres = Fixed(std::abs(travel_m), 2) + " m";
-  if (std::abs(travel_m) < 0.005f) return metres;
-  return metres + (travel_m > 0.0f ? " to the right" : " to the left");
+  const std::string metres = Fixed(std::abs(travel_m), 2);
+  if (std::abs(travel_m) < 0.005f) return metres + " m";
+  return Tr(travel_m > 0.0f ? "{1} m to the right" : "{1} m to the left", metres);
 }
 
 std::string ContactWords(const Motion& motion, int frame) {
@@ -28,11 +29,11 @@ std::string ContactWords(const Motion& motion, int frame) {
     const Motion::Point force = motion.Force(frame, k);
     if (std::hypot(force.x, force.y) >= kLeast * weight) touching.push_back(std::to_string(k + 1));
   }
-  if (touching.empty()) return " Nothing touches the ground.";
-  std::string words = touching.size() == 1 ? " Endpoint " : " Endpoints ";
-  for (std::size_t i = 0; i < touching.size(); ++i)
-    words += (i == 0 ? "" : i + 1 < touching.size() ? ", " : " and ") + touching[i];
-  return words + (touching.size() == 1 ? " touches the ground." : " touch the ground.");
+  if (touching.empty()) return std::string(" ") + Tr("Nothing touches the ground.");
+  if (touching.size() == 1) return " " + Tr("Endpoint {1} touches the ground.", touching.front());
+  std::string words;
+  for (std::size_t i = 0; i + 1 < touching.size(); ++i) words += (i == 0 ? "" : ", ") + touching[i];
+  return " " + Tr("Endpoints {1} and {2} touch the ground.", words, touching.back());
 }
 
 // The clip in charge, and its controller.
@@ -47,11 +48,11 @@ const Controller* InCharge(const Session& session, int frame) {
 
 std::string MomentWords(const Session& session) {
   const Playback& player = session.player;
-  std::string words = std::string(player.Playing() ? "Plays at " : "Paused at ") + Fixed(player.TimeS(), 2) +
-                      " s, " + WayWords(player.TermsNow().travel_m) + ".";
+  std::string words = Tr(player.Playing() ? "Plays at {1} s, {2}." : "Paused at {1} s, {2}.",
+                         Fixed(player.TimeS(), 2), WayWords(player.TermsNow().travel_m));
   const Controller* controller = InCharge(session, player.Frame());
   if (controller != nullptr && controller->kind == ControllerKind::kRules)
-    words += " Rule " + std::to_string(player.Shown().At(player.Frame()).rule + 1) + " acts.";
+    words += " " + Tr("Rule {1} acts.", player.Shown().At(player.Frame()).rule + 1);
   return words;
 }
 
@@ -60,23 +61,25 @@ std::string DescriptionOf(const Session& session) {
   const Motion& motion = player.Shown();
   const int frame = player.Frame();
   const Document& d = session.Doc();
-  std::string words = (d.figure.name.empty() ? "The figure" : d.figure.name) + " has travelled " +
-                      WayWords(player.TermsNow().travel_m) + " after " + Fixed(player.TimeS(), 2) + " s of " +
-                      Fixed(player.DurationS(), 2) + " s." + ContactWords(motion, frame);
+  const std::string name = d.figure.name.empty() ? Tr("The figure") : TrTitle(d.figure.name);
+  std::string words =
+      Tr("{1} has travelled {2} after {3} s of {4} s.", name, WayWords(player.TermsNow().travel_m),
+         Fixed(player.TimeS(), 2), Fixed(player.DurationS(), 2)) +
+      ContactWords(motion, frame);
   if (const Controller* controller = InCharge(session, frame)) {
     if (const auto moment = MomentOf(*controller, motion, motion.At(frame).clip, frame)) {
       words += " " + WhyWords(*moment, motion.At(frame).rule);
     } else {
-      words += " It is driven by " +
-               ControllerWords(controller->kind, controller->senses, controller->rules) + ".";
+      words += " " + Tr("It is driven by {1}.",
+                        ControllerWords(controller->kind, controller->senses, controller->rules));
     }
   } else {
-    words += " Nothing drives it: a search finds a controller.";
+    words += std::string(" ") + Tr("Nothing drives it: a search finds a controller.");
   }
   words += " " + ScoreWords(d.task, player.TermsNow());
   if (const Playback* other = session.SideBySide() ? session.Ghost() : nullptr) {
-    words += " Beside it, " + session.GhostWords() + ": " +
-             WayWords(other->Shown().TermsAt(std::min(frame, other->Shown().Frames() - 1)).travel_m) + ".";
+    const Terms& terms = other->Shown().TermsAt(std::min(frame, other->Shown().Frames() - 1));
+    words += " " + Tr("Beside it, {1}: {2}.", session.GhostWords(), WayWords(terms.travel_m));
   }
   return words;
 }

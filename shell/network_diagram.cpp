@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shell/language.h"
+
 namespace gaitsmith::shell {
 namespace {
 
@@ -76,7 +78,7 @@ void DrawNodes(Ui& ui, const Diagram& diagram, const Session& session) {
     draw(at, diagram.Fires(input));
     if (input < shape.touches + shape.joints) {
       ui.Letters().Draw(list, Type::kSmall, {at.x - kNode - 6.0f, at.y}, p.second_ink,
-                        InputName(shape, input), Align::kRight);
+                        TrSentence(InputName(shape, input)), Align::kRight);
     }
   }
   const Motion& motion = session.player.Shown();
@@ -96,9 +98,10 @@ void DrawNodes(Ui& ui, const Diagram& diagram, const Session& session) {
 std::string FiringWords(const Diagram& diagram) {
   std::string words;
   for (int input = 0; input < diagram.shape.Inputs(); ++input) {
-    if (diagram.Fires(input)) words += (words.empty() ? "" : ", ") + InputName(diagram.shape, input);
+    if (diagram.Fires(input))
+      words += (words.empty() ? "" : ", ") + TrSentence(InputName(diagram.shape, input));
   }
-  return words.empty() ? "nothing fires" : "on: " + words;
+  return words.empty() ? Tr("nothing fires") : Tr("on: {1}", words);
 }
 
 }  // namespace
@@ -108,12 +111,12 @@ void DrawNetwork(Ui& ui, const Session& session, const Controller& controller) {
   const Motion::Frame& now = motion.At(session.player.Frame());
   const NetworkShape shape(controller.rules, motion.Bones().rods);
   const int tallest = std::max({shape.touches + shape.joints, shape.hidden, shape.joints});
-  ui.Paragraph("Filled: on. Green raises, red lowers. Bars: the joints' angles.", Type::kNote);
+  ui.Paragraph(Tr("Filled: on. Green raises, red lowers. Bars: the joints' angles."), Type::kNote);
   ui.Gap(6.0f);
   const ImRect row = ui.Row(kPitch * static_cast<float>(tallest));
   const Diagram diagram{shape, controller, row, now.clip == session.SelectedClip() ? now.firing : 0};
   const Touch touch = ui.Area("controller/network", row, Grab::kPress,
-                              {.label = "Network of " + std::to_string(shape.hidden) + " hidden nodes",
+                              {.label = Tr("Network of {1} hidden nodes", shape.hidden),
                                .role = "img",
                                .value = FiringWords(diagram)});
   if (touch.visible) {

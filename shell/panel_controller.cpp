@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "shell/language.h"
 #include "shell/network_diagram.h"
 #include "shell/rule_card.h"
 #include "shell/wording.h"
@@ -15,27 +16,28 @@ namespace gaitsmith::shell {
 namespace {
 
 // How a timer compares with the length of the motion: below it the motion repeats, above it never does.
-std::string PeriodWords(int period_steps, int duration_steps) {
+const char* PeriodWords(int period_steps, int duration_steps) {
   const float ratio = static_cast<float>(period_steps) / static_cast<float>(duration_steps);
-  if (ratio < 0.1f) return "far below the motion's length: it repeats like a wind-up toy";
-  if (ratio < 0.6f) return "below the motion's length: it repeats a few times";
-  if (ratio <= 1.0f) return "about the motion's length: hardly repeats";
-  return "above the motion's length: it never repeats";
+  if (ratio < 0.1f) return Tr("far below the motion's length: it repeats like a wind-up toy");
+  if (ratio < 0.6f) return Tr("below the motion's length: it repeats a few times");
+  if (ratio <= 1.0f) return Tr("about the motion's length: hardly repeats");
+  return Tr("above the motion's length: it never repeats");
 }
 
 void DrawSettings(Ui& ui, Session& session) {
   const SenseSpec& senses = session.Doc().senses;
-  static constexpr std::array<std::string_view, 3> kKinds = {"Timer", "Senses", "Network"};
+  static constexpr std::array<const char*, 3> kKinds = {TrLater("Timer"), TrLater("Senses"),
+                                                        TrLater("Network")};
   const bool network = session.Doc().kind == ControllerKind::kNetwork;
   int kind = static_cast<int>(DeciderOf(session.Doc()));
-  if (ui.Segmented("controller/senses", ui.Row(ui.Look().touch ? 42.0f : 34.0f), "What decides", kKinds,
+  if (ui.Segmented("controller/senses", ui.Row(ui.Look().touch ? 42.0f : 34.0f), Tr("What decides"), kKinds,
                    kind)) {
     session.Set([&](Document& d) { Decide(d, static_cast<Decider>(kind)); });
   }
   ui.Gap(8.0f);
-  ui.Paragraph(kind == 0   ? "Rules that follow a clock: a wind-up toy."
-               : kind == 1 ? "Rules that feel angles, contacts, height and rise."
-                           : "Touch and angle sensors, hidden nodes and actuators, all connected.",
+  ui.Paragraph(Tr(kind == 0   ? "Rules that follow a clock: a wind-up toy."
+                  : kind == 1 ? "Rules that feel angles, contacts, height and rise."
+                              : "Touch and angle sensors, hidden nodes and actuators, all connected."),
                Type::kNote);
   ui.Gap(10.0f);
   if (kind == 0) {
@@ -44,7 +46,7 @@ void DrawSettings(Ui& ui, Session& session) {
     // From far below the motion's length to above it, however long it is.
     const double length = static_cast<double>(session.Doc().task.duration_steps) * static_cast<double>(kStep);
     const double longest = std::min(std::max(30.0, 1.5 * length), kMaxSteps * static_cast<double>(kStep));
-    if (ui.Slider("controller/period", "Period", period,
+    if (ui.Slider("controller/period", Tr("Period"), period,
                   {.low = 0.1, .high = longest, .step = 0.01, .logarithmic = true},
                   Fixed(seconds, 2) + " s")) {
       const int steps = static_cast<int>(std::lround(period * 100.0));
@@ -68,14 +70,14 @@ void DrawSettings(Ui& ui, Session& session) {
     ui.Gap(8.0f);
   }
   double rules = session.Doc().rules;
-  if (ui.Slider("controller/rules", network ? "Hidden nodes" : "Rules", rules,
+  if (ui.Slider("controller/rules", Tr(network ? "Hidden nodes" : "Rules"), rules,
                 {.low = 1.0, .high = std::max(20.0, rules), .step = 1.0},
                 std::to_string(session.Doc().rules))) {
     session.Set([&](Document& d) { d.rules = static_cast<int>(rules); });
   }
   const float tau = session.Doc().senses.tau_min_s;
   double fastest = static_cast<double>(tau);
-  if (ui.Slider("controller/tau", "Fastest response τ", fastest,
+  if (ui.Slider("controller/tau", Tr("Fastest response τ"), fastest,
                 {.low = 0.05, .high = 0.5, .step = 0.01, .logarithmic = true}, Fixed(tau, 2) + " s")) {
     session.Set([&](Document& d) {
       d.senses.tau_min_s = static_cast<float>(fastest);
@@ -126,11 +128,11 @@ void DrawComparison(Ui& ui, Session& session, const Controller& shown) {
   const bool with_timer = RivalOf(shown) == Decider::kTimer;
   const bool beside = session.SideBySide();
   const bool awaits = !beside && session.AwaitsRival();
-  const std::string label = beside       ? "Stop comparing"
-                            : with_timer ? "Compare with a timer"
-                                         : "Compare with senses";
+  const char* label = Tr(beside       ? "Stop comparing"
+                         : with_timer ? "Compare with a timer"
+                                      : "Compare with senses");
   if (ui.Button("controller/compare", ui.ControlRow(), label, ButtonLook::kOutlined, !awaits,
-                awaits ? label + ": a search for it runs or waits" : "")) {
+                awaits ? Tr("{1}: a search for it runs or waits", label) : "")) {
     if (beside) {
       session.StopComparing();
     } else {
@@ -138,8 +140,8 @@ void DrawComparison(Ui& ui, Session& session, const Controller& shown) {
     }
   }
   if (awaits) {
-    ui.Paragraph(with_timer ? "A search with a timer runs or waits: what it finds comes to stand beside."
-                            : "A search with senses runs or waits: what it finds comes to stand beside.",
+    ui.Paragraph(Tr(with_timer ? "A search with a timer runs or waits: what it finds comes to stand beside."
+                               : "A search with senses runs or waits: what it finds comes to stand beside."),
                  Type::kNote);
   }
   ui.Gap(10.0f);
@@ -155,13 +157,13 @@ void DrawControllerPanel(Ui& ui, Session& session, ControllerPanelState& state) 
   const bool differs = shown != nullptr && (shown->senses.kind != d.senses.kind || shown->rules != d.rules ||
                                             shown->kind != d.kind);
   if (shown == nullptr || differs) {
-    ui.Paragraph(shown == nullptr ? "No controller yet. A search finds one with these settings."
-                                  : "The next search uses these settings. On the stage: " +
-                                        ControllerWords(shown->kind, shown->senses, shown->rules) + ".",
+    ui.Paragraph(shown == nullptr ? Tr("No controller yet. A search finds one with these settings.")
+                                  : Tr("The next search uses these settings. On the stage: {1}.",
+                                       ControllerWords(shown->kind, shown->senses, shown->rules)),
                  Type::kNote);
     ui.Gap(6.0f);
     if (!session.Searching() &&
-        ui.Button("controller/start", ui.Row(38.0f), "Synthesize", ButtonLook::kPrimary)) {
+        ui.Button("controller/start", ui.Row(38.0f), Tr("Synthesize"), ButtonLook::kPrimary)) {
       session.Synthesize();
       return;
     }

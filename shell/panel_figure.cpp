@@ -9,6 +9,7 @@
 #include "core/numeric/scalar_math.h"
 #include "shell/figure_edit.h"
 #include "shell/figure_gallery.h"
+#include "shell/language.h"
 #include "shell/wording.h"
 
 namespace gaitsmith::shell {
@@ -29,16 +30,17 @@ void EditNumbers(Ui& ui, const Rod& rod, const std::function<void(const RodEdit&
   double length = static_cast<double>(rod.length_m);
   double mass = static_cast<double>(rod.mass_kg);
   double angle = static_cast<double>(rod.rest_rad / kDegree);
-  if (ui.Slider("figure/length", "Length", length,
+  if (ui.Slider("figure/length", Tr("Length"), length,
                 {.low = 0.1, .high = 5.0, .step = 0.01, .logarithmic = true},
                 Fixed(rod.length_m, 2) + " m")) {
     change([&](Rod& r) { r.length_m = static_cast<float>(length); });
   }
-  if (ui.Slider("figure/mass", "Mass", mass, {.low = 0.05, .high = 50.0, .step = 0.05, .logarithmic = true},
+  if (ui.Slider("figure/mass", Tr("Mass"), mass,
+                {.low = 0.05, .high = 50.0, .step = 0.05, .logarithmic = true},
                 Fixed(rod.mass_kg, 2) + " kg")) {
     change([&](Rod& r) { r.mass_kg = static_cast<float>(mass); });
   }
-  if (ui.Slider("figure/angle", root ? "Angle to the ground" : "Angle to its parent", angle,
+  if (ui.Slider("figure/angle", Tr(root ? "Angle to the ground" : "Angle to its parent"), angle,
                 {.low = -180.0, .high = 180.0, .step = 1.0}, Degrees(angle))) {
     change([&](Rod& r) {
       r.rest_rad = std::clamp(static_cast<float>(angle) * kDegree, -kLargestAngle, kLargestAngle);
@@ -50,8 +52,8 @@ void EditNumbers(Ui& ui, const Rod& rod, const std::function<void(const RodEdit&
                         .high = share(rod.max_rad),
                         .low_text = Degrees(static_cast<double>(rod.min_rad / kDegree)),
                         .high_text = Degrees(static_cast<double>(rod.max_rad / kDegree))};
-  ui.Fact("Joint turns", limits.low_text + " to " + limits.high_text);
-  if (!ui.IntervalSlider("figure/range", "Joint turns", limits, ui.Ink().accent)) return;
+  ui.Fact(Tr("Joint turns"), Tr("{1} to {2}", limits.low_text, limits.high_text));
+  if (!ui.IntervalSlider("figure/range", Tr("Joint turns"), limits, ui.Ink().accent)) return;
   const auto whole = [](float part) { return std::round((part - 0.5f) * 360.0f) * kDegree; };
   change([&](Rod& r) {
     r.min_rad = std::clamp(whole(limits.low), -kLargestAngle, 0.0f);
@@ -63,7 +65,7 @@ void EditRod(Ui& ui, Session& session, DrawingBoardState& state) {
   const Figure& figure = session.Doc().figure;
   state.rod = std::clamp(state.rod, 0, figure.Rods() - 1);
   int number = state.rod + 1;
-  ui.Number("figure/rod", "Rod, of " + std::to_string(figure.Rods()), number, 1, figure.Rods());
+  ui.Number("figure/rod", Tr("Rod, of {1}", figure.Rods()), number, 1, figure.Rods());
   state.rod = number - 1;
   const auto index = static_cast<std::size_t>(state.rod);
   const Rod rod = figure.rods[index];
@@ -86,20 +88,20 @@ void EditRod(Ui& ui, Session& session, DrawingBoardState& state) {
   };
   const bool root = rod.parent == kNoParent;
   const bool room = figure.Rods() < kMaxRods;
-  if (ui.Button("figure/grow", third(0), "Grow a rod", ButtonLook::kOutlined, room)) {
+  if (ui.Button("figure/grow", third(0), Tr("Grow a rod"), ButtonLook::kOutlined, room)) {
     replace(WithRodGrown(figure, state.rod), figure.Rods());
-  } else if (ui.Button("figure/copy", third(1), "Copy limb", ButtonLook::kOutlined, room && !root)) {
+  } else if (ui.Button("figure/copy", third(1), Tr("Copy limb"), ButtonLook::kOutlined, room && !root)) {
     replace(WithLimbCopied(figure, state.rod), figure.Rods());
-  } else if (ui.Button("figure/delete", third(2), "Delete limb", ButtonLook::kOutlined, !root)) {
+  } else if (ui.Button("figure/delete", third(2), Tr("Delete limb"), ButtonLook::kOutlined, !root)) {
     replace(WithoutRod(figure, state.rod), rod.parent);
   }
   if (root) {
     ui.Gap(4.0f);
-    ui.Paragraph("This is the root: it carries all others, so it can be neither copied nor deleted.",
+    ui.Paragraph(Tr("This is the root: it carries all others, so it can be neither copied nor deleted."),
                  Type::kNote);
   } else if (!room) {
     ui.Gap(4.0f);
-    ui.Paragraph("A figure has at most " + std::to_string(kMaxRods) + " rods.", Type::kNote);
+    ui.Paragraph(Tr("A figure has at most {1} rods.", kMaxRods), Type::kNote);
   }
 }
 
@@ -114,9 +116,9 @@ void DrawProblems(Ui& ui, Session& session, FigurePanelState& state) {
     const bool same =
         problem.figure.name == session.Doc().figure.name && problem.task.kind == session.Doc().task.kind;
     if (same) chosen = static_cast<int>(titles.size());
-    titles.push_back(problem.title);
+    titles.push_back(TrTitle(problem.title));
   }
-  if (!ui.Combo("figure/problem", "Problem", titles, chosen, "Own")) return;
+  if (!ui.Combo("figure/problem", Tr("Problem"), titles, chosen, Tr("Own"))) return;
   session.ChooseProblem(chosen);
   Reset(state.board);
 }
@@ -134,39 +136,43 @@ void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
   }
   if (state.gallery_open) {
     ui.Gap(4.0f);
-    ui.Paragraph("Another figure needs a controller of its own: the present ones go. Undo brings them back.",
-                 Type::kNote);
+    ui.Paragraph(
+        Tr("Another figure needs a controller of its own: the present ones go. Undo brings them back."),
+        Type::kNote);
   }
   ui.Gap(6.0f);
   DrawProblems(ui, session, state);
   ui.Gap(10.0f);
-  static constexpr std::array<std::string_view, 2> kTools = {"Move", "Grow a rod"};
+  static constexpr std::array<const char*, 2> kTools = {TrLater("Move"), TrLater("Grow a rod")};
   const ImRect tools = ui.Row(ui.Look().touch ? 42.0f : 34.0f);
   int tool = static_cast<int>(state.board.tool);
-  if (ui.Segmented("figure/tool", {tools.Min, {tools.Max.x - 76.0f, tools.Max.y}},
-                   "Tool of the drawing board", kTools, tool))
+  const char* undo = Tr("Undo");
+  const float undo_width = std::max(68.0f, ui.Letters().Width(Type::kBody, undo) + 16.0f);
+  if (ui.Segmented("figure/tool", {tools.Min, {tools.Max.x - undo_width - 8.0f, tools.Max.y}},
+                   Tr("Tool of the drawing board"), kTools, tool))
     state.board.tool = static_cast<DrawingTool>(tool);
-  if (ui.Button("figure/undo", {{tools.Max.x - 68.0f, tools.Min.y}, tools.Max}, "Undo", ButtonLook::kOutlined,
-                session.CanUndo())) {
+  if (ui.Button("figure/undo", {{tools.Max.x - undo_width, tools.Min.y}, tools.Max}, undo,
+                ButtonLook::kOutlined, session.CanUndo())) {
     session.Undo();
     Reset(state.board);
   }
   ui.Gap(8.0f);
   DrawDrawingBoard(ui, session, state.board);
   ui.Gap(8.0f);
-  ui.Paragraph(state.board.tool == DrawingTool::kMove
-                   ? "Drag a joint or a tip to change a rod; drag a rod to turn it with all that hangs on it."
-                   : "Drag from a joint or a tip to grow a rod there.",
-               Type::kNote);
-  ui.Switch("figure/snap", "Snap to 15° and 5 cm", state.board.snap);
+  ui.Paragraph(
+      Tr(state.board.tool == DrawingTool::kMove
+             ? "Drag a joint or a tip to change a rod; drag a rod to turn it with all that hangs on it."
+             : "Drag from a joint or a tip to grow a rod there."),
+      Type::kNote);
+  ui.Switch("figure/snap", Tr("Snap to 15° and 5 cm"), state.board.snap);
   ui.Gap(8.0f);
   EditRod(ui, session, state.board);
   ui.Gap(8.0f);
   const ImRect row = ui.ControlRow();
   const float middle = row.GetCenter().x;
-  if (ui.Button("figure/mirror", {row.Min, {middle - 4.0f, row.Max.y}}, "Mirror all"))
+  if (ui.Button("figure/mirror", {row.Min, {middle - 4.0f, row.Max.y}}, Tr("Mirror all")))
     session.ReplaceFigure(Mirrored(session.Doc().figure));
-  if (ui.Button("figure/fresh", {{middle + 4.0f, row.Min.y}, row.Max}, "Start from one rod")) {
+  if (ui.Button("figure/fresh", {{middle + 4.0f, row.Min.y}, row.Max}, Tr("Start from one rod"))) {
     Figure single = SingleRod();
     single.name = kOwnFigure;
     session.ReplaceFigure(single);

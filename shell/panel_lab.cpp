@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shell/algorithm_words.h"
+#include "shell/language.h"
 #include "shell/plot.h"
 #include "shell/wording.h"
 
@@ -21,29 +22,29 @@ ImU32 ColourOf(const Theme& theme, Algorithm algorithm) {
   return index < kColours ? theme.Rule(index) : theme.palette.second_ink;
 }
 
-std::string TrialsText(int trials) { return Grouped(trials) + (trials == 1 ? " trial" : " trials"); }
-
 /// "SPHC, 3 trials: median 5.31, quartiles 4.20 and 6.10"
 std::string SeriesText(const LabSeries& series) {
-  std::string text = WordsOf(series.algorithm).name + ", " + TrialsText(series.trials);
+  const std::string& name = WordsOf(series.algorithm).name;
+  const std::string text =
+      Tr(series.trials == 1 ? "{1}, {2} trial" : "{1}, {2} trials", name, Grouped(series.trials));
   if (series.trials == 0) return text;
-  if (series.points.empty()) return text + ": no motion";
+  if (series.points.empty()) return Tr("{1}: no motion", text);
   const LabSeries::Point& end = series.points.back();
-  return text + ": median " + Fixed(end.median, 2) + ", quartiles " + Fixed(end.lower_quartile, 2) + " and " +
-         Fixed(end.upper_quartile, 2);
+  return Tr("{1}: median {2}, quartiles {3} and {4}", text, Fixed(end.median, 2),
+            Fixed(end.lower_quartile, 2), Fixed(end.upper_quartile, 2));
 }
 
 std::string AllText(const Lab& lab) {
   std::string text;
   for (const LabSeries& series : lab.Series()) text += (text.empty() ? "" : "; ") + SeriesText(series);
-  return text + ". After " + Grouped(lab.Evaluations()) + " evaluations";
+  return Tr("{1}. After {2} evaluations", text, Grouped(lab.Evaluations()));
 }
 
 void DrawButtons(Ui& ui, Session& session) {
   const ImRect row = ui.Row(38.0f);
   if (session.lab.Running()) {
-    if (ui.Button("lab/stop", row, "Stop")) session.StopLab();
-  } else if (ui.Button("lab/start", row, "Start", ButtonLook::kPrimary)) {
+    if (ui.Button("lab/stop", row, Tr("Stop"))) session.StopLab();
+  } else if (ui.Button("lab/start", row, Tr("Start"), ButtonLook::kPrimary)) {
     session.StartLab();
   }
 }
@@ -54,11 +55,12 @@ void DrawProgress(Ui& ui, const Lab& lab) {
   ui.Canvas()->AddRectFilled(row.Min, row.Max, ui.Ink().soft, 3.0f);
   ui.Canvas()->AddRectFilled(row.Min, {row.Min.x + share * row.GetWidth(), row.Max.y}, ui.Ink().good, 3.0f);
   ui.Gap(8.0f);
-  ui.Fact(Grouped(lab.Finished()) + " of " + TrialsText(lab.Total()),
-          lab.Running()                       ? "running"
-          : lab.State() == LabState::kDone    ? "done"
-          : lab.State() == LabState::kStopped ? "stopped"
-                                              : "failed");
+  ui.Fact(Tr(lab.Total() == 1 ? "{1} of {2} trial" : "{1} of {2} trials", Grouped(lab.Finished()),
+             Grouped(lab.Total())),
+          Tr(lab.Running()                       ? "running"
+             : lab.State() == LabState::kDone    ? "done"
+             : lab.State() == LabState::kStopped ? "stopped"
+                                                 : "failed"));
 }
 
 void DrawCurves(Ui& ui, const Lab& lab) {
@@ -83,13 +85,14 @@ void DrawCurves(Ui& ui, const Lab& lab) {
   }
   const ImRect head = ui.Row(24.0f);
   ui.Letters().Draw(ui.Canvas(), Type::kStrong, {head.Min.x, head.GetCenter().y}, ui.Ink().ink,
-                    "Best so far");
+                    Tr("Best so far"));
   ui.Letters().Draw(ui.Canvas(), Type::kNote, {head.Max.x, head.GetCenter().y}, ui.Ink().second_ink,
-                    "median and quartiles", Align::kRight);
-  DrawPlot(
-      ui, "lab/curves", "Best score so far: medians and quartiles", ui.Row(190.0f),
-      {.x_end = static_cast<double>(std::max(lab.Evaluations(), 1)), .x_label = "evaluations", .y_unit = ""},
-      plotted, AllText(lab));
+                    Tr("median and quartiles"), Align::kRight);
+  DrawPlot(ui, "lab/curves", Tr("Best score so far: medians and quartiles"), ui.Row(190.0f),
+           {.x_end = static_cast<double>(std::max(lab.Evaluations(), 1)),
+            .x_label = Tr("evaluations"),
+            .y_unit = ""},
+           plotted, AllText(lab));
 }
 
 /// The curves' ends, and the legend of the plot.
@@ -100,16 +103,16 @@ void DrawTable(Ui& ui, const Lab& lab) {
   const ImRect whole = ui.Row(line * static_cast<float>(lab.Series().size() + 1));
   ImGui::PushItemFlag(ImGuiItemFlags_NoNav | ImGuiItemFlags_NoTabStop, true);
   ui.Area("lab/table", whole, Grab::kNothing,
-          {.label = "Best of the trials", .role = "note", .value = AllText(lab)});
+          {.label = Tr("Best of the trials"), .role = "note", .value = AllText(lab)});
   ImGui::PopItemFlag();
   ImDrawList* list = ui.Canvas();
   float y = whole.Min.y + 0.5f * line;
   const auto put = [&](Type type, float column, ImU32 colour, const std::string& text) {
     ui.Letters().Draw(list, type, {whole.Min.x + column * whole.GetWidth(), y}, colour, text, Align::kRight);
   };
-  put(Type::kNote, kTrials, ui.Ink().second_ink, "trials");
-  put(Type::kNote, kMedian, ui.Ink().second_ink, "median");
-  put(Type::kNote, kQuartiles, ui.Ink().second_ink, "quartiles");
+  put(Type::kNote, kTrials, ui.Ink().second_ink, Tr("trials"));
+  put(Type::kNote, kMedian, ui.Ink().second_ink, Tr("median"));
+  put(Type::kNote, kQuartiles, ui.Ink().second_ink, Tr("quartiles"));
   for (const LabSeries& series : lab.Series()) {
     y += line;
     list->AddRectFilled({whole.Min.x, y - 4.0f}, {whole.Min.x + 8.0f, y + 4.0f},
@@ -118,20 +121,20 @@ void DrawTable(Ui& ui, const Lab& lab) {
                       WordsOf(series.algorithm).name);
     put(Type::kBody, kTrials, ui.Ink().second_ink, Grouped(series.trials));
     if (series.points.empty()) {
-      put(Type::kBody, kQuartiles, ui.Ink().second_ink, series.trials > 0 ? "no motion" : "none yet");
+      put(Type::kBody, kQuartiles, ui.Ink().second_ink, Tr(series.trials > 0 ? "no motion" : "none yet"));
       continue;
     }
     const LabSeries::Point& end = series.points.back();
     put(Type::kStrong, kMedian, ui.Ink().ink, Fixed(end.median, 2));
     put(Type::kBody, kQuartiles, ui.Ink().second_ink,
-        Fixed(end.lower_quartile, 2) + " to " + Fixed(end.upper_quartile, 2));
+        Tr("{1} to {2}", Fixed(end.lower_quartile, 2), Fixed(end.upper_quartile, 2)));
   }
 }
 
 /// Toggles, as many in a row as fit.
 void DrawAlgorithms(Ui& ui, LabSettings& settings) {
   constexpr float kGap = 6.0f;
-  const PartScope part = ui.Part("lab/algorithms", "group", "Algorithms to compare");
+  const PartScope part = ui.Part("lab/algorithms", "group", Tr("Algorithms to compare"));
   const Palette& p = ui.Ink();
   const auto width_of = [&](std::size_t i) {
     return ui.Letters().Width(Type::kBody, AlgorithmTexts()[i].name) + 34.0f;
@@ -144,9 +147,9 @@ void DrawAlgorithms(Ui& ui, LabSettings& settings) {
       const ImRect chip({x, row.Min.y}, {std::min(x + width, row.Max.x), row.Max.y});
       bool& on = settings.chosen[next];
       const Touch touch = ui.Area("lab/algorithm/" + std::string(kAlgorithmNames[next]), chip, Grab::kPress,
-                                  {.label = AlgorithmTexts()[next].title,
+                                  {.label = Tr(AlgorithmTexts()[next].title),
                                    .role = "switch",
-                                   .value = on ? "on" : "off",
+                                   .value = Tr(on ? "on" : "off"),
                                    .state = {.checked = on}});
       if (touch.pressed) on = !on;
       x += width + kGap;
@@ -170,10 +173,10 @@ void DrawAlgorithms(Ui& ui, LabSettings& settings) {
 void DrawSettings(Ui& ui, LabSettings& settings) {
   DrawAlgorithms(ui, settings);
   ui.Gap(4.0f);
-  ui.Number("lab/trials", "Trials of each", settings.trials, kFewestLabTrials, kMostLabTrials);
+  ui.Number("lab/trials", Tr("Trials of each"), settings.trials, kFewestLabTrials, kMostLabTrials);
   ui.Gap(6.0f);
   double evaluations = settings.evaluations;
-  if (ui.Slider("lab/evaluations", "Evaluations of each", evaluations,
+  if (ui.Slider("lab/evaluations", Tr("Evaluations of each"), evaluations,
                 {.low = 500.0, .high = 40'000.0, .step = 100.0, .logarithmic = true},
                 Grouped(settings.evaluations))) {
     settings.evaluations = static_cast<int>(evaluations);
@@ -181,7 +184,7 @@ void DrawSettings(Ui& ui, LabSettings& settings) {
   ui.Gap(6.0f);
   constexpr int kMostSeed = 999'999'999;
   int seed = static_cast<int>(std::min<std::uint32_t>(settings.first_seed, kMostSeed));
-  if (ui.Number("lab/first-seed", "First seed", seed, 0, kMostSeed))
+  if (ui.Number("lab/first-seed", Tr("First seed"), seed, 0, kMostSeed))
     settings.first_seed = static_cast<std::uint32_t>(seed);
 }
 
@@ -197,13 +200,13 @@ void DrawLabPanel(Ui& ui, Session& session) {
     DrawCurves(ui, lab);
     ui.Gap(8.0f);
     if (!lab.IsOf(session.Doc())) {
-      ui.Paragraph("These trials are of the document as it was when they began.", ui.Ink().accent,
+      ui.Paragraph(Tr("These trials are of the document as it was when they began."), ui.Ink().accent,
                    Type::kNote);
       ui.Gap(4.0f);
     }
     DrawTable(ui, lab);
     ui.Gap(8.0f);
-    if (ui.Button("lab/save", ui.ControlRow(), "Save curves as CSV", ButtonLook::kOutlined,
+    if (ui.Button("lab/save", ui.ControlRow(), Tr("Save curves as CSV"), ButtonLook::kOutlined,
                   lab.Finished() > 0))
       session.SaveLabCurves();
     ui.Gap(14.0f);
@@ -212,10 +215,10 @@ void DrawLabPanel(Ui& ui, Session& session) {
   ui.Gap(10.0f);
   const Document& d = session.Doc();
   ui.Paragraph(
-      "The next run compares how fast each algorithm finds " + ControllerWords(d.kind, d.senses, d.rules) +
-          " that can make " + d.figure.name + " " + TaskWords(d.task.kind) + " for " +
-          Fixed(static_cast<float>(d.task.duration_steps) * kStep, 1) +
-          " s. The first trial of each has the first seed, the next one the next; the shown motion stays.",
+      Tr("The next run compares how fast each algorithm finds {1} that can make {2} {3} for {4} s. "
+         "The first trial of each has the first seed, the next one the next; the shown motion stays.",
+         ControllerWords(d.kind, d.senses, d.rules), TrTitle(d.figure.name), TaskWords(d.task.kind),
+         Fixed(static_cast<float>(d.task.duration_steps) * kStep, 1)),
       Type::kNote);
 }
 

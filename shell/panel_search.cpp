@@ -10,6 +10,7 @@
 #include "shell/algorithm_words.h"
 #include "shell/fold.h"
 #include "shell/found_list.h"
+#include "shell/language.h"
 #include "shell/plot.h"
 #include "shell/queue_list.h"
 #include "shell/search_settings_form.h"
@@ -30,16 +31,16 @@ std::array<ImRect, 2> Halves(const ImRect& row) {
 void DrawSearchButtons(Ui& ui, Session& session) {
   const ImRect row = ui.Row(38.0f);
   if (!session.Searching()) {
-    if (ui.Button("search/start", row, "Synthesize", ButtonLook::kPrimary)) session.Synthesize();
+    if (ui.Button("search/start", row, Tr("Synthesize"), ButtonLook::kPrimary)) session.Synthesize();
     return;
   }
   const auto [left, right] = Halves(row);
   if (session.Progress().state == SearchState::kPaused) {
-    if (ui.Button("search/resume", left, "Resume", ButtonLook::kPrimary)) session.Resume();
+    if (ui.Button("search/resume", left, Tr("Resume"), ButtonLook::kPrimary)) session.Resume();
   } else {
-    if (ui.Button("search/pause", left, "Pause")) session.Pause();
+    if (ui.Button("search/pause", left, Tr("Pause"))) session.Pause();
   }
-  if (ui.Button("search/stop", right, "Stop")) session.Stop();
+  if (ui.Button("search/stop", right, Tr("Stop"))) session.Stop();
 }
 
 /// The search to the queue, once or with several seeds; the motion to the results.
@@ -51,15 +52,15 @@ void DrawKeepingButtons(Ui& ui, Session& session) {
                   {row.Min.x + to * (part + kGap) - kGap, row.Max.y});
   };
   const bool full = session.queue.Full();
-  if (ui.Button("queue/add", place(0, 1), full ? "Queue is full" : "Add to queue", ButtonLook::kOutlined,
+  if (ui.Button("queue/add", place(0, 1), Tr(full ? "Queue is full" : "Add to queue"), ButtonLook::kOutlined,
                 !full))
     session.Enqueue(session.Doc());
-  if (ui.Button("queue/seeds", place(1, 2), full ? "Queue is full" : "Queue 5 seeds", ButtonLook::kOutlined,
-                !full))
+  if (ui.Button("queue/seeds", place(1, 2), Tr(full ? "Queue is full" : "Queue 5 seeds"),
+                ButtonLook::kOutlined, !full))
     session.EnqueueSeeds(kQueuedSeeds);
   const bool motion = !session.Doc().timeline.empty();
-  if (ui.Button("found/keep", place(2, 3), motion ? "Keep motion" : "No motion yet", ButtonLook::kOutlined,
-                motion))
+  if (ui.Button("found/keep", place(2, 3), Tr(motion ? "Keep motion" : "No motion yet"),
+                ButtonLook::kOutlined, motion))
     session.KeepMotion();
 }
 
@@ -78,23 +79,23 @@ void DrawProgress(Ui& ui, const Session& session) {
   ui.Canvas()->AddRectFilled(row.Min, {row.Min.x + std::clamp(share, 0.0f, 1.0f) * row.GetWidth(), row.Max.y},
                              p.good, 3.0f);
   ui.Gap(8.0f);
-  ui.Fact(Grouped(progress.evaluations) + " of " + Grouped(progress.budget),
-          progress.state == SearchState::kRunning   ? Duration(progress.seconds_left) + " left"
-          : progress.state == SearchState::kPaused  ? "paused"
-          : progress.state == SearchState::kDone    ? "done"
-          : progress.state == SearchState::kStopped ? "stopped"
-                                                    : "failed");
-  ui.Fact(Grouped(static_cast<long long>(progress.evaluations_per_second)) + " evaluations/s",
-          std::to_string(progress.workers) + (progress.workers == 1 ? " worker" : " workers"));
+  ui.Fact(Tr("{1} of {2}", Grouped(progress.evaluations), Grouped(progress.budget)),
+          progress.state == SearchState::kRunning   ? Tr("{1} left", Duration(progress.seconds_left))
+          : progress.state == SearchState::kPaused  ? Tr("paused")
+          : progress.state == SearchState::kDone    ? Tr("done")
+          : progress.state == SearchState::kStopped ? Tr("stopped")
+                                                    : Tr("failed"));
+  ui.Fact(Tr("{1} evaluations/s", Grouped(static_cast<long long>(progress.evaluations_per_second))),
+          Tr(progress.workers == 1 ? "{1} worker" : "{1} workers", progress.workers));
 }
 
 /// "10 in hand: median 4.21, quartiles 3.90 and 5.02, from 2.10 to 5.31"; empty: no population
 std::string SpreadText(const SearchProgress& progress) {
   if (!progress.spread) return {};
   const Spread& s = *progress.spread;
-  return Grouped(s.members) + " in hand: median " + Fixed(s.median, 2) + ", quartiles " +
-         Fixed(s.lower_quartile, 2) + " and " + Fixed(s.upper_quartile, 2) + ", from " + Fixed(s.least, 2) +
-         " to " + Fixed(s.best, 2);
+  return Tr("{1} in hand: median {2}, quartiles {3} and {4}, from {5} to {6}", Grouped(s.members),
+            Fixed(s.median, 2), Fixed(s.lower_quartile, 2), Fixed(s.upper_quartile, 2), Fixed(s.least, 2),
+            Fixed(s.best, 2));
 }
 
 /// A sample of each line and its name.
@@ -105,14 +106,14 @@ void DrawLegend(Ui& ui, const SearchProgress& progress) {
   const float sample = 14.0f;
   ui.Canvas()->AddRectFilled({row.Min.x, y - 1.0f}, {row.Min.x + sample, y + 1.0f}, p.good);
   float x = row.Min.x + sample + 6.0f;
-  ui.Letters().Draw(ui.Canvas(), Type::kNote, {x, y}, p.second_ink, "best");
+  ui.Letters().Draw(ui.Canvas(), Type::kNote, {x, y}, p.second_ink, Tr("best"));
   if (!progress.spread) return;  // one after another, or nothing is known of it yet
-  x += ui.Letters().Width(Type::kNote, "best") + 14.0f;
+  x += ui.Letters().Width(Type::kNote, Tr("best")) + 14.0f;
   ui.Canvas()->AddRectFilled({x, y - 5.0f}, {x + sample, y + 5.0f}, Fade(p.second_ink, 0.18f));
   ui.Canvas()->AddRectFilled({x, y - 0.6f}, {x + sample, y + 0.6f}, p.second_ink);
   x += sample + 6.0f;
   ui.Letters().DrawElided(ui.Canvas(), Type::kNote, {x, y}, row.Max.x - x, p.second_ink,
-                          "population of " + Grouped(progress.spread->members) + ": median and quartiles");
+                          Tr("population of {1}: median and quartiles", Grouped(progress.spread->members)));
 }
 
 void DrawCurve(Ui& ui, const Session& session) {
@@ -134,43 +135,40 @@ void DrawCurve(Ui& ui, const Session& session) {
         {x, static_cast<double>(spread.lower_quartile), static_cast<double>(spread.upper_quartile)});
   }
   const std::array<PlotSeries, 2> series = {
-      PlotSeries{.name = "population",
+      PlotSeries{.name = Tr("population"),
                  .points = medians,
                  .colour = ui.Ink().second_ink,
                  .spread = quartiles,
                  .thin = true},
-      PlotSeries{.name = "best so far", .points = best_points, .colour = ui.Ink().good}};
-  const std::string best = best_points.empty() ? "none yet" : Fixed(progress.best_fitness, 2);
+      PlotSeries{.name = Tr("best so far"), .points = best_points, .colour = ui.Ink().good}};
+  const std::string best = best_points.empty() ? Tr("none yet") : Fixed(progress.best_fitness, 2);
   const ImRect head = ui.Row(24.0f);
   ui.Letters().Draw(ui.Canvas(), Type::kStrong, {head.Min.x, head.GetCenter().y}, ui.Ink().ink,
-                    "Best so far");
+                    Tr("Best so far"));
   ui.Letters().Draw(ui.Canvas(), Type::kStrong, {head.Max.x, head.GetCenter().y}, ui.Ink().good, best,
                     Align::kRight);
+  const std::string summary = Tr("best {1} after {2} evaluations", best, Grouped(progress.evaluations));
   const std::string spread = SpreadText(progress);
-  DrawPlot(
-      ui, "search/curve", "Best score so far, and the population's spread", ui.Row(158.0f),
-      {.x_end = static_cast<double>(std::max(progress.budget, 1)), .x_label = "evaluations", .y_unit = ""},
-      series,
-      "best " + best + " after " + Grouped(progress.evaluations) + " evaluations" +
-          (spread.empty() ? "" : "; " + spread));
+  DrawPlot(ui, "search/curve", Tr("Best score so far, and the population's spread"), ui.Row(158.0f),
+           {.x_end = static_cast<double>(std::max(progress.budget, 1)),
+            .x_label = Tr("evaluations"),
+            .y_unit = ""},
+           series, summary + (spread.empty() ? "" : "; " + spread));
   DrawLegend(ui, progress);
 }
 
 void DrawSettings(Ui& ui, Session& session, SearchPanelState& state) {
   const Document& d = session.Doc();
-  if (!DrawFold(ui, "search/settings", "Next search", state.settings ? "" : SearchLine(d), state.settings))
+  if (!DrawFold(ui, "search/settings", Tr("Next search"), state.settings ? "" : SearchLine(d),
+                state.settings))
     return;
-  ui.Paragraph("Looks for " + ControllerWords(d.kind, d.senses, d.rules) + " that can make " + d.figure.name +
-                   " " + TaskWords(d.task.kind) + " for " +
-                   Fixed(static_cast<float>(d.task.duration_steps) * kStep, 1) + " s.",
+  ui.Paragraph(Tr("Looks for {1} that can make {2} {3} for {4} s.",
+                  ControllerWords(d.kind, d.senses, d.rules), TrTitle(d.figure.name), TaskWords(d.task.kind),
+                  Fixed(static_cast<float>(d.task.duration_steps) * kStep, 1)),
                Type::kNote);
   ui.Gap(6.0f);
   DrawSearchSettings(ui, session, state.variation);
   ui.Gap(6.0f);
-}
-
-std::string Count(std::size_t count, const char* none, const char* what) {
-  return count == 0 ? none : Grouped(static_cast<long long>(count)) + what;
 }
 
 }  // namespace
@@ -187,10 +185,12 @@ void DrawSearchPanel(Ui& ui, Session& session, SearchPanelState& state) {
   DrawKeepingButtons(ui, session);
   ui.Gap(kGap);
   DrawSettings(ui, session, state);
-  const std::size_t waiting = session.queue.Waiting().size();
-  if (DrawFold(ui, "queue", "Queue", Count(waiting, "empty", waiting == 1 ? " waits" : " wait"), state.queue))
-    DrawQueue(ui, session);
-  if (DrawFold(ui, "found", "Results", Count(session.found.Count(), "none yet", ""), state.found))
+  const auto waiting = static_cast<long long>(session.queue.Waiting().size());
+  const std::string queued =
+      waiting == 0 ? Tr("empty") : Tr(waiting == 1 ? "{1} waits" : "{1} wait", Grouped(waiting));
+  if (DrawFold(ui, "queue", Tr("Queue"), queued, state.queue)) DrawQueue(ui, session);
+  const auto found = static_cast<long long>(session.found.Count());
+  if (DrawFold(ui, "found", Tr("Results"), found == 0 ? Tr("none yet") : Grouped(found), state.found))
     DrawFound(ui, session, state.order);
 }
 

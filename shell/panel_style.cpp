@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/document/usual_weights.h"
+#include "shell/language.h"
 #include "shell/style_words.h"
 #include "shell/wording.h"
 
@@ -25,9 +26,9 @@ class ScoreTable {
 
   void Head() {
     const float y = Next();
-    Put(Type::kNote, y, kMeasured, ui_.Ink().second_ink, "measured");
-    Put(Type::kNote, y, kWeight, ui_.Ink().second_ink, "weight");
-    Put(Type::kNote, y, kAdds, ui_.Ink().second_ink, "adds");
+    Put(Type::kNote, y, kMeasured, ui_.Ink().second_ink, Tr("measured"));
+    Put(Type::kNote, y, kWeight, ui_.Ink().second_ink, Tr("weight"));
+    Put(Type::kNote, y, kAdds, ui_.Ink().second_ink, Tr("adds"));
   }
   /// @param weight empty: it has none
   void Line(std::string_view name, const std::string& measured, const std::string& weight,
@@ -78,15 +79,15 @@ void DrawScore(Ui& ui, const Session& session) {
   const Terms& terms = session.player.TermsNow();
   const ImRect head = ui.Row(Fonts::LineHeight(Type::kStrong) + 4.0f);
   const float y = head.GetCenter().y;
-  ui.Letters().Draw(ui.Canvas(), Type::kStrong, {head.Min.x, y}, ui.Ink().ink, "Score so far");
+  ui.Letters().Draw(ui.Canvas(), Type::kStrong, {head.Min.x, y}, ui.Ink().ink, Tr("Score so far"));
   ui.Letters().Draw(ui.Canvas(), Type::kNote, {head.Max.x, y}, ui.Ink().second_ink,
-                    "at " + Fixed(session.player.TimeS(), 2) + " s", Align::kRight);
+                    Tr("at {1} s", Fixed(session.player.TimeS(), 2)), Align::kRight);
   const float fitness = Fitness(task, terms);
   ScoreTable table(ui, kStyleTerms + 4);  // head, primary term, sum, end
   // One note that says the whole sum, for tools that read the canvas.
   ImGui::PushItemFlag(ImGuiItemFlags_NoNav | ImGuiItemFlags_NoTabStop, true);
   ui.Area("style/score", table.Whole(), Grab::kNothing,
-          {.label = "Score so far", .role = "note", .value = ScoreWords(task, terms)});
+          {.label = Tr("Score so far"), .role = "note", .value = ScoreWords(task, terms)});
   ImGui::PopItemFlag();
   table.Head();
   const float primary = Primary(task, terms);
@@ -96,18 +97,18 @@ void DrawScore(Ui& ui, const Session& session) {
     const float value = terms.Style(static_cast<StyleTerm>(i));
     const float weight = task.weights[i];
     const bool weighed = weight != 0.0f;
-    table.Line(words.label, ValueText(words, value), weighed ? WeightText(weight) : "",
+    table.Line(Tr(words.label), ValueText(words, value), weighed ? WeightText(weight) : "",
                weighed ? AmountText(weight * value, 2) : "");
   }
   if (fitness <= kVoidScore) {
-    table.Sum("Void: this motion breaks physics", "", ui.Ink().bad);
+    table.Sum(Tr("Void: this motion breaks physics"), "", ui.Ink().bad);
   } else {
-    table.Sum("Score", AmountText(fitness, 2), ui.Ink().good);
+    table.Sum(Tr("Score"), AmountText(fitness, 2), ui.Ink().good);
   }
   const Motion& motion = session.player.Shown();
   const float whole = Fitness(task, motion.TermsAt(motion.Frames() - 1));
-  table.Line("At the end, " + Fixed(session.player.DurationS(), 2) + " s", "", "",
-             whole <= kVoidScore ? "void" : AmountText(whole, 2));
+  table.Line(Tr("At the end, {1} s", Fixed(session.player.DurationS(), 2)), "", "",
+             whole <= kVoidScore ? Tr("void") : AmountText(whole, 2));
 }
 
 // Of a weight's slider, in usual weights.
@@ -117,8 +118,9 @@ constexpr double kUnitStep = 0.1;
 void DrawWeights(Ui& ui, Session& session) {
   const Task& task = session.Doc().task;
   const bool any = std::ranges::any_of(task.weights, [](float weight) { return weight != 0.0f; });
-  ui.Heading("Style");
-  ui.Paragraph("Above 0 asks for more, below 0 for less; 1 is the usual weight of this figure.", Type::kNote);
+  ui.Heading(Tr("Style"));
+  ui.Paragraph(Tr("Above 0 asks for more, below 0 for less; 1 is the usual weight of this figure."),
+               Type::kNote);
   ui.Gap(8.0f);
   const auto usual = UsualWeights(session.Doc());
   for (std::size_t i = 0; i < kStyleTerms; ++i) {
@@ -128,18 +130,18 @@ void DrawWeights(Ui& ui, Session& session) {
     std::string text = "0";
     if (task.weights[i] != 0.0f) {
       text = AmountText(static_cast<float>(units), 1) + " · " + WeightText(task.weights[i]);
-      if (*words.per != '\0') text += std::string(" ") + words.per;
+      if (*words.per != '\0') text += std::string(" ") + Tr(words.per);
     }
-    if (ui.Slider(words.id, words.label, units, {.low = -kMostUnits, .high = kMostUnits, .step = kUnitStep},
-                  text)) {
+    if (ui.Slider(words.id, Tr(words.label), units,
+                  {.low = -kMostUnits, .high = kMostUnits, .step = kUnitStep}, text)) {
       // On the slider's own grid, or steps by key would gather rounding.
       const auto chosen = static_cast<float>(std::round(units / kUnitStep) * kUnitStep * unit);
       session.Set([&](Document& d) { d.task.weights[i] = chosen; });
     }
-    ui.Paragraph(words.line, Type::kNote);
+    ui.Paragraph(Tr(words.line), Type::kNote);
     ui.Gap(8.0f);
   }
-  if (ui.Button("style/reset", ui.ControlRow(), "Reset all weights to 0", ButtonLook::kOutlined, any)) {
+  if (ui.Button("style/reset", ui.ControlRow(), Tr("Reset all weights to 0"), ButtonLook::kOutlined, any)) {
     session.Set([](Document& d) { d.task.weights = {}; });
   }
 }
@@ -148,17 +150,17 @@ void DrawWeights(Ui& ui, Session& session) {
 
 void DrawStylePanel(Ui& ui, Session& session) {
   const Task& task = session.Doc().task;
-  static const std::array<std::string, 4> kTasks = {"Travel, either way", "Travel to the right",
-                                                    "Travel to the left", "Jump"};
+  const std::array<std::string, 4> tasks = {Tr("Travel, either way"), Tr("Travel to the right"),
+                                            Tr("Travel to the left"), Tr("Jump")};
   int kind = static_cast<int>(task.kind);
-  if (ui.Combo("style/task", "Goal", kTasks, kind)) {
+  if (ui.Combo("style/task", Tr("Goal"), tasks, kind)) {
     session.Set([&](Document& d) { d.task.kind = static_cast<TaskKind>(kind); });
   }
   ui.Paragraph(PrimaryLine(task.kind), Type::kNote);
   ui.Gap(8.0f);
   const float seconds = static_cast<float>(task.duration_steps) * kStep;
   double duration = static_cast<double>(seconds);
-  if (ui.Slider("style/duration", "Duration", duration, {.low = 1.0, .high = 30.0, .step = 0.5},
+  if (ui.Slider("style/duration", Tr("Duration"), duration, {.low = 1.0, .high = 30.0, .step = 0.5},
                 Fixed(seconds, 1) + " s")) {
     session.SetDuration(static_cast<int>(std::lround(duration * 100.0)));
   }
@@ -168,23 +170,23 @@ void DrawStylePanel(Ui& ui, Session& session) {
   DrawWeights(ui, session);
   ui.Gap(8.0f);
   if (!session.Searching()) {
-    if (ui.Button("style/try", ui.Row(38.0f), "Try: a moment from this motion", ButtonLook::kOutlined,
+    if (ui.Button("style/try", ui.Row(38.0f), Tr("Try: a moment from this motion"), ButtonLook::kOutlined,
                   session.ShownController() != nullptr)) {
       session.TryStyle();
     }
     ui.Gap(8.0f);
-    if (ui.Button("style/start", ui.Row(38.0f), "Synthesize in this style", ButtonLook::kOutlined))
+    if (ui.Button("style/start", ui.Row(38.0f), Tr("Synthesize in this style"), ButtonLook::kOutlined))
       session.Synthesize();
   }
   ui.Gap(14.0f);
-  ui.Heading("Shown on the stage");
+  ui.Heading(Tr("Shown on the stage"));
   bool poses = session.Doc().view.poses;
   bool trail = session.Doc().view.trail;
   bool forces = session.Doc().view.forces;
-  if (ui.Switch("view/poses", "Past poses", poses)) session.SetView([&](View& v) { v.poses = poses; });
-  if (ui.Switch("view/trail", "Path of the centre of mass", trail))
+  if (ui.Switch("view/poses", Tr("Past poses"), poses)) session.SetView([&](View& v) { v.poses = poses; });
+  if (ui.Switch("view/trail", Tr("Path of the centre of mass"), trail))
     session.SetView([&](View& v) { v.trail = trail; });
-  if (ui.Switch("view/forces", "Contact forces", forces))
+  if (ui.Switch("view/forces", Tr("Contact forces"), forces))
     session.SetView([&](View& v) { v.forces = forces; });
 }
 

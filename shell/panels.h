@@ -3,12 +3,14 @@
 #pragma once
 
 #include <array>
-#include <string_view>
+
+#include "shell/language.h"
 
 namespace gaitsmith::shell {
 
-inline constexpr std::array<std::string_view, 6> kPanels = {"Figure", "Controller", "Style",
-                                                            "Search", "Lab",        "Timeline"};
+inline constexpr std::array<const char*, 6> kPanels = {TrLater("Figure"), TrLater("Controller"),
+                                                       TrLater("Style"),  TrLater("Search"),
+                                                       TrLater("Lab"),    TrLater("Timeline")};
 inline constexpr int kDeskPanels = 5;
 inline constexpr int kTimelinePanel = 5;
 

@@ -7,6 +7,7 @@
 
 #include "core/numeric/scalar_math.h"
 #include "shell/figure_drawing.h"
+#include "shell/language.h"
 
 namespace gaitsmith::shell {
 namespace {
@@ -105,9 +106,9 @@ std::optional<PoseEdit> DrawPoseBoard(Ui& ui, const Skeleton& bones, const std::
   const ImRect rect = ui.Row(kBoardHeight);
   const ImVec2 pointer = ImGui::GetIO().MousePos;
   const std::vector<ImVec2> metres = PoseOf(bones, angles);
-  const std::string name = "Target pose of rule " + std::to_string(state.rule + 1);
   const Touch touch =
-      ui.Area("rule-edit/pose", rect, Grab::kDrag, {.label = name + ": drag a limb", .role = "img"});
+      ui.Area("rule-edit/pose", rect, Grab::kDrag,
+              {.label = Tr("Target pose of rule {1}: drag a limb", state.rule + 1), .role = "img"});
   if (!touch.held) state.limb = -1;
   const Picture picture = LayOut(bones, metres, state, rect);
   const std::vector<ImVec2> points = picture.Place(metres);

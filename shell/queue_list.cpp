@@ -4,6 +4,7 @@
 #include <string>
 
 #include "shell/algorithm_words.h"
+#include "shell/language.h"
 #include "shell/search_words.h"
 #include "shell/wording.h"
 
@@ -32,17 +33,18 @@ Wish DrawEntry(Ui& ui, const SearchQueue::Entry& entry, std::size_t place) {
     const float y = row.GetCenter().y;
     letters.DrawElided(ui.Canvas(), Type::kBody, {words.Min.x, y - 8.0f}, words.GetWidth(), ui.Ink().ink,
                        title);
-    letters.DrawElided(ui.Canvas(), Type::kNote, {words.Min.x, y + 9.0f}, words.GetWidth(),
-                       ui.Ink().second_ink,
-                       WordsOf(d.search.algorithm).name + " · seed " + std::to_string(d.search.seed) + " · " +
-                           Grouped(d.search.evaluations) + " · " + DeciderWords(d.kind, d.senses));
+    letters.DrawElided(
+        ui.Canvas(), Type::kNote, {words.Min.x, y + 9.0f}, words.GetWidth(), ui.Ink().second_ink,
+        Tr("{1} · seed {2} · {3} · {4}", WordsOf(d.search.algorithm).name, std::to_string(d.search.seed),
+           Grouped(d.search.evaluations), DeciderWords(d.kind, d.senses)));
   }
   const float top = row.GetCenter().y - 0.5f * size;
   const ImRect remove({row.Max.x - size, top}, {row.Max.x, top + size});
   const ImRect up({remove.Min.x - size, top}, {remove.Min.x, top + size});
   Wish wish = Wish::kNothing;
-  if (place > 0 && ui.IconButton(id + "/up", up, Icon::kChevronUp, "Move up: " + title)) wish = Wish::kUp;
-  if (ui.IconButton(id + "/remove", remove, Icon::kClose, "Remove: " + title)) wish = Wish::kRemove;
+  if (place > 0 && ui.IconButton(id + "/up", up, Icon::kChevronUp, Tr("Move up: {1}", title)))
+    wish = Wish::kUp;
+  if (ui.IconButton(id + "/remove", remove, Icon::kClose, Tr("Remove: {1}", title))) wish = Wish::kRemove;
   return wish;
 }
 
@@ -53,18 +55,18 @@ void DrawQueue(Ui& ui, Session& session) {
   const std::size_t count = queue.Waiting().size();
   const bool busy = session.Searching() || session.lab.Running();
   if (count == 0) {
-    ui.Paragraph("Nothing waits. “Add to queue” puts the present search here, up to " +
-                     std::to_string(SearchQueue::kMost) + " of them.",
+    ui.Paragraph(Tr("Nothing waits. “Add to queue” puts the present search here, up to {1} of them.",
+                    std::to_string(SearchQueue::kMost)),
                  Type::kNote);
   } else if (busy) {
     ui.Paragraph(
-        session.lab.Running()
-            ? "The lab is running; afterwards press Run queue."
-            : "They begin one after another when the search before them is done. After Stop they wait.",
+        Tr(session.lab.Running()
+               ? "The lab is running; afterwards press Run queue."
+               : "They begin one after another when the search before them is done. After Stop they wait."),
         Type::kNote);
   } else {
     ui.Gap(2.0f);
-    if (ui.Button("queue/run", ui.ControlRow(), "Run queue", ButtonLook::kPrimary)) session.RunQueue();
+    if (ui.Button("queue/run", ui.ControlRow(), Tr("Run queue"), ButtonLook::kPrimary)) session.RunQueue();
   }
   ui.Gap(4.0f);
   // What is pressed changes the list, so it is done after it.
@@ -79,13 +81,14 @@ void DrawQueue(Ui& ui, Session& session) {
   }
   if (count > 1) {
     ui.Gap(4.0f);
-    if (ui.Button("queue/clear", ui.ControlRow(), "Clear queue")) queue.Clear();
+    if (ui.Button("queue/clear", ui.ControlRow(), Tr("Clear queue"))) queue.Clear();
   }
   if (queue.Removed() > 0) {
     ui.Gap(4.0f);
-    const std::string what = queue.Removed() == 1 ? "the removed search"
-                                                  : "all " + Grouped(static_cast<long long>(queue.Removed()));
-    if (ui.Button("queue/bring-back", ui.ControlRow(), "Bring back " + what)) queue.BringBack();
+    const std::string words =
+        queue.Removed() == 1 ? Tr("Bring back the removed search")
+                             : Tr("Bring back all {1}", Grouped(static_cast<long long>(queue.Removed())));
+    if (ui.Button("queue/bring-back", ui.ControlRow(), words)) queue.BringBack();
   }
   if (wish == Wish::kUp) queue.MoveUp(number);
   if (wish == Wish::kRemove) queue.Remove(number);

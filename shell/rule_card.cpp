@@ -7,6 +7,7 @@
 #include "core/control/rule_edit.h"
 #include "core/numeric/scalar_math.h"
 #include "shell/figure_drawing.h"
+#include "shell/language.h"
 #include "shell/wording.h"
 
 namespace gaitsmith::shell {
@@ -19,9 +20,9 @@ std::string CaresWords(const Controller& controller, int rule, int rods) {
   std::string words;
   for (int sense = 0; sense < SenseCount(controller.senses.kind, rods); ++sense) {
     if (!StimulusOf(controller, rods, rule, sense).cares) continue;
-    words += (words.empty() ? "" : ", ") + SenseName(controller.senses.kind, rods, sense);
+    words += (words.empty() ? "" : ", ") + TrSentence(SenseName(controller.senses.kind, rods, sense));
   }
-  return words.empty() ? "heeds no sense" : "heeds " + words;
+  return words.empty() ? Tr("heeds no sense") : Tr("heeds {1}", words);
 }
 
 void DrawPose(Ui& ui, const Skeleton& bones, const std::vector<float>& angles, float reach_m,
@@ -91,7 +92,7 @@ Touch DrawRuleCard(Ui& ui, const Session& session, const Controller& controller,
   const std::string tau_words = Fixed(tau, 2) + " s";
   const std::string name = std::to_string(rule + 1);
   const Touch touch = ui.Area("controller/rule/" + name, rect, Grab::kPress,
-                              {.label = "Rule " + name,
+                              {.label = Tr("Rule {1}", name),
                                .role = "button",
                                .value = "τ " + tau_words + ", " + CaresWords(controller, rule, bones.rods),
                                .state = {.selected = active, .expanded = open}});
@@ -136,11 +137,11 @@ Touch DrawRuleCard(Ui& ui, const Session& session, const Controller& controller,
   // What the rule does not heed is left out, but the card says how much that is, and what it has no room for.
   const int ignored = senses - static_cast<int>(bars.size());
   std::string rest;
-  if (bars.size() > kBarsShown) rest = "+" + std::to_string(bars.size() - kBarsShown) + " more";
+  if (bars.size() > kBarsShown) rest = Tr("+{1} more", std::to_string(bars.size() - kBarsShown));
   if (bars.empty()) {
-    rest = "always holds";
+    rest = Tr("always holds");
   } else if (rest.empty() && ignored > 0) {
-    rest = "ignores " + std::to_string(ignored);
+    rest = Tr("ignores {1}", ignored);
   }
   float y = rect.Min.y + 30.0f;
   for (std::size_t i = 0; i < std::min(bars.size(), kBarsShown); ++i, y += 9.5f) {

@@ -8,6 +8,7 @@
 #include "core/control/rule_edit.h"
 #include "core/control/sense_scale.h"
 #include "core/numeric/scalar_math.h"
+#include "shell/language.h"
 #include "shell/pose_board.h"
 #include "shell/rule_card.h"
 #include "shell/rule_words.h"
@@ -31,8 +32,8 @@ struct OpenRule {
     });
   }
   [[nodiscard]] std::string Named(int sense) const {
-    std::string name = SenseName(controller.senses.kind, bones.rods, sense);
-    name[0] = static_cast<char>(name[0] - 'a' + 'A');
+    std::string name = TrSentence(SenseName(controller.senses.kind, bones.rods, sense));
+    if (name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
     return name;
   }
 };
@@ -44,7 +45,7 @@ bool DrawHeader(const OpenRule& open, RuleEditorState& state) {
   const float y = row.GetCenter().y;
   ui.Canvas()->AddCircleFilled({row.Min.x + 6.0f, y}, 6.0f, open.colour);
   ui.Letters().Draw(ui.Canvas(), Type::kHeading, {row.Min.x + 20.0f, y}, ui.Ink().ink,
-                    "Rule " + std::to_string(open.rule + 1));
+                    Tr("Rule {1}", open.rule + 1));
   const float close = row.GetHeight();
   float x = row.Max.x - close - 134.0f;
   const auto box = [&](float width) {
@@ -54,16 +55,16 @@ bool DrawHeader(const OpenRule& open, RuleEditorState& state) {
   };
   const int rods = open.bones.rods;
   const int rule = open.rule;
-  if (ui.Button("rule-edit/copy", box(58.0f), "Copy", ButtonLook::kOutlined,
-                open.controller.rules < kMaxRules, "Copy the rule")) {
+  if (ui.Button("rule-edit/copy", box(58.0f), Tr("Copy"), ButtonLook::kOutlined,
+                open.controller.rules < kMaxRules, Tr("Copy the rule"))) {
     const bool copied = open.session.ChangeController([&](Controller& c) {
       if (rule < c.rules && c.rules < kMaxRules) CopyRule(c, rods, rule);
     });
     if (copied) state = {.rule = rule + 1, .reveal = true};
     return false;
   }
-  if (ui.Button("rule-edit/delete", box(64.0f), "Delete", ButtonLook::kOutlined, open.controller.rules > 1,
-                "Delete the rule")) {
+  if (ui.Button("rule-edit/delete", box(64.0f), Tr("Delete"), ButtonLook::kOutlined,
+                open.controller.rules > 1, Tr("Delete the rule"))) {
     open.session.ChangeController([&](Controller& c) {
       if (rule < c.rules && c.rules > 1) DeleteRule(c, rods, rule);
     });
@@ -71,7 +72,7 @@ bool DrawHeader(const OpenRule& open, RuleEditorState& state) {
     return false;
   }
   if (ui.IconButton("rule-edit/close", {{row.Max.x - close, row.Min.y}, row.Max}, Icon::kClose,
-                    "Close the editor")) {
+                    Tr("Close the editor"))) {
     state = {};
     return false;
   }
@@ -102,8 +103,8 @@ void DrawTau(const OpenRule& open) {
                           .step = 0.01,
                           .logarithmic = true};
   if (senses.tau_max_s <= senses.tau_min_s) {
-    open.ui.Fact("Time constant τ", Fixed(tau, 2) + " s");
-  } else if (open.ui.Slider("rule-edit/tau", "Time constant τ", wanted, range, Fixed(tau, 2) + " s")) {
+    open.ui.Fact(Tr("Time constant τ"), Fixed(tau, 2) + " s");
+  } else if (open.ui.Slider("rule-edit/tau", Tr("Time constant τ"), wanted, range, Fixed(tau, 2) + " s")) {
     open.Edit([&](RuleEdit rule) { rule.SetTau(static_cast<float>(wanted)); });
   }
 }
@@ -129,7 +130,7 @@ void DrawHeeded(const OpenRule& open, int sense) {
   }
   const ImRect row(at, {at.x + ui.Row(0.0f).GetWidth(), at.y + ui.Look().ControlHeight()});
   ui.Letters().Draw(ui.Canvas(), Type::kNote, {row.Max.x - 44.0f, row.GetCenter().y}, ui.Ink().second_ink,
-                    interval.low_text + " to " + interval.high_text, Align::kRight);
+                    Tr("{1} to {2}", interval.low_text, interval.high_text), Align::kRight);
   if (cares && ui.IntervalSlider(id, open.Named(sense), interval, open.colour)) {
     const auto [low, high] = EdgesOf(spec.kind);
     open.Edit([&](RuleEdit rule) {
@@ -154,7 +155,7 @@ void DrawIgnored(const OpenRule& open, const std::vector<int>& senses) {
       const ImRect chip({x, row.Min.y}, {x + width, row.Max.y});
       const Touch touch = ui.Area(
           "rule-edit/sense/" + std::to_string(sense + 1), chip, Grab::kPress,
-          {.label = open.Named(sense), .role = "switch", .value = "off", .state = {.checked = false}});
+          {.label = open.Named(sense), .role = "switch", .value = Tr("off"), .state = {.checked = false}});
       if (touch.pressed) open.Edit([&](RuleEdit rule) { rule.SetCares(sense, true); });
       if (!touch.visible) continue;
       ui.Frame(chip, Mix(p.panel, p.ink, touch.hovered ? 0.05f : 0.0f), p.line);
@@ -168,7 +169,7 @@ void DrawIgnored(const OpenRule& open, const std::vector<int>& senses) {
 
 void DrawStimulus(const OpenRule& open) {
   std::vector<int> ignored;
-  open.ui.Heading("Acts where");
+  open.ui.Heading(Tr("Acts where"));
   for (int sense = 0; sense < SenseCount(open.controller.senses.kind, open.bones.rods); ++sense) {
     if (StimulusOf(open.controller, open.bones.rods, open.rule, sense).cares) {
       DrawHeeded(open, sense);
@@ -178,9 +179,9 @@ void DrawStimulus(const OpenRule& open) {
   }
   if (ignored.empty()) return;
   open.ui.Paragraph(
-      static_cast<int>(ignored.size()) == SenseCount(open.controller.senses.kind, open.bones.rods)
-          ? "It heeds no sense, so it always holds. Press one to heed it:"
-          : "Does not care about these; press one to heed it:",
+      Tr(static_cast<int>(ignored.size()) == SenseCount(open.controller.senses.kind, open.bones.rods)
+             ? "It heeds no sense, so it always holds. Press one to heed it:"
+             : "Does not care about these; press one to heed it:"),
       Type::kNote);
   open.ui.Gap(4.0f);
   DrawIgnored(open, ignored);
@@ -189,7 +190,7 @@ void DrawStimulus(const OpenRule& open) {
 void DrawJoints(const OpenRule& open) {
   constexpr double kDegrees = 180.0 / kPi;
   const std::vector<float> target = TargetPose(open.controller, open.bones, open.rule);
-  open.ui.Heading("Target angles");
+  open.ui.Heading(Tr("Target angles"));
   for (int joint = 0; joint < open.bones.joints; ++joint) {
     const Skeleton::Limb& limb = open.bones.limbs[static_cast<std::size_t>(joint) + 1];
     if (limb.max_rad <= limb.min_rad) continue;
@@ -199,7 +200,7 @@ void DrawJoints(const OpenRule& open) {
                             .high = static_cast<double>(limb.max_rad) * kDegrees,
                             .step = 1.0};
     const std::string number = std::to_string(joint + 1);
-    if (!open.ui.LineSlider("rule-edit/angle/" + number, "Angle " + number, degrees, range,
+    if (!open.ui.LineSlider("rule-edit/angle/" + number, Tr("Angle {1}", number), degrees, range,
                             QuantityWords(SenseQuantity::kAngle, angle), open.colour)) {
       continue;
     }
@@ -215,13 +216,13 @@ void DrawRuleEditor(Ui& ui, Session& session, const Controller& controller, Rule
   // A change makes a new motion, while the rest is still being drawn.
   const Skeleton bones = session.player.Shown().Bones();
   const OpenRule open{ui, session, controller, bones, state.rule, ui.Look().Rule(state.rule)};
-  const PartScope part = ui.Part("rule-edit", "group", "Editor of rule " + std::to_string(state.rule + 1));
+  const PartScope part = ui.Part("rule-edit", "group", Tr("Editor of rule {1}", state.rule + 1));
   const float top = ImGui::GetCursorScreenPos().y;
   if (!DrawHeader(open, state)) return;
   ui.Gap(4.0f);
   DrawPose(open, state);
   ui.Gap(2.0f);
-  ui.Paragraph("Drag a limb to turn it within its limits. Pale: the joints now.", Type::kNote);
+  ui.Paragraph(Tr("Drag a limb to turn it within its limits. Pale: the joints now."), Type::kNote);
   ui.Gap(8.0f);
   DrawTau(open);
   ui.Gap(8.0f);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/control/rule_edit.h"
+#include "shell/language.h"
 #include "shell/rule_card.h"
 #include "shell/rule_words.h"
 #include "shell/wording.h"
@@ -57,7 +58,7 @@ void DrawSenses(Ui& ui, const RuleMoment& moment, int rule, int most, ImRect row
                           ShareOnBar(controller.senses, stimulus.high),
                           moment.begins ? -1.0f : ShareOnBar(controller.senses, felt)};
     ui.Letters().Draw(ui.Canvas(), Type::kNote, {row.Min.x, y}, p.second_ink,
-                      SenseName(controller.senses.kind, moment.bones.rods, sense));
+                      TrSentence(SenseName(controller.senses.kind, moment.bones.rods, sense)));
     DrawStimulusBar(ui, {{row.Min.x + 56.0f, y - 3.0f}, {row.Max.x - 70.0f, y + 3.0f}}, bar,
                     ui.Look().Rule(rule));
     ui.Letters().Draw(ui.Canvas(), Type::kNote, {row.Max.x, y}, bar.Holds() ? p.ink : p.second_ink,
@@ -92,9 +93,9 @@ void DrawRuleWhy(Ui& ui, const ImRect& box, const Session& session, const Contro
   int rule = state.pointed_at;
   if (moment && (rule < 0 || rule >= controller.rules)) rule = motion.At(state.frame).rule;
   const std::string sentence =
-      moment ? "At " + Fixed(state.frame * static_cast<double>(motion.StepS()), 2) +
-                   " s: " + WhyWords(*moment, rule)
-             : "Another part of the timeline is in charge now. Press play, or move the time to this one.";
+      moment ? Tr("At {1} s: {2}", Fixed(state.frame * static_cast<double>(motion.StepS()), 2),
+                  WhyWords(*moment, rule))
+             : Tr("Another part of the timeline is in charge now. Press play, or move the time to this one.");
   ImGui::PushItemFlag(ImGuiItemFlags_NoNav | ImGuiItemFlags_NoTabStop, true);
   const Touch touch =
       ui.Area("controller/why", box, Grab::kNothing, {.label = sentence, .role = "note", .value = ""});

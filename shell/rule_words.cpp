@@ -5,12 +5,11 @@
 
 #include "core/control/rule_edit.h"
 #include "core/numeric/scalar_math.h"
+#include "shell/language.h"
 #include "shell/wording.h"
 
 namespace gaitsmith::shell {
 namespace {
-
-std::string RuleName(int rule) { return "rule " + std::to_string(rule + 1); }
 
 // How far a sense lies outside of a rule's interval: "0.04 m above its interval".
 std::string MissWords(const RuleMoment& moment, int rule, int sense) {
@@ -20,7 +19,7 @@ std::string MissWords(const RuleMoment& moment, int rule, int sense) {
   const bool above = felt > stimulus.high;
   const float miss =
       above ? scale.Of(felt) - scale.Of(stimulus.high) : scale.Of(stimulus.low) - scale.Of(felt);
-  return QuantityWords(scale.quantity, miss) + (above ? " above" : " below") + " its interval";
+  return Tr(above ? "{1} above its interval" : "{1} below its interval", QuantityWords(scale.quantity, miss));
 }
 
 std::string DepthWords(const RuleStanding& standing) { return Fixed(standing.Depth(), 2); }
@@ -30,26 +29,33 @@ std::string WhyItActs(const RuleMoment& moment, int rule) {
     return moment.choice.standings[static_cast<std::size_t>(r)];
   };
   const RuleStanding& own = standing_of(rule);
-  std::string words = "Rule " + std::to_string(rule + 1) + " acts: ";
+  std::string words;
   if (own.cares == 0) {
-    words += "it heeds no sense, so it always holds.";
+    words = Tr("Rule {1} acts: it heeds no sense, so it always holds.", rule + 1);
   } else {
-    words += SenseWords(moment, own.decisive_sense) + " lies in its interval";
-    if (own.cares == 2) words += ", and so does the other sense it heeds";
-    if (own.cares > 2) words += ", and so do the other " + std::to_string(own.cares - 1) + " it heeds";
-    words += " (depth " + DepthWords(own) + " of 1).";
+    const char* pattern =
+        own.cares == 1 ? TrLater("Rule {1} acts: {2} lies in its interval (depth {3} of 1).")
+        : own.cares == 2
+            ? TrLater(
+                  "Rule {1} acts: {2} lies in its interval, and so does the other sense it heeds "
+                  "(depth {3} of 1).")
+            : TrLater(
+                  "Rule {1} acts: {2} lies in its interval, and so do the other {4} it heeds "
+                  "(depth {3} of 1).");
+    words = Tr(pattern, rule + 1, SenseWords(moment, own.decisive_sense), DepthWords(own), own.cares - 1);
   }
   if (moment.choice.runner_up < 0) return words;
   const int rival = moment.choice.runner_up;
   const RuleStanding& next = standing_of(rival);
   if (!next.Holds()) {
-    return words + " No other rule holds; nearest is " + RuleName(rival) + ": " +
-           SenseWords(moment, next.decisive_sense) + ", " + MissWords(moment, rival, next.decisive_sense) +
-           ".";
+    return words + " " +
+           Tr("No other rule holds; nearest is rule {1}: {2}, {3}.", rival + 1,
+              SenseWords(moment, next.decisive_sense), MissWords(moment, rival, next.decisive_sense));
   }
-  if (next.off == own.off) return words + " R" + RuleName(rival).substr(1) + " is as deep, but comes later.";
-  return words + " It beats " + RuleName(rival) + " (depth " + DepthWords(next) + ") by " +
-         Fixed(next.off - own.off, 2) + ".";
+  if (next.off == own.off) return words + " " + Tr("Rule {1} is as deep, but comes later.", rival + 1);
+  return words + " " +
+         Tr("It beats rule {1} (depth {2}) by {3}.", rival + 1, DepthWords(next),
+            Fixed(next.off - own.off, 2));
 }
 
 }  // namespace
@@ -89,35 +95,39 @@ std::string QuantityWords(SenseQuantity quantity, float value) {
 
 std::string SenseWords(const RuleMoment& moment, int sense) {
   const SenseScale scale = ScaleOf(moment.controller.senses, moment.bones, sense);
-  return SenseName(moment.controller.senses.kind, moment.bones.rods, sense) + " at " +
-         QuantityWords(scale.quantity, scale.Of(moment.senses[static_cast<std::size_t>(sense)]));
+  return Tr("{1} at {2}", TrSentence(SenseName(moment.controller.senses.kind, moment.bones.rods, sense)),
+            QuantityWords(scale.quantity, scale.Of(moment.senses[static_cast<std::size_t>(sense)])));
 }
 
 std::string WhyWords(const RuleMoment& moment, int rule) {
   const RuleChoice& choice = moment.choice;
   const RuleStanding& own = choice.standings[static_cast<std::size_t>(rule)];
-  const std::string name = "Rule " + std::to_string(rule + 1);
   if (moment.begins) {
-    return rule == 0 ? "Rule 1 acts: a controller begins with its first rule, before anything is felt."
-                     : name + " waits: nothing is felt yet, and a controller begins with rule 1.";
+    return Tr(rule == 0 ? "Rule {1} acts: a controller begins with its first rule, before anything is felt."
+                        : "Rule {1} waits: nothing is felt yet, and a controller begins with rule 1.",
+              rule + 1);
   }
   if (rule == choice.rule && choice.holds) return WhyItActs(moment, rule);
   if (rule == choice.rule) {
     const int rival = choice.runner_up;
-    std::string words = name + " stays on: no rule's intervals hold what is felt.";
+    const std::string words = Tr("Rule {1} stays on: no rule's intervals hold what is felt.", rule + 1);
     if (rival < 0) return words;
     const int sense = choice.standings[static_cast<std::size_t>(rival)].decisive_sense;
-    return words + " Nearest is " + RuleName(rival) + ": " + SenseWords(moment, sense) + ", " +
-           MissWords(moment, rival, sense) + ".";
+    return words + " " +
+           Tr("Nearest is rule {1}: {2}, {3}.", rival + 1, SenseWords(moment, sense),
+              MissWords(moment, rival, sense));
   }
   if (!own.Holds()) {
-    return name + " rests: " + SenseWords(moment, own.decisive_sense) + " lies " +
-           MissWords(moment, rule, own.decisive_sense) + ".";
+    return Tr("Rule {1} rests: {2} lies {3}.", rule + 1, SenseWords(moment, own.decisive_sense),
+              MissWords(moment, rule, own.decisive_sense));
   }
   const RuleStanding& winner = choice.standings[static_cast<std::size_t>(choice.rule)];
-  const std::string depth = name + " holds too (depth " + DepthWords(own) + "), but ";
-  if (winner.off == own.off) return depth + RuleName(choice.rule) + " is as deep and comes first.";
-  return depth + RuleName(choice.rule) + " is deeper by " + Fixed(own.off - winner.off, 2) + ".";
+  if (winner.off == own.off) {
+    return Tr("Rule {1} holds too (depth {2}), but rule {3} is as deep and comes first.", rule + 1,
+              DepthWords(own), choice.rule + 1);
+  }
+  return Tr("Rule {1} holds too (depth {2}), but rule {3} is deeper by {4}.", rule + 1, DepthWords(own),
+            choice.rule + 1, Fixed(own.off - winner.off, 2));
 }
 
 }  // namespace gaitsmith::shell

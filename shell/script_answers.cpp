@@ -28,7 +28,7 @@ std::string QueueJson(const SearchQueue& queue) {
   for (const SearchQueue::Entry& entry : queue.Waiting()) {
     if (json.size() > 1) json += ",\n";
     const SearchSettings& search = entry.document.search;
-    json += "{\"title\":" + QuoteJson(SearchTitle(entry.document)) +
+    json += "{\"title\":" + QuoteJson(SearchName(entry.document)) +
             SearchMembers(search, search.evaluations) + "}";
   }
   return json + "]";

@@ -23,15 +23,15 @@ struct RealParameter {
 };
 /// One of a few.
 struct ChoiceParameter {
-  std::span<const std::string_view> options;
+  std::span<const char* const> options;  // to be translated, as are label and line
   int (*get)(const SearchSettings&);
   void (*set)(SearchSettings&, int);
 };
 
 struct SearchParameter {
-  std::string_view id;     // of its widget, e.g. "search/population"
-  std::string_view label;  // with its unit, if it has one
-  std::string_view line;   // what it does
+  std::string_view id;  // of its widget, e.g. "search/population"
+  const char* label;    // with its unit, if it has one
+  const char* line;     // what it does
   std::variant<WholeParameter, RealParameter, ChoiceParameter> kind;
 };
 

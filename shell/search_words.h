@@ -10,6 +10,8 @@ namespace gaitsmith::shell {
 
 /// "Mr. Star-Man · travel"
 [[nodiscard]] std::string SearchTitle(const Document&);
+/// The same in English, whatever the language, for documents and scripts.
+[[nodiscard]] std::string SearchName(const Document&);
 /// "SPHC · seed 3 · 40,000 evaluations"
 [[nodiscard]] std::string SearchLine(const Document&);
 /// What decides, in a word or two: "timer 0.80 s", "physical", "network".
@@ -17,7 +19,7 @@ namespace gaitsmith::shell {
 /// "1 search waits", "12 searches wait"
 [[nodiscard]] std::string WaitingWords(std::size_t count);
 /// Of what it finds: "Mr. Star-Man · travel, 10 rules with physical senses, seed 3", no longer than a title
-/// may be.
+/// may be. In English, whatever the language, as documents keep it; TrTitle translates it.
 /// @param figure  its name
 [[nodiscard]] std::string FoundTitle(const std::string& figure, const Document&);
 

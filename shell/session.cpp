@@ -10,6 +10,7 @@
 #include "core/document/link.h"
 #include "core/numeric/scalar_math.h"
 #include "shell/embedded.h"
+#include "shell/language.h"
 #include "shell/wording.h"
 
 namespace gaitsmith::shell {
@@ -50,6 +51,21 @@ void Strip(Document& document) {
 
 bool Same(const Document& a, const Document& b) { return EncodeBinary(a) == EncodeBinary(b); }
 
+double PeriodS(const SenseSpec& senses) {
+  return static_cast<double>(static_cast<float>(senses.period_steps) * kStep);
+}
+
+// For its number of rules or nodes, and the timer's period.
+const char* ControllerPattern(ControllerKind kind, const SenseSpec& senses, int rules) {
+  const bool one = rules == 1;
+  if (kind == ControllerKind::kNetwork) {
+    return one ? TrLater("a network of {1} hidden node") : TrLater("a network of {1} hidden nodes");
+  }
+  if (senses.kind == SenseKind::kPhysical)
+    return one ? TrLater("{1} rule with physical senses") : TrLater("{1} rules with physical senses");
+  return one ? TrLater("{1} rule with timer {2} s") : TrLater("{1} rules with timer {2} s");
+}
+
 }  // namespace
 
 bool SameRods(const Figure& a, const Figure& b) {
@@ -86,27 +102,27 @@ void Decide(Document& d, Decider decider) {
 }
 
 std::string ControllerWords(ControllerKind kind, const SenseSpec& senses, int rules) {
-  const std::string plural = rules == 1 ? "" : "s";
-  if (kind == ControllerKind::kNetwork)
-    return "a network of " + std::to_string(rules) + " hidden node" + plural;
-  const std::string with = senses.kind == SenseKind::kPhysical
-                               ? "physical senses"
-                               : "timer " + Fixed(static_cast<float>(senses.period_steps) * kStep, 2) + " s";
-  return std::to_string(rules) + " rule" + plural + " with " + with;
+  return Tr(ControllerPattern(kind, senses, rules), rules, Fixed(PeriodS(senses), 2));
 }
 
-std::string TaskWords(TaskKind kind) {
+std::string ControllerName(ControllerKind kind, const SenseSpec& senses, int rules) {
+  return Fill(ControllerPattern(kind, senses, rules), {rules, PlainFixed(PeriodS(senses), 2)});
+}
+
+std::string TaskWords(TaskKind kind) { return Tr(TaskName(kind)); }
+
+const char* TaskName(TaskKind kind) {
   switch (kind) {
     case TaskKind::kTravel:
-      return "travel";
+      return TrLater("travel");
     case TaskKind::kTravelRight:
-      return "travel to the right";
+      return TrLater("travel to the right");
     case TaskKind::kTravelLeft:
-      return "travel to the left";
+      return TrLater("travel to the left");
     case TaskKind::kJump:
-      return "jump";
+      return TrLater("jump");
   }
-  return {};
+  return "";
 }
 
 Session::Session(Host& host)
@@ -137,9 +153,9 @@ Result<void> Session::Open(std::string_view text) {
   Show(std::move(*document), true);
   notice.clear();
   host_.Status(differs_from_maker_
-                   ? "This motion differs from the one its maker saw: hash " +
-                         HashText(player.Shown().Hash()) + " here, " + HashText(*document_.hash) + " there."
-                   : "Opened " + document_.title + ".");
+                   ? Tr("This motion differs from the one its maker saw: hash {1} here, {2} there.",
+                        HashText(player.Shown().Hash()), HashText(*document_.hash))
+                   : Tr("Opened {1}.", TrTitle(document_.title)));
   return {};
 }
 
@@ -176,7 +192,7 @@ std::optional<Document> Session::Edited(const Edit& edit) {
     if (!fits) start = -1;
   }
   if (const auto valid = Validate(next); !valid) {
-    Say("Not possible: " + valid.error().Sentence() + ".");
+    Say(Tr("Not possible: {1}.", TrError(valid.error())));
     return std::nullopt;
   }
   return next;
@@ -226,7 +242,7 @@ bool Session::ReplaceFigure(const Figure& figure) {
   const bool changed = Change(edit);
   if (changed && loses) {
     ForgetProgress();
-    Say("The controllers were made for the figure as it was, so they are gone. Undo brings them back.");
+    Say(Tr("The controllers were made for the figure as it was, so they are gone. Undo brings them back."));
   }
   return changed;
 }
@@ -239,7 +255,7 @@ void Session::ChooseFigure(int index) {
     auto document = DecodeJson(example.json);
     if (!document || document->figure.name != figure.name || document->controllers.empty()) continue;
     Replace(std::move(*document));
-    Say(figure.name + " with a shipped motion. Undo brings the last figure back.");
+    Say(Tr("{1} with a shipped motion. Undo brings the last figure back.", TrTitle(figure.name)));
     return;
   }
   if (!Change([&](Document& d) {
@@ -251,7 +267,7 @@ void Session::ChooseFigure(int index) {
   }
   ForgetProgress();
   player.Seek(0.0);
-  Say(figure.name + " cannot move yet: press Synthesize. Undo brings the last figure back.");
+  Say(Tr("{1} cannot move yet: press Synthesize. Undo brings the last figure back.", TrTitle(figure.name)));
 }
 
 void Session::Replace(Document document) {
@@ -265,12 +281,12 @@ void Session::Replace(Document document) {
 
 void Session::ChooseProblem(int index) {
   Replace(problems_[static_cast<std::size_t>(index)]);
-  Say(document_.title + ": press Synthesize. Undo brings back what was here.");
+  Say(Tr("{1}: press Synthesize. Undo brings back what was here.", TrTitle(document_.title)));
 }
 
 void Session::ChooseExample(const Document& example) {
   Replace(example);
-  Say(document_.title + ". Undo brings back what was here.");
+  Say(Tr("{1}. Undo brings back what was here.", TrTitle(document_.title)));
 }
 
 void Session::SelectClip(int clip) {

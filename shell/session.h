@@ -193,7 +193,8 @@ class Session {
   /// Keeps the present document for Undo, once on each occasion.
   void Remember(int occasion);
   void Remember() { Remember(gesture_); }
-  void Return(const Document& document, const std::string& words);
+  /// @param words a pattern for what is done
+  void Return(const Document& document, const char* words);
   /// Another document in the place of this one, which Undo brings back.
   void Replace(Document document);
   [[nodiscard]] bool FoundNothingYet() const;
@@ -265,5 +266,8 @@ void Decide(Document&, Decider);
 [[nodiscard]] std::string ControllerWords(ControllerKind, const SenseSpec&, int rules);
 /// What the task rewards, e.g. "travel".
 [[nodiscard]] std::string TaskWords(TaskKind);
+/// The same in English, whatever the language: what documents are called goes into their files and links.
+[[nodiscard]] std::string ControllerName(ControllerKind, const SenseSpec&, int rules);
+[[nodiscard]] const char* TaskName(TaskKind);
 
 }  // namespace gaitsmith::shell

@@ -2,6 +2,7 @@
 // The session's second motion, which the shown one is compared with: behind it as a ghost, or beside it.
 #include <algorithm>
 
+#include "shell/language.h"
 #include "shell/search_words.h"
 #include "shell/session.h"
 
@@ -39,8 +40,8 @@ bool Session::ChooseFoundGhost(const std::string& id) {
 }
 
 std::string Session::GhostWords() const {
-  if (ghost_ == kEarlierGhost) return "before the last search";
-  if (ghost_ == kCalmGhost) return "without your changes";
+  if (ghost_ == kEarlierGhost) return Tr("before the last search");
+  if (ghost_ == kCalmGhost) return Tr("without your changes");
   if (ghost_ == kNoGhost) return "";
   const Controller& controller = ghost_ == kFoundGhost
                                      ? found_ghost_.controllers.back()
@@ -56,7 +57,7 @@ void Session::PutSideBySide(bool beside) {
 void Session::CompareDeciders() {
   const Controller* shown = ShownController();
   if (shown == nullptr) {
-    Say("There is no motion to compare: press Synthesize.");
+    Say(Tr("There is no motion to compare: press Synthesize."));
     return;
   }
   Document wanted = document_;

@@ -3,16 +3,17 @@
 #include <utility>
 
 #include "core/document/binary.h"
+#include "shell/language.h"
 #include "shell/session.h"
 
 namespace gaitsmith::shell {
 namespace {
 
-constexpr const char* kFigureWords = "the figure";
+constexpr const char* kFigureWords = TrLater("the figure");
 
 // What a step changed, in a few words. The first of these that differs is what a person did; the rest
 // follows.
-std::string ChangeWords(const Document& a, const Document& b) {
+const char* ChangeWords(const Document& a, const Document& b) {
   const auto differ = [](const Document& x, const Document& y) { return EncodeBinary(x) != EncodeBinary(y); };
   const auto same_but = [&](auto part) {
     Document bare = a;
@@ -27,20 +28,20 @@ std::string ChangeWords(const Document& a, const Document& b) {
   Document clips = a;
   clips.timeline = b.timeline;
   clips.duration_steps = b.duration_steps;
-  if (a.controllers.size() == b.controllers.size() && differ(clips, a)) return "the timeline";
+  if (a.controllers.size() == b.controllers.size() && differ(clips, a)) return TrLater("the timeline");
   Document moved = a;
   moved.controllers = b.controllers;
   moved.timeline = b.timeline;
   moved.search.start = -1;
   Document still = a;
   still.search.start = -1;
-  if (differ(moved, still)) return "the motion";
-  if (same_but([&](Document& d) { d.task = b.task; })) return "the task and its weights";
+  if (differ(moved, still)) return TrLater("the motion");
+  if (same_but([&](Document& d) { d.task = b.task; })) return TrLater("the task and its weights");
   if (same_but([&](Document& d) { d.environment = b.environment, d.start = b.start, d.pushes = b.pushes; }))
-    return "the surroundings";
+    return TrLater("the surroundings");
   if (same_but([&](Document& d) { d.senses = b.senses, d.kind = b.kind, d.rules = b.rules; }))
-    return "the senses of the next search";
-  return "settings of the next search";
+    return TrLater("the senses of the next search");
+  return TrLater("settings of the next search");
 }
 
 }  // namespace
@@ -58,11 +59,11 @@ void Session::Undo() {
   // A search that has found nothing yet is all there is to take back.
   const bool only_search = FoundNothingYet();
   AbandonSearch();
-  if (only_search) return Say("The search is stopped; the motion is as it was.");
+  if (only_search) return Say(Tr("The search is stopped; the motion is as it was."));
   if (const auto before = history_.Back(document_)) {
-    Return(*before, "Undone: ");
+    Return(*before, TrLater("Undone: {1}."));
   } else {
-    host_.Status("There is nothing to undo.");
+    host_.Status(Tr("There is nothing to undo."));
   }
 }
 
@@ -70,18 +71,18 @@ void Session::Redo() {
   if (CanRedo())
     AbandonSearch();  // what it found last is a step of its own, and then nothing is left to redo
   if (const auto after = history_.Forward(document_)) {
-    Return(*after, "Done again: ");
+    Return(*after, TrLater("Done again: {1}."));
   } else {
-    host_.Status("There is nothing to redo.");
+    host_.Status(Tr("There is nothing to redo."));
   }
 }
 
-void Session::Return(const Document& document, const std::string& words) {
+void Session::Return(const Document& document, const char* words) {
   const std::string what = ChangeWords(document_, document);
   BeginGesture();
   notice.clear();
   Show(document, what == kFigureWords);
-  host_.Status(words + what + ".");
+  host_.Status(Tr(words, Tr(what.c_str())));
 }
 
 void Session::ForgetPast() {
@@ -99,8 +100,8 @@ void Session::New() {
   }
   next.hash.reset();
   Replace(std::move(next));
-  Say("A new document. " + document_.figure.name +
-      " cannot move yet: press Synthesize. Undo brings back what was here.");
+  Say(Tr("A new document. {1} cannot move yet: press Synthesize. Undo brings back what was here.",
+         TrTitle(document_.figure.name)));
 }
 
 }  // namespace gaitsmith::shell

@@ -2,6 +2,7 @@
 // A session's lab: its trials are run by whoever runs searches, one after another, and the shown motion
 // stays.
 #include "shell/algorithm_words.h"
+#include "shell/language.h"
 #include "shell/session.h"
 #include "shell/wording.h"
 
@@ -9,7 +10,7 @@ namespace gaitsmith::shell {
 
 Result<void> Session::StartLab(const LabSettings& settings) {
   if (Searching()) {
-    return Fail(ErrorCode::kStructure, "", "A search is running: stop it first, or let it end");
+    return Fail(ErrorCode::kStructure, "", TrLater("A search is running: stop it first, or let it end"));
   }
   Lab next = lab;
   next.settings = settings;
@@ -24,13 +25,13 @@ Result<void> Session::StartLab(const LabSettings& settings) {
 
 void Session::StartLab() {
   if (const auto started = StartLab(lab.settings); !started)
-    Say("The lab cannot start: " + started.error().Sentence() + ".");
+    Say(Tr("The lab cannot start: {1}.", TrError(started.error())));
 }
 
 void Session::RunTrial() {
   const Lab::Trial trial = lab.Now();
   host_.StartTrial(trial.document, workers,
-                   {.words = WordsOf(trial.algorithm).name + ", seed " + std::to_string(trial.seed),
+                   {.words = Tr("{1}, seed {2}", WordsOf(trial.algorithm).name, std::to_string(trial.seed)),
                     .finished = lab.Finished(),
                     .total = lab.Total()});
 }
@@ -44,11 +45,13 @@ void Session::StopLab() {
 void Session::EndLab(LabState state) {
   lab.End(state);
   host_.LabEnded();
-  const std::string count = Grouped(lab.Finished()) + " of " + Grouped(lab.Total()) + " trials.";
+  const std::string finished = Grouped(lab.Finished()), total = Grouped(lab.Total());
   if (lab.State() == LabState::kFailed) {
-    Say("The lab failed after " + count);
+    Say(Tr("The lab failed after {1} of {2} trials.", finished, total));
   } else {
-    host_.Status((lab.State() == LabState::kDone ? "Lab done: " : "Lab stopped: ") + count);
+    host_.Status(Tr(
+        lab.State() == LabState::kDone ? "Lab done: {1} of {2} trials." : "Lab stopped: {1} of {2} trials.",
+        finished, total));
   }
 }
 

@@ -2,6 +2,7 @@
 // A session's queue of searches, and the motions that searches have found.
 #include <algorithm>
 
+#include "shell/language.h"
 #include "shell/search_words.h"
 #include "shell/session.h"
 #include "shell/wording.h"
@@ -10,12 +11,12 @@ namespace gaitsmith::shell {
 
 bool Session::Enqueue(const Document& document) {
   if (!queue.Add(document)) {
-    Say("The queue is full: " + std::to_string(SearchQueue::kMost) +
-        " searches wait. Remove one, or let some run.");
+    Say(Tr("The queue is full: {1} searches wait. Remove one, or let some run.",
+           std::to_string(SearchQueue::kMost)));
     return false;
   }
-  host_.Status("Added to the queue: " + SearchTitle(document) + ", " + SearchLine(document) + ". " +
-               WaitingWords(queue.Waiting().size()) + ".");
+  host_.Status(Tr("Added to the queue: {1}, {2}. {3}.", SearchTitle(document), SearchLine(document),
+                  WaitingWords(queue.Waiting().size())));
   return true;
 }
 
@@ -35,11 +36,11 @@ int Session::EnqueueSeeds(int count) {
 
 bool Session::RunQueue() {
   if (lab.Running()) {
-    Say("The lab is running: stop it first, or let it end.");
+    Say(Tr("The lab is running: stop it first, or let it end."));
     return false;
   }
   if (Searching() || queue.Waiting().empty()) {
-    Say(Searching() ? "A search is running: the queue goes on when it is done." : "Nothing waits.");
+    Say(Tr(Searching() ? "A search is running: the queue goes on when it is done." : "Nothing waits."));
     return false;
   }
   notice.clear();
@@ -59,7 +60,7 @@ void Session::NoteFound() {
   const bool any = !progress_.best_genome.empty() && progress_.best_fitness > kVoidScore;
   if (!searched_ || (!any && !failed)) return;
   Document document = any ? FoundDocument(*searched_, progress_.best_genome) : SearchOf(*searched_);
-  if (!any) document.title = SearchTitle(document);
+  if (!any) document.title = SearchName(document);
   FoundMotion motion = Measured(std::move(document),
                                 failed                                     ? Origin::kFailed
                                 : progress_.state == SearchState::kStopped ? Origin::kStopped
@@ -67,13 +68,13 @@ void Session::NoteFound() {
                                 progress_.evaluations);
   motion.when_s = host_.NowS();
   noted_ = found.Add(std::move(motion), noted_);
-  if (noted_.empty()) Say("What was found is not among the results: all of them are kept. Delete some.");
+  if (noted_.empty()) Say(Tr("What was found is not among the results: all of them are kept. Delete some."));
   MeetRival();
 }
 
 bool Session::KeepMotion() {
   if (document_.timeline.empty()) {
-    Say("There is no motion to keep: press Synthesize.");
+    Say(Tr("There is no motion to keep: press Synthesize."));
     return false;
   }
   FoundMotion motion = Measured(document_, Origin::kByHand, 0);
@@ -83,10 +84,10 @@ bool Session::KeepMotion() {
   // What a search has found is known better than what is seen.
   const bool there = found.Keep(id, true);
   if (!there && found.Add(std::move(motion)).empty()) {
-    Say("Not kept: there is no room for more than what is kept. Delete something first.");
+    Say(Tr("Not kept: there is no room for more than what is kept. Delete something first."));
     return false;
   }
-  host_.Status("Kept among the results: " + document_.title + ".");
+  host_.Status(Tr("Kept among the results: {1}.", TrTitle(document_.title)));
   return true;
 }
 
@@ -97,8 +98,9 @@ bool Session::ShowFound(const std::string& id) {
   const bool moves = entry->motion.Moves();
   Replace(document);
   if (differs_from_maker_) return true;  // the stage says so
-  Say(moves ? document_.title + ". Undo brings back what was here."
-            : document_.title + ": this search failed. Undo brings back what was here.");
+  Say(Tr(moves ? "{1}. Undo brings back what was here."
+               : "{1}: this search failed. Undo brings back what was here.",
+         TrTitle(document_.title)));
   return true;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "shell/algorithm_words.h"
+#include "shell/language.h"
 #include "shell/search_words.h"
 #include "shell/session.h"
 #include "shell/wording.h"
@@ -14,7 +15,7 @@ void Session::Synthesize() { BeginSearch(document_); }
 void Session::TryStyle() {
   const Controller* shown = ShownController();
   if (shown == nullptr || !SuitsSearch(document_, *shown)) {
-    Say("There is no motion to begin with: press Synthesize.");
+    Say(Tr("There is no motion to begin with: press Synthesize."));
     return;
   }
   // A moment's climb from what is there: the settings of the real search stay as they are.
@@ -30,7 +31,7 @@ void Session::TryStyle() {
 
 void Session::BeginSearch(Document wanted, bool queued) {
   if (lab.Running()) {
-    Say("The lab is running: stop it first, or let it end.");
+    Say(Tr("The lab is running: stop it first, or let it end."));
     return;
   }
   if (Searching()) Halt();
@@ -46,9 +47,9 @@ void Session::BeginSearch(Document wanted, bool queued) {
                .workers = workers,
                .curve = {},
                .best_genome = {}};
-  progress_title_ = (queued ? "Queue: " : "") + SearchTitle(*searched_) + ", " +
-                    WordsOf(searched_->search.algorithm).name + ", seed " +
-                    std::to_string(searched_->search.seed);
+  progress_title_ = Tr("{1}, {2}, seed {3}", SearchTitle(*searched_),
+                       WordsOf(searched_->search.algorithm).name, std::to_string(searched_->search.seed));
+  if (queued) progress_title_ = Tr("Queue: {1}", progress_title_);
   spread_.Begin(progress_.budget);
   shown_for_s_ = 1e9;
   if (BelongsOnStage()) earlier_ = document_;
@@ -65,7 +66,7 @@ void Session::Stop() {
   if (!Searching()) return;
   Halt();
   if (const std::size_t count = queue.Waiting().size(); count > 0)
-    Say("Stopped. " + WaitingWords(count) + " until you press Run queue.");
+    Say(Tr("Stopped. {1} until you press Run queue.", WaitingWords(count)));
 }
 
 void Session::Halt() {
@@ -123,15 +124,16 @@ void Session::OnSearchProgress(SearchProgress progress) {
   if (!ended) return;
   ShowImprovement(1e9);
   NoteFound();
-  const std::string whose = queued_ ? SearchTitle(*searched_) + ": " : "";
+  const std::string whose = queued_ ? SearchTitle(*searched_) : "";
   EndSearch();
   if (!first_end) return;
   if (progress_.state == SearchState::kFailed) {
-    Say(whose.empty() ? "The search failed." : whose + "the search failed.");
+    Say(whose.empty() ? Tr("The search failed.") : Tr("{1}: the search failed.", whose));
   } else {
-    host_.Status(
-        whose + (progress_.state == SearchState::kDone ? "Search done: best " : "Search stopped: best ") +
-        Fixed(progress_.best_fitness, 2) + " after " + Grouped(progress_.evaluations) + " evaluations.");
+    host_.Status((whose.empty() ? "" : whose + ": ") +
+                 Tr(progress_.state == SearchState::kDone ? "Search done: best {1} after {2} evaluations."
+                                                          : "Search stopped: best {1} after {2} evaluations.",
+                    Fixed(progress_.best_fitness, 2), Grouped(progress_.evaluations)));
   }
   // At once rather than with the next frame: a tab that is not seen has none.
   if (progress_.state != SearchState::kStopped) RunNext();

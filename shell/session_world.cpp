@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shell/language.h"
 #include "shell/session.h"
 #include "shell/wording.h"
 
@@ -17,8 +18,8 @@ bool Session::Kick(int endpoint, float impulse_x_ns, float impulse_y_ns) {
     d.pushes.insert(after, push);
   });
   if (pushed) {
-    host_.Status("Pushed with " + Fixed(std::hypot(impulse_x_ns, impulse_y_ns), 1) + " N s at " +
-                 Fixed(static_cast<float>(step) * kStep, 2) + " s.");
+    host_.Status(Tr("Pushed with {1} N s at {2} s.", Fixed(std::hypot(impulse_x_ns, impulse_y_ns), 1),
+                    Fixed(static_cast<float>(step) * kStep, 2)));
   }
   return pushed;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shell/language.h"
 #include "shell/push_gesture.h"
 #include "shell/scene.h"
 #include "shell/search_words.h"
@@ -38,11 +39,11 @@ void DrawNumbers(const Scene& s, const std::string& name, float clear) {
   const float metres = jump ? terms.max_cm_height_m - terms.start_height_m : std::abs(terms.travel_m);
   const ImVec2 at(s.rect.Min.x + 16.0f, s.rect.Min.y + 23.0f);
   letters.Draw(s.list, Type::kNumber, at, p.ink, Fixed(metres, 2) + " m");
-  const std::string words = !name.empty()
-                                ? name
-                                : std::string(jump ? "jump" : "travel") + " · slip " +
-                                      Fixed(terms.slip_sum_m, 1) + " m · " + Fixed(terms.rotations, 1) +
-                                      " rotations · peak " + Fixed(terms.max_cm_height_m, 2) + " m";
+  const std::string words = !name.empty() ? name
+                                          : Tr(jump ? "jump · slip {1} m · {2} rotations · peak {3} m"
+                                                    : "travel · slip {1} m · {2} rotations · peak {3} m",
+                                               Fixed(terms.slip_sum_m, 1), Fixed(terms.rotations, 1),
+                                               Fixed(terms.max_cm_height_m, 2));
   letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 22.0f}, clear, p.second_ink, words);
 }
 
@@ -57,13 +58,13 @@ void DrawRemark(const Scene& s) {
     s.ui.Tell(sentence, {{at.x, at.y + 31.0f}, {at.x + width, at.y + 49.0f}});
   };
   if (terms.broke_physics) {
-    remark(p.bad, "This motion breaks physics and counts as void.");
+    remark(p.bad, Tr("This motion breaks physics and counts as void."));
   } else if (s.session.WorldChanged()) {
-    remark(p.accent, "You changed its world: this is not the motion that was opened.");
+    remark(p.accent, Tr("You changed its world: this is not the motion that was opened."));
   } else if (s.session.DiffersFromMaker()) {
-    DrawNote(s, {at.x, at.y + 40.0f}, "This motion differs from the one its maker saw.");
+    DrawNote(s, {at.x, at.y + 40.0f}, Tr("This motion differs from the one its maker saw."));
   } else if (s.session.Doc().timeline.empty()) {
-    remark(p.accent, "No controller yet: press Synthesize in the Search panel.");
+    remark(p.accent, Tr("No controller yet: press Synthesize in the Search panel."));
   }
 }
 
@@ -109,7 +110,7 @@ bool Pan(StageState& state, const Touch& touch, float scale) {
 void DrawFollowButton(Ui& ui, StageState& state, const ImRect& rect) {
   const float height = ui.Look().touch ? 40.0f : 32.0f;
   const ImVec2 corner(rect.Max.x - 98.0f, rect.Min.y + 10.0f);
-  if (!ui.Button("stage/follow", {{corner.x - 82.0f, corner.y}, {corner.x, corner.y + height}}, "Follow"))
+  if (!ui.Button("stage/follow", {{corner.x - 82.0f, corner.y}, {corner.x, corner.y + height}}, Tr("Follow")))
     return;
   state.gaze.zoom = 1.0f;
   state.gaze.pan_m = 0.0;
@@ -127,8 +128,8 @@ void DrawBeside(Ui& ui, Session& session, const StageState& state, const ImRect&
                     .list = ui.Canvas(),
                     .rect = half,
                     .camera = AimCamera(other, world, state.gaze, free, ground_y)};
-  const PartScope part = ui.Part("beside", "group", "Beside it");
-  ui.Tell("Beside it: " + session.GhostWords() + ", " + Fixed(other.TermsNow().travel_m, 2) + " m.", half);
+  const PartScope part = ui.Part("beside", "group", Tr("Beside it"));
+  ui.Tell(Tr("Beside it: {1}, {2} m.", session.GhostWords(), Fixed(other.TermsNow().travel_m, 2)), half);
   scene.list->PushClipRect(half.Min, half.Max, true);
   DrawScene(scene);
   DrawNumbers(scene, session.GhostWords(), half.GetWidth() - kCornerRoom);
@@ -139,14 +140,14 @@ void DrawBeside(Ui& ui, Session& session, const StageState& state, const ImRect&
 }  // namespace
 
 void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, float covered) {
-  const PartScope part = ui.Part("stage", "region", "Stage");
+  const PartScope part = ui.Part("stage", "region", Tr("Stage"));
   const Terms& terms = session.player.TermsNow();
   ImGui::SetNextItemAllowOverlap();  // its buttons lie on it
   const Touch touch =
       ui.Area("stage", rect, Grab::kPress,
-              {.label = "Stage: " + session.Doc().figure.name,
+              {.label = Tr("Stage: {1}", TrTitle(session.Doc().figure.name)),
                .role = "img",
-               .value = Fixed(terms.travel_m, 2) + " m after " + Fixed(session.player.TimeS(), 2) + " s"});
+               .value = Tr("{1} m after {2} s", Fixed(terms.travel_m, 2), Fixed(session.player.TimeS(), 2))});
   Zoom(state, touch);
   const float ground_y = ui.Look().Snap(rect.Max.y - std::clamp(0.178f * rect.GetHeight(), 62.0f, 130.0f));
   const bool two = session.SideBySide();

@@ -4,28 +4,27 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shell/language.h"
 #include "shell/session.h"
 #include "shell/wording.h"
 
 namespace gaitsmith::shell {
-namespace {
-
-std::string LowerCase(std::string text) {
-  if (text[0] >= 'A' && text[0] <= 'Z') text[0] = static_cast<char>(text[0] - 'A' + 'a');
-  return text;
-}
-
-}  // namespace
-
 const std::array<TermWords, kStyleTerms>& TermTexts() {
   static constexpr std::array<TermWords, kStyleTerms> kTexts = {{
-      {"style/height", "Height", "peak of the centre of mass", "m", "per m", 2},
-      {"style/slip", "Slip", "how far loaded endpoints slide", "m", "per m", 2},
-      {"style/rotations", "Rotations", "turns of the root from start to end", "turns", "per turn", 2},
-      {"style/effort", "Effort", "angle that all joints travel together", "rad", "per rad", 1},
-      {"style/upright", "Upright", "mean: 1 as drawn, −1 upside down", "", "", 2},
-      {"style/smoothness", "Smoothness", "0 when joints never change speed", "rad/s²", "per rad/s²", 1},
-      {"style/head", "Head height", "mean height of the endpoint drawn highest", "m", "per m", 2},
+      {"style/height", TrLater("Height"), TrLater("height"), TrLater("peak of the centre of mass"), "m",
+       TrLater("per m"), 2},
+      {"style/slip", TrLater("Slip"), TrLater("slip"), TrLater("how far loaded endpoints slide"), "m",
+       TrLater("per m"), 2},
+      {"style/rotations", TrLater("Rotations"), TrLater("rotations"),
+       TrLater("turns of the root from start to end"), TrLater("turns"), TrLater("per turn"), 2},
+      {"style/effort", TrLater("Effort"), TrLater("effort"), TrLater("angle that all joints travel together"),
+       "rad", TrLater("per rad"), 1},
+      {"style/upright", TrLater("Upright"), TrLater("upright"), TrLater("mean: 1 as drawn, −1 upside down"),
+       "", "", 2},
+      {"style/smoothness", TrLater("Smoothness"), TrLater("smoothness"),
+       TrLater("0 when joints never change speed"), "rad/s²", TrLater("per rad/s²"), 1},
+      {"style/head", TrLater("Head height"), TrLater("head height"),
+       TrLater("mean height of the endpoint drawn highest"), "m", TrLater("per m"), 2},
   }};
   return kTexts;
 }
@@ -36,7 +35,7 @@ std::string AmountText(float amount, int decimals) {
 }
 
 std::string ValueText(const TermWords& words, float value) {
-  return AmountText(value, words.decimals) + (*words.unit != '\0' ? " " : "") + words.unit;
+  return AmountText(value, words.decimals) + (*words.unit != '\0' ? " " : "") + Tr(words.unit);
 }
 
 std::string WeightText(float weight) {
@@ -53,45 +52,53 @@ std::string WeightText(float weight) {
 }
 
 std::string PrimaryLabel(TaskKind kind) {
-  std::string words = TaskWords(kind);
-  words[0] = static_cast<char>(words[0] - 'a' + 'A');
-  return words;
+  switch (kind) {
+    case TaskKind::kTravel:
+      return Tr("Travel");
+    case TaskKind::kTravelRight:
+      return Tr("Travel to the right");
+    case TaskKind::kTravelLeft:
+      return Tr("Travel to the left");
+    case TaskKind::kJump:
+      return Tr("Jump");
+  }
+  return {};
 }
 
 std::string PrimaryLine(TaskKind kind) {
   switch (kind) {
     case TaskKind::kTravel:
-      return "Metres the centre of mass gets away, either way.";
+      return Tr("Metres the centre of mass gets away, either way.");
     case TaskKind::kTravelRight:
-      return "Metres the centre of mass gets to the right.";
+      return Tr("Metres the centre of mass gets to the right.");
     case TaskKind::kTravelLeft:
-      return "Metres the centre of mass gets to the left.";
+      return Tr("Metres the centre of mass gets to the left.");
     case TaskKind::kJump:
-      return "Metres the centre of mass rises above its start.";
+      return Tr("Metres the centre of mass rises above its start.");
   }
   return {};
 }
 
 std::string ScoreWords(const Task& task, const Terms& terms) {
   const float fitness = Fitness(task, terms);
-  if (fitness <= kVoidScore) return "No score: this motion breaks physics.";
-  std::string sum = "Score " + AmountText(fitness, 2) + ": " + TaskWords(task.kind) + " " +
-                    AmountText(Primary(task, terms), 2) + " m";
-  std::string rest;
+  if (fitness <= kVoidScore) return Tr("No score: this motion breaks physics.");
+  std::string sum, rest;
   for (std::size_t i = 0; i < kStyleTerms; ++i) {
     const TermWords& words = TermTexts()[i];
     const float value = terms.Style(static_cast<StyleTerm>(i));
     const float weight = task.weights[i];
-    const std::string measured = LowerCase(words.label) + " " + ValueText(words, value);
+    const std::string measured = std::string(Tr(words.word)) + " " + ValueText(words, value);
     if (weight == 0.0f) {
-      rest += (rest.empty() ? " Not weighed: " : ", ") + measured;
+      rest += (rest.empty() ? "" : ", ") + measured;
     } else {
       const float adds = weight * value;
-      sum += "; " + measured + " times " + WeightText(weight) + (adds < 0.0f ? " takes away " : " adds ") +
-             AmountText(std::abs(adds), 2);
+      sum += "; " + Tr(adds < 0.0f ? "{1} times {2} takes away {3}" : "{1} times {2} adds {3}", measured,
+                       WeightText(weight), AmountText(std::abs(adds), 2));
     }
   }
-  return sum + "." + rest + (rest.empty() ? "" : ".");
+  const std::string whole = Tr("Score {1}: {2} {3} m{4}.", AmountText(fitness, 2), TaskWords(task.kind),
+                               AmountText(Primary(task, terms), 2), sum);
+  return rest.empty() ? whole : whole + " " + Tr("Not weighed: {1}.", rest);
 }
 
 }  // namespace gaitsmith::shell

@@ -10,8 +10,9 @@
 namespace gaitsmith::shell {
 
 struct TermWords {
-  const char* id;     // of its slider, e.g. "style/slip"
+  const char* id;     // of its slider, e.g. "style/slip"; the other words are to be translated
   const char* label;  // "Slip"
+  const char* word;   // "slip", within a sentence
   const char* line;   // what it measures, in a few words
   const char* unit;   // "m", or empty for a plain number
   const char* per;    // "per m": what its weight is counted by

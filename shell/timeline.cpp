@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shell/language.h"
 #include "shell/plot.h"
 #include "shell/wording.h"
 
@@ -29,7 +30,7 @@ void DrawClip(Ui& ui, Session& session, const Band& band, std::size_t index) {
   const ImRect rect({band.XOf(clip.start_step), band.rect.Min.y},
                     {band.XOf(EndOf(d, index)) - gap, band.rect.Max.y});
   const std::string name =
-      controller.name.empty() ? "Controller " + std::to_string(clip.controller + 1) : controller.name;
+      controller.name.empty() ? Tr("Controller {1}", clip.controller + 1) : TrTitle(controller.name);
   const Touch touch = ui.Area("timeline/clip/" + std::to_string(index), rect, Grab::kPress,
                               {.label = name,
                                .role = "option",
@@ -64,7 +65,7 @@ void DrawSwitchPoint(Ui& ui, Session& session, const Band& band, std::size_t ind
   const ImRect rect({x - half, band.rect.Min.y - 4.0f}, {x + half, band.rect.Max.y + 4.0f});
   const Touch touch =
       ui.Area("timeline/switch/" + std::to_string(index), rect, Grab::kArrows,
-              {.label = "Switch point before clip " + std::to_string(index + 1),
+              {.label = Tr("Switch point before clip {1}", std::to_string(index + 1)),
                .role = "slider",
                .value = Fixed(static_cast<float>(start) * kStep, 2) + " s",
                .range = WidgetRange{0.0, session.Doc().duration_steps * kStepS, kStepS, start * kStepS}});
@@ -110,7 +111,7 @@ void DrawRuler(Ui& ui, const Session& session, const Band& band) {
 }  // namespace
 
 void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
-  const PartScope part = ui.Part("timeline", "region", "Timeline");
+  const PartScope part = ui.Part("timeline", "region", Tr("Timeline"));
   const Palette& p = ui.Ink();
   const bool empty = session.Doc().timeline.empty();
   ui.HorizontalLine(rect.Min.x, rect.Max.x, rect.Min.y);
@@ -120,20 +121,20 @@ void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
   const float right = rect.Max.x - kPanelPadding;
   const float half = ui.Look().touch ? 18.0f : 12.0f;
   const float row = ui.Look().touch ? rect.Min.y + 24.0f : row_y;
-  if (ui.Button("timeline/remove", {{right - 66.0f, row - half}, {right, row + half}}, "Remove",
-                ButtonLook::kPlain, session.Doc().timeline.size() > 1, "Remove the selected clip")) {
+  if (ui.Button("timeline/remove", {{right - 66.0f, row - half}, {right, row + half}}, Tr("Remove"),
+                ButtonLook::kPlain, session.Doc().timeline.size() > 1, Tr("Remove the selected clip"))) {
     session.RemoveClip();
   }
-  if (ui.Button("timeline/add", {{right - 142.0f, row - half}, {right - 70.0f, row + half}}, "Add clip",
+  if (ui.Button("timeline/add", {{right - 142.0f, row - half}, {right - 70.0f, row + half}}, Tr("Add clip"),
                 ButtonLook::kPlain, !empty)) {
     session.AddClip();
   }
-  ui.Letters().Draw(ui.Canvas(), Type::kStrong, {left, row}, p.ink, "Timeline");
-  const float hint_x = left + ui.Letters().Width(Type::kStrong, "Timeline") + 8.0f;
-  const std::string_view hint = empty ? "empty until a search finds a controller"
-                                : session.Doc().timeline.size() > 1
-                                    ? "drag a switch point; a search improves the selected clip"
-                                    : "add a clip to chain another motion";
+  ui.Letters().Draw(ui.Canvas(), Type::kStrong, {left, row}, p.ink, Tr("Timeline"));
+  const float hint_x = left + ui.Letters().Width(Type::kStrong, Tr("Timeline")) + 8.0f;
+  const std::string_view hint =
+      Tr(empty                               ? "empty until a search finds a controller"
+         : session.Doc().timeline.size() > 1 ? "drag a switch point; a search improves the selected clip"
+                                             : "add a clip to chain another motion");
   ui.Letters().DrawElided(ui.Canvas(), Type::kBody, {hint_x, row}, right - 152.0f - hint_x, p.second_ink,
                           hint);
   ui.Tell(hint, {{hint_x, row - half}, {std::max(hint_x, right - 152.0f), row + half}});
@@ -147,7 +148,7 @@ void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
   }
   // Clips may go away while they are drawn, so the count is looked at anew.
   {
-    const PartScope clips = ui.Part("timeline/clips", "listbox", "Clips");
+    const PartScope clips = ui.Part("timeline/clips", "listbox", Tr("Clips"));
     for (std::size_t i = 0; i < session.Doc().timeline.size(); ++i) DrawClip(ui, session, band, i);
   }
   DrawRuler(ui, session, band);

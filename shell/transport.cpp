@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "shell/language.h"
 #include "shell/wording.h"
 
 namespace gaitsmith::shell {
@@ -22,7 +23,7 @@ void DrawStrip(Ui& ui, Session& session, const ImRect& rect) {
   const double duration = std::max(player.DurationS(), 1e-6);
   const Touch touch = ui.Area(
       "transport/scrub", rect, Grab::kArrows,
-      {.label = "Time",
+      {.label = Tr("Time"),
        .role = "slider",
        .value = Fixed(player.TimeS(), 2) + " s",
        .range = WidgetRange{0.0, duration, static_cast<double>(player.Shown().StepS()), player.TimeS()}});
@@ -61,7 +62,7 @@ void DrawStrip(Ui& ui, Session& session, const ImRect& rect) {
 }  // namespace
 
 void DrawTransport(Ui& ui, Session& session, const ImRect& rect) {
-  const PartScope part = ui.Part("transport", "group", "Playback");
+  const PartScope part = ui.Part("transport", "group", Tr("Playback"));
   const Palette& p = ui.Ink();
   const Fonts& letters = ui.Letters();
   Playback& player = session.player;
@@ -77,11 +78,11 @@ void DrawTransport(Ui& ui, Session& session, const ImRect& rect) {
   };
   const bool playing = player.Playing();
   if (ui.IconButton("transport/play", box(43.0f), playing ? Icon::kPause : Icon::kPlay,
-                    playing ? "Pause" : "Play", ButtonLook::kOutlined)) {
+                    Tr(playing ? "Pause" : "Play"), ButtonLook::kOutlined)) {
     player.Play(!playing);
   }
   x += 6.0f;
-  if (ui.IconButton("transport/step", box(36.0f), Icon::kStepForward, "One step forward")) player.Step(1);
+  if (ui.IconButton("transport/step", box(36.0f), Icon::kStepForward, Tr("One step forward"))) player.Step(1);
   x += 10.0f;
 
   // The widest time sets the room, so that nothing moves while it counts.
@@ -107,7 +108,7 @@ void DrawTransport(Ui& ui, Session& session, const ImRect& rect) {
     if (std::abs(player.speed - kSpeeds[i].value) < 1e-6) speed = i;
   }
   if (ui.Button("transport/speed", speed_box, kSpeeds[speed].label, ButtonLook::kOutlined, true,
-                "Speed " + std::string(kSpeeds[speed].label))) {
+                Tr("Speed {1}", kSpeeds[speed].label))) {
     player.speed = kSpeeds[(speed + 1) % kSpeeds.size()].value;
     session.SetView([&](View& view) { view.speed = static_cast<float>(player.speed); });
   }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shell/language.h"
+
 namespace gaitsmith::shell {
 namespace {
 
@@ -230,7 +232,8 @@ void Ui::ScrollBar(std::string_view id) {
   ImGui::PushClipRect(inner.Min, inner.Max, false);
   ImGui::PushItemFlag(ImGuiItemFlags_NoNav | ImGuiItemFlags_NoTabStop, true);
   const std::string share = std::to_string(static_cast<int>(100.0f * window->Scroll.y / longer)) + " %";
-  const Touch touch = Area(id, bar, Grab::kDrag, {.label = "Scroll", .role = "scrollbar", .value = share});
+  const Touch touch =
+      Area(id, bar, Grab::kDrag, {.label = Tr("Scroll"), .role = "scrollbar", .value = share});
   ImGui::PopItemFlag();
   if (touch.held)
     ImGui::SetScrollY(window->Scroll.y + ImGui::GetIO().MouseDelta.y * longer / (height - thumb));

@@ -80,9 +80,10 @@ class Ui {
               bool enabled = true, std::string_view heard = {});
   bool IconButton(std::string_view id, const ImRect&, Icon, std::string_view label,
                   ButtonLook = ButtonLook::kPlain, bool enabled = true);
-  /// A few options side by side; the label is heard, not seen. @return true when `selected` changed
+  /// A few options side by side, translated here; the label is heard, not seen. @return true when `selected`
+  /// changed
   bool Segmented(std::string_view id, const ImRect&, std::string_view label,
-                 std::span<const std::string_view> options, int& selected);
+                 std::span<const char* const> options, int& selected);
   /// Label and value above a thin track; takes its own rows. @return true when `value` changed
   bool Slider(std::string_view id, std::string_view label, double& value, const SliderRange&,
               std::string_view value_text);
@@ -99,8 +100,9 @@ class Ui {
   /// @param other shown when nothing of the list is selected (-1)
   bool Combo(std::string_view id, std::string_view label, std::span<const std::string> options, int& selected,
              std::string_view other = "");
-  bool Tabs(std::string_view id, const ImRect&, std::string_view label,
-            std::span<const std::string_view> names, int& selected);
+  /// @param names translated here
+  bool Tabs(std::string_view id, const ImRect&, std::string_view label, std::span<const char* const> names,
+            int& selected);
 
   /// A thin bar in the right padding of the current window, when its contents are longer than it. Call it
   /// last.

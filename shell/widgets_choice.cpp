@@ -2,12 +2,13 @@
 // Widgets that choose one of several: segmented toggle, combo box, tabs.
 #include <algorithm>
 
+#include "shell/language.h"
 #include "shell/widgets.h"
 
 namespace gaitsmith::shell {
 
 bool Ui::Segmented(std::string_view id, const ImRect& rect, std::string_view label,
-                   std::span<const std::string_view> options, int& selected) {
+                   std::span<const char* const> options, int& selected) {
   const PartScope part_of = Part(id, "radiogroup", label);
   const Palette& p = Ink();
   ImDrawList* list = Canvas();
@@ -15,13 +16,12 @@ bool Ui::Segmented(std::string_view id, const ImRect& rect, std::string_view lab
   const float width = (rect.GetWidth() - 6.0f) / static_cast<float>(options.size());
   bool changed = false;
   for (int i = 0; i < static_cast<int>(options.size()); ++i) {
-    const auto index = static_cast<std::size_t>(i);
+    const char* option = Tr(options[static_cast<std::size_t>(i)]);
     const ImRect part({rect.Min.x + 3.0f + width * static_cast<float>(i), rect.Min.y + 3.0f},
                       {rect.Min.x + 3.0f + width * static_cast<float>(i + 1), rect.Max.y - 3.0f});
     const bool on = i == selected;
-    const Touch touch =
-        Area(std::string(id) + "/" + std::to_string(i), part, Grab::kPress,
-             {.label = std::string(options[index]), .role = "radio", .state = {.checked = on}});
+    const Touch touch = Area(std::string(id) + "/" + std::to_string(i), part, Grab::kPress,
+                             {.label = option, .role = "radio", .state = {.checked = on}});
     if (touch.pressed && !on) {
       selected = i;
       changed = true;
@@ -32,7 +32,7 @@ bool Ui::Segmented(std::string_view id, const ImRect& rect, std::string_view lab
       list->AddRectFilled(part.Min, part.Max, p.panel, 6.0f);
     }
     Letters().Draw(list, on ? Type::kStrong : Type::kBody, part.GetCenter(),
-                   on || touch.hovered ? p.ink : p.second_ink, options[index], Align::kCentre);
+                   on || touch.hovered ? p.ink : p.second_ink, option, Align::kCentre);
     DrawFocus(touch, part, 6.0f);
   }
   return changed;
@@ -51,7 +51,7 @@ bool Ui::Combo(std::string_view id, std::string_view label, std::span<const std:
                                 : std::string(other);
   const bool open = ImGui::IsPopupOpen(popup.c_str());
   const Touch touch = Area(id, box, Grab::kPress,
-                           {.label = label.empty() ? "Choose" : std::string(label),
+                           {.label = label.empty() ? Tr("Choose") : std::string(label),
                             .role = "combobox",
                             .value = shown,
                             .state = {.expanded = open}});
@@ -73,7 +73,7 @@ bool Ui::Combo(std::string_view id, std::string_view label, std::span<const std:
   ImGui::SetNextWindowSize({box.GetWidth(), height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {5.0f, 5.0f});
   if (ImGui::BeginPopup(popup.c_str(), ImGuiWindowFlags_NoMove)) {
-    const PartScope part = Part(popup + "/list", "listbox", label.empty() ? "Choose" : label);
+    const PartScope part = Part(popup + "/list", "listbox", label.empty() ? Tr("Choose") : label);
     for (int i = 0; i < static_cast<int>(options.size()); ++i) {
       const std::string& option = options[static_cast<std::size_t>(i)];
       const ImRect line = ControlRow();
@@ -98,7 +98,7 @@ bool Ui::Combo(std::string_view id, std::string_view label, std::span<const std:
 }
 
 bool Ui::Tabs(std::string_view id, const ImRect& rect, std::string_view label,
-              std::span<const std::string_view> names, int& selected) {
+              std::span<const char* const> names, int& selected) {
   const PartScope part_of = Part(id, "tablist", label);
   const Palette& p = Ink();
   ImDrawList* list = Canvas();
@@ -106,17 +106,17 @@ bool Ui::Tabs(std::string_view id, const ImRect& rect, std::string_view label,
   float x = rect.Min.x + 8.0f;
   // On a narrow phone the names stand closer together.
   float letters = 0.0f;
-  for (const std::string_view name : names) letters += Letters().Width(Type::kStrong, name);
+  for (const char* name : names) letters += Letters().Width(Type::kStrong, Tr(name));
   const float spare = (rect.GetWidth() - 16.0f - letters) / static_cast<float>(names.size());
   const float padding = std::clamp(spare, 4.0f, theme_.touch ? 16.0f : 15.0f);
   bool changed = false;
   for (int i = 0; i < static_cast<int>(names.size()); ++i) {
-    const std::string_view name = names[static_cast<std::size_t>(i)];
+    const char* name = Tr(names[static_cast<std::size_t>(i)]);
     const bool on = i == selected;
     const float width = Letters().Width(on ? Type::kStrong : Type::kBody, name) + padding;
     const ImRect part({x, rect.Min.y}, {x + width, rect.Max.y});
     const Touch touch = Area(std::string(id) + "/" + std::to_string(i), part, Grab::kPress,
-                             {.label = std::string(name), .role = "tab", .state = {.selected = on}});
+                             {.label = name, .role = "tab", .state = {.selected = on}});
     if (touch.pressed && !on) {
       selected = i;
       changed = true;

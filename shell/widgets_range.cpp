@@ -2,6 +2,7 @@
 // Sliders in one row: one value, or the two ends of an interval.
 #include <algorithm>
 
+#include "shell/language.h"
 #include "shell/widgets.h"
 
 namespace gaitsmith::shell {
@@ -86,12 +87,12 @@ bool Ui::IntervalSlider(std::string_view id, std::string_view label, SliderInter
     return WidgetRange{0.0, 1.0, static_cast<double>(kKeyStep), static_cast<double>(share)};
   };
   const Touch low = Area(name + "/low", low_area, Grab::kArrows,
-                         {.label = words + " from",
+                         {.label = Tr("{1} from", words),
                           .role = "slider",
                           .value = interval.low_text,
                           .range = range_of(interval.low)});
   const Touch high = Area(name + "/high", high_area, Grab::kArrows,
-                          {.label = words + " to",
+                          {.label = Tr("{1} to", words),
                            .role = "slider",
                            .value = interval.high_text,
                            .range = range_of(interval.high)});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shell/language.h"
 #include "shell/widgets.h"
 
 namespace gaitsmith::shell {
@@ -64,7 +65,8 @@ bool Ui::Number(std::string_view id, std::string_view label, int& value, int low
   const std::string words(label);
   const WidgetRange range{static_cast<double>(low), static_cast<double>(high), static_cast<double>(step),
                           static_cast<double>(value)};
-  if (IconButton(name + "/less", minus, Icon::kMinus, "Less: " + words, ButtonLook::kPlain, value > low)) {
+  if (IconButton(name + "/less", minus, Icon::kMinus, Tr("Less: {1}", words), ButtonLook::kPlain,
+                 value > low)) {
     value -= step;
   }
 
@@ -104,7 +106,8 @@ bool Ui::Number(std::string_view id, std::string_view label, int& value, int low
       ImGui::PopClipRect();
     }
   }
-  if (IconButton(name + "/more", plus, Icon::kPlus, "More: " + words, ButtonLook::kPlain, value < high)) {
+  if (IconButton(name + "/more", plus, Icon::kPlus, Tr("More: {1}", words), ButtonLook::kPlain,
+                 value < high)) {
     value += step;
   }
   value = std::clamp(value, low, high);
@@ -114,9 +117,11 @@ bool Ui::Number(std::string_view id, std::string_view label, int& value, int low
 bool Ui::Switch(std::string_view id, std::string_view label, bool& on) {
   const Palette& p = Ink();
   const ImRect row = ControlRow();
-  const Touch touch = Area(
-      id, row, Grab::kPress,
-      {.label = std::string(label), .role = "switch", .value = on ? "on" : "off", .state = {.checked = on}});
+  const Touch touch = Area(id, row, Grab::kPress,
+                           {.label = std::string(label),
+                            .role = "switch",
+                            .value = Tr(on ? "on" : "off"),
+                            .state = {.checked = on}});
   if (touch.pressed) on = !on;
   if (!touch.visible) return touch.pressed;
   ImDrawList* list = Canvas();

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstdio>
 
+#include "shell/language.h"
+
 namespace gaitsmith::shell {
 
-std::string Fixed(double value, int decimals) {
+std::string PlainFixed(double value, int decimals) {
   char text[64];
   std::snprintf(text, sizeof text, "%.*f", decimals, value);
   // A rounded "-0.0" would only puzzle.
@@ -16,12 +18,19 @@ std::string Fixed(double value, int decimals) {
   return zero ? text + 1 : text;
 }
 
+std::string Fixed(double value, int decimals) {
+  std::string text = PlainFixed(value, decimals);
+  if (const std::size_t point = text.find('.'); point != std::string::npos)
+    text.replace(point, 1, DecimalMark());
+  return text;
+}
+
 std::string Fixed(float value, int decimals) { return Fixed(static_cast<double>(value), decimals); }
 
 std::string Grouped(long long value) {
   std::string text = std::to_string(value);
   for (int at = static_cast<int>(text.size()) - 3; at > (value < 0 ? 1 : 0); at -= 3) {
-    text.insert(static_cast<std::size_t>(at), ",");
+    text.insert(static_cast<std::size_t>(at), GroupMark());
   }
   return text;
 }

@@ -7,6 +7,8 @@
 
 namespace gaitsmith::shell {
 
+/// With a point, whatever the language: for what is stored.
+[[nodiscard]] std::string PlainFixed(double value, int decimals);
 [[nodiscard]] std::string Fixed(double value, int decimals);
 [[nodiscard]] std::string Fixed(float value, int decimals);
 /// "13,600"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/numeric/scalar_math.h"
+#include "shell/language.h"
 #include "shell/search_words.h"
 #include "shell/wording.h"
 
@@ -17,7 +18,7 @@ constexpr float kButtonWidth = 78.0f;
 constexpr double kDegree = kPi / 180.0;
 
 std::string NameOfEndpoint(int endpoint) {
-  return endpoint == kCentreOfMass ? "centre of mass" : "endpoint " + std::to_string(endpoint + 1);
+  return endpoint == kCentreOfMass ? Tr("centre of mass") : Tr("endpoint {1}", endpoint + 1);
 }
 
 void DrawGroundAndGravity(Ui& ui, Session& session) {
@@ -26,33 +27,34 @@ void DrawGroundAndGravity(Ui& ui, Session& session) {
     session.Change([&](Document& d) { d.environment.*field = static_cast<float>(value); });
   };
   double slope = static_cast<double>(world.slope_rad) / kDegree;
-  if (ui.Slider("world/slope", "Slope", slope, {.low = -30.0, .high = 30.0, .step = 0.5},
-                Fixed(slope, 1) + "°" +
-                    (slope > 0.0   ? " up"
-                     : slope < 0.0 ? " down"
-                                   : ""))) {
+  if (ui.Slider("world/slope", Tr("Slope"), slope, {.low = -30.0, .high = 30.0, .step = 0.5},
+                Tr(slope > 0.0   ? "{1}° up"
+                   : slope < 0.0 ? "{1}° down"
+                                 : "{1}°",
+                   Fixed(slope, 1)))) {
     change(&Environment::slope_rad, slope * kDegree);
   }
   double sway = static_cast<double>(world.sway_rad) / kDegree;
-  if (ui.Slider("world/sway", "Rocks", sway, {.low = 0.0, .high = 30.0, .step = 0.5},
-                sway == 0.0 ? "not" : "±" + Fixed(sway, 1) + "°")) {
+  if (ui.Slider("world/sway", Tr("Rocks"), sway, {.low = 0.0, .high = 30.0, .step = 0.5},
+                sway == 0.0 ? Tr("not") : "±" + Fixed(sway, 1) + "°")) {
     change(&Environment::sway_rad, sway * kDegree);
   }
   double period = static_cast<double>(world.sway_period_s);
   if (sway != 0.0 &&
-      ui.Slider("world/sway-period", "once in", period,
+      ui.Slider("world/sway-period", Tr("once in"), period,
                 {.low = 0.5, .high = 20.0, .step = 0.1, .logarithmic = true}, Fixed(period, 1) + " s")) {
     change(&Environment::sway_period_s, period);
   }
   double friction = static_cast<double>(world.friction);
-  if (ui.Slider("world/friction", "Friction", friction, {.low = 0.0, .high = 2.0, .step = 0.05},
-                Fixed(friction, 2) + (friction < 0.15  ? " ice"
-                                      : friction > 1.5 ? " rubber"
-                                                       : ""))) {
+  if (ui.Slider("world/friction", Tr("Friction"), friction, {.low = 0.0, .high = 2.0, .step = 0.05},
+                Tr(friction < 0.15  ? "{1} ice"
+                   : friction > 1.5 ? "{1} rubber"
+                                    : "{1}",
+                   Fixed(friction, 2)))) {
     change(&Environment::friction, friction);
   }
   double gravity = static_cast<double>(world.gravity_mps2);
-  if (ui.Slider("world/gravity", "Gravity", gravity, {.low = 0.0, .high = 25.0, .step = 0.1},
+  if (ui.Slider("world/gravity", Tr("Gravity"), gravity, {.low = 0.0, .high = 25.0, .step = 0.1},
                 Fixed(gravity, 1) + " m/s²")) {
     change(&Environment::gravity_mps2, gravity);
   }
@@ -60,21 +62,21 @@ void DrawGroundAndGravity(Ui& ui, Session& session) {
 
 void DrawPushes(Ui& ui, Session& session, WorldCardState& state) {
   const Skeleton& bones = session.player.Shown().Bones();
-  ui.Heading("Push");
-  ui.Paragraph("Pull at a joint on the stage, or set it here.", Type::kNote);
+  ui.Heading(Tr("Push"));
+  ui.Paragraph(Tr("Pull at a joint on the stage, or set it here."), Type::kNote);
   ui.Gap(6.0f);
-  std::vector<std::string> places = {"Centre of mass"};
-  for (int k = 0; k < bones.endpoints; ++k) places.push_back("Endpoint " + std::to_string(k + 1));
+  std::vector<std::string> places = {Tr("Centre of mass")};
+  for (int k = 0; k < bones.endpoints; ++k) places.push_back(Tr("Endpoint {1}", k + 1));
   state.endpoint = std::clamp(state.endpoint, 0, bones.endpoints);
-  ui.Combo("world/endpoint", "Where", places, state.endpoint);
+  ui.Combo("world/endpoint", Tr("Where"), places, state.endpoint);
   const double most = std::max(5.0, 8.0 * static_cast<double>(bones.mass_kg));
   state.strength_ns = std::min(state.strength_ns, most);
-  ui.Slider("world/strength", "Strength", state.strength_ns, {.low = 0.5, .high = most, .step = 0.5},
+  ui.Slider("world/strength", Tr("Strength"), state.strength_ns, {.low = 0.5, .high = most, .step = 0.5},
             Fixed(state.strength_ns, 1) + " N s");
-  ui.Slider("world/direction", "Direction", state.direction_deg, {.low = -180.0, .high = 180.0, .step = 5.0},
-            Fixed(state.direction_deg, 0) + "°");
+  ui.Slider("world/direction", Tr("Direction"), state.direction_deg,
+            {.low = -180.0, .high = 180.0, .step = 5.0}, Fixed(state.direction_deg, 0) + "°");
   ui.Gap(6.0f);
-  if (ui.Button("world/push", ui.ControlRow(), "Push now")) {
+  if (ui.Button("world/push", ui.ControlRow(), Tr("Push now"))) {
     const double angle = state.direction_deg * kDegree;
     session.Kick(state.endpoint - 1, static_cast<float>(state.strength_ns * std::cos(angle)),
                  static_cast<float>(state.strength_ns * std::sin(angle)));
@@ -90,7 +92,7 @@ void DrawPushes(Ui& ui, Session& session, WorldCardState& state) {
                             row.GetWidth() - row.GetHeight() - 4.0f, ui.Ink().second_ink, words);
     const ImRect button({row.Max.x - row.GetHeight(), row.Min.y}, row.Max);
     if (ui.IconButton("world/remove/" + std::to_string(i), button, Icon::kClose,
-                      "Remove the push at " + words)) {
+                      Tr("Remove the push at {1}", words))) {
       session.RemovePush(i);
       break;
     }
@@ -110,11 +112,12 @@ std::vector<const FoundMotions::Entry*> Rivals(const Session& session) {
 }
 
 void DrawGhostChoice(Ui& ui, Session& session) {
-  std::vector<std::string> choices = {"Nothing", "Before the last search", "Without your changes"};
+  std::vector<std::string> choices = {Tr("Nothing"), Tr("Before the last search"),
+                                      Tr("Without your changes")};
   int number = 0;
   for (const Controller& controller : session.Doc().controllers) {
     ++number;
-    choices.push_back(controller.name.empty() ? "Controller " + std::to_string(number) : controller.name);
+    choices.push_back(controller.name.empty() ? Tr("Controller {1}", number) : TrTitle(controller.name));
   }
   const int own = static_cast<int>(choices.size());
   const std::vector<const FoundMotions::Entry*> rivals = Rivals(session);
@@ -130,8 +133,8 @@ void DrawGhostChoice(Ui& ui, Session& session) {
     chosen = static_cast<int>(choices.size());
     choices.push_back(session.GhostWords());
   }
-  ui.Heading("Compare");
-  if (ui.Combo("world/ghost", "With", choices, chosen)) {
+  ui.Heading(Tr("Compare"));
+  if (ui.Combo("world/ghost", Tr("With"), choices, chosen)) {
     if (chosen < own) {
       session.ChooseGhost(chosen + Session::kNoGhost);
     } else if (static_cast<std::size_t>(chosen - own) < rivals.size()) {
@@ -139,10 +142,10 @@ void DrawGhostChoice(Ui& ui, Session& session) {
     }
   }
   if (session.Ghost() == nullptr) return;
-  static constexpr std::array<std::string_view, 2> kPlaces = {"Behind it", "Beside it"};
+  static constexpr std::array<const char*, 2> kPlaces = {TrLater("Behind it"), TrLater("Beside it")};
   int place = session.SideBySide() ? 1 : 0;
   ui.Gap(6.0f);
-  if (ui.Segmented("world/beside", ui.ControlRow(), "Where the other is drawn", kPlaces, place))
+  if (ui.Segmented("world/beside", ui.ControlRow(), Tr("Where the other is drawn"), kPlaces, place))
     session.PutSideBySide(place == 1);
 }
 
@@ -152,8 +155,8 @@ void DrawWorldButton(Ui& ui, WorldCardState& state, const ImRect& stage) {
   const float height = ui.Look().touch ? 40.0f : 32.0f;
   const ImVec2 corner(stage.Max.x - 12.0f, stage.Min.y + 10.0f);
   const ImRect button({corner.x - kButtonWidth, corner.y}, {corner.x, corner.y + height});
-  if (ui.Button("world/open", button, state.open ? "Close" : "World", ButtonLook::kOutlined, true,
-                state.open ? "Close the world card" : "World: push, slope, friction, gravity, ghost"))
+  if (ui.Button("world/open", button, Tr(state.open ? "Close" : "World"), ButtonLook::kOutlined, true,
+                Tr(state.open ? "Close the world card" : "World: push, slope, friction, gravity, ghost")))
     state.open = !state.open;
 }
 
@@ -164,7 +167,7 @@ ImRect WorldCardOn(const ImRect& stage, const WorldCardState& state) {
 }
 
 void DrawWorldCard(Ui& ui, Session& session, WorldCardState& state, const ImRect& card) {
-  const PartScope part = ui.Part("world", "region", "World");
+  const PartScope part = ui.Part("world", "region", Tr("World"));
   ImGui::SetCursorScreenPos(card.Min);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {14.0f, 12.0f});
   ImGui::BeginChild(
@@ -177,7 +180,7 @@ void DrawWorldCard(Ui& ui, Session& session, WorldCardState& state, const ImRect
   ui.Gap(8.0f);
   DrawGhostChoice(ui, session);
   ui.Gap(8.0f);
-  if (ui.Button("world/reset", ui.ControlRow(), "Back to the world as opened", ButtonLook::kOutlined,
+  if (ui.Button("world/reset", ui.ControlRow(), Tr("Back to the world as opened"), ButtonLook::kOutlined,
                 session.WorldChanged())) {
     session.ResetWorld();
   }

@@ -33,6 +33,7 @@ export interface AppModule {
   _gs_description(): Pointer;
   _gs_playing(): number;
   _gs_set_theme(palette: number, scale: number): void;
+  _gs_set_language(table: Pointer): number;
   _gs_set_frame_rate(per_second: number): void;
   _gs_play(playing: number): void;
   _gs_can_undo(): number;

@@ -148,6 +148,8 @@ export class App {
 
   /** @param {import('./theme.js').Look} look */
   setTheme({ palette, scale }) { this.module._gs_set_theme(PALETTES.indexOf(palette), scale); }
+  /** @param {string} table  JSON of languages/*.json; empty: English @returns {boolean} false: it is none, and nothing has changed */
+  setLanguage(table) { return this.#with(table, (at) => this.module._gs_set_language(at)) !== 0; }
   /** @param {number} perSecond  at most so many frames are drawn; 0: as many as the display shows */
   setFrameRate(perSecond) { this.module._gs_set_frame_rate(perSecond); }
   /** @param {boolean} playing */

@@ -11,7 +11,7 @@ import { fileURLToPath } from 'node:url';
 
 const FACES = { regular: 'Inter-Regular', semibold: 'Inter-SemiBold' };
 const GREEK = 'τθφωμΔπΣ';
-const PUNCTUATION = '“”‘’–—…·';
+const PUNCTUATION = '“”„‘’–—…·';
 const SYMBOLS = '×÷±≤≥≪≫→←↔↑↓−°²³⟲✓▶';
 // Dear ImGui draws one glyph per character, without kerning, and so the page does. What it needs besides are digits of one
 // width for numbers that count. Inter's other forms of letters and its kerning are two thirds of its bytes.

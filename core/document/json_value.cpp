@@ -37,11 +37,10 @@ namespace {
 // enough that text from a stranger costs neither minutes nor gigabytes.
 constexpr int kMaxDepth = 32;
 constexpr int kMaxValues = 300'000;
-constexpr std::size_t kMaxMembers = 64;
 
 class Parser {
  public:
-  explicit Parser(std::string_view text) : text_(text) {}
+  Parser(std::string_view text, std::size_t most_members) : text_(text), most_members_(most_members) {}
 
   Result<JsonValue> ParseAll() {
     JsonValue value;
@@ -114,7 +113,7 @@ class Parser {
       std::string name;
       const std::size_t before = at_;
       if (!String(name)) return false;
-      if (value.names.size() >= kMaxMembers) return Fault("there are more fields than any object has");
+      if (value.names.size() >= most_members_) return Fault("there are more fields than any object has");
       if (value.Find(name) != nullptr) {
         at_ = before;
         return Fault("the field \"" + name + "\" is there twice");
@@ -246,6 +245,7 @@ class Parser {
   }
 
   std::string_view text_;
+  std::size_t most_members_;
   std::size_t at_ = 0;
   int values_ = 0;
   Error error_{};
@@ -253,7 +253,9 @@ class Parser {
 
 }  // namespace
 
-Result<JsonValue> ParseJson(std::string_view text) { return Parser(text).ParseAll(); }
+Result<JsonValue> ParseJson(std::string_view text, std::size_t most_members) {
+  return Parser(text, most_members).ParseAll();
+}
 
 std::string QuoteJson(std::string_view text) {
   std::string out = "\"";

@@ -27,8 +27,12 @@ struct JsonValue {
   [[nodiscard]] const char* KindName() const;
 };
 
+/// More members than any object of a document has.
+inline constexpr std::size_t kMostMembers = 64;
+
+/// @param most_members of one object: text from a stranger must cost no time
 /// @return the value, or a syntax error whose `where` is "line 3, column 14"
-[[nodiscard]] Result<JsonValue> ParseJson(std::string_view text);
+[[nodiscard]] Result<JsonValue> ParseJson(std::string_view text, std::size_t most_members = kMostMembers);
 
 /// A string with its quotes and escapes.
 [[nodiscard]] std::string QuoteJson(std::string_view text);

@@ -95,7 +95,7 @@ TEST_CASE("lab: refuses what an algorithm cannot work with, and keeps what it ha
   lab.settings.chosen[static_cast<std::size_t>(Algorithm::kMpga)] = true;  // its torus has 4,096 cells
   const auto crowded = lab.Begin(Problem());
   REQUIRE_FALSE(crowded);
-  CHECK(crowded.error().where == "mpga");
+  CHECK(crowded.error().where == "mpga: search.evaluations");
   lab.settings.chosen.fill(false);
   CHECK_FALSE(lab.Begin(Problem()));
   lab.settings = TwoAlgorithms();

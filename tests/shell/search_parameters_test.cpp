@@ -80,7 +80,7 @@ TEST_CASE("parameters: every one that documents hold can be set, each by a widge
   for (const SearchParameter* parameter : all) {
     CAPTURE(parameter->id);
     CHECK(ids.insert(parameter->id).second);
-    CHECK(parameter->line.ends_with('.'));
+    CHECK(std::string_view(parameter->line).ends_with('.'));
     SearchSettings search = Unusual();
     const auto before = LeavesOf(search);
     Change(search, *parameter);
@@ -113,7 +113,7 @@ TEST_CASE("parameters: standard values lie within what the panel offers", "[shel
         }
       }
     }
-    CHECK_FALSE(WordsOf(algorithm).line.empty());
+    CHECK(*WordsOf(algorithm).line != '\0');
   }
 }
 

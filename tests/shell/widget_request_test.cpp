@@ -155,7 +155,7 @@ TEST_CASE("steps add up, numbers replace each other, and nothing else is lost on
 TEST_CASE("parts contain what is drawn in them") {
   Panel panel;
   int chosen = 0;
-  static constexpr std::array<std::string_view, 2> kOptions = {"One", "Two"};
+  static constexpr std::array<const char*, 2> kOptions = {"One", "Two"};
   panel.Draw([&](Ui& ui) {
     const PartScope part = ui.Part("outer", "region", "Outer");
     ui.Segmented("choice", ui.ControlRow(), "Choice", kOptions, chosen);

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// The tables of shell/languages against the sources: every text that goes through Tr or tr is there, with the same
+// places to fill in, and nothing is there that nobody says.
+import assert from 'node:assert/strict';
+import { readdir, readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+const ROOT = fileURLToPath(new URL('../../', import.meta.url));
+const TABLES = join(ROOT, 'shell/languages');
+
+/**
+ * words: of shell and page, by their English; errors: core's sentences; titles: shipped documents, and what searches
+ * call theirs.
+ * @typedef {{name: string, decimal_mark: string, group_mark: string, words: Record<string, string>,
+ *   errors: Record<string, string>, titles: Record<string, string>}} Table
+ */
+
+/** @type {Map<string, Table>} by file */
+const tables = new Map();
+/** @type {Set<string>} */
+let ofShell;
+/** @type {Set<string>} */
+let ofPage;
+/** Texts and attributes of the page. @type {Set<string>} */
+let ofMarkup;
+
+/** @param {string} folder  in the repository @param {RegExp} names @returns {Promise<string[]>} the files' texts */
+async function texts(folder, names) {
+  const files = await readdir(join(ROOT, folder), { recursive: true });
+  const chosen = files.filter((file) => names.test(file) && !file.includes('node_modules')).sort();
+  return Promise.all(chosen.map((file) => readFile(join(ROOT, folder, file), 'utf8')));
+}
+
+const ESCAPES = /** @type {Record<string, string>} */ ({ n: '\n', t: '\t' });
+/** @param {string} quoted  with its quotes */
+const unquoted = (quoted) => quoted.slice(1, -1).replace(/\\u([0-9a-fA-F]{4})|\\(.)/gs,
+  (_, code, letter) => (code ? String.fromCharCode(parseInt(code, 16)) : ESCAPES[letter] ?? letter));
+
+/** A comment, a literal, or one other character. @param {string} source @param {string} quotes */
+function tokens(source, quotes) {
+  const literals = [...quotes].map((quote) => `${quote}(?:\\\\.|[^${quote}\\\\])*${quote}`);
+  const token = new RegExp(`//[^\\n]*|/\\*.*?\\*/|${literals.join('|')}|[A-Za-z_0-9]+|.`, 'gs');
+  return (source.match(token) ?? []).filter((text) => !/^(\/\/|\/\*)/.test(text));
+}
+
+/**
+ * All literals in the first arguments of these functions; neighbours are one.
+ * @param {string} source @param {string[]} functions @param {string} quotes  that begin a literal
+ */
+function literals(source, functions, quotes) {
+  const found = [];
+  const all = tokens(source, quotes);
+  for (let i = 0; i + 1 < all.length; i++) {
+    if (!functions.includes(all[i] ?? '') || all[i + 1] !== '(') continue;
+    let text = null;
+    for (let k = i + 2, depth = 1; depth > 0 && k < all.length; k++) {
+      const token = all[k] ?? '';
+      const literal = token.length > 1 && quotes.includes(token.charAt(0));
+      if (literal) text = (text ?? '') + unquoted(token);
+      if (literal || /^\s$/.test(token)) continue;
+      if (text !== null) found.push(text);
+      text = null;
+      if ('([{'.includes(token)) depth++;
+      if (')]}'.includes(token)) depth--;
+      if (token === ',' && depth === 1) break;
+    }
+  }
+  return found;
+}
+
+/** @param {string} html */
+function markup(html) {
+  const plain = html.replace(/<!--.*?-->/gs, '');
+  const found = [...plain.matchAll(/>([^<]+)(?=<)|="([^"]*)"/g)].map(([, text, attribute]) => text ?? attribute ?? '');
+  const entities = /** @type {Record<string, string>} */ ({ amp: '&', lt: '<', gt: '>', quot: '"', nbsp: '\u00a0' });
+  return found.map((text) => text.replace(/\s+/g, ' ').trim()
+    .replace(/&(\w+);/g, (entity, name) => entities[name] ?? entity));
+}
+
+before(async () => {
+  for (const file of await readdir(TABLES))
+    tables.set(file, JSON.parse(await readFile(join(TABLES, file), 'utf8')));
+  const shell = await texts('shell', /\.(h|cpp)$/);
+  ofShell = new Set(shell.flatMap((text) => literals(text, ['Tr', 'TrLater'], '"')));
+  const page = await texts('web', /^[^/]*\.js$/);
+  ofPage = new Set(page.flatMap((text) => literals(text, ['tr', 'trLater'], '\'"`')));
+  ofMarkup = new Set((await texts('web', /^index\.html$/)).flatMap(markup));
+});
+
+test('language: literals are found in all the ways they are written', () => {
+  const source = `Tr("one"), TrLater("two " // Tr("no")
+    "parts"); Tr(a ? "three" : b(c, "within") ? "four" : "five {1}", "insert"); Str("no"); Tr(name); Tr("a \\"b\\"")`;
+  assert.deepEqual(literals(source, ['Tr', 'TrLater'], '"'),
+    ['one', 'two parts', 'three', 'within', 'four', 'five {1}', 'a "b"']);
+  assert.deepEqual(literals("tr('it is', x) + tr(`so`) + xtr('no') + x.tr('yes')", ['tr'], '\'"`'), ['it is', 'so', 'yes']);
+  assert.deepEqual(markup('<p title="A &amp; B">  some\n text <!-- <b>no</b> --></p>'), ['A & B', 'some text']);
+});
+
+test('language: every text of the canvas and of the page has its translation', () => {
+  assert.ok(ofShell.size > 300, `only ${ofShell.size} texts were found`);
+  for (const [file, { words }] of tables) {
+    const missing = [...ofShell, ...ofPage].filter((text) => text && !words[text]);
+    assert.deepEqual(missing, [], `${file} lacks texts`);
+  }
+});
+
+test('language: nothing is translated that nobody says', async () => {
+  const core = (await texts('core', /\.(h|cpp)$/)).join('\n');
+  const named = core + [...await texts('shell', /\.(h|cpp)$/), ...await texts('examples', /\.json$/)].join('\n');
+  for (const [file, { words, errors, titles }] of tables) {
+    const unused = Object.keys(words).filter((text) => !ofShell.has(text) && !ofPage.has(text) && !ofMarkup.has(text));
+    assert.deepEqual(unused, [], `${file} has words that are used nowhere`);
+    const strange = Object.keys(errors).filter((text) => !(text.match(/[A-Za-z]{3,}/g) ?? []).every((word) => core.includes(word)));
+    assert.deepEqual(strange, [], `${file} has sentences that core does not say`);
+    const unnamed = Object.keys(titles).filter((text) => !named.includes(text.replace(/\{\d\}.*/, '')));
+    assert.deepEqual(unnamed, [], `${file} has titles of nothing`);
+  }
+});
+
+test('language: a translation has the same places to fill in', () => {
+  const places = (/** @type {string} */ text) => [...new Set(text.match(/\{\d\}/g))].sort();
+  for (const [file, { name, decimal_mark: decimal, group_mark: group, words, errors, titles }] of tables) {
+    assert.ok(name && decimal && group && decimal !== group, `${file} has no name or marks`);
+    for (const [english, text] of [words, errors, titles].flatMap(Object.entries)) {
+      assert.deepEqual(places(text), places(english), `${file}: "${english}"`);
+      assert.equal(text, text.trim(), `${file}: "${english}"`);
+    }
+  }
+});
