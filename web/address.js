@@ -2,6 +2,7 @@
 // The document in the page's address: its link stands after '#', where no server sees it. Read at the start and
 // whenever it is changed by hand; written when the document has come to rest.
 import { banner } from './dom.js';
+import { tr, trSentence } from './language.js';
 
 /** @typedef {import('./app.js').App} App */
 
@@ -38,7 +39,7 @@ export class Address {
     if (payload === '' || payload === this.app.link()) return;
     const fault = this.app.open(payload);
     if (!fault) this.#opened = { payload, link: this.app.link() };
-    banner(fault && `This link was not opened: ${sentence(fault)} Please copy the whole link again; what is shown here is not what it held.`);
+    banner(fault && tr('This link was not opened: {1} Please copy the whole link again; what is shown here is not what it held.', sentence(fault)));
   }
 
   /** From now on the address follows the document. */
@@ -58,7 +59,8 @@ export class Address {
   }
 }
 
-/** Core's sentence with a full stop. @param {string} fault */
+/** Core's sentence for the reader, with a full stop. @param {string} fault */
 export function sentence(fault) {
-  return /[.!?]$/.test(fault) ? fault : `${fault}.`;
+  const words = trSentence(fault);
+  return /[.!?]$/.test(words) ? words : `${words}.`;
 }

@@ -2,6 +2,7 @@
 // Nothing is lost by a crash, a closed tab or a reload: what this visit did is kept in the browser while it is done,
 // and the next visit begins with it, unless its address holds a link. Pages inside other pages keep nothing.
 import { element, onClick } from './dom.js';
+import { locale, tr, trSentence } from './language.js';
 import { forgetWork, keepWork, keptWorks } from './kept_works.js';
 import { remember, remembered } from './storage.js';
 
@@ -48,7 +49,7 @@ export class Autosave {
     } else {
       this.address.open();
       if (!payload && last && this.app.open(last.link) === '') {
-        this.statusLine.say(`Your last work is back: ${last.title}. New begins another.`);
+        this.statusLine.say(tr('Your last work is back: {1}. New begins another.', last.title));
       }
     }
     this.app.forgetPast();
@@ -80,16 +81,16 @@ export class Autosave {
     this.#noteHere();
     if (kept || this.#told) return;
     this.#told = true;
-    this.statusLine.say('This browser does not let the page keep your work: save it, or copy its link, before you leave.');
+    this.statusLine.say(tr('This browser does not let the page keep your work: save it, or copy its link, before you leave.'));
   }
 
   /** Works of earlier visits, to open. @returns {Command[]} */
   commands() {
     if (this.#embedded) return [];
     const time = (/** @type {number} */ when) =>
-      new Date(when).toLocaleString([], { month: 'short', day: 'numeric', hour: '2-digit', minute: '2-digit' });
+      new Date(when).toLocaleString(locale(), { month: 'short', day: 'numeric', hour: '2-digit', minute: '2-digit' });
     return keptWorks().filter(({ id }) => id !== this.#id).map((work) => ({
-      id: `work/${work.id}`, group: 'Kept work', title: `Open kept work: ${work.title}, ${time(work.when)}`, keys: [],
+      id: `work/${work.id}`, group: 'Kept work', title: tr('Open kept work: {1}, {2}', work.title, time(work.when)), keys: [],
       run: () => this.#open(work),
     }));
   }
@@ -106,14 +107,14 @@ export class Autosave {
     onClick('kept-close', () => {
       row.hidden = true;
       remember(DISMISSED, String(work.when));
-      this.statusLine.say('It stays kept: the list of commands has it.');
+      this.statusLine.say(tr('It stays kept: the list of commands has it.'));
     });
   }
 
   /** @param {Work} work */
   #open(work) {
     const fault = this.app.open(work.link);
-    this.statusLine.say(fault ? `The kept work cannot be opened: ${fault}` : `Opened ${work.title}. Undo brings back what was here.`);
+    this.statusLine.say(fault ? tr('The kept work cannot be opened: {1}', trSentence(fault)) : tr('Opened {1}. Undo brings back what was here.', work.title));
   }
 
   #noteHere() {

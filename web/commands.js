@@ -3,6 +3,7 @@
 // is shell/commands.cpp) as one list. Keys, the sheet of keys and the palette all come from it.
 import { element } from './dom.js';
 import { belongsToControls, keyName } from './keys.js';
+import { tr, trLater } from './language.js';
 import { remembered, remember } from './storage.js';
 
 /** @typedef {import('./app.js').App} App */
@@ -10,7 +11,7 @@ import { remembered, remember } from './storage.js';
 /**
  * @typedef {object} Command
  * @property {string} id
- * @property {string} group
+ * @property {string} group        in English, as GROUPS has it
  * @property {string} title
  * @property {string[]} keys       as keyName gives them
  * @property {string[]} [pressed]  keys that reach it as an event of the browser's own (copy, paste)
@@ -19,7 +20,8 @@ import { remembered, remember } from './storage.js';
  */
 
 // The first of all is what Enter does in a palette opened by mistake, so it had better be harmless.
-const GROUPS = ['Motion', 'Search', 'Results', 'Document', 'Panels', 'View', 'Help', 'Kept work', 'Examples', 'Tasks', 'Figures'];
+const GROUPS = [trLater('Motion'), trLater('Search'), trLater('Results'), trLater('Document'), trLater('Panels'), trLater('View'),
+  trLater('Help'), trLater('Kept work'), trLater('Examples'), trLater('Tasks'), trLater('Figures')];
 const SINGLE_KEYS = 'gaitsmith-single-keys';
 const TEXT = 'textarea, input:not([type=radio], [type=checkbox]), [contenteditable]';
 const PRESSED = 'a, button, summary';
@@ -38,7 +40,7 @@ export class Commands {
     this.mirror = mirror;
   }
 
-  /** @param {Command[]} commands  of the page */
+  /** @param {Command[]} commands  of the page, their titles in English */
   add(commands) { this.#own.push(...commands); }
   /** Commands without keys that come and go. @param {() => Command[]} source  asked whenever the list is wanted */
   addShelf(source) { this.#shelves.push(source); }
@@ -49,8 +51,9 @@ export class Commands {
   /** All that there are now, group by group. @returns {Command[]} */
   all() {
     const canvas = this.app.commands().map((command) => ({ ...command, run: () => { this.app.run(command.id); } }));
+    const own = this.#own.map((command) => ({ ...command, title: tr(command.title) }));
     const place = (/** @type {Command} */ { group }) => GROUPS.indexOf(group);
-    return [...canvas, ...this.#own, ...this.#shelves.flatMap((source) => source())].sort((a, b) => place(a) - place(b));
+    return [...canvas, ...own, ...this.#shelves.flatMap((source) => source())].sort((a, b) => place(a) - place(b));
   }
 
   /** Keys that are characters act without Ctrl. Who speaks to the machine, or rests a hand on it, may turn them off. */

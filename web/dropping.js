@@ -3,6 +3,7 @@
 import { banner, element } from './dom.js';
 import { textOf } from './sharing.js';
 import { sentence } from './address.js';
+import { tr } from './language.js';
 
 /** @typedef {import('./app.js').App} App */
 
@@ -31,13 +32,13 @@ export function startDropping(app) {
     event.preventDefault();
     const { files } = /** @type {DataTransfer} */ (event.dataTransfer);
     const dropped = event.dataTransfer?.getData('text/plain') ?? '';
-    if (files.length > 1) return banner('These files were not opened: a page shows one document, so drop one file at a time.');
+    if (files.length > 1) return banner(tr('These files were not opened: a page shows one document, so drop one file at a time.'));
     if (files.length === 0) {
       const fault = app.open(dropped);
-      return banner(fault && `What you dropped was not opened: ${sentence(fault)}`);
+      return banner(fault && tr('What you dropped was not opened: {1}', sentence(fault)));
     }
     const { text, fault } = await textOf(files[0]);
     const wrong = fault || app.open(text);
-    banner(wrong && `“${files[0].name}” was not opened: ${sentence(wrong)} What was here is unchanged.`);
+    banner(wrong && tr('“{1}” was not opened: {2} What was here is unchanged.', files[0].name, sentence(wrong)));
   });
 }

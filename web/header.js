@@ -2,6 +2,7 @@
 // The header: its menu on narrow screens, the banner below it, and Undo and Redo, which say why they are not possible.
 import { banner, element, onClick } from './dom.js';
 import { keyCap } from './keys.js';
+import { followLanguage, tr } from './language.js';
 
 /** @typedef {import('./app.js').App} App */
 
@@ -41,13 +42,13 @@ export class HistoryButtons {
     // The application says in the status line when there is nothing to do.
     onClick('undo', () => app.undo());
     onClick('redo', () => app.redo());
-    this.update();
+    followLanguage(() => this.update());
   }
 
   /** The document is another one now. */
   update() {
-    say(this.#undo, `Undo (${keyCap('Ctrl+z')})`, this.app.canUndo() ? '' : 'Nothing to undo');
-    say(this.#redo, `Redo (${keyCap('Ctrl+Shift+z')})`, this.app.canRedo() ? '' : 'Nothing to redo');
+    say(this.#undo, tr('Undo ({1})', keyCap('Ctrl+z')), this.app.canUndo() ? '' : tr('Nothing to undo'));
+    say(this.#redo, tr('Redo ({1})', keyCap('Ctrl+Shift+z')), this.app.canRedo() ? '' : tr('Nothing to redo'));
   }
 }
 

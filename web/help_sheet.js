@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The sheet of keys: every command that has one, group by group.
 import { element } from './dom.js';
+import { tr } from './language.js';
 import { capOf, closeOnBackdrop } from './palette.js';
 
 /** @typedef {import('./commands.js').Command} Command */
@@ -34,7 +35,7 @@ export class HelpSheet {
 function sectionOf(name, commands) {
   const section = document.createElement('section');
   const heading = document.createElement('h3');
-  heading.textContent = name;
+  heading.textContent = tr(name);
   const list = document.createElement('dl');
   for (const { title, keys, pressed = [] } of commands) {
     const row = document.createElement('div');

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Found motions that this browser keeps, so that a reload does not lose them: the application says what changes, one
 // entry each, so that two tabs never write over each other's. What an entry holds is the application's concern.
+import { tr } from './language.js';
 import { remember, remembered, rememberedKeys } from './storage.js';
 
 /** @typedef {import('./app.js').App} App */
@@ -29,7 +30,7 @@ export class KeptResults {
     if (!this.#keeps || remember(PREFIX + id, text || null) || !text || this.#told) return;
     this.#told = true;
     // After the words about the search that has found it.
-    setTimeout(() => this.statusLine.say(
-      'This browser has no room for more results, or does not let the page keep them: they are here until you leave.'));
+    setTimeout(() => this.statusLine.say(tr(
+      'This browser has no room for more results, or does not let the page keep them: they are here until you leave.')));
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Keys: their names, and who gets them.
+import { tr, trLater } from './language.js';
 
 // Those that belong to the browser or to the page, not to the canvas. SDL prevents the default of every key it gets
 // with Ctrl, so it must not get these: the guard sees them first.
@@ -22,12 +23,14 @@ export function keyName(event) {
   return event.altKey && !typed ? `Alt+${name}` : name;
 }
 
+/** Those with words on them. */
+const PRINTED = [trLater('Ctrl'), trLater('Shift'), trLater('Space'), trLater('Home'), trLater('End')];
+
 /** A key as it is printed on the keyboard. @param {string} name  as of keyName */
 export function keyCap(name) {
   const mac = /Mac|iPhone|iPad/.test(navigator.platform);
-  const caps = /** @type {Record<string, string>} */ ({ Ctrl: mac ? '⌘' : 'Ctrl', Shift: mac ? '⇧' : 'Shift',
-    ArrowLeft: '←', ArrowRight: '→' });
-  return name.split('+').map((part) => caps[part] ?? (part.length === 1 ? part.toUpperCase() : part)).join(mac ? '' : '+');
+  const caps = /** @type {Record<string, string>} */ ({ ...mac && { Ctrl: '⌘', Shift: '⇧' }, ArrowLeft: '←', ArrowRight: '→' });
+  return name.split('+').map((part) => caps[part] ?? (PRINTED.includes(part) ? tr(part) : part.length === 1 ? part.toUpperCase() : part)).join(mac ? '' : '+');
 }
 
 /** A key that a focused control may want for itself. @param {string} name */

@@ -3,6 +3,7 @@
 // the keyboard. Pointer and touch go through it to the canvas. What it is told to do it asks of the application, which
 // answers with what changed.
 import { MirrorKeys } from './mirror_keys.js';
+import { numberOf } from './language.js';
 import { element } from './dom.js';
 import { ROVING, controlledPart, isBesideNumber, isMirrored, isNumber, nodeFor, nodeForPart, setAttribute, takesKeyboard, update } from './mirror_nodes.js';
 
@@ -271,7 +272,7 @@ export class Mirror {
   /** Ends the typing of a number. @param {Reflection} reflection @param {boolean} [keep]  false: as it was before */
   commit({ node, widget }, keep = true) {
     if (!(node instanceof HTMLInputElement)) return;
-    const value = node.value.trim() === '' ? NaN : Number(node.value);
+    const value = numberOf(node.value);
     node.classList.remove('typing');
     if (keep && Number.isFinite(value)) this.set({ node, widget }, value);
     else node.value = widget.value;

@@ -3,6 +3,7 @@
 // short sentence when it is paused or stepped. Never while it plays, for that would not end.
 import { announce } from './announcer.js';
 import { element, onClick, setText } from './dom.js';
+import { followLanguage } from './language.js';
 
 /** @typedef {import('./app.js').App} App */
 
@@ -24,7 +25,7 @@ export class Narrator {
       announce(this.#description.textContent ?? '');
     });
     setInterval(() => { if (!document.hidden) this.#look(); }, LOOK_EVERY_MS);
-    this.#describe();
+    followLanguage(() => this.#describe());
   }
 
   #look() {
@@ -49,12 +50,15 @@ export class Narrator {
   /** A slider says its own value, the time. @param {string} before @param {string} moment */
   #unheard(before, moment) {
     if (document.activeElement?.getAttribute('data-id') !== 'transport/scrub') return moment;
-    const rule = (/** @type {string} */ words) => /Rule \d+ acts\./.exec(words)?.[0] ?? '';
-    return rule(before) === rule(moment) ? '' : rule(moment);
+    return ruleOf(before) === ruleOf(moment) ? '' : ruleOf(moment);
   }
 
   #describe() { setText(this.#description, this.app.description()); }
 }
 
+// In other languages, too, the time comes first, and the rule has a sentence of its own.
+
 /** "Paused at 2.31 s" @param {string} moment */
-function timeOf(moment) { return moment.split(',')[0]; }
+const timeOf = (moment) => moment.split(', ')[0];
+/** "Rule 3 acts." @param {string} moment */
+const ruleOf = (moment) => /\. (.*)$/.exec(moment)?.[1] ?? '';

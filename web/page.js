@@ -13,11 +13,13 @@ import { Palette } from './palette.js';
 import { Searches } from './searches.js';
 import { StatusLine } from './status_line.js';
 import { banner, element, offerFile, onClick, setText } from './dom.js';
+import { Guide } from './guide.js';
 import { HistoryButtons, startHeader } from './header.js';
 import { KeptResults } from './kept_results.js';
 import { guardKeys } from './keys.js';
 import { startDropping } from './dropping.js';
-import { Tour } from './tour.js';
+import { LANGUAGES, chooseLanguage, followLanguage, startLanguage, tr, trLater, trSentence } from './language.js';
+import { startPageWords } from './page_words.js';
 import { startSharing } from './sharing.js';
 import { chooseTheme, followTheme, nextTheme, startTheme, THEMES } from './theme.js';
 
@@ -28,26 +30,29 @@ const gaitsmith = new Gaitsmith();
 window.gaitsmith = gaitsmith;
 /** @type {Commands | null} */
 let commands = null;
+startPageWords();
 startTheme();
+const statusLine = new StatusLine();
+const spoken = startLanguage((sentence) => statusLine.say(sentence));
 guardKeys((event) => commands !== null && (commands.mirror.keys.passing(event) || commands.take(event)));
 startHeader();
 start().catch((error) => {
   element('loading').hidden = true;
   const reason = error instanceof Error ? error.message : String(error);
-  banner(`Gaitsmith cannot start here: ${reason}. Reload the page, or try another browser.`, { reload: true });
+  banner(tr('Gaitsmith cannot start here: {1}. Reload the page, or try another browser.', trSentence(reason)), { reload: true });
   gaitsmith.cannotRun(error instanceof Error ? error : new Error(reason));
 });
 
 async function start() {
   setTimeout(() => { element('loading-hint').hidden = false; }, HINT_AFTER_MS);
-  const statusLine = new StatusLine();
   /** @type {{app: App, searches: Searches, lab: Lab, address: Address, autosave: Autosave, kept: KeptResults, buttons: HistoryButtons, commands: Commands, canvas: HTMLCanvasElement} | null} */
   let parts = null;
 
-  const { default: createApp } = await import('./app.mjs');
+  // The language comes while the application does; its first frame is to have both.
+  const [{ default: createApp }] = await Promise.all([import('./app.mjs'), spoken]);
   const module = await createApp({
     canvas,
-    onAbort: () => banner('Gaitsmith stopped working. Your last state is in the address: reload to go on.', { reload: true }),
+    onAbort: () => banner(tr('Gaitsmith stopped working. Your last state is in the address: reload to go on.'), { reload: true }),
     page: {
       maxWorkers: () => navigator.hardwareConcurrency || 2,
       startSearch: (document, workers) => void parts?.searches.start(document, workers),
@@ -84,10 +89,11 @@ async function start() {
 
   const app = new App(module);
   app.lendTypeface();
-  if (!app.running()) throw new Error('this browser has no WebGL 2');
+  if (!app.running()) throw new Error(trLater('this browser has no WebGL 2'));
   const searches = new Searches(app, statusLine);
   const address = new Address(app, () => searches.improving);
   followTheme((look) => app.setTheme(look));
+  followLanguage((table) => void app.setLanguage(table));
   const autosave = new Autosave(app, address, statusLine);
   autosave.begin();
   showTitle(app.title());
@@ -100,10 +106,10 @@ async function start() {
   startDropping(app);
   if (matchMedia('(prefers-reduced-motion: reduce)').matches) app.play(false);
   new Narrator(app);
-  const tour = new Tour(app, canvas);
-  addCommands(commands, { autosave, palette: new Palette(commands), help: new HelpSheet(commands), tour });
-  void gaitsmith.ready.then(() => tour.offer());
-  statusLine.welcome('Press Synthesize to search for a better motion');
+  const guide = new Guide(app, canvas, statusLine);
+  addCommands(commands, { autosave, palette: new Palette(commands), help: new HelpSheet(commands), guide });
+  void gaitsmith.ready.then(() => guide.offer());
+  statusLine.welcome(tr('Press Synthesize to search for a better motion'));
 
   // SDL cancels every touch, and browsers warn of it where a busy page is asked too late to be able to.
   for (const type of ['touchstart', 'touchmove', 'touchend']) {
@@ -113,7 +119,7 @@ async function start() {
   canvas.addEventListener('webglcontextlost', () => {
     address.write();
     autosave.save();
-    banner('The graphics of this page were lost. Your work is in the address: reload to go on.', { reload: true });
+    banner(tr('The graphics of this page were lost. Your work is in the address: reload to go on.'), { reload: true });
   });
 }
 
@@ -123,21 +129,23 @@ function showTitle(title) {
   document.title = title ? `${title} — Gaitsmith` : 'Gaitsmith';
 }
 
-/** What the page itself can do; the application adds its own. @param {Commands} commands @param {{autosave: Autosave, palette: Palette, help: HelpSheet, tour: Tour}} parts */
-function addCommands(commands, { autosave, palette, help, tour }) {
+/** What the page itself can do; the application adds its own. @param {Commands} commands @param {{autosave: Autosave, palette: Palette, help: HelpSheet, guide: Guide}} parts */
+function addCommands(commands, { autosave, palette, help, guide }) {
   const click = Commands.click;
   commands.add([
-    { id: 'document/open', group: 'Document', title: 'Open a file or a link', keys: ['Ctrl+o'], pressed: ['Ctrl+v'], run: click('open') },
-    { id: 'document/save', group: 'Document', title: 'Save as a file', keys: ['Ctrl+s'], run: click('save') },
-    { id: 'document/copy-link', group: 'Document', title: 'Copy link', keys: ['c'], pressed: ['Ctrl+c'], run: click('copy-link') },
-    { id: 'view/theme', group: 'View', title: 'Next theme', keys: ['t'], run: nextTheme },
-    { id: 'help/commands', group: 'Help', title: 'Find a command', keys: ['Ctrl+k'], run: () => palette.open() },
-    { id: 'help/keys', group: 'Help', title: 'All keys', keys: ['?', 'F1'], run: () => help.open() },
-    { id: 'help/tour', group: 'Help', title: 'Tour of the playground', keys: [], run: () => tour.start() },
+    { id: 'document/open', group: 'Document', title: trLater('Open a file or a link'), keys: ['Ctrl+o'], pressed: ['Ctrl+v'], run: click('open') },
+    { id: 'document/save', group: 'Document', title: trLater('Save as a file'), keys: ['Ctrl+s'], run: click('save') },
+    { id: 'document/copy-link', group: 'Document', title: trLater('Copy link'), keys: ['c'], pressed: ['Ctrl+c'], run: click('copy-link') },
+    { id: 'view/theme', group: 'View', title: trLater('Next theme'), keys: ['t'], run: nextTheme },
+    { id: 'help/commands', group: 'Help', title: trLater('Find a command'), keys: ['Ctrl+k'], run: () => palette.open() },
+    { id: 'help/keys', group: 'Help', title: trLater('All keys'), keys: ['?', 'F1'], run: () => help.open() },
+    { id: 'help/tour', group: 'Help', title: trLater('Tour of the playground'), keys: [], run: () => void guide.start() },
   ]);
   commands.addShelf(() => autosave.commands());
   commands.addShelf(() => Object.entries(THEMES).map(([theme, name]) => (
-    { id: `view/theme/${theme}`, group: 'View', title: `Theme: ${name.toLowerCase()}`, keys: [], run: () => chooseTheme(theme) })));
+    { id: `view/theme/${theme}`, group: 'View', title: tr('Theme: {1}', tr(name)), keys: [], run: () => chooseTheme(theme) })));
+  commands.addShelf(() => Object.entries(LANGUAGES).map(([code, name]) => (
+    { id: `view/language/${code}`, group: 'View', title: tr('Language: {1}', name), keys: [], run: () => void chooseLanguage(code) })));
   onClick('new', () => commands.app.run('document/new'));
   onClick('home', (event) => {
     if (event.ctrlKey || event.metaKey || event.shiftKey) return; // another tab, another window

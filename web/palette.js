@@ -3,6 +3,7 @@
 // through the list (ARIA's combobox with a listbox).
 import { element, setText } from './dom.js';
 import { keyCap } from './keys.js';
+import { tr } from './language.js';
 
 /** @typedef {import('./commands.js').Command} Command */
 /** @typedef {import('./commands.js').Commands} Commands */
@@ -52,7 +53,7 @@ export class Palette {
     this.#list.replaceChildren(...this.#shown.map(rowOf));
     const count = this.#shown.length;
     element('palette-none').hidden = count > 0;
-    setText(element('palette-count'), `${count} ${count === 1 ? 'command' : 'commands'}`);
+    setText(element('palette-count'), count === 1 ? tr('1 command') : tr('{1} commands', count));
     this.#choose(0);
   }
 
@@ -99,7 +100,7 @@ export function closeOnBackdrop(dialog) {
 /** @param {Command} command @param {string[]} words  lower case @returns {number} 0: it is not meant */
 function rankOf({ title, group }, words) {
   const name = title.toLowerCase();
-  const where = `${name} ${group.toLowerCase()}`;
+  const where = `${name} ${tr(group).toLowerCase()}`;
   if (!words.every((word) => where.includes(word))) return 0;
   if (name.startsWith(words[0])) return 3;
   return words.every((word) => ` ${name}`.includes(` ${word}`)) ? 2 : 1;
@@ -115,7 +116,7 @@ function rowOf({ title, group, keys, pressed = [], whyNot }, index) {
   const name = document.createElement('span');
   name.textContent = title;
   const note = document.createElement('small');
-  note.textContent = whyNot || group;
+  note.textContent = whyNot || tr(group);
   row.append(name, note);
   const key = [...keys, ...pressed][0];
   if (key) row.append(capOf(key));

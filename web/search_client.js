@@ -4,6 +4,7 @@
 // checkpoint. Neither changes the result. A search that is being stopped is not worth replacing anyone: it ends with
 // what is known.
 import { EngineError } from './engine.js';
+import { grouped, tr, trLater } from './language.js';
 import { NO_REPORT, unreachable } from './messages.js';
 
 /** @typedef {import('./messages.js').CoordinatorToPage} CoordinatorToPage */
@@ -300,7 +301,7 @@ export class SearchClient {
     this.#send({ type: 'remove-evaluator', evaluator });
     if (this.#stopping !== null) return;
     if (!this.#survives()) return;
-    this.listener.incident('A search worker stopped; another one took over and repeats its work.');
+    this.listener.incident(tr('A search worker stopped; another one took over and repeats its work.'));
     this.#addEvaluator(crew);
   }
 
@@ -311,8 +312,8 @@ export class SearchClient {
     }
     this.#dismiss();
     if (!this.#survives()) return;
-    const from = (this.#checkpoint?.evaluations ?? 0).toLocaleString('en');
-    this.listener.incident(`The search's coordinator stopped; another one continues from evaluation ${from}.`);
+    const from = grouped(this.#checkpoint?.evaluations ?? 0);
+    this.listener.incident(tr('The coordinator of the search stopped; another one continues from evaluation {1}.', from));
     this.#hire();
   }
 
@@ -321,7 +322,7 @@ export class SearchClient {
 
   #survives() {
     if (++this.#deaths <= MOST_DEATHS) return true;
-    this.#fail(new Error('the search workers keep stopping; the search was given up'));
+    this.#fail(new Error(trLater('the search workers keep stopping; the search was given up')));
     return false;
   }
 

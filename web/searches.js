@@ -3,18 +3,20 @@
 // listeners hear how far it is.
 import { NO_REPORT } from './messages.js';
 import { banner } from './dom.js';
+import { tr, trLater, trSentence } from './language.js';
 
 /** @typedef {import('./app.js').App} App */
 /** @typedef {import('./messages.js').SearchReport} SearchReport */
 
 const ALGORITHMS = /** @type {Record<string, string>} */ ({ rgt: 'RG&T', sphc: 'SPHC', gga: 'GGA', ssga: 'SSGA', shc: 'SHC',
   mpga: 'MPGA', 'nelder-mead': 'Nelder–Mead', powell: 'Powell', 'cma-es': 'CMA-ES', 'map-elites': 'MAP-Elites',
-  'two-stage': 'Two-stage' });
+  'two-stage': trLater('Two-stage') });
 
 // Each holds some memory, and a search is not certain.
 const MOST_STANDING_BY = 4;
 
 /** @typedef {import('./search_client.js').SearchClient} SearchClient */
+/** @typedef {import('./status_line.js').SearchWords} SearchWords */
 /** A trial of the lab: how it is told, and how many come before and are in all. @typedef {{words: string, finished: number, total: number}} Trial */
 /** @typedef {{resolve: (report: SearchReport) => void, reject: (error: Error) => void}} End */
 
@@ -26,7 +28,8 @@ export class Searches extends EventTarget {
   #client = null;
   #run = 0; // counts starts: what a slow start finds out may be outdated
   #curve = new Float32Array(0);
-  #words = { doing: '', unit: '', workers: 1 };
+  /** @type {SearchWords} */
+  #words = { doing: () => '', unit: '', workers: 1 };
   /** What runs is a trial of the lab. @type {Trial | null} */
   #trial = null;
   /** What runs came from the queue. */
@@ -89,11 +92,11 @@ export class Searches extends EventTarget {
     this.#queued = queued !== undefined;
     this.#labOver = false;
     if (trial) {
-      const doing = `Lab: trial ${trial.finished + 1} of ${trial.total}, ${trial.words}`;
-      this.#words = { doing, unit: '', workers };
+      this.#words = { doing: (paused) => trialWords(trial, paused), unit: '', workers };
       if (trial.finished === 0) this.statusLine.say('');
     } else {
-      this.#words = queued === undefined ? { ...wordsOf(this.app), workers } : { doing: `Queue: ${queued}`, unit: '', workers };
+      this.#words = queued === undefined ? { ...wordsOf(this.app), workers }
+        : { doing: (paused) => (paused ? tr('Paused: queue: {1}', queued) : tr('Queue: {1}', queued)), unit: '', workers };
       this.statusLine.say('');
       this.statusLine.show(NO_REPORT, this.#words);
     }
@@ -151,12 +154,14 @@ export class Searches extends EventTarget {
   /** @param {Error} error */
   #fail(error) {
     const end = this.#end;
-    const again = this.#queued ? 'the queue goes on' : 'you can start it again';
+    const fault = trSentence(error.message);
+    const told = this.#queued ? tr('The search failed: {1}. What it had found is kept; the queue goes on.', fault)
+      : tr('The search failed: {1}. What it had found is kept; you can start it again.', fault);
     this.searching = false;
     this.#end = null;
     this.app.searchFailed(); // the next of the queue may begin in here
     if (!this.searching) this.statusLine.clear();
-    banner(`The search failed: ${error.message}. What it had found is kept; ${again}.`);
+    banner(told);
     end?.reject(error);
     this.dispatchEvent(new CustomEvent('error', { detail: error }));
   }
@@ -183,10 +188,19 @@ function ofAll(report, { finished, total }) {
   return { ...report, evaluations, budget, secondsLeft, bestFitness: -Infinity };
 }
 
+/** @param {Trial} trial @param {boolean} paused */
+function trialWords({ words, finished, total }, paused) {
+  return paused ? tr('Paused: lab: trial {1} of {2}, {3}', finished + 1, total, words) : tr('Lab: trial {1} of {2}, {3}', finished + 1, total, words);
+}
+
 /** @param {App} app */
 function wordsOf(app) {
   const { task, search } = app.document();
   const styled = Object.values(task?.weights ?? {}).some((weight) => weight !== 0);
   const algorithm = search?.algorithm ?? 'sphc';
-  return { doing: `Searching with ${ALGORITHMS[algorithm] ?? algorithm}`, unit: styled ? '' : ' m' }; // every goal alone is a length
+  const name = () => tr(ALGORITHMS[algorithm] ?? algorithm);
+  return {
+    doing: (/** @type {boolean} */ paused) => (paused ? tr('Paused: searching with {1}', name()) : tr('Searching with {1}', name())),
+    unit: styled ? '' : ' m', // every goal alone is a length
+  };
 }

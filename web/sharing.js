@@ -3,6 +3,7 @@
 // the clipboard and files only to those.
 import { element, offerFile, onClick, toast } from './dom.js';
 import { sentence } from './address.js';
+import { grouped, tr, trSentence } from './language.js';
 
 /** @typedef {import('./app.js').App} App */
 
@@ -21,7 +22,7 @@ async function copy(address) {
   const link = address.link();
   try {
     await navigator.clipboard.writeText(link);
-    toast('Link copied');
+    toast(tr('Link copied'));
   } catch {
     // No permission, no focus, or a page that was not served securely: the person copies by hand.
     const text = element('link-text', HTMLTextAreaElement);
@@ -44,7 +45,7 @@ function startOpening(app) {
   const file = element('file', HTMLInputElement);
   const error = element('open-error');
   const open = (/** @type {string} */ content) => {
-    const fault = content.trim() === '' ? 'There is nothing to open yet.' : app.open(content);
+    const fault = content.trim() === '' ? tr('There is nothing to open yet.') : app.open(content);
     error.textContent = fault && sentence(fault);
     if (!fault) dialog.close();
   };
@@ -75,14 +76,14 @@ function startOpening(app) {
  */
 export async function textOf(file) {
   const no = (/** @type {string} */ fault) => ({ text: '', fault });
-  if (file.size > MOST_BYTES) return no(`it has ${Math.round(file.size / 1e6)} MB, and no Gaitsmith document is that large`);
+  if (file.size > MOST_BYTES) return no(tr('it has {1} MB, and no Gaitsmith document is that large', grouped(file.size / 1e6)));
   let text;
   try {
     text = new TextDecoder('utf-8', { fatal: true }).decode(await file.arrayBuffer());
   } catch {
-    return no('it is not a Gaitsmith document (a file that Save made, or a text with a link)');
+    return no(tr('it is not a Gaitsmith document (a file that Save made, or a text with a link)'));
   }
-  return text.trim() === '' ? no('it is empty') : { text, fault: '' };
+  return text.trim() === '' ? no(tr('it is empty')) : { text, fault: '' };
 }
 
 /** @param {App} app @param {import('./address.js').Address} address */
@@ -92,13 +93,13 @@ function startClipboardKeys(app, address) {
     if (typing() || !getSelection()?.isCollapsed) return;
     event.clipboardData?.setData('text/plain', address.link());
     event.preventDefault();
-    toast('Link copied');
+    toast(tr('Link copied'));
   });
   addEventListener('paste', (event) => {
     const text = event.clipboardData?.getData('text/plain') ?? '';
     if (typing() || text === '') return;
     event.preventDefault();
     const fault = app.open(text);
-    if (fault) toast(`Not opened: ${fault}`);
+    if (fault) toast(tr('Not opened: {1}', trSentence(fault)));
   });
 }

@@ -3,15 +3,13 @@
 // eye only; screen readers get a sentence now and then.
 import { announce } from './announcer.js';
 import { element, setText } from './dom.js';
+import { fixed, grouped, tr } from './language.js';
 
 /** @typedef {import('./messages.js').SearchReport} SearchReport */
-/** What the line says about a search besides its report. @typedef {{doing: string, unit: string, workers: number}} SearchWords */
+/** What the line says about a search besides its report. @typedef {{doing: (paused: boolean) => string, unit: string, workers: number}} SearchWords */
 
 const SPEAK_EVERY_MS = 10000;
 const SENTENCE_STAYS_MS = 6000;
-
-// "40,000". Intl's formats take 40 ms to make.
-const whole = (/** @type {number} */ value) => String(Math.round(value)).replace(/\B(?=(\d{3})+$)/g, ',');
 
 export class StatusLine {
   #status = element('status');
@@ -43,19 +41,21 @@ export class StatusLine {
     const now = performance.now();
     const ended = report.state === 'done' || report.state === 'stopped';
     const best = Number.isFinite(report.bestFitness) && report.bestFitness > -1e8
-      ? `best ${report.bestFitness.toFixed(2)}${unit}` : '';
-    const count = `${whole(report.evaluations)} of ${whole(report.budget)}`;
+      ? fixed(report.bestFitness, 2) + unit : '';
+    const count = tr('{1} of {2}', grouped(report.evaluations), grouped(report.budget));
     if (ended) {
       this.clear();
       this.#speaking = '';
-      const end = `${report.state === 'done' ? 'Search done' : 'Search stopped'}: ${best || 'nothing found'} after ${
-        whole(report.evaluations)} evaluations`;
+      const after = grouped(report.evaluations);
+      const end = report.state === 'done'
+        ? best ? tr('Search done: best {1} after {2} evaluations', best, after) : tr('Search done: nothing found after {1} evaluations', after)
+        : best ? tr('Search stopped: best {1} after {2} evaluations', best, after) : tr('Search stopped: nothing found after {1} evaluations', after);
       if (!this.#status.textContent?.startsWith(end)) announce(end); // the application may have said it
       setText(this.#status, end);
       return;
     }
     const paused = report.state === 'paused';
-    const sentence = paused ? `Paused: ${doing[0].toLowerCase()}${doing.slice(1)}` : doing;
+    const sentence = doing(paused);
     if (now > this.#sentenceUntilMs) setText(this.#status, sentence);
     this.#progress.hidden = false;
     this.#progress.setAttribute('aria-valuemax', String(report.budget));
@@ -63,8 +63,8 @@ export class StatusLine {
     this.#bar.style.transform = `scaleX(${report.evaluations / Math.max(1, report.budget)})`;
     setText(this.#count, count);
     setText(this.#rate, paused || report.rate === 0 ? '' :
-      `${whole(report.rate)}/s on ${workers} worker${workers === 1 ? '' : 's'}`);
-    setText(this.#best, best);
+      workers === 1 ? tr('{1}/s on 1 worker', grouped(report.rate)) : tr('{1}/s on {2} workers', grouped(report.rate), workers));
+    setText(this.#best, best && tr('best {1}', best));
     setText(this.#left, paused || report.rate === 0 ? '' : timeLeft(report.secondsLeft));
     if (sentence !== this.#speaking) {
       this.#speaking = sentence;
@@ -72,7 +72,8 @@ export class StatusLine {
       announce(sentence);
     } else if (!paused && now - this.#spokenMs > SPEAK_EVERY_MS) {
       this.#spokenMs = now;
-      announce(`${count} evaluations, ${best || 'nothing found yet'}`);
+      const [done, all] = [grouped(report.evaluations), grouped(report.budget)];
+      announce(best ? tr('{1} of {2} evaluations, best {3}', done, all, best) : tr('{1} of {2} evaluations, nothing found yet', done, all));
     }
   }
 
@@ -86,5 +87,5 @@ export class StatusLine {
 
 /** @param {number} seconds */
 function timeLeft(seconds) {
-  return seconds < 100 ? `${Math.ceil(seconds)} s left` : `${Math.ceil(seconds / 60)} min left`;
+  return seconds < 100 ? tr('{1} s left', Math.ceil(seconds)) : tr('{1} min left', grouped(Math.ceil(seconds / 60)));
 }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // How the page looks: as the system does, until the person says otherwise.
 import { element } from './dom.js';
+import { followLanguage, tr, trLater } from './language.js';
 import { remember, remembered } from './storage.js';
 
 const KEY = 'gaitsmith-theme';
 
 /** What can be chosen, and its name. @type {Record<string, string>} */
-export const THEMES = { system: 'As the system', light: 'Light', dark: 'Dark', projector: 'Projector', contrast: 'High contrast' };
+export const THEMES = { system: trLater('As the system'), light: trLater('Light'), dark: trLater('Dark'),
+  projector: trLater('Projector'), contrast: trLater('High contrast') };
 
 /**
  * What is then shown.
@@ -61,7 +63,9 @@ export function nextTheme() {
 /** Gives the page its theme and the list in the header its work. */
 export function startTheme() {
   const list = element('theme', HTMLSelectElement);
-  for (const [value, name] of Object.entries(THEMES)) list.append(new Option(name, value));
+  const options = Object.entries(THEMES).map(([value, name]) => ({ name, option: new Option(name, value) }));
+  list.append(...options.map(({ option }) => option));
+  followLanguage(() => { for (const { name, option } of options) option.text = tr(name); });
   followTheme(({ palette, scale }) => {
     const { dataset } = document.documentElement;
     dataset.theme = palette;

@@ -2,29 +2,28 @@
 // Six steps round the playground for whoever opens it for the first time. It covers nothing that it speaks of, holds
 // nobody up, and is done with at any press of Escape.
 import { element, onClick, setText } from './dom.js';
-import { remember, remembered } from './storage.js';
+import { followLanguage, tr, trLater } from './language.js';
 
 /** @typedef {import('./app.js').App} App */
 /** @typedef {{left: number, top: number, right: number, bottom: number}} Box */
 /** @typedef {{title: string, text: string, at: RegExp | string, panel?: string}} Step  at: a widget's id, or an element's selector */
 
-const KEY = 'gaitsmith-tour';
 const MARGIN = 12;
 
 /** @type {Step[]} */
 const STEPS = [
-  { title: 'No one animated this', at: /^stage$/,
-    text: 'The computer found how this figure moves. Letters mark where it was, arrows what the ground does to it. A click stops and starts it.' },
-  { title: 'Let it find another', at: /^search\/start$/, panel: 'panel/Search',
-    text: 'Synthesize searches for a better motion while you watch: the curve shows the best so far.' },
-  { title: 'A clock, or senses', at: /^controller\/senses/, panel: 'panel/Controller',
-    text: 'What decides when to move: a timer, like a wind-up toy, or what the figure feels. The next search uses your choice.' },
-  { title: 'Why it moves so', at: /^controller\/why$/, panel: 'panel/Controller',
-    text: 'A few rules are all there is. The one that acts is lit, and this says why. Open a rule to change it by hand.' },
-  { title: 'Push it', at: /^world\/open$/,
-    text: 'Pull at a joint on the stage and let go, or tilt the ground under World. Does it recover? Undo takes everything back.' },
-  { title: 'Show it to somebody', at: '#copy-link',
-    text: 'The link holds the whole motion. Whoever opens it sees the very same one, bit for bit, and can go on from there.' },
+  { title: trLater('No one animated this'), at: /^stage$/,
+    text: trLater('The computer found how this figure moves. Letters mark where it was, arrows what the ground does to it. A click stops and starts it.') },
+  { title: trLater('Let it find another'), at: /^search\/start$/, panel: 'panel/Search',
+    text: trLater('Synthesize searches for a better motion while you watch: the curve shows the best so far.') },
+  { title: trLater('A clock, or senses'), at: /^controller\/senses/, panel: 'panel/Controller',
+    text: trLater('What decides when to move: a timer, like a wind-up toy, or what the figure feels. The next search uses your choice.') },
+  { title: trLater('Why it moves so'), at: /^controller\/why$/, panel: 'panel/Controller',
+    text: trLater('A few rules are all there is. The one that acts is lit, and this says why. Open a rule to change it by hand.') },
+  { title: trLater('Push it'), at: /^world\/open$/,
+    text: trLater('Pull at a joint on the stage and let go, or tilt the ground under World. Does it recover? Undo takes everything back.') },
+  { title: trLater('Show it to somebody'), at: '#copy-link',
+    text: trLater('The link holds the whole motion. Whoever opens it sees the very same one, bit for bit, and can go on from there.') },
 ];
 
 export class Tour {
@@ -50,17 +49,10 @@ export class Tour {
     addEventListener('resize', () => this.#place());
     // Panels scroll and change their length while it speaks of something in them.
     setInterval(() => this.#place(), 250);
+    followLanguage(() => this.#write());
   }
 
   get open() { return this.#step >= 0; }
-
-  /** On a first visit that comes for nothing in particular. */
-  offer() {
-    if (window.top !== window || location.hash.length > 1 || remembered(KEY)) return;
-    // Where nothing can be remembered it would come every time.
-    if (!remember(KEY, 'offered')) return;
-    this.start();
-  }
 
   start() {
     this.#before = document.activeElement instanceof HTMLElement ? document.activeElement : null;
@@ -80,16 +72,22 @@ export class Tour {
   #go(step) {
     if (step >= STEPS.length) return this.end();
     this.#step = Math.max(0, step);
-    const { title, text, panel } = STEPS[this.#step];
+    const { panel } = STEPS[this.#step];
     if (panel) this.app.run(panel);
-    setText(element('tour-title'), title);
-    setText(element('tour-text'), text);
-    setText(element('tour-count'), `${this.#step + 1} of ${STEPS.length}`);
-    setText(this.#next, this.#step === STEPS.length - 1 ? 'Done' : 'Next');
+    this.#write();
     element('tour-back', HTMLButtonElement).disabled = this.#step === 0;
     this.#card.hidden = false;
     // The application draws the panel first.
     requestAnimationFrame(() => requestAnimationFrame(() => this.#place()));
+  }
+
+  #write() {
+    if (!this.open) return;
+    const { title, text } = STEPS[this.#step];
+    setText(element('tour-title'), tr(title));
+    setText(element('tour-text'), tr(text));
+    setText(element('tour-count'), tr('{1} of {2}', this.#step + 1, STEPS.length));
+    setText(this.#next, this.#step === STEPS.length - 1 ? tr('Done') : tr('Next'));
   }
 
   /** @returns {Box | null} what the step speaks of [CSS pixels] */
