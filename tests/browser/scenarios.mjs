@@ -12,6 +12,7 @@ import { FINGER_SCENARIOS } from './finger_scenarios.mjs';
 import { HISTORY_SCENARIOS } from './history_scenarios.mjs';
 import { KEPT_WORK_SCENARIOS } from './kept_work_scenarios.mjs';
 import { LAB_SCENARIOS } from './lab_scenarios.mjs';
+import { LANGUAGE_SCENARIOS } from './language_scenarios.mjs';
 import { LOOP_SCENARIOS } from './loop_scenarios.mjs';
 import { MIRROR_SCENARIOS } from './mirror_scenarios.mjs';
 import { PALETTE_SCENARIOS } from './palette_scenarios.mjs';
@@ -250,6 +251,7 @@ export const SCENARIOS = [
   ...FINGER_SCENARIOS,
   ...THEME_SCENARIOS,
   ...TOUR_SCENARIOS,
+  ...LANGUAGE_SCENARIOS,
 
   ['Undo waits until there is something to undo', async ({ browser, address }) => {
     const fresh = await PageDriver.open(browser, address);
