@@ -74,10 +74,6 @@
  * @property {Spread | null} spread           of the population now; null when there is none
  */
 
-/** A search of which nothing is known yet. @type {Readonly<SearchReport>} */
-export const NO_REPORT = Object.freeze({ state: 'running', evaluations: 0, budget: 0, simulated: 0, rate: 0,
-  secondsLeft: 0, bestFitness: -Infinity, bestGenome: null, curve: null, spread: null });
-
 /** At most 30 a second, at least one in two. @typedef {{type: 'progress', report: SearchReport}} Progress */
 /** The last message of a search; its report has everything. @typedef {{type: 'finished', report: SearchReport}} Finished */
 /**

@@ -5,7 +5,8 @@
 // what is known.
 import { EngineError } from './engine.js';
 import { grouped, tr, trLater } from './language.js';
-import { NO_REPORT, unreachable } from './messages.js';
+import { NO_REPORT } from './no_report.js';
+import { unreachable } from './messages.js';
 
 /** @typedef {import('./messages.js').CoordinatorToPage} CoordinatorToPage */
 /** @typedef {import('./messages.js').EvaluatorToPage} EvaluatorToPage */

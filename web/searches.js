@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Searches as the page knows them: the application asks for one, workers run it, and application, status line and
 // listeners hear how far it is.
-import { NO_REPORT } from './messages.js';
+import { NO_REPORT } from './no_report.js';
 import { banner } from './dom.js';
 import { tr, trLater, trSentence } from './language.js';
 
