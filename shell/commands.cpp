@@ -13,11 +13,11 @@ namespace gaitsmith::shell {
 namespace {
 
 void AddHistory(std::vector<Command>& list, Session& session) {
-  list.push_back({.id = "document/new", .group = Tr("Document"), .title = Tr("New"), .run = [&session] {
+  list.push_back({.id = "document/new", .group = TrLater("Document"), .title = Tr("New"), .run = [&session] {
                     session.New();
                   }});
   list.push_back({.id = "document/undo",
-                  .group = Tr("Document"),
+                  .group = TrLater("Document"),
                   .title = Tr("Undo"),
                   .keys = {"Ctrl+z"},
                   .why_not = session.CanUndo() || (session.Searching() && !session.RunsQueued())
@@ -26,7 +26,7 @@ void AddHistory(std::vector<Command>& list, Session& session) {
                   .repeats = true,
                   .run = [&session] { session.Undo(); }});
   list.push_back({.id = "document/redo",
-                  .group = Tr("Document"),
+                  .group = TrLater("Document"),
                   .title = Tr("Redo"),
                   .keys = {"Ctrl+Shift+z", "Ctrl+y"},
                   .why_not = session.CanRedo() ? "" : Tr("nothing to redo"),
@@ -39,7 +39,7 @@ void AddMotion(std::vector<Command>& list, Session& session) {
   const auto add = [&](const std::string& id, const std::string& title, const std::vector<std::string>& keys,
                        bool repeats, auto run) {
     list.push_back({.id = "motion/" + id,
-                    .group = Tr("Motion"),
+                    .group = TrLater("Motion"),
                     .title = title,
                     .keys = keys,
                     .repeats = repeats,
@@ -58,13 +58,13 @@ void AddMotion(std::vector<Command>& list, Session& session) {
 void AddSearch(std::vector<Command>& list, Session& session) {
   const bool busy = session.Searching() || session.lab.Running();
   list.push_back({.id = "search/synthesize",
-                  .group = Tr("Search"),
+                  .group = TrLater("Search"),
                   .title = Tr("Synthesize, or stop"),
                   .keys = {"s"},
                   .run = [&session, busy] { busy ? session.Stop() : session.Synthesize(); }});
   const bool paused = session.Progress().state == SearchState::kPaused;
   list.push_back({.id = "search/pause",
-                  .group = Tr("Search"),
+                  .group = TrLater("Search"),
                   .title = Tr("Pause the search, or go on"),
                   .keys = {"p"},
                   .why_not = session.Searching() ? "" : Tr("no search runs"),
@@ -76,25 +76,25 @@ void AddQueue(std::vector<Command>& list, Session& session) {
   const std::string full = session.queue.Full() ? Tr("the queue is full") : "";
   const bool busy = session.Searching() || session.lab.Running();
   list.push_back({.id = "queue/add",
-                  .group = Tr("Search"),
+                  .group = TrLater("Search"),
                   .title = Tr("Add this search to the queue"),
                   .keys = {"q"},
                   .why_not = full,
                   .run = [&session] { session.Enqueue(session.Doc()); }});
   list.push_back({.id = "queue/seeds",
-                  .group = Tr("Search"),
+                  .group = TrLater("Search"),
                   .title = Tr("Queue five seeds of this search"),
                   .why_not = full,
                   .run = [&session] { session.EnqueueSeeds(kQueuedSeeds); }});
   list.push_back({.id = "queue/run",
-                  .group = Tr("Search"),
+                  .group = TrLater("Search"),
                   .title = Tr("Run the queue"),
                   .why_not = none   ? Tr("nothing waits")
                              : busy ? Tr("a search or the lab is running")
                                     : "",
                   .run = [&session] { session.RunQueue(); }});
   list.push_back({.id = "queue/clear",
-                  .group = Tr("Search"),
+                  .group = TrLater("Search"),
                   .title = Tr("Clear the queue"),
                   .why_not = none ? Tr("nothing waits") : "",
                   .run = [&session] { session.queue.Clear(); }});
@@ -102,19 +102,19 @@ void AddQueue(std::vector<Command>& list, Session& session) {
 
 void AddFound(std::vector<Command>& list, Session& session) {
   list.push_back({.id = "found/keep",
-                  .group = Tr("Results"),
+                  .group = TrLater("Results"),
                   .title = Tr("Keep this motion"),
                   .keys = {"k"},
                   .why_not = session.Doc().timeline.empty() ? Tr("there is no motion yet") : "",
                   .run = [&session] { session.KeepMotion(); }});
   const FoundMotions::Entry* best = session.found.Best(session.Doc());
   list.push_back({.id = "found/best",
-                  .group = Tr("Results"),
+                  .group = TrLater("Results"),
                   .title = Tr("Show the best result for this figure and task"),
                   .why_not = best == nullptr ? Tr("there are no results yet") : "",
                   .run = [&session, id = best == nullptr ? "" : best->id] { session.ShowFound(id); }});
   list.push_back({.id = "found/bring-back",
-                  .group = Tr("Results"),
+                  .group = TrLater("Results"),
                   .title = Tr("Bring back the deleted result"),
                   .why_not = session.found.Removed() == nullptr ? Tr("nothing was deleted") : "",
                   .run = [&session] { session.found.BringBack(); }});
@@ -124,7 +124,7 @@ void AddPanels(std::vector<Command>& list, Session& session, bool phone) {
   for (int i = 0; i < (phone ? static_cast<int>(kPanels.size()) : kDeskPanels); ++i) {
     const char* name = kPanels[static_cast<std::size_t>(i)];
     list.push_back({.id = std::string("panel/") + name,
-                    .group = Tr("Panels"),
+                    .group = TrLater("Panels"),
                     .title = Tr("{1} panel", Tr(name)),
                     .keys = {std::to_string(i + 1)},
                     .run = [&session, i] { session.SetView([i](View& view) { view.panel = i; }); }});
@@ -135,7 +135,7 @@ void AddView(std::vector<Command>& list, Session& session) {
   const auto add = [&](const std::string& id, const char* show, const char* hide, bool View::* shown) {
     const bool now = session.Doc().view.*shown;
     list.push_back({.id = "view/" + id,
-                    .group = Tr("View"),
+                    .group = TrLater("View"),
                     .title = Tr(now ? hide : show),
                     .run = [&session, shown, now] {
                       session.SetView([shown, now](View& view) { view.*shown = !now; });
@@ -148,7 +148,7 @@ void AddView(std::vector<Command>& list, Session& session) {
   const bool beside = session.SideBySide();
   list.push_back(
       {.id = "view/compare",
-       .group = Tr("View"),
+       .group = TrLater("View"),
        .title = Tr(beside ? "Stop comparing side by side" : "Compare timer and senses side by side"),
        .why_not = session.ShownController() == nullptr ? Tr("there is no motion yet") : "",
        .run = [&session, beside] { beside ? session.StopComparing() : session.CompareDeciders(); }});
@@ -174,14 +174,14 @@ std::vector<Command> ShelfOf(Session& session) {
     auto document = DecodeJson(example.json);
     if (!document) continue;
     list.push_back({.id = "example/" + std::string(example.name),
-                    .group = Tr("Examples"),
+                    .group = TrLater("Examples"),
                     .title = Tr("Open example: {1}", TrTitle(document->title)),
                     .run = [&session, document = std::move(*document)] { session.ChooseExample(document); }});
   }
   int index = 0;
   for (const Document& problem : session.Problems()) {
     list.push_back({.id = "task/" + std::to_string(index),
-                    .group = Tr("Tasks"),
+                    .group = TrLater("Tasks"),
                     .title = Tr("Choose task: {1}", TrTitle(problem.title)),
                     .run = [&session, index] { session.ChooseProblem(index); }});
     ++index;
@@ -189,7 +189,7 @@ std::vector<Command> ShelfOf(Session& session) {
   index = 0;
   for (const Figure& figure : session.Figures()) {
     list.push_back({.id = "figure/" + std::to_string(index),
-                    .group = Tr("Figures"),
+                    .group = TrLater("Figures"),
                     .title = Tr("Choose figure: {1}", TrTitle(figure.name)),
                     .run = [&session, index] { session.ChooseFigure(index); }});
     ++index;

@@ -5,7 +5,7 @@ import { mkdir } from 'node:fs/promises';
 import { join } from 'node:path';
 import { ROOT } from './browsers.mjs';
 import { PageDriver } from './page_driver.mjs';
-import { NOT_YET, speakPseudo, untranslated, wordsOn } from './pseudo_language.mjs';
+import { DATA, speakPseudo, untranslated, wordsOn } from './pseudo_language.mjs';
 import { stateOf } from './history_scenarios.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
@@ -121,7 +121,7 @@ async function nothingLeft({ browser, address, figures }) {
     for (const [where, text] of await wordsOn(page)) {
       read++;
       const rest = leftOf(text);
-      if (rest && !left.has(text) && !NOT_YET.some((place) => where.split(' ').includes(place))) left.set(text, `${what}, ${where}: ${text.trim()}`);
+      if (rest && !left.has(text) && !DATA.some((place) => where.split(' ').includes(place))) left.set(text, `${what}, ${where}: ${text.trim()}`);
     }
   };
   await page.page.select('#language', 'de');

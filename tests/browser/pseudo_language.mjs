@@ -12,8 +12,8 @@ const UNITS = ['N s', 'rad/s²', 'rad/s', 'rad', 'm/s', 'kg', 'ms', 'min', 'MB',
 // A letter alone is a key, or the letter of a pose; F1 is a key, "x", "y" and Greek letters are quantities.
 const SIGNS = /(?<![\p{L}\d])(\p{L}|F\d+)(?![\p{L}\d])/gu;
 
-/** Of the canvas, where not every word goes through its table yet. Ends as an empty list. @type {string[]} */
-export const NOT_YET = ['#mirror', '#description', '#palette-list', '#help-groups', '#title', '#status', '#spoken', '#banner-text'];
+/** A document's title stays as it was made. @type {string[]} */
+export const DATA = ['#title'];
 
 /** Runs before the page's own scripts: what comes as German is that language; what is said in passing is kept. */
 export function speakPseudo() {
@@ -22,8 +22,10 @@ export function speakPseudo() {
     const response = await fetchAsEver(...request);
     if (!response.url.endsWith('/languages/de.json')) return response;
     const table = await response.json();
-    for (const english of Object.keys(table.words)) {
-      table.words[english] = english.split(/(\{\d\})/).map((part) => (/^(\{\d\})?$/.test(part) ? part : `«${part}»`)).join('');
+    for (const words of [table.words, table.errors, table.titles]) {
+      for (const english of Object.keys(words)) {
+        words[english] = english.split(/(\{\d\})/).map((part) => (/^(\{\d\})?$/.test(part) ? part : `«${part}»`)).join('');
+      }
     }
     return new Response(JSON.stringify(table));
   };
@@ -37,7 +39,7 @@ export function speakPseudo() {
   });
 }
 
-/** Everything that can be read or heard on the page now, or was said in passing; and which of NOT_YET it is in. @param {PageDriver} page @returns {Promise<[string, string][]>} */
+/** Everything that can be read or heard on the page now, or was said in passing; and which of DATA it is in. @param {PageDriver} page @returns {Promise<[string, string][]>} */
 export const wordsOn = (page) => page.page.evaluate(() => {
   const attributes = ['aria-label', 'aria-description', 'aria-valuetext', 'aria-roledescription', 'title', 'placeholder', 'alt'];
   /** @type {[string, string][]} */

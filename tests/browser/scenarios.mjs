@@ -166,7 +166,7 @@ export const SCENARIOS = [
   }],
 
   ['a terminated coordinator is replaced, the status line says so, and nothing is lost', async (visit) => {
-    await dieOnTheWay(visit, -3, /coordinator stopped/);
+    await dieOnTheWay(visit, -3, /coordinator of the search stopped/);
   }],
 
   ['a damaged link says what is wrong and leaves the work alone', async (visit) => {
