@@ -120,6 +120,38 @@ void AddFound(std::vector<Command>& list, Session& session) {
                   .run = [&session] { session.found.BringBack(); }});
 }
 
+void AddTimeline(std::vector<Command>& list, Session& session) {
+  const auto clips = static_cast<int>(session.Doc().timeline.size());
+  const int selected = session.SelectedClip();
+  const char* none = clips > 0 ? "" : Tr("there is no motion yet");
+  const char* one = clips > 1 ? "" : Tr("there is only one clip");
+  const auto add = [&](const char* id, const char* title, const std::vector<std::string>& keys,
+                       const char* why_not, auto run) {
+    list.push_back({.id = std::string("timeline/") + id,
+                    .group = TrLater("Timeline"),
+                    .title = title,
+                    .keys = keys,
+                    .why_not = why_not,
+                    .run = run});
+  };
+  add("split", Tr("Split the clip at the moment shown"), {"b"}, none, [&session] { session.SplitClip(); });
+  add("duplicate", Tr("Duplicate the selected clip"), {"d"}, none, [&session] { session.DuplicateClip(); });
+  add("mirror", Tr("Mirror the selected clip: it goes the other way"), {"m"}, none,
+      [&session] { session.MirrorClip(); });
+  add("add", Tr("Add the selected clip once more at the end"), {}, none, [&session] { session.AddClip(); });
+  add("earlier", Tr("Move the selected clip earlier"), {"["},
+      clips > 1 && selected == 0 ? Tr("it is the first") : one,
+      [&session] { session.ReorderClip(session.SelectedClip() - 1); });
+  add("later", Tr("Move the selected clip later"), {"]"},
+      clips > 1 && selected == clips - 1 ? Tr("it is the last") : one,
+      [&session] { session.ReorderClip(session.SelectedClip() + 1); });
+  add("loop", Tr("Repeat the whole timeline"), {}, none, [&session] { session.LoopTimeline(); });
+  add("repair", Tr("Repair the selected clip: search from where it takes over"), {"r"},
+      session.CanRepair() ? "" : Tr("it takes over from no other clip"),
+      [&session] { session.RepairClip(); });
+  add("remove", Tr("Remove the selected clip"), {}, one, [&session] { session.RemoveClip(); });
+}
+
 void AddPanels(std::vector<Command>& list, Session& session, bool phone) {
   for (int i = 0; i < (phone ? static_cast<int>(kPanels.size()) : kDeskPanels); ++i) {
     const char* name = kPanels[static_cast<std::size_t>(i)];
@@ -132,7 +164,7 @@ void AddPanels(std::vector<Command>& list, Session& session, bool phone) {
 }
 
 void AddView(std::vector<Command>& list, Session& session) {
-  const auto add = [&](const std::string& id, const char* show, const char* hide, bool View::* shown) {
+  const auto add = [&](const std::string& id, const char* show, const char* hide, bool View::*shown) {
     const bool now = session.Doc().view.*shown;
     list.push_back({.id = "view/" + id,
                     .group = TrLater("View"),
@@ -163,6 +195,7 @@ std::vector<Command> CommandsOf(Session& session, bool phone) {
   AddSearch(list, session);
   AddQueue(list, session);
   AddFound(list, session);
+  AddTimeline(list, session);
   AddPanels(list, session, phone);
   AddView(list, session);
   return list;

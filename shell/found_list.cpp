@@ -13,7 +13,7 @@
 namespace gaitsmith::shell {
 namespace {
 
-enum class Wish { kNothing, kShow, kKeep, kDelete };
+enum class Wish { kNothing, kShow, kInsert, kKeep, kDelete };
 
 std::string ScoreText(const FoundMotion& found) {
   if (!found.Moves()) return Tr("failed");
@@ -65,7 +65,7 @@ Wish DrawEntry(Ui& ui, const Session& session, const FoundMotions::Entry& entry)
   const float size = ui.Look().ControlHeight();
   const std::string id = "found/" + entry.id;
   const ImRect row = ui.Row(size + 14.0f);
-  const ImRect words(row.Min, {row.Max.x - 2.0f * size - 2.0f, row.Max.y - 2.0f});
+  const ImRect words(row.Min, {row.Max.x - 3.0f * size - 2.0f, row.Max.y - 2.0f});
   Wish wish = Wish::kNothing;
   std::string scene, score, spoken;
   // Of a hundred entries a few are to be seen, and the others must not cost a frame.
@@ -98,6 +98,12 @@ Wish DrawEntry(Ui& ui, const Session& session, const FoundMotions::Entry& entry)
   const float top = words.GetCenter().y - 0.5f * size;
   const ImRect remove({row.Max.x - size, top}, {row.Max.x, top + size});
   const ImRect keep({remove.Min.x - size, top}, {remove.Min.x, top + size});
+  const ImRect insert({keep.Min.x - size, top}, {keep.Min.x, top + size});
+  if (ui.IconButton(id + "/insert", insert, Icon::kPlus,
+                    Tr("Insert into the timeline at the moment shown: {1}", scene), ButtonLook::kPlain,
+                    found.Moves())) {
+    wish = Wish::kInsert;
+  }
   const Touch star = ui.Area(id + "/keep", keep, Grab::kPress,
                              {.label = Tr("Keep: {1}", scene),
                               .role = "switch",
@@ -150,6 +156,7 @@ void DrawFound(Ui& ui, Session& session, FoundMotions::Order& order) {
   ui.Gap(4.0f);
   ui.Paragraph(Tr("Up to 100 stay; where room is short, the oldest that are not kept go."), Type::kNote);
   if (wish == Wish::kShow) session.ShowFound(id);
+  if (wish == Wish::kInsert) session.InsertFound(id);
   if (wish == Wish::kKeep) found.Keep(id, !kept);
   if (wish == Wish::kDelete) found.Remove(id);
 }

@@ -191,6 +191,9 @@ std::optional<Document> Session::Edited(const Edit& edit) {
     const bool fits = index < next.controllers.size() && SuitsSearch(next, next.controllers[index]);
     if (!fits) start = -1;
   }
+  // Where a search takes over is chosen anew with each one.
+  next.search.in_place_of = -1;
+  next.search.handovers.clear();
   if (const auto valid = Validate(next); !valid) {
     Say(Tr("Not possible: {1}.", TrError(valid.error())));
     return std::nullopt;
@@ -297,43 +300,6 @@ const Controller* Session::ShownController() const {
   if (document_.timeline.empty()) return nullptr;
   const Clip& clip = document_.timeline[static_cast<std::size_t>(selected_clip_)];
   return &document_.controllers[static_cast<std::size_t>(clip.controller)];
-}
-
-void Session::AddClip() {
-  if (document_.timeline.empty()) return;
-  const int start = document_.duration_steps;
-  const bool added = Change([&](Document& d) {
-    d.timeline.push_back({d.timeline[static_cast<std::size_t>(selected_clip_)].controller, start});
-    d.duration_steps = std::min(kMaxSteps, start + d.task.duration_steps);
-  });
-  if (added) SelectClip(static_cast<int>(document_.timeline.size()) - 1);
-}
-
-void Session::RemoveClip() {
-  if (document_.timeline.size() < 2) return;
-  const int clip = selected_clip_;
-  if (clip == searched_clip_) AbandonSearch();
-  const bool removed = Change([&](Document& d) {
-    const bool last = clip + 1 == static_cast<int>(d.timeline.size());
-    if (last) d.duration_steps = d.timeline.back().start_step;
-    const int start = d.timeline[static_cast<std::size_t>(clip)].start_step;
-    d.timeline.erase(d.timeline.begin() + clip);
-    // The next clip takes over the time of the one that went.
-    if (!last) d.timeline[static_cast<std::size_t>(clip)].start_step = start;
-    d.timeline.front().start_step = 0;
-  });
-  if (removed && searched_clip_ > clip) --searched_clip_;
-}
-
-void Session::MoveClip(int clip, int start_step) {
-  constexpr int kShortest = 20;  // steps; a clip must stay wide enough to be taken hold of
-  const auto i = static_cast<std::size_t>(clip);
-  const auto& timeline = document_.timeline;
-  const int low = timeline[i - 1].start_step + kShortest;
-  const int end = i + 1 < timeline.size() ? timeline[i + 1].start_step : document_.duration_steps;
-  const int start = std::clamp(start_step, low, std::max(low, end - kShortest));
-  if (start == timeline[i].start_step) return;
-  Change([&](Document& d) { d.timeline[i].start_step = start; });
 }
 
 void Session::SetDuration(int steps) {

@@ -70,9 +70,29 @@ class Session {
   /// Changes the shown controller in place, by hand: its name says so from then on, a search that would
   /// replace it ends, and settings of the next search that were this controller's number of rules stay so.
   bool ChangeController(const std::function<void(Controller&)>& edit);
+  // Editing them; what cannot be done is said, and changes nothing. Lengths travel with their clips.
+  /// The selected clip once more, at the end.
   void AddClip();
   void RemoveClip();
+  /// Moves the border before a clip; clips behind it stay where they are.
   void MoveClip(int clip, int start_step);
+  void SetClipLength(int clip, int steps);
+  /// Cuts the clip in charge at the moment that is shown.
+  void SplitClip();
+  void DuplicateClip();
+  /// The selected clip goes the other way.
+  void MirrorClip();
+  /// The selected clip goes to this place among all.
+  void ReorderClip(int to);
+  /// The whole timeline once more behind itself.
+  void LoopTimeline();
+  /// A found motion's controller takes over at the moment that is shown, for as long as it was searched for.
+  /// @return false: there is no such motion, or it does not fit
+  bool InsertFound(const std::string& id);
+  /// A short search makes the selected clip's controller better from where the clip before it leaves the
+  /// figure.
+  void RepairClip();
+  [[nodiscard]] bool CanRepair() const { return selected_clip_ > 0 && ShownController() != nullptr; }
   /// Task, senses and length of the motion belong together while there is only one clip.
   void SetDuration(int steps);
 
@@ -198,6 +218,8 @@ class Session {
   /// Another document in the place of this one, which Undo brings back.
   void Replace(Document document);
   [[nodiscard]] bool FoundNothingYet() const;
+  /// An edit of the timeline; the clip it returns is selected then.
+  void EditTimeline(const std::function<Result<int>(Document&)>& edit);
   /// The present document after an edit, or nothing and a sentence when that is invalid.
   [[nodiscard]] std::optional<Document> Edited(const Edit& edit);
   /// Ends the search for good: what it still reports belongs to a document that is no longer here.

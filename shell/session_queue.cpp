@@ -59,6 +59,7 @@ void Session::NoteFound() {
   const bool failed = progress_.state == SearchState::kFailed;
   const bool any = !progress_.best_genome.empty() && progress_.best_fitness > kVoidScore;
   if (!searched_ || (!any && !failed)) return;
+  if (searched_->search.in_place_of >= 0) return;  // it belongs to its composite alone
   Document document = any ? FoundDocument(*searched_, progress_.best_genome) : SearchOf(*searched_);
   if (!any) document.title = SearchName(document);
   FoundMotion motion = Measured(std::move(document),

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A session's search: starting it, and letting its best motion take the place of the one on the stage.
 #include <algorithm>
+#include <utility>
 
+#include "core/document/timeline_edit.h"
 #include "shell/algorithm_words.h"
 #include "shell/language.h"
 #include "shell/search_words.h"
@@ -174,16 +176,13 @@ void Session::PutController(Controller controller) {
     const int added = static_cast<int>(d.controllers.size()) - 1;
     if (d.timeline.empty()) d.timeline.push_back({0, 0});
     const int clip = std::clamp(searched_clip_, 0, static_cast<int>(d.timeline.size()) - 1);
-    d.timeline[static_cast<std::size_t>(clip)].controller = added;
+    const int old = std::exchange(d.timeline[static_cast<std::size_t>(clip)].controller, added);
     if (d.timeline.size() == 1) d.duration_steps = searched_->task.duration_steps;
-    for (int c = added; c >= 0; --c) {
-      if (std::ranges::any_of(d.timeline, [c](const Clip& one) { return one.controller == c; })) continue;
-      // A search that began with what is replaced begins with what replaces it.
-      if (d.search.start == c) d.search.start = d.timeline[static_cast<std::size_t>(clip)].controller;
-      if (d.search.start > c) --d.search.start;
-      d.controllers.erase(d.controllers.begin() + c);
-      for (Clip& one : d.timeline) one.controller -= one.controller > c ? 1 : 0;
-    }
+    // A search that began with what is replaced begins with what replaces it.
+    const bool replaced =
+        std::ranges::none_of(d.timeline, [&](const Clip& c) { return c.controller == old; });
+    if (d.search.start == old && replaced) d.search.start = added;
+    DropUnusedControllers(d);
     d.title = FoundTitle(d.figure.name, *searched_);
   });
   if (!next) return;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Clips, switch points and the ruler under them.
+// Clips, switch points and the ruler under them. What can be done with the selected clip is in
+// timeline_tools.cpp.
 #include "shell/timeline.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/document/timeline_edit.h"
 #include "shell/language.h"
 #include "shell/plot.h"
+#include "shell/timeline_tools.h"
 #include "shell/wording.h"
 
 namespace gaitsmith::shell {
@@ -21,6 +24,49 @@ struct Band {
   }
 };
 
+constexpr float kBandHeight = 48.0f;
+constexpr float kSnapPixels = 5.0f;
+
+std::string SecondsWords(int steps) { return Fixed(static_cast<float>(steps) * kStep, 2) + " s"; }
+
+std::string NameOf(const Document& d, int controller) {
+  const Controller& c = d.controllers[static_cast<std::size_t>(controller)];
+  return c.name.empty() ? Tr("Controller {1}", std::to_string(controller + 1)) : TrTitle(c.name);
+}
+
+/// The place among all clips that a dragged one is held over.
+int PlaceAt(const Document& d, const Band& band, std::size_t dragged, float x) {
+  int place = 0;
+  for (std::size_t i = 0; i < d.timeline.size(); ++i) {
+    const float middle = 0.5f * (band.XOf(d.timeline[i].start_step) + band.XOf(EndOf(d, i)));
+    if (i != dragged && middle < x) ++place;
+  }
+  return place;
+}
+
+/// Where the dragged clip would go: a bar between clips.
+void DrawPlace(const Ui& ui, const Document& d, const Band& band, std::size_t dragged, int place) {
+  auto before = static_cast<std::size_t>(place);
+  if (before >= dragged) ++before;  // it leaves its own place
+  const float x =
+      before < d.timeline.size() ? band.XOf(d.timeline[before].start_step) - 2.0f : band.rect.Max.x;
+  ui.Canvas()->AddRectFilled({x - 2.0f, band.rect.Min.y - 5.0f}, {x + 2.0f, band.rect.Max.y + 5.0f},
+                             ui.Ink().accent, 2.0f);
+}
+
+void DragClip(const Ui& ui, Session& session, const Band& band, std::size_t index, const Touch& touch) {
+  if (session.Doc().timeline.size() < 2) return;
+  const ImGuiContext& g = *ImGui::GetCurrentContext();
+  const bool dragged = ImGui::IsMouseDragPastThreshold(ImGuiMouseButton_Left, 8.0f);
+  const bool let_go = g.ActiveIdPreviousFrame == touch.id && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+                      g.IO.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] > 64.0f;
+  if (!(touch.held && dragged) && !let_go) return;
+  const int place = PlaceAt(session.Doc(), band, index, g.IO.MousePos.x);
+  ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+  if (let_go) return session.ReorderClip(place);
+  if (place != static_cast<int>(index)) DrawPlace(ui, session.Doc(), band, index, place);
+}
+
 void DrawClip(Ui& ui, Session& session, const Band& band, std::size_t index) {
   const Document& d = session.Doc();
   const Clip& clip = d.timeline[index];
@@ -29,17 +75,19 @@ void DrawClip(Ui& ui, Session& session, const Band& band, std::size_t index) {
   const float gap = index + 1 < d.timeline.size() ? 4.0f : 0.0f;
   const ImRect rect({band.XOf(clip.start_step), band.rect.Min.y},
                     {band.XOf(EndOf(d, index)) - gap, band.rect.Max.y});
-  const std::string name =
-      controller.name.empty() ? Tr("Controller {1}", clip.controller + 1) : TrTitle(controller.name);
-  const Touch touch = ui.Area("timeline/clip/" + std::to_string(index), rect, Grab::kPress,
+  const std::string name = NameOf(d, clip.controller);
+  const std::string length = SecondsWords(EndOf(d, index) - clip.start_step);
+  const std::string words = ControllerWords(controller.kind, controller.senses, controller.rules);
+  const int colour_of = clip.controller;
+  const Touch touch = ui.Area("timeline/clip/" + std::to_string(index), rect, Grab::kDrag,
                               {.label = name,
                                .role = "option",
-                               .value = Fixed(static_cast<float>(clip.start_step) * kStep, 2) + " s",
+                               .value = Tr("{1} from {2}", length, SecondsWords(clip.start_step)),
                                .state = {.selected = selected}});
   if (touch.pressed) session.SelectClip(static_cast<int>(index));
 
   const Palette& p = ui.Ink();
-  const ImU32 colour = ui.Look().Rule(clip.controller);
+  const ImU32 colour = ui.Look().Rule(colour_of);
   ImDrawList* list = ui.Canvas();
   const float tint = touch.hovered ? 0.19f : 0.13f;
   ui.Frame(rect, Mix(p.panel, colour, tint), colour, 8.0f);
@@ -52,39 +100,80 @@ void DrawClip(Ui& ui, Session& session, const Band& band, std::size_t index) {
     const ImVec2 at(rect.Min.x + 10.0f, rect.Min.y);
     ui.Letters().DrawElided(list, Type::kStrong, {at.x, at.y + 16.0f}, room, p.ink, name);
     ui.Letters().DrawElided(list, Type::kSmall, {at.x, at.y + 34.0f}, room, p.second_ink,
-                            ControllerWords(controller.kind, controller.senses, controller.rules));
+                            length + " · " + words);
   }
   ui.DrawFocus(touch, rect, 8.0f);
+  DragClip(ui, session, band, index, touch);
 }
 
-void DrawSwitchPoint(Ui& ui, Session& session, const Band& band, std::size_t index) {
-  const int start = session.Doc().timeline[index].start_step;
+/// A step that the pointer is meant to hit: the moment shown, or a whole or half second.
+int Snapped(const Session& session, const Band& band, int step) {
+  const float steps_per_pixel = band.steps / band.rect.GetWidth();
+  const auto near = [&](int target) {
+    return std::abs(static_cast<float>(target - step)) < kSnapPixels * steps_per_pixel;
+  };
+  if (near(session.player.Frame())) return session.player.Frame();
+  const int half_second = static_cast<int>(std::lround(static_cast<float>(step) / 50.0f)) * 50;
+  return near(half_second) ? half_second : step;
+}
+
+/// A border that is dragged or stepped. @return the step that is asked for, or `at`
+int DragBorder(Ui& ui, const Session& session, const Band& band, const std::string& id, Widget description,
+               int at) {
   constexpr auto kStepS = static_cast<double>(kStep);
-  const float x = ui.Look().Snap(band.XOf(start) - 2.0f);
+  const float x = ui.Look().Snap(band.XOf(at) - 2.0f);
   const float half = ui.Look().touch ? 16.0f : 7.0f;
   const ImRect rect({x - half, band.rect.Min.y - 4.0f}, {x + half, band.rect.Max.y + 4.0f});
-  const Touch touch =
-      ui.Area("timeline/switch/" + std::to_string(index), rect, Grab::kArrows,
-              {.label = Tr("Switch point before clip {1}", std::to_string(index + 1)),
-               .role = "slider",
-               .value = Fixed(static_cast<float>(start) * kStep, 2) + " s",
-               .range = WidgetRange{0.0, session.Doc().duration_steps * kStepS, kStepS, start * kStepS}});
+  description.role = "slider";
+  description.range = WidgetRange{0.0, kMaxSteps * kStepS, kStepS, at * kStepS};
+  const Touch touch = ui.Area(id, rect, Grab::kArrows, std::move(description));
   if (touch.hovered || touch.held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-  if (touch.held && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 2.0f)) {
-    session.MoveClip(static_cast<int>(index), band.StepAt(ImGui::GetIO().MousePos.x + 2.0f));
-  }
-  if (touch.steps != 0) session.MoveClip(static_cast<int>(index), start + touch.steps);
-  if (touch.wanted)
-    session.MoveClip(static_cast<int>(index), static_cast<int>(std::lround(*touch.wanted / kStepS)));
+  int wanted = at + touch.steps;
+  if (touch.held && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 2.0f))
+    wanted = Snapped(session, band, band.StepAt(ImGui::GetIO().MousePos.x + 2.0f));
+  if (touch.wanted) wanted = static_cast<int>(std::lround(*touch.wanted / kStepS));
 
   const ImU32 ink = touch.hovered || touch.held ? ui.Ink().ink : ui.Ink().second_ink;
   const float y = band.rect.GetCenter().y;
   ui.Canvas()->AddRectFilled({x - 1.5f, y - 12.0f}, {x + 1.5f, y + 12.0f}, ink, 1.5f);
   if (touch.held) {
-    ui.Letters().Draw(ui.Canvas(), Type::kSmall, {x, band.rect.Max.y + 12.0f}, ui.Ink().ink,
-                      Fixed(static_cast<float>(start) * kStep, 2) + " s", Align::kCentre);
+    const std::string text = SecondsWords(at);
+    const float width = 0.5f * ui.Letters().Width(Type::kSmall, text) + 6.0f;
+    const ImVec2 centre(std::min(x, band.rect.Max.x - width), band.rect.Min.y - 9.0f);
+    ui.Frame({{centre.x - width, centre.y - 9.0f}, {centre.x + width, centre.y + 9.0f}}, ui.Ink().ink,
+             ui.Ink().ink);
+    ui.Letters().Draw(ui.Canvas(), Type::kSmall, centre, ui.Ink().panel, text, Align::kCentre);
   }
   ui.DrawFocus(touch, rect, 4.0f);
+  return wanted;
+}
+
+void DrawSwitchPoint(Ui& ui, Session& session, const Band& band, std::size_t index) {
+  const int start = session.Doc().timeline[index].start_step;
+  const int wanted = DragBorder(
+      ui, session, band, "timeline/switch/" + std::to_string(index),
+      {.label = Tr("Switch point before clip {1}", std::to_string(index + 1)), .value = SecondsWords(start)},
+      start);
+  if (wanted != start) session.MoveClip(static_cast<int>(index), wanted);
+}
+
+/// The end of the motion: the last clip's length. The band always shows the whole, so that a drag pulls by so
+/// many pixels rather than to a place.
+void DrawEnd(Ui& ui, Session& session, const Band& band) {
+  const Document& d = session.Doc();
+  const std::size_t last = d.timeline.size() - 1;
+  const int end = d.duration_steps;
+  const int length = end - d.timeline[last].start_step;
+  const bool was_dragged = ImGui::GetIO().MouseDelta.x != 0.0f;
+  int wanted = DragBorder(ui, session, band, "timeline/end",
+                          {.label = Tr("End of the motion"), .value = SecondsWords(end)}, end);
+  if (wanted == end) return;
+  if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+    if (!was_dragged) return;
+    const float pull = ImGui::GetIO().MouseDelta.x * band.steps / band.rect.GetWidth();
+    wanted = end + static_cast<int>(std::lround(pull));
+  }
+  session.SetClipLength(static_cast<int>(last), length + wanted - end);
 }
 
 void DrawRuler(Ui& ui, const Session& session, const Band& band) {
@@ -116,32 +205,28 @@ void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
   const bool empty = session.Doc().timeline.empty();
   ui.HorizontalLine(rect.Min.x, rect.Max.x, rect.Min.y);
 
-  const float row_y = rect.Min.y + 19.0f;
   const float left = rect.Min.x + kPanelPadding;
   const float right = rect.Max.x - kPanelPadding;
   const float half = ui.Look().touch ? 18.0f : 12.0f;
-  const float row = ui.Look().touch ? rect.Min.y + 24.0f : row_y;
-  if (ui.Button("timeline/remove", {{right - 66.0f, row - half}, {right, row + half}}, Tr("Remove"),
-                ButtonLook::kPlain, session.Doc().timeline.size() > 1, Tr("Remove the selected clip"))) {
-    session.RemoveClip();
-  }
-  if (ui.Button("timeline/add", {{right - 142.0f, row - half}, {right - 70.0f, row + half}}, Tr("Add clip"),
-                ButtonLook::kPlain, !empty)) {
-    session.AddClip();
-  }
+  const float row = rect.Min.y + (ui.Look().touch ? 24.0f : 19.0f);
+  const float top = row + (ui.Look().touch ? 24.0f : 16.0f);
+  const Band band{.rect = {{left, top}, {right, top + kBandHeight}},
+                  .steps = static_cast<float>(std::max(1, session.Doc().duration_steps))};
   ui.Letters().Draw(ui.Canvas(), Type::kStrong, {left, row}, p.ink, Tr("Timeline"));
   const float hint_x = left + ui.Letters().Width(Type::kStrong, Tr("Timeline")) + 8.0f;
+  // Tools stand in the heading's row where they fit, else in rows of their own under the ruler.
+  const float tools_x =
+      DrawTimelineTools(ui, session, {{hint_x, row - half}, {right, row + half}}, band.rect.Max.y + 24.0f);
   const std::string_view hint =
       Tr(empty                               ? "empty until a search finds a controller"
-         : session.Doc().timeline.size() > 1 ? "drag a switch point; a search improves the selected clip"
-                                             : "add a clip to chain another motion");
-  ui.Letters().DrawElided(ui.Canvas(), Type::kBody, {hint_x, row}, right - 152.0f - hint_x, p.second_ink,
-                          hint);
-  ui.Tell(hint, {{hint_x, row - half}, {std::max(hint_x, right - 152.0f), row + half}});
+         : session.Doc().timeline.size() > 1 ? "drag clips and the borders between them"
+                                             : "add a clip, or a result, to chain another motion");
+  if (tools_x - 10.0f > hint_x + 40.0f) {
+    ui.Letters().DrawElided(ui.Canvas(), Type::kBody, {hint_x, row}, tools_x - 10.0f - hint_x, p.second_ink,
+                            hint);
+  }
+  ui.Tell(hint, {{hint_x, row - half}, {std::max(hint_x, tools_x - 10.0f), row + half}});
 
-  const float top = row + (ui.Look().touch ? 24.0f : 16.0f);
-  const Band band{.rect = {{left, top}, {right, top + 48.0f}},
-                  .steps = static_cast<float>(std::max(1, session.Doc().duration_steps))};
   if (empty) {
     ui.Canvas()->AddRectFilled(band.rect.Min, band.rect.Max, p.soft, 8.0f);
     return;
@@ -153,6 +238,7 @@ void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
   }
   DrawRuler(ui, session, band);
   for (std::size_t i = 1; i < session.Doc().timeline.size(); ++i) DrawSwitchPoint(ui, session, band, i);
+  DrawEnd(ui, session, band);
 }
 
 }  // namespace gaitsmith::shell

@@ -20,7 +20,7 @@ import { remembered, remember } from './storage.js';
  */
 
 // The first of all is what Enter does in a palette opened by mistake, so it had better be harmless.
-const GROUPS = [trLater('Motion'), trLater('Search'), trLater('Results'), trLater('Document'), trLater('Panels'), trLater('View'),
+const GROUPS = [trLater('Motion'), trLater('Search'), trLater('Results'), trLater('Timeline'), trLater('Document'), trLater('Panels'), trLater('View'),
   trLater('Help'), trLater('Kept work'), trLater('Examples'), trLater('Tasks'), trLater('Figures')];
 const SINGLE_KEYS = 'gaitsmith-single-keys';
 const TEXT = 'textarea, input:not([type=radio], [type=checkbox]), [contenteditable]';

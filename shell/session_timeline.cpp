@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// A session's timeline: the clips that are chained into one motion.
+#include <algorithm>
+#include <cmath>
+
+#include "core/document/timeline_edit.h"
+#include "shell/language.h"
+#include "shell/session.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+/// What an edit that gives nothing back leaves selected.
+Result<int> Then(const Result<void>& done, int selected) {
+  if (!done) return std::unexpected(done.error());
+  return selected;
+}
+
+}  // namespace
+
+void Session::EditTimeline(const std::function<Result<int>(Document&)>& edit) {
+  Document next = document_;
+  const auto selected = edit(next);
+  if (!selected) return Say(Tr("Not possible: {1}.", TrSentence(selected.error().what)));
+  DropUnusedControllers(next);
+  // Clips may have other numbers now than when the search began.
+  const bool searched_moved = Searching() && !queued_ && next.timeline.size() != document_.timeline.size();
+  if (searched_moved) AbandonSearch();
+  const bool changed = Change([&](Document& d) {
+    d.controllers = next.controllers;
+    d.timeline = next.timeline;
+    d.duration_steps = next.duration_steps;
+    d.search.start = next.search.start;
+  });
+  if (changed) SelectClip(*selected);
+}
+
+void Session::AddClip() {
+  if (document_.timeline.empty()) return;
+  EditTimeline([&](Document& d) {
+    const int controller = d.timeline[static_cast<std::size_t>(selected_clip_)].controller;
+    return Then(gaitsmith::InsertClip(d, controller, d.duration_steps, d.task.duration_steps),
+                static_cast<int>(d.timeline.size()));
+  });
+  SelectClip(static_cast<int>(document_.timeline.size()) - 1);
+}
+
+void Session::RemoveClip() {
+  if (document_.timeline.size() < 2) return;
+  EditTimeline([&](Document& d) {
+    return Then(gaitsmith::RemoveClip(d, selected_clip_),
+                std::min(selected_clip_, static_cast<int>(document_.timeline.size()) - 2));
+  });
+}
+
+void Session::MoveClip(int clip, int start_step) {
+  EditTimeline([&](Document& d) { return Then(MoveSwitch(d, clip, start_step), selected_clip_); });
+}
+
+void Session::SetClipLength(int clip, int steps) {
+  EditTimeline([&](Document& d) { return Then(gaitsmith::SetClipLength(d, clip, steps), selected_clip_); });
+}
+
+void Session::SplitClip() {
+  const int step = player.Frame();
+  EditTimeline([&](Document& d) {
+    const auto done = gaitsmith::SplitClip(d, step);
+    return Then(done, ClipAt(d, step));
+  });
+}
+
+void Session::DuplicateClip() {
+  EditTimeline(
+      [&](Document& d) { return Then(gaitsmith::DuplicateClip(d, selected_clip_), selected_clip_ + 1); });
+}
+
+void Session::MirrorClip() {
+  EditTimeline([&](Document& d) { return Then(gaitsmith::MirrorClip(d, selected_clip_), selected_clip_); });
+}
+
+void Session::ReorderClip(int to) {
+  const int last = static_cast<int>(document_.timeline.size()) - 1;
+  if (to < 0 || to > last || to == selected_clip_) return;
+  if (Searching() && !queued_) AbandonSearch();  // its clip may be another one then
+  EditTimeline([&](Document& d) { return Then(gaitsmith::ReorderClip(d, selected_clip_, to), to); });
+}
+
+void Session::LoopTimeline() {
+  EditTimeline([&](Document& d) { return Then(gaitsmith::LoopTimeline(d, 2), selected_clip_); });
+}
+
+bool Session::InsertFound(const std::string& id) {
+  const FoundMotions::Entry* entry = found.Find(id);
+  if (entry == nullptr || !entry->motion.Moves()) return false;
+  const Document& other = entry->motion.document;
+  if (!SameRods(other.figure, document_.figure)) {
+    Say(Tr("Not possible: this controller was found for a figure with other rods, {1}.",
+           TrTitle(other.figure.name)));
+    return false;
+  }
+  const auto before = document_.timeline.size();
+  // A motion that is shown to its end goes on with what is added.
+  const int frame = player.Frame();
+  const int step = frame >= player.Shown().Frames() - kShortestClip ? document_.duration_steps : frame;
+  EditTimeline([&](Document& d) -> Result<int> {
+    const auto controller = AddController(d, other.controllers.back());
+    if (!controller) return std::unexpected(controller.error());
+    const auto done = gaitsmith::InsertClip(d, *controller, step, other.task.duration_steps);
+    return Then(done, ClipAt(d, std::min(step + kShortestClip, d.duration_steps - 1)));
+  });
+  return document_.timeline.size() != before;
+}
+
+void Session::RepairClip() {
+  const Controller* shown = ShownController();
+  if (!CanRepair()) {
+    Say(Tr("Only a clip that takes over from another one can be repaired."));
+    return;
+  }
+  Document wanted = document_;
+  wanted.senses = shown->senses;
+  wanted.rules = shown->rules;
+  wanted.kind = shown->kind;
+  wanted.search = SearchSettings{};
+  wanted.search.algorithm = Algorithm::kShc;
+  wanted.search.seed = document_.search.seed;
+  wanted.search.evaluations = kTryEvaluations;
+  wanted.search.start = document_.timeline[static_cast<std::size_t>(selected_clip_)].controller;
+  wanted.search.in_place_of = selected_clip_;
+  BeginSearch(std::move(wanted));
+}
+
+}  // namespace gaitsmith::shell

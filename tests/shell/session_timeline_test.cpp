@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// Chaining clips by hand: what is done, what is undone, and what a search does with a clip meanwhile.
+#include <catch_amalgamated.hpp>
+
+#include "tests/shell/quiet_host.h"
+
+namespace gaitsmith::shell::test {
+namespace {
+
+std::vector<int> Starts(const Session& session) {
+  std::vector<int> starts;
+  for (const Clip& clip : session.Doc().timeline) starts.push_back(clip.start_step);
+  return starts;
+}
+
+// Ends the search that was started last with this gene everywhere.
+void End(Session& session, const QuietHost& host, Gene gene) {
+  SearchProgress progress{
+      .state = SearchState::kDone, .evaluations = 50, .budget = 50, .curve = {}, .best_genome = {}};
+  progress.best_genome.assign(ProblemOf(host.started.back()).Shape().Genes(), gene);
+  progress.best_fitness = 1.0;
+  session.OnSearchProgress(progress);
+}
+
+}  // namespace
+
+TEST_CASE("session: clips are chained, and every step is undone", "[shell][session][timeline]") {
+  QuietHost host;
+  Session session(host);
+  REQUIRE(session.Doc().timeline.size() == 1);
+  const int length = session.Doc().duration_steps;
+  std::vector<std::string> states = {State(session)};
+  const auto step = [&](auto act) {
+    session.BeginGesture();
+    act();
+    CHECK(State(session) != states.back());
+    states.push_back(State(session));
+  };
+  step([&] { session.AddClip(); });
+  CHECK(session.SelectedClip() == 1);
+  CHECK(session.Doc().duration_steps == length + session.Doc().task.duration_steps);
+  step([&] { session.MirrorClip(); });
+  CHECK(session.Doc().controllers.size() == 2);
+  step([&] { session.MoveClip(1, 333); });
+  CHECK(Starts(session) == std::vector{0, 333});
+  session.player.Seek(1.5);
+  step([&] { session.SplitClip(); });
+  CHECK(Starts(session) == std::vector{0, 150, 333});
+  CHECK(session.SelectedClip() == 1);
+  step([&] { session.ReorderClip(2); });
+  CHECK(session.SelectedClip() == 2);
+  step([&] { session.DuplicateClip(); });
+  step([&] { session.SetClipLength(0, 40); });
+  CHECK(Starts(session)[1] == 40);
+  step([&] { session.RemoveClip(); });
+  step([&] { session.LoopTimeline(); });
+  CHECK(session.Doc().timeline.size() == 6);
+  CHECK(Validate(session.Doc()));
+  for (std::size_t i = states.size() - 1; i > 0; --i) {
+    session.Undo();
+    CHECK(State(session) == states[i - 1]);
+  }
+  session.Redo();
+  CHECK(State(session) == states[1]);
+}
+
+TEST_CASE("session: what a timeline has no room for changes nothing and is said",
+          "[shell][session][timeline]") {
+  QuietHost host;
+  Session session(host);
+  for (int i = 0; i < 8; ++i) session.LoopTimeline();
+  CHECK(session.Doc().duration_steps <= kMaxSteps);
+  CHECK(session.notice.starts_with("Not possible: at most 120 s"));
+  const std::string before = State(session);
+  session.player.Seek(0.05);
+  session.SplitClip();
+  CHECK(session.notice ==
+        "Not possible: both parts of a clip must last at least 0.2 s; this is too close to its end.");
+  session.ReorderClip(-1);
+  session.ReorderClip(10000);
+  CHECK_FALSE(session.InsertFound("nothing"));
+  CHECK(State(session) == before);
+}
+
+TEST_CASE("session: a result is inserted where time stands", "[shell][session][timeline]") {
+  QuietHost host;
+  Session session(host);
+  session.Synthesize();
+  End(session, host, 20000);
+  const std::string id = session.found.Sorted(FoundMotions::Order::kNewest).front()->id;
+  session.Undo();  // the result stays in the list
+  const int steps = session.Doc().duration_steps;
+  session.player.Seek(2.0);
+  REQUIRE(session.InsertFound(id));
+  CHECK(Starts(session) == std::vector{0, 200, 200 + session.Doc().task.duration_steps});
+  CHECK(session.SelectedClip() == 1);
+  CHECK(session.ShownController()->genes.front() == 20000);
+  session.Undo();
+  session.player.Seek(session.player.DurationS());
+  REQUIRE(session.InsertFound(id));
+  CHECK(Starts(session) == std::vector{0, steps});
+
+  const Figure other = session.Figures()[0].rods.size() == session.Doc().figure.rods.size()
+                           ? session.Figures()[1]
+                           : session.Figures()[0];
+  REQUIRE_FALSE(SameRods(other, session.Doc().figure));
+  session.ReplaceFigure(other);
+  const std::string before = State(session);
+  CHECK_FALSE(session.InsertFound(id));
+  CHECK(session.notice.find("other rods") != std::string::npos);
+  CHECK(State(session) == before);
+}
+
+TEST_CASE("session: a repair searches from where the clip takes over", "[shell][session][timeline]") {
+  QuietHost host;
+  Session session(host);
+  session.RepairClip();
+  CHECK(host.started.empty());
+  CHECK(session.notice == "Only a clip that takes over from another one can be repaired.");
+  session.AddClip();
+  session.MoveClip(1, 321);
+  const std::size_t results = session.found.Sorted(FoundMotions::Order::kNewest).size();
+  session.RepairClip();
+  REQUIRE(host.started.size() == 1);
+  const Document& wanted = host.started[0];
+  REQUIRE(Validate(wanted));
+  CHECK(wanted.search.in_place_of == 1);
+  CHECK(wanted.search.start >= 0);
+  const Problem problem = ProblemOf(wanted);
+  REQUIRE(problem.beginnings.size() == 1);
+  CHECK(problem.beginnings[0].steps == 321);
+  End(session, host, 12345);
+  CHECK(session.Doc().timeline[1].controller != session.Doc().timeline[0].controller);
+  CHECK(session.ShownController()->genes.front() == 12345);
+  CHECK(session.Doc().search.in_place_of == -1);
+  CHECK(session.found.Sorted(FoundMotions::Order::kNewest).size() == results);
+}
+
+}  // namespace gaitsmith::shell::test
