@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/document/transition.h"
 #include "shell/found_motions.h"
 #include "shell/history.h"
 #include "shell/host.h"
@@ -92,6 +93,9 @@ class Session {
   /// A short search makes the selected clip's controller better from where the clip before it leaves the
   /// figure.
   void RepairClip();
+  /// How near the figure is to the usual motion of the selected clip's controller when that takes over;
+  /// nothing for the first clip.
+  [[nodiscard]] std::optional<Nearness> NearnessAtHandover();
   [[nodiscard]] bool CanRepair() const { return selected_clip_ > 0 && ShownController() != nullptr; }
   /// Task, senses and length of the motion belong together while there is only one clip.
   void SetDuration(int steps);
@@ -249,8 +253,14 @@ class Session {
   std::vector<Figure> figures_;
   std::vector<Document> problems_;
   int selected_clip_ = 0;
-  Document calm_;     // as it was opened, for its world
-  Document earlier_;  // as it was before the last search, for the ghost
+  struct KnownNearness {
+    std::uint64_t hash = 0;  // of the motion
+    int clip = 0;
+    Nearness nearness;
+  };
+  KnownNearness nearness_;  // what was worked out last
+  Document calm_;           // as it was opened, for its world
+  Document earlier_;        // as it was before the last search, for the ghost
   int ghost_ = kNoGhost;
   Document found_ghost_;  // the found motion that it is, if it is one
   std::string found_ghost_id_;

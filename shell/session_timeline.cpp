@@ -111,6 +111,19 @@ bool Session::InsertFound(const std::string& id) {
   return document_.timeline.size() != before;
 }
 
+std::optional<Nearness> Session::NearnessAtHandover() {
+  const int clip = selected_clip_;
+  if (clip <= 0 || clip >= static_cast<int>(document_.timeline.size())) return std::nullopt;
+  const Clip& one = document_.timeline[static_cast<std::size_t>(clip)];
+  const Motion& motion = player.Shown();
+  if (one.start_step >= motion.Frames()) return std::nullopt;
+  if (nearness_.hash != motion.Hash() || nearness_.clip != clip) {
+    const Nearness nearness = NearnessOf(motion, one.start_step, UsualMotion(document_, one.controller));
+    nearness_ = {.hash = motion.Hash(), .clip = clip, .nearness = nearness};
+  }
+  return nearness_.nearness;
+}
+
 void Session::RepairClip() {
   const Controller* shown = ShownController();
   if (!CanRepair()) {

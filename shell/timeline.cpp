@@ -197,6 +197,23 @@ void DrawRuler(Ui& ui, const Session& session, const Band& band) {
                                  ui.Ink().ink);
 }
 
+// What can be done; of a clip that takes over, how well placed it is.
+std::string HintOf(Session& session) {
+  // Parts of the state are off by this share of how much they usually vary, in the mean.
+  constexpr float kNear = 0.5f, kFar = 1.0f;
+  const std::size_t clips = session.Doc().timeline.size();
+  if (clips == 0) return Tr("empty until a search finds a controller");
+  if (clips == 1) return Tr("add a clip, or a result, to chain another motion");
+  const auto nearness = session.NearnessAtHandover();
+  if (!nearness) return Tr("drag clips and the borders between them");
+  const std::string clip = std::to_string(session.SelectedClip() + 1);
+  const char* pattern =
+      nearness->distance < kNear  ? TrLater("clip {1} takes over near its usual motion ({2} off)")
+      : nearness->distance < kFar ? TrLater("clip {1} takes over somewhat off its usual motion ({2})")
+                                  : TrLater("clip {1} takes over far from its usual motion ({2} off)");
+  return Tr(pattern, clip, Fixed(nearness->distance, 1));
+}
+
 }  // namespace
 
 void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
@@ -217,10 +234,7 @@ void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
   // Tools stand in the heading's row where they fit, else in rows of their own under the ruler.
   const float tools_x =
       DrawTimelineTools(ui, session, {{hint_x, row - half}, {right, row + half}}, band.rect.Max.y + 24.0f);
-  const std::string_view hint =
-      Tr(empty                               ? "empty until a search finds a controller"
-         : session.Doc().timeline.size() > 1 ? "drag clips and the borders between them"
-                                             : "add a clip, or a result, to chain another motion");
+  const std::string hint = HintOf(session);
   if (tools_x - 10.0f > hint_x + 40.0f) {
     ui.Letters().DrawElided(ui.Canvas(), Type::kBody, {hint_x, row}, tools_x - 10.0f - hint_x, p.second_ink,
                             hint);

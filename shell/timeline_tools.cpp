@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shell/timeline_tools.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "shell/language.h"
@@ -14,6 +15,7 @@ struct Tool {
   const char* heard;  // in full
   bool enabled;
   void (Session::*use)();
+  int spare;  // where there is no room for all, those with the greatest number go first
 };
 
 std::vector<Tool> ToolsOf(const Session& session) {
@@ -21,19 +23,20 @@ std::vector<Tool> ToolsOf(const Session& session) {
   const bool several = session.Doc().timeline.size() > 1;
   return {
       {"timeline/add", TrLater("Add"), TrLater("Add the selected clip once more at the end"), any,
-       &Session::AddClip},
+       &Session::AddClip, 0},
       {"timeline/split", TrLater("Split"), TrLater("Split the clip at the moment shown"), any,
-       &Session::SplitClip},
+       &Session::SplitClip, 0},
       {"timeline/duplicate", TrLater("Duplicate"), TrLater("Duplicate the selected clip"), any,
-       &Session::DuplicateClip},
+       &Session::DuplicateClip, 3},
       {"timeline/mirror", TrLater("Mirror"), TrLater("Mirror the selected clip: it goes the other way"), any,
-       &Session::MirrorClip},
-      {"timeline/loop", TrLater("Repeat"), TrLater("Repeat the whole timeline"), any, &Session::LoopTimeline},
+       &Session::MirrorClip, 2},
+      {"timeline/loop", TrLater("Repeat"), TrLater("Repeat the whole timeline"), any, &Session::LoopTimeline,
+       4},
       {"timeline/repair", TrLater("Repair"),
        TrLater("Repair the selected clip: search from where it takes over"), session.CanRepair(),
-       &Session::RepairClip},
+       &Session::RepairClip, 1},
       {"timeline/remove", TrLater("Remove"), TrLater("Remove the selected clip"), several,
-       &Session::RemoveClip},
+       &Session::RemoveClip, 0},
   };
 }
 
@@ -44,24 +47,32 @@ float WidthOf(const Ui& ui, const Tool& tool) {
 }  // namespace
 
 float DrawTimelineTools(Ui& ui, Session& session, const ImRect& row, float below) {
-  const std::vector<Tool> tools = ToolsOf(session);
-  float whole = 0.0f;
-  for (const Tool& tool : tools) whole += WidthOf(ui, tool);
-  const bool fits = whole <= row.GetWidth();
-  const float left = row.Max.x - (fits ? whole : 0.0f);
-  const float edge = kPanelPadding;
-  ImVec2 at(left, row.Min.y);
-  const float height = fits ? row.GetHeight() : ui.Look().ControlHeight();
-  const float first = ImGui::GetWindowPos().x + edge;
-  if (!fits) at = {first, below};
+  std::vector<Tool> tools = ToolsOf(session);
+  const auto whole = [&] {
+    float width = 0.0f;
+    for (const Tool& tool : tools) width += WidthOf(ui, tool);
+    return width;
+  };
+  const float control = ui.Look().ControlHeight();
+  const bool room_below = below + control <= ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
+  const bool in_row = whole() <= row.GetWidth() || !room_below;
+  // The palette has all of them.
+  while (in_row && whole() > row.GetWidth() && tools.size() > 1)
+    tools.erase(std::ranges::max_element(tools, {}, &Tool::spare));
+  const float first = ImGui::GetWindowPos().x + kPanelPadding;
+  const float gap = in_row ? 0.0f : 8.0f;
+  const float height = in_row ? row.GetHeight() : control;
+  const float left = row.Max.x - (in_row ? whole() : 0.0f);
+  ImVec2 at = in_row ? ImVec2(left, row.Min.y) : ImVec2(first, below);
   const Tool* used = nullptr;
   for (const Tool& tool : tools) {
-    const float width = WidthOf(ui, tool) + (fits ? 0.0f : 8.0f);
-    if (!fits && at.x + width > row.Max.x) at = {first, at.y + height + 8.0f};
-    const ImRect place(at, {at.x + width - (fits ? 0.0f : 8.0f), at.y + height});
-    const ButtonLook look = fits ? ButtonLook::kPlain : ButtonLook::kOutlined;
-    if (ui.Button(tool.id, place, Tr(tool.label), look, tool.enabled, Tr(tool.heard))) used = &tool;
-    at.x += width;
+    const float width = WidthOf(ui, tool);
+    if (!in_row && at.x + width > row.Max.x) at = {first, at.y + height + gap};
+    const ButtonLook look = in_row ? ButtonLook::kPlain : ButtonLook::kOutlined;
+    if (ui.Button(tool.id, {at, {at.x + width, at.y + height}}, Tr(tool.label), look, tool.enabled,
+                  Tr(tool.heard)))
+      used = &tool;
+    at.x += width + gap;
   }
   if (used != nullptr) (session.*used->use)();
   return left;

@@ -100,6 +100,7 @@ Controllers<1> Decoded(const Document& d, int clip) {
 TransitionMap::TransitionMap(const Document& document, int clip, int every, int after)
     : document_(document), skeleton_(document.figure), controller_(Decoded(document, clip)), after_(after) {
   std::vector<Controllers<1>> before;
+  before.reserve(static_cast<std::size_t>(clip));
   for (int index = 0; index < clip; ++index) before.push_back(Decoded(document_, index));
   const auto last = static_cast<std::size_t>(clip) - 1;
   const int begun = document_.timeline[last].start_step;

@@ -62,6 +62,14 @@ int ImageOfRod(const Skeleton& skeleton, const Symmetry& symmetry, int rod) {
   return -1;
 }
 
+// "Shuffle" and "Shuffle, mirrored" are each other's image.
+std::string NameOfImage(const std::string& name) {
+  static const std::string kSuffix = ", mirrored";
+  constexpr std::size_t kRoom = 80;  // bytes that a name may have in a document
+  if (name.ends_with(kSuffix)) return name.substr(0, name.size() - kSuffix.size());
+  return name.empty() || name.size() + kSuffix.size() > kRoom ? name : name + kSuffix;
+}
+
 Gene Opposite(Gene gene) { return static_cast<Gene>(kGeneMax - gene); }
 
 }  // namespace
@@ -117,6 +125,7 @@ Result<Controller> MirrorImageOf(const Controller& controller, const Figure& fig
   if (!symmetry) return std::unexpected(symmetry.error());
   const BankShape shape(controller.rules, controller.senses.kind, figure.Rods());
   Controller image = controller;
+  image.name = NameOfImage(controller.name);
   const bool physical = controller.senses.kind == SenseKind::kPhysical;
   for (int rule = 0; rule < shape.rules; ++rule) {
     for (int joint = 0; joint < shape.joints; ++joint) {

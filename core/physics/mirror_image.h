@@ -21,7 +21,7 @@ struct Symmetry {
 /// @return an error that says why, for a figure whose mirror image is another one
 [[nodiscard]] Result<Symmetry> SymmetryOf(const Figure& figure);
 
-/// @param controller rules, for this figure
+/// Its name says that it is mirrored. @param controller rules, for this figure
 /// @return an error for a network (its sensors cannot feel the opposite) or where SymmetryOf has one
 [[nodiscard]] Result<Controller> MirrorImageOf(const Controller& controller, const Figure& figure);
 

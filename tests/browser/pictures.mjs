@@ -50,6 +50,17 @@ export async function takePictures(browser, address, wanted = '') {
         count++;
       }
     }
+    // Last, since it changes the motion: a composite, made with the editor.
+    for (const id of ['timeline/add', 'timeline/mirror', 'timeline/add', 'timeline/split', 'timeline/duplicate']) await run(id);
+    for (const theme of THEMES) {
+      const name = `${screen}-${theme}-chained`;
+      if (!name.includes(wanted)) continue;
+      await run(`view/theme/${theme}`);
+      await run(screen === 'phone' ? 'panel/Timeline' : 'panel/Search');
+      await driver.frames(4);
+      await page.screenshot({ path: /** @type {`${string}.png`} */ (join(FOLDER, `${name}.png`)) });
+      count++;
+    }
     assert.deepEqual(driver.complaints, []);
     await driver.close();
   }

@@ -5,6 +5,7 @@
 #include <catch_amalgamated.hpp>
 
 #include "core/document/composite.h"
+#include "core/document/link.h"
 #include "core/physics/mirror_image.h"
 #include "tests/scene.h"
 
@@ -117,6 +118,21 @@ TEST_CASE("timeline: what goes over a limit changes nothing", "[timeline]") {
   CHECK_FALSE(AddController(d, more));
   DropUnusedControllers(d);
   CHECK(d.controllers.size() == 2);
+}
+
+TEST_CASE("composite: four timer controllers fit into a link", "[timeline][document]") {
+  Document d = ThreeClips();
+  d.title = "Mr. Star-Man shuffles right, cartwheels left, jumps, shuffles";
+  d.controllers.clear();
+  d.timeline.clear();
+  for (int i = 0; i < 4; ++i) {
+    d.controllers.push_back(RandomController(d.figure, d.senses, static_cast<std::uint64_t>(i) + 20));
+    d.controllers.back().name = "Cartwheel number " + std::to_string(i);
+    d.timeline.push_back({.controller = i, .start_step = 317 * i});
+  }
+  d.duration_steps = 1500;
+  d.hash = Simulate(d).Hash();
+  CHECK(EncodeLink(d).size() <= 1900);
 }
 
 TEST_CASE("composite: simulated anew from a change on, it is the same to the bit",

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// Motions chained by hand: by mouse, and by keyboard and assistive tools alone. Each opens a page of its own.
+import assert from 'node:assert/strict';
+import { activate, setValue, settle } from './assistive.mjs';
+import { Mouse } from './hands.mjs';
+import { nativeHash } from './native.mjs';
+import { PageDriver } from './page_driver.mjs';
+import { stateOf } from './history_scenarios.mjs';
+
+/** @typedef {import('./scenarios.mjs').Visit} Visit */
+
+/** Starts of the clips, in steps, and the end. @param {PageDriver} page @returns {Promise<number[]>} */
+const borders = (page) => page.call('borders', () => {
+  const { timeline, duration_steps: end } = /** @type {any} */ (window.gaitsmith.document());
+  return [...timeline.map((/** @type {any} */ clip) => clip.start_step ?? 0), end];
+});
+/** Their controllers. @param {PageDriver} page @returns {Promise<number[]>} */
+const order = (page) => page.call('order', () =>
+  /** @type {any} */ (window.gaitsmith.document()).timeline.map((/** @type {any} */ clip) => clip.controller ?? 0));
+
+/** Undoes all, and nothing is left of it. @param {PageDriver} page @param {string} before @param {number} most */
+async function backTo(page, before, most) {
+  for (let step = 0; step < most && await page.call('undo', () => window.gaitsmith.commands().some(({ id, whyNot }) =>
+    id === 'document/undo' && !whyNot)); step++) {
+    await page.press('Control+z');
+  }
+  assert.equal(await stateOf(page), before);
+}
+
+/** What is shown is what the command line makes of it. @param {PageDriver} page */
+async function sameNatively(page) {
+  const text = await page.call('document', () => JSON.stringify(window.gaitsmith.document()));
+  const native = await nativeHash(text);
+  if (native) assert.equal(await page.call('hash', () => window.gaitsmith.hash()), native);
+}
+
+/** @param {Visit} visit */
+async function byMouse({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const hand = new Mouse(page);
+  const before = await stateOf(page);
+  const [, length] = await borders(page);
+
+  await page.click('timeline/add');
+  await page.click('timeline/mirror');
+  assert.deepEqual([await borders(page), await order(page)], [[0, length, 2 * length], [0, 1]]);
+
+  // The border between them, halfway to the left: it snaps to a half second.
+  const border = await hand.centre('timeline/switch/1');
+  const first = await hand.centre('timeline/clip/0');
+  await hand.drag(border, { x: first.x, y: border.y });
+  const [, moved, end] = await borders(page);
+  assert.ok(moved > 0.4 * length && moved < 0.6 * length, `the border went to ${moved}`);
+  assert.equal(end, 2 * length);
+
+  // The second clip goes before the first; each keeps its length.
+  const shortened = await hand.centre('timeline/clip/0');
+  await hand.drag(await hand.centre('timeline/clip/1'), { x: shortened.x - 30, y: shortened.y });
+  assert.deepEqual([await borders(page), await order(page)], [[0, end - moved, end], [1, 0]]);
+
+  // The end of the motion is pulled, to and fro.
+  const edge = await hand.centre('timeline/end');
+  await hand.drag(edge, { x: edge.x - 60, y: edge.y });
+  const shorter = (await borders(page))[2];
+  assert.ok(shorter < end - 20, `from ${end} to ${shorter}`);
+
+  // Time is set in the middle of the first clip, which is split there.
+  const scrub = (await page.widgets()).find(({ id }) => id === 'transport/scrub')?.rect ?? assert.fail('no scrub bar');
+  await page.clickAt(scrub.x + 0.3 * scrub.width, scrub.y + scrub.height / 2);
+  await page.click('timeline/split');
+  assert.equal((await order(page)).length, 3);
+  await page.click('timeline/duplicate');
+  await page.click('timeline/remove');
+  assert.equal((await order(page)).length, 3);
+  await sameNatively(page);
+  await backTo(page, before, 20);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function byKeys({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const before = await stateOf(page);
+  const [, length] = await borders(page);
+  await page.press('Home');
+  await page.press('d');
+  await page.press('m');
+  await page.press('[');
+  await page.press(']');
+  assert.deepEqual([await borders(page), await order(page)], [[0, length, 2 * length], [0, 1]]);
+  // As a screen reader's user: the border is a slider of the page.
+  await setValue(page, 'slider', 'Switch point before clip 2', '2.5');
+  assert.deepEqual(await borders(page), [0, 250, 2 * length]);
+  await activate(page, 'option', 'Shuffle');
+  await setValue(page, 'slider', 'Time', '1');
+  await page.press('b');
+  await settle(page);
+  assert.deepEqual(await borders(page), [0, 100, 250, 2 * length]);
+  await activate(page, 'button', 'Remove the selected clip');
+  assert.equal((await order(page)).length, 2);
+  await sameNatively(page);
+  await backTo(page, before, 20);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function withResults({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const hand = new Mouse(page);
+  await page.call('a short search', () => window.gaitsmith.synthesize({ algorithm: 'sphc', evaluations: 400, sense: 'timer', seed: 4 }));
+  await page.call('back', () => window.gaitsmith.run('document/undo'));
+  await page.click('panels/3');
+  const id = (await page.call('results', () => window.gaitsmith.results()))[0].id;
+  await page.call('time', () => { window.gaitsmith.run('motion/end'); });
+  await hand.press(`found/${id}/insert`);
+  const [, length, end] = await borders(page);
+  assert.ok(end > length);
+  assert.deepEqual(await order(page), [0, 1]);
+  // It is repaired: searched again from where it takes over.
+  const spoiled = await page.call('hash', () => window.gaitsmith.hash());
+  await page.click('timeline/repair');
+  await page.until('the end of the repair', () => /^Search (done|stopped)/.test(document.querySelector('#status')?.textContent ?? ''));
+  assert.deepEqual(await borders(page), [0, length, end]);
+  assert.notEqual(await page.call('hash', () => window.gaitsmith.hash()), spoiled);
+  await sameNatively(page);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @type {[string, (visit: Visit) => Promise<void>, string?][]} */
+export const TIMELINE_SCENARIOS = [
+  ['clips are chained by mouse, and undone', byMouse],
+  ['clips are chained by keys and assistive tools alone', byKeys],
+  ['a result is chained, and repaired from where it takes over', withResults],
+];
