@@ -30,6 +30,7 @@ using Outcome = std::expected<void, Refusal>;
 [[nodiscard]] Outcome SimulateCommand(Words words);
 [[nodiscard]] Outcome SynthesizeCommand(Words words);
 [[nodiscard]] Outcome CompareCommand(Words words);
+[[nodiscard]] Outcome SuiteCommand(Words words);
 [[nodiscard]] Outcome MergeCommand(Words words);
 [[nodiscard]] Outcome HashCommand(Words words);
 [[nodiscard]] Outcome ValidateCommand(Words words);
