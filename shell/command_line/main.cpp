@@ -24,7 +24,8 @@ constexpr std::array<Command, 9> kCommands = {{
      "synthesize --figure F --task T --sense physical|timer=SECONDS --weight TERM=W\n"
      "             --search ALG --evaluations N --seed S --out DOC [--curve CSV] [--threads K]\n"
      "             [--controller rules|network] [--rules N] [--duration SECONDS]\n"
-     "             [--search-option NAME=VALUE] [--problem DOC | --from DOC]"},
+     "             [--search-option NAME=VALUE] [--problem DOC | --from DOC] [--handover DOC@SECONDS …]\n"
+     "  gaitsmith synthesize --repair DOC --clip N --out DOC [--task T] [--weight TERM=W] [--search ALG] …"},
     {"compare", gaitsmith::shell::CompareCommand,
      "compare --problem DOC … --search ALG[:OPTION=VALUE…] … --trials N --evaluations E --out CSV\n"
      "             --curves CSV [--first-seed S] [--points P] [--sense physical|timer=SECONDS]\n"

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <tuple>
 #include <vector>
@@ -58,8 +60,12 @@ Outcome ListSuite(const std::string& path) {
   std::vector<Line> lines = {{"label", "seed", "score", "travel", "height", "slip", "rotations"}};
   for (const Found& found : Sorted(*file)) {
     Line line = {found.label, std::to_string(found.seed)};
-    for (std::size_t column = 2; column < kColumns; ++column)
-      line[column] = FieldOf(found.row, static_cast<int>(column) + 2);
+    for (std::size_t column = 2; column < kColumns; ++column) {
+      char text[48];
+      const std::string field(FieldOf(found.row, static_cast<int>(column) + 2));
+      std::snprintf(text, sizeof text, "%.3f", std::strtod(field.c_str(), nullptr));
+      line[column] = text;
+    }
     lines.push_back(std::move(line));
   }
   std::array<std::size_t, kColumns> widths{};
