@@ -18,7 +18,7 @@ struct Command {
   const char* usage;
 };
 
-constexpr std::array<Command, 9> kCommands = {{
+constexpr std::array<Command, 10> kCommands = {{
     {"simulate", gaitsmith::shell::SimulateCommand, "simulate DOC --csv OUT"},
     {"synthesize", gaitsmith::shell::SynthesizeCommand,
      "synthesize --figure F --task T --sense physical|timer=SECONDS --weight TERM=W\n"
@@ -39,6 +39,8 @@ constexpr std::array<Command, 9> kCommands = {{
      "  gaitsmith suite --list CSV\n"
      "  gaitsmith suite --extract CSV --out-dir DIR [--best]"},
     {"merge", gaitsmith::shell::MergeCommand, "merge --out CSV [--complete] SHARD …"},
+    {"switches", gaitsmith::shell::SwitchesCommand,
+     "switches --out CSV [--times T] [--length SECONDS] [--summary] [--threads K] DOC DOC …"},
     {"hash", gaitsmith::shell::HashCommand, "hash DOC [--lanes 1|2|4|8|16] [--out DOC]"},
     {"validate", gaitsmith::shell::ValidateCommand, "validate DOC"},
     {"measure", gaitsmith::shell::MeasureCommand, "measure DOC"},
