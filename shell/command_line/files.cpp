@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shell/command_line/files.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -66,6 +67,19 @@ Result<Document> ReadDocument(const std::string& path) {
     return Fail(document.error().code, path + (where.empty() ? "" : ": " + where), document.error().what);
   }
   return document;
+}
+
+const Controller& FirstControllerOf(const Document& document) {
+  const int first = document.timeline.empty() ? 0 : document.timeline.front().controller;
+  return document.controllers[static_cast<std::size_t>(first)];
+}
+
+bool SameRods(const Figure& one, const Figure& other) {
+  return std::ranges::equal(one.rods, other.rods, [](const Rod& a, const Rod& b) {
+    return a.length_m == b.length_m && a.mass_kg == b.mass_kg && a.parent == b.parent &&
+           a.parent_end == b.parent_end && a.rest_rad == b.rest_rad && a.min_rad == b.min_rad &&
+           a.max_rad == b.max_rad;
+  });
 }
 
 Result<Figure> ReadFigure(const std::string& name_or_path) {

@@ -18,19 +18,29 @@ struct Command {
   const char* usage;
 };
 
-constexpr std::array<Command, 8> kCommands = {{
+constexpr std::array<Command, 10> kCommands = {{
     {"simulate", gaitsmith::shell::SimulateCommand, "simulate DOC --csv OUT"},
     {"synthesize", gaitsmith::shell::SynthesizeCommand,
      "synthesize --figure F --task T --sense physical|timer=SECONDS --weight TERM=W\n"
      "             --search ALG --evaluations N --seed S --out DOC [--curve CSV] [--threads K]\n"
      "             [--controller rules|network] [--rules N] [--duration SECONDS]\n"
-     "             [--search-option NAME=VALUE] [--problem DOC | --from DOC]"},
+     "             [--search-option NAME=VALUE] [--problem DOC | --from DOC] [--handover DOC@SECONDS …]\n"
+     "  gaitsmith synthesize --repair DOC --clip N --out DOC [--task T] [--weight TERM=W] [--search ALG] …"},
     {"compare", gaitsmith::shell::CompareCommand,
      "compare --problem DOC … --search ALG[:OPTION=VALUE…] … --trials N --evaluations E --out CSV\n"
      "             --curves CSV [--first-seed S] [--points P] [--sense physical|timer=SECONDS]\n"
      "             [--weight TERM=W] [--duration SECONDS] [--shard I/N] [--threads K]\n"
      "  gaitsmith compare --summary CSV"},
+    {"suite", gaitsmith::shell::SuiteCommand,
+     "suite --problem DOC | --figure F --search ALG[:OPTION=VALUE…] --seeds N --evaluations E --out CSV\n"
+     "             [--sense physical|timer=SECONDS …] [--task T …] [--style NAME=TERM:W[,TERM:W] …]\n"
+     "             [--first-seed S] [--duration SECONDS] [--controller rules|network] [--rules N]\n"
+     "             [--shard I/N] [--threads K]\n"
+     "  gaitsmith suite --list CSV\n"
+     "  gaitsmith suite --extract CSV --out-dir DIR [--best]"},
     {"merge", gaitsmith::shell::MergeCommand, "merge --out CSV [--complete] SHARD …"},
+    {"switches", gaitsmith::shell::SwitchesCommand,
+     "switches --out CSV [--times T] [--length SECONDS] [--summary] [--threads K] DOC DOC …"},
     {"hash", gaitsmith::shell::HashCommand, "hash DOC [--lanes 1|2|4|8|16] [--out DOC]"},
     {"validate", gaitsmith::shell::ValidateCommand, "validate DOC"},
     {"measure", gaitsmith::shell::MeasureCommand, "measure DOC"},

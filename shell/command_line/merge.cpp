@@ -26,10 +26,9 @@ Result<void> CheckSameTable(const StudyFile& first, const std::string& first_pat
                     first.plan.fingerprint);
   }
   if (first.table != other.table) {
-    const bool results = first.table == StudyTable::kResults;
     return Fail(ErrorCode::kStructure, path,
-                std::string(results ? "holds curves" : "holds results") + ", but " + first_path + " holds " +
-                    (results ? "results" : "curves") + "; merge each kind by itself");
+                "holds " + std::string(NameOf(other.table)) + ", but " + first_path + " holds " +
+                    std::string(NameOf(first.table)) + "; merge each kind by itself");
   }
   if (Heading(first.plan, first.table) != Heading(other.plan, other.table)) {
     return Fail(ErrorCode::kStructure, path + ":1",

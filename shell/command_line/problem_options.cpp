@@ -9,22 +9,20 @@
 
 namespace gaitsmith::shell {
 
-namespace {
-
-Result<int> WholeSteps(const std::string& text, const char* where, int least) {
+Result<int> WholeSteps(const std::string& text, const std::string& where, int least, int most) {
   const auto seconds = ParseNumber(text, where);
   if (!seconds) return std::unexpected(seconds.error());
   const double steps = std::round(*seconds / 0.01);
-  if (!(steps >= least && steps <= kMaxSteps) || std::abs(steps * 0.01 - *seconds) > 1e-9) {
-    char range[64];
+  if (!(steps >= least && steps <= most) || std::abs(steps * 0.01 - *seconds) > 1e-9) {
+    char range[96];
     std::snprintf(range, sizeof range, "must be from %g to %g s in steps of 0.01 s, is ", least * 0.01,
-                  kMaxSteps * 0.01);
+                  most * 0.01);
     return Fail(ErrorCode::kOutOfRange, where, range + text);
   }
   return static_cast<int>(steps);
 }
 
-Result<void> ReadSense(const std::string& text, SenseSpec& senses) {
+Result<void> SetSense(const std::string& text, SenseSpec& senses) {
   if (text == "physical") {
     senses.kind = SenseKind::kPhysical;
     return {};
@@ -39,23 +37,27 @@ Result<void> ReadSense(const std::string& text, SenseSpec& senses) {
   return {};
 }
 
-Result<void> ReadWeight(const std::string& text, Document& document) {
-  const auto equals = text.find('=');
-  const auto term = IndexOf(kStyleTermNames, text.substr(0, equals), "--weight");
+std::string SenseText(const SenseSpec& senses) {
+  if (senses.kind == SenseKind::kPhysical) return "physical";
+  char text[40];
+  std::snprintf(text, sizeof text, "timer=%g", senses.period_steps * 0.01);
+  return text;
+}
+
+Result<void> SetWeight(const std::string& name, const std::string& number, Document& document,
+                       const std::string& option, const std::string& where) {
+  const auto term = IndexOf(kStyleTermNames, name, option);
   if (!term) return std::unexpected(term.error());
   const auto index = static_cast<std::size_t>(*term);
-  const std::string number = equals == std::string::npos ? "" : text.substr(equals + 1);
   if (number == "usual") {
     document.task.weights[index] = UsualWeights(document)[index];
     return {};
   }
-  const auto weight = ParseNumber(number, "--weight " + text);
+  const auto weight = ParseNumber(number, where);
   if (!weight) return std::unexpected(weight.error());
   document.task.weights[index] = static_cast<float>(std::clamp(*weight, -1e30, 1e30));
   return {};
 }
-
-}  // namespace
 
 Result<void> SetProblemOptions(const Arguments& arguments, Document& document) {
   if (arguments.Has("duration")) {
@@ -64,7 +66,7 @@ Result<void> SetProblemOptions(const Arguments& arguments, Document& document) {
     document.task.duration_steps = *duration;
   }
   if (arguments.Has("sense")) {
-    if (auto sense = ReadSense(arguments.Last("sense"), document.senses); !sense) return sense;
+    if (auto sense = SetSense(arguments.Last("sense"), document.senses); !sense) return sense;
   }
   if (arguments.Has("controller")) {
     const auto kind = IndexOf(kControllerKindNames, arguments.Last("controller"), "--controller");
@@ -72,7 +74,12 @@ Result<void> SetProblemOptions(const Arguments& arguments, Document& document) {
     document.kind = static_cast<ControllerKind>(*kind);
   }
   for (const std::string& weight : arguments.All("weight")) {
-    if (auto set = ReadWeight(weight, document); !set) return set;
+    const std::size_t equals = std::min(weight.find('='), weight.size());
+    const std::string number = weight.substr(std::min(equals + 1, weight.size()));
+    if (auto set = SetWeight(weight.substr(0, equals), number, document, "--weight", "--weight " + weight);
+        !set) {
+      return set;
+    }
   }
   return {};
 }

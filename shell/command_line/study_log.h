@@ -17,6 +17,7 @@ class StudyLog {
   /// An empty file that was created and not begun goes again.
   ~StudyLog();
 
+  [[nodiscard]] StudyTable Table() const { return file_.table; }
   [[nodiscard]] bool Has(std::size_t trial) const { return file_.trials.contains(trial); }
   /// Writes the heading, or drops a torn end.
   [[nodiscard]] Result<void> Begin();

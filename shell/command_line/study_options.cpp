@@ -45,41 +45,9 @@ Result<SearchSettings> ReadSearch(const std::string& label) {
   return settings;
 }
 
-Result<void> ReadNumbers(const Arguments& arguments, StudyPlan& plan) {
-  for (const char* option : {"problem", "search", "trials", "evaluations"}) {
-    if (!arguments.Has(option)) return Fail(ErrorCode::kMissing, std::string("--") + option, "must be given");
-  }
-  const auto trials = arguments.Integer("trials", 1, kMostTrials, 1);
-  if (!trials) return std::unexpected(trials.error());
-  const auto seed = arguments.Integer("first-seed", 0, 0x100000000LL - *trials, 1);
-  if (!seed) return std::unexpected(seed.error());
-  const auto evaluations = arguments.Integer("evaluations", 1, kMostEvaluations, 1);
-  if (!evaluations) return std::unexpected(evaluations.error());
-  const long long most = std::min<long long>(*evaluations, kMostPoints);
-  const auto points = arguments.Integer("points", 1, most, std::min(100LL, most));
-  if (!points) return std::unexpected(points.error());
-  plan.trials = static_cast<int>(*trials);
-  plan.first_seed = static_cast<std::uint32_t>(*seed);
-  plan.evaluations = static_cast<int>(*evaluations);
-  plan.points = static_cast<int>(*points);
-  return {};
-}
-
-Result<void> ReadSearches(const Arguments& arguments, Study& study) {
-  for (const std::string& label : arguments.All("search")) {
-    auto settings = ReadSearch(label);
-    if (!settings) return std::unexpected(settings.error());
-    if (auto fine = CheckLabel(study.plan.searches, label, "--search"); !fine) return fine;
-    settings->evaluations = study.plan.evaluations;
-    study.searches.push_back(*settings);
-    study.plan.searches.push_back(label);
-  }
-  return {};
-}
-
 /// What the options made of a problem, and every search on it.
-Result<void> CheckProblem(const Study& study, std::size_t problem) {
-  const std::string where = "--problem " + study.plan.problems[problem];
+Result<void> CheckProblem(const Study& study, std::size_t problem, const char* option) {
+  const std::string where = std::string(option) + " " + study.plan.problems[problem];
   const auto fault = [&](const std::string& place, const Error& error) {
     return Fail(error.code, place, error.Sentence());
   };
@@ -94,21 +62,59 @@ Result<void> CheckProblem(const Study& study, std::size_t problem) {
 
 }  // namespace
 
+Result<void> ReadSeeds(const Arguments& arguments, const char* seeds, StudyPlan& plan) {
+  for (const char* option : {"search", seeds, "evaluations"}) {
+    if (!arguments.Has(option)) return Fail(ErrorCode::kMissing, std::string("--") + option, "must be given");
+  }
+  const auto trials = arguments.Integer(seeds, 1, kMostTrials, 1);
+  if (!trials) return std::unexpected(trials.error());
+  const auto seed = arguments.Integer("first-seed", 0, 0x100000000LL - *trials, 1);
+  if (!seed) return std::unexpected(seed.error());
+  const auto evaluations = arguments.Integer("evaluations", 1, kMostEvaluations, 1);
+  if (!evaluations) return std::unexpected(evaluations.error());
+  plan.trials = static_cast<int>(*trials);
+  plan.first_seed = static_cast<std::uint32_t>(*seed);
+  plan.evaluations = static_cast<int>(*evaluations);
+  return {};
+}
+
+Result<void> AddSearch(const std::string& label, Study& study) {
+  auto settings = ReadSearch(label);
+  if (!settings) return std::unexpected(settings.error());
+  if (auto fine = CheckLabel(study.plan.searches, label, "--search"); !fine) return fine;
+  settings->evaluations = study.plan.evaluations;
+  study.searches.push_back(*settings);
+  study.plan.searches.push_back(label);
+  return {};
+}
+
+Result<void> AddProblem(const std::string& label, Document problem, const char* option, Study& study) {
+  if (auto fine = CheckLabel(study.plan.problems, label, option); !fine) return fine;
+  study.plan.problems.push_back(label);
+  study.problems.push_back(std::move(problem));
+  return CheckProblem(study, study.problems.size() - 1, option);
+}
+
 std::expected<Study, Refusal> ReadStudy(const Arguments& arguments) {
   Study study;
-  if (auto read = ReadNumbers(arguments, study.plan); !read) return WrongCall(read.error());
-  if (auto read = ReadSearches(arguments, study); !read) return WrongCall(read.error());
+  if (!arguments.Has("problem")) return WrongCall({ErrorCode::kMissing, "--problem", "must be given"});
+  if (auto read = ReadSeeds(arguments, "trials", study.plan); !read) return WrongCall(read.error());
+  const long long most = std::min<long long>(study.plan.evaluations, kMostPoints);
+  const auto points = arguments.Integer("points", 1, most, std::min(100LL, most));
+  if (!points) return WrongCall(points.error());
+  study.plan.points = static_cast<int>(*points);
+  for (const std::string& label : arguments.All("search")) {
+    if (auto added = AddSearch(label, study); !added) return WrongCall(added.error());
+  }
   for (const std::string& path : arguments.All("problem")) {
     const std::string label = std::filesystem::path(path).stem().string();
-    if (auto fine = CheckLabel(study.plan.problems, label, "--problem"); !fine)
-      return WrongCall(fine.error());
     auto document = ReadDocument(path);
     if (!document) return std::unexpected(Refusal(document.error()));
     // Before the figure loses its name, which usual weights go by.
     if (auto set = SetProblemOptions(arguments, *document); !set) return WrongCall(set.error());
-    study.plan.problems.push_back(label);
-    study.problems.push_back(OnlyProblem(*document));
-    if (auto fine = CheckProblem(study, study.problems.size() - 1); !fine) return WrongCall(fine.error());
+    if (auto added = AddProblem(label, OnlyProblem(*document), "--problem", study); !added) {
+      return WrongCall(added.error());
+    }
   }
   study.plan.fingerprint = FingerprintOf(study);
   return study;

@@ -73,7 +73,9 @@ Outcome Summarize(const std::string& path) {
   const auto file = StudyFile::Parse(*text, path, Ending::kTorn);
   if (!file) return std::unexpected(file.error());
   if (file->table != StudyTable::kResults) {
-    return Fail(ErrorCode::kStructure, path, "holds curves; a summary is made from the file of --out");
+    return Fail(ErrorCode::kStructure, path,
+                "holds " + std::string(NameOf(file->table)) +
+                    "; a summary is made from the results that compare writes to --out");
   }
   std::string each = "problem,search,n,median,lower_quartile,upper_quartile\n";
   std::string pairs = "problem,search_a,search_b,median_a,median_b,A12,p_holm\n";

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "shell/command_line/trial.h"
 
+#include <algorithm>
+
+#include "core/document/link.h"
 #include "core/physics/evaluator.h"
 #include "core/search/evaluation_score.h"
 
@@ -13,8 +16,10 @@ constexpr int kAskedTogether = Evaluator::kDefaultLanes * 2;
 
 }  // namespace
 
-std::optional<TrialRows> RunTrial(const Study& study, std::size_t trial,
-                                  std::atomic<std::int64_t>& evaluations, const std::function<bool()>& stop) {
+std::optional<std::vector<std::string>> RunTrial(const Study& study, std::size_t trial,
+                                                 std::span<const StudyTable> tables,
+                                                 std::atomic<std::int64_t>& evaluations,
+                                                 const std::function<bool()>& stop) {
   const StudyPlan::Trial place = study.plan.At(trial);
   const Document document = TrialDocument(study, place.problem, place.search, place.seed);
   const Problem problem = ProblemOf(document);
@@ -35,13 +40,17 @@ std::optional<TrialRows> RunTrial(const Study& study, std::size_t trial,
   found.timeline = {{static_cast<int>(found.controllers.size()) - 1, 0}};
   found.duration_steps = document.task.duration_steps;
   const Motion motion = Simulate(found);
+  found.hash = motion.Hash();
+  const bool linked = std::ranges::find(tables, StudyTable::kMotions) != tables.end();
   const TrialResult result{.best = search->BestFitness(),
                            .terms = motion.TermsAt(motion.Frames() - 1),
                            .ground = GroundUseOf(motion),
-                           .hash = motion.Hash(),
-                           .curve = search->Curve()};
-  return TrialRows{.result = RowsOf(study.plan, StudyTable::kResults, trial, result),
-                   .curve = RowsOf(study.plan, StudyTable::kCurves, trial, result)};
+                           .hash = *found.hash,
+                           .curve = search->Curve(),
+                           .link = linked ? EncodeLink(found) : ""};
+  std::vector<std::string> rows;
+  for (const StudyTable table : tables) rows.push_back(RowsOf(study.plan, table, trial, result));
+  return rows;
 }
 
 }  // namespace gaitsmith::shell

@@ -9,17 +9,15 @@
 
 namespace gaitsmith::shell {
 
-/// A trial's rows for both files.
-struct TrialRows {
-  std::string result, curve;
-};
 /// Runs a trial on the calling thread, to its end. The result depends on the study alone.
 /// @param trial index below plan.Total()
+/// @param tables whose rows are wanted
 /// @param evaluations counts on while the trial runs
 /// @param stop  asked often; true gives the trial up
-/// @return nothing if it was given up
-[[nodiscard]] std::optional<TrialRows> RunTrial(const Study&, std::size_t trial,
-                                                std::atomic<std::int64_t>& evaluations,
-                                                const std::function<bool()>& stop);
+/// @return its rows in each of the tables; nothing if it was given up
+[[nodiscard]] std::optional<std::vector<std::string>> RunTrial(const Study&, std::size_t trial,
+                                                               std::span<const StudyTable> tables,
+                                                               std::atomic<std::int64_t>& evaluations,
+                                                               const std::function<bool()>& stop);
 
 }  // namespace gaitsmith::shell

@@ -9,13 +9,19 @@
 #include <cstdlib>
 #include <limits>
 
-#include "core/document/document.h"
+#include "core/document/link.h"
 
 namespace gaitsmith::shell {
 
 namespace {
 
-constexpr std::size_t kResultFields = 12, kCurveFields = 5;
+constexpr std::size_t kResultFields = 12, kCurveFields = 5, kMotionFields = kResultFields + 1;
+
+constexpr std::size_t FieldsOf(StudyTable table) {
+  return table == StudyTable::kCurves    ? kCurveFields
+         : table == StudyTable::kMotions ? kMotionFields
+                                         : kResultFields;
+}
 
 std::string Number(double value) {
   if (value != value) return "nan";  // of a motion that broke physics; some libraries print its sign
@@ -42,10 +48,8 @@ class RowReader {
   /// What is wrong with a row, or nothing.
   std::string Read(std::string_view row) {
     Cut(row);
-    const bool results = file_.table == StudyTable::kResults;
-    if (count_ != (results ? kResultFields : kCurveFields)) {
-      return "has " + std::to_string(count_) + " fields instead of " +
-             std::to_string(results ? kResultFields : kCurveFields);
+    if (const std::size_t fields = FieldsOf(file_.table); count_ != fields) {
+      return "has " + std::to_string(count_) + " fields instead of " + std::to_string(fields);
     }
     std::uint32_t seed = 0;
     if (!Whole(fields_[2], seed)) return "its seed is not a number";
@@ -53,7 +57,8 @@ class RowReader {
     if (!trial) return "is of no trial of this study";
     if (points_ > 0 && trial != trial_) return "comes before the curve of another trial is complete";
     trial_ = *trial;
-    const std::string fault = results ? CheckResult() : CheckPoint();
+    std::string fault = file_.table == StudyTable::kCurves ? CheckPoint() : CheckResult();
+    if (fault.empty() && file_.table == StudyTable::kMotions) fault = CheckLink();
     return fault.empty() && file_.trials.contains(trial_) ? "is there twice, first in line " + FirstLine()
                                                           : fault;
   }
@@ -97,6 +102,16 @@ class RowReader {
     }
     return "";
   }
+  /// That the link holds the motion of this very row.
+  std::string CheckLink() const {
+    const auto document = DecodeLink(fields_[kMotionFields - 1]);
+    if (!document) return "its link is damaged: " + document.error().Sentence();
+    if (!document->hash || HashText(*document->hash) != fields_[kResultFields - 1] ||
+        document->search.seed != file_.plan.At(trial_).seed || document->timeline.size() != 1) {
+      return "its link holds the motion of another trial";
+    }
+    return "";
+  }
   std::string CheckPoint() {
     const StudyPlan& plan = file_.plan;
     int evaluations = 0;
@@ -118,7 +133,7 @@ class RowReader {
   std::string FirstLine() const { return std::to_string(file_.trials.at(trial_).line); }
 
   const StudyFile& file_;
-  std::array<std::string_view, kResultFields> fields_;
+  std::array<std::string_view, kMotionFields> fields_;
   std::size_t count_ = 0, trial_ = 0;
   int points_ = 0;  // of the curve that is being read; 0 between curves
   double best_ = 0.0;
@@ -128,7 +143,7 @@ class RowReader {
 
 std::string RowsOf(const StudyPlan& plan, StudyTable table, std::size_t trial, const TrialResult& result) {
   const std::string start = TrialText(plan, trial);
-  if (table == StudyTable::kResults) {
+  if (table != StudyTable::kCurves) {
     std::string row = start + std::to_string(plan.evaluations);
     const Terms& terms = result.terms;
     for (const float value :
@@ -136,7 +151,8 @@ std::string RowsOf(const StudyPlan& plan, StudyTable table, std::size_t trial, c
           result.ground.share, static_cast<float>(result.ground.bearers)}) {
       row += "," + Number(static_cast<double>(value));
     }
-    return row + "," + HashText(result.hash) + "\n";
+    row += "," + HashText(result.hash);
+    return row + (table == StudyTable::kMotions ? "," + result.link : "") + "\n";
   }
   std::string rows;
   const auto values = BestAtPoints(plan, result.curve, -std::numeric_limits<float>::infinity());
@@ -161,10 +177,12 @@ std::vector<float> BestAtPoints(const StudyPlan& plan, std::span<const Search::C
   return values;
 }
 
-double BestIn(std::string_view row) {
-  for (int field = 0; field < 4; ++field) row.remove_prefix(row.find(',') + 1);
-  return Real(row.substr(0, row.find(',')));
+std::string_view FieldOf(std::string_view row, int field) {
+  for (; field > 0; --field) row.remove_prefix(row.find(',') + 1);
+  return row.substr(0, row.find_first_of(",\n"));
 }
+
+double BestIn(std::string_view row) { return Real(FieldOf(row, 4)); }
 
 Result<StudyFile> StudyFile::Parse(std::string_view text, const std::string& path, Ending ending) {
   auto heading = ParseHeading(text);

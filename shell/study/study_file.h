@@ -18,6 +18,7 @@ struct TrialResult {
   GroundUse ground;    // likewise
   std::uint64_t hash;  // of its trajectory
   std::span<const Search::CurvePoint> curve;
+  std::string link = {};  // of the motion's document; of kMotions alone
 };
 /// The trial's rows in one of the files. Points of the curve before any score have none.
 [[nodiscard]] std::string RowsOf(const StudyPlan&, StudyTable, std::size_t trial, const TrialResult&);
@@ -27,7 +28,10 @@ struct TrialResult {
 [[nodiscard]] std::vector<float> BestAtPoints(const StudyPlan&, std::span<const Search::CurvePoint> curve,
                                               float before);
 
-/// The fitness in a row of results that was checked.
+/// One field of a row that was checked, counted from 0 as the heading names them; the line's end is none.
+[[nodiscard]] std::string_view FieldOf(std::string_view row, int field);
+
+/// The fitness in a row of results or motions that was checked.
 [[nodiscard]] double BestIn(std::string_view row);
 
 /// How a file may end.

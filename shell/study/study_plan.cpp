@@ -9,10 +9,12 @@ namespace gaitsmith::shell {
 
 namespace {
 
-constexpr std::array<std::string_view, 2> kTableNames = {"results", "curves"};
-constexpr std::array<std::string_view, 2> kColumns = {
+constexpr std::array<std::string_view, 3> kTableNames = {"results", "curves", "motions"};
+constexpr std::array<std::string_view, 3> kColumns = {
     "problem,search,seed,evaluations,best,travel,max_cm_height,slip_sum,rotations,grounded,bearers,hash",
-    "problem,search,seed,evaluation,best"};
+    "problem,search,seed,evaluation,best",
+    "problem,search,seed,evaluations,best,travel,max_cm_height,slip_sum,rotations,grounded,bearers,hash,"
+    "link"};
 
 std::string Joined(const std::vector<std::string>& labels) {
   std::string text;
@@ -51,6 +53,8 @@ bool Holds(const StudyPlan& plan) {
 }
 
 }  // namespace
+
+std::string_view NameOf(StudyTable table) { return kTableNames[static_cast<std::size_t>(table)]; }
 
 std::size_t StudyPlan::Total() const {
   return problems.size() * searches.size() * static_cast<std::size_t>(trials);
@@ -95,7 +99,7 @@ std::string Heading(const StudyPlan& plan, StudyTable table) {
 Result<ReadHeading> ParseHeading(std::string_view text) {
   const auto words = Split(text.substr(0, text.find('\n')), ' ');
   if (words.size() < 3 || words[0] != "#" || words[1] != "gaitsmith" || words[2] != "study") {
-    return Fail(ErrorCode::kSyntax, "", "is not a file of gaitsmith compare");
+    return Fail(ErrorCode::kSyntax, "", "is not a file of gaitsmith compare or suite");
   }
   const auto damaged = Fail(ErrorCode::kSyntax, "", "its heading is damaged");
   if (words.size() != 17) return damaged;

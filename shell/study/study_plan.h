@@ -17,11 +17,14 @@ inline constexpr int kMostTrials = 1'000'000;  // of one search on one problem
 inline constexpr int kMostPoints = 100'000;
 inline constexpr int kMostEvaluations = 100'000'000;
 
-/// Which of a study's two files.
+/// Which of a study's files.
 enum class StudyTable {
   kResults,  // a row for each trial: what its best motion is worth
   kCurves,   // rows for each trial: the best so far after so many evaluations
+  kMotions,  // a row for each trial: its result, and the motion itself as a link
 };
+/// "results"
+[[nodiscard]] std::string_view NameOf(StudyTable);
 
 struct StudyPlan {
   std::string fingerprint;                      // 16 hexadecimal digits: everything that decides the results

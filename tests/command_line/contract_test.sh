@@ -149,6 +149,81 @@ grep -q 'of 4000 trials are left' err || fault "a stopped study said '$(cat err)
 same "$("$gaitsmith" compare --summary results.csv | grep -c ,)" 8 "rows of a summary"
 same "$("$gaitsmith" compare --summary results.csv | sed -n 7p)" "problem,search_a,search_b,median_a,median_b,A12,p_holm" "pairs of a summary"
 
+# A suite: the rows of a study with their motions, as resumable.
+suite() { "$gaitsmith" suite --figure hopper --sense physical --sense timer=0.8 --task travel --task jump --style plain=slip_sum:0 \
+  --style shuffle=slip_sum:usual,max_cm_height:-0.5 --search sphc --seeds 2 --first-seed 4 --evaluations 40 --rules 6 "$@"; }
+suite --threads 1 --out suite.csv || fault "suite"
+suite --threads 2 --out suite2.csv; cmp -s suite.csv suite2.csv || fault "two threads wrote another suite"
+same "$(sed -n 2p suite.csv)" "$(sed -n 2p results.csv),link" "columns of a suite"
+same "$(sed '1,2d;s/,.*//' suite.csv | uniq | tr '\n' ' ')" "physical.travel.plain physical.travel.shuffle physical.jump.plain \
+physical.jump.shuffle timer=0.8.travel.plain timer=0.8.travel.shuffle timer=0.8.jump.plain timer=0.8.jump.shuffle " "labels of a suite"
+for i in 1 2 3; do suite --shard $i/3 --out suite-shard$i.csv || fault "shard $i/3 of a suite"; done
+"$gaitsmith" merge --complete --out - suite-shard?.csv | cmp -s - suite.csv || fault "merged shards of a suite"
+for bytes in 0 40 500 3000 -1; do
+  head -c $bytes suite.csv >torn-suite.csv
+  suite --out torn-suite.csv && cmp -s suite.csv torn-suite.csv || fault "a suite continued at $bytes"
+done
+"$gaitsmith" suite --problem hopper-jump --search sphc --seeds 4000 --evaluations 1000 --out stopped-suite.csv 2>err &
+for _ in $(seq 400); do [ "$(wc -l 2>/dev/null <stopped-suite.csv || echo 0)" -le 3 ] || break; sleep 0.05; done
+kill -TERM $!; wait $! && fault "a stopped suite exits with 0"
+grep -q 'of 4000 trials are left' err || fault "a stopped suite said '$(cat err)'"
+same "$(sed -n '3s/,.*//p' stopped-suite.csv)" "physical.jump.plain" "what a suite of a problem is without --sense, --task and --style"
+# Each row's motion is the document that synthesize makes, and carries its figure's name.
+"$gaitsmith" suite --extract suite.csv --out-dir all || fault "suite --extract"
+"$gaitsmith" suite --extract suite.csv --best --out-dir best || fault "suite --extract --best"
+same "$(ls all | wc -l) $(ls best | wc -l)" "16 8" "documents of a suite"
+for document in all/*.json; do "$gaitsmith" validate "$document" >/dev/null || fault "$document of a suite is not valid"; done
+"$gaitsmith" synthesize --figure hopper --sense timer=0.8 --task jump --weight slip_sum=usual --weight max_cm_height=-0.5 --rules 6 \
+  --search sphc --evaluations 40 --seed 5 --out trial.json
+same "$("$gaitsmith" hash all/timer=0.8.jump.shuffle-5.json)" "$("$gaitsmith" hash trial.json)" "what suite and synthesize find"
+grep -q '"name": "Hopper"' all/physical.jump.plain-4.json || fault "a suite lost the figure's name"
+"$gaitsmith" suite --list suite.csv >list.txt || fault "suite --list"
+same "$(head -1 list.txt | tr -s ' ')" "label seed score travel height slip rotations" "head of a list"
+sed 1d list.txt | LC_ALL=C sort -c -k1,1 -k3,3gr || fault "a list is not sorted"
+for line in $(sed 1d list.txt | awk '!seen[$1]++ { print $1 "-" $2 ".json" }'); do [ -e "best/$line" ] || fault "$line is not among the best"; done
+
+# A clip that is repaired where it stands; all else stays.
+# way <document>: how far clip 2 of there-and-back goes to the right
+way() { "$gaitsmith" simulate "$1" --csv - | awk -F, 'NR == 335 { x = $2 } NR == 702 { print $2 - x }'; }
+repair() { "$gaitsmith" synthesize --repair "$1" --clip 2 --evaluations "$2" --out "$3" --curve repair.csv --threads "${4:-2}"; }
+repair there-and-back 300 repaired.json || fault "synthesize --repair"
+repair there-and-back 300 repaired1.json 1; cmp -s repaired.json repaired1.json || fault "one thread repaired otherwise"
+"$gaitsmith" validate repaired.json >/dev/null || fault "a repaired document is not valid"
+grep -q '"in_place_of"\|"start": [0-9]' repaired.json && fault "a repaired document still asks for its repair"
+awk -F, 'NR == 2 { first = $2 } END { exit !(NR > 2 && $2 > first) }' repair.csv || fault "a repair did not improve its clip"
+awk -v new="$(way repaired.json)" -v old="$(way there-and-back)" 'BEGIN { exit !(new > old) }' || fault "a repaired clip goes less far"
+clips() { "$gaitsmith" link decode "$("$gaitsmith" link encode "$1")" | sed -n '/"timeline"/,/\]/p' | grep start_step; }
+same "$(clips repaired.json)" "$(clips there-and-back)" "clips of a repaired document"
+best=$(tail -1 repair.csv | cut -d, -f2)
+repair repaired.json 1 again.json || fault "a repair that finds nothing"
+same "$(tail -1 repair.csv)" "1,$best" "what a repair begins with"
+same "$("$gaitsmith" hash again.json)" "$("$gaitsmith" hash repaired.json)" "a repair that finds nothing keeps the motion"
+
+# A controller that takes over well: the document is a plain one.
+handed() { "$gaitsmith" synthesize --figure mr-star-man --evaluations 60 --seed 2 --out "$@"; }
+handed handed.json --handover star-man-shuffle@2 --handover star-man-shuffle@3.5 --threads 1 || fault "synthesize --handover"
+handed handed2.json --handover star-man-shuffle@2 --handover star-man-shuffle@3.5 --threads 2
+cmp -s handed.json handed2.json || fault "two threads found another robust controller"
+same "$("$gaitsmith" validate handed.json)" "valid: Mr. Star-Man, 5 rods, 1 controllers, 1 clips, 5 s" "a robust controller's document"
+grep -q '"handovers"' handed.json && fault "a robust controller's document holds its handovers"
+handed unhanded.json
+cmp -s handed.json unhanded.json && fault "handovers change nothing"
+"$gaitsmith" synthesize --from star-man-shuffle --handover star-man-shuffle@2 --evaluations 20 --out handed.json || fault "--from --handover"
+same "$("$gaitsmith" validate handed.json | cut -d, -f3)" " 2 controllers" "--from with --handover"
+
+# Every switch between controllers.
+"$gaitsmith" switches --times 4 --threads 1 --summary --out switches.csv best/p*.json best/timer=0.8.jump.plain-*.json >rates.csv || fault "switches"
+"$gaitsmith" switches --times 4 --threads 2 --out switches2.csv best/p*.json best/timer=0.8.jump.plain-*.json
+cmp -s switches.csv switches2.csv || fault "two threads made other switches"
+same "$(head -1 switches.csv)" "from,to,step,score,usual,success" "columns of switches"
+same "$(wc -l <switches.csv)" 81 "rows of switches"
+same "$(sed -n 2,5p switches.csv | cut -d, -f3 | tr '\n' ' ')" "100 233 366 500 " "steps of switches"
+same "$(head -1 rates.csv) $(wc -l <rates.csv)" "from_class,to_class,switches,successes,rate 4" "rates of switches"
+same "$(awk -F, 'NR > 1 { n += $6 } END { print n }' switches.csv)" "$(awk -F, 'NR > 1 { n += $4 } END { print n }' rates.csv)" "successes"
+awk -F, 'NR > 1 && $6 != ($4 >= $5 / 2) { exit 1 }' switches.csv || fault "success is not half of the usual"
+jump=$(ls best/physical.jump.plain-*.json)
+same "$(grep -m1 ",$(basename "$jump" .json)," switches.csv | cut -d, -f5)" "$("$gaitsmith" measure "$jump" | sed -n 2p | cut -d, -f9)" "the usual"
+
 # Bad input: one clear sentence, and nothing is harmed.
 echo keep >precious.json
 refuses 'there is no figure "mr-moon"' "$gaitsmith" synthesize --figure mr-moon --out precious.json
@@ -212,11 +287,58 @@ head -c 700 results.csv >damaged.csv
 wrong 1 'the trial is cut short' "$gaitsmith" merge --out precious.json damaged.csv
 wrong 1 'holds curves' "$gaitsmith" compare --summary curves.csv
 wrong 2 'goes with no other option' "$gaitsmith" compare --summary results.csv --threads 2
+wrong 2 '--problem: must be given, or --figure' "$gaitsmith" suite --search sphc --seeds 1 --evaluations 9 --out precious.json
+wrong 2 '--figure: cannot be given with --problem' suite --problem hopper-jump --out suite.csv
+wrong 1 'there is no figure' "$gaitsmith" suite --figure moon --search sphc --seeds 1 --evaluations 9 --out precious.json
+wrong 2 '--seeds: must be a whole number from 1 to 1000000, is "0"' suite --seeds 0 --out suite.csv
+wrong 2 '--style a: must be NAME=TERM:W[,TERM:W]' suite --style a --out suite.csv
+wrong 2 '--style a/b=slip_sum:1: "a/b" cannot be a name' suite --style a/b=slip_sum:1 --out suite.csv
+wrong 2 '--style a=slip_sum: "slip_sum" must be TERM:W' suite --style a=slip_sum --out suite.csv
+wrong 2 '--style a=zeal:1: "zeal" is not known; choose from max_cm_height' suite --style a=zeal:1 --out suite.csv
+wrong 2 '--style a=slip_sum:x: must be a number, is "x"' suite --style a=slip_sum:x --out suite.csv
+wrong 2 'weights.slip_sum: must be from -1000 to 1000, is 2000' suite --style a=slip_sum:2000 --out suite.csv
+wrong 2 '"physical.travel.plain" is there twice' suite --sense physical --out suite.csv
+wrong 2 '"fly" is not known; choose from travel' suite --task fly --out suite.csv
+wrong 2 '--search: can be given once' suite --search rgt --out suite.csv
+wrong 2 '--out: must be a file' suite --out -
+wrong 2 '--best: goes with --extract alone' suite --out suite.csv --best
+wrong 2 '--out-dir: say in which folder' "$gaitsmith" suite --extract suite.csv
+wrong 2 '--list: goes with no other option' "$gaitsmith" suite --list suite.csv --threads 2
+wrong 1 'holds results, not the motions of a suite' "$gaitsmith" suite --list results.csv
+wrong 1 'holds motions; a summary is made from' "$gaitsmith" compare --summary suite.csv
+wrong 1 'is of another study' suite --out suite.csv --duration 4
+wrong 1 'holds motions, but shard1.csv holds results' "$gaitsmith" merge --out precious.json shard1.csv \
+  <(sed "1s/[0-9a-f]\{16\}/$(head -1 shard1.csv | cut -d' ' -f4)/" suite.csv)
+sed '5s/......$/AAAAAA/' suite.csv >damaged.csv
+wrong 1 'damaged.csv:5: its link is damaged' "$gaitsmith" merge --out precious.json damaged.csv
+awk -F, -v OFS=, 'NR == FNR { link[FNR] = $NF; next } FNR == 5 { $NF = link[6] } { print }' suite.csv suite.csv >damaged.csv
+wrong 1 'damaged.csv:5: its link holds the motion of another trial' suite --out damaged.csv
+refuses '--clip: say which clip' "$gaitsmith" synthesize --repair there-and-back --out precious.json
+refuses '--clip: must be a whole number from 2 to 3, is "1"' "$gaitsmith" synthesize --repair there-and-back --clip 1 --out precious.json
+refuses '--clip: must be a whole number from 2 to 3, is "4"' "$gaitsmith" synthesize --repair there-and-back --clip 4 --out precious.json
+refuses '--clip: goes with --repair alone' "$gaitsmith" synthesize --clip 2 --out precious.json
+refuses 'has no clip that takes over from another one' "$gaitsmith" synthesize --repair star-man-shuffle --clip 2 --out precious.json
+for option in figure=hopper problem=hopper-jump from=one.json handover=one.json@1 sense=physical rules=9 controller=rules duration=3; do
+  refuses "--${option%%=*}: cannot be given with --repair" "$gaitsmith" synthesize --repair there-and-back --clip 2 --$option --out precious.json
+done
+refuses '--handover one.json: must be DOC@SECONDS' "$gaitsmith" synthesize --handover one.json --out precious.json
+refuses '--handover one.json@0: must be from 0.01 to 119.99 s' "$gaitsmith" synthesize --handover one.json@0 --out precious.json
+refuses '--handover star-man-shuffle@2: is of another figure, "Mr. Star-Man"; the search is for "Hopper"' \
+  "$gaitsmith" synthesize --figure hopper --handover star-man-shuffle@2 --out precious.json
+refuses '--handover hopper-jump@2: has no controller' "$gaitsmith" synthesize --figure hopper --handover hopper-jump@2 --out precious.json
+wrong 2 '--out: say where to write the rows' "$gaitsmith" switches "$jump" trial.json
+wrong 2 'DOC: give at least two documents' "$gaitsmith" switches --out precious.json "$jump"
+wrong 2 '--times: must be a whole number from 1 to 1000, is "0"' "$gaitsmith" switches --times 0 --out precious.json "$jump" trial.json
+wrong 2 '--length: must be from 0.01 to 120 s' "$gaitsmith" switches --length 0 --out precious.json "$jump" trial.json
+wrong 1 'one.json: is of another figure than' "$gaitsmith" switches --out precious.json "$jump" one.json
+wrong 1 'hopper-jump: has no controller' "$gaitsmith" switches --out precious.json "$jump" hopper-jump
+wrong 1 'is there twice; names must differ' "$gaitsmith" switches --out precious.json "$jump" "$jump"
+suite --out suite.csv; cmp -s suite.csv suite2.csv || fault "a refused command changed a suite"
 cmp -s results.csv results-before.csv && cmp -s curves.csv curves-before.csv || fault "a refused command changed a study"
 same "$(cat precious.json)" keep "a file after refused commands"
 refuses 'cannot be read' "$gaitsmith" hash nowhere.json
 refuses 'was cut' "$gaitsmith" link decode "$(head -c 100 link.txt)"
-for command in compare merge; do
+for command in compare suite merge switches; do
   "$gaitsmith" help | grep -q "gaitsmith $command " || fault "help on $command"
   "$gaitsmith" $command --help | grep -q "gaitsmith $command " || fault "$command --help"
 done

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// gaitsmith switches: how well controllers take over from one another, at any moment.
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <filesystem>
+#include <thread>
+
+#include "core/physics/evaluator.h"
+#include "shell/command_line/arguments.h"
+#include "shell/command_line/commands.h"
+#include "shell/command_line/files.h"
+#include "shell/command_line/problem_options.h"
+#include "shell/parallel_search.h"
+
+namespace gaitsmith::shell {
+
+namespace {
+
+/// A controller in the surroundings of its document, and what it is worth there from the start.
+struct Contestant {
+  std::string label;
+  Problem problem;  // as long as it is watched, without pushes
+  Controller controller;
+  int duration_steps;  // of the document's task
+  float usual = 0.0f;
+  bool holds = false;  // physics, from the start
+};
+
+struct Switch {
+  std::size_t from, to;
+  int step;
+  float score = 0.0f;
+  bool success = false;
+};
+
+/// "physical", "timer" or "network"
+std::string_view ClassOf(const Controller& controller) {
+  if (controller.kind == ControllerKind::kNetwork) return "network";
+  return controller.senses.kind == SenseKind::kTimer ? "timer" : "physical";
+}
+
+Result<Contestant> ReadContestant(const std::string& path, int length) {
+  const auto document = ReadDocument(path);
+  if (!document) return std::unexpected(document.error());
+  if (document->controllers.empty()) return Fail(ErrorCode::kMissing, path, "has no controller");
+  const Controller& controller = FirstControllerOf(*document);
+  Problem problem = ReplayProblem(*document, controller);
+  problem.pushes.clear();
+  problem.task.duration_steps = length > 0 ? length : document->task.duration_steps;
+  return Contestant{.label = std::filesystem::path(path).stem().string(),
+                    .problem = std::move(problem),
+                    .controller = controller,
+                    .duration_steps = document->task.duration_steps};
+}
+
+Result<std::vector<Contestant>> ReadContestants(const std::vector<std::string>& paths, int length) {
+  std::vector<Contestant> all;
+  for (const std::string& path : paths) {
+    auto one = ReadContestant(path, length);
+    if (!one) return std::unexpected(one.error());
+    if (!all.empty() && !SameRods(one->problem.figure, all.front().problem.figure)) {
+      return Fail(ErrorCode::kStructure, path,
+                  "is of another figure than " + paths[0] + "; a controller fits its own alone");
+    }
+    if (one->label.find_first_of(",\"\n") != std::string::npos) {
+      return Fail(ErrorCode::kSyntax, path,
+                  "its name is a label, which can have no comma, quote or line break");
+    }
+    if (std::ranges::any_of(all, [&](const Contestant& other) { return other.label == one->label; })) {
+      return Fail(ErrorCode::kStructure, path, "\"" + one->label + "\" is there twice; names must differ");
+    }
+    all.push_back(std::move(*one));
+  }
+  return all;
+}
+
+Evaluation EvaluateOne(const Problem& problem, const Controller& controller) {
+  return Evaluator(problem, 1, false).Evaluate(std::span(&controller.genes, 1))[0];
+}
+
+/// Runs a task for each index, several at a time.
+template <class Job>
+void ForEach(std::size_t count, int threads, const Job& job) {
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < count; i = next++) job(i);
+  };
+  std::vector<std::jthread> workers;
+  for (int i = 1; i < threads; ++i) workers.emplace_back(work);
+  work();
+}
+
+/// Every ordered pair at every time: from, to, step. The first one is in charge for at most as long as its
+/// task lasts.
+std::vector<Switch> Planned(const std::vector<Contestant>& all, int times) {
+  constexpr int kFirst = 100;  // steps
+  std::vector<Switch> switches;
+  for (std::size_t from = 0; from < all.size(); ++from) {
+    for (std::size_t to = 0; to < all.size(); ++to) {
+      if (to == from) continue;
+      const int span = std::max(0, all[from].duration_steps - kFirst);
+      for (int i = 0; i < times; ++i) {
+        const int step = kFirst + (times > 1 ? span * i / (times - 1) : 0);
+        switches.push_back({.from = from, .to = to, .step = step});
+      }
+    }
+  }
+  return switches;
+}
+
+void Make(Switch& one, const std::vector<Contestant>& all) {
+  const Contestant& to = all[one.to];
+  Problem problem = to.problem;
+  problem.beginnings = {{{all[one.from].controller}, {{.controller = 0, .start_step = 0}}, one.step}};
+  const Evaluation found = EvaluateOne(problem, to.controller);
+  one.score = found.fitness;
+  one.success = found.fitness > kVoidScore && !found.terms.broke_physics && to.holds &&
+                found.fitness >= 0.5f * to.usual;
+}
+
+std::string SwitchesCsv(const std::vector<Switch>& switches, const std::vector<Contestant>& all) {
+  std::string csv = "from,to,step,score,usual,success\n";
+  for (const Switch& one : switches) {
+    char numbers[80];
+    std::snprintf(numbers, sizeof numbers, ",%d,%.9g,%.9g,%d\n", one.step, static_cast<double>(one.score),
+                  static_cast<double>(all[one.to].usual), one.success ? 1 : 0);
+    csv += all[one.from].label + "," + all[one.to].label + numbers;
+  }
+  return csv;
+}
+
+/// The share of switches that succeed, by what the two controllers sense.
+std::string SummaryOf(const std::vector<Switch>& switches, const std::vector<Contestant>& all) {
+  constexpr std::string_view kClasses[] = {"physical", "timer", "network"};
+  std::string text = "from_class,to_class,switches,successes,rate\n";
+  for (const std::string_view from : kClasses) {
+    for (const std::string_view to : kClasses) {
+      int count = 0, successes = 0;
+      for (const Switch& one : switches) {
+        if (ClassOf(all[one.from].controller) != from || ClassOf(all[one.to].controller) != to) continue;
+        ++count;
+        successes += one.success ? 1 : 0;
+      }
+      if (count == 0) continue;
+      char numbers[80];
+      std::snprintf(numbers, sizeof numbers, ",%d,%d,%.3f\n", count, successes,
+                    static_cast<double>(successes) / count);
+      text += std::string(from) + "," + std::string(to) + numbers;
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+Outcome SwitchesCommand(Words words) {
+  static constexpr std::string_view kOptions[] = {"out", "times", "length", "threads"};
+  static constexpr std::string_view kFlags[] = {"summary"};
+  const auto arguments = Arguments::Parse(words, kOptions, kFlags);
+  if (!arguments) return WrongCall(arguments.error());
+  const std::string out = arguments->Last("out");
+  if (out.empty()) {
+    return WrongCall({ErrorCode::kMissing, "--out", "say where to write the rows (- for standard output)"});
+  }
+  if (arguments->Positional().size() < 2) {
+    return WrongCall({ErrorCode::kMissing, "DOC", "give at least two documents"});
+  }
+  const auto times = arguments->Integer("times", 1, 1000, 20);
+  if (!times) return WrongCall(times.error());
+  const auto threads = arguments->Integer("threads", 1, 256, Cores());
+  if (!threads) return WrongCall(threads.error());
+  int length = 0;  // each task's own
+  if (arguments->Has("length")) {
+    const auto steps = WholeSteps(arguments->Last("length"), "--length", 1);
+    if (!steps) return WrongCall(steps.error());
+    length = *steps;
+  }
+  auto all = ReadContestants(arguments->Positional(), length);
+  if (!all) return std::unexpected(all.error());
+
+  const int workers = static_cast<int>(*threads);
+  ForEach(all->size(), workers, [&](std::size_t i) {
+    Contestant& one = (*all)[i];
+    const Evaluation found = EvaluateOne(one.problem, one.controller);
+    one.usual = found.fitness;
+    one.holds = found.fitness > kVoidScore && !found.terms.broke_physics;
+  });
+  std::vector<Switch> switches = Planned(*all, static_cast<int>(*times));
+  ForEach(switches.size(), workers, [&](std::size_t i) { Make(switches[i], *all); });
+  if (auto written = WriteText(out, SwitchesCsv(switches, *all)); !written) {
+    return std::unexpected(written.error());
+  }
+  if (!arguments->Has("summary")) return {};
+  const std::string gap = out == "-" ? "\n" : "";
+  if (auto written = WriteText("-", gap + SummaryOf(switches, *all)); !written) {
+    return std::unexpected(written.error());
+  }
+  return {};
+}
+
+}  // namespace gaitsmith::shell
