@@ -72,18 +72,20 @@ void DrawClip(Ui& ui, Session& session, const Band& band, std::size_t index) {
   const Clip& clip = d.timeline[index];
   const Controller& controller = d.controllers[static_cast<std::size_t>(clip.controller)];
   const bool selected = session.SelectedClip() == static_cast<int>(index);
-  const float gap = index + 1 < d.timeline.size() ? 4.0f : 0.0f;
+  constexpr float kGap = 4.0f;  // for the border
   const ImRect rect({band.XOf(clip.start_step), band.rect.Min.y},
-                    {band.XOf(EndOf(d, index)) - gap, band.rect.Max.y});
+                    {band.XOf(EndOf(d, index)) - kGap, band.rect.Max.y});
   const std::string name = NameOf(d, clip.controller);
   const std::string length = SecondsWords(EndOf(d, index) - clip.start_step);
   const std::string words = ControllerWords(controller.kind, controller.senses, controller.rules);
   const int colour_of = clip.controller;
+  ImGui::PushItemFlag(ImGuiItemFlags_AllowOverlap, true);  // borders, which come later, are easier to miss
   const Touch touch = ui.Area("timeline/clip/" + std::to_string(index), rect, Grab::kDrag,
                               {.label = name,
                                .role = "option",
                                .value = Tr("{1} from {2}", length, SecondsWords(clip.start_step)),
                                .state = {.selected = selected}});
+  ImGui::PopItemFlag();
   if (touch.pressed) session.SelectClip(static_cast<int>(index));
 
   const Palette& p = ui.Ink();

@@ -106,11 +106,10 @@ TransitionMap::TransitionMap(const Document& document, int clip, int every, int 
   const int begun = document_.timeline[last].start_step;
   const int end = std::min(begun + 2 * (document_.timeline[last + 1].start_step - begun), kMaxSteps - 1);
   Simulation<1> simulation(skeleton_, document_.environment, document_.start, document_.pushes);
-  int in_charge = -1;
+  std::size_t in_charge = 0;  // one past its index
   for (int step = 0; step <= end; ++step) {
-    while (in_charge + 1 < clip &&
-           document_.timeline[static_cast<std::size_t>(in_charge + 1)].start_step <= step)
-      simulation.Follow(before[static_cast<std::size_t>(++in_charge)]);
+    while (in_charge < before.size() && document_.timeline[in_charge].start_step <= step)
+      simulation.Follow(before[in_charge++]);
     if (step >= begun + kShortestClip && (step - begun) % every == 0) moments_.push_back(simulation.Save());
     simulation.Step();
   }
