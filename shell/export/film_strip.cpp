@@ -53,7 +53,7 @@ std::string Escaped(std::string_view text) {
         out += "&quot;";
         break;
       case '\'':
-        out += "&#39;";
+        out += "&apos;";
         break;
       default:
         // XML has no way to write most control characters.
