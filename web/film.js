@@ -17,6 +17,7 @@ const INK = '#1d2733', SECOND_INK = '#5b6672', PAPER = '#fbfaf6', GROUND = '#efe
 const COLOURS = ['#2092ea', '#dd8a53', '#106c6f', '#61459b', '#eb54a9', '#b4af0f', '#8cb58f', '#804538', '#5b47e0', '#71630f'];
 const ROD_SHARE = 0.16; // thickness against mean length
 const LEAST_TICK = 76;
+const EDGE = 28; // of labels
 
 export class Film {
   width = WIDTH;
@@ -57,6 +58,12 @@ export class Film {
     c.fillRect(20, 44, 36, 4);
   }
 
+  /** The colours that pictures are made of, but for their blends: #rrggbb. */
+  get colours() {
+    const controllers = new Set(Array.from({ length: this.motion.frames }, (_, i) => this.#at(i, 0)).filter((one) => one >= 0));
+    return [PAPER, GROUND, INK, SECOND_INK, TRAIL, ...[...controllers].map((one) => COLOURS[one % COLOURS.length])];
+  }
+
   /** @returns {Uint8ClampedArray} RGBA of what was drawn last */
   pixels() { return this.context.getImageData(0, 0, WIDTH, HEIGHT).data; }
 
@@ -89,6 +96,7 @@ export class Film {
       c.fillStyle = SECOND_INK;
       c.fillRect(x - 0.5, GROUND_Y, 1, 8);
       const metres = fixed(Math.abs(mark * this.tick), this.tick < 1 ? 1 : 0);
+      if (x < EDGE || x > WIDTH - EDGE) continue; // cut, it would be misread
       this.#text(`${mark < 0 ? '−' : ''}${metres} m`, x, GROUND_Y + 24, SECOND_INK, '12px');
     }
   }

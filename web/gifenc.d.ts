@@ -5,7 +5,7 @@ export type Palette = number[][];
 export type Format = 'rgb565' | 'rgb444' | 'rgba4444';
 
 export function quantize(rgba: Uint8ClampedArray, mostColours: number, options?: { format?: Format }): Palette;
-export function applyPalette(rgba: Uint8ClampedArray, palette: Palette, format?: Format): Uint8Array;
+export function nearestColorIndex(palette: Palette, rgb: number[]): number;
 
 export interface Encoder {
   /** Delay in milliseconds; repeat 0: for ever. The first frame's palette is that of those without one. */
