@@ -31,6 +31,7 @@ std::vector<int> FramesOf(const Motion& motion, const FilmStripOptions& options)
   const int from = frame_at(options.from_s), to = std::max(from, frame_at(options.to_s));
   const int poses = std::clamp(options.poses, kFewestPoses, kMostPoses);
   std::vector<int> frames;
+  frames.reserve(static_cast<std::size_t>(poses));
   for (int i = 0; i < poses; ++i)
     frames.push_back(from + ((to - from) * i * 2 + poses - 1) / (2 * (poses - 1)));
   return frames;

@@ -172,8 +172,9 @@ TEST_CASE("export: names on a film strip stay text") {
   options.words.decimal_mark = ",";
   const std::string svg = FilmStripSvg(document, Simulate(document), options);
   CHECK(Count(svg, "<script") + Count(svg, "<b>") == 0);
-  CHECK(Count(svg, "&lt;/title&gt;&lt;script&gt;alert(1)&lt;/script&gt; &amp; &quot;so&quot; &apos;on&apos;") ==
-        2);
+  CHECK(
+      Count(svg, "&lt;/title&gt;&lt;script&gt;alert(1)&lt;/script&gt; &amp; &quot;so&quot; &apos;on&apos;") ==
+      2);
   CHECK(Count(svg, "8 poses of &lt;b&gt;{1}&lt;/b&gt; from 0,00 s to 10,00 s, lettered A to H.") == 1);
 }
 
