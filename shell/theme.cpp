@@ -2,8 +2,9 @@
 // The palette's values and Dear ImGui's style.
 #include "shell/theme.h"
 
-#include <array>
 #include <cmath>
+
+#include "shell/rule_colours.h"
 
 namespace gaitsmith::shell {
 namespace {
@@ -62,10 +63,6 @@ constexpr Palette kStrongDark = {.paper = Rgb(0x000000),
                                  .ground = IM_COL32(0xff, 0xff, 0xff, 48),
                                  .dark = true};
 
-constexpr std::array<ImU32, 10> kRules = {Rgb(0x2092ea), Rgb(0xdd8a53), Rgb(0x106c6f), Rgb(0x61459b),
-                                          Rgb(0xeb54a9), Rgb(0xb4af0f), Rgb(0x8cb58f), Rgb(0x804538),
-                                          Rgb(0x5b47e0), Rgb(0x71630f)};
-
 ImVec4 Float(ImU32 colour) { return ImGui::ColorConvertU32ToFloat4(colour); }
 
 }  // namespace
@@ -84,7 +81,7 @@ const Palette& PaletteOf(PaletteName name) {
 }
 
 ImU32 RuleColour(int rule, bool dark) {
-  const ImU32 colour = kRules[static_cast<std::size_t>(rule) % kRules.size()];
+  const ImU32 colour = Rgb(RuleColourHex(rule));
   // The deep ones would sink into a dark panel; all rise together, so that their distances stay.
   return dark ? Mix(colour, IM_COL32_WHITE, 0.24f) : colour;
 }

@@ -25,10 +25,10 @@ export function setText(node, text) {
   if (node.textContent !== text) node.textContent = text;
 }
 
-/** Gives the reader a file. @param {string} name @param {string} text @param {string} type  of its contents */
-export function offerFile(name, text, type) {
+/** Gives the reader a file. @param {string} name @param {BlobPart} contents @param {string} type  of them */
+export function offerFile(name, contents, type) {
   const anchor = document.createElement('a');
-  anchor.href = URL.createObjectURL(new Blob([text], { type }));
+  anchor.href = URL.createObjectURL(new Blob([contents], { type }));
   anchor.download = name;
   anchor.click();
   setTimeout(() => URL.revokeObjectURL(anchor.href), 10000);

@@ -24,6 +24,9 @@
 #include "core/document/link.h"
 #include "core/search/evaluation_score.h"
 #include "core/search/spread.h"
+#include "shell/export/film_strip.h"
+#include "shell/export/skeleton_gltf.h"
+#include "shell/export/trajectory_csv.h"
 
 #define GS_EXPORT extern "C" __attribute__((used, visibility("default")))
 
@@ -90,6 +93,19 @@ struct SearchRole {
   std::optional<Spread> spread = {};
   std::vector<std::uint8_t> saved;
 };
+
+struct MotionRole {
+  Document document;
+  Motion motion;
+  std::vector<int> starts = {};     // of each rod: the endpoint where it begins
+  std::vector<float> numbers = {};  // of all frames, one after another
+  std::string text = {};
+};
+
+const char* Keep(MotionRole* role, std::string text) {
+  role->text = std::move(text);
+  return role->text.data();
+}
 
 }  // namespace
 }  // namespace gaitsmith
@@ -244,3 +260,60 @@ GS_EXPORT bool gs_search_load(SearchRole* role, std::size_t size) {
   if (!loaded) Note(loaded.error());
   return loaded.has_value();
 }
+
+// A motion, to be drawn and exported.
+GS_EXPORT MotionRole* gs_motion_open(std::size_t size) {
+  auto document = TakeDocument(size);
+  if (!document) return nullptr;
+  Motion motion = Simulate(*document);
+  auto* role = new MotionRole{.document = std::move(*document), .motion = std::move(motion)};
+  const Skeleton& bones = role->motion.Bones();
+  for (int rod = 0; rod < bones.rods; ++rod)
+    role->starts.push_back(bones.limbs[static_cast<std::size_t>(rod)].start);
+  for (int i = 0; i < role->motion.Frames(); ++i) {
+    const Motion::Frame& frame = role->motion.At(i);
+    const auto& timeline = role->document.timeline;
+    const int clip = frame.clip;
+    role->numbers.push_back(
+        static_cast<float>(clip < 0 ? -1 : timeline[static_cast<std::size_t>(clip)].controller));
+    role->numbers.insert(role->numbers.end(), {static_cast<float>(frame.x_m), frame.y_m});
+    for (int k = 0; k < bones.endpoints; ++k) {
+      const Motion::Point point = role->motion.Endpoint(i, k);
+      role->numbers.push_back(static_cast<float>(frame.x_m + static_cast<double>(point.x)));
+      role->numbers.push_back(frame.y_m + point.y);
+    }
+  }
+  return role;
+}
+GS_EXPORT void gs_motion_close(MotionRole* role) { delete role; }
+GS_EXPORT int gs_motion_frames(const MotionRole* role) { return role->motion.Frames(); }
+GS_EXPORT int gs_motion_rods(const MotionRole* role) { return role->motion.Bones().rods; }
+/// Of each rod the endpoint where it begins; rod i ends at endpoint i + 1.
+GS_EXPORT const int* gs_motion_starts(const MotionRole* role) { return role->starts.data(); }
+/// Of each frame: which controller is in charge (-1: none), the centre of mass, every endpoint [m].
+GS_EXPORT const float* gs_motion_numbers(const MotionRole* role) { return role->numbers.data(); }
+
+// Files of it, gs_motion_text_size() bytes.
+/// @param words_size of FilmStripWords in the input area, a 0 after each
+GS_EXPORT const char* gs_motion_film_strip(MotionRole* role, std::size_t words_size, int poses) {
+  shell::FilmStripOptions options{.poses = poses};
+  const std::string_view words(reinterpret_cast<const char*>(input.data()), words_size);
+  std::size_t at = 0;
+  for (std::string* word : {&options.words.description, &options.words.slope, &options.words.decimal_mark}) {
+    const std::size_t end = words.find('\0', at);
+    if (end == std::string_view::npos) {
+      Note({ErrorCode::kTruncated, "words", "fewer than expected"});
+      return nullptr;
+    }
+    *word = words.substr(at, end - at);
+    at = end + 1;
+  }
+  return Keep(role, shell::FilmStripSvg(role->document, role->motion, options));
+}
+GS_EXPORT const char* gs_motion_gltf(MotionRole* role) {
+  return Keep(role, shell::SkeletonGltf(role->document, role->motion));
+}
+GS_EXPORT const char* gs_motion_csv(MotionRole* role) {
+  return Keep(role, shell::TrajectoryCsv(role->document, role->motion));
+}
+GS_EXPORT std::size_t gs_motion_text_size(const MotionRole* role) { return role->text.size(); }

@@ -37,6 +37,17 @@ export interface EngineModule {
   _gs_search_save(search: Pointer): Pointer;
   _gs_search_saved_size(search: Pointer): number;
   _gs_search_load(search: Pointer, size: number): number;
+
+  _gs_motion_open(size: number): Pointer;
+  _gs_motion_close(motion: Pointer): void;
+  _gs_motion_frames(motion: Pointer): number;
+  _gs_motion_rods(motion: Pointer): number;
+  _gs_motion_starts(motion: Pointer): Pointer;
+  _gs_motion_numbers(motion: Pointer): Pointer;
+  _gs_motion_film_strip(motion: Pointer, wordsSize: number, poses: number): Pointer;
+  _gs_motion_gltf(motion: Pointer): Pointer;
+  _gs_motion_csv(motion: Pointer): Pointer;
+  _gs_motion_text_size(motion: Pointer): number;
 }
 
 export interface EngineOptions {

@@ -67,6 +67,11 @@ export class Engine {
     return new Search(this, this.orThrow(this.module._gs_search_open(this.put(document))));
   }
 
+  /** @param {Uint8Array} document @returns {RecordedMotion} */
+  motion(document) {
+    return new RecordedMotion(this, this.orThrow(this.module._gs_motion_open(this.put(document))));
+  }
+
   // For the classes below.
 
   /**
@@ -202,5 +207,41 @@ export class Search {
   /** @param {number} at @param {number} count */
   #genesAt(at, count) {
     return new Uint16Array(this.engine.bytesAt(at, 2 * this.genes * count).buffer);
+  }
+}
+
+/** What a document's figure does: to be drawn, and as files for other programs. */
+export class RecordedMotion {
+  /** @param {Engine} engine @param {number} handle */
+  constructor(engine, handle) {
+    this.engine = engine;
+    this.handle = handle;
+    const { module } = engine;
+    this.frames = module._gs_motion_frames(handle);
+    const rods = module._gs_motion_rods(handle);
+    /** Of each rod the endpoint where it begins; rod i ends at endpoint i + 1. */
+    this.starts = new Int32Array(engine.bytesAt(module._gs_motion_starts(handle), 4 * rods).buffer);
+    this.endpoints = rods + 1;
+    /** Numbers of one frame: controller in charge (-1: none), x and y of the centre of mass, of every endpoint [m]. */
+    this.stride = 3 + 2 * this.endpoints;
+    const at = module._gs_motion_numbers(handle);
+    /** Of all frames, one after another. */
+    this.numbers = new Float32Array(engine.bytesAt(at, 4 * this.stride * this.frames).buffer);
+  }
+
+  /** @param {number} poses @param {string[]} words  FilmStripWords of shell/export/film_strip.h, in order */
+  filmStrip(poses, words) {
+    const size = this.engine.put(new TextEncoder().encode(words.map((word) => `${word}\0`).join('')));
+    return this.#text(this.engine.module._gs_motion_film_strip(this.handle, size, poses));
+  }
+  gltf() { return this.#text(this.engine.module._gs_motion_gltf(this.handle)); }
+  csv() { return this.#text(this.engine.module._gs_motion_csv(this.handle)); }
+
+  close() { this.engine.module._gs_motion_close(this.handle); }
+
+  /** @param {number} at */
+  #text(at) {
+    this.engine.orThrow(at);
+    return new TextDecoder().decode(this.engine.bytesAt(at, this.engine.module._gs_motion_text_size(this.handle)));
   }
 }

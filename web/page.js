@@ -129,12 +129,22 @@ function showTitle(title) {
   document.title = title ? `${title} — Gaitsmith` : 'Gaitsmith';
 }
 
+/** The dialog and all that makes files are loaded for those who want some. @param {App} app @param {StatusLine} statusLine */
+async function openExport(app, statusLine) {
+  try {
+    (await import('./export.js')).openExport(app);
+  } catch {
+    statusLine.say(tr('The export could not be loaded.'));
+  }
+}
+
 /** What the page itself can do; the application adds its own. @param {Commands} commands @param {{autosave: Autosave, palette: Palette, help: HelpSheet, guide: Guide}} parts */
 function addCommands(commands, { autosave, palette, help, guide }) {
   const click = Commands.click;
   commands.add([
     { id: 'document/open', group: 'Document', title: trLater('Open a file or a link'), keys: ['Ctrl+o'], pressed: ['Ctrl+v'], run: click('open') },
     { id: 'document/save', group: 'Document', title: trLater('Save as a file'), keys: ['Ctrl+s'], run: click('save') },
+    { id: 'document/export', group: 'Document', title: trLater('Export as picture, film or data'), keys: [], run: () => void openExport(commands.app, statusLine) },
     { id: 'document/copy-link', group: 'Document', title: trLater('Copy link'), keys: ['c'], pressed: ['Ctrl+c'], run: click('copy-link') },
     { id: 'view/theme', group: 'View', title: trLater('Next theme'), keys: ['t'], run: nextTheme },
     { id: 'help/commands', group: 'Help', title: trLater('Find a command'), keys: ['Ctrl+k'], run: () => palette.open() },

@@ -34,9 +34,11 @@ async function copy(address) {
 
 /** @param {App} app */
 function save(app) {
-  const name = app.title().replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-+|-+$/g, '').toLowerCase() || 'gaitsmith';
-  offerFile(`${name}.json`, app.documentText(), 'application/json');
+  offerFile(`${fileName(app.title())}.json`, app.documentText(), 'application/json');
 }
+
+/** A title as the name of a file, without its ending. @param {string} title */
+export const fileName = (title) => title.replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-+|-+$/g, '').toLowerCase() || 'gaitsmith';
 
 /** @param {App} app */
 function startOpening(app) {

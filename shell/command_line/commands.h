@@ -28,6 +28,7 @@ using Outcome = std::expected<void, Refusal>;
 }
 
 [[nodiscard]] Outcome SimulateCommand(Words words);
+[[nodiscard]] Outcome ExportCommand(Words words);
 [[nodiscard]] Outcome SynthesizeCommand(Words words);
 [[nodiscard]] Outcome CompareCommand(Words words);
 [[nodiscard]] Outcome SuiteCommand(Words words);

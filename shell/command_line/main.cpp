@@ -18,8 +18,10 @@ struct Command {
   const char* usage;
 };
 
-constexpr std::array<Command, 10> kCommands = {{
+constexpr std::array<Command, 11> kCommands = {{
     {"simulate", gaitsmith::shell::SimulateCommand, "simulate DOC --csv OUT"},
+    {"export", gaitsmith::shell::ExportCommand,
+     "export DOC --svg OUT | --gltf OUT | --csv OUT [--poses N] [--from S] [--to S]"},
     {"synthesize", gaitsmith::shell::SynthesizeCommand,
      "synthesize --figure F --task T --sense physical|timer=SECONDS --weight TERM=W\n"
      "             --search ALG --evaluations N --seed S --out DOC [--curve CSV] [--threads K]\n"

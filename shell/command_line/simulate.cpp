@@ -1,71 +1,11 @@
 // SPDX-License-Identifier: MIT
 // gaitsmith simulate: a document's motion as CSV, one row a step.
-#include <cstdio>
-
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"
+#include "shell/export/trajectory_csv.h"
 
 namespace gaitsmith::shell {
-
-namespace {
-
-constexpr int kDigits = 9;
-constexpr int kPositionDigits = 17;
-
-void Append(std::string& line, double value, int digits = kDigits) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%s%.*g", line.empty() || line.back() == '\n' ? "" : ",", digits, value);
-  line += text;
-}
-
-std::string Header(const Skeleton& bones) {
-  std::string line = "t,x,y,vx,vy,phi,L,rule";
-  for (int j = 1; j <= bones.joints; ++j) line += ",theta_" + std::to_string(j);
-  for (int k = 0; k < bones.endpoints; ++k) {
-    line += ",node" + std::to_string(k) + "_x,node" + std::to_string(k) + "_y";
-  }
-  for (int k = 0; k < bones.endpoints; ++k) line += ",fn" + std::to_string(k) + ",ft" + std::to_string(k);
-  return line + "\n";
-}
-
-/// The active rule, counted from 1; of a network, how many hidden nodes fire.
-int RuleColumn(const Document& document, const Motion::Frame& frame) {
-  if (frame.clip < 0) return 0;
-  const auto& clip = document.timeline[static_cast<std::size_t>(frame.clip)];
-  const Controller& controller = document.controllers[static_cast<std::size_t>(clip.controller)];
-  return controller.kind == ControllerKind::kNetwork ? frame.rule : frame.rule + 1;
-}
-
-std::string Csv(const Document& document, const Motion& motion) {
-  const Skeleton& bones = motion.Bones();
-  std::string csv = Header(bones);
-  for (int i = 0; i < motion.Frames(); ++i) {
-    const Motion::Frame& frame = motion.At(i);
-    Append(csv, i * 0.01);
-    Append(csv, frame.x_m, kPositionDigits);
-    Append(csv, static_cast<double>(frame.y_m), kPositionDigits);
-    Append(csv, static_cast<double>(frame.velocity_x_mps));
-    Append(csv, static_cast<double>(frame.velocity_y_mps));
-    Append(csv, frame.turn_rad);
-    Append(csv, static_cast<double>(frame.angular_momentum));
-    Append(csv, RuleColumn(document, frame));
-    for (int j = 0; j < bones.joints; ++j) Append(csv, static_cast<double>(motion.AngleRad(i, j)));
-    for (int k = 0; k < bones.endpoints; ++k) {
-      const Motion::Point point = motion.Endpoint(i, k);
-      Append(csv, frame.x_m + static_cast<double>(point.x), kPositionDigits);
-      Append(csv, static_cast<double>(frame.y_m) + static_cast<double>(point.y), kPositionDigits);
-    }
-    for (int k = 0; k < bones.endpoints; ++k) {
-      Append(csv, static_cast<double>(motion.Force(i, k).y));
-      Append(csv, static_cast<double>(motion.Force(i, k).x));
-    }
-    csv += "\n";
-  }
-  return csv;
-}
-
-}  // namespace
 
 Outcome SimulateCommand(Words words) {
   static constexpr std::string_view kOptions[] = {"csv"};
@@ -75,7 +15,7 @@ Outcome SimulateCommand(Words words) {
     return Fail(ErrorCode::kMissing, "DOC", "give exactly one document");
   const auto document = ReadDocument(arguments->Positional()[0]);
   if (!document) return std::unexpected(document.error());
-  return WriteText(arguments->Last("csv", "-"), Csv(*document, Simulate(*document)));
+  return WriteText(arguments->Last("csv", "-"), TrajectoryCsv(*document, Simulate(*document)));
 }
 
 }  // namespace gaitsmith::shell

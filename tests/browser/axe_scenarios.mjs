@@ -69,6 +69,10 @@ async function nothingToComplainOf({ browser, address, figures }) {
         await look(place(what));
         await page.press('Escape');
       }
+      await page.call('export', () => window.gaitsmith.run('document/export'));
+      await page.until('the dialog that exports', () => document.querySelector('#export-dialog')?.hasAttribute('open') ?? false);
+      await look(place('the dialog that exports'));
+      await page.press('Escape');
       await page.page.evaluate(() => { location.hash = '#AZ4'; });
       await look(place('an error'));
       await page.clickElement('#banner-close');

@@ -7,6 +7,7 @@ import { join } from 'node:path';
 import { ROOT } from './browsers.mjs';
 import { PageDriver, sleep } from './page_driver.mjs';
 import { AXE_SCENARIOS } from './axe_scenarios.mjs';
+import { EXPORT_SCENARIOS } from './export_scenarios.mjs';
 import { FIGURE_SCENARIOS } from './figure_scenarios.mjs';
 import { FINGER_SCENARIOS } from './finger_scenarios.mjs';
 import { HISTORY_SCENARIOS } from './history_scenarios.mjs';
@@ -247,6 +248,7 @@ export const SCENARIOS = [
   ...AXE_SCENARIOS,
 
   ...WORLD_SCENARIOS,
+  ...EXPORT_SCENARIOS,
   ...FIGURE_SCENARIOS,
   ...RULE_SCENARIOS,
   ...WALK_SCENARIOS,

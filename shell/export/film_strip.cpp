@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: MIT
+// A film strip as SVG. Numbers have fixed decimals, so the same motion gives the same bytes everywhere.
+#include "shell/export/film_strip.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <set>
+#include <string_view>
+
+#include "shell/export/film_strip_layout.h"
+#include "shell/rule_colours.h"
+
+namespace gaitsmith::shell {
+
+namespace {
+
+constexpr unsigned kStripInk = 0x1d2733;
+constexpr double kLegendRow = 24.0;   // [px]
+constexpr double kLetterWidth = 6.8;  // of the legend, roughly, where no letter can be measured [px]
+constexpr double kTickInset = 4.0;    // of marks and their labels from the edge of their ground [px]
+constexpr double kTickRow = 19.0, kLetterRow = 45.0, kTimeRow = 67.0;  // baselines below the ground [px]
+
+/// A number with so many decimals; what rounds to nothing has no sign.
+std::string Decimal(double value, int decimals) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  const std::string_view digits(text);
+  return std::string(digits.find_first_not_of("-0.") == std::string_view::npos && digits[0] == '-'
+                         ? digits.substr(1)
+                         : digits);
+}
+
+/// A coordinate.
+std::string Px(double value) { return Decimal(value, 1); }
+
+/// A name as text of a document, never as its markup.
+std::string Escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&apos;";
+        break;
+      default:
+        // XML has no way to write most control characters.
+        if (static_cast<unsigned char>(c) >= 0x20) out += c;
+    }
+  }
+  return out;
+}
+
+std::string Hex(unsigned colour) {
+  char text[8];
+  std::snprintf(text, sizeof text, "#%06x", colour & 0xffffffu);
+  return text;
+}
+
+/// A pattern with its places {1} to {9} filled in.
+std::string Filled(std::string_view pattern, std::initializer_list<std::string> inserts) {
+  std::string out;
+  for (std::size_t i = 0; i < pattern.size(); ++i) {
+    const bool place = pattern[i] == '{' && i + 2 < pattern.size() && pattern[i + 2] == '}';
+    const auto which = static_cast<std::size_t>(place ? pattern[i + 1] - '1' : 9);
+    if (which < inserts.size()) {
+      out += inserts.begin()[which];
+      i += 2;
+    } else {
+      out += pattern[i];
+    }
+  }
+  return out;
+}
+
+class StripDrawing {
+ public:
+  StripDrawing(const Document& document, const Motion& motion, const FilmStripOptions& options)
+      : document_(document), motion_(motion), words_(options.words), layout_(LayOutStrip(motion, options)) {
+    std::set<int> used;
+    for (int frame = layout_.frames.front(); frame <= layout_.frames.back(); ++frame) {
+      if (ControllerAt(frame) >= 0) used.insert(ControllerAt(frame));
+    }
+    if (used.size() > 1) controllers_.assign(used.begin(), used.end());
+  }
+
+  std::string Whole() {
+    const double height = layout_.height + LegendHeight();
+    const std::string size = Px(layout_.width) + " " + Px(height);
+    out_ =
+        R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 )" + size + R"(" width=")" +
+        Px(layout_.width) + R"(" height=")" + Px(height) +
+        R"(" role="img" aria-labelledby="strip-title strip-desc" )"
+        R"(font-family="Inter, 'Helvetica Neue', Helvetica, Arial, sans-serif" font-size="12" fill="#1d2733">)"
+        "\n";
+    Header();
+    for (const StripCell& cell : layout_.cells) Ground(cell);
+    for (std::size_t pose = 1; pose < layout_.frames.size(); ++pose) Trail(pose);  // behind all poses
+    for (std::size_t pose = 0; pose < layout_.frames.size(); ++pose) {
+      Pose(pose);
+      Caption(pose);
+    }
+    Legend();
+    return std::move(out_) + "</svg>\n";
+  }
+
+ private:
+  [[nodiscard]] int ControllerAt(int frame) const {
+    const int clip = motion_.At(frame).clip;
+    return clip < 0 ? -1 : document_.timeline[static_cast<std::size_t>(clip)].controller;
+  }
+  [[nodiscard]] double Seconds(std::size_t pose) const {
+    return layout_.frames[pose] * 0.01;  // of StepS as it is written, not as a float has it
+  }
+  /// As a person reads it.
+  [[nodiscard]] std::string Number(double value, int decimals) const {
+    std::string text = Decimal(value, decimals);
+    if (text[0] == '-') text.replace(0, 1, "−");
+    const std::size_t mark = text.find('.');
+    if (mark != std::string::npos) text.replace(mark, 1, Escaped(words_.decimal_mark));
+    return text;
+  }
+  static std::string Letter(std::size_t pose) { return std::string(1, static_cast<char>('A' + pose)); }
+  [[nodiscard]] double X(const StripCell& cell, double x_m) const {
+    return cell.x + (x_m - cell.left_m) * layout_.scale;
+  }
+  /// Rods lie on the ground with their edge.
+  [[nodiscard]] double Y(const StripCell& cell, double y_m) const {
+    return cell.ground_y - 0.5 * layout_.rod_px - y_m * layout_.scale;
+  }
+  [[nodiscard]] double CentreX(const StripCell& cell, int frame) const {
+    return X(cell, motion_.At(frame).x_m);
+  }
+  void Text(double x, double y, const char* style, const std::string& text) {
+    out_ += "<text x=\"" + Px(x) + "\" y=\"" + Px(y) + "\" " + style + ">" + text + "</text>\n";
+  }
+  void Line(double x1, double y1, double x2, double y2, const char* style) {
+    out_ += "<path d=\"M" + Px(x1) + " " + Px(y1) + "L" + Px(x2) + " " + Px(y2) + "\" " + style + "/>\n";
+  }
+
+  void Header() {
+    const std::size_t last = layout_.frames.size() - 1;
+    const std::string from = Number(Seconds(0), 2), to = Number(Seconds(last), 2);
+    const std::string figure = Escaped(document_.figure.name);
+    const std::string title = Escaped(document_.title.empty() ? document_.figure.name : document_.title);
+    out_ += "<title id=\"strip-title\">" + title + "</title>\n<desc id=\"strip-desc\">" +
+            Filled(Escaped(words_.description),
+                   {std::to_string(layout_.frames.size()), figure, from, to, Letter(0), Letter(last)}) +
+            "</desc>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+    Text(kStripMargin, 42.0, R"(font-size="21" font-weight="600")", title);
+    std::string subtitle = from + "–" + to + " s";
+    if (!figure.empty() && figure != title) subtitle = figure + " · " + subtitle;
+    if (document_.environment.slope_rad != 0.0f) {
+      const double degrees = static_cast<double>(document_.environment.slope_rad) * 180.0 / kPi;
+      subtitle += " · " + Filled(Escaped(words_.slope), {Number(degrees, 1)});
+    }
+    Text(kStripMargin, 64.0, R"(font-size="13" fill="#5b6672")", subtitle);
+    // The scale.
+    const double bar_m = RoundLength(layout_.scale, 48.0);
+    const double right = layout_.width - kStripMargin, left = right - bar_m * layout_.scale;
+    Text(0.5 * (left + right), 50.0, R"(text-anchor="middle" fill="#5b6672")", Metres(bar_m, bar_m));
+    out_ += "<path d=\"M" + Px(left) + " 57.0v8.0M" + Px(right) + " 57.0v8.0M" + Px(left) + " 61.0H" +
+            Px(right) + "\" stroke=\"#5b6672\" stroke-width=\"1.5\" fill=\"none\"/>\n";
+  }
+
+  /// @param spacing that tells how many decimals differ
+  [[nodiscard]] std::string Metres(double value, double spacing) const {
+    return Number(value, spacing < 0.095 ? 2 : spacing < 0.95 ? 1 : 0) + " m";
+  }
+
+  void Ground(const StripCell& cell) {
+    const double below = cell.y + cell.height - cell.ground_y;
+    const std::string right = Px(cell.x + cell.width);
+    if (layout_.own_ground) {
+      out_ += "<rect x=\"" + Px(cell.x) + "\" y=\"" + Px(cell.y) + "\" width=\"" + Px(cell.width) +
+              "\" height=\"" + Px(cell.height) + "\" rx=\"7\" fill=\"#fbfaf6\" stroke=\"#e3dfd6\"/>\n";
+    }
+    const double band = layout_.own_ground ? kTickRow + 7.0 : std::min(below, kTickRow + 9.0);
+    out_ += "<rect x=\"" + Px(cell.x) + "\" y=\"" + Px(cell.ground_y) + "\" width=\"" + Px(cell.width) +
+            "\" height=\"" + Px(band) + "\" fill=\"#efebe3\"/>\n";
+    const double first = std::ceil(cell.left_m / layout_.tick_m);
+    for (double mark = first; X(cell, mark * layout_.tick_m) <= cell.x + cell.width; mark += 1.0) {
+      const double x = X(cell, mark * layout_.tick_m);
+      if (x < cell.x + kTickInset || x > cell.x + cell.width - kTickInset) continue;
+      Line(x, cell.ground_y, x, cell.ground_y + 6.0, R"(stroke="#8a929b")");
+      const std::string label = Metres(mark * layout_.tick_m, layout_.tick_m);
+      const double half = kTickInset + 3.2 * static_cast<double>(label.size());
+      if (x - half < cell.x || x + half > cell.x + cell.width) continue;  // cut, it would be misread
+      Text(x, cell.ground_y + kTickRow, R"(text-anchor="middle" font-size="11" fill="#5b6672")", label);
+    }
+    out_ += "<path d=\"M" + Px(cell.x) + " " + Px(cell.ground_y) + "H" + right +
+            "\" stroke=\"#5b6672\" stroke-width=\"1.5\"/>\n";
+  }
+
+  /// The way of the centre of mass since the pose before.
+  void Trail(std::size_t pose) {
+    const StripCell& cell = layout_.CellOf(pose);
+    std::string path;
+    for (int frame = layout_.frames[pose - 1]; frame <= layout_.frames[pose]; ++frame) {
+      const double x = CentreX(cell, frame);
+      const double y = Y(cell, static_cast<double>(motion_.At(frame).y_m));
+      if (x < cell.x + 4.0 || x > cell.x + cell.width - 4.0 || y < cell.y + 4.0) {
+        path.clear();  // it comes in from beside
+        continue;
+      }
+      path += (path.empty() ? "M" : "L") + Px(x) + " " + Px(y);
+    }
+    if (path.find('L') == std::string::npos) return;
+    out_ +=
+        "<path class=\"trail\" d=\"" + path +
+        R"(" fill="none" stroke="#2f5fd0" stroke-opacity="0.45" stroke-width="1.5" stroke-linejoin="round"/>)"
+        "\n";
+  }
+
+  void Pose(std::size_t pose) {
+    const StripCell& cell = layout_.CellOf(pose);
+    const int frame = layout_.frames[pose];
+    const Skeleton& bones = motion_.Bones();
+    const auto place = [&](int endpoint) {
+      const Motion::Point point = motion_.Endpoint(frame, endpoint);
+      const Motion::Frame& at = motion_.At(frame);
+      return std::array{X(cell, at.x_m + static_cast<double>(point.x)),
+                        Y(cell, static_cast<double>(at.y_m) + static_cast<double>(point.y))};
+    };
+    std::array<int, kMaxEndpoints> rods_at{};
+    std::string rods;
+    for (int rod = 0; rod < bones.rods; ++rod) {
+      const int start = bones.limbs[static_cast<std::size_t>(rod)].start;
+      const auto from = place(start), to = place(rod + 1);
+      rods += "M" + Px(from[0]) + " " + Px(from[1]) + "L" + Px(to[0]) + " " + Px(to[1]);
+      ++rods_at[static_cast<std::size_t>(start)];
+      ++rods_at[static_cast<std::size_t>(rod) + 1];
+    }
+    const double width = layout_.rod_px;
+    out_ += "<g class=\"pose\" id=\"pose-" + Letter(pose) + "\">\n<path d=\"" + rods +
+            "\" fill=\"none\" stroke=\"#1d2733\" stroke-width=\"" + Px(width) +
+            "\" stroke-linecap=\"round\"/>\n";
+    for (int k = 0; k < bones.endpoints; ++k) {
+      const int meeting = rods_at[static_cast<std::size_t>(k)];
+      if (meeting < 2) continue;
+      const auto at = place(k);
+      const auto disc = [&](double radius, const char* colour) {
+        out_ += "<circle cx=\"" + Px(at[0]) + "\" cy=\"" + Px(at[1]) + "\" r=\"" + Px(radius) + "\" fill=\"" +
+                colour + "\"/>\n";
+      };
+      if (meeting >= 3) disc(0.76 * width, "#1d2733");  // a hub: a disc set into the rods
+      disc((meeting >= 3 ? 0.46 : 0.3) * width, "#ffffff");
+    }
+    out_ += "</g>\n";
+  }
+
+  void Caption(std::size_t pose) {
+    const StripCell& cell = layout_.CellOf(pose);
+    const int frame = layout_.frames[pose];
+    double x = cell.x + 0.5 * cell.width;
+    if (!layout_.own_ground) x = std::clamp(CentreX(cell, frame), cell.x + 24.0, cell.x + cell.width - 24.0);
+    Text(x, cell.ground_y + kLetterRow, R"(text-anchor="middle" font-size="16" font-weight="600")",
+         Letter(pose));
+    Text(x, cell.ground_y + kTimeRow, R"(text-anchor="middle" fill="#5b6672")",
+         Number(Seconds(pose), 2) + " s");
+    if (controllers_.empty()) return;
+    const int controller = ControllerAt(frame);
+    out_ += "<rect x=\"" + Px(x - 13.0) + "\" y=\"" + Px(cell.ground_y + kLetterRow + 3.5) +
+            R"(" width="26" height="3.5" rx="1.7" fill=")" +
+            Hex(controller < 0 ? kStripInk : RuleColourHex(controller)) + "\"/>\n";
+  }
+
+  [[nodiscard]] std::string NameOf(int controller) const {
+    return document_.controllers[static_cast<std::size_t>(controller)].name;
+  }
+  /// Where a controller's name stands; it goes to the next row where it would not fit.
+  template <class Use>
+  double EachName(Use use) const {
+    double x = kStripMargin, row = 0.0;
+    for (const int controller : controllers_) {
+      const double width = 40.0 + kLetterWidth * static_cast<double>(NameOf(controller).size());
+      if (x > kStripMargin && x + width > layout_.width - kStripMargin) {
+        x = kStripMargin;
+        row += 1.0;
+      }
+      use(controller, x, row);
+      x += width;
+    }
+    return row + 1.0;
+  }
+  [[nodiscard]] double LegendHeight() const {
+    return controllers_.empty() ? 0.0 : kLegendRow * EachName([](int, double, double) {});
+  }
+  void Legend() {
+    EachName([&](int controller, double x, double row) {
+      const double y = layout_.height - 10.0 + row * kLegendRow;
+      out_ += "<rect x=\"" + Px(x) + "\" y=\"" + Px(y - 6.0) + R"(" width="18" height="4" rx="2" fill=")" +
+              Hex(RuleColourHex(controller)) + "\"/>\n";
+      Text(x + 25.0, y, R"(fill="#5b6672")", Escaped(NameOf(controller)));
+    });
+  }
+
+  const Document& document_;
+  const Motion& motion_;
+  const FilmStripWords& words_;
+  const StripLayout layout_;
+  std::vector<int> controllers_;  // those in charge, where there are several
+  std::string out_;
+};
+
+}  // namespace
+
+std::string FilmStripSvg(const Document& document, const Motion& motion, const FilmStripOptions& options) {
+  return StripDrawing(document, motion, options).Whole();
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: MIT
+// The scene's JSON and its one buffer, which stands in it as base64.
+#include "shell/export/skeleton_gltf.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstdio>
+
+#include "core/document/json_value.h"
+#include "core/numeric/scalar_math.h"
+
+namespace gaitsmith::shell {
+
+namespace {
+
+constexpr int kStepsPerKey = 2;
+constexpr double kRadiusShare = 0.08;  // of the rods, against their mean length
+// A capsule: a ball of so many circles from pole to pole, its halves drawn apart along x.
+constexpr int kRings = 8;  // an even number, poles left out
+constexpr int kSides = 12;
+constexpr int kVertices = kRings * kSides + 2;
+
+enum ComponentType { kUnsignedShort = 5123, kFloat = 5126 };
+
+std::string Real(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.9g", static_cast<double>(static_cast<float>(value)));
+  return text;
+}
+
+/// A point of the unit ball.
+struct BallPoint {
+  std::array<float, 3> at;
+  bool far;  // of the half that the rod's end has
+};
+
+std::vector<BallPoint> Ball() {
+  std::vector<BallPoint> points = {{{-1.0f, 0.0f, 0.0f}, false}};
+  for (int ring = 0; ring < kRings; ++ring) {
+    // Both rings in the middle are the equator: the cylinder lies between them.
+    const bool far = 2 * ring >= kRings;
+    const int latitude = far ? ring : ring + 1;
+    const SineCosine up = SinCos(static_cast<float>(kPi * latitude / kRings));
+    for (int side = 0; side < kSides; ++side) {
+      const SineCosine round = SinCos(static_cast<float>(2.0 * kPi * side / kSides));
+      points.push_back(
+          {{2 * latitude == kRings ? 0.0f : -up.cosine, up.sine * round.cosine, up.sine * round.sine}, far});
+    }
+  }
+  points.push_back({{1.0f, 0.0f, 0.0f}, true});
+  return points;
+}
+
+std::vector<std::uint16_t> BallFaces() {
+  std::vector<std::uint16_t> corners;
+  const auto face = [&](int a, int b, int c) {
+    for (const int corner : {a, b, c}) corners.push_back(static_cast<std::uint16_t>(corner));
+  };
+  for (int side = 0; side < kSides; ++side) {
+    const int next = (side + 1) % kSides;
+    face(0, 1 + next, 1 + side);
+    for (int ring = 0; ring + 1 < kRings; ++ring) {
+      const int a = 1 + ring * kSides + side, b = 1 + ring * kSides + next;
+      face(a, b, b + kSides);
+      face(a, b + kSides, a + kSides);
+    }
+    const int last = 1 + (kRings - 1) * kSides;
+    face(last + side, last + next, kVertices - 1);
+  }
+  return corners;
+}
+
+std::string Base64(const std::vector<std::uint8_t>& bytes) {
+  constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t three = 0;
+    const std::size_t left = std::min<std::size_t>(3, bytes.size() - i);
+    for (std::size_t k = 0; k < 3; ++k) three = three << 8 | (k < left ? bytes[i + k] : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += k <= left ? kLetters[three >> (18 - 6 * k) & 63u] : '=';
+  }
+  return text;
+}
+
+/// Collects numbers and describes them; every list of numbers is an accessor with a view of its own.
+class GltfBuffer {
+ public:
+  /// @param type "SCALAR", "VEC3" or "VEC4" @param width numbers of each element
+  /// @param target 34962 for a mesh's vertices, 0 for an animation's numbers
+  /// @return its index
+  int Floats(const std::vector<float>& numbers, const char* type, std::size_t width, int target,
+             bool bounds) {
+    const std::size_t offset = bytes_.size();
+    for (const float number : numbers) {
+      const auto bits = std::bit_cast<std::uint32_t>(number);
+      for (int shift = 0; shift < 32; shift += 8) bytes_.push_back(static_cast<std::uint8_t>(bits >> shift));
+    }
+    std::string range;
+    if (bounds) {
+      for (const bool most : {false, true}) {
+        range += most ? ",\"max\":[" : ",\"min\":[";
+        for (std::size_t k = 0; k < width; ++k) {
+          float extreme = numbers[k];
+          for (std::size_t i = k; i < numbers.size(); i += width)
+            extreme = most ? std::max(extreme, numbers[i]) : std::min(extreme, numbers[i]);
+          range += (k > 0 ? "," : "") + Real(static_cast<double>(extreme));
+        }
+        range += "]";
+      }
+    }
+    return Describe(offset, kFloat, numbers.size() / width, type, target, range);
+  }
+  int Indices(const std::vector<std::uint16_t>& numbers) {
+    const std::size_t offset = bytes_.size();
+    for (const std::uint16_t number : numbers) {
+      bytes_.push_back(static_cast<std::uint8_t>(number));
+      bytes_.push_back(static_cast<std::uint8_t>(number >> 8));
+    }
+    while (bytes_.size() % 4 != 0) bytes_.push_back(0);  // floats follow
+    return Describe(offset, kUnsignedShort, numbers.size(), "SCALAR", 34963, "", 2 * numbers.size());
+  }
+  [[nodiscard]] std::string Json() const {
+    return "\"accessors\":[" + accessors_ + "],\n\"bufferViews\":[" + views_ +
+           "],\n\"buffers\":[{\"byteLength\":" + std::to_string(bytes_.size()) +
+           ",\"uri\":\"data:application/octet-stream;base64," + Base64(bytes_) + "\"}]";
+  }
+
+ private:
+  int Describe(std::size_t offset, ComponentType component, std::size_t count, const char* type, int target,
+               const std::string& range, std::size_t size = 0) {
+    const std::string comma = accessor_count_ > 0 ? ",\n" : "";
+    views_ += comma + "{\"buffer\":0,\"byteOffset\":" + std::to_string(offset) +
+              ",\"byteLength\":" + std::to_string(size > 0 ? size : bytes_.size() - offset) +
+              (target != 0 ? ",\"target\":" + std::to_string(target) : "") + "}";
+    accessors_ += comma + "{\"bufferView\":" + std::to_string(accessor_count_) +
+                  ",\"componentType\":" + std::to_string(component) + ",\"count\":" + std::to_string(count) +
+                  ",\"type\":\"" + type + "\"" + range + "}";
+    return accessor_count_++;
+  }
+
+  std::vector<std::uint8_t> bytes_;
+  std::string accessors_, views_;
+  int accessor_count_ = 0;
+};
+
+/// Half of an angle as a quaternion about z. Angles do not jump, so neither do the quaternions: a whole turn
+/// changes the sign, and two are the same again.
+std::array<float, 4> AboutZ(double angle_rad) {
+  constexpr double kTwoTurns = 4.0 * kPi;
+  const double whole = static_cast<double>(static_cast<long long>(angle_rad / kTwoTurns));
+  const SineCosine half = SinCos(static_cast<float>(0.5 * (angle_rad - kTwoTurns * whole)));
+  return {0.0f, 0.0f, half.sine, half.cosine};
+}
+
+std::string RotationJson(double angle_rad) {
+  const auto q = AboutZ(angle_rad);
+  return "\"rotation\":[0,0," + Real(static_cast<double>(q[2])) + "," + Real(static_cast<double>(q[3])) + "]";
+}
+
+class SkeletonScene {
+ public:
+  SkeletonScene(const Document& document, const Motion& motion)
+      : document_(document), motion_(motion), bones_(motion.Bones()) {
+    double length_m = 0.0;
+    for (int rod = 0; rod < bones_.rods; ++rod) length_m += static_cast<double>(Limb(rod).length_m);
+    radius_m_ = static_cast<float>(kRadiusShare * length_m / bones_.rods);
+  }
+
+  std::string Whole() {
+    const std::string meshes = Meshes();
+    const std::string animation = Animation();
+    return "{\"asset\":{\"version\":\"2.0\",\"generator\":\"Gaitsmith\"},\n\"scene\":0,\n"
+           "\"scenes\":[{\"name\":" +
+           QuoteJson(document_.title) + ",\"nodes\":[0]}],\n\"nodes\":[" + Nodes() + "],\n\"meshes\":[" +
+           meshes +
+           "],\n\"materials\":[{\"name\":\"rods\",\"pbrMetallicRoughness\":{\"baseColorFactor\":"
+           "[0.0126,0.0203,0.0331,1],\"metallicFactor\":0,\"roughnessFactor\":0.6}}],\n\"animations\":[" +
+           animation + "],\n" + buffer_.Json() + "}\n";
+  }
+
+ private:
+  [[nodiscard]] const Skeleton::Limb& Limb(int rod) const {
+    return bones_.limbs[static_cast<std::size_t>(rod)];
+  }
+
+  [[nodiscard]] std::string Nodes() const {
+    const double slope = static_cast<double>(document_.environment.slope_rad);
+    std::string nodes = "{\"name\":" + QuoteJson(document_.figure.name) + ",\"children\":[1]" +
+                        (slope != 0.0 ? "," + RotationJson(slope) : "") + "}";
+    for (int rod = 0; rod < bones_.rods; ++rod) {
+      std::string children;
+      for (int other = rod + 1; other < bones_.rods; ++other) {
+        if (Limb(other).parent == rod) children += (children.empty() ? "" : ",") + std::to_string(other + 1);
+      }
+      const auto at = rod == 0 ? RootAt(0) : JointAt(rod);
+      nodes += ",\n{\"name\":\"rod " + std::to_string(Limb(rod).drawn + 1) +
+               "\",\"mesh\":" + std::to_string(rod) + ",\"translation\":[" +
+               Real(static_cast<double>(at[0])) + "," + Real(static_cast<double>(at[1])) + ",0]," +
+               RotationJson(AngleAt(0, rod)) + (children.empty() ? "" : ",\"children\":[" + children + "]") +
+               "}";
+    }
+    return nodes;
+  }
+
+  /// Where a rod hangs on its parent, which lies along x from its own start.
+  [[nodiscard]] std::array<float, 3> JointAt(int rod) const {
+    const int parent = Limb(rod).parent;
+    return {Limb(rod).start == parent + 1 ? Limb(parent).length_m : 0.0f, 0.0f, 0.0f};
+  }
+  [[nodiscard]] std::array<float, 3> RootAt(int frame) const {
+    const Motion::Frame& at = motion_.At(frame);
+    const Motion::Point start = motion_.Endpoint(frame, 0);
+    return {static_cast<float>(at.x_m + static_cast<double>(start.x)), at.y_m + start.y, 0.0f};
+  }
+  [[nodiscard]] double AngleAt(int frame, int rod) const {
+    if (rod == 0) return motion_.At(frame).turn_rad;
+    return static_cast<double>(Limb(rod).rest_rad) + static_cast<double>(motion_.AngleRad(frame, rod - 1));
+  }
+
+  std::string Meshes() {
+    constexpr int kArrayBuffer = 34962;
+    const std::vector<BallPoint> ball = Ball();
+    std::vector<float> normals;
+    for (const BallPoint& point : ball) normals.insert(normals.end(), point.at.begin(), point.at.end());
+    const int normal = buffer_.Floats(normals, "VEC3", 3, kArrayBuffer, false);
+    const int indices = buffer_.Indices(BallFaces());
+    std::string meshes;
+    for (int rod = 0; rod < bones_.rods; ++rod) {
+      std::vector<float> places;
+      for (const BallPoint& point : ball) {
+        places.push_back(radius_m_ * point.at[0] + (point.far ? Limb(rod).length_m : 0.0f));
+        places.push_back(radius_m_ * point.at[1]);
+        places.push_back(radius_m_ * point.at[2]);
+      }
+      const int position = buffer_.Floats(places, "VEC3", 3, kArrayBuffer, true);
+      meshes += std::string(rod > 0 ? ",\n" : "") +
+                "{\"primitives\":[{\"attributes\":{\"POSITION\":" + std::to_string(position) +
+                ",\"NORMAL\":" + std::to_string(normal) + "},\"indices\":" + std::to_string(indices) +
+                ",\"material\":0}]}";
+    }
+    return meshes;
+  }
+
+  std::string Animation() {
+    std::vector<int> keys;
+    const int last = motion_.Frames() - 1;
+    for (int frame = 0; frame < last; frame += kStepsPerKey) keys.push_back(frame);
+    keys.push_back(last);
+    std::vector<float> times, path;
+    for (const int frame : keys) {
+      times.push_back(static_cast<float>(frame * 0.01));
+      const auto at = RootAt(frame);
+      path.insert(path.end(), at.begin(), at.end());
+    }
+    const int time = buffer_.Floats(times, "SCALAR", 1, 0, true);
+    std::string samplers, channels;
+    const auto add = [&](int output, int node, const char* what) {
+      const std::string comma = samplers.empty() ? "" : ",\n";
+      channels += comma + "{\"sampler\":" + std::to_string(samplers_++) +
+                  ",\"target\":{\"node\":" + std::to_string(node) + ",\"path\":\"" + what + "\"}}";
+      samplers += comma + "{\"input\":" + std::to_string(time) + ",\"output\":" + std::to_string(output) +
+                  ",\"interpolation\":\"LINEAR\"}";
+    };
+    add(buffer_.Floats(path, "VEC3", 3, 0, false), 1, "translation");
+    for (int rod = 0; rod < bones_.rods; ++rod) {
+      std::vector<float> turns;
+      for (const int frame : keys) {
+        const auto q = AboutZ(AngleAt(frame, rod));
+        turns.insert(turns.end(), q.begin(), q.end());
+      }
+      add(buffer_.Floats(turns, "VEC4", 4, 0, false), rod + 1, "rotation");
+    }
+    return "{\"name\":" + QuoteJson(document_.title) + ",\"samplers\":[" + samplers + "],\n\"channels\":[" +
+           channels + "]}";
+  }
+
+  const Document& document_;
+  const Motion& motion_;
+  const Skeleton& bones_;
+  float radius_m_;
+  GltfBuffer buffer_;
+  int samplers_ = 0;
+};
+
+}  // namespace
+
+std::string SkeletonGltf(const Document& document, const Motion& motion) {
+  return SkeletonScene(document, motion).Whole();
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// A motion as numbers: one row a step, the start included. docs/command-line.md documents the columns.
+#pragma once
+
+#include <string>
+
+#include "core/document/document.h"
+
+namespace gaitsmith::shell {
+
+/// @param motion of the document
+[[nodiscard]] std::string TrajectoryCsv(const Document& document, const Motion& motion);
+
+}  // namespace gaitsmith::shell

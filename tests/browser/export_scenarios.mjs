@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// The dialog that exports: by mouse and by keyboard, every format, and what stops a film. Each opens pages of its own.
+import assert from 'node:assert/strict';
+import { PageDriver } from './page_driver.mjs';
+
+/** @typedef {import('./scenarios.mjs').Visit} Visit */
+
+/** Keeps the files that the page offers instead of having the browser save them. */
+function keepFiles() {
+  const offered = /** @type {{name: string, blob: Promise<Blob>}[]} */ ([]);
+  Object.assign(window, { testOffered: offered });
+  const click = HTMLAnchorElement.prototype.click;
+  HTMLAnchorElement.prototype.click = function () {
+    if (!this.download) return click.call(this);
+    offered.push({ name: this.download, blob: blobs.get(this.href) ?? Promise.reject(new Error('no blob')) });
+  };
+  const blobs = new Map();
+  const create = URL.createObjectURL.bind(URL);
+  URL.createObjectURL = (blob) => {
+    const url = create(blob);
+    blobs.set(url, blob);
+    return url;
+  };
+}
+
+/** A short motion. @param {Visit} visit */
+async function openShort({ browser, address }) {
+  const page = await PageDriver.open(browser, address, { before: keepFiles });
+  await page.call('shorten', () => window.gaitsmith.open({ ...window.gaitsmith.document(), hash: undefined, title: 'A short one', duration_steps: 60 }));
+  return page;
+}
+
+/** @param {PageDriver} page */
+const dialogIsOpen = (page) => page.call('dialog', () => document.querySelector('#export-dialog')?.hasAttribute('open') ?? false);
+
+/** As a command of the palette does. @param {PageDriver} page */
+async function open(page) {
+  await page.call('open', () => window.gaitsmith.run('document/export'));
+  await page.until('the dialog', () => document.querySelector('#export-dialog')?.hasAttribute('open') ?? false);
+}
+
+/** @param {PageDriver} page @param {number} count */
+async function untilOffered(page, count) {
+  await page.until(`file ${count}`, `window.testOffered.length === ${count} || document.querySelector('#export-error').textContent !== ''`);
+  assert.equal(await page.text('#export-error'), '');
+}
+
+/** The last file: name, type, size, its beginning, and what the browser makes of it. @param {PageDriver} page */
+const lastFile = (page) => page.call('file', async () => {
+  const { name, blob: promised } = /** @type {any} */ (window).testOffered.at(-1);
+  const blob = /** @type {Blob} */ (await promised);
+  const bytes = new Uint8Array(await blob.arrayBuffer());
+  const image = /^image/.test(blob.type) && blob.type !== 'image/svg+xml' ? await createImageBitmap(blob) : null;
+  return {
+    name, type: blob.type, size: bytes.length, width: image?.width ?? 0, height: image?.height ?? 0,
+    begin: String.fromCharCode(...bytes.subarray(0, 6)),
+    text: /svg|csv|gltf/.test(blob.type) ? new TextDecoder().decode(bytes) : '',
+    // Of a GIF: the blocks that each frame has one of.
+    frames: blob.type === 'image/gif' ? bytes.filter((byte, i) => byte === 0x21 && bytes[i + 1] === 0xf9 && bytes[i + 2] === 4).length : 0,
+  };
+});
+
+/** @param {PageDriver} page @param {string} format */
+async function exportByMouse(page, format) {
+  await open(page);
+  await page.clickElement(`#export-formats label:has([value=${format}])`);
+  const count = await page.call('count', () => /** @type {any} */ (window).testOffered.length);
+  await page.clickElement('#export-go');
+  await untilOffered(page, count + 1);
+  assert.equal(await dialogIsOpen(page), false, `${format}: the dialog stays`);
+  return lastFile(page);
+}
+
+/** @param {Visit} visit */
+async function everyFormat(visit) {
+  const page = await openShort(visit);
+  const svg = await exportByMouse(page, 'svg');
+  assert.deepEqual([svg.name, svg.type], ['a-short-one.svg', 'image/svg+xml']);
+  assert.equal(svg.text.match(/class="pose"/g)?.length, 8);
+  const png = await exportByMouse(page, 'png');
+  assert.deepEqual([png.name, png.type, png.width], ['a-short-one.png', 'image/png', 2400]);
+  assert.ok(png.height > 300 && png.size > 10000);
+  const gif = await exportByMouse(page, 'gif');
+  assert.deepEqual([gif.name, gif.type, gif.begin, gif.width, gif.height, gif.frames], ['a-short-one.gif', 'image/gif', 'GIF89a', 640, 360, 16]);
+  const gltf = await exportByMouse(page, 'gltf');
+  assert.equal(gltf.name, 'a-short-one.gltf');
+  assert.equal(JSON.parse(gltf.text).asset.version, '2.0');
+  const csv = await exportByMouse(page, 'csv');
+  assert.equal(csv.text.split('\n').length, 63);
+  assert.match(csv.text, /^t,x,y,vx,vy,phi,L,rule,theta_1/);
+  const webm = await exportByMouse(page, 'webm');
+  assert.deepEqual([webm.name, webm.type, webm.begin.slice(0, 4)], ['a-short-one.webm', 'video/webm', '\x1a\x45\xdf\xa3']);
+  assert.ok(webm.size > 1000, `the film has ${webm.size} bytes`);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function byKeyboard(visit) {
+  const page = await openShort(visit);
+  await page.page.focus('canvas');
+  await page.press('Control+k');
+  await page.page.keyboard.type('export picture');
+  await page.press('Enter');
+  await page.until('the dialog', () => document.querySelector('#export-dialog')?.hasAttribute('open') ?? false);
+  const focus = () => page.call('focus', () => {
+    const node = /** @type {HTMLInputElement} */ (document.activeElement);
+    return node.id || `${node.value} ${node.checked}`;
+  });
+  assert.equal(await focus(), 'svg true');
+  await page.press('ArrowDown');
+  assert.equal(await focus(), 'png true');
+  await page.press('ArrowUp');
+  await page.press('Tab');
+  assert.equal(await focus(), 'export-poses');
+  await page.press('ArrowDown', 3);
+  await page.press('Enter');
+  await untilOffered(page, 1);
+  assert.equal((await lastFile(page)).text.match(/class="pose"/g)?.length, 5);
+  // A number of poses that there cannot be is refused; one that nobody asks for is no obstacle.
+  await open(page);
+  await page.call('poses', () => { /** @type {HTMLInputElement} */ (document.querySelector('#export-poses')).value = '99'; });
+  await page.clickElement('#export-go');
+  await page.frames(6);
+  assert.equal(await dialogIsOpen(page), true);
+  await page.clickElement('#export-formats label:has([value=csv])');
+  await page.clickElement('#export-go');
+  await untilOffered(page, 2);
+  await open(page);
+  assert.equal(await focus(), 'csv true');
+  await page.press('Escape');
+  assert.equal(await dialogIsOpen(page), false);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function cancelled(visit) {
+  const page = await openShort(visit);
+  await page.call('lengthen', () => window.gaitsmith.open({ ...window.gaitsmith.document(), duration_steps: 12000 }));
+  const begin = async () => {
+    await page.clickElement('#export-formats label:has([value=gif])');
+    await page.clickElement('#export-go');
+    await page.until('progress', () => Number(document.querySelector('progress')?.value) > 0);
+  };
+  const making = () => page.call('making', () => !document.querySelector('#export-progress')?.hasAttribute('hidden'));
+  await open(page);
+  await begin();
+  assert.equal(await page.call('focus', () => document.activeElement?.id), 'export-cancel');
+  await page.clickElement('#export-cancel');
+  await page.until('an end', () => document.querySelector('#export-progress')?.hasAttribute('hidden') ?? false);
+  assert.equal(await dialogIsOpen(page), true, 'one may choose another format');
+  assert.equal(await page.text('#toast'), 'Export cancelled');
+  await begin();
+  await page.press('Escape');
+  await page.until('an end', () => document.querySelector('#export-progress')?.hasAttribute('hidden') ?? false);
+  assert.equal(await dialogIsOpen(page), false);
+  await page.frames(10);
+  assert.equal(await making(), false);
+  assert.equal(await page.call('files', () => /** @type {any} */ (window).testOffered.length), 0);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function withoutRecorder({ browser, address }) {
+  const page = await PageDriver.open(browser, address, { before: () => { Reflect.deleteProperty(window, 'MediaRecorder'); } });
+  await open(page);
+  assert.equal(await page.text('#export-webm'), 'This browser cannot record films');
+  assert.equal(await page.call('off', () => document.querySelector('[value=webm]')?.matches(':disabled')), true);
+  await page.close();
+}
+
+/** @type {[string, (visit: Visit) => Promise<void>][]} */
+export const EXPORT_SCENARIOS = [
+  ['an export of every format, by mouse, is what it says', everyFormat],
+  ['an export by keyboard alone, with the poses asked for', byKeyboard],
+  ['an export of a long film is cancelled, by button and by Escape', cancelled],
+  ['an export where nothing records films says so', withoutRecorder],
+];

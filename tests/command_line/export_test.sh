@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# gaitsmith export as docs/command-line.md has it, seen from a script:   export_test.sh <gaitsmith> <repository>
+set -uo pipefail
+gaitsmith=$(realpath "$1") root=$(realpath "$2") failed=0
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+
+fault() { echo "FAILED: $*"; failed=1; }
+same() { [ "$1" = "$2" ] || fault "$3: '$1' is not '$2'"; }
+# refuses <words of the message> <command...>: non-zero exit, one sentence on standard error, no file
+refuses() {
+  local message=$1; shift
+  "$@" >out 2>err && fault "accepted: $*"
+  [ ! -s out ] && [ ! -e no.svg ] || fault "wrote something: $*"
+  grep -qF -- "$message" err || fault "said '$(cat err)', not '$message': $*"
+}
+poses() { grep -c 'class="pose"' "$1"; }
+
+for document in "$root"/examples/*.json; do
+  "$gaitsmith" export "$document" --svg all.svg --gltf all.gltf --csv all.csv || fault "export of $document"
+  same "$(poses all.svg)" 8 "poses of $document"
+  "$gaitsmith" simulate "$document" --csv - | cmp -s - all.csv || fault "export and simulate write other numbers: $document"
+  "$gaitsmith" export "$document" --gltf - | cmp -s - all.gltf || fault "other bytes on standard output: $document"
+done
+for count in 3 12 26; do
+  same "$("$gaitsmith" export star-man-shuffle --svg - --poses $count | grep -c 'id="pose-')" $count "poses asked for"
+done
+"$gaitsmith" export star-man-shuffle --svg part.svg --poses 3 --from 1 --to 2.5 || fault "a part of a motion"
+same "$(grep -oE '>[0-9.]+ s<' part.svg | tr -d '\n')" ">1.00 s<>1.75 s<>2.50 s<" "times of a part"
+# A link is a document, too.
+same "$("$gaitsmith" link encode star-man-shuffle | "$gaitsmith" export - --svg - | md5sum)" \
+  "$("$gaitsmith" export star-man-shuffle --svg - | md5sum)" "export of a link"
+
+refuses '--svg: say where; or --gltf, or --csv' "$gaitsmith" export star-man-shuffle
+refuses 'DOC: give exactly one document' "$gaitsmith" export --svg no.svg
+refuses '--poses: must be a whole number from 3 to 26, is "2"' "$gaitsmith" export star-man-shuffle --svg no.svg --poses 2
+refuses '--from: must be a number' "$gaitsmith" export star-man-shuffle --svg no.svg --from soon
+refuses '--to: must be from 0 to 10 s, is "11"' "$gaitsmith" export star-man-shuffle --svg no.svg --to 11
+refuses '--from: must be from 0 to 10 s, is "-1"' "$gaitsmith" export star-man-shuffle --svg no.svg --from -1
+refuses '--to: must be later than --from' "$gaitsmith" export star-man-shuffle --svg no.svg --from 3 --to 3
+refuses 'nowhere/a.svg: cannot be written' "$gaitsmith" export star-man-shuffle --svg nowhere/a.svg
+refuses 'cannot be read' "$gaitsmith" export nowhere.json --svg no.svg
+"$gaitsmith" help | grep -q 'gaitsmith export DOC' || fault "help on export"
+
+[ $failed = 0 ] && echo "export keeps its contract"
+exit $failed

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// Films of a motion: GIF as fast as it can be made, WebM as fast as it plays.
+import { Film, STEPS_PER_SECOND } from './film.js';
+import { GIFEncoder, nearestColorIndex, quantize } from './gifenc.js';
+
+/** @typedef {import('./export.js').Order} Order */
+
+const STEPS_PER_FRAME = 4; // GIF counts hundredths of a second, and browsers hurry what is quicker than two of them
+const LAST_FRAME_MS = 1000; // one sees that it begins again
+const BLENDS = 48; // colours besides those that are drawn with
+const SAMPLES = 6; // frames whose colours make the palette
+const WEBM_RATE = 60;
+const WEBM_BITS = 5e6; // a second
+
+/** Lets the page breathe. */
+const pause = () => new Promise((resolve) => setTimeout(resolve));
+
+/** The film's own colours as they are, and those that its blends are nearest to. @param {Film} film @returns {number[][]} */
+function paletteOf(film) {
+  const last = film.motion.frames - 1;
+  const samples = Array.from({ length: SAMPLES }, (_, i) => {
+    film.draw(Math.round(last * i / (SAMPLES - 1)));
+    return film.pixels();
+  });
+  const all = new Uint8ClampedArray(samples.length * samples[0].length);
+  samples.forEach((sample, i) => all.set(sample, i * sample.length));
+  const own = film.colours.map((hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16)));
+  return [...own, ...quantize(all, BLENDS, { format: 'rgb565' })];
+}
+
+/** Says which colour of the palette each pixel has. The encoder's own way merges colours that lie close together. */
+class Painter {
+  /** @type {Map<number, number>} */
+  #known = new Map();
+
+  /** @param {number[][]} palette */
+  constructor(palette) { this.palette = palette; }
+
+  /** @param {Uint8ClampedArray} rgba */
+  indices(rgba) {
+    const pixels = new Uint32Array(rgba.buffer, rgba.byteOffset, rgba.length / 4);
+    const indices = new Uint8Array(pixels.length);
+    let last = -1;
+    let index = 0;
+    for (let i = 0; i < pixels.length; i++) {
+      if (pixels[i] !== last) {
+        last = pixels[i];
+        index = this.#known.get(last) ?? this.#nearest(last, rgba.subarray(4 * i, 4 * i + 3));
+      }
+      indices[i] = index;
+    }
+    return indices;
+  }
+
+  /** @param {number} pixel @param {Uint8ClampedArray} rgb */
+  #nearest(pixel, rgb) {
+    const index = nearestColorIndex(this.palette, [...rgb]);
+    this.#known.set(pixel, index);
+    return index;
+  }
+}
+
+/** @param {Order} order @returns {Promise<BlobPart>} */
+export async function gif({ motion, title, signal, told }) {
+  const film = new Film(motion, title);
+  const palette = paletteOf(film);
+  const painter = new Painter(palette);
+  const encoder = GIFEncoder();
+  for (let frame = 0; frame < motion.frames; frame += STEPS_PER_FRAME) {
+    film.draw(frame);
+    const last = frame + STEPS_PER_FRAME >= motion.frames;
+    const delay = last ? LAST_FRAME_MS : 1000 * STEPS_PER_FRAME / STEPS_PER_SECOND;
+    const options = frame === 0 ? { palette, delay, repeat: 0 } : { delay };
+    encoder.writeFrame(painter.indices(film.pixels()), film.width, film.height, options);
+    told(frame / motion.frames);
+    await pause();
+    signal.throwIfAborted();
+  }
+  encoder.finish();
+  return new Uint8Array(encoder.bytes());
+}
+
+/** @param {Order} order @returns {Promise<BlobPart>} */
+export async function webm({ motion, title, signal, told }) {
+  const film = new Film(motion, title);
+  film.draw(0);
+  const stream = film.canvas.captureStream(WEBM_RATE);
+  const recorder = new MediaRecorder(stream, { mimeType: 'video/webm', videoBitsPerSecond: WEBM_BITS });
+  /** @type {Blob[]} */
+  const parts = [];
+  recorder.ondataavailable = ({ data }) => parts.push(data);
+  const ended = new Promise((resolve, reject) => {
+    recorder.onstop = resolve;
+    recorder.onerror = () => reject(new Error('the browser stopped recording'));
+  });
+  recorder.start();
+  try {
+    const start = performance.now();
+    for (let frame = 0; frame < motion.frames; frame = Math.floor((performance.now() - start) * STEPS_PER_SECOND / 1000)) {
+      film.draw(frame);
+      told(frame / motion.frames);
+      await new Promise((resolve) => setTimeout(resolve, 1000 / WEBM_RATE));
+      signal.throwIfAborted();
+    }
+    film.draw(motion.frames - 1);
+    await pause();
+  } finally {
+    if (recorder.state !== 'inactive') recorder.stop();
+    for (const track of stream.getTracks()) track.stop();
+  }
+  await ended;
+  return new Blob(parts);
+}
