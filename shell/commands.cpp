@@ -164,7 +164,7 @@ void AddPanels(std::vector<Command>& list, Session& session, bool phone) {
 }
 
 void AddView(std::vector<Command>& list, Session& session) {
-  const auto add = [&](const std::string& id, const char* show, const char* hide, bool View::*shown) {
+  const auto add = [&](const std::string& id, const char* show, const char* hide, bool View::* shown) {
     const bool now = session.Doc().view.*shown;
     list.push_back({.id = "view/" + id,
                     .group = TrLater("View"),

@@ -36,8 +36,8 @@ struct Insert {
 
 /// Tr("{1} of {2}", 3, 7): whole sentences, since other languages order their parts otherwise.
 template <class... Inserts>
-requires(sizeof...(Inserts) > 0) [[nodiscard]] std::string
-    Tr(const char* english, const Inserts&... inserts) {
+  requires(sizeof...(Inserts) > 0)
+[[nodiscard]] std::string Tr(const char* english, const Inserts&... inserts) {
   return Fill(Tr(english), {Insert(inserts)...});
 }
 

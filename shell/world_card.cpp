@@ -23,7 +23,7 @@ std::string NameOfEndpoint(int endpoint) {
 
 void DrawGroundAndGravity(Ui& ui, Session& session) {
   const Environment& world = session.Doc().environment;
-  const auto change = [&](float Environment::*field, double value) {
+  const auto change = [&](float Environment::* field, double value) {
     session.Change([&](Document& d) { d.environment.*field = static_cast<float>(value); });
   };
   double slope = static_cast<double>(world.slope_rad) / kDegree;

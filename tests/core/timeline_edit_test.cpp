@@ -147,34 +147,19 @@ TEST_CASE("composite: simulated anew from a change on, it is the same to the bit
       CHECK(PartingStep(next, first) == parts_at);
       CHECK(SameMotion(SimulateAnew(next, first, Simulate(first)), Simulate(next)));
     };
-    check(
-        "nothing", [](Document&) {}, kMaxSteps);
-    check(
-        "later switch", [](Document& d) { d.timeline[1].start_step = 333; }, 200);
-    check(
-        "earlier switch", [](Document& d) { d.timeline[2].start_step = 250; }, 250);
-    check(
-        "longer", [](Document& d) { d.duration_steps = 777; }, kMaxSteps);
-    check(
-        "shorter", [](Document& d) { d.duration_steps = 431; }, kMaxSteps);
-    check(
-        "shorter than a checkpoint", [](Document& d) { d.duration_steps = 40; }, kMaxSteps);
-    check(
-        "another clip",
-        [](Document& d) {
-          d.timeline.push_back({1, 500});
-        },
-        500);
-    check(
-        "a clip less", [](Document& d) { d.timeline.pop_back(); }, 400);
-    check(
-        "another rule", [](Document& d) { d.controllers[1].genes[0] ^= 0x5555; }, 200);
+    check("nothing", [](Document&) {}, kMaxSteps);
+    check("later switch", [](Document& d) { d.timeline[1].start_step = 333; }, 200);
+    check("earlier switch", [](Document& d) { d.timeline[2].start_step = 250; }, 250);
+    check("longer", [](Document& d) { d.duration_steps = 777; }, kMaxSteps);
+    check("shorter", [](Document& d) { d.duration_steps = 431; }, kMaxSteps);
+    check("shorter than a checkpoint", [](Document& d) { d.duration_steps = 40; }, kMaxSteps);
+    check("another clip", [](Document& d) { d.timeline.push_back({1, 500}); }, 500);
+    check("a clip less", [](Document& d) { d.timeline.pop_back(); }, 400);
+    check("another rule", [](Document& d) { d.controllers[1].genes[0] ^= 0x5555; }, 200);
     check(
         "a push", [](Document& d) { d.pushes = {{.step = 317, .endpoint = 2, .impulse_x_ns = 3.0f}}; }, 317);
-    check(
-        "another ground", [](Document& d) { d.environment.slope_rad = 0.1f; }, 0);
-    check(
-        "another start", [](Document& d) { d.start.drop_height_m = 0.4f; }, 0);
+    check("another ground", [](Document& d) { d.environment.slope_rad = 0.1f; }, 0);
+    check("another start", [](Document& d) { d.start.drop_height_m = 0.4f; }, 0);
     check(
         "a figure with a rod less",
         [](Document& d) {
@@ -182,8 +167,7 @@ TEST_CASE("composite: simulated anew from a change on, it is the same to the bit
           d.controllers = {RandomController(d.figure, d.senses, 7), RandomController(d.figure, d.senses, 8)};
         },
         0);
-    check(
-        "another figure", [](Document& d) { d.figure.rods[1].length_m = 0.9f; }, 0);
+    check("another figure", [](Document& d) { d.figure.rods[1].length_m = 0.9f; }, 0);
   }
 }
 
