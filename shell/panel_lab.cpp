@@ -25,7 +25,7 @@ ImU32 ColourOf(const Theme& theme, Algorithm algorithm) {
 /// "SPHC, 3 trials: median 5.31, quartiles 4.20 and 6.10"
 std::string SeriesText(const LabSeries& series) {
   const std::string& name = WordsOf(series.algorithm).name;
-  const std::string text =
+  std::string text =
       Tr(series.trials == 1 ? "{1}, {2} trial" : "{1}, {2} trials", name, Grouped(series.trials));
   if (series.trials == 0) return text;
   if (series.points.empty()) return Tr("{1}: no motion", text);

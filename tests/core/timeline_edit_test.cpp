@@ -26,11 +26,13 @@ Document ThreeClips(SenseKind kind = SenseKind::kTimer) {
 
 std::vector<int> Starts(const Document& d) {
   std::vector<int> starts;
+  starts.reserve(d.timeline.size());
   for (const Clip& clip : d.timeline) starts.push_back(clip.start_step);
   return starts;
 }
 std::vector<int> Order(const Document& d) {
   std::vector<int> order;
+  order.reserve(d.timeline.size());
   for (const Clip& clip : d.timeline) order.push_back(clip.controller);
   return order;
 }

@@ -7,16 +7,6 @@
 namespace gaitsmith::shell::test {
 namespace {
 
-// The search that was started last ends with this gene everywhere.
-void End(Session& session, const QuietHost& host, Gene gene) {
-  const Document& problem = host.started.back();
-  SearchProgress progress{
-      .state = SearchState::kDone, .evaluations = 50, .budget = 50, .curve = {}, .best_genome = {}};
-  progress.best_genome.assign(ProblemOf(problem).Shape().Genes(), gene);
-  progress.best_fitness = 1.0;
-  session.OnSearchProgress(progress);
-}
-
 std::uint64_t GhostHash(const Session& session) { return session.Ghost()->Shown().Hash(); }
 
 }  // namespace

@@ -9,17 +9,9 @@ namespace {
 
 std::vector<int> Starts(const Session& session) {
   std::vector<int> starts;
+  starts.reserve(session.Doc().timeline.size());
   for (const Clip& clip : session.Doc().timeline) starts.push_back(clip.start_step);
   return starts;
-}
-
-// Ends the search that was started last with this gene everywhere.
-void End(Session& session, const QuietHost& host, Gene gene) {
-  SearchProgress progress{
-      .state = SearchState::kDone, .evaluations = 50, .budget = 50, .curve = {}, .best_genome = {}};
-  progress.best_genome.assign(ProblemOf(host.started.back()).Shape().Genes(), gene);
-  progress.best_fitness = 1.0;
-  session.OnSearchProgress(progress);
 }
 
 }  // namespace
@@ -126,7 +118,7 @@ TEST_CASE("session: a repair searches from where the clip takes over", "[shell][
   REQUIRE(Validate(wanted));
   CHECK(wanted.search.in_place_of == 1);
   CHECK(wanted.search.start >= 0);
-  const Problem problem = ProblemOf(wanted);
+  const auto problem = ProblemOf(wanted);
   REQUIRE(problem.beginnings.size() == 1);
   CHECK(problem.beginnings[0].steps == 321);
   End(session, host, 12345);
