@@ -143,7 +143,7 @@ void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
 std::vector<Command> App::Commands() {
   std::vector<Command> list = CommandsOf(session_, phone_);
   list.push_back({.id = "view/world",
-                  .group = Tr("View"),
+                  .group = TrLater("View"),
                   .title = Tr(stage_.world.open ? "Close the world card"
                                                 : "World: push, slope, friction, gravity, ghost"),
                   .run = [this] { stage_.world.open = !stage_.world.open; }});

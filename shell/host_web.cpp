@@ -125,7 +125,7 @@ EMSCRIPTEN_KEEPALIVE const char* gs_link() {
 }
 /// 16 hexadecimal digits of the shown motion.
 EMSCRIPTEN_KEEPALIVE const char* gs_hash() { return Reply(HashText(TheSession().player.Shown().Hash())); }
-EMSCRIPTEN_KEEPALIVE const char* gs_title() { return Reply(TheSession().Doc().title); }
+EMSCRIPTEN_KEEPALIVE const char* gs_title() { return Reply(TrTitle(TheSession().Doc().title)); }
 
 /// Every visible widget of the last frame, as a JSON list.
 EMSCRIPTEN_KEEPALIVE const char* gs_widgets() {

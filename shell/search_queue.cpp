@@ -19,6 +19,8 @@ Document SearchOf(const Document& document) {
     search.search.start = 0;
   }
   search.timeline.clear();
+  search.search.in_place_of = -1;
+  search.search.handovers.clear();
   search.duration_steps = search.task.duration_steps;
   search.view = {};
   search.hash.reset();

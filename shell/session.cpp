@@ -172,6 +172,9 @@ void Session::Say(std::string sentence) {
 
 void Session::Show(Document document, bool start_over) {
   document_ = std::move(document);
+  // Where a search takes over is chosen anew with each one, and so it is nothing to open or to keep.
+  document_.search.in_place_of = -1;
+  document_.search.handovers.clear();
   selected_clip_ =
       std::clamp(selected_clip_, 0, std::max(0, static_cast<int>(document_.timeline.size()) - 1));
   player.Load(document_, start_over);
@@ -191,9 +194,6 @@ std::optional<Document> Session::Edited(const Edit& edit) {
     const bool fits = index < next.controllers.size() && SuitsSearch(next, next.controllers[index]);
     if (!fits) start = -1;
   }
-  // Where a search takes over is chosen anew with each one.
-  next.search.in_place_of = -1;
-  next.search.handovers.clear();
   if (const auto valid = Validate(next); !valid) {
     Say(Tr("Not possible: {1}.", TrError(valid.error())));
     return std::nullopt;

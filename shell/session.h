@@ -87,7 +87,7 @@ class Session {
   void ReorderClip(int to);
   /// The whole timeline once more behind itself.
   void LoopTimeline();
-  /// A found motion's controller takes over at the moment that is shown, for as long as it was searched for.
+  /// A found motion takes over at the moment that is shown, all its clips.
   /// @return false: there is no such motion, or it does not fit
   bool InsertFound(const std::string& id);
   /// A short search makes the selected clip's controller better from where the clip before it leaves the
@@ -224,6 +224,8 @@ class Session {
   [[nodiscard]] bool FoundNothingYet() const;
   /// An edit of the timeline; the clip it returns is selected then.
   void EditTimeline(const std::function<Result<int>(Document&)>& edit);
+  /// After it the running search would look for something else than what is there.
+  [[nodiscard]] bool DisturbsSearch(const Document& next) const;
   /// The present document after an edit, or nothing and a sentence when that is invalid.
   [[nodiscard]] std::optional<Document> Edited(const Edit& edit);
   /// Ends the search for good: what it still reports belongs to a document that is no longer here.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/document/composite.h"
 #include "core/document/timeline_edit.h"
 #include "shell/language.h"
 #include "shell/session.h"
@@ -20,27 +21,51 @@ Result<int> Then(const Result<void>& done, int selected) {
 
 void Session::EditTimeline(const std::function<Result<int>(Document&)>& edit) {
   Document next = document_;
-  const auto selected = edit(next);
-  if (!selected) return Say(Tr("Not possible: {1}.", TrSentence(selected.error().what)));
-  DropUnusedControllers(next);
-  // Clips may have other numbers now than when the search began.
-  const bool searched_moved = Searching() && !queued_ && next.timeline.size() != document_.timeline.size();
-  if (searched_moved) AbandonSearch();
+  auto selected = edit(next);
+  // A search that it disturbs ends, and what that found last is edited with the rest.
+  if (selected && DisturbsSearch(next)) {
+    AbandonSearch();
+    next = document_;
+    selected = edit(next);
+  }
+  if (!selected) return Say(Tr("Not possible: {1}.", TrError(selected.error())));
+  DropUnusedControllers(next, document_.timeline);
+  std::optional<Controller> ghost;
+  if (ghost_ >= 0) ghost = document_.controllers[static_cast<std::size_t>(ghost_)];
   const bool changed = Change([&](Document& d) {
     d.controllers = next.controllers;
     d.timeline = next.timeline;
     d.duration_steps = next.duration_steps;
     d.search.start = next.search.start;
   });
-  if (changed) SelectClip(*selected);
+  if (!changed) return;
+  SelectClip(*selected);
+  if (!ghost) return;
+  // Controllers may have moved up in their list.
+  const auto known = AddController(next, *ghost);
+  ghost_ = known && *known < static_cast<int>(document_.controllers.size()) ? *known : kNoGhost;
+  LoadGhost();
+}
+
+bool Session::DisturbsSearch(const Document& next) const {
+  if (!Searching() || queued_ || !searched_) return false;
+  if (next.timeline.size() != document_.timeline.size() || next.timeline.empty()) return true;
+  const auto clip = std::min(static_cast<std::size_t>(searched_clip_), next.timeline.size() - 1);
+  const auto genes = [clip](const Document& d) -> const Genome& {
+    return d.controllers[static_cast<std::size_t>(d.timeline[clip].controller)].genes;
+  };
+  if (genes(next) != genes(document_)) return true;
+  // A repair is scored from where the clip took over and for as long as it lasted.
+  return searched_->search.in_place_of >= 0 && PartingStep(next, document_) < EndOf(document_, clip);
 }
 
 void Session::AddClip() {
   if (document_.timeline.empty()) return;
   EditTimeline([&](Document& d) {
     const int controller = d.timeline[static_cast<std::size_t>(selected_clip_)].controller;
-    return Then(gaitsmith::InsertClip(d, controller, d.duration_steps, d.task.duration_steps),
-                static_cast<int>(d.timeline.size()));
+    return Then(
+        InsertClips(d, {{.controller = controller, .steps = d.task.duration_steps}}, d.duration_steps),
+        static_cast<int>(d.timeline.size()));
   });
   SelectClip(static_cast<int>(document_.timeline.size()) - 1);
 }
@@ -103,9 +128,13 @@ bool Session::InsertFound(const std::string& id) {
   const int frame = player.Frame();
   const int step = frame >= player.Shown().Frames() - kShortestClip ? document_.duration_steps : frame;
   EditTimeline([&](Document& d) -> Result<int> {
-    const auto controller = AddController(d, other.controllers.back());
-    if (!controller) return std::unexpected(controller.error());
-    const auto done = gaitsmith::InsertClip(d, *controller, step, other.task.duration_steps);
+    std::vector<Stretch> inserted = StretchesOf(other);  // what was kept may be a composite itself
+    for (Stretch& stretch : inserted) {
+      const auto added = AddController(d, other.controllers[static_cast<std::size_t>(stretch.controller)]);
+      if (!added) return std::unexpected(added.error());
+      stretch.controller = *added;
+    }
+    const auto done = InsertClips(d, inserted, step);
     return Then(done, ClipAt(d, std::min(step + kShortestClip, d.duration_steps - 1)));
   });
   return document_.timeline.size() != before;

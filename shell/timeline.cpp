@@ -172,8 +172,14 @@ void DrawEnd(Ui& ui, Session& session, const Band& band) {
   if (wanted == end) return;
   if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
     if (!was_dragged) return;
-    const float pull = ImGui::GetIO().MouseDelta.x * band.steps / band.rect.GetWidth();
-    wanted = end + static_cast<int>(std::lround(pull));
+    // What is less than a step waits for the rest.
+    ImGuiStorage* storage = ImGui::GetStateStorage();
+    const ImGuiID key = ImGui::GetID("timeline/end/pull");
+    const float rest = ImGui::IsMouseClicked(ImGuiMouseButton_Left) ? 0.0f : storage->GetFloat(key);
+    const float pull = rest + ImGui::GetIO().MouseDelta.x * band.steps / band.rect.GetWidth();
+    const int steps = static_cast<int>(pull);
+    storage->SetFloat(key, pull - static_cast<float>(steps));
+    wanted = end + steps;
   }
   session.SetClipLength(static_cast<int>(last), length + wanted - end);
 }

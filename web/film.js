@@ -34,7 +34,7 @@ export class Film {
     const { widest, top, rod } = sizes(motion);
     this.scale = Math.min(WIDEST / widest, (GROUND_Y - TOP_Y) / Math.max(top + rod, 1e-6));
     this.rod = rod * this.scale;
-    this.tick = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000].find((length) => length * this.scale >= LEAST_TICK) ?? 5000;
+    this.tick = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000].find((length) => length * this.scale >= LEAST_TICK) ?? 50000;
     this.cameras = smooth(Float64Array.from({ length: motion.frames }, (_, i) => this.#at(i, 1)));
     this.severalControllers = new Set(Array.from({ length: motion.frames }, (_, i) => this.#at(i, 0))).size > 1;
   }
@@ -169,7 +169,9 @@ function sizes({ numbers, stride, frames, starts, endpoints }) {
     const [x, y, endX, endY] = [3 + 2 * start, 4 + 2 * start, 5 + 2 * rod, 6 + 2 * rod].map((which) => numbers[which]);
     length += Math.hypot(endX - x, endY - y);
   });
-  return { widest, top, rod: ROD_SHARE * length / starts.length };
+  // A motion that explodes must not shrink its figure to nothing.
+  const bounded = Math.max(1e-6, Math.min(widest, 1000));
+  return { widest: bounded, top: Math.min(top, 50 * bounded), rod: ROD_SHARE * length / starts.length };
 }
 
 /** Means over a second around each, twice: a camera without jerks. @param {Float64Array} values */

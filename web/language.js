@@ -111,8 +111,8 @@ async function load(code) {
     const response = await fetch(new URL(`languages/${code}.json`, import.meta.url), { signal });
     if (!response.ok) return null;
     const text = await response.text();
-    const { decimal_mark: decimalMark, group_mark: groupMark, words } = /** @type {Table} */ (JSON.parse(text));
-    return { code, text, decimalMark, groupMark, words: new Map(Object.entries(words)) };
+    const { decimal_mark: decimalMark, group_mark: groupMark, words, errors } = /** @type {Table} */ (JSON.parse(text));
+    return { code, text, decimalMark, groupMark, words: new Map([...Object.entries(errors), ...Object.entries(words)]) };
   } catch {
     return null;
   }

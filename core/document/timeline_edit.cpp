@@ -18,16 +18,16 @@ Result<void> CheckClip(const Document& d, int clip) {
 
 // Puts clips one behind the other, if the limits allow.
 Result<void> Put(Document& d, const std::vector<Stretch>& stretches) {
-  if (stretches.empty()) return Fail(ErrorCode::kStructure, "timeline", "needs at least one clip");
+  if (stretches.empty()) return Fail(ErrorCode::kStructure, "", "a timeline needs at least one clip");
   if (stretches.size() > static_cast<std::size_t>(kMaxClips)) {
-    return Fail(ErrorCode::kTooMany, "timeline",
+    return Fail(ErrorCode::kTooMany, "",
                 "at most " + std::to_string(kMaxClips) + " clips, there would be " +
                     std::to_string(stretches.size()));
   }
   std::int64_t all = 0;
   for (const Stretch& stretch : stretches) all += stretch.steps;
   if (all > kMaxSteps) {
-    return Fail(ErrorCode::kTooMany, "timeline",
+    return Fail(ErrorCode::kTooMany, "",
                 "at most " + std::to_string(kMaxSteps / 100) + " s, there would be " +
                     std::to_string(all / 100) + " s");
   }
@@ -51,8 +51,8 @@ bool Same(const Controller& a, const Controller& b) {
 std::vector<Stretch> StretchesOf(const Document& d) {
   std::vector<Stretch> stretches;
   for (std::size_t i = 0; i < d.timeline.size(); ++i) {
-    const int steps = EndOf(d, i) - d.timeline[i].start_step;
-    if (steps > 0) stretches.push_back({d.timeline[i].controller, steps});
+    const int steps = std::min(EndOf(d, i), d.duration_steps) - d.timeline[i].start_step;
+    stretches.push_back({d.timeline[i].controller, steps > 0 ? steps : kShortestClip});
   }
   return stretches;
 }
@@ -64,10 +64,11 @@ int ClipAt(const Document& d, int step) {
 
 Result<void> MoveSwitch(Document& d, int clip, int step) {
   if (auto fine = CheckClip(d, clip); !fine) return fine;
-  if (clip == 0) return Fail(ErrorCode::kOutOfRange, "timeline", "the first clip begins with the motion");
+  if (clip == 0) return Fail(ErrorCode::kOutOfRange, "", "the first clip begins with the motion");
   const auto i = static_cast<std::size_t>(clip);
   const int low = d.timeline[i - 1].start_step + kShortestClip;
-  d.timeline[i].start_step = std::clamp(step, low, std::max(low, EndOf(d, i) - kShortestClip));
+  const int high = EndOf(d, i) - kShortestClip;
+  if (low <= high) d.timeline[i].start_step = std::clamp(step, low, high);
   return {};
 }
 
@@ -79,16 +80,16 @@ Result<void> SetClipLength(Document& d, int clip, int steps) {
 }
 
 Result<void> SplitClip(Document& d, int step) {
-  if (d.timeline.empty()) return Fail(ErrorCode::kStructure, "timeline", "there is no clip to split");
+  if (d.timeline.empty()) return Fail(ErrorCode::kStructure, "", "there is no clip to split");
   const int clip = ClipAt(d, step);
   const auto i = static_cast<std::size_t>(clip);
+  auto stretches = StretchesOf(d);
   const int before = step - d.timeline[i].start_step;
-  const int behind = EndOf(d, i) - step;
+  const int behind = stretches[i].steps - before;
   if (before < kShortestClip || behind < kShortestClip) {
-    return Fail(ErrorCode::kOutOfRange, "timeline",
+    return Fail(ErrorCode::kOutOfRange, "",
                 "both parts of a clip must last at least 0.2 s; this is too close to its end");
   }
-  auto stretches = StretchesOf(d);
   stretches[i].steps = before;
   stretches.insert(stretches.begin() + clip + 1, {d.timeline[i].controller, behind});
   return Put(d, stretches);
@@ -118,24 +119,30 @@ Result<void> ReorderClip(Document& d, int clip, int to) {
   return Put(d, stretches);
 }
 
-Result<void> InsertClip(Document& d, int controller, int step, int steps) {
-  if (controller < 0 || controller >= static_cast<int>(d.controllers.size()))
-    return Fail(ErrorCode::kOutOfRange, "timeline", "there is no controller " + std::to_string(controller));
-  const Stretch inserted{controller, std::clamp(steps, kShortestClip, kMaxSteps)};
+Result<void> InsertClips(Document& d, const std::vector<Stretch>& given, int step) {
+  std::vector<Stretch> inserted = given;
+  for (Stretch& stretch : inserted) {
+    if (stretch.controller < 0 || stretch.controller >= static_cast<int>(d.controllers.size())) {
+      return Fail(ErrorCode::kOutOfRange, "timeline",
+                  "there is no controller " + std::to_string(stretch.controller));
+    }
+    stretch.steps = std::clamp(stretch.steps, kShortestClip, kMaxSteps);
+  }
   auto stretches = StretchesOf(d);
-  if (stretches.empty()) return Put(d, {inserted});
+  if (stretches.empty()) return Put(d, inserted);
   const int clip = ClipAt(d, std::clamp(step, 0, d.duration_steps - 1));
   const auto i = static_cast<std::size_t>(clip);
   const int before = step - d.timeline[i].start_step;
-  const int behind = EndOf(d, i) - step;
+  const int behind = stretches[i].steps - before;
   // What would be left too short to be a clip stays with its clip.
   if (before < kShortestClip) {
-    stretches.insert(stretches.begin() + clip, inserted);
-  } else if (behind < kShortestClip) {
-    stretches.insert(stretches.begin() + clip + 1, inserted);
+    stretches.insert(stretches.begin() + clip, inserted.begin(), inserted.end());
   } else {
-    stretches[i].steps = before;
-    stretches.insert(stretches.begin() + clip + 1, {inserted, {d.timeline[i].controller, behind}});
+    if (behind >= kShortestClip) {
+      stretches[i].steps = before;
+      inserted.push_back({d.timeline[i].controller, behind});
+    }
+    stretches.insert(stretches.begin() + clip + 1, inserted.begin(), inserted.end());
   }
   return Put(d, stretches);
 }
@@ -165,26 +172,43 @@ Result<int> AddController(Document& d, const Controller& controller) {
       std::ranges::find_if(d.controllers, [&](const Controller& c) { return Same(c, controller); });
   if (known != d.controllers.end()) return static_cast<int>(known - d.controllers.begin());
   if (d.controllers.size() >= static_cast<std::size_t>(kMaxControllers)) {
-    return Fail(ErrorCode::kTooMany, "controllers",
-                "at most " + std::to_string(kMaxControllers) + ", there are that many already");
+    return Fail(ErrorCode::kTooMany, "",
+                "at most " + std::to_string(kMaxControllers) + " controllers, there are that many already");
   }
   d.controllers.push_back(controller);
   return static_cast<int>(d.controllers.size()) - 1;
 }
 
-void DropUnusedControllers(Document& d) {
+namespace {
+
+bool IsUsed(const Document& d, int controller) {
+  const auto names = [controller](const auto& one) { return one.controller == controller; };
+  return std::ranges::any_of(d.timeline, names) || std::ranges::any_of(d.search.handovers, names) ||
+         d.search.start == controller;
+}
+
+template <class MayGo>
+void DropUnused(Document& d, MayGo may_go) {
   for (int c = static_cast<int>(d.controllers.size()) - 1; c >= 0; --c) {
-    const bool used =
-        std::ranges::any_of(d.timeline, [c](const Clip& clip) { return clip.controller == c; }) ||
-        std::ranges::any_of(d.search.handovers, [c](const Handover& h) { return h.controller == c; }) ||
-        d.search.start == c;
-    if (used) continue;
+    if (IsUsed(d, c) || !may_go(c)) continue;
     d.controllers.erase(d.controllers.begin() + c);
     const auto follow = [c](int& index) { index -= index > c ? 1 : 0; };
     for (Clip& clip : d.timeline) follow(clip.controller);
     for (Handover& handover : d.search.handovers) follow(handover.controller);
     follow(d.search.start);
   }
+}
+
+}  // namespace
+
+void DropUnusedControllers(Document& d) {
+  DropUnused(d, [](int) { return true; });
+}
+
+void DropUnusedControllers(Document& d, std::span<const Clip> before) {
+  DropUnused(d, [before](int controller) {
+    return std::ranges::any_of(before, [controller](const Clip& c) { return c.controller == controller; });
+  });
 }
 
 }  // namespace gaitsmith

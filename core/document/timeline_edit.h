@@ -3,6 +3,8 @@
 // later moves along, unless said otherwise. Every edit either succeeds or changes nothing and says why.
 #pragma once
 
+#include <span>
+
 #include "core/document/document.h"
 
 namespace gaitsmith {
@@ -15,6 +17,7 @@ struct Stretch {
   int controller;
   int steps;  // at least 1
 };
+/// One for each clip; a clip that lies behind the end of the motion counts as the shortest.
 [[nodiscard]] std::vector<Stretch> StretchesOf(const Document&);
 
 /// The clip in charge at a step of the motion. @param document has a clip
@@ -33,9 +36,9 @@ struct Stretch {
 [[nodiscard]] Result<void> DuplicateClip(Document&, int clip);
 /// Takes a clip to the place `to`, counted among all clips.
 [[nodiscard]] Result<void> ReorderClip(Document&, int clip, int to);
-/// A clip that takes over at a step; the one in charge there goes on behind it. At the end of the motion it
-/// is added to it.
-[[nodiscard]] Result<void> InsertClip(Document&, int controller, int step, int steps);
+/// Clips that take over at a step, one after another; the one in charge there goes on behind them. At the end
+/// of the motion they are added to it.
+[[nodiscard]] Result<void> InsertClips(Document&, const std::vector<Stretch>& inserted, int step);
 /// The whole timeline so many times, [2, 100].
 [[nodiscard]] Result<void> LoopTimeline(Document&, int times);
 /// Gives a clip the mirror image of its controller, so that it goes the other way. Refused for a figure whose
@@ -46,5 +49,7 @@ struct Stretch {
 [[nodiscard]] Result<int> AddController(Document&, const Controller&);
 /// Takes out controllers that neither a clip nor the search's settings name.
 void DropUnusedControllers(Document&);
+/// The same, but only of those that these clips used, before a change.
+void DropUnusedControllers(Document&, std::span<const Clip> before);
 
 }  // namespace gaitsmith

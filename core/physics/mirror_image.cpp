@@ -32,7 +32,7 @@ struct Drawn {
 };
 
 std::unexpected<Error> Lopsided() {
-  return Fail(ErrorCode::kStructure, "figure", "is not its own mirror image as it is drawn");
+  return Fail(ErrorCode::kStructure, "", "the figure is not its own mirror image as it is drawn");
 }
 
 // The endpoint that lies where the image of this one does; -1: none.
@@ -100,16 +100,17 @@ Result<Symmetry> SymmetryOf(const Figure& figure) {
     const bool kept = skeleton.limbs[static_cast<std::size_t>(child)].parent == parent;
     const bool swapped = skeleton.limbs[static_cast<std::size_t>(parent)].parent == child;
     if (!kept && !swapped) {
-      return Fail(ErrorCode::kStructure, "figure",
-                  "its mirror image hangs together otherwise: draw it beginning with a rod in its middle");
+      return Fail(
+          ErrorCode::kStructure, "",
+          "the figure's mirror image hangs together otherwise: draw it beginning with a rod in its middle");
     }
     const int image = kept ? child - 1 : parent - 1;
     const Skeleton::Limb& other = skeleton.limbs[static_cast<std::size_t>(image) + 1];
     const float least = kept ? -other.max_rad : other.min_rad;
     const float most = kept ? -other.min_rad : other.max_rad;
     if (!Near(limb.min_rad, least, 1.0f) || !Near(limb.max_rad, most, 1.0f)) {
-      return Fail(ErrorCode::kStructure, "figure",
-                  "its joints " + std::to_string(joint + 1) + " and " + std::to_string(image + 1) +
+      return Fail(ErrorCode::kStructure, "",
+                  "joints " + std::to_string(joint + 1) + " and " + std::to_string(image + 1) +
                       " have limits that are not each other's mirror image");
     }
     symmetry.joint[j] = image;
@@ -120,7 +121,8 @@ Result<Symmetry> SymmetryOf(const Figure& figure) {
 
 Result<Controller> MirrorImageOf(const Controller& controller, const Figure& figure) {
   if (controller.kind != ControllerKind::kRules)
-    return Fail(ErrorCode::kStructure, "controller", "is a network, whose sensors cannot feel the opposite");
+    return Fail(ErrorCode::kStructure, "",
+                "a network has no mirror image: its sensors cannot feel the opposite");
   const auto symmetry = SymmetryOf(figure);
   if (!symmetry) return std::unexpected(symmetry.error());
   const BankShape shape(controller.rules, controller.senses.kind, figure.Rods());

@@ -116,7 +116,7 @@ void Make(Switch& one, const std::vector<Contestant>& all) {
   const Evaluation found = EvaluateOne(problem, to.controller);
   one.score = found.fitness;
   one.success = found.fitness > kVoidScore && !found.terms.broke_physics && to.holds &&
-                found.fitness >= 0.5f * to.usual;
+                found.fitness >= to.usual - 0.5f * std::abs(to.usual);
 }
 
 std::string SwitchesCsv(const std::vector<Switch>& switches, const std::vector<Contestant>& all) {

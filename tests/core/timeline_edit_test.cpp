@@ -90,14 +90,38 @@ TEST_CASE("timeline: splitting and inserting", "[timeline]") {
   CHECK(Starts(d) == std::vector{0, 200, 300, 400});
   CHECK(Order(d) == std::vector{0, 1, 1, 0});
   CHECK_FALSE(SplitClip(d, 395));
-  REQUIRE(InsertClip(d, 1, 100, 150));
+  REQUIRE(InsertClips(d, {{.controller = 1, .steps = 150}}, 100));
   CHECK(Starts(d) == std::vector{0, 100, 250, 350, 450, 550});
   CHECK(Order(d) == std::vector{0, 1, 0, 1, 1, 0});
   CHECK(d.duration_steps == 750);
-  REQUIRE(InsertClip(d, 0, 750, 100));  // at the end
+  REQUIRE(InsertClips(d, {{.controller = 0, .steps = 100}}, 750));  // at the end
   CHECK(Order(d).back() == 0);
   CHECK(d.duration_steps == 850);
   CHECK(Validate(d));
+}
+
+TEST_CASE("timeline: a clip behind the end is brought in by an edit", "[timeline]") {
+  Document d = ThreeClips();
+  d.duration_steps = 350;
+  REQUIRE(Validate(d));
+  REQUIRE(DuplicateClip(d, 2));
+  CHECK(Starts(d) == std::vector{0, 200, 350, 350 + kShortestClip});
+  CHECK(d.duration_steps == 350 + 2 * kShortestClip);
+  d = ThreeClips();
+  d.timeline = {{.controller = 0, .start_step = 0}, {.controller = 1, .start_step = 400}};
+  d.duration_steps = 300;
+  REQUIRE(InsertClips(d, {{.controller = 1, .steps = 50}, {.controller = 0, .steps = 60}}, 300));
+  CHECK(Order(d) == std::vector{0, 1, 0, 1});
+  CHECK(Starts(d) == std::vector{0, 300, 350, 410});
+  CHECK(d.duration_steps == 410 + kShortestClip);
+  // Too short for what a border must leave: it stays.
+  d = ThreeClips();
+  d.timeline = {{.controller = 0, .start_step = 0},
+                {.controller = 1, .start_step = 85},
+                {.controller = 0, .start_step = 95}};
+  d.duration_steps = 100;
+  REQUIRE(MoveSwitch(d, 2, 99));
+  CHECK(Starts(d) == std::vector{0, 85, 95});
 }
 
 TEST_CASE("timeline: what goes over a limit changes nothing", "[timeline]") {
@@ -105,7 +129,7 @@ TEST_CASE("timeline: what goes over a limit changes nothing", "[timeline]") {
   const auto before = Starts(d);
   CHECK(LoopTimeline(d, 21).error().what == "at most 120 s, there would be 126 s");
   CHECK_FALSE(LoopTimeline(d, 1));
-  CHECK_FALSE(InsertClip(d, 2, 100, 100));
+  CHECK_FALSE(InsertClips(d, {{.controller = 2, .steps = 100}}, 100));
   CHECK_FALSE(RemoveClip(d, -1));
   CHECK_FALSE(DuplicateClip(d, 3));
   CHECK(Starts(d) == before);
@@ -118,6 +142,11 @@ TEST_CASE("timeline: what goes over a limit changes nothing", "[timeline]") {
   Controller more = d.controllers[0];
   more.name = "more";
   CHECK_FALSE(AddController(d, more));
+  DropUnusedControllers(d, {});
+  CHECK(d.controllers.size() == static_cast<std::size_t>(kMaxControllers));
+  const std::vector<Clip> used = {{.controller = 0, .start_step = 0}, {.controller = 5, .start_step = 9}};
+  DropUnusedControllers(d, used);
+  CHECK(d.controllers.size() == static_cast<std::size_t>(kMaxControllers) - 1);
   DropUnusedControllers(d);
   CHECK(d.controllers.size() == 2);
 }
@@ -215,11 +244,11 @@ TEST_CASE("mirror image: which figures have one", "[timeline]") {
   CHECK_FALSE(symmetry->reversed[0]);
   CHECK(symmetry->endpoint[0] == 4);
   chain.rods[3].length_m = 1.5f;
-  CHECK(SymmetryOf(chain).error().what == "is not its own mirror image as it is drawn");
+  CHECK(SymmetryOf(chain).error().what == "the figure is not its own mirror image as it is drawn");
   Figure star = ShippedFigure("mr-star-man");
   CHECK(SymmetryOf(star));
   star.rods[1].max_rad = 0.3f;
-  CHECK(SymmetryOf(star).error().what.starts_with("its joints "));
+  CHECK(SymmetryOf(star).error().what.starts_with("joints "));
 }
 
 }  // namespace gaitsmith::test

@@ -74,6 +74,25 @@ TEST_CASE("session: what a timeline has no room for changes nothing and is said"
   CHECK(State(session) == before);
 }
 
+TEST_CASE("session: an edit ends the search of a clip, and keeps what it has found",
+          "[shell][session][timeline]") {
+  QuietHost host;
+  Session session(host);
+  session.Synthesize();
+  SearchProgress progress{
+      .state = SearchState::kRunning, .evaluations = 10, .budget = 50, .curve = {}, .best_genome = {}};
+  progress.best_genome.assign(ProblemOf(host.started.back()).Shape().Genes(), 777);
+  progress.best_fitness = 1.0;
+  session.OnSearchProgress(progress);
+  session.DuplicateClip();
+  CHECK_FALSE(session.Searching());
+  REQUIRE(session.Doc().timeline.size() == 2);
+  CHECK(session.ShownController()->genes.front() == 777);
+  session.Undo();
+  CHECK(session.Doc().timeline.size() == 1);
+  CHECK(session.ShownController()->genes.front() == 777);
+}
+
 TEST_CASE("session: a result is inserted where time stands", "[shell][session][timeline]") {
   QuietHost host;
   Session session(host);
