@@ -6,7 +6,7 @@ import { remember, remembered } from './storage.js';
 /** Each under its own name: whoever looks for it knows no other. @type {Record<string, string>} */
 export const LANGUAGES = { en: 'English', de: 'Deutsch' };
 
-/** A table of shell/languages. @typedef {{decimal_mark: string, group_mark: string, words: Record<string, string>}} Table */
+/** A table of shell/languages. @typedef {{decimal_mark: string, group_mark: string, words: Record<string, string>, errors: Record<string, string>}} Table */
 
 const KEY = 'gaitsmith-language';
 const ENGLISH = { code: 'en', text: '', decimalMark: '.', groupMark: ',', words: /** @type {Map<string, string>} */ (new Map()) };
