@@ -62,12 +62,11 @@ bool Session::DisturbsSearch(const Document& next) const {
 void Session::AddClip() {
   if (document_.timeline.empty()) return;
   EditTimeline([&](Document& d) {
+    const auto last = static_cast<int>(d.timeline.size());
     const int controller = d.timeline[static_cast<std::size_t>(selected_clip_)].controller;
-    return Then(
-        InsertClips(d, {{.controller = controller, .steps = d.task.duration_steps}}, d.duration_steps),
-        static_cast<int>(d.timeline.size()));
+    const Stretch added{.controller = controller, .steps = d.task.duration_steps};
+    return Then(InsertClips(d, {added}, d.duration_steps), last);
   });
-  SelectClip(static_cast<int>(document_.timeline.size()) - 1);
 }
 
 void Session::RemoveClip() {

@@ -110,4 +110,12 @@ Document StarManTravel(SenseKind senses) {
   return document;
 }
 
+Document TwoClips() {
+  Document d = StarManTravel(SenseKind::kPhysical);
+  d.controllers = {RandomController(d.figure, d.senses, 5), RandomController(d.figure, d.senses, 6)};
+  d.timeline = {{.controller = 0, .start_step = 0}, {.controller = 1, .start_step = 230}};
+  d.duration_steps = 530;
+  return d;
+}
+
 }  // namespace gaitsmith::test

@@ -37,4 +37,7 @@ std::vector<std::string> GoldenMotions();
 /// Search settings and problem of Mr. Star-Man's travel.
 Document StarManTravel(SenseKind senses);
 
+/// Mr. Star-Man with two random controllers of physical senses: 2.3 s, then 3 s.
+Document TwoClips();
+
 }  // namespace gaitsmith::test

@@ -5,11 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/document/timeline_edit.h"
-#include "core/physics/evaluator.h"
-#include "core/physics/simulation.h"
-#include "core/physics/style_meter.h"
-
 namespace gaitsmith {
 
 namespace {
@@ -83,52 +78,6 @@ Nearness NearnessOf(const Motion& motion, int frame, const Motion& usual) {
 Motion UsualMotion(const Document& d, int controller) {
   const Clip whole{.controller = controller, .start_step = 0};
   return {d.figure, d.environment, d.start, {}, d.controllers, std::span(&whole, 1), d.task.duration_steps};
-}
-
-namespace {
-
-Controllers<1> Decoded(const Document& d, int clip) {
-  const Clip& one = d.timeline[static_cast<std::size_t>(clip)];
-  const Controller& controller = d.controllers[static_cast<std::size_t>(one.controller)];
-  const std::span<const Gene> genes(controller.genes);
-  return DecodeControllers<1>(controller.Shape(d.figure.Rods()), controller.senses, std::span(&genes, 1),
-                              JointLimits(Skeleton(d.figure)), kStep);
-}
-
-}  // namespace
-
-TransitionMap::TransitionMap(const Document& document, int clip, int every, int after)
-    : document_(document), skeleton_(document.figure), controller_(Decoded(document, clip)), after_(after) {
-  std::vector<Controllers<1>> before;
-  before.reserve(static_cast<std::size_t>(clip));
-  for (int index = 0; index < clip; ++index) before.push_back(Decoded(document_, index));
-  const auto last = static_cast<std::size_t>(clip) - 1;
-  const int begun = document_.timeline[last].start_step;
-  const int end = std::min(begun + 2 * (document_.timeline[last + 1].start_step - begun), kMaxSteps - 1);
-  Simulation<1> simulation(skeleton_, document_.environment, document_.start, document_.pushes);
-  std::size_t in_charge = 0;  // one past its index
-  for (int step = 0; step <= end; ++step) {
-    while (in_charge < before.size() && document_.timeline[in_charge].start_step <= step)
-      simulation.Follow(before[in_charge++]);
-    if (step >= begun + kShortestClip && (step - begun) % every == 0) moments_.push_back(simulation.Save());
-    simulation.Step();
-  }
-}
-
-float TransitionMap::ScoreFrom(const Moment<1>* moment) const {
-  std::span<const Push> pushes = document_.pushes;
-  if (moment == nullptr) pushes = {};
-  Simulation<1> simulation(skeleton_, document_.environment, document_.start, pushes);
-  if (moment != nullptr) simulation.BeginAt(*moment);
-  simulation.Follow(controller_);
-  StyleMeter<1> meter(skeleton_, simulation.State(), WeightedFurtherTerms(document_.task), kStep);
-  for (int step = 0; step < after_; ++step) {
-    simulation.Step();
-    meter.Add();
-  }
-  Terms terms = simulation.TermsOf(0);
-  meter.Put(0, terms);
-  return Fitness(document_.task, terms);
 }
 
 }  // namespace gaitsmith

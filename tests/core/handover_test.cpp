@@ -7,18 +7,6 @@
 #include "tests/scene.h"
 
 namespace gaitsmith::test {
-namespace {
-
-Document TwoClips() {
-  Document d = StarManTravel(SenseKind::kPhysical);
-  d.controllers = {RandomController(d.figure, d.senses, 5), RandomController(d.figure, d.senses, 6)};
-  d.timeline = {{.controller = 0, .start_step = 0}, {.controller = 1, .start_step = 230}};
-  d.duration_steps = 530;
-  return d;
-}
-
-}  // namespace
-
 TEST_CASE("handover: in place of a clip, a controller is scored as the composite shows it", "[evaluator]") {
   Document d = TwoClips();
   d.task.weights = {0.5f, -0.25f, 2.0f, 0.01f, 0.3f, 0.01f, 0.2f};
