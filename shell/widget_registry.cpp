@@ -62,6 +62,10 @@ void WidgetRegistry::Describe(ImGuiID id, Widget widget) {
   widget.rect = found->second;
   widget.part = part_;
   ClipToSight(widget, ImGui::GetCurrentWindowRead()->ClipRect);
+  if (!ids_.empty() && ids_.back() == id) {  // it has become something else within the frame
+    widgets_.back() = std::move(widget);
+    return;
+  }
   widgets_.push_back(std::move(widget));
   ids_.push_back(id);
 }

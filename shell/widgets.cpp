@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Areas, layout and buttons. Sliders, fields and choices are in widgets_choice.cpp and widgets_value.cpp.
+// Areas, layout and buttons. Sliders, fields and choices are in widgets_slider.cpp, widgets_range.cpp,
+// widgets_value.cpp and widgets_choice.cpp.
 #include "shell/widgets.h"
 
 #include <algorithm>

@@ -84,7 +84,8 @@ class Ui {
   /// changed
   bool Segmented(std::string_view id, const ImRect&, std::string_view label,
                  std::span<const char* const> options, int& selected);
-  /// Label and value above a thin track; takes its own rows. @return true when `value` changed
+  /// Label and value above a thin track; takes its own rows. A click on the value, or Enter, types it.
+  /// @return true when `value` changed
   bool Slider(std::string_view id, std::string_view label, double& value, const SliderRange&,
               std::string_view value_text);
   /// The same in one row.
@@ -135,6 +136,19 @@ class Ui {
   void AwaitFinger(Touch&, bool was_held) const;
   ImU32 ButtonInk(ButtonLook, const ImRect&, const Touch&, bool enabled) const;
   void DrawKnob(ImVec2 centre, const Touch&, ImU32 colour) const;
+
+  struct SliderPlaces {
+    ImRect row;     // all of it: takes the pointer
+    ImRect track;   // where the knob is had
+    ImRect number;  // beside the label or the track
+    ImU32 colour;
+  };
+  bool Slide(std::string_view id, std::string_view label, double& value, const SliderRange&,
+             std::string_view value_text, const SliderPlaces&);
+  /// Dear ImGui's text field in the place of a number, from the frame on that asks for it until Enter, Escape
+  /// or a click elsewhere; the value follows what is typed, where that is a number.
+  void TypedValue(std::string_view id, std::string_view label, const ImRect& field, double& value,
+                  const SliderRange&);
 
   const Theme& theme_;
   WidgetRegistry& registry_;

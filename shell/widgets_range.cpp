@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sliders in one row: one value, or the two ends of an interval.
+// A slider with two ends, those of an interval.
 #include <algorithm>
 
 #include "shell/language.h"
@@ -8,10 +8,7 @@
 namespace gaitsmith::shell {
 namespace {
 
-constexpr float kTrack = 4.0f;     // height
 constexpr float kKeyStep = 0.01f;  // of an interval's track
-constexpr float kLabelWidth = 66.0f;
-constexpr float kValueWidth = 50.0f;
 
 // Where the pointer has the knob: it keeps the distance that it was taken hold of at, so that nothing jumps.
 float HeldAt(const Touch& touch, float knob_x) {
@@ -30,41 +27,6 @@ void Ui::DrawKnob(ImVec2 centre, const Touch& touch, ImU32 colour) const {
   list->AddCircleFilled(centre, radius, colour);
   list->AddCircleFilled(centre, radius - 2.0f, Ink().panel);
   if (touch.focused) list->AddCircle(centre, radius + 5.0f, Ink().accent, 0, 2.0f);
-}
-
-bool Ui::LineSlider(std::string_view id, std::string_view label, double& value, const SliderRange& range,
-                    std::string_view value_text, ImU32 colour) {
-  const ImRect row = ControlRow();
-  const float y = row.GetCenter().y;
-  const float left = row.Min.x + kLabelWidth + kKnobRadius;
-  const float right = row.Max.x - kValueWidth - kKnobRadius;
-  const Touch touch =
-      Area(id, row, Grab::kArrows,
-           {.label = std::string(label),
-            .role = "slider",
-            .value = std::string(value_text),
-            .range = WidgetRange{range.low, range.high, range.logarithmic ? 0.0 : range.step, value}});
-  if (!touch.visible) return false;
-  const double before = value;
-  if (touch.held && ImGui::GetIO().MouseClickedPos[0].x > left - 2.0f * kKnobRadius) {
-    const float share = std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0f, 1.0f);
-    value = range.ValueAt(static_cast<double>(share));
-  }
-  if (touch.steps != 0) value = range.Stepped(value, touch.steps);
-  if (touch.wanted) value = range.Nearest(*touch.wanted);
-
-  const Palette& p = Ink();
-  ImDrawList* list = Canvas();
-  Letters().Draw(list, Type::kBody, {row.Min.x, y}, p.ink, label);
-  Letters().Draw(list, Type::kBody, {row.Max.x, y}, p.second_ink, value_text, Align::kRight);
-  const auto x_of = [&](double v) { return left + static_cast<float>(range.ShareOf(v)) * (right - left); };
-  list->AddRectFilled({left - kKnobRadius, y - 0.5f * kTrack}, {right + kKnobRadius, y + 0.5f * kTrack},
-                      p.soft, 2.0f);
-  const float zero = range.low < 0.0 && range.high > 0.0 ? x_of(0.0) : left - kKnobRadius;
-  list->AddRectFilled({std::min(zero, x_of(value)), y - 0.5f * kTrack},
-                      {std::max(zero, x_of(value)), y + 0.5f * kTrack}, colour, 2.0f);
-  DrawKnob({x_of(value), y}, touch, colour);
-  return value != before;
 }
 
 bool Ui::IntervalSlider(std::string_view id, std::string_view label, SliderInterval& interval, ImU32 colour) {

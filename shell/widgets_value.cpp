@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Widgets that hold a number or a yes or no: slider, number field, switch.
+// Widgets that hold a whole number or a yes or no.
 #include <algorithm>
 #include <cmath>
 
@@ -7,48 +7,6 @@
 #include "shell/widgets.h"
 
 namespace gaitsmith::shell {
-bool Ui::Slider(std::string_view id, std::string_view label, double& value, const SliderRange& range,
-                std::string_view value_text) {
-  const float label_height = Fonts::LineHeight(Type::kBody) + 4.0f;
-  const float track_height = theme_.touch ? 26.0f : 18.0f;
-  const ImRect rect = Row(label_height + track_height);
-  const float track_y = rect.Max.y - 0.5f * track_height;
-  const Touch touch =
-      Area(id, rect, Grab::kArrows,
-           {.label = std::string(label),
-            .role = "slider",
-            .value = std::string(value_text),
-            .range = WidgetRange{range.low, range.high, range.logarithmic ? 0.0 : range.step, value}});
-  if (!touch.visible) return false;
-
-  // The knob's centre travels inside the track's ends.
-  const float left = rect.Min.x + kKnobRadius;
-  const float right = rect.Max.x - kKnobRadius;
-  const double before = value;
-  if (touch.held && ImGui::GetIO().MouseClickedPos[0].y > rect.Min.y + 0.5f * label_height) {
-    const float share = std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0f, 1.0f);
-    value = range.ValueAt(static_cast<double>(share));
-  }
-  if (touch.steps != 0) value = range.Stepped(value, touch.steps);
-  if (touch.wanted) value = range.Nearest(*touch.wanted);
-
-  const Palette& p = Ink();
-  ImDrawList* list = Canvas();
-  const float label_y = rect.Min.y + 0.5f * label_height;
-  Letters().Draw(list, Type::kBody, {rect.Min.x, label_y}, p.ink, label);
-  Letters().Draw(list, Type::kBody, {rect.Max.x, label_y}, p.second_ink, value_text, Align::kRight);
-  const float x = left + static_cast<float>(range.ShareOf(value)) * (right - left);
-  const ImVec2 knob(x, track_y);
-  list->AddRectFilled({rect.Min.x, track_y - 2.0f}, {rect.Max.x, track_y + 2.0f}, p.soft, 2.0f);
-  // A range across zero is filled from zero, so that "none" looks like none.
-  const bool signed_range = range.low < 0.0 && range.high > 0.0;
-  const float zero =
-      signed_range ? left + static_cast<float>(range.ShareOf(0.0)) * (right - left) : rect.Min.x;
-  list->AddRectFilled({std::min(zero, x), track_y - 2.0f}, {std::max(zero, x), track_y + 2.0f}, p.accent,
-                      2.0f);
-  DrawKnob(knob, touch, p.accent);
-  return value != before;
-}
 
 bool Ui::Number(std::string_view id, std::string_view label, int& value, int low, int high, int step) {
   const Palette& p = Ink();

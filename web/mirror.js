@@ -5,7 +5,7 @@
 import { MirrorKeys } from './mirror_keys.js';
 import { numberOf } from './language.js';
 import { element } from './dom.js';
-import { ROVING, controlledPart, isBesideNumber, isMirrored, isNumber, nodeFor, nodeForPart, setAttribute, takesKeyboard, update } from './mirror_nodes.js';
+import { ROVING, controlledPart, isBesideNumber, fits, isMirrored, nodeFor, nodeForPart, setAttribute, takesKeyboard, update } from './mirror_nodes.js';
 
 /** @typedef {import('./app.js').App} App */
 /** @typedef {import('./app.js').MirrorPart} MirrorPart */
@@ -148,8 +148,7 @@ export class Mirror {
     const reflections = new Map();
     for (const widget of widgets) {
       const known = this.#reflections.get(widget.id);
-      const same = known !== undefined && (known.widget.role === widget.role || (isNumber(known.widget.role) && isNumber(widget.role)));
-      const node = same ? known.node : nodeFor(widget);
+      const node = known && fits(known.node, known.widget, widget.role) ? known.node : nodeFor(widget);
       update(node, widget, own || node !== document.activeElement);
       children.get(nodeOf(widget.part))?.push(node);
       reflections.set(widget.id, { node, widget });
@@ -260,6 +259,14 @@ export class Mirror {
     }
     if (type === 'input') target.classList.add('typing');
     else this.commit(reflection);
+  }
+
+  /** Opens the field of a number on the canvas, and goes there. @param {Reflection} reflection */
+  typeOnCanvas({ widget }) {
+    this.app.activate(widget.id);
+    this.#waiting = true; // what was told last does not know of it
+    this.canvas.focus({ preventScroll: true });
+    this.acted();
   }
 
   /** @param {Reflection} reflection @param {number} value @param {boolean} [again]  a key that is held */

@@ -55,6 +55,10 @@ export class MirrorKeys {
     if (event.key === 'Escape') return this.#escape(reflection);
     if (isNumber(widget.role) && this.#number(reflection, event)) return true;
     if (isNumber(widget.role) && isTyping(reflection)) return false;
+    if (widget.role === 'slider' && event.key === 'Enter') {
+      this.mirror.typeOnCanvas(reflection);
+      return true;
+    }
     if (widget.range) return this.#value(reflection, event);
     if (event.key === 'Enter' && node.tagName === 'DIV') {
       node.click();

@@ -20,6 +20,17 @@ export const isMirrored = (widget) => widget.role !== 'scrollbar';
 /** A field that takes digits. @param {string} role */
 export const isNumber = (role) => role === 'spinbutton' || role === 'textbox';
 
+/**
+ * Whether the element can go on as a widget of this role. What is typed on the canvas was a number or a slider before, and
+ * will be one again.
+ * @param {HTMLElement} node @param {MirrorWidget} before @param {string} role
+ */
+export function fits(node, before, role) {
+  if (before.role === role) return true;
+  if (!(node instanceof HTMLInputElement)) return false;
+  return node.type === 'range' ? role === 'slider' || role === 'textbox' : isNumber(role);
+}
+
 /** Whether the keyboard may come to it. @param {MirrorWidget} widget */
 export function takesKeyboard({ id, role, state }) {
   return !state.disabled && (BUTTONS.has(role) || role === 'slider' || isNumber(role) || id === 'stage');
@@ -102,11 +113,11 @@ export function controlledPart({ id, role, state }) {
 }
 
 /** @param {HTMLInputElement} node @param {MirrorWidget} widget @param {boolean} withValue */
-function updateInput(node, { role, label, value, range }, withValue) {
+function updateInput(node, { label, value, range }, withValue) {
   setAttribute(node, 'aria-label', label);
   if (!range || !withValue) return;
   const { low, high, step, now } = range;
-  if (role === 'slider') {
+  if (node.type === 'range') {
     setAttribute(node, 'min', String(low));
     setAttribute(node, 'max', String(high));
     setAttribute(node, 'step', step > 0 ? String(step) : 'any');

@@ -23,6 +23,7 @@ import { WORLD_SCENARIOS } from './world_scenarios.mjs';
 import { RULE_SCENARIOS } from './rule_scenarios.mjs';
 import { THEME_SCENARIOS } from './theme_scenarios.mjs';
 import { TOUR_SCENARIOS } from './tour_scenarios.mjs';
+import { TYPING_SCENARIOS } from './typing_scenarios.mjs';
 import { WALK_SCENARIOS } from './walk_scenarios.mjs';
 import { nativeHash } from './native.mjs';
 
@@ -254,6 +255,7 @@ export const SCENARIOS = [
   ...WALK_SCENARIOS,
   ...FINGER_SCENARIOS,
   ...THEME_SCENARIOS,
+  ...TYPING_SCENARIOS,
   ...TOUR_SCENARIOS,
   ...LANGUAGE_SCENARIOS,
 

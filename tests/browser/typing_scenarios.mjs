@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Numbers beside sliders are typed: by click and by Enter; what is out of range goes to its end, what is no number and
+// what is given up changes nothing. Each opens a page of its own.
+import assert from 'node:assert/strict';
+import { setValue } from './assistive.mjs';
+import { PageDriver } from './page_driver.mjs';
+
+/** @typedef {import('./scenarios.mjs').Visit} Visit */
+
+const SLIDER = 'style/duration';
+
+/** @param {PageDriver} page */
+const shown = async (page) => {
+  const widget = (await page.widgets()).find(({ id }) => id === SLIDER);
+  const seconds = await page.call('duration', () => /** @type {any} */ (window.gaitsmith.document()).task.duration_steps / 100);
+  return { role: widget?.role, value: Number.parseFloat(widget?.value ?? ''), seconds };
+};
+
+/** Dear ImGui takes one key a frame. @param {PageDriver} page @param {string} role */
+async function becomes(page, role) {
+  for (let wait = 0; wait < 60 && (await shown(page)).role !== role; wait++) await page.frames();
+  assert.equal((await shown(page)).role, role);
+}
+
+/** Opens the field by a click on the number. @param {PageDriver} page */
+async function open(page) {
+  const { rect } = (await page.widgets()).find(({ id }) => id === SLIDER) ?? assert.fail(`no ${SLIDER}`);
+  await page.clickAt(rect.x + rect.width - 12, rect.y + 8);
+  await becomes(page, 'textbox');
+}
+
+/** @param {PageDriver} page @param {string} text @param {string} end  a key */
+async function type(page, text, end) {
+  await page.page.keyboard.type(text, { delay: 40 });
+  await page.frames();
+  await page.press(end);
+  await becomes(page, 'slider');
+}
+
+/** @param {Visit} visit */
+async function typed({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  await page.click('panels/2');
+  const before = await shown(page);
+  assert.equal(before.role, 'slider');
+  for (const [text, seconds] of /** @type {[string, number][]} */ ([['7.5', 7.5], ['12,0', 12], ['99999', 30], ['0.2', 1], ['-', 1], ['6', 6]])) {
+    await open(page);
+    await type(page, text, 'Enter');
+    assert.deepEqual(await shown(page), { role: 'slider', value: seconds, seconds }, `after ${text}`);
+  }
+  await open(page);
+  await type(page, '9', 'Escape');
+  assert.deepEqual(await shown(page), { role: 'slider', value: 6, seconds: 6 }, 'after Escape');
+
+  // By keys alone: Enter opens the field, and an arrow afterwards steps the slider.
+  await setValue(page, 'slider', 'Duration', '6.5');
+  await page.page.focus('#on-canvas-style-duration');
+  await page.press('Enter');
+  await becomes(page, 'textbox');
+  await type(page, '8', 'Enter');
+  assert.deepEqual(await shown(page), { role: 'slider', value: 8, seconds: 8 }, 'by Enter');
+  await page.press('ArrowRight');
+  assert.equal((await shown(page)).seconds, 8.5);
+  for (let step = 0; step < 12 && (await shown(page)).seconds !== before.seconds; step++) await page.press('Control+z');
+  assert.deepEqual(await shown(page), before);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @type {[string, (visit: Visit) => Promise<void>][]} */
+export const TYPING_SCENARIOS = [['numbers beside sliders are typed', typed]];
