@@ -47,17 +47,14 @@ void EditNumbers(Ui& ui, const Rod& rod, const std::function<void(const RodEdit&
     });
   }
   if (root) return;
-  const auto share = [](float radians) { return 0.5f + radians / (360.0f * kDegree); };
-  SliderInterval limits{.low = share(rod.min_rad),
-                        .high = share(rod.max_rad),
-                        .low_text = Degrees(static_cast<double>(rod.min_rad / kDegree)),
-                        .high_text = Degrees(static_cast<double>(rod.max_rad / kDegree))};
-  ui.Fact(Tr("Joint turns"), Tr("{1} to {2}", limits.low_text, limits.high_text));
-  if (!ui.IntervalSlider("figure/range", Tr("Joint turns"), limits, ui.Ink().accent)) return;
-  const auto whole = [](float part) { return std::round((part - 0.5f) * 360.0f) * kDegree; };
+  double least = static_cast<double>(rod.min_rad / kDegree);
+  double most = static_cast<double>(rod.max_rad / kDegree);
+  constexpr SliderRange kTurns = {.low = -180.0, .high = 180.0, .step = 1.0};  // to either side of rest
+  const bool opened = ui.Slider("figure/joint-from", Tr("Joint turns from"), least, kTurns, Degrees(least));
+  if (!ui.Slider("figure/joint-to", Tr("Joint turns to"), most, kTurns, Degrees(most)) && !opened) return;
   change([&](Rod& r) {
-    r.min_rad = std::clamp(whole(limits.low), -kLargestAngle, 0.0f);
-    r.max_rad = std::clamp(whole(limits.high), 0.0f, kLargestAngle);
+    r.min_rad = std::clamp(static_cast<float>(least) * kDegree, -kLargestAngle, 0.0f);
+    r.max_rad = std::clamp(static_cast<float>(most) * kDegree, 0.0f, kLargestAngle);
   });
 }
 

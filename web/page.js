@@ -93,7 +93,10 @@ async function start() {
   const searches = new Searches(app, statusLine);
   const address = new Address(app, () => searches.improving);
   followTheme((look) => app.setTheme(look));
-  followLanguage((table) => void app.setLanguage(table));
+  followLanguage((table) => {
+    app.setLanguage(table);
+    showTitle(app.title());
+  });
   const autosave = new Autosave(app, address, statusLine);
   autosave.begin();
   showTitle(app.title());
