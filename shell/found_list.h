@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The found motions in the Search panel: a press shows one; each can be kept and deleted.
+// The found motions in the Search panel, as cards: sorted, and those that are asked for.
 #pragma once
 
-#include "shell/session.h"
-#include "shell/widgets.h"
+#include "shell/found_card.h"
 
 namespace gaitsmith::shell {
 
-void DrawFound(Ui&, Session&, FoundMotions::Order&);
+struct FoundListState {
+  enum class Filter { kAll, kThisFigure, kKept };
+
+  FoundMotions::Order order = FoundMotions::Order::kNewest;
+  Filter filter = Filter::kAll;
+  MotionStrips strips = {};
+};
+
+void DrawFound(Ui&, Session&, FoundListState&);
 
 }  // namespace gaitsmith::shell

@@ -7,6 +7,7 @@
 
 #include "core/document/binary.h"
 #include "shell/algorithm_words.h"
+#include "shell/language.h"
 #include "shell/search_queue.h"
 #include "shell/search_words.h"
 
@@ -19,6 +20,7 @@ std::string FoundId(const Document& document) {
   std::uint64_t sum = 0xcbf29ce484222325u;
   Document bare = document;
   bare.view = {};
+  bare.title.clear();
   for (const std::uint8_t byte : EncodeBinary(bare)) sum = (sum ^ byte) * 0x100000001b3u;
   return HashText(sum);
 }
@@ -50,6 +52,7 @@ std::string FoundMotions::Add(FoundMotion motion, const std::string& in_place_of
   Entry entry{FoundId(motion.document), std::move(motion), 0};
   if (const auto same = std::ranges::find(entries_, entry.id, &Entry::id); same != entries_.end()) {
     entry.motion.kept = entry.motion.kept || same->motion.kept;
+    if (entry.motion.name.empty()) entry.motion.name = same->motion.name;
     entries_.erase(same);
   }
   if (const auto old = std::ranges::find(entries_, in_place_of, &Entry::id);
@@ -108,19 +111,50 @@ bool FoundMotions::Keep(const std::string& id, bool kept) {
   return true;
 }
 
+std::string FoundMotions::Rename(const std::string& id, const std::string& name) {
+  const auto entry = std::ranges::find(entries_, id, &Entry::id);
+  if (entry == entries_.end()) return Tr("It is not among the results any more.");
+  if (entry->motion.name == name) return {};
+  if (const auto good = CheckName(name); !good) return TrError(good.error());
+  entry->motion.name = name;
+  Tell(*entry);
+  return {};
+}
+
 const FoundMotions::Entry* FoundMotions::Find(std::string_view id) const {
   const auto entry = std::ranges::find(entries_, id, &Entry::id);
   return entry == entries_.end() ? nullptr : &*entry;
 }
 
+namespace {
+
+/// How much a motion has of what an order asks for.
+float Amount(FoundMotions::Order order, const FoundMotion& motion) {
+  if (!motion.Moves() || motion.terms.broke_physics) return kVoidScore;
+  switch (order) {
+    case FoundMotions::Order::kNewest:
+      return 0.0f;
+    case FoundMotions::Order::kBest:
+      return motion.Score();
+    case FoundMotions::Order::kHighest:
+      return motion.terms.max_cm_height_m;
+    case FoundMotions::Order::kMostTurns:
+      return motion.terms.rotations;
+    case FoundMotions::Order::kLeastSlip:
+      return -motion.terms.slip_sum_m;
+  }
+  return 0.0f;
+}
+
+}  // namespace
+
 std::vector<const FoundMotions::Entry*> FoundMotions::Sorted(Order order) const {
   std::vector<const Entry*> sorted;
+  sorted.reserve(entries_.size());
   for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) sorted.push_back(&*entry);
-  if (order == Order::kBest) {
-    // Of equals the newer one first: the entries lie in one array, the newest last.
-    std::ranges::sort(sorted, std::ranges::greater{},
-                      [](const Entry* entry) { return std::pair(entry->motion.Score(), entry); });
-  }
+  if (order == Order::kNewest) return sorted;
+  std::ranges::stable_sort(sorted, std::ranges::greater{},
+                           [order](const Entry* entry) { return Amount(order, entry->motion); });
   return sorted;
 }
 

@@ -28,18 +28,19 @@ struct FoundMotion {
   Document document =
       {};  // with its trajectory's hash; without a controller: a search that failed with nothing
   Origin origin = Origin::kDone;
-  int evaluations = 0;  // that the search had made; 0: kept by hand
-  Terms terms = {};     // of the whole motion
-  double when_s = 0.0;  // since 1970, on this machine's clock
-  bool kept = false;    // a person wants it to stay
+  int evaluations = 0;    // that the search had made; 0: kept by hand
+  Terms terms = {};       // of the whole motion
+  double when_s = 0.0;    // since 1970, on this machine's clock
+  bool kept = false;      // a person wants it to stay
+  std::string name = {};  // that a person gave it, at most kMaxNameBytes; empty: none
 
   [[nodiscard]] bool Moves() const { return !document.timeline.empty(); }
   /// kVoidScore where nothing moves.
   [[nodiscard]] float Score() const;
 };
 
-/// A name that follows from the document alone, so that the same motion of the same search has it wherever
-/// and whenever it is found: 16 hexadecimal digits.
+/// An id that follows from the document alone, whatever its title, so that the same motion of the same search
+/// has it wherever and whenever it is found: 16 hexadecimal digits.
 [[nodiscard]] std::string FoundId(const Document&);
 
 /// A document of one controller, alone from the start, as a search has found it: its own problem and settings
@@ -60,7 +61,7 @@ class FoundMotions {
     FoundMotion motion;
     std::size_t bytes;
   };
-  enum class Order { kNewest, kBest };
+  enum class Order { kNewest, kBest, kHighest, kMostTurns, kLeastSlip };
 
   FoundMotions() = default;
   explicit FoundMotions(const Limits& limits) : limits_(limits) {}
@@ -86,7 +87,9 @@ class FoundMotions {
   [[nodiscard]] bool Empty() const { return entries_.empty(); }
   [[nodiscard]] std::size_t Count() const { return entries_.size(); }
   [[nodiscard]] const Entry* Find(std::string_view id) const;
-  /// Newest or best first; equals: the newer first.
+  /// A name is given, or taken away where it is empty. @return why not; empty: it is done
+  [[nodiscard]] std::string Rename(const std::string& id, const std::string& name);
+  /// Those first that have most of what the order says; equals: the newer first.
   [[nodiscard]] std::vector<const Entry*> Sorted(Order) const;
   /// The best of those with this document's figure and task; of all when there is none. Null: nothing moves.
   [[nodiscard]] const Entry* Best(const Document& like) const;
@@ -102,8 +105,8 @@ class FoundMotions {
   std::optional<Entry> removed_;
 };
 
-/// An entry as JSON: {"link", "origin", "evaluations", "when", "kept", "terms"}. Reading it gives the same
-/// bits.
+/// An entry as JSON: {"link", "origin", "evaluations", "when", "kept", "terms"}, and "name" where it has one.
+/// Reading it gives the same bits.
 [[nodiscard]] std::string EncodeFound(const FoundMotion&);
 [[nodiscard]] Result<FoundMotion> DecodeFound(std::string_view text);
 

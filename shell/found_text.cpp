@@ -54,7 +54,8 @@ std::string EncodeFound(const FoundMotion& found) {
   return "{\"link\":" + QuoteJson(EncodeLink(found.document)) +
          ",\"origin\":" + QuoteJson(NameOf(found.origin)) +
          ",\"evaluations\":" + std::to_string(found.evaluations) + ",\"when\":" + Exact(found.when_s, 15) +
-         ",\"kept\":" + (found.kept ? "true" : "false") + ",\"terms\":" + terms + "}";
+         ",\"kept\":" + (found.kept ? "true" : "false") +
+         (found.name.empty() ? "" : ",\"name\":" + QuoteJson(found.name)) + ",\"terms\":" + terms + "}";
 }
 
 Result<FoundMotion> DecodeFound(std::string_view text) {
@@ -80,6 +81,11 @@ Result<FoundMotion> DecodeFound(std::string_view text) {
   if (evaluations == nullptr || !(evaluations->number >= 0.0 && evaluations->number <= 1e9))
     return Bad("evaluations");
   found.evaluations = static_cast<int>(evaluations->number);
+  if (json->Find("name") != nullptr) {
+    const JsonValue* given = member("name", Kind::kString);
+    if (given == nullptr || !CheckName(given->text)) return Bad("name");
+    found.name = given->text;
+  }
   const JsonValue* terms = json->Find("terms");
   if (terms == nullptr) return Bad("terms");
   if (terms->kind == Kind::kNull) {

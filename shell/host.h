@@ -47,6 +47,10 @@ class Host {
   virtual void DocumentChanged(const std::string& title) = 0;
   /// A found motion is new or has changed: its text stands for it at the next visit. Empty: it has gone.
   virtual void StoreFound(const std::string& /*id*/, const std::string& /*text*/) {}
+  /// Whether AskName can be answered.
+  [[nodiscard]] virtual bool CanAskName() const { return false; }
+  /// Asks the person for the name of a found motion; the answer goes to Session::found.
+  virtual void AskName(const std::string& /*id*/, const std::string& /*name*/) {}
   /// Of this machine's clock, since 1970 [s]; 0: it has none.
   [[nodiscard]] virtual double NowS() const { return 0.0; }
   /// The first frame is on the screen.

@@ -287,6 +287,16 @@ EMSCRIPTEN_KEEPALIVE int gs_show_found(const char* id) {
   ThePage().window->RequestFrame();
   return TheSession().ShowFound(id) ? 1 : 0;
 }
+/// @param options JSON object: id, name. @return an empty text, or why not
+EMSCRIPTEN_KEEPALIVE const char* gs_rename_found(const char* options) {
+  const auto parsed = ParseJson(options);
+  if (!parsed) return Reply(TrError(parsed.error()));
+  const JsonValue* id = parsed->Find("id");
+  const JsonValue* name = parsed->Find("name");
+  const bool texts = id != nullptr && id->kind == JsonValue::Kind::kString && name != nullptr &&
+                     name->kind == JsonValue::Kind::kString;
+  return Reply(texts ? TheSession().found.Rename(id->text, name->text) : Tr("id and name must be texts"));
+}
 /// A found motion of an earlier visit. @return 0: the text is none
 EMSCRIPTEN_KEEPALIVE int gs_restore_found(const char* text) {
   ThePage().window->RequestFrame();

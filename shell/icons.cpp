@@ -89,6 +89,10 @@ void DrawIcon(ImDrawList* list, Icon icon, ImVec2 centre, float size, ImU32 colo
       pen.Fill({{-0.55f, -0.75f}, {0.0f, -0.75f}, {0.0f, 0.25f}, {-0.55f, 0.75f}});
       pen.Fill({{0.0f, -0.75f}, {0.55f, -0.75f}, {0.55f, 0.75f}, {0.0f, 0.25f}});
       break;
+    case Icon::kPencil:
+      pen.Stroke(
+          {{-0.7f, 0.7f}, {-0.55f, 0.2f}, {0.4f, -0.75f}, {0.75f, -0.4f}, {-0.2f, 0.55f}, {-0.7f, 0.7f}});
+      break;
   }
 }
 

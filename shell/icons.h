@@ -20,7 +20,8 @@ enum class Icon {
   kCheck,
   kStop,
   kBookmark,  // outlined, and full for what is kept
-  kBookmarkFull
+  kBookmarkFull,
+  kPencil
 };
 
 /// @param size edge of the square it fills [points]; 14 suits 13 px type

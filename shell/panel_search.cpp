@@ -9,12 +9,12 @@
 
 #include "shell/algorithm_words.h"
 #include "shell/fold.h"
-#include "shell/found_list.h"
 #include "shell/language.h"
 #include "shell/plot.h"
 #include "shell/queue_list.h"
 #include "shell/search_settings_form.h"
 #include "shell/search_words.h"
+#include "shell/suite_form.h"
 #include "shell/wording.h"
 
 namespace gaitsmith::shell {
@@ -185,13 +185,16 @@ void DrawSearchPanel(Ui& ui, Session& session, SearchPanelState& state) {
   DrawKeepingButtons(ui, session);
   ui.Gap(kGap);
   DrawSettings(ui, session, state);
+  if (DrawFold(ui, "suite", Tr("Suite"), Tr("{1} to make", std::to_string(state.suite_of.Searches())),
+               state.suite))
+    DrawSuiteForm(ui, session, state.suite_of);
   const auto waiting = static_cast<long long>(session.queue.Waiting().size());
   const std::string queued =
       waiting == 0 ? Tr("empty") : Tr(waiting == 1 ? "{1} waits" : "{1} wait", Grouped(waiting));
   if (DrawFold(ui, "queue", Tr("Queue"), queued, state.queue)) DrawQueue(ui, session);
   const auto found = static_cast<long long>(session.found.Count());
   if (DrawFold(ui, "found", Tr("Results"), found == 0 ? Tr("none yet") : Grouped(found), state.found))
-    DrawFound(ui, session, state.order);
+    DrawFound(ui, session, state.list);
 }
 
 }  // namespace gaitsmith::shell

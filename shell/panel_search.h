@@ -2,18 +2,20 @@
 // The Search panel: how far the search has come, how to look for a better motion, what waits, what was found.
 #pragma once
 
-#include "shell/session.h"
-#include "shell/widgets.h"
+#include "shell/found_list.h"
+#include "shell/suite_plan.h"
 
 namespace gaitsmith::shell {
 
-/// Which sections are open, and how the results are sorted.
+/// Which sections are open, and what is chosen in them.
 struct SearchPanelState {
   bool settings = true;
   bool variation = false;
   bool queue = true;
   bool found = true;
-  FoundMotions::Order order = FoundMotions::Order::kNewest;
+  bool suite = false;
+  SuiteChoice suite_of = {};
+  FoundListState list = {};
 };
 
 void DrawSearchPanel(Ui&, Session&, SearchPanelState&);

@@ -4,12 +4,19 @@
 #include "shell/algorithm_words.h"
 #include "shell/language.h"
 #include "shell/session.h"
+#include "shell/style_words.h"
 #include "shell/wording.h"
 
 namespace gaitsmith::shell {
 
 std::string SearchTitle(const Document& d) {
-  return (d.figure.name.empty() ? Tr("A figure") : TrTitle(d.figure.name)) + " · " + TaskWords(d.task.kind);
+  std::string title =
+      (d.figure.name.empty() ? Tr("A figure") : TrTitle(d.figure.name)) + " · " + TaskWords(d.task.kind);
+  for (std::size_t i = 0; i < kStyleTerms; ++i) {
+    const float weight = d.task.weights[i];
+    if (weight != 0.0f) title += ", " + Tr(weight > 0.0f ? "more {1}" : "less {1}", Tr(TermTexts()[i].word));
+  }
+  return title;
 }
 
 std::string SearchName(const Document& d) {

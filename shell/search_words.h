@@ -8,7 +8,7 @@
 
 namespace gaitsmith::shell {
 
-/// "Mr. Star-Man · travel"
+/// "Mr. Star-Man · travel", "Mr. Star-Man · jump, more rotations"
 [[nodiscard]] std::string SearchTitle(const Document&);
 /// The same in English, whatever the language, for documents and scripts.
 [[nodiscard]] std::string SearchName(const Document&);

@@ -17,6 +17,7 @@
 #include "shell/playback.h"
 #include "shell/search_queue.h"
 #include "shell/spread_curve.h"
+#include "shell/suite_plan.h"
 
 namespace gaitsmith::shell {
 
@@ -88,8 +89,9 @@ class Session {
   /// The whole timeline once more behind itself.
   void LoopTimeline();
   /// A found motion takes over at the moment that is shown, all its clips.
+  /// @param step  or there instead
   /// @return false: there is no such motion, or it does not fit
-  bool InsertFound(const std::string& id);
+  bool InsertFound(const std::string& id, std::optional<int> step = {});
   /// A short search makes the selected clip's controller better from where the clip before it leaves the
   /// figure.
   void RepairClip();
@@ -177,6 +179,8 @@ class Session {
   /// Begins with the first that waits; then they go on by themselves. Refused, with a sentence, while a
   /// search or the lab runs.
   bool RunQueue();
+  /// Queues the suite's searches, and lets them run.
+  void MakeSuite(const SuiteChoice&);
   /// Once a frame: goes on where a search ended by the way, because its document went away.
   void GoOn() {
     if (queue_due_) RunNext();
@@ -193,6 +197,11 @@ class Session {
   /// The document as it was found, in the place of the one in hand, which Undo brings back. @return false:
   /// there is no such motion
   bool ShowFound(const std::string& id);
+  /// The person is asked for its name.
+  void AskName(const std::string& id) const;
+  [[nodiscard]] bool CanAskName() const { return host_.CanAskName(); }
+  /// The search that found it once more: the same seed, settings and problem. @return whether it is queued
+  bool MakeAgain(const std::string& id);
   /// Whether a found motion is what is in hand now.
   [[nodiscard]] bool InHand(const FoundMotions::Entry&) const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A session's queue of searches, and the motions that searches have found.
 #include <algorithm>
+#include <vector>
 
 #include "shell/language.h"
 #include "shell/search_words.h"
@@ -46,6 +47,30 @@ bool Session::RunQueue() {
   notice.clear();
   RunNext();
   return true;
+}
+
+void Session::MakeSuite(const SuiteChoice& choice) {
+  const std::vector<Document> suite = SuiteOf(document_, choice);
+  int added = 0;
+  for (const Document& one : suite) added += queue.Add(one) ? 1 : 0;
+  host_.Status(added < static_cast<int>(suite.size())
+                   ? Tr("The queue has room for {1} of the suite's {2} searches.", std::to_string(added),
+                        std::to_string(suite.size()))
+                   : Tr("The suite is in the queue: {1}.", WaitingWords(queue.Waiting().size())));
+  if (!Searching() && !lab.Running()) RunNext();
+}
+
+bool Session::MakeAgain(const std::string& id) {
+  const FoundMotions::Entry* entry = found.Find(id);
+  if (entry == nullptr || entry->motion.origin == Origin::kByHand) return false;
+  if (!Enqueue(entry->motion.document)) return false;
+  if (!Searching() && !lab.Running()) RunNext();
+  return true;
+}
+
+void Session::AskName(const std::string& id) const {
+  if (const FoundMotions::Entry* entry = found.Find(id); entry != nullptr)
+    host_.AskName(id, entry->motion.name.empty() ? SearchTitle(entry->motion.document) : entry->motion.name);
 }
 
 void Session::RunNext() {
@@ -95,7 +120,8 @@ bool Session::KeepMotion() {
 bool Session::ShowFound(const std::string& id) {
   const FoundMotions::Entry* entry = found.Find(id);
   if (entry == nullptr) return false;
-  const Document document = entry->motion.document;
+  Document document = entry->motion.document;
+  if (!entry->motion.name.empty()) document.title = entry->motion.name;
   const bool moves = entry->motion.Moves();
   Replace(document);
   if (differs_from_maker_) return true;  // the stage says so

@@ -113,10 +113,11 @@ void Session::LoopTimeline() {
   EditTimeline([&](Document& d) { return Then(gaitsmith::LoopTimeline(d, 2), selected_clip_); });
 }
 
-bool Session::InsertFound(const std::string& id) {
+bool Session::InsertFound(const std::string& id, std::optional<int> wanted) {
   const FoundMotions::Entry* entry = found.Find(id);
   if (entry == nullptr || !entry->motion.Moves()) return false;
   const Document& other = entry->motion.document;
+  const std::string& name = entry->motion.name;
   if (!SameRods(other.figure, document_.figure)) {
     Say(Tr("Not possible: this controller was found for a figure with other rods, {1}.",
            TrTitle(other.figure.name)));
@@ -125,11 +126,15 @@ bool Session::InsertFound(const std::string& id) {
   const auto before = document_.timeline.size();
   // A motion that is shown to its end goes on with what is added.
   const int frame = player.Frame();
-  const int step = frame >= player.Shown().Frames() - kShortestClip ? document_.duration_steps : frame;
+  const int step = wanted                                             ? *wanted
+                   : frame >= player.Shown().Frames() - kShortestClip ? document_.duration_steps
+                                                                      : frame;
   EditTimeline([&](Document& d) -> Result<int> {
     std::vector<Stretch> inserted = StretchesOf(other);  // what was kept may be a composite itself
     for (Stretch& stretch : inserted) {
-      const auto added = AddController(d, other.controllers[static_cast<std::size_t>(stretch.controller)]);
+      Controller controller = other.controllers[static_cast<std::size_t>(stretch.controller)];
+      if (!name.empty() && other.controllers.size() == 1) controller.name = name;
+      const auto added = AddController(d, controller);
       if (!added) return std::unexpected(added.error());
       stretch.controller = *added;
     }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/document/timeline_edit.h"
+#include "shell/found_drop.h"
 #include "shell/language.h"
 #include "shell/plot.h"
 #include "shell/timeline_tools.h"
@@ -251,7 +252,7 @@ void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
 
   if (empty) {
     ui.Canvas()->AddRectFilled(band.rect.Min, band.rect.Max, p.soft, 8.0f);
-    return;
+    return TakeFound(ui, session, band.rect);
   }
   // Clips may go away while they are drawn, so the count is looked at anew.
   {
@@ -261,6 +262,7 @@ void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
   DrawRuler(ui, session, band);
   for (std::size_t i = 1; i < session.Doc().timeline.size(); ++i) DrawSwitchPoint(ui, session, band, i);
   DrawEnd(ui, session, band);
+  TakeFound(ui, session, band.rect);
 }
 
 }  // namespace gaitsmith::shell

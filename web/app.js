@@ -191,6 +191,10 @@ export class App {
   found() { return JSON.parse(this.#text(this.module._gs_found())); }
   /** @param {string} id @returns {boolean} false: there is no such result */
   showFound(id) { return this.#with(id, (at) => this.module._gs_show_found(at)) !== 0; }
+  /** @param {string} id @param {string} name  empty: none @returns {string} empty, or why not */
+  renameFound(id, name) {
+    return this.#with(JSON.stringify({ id, name }), (at) => this.#text(this.module._gs_rename_found(at)));
+  }
   /** A found motion of an earlier visit. @param {string} text @returns {boolean} false: it is none */
   restoreFound(text) { return this.#with(text, (at) => this.module._gs_restore_found(at)) !== 0; }
 

@@ -8,6 +8,7 @@ import { Gaitsmith } from './api.js';
 import { HelpSheet } from './help_sheet.js';
 import { Lab } from './lab.js';
 import { Mirror } from './mirror.js';
+import { Naming } from './naming.js';
 import { Narrator } from './narrator.js';
 import { Palette } from './palette.js';
 import { Searches } from './searches.js';
@@ -45,7 +46,7 @@ start().catch((error) => {
 
 async function start() {
   setTimeout(() => { element('loading-hint').hidden = false; }, HINT_AFTER_MS);
-  /** @type {{app: App, searches: Searches, lab: Lab, address: Address, autosave: Autosave, kept: KeptResults, buttons: HistoryButtons, commands: Commands, canvas: HTMLCanvasElement} | null} */
+  /** @type {{app: App, searches: Searches, lab: Lab, address: Address, autosave: Autosave, kept: KeptResults, naming: Naming, buttons: HistoryButtons, commands: Commands, canvas: HTMLCanvasElement} | null} */
   let parts = null;
 
   // The language comes while the application does; its first frame is to have both.
@@ -58,6 +59,7 @@ async function start() {
       startSearch: (document, workers) => void parts?.searches.start(document, workers),
       startTrial: (document, workers, trial) => void parts?.searches.start(document, workers, { trial }),
       startQueued: (document, workers, words) => void parts?.searches.start(document, workers, { queued: words }),
+      askName: (id, name) => parts?.naming.ask(id, name),
       storeFound: (id, text) => parts?.kept.store(id, text),
       labEnded: () => {
         parts?.searches.labEnded();
@@ -101,7 +103,7 @@ async function start() {
   autosave.begin();
   showTitle(app.title());
   commands = new Commands(app, new Mirror(app, canvas));
-  parts = { app, searches, lab: new Lab(app), address, autosave, kept: new KeptResults(statusLine), buttons: new HistoryButtons(app), commands, canvas };
+  parts = { app, searches, lab: new Lab(app), address, autosave, kept: new KeptResults(statusLine), naming: new Naming(app), buttons: new HistoryButtons(app), commands, canvas };
   gaitsmith.begin(parts);
   gaitsmith.fps = Number(new URLSearchParams(location.search).get('fps'));
   searches.addEventListener('done', () => address.changed());

@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: MIT
 // Copy link, Open and Save, and the clipboard's keys. All of it happens in DOM event handlers, because browsers give
 // the clipboard and files only to those.
-import { element, offerFile, onClick, toast } from './dom.js';
+import { element, offerFile, onClick, setText, toast } from './dom.js';
 import { sentence } from './address.js';
 import { grouped, tr, trSentence } from './language.js';
 
 /** @typedef {import('./app.js').App} App */
 
 const MOST_BYTES = 8e6;
+// Programs that carry links cut some off after 2,000 characters or a little more.
+const LONG_LINK = 1900;
 
 /** @param {App} app @param {import('./address.js').Address} address */
 export function startSharing(app, address) {
   onClick('copy-link', () => copy(address));
   onClick('save', () => save(app));
+  onClick('long-link-save', () => {
+    save(app);
+    element('long-link-dialog', HTMLDialogElement).close();
+  });
   startOpening(app);
   startClipboardKeys(app, address);
 }
@@ -22,7 +28,8 @@ async function copy(address) {
   const link = address.link();
   try {
     await navigator.clipboard.writeText(link);
-    toast(tr('Link copied'));
+    if (link.length <= LONG_LINK) toast(tr('Link copied'));
+    else warnOf(link.length);
   } catch {
     // No permission, no focus, or a page that was not served securely: the person copies by hand.
     const text = element('link-text', HTMLTextAreaElement);
@@ -30,6 +37,12 @@ async function copy(address) {
     element('link-dialog', HTMLDialogElement).showModal();
     text.select();
   }
+}
+
+/** The link is copied, and may not arrive. @param {number} characters */
+function warnOf(characters) {
+  setText(element('long-link-words'), tr('The link is copied. It has {1} characters, and some programs cut links off after about 2,000: a file carries everything.', grouped(characters)));
+  element('long-link-dialog', HTMLDialogElement).showModal();
 }
 
 /** @param {App} app */

@@ -51,10 +51,10 @@ void Archive::CheckModel(std::string_view name, std::int64_t model) {
   }
 }
 
-void Archive::CheckText(std::string_view name, const std::string& text) {
+Result<void> CheckName(std::string_view text) {
   if (text.size() > kMaxNameBytes) {
-    return FailAt(name, ErrorCode::kTooMany,
-                  "at most " + std::to_string(kMaxNameBytes) + " bytes, has " + std::to_string(text.size()));
+    return Fail(ErrorCode::kTooMany, "",
+                "at most " + std::to_string(kMaxNameBytes) + " bytes, has " + std::to_string(text.size()));
   }
   // Well-formed UTF-8 without control characters, so that any page can show it.
   for (std::size_t i = 0; i < text.size();) {
@@ -74,11 +74,16 @@ void Archive::CheckText(std::string_view name, const std::string& text) {
     }
     const bool overlong = (more == 2 && code < 0x800) || (more == 3 && code < 0x10000);
     if (!good || overlong || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) {
-      return FailAt(name, ErrorCode::kSyntax,
-                    "must be printable UTF-8 text; byte " + std::to_string(i) + " is not");
+      return Fail(ErrorCode::kSyntax, "",
+                  "must be printable UTF-8 text; byte " + std::to_string(i) + " is not");
     }
     i += static_cast<std::size_t>(more) + 1;
   }
+  return {};
+}
+
+void Archive::CheckText(std::string_view name, const std::string& text) {
+  if (const auto good = CheckName(text); !good) FailAt(name, good.error().code, good.error().what);
 }
 
 void Archive::CheckCount(std::string_view name, std::size_t count, std::size_t most) {

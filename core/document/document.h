@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/numeric/error.h"
@@ -48,6 +49,10 @@ struct Document {
   View view;
   std::optional<std::uint64_t> hash;  // of the trajectory, as its maker saw it
 };
+
+/// Whether a text can be a name or a title: at most kMaxNameBytes of well-formed UTF-8 without control
+/// characters. The error says what is wrong, not where.
+[[nodiscard]] Result<void> CheckName(std::string_view text);
 
 /// Checks every number, name and reference. The first fault is returned: where and what.
 [[nodiscard]] Result<void> Validate(const Document&);

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The dialog in which a found motion gets a name.
+import { element, onClick, setText } from './dom.js';
+import { trSentence } from './language.js';
+
+/** @typedef {import('./app.js').App} App */
+
+export class Naming {
+  #dialog = element('name-dialog', HTMLDialogElement);
+  #text = element('name-text', HTMLInputElement);
+  #error = element('name-error');
+  #id = '';
+
+  /** @param {App} app */
+  constructor(app) {
+    onClick('name-cancel', () => this.#dialog.close());
+    this.#dialog.addEventListener('submit', (event) => {
+      const fault = app.renameFound(this.#id, this.#text.value.trim());
+      setText(this.#error, fault && trSentence(fault));
+      if (fault) event.preventDefault();
+    });
+  }
+
+  /** @param {string} id @param {string} name  the present one */
+  ask(id, name) {
+    this.#id = id;
+    this.#text.value = name;
+    setText(this.#error, '');
+    this.#dialog.showModal();
+    this.#text.select();
+  }
+}
