@@ -10,8 +10,9 @@ namespace {
 constexpr const char* kPayload = "found motion";
 constexpr float kNearPixels = 9.0f;
 
-/// The step that is meant: a border of clips, a half second, or just there.
-int StepMeant(const Document& d, const ImRect& band, float x) {
+/// The step that is meant: the moment shown, a border of clips, a half second, or just there.
+int StepMeant(const Session& session, const ImRect& band, float x) {
+  const Document& d = session.Doc();
   const auto steps = static_cast<float>(std::max(1, d.duration_steps));
   const float share = std::clamp((x - band.Min.x) / std::max(band.GetWidth(), 1.0f), 0.0f, 1.0f);
   const auto step = static_cast<int>(std::lround(share * steps));
@@ -22,6 +23,8 @@ int StepMeant(const Document& d, const ImRect& band, float x) {
     const int border = i < d.timeline.size() ? d.timeline[i].start_step : d.duration_steps;
     if (std::abs(static_cast<float>(border - step)) < reach) meant = border;
   }
+  const int now = session.player.Frame();
+  if (std::abs(static_cast<float>(now - step)) < reach) meant = now;
   return std::clamp(meant, 0, d.duration_steps);
 }
 
@@ -50,7 +53,7 @@ void TakeFound(const Ui& ui, Session& session, const ImRect& band) {
       kPayload, ImGuiDragDropFlags_AcceptBeforeDelivery | ImGuiDragDropFlags_AcceptNoDrawDefaultRect);
   if (payload != nullptr) {
     const Document& d = session.Doc();
-    const int step = d.timeline.empty() ? 0 : StepMeant(d, band, ImGui::GetIO().MousePos.x);
+    const int step = d.timeline.empty() ? 0 : StepMeant(session, band, ImGui::GetIO().MousePos.x);
     const float x = band.Min.x + static_cast<float>(step) /
                                      static_cast<float>(std::max(1, d.duration_steps)) * band.GetWidth();
     ui.Canvas()->AddRectFilled({x - 2.0f, band.Min.y - 5.0f}, {x + 2.0f, band.Max.y + 5.0f}, ui.Ink().accent,

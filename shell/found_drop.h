@@ -13,7 +13,8 @@ namespace gaitsmith::shell {
 /// @param name  what the pointer carries meanwhile
 void OfferFound(const Ui&, const std::string& id, const std::string& name);
 
-/// Takes it where it is let go over the clips: it is inserted there, or at the border or half second nearby.
+/// Takes it where it is let go over the clips: it is inserted there, or at the moment
+/// shown, the border or the half second nearby.
 /// @param band of all clips, from the start of the motion to its end
 void TakeFound(const Ui&, Session&, const ImRect& band);
 

@@ -41,6 +41,7 @@ void DrawChoices(Ui& ui, FoundListState& state) {
   int filter = static_cast<int>(state.filter);
   if (ui.Combo("found/order", Tr("Order of the results"), orders, order))
     state.order = static_cast<FoundMotions::Order>(order);
+  ui.Gap(4.0f);
   if (ui.Combo("found/filter", Tr("Which results"), filters, filter))
     state.filter = static_cast<FoundListState::Filter>(filter);
   ui.Gap(8.0f);

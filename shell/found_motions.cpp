@@ -21,6 +21,7 @@ std::string FoundId(const Document& document) {
   Document bare = document;
   bare.view = {};
   bare.title.clear();
+  for (Controller& controller : bare.controllers) controller.name.clear();
   for (const std::uint8_t byte : EncodeBinary(bare)) sum = (sum ^ byte) * 0x100000001b3u;
   return HashText(sum);
 }

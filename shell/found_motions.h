@@ -39,8 +39,8 @@ struct FoundMotion {
   [[nodiscard]] float Score() const;
 };
 
-/// An id that follows from the document alone, whatever its title, so that the same motion of the same search
-/// has it wherever and whenever it is found: 16 hexadecimal digits.
+/// An id that follows from the document alone, whatever the names in it, so that the same motion of the same
+/// search has it wherever and whenever it is found: 16 hexadecimal digits.
 [[nodiscard]] std::string FoundId(const Document&);
 
 /// A document of one controller, alone from the start, as a search has found it: its own problem and settings

@@ -121,7 +121,10 @@ bool Session::ShowFound(const std::string& id) {
   const FoundMotions::Entry* entry = found.Find(id);
   if (entry == nullptr) return false;
   Document document = entry->motion.document;
-  if (!entry->motion.name.empty()) document.title = entry->motion.name;
+  if (const std::string& name = entry->motion.name; !name.empty()) {
+    document.title = name;
+    if (document.controllers.size() == 1) document.controllers[0].name = name;
+  }
   const bool moves = entry->motion.Moves();
   Replace(document);
   if (differs_from_maker_) return true;  // the stage says so

@@ -18,6 +18,7 @@ import { LOOP_SCENARIOS } from './loop_scenarios.mjs';
 import { MIRROR_SCENARIOS } from './mirror_scenarios.mjs';
 import { PALETTE_SCENARIOS } from './palette_scenarios.mjs';
 import { QUEUE_SCENARIOS } from './queue_scenarios.mjs';
+import { SUITE_SCENARIOS } from './suite_scenarios.mjs';
 import { TIMELINE_SCENARIOS } from './timeline_scenarios.mjs';
 import { WORLD_SCENARIOS } from './world_scenarios.mjs';
 import { RULE_SCENARIOS } from './rule_scenarios.mjs';
@@ -244,6 +245,7 @@ export const SCENARIOS = [
   ...PALETTE_SCENARIOS,
   ...QUEUE_SCENARIOS,
   ...TIMELINE_SCENARIOS,
+  ...SUITE_SCENARIOS,
   ...MIRROR_SCENARIOS,
   ...LOOP_SCENARIOS,
   ...AXE_SCENARIOS,

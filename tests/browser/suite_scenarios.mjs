@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// A suite of motions, and the paper's Figure 12 made of one: by mouse, and by keys and assistive tools alone. Each opens a
+// page of its own.
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { activate, byRole, setValue, settle } from './assistive.mjs';
+import { ROOT } from './browsers.mjs';
+import { Mouse } from './hands.mjs';
+import { PageDriver } from './page_driver.mjs';
+
+/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('../../web/app.js').FoundMotion} FoundMotion */
+
+/** @param {PageDriver} page @returns {Promise<FoundMotion[]>} */
+const results = (page) => page.call('results', () => window.gaitsmith.results());
+/** @param {PageDriver} page @param {number} count */
+const untilResults = (page, count) => page.until(`${count} results`, `window.gaitsmith.results().length >= ${count}`, 120000);
+/** The cards from the top. @param {PageDriver} page */
+const cards = async (page) => (await page.widgets()).filter(({ id }) => /^found\/[0-9a-f]{16}$/.test(id)).map(({ id }) => id.slice(6));
+/** @param {PageDriver} page @param {string} name */
+const cardOf = async (page, name) => (await page.widgets()).find(({ id, label }) => /^found\/[0-9a-f]{16}$/.test(id) && label.startsWith(`Show ${name}, `))?.id ?? assert.fail(`no card of ${name}`);
+/** Starts of the clips, and the end. @param {PageDriver} page @returns {Promise<number[]>} */
+const borders = (page) => page.call('borders', () => {
+  const { timeline, duration_steps: end } = /** @type {any} */ (window.gaitsmith.document());
+  return [...timeline.map((/** @type {any} */ clip) => clip.start_step ?? 0), end];
+});
+
+/** Types it into the dialog that is open. @param {PageDriver} page @param {string} name */
+async function typeName(page, name) {
+  await page.until('the dialog', () => /** @type {HTMLDialogElement} */ (document.querySelector('#name-dialog')).open);
+  await page.page.keyboard.type(name);
+  await page.page.keyboard.press('Enter');
+}
+
+/** @param {Visit} visit */
+async function suite({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const hand = new Mouse(page);
+  await page.call('short searches', () => {
+    const document = window.gaitsmith.document();
+    window.gaitsmith.open({ ...document, hash: undefined, search: { seed: 3, evaluations: 300 } });
+  });
+  await page.click('panels/3');
+  await page.click('search/settings');
+  await hand.press('suite');
+  // All goals and two styles are chosen; the jump is not wanted.
+  await hand.press('suite/task/2');
+  await hand.press('suite/make');
+  await untilResults(page, 4);
+  await page.click('suite');
+  const found = await results(page);
+  assert.equal(found.length, 4);
+  assert.equal(new Set(found.map(({ hash }) => hash)).size, 4, 'different motions');
+  await hand.scrollTo(`found/${found[0].id}`, 60);
+  assert.match((await page.widgets()).find(({ id }) => id === `found/${found[0].id}`)?.label ?? '', /^Show Mr\. Star-Man · travel to the left, more rotations, 10 rules/);
+
+  // One gets a name, and is kept; a name that is too long is refused, and the dialog says why.
+  const [first] = await cards(page);
+  await hand.press(`found/${first}/rename`);
+  await typeName(page, 'Ä'.repeat(41));
+  await page.until('a reason', () => /at most 80 bytes/.test(document.querySelector('#name-error')?.textContent ?? ''));
+  await page.press('Control+a');
+  await typeName(page, 'Leftward wheel');
+  await page.until('no dialog', () => !(/** @type {HTMLDialogElement} */ (document.querySelector('#name-dialog')).open));
+  await page.frames(4);
+  assert.equal(await cardOf(page, 'Leftward wheel'), `found/${first}`);
+  await hand.press(`found/${first}/keep`);
+
+  // Sorted by turns, the most first; only what is kept.
+  await page.click('found/order');
+  await page.click('found/order/3');
+  await page.frames(4);
+  const turns = new Map(await page.call('turns', async () => Promise.all(window.gaitsmith.results().map(async ({ id, terms }) => [id, terms?.rotations ?? 0]))));
+  const order = await cards(page);
+  for (let i = 1; i < order.length; i++) assert.ok(Number(turns.get(order[i - 1])) >= Number(turns.get(order[i])), 'the most turns first');
+  await page.click('found/filter');
+  await page.click('found/filter/2');
+  await page.frames(4);
+  assert.deepEqual(await cards(page), [first]);
+
+  // Shown, it has its name; made again, it is the same motion.
+  await page.click(`found/${first}`);
+  assert.equal((await page.text('#title')), 'Leftward wheel');
+  const hash = await page.hash();
+  await hand.press(`found/${first}/again`);
+  await page.until('the end', () => window.gaitsmith.queue().length === 0 && /Search done/.test(document.querySelector('#status')?.textContent ?? ''));
+  const again = await results(page);
+  assert.equal(again.length, 4, 'what is found again is the same');
+  assert.equal(again.find(({ id }) => id === first)?.hash, hash);
+  await page.reload();
+  await page.until('results', () => window.gaitsmith.results().length === 4);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+const PARTS = /** @type {const} */ ([
+  { name: 'Shuffle', task: { kind: 'travel-right', duration_steps: 500, weights: { slip_sum: 0.6 } }, seed: 4 },
+  { name: 'Cartwheel', task: { kind: 'travel-left', duration_steps: 400, weights: { rotations: 3 } }, seed: 12 },
+  { name: 'Jump', task: { kind: 'jump', duration_steps: 200 }, seed: 6 },
+]);
+
+/** Searches for the three motions, and gives them their names. @param {PageDriver} page */
+async function findParts(page) {
+  const hand = new Mouse(page);
+  const problem = JSON.parse(await readFile(join(ROOT, 'examples/problems/star-man-travel.json'), 'utf8'));
+  for (const { task, seed } of PARTS) {
+    const wanted = { ...problem, hash: undefined, task, view: { panel: 3 }, search: { seed, evaluations: 8000 } };
+    await page.page.evaluate((one) => { window.gaitsmith.open(one); }, wanted);
+    await page.frames();
+    await page.click('queue/add');
+  }
+  await page.click('search/settings');
+  await hand.press('queue/run');
+  await untilResults(page, 3);
+  await page.frames(4);
+  for (const { name, seed } of PARTS) {
+    const { id } = (await results(page)).find((one) => one.seed === seed) ?? assert.fail(name);
+    await hand.press(`found/${id}/rename`);
+    await typeName(page, name);
+    await page.frames(4);
+  }
+}
+
+/** The moment shown, to the step, by mouse. @param {PageDriver} page @param {number} step */
+async function seek(page, step) {
+  const scrub = (await page.widgets()).find(({ id }) => id === 'transport/scrub') ?? assert.fail('no scrub bar');
+  const [, end] = [0, (await borders(page)).at(-1) ?? 1];
+  const inside = scrub.rect.width - 4;
+  await page.clickAt(scrub.rect.x + 2 + (step / end) * inside, scrub.rect.y + scrub.rect.height / 2);
+  const now = async () => Math.round(100 * Number.parseFloat((await page.widgets()).find(({ id }) => id === 'transport/scrub')?.value ?? ''));
+  for (let i = 0; i < 60 && (await now()) !== step; i++) await page.press((await now()) < step ? 'ArrowRight' : 'ArrowLeft');
+  assert.equal(await now(), step);
+}
+
+const FIGURE_12 = [0, 260, 590, 750, 1030];
+
+/** @param {PageDriver} page */
+async function byMouse(page) {
+  const hand = new Mouse(page);
+  const drop = async (/** @type {string} */ name, /** @type {number} */ step) => {
+    await seek(page, step);
+    const card = await cardOf(page, name);
+    await hand.scrollTo(card, 80);
+    const clips = (await page.widgets()).filter(({ id }) => id.startsWith('timeline/clip/')).map(({ rect }) => rect);
+    const [left, right] = [clips[0].x, clips[clips.length - 1].x + clips[clips.length - 1].width];
+    await hand.drag(await hand.centre(card), { x: left + (step / ((await borders(page)).at(-1) ?? 1)) * (right - left), y: clips[0].y + 24 });
+  };
+  const shuffle = await cardOf(page, 'Shuffle');
+  await hand.press(shuffle);
+  await page.press('Space'); // it stands still
+  await drop('Cartwheel', 260);
+  assert.deepEqual(await borders(page), [0, 260, 660, 900]);
+  await drop('Jump', 590);
+  assert.deepEqual(await borders(page), [0, 260, 590, 790, 860, 1100]);
+  // What the jump has cut off the cartwheel goes; the last shuffle takes over sooner.
+  await page.click('timeline/clip/3');
+  await page.click('timeline/remove');
+  assert.deepEqual(await borders(page), [0, 260, 590, 790, 1030]);
+  await seek(page, 750);
+  const clip = (await page.widgets()).find(({ id }) => id === 'timeline/clip/2')?.rect ?? assert.fail('no clip');
+  const border = await hand.centre('timeline/switch/3');
+  await hand.drag(border, { x: border.x - (40 / 200) * (clip.width + 4), y: border.y });
+}
+
+/** @param {PageDriver} page */
+async function byKeys(page) {
+  const insert = async (/** @type {string} */ name, /** @type {number} */ step) => {
+    await setValue(page, 'slider', 'Time', String(step / 100));
+    const card = (await page.widgets()).find(({ id, label }) => id.endsWith('/insert') && label.includes(`: ${name}, `)) ?? assert.fail(name);
+    await activate(page, 'button', card.label);
+  };
+  const shuffle = (await page.widgets()).find(({ label }) => label.startsWith('Show Shuffle, ')) ?? assert.fail('no Shuffle');
+  await activate(page, 'button', shuffle.label);
+  await insert('Cartwheel', 260);
+  await insert('Jump', 590);
+  await (await byRole(page, 'option', 'Cartwheel')).evaluate(() => {}); // there are two of this name: the second one is meant
+  await page.page.evaluate(() => /** @type {HTMLElement} */ ([...document.querySelectorAll('[role=option]')].filter((node) => node.textContent === 'Cartwheel')[1]).click());
+  await settle(page);
+  await activate(page, 'button', 'Remove the selected clip');
+  await setValue(page, 'slider', 'Switch point before clip 4', '7.5');
+}
+
+/** @param {Visit} visit */
+async function figure12({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const example = JSON.parse(await readFile(join(ROOT, 'examples/figure-12.json'), 'utf8'));
+  await findParts(page);
+  await page.call('nothing to undo', () => { window.gaitsmith.run('document/new'); });
+  for (const [way, make] of /** @type {const} */ ([['mouse', byMouse], ['keys', byKeys]])) {
+    await make(page);
+    assert.deepEqual(await borders(page), FIGURE_12, way);
+    assert.equal(await page.hash(), example.hash, way);
+    const names = await page.call('names', () => /** @type {any} */ (window.gaitsmith.document()).controllers.map((/** @type {any} */ one) => one.name));
+    assert.deepEqual(names, ['Shuffle', 'Cartwheel', 'Jump']);
+    for (let step = 0; step < 40 && (await borders(page)).length > 1; step++) await page.press('Control+z');
+    assert.equal((await borders(page)).length, 1, `undone to the empty timeline, ${way}`);
+  }
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function longLink({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const example = JSON.parse(await readFile(join(ROOT, 'examples/figure-12.json'), 'utf8'));
+  const copy = async (/** @type {any} */ document) => {
+    const length = await page.page.evaluate((one) => {
+      window.gaitsmith.open(one);
+      return window.gaitsmith.link().length;
+    }, document);
+    await page.clickElement('#copy-link');
+    await page.frames();
+    const said = await page.call('dialog', () => (/** @type {HTMLDialogElement} */ (document.querySelector('#long-link-dialog')).open
+      ? document.querySelector('#long-link-words')?.textContent ?? '' : ''));
+    return { length, said };
+  };
+  const short = await copy(example);
+  assert.ok(short.length <= 1900 && short.said === '', `four clips, ${short.length} characters: ${short.said}`);
+  const others = example.controllers.map((/** @type {any} */ one) => ({ ...one, rules: [...one.rules].reverse() }));
+  const long = await copy({ ...example, hash: undefined, controllers: [...example.controllers, ...others] });
+  assert.ok(long.length > 1900);
+  assert.ok(long.said.includes(long.length.toLocaleString('en')), long.said);
+  await page.clickElement('#long-link-save');
+  assert.equal(await page.call('closed', () => /** @type {HTMLDialogElement} */ (document.querySelector('#long-link-dialog')).open), false);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @type {[string, (visit: Visit) => Promise<void>, string?][]} */
+export const SUITE_SCENARIOS = [
+  ['a suite in one press: named, sorted, kept, made again', suite],
+  ['Figure 12 of the paper, chained by mouse and by keys alone', figure12],
+  ['a link that is too long says so, and offers a file', longLink],
+];
