@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// The shipped composite of the paper's Figure 12: each part does what its name says, and not a bit of it
+// changes.
+#include <algorithm>
+#include <catch_amalgamated.hpp>
+#include <cmath>
+#include <string>
+
+#include "core/document/json.h"
+#include "core/numeric/scalar_math.h"
+#include "scene.h"
+
+namespace gaitsmith {
+namespace {
+
+struct Part {
+  std::string name;
+  double travel_m = 0.0, turns = 0.0;
+  double rise_m = 0.0;     // of the centre of mass above where it took over
+  int longest_flight = 0;  // steps in a row without contact
+};
+
+Part Measured(const Document& d, const Motion& motion, std::size_t clip) {
+  const int begin = d.timeline[clip].start_step, end = EndOf(d, clip);
+  const Motion::Frame& first = motion.At(begin);
+  const Motion::Frame& last = motion.At(end);
+  Part part{.name = d.controllers[static_cast<std::size_t>(d.timeline[clip].controller)].name,
+            .travel_m = last.x_m - first.x_m,
+            .turns = (last.turn_rad - first.turn_rad) / (2.0 * kPi)};
+  int flight = 0;
+  for (int frame = begin; frame <= end; ++frame) {
+    part.rise_m = std::max(part.rise_m, static_cast<double>(motion.At(frame).y_m - first.y_m));
+    bool touches = false;
+    for (int e = 0; e < motion.Bones().endpoints; ++e) touches |= motion.Force(frame, e).y > 0.0f;
+    flight = touches ? 0 : flight + 1;
+    part.longest_flight = std::max(part.longest_flight, flight);
+  }
+  return part;
+}
+
+TEST_CASE("figure 12: shuffles right, cartwheels left, jumps, shuffles") {
+  const auto document = DecodeJson(test::ReadFile("examples/figure-12.json"));
+  REQUIRE(document);
+  REQUIRE(document->timeline.size() == 4);
+  const Motion motion = Simulate(*document);
+  CHECK(HashText(motion.Hash()) == "d44d72833d202b8b");
+  CHECK(document->hash == motion.Hash());
+
+  const Part shuffle = Measured(*document, motion, 0);
+  CHECK(shuffle.name == "Shuffle");
+  CHECK(shuffle.travel_m > 1.0);
+  CHECK(std::abs(shuffle.turns) < 0.1);
+  const Part cartwheel = Measured(*document, motion, 1);
+  CHECK(cartwheel.name == "Cartwheel");
+  CHECK(cartwheel.travel_m < -2.0);
+  CHECK(cartwheel.turns > 0.9);  // anticlockwise is to the left
+  CHECK(cartwheel.turns < 1.1);
+  const Part jump = Measured(*document, motion, 2);
+  CHECK(jump.name == "Jump");
+  CHECK(jump.rise_m > 0.3);
+  CHECK(jump.longest_flight > 20);
+  CHECK(std::abs(jump.turns) < 0.2);
+  const Part again = Measured(*document, motion, 3);
+  CHECK(again.name == "Shuffle");
+  CHECK(again.travel_m > 1.0);
+  CHECK(std::abs(again.turns) < 0.1);
+}
+
+}  // namespace
+}  // namespace gaitsmith
