@@ -328,11 +328,12 @@ EMSCRIPTEN_KEEPALIVE void gs_stop() {
 /// @param state  0 idle, 1 running, 2 paused, 3 done, 4 stopped, 5 failed
 /// @param curve  pairs (evaluation, best), whose evaluations are exact to 2^24, enough for a curve
 /// @param genes the best genome, or none when it has not changed
+/// @param saved  the state of the whole search, at its end; else none
 /// @param spread of the population: members, least, lower quartile, median, upper quartile, best; null: none
 EMSCRIPTEN_KEEPALIVE void gs_search_progress(int state, int evaluations, int budget, double rate,
                                              double seconds_left, float best, const float* curve, int points,
-                                             const std::uint16_t* genes, int gene_count,
-                                             const float* spread) {
+                                             const std::uint16_t* genes, int gene_count, const float* spread,
+                                             const std::uint8_t* saved, int saved_bytes) {
   SearchProgress progress{.state = static_cast<SearchState>(std::clamp(state, 0, 5)),
                           .evaluations = evaluations,
                           .budget = budget,
@@ -347,6 +348,7 @@ EMSCRIPTEN_KEEPALIVE void gs_search_progress(int state, int evaluations, int bud
   if (spread != nullptr) {
     progress.spread = {static_cast<int>(spread[0]), spread[1], spread[2], spread[3], spread[4], spread[5]};
   }
+  if (saved_bytes > 0) progress.saved.assign(saved, saved + saved_bytes);
   TheSession().OnSearchProgress(std::move(progress));
   ThePage().window->RequestOneFrame();
 }

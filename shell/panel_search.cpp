@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shell/algorithm_words.h"
+#include "shell/elite_panel.h"
 #include "shell/fold.h"
 #include "shell/language.h"
 #include "shell/plot.h"
@@ -182,6 +183,9 @@ void DrawSearchPanel(Ui& ui, Session& session, SearchPanelState& state) {
     DrawCurve(ui, session);
     ui.Gap(10.0f);
   }
+  if (session.Elites() &&
+      DrawFold(ui, "elites", Tr("Map of styles"), Grouped(session.Elites()->Count()), state.elites))
+    DrawEliteMap(ui, session, state.elite_turns);
   DrawKeepingButtons(ui, session);
   ui.Gap(kGap);
   DrawSettings(ui, session, state);

@@ -13,6 +13,8 @@ struct SearchPanelState {
   bool variation = false;
   bool queue = true;
   bool found = true;
+  bool elites = true;
+  int elite_turns = 0;
   bool suite = false;
   SuiteChoice suite_of = {};
   FoundListState list = {};

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <thread>
 
+#include "core/numeric/bit_stream.h"
 #include "core/search/evaluation_score.h"
 
 namespace gaitsmith::shell {
@@ -149,6 +150,9 @@ SearchProgress RunParallelSearch(const Problem& problem, const SearchSettings& s
   }
   progress.state = search->Done() ? SearchState::kDone : SearchState::kStopped;
   update();
+  BitWriter state;
+  search->Save(state);
+  progress.saved = state.Bytes();
   report(progress);
   return progress;
 }

@@ -2,6 +2,7 @@
 // How far a search has come: what a page's worker, the desktop's threads and the command line all report.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -23,8 +24,9 @@ struct SearchProgress {
   int workers = 0;
   float best_fitness = kVoidScore;
   std::vector<Search::CurvePoint> curve = {};
-  Genome best_genome = {};            // empty: as in the last report, or none yet
-  std::optional<Spread> spread = {};  // of the population now
+  Genome best_genome = {};               // empty: as in the last report, or none yet
+  std::optional<Spread> spread = {};     // of the population now
+  std::vector<std::uint8_t> saved = {};  // of the whole search (Search::Save); in the last report only
 };
 
 }  // namespace gaitsmith::shell

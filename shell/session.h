@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/document/transition.h"
+#include "shell/elite_map.h"
 #include "shell/found_motions.h"
 #include "shell/history.h"
 #include "shell/host.h"
@@ -205,6 +206,11 @@ class Session {
   /// Whether a found motion is what is in hand now.
   [[nodiscard]] bool InHand(const FoundMotions::Entry&) const;
 
+  // The map of styles that the last MAP-Elites search has left.
+  [[nodiscard]] const std::optional<EliteMap>& Elites() const { return elites_; }
+  /// One of its motions takes the stage; Undo brings back what was there.
+  void ShowElite(Document motion);
+
   // The lab: many searches for the present document's problem, of which only the curves are kept. It and the
   // search exclude each other.
   Lab lab;
@@ -255,6 +261,7 @@ class Session {
   void EndLab(LabState);
 
   Host& host_;
+  std::optional<EliteMap> elites_;
   Document document_;  // its hash: as its maker saw it, until something that the motion depends on changes
   bool differs_from_maker_ = false;
   History history_;

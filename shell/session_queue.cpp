@@ -134,6 +134,13 @@ bool Session::ShowFound(const std::string& id) {
   return true;
 }
 
+void Session::ShowElite(Document motion) {
+  BeginGesture();
+  Replace(std::move(motion));
+  Say(Tr("{1}. “Keep motion” puts it among the results; Undo brings back what was here.",
+         TrTitle(document_.title)));
+}
+
 bool Session::InHand(const FoundMotions::Entry& entry) const {
   // The cheap question first: this is asked at every frame.
   return entry.motion.document.hash == player.Shown().Hash() && entry.id == FoundId(WithHash());

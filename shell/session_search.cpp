@@ -126,6 +126,8 @@ void Session::OnSearchProgress(SearchProgress progress) {
   if (!ended) return;
   ShowImprovement(1e9);
   NoteFound();
+  if (auto map = EliteMap::Of(*searched_, progress_.saved)) elites_ = std::move(map);
+  progress_.saved.clear();
   const std::string whose = queued_ ? SearchTitle(*searched_) : "";
   EndSearch();
   if (!first_end) return;

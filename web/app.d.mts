@@ -59,7 +59,7 @@ export interface AppModule {
   _gs_stop(): void;
   _gs_search_progress(state: number, evaluations: number, budget: number, rate: number, seconds_left: number,
     best: number, curve: Pointer, points: number, genes: Pointer, gene_count: number,
-    spread: Pointer): void;
+    spread: Pointer, saved: Pointer, saved_bytes: number): void;
 }
 
 /** What the application calls on the page: shell/host.h, in JavaScript. */

@@ -212,7 +212,7 @@ export class App {
 
   /** Nothing came of the search. */
   searchFailed() {
-    this.module._gs_search_progress(STATES.failed, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
+    this.module._gs_search_progress(STATES.failed, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
   }
 
   /**
@@ -222,17 +222,21 @@ export class App {
   searchProgress(report, curve) {
     const genes = report.bestGenome ?? new Uint16Array(0);
     const { spread } = report;
+    const saved = report.saved ?? new Uint8Array(0);
     const numbers = Float32Array.from(spread ? [spread.members, spread.least, spread.lowerQuartile, spread.median,
       spread.upperQuartile, spread.best] : []);
-    const at = this.module._malloc(curve.byteLength + numbers.byteLength + genes.byteLength + 4);
+    const at = this.module._malloc(curve.byteLength + numbers.byteLength + genes.byteLength + saved.byteLength + 4);
     const spreadAt = at + curve.byteLength;
     const genesAt = spreadAt + numbers.byteLength;
+    const savedAt = genesAt + genes.byteLength;
     const heap = this.module.HEAPU8; // after malloc, which may grow it
     heap.set(new Uint8Array(curve.buffer, curve.byteOffset, curve.byteLength), at);
     heap.set(new Uint8Array(numbers.buffer), spreadAt);
     heap.set(new Uint8Array(genes.buffer, genes.byteOffset, genes.byteLength), genesAt);
+    heap.set(saved, savedAt);
     this.module._gs_search_progress(STATES[report.state], report.evaluations, report.budget, report.rate,
-      report.secondsLeft, report.bestFitness, at, curve.length / 2, genesAt, genes.length, spread ? spreadAt : 0);
+      report.secondsLeft, report.bestFitness, at, curve.length / 2, genesAt, genes.length, spread ? spreadAt : 0,
+      savedAt, saved.length);
     this.module._free(at);
   }
 

@@ -72,6 +72,7 @@
  * @property {Uint16Array | null} bestGenome  null when it is that of the last report
  * @property {Uint8Array | null} curve        as core stores it; null when it is that of the last report
  * @property {Spread | null} spread           of the population now; null when there is none
+ * @property {Uint8Array | null} saved        the state of the whole search, at its end; else null
  */
 
 /** At most 30 a second, at least one in two. @typedef {{type: 'progress', report: SearchReport}} Progress */

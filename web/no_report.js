@@ -5,4 +5,4 @@
 
 /** A search of which nothing is known yet. @type {Readonly<SearchReport>} */
 export const NO_REPORT = Object.freeze({ state: 'running', evaluations: 0, budget: 0, simulated: 0, rate: 0,
-  secondsLeft: 0, bestFitness: -Infinity, bestGenome: null, curve: null, spread: null });
+  secondsLeft: 0, bestFitness: -Infinity, bestGenome: null, curve: null, spread: null, saved: null });

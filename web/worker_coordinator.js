@@ -292,6 +292,7 @@ export class Coordinator {
       bestGenome: bestGenome?.length ? bestGenome : null,
       curve: newCurve ? search.curve : null,
       spread: this.#spreadNow(everything),
+      saved: everything ? search.save() : null,
     };
   }
 }
