@@ -134,10 +134,10 @@ TransitionMap TransitionMapOf(const Document& request) {
 }
 
 float ShareOfUsual(float score, float usual) {
-  if (score <= kVoidScore) return 0.0f;
+  if (score <= kVoidScore) return kVoidScore;
   const float unit = std::abs(usual);
   if (usual <= kVoidScore || !(unit > 0.0f)) return score >= usual ? 1.0f : 0.0f;
-  return std::max(0.0f, 1.0f + (score - usual) / unit);
+  return 1.0f + (score - usual) / unit;
 }
 
 }  // namespace gaitsmith

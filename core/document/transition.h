@@ -39,8 +39,8 @@ inline constexpr int kLongestWatch = 1000;
 /// TransitionSteps
 [[nodiscard]] TransitionMap TransitionMapOf(const Document& request);
 
-/// What a score is worth beside the usual one: 1 as good, 0 as much worse as the usual one is away from 0.
-/// Usual scores below 0 are measured alike. Not below 0.
+/// What a score is worth beside the usual one: 1 as good, 0 worse by as much as the usual one is away from 0.
+/// Usual scores below 0 are measured alike. kVoidScore stays what it is.
 [[nodiscard]] float ShareOfUsual(float score, float usual);
 
 }  // namespace gaitsmith

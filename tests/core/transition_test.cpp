@@ -108,10 +108,10 @@ TEST_CASE("transition map: a request has what the map depends on, and nothing el
 TEST_CASE("transition map: scores beside the usual one", "[timeline]") {
   CHECK(ShareOfUsual(2.0f, 4.0f) == 0.5f);
   CHECK(ShareOfUsual(8.0f, 4.0f) == 2.0f);
-  CHECK(ShareOfUsual(-1.0f, 4.0f) == 0.0f);
+  CHECK(ShareOfUsual(-1.0f, 4.0f) == -0.25f);
   CHECK(ShareOfUsual(-4.0f, -4.0f) == 1.0f);
   CHECK(ShareOfUsual(-6.0f, -4.0f) == 0.5f);
-  CHECK(ShareOfUsual(kVoidScore, -4.0f) == 0.0f);
+  CHECK(ShareOfUsual(kVoidScore, -4.0f) == kVoidScore);
   CHECK(ShareOfUsual(0.0f, 0.0f) == 1.0f);
   CHECK(ShareOfUsual(1.0f, kVoidScore) == 1.0f);
 }
