@@ -13,6 +13,7 @@
 #include "shell/panels.h"
 #include "shell/stage.h"
 #include "shell/timeline.h"
+#include "shell/transition_strip.h"
 #include "shell/transport.h"
 
 namespace gaitsmith::shell {
@@ -21,6 +22,7 @@ bool App::Advance(double seconds) {
   // After a pause of the whole page (a hidden tab) the motion goes on from where it was.
   const double step = std::min(seconds, 0.1);
   session_.GoOn();
+  session_.FollowTransitions(step);
   const bool improved = session_.ShowImprovement(step);
   return session_.player.Advance(step) || improved;
 }
@@ -58,7 +60,8 @@ void App::Draw() {
 
 void App::DrawDesk(Ui& ui, const ImRect& whole) {
   const float panel_x = whole.Max.x - kPanelWidth;
-  const float timeline_y = whole.Max.y - kTimelineHeight - (ui.Look().touch ? 14.0f : 0.0f);
+  const float timeline_y =
+      whole.Max.y - kTimelineHeight - TransitionStripHeight(session_) - (ui.Look().touch ? 14.0f : 0.0f);
   const float transport_y = timeline_y - kTransportHeight;
   const ImRect stage(whole.Min, {panel_x, transport_y});
   const ImRect card = WorldCardOn(stage, stage_.world);

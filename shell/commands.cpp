@@ -149,6 +149,8 @@ void AddTimeline(std::vector<Command>& list, Session& session) {
   add("repair", Tr("Repair the selected clip: search from where it takes over"), {"r"},
       session.CanRepair() ? "" : Tr("it takes over from no other clip"),
       [&session] { session.RepairClip(); });
+  add("snap-to-best", Tr("Snap to best: the selected clip takes over where that does best"), {},
+      session.WhyNoSnap(), [&session] { session.SnapToBest(); });
   add("remove", Tr("Remove the selected clip"), {}, one, [&session] { session.RemoveClip(); });
 }
 

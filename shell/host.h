@@ -40,6 +40,12 @@ class Host {
   virtual void ResumeSearch() = 0;
   virtual void StopSearch() = 0;
 
+  /// Works out a transition map beside whatever else runs; one that is under way is given up. Parts come
+  /// through Session::OnTransitions, with the same generation.
+  /// @param request of TransitionRequest
+  virtual void StartTransitionMap(const Document& request, int generation) = 0;
+  virtual void StopTransitionMap() = 0;
+
   /// One sentence for the status line, spoken by screen readers.
   virtual void Status(const std::string& sentence) = 0;
   /// Gives the reader a file.

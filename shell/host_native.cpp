@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
-// One searching thread, which brings its own crew.
+// One searching thread, which brings its own crew, and one for the transition map.
 #include "shell/host_native.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
+#include "core/document/transition.h"
 #include "shell/language.h"
 
 namespace gaitsmith::shell {
 
-NativeHost::~NativeHost() { StopSearch(); }
+NativeHost::~NativeHost() {
+  StopSearch();
+  StopTransitionMap();
+}
 
 int NativeHost::MaxWorkers() const { return Cores(); }
 
@@ -60,6 +65,33 @@ void NativeHost::StopSearch() {
   control_.reset();
   const std::lock_guard lock(mutex_);
   latest_.reset();
+}
+
+void NativeHost::StartTransitionMap(const Document& request, int generation) {
+  StopTransitionMap();
+  mapper_ = std::jthread([this, request, generation](const std::stop_token& stop) {
+    constexpr int kPart = 16;  // moments, about a hundredth of a second
+    const TransitionMap map = TransitionMapOf(request);
+    for (int first = 0; first < map.Count() && !stop.stop_requested(); first += kPart) {
+      TransitionPart part{.generation = generation,
+                          .first = first,
+                          .usual = map.UsualScore(),
+                          .scores = map.Scores(first, std::min(kPart, map.Count() - first))};
+      const std::lock_guard lock(mutex_);
+      transitions_.push_back(std::move(part));
+    }
+  });
+}
+
+void NativeHost::StopTransitionMap() {
+  mapper_ = {};  // asks it to stop, and waits
+  const std::lock_guard lock(mutex_);
+  transitions_.clear();
+}
+
+std::vector<TransitionPart> NativeHost::TakeTransitions() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(transitions_, {});
 }
 
 std::optional<SearchProgress> NativeHost::TakeProgress() {

@@ -7,9 +7,11 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "shell/host.h"
 #include "shell/parallel_search.h"
+#include "shell/transition_scores.h"
 
 namespace gaitsmith::shell {
 
@@ -23,6 +25,8 @@ class NativeHost final : public Host {
   void PauseSearch() override;
   void ResumeSearch() override;
   void StopSearch() override;
+  void StartTransitionMap(const Document& request, int generation) override;
+  void StopTransitionMap() override;
   void Status(const std::string& sentence) override { status_ = sentence; }
   /// Into the working directory; never over another file.
   void SaveText(const std::string& name, const std::string& text) override;
@@ -30,14 +34,18 @@ class NativeHost final : public Host {
 
   /// The newest report since the last call, if there is one.
   [[nodiscard]] std::optional<SearchProgress> TakeProgress();
+  /// What has become known of the transition map since the last call.
+  [[nodiscard]] std::vector<TransitionPart> TakeTransitions();
   /// "Mr. Star-Man — Gaitsmith", for the window's frame.
   [[nodiscard]] std::string WindowTitle() const;
 
  private:
   std::mutex mutex_;
-  std::optional<SearchProgress> latest_;  // guarded by mutex_
+  std::optional<SearchProgress> latest_;     // guarded by mutex_
+  std::vector<TransitionPart> transitions_;  // guarded by mutex_
   std::unique_ptr<SearchControl> control_;
   std::jthread searcher_;
+  std::jthread mapper_;
   std::string status_;
   std::string title_;
 };

@@ -353,6 +353,19 @@ EMSCRIPTEN_KEEPALIVE void gs_search_progress(int state, int evaluations, int bud
   ThePage().window->RequestOneFrame();
 }
 
+/// A part of a transition map: scores of places from `first` on, and the score that is usual.
+EMSCRIPTEN_KEEPALIVE void gs_transitions_mapped(int generation, int first, const float* scores, int count,
+                                                float usual) {
+  TheSession().OnTransitions(
+      {.generation = generation, .first = first, .usual = usual, .scores = {scores, scores + count}});
+  ThePage().window->RequestOneFrame();
+}
+/// Nothing more comes of the map of this generation.
+EMSCRIPTEN_KEEPALIVE void gs_transitions_failed(int generation) {
+  TheSession().OnTransitionsFailed(generation);
+  ThePage().window->RequestOneFrame();
+}
+
 }  // extern "C"
 
 int main() {

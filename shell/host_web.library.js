@@ -33,6 +33,12 @@ addToLibrary({
   gs_page_resume_search: () => { callPage('resumeSearch'); },
   gs_page_stop_search__deps: ['$callPage'],
   gs_page_stop_search: () => { callPage('stopSearch'); },
+  gs_page_start_transition_map__deps: ['$callPage'],
+  gs_page_start_transition_map: (pointer, bytes, generation) => {
+    callPage('startTransitionMap', HEAPU8.slice(pointer, pointer + bytes), generation);
+  },
+  gs_page_stop_transition_map__deps: ['$callPage'],
+  gs_page_stop_transition_map: () => { callPage('stopTransitionMap'); },
 
   gs_page_status__deps: ['$callPage', '$UTF8ToString'],
   gs_page_status: (sentence) => { callPage('status', UTF8ToString(sentence)); },

@@ -167,6 +167,10 @@ class Desktop {
       app_.State().OnSearchProgress(std::move(*progress));
       window_.RequestFrame();
     }
+    for (const TransitionPart& part : host_.TakeTransitions()) {
+      app_.State().OnTransitions(part);
+      window_.RequestFrame();
+    }
     if (const std::string title = host_.WindowTitle(); title != title_) window_.SetTitle(title_ = title);
     return app_.Advance(seconds);
   }

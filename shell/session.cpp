@@ -182,6 +182,7 @@ void Session::Show(Document document, bool start_over) {
   if (start_over || !SameRods(calm_.figure, document_.figure)) calm_ = document_;
   LoadGhost();
   differs_from_maker_ = document_.hash && *document_.hash != player.Shown().Hash();
+  CheckTransitions();
   host_.DocumentChanged(document_.title);
 }
 
@@ -218,6 +219,7 @@ bool Session::Set(const Edit& edit) {
   if (Same(*next, document_)) return true;
   Remember();
   document_ = std::move(*next);
+  CheckTransitions();
   host_.DocumentChanged(document_.title);
   return true;
 }
@@ -294,6 +296,7 @@ void Session::ChooseExample(const Document& example) {
 
 void Session::SelectClip(int clip) {
   selected_clip_ = std::clamp(clip, 0, std::max(0, static_cast<int>(document_.timeline.size()) - 1));
+  CheckTransitions();
 }
 
 const Controller* Session::ShownController() const {

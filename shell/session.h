@@ -19,6 +19,7 @@
 #include "shell/search_queue.h"
 #include "shell/spread_curve.h"
 #include "shell/suite_plan.h"
+#include "shell/transition_scores.h"
 
 namespace gaitsmith::shell {
 
@@ -99,6 +100,19 @@ class Session {
   /// How near the figure is to the usual motion of the selected clip's controller when that takes over;
   /// nothing for the first clip.
   [[nodiscard]] std::optional<Nearness> NearnessAtHandover();
+  /// How well the selected clip would do if it took over at other moments. Begins anew, a moment after the
+  /// last change, when something else than the clip's own beginning has changed; and waits while a search
+  /// changes the motion.
+  [[nodiscard]] const TransitionScores& Transitions() const { return transitions_; }
+  /// Once a frame. @param seconds since the last one
+  void FollowTransitions(double seconds);
+  void OnTransitions(const TransitionPart&);
+  void OnTransitionsFailed(int generation);
+  /// The selected clip takes over at the best moment of its map. Refused, with a sentence, while WhyNoSnap
+  /// has one.
+  void SnapToBest();
+  /// @return translated; empty: it is possible
+  [[nodiscard]] const char* WhyNoSnap() const;
   [[nodiscard]] bool CanRepair() const { return selected_clip_ > 0 && ShownController() != nullptr; }
   /// Task, senses and length of the motion belong together while there is only one clip.
   void SetDuration(int steps);
@@ -239,6 +253,8 @@ class Session {
   [[nodiscard]] bool FoundNothingYet() const;
   /// An edit of the timeline; the clip it returns is selected then.
   void EditTimeline(const std::function<Result<int>(Document&)>& edit);
+  /// After each change: what is known of another map is forgotten.
+  void CheckTransitions();
   /// After it the running search would look for something else than what is there.
   [[nodiscard]] bool DisturbsSearch(const Document& next) const;
   /// The present document after an edit, or nothing and a sentence when that is invalid.
@@ -277,8 +293,10 @@ class Session {
     Nearness nearness;
   };
   KnownNearness nearness_;  // what was worked out last
-  Document calm_;           // as it was opened, for its world
-  Document earlier_;        // as it was before the last search, for the ghost
+  TransitionScores transitions_;
+  double unchanged_for_s_ = 0.0;  // the map that is wanted
+  Document calm_;                 // as it was opened, for its world
+  Document earlier_;              // as it was before the last search, for the ghost
   int ghost_ = kNoGhost;
   Document found_ghost_;  // the found motion that it is, if it is one
   std::string found_ghost_id_;

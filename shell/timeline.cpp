@@ -11,6 +11,7 @@
 #include "shell/language.h"
 #include "shell/plot.h"
 #include "shell/timeline_tools.h"
+#include "shell/transition_strip.h"
 #include "shell/wording.h"
 
 namespace gaitsmith::shell {
@@ -139,14 +140,7 @@ int DragBorder(Ui& ui, const Session& session, const Band& band, const std::stri
   const ImU32 ink = touch.hovered || touch.held ? ui.Ink().ink : ui.Ink().second_ink;
   const float y = band.rect.GetCenter().y;
   ui.Canvas()->AddRectFilled({x - 1.5f, y - 12.0f}, {x + 1.5f, y + 12.0f}, ink, 1.5f);
-  if (touch.held) {
-    const std::string text = SecondsWords(at);
-    const float width = 0.5f * ui.Letters().Width(Type::kSmall, text) + 6.0f;
-    const ImVec2 centre(std::min(x, band.rect.Max.x - width), band.rect.Min.y - 9.0f);
-    ui.Frame({{centre.x - width, centre.y - 9.0f}, {centre.x + width, centre.y + 9.0f}}, ui.Ink().ink,
-             ui.Ink().ink);
-    ui.Letters().Draw(ui.Canvas(), Type::kSmall, centre, ui.Ink().panel, text, Align::kCentre);
-  }
+  if (touch.held) DrawBubble(ui, x, band.rect, band.rect.Min.y, SecondsWords(at));
   ui.DrawFocus(touch, rect, 4.0f);
   return wanted;
 }
@@ -187,7 +181,7 @@ void DrawEnd(Ui& ui, Session& session, const Band& band) {
 
 void DrawRuler(Ui& ui, const Session& session, const Band& band) {
   const double seconds = static_cast<double>(band.steps) * static_cast<double>(kStep);
-  const float y = band.rect.Max.y + 12.0f;
+  const float y = band.rect.Max.y + TransitionStripHeight(session) + 12.0f;
   const auto x_of = [&](double time_s) {
     return band.rect.Min.x + static_cast<float>(time_s / seconds) * band.rect.GetWidth();
   };
@@ -225,6 +219,14 @@ std::string HintOf(Session& session) {
 
 }  // namespace
 
+void DrawBubble(const Ui& ui, float x, const ImRect& within, float bottom, const std::string& words) {
+  const float width = 0.5f * ui.Letters().Width(Type::kSmall, words) + 6.0f;
+  const ImVec2 centre(std::clamp(x, within.Min.x + width, within.Max.x - width), bottom - 9.0f);
+  ui.Frame({{centre.x - width, centre.y - 9.0f}, {centre.x + width, centre.y + 9.0f}}, ui.Ink().ink,
+           ui.Ink().ink);
+  ui.Letters().Draw(ui.Canvas(), Type::kSmall, centre, ui.Ink().panel, words, Align::kCentre);
+}
+
 void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
   const PartScope part = ui.Part("timeline", "region", Tr("Timeline"));
   const Palette& p = ui.Ink();
@@ -241,8 +243,8 @@ void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
   ui.Letters().Draw(ui.Canvas(), Type::kStrong, {left, row}, p.ink, Tr("Timeline"));
   const float hint_x = left + ui.Letters().Width(Type::kStrong, Tr("Timeline")) + 8.0f;
   // Tools stand in the heading's row where they fit, else in rows of their own under the ruler.
-  const float tools_x =
-      DrawTimelineTools(ui, session, {{hint_x, row - half}, {right, row + half}}, band.rect.Max.y + 24.0f);
+  const float below = band.rect.Max.y + TransitionStripHeight(session) + 24.0f;
+  const float tools_x = DrawTimelineTools(ui, session, {{hint_x, row - half}, {right, row + half}}, below);
   const std::string hint = HintOf(session);
   if (tools_x - 10.0f > hint_x + 40.0f) {
     ui.Letters().DrawElided(ui.Canvas(), Type::kBody, {hint_x, row}, tools_x - 10.0f - hint_x, p.second_ink,
@@ -259,6 +261,7 @@ void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
     const PartScope clips = ui.Part("timeline/clips", "listbox", Tr("Clips"));
     for (std::size_t i = 0; i < session.Doc().timeline.size(); ++i) DrawClip(ui, session, band, i);
   }
+  DrawTransitionStrip(ui, session, band.rect);
   DrawRuler(ui, session, band);
   for (std::size_t i = 1; i < session.Doc().timeline.size(); ++i) DrawSwitchPoint(ui, session, band, i);
   DrawEnd(ui, session, band);

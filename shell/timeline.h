@@ -10,4 +10,8 @@ namespace gaitsmith::shell {
 
 void DrawTimeline(Ui&, Session&, const ImRect&);
 
+/// A few words over a place of the timeline. @param within from left to right @param bottom the words'
+/// [points]
+void DrawBubble(const Ui&, float x, const ImRect& within, float bottom, const std::string& words);
+
 }  // namespace gaitsmith::shell

@@ -21,7 +21,7 @@ struct Tool {
 std::vector<Tool> ToolsOf(const Session& session) {
   const bool any = !session.Doc().timeline.empty();
   const bool several = session.Doc().timeline.size() > 1;
-  return {
+  std::vector<Tool> tools = {
       {"timeline/add", TrLater("Add"), TrLater("Add the selected clip once more at the end"), any,
        &Session::AddClip, 0},
       {"timeline/split", TrLater("Split"), TrLater("Split the clip at the moment shown"), any,
@@ -38,44 +38,74 @@ std::vector<Tool> ToolsOf(const Session& session) {
       {"timeline/remove", TrLater("Remove"), TrLater("Remove the selected clip"), several,
        &Session::RemoveClip, 0},
   };
+  if (session.Transitions().Any()) {
+    tools.insert(tools.end() - 1, {"timeline/snap-to-best", TrLater("Snap to best"),
+                                   TrLater("Snap to best: the selected clip takes over where that does best"),
+                                   *session.WhyNoSnap() == '\0', &Session::SnapToBest, 0});
+  }
+  return tools;
 }
 
 float WidthOf(const Ui& ui, const Tool& tool) {
   return ui.Letters().Width(Type::kBody, Tr(tool.label)) + (ui.Look().touch ? 28.0f : 18.0f);
 }
 
+/// Places for tools in rows of this width, one below another, from (0, 0) on.
+std::vector<ImRect> RowsOf(const Ui& ui, const std::vector<Tool>& tools, float width) {
+  constexpr float kGap = 8.0f;
+  const float height = ui.Look().ControlHeight();
+  std::vector<ImRect> places;
+  ImVec2 at;
+  for (const Tool& tool : tools) {
+    const float own = WidthOf(ui, tool);
+    if (at.x > 0.0f && at.x + own > width) at = {0.0f, at.y + height + kGap};
+    places.push_back({at, {at.x + own, at.y + height}});
+    at.x += own + kGap;
+  }
+  return places;
+}
+
+/// Places for tools in one row, from (0, 0) on.
+std::vector<ImRect> RowOf(const Ui& ui, const std::vector<Tool>& tools, float height) {
+  std::vector<ImRect> places;
+  float x = 0.0f;
+  for (const Tool& tool : tools) {
+    const float own = WidthOf(ui, tool);
+    places.push_back({{x, 0.0f}, {x + own, height}});
+    x += own;
+  }
+  return places;
+}
+
 }  // namespace
 
 float DrawTimelineTools(Ui& ui, Session& session, const ImRect& row, float below) {
   std::vector<Tool> tools = ToolsOf(session);
-  const auto whole = [&] {
-    float width = 0.0f;
-    for (const Tool& tool : tools) width += WidthOf(ui, tool);
-    return width;
-  };
-  const float control = ui.Look().ControlHeight();
-  const bool room_below = below + control <= ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
-  const bool in_row = whole() <= row.GetWidth() || !room_below;
-  // The palette has all of them.
-  while (in_row && whole() > row.GetWidth() && tools.size() > 1)
-    tools.erase(std::ranges::max_element(tools, {}, &Tool::spare));
+  const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
   const float first = ImGui::GetWindowPos().x + kPanelPadding;
-  const float gap = in_row ? 0.0f : 8.0f;
-  const float height = in_row ? row.GetHeight() : control;
-  const float left = row.Max.x - (in_row ? whole() : 0.0f);
-  ImVec2 at = in_row ? ImVec2(left, row.Min.y) : ImVec2(first, below);
+  const bool room_below = below + ui.Look().ControlHeight() <= bottom;
+  const bool in_row = RowOf(ui, tools, row.GetHeight()).back().Max.x <= row.GetWidth() || !room_below;
+  const auto places_of = [&] {
+    return in_row ? RowOf(ui, tools, row.GetHeight()) : RowsOf(ui, tools, row.Max.x - first);
+  };
+  const ImVec2 room = in_row ? row.GetSize() : ImVec2(row.Max.x - first, bottom - below);
+  std::vector<ImRect> places = places_of();
+  // The palette has all of them.
+  while (tools.size() > 1 && (places.back().Max.x > room.x || places.back().Max.y > room.y)) {
+    tools.erase(std::ranges::max_element(tools, {}, &Tool::spare));
+    places = places_of();
+  }
+  const ImVec2 at = in_row ? ImVec2(row.Max.x - places.back().Max.x, row.Min.y) : ImVec2(first, below);
   const Tool* used = nullptr;
-  for (const Tool& tool : tools) {
-    const float width = WidthOf(ui, tool);
-    if (!in_row && at.x + width > row.Max.x) at = {first, at.y + height + gap};
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    ImRect place = places[i];
+    place.Translate(at);
     const ButtonLook look = in_row ? ButtonLook::kPlain : ButtonLook::kOutlined;
-    if (ui.Button(tool.id, {at, {at.x + width, at.y + height}}, Tr(tool.label), look, tool.enabled,
-                  Tr(tool.heard)))
-      used = &tool;
-    at.x += width + gap;
+    if (ui.Button(tools[i].id, place, Tr(tools[i].label), look, tools[i].enabled, Tr(tools[i].heard)))
+      used = &tools[i];
   }
   if (used != nullptr) (session.*used->use)();
-  return left;
+  return in_row ? at.x : row.Max.x;
 }
 
 }  // namespace gaitsmith::shell

@@ -26,6 +26,8 @@ void gs_page_save_text(const char* name, const char* text);
 void gs_page_pause_search();
 void gs_page_resume_search();
 void gs_page_stop_search();
+void gs_page_start_transition_map(const std::uint8_t* request, std::size_t bytes, int generation);
+void gs_page_stop_transition_map();
 void gs_page_status(const char* sentence);
 void gs_page_document_changed(const char* title);
 void gs_page_first_frame();
@@ -65,6 +67,11 @@ class WebHost final : public Host {
   void PauseSearch() override { gs_page_pause_search(); }
   void ResumeSearch() override { gs_page_resume_search(); }
   void StopSearch() override { gs_page_stop_search(); }
+  void StartTransitionMap(const Document& request, int generation) override {
+    const std::vector<std::uint8_t> bytes = EncodeBinary(request);
+    gs_page_start_transition_map(bytes.data(), bytes.size(), generation);
+  }
+  void StopTransitionMap() override { gs_page_stop_transition_map(); }
   void Status(const std::string& sentence) override { gs_page_status(sentence.c_str()); }
   void DocumentChanged(const std::string& title) override {
     gs_page_document_changed(TrTitle(title).c_str());

@@ -60,6 +60,8 @@ export interface AppModule {
   _gs_search_progress(state: number, evaluations: number, budget: number, rate: number, seconds_left: number,
     best: number, curve: Pointer, points: number, genes: Pointer, gene_count: number,
     spread: Pointer, saved: Pointer, saved_bytes: number): void;
+  _gs_transitions_mapped(generation: number, first: number, scores: Pointer, count: number, usual: number): void;
+  _gs_transitions_failed(generation: number): void;
 }
 
 /** What the application calls on the page: shell/host.h, in JavaScript. */
@@ -82,6 +84,9 @@ export interface PageForApp {
   pauseSearch(): void;
   resumeSearch(): void;
   stopSearch(): void;
+  /** Works out the transition map of the clip that the document's search names; one that is under way is given up. */
+  startTransitionMap(document: Uint8Array, generation: number): void;
+  stopTransitionMap(): void;
   /** A sentence for the status line. */
   status(sentence: string): void;
   /** The document is another one, or not the same any more. */

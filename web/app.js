@@ -240,6 +240,17 @@ export class App {
     this.module._free(at);
   }
 
+  /** A part of a transition map. @param {import('./messages.js').Mapped} part */
+  transitionsMapped({ generation, first, scores, usual }) {
+    const at = this.module._malloc(scores.byteLength);
+    this.module.HEAPU8.set(new Uint8Array(scores.buffer, scores.byteOffset, scores.byteLength), at);
+    this.module._gs_transitions_mapped(generation, first, at, scores.length, usual);
+    this.module._free(at);
+  }
+
+  /** Nothing more comes of the map. @param {number} generation */
+  transitionsFailed(generation) { this.module._gs_transitions_failed(generation); }
+
   /** @param {number} at */
   #text(at) { return this.module.UTF8ToString(at); }
 

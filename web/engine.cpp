@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The engine: core behind a C interface, compiled to a small WebAssembly module of its own (engine.mjs,
-// engine.wasm) without window, files or exceptions. A worker uses one of its two roles: an evaluator scores
-// genomes, a search says which genomes to score. engine.d.mts declares this interface for JavaScript and
-// engine.js wraps it; nothing else calls it.
+// engine.wasm) without window, files or exceptions. A worker uses one of its roles: an evaluator scores
+// genomes, a search says which genomes to score, a transition map scores moments of a timeline. engine.d.mts
+// declares this interface for JavaScript and engine.js wraps it; nothing else calls it.
 //
 // Rules of the border:
 // - Bytes come in through gs_input(size): the caller writes them there, then calls a function that takes
@@ -22,6 +22,7 @@
 #include "core/document/json.h"
 #include "core/document/json_value.h"
 #include "core/document/link.h"
+#include "core/document/transition.h"
 #include "core/search/evaluation_score.h"
 #include "core/search/spread.h"
 #include "shell/export/film_strip.h"
@@ -92,6 +93,11 @@ struct SearchRole {
   std::vector<Gene> genomes;       // of the last ask, one after another (asked * genes)
   std::optional<Spread> spread = {};
   std::vector<std::uint8_t> saved;
+};
+
+struct MapRole {
+  TransitionMap map;
+  std::vector<float> scores;
 };
 
 struct MotionRole {
@@ -259,6 +265,29 @@ GS_EXPORT bool gs_search_load(SearchRole* role, std::size_t size) {
   const auto loaded = role->search->Load(in);
   if (!loaded) Note(loaded.error());
   return loaded.has_value();
+}
+
+// A transition map, of the document's search.in_place_of.
+GS_EXPORT MapRole* gs_map_open(std::size_t size) {
+  const auto document = TakeDocument(size);
+  if (!document) return nullptr;
+  if (TransitionSteps(*document, document->search.in_place_of).empty()) {
+    Note({ErrorCode::kStructure, "search.in_place_of", "has no other moment at which it could take over"});
+    return nullptr;
+  }
+  return new MapRole{TransitionMapOf(*document), {}};
+}
+GS_EXPORT void gs_map_close(MapRole* role) { delete role; }
+GS_EXPORT int gs_map_count(const MapRole* role) { return role->map.Count(); }
+GS_EXPORT float gs_map_usual_score(const MapRole* role) { return role->map.UsualScore(); }
+/// @return `count` scores, in the map's order; null when it has no such places
+GS_EXPORT const float* gs_map_run(MapRole* role, int first, int count) {
+  if (first < 0 || count < 1 || count > role->map.Count() || first > role->map.Count() - count) {
+    Note({ErrorCode::kOutOfRange, "places", "are not in the map"});
+    return nullptr;
+  }
+  role->scores = role->map.Scores(first, count);
+  return role->scores.data();
 }
 
 // A motion, to be drawn and exported.

@@ -38,6 +38,12 @@ export interface EngineModule {
   _gs_search_saved_size(search: Pointer): number;
   _gs_search_load(search: Pointer, size: number): number;
 
+  _gs_map_open(size: number): Pointer;
+  _gs_map_close(map: Pointer): void;
+  _gs_map_count(map: Pointer): number;
+  _gs_map_usual_score(map: Pointer): number;
+  _gs_map_run(map: Pointer, first: number, count: number): Pointer;
+
   _gs_motion_open(size: number): Pointer;
   _gs_motion_close(motion: Pointer): void;
   _gs_motion_frames(motion: Pointer): number;

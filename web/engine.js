@@ -67,6 +67,11 @@ export class Engine {
     return new Search(this, this.orThrow(this.module._gs_search_open(this.put(document))));
   }
 
+  /** @param {Uint8Array} document  whose search names the clip @returns {TransitionMap} */
+  transitionMap(document) {
+    return new TransitionMap(this, this.orThrow(this.module._gs_map_open(this.put(document))));
+  }
+
   /** @param {Uint8Array} document @returns {RecordedMotion} */
   motion(document) {
     return new RecordedMotion(this, this.orThrow(this.module._gs_motion_open(this.put(document))));
@@ -208,6 +213,27 @@ export class Search {
   #genesAt(at, count) {
     return new Uint16Array(this.engine.bytesAt(at, 2 * this.genes * count).buffer);
   }
+}
+
+/** How well a clip would do if it took over at other moments. */
+export class TransitionMap {
+  /** @param {Engine} engine @param {number} handle */
+  constructor(engine, handle) {
+    this.engine = engine;
+    this.handle = handle;
+    /** Moments. */
+    this.count = engine.module._gs_map_count(handle);
+    /** What scores are measured by. */
+    this.usual = engine.module._gs_map_usual_score(handle);
+  }
+
+  /** In the map's order, coarse first. @param {number} first @param {number} count @returns {Float32Array} */
+  scores(first, count) {
+    const at = this.engine.orThrow(this.engine.module._gs_map_run(this.handle, first, count));
+    return new Float32Array(this.engine.bytesAt(at, 4 * count).buffer);
+  }
+
+  close() { this.engine.module._gs_map_close(this.handle); }
 }
 
 /** What a document's figure does: to be drawn, and as files for other programs. */

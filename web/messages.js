@@ -4,6 +4,7 @@
 //   page ──PageToCoordinator──▶ coordinator ──CoordinatorToEvaluator──▶ evaluator 1..N
 //        ◀─CoordinatorToPage───             ◀─EvaluatorToCoordinator───
 //   page ──Role──▶ any worker ──Ready──▶ page
+//   page ──MapTransitions──▶ mapper ──MapperToPage──▶ page
 //
 // The page starts one coordinator and N evaluators; coordinator and evaluator talk through a MessagePort of
 // their own, so the page's thread has no part in the search's loop. Typed arrays are transferred wherever the
@@ -37,7 +38,17 @@
  * @property {MessagePort} port           transferred; its other end goes to the coordinator
  */
 
-/** The first message to every worker, and later ones when a search is done. @typedef {StandBy | Coordinate | Evaluate} Role */
+/**
+ * Be the mapper: score every moment at which the clip that the document's search names could take over. Reply: 'ready',
+ * then 'mapped' until all are told; 'failed' if core refuses the document. Another role ends it.
+ * @typedef {object} MapTransitions
+ * @property {'map-transitions'} type
+ * @property {WebAssembly.Module} engine
+ * @property {Uint8Array} document
+ * @property {number} generation          of the map, for its replies: those of another one are outdated
+ */
+
+/** The first message to every worker, and later ones when a search is done. @typedef {StandBy | Coordinate | Evaluate | MapTransitions} Role */
 
 // ---- page → coordinator ----
 
@@ -89,6 +100,20 @@
 
 /** @typedef {Ready | Failed | Progress | Finished | Checkpoint | Silent} CoordinatorToPage */
 /** @typedef {Ready | Failed} EvaluatorToPage */
+
+// ---- mapper → page ----
+
+/**
+ * A part of the map, about five a second.
+ * @typedef {object} Mapped
+ * @property {'mapped'} type
+ * @property {number} generation
+ * @property {number} count          moments of the whole map
+ * @property {number} first          place of the first score in the map's order, coarse first
+ * @property {Float32Array} scores
+ * @property {number} usual          what the controller reaches from the start
+ */
+/** @typedef {Ready | Failed | Mapped} MapperToPage */
 
 // ---- coordinator ↔ evaluator ----
 

@@ -13,10 +13,12 @@ import { Narrator } from './narrator.js';
 import { Palette } from './palette.js';
 import { Searches } from './searches.js';
 import { StatusLine } from './status_line.js';
+import { TransitionMaps } from './transition_maps.js';
 import { banner, element, offerFile, onClick, setText } from './dom.js';
 import { Guide } from './guide.js';
 import { HistoryButtons, startHeader } from './header.js';
 import { KeptResults } from './kept_results.js';
+import { compiledEngine, createWorker } from './compiled_engine.js';
 import { guardKeys } from './keys.js';
 import { startDropping } from './dropping.js';
 import { LANGUAGES, chooseLanguage, followLanguage, startLanguage, tr, trLater, trSentence } from './language.js';
@@ -46,7 +48,7 @@ start().catch((error) => {
 
 async function start() {
   setTimeout(() => { element('loading-hint').hidden = false; }, HINT_AFTER_MS);
-  /** @type {{app: App, searches: Searches, lab: Lab, address: Address, autosave: Autosave, kept: KeptResults, naming: Naming, buttons: HistoryButtons, commands: Commands, canvas: HTMLCanvasElement} | null} */
+  /** @type {{app: App, searches: Searches, transitions: TransitionMaps, lab: Lab, address: Address, autosave: Autosave, kept: KeptResults, naming: Naming, buttons: HistoryButtons, commands: Commands, canvas: HTMLCanvasElement} | null} */
   let parts = null;
 
   // The language comes while the application does; its first frame is to have both.
@@ -69,6 +71,8 @@ async function start() {
       pauseSearch: () => parts?.searches.pause(),
       resumeSearch: () => parts?.searches.resume(),
       stopSearch: () => parts?.searches.stop(),
+      startTransitionMap: (document, generation) => void parts?.transitions.start(document, generation),
+      stopTransitionMap: () => parts?.transitions.stop(),
       status: (sentence) => statusLine.say(sentence),
       documentChanged: (title) => {
         showTitle(title);
@@ -93,6 +97,11 @@ async function start() {
   app.lendTypeface();
   if (!app.running()) throw new Error(trLater('this browser has no WebGL 2'));
   const searches = new Searches(app, statusLine);
+  const transitions = new TransitionMaps({
+    engine: compiledEngine,
+    createWorker,
+    listener: { mapped: (part) => app.transitionsMapped(part), failed: (generation) => app.transitionsFailed(generation) },
+  });
   const address = new Address(app, () => searches.improving);
   followTheme((look) => app.setTheme(look));
   followLanguage((table) => {
@@ -103,7 +112,7 @@ async function start() {
   autosave.begin();
   showTitle(app.title());
   commands = new Commands(app, new Mirror(app, canvas));
-  parts = { app, searches, lab: new Lab(app), address, autosave, kept: new KeptResults(statusLine), naming: new Naming(app), buttons: new HistoryButtons(app), commands, canvas };
+  parts = { app, searches, transitions, lab: new Lab(app), address, autosave, kept: new KeptResults(statusLine), naming: new Naming(app), buttons: new HistoryButtons(app), commands, canvas };
   gaitsmith.begin(parts);
   gaitsmith.fps = Number(new URLSearchParams(location.search).get('fps'));
   searches.addEventListener('done', () => address.changed());

@@ -2,6 +2,7 @@
 // Searches as the page knows them: the application asks for one, workers run it, and application, status line and
 // listeners hear how far it is.
 import { NO_REPORT } from './no_report.js';
+import { compiledEngine, createWorker } from './compiled_engine.js';
 import { banner } from './dom.js';
 import { tr, trLater, trSentence } from './language.js';
 
@@ -52,11 +53,9 @@ export class Searches extends EventTarget {
 
   /** What only a search needs: the engine, compiled once for all workers, and the client that looks after them. */
   #prepare() {
-    this.#prepared ??= Promise.all([
-      WebAssembly.compileStreaming(fetch(new URL('engine.wasm', import.meta.url))), import('./search_client.js'),
-    ]).then(([engine, { SearchClient }]) => new SearchClient({
+    this.#prepared ??= Promise.all([compiledEngine(), import('./search_client.js')]).then(([engine, { SearchClient }]) => new SearchClient({
       engine,
-      createWorker: () => new Worker(new URL('worker.js', import.meta.url), { type: 'module' }),
+      createWorker,
       listener: {
         progress: (report) => this.#hear(report),
         incident: (sentence) => this.statusLine.say(sentence),

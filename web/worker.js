@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
-// A search worker. A message says whether it coordinates a search or evaluates for one; when that search is done, the
-// next role may follow.
+// A worker. A message says whether it coordinates a search, evaluates for one or maps transitions; when that is done,
+// the next role may follow.
 import { Coordinator } from './worker_coordinator.js';
 import { Engine, EngineError } from './engine.js';
 import { startEvaluator } from './worker_evaluator.js';
+import { startMapper } from './worker_mapper.js';
 import { unreachable } from './messages.js';
 
 /** @typedef {import('./messages.js').Role} Role */
 /** @typedef {import('./messages.js').PageToCoordinator} PageToCoordinator */
 /** @typedef {import('./messages.js').CoordinatorToPage} CoordinatorToPage */
+/** @typedef {import('./messages.js').MapperToPage} MapperToPage */
 
-/** @type {(message: CoordinatorToPage, transfer?: Transferable[]) => void} */
+/** @type {(message: CoordinatorToPage | MapperToPage, transfer?: Transferable[]) => void} */
 const post = (message, transfer = []) => self.postMessage(message, { transfer });
 
 /** @type {Promise<Engine> | null} */
@@ -23,7 +25,7 @@ let before = Promise.resolve();
 
 // Messages wait for the role that one before them began, and keep their order.
 self.addEventListener('message', ({ data }) => {
-  const isRole = ['stand-by', 'coordinate', 'evaluate'].includes(data.type);
+  const isRole = ['stand-by', 'coordinate', 'evaluate', 'map-transitions'].includes(data.type);
   before = before.then(() => (isRole ? take(data) : coordinator?.receive(data))).catch(die);
 });
 
@@ -46,6 +48,9 @@ async function take(message) {
       }
       case 'evaluate':
         leave = startEvaluator(loaded, message);
+        break;
+      case 'map-transitions':
+        leave = startMapper(loaded, message, post);
         break;
       default:
         unreachable(message);

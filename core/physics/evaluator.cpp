@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/physics/beginning.h"
 #include "core/physics/evaluator_width.h"
 
 namespace gaitsmith {
@@ -37,29 +38,6 @@ std::vector<std::array<float, 2>> JointLimits(const Skeleton& skeleton) {
   return limits;
 }
 
-namespace {
-
-// The state at the end of a beginning.
-Moment<1> MomentAfter(const Beginning& beginning, const Problem& problem, const Skeleton& skeleton,
-                      std::span<const std::array<float, 2>> limits) {
-  Simulation<1> simulation(skeleton, problem.environment, problem.start, problem.pushes);
-  std::vector<Controllers<1>> decoded;
-  for (const Controller& controller : beginning.controllers) {
-    const std::span<const Gene> genes(controller.genes);
-    decoded.push_back(DecodeControllers<1>(controller.Shape(skeleton.rods), controller.senses,
-                                           std::span(&genes, 1), limits, kStep));
-  }
-  std::size_t next = 0;
-  for (int step = 0; step < beginning.steps; ++step) {
-    for (; next < beginning.clips.size() && beginning.clips[next].start_step <= step; ++next)
-      simulation.Follow(decoded[static_cast<std::size_t>(beginning.clips[next].controller)]);
-    simulation.Step();
-  }
-  return simulation.Save();
-}
-
-}  // namespace
-
 Evaluator::Evaluator(const Problem& problem, Width width, bool with_hash)
     : problem_(problem),
       skeleton_(problem.figure),
@@ -67,7 +45,7 @@ Evaluator::Evaluator(const Problem& problem, Width width, bool with_hash)
       width_(width),
       with_hash_(with_hash) {
   for (const Beginning& beginning : problem_.beginnings)
-    moments_.push_back(MomentAfter(beginning, problem_, skeleton_, joint_limits_));
+    moments_.push_back(MomentsDuring(beginning, problem_, skeleton_, std::span(&beginning.steps, 1)).front());
 }
 
 Evaluator::Evaluator(const Problem& problem, bool with_hash)

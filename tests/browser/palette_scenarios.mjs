@@ -41,7 +41,7 @@ async function byKeyboard({ browser, address }) {
   }
   assert.deepEqual(all.off, ['Pause the search, or go on', 'Run the queue', 'Clear the queue',
     'Show the best result for this figure and task', 'Bring back the deleted result', 'Move the selected clip earlier', 'Move the selected clip later',
-    'Repair the selected clip: search from where it takes over', 'Remove the selected clip', 'Undo', 'Redo']);
+    'Repair the selected clip: search from where it takes over', 'Snap to best: the selected clip takes over where that does best', 'Remove the selected clip', 'Undo', 'Redo']);
   // Round the end and back; the one that is chosen is always to be seen.
   await page.press('ArrowUp');
   const last = await palette(page);

@@ -57,6 +57,8 @@ export async function takePictures(browser, address, wanted = '') {
       if (!name.includes(wanted)) continue;
       await run(`view/theme/${theme}`);
       await run(screen === 'phone' ? 'panel/Timeline' : 'panel/Search');
+      await driver.until('the transition map', () =>
+        window.gaitsmith.widgets().some(({ id, value }) => id === 'timeline/transitions' && value.startsWith('best at')));
       await driver.frames(4);
       await page.screenshot({ path: /** @type {`${string}.png`} */ (join(FOLDER, `${name}.png`)) });
       count++;

@@ -129,9 +129,44 @@ async function withResults({ browser, address }) {
   await page.close();
 }
 
+/** The map of the clip's transitions is complete. @param {PageDriver} page */
+const mapped = (page) => page.until('the transition map', () => window.gaitsmith.widgets().some(({ id, value }) =>
+  id === 'timeline/transitions' && value.startsWith('best at')));
+
+/** @param {Visit} visit */
+async function snapsToBest({ browser, address, name, figures }) {
+  const page = await PageDriver.open(browser, address);
+  const [, length] = await borders(page);
+  const strip = async () => (await page.widgets()).find(({ id }) => id === 'timeline/transitions');
+  assert.equal(await strip(), undefined);
+  const start = Date.now();
+  await page.click('timeline/add');
+  await mapped(page);
+  figures['transition map of 10 s, from the press on (ms)'] = Date.now() - start;
+  const map = await strip();
+  assert.equal(map?.role, 'img');
+  const best = 100 * Number(/best at ([0-9.]+) s/.exec(map?.value ?? '')?.[1]);
+  await page.click('timeline/snap-to-best');
+  assert.deepEqual(await borders(page), [0, Math.round(best), 2 * length]);
+  assert.match((await strip())?.value ?? '', /^best at .*: (\d+) % of its usual score; now \1 %$/);
+  assert.equal(await page.call('again', () => window.gaitsmith.run('timeline/snap-to-best')), false);
+  await page.press('Control+z');
+  assert.deepEqual(await borders(page), [0, length, 2 * length]);
+  await activate(page, 'button', 'Snap to best: the selected clip takes over where that does best');
+  assert.deepEqual(await borders(page), [0, Math.round(best), 2 * length]);
+  await sameNatively(page);
+  // A change of what comes before begins it anew; without a clip that takes over there is none.
+  await page.call('world', () => { window.gaitsmith.run('document/undo'); });
+  await page.click('timeline/clip/0');
+  await page.until('the end of the strip', () => !window.gaitsmith.widgets().some(({ id }) => id === 'timeline/transitions'));
+  assert.deepEqual(page.complaints, [], name);
+  await page.close();
+}
+
 /** @type {[string, (visit: Visit) => Promise<void>, string?][]} */
 export const TIMELINE_SCENARIOS = [
   ['clips are chained by mouse, and undone', byMouse],
   ['clips are chained by keys and assistive tools alone', byKeys],
+  ['a clip snaps to the best moment of its transition map', snapsToBest],
   ['a result is chained, and repaired from where it takes over', withResults],
 ];

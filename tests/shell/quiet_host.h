@@ -19,6 +19,11 @@ class QuietHost final : public Host {
   void PauseSearch() override {}
   void ResumeSearch() override {}
   void StopSearch() override { ++stops; }
+  void StartTransitionMap(const Document& request, int generation) override {
+    mapped.push_back(request);
+    generations.push_back(generation);
+  }
+  void StopTransitionMap() override { ++map_stops; }
   void Status(const std::string& sentence) override { status = sentence; }
   void SaveText(const std::string&, const std::string&) override {}
   void DocumentChanged(const std::string&) override {}
@@ -28,6 +33,9 @@ class QuietHost final : public Host {
   std::vector<Document> started;  // searches, in their order
   std::map<std::string, std::string> stored;
   int stops = 0;
+  std::vector<Document> mapped;  // transition maps, in their order
+  std::vector<int> generations;  // of each
+  int map_stops = 0;
   std::string status;
 };
 

@@ -147,4 +147,96 @@ TEST_CASE("session: a repair searches from where the clip takes over", "[shell][
   CHECK(session.found.Sorted(FoundMotions::Order::kNewest).size() == results);
 }
 
+TEST_CASE("session: a clip snaps to the best moment of its transition map", "[shell][session][timeline]") {
+  QuietHost host;
+  Session session(host);
+  CHECK_FALSE(session.Transitions().Any());
+  session.SnapToBest();
+  CHECK(session.notice == "Not now: it takes over from no other clip.");
+  session.BeginGesture();
+  session.AddClip();
+  REQUIRE(session.Transitions().Any());
+  session.FollowTransitions(0.1);
+  CHECK(host.mapped.empty());  // more changes may follow
+  session.FollowTransitions(0.2);
+  REQUIRE(host.mapped.size() == 1);
+  CHECK(Validate(host.mapped[0]));
+  session.FollowTransitions(10.0);
+  CHECK(host.mapped.size() == 1);
+
+  const std::vector<int>& steps = session.Transitions().Steps();
+  const auto count = static_cast<int>(steps.size());
+  const std::vector<int> order = CoarseFirst(count);
+  std::vector<float> scores(steps.size(), 1.0f);
+  scores[3] = 4.0f;
+  const int best = steps[static_cast<std::size_t>(order[3])];
+  const auto part = [&](int generation, int first, int size) {
+    return TransitionPart{.generation = generation,
+                          .first = first,
+                          .usual = 5.0f,
+                          .scores = {scores.begin() + first, scores.begin() + first + size}};
+  };
+  const int generation = host.generations[0];
+  session.OnTransitions(part(generation - 1, 0, count));
+  session.OnTransitions({.generation = generation, .first = -1, .usual = 1.0f, .scores = {1.0f}});
+  session.OnTransitions({.generation = generation, .first = count, .usual = 1.0f, .scores = {1.0f}});
+  CHECK(session.Transitions().Known() == 0);
+  session.OnTransitions(part(generation, 0, 10));
+  session.OnTransitions(part(generation, 0, 10));  // told twice
+  CHECK(session.Transitions().Known() == 10);
+  CHECK(session.Transitions().Share(order[3]) == 0.8f);
+  CHECK_FALSE(session.Transitions().Share(order[10]));
+  const std::string before = State(session);
+  session.SnapToBest();
+  CHECK(session.notice == "Not now: the transition map is not complete yet.");
+  CHECK(State(session) == before);
+  session.OnTransitions(part(generation, 10, count - 10));
+
+  session.BeginGesture();
+  session.SnapToBest();
+  CHECK(Starts(session) == std::vector{0, best});
+  session.FollowTransitions(10.0);
+  CHECK(host.mapped.size() == 1);  // nothing that it depends on has changed
+  CHECK(session.Transitions().Known() == count);
+  CHECK(std::string(session.WhyNoSnap()) == "it takes over at the best moment already");
+  session.Undo();
+  CHECK(State(session) == before);
+  CHECK(session.Transitions().Known() == count);
+}
+
+TEST_CASE("session: a transition map begins anew when what it depends on changes",
+          "[shell][session][timeline]") {
+  QuietHost host;
+  Session session(host);
+  session.AddClip();
+  session.FollowTransitions(1.0);
+  REQUIRE(host.mapped.size() == 1);
+  session.Set([](Document& d) { d.search.seed = 99; });
+  session.SetView([](View& view) { view.trail = !view.trail; });
+  CHECK(host.map_stops == 0);
+  session.Change([](Document& d) { d.environment.gravity_mps2 = 5.0f; });
+  CHECK(host.map_stops == 1);
+  session.OnTransitions({.generation = host.generations[0], .first = 0, .usual = 1.0f, .scores = {1.0f}});
+  CHECK(session.Transitions().Known() == 0);
+  session.FollowTransitions(1.0);
+  REQUIRE(host.mapped.size() == 2);
+  CHECK(host.generations[1] != host.generations[0]);
+  session.OnTransitionsFailed(host.generations[0]);
+  CHECK(session.notice.empty());
+  session.OnTransitionsFailed(host.generations[1]);
+  CHECK(session.notice.starts_with("The transition map could not"));
+  session.FollowTransitions(1.0);
+  CHECK(host.mapped.size() == 2);
+  session.SelectClip(0);
+  CHECK_FALSE(session.Transitions().Any());
+  // A search of what is shown changes it all the time.
+  session.Synthesize();
+  session.SelectClip(1);
+  session.FollowTransitions(1.0);
+  CHECK(host.mapped.size() == 2);
+  session.Stop();
+  session.FollowTransitions(1.0);
+  CHECK(host.mapped.size() == 3);
+}
+
 }  // namespace gaitsmith::shell::test

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Transition maps through the page's own client and worker, under Node.
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { before, test } from 'node:test';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { NodeWorker } from './web_worker.mjs';
+
+const HERE = fileURLToPath(new URL('.', import.meta.url));
+const WEB = process.env.GAITSMITH_WEB ?? join(HERE, '../../build/wasm/web');
+
+/** @typedef {import('../../web/messages.js').Mapped} Mapped */
+
+/** @type {typeof import('../../web/transition_maps.js').TransitionMaps} */
+let TransitionMaps;
+/** @type {import('../../web/engine.js').Engine} */
+let engine;
+/** @type {WebAssembly.Module} */
+let compiled;
+/** @type {any} */
+let composite;
+
+before(async () => {
+  ({ TransitionMaps } = await import(pathToFileURL(join(WEB, 'transition_maps.js')).href));
+  const { Engine } = await import(pathToFileURL(join(WEB, 'engine.js')).href);
+  compiled = await WebAssembly.compile(await readFile(join(WEB, 'engine.wasm')));
+  engine = await Engine.load(compiled);
+  composite = JSON.parse(await readFile(join(HERE, '../../examples/there-and-back.json'), 'utf8'));
+});
+
+/** @param {number} clip */
+const request = (clip) => {
+  const { controllers, timeline } = composite;
+  const { senses, rules } = controllers[timeline[Math.max(0, clip)].controller ?? 0];
+  return engine.documentFromText(JSON.stringify({ ...composite, hash: undefined, senses, rules: rules.length, search: { in_place_of: clip } }));
+};
+
+/** A client and what it told. */
+function client() {
+  /** @type {Mapped[]} */
+  const parts = [];
+  /** @type {number[]} */
+  const failures = [];
+  /** @type {NodeWorker[]} */
+  const workers = [];
+  /** @type {() => void} */
+  let told = () => {};
+  const maps = new TransitionMaps({
+    engine: () => Promise.resolve(compiled),
+    createWorker: () => {
+      workers.push(new NodeWorker(join(WEB, 'worker.js')));
+      return /** @type {any} */ (workers[workers.length - 1]);
+    },
+    listener: {
+      mapped: (part) => { parts.push(part); told(); },
+      failed: (generation) => { failures.push(generation); told(); },
+    },
+  });
+  /** @param {() => boolean} condition */
+  const until = (condition) => new Promise((resolve) => {
+    told = () => { if (condition()) resolve(true); };
+    told();
+  });
+  const complete = () => parts.some(({ first, scores, count }) => first + scores.length === count);
+  return { maps, parts, failures, workers, until, complete };
+}
+
+test('transition maps: parts make the whole map, in order', async () => {
+  const { maps, parts, failures, workers, until, complete } = client();
+  await maps.start(request(1), 7);
+  await until(complete);
+  const map = engine.transitionMap(request(1));
+  const joined = parts.flatMap(({ scores }) => [...scores]);
+  assert.deepEqual(joined, [...map.scores(0, map.count)]);
+  assert.ok(parts.every(({ generation, usual, count }) => generation === 7 && usual === map.usual && count === map.count));
+  assert.throws(() => map.scores(map.count, 1), /not in the map/);
+  map.close();
+  assert.deepEqual(failures, []);
+  for (const worker of workers) worker.terminate();
+});
+
+test('transition maps: what is replaced or stopped is not told of', async () => {
+  const { maps, parts, workers, until, complete } = client();
+  void maps.start(request(1), 1);
+  await maps.start(request(1), 2);
+  await until(complete);
+  assert.ok(parts.every(({ generation }) => generation === 2));
+  assert.equal(workers.length, 1);
+  const before = parts.length;
+  await maps.start(request(1), 3);
+  maps.stop();
+  await maps.start(request(1), 4);
+  await until(() => parts.slice(before).some(({ first, scores, count }) => first + scores.length === count));
+  assert.ok(parts.slice(before).every(({ generation }) => generation === 4));
+  for (const worker of workers) worker.terminate();
+});
+
+test('transition maps: a worker that dies, or refuses, is told of once; the next map gets another one', async () => {
+  const { maps, parts, failures, workers, until, complete } = client();
+  await maps.start(request(-1), 1);
+  await until(() => failures.length > 0);
+  void maps.start(request(1), 2);
+  await until(() => workers.length === 2);
+  workers[1].onerror?.({ message: 'it died' });
+  await until(() => failures.length > 1);
+  assert.deepEqual(failures, [1, 2]);
+  await maps.start(request(1), 3);
+  await until(complete);
+  assert.ok(parts.every(({ generation }) => generation === 3));
+  for (const worker of workers) worker.terminate();
+});

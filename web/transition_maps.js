@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// The page's side of transition maps: one worker of their own, so that no search waits for them. The application asks
+// for one map at a time and knows its generation; what a worker says of an earlier one is outdated.
+import { unreachable } from './messages.js';
+
+/** @typedef {import('./messages.js').MapperToPage} MapperToPage */
+/** @typedef {import('./messages.js').Mapped} Mapped */
+/** @typedef {import('./messages.js').Role} Role */
+
+/**
+ * @typedef {object} MapListener
+ * @property {(part: Mapped) => void} mapped
+ * @property {(generation: number) => void} failed  its worker died or went silent, or core refused the document
+ */
+
+// Scripts may come over a slow line.
+const START_MS = 30000;
+// A part takes a tenth of a second.
+const SILENCE_MS = 10000;
+// The worker is kept for the next map, for as long as those of searches.
+const REST_MS = 5 * 60000;
+
+export class TransitionMaps {
+  /** @type {Worker | null} */
+  #worker = null;
+  /** @type {WebAssembly.Module | null} */
+  #compiled = null;
+  #generation = 0; // wanted; 0: none
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #watch;
+
+  /**
+   * @param {object} options
+   * @param {() => Promise<WebAssembly.Module>} options.engine
+   * @param {() => Worker} options.createWorker  of worker.js
+   * @param {MapListener} options.listener
+   */
+  constructor({ engine, createWorker, listener }) {
+    this.engine = engine;
+    this.createWorker = createWorker;
+    this.listener = listener;
+  }
+
+  /**
+   * Works out a map; one that is under way is given up.
+   * @param {Uint8Array} document  binary form, whose search names the clip
+   * @param {number} generation    not 0
+   */
+  async start(document, generation) {
+    this.#generation = generation;
+    this.#expect(START_MS);
+    try {
+      const engine = this.#compiled ??= await this.engine();
+      if (generation !== this.#generation) return;
+      this.#worker ??= this.#hire();
+      this.#worker.postMessage(/** @type {Role} */ ({ type: 'map-transitions', engine, document, generation }));
+    } catch {
+      if (generation === this.#generation) this.#fail();
+    }
+  }
+
+  /** Nobody wants the map any more. */
+  stop() {
+    if (this.#generation === 0) return;
+    if (this.#compiled) this.#worker?.postMessage(/** @type {Role} */ ({ type: 'stand-by', engine: this.#compiled }));
+    this.#rest();
+  }
+
+  #rest() {
+    this.#generation = 0;
+    clearTimeout(this.#watch);
+    this.#watch = setTimeout(() => this.#dismiss(), REST_MS);
+  }
+
+  #hire() {
+    const worker = this.createWorker();
+    /** @param {MessageEvent<MapperToPage>} event */
+    worker.onmessage = ({ data }) => { if (worker === this.#worker) this.#hear(data); };
+    worker.onerror = (event) => {
+      event.preventDefault?.();
+      if (worker === this.#worker) this.#fail();
+    };
+    return worker;
+  }
+
+  #dismiss() {
+    this.#worker?.terminate();
+    this.#worker = null;
+  }
+
+  /** @param {MapperToPage} message */
+  #hear(message) {
+    if (this.#generation === 0) return;
+    switch (message.type) {
+      case 'ready':
+        break;
+      case 'mapped':
+        if (message.generation !== this.#generation) return;
+        this.#expect(SILENCE_MS);
+        if (message.first + message.scores.length >= message.count) this.#rest();
+        this.listener.mapped(message);
+        break;
+      case 'failed':
+        this.#fail();
+        break;
+      default:
+        unreachable(message);
+    }
+  }
+
+  /** @param {number} ms */
+  #expect(ms) {
+    clearTimeout(this.#watch);
+    this.#watch = setTimeout(() => this.#fail(), ms);
+  }
+
+  #fail() {
+    const generation = this.#generation;
+    this.#generation = 0;
+    clearTimeout(this.#watch);
+    this.#dismiss();
+    if (generation !== 0) this.listener.failed(generation);
+  }
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The mapper's role: scores the moments at which a clip could take over, part by part, and tells each part.
+
+/** @typedef {import('./messages.js').MapperToPage} MapperToPage */
+
+// A part is told after this long, or sooner: the first ones are a coarse picture of the whole.
+const PART_MS = 100;
+const STRIDE = 4; // moments between two looks at the clock
+
+/**
+ * @param {import('./engine.js').Engine} engine
+ * @param {import('./messages.js').MapTransitions} role
+ * @param {(message: MapperToPage, transfer?: Transferable[]) => void} post
+ * @returns {() => void} ends it
+ */
+export function startMapper(engine, { document, generation }, post) {
+  const map = engine.transitionMap(document);
+  const { count, usual } = map;
+  let next = 0;
+  const part = () => {
+    const start = performance.now();
+    const first = next;
+    /** @type {number[]} */
+    const known = [];
+    while (next < count && (known.length === 0 || performance.now() - start < PART_MS)) {
+      const scores = map.scores(next, Math.min(STRIDE, count - next));
+      known.push(...scores);
+      next += scores.length;
+    }
+    const scores = Float32Array.from(known);
+    post({ type: 'mapped', generation, count, first, scores, usual }, [scores.buffer]);
+    if (next < count) timer = setTimeout(part); // messages come in between
+  };
+  let timer = setTimeout(part);
+  return () => {
+    clearTimeout(timer);
+    map.close();
+  };
+}
