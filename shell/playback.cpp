@@ -16,6 +16,7 @@ void Playback::Load(const Document& document, bool start_over) {
   if (start_over || time_s_ > DurationS()) time_s_ = 0.0;
   Measure();
   FindRuns();
+  FindContacts();
   ChoosePoses();
   SmoothCamera();
 }
@@ -115,6 +116,19 @@ void Playback::FindRuns() {
       runs_.push_back({frame, frame, f.clip, f.rule});
     }
     runs_.back().end_frame = frame + 1;
+  }
+}
+
+void Playback::FindContacts() {
+  contacts_.clear();
+  bool before = false;
+  for (int frame = 0; frame < motion_->Frames(); ++frame) {
+    bool touches = false;
+    for (int k = 0; k < motion_->Bones().endpoints && !touches; ++k)
+      touches = motion_->Force(frame, k).y > 0.0f;
+    if (touches && !before) contacts_.push_back({frame, frame});
+    if (touches) contacts_.back().end_frame = frame + 1;
+    before = touches;
   }
 }
 

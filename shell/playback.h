@@ -20,6 +20,12 @@ struct RuleRun {
   int rule;
 };
 
+/// A stretch of time in which something of the figure bears on the ground.
+struct Contact {
+  int start_frame;
+  int end_frame;
+};
+
 class Playback {
  public:
   /// Simulates the document; keeps the time where it is, or starts over.
@@ -58,12 +64,14 @@ class Playback {
   }  // farthest any endpoint gets from the centre of mass
   [[nodiscard]] float HeightM() const { return height_m_; }  // highest any endpoint gets
   [[nodiscard]] const std::vector<RuleRun>& Runs() const { return runs_; }
+  [[nodiscard]] const std::vector<Contact>& Contacts() const { return contacts_; }
   /// Frames whose poses stand apart enough to be drawn side by side: A, B, C...
   [[nodiscard]] const std::vector<int>& PoseFrames() const { return pose_frames_; }
 
  private:
   void Measure();
   void FindRuns();
+  void FindContacts();
   [[nodiscard]] float GapM(int frame, int other) const;
   void ChoosePoses();
   void SmoothCamera();
@@ -75,6 +83,7 @@ class Playback {
   float reach_m_ = 1.0f;
   float height_m_ = 1.0f;
   std::vector<RuleRun> runs_;
+  std::vector<Contact> contacts_;
   std::vector<int> pose_frames_;
   std::vector<double> camera_x_m_;
 };

@@ -51,7 +51,12 @@ void DrawStrip(Ui& ui, Session& session, const ImRect& rect) {
     list->AddRectFilled({left, top}, {right, top + 8.0f}, ui.Look().Rule(run.rule),
                         right - left > 5.0f ? 2.0f : 0.0f);
   }
+  // Under the rules: dark while something bears on the ground, light in flight.
   list->AddRectFilled({rect.Min.x, top + 12.5f}, {rect.Max.x, top + 15.5f}, p.line, 1.5f);
+  for (const Contact& contact : player.Contacts()) {
+    list->AddRectFilled({x_of(contact.start_frame), top + 12.5f}, {x_of(contact.end_frame), top + 15.5f},
+                        Mix(p.panel, p.second_ink, 0.7f));
+  }
   const float x =
       ui.Look().Snap(rect.Min.x + static_cast<float>(player.TimeS() / duration) * rect.GetWidth());
   list->AddRectFilled({x - 1.0f, top - 4.0f}, {x + 1.0f, top + 20.0f}, p.ink, 1.0f);
