@@ -39,7 +39,9 @@ class EliteMap {
 
  private:
   [[nodiscard]] std::size_t Index(int height, int slip, int turns) const {
-    return static_cast<std::size_t>((height * bins_ + slip) * bins_ + turns);
+    const auto bins = static_cast<std::size_t>(bins_);
+    return (static_cast<std::size_t>(height) * bins + static_cast<std::size_t>(slip)) * bins +
+           static_cast<std::size_t>(turns);
   }
 
   Document searched_;

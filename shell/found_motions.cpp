@@ -154,8 +154,9 @@ std::vector<const FoundMotions::Entry*> FoundMotions::Sorted(Order order) const 
   sorted.reserve(entries_.size());
   for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) sorted.push_back(&*entry);
   if (order == Order::kNewest) return sorted;
-  std::ranges::stable_sort(sorted, std::ranges::greater{},
-                           [order](const Entry* entry) { return Amount(order, entry->motion); });
+  // Of equals the newer one first: the entries lie in one array, the newest last.
+  std::ranges::sort(sorted, std::ranges::greater{},
+                    [order](const Entry* entry) { return std::pair(Amount(order, entry->motion), entry); });
   return sorted;
 }
 

@@ -13,7 +13,7 @@
 namespace gaitsmith::shell::test {
 namespace {
 
-Document Problem() {
+Document StyleProblem() {
   QuietHost host;
   Session session(host);
   Document d = SearchOf(session.Doc());
@@ -34,7 +34,7 @@ SearchProgress Searched(const Document& d) {
 
 TEST_CASE("elite map: every motion has the style of its square, and the best of all is on it",
           "[shell][elites]") {
-  const Document d = Problem();
+  const Document d = StyleProblem();
   const SearchProgress done = Searched(d);
   const auto map = EliteMap::Of(d, done.saved);
   REQUIRE(map);
@@ -64,7 +64,7 @@ TEST_CASE("elite map: every motion has the style of its square, and the best of 
 }
 
 TEST_CASE("elite map: what is no state of such a search gives none", "[shell][elites]") {
-  const Document d = Problem();
+  const Document d = StyleProblem();
   const SearchProgress done = Searched(d);
   CHECK_FALSE(EliteMap::Of(d, {}));
   for (std::size_t size = 0; size < done.saved.size(); size += 97)
@@ -78,7 +78,7 @@ TEST_CASE("elite map: a session has that of its last such search, and shows a mo
           "[shell][elites][session]") {
   QuietHost host;
   Session session(host);
-  REQUIRE(session.Open(gaitsmith::EncodeJson(Problem())));
+  REQUIRE(session.Open(gaitsmith::EncodeJson(StyleProblem())));
   session.ForgetPast();
   const std::string before = State(session);
   CHECK_FALSE(session.Elites());

@@ -13,7 +13,7 @@ namespace {
 
 constexpr SuiteChoice kAll = {{true, true}, {true, true, true}, {true, true, true, true, true}};
 
-const FoundMotions::Entry& Newest(const Session& session) {
+const FoundMotions::Entry& NewestOf(const Session& session) {
   return *session.found.Sorted(FoundMotions::Order::kNewest).front();
 }
 
@@ -64,12 +64,12 @@ TEST_CASE("results: a name goes with a motion, a wrong one is refused, and made 
   Session session(host);
   session.Synthesize();
   End(session, host, 20000);
-  const std::string id = Newest(session).id;
+  const std::string id = NewestOf(session).id;
   CHECK(session.found.Rename(id, "Wheel").empty());
   CHECK(session.found.Rename(id, std::string(81, 'x')) == "at most 80 bytes, has 81");
   CHECK_FALSE(session.found.Rename(id, "a\nb").empty());
   CHECK_FALSE(session.found.Rename("0", "Wheel").empty());
-  CHECK(Newest(session).motion.name == "Wheel");
+  CHECK(NewestOf(session).motion.name == "Wheel");
   CHECK(host.stored[id].contains(R"("name":"Wheel")"));
 
   // Stored and read again it has its name; a name that is none is refused.
@@ -83,7 +83,7 @@ TEST_CASE("results: a name goes with a motion, a wrong one is refused, and made 
   REQUIRE(session.ShowFound(id));
   CHECK(session.Doc().title == "Wheel");
   CHECK(session.Doc().controllers[0].name == "Wheel");
-  CHECK(session.InHand(Newest(session)));
+  CHECK(session.InHand(NewestOf(session)));
   REQUIRE(session.InsertFound(id, 100));
   CHECK(session.Doc().timeline[1].start_step == 100);
 
@@ -92,7 +92,7 @@ TEST_CASE("results: a name goes with a motion, a wrong one is refused, and made 
   CHECK(EncodeBinary(SearchOf(host.started[0])) == EncodeBinary(SearchOf(host.started[1])));
   End(session, host, 20000);
   CHECK(session.found.Count() == 1);
-  CHECK(Newest(session).motion.name == "Wheel");
+  CHECK(NewestOf(session).motion.name == "Wheel");
 }
 
 }  // namespace gaitsmith::shell::test
