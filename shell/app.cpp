@@ -135,6 +135,7 @@ void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
       break;
     default:
       DrawSearchPanel(ui, session_, search_panel_);
+      if (search_panel_.list.strips.Waiting()) window_.RequestOneFrame();
       break;
   }
   ui.Gap(6.0f);

@@ -6,6 +6,7 @@
 #include "core/numeric/bit_stream.h"
 #include "shell/found_motions.h"
 #include "shell/language.h"
+#include "shell/search_words.h"
 #include "shell/wording.h"
 
 namespace gaitsmith::shell {
@@ -29,6 +30,8 @@ std::optional<EliteMap> EliteMap::Of(const Document& searched, std::span<const s
   if (first) return std::nullopt;
   return map;
 }
+
+std::string EliteMap::Title() const { return SearchTitle(searched_) + ", " + SearchLine(searched_); }
 
 int EliteMap::Count() const {
   return static_cast<int>(

@@ -20,6 +20,9 @@ class EliteMap {
   [[nodiscard]] static std::optional<EliteMap> Of(const Document& searched,
                                                   std::span<const std::uint8_t> state);
 
+  [[nodiscard]] const Figure& Whose() const { return searched_.figure; }
+  /// What was searched for, and how.
+  [[nodiscard]] std::string Title() const;
   [[nodiscard]] const ElitesSettings& Settings() const { return searched_.search.elites; }
   /// Of each axis.
   [[nodiscard]] int Bins() const { return bins_; }

@@ -26,7 +26,7 @@ bool DrawSquare(Ui& ui, const EliteMap& map, const ImRect& rect, int height, int
   const Touch touch = ui.Area(id, rect, Grab::kPress,
                               {.label = Tr("Height {1} m, slip {2} m, turns {3}", map.RangeText(0, height),
                                            map.RangeText(1, slip), map.RangeText(2, turns)),
-                               .role = "button",
+                               .role = "option",
                                .value = Tr("score {1}", Fixed(elite->score.fitness, 2))});
   const float range = std::max(map.Best() - map.Least(), 1e-6f);
   const float share = (elite->score.fitness - map.Least()) / range;
@@ -50,6 +50,7 @@ void DrawEliteMap(Ui& ui, Session& session, int& turns) {
   const EliteMap& map = *session.Elites();
   const int bins = map.Bins();
   turns = std::clamp(turns, 0, bins - 1);
+  ui.Paragraph(map.Title(), Type::kNote);
   ui.Paragraph(Tr("The best motion of each style, stronger where it scores more. A press shows it."),
                Type::kNote);
   ui.Gap(4.0f);
@@ -67,7 +68,7 @@ void DrawEliteMap(Ui& ui, Session& session, int& turns) {
   const float bottom = all.Min.y + edge * static_cast<float>(bins);
   std::optional<Document> wanted;
   {
-    const PartScope part = ui.Part("elites/map", "group", Tr("Map of styles"));
+    const PartScope part = ui.Part("elites/map", "listbox", Tr("Map of styles"));
     for (int height = 0; height < bins; ++height) {
       for (int slip = 0; slip < bins; ++slip) {
         const ImVec2 at(left + edge * static_cast<float>(slip),

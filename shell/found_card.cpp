@@ -54,7 +54,7 @@ std::string LineOf(const FoundMotion& found, bool with_unit) {
             Grouped(found.evaluations), decider);
 }
 
-/// "18.33 m · height 0.97 m · slip 20.86 m · 0.02 turns": the paper's terms
+/// "18.33 m · up to 0.97 m · slip 20.9 m · turns 0.02": the paper's terms
 std::string TermsLine(const FoundMotion& found) {
   if (!found.Moves() || found.terms.broke_physics) return {};
   const Terms& terms = found.terms;
@@ -63,7 +63,7 @@ std::string TermsLine(const FoundMotion& found) {
             AmountText(terms.rotations, 2));
 }
 
-/// Where the walking figure of every card is, all in step; below 0 while nothing is played.
+/// Where the walking figure of a card is; below 0 while nothing is played.
 float ShareNow(const Session& session, const Document& document) {
   if (!session.player.Playing()) return -1.0f;
   const double length = document.duration_steps * static_cast<double>(kStep);
@@ -165,7 +165,7 @@ FoundWish DrawFoundCard(Ui& ui, const Session& session, const FoundMotions::Entr
   const bool seen = ImGui::IsRectVisible(card.Min, card.Max);
   const bool shown = seen && session.InHand(entry);
   const Palette& p = ui.Ink();
-  const std::string scene = seen ? SceneText(found) : "";
+  const std::string scene = seen ? SceneText(found) : CardName(found);
   std::string spoken;
   if (seen) {
     spoken = LineOf(found, true) + ". " +

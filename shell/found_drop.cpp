@@ -31,7 +31,8 @@ int StepMeant(const Session& session, const ImRect& band, float x) {
 }  // namespace
 
 void OfferFound(const Ui& ui, const std::string& id, const std::string& name) {
-  if (ui.Look().touch) return;  // a finger scrolls the list; the card's + inserts
+  // A finger scrolls the list; the card's + inserts.
+  if (ui.Look().touch || ImGui::GetIO().MouseSource == ImGuiMouseSource_TouchScreen) return;
   if (!ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceNoPreviewTooltip)) return;
   ImGui::SetDragDropPayload(kPayload, id.c_str(), id.size() + 1);
   ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);

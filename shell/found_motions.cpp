@@ -70,16 +70,17 @@ std::string FoundMotions::Add(FoundMotion motion, const std::string& in_place_of
   return entries_.back().id;
 }
 
-bool FoundMotions::Restore(std::string_view text) {
+std::string FoundMotions::Restore(std::string_view text) {
   auto motion = DecodeFound(text);
-  if (!motion) return false;
+  if (!motion) return {};
   Entry entry{FoundId(motion->document), std::move(*motion), text.size()};
-  if (Find(entry.id) != nullptr) return true;
+  const std::string id = entry.id;
+  if (Find(id) != nullptr) return id;
   const auto place = std::ranges::upper_bound(entries_, entry.motion.when_s, {},
                                               [](const Entry& one) { return one.motion.when_s; });
   entries_.insert(place, std::move(entry));
   MakeRoom(0);
-  return true;
+  return id;
 }
 
 void FoundMotions::Remove(const std::string& id) {
@@ -118,6 +119,7 @@ std::string FoundMotions::Rename(const std::string& id, const std::string& name)
   if (entry->motion.name == name) return {};
   if (const auto good = CheckName(name); !good) return TrError(good.error());
   entry->motion.name = name;
+  entry->bytes = EncodeFound(entry->motion).size();
   Tell(*entry);
   return {};
 }

@@ -74,9 +74,9 @@ class FoundMotions {
   /// @param in_place_of  an entry that this one makes superfluous, unless it is kept
   /// @return its id; empty: what is kept leaves no room for it, and all is as it was
   std::string Add(FoundMotion motion, const std::string& in_place_of = "");
-  /// What was stored before, under its own time. Tells nobody, unless it has no room. @return false: not of
-  /// ours
-  bool Restore(std::string_view text);
+  /// What was stored before, under its own time. Tells nobody, unless it has no room. @return its
+  /// id; empty: not of ours
+  std::string Restore(std::string_view text);
   void Remove(const std::string& id);
   /// The entry that Remove took away last comes back. @return false: there is none, or no room
   bool BringBack();

@@ -56,7 +56,9 @@ class Host {
   /// Whether AskName can be answered.
   [[nodiscard]] virtual bool CanAskName() const { return false; }
   /// Asks the person for the name of a found motion; the answer goes to Session::found.
-  virtual void AskName(const std::string& /*id*/, const std::string& /*name*/) {}
+  /// @param name  that it has, or empty. @param usual  what stands in its place then
+  virtual void AskName(const std::string& /*id*/, const std::string& /*name*/, const std::string& /*usual*/) {
+  }
   /// Of this machine's clock, since 1970 [s]; 0: it has none.
   [[nodiscard]] virtual double NowS() const { return 0.0; }
   /// The first frame is on the screen.

@@ -20,6 +20,10 @@ int NativeHost::MaxWorkers() const { return Cores(); }
 
 void NativeHost::StartSearch(const Document& document, int workers) {
   StopSearch();
+  {
+    const std::lock_guard lock(mutex_);
+    latest_.reset();
+  }
   control_ = std::make_unique<SearchControl>();
   searcher_ = std::jthread([this, control = control_.get(), problem = ProblemOf(document),
                             settings = document.search, start = SpaceOf(document).start, workers] {
@@ -62,9 +66,7 @@ void NativeHost::ResumeSearch() {
 void NativeHost::StopSearch() {
   if (control_) control_->Cancel();
   if (searcher_.joinable()) searcher_.join();
-  control_.reset();
-  const std::lock_guard lock(mutex_);
-  latest_.reset();
+  control_.reset();  // its last report is still to be taken
 }
 
 void NativeHost::StartTransitionMap(const Document& request, int generation) {

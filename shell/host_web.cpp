@@ -297,10 +297,9 @@ EMSCRIPTEN_KEEPALIVE const char* gs_rename_found(const char* options) {
                      name->kind == JsonValue::Kind::kString;
   return Reply(texts ? TheSession().found.Rename(id->text, name->text) : Tr("id and name must be texts"));
 }
-/// A found motion of an earlier visit. @return 0: the text is none
-EMSCRIPTEN_KEEPALIVE int gs_restore_found(const char* text) {
-  ThePage().window->RequestFrame();
-  return TheSession().found.Restore(text) ? 1 : 0;
+/// A found motion of an earlier visit. @return its id; empty: the text is none
+EMSCRIPTEN_KEEPALIVE const char* gs_restore_found(const char* text) {
+  return Reply(TheSession().found.Restore(text));
 }
 
 /// Starts the lab; one that runs is stopped first. @param options JSON object

@@ -23,6 +23,8 @@ MotionStrip StripOf(const Document& document) {
   strip.poses.reserve(kPoses);
   for (int i = 0; i < kPoses; ++i) {
     const int frame = last * i / (kPoses - 1);
+    // A motion that broke physics ends where it does.
+    if (!std::isfinite(motion.At(frame).y_m) || !std::isfinite(motion.Endpoint(frame, 0).x)) break;
     std::vector<ImVec2> points;
     points.reserve(static_cast<std::size_t>(bones.endpoints));
     for (int e = 0; e < bones.endpoints; ++e) {
@@ -40,6 +42,7 @@ MotionStrip StripOf(const Document& document) {
 
 const MotionStrip* MotionStrips::Of(const std::string& name, const Document& document) {
   if (const auto known = strips_.find(name); known != strips_.end()) return &known->second;
+  waiting_ = made_;
   if (made_) return nullptr;
   made_ = true;
   if (strips_.size() >= kMost) strips_.clear();
@@ -59,13 +62,14 @@ void DrawMotionStrip(const Ui& ui, const MotionStrip& strip, const ImRect& rect,
   const FigureInk ink{.rods = p.ink, .width = std::clamp(RodWidth(strip.bones, scale), 1.5f, 3.5f)};
   // Time runs the way the figure goes.
   const auto draw = [&](float at, const FigureInk& with) {
-    const auto pose = static_cast<std::size_t>(std::lround(at * static_cast<float>(kPoses - 1)));
+    const auto pose = static_cast<std::size_t>(std::lround(at * static_cast<float>(strip.poses.size() - 1)));
     const float way = strip.leftward ? 1.0f - at : at;
     const float x = rect.Min.x + place * 0.6f + way * (rect.GetWidth() - 1.2f * place);
     std::vector<ImVec2> points = strip.poses[pose];
     for (ImVec2& point : points) point = {x + point.x * scale, ground - point.y * scale};
     DrawFigure(list, strip.bones, points, with);
   };
+  if (strip.poses.empty()) return;
   list->PushClipRect(rect.Min, rect.Max, true);
   FigureInk past = ink;
   past.rods = Mix(p.paper, p.ink, share >= 0.0f ? 0.28f : 0.6f);

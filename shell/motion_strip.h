@@ -24,7 +24,9 @@ struct MotionStrip {
 /// Those that were drawn lately, by name. Making one takes a simulation, so there is one a frame at most.
 class MotionStrips {
  public:
-  void BeginFrame() { made_ = false; }
+  void BeginFrame() { made_ = waiting_ = false; }
+  /// One was asked for and is not there yet.
+  [[nodiscard]] bool Waiting() const { return waiting_; }
   /// @return null: not yet, ask again in the next frame
   [[nodiscard]] const MotionStrip* Of(const std::string& name, const Document& document);
 
@@ -32,7 +34,8 @@ class MotionStrips {
   static constexpr std::size_t kMost = 120;
 
   std::map<std::string, MotionStrip, std::less<>> strips_;
-  bool made_ = false;
+  bool made_ = false;  // in this frame
+  bool waiting_ = false;
 };
 
 /// @param share of the motion that the walking figure has done, in [0, 1]; below 0: it is not drawn

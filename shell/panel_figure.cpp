@@ -49,13 +49,13 @@ void EditNumbers(Ui& ui, const Rod& rod, const std::function<void(const RodEdit&
   if (root) return;
   double least = static_cast<double>(rod.min_rad / kDegree);
   double most = static_cast<double>(rod.max_rad / kDegree);
-  constexpr SliderRange kTurns = {.low = -180.0, .high = 180.0, .step = 1.0};  // to either side of rest
-  const bool opened = ui.Slider("figure/joint-from", Tr("Joint turns from"), least, kTurns, Degrees(least));
-  if (!ui.Slider("figure/joint-to", Tr("Joint turns to"), most, kTurns, Degrees(most)) && !opened) return;
-  change([&](Rod& r) {
-    r.min_rad = std::clamp(static_cast<float>(least) * kDegree, -kLargestAngle, 0.0f);
-    r.max_rad = std::clamp(static_cast<float>(most) * kDegree, 0.0f, kLargestAngle);
-  });
+  if (ui.Slider("figure/joint-from", Tr("Joint turns from"), least, {.low = -180.0, .high = 0.0, .step = 1.0},
+                Degrees(least)))
+    change(
+        [&](Rod& r) { r.min_rad = std::clamp(static_cast<float>(least) * kDegree, -kLargestAngle, 0.0f); });
+  if (ui.Slider("figure/joint-to", Tr("Joint turns to"), most, {.low = 0.0, .high = 180.0, .step = 1.0},
+                Degrees(most)))
+    change([&](Rod& r) { r.max_rad = std::clamp(static_cast<float>(most) * kDegree, 0.0f, kLargestAngle); });
 }
 
 void EditRod(Ui& ui, Session& session, DrawingBoardState& state) {

@@ -41,6 +41,7 @@ std::string FoundJson(const FoundMotions& found) {
     const FoundMotion& motion = entry->motion;
     const bool scored = motion.Score() > kVoidScore;
     json += "{\"id\":" + QuoteJson(entry->id) + ",\"title\":" + QuoteJson(motion.document.title) +
+            (motion.name.empty() ? "" : ",\"name\":" + QuoteJson(motion.name)) +
             ",\"origin\":" + QuoteJson(NameOf(motion.origin)) +
             ",\"score\":" + (scored ? Exact(static_cast<double>(motion.Score()), 9) : "null") +
             SearchMembers(motion.document.search, motion.evaluations) +

@@ -53,24 +53,28 @@ void Session::MakeSuite(const SuiteChoice& choice) {
   const std::vector<Document> suite = SuiteOf(document_, choice);
   int added = 0;
   for (const Document& one : suite) added += queue.Add(one) ? 1 : 0;
-  host_.Status(added < static_cast<int>(suite.size())
-                   ? Tr("The queue has room for {1} of the suite's {2} searches.", std::to_string(added),
-                        std::to_string(suite.size()))
-                   : Tr("The suite is in the queue: {1}.", WaitingWords(queue.Waiting().size())));
-  if (!Searching() && !lab.Running()) RunNext();
+  if (!Searching() && !lab.Running()) RunNext();  // which clears the status line
+  const std::string count = std::to_string(suite.size());
+  host_.Status(
+      added < static_cast<int>(suite.size())
+          ? Tr("The queue had room for {1} of the suite's {2} searches.", std::to_string(added), count)
+          : Tr("The suite's {1} searches run one after another.", count));
 }
 
 bool Session::MakeAgain(const std::string& id) {
   const FoundMotions::Entry* entry = found.Find(id);
   if (entry == nullptr || entry->motion.origin == Origin::kByHand) return false;
-  if (!Enqueue(entry->motion.document)) return false;
-  if (!Searching() && !lab.Running()) RunNext();
-  return true;
+  const Document document = entry->motion.document;  // what ends meanwhile changes the results
+  if (!Searching() && !lab.Running()) {
+    BeginSearch(document, true);
+    return true;
+  }
+  return Enqueue(document);
 }
 
 void Session::AskName(const std::string& id) const {
   if (const FoundMotions::Entry* entry = found.Find(id); entry != nullptr)
-    host_.AskName(id, entry->motion.name.empty() ? SearchTitle(entry->motion.document) : entry->motion.name);
+    host_.AskName(id, entry->motion.name, SearchTitle(entry->motion.document));
 }
 
 void Session::RunNext() {
@@ -123,7 +127,8 @@ bool Session::ShowFound(const std::string& id) {
   Document document = entry->motion.document;
   if (const std::string& name = entry->motion.name; !name.empty()) {
     document.title = name;
-    if (document.controllers.size() == 1) document.controllers[0].name = name;
+    if (document.timeline.size() == 1)
+      document.controllers[static_cast<std::size_t>(document.timeline[0].controller)].name = name;
   }
   const bool moves = entry->motion.Moves();
   Replace(document);

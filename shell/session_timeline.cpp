@@ -116,8 +116,9 @@ void Session::LoopTimeline() {
 bool Session::InsertFound(const std::string& id, std::optional<int> wanted) {
   const FoundMotions::Entry* entry = found.Find(id);
   if (entry == nullptr || !entry->motion.Moves()) return false;
-  const Document& other = entry->motion.document;
-  const std::string& name = entry->motion.name;
+  // A search that the edit ends changes the results.
+  const Document other = entry->motion.document;
+  const std::string name = entry->motion.name;
   if (!SameRods(other.figure, document_.figure)) {
     Say(Tr("Not possible: this controller was found for a figure with other rods, {1}.",
            TrTitle(other.figure.name)));
@@ -133,7 +134,7 @@ bool Session::InsertFound(const std::string& id, std::optional<int> wanted) {
     std::vector<Stretch> inserted = StretchesOf(other);  // what was kept may be a composite itself
     for (Stretch& stretch : inserted) {
       Controller controller = other.controllers[static_cast<std::size_t>(stretch.controller)];
-      if (!name.empty() && other.controllers.size() == 1) controller.name = name;
+      if (!name.empty() && inserted.size() == 1) controller.name = name;
       const auto added = AddController(d, controller);
       if (!added) return std::unexpected(added.error());
       stretch.controller = *added;

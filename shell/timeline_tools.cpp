@@ -41,7 +41,7 @@ std::vector<Tool> ToolsOf(const Session& session) {
   if (session.Transitions().Any()) {
     tools.insert(tools.end() - 1, {"timeline/snap-to-best", TrLater("Snap to best"),
                                    TrLater("Snap to best: the selected clip takes over where that does best"),
-                                   *session.WhyNoSnap() == '\0', &Session::SnapToBest, 0});
+                                   *session.WhyNoSnap() == '\0', &Session::SnapToBest, 1});
   }
   return tools;
 }

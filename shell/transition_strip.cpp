@@ -111,7 +111,8 @@ void DrawMarks(const Ui& ui, const Session& session, const Strip& strip) {
 }  // namespace
 
 float TransitionStripHeight(const Session& session) {
-  return session.Transitions().Any() ? kAbove + kStripHeight : 0.0f;
+  // Its room is there before it is, so that nothing moves under the pointer that selects a clip.
+  return session.Doc().timeline.size() > 1 ? kAbove + kStripHeight : 0.0f;
 }
 
 void DrawTransitionStrip(Ui& ui, const Session& session, const ImRect& clips) {

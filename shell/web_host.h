@@ -20,7 +20,7 @@ void gs_page_start_trial(const std::uint8_t* document, std::size_t bytes, int wo
                          int finished, int total);
 void gs_page_start_queued(const std::uint8_t* document, std::size_t bytes, int workers, const char* words);
 void gs_page_store_found(const char* id, const char* text);
-void gs_page_ask_name(const char* id, const char* name);
+void gs_page_ask_name(const char* id, const char* name, const char* usual);
 void gs_page_lab_ended();
 void gs_page_save_text(const char* name, const char* text);
 void gs_page_pause_search();
@@ -56,8 +56,8 @@ class WebHost final : public Host {
     gs_page_store_found(id.c_str(), text.c_str());
   }
   [[nodiscard]] bool CanAskName() const override { return true; }
-  void AskName(const std::string& id, const std::string& name) override {
-    gs_page_ask_name(id.c_str(), name.c_str());
+  void AskName(const std::string& id, const std::string& name, const std::string& usual) override {
+    gs_page_ask_name(id.c_str(), name.c_str(), usual.c_str());
   }
   [[nodiscard]] double NowS() const override { return 1e-3 * emscripten_date_now(); }
   void LabEnded() override { gs_page_lab_ended(); }

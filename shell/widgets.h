@@ -139,7 +139,8 @@ class Ui {
 
   struct SliderPlaces {
     ImRect row;     // all of it: takes the pointer
-    ImRect track;   // where the knob is had
+    ImRect track;   // of the knob
+    ImRect reach;   // where that is had, but for the number
     ImRect number;  // beside the label or the track
     ImU32 colour;
   };

@@ -31,6 +31,8 @@ int DecimalsOf(const SliderRange& range) {
 
 constexpr float kTrack = 4.0f;  // height
 constexpr float kFieldWidth = 84.0f;
+// In a window's storage, by the key of a slider: its value when typing began.
+constexpr ImGuiID kBeforeKey = 0x6265666f;
 
 }  // namespace
 
@@ -47,8 +49,10 @@ void Ui::TypedValue(std::string_view id, std::string_view label, const ImRect& f
                               .value = text,
                               .state = {.focused = true},
                               .range = WidgetRange{range.low, range.high, 0.0, value}});
+  ImGuiStorage* storage = ImGui::GetStateStorage();
   if (!ImGui::TempInputIsActive(widget)) {  // opens, whoever asked for it
     ImGuiContext& g = *ImGui::GetCurrentContext();
+    storage->SetFloat(widget + kBeforeKey, static_cast<float>(value));
     g.NavActivateId = widget;
     g.NavActivateFlags |= ImGuiActivateFlags_PreferInput;
   }
@@ -64,6 +68,9 @@ void Ui::TypedValue(std::string_view id, std::string_view label, const ImRect& f
   ImGui::SetCursorScreenPos(cursor);
   Canvas()->AddRect(field.Min, field.Max, Ink().accent, 3.0f, 0, 2.0f);
   if (double number = 0.0; edited && Parse(text, number)) value = range.Nearest(number);
+  // The field would put back what it showed, which need not be all of the number.
+  if (ImGui::IsKeyPressed(ImGuiKey_Escape, false))
+    value = static_cast<double>(storage->GetFloat(widget + kBeforeKey));
 }
 
 bool Ui::Slider(std::string_view id, std::string_view label, double& value, const SliderRange& range,
@@ -74,6 +81,7 @@ bool Ui::Slider(std::string_view id, std::string_view label, double& value, cons
   return Slide(id, label, value, range, value_text,
                {.row = row,
                 .track = {{row.Min.x, label_bottom}, row.Max},
+                .reach = {{row.Min.x, row.Min.y + 0.5f * label_height}, row.Max},
                 .number = {{row.Max.x - kFieldWidth, row.Min.y}, {row.Max.x, label_bottom}},
                 .colour = Ink().accent});
 }
@@ -84,7 +92,11 @@ bool Ui::LineSlider(std::string_view id, std::string_view label, double& value, 
   const ImRect row = ControlRow();
   const ImRect track({row.Min.x + kLabelWidth, row.Min.y}, {row.Max.x - kNumberWidth, row.Max.y});
   return Slide(id, label, value, range, value_text,
-               {.row = row, .track = track, .number = {{track.Max.x, row.Min.y}, row.Max}, .colour = colour});
+               {.row = row,
+                .track = track,
+                .reach = track,
+                .number = {{track.Max.x, row.Min.y}, row.Max},
+                .colour = colour});
 }
 
 bool Ui::Slide(std::string_view id, std::string_view label, double& value, const SliderRange& range,
@@ -106,7 +118,7 @@ bool Ui::Slide(std::string_view id, std::string_view label, double& value, const
   const float left = at.track.Min.x + kKnobRadius;
   const float right = at.track.Max.x - kKnobRadius;
   const ImVec2 down = ImGui::GetIO().MouseClickedPos[0];
-  if (touch.held && at.track.Contains(down)) {
+  if (touch.held && at.reach.Contains(down) && !at.number.Contains(down)) {
     const float share = std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0f, 1.0f);
     value = range.ValueAt(static_cast<double>(share));
   }

@@ -50,7 +50,7 @@ export interface AppModule {
   _gs_found(): Pointer;
   _gs_show_found(id: Pointer): number;
   _gs_rename_found(options: Pointer): Pointer;
-  _gs_restore_found(text: Pointer): number;
+  _gs_restore_found(text: Pointer): Pointer;
   _gs_lab(options: Pointer): Pointer;
   _gs_lab_csv(): Pointer;
   _gs_lab_state(): number;
@@ -76,7 +76,7 @@ export interface PageForApp {
   startQueued(document: Uint8Array, workers: number, words: string): void;
   /** A found motion to keep for the next visit; without text: to forget. */
   storeFound(id: string, text: string): void;
-  askName(id: string, name: string): void;
+  askName(id: string, name: string, usual: string): void;
   /** The lab is over, and has no more trials. */
   labEnded(): void;
   /** Gives the reader a file. */

@@ -195,8 +195,8 @@ export class App {
   renameFound(id, name) {
     return this.#with(JSON.stringify({ id, name }), (at) => this.#text(this.module._gs_rename_found(at)));
   }
-  /** A found motion of an earlier visit. @param {string} text @returns {boolean} false: it is none */
-  restoreFound(text) { return this.#with(text, (at) => this.module._gs_restore_found(at)) !== 0; }
+  /** A found motion of an earlier visit. @param {string} text @returns {string} its id; empty: it is none */
+  restoreFound(text) { return this.#with(text, (at) => this.#text(this.module._gs_restore_found(at))); }
 
   /** @param {LabOptions} options @returns {string} empty, or a sentence; then nothing has changed */
   lab(options) {

@@ -22,7 +22,14 @@ export class KeptResults {
   restore(app) {
     if (!this.#keeps) return;
     // What is not understood is left alone: it may be of a newer page.
-    for (const key of rememberedKeys(PREFIX)) app.restoreFound(remembered(key) ?? '');
+    for (const key of rememberedKeys(PREFIX)) {
+      const text = remembered(key) ?? '';
+      const id = app.restoreFound(text);
+      // An earlier page had another idea of what is the same motion.
+      if (id === '' || key === PREFIX + id) continue;
+      if (remembered(PREFIX + id) === null) remember(PREFIX + id, text);
+      remember(key, null);
+    }
   }
 
   /** @param {string} id @param {string} text  empty: forget it */

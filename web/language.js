@@ -52,6 +52,9 @@ export function trSentence(english) {
 export const grouped = (value) => String(Math.round(value)).replace(/\B(?=(\d{3})+$)/g, spoken.groupMark);
 /** "0.80" @param {number} value @param {number} decimals */
 export const fixed = (value, decimals) => value.toFixed(decimals).replace('.', spoken.decimalMark);
+/** A number to be typed over, with as many digits as it needs. @param {number} value */
+export const fixedText = (value) => String(Number(value.toPrecision(6))).replace('.', spoken.decimalMark);
+
 /** What was typed; NaN where it is no number. @param {string} text */
 export const numberOf = (text) => (text.trim() === '' ? NaN : Number(text.replace(spoken.decimalMark, '.')));
 

@@ -3,7 +3,7 @@
 // the keyboard. Pointer and touch go through it to the canvas. What it is told to do it asks of the application, which
 // answers with what changed.
 import { MirrorKeys } from './mirror_keys.js';
-import { numberOf } from './language.js';
+import { fixedText, numberOf } from './language.js';
 import { element } from './dom.js';
 import { ROVING, controlledPart, isBesideNumber, fits, isMirrored, nodeFor, nodeForPart, setAttribute, takesKeyboard, update } from './mirror_nodes.js';
 
@@ -261,12 +261,16 @@ export class Mirror {
     else this.commit(reflection);
   }
 
-  /** Opens the field of a number on the canvas, and goes there. @param {Reflection} reflection */
-  typeOnCanvas({ widget }) {
-    this.app.activate(widget.id);
-    this.#waiting = true; // what was told last does not know of it
-    this.canvas.focus({ preventScroll: true });
-    this.acted();
+  /** The number of a slider is typed, in its place. @param {Reflection} reflection */
+  type({ node, widget }) {
+    if (!(node instanceof HTMLInputElement) || !widget.range || widget.state.disabled) return;
+    node.type = 'text';
+    node.inputMode = 'decimal';
+    node.value = fixedText(widget.range.now);
+    node.setAttribute('role', 'spinbutton');
+    node.classList.add('typing');
+    update(node, widget, true);
+    node.select();
   }
 
   /** @param {Reflection} reflection @param {number} value @param {boolean} [again]  a key that is held */
@@ -281,8 +285,13 @@ export class Mirror {
     if (!(node instanceof HTMLInputElement)) return;
     const value = numberOf(node.value);
     node.classList.remove('typing');
+    if (widget.role === 'slider') {
+      for (const name of ['role', 'aria-valuemin', 'aria-valuemax', 'aria-valuenow']) node.removeAttribute(name);
+      node.type = 'range';
+      update(node, widget, true);
+    }
     if (keep && Number.isFinite(value)) this.set({ node, widget }, value);
-    else node.value = widget.value;
+    else if (widget.role !== 'slider') node.value = widget.value;
   }
 }
 

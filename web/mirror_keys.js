@@ -24,7 +24,7 @@ export class MirrorKeys {
   /** Whether a widget wants this key before any command. @param {EventTarget | null} target @param {string} name  as of keyName */
   wants(target, name) {
     const reflection = this.mirror.at(target);
-    if (!reflection || !isNumber(reflection.widget.role)) return false;
+    if (!reflection || !(isNumber(reflection.widget.role) || isTyping(reflection))) return false;
     return isTyping(reflection) ? !/^(Ctrl|F\d)/.test(name) : /^[\d.-]$|^Backspace$|^Delete$/.test(name);
   }
 
@@ -54,11 +54,12 @@ export class MirrorKeys {
     const { widget, node } = reflection;
     if (event.key === 'Escape') return this.#escape(reflection);
     if (isNumber(widget.role) && this.#number(reflection, event)) return true;
-    if (isNumber(widget.role) && isTyping(reflection)) return false;
     if (widget.role === 'slider' && event.key === 'Enter') {
-      this.mirror.typeOnCanvas(reflection);
+      if (isTyping(reflection)) this.mirror.commit(reflection);
+      else this.mirror.type(reflection);
       return true;
     }
+    if (isTyping(reflection)) return false;
     if (widget.range) return this.#value(reflection, event);
     if (event.key === 'Enter' && node.tagName === 'DIV') {
       node.click();

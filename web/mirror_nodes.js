@@ -9,6 +9,9 @@
 export const ROVING = new Set(['tablist', 'radiogroup', 'listbox']);
 
 const BUTTONS = new Set(['button', 'switch', 'tab', 'radio', 'option', 'combobox']);
+// Of a slider's number while it is typed. [CSS pixels]
+const TYPED_WIDTH = 84;
+const TYPED_HEIGHT = 22;
 const NATIVE = new Set(['button', 'slider']);
 
 /** Where the element of a widget or part is found. @param {string} id */
@@ -86,6 +89,12 @@ export function update(node, widget, withValue) {
   style.top = `${rect.y}px`;
   style.width = `${rect.width}px`;
   style.height = `${rect.height}px`;
+  if (role === 'slider' && node.classList.contains('typing')) {
+    // As wide as a number, where the slider shows its own.
+    style.left = `${rect.x + Math.max(0, rect.width - TYPED_WIDTH)}px`;
+    style.width = `${Math.min(rect.width, TYPED_WIDTH)}px`;
+    style.height = `${Math.min(rect.height, TYPED_HEIGHT)}px`;
+  }
   const flag = (/** @type {boolean | undefined} */ on) => (on === undefined ? undefined : String(on));
   setAttribute(node, 'aria-disabled', state.disabled ? 'true' : undefined);
   setAttribute(node, 'aria-pressed', flag(state.pressed));

@@ -21,10 +21,11 @@ export class Naming {
     });
   }
 
-  /** @param {string} id @param {string} name  the present one */
-  ask(id, name) {
+  /** @param {string} id @param {string} name  the present one, or empty @param {string} usual  what stands there then */
+  ask(id, name, usual) {
     this.#id = id;
     this.#text.value = name;
+    this.#text.placeholder = usual;
     setText(this.#error, '');
     this.#dialog.showModal();
     this.#text.select();

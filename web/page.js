@@ -61,7 +61,7 @@ async function start() {
       startSearch: (document, workers) => void parts?.searches.start(document, workers),
       startTrial: (document, workers, trial) => void parts?.searches.start(document, workers, { trial }),
       startQueued: (document, workers, words) => void parts?.searches.start(document, workers, { queued: words }),
-      askName: (id, name) => parts?.naming.ask(id, name),
+      askName: (id, name, usual) => parts?.naming.ask(id, name, usual),
       storeFound: (id, text) => parts?.kept.store(id, text),
       labEnded: () => {
         parts?.searches.labEnded();

@@ -28,20 +28,21 @@ async function copy(address) {
   const link = address.link();
   try {
     await navigator.clipboard.writeText(link);
-    if (link.length <= LONG_LINK) toast(tr('Link copied'));
-    else warnOf(link.length);
   } catch {
     // No permission, no focus, or a page that was not served securely: the person copies by hand.
     const text = element('link-text', HTMLTextAreaElement);
     text.value = link;
     element('link-dialog', HTMLDialogElement).showModal();
     text.select();
+    return;
   }
+  tellCopied(link);
 }
 
-/** The link is copied, and may not arrive. @param {number} characters */
-function warnOf(characters) {
-  setText(element('long-link-words'), tr('The link is copied. It has {1} characters, and some programs cut links off after about 2,000: a file carries everything.', grouped(characters)));
+/** A long one may not arrive. @param {string} link */
+function tellCopied({ length }) {
+  if (length <= LONG_LINK) return toast(tr('Link copied'));
+  setText(element('long-link-words'), tr('The link is copied. It has {1} characters, and some programs cut links off after about 2,000: a file carries everything.', grouped(length)));
   element('long-link-dialog', HTMLDialogElement).showModal();
 }
 
@@ -103,12 +104,14 @@ export async function textOf(file) {
 
 /** @param {App} app @param {import('./address.js').Address} address */
 function startClipboardKeys(app, address) {
-  const typing = () => document.activeElement instanceof HTMLTextAreaElement;
+  // What is typed into a dialog is its own.
+  const typing = () => document.querySelector('dialog[open]') !== null;
   addEventListener('copy', (event) => {
     if (typing() || !getSelection()?.isCollapsed) return;
-    event.clipboardData?.setData('text/plain', address.link());
+    const link = address.link();
+    event.clipboardData?.setData('text/plain', link);
     event.preventDefault();
-    toast(tr('Link copied'));
+    tellCopied(link);
   });
   addEventListener('paste', (event) => {
     const text = event.clipboardData?.getData('text/plain') ?? '';

@@ -17,6 +17,8 @@ import { unreachable } from './messages.js';
 const START_MS = 30000;
 // A part takes a tenth of a second.
 const SILENCE_MS = 10000;
+// Silence is counted in ticks: a machine that was asleep has had one of them.
+const TICK_MS = 1000;
 // The worker is kept for the next map, for as long as those of searches.
 const REST_MS = 5 * 60000;
 
@@ -111,7 +113,7 @@ export class TransitionMaps {
   /** @param {number} ms */
   #expect(ms) {
     clearTimeout(this.#watch);
-    this.#watch = setTimeout(() => this.#fail(), ms);
+    this.#watch = setTimeout(() => (ms > TICK_MS ? this.#expect(ms - TICK_MS) : this.#fail()), TICK_MS);
   }
 
   #fail() {

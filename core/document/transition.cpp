@@ -121,6 +121,10 @@ TransitionMap TransitionMapOf(const Document& request) {
   problem.task.duration_steps = std::min(request.task.duration_steps, kLongestWatch);
   const auto clip = static_cast<std::size_t>(request.search.in_place_of);
   const int controller = request.timeline[clip].controller;
+  const Controller& taking = request.controllers[static_cast<std::size_t>(controller)];
+  problem.senses = taking.senses;
+  problem.rules = taking.rules;
+  problem.kind = taking.kind;
   const Motion usual = UsualMotion(request, controller);
   const double way_m = usual.At(usual.Frames() - 1).x_m - usual.At(0).x_m;
   TaskKind& kind = problem.task.kind;
@@ -129,8 +133,7 @@ TransitionMap TransitionMapOf(const Document& request) {
   } else if (kind == TaskKind::kTravelLeft && way_m > 0.0) {
     kind = TaskKind::kTravelRight;
   }
-  return {problem, request.controllers[static_cast<std::size_t>(controller)].genes,
-          TransitionSteps(request, request.search.in_place_of)};
+  return {problem, taking.genes, TransitionSteps(request, request.search.in_place_of)};
 }
 
 float ShareOfUsual(float score, float usual) {

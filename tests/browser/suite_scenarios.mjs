@@ -36,6 +36,7 @@ async function typeName(page, name) {
 /** @param {Visit} visit */
 async function suite({ browser, address }) {
   const page = await PageDriver.open(browser, address);
+  await page.page.setViewport({ width: 1280, height: 1500 }); // all cards in sight
   const hand = new Mouse(page);
   await page.call('short searches', () => {
     const document = window.gaitsmith.document();
@@ -71,9 +72,10 @@ async function suite({ browser, address }) {
   await page.click('found/order');
   await page.click('found/order/3');
   await page.frames(4);
-  const turns = new Map(await page.call('turns', async () => Promise.all(window.gaitsmith.results().map(async ({ id, terms }) => [id, terms?.rotations ?? 0]))));
-  const order = await cards(page);
-  for (let i = 1; i < order.length; i++) assert.ok(Number(turns.get(order[i - 1])) >= Number(turns.get(order[i])), 'the most turns first');
+  const turns = (await page.widgets()).filter(({ id }) => /^found\/[0-9a-f]{16}$/.test(id))
+    .map(({ value }) => Number(/rotations ([\d.]+)/.exec(value ?? '')?.[1] ?? assert.fail(`no rotations in ${value}`)));
+  assert.ok(turns.length > 1 && turns[0] > 0, `turns: ${turns}`);
+  assert.deepEqual(turns, [...turns].sort((a, b) => b - a), 'the most turns first');
   await page.click('found/filter');
   await page.click('found/filter/2');
   await page.frames(4);

@@ -2,7 +2,7 @@
 // Numbers beside sliders are typed: by click and by Enter; what is out of range goes to its end, what is no number and
 // what is given up changes nothing. Each opens a page of its own.
 import assert from 'node:assert/strict';
-import { setValue } from './assistive.mjs';
+import { setValue, settle } from './assistive.mjs';
 import { PageDriver } from './page_driver.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
@@ -56,8 +56,16 @@ async function typed({ browser, address }) {
   await setValue(page, 'slider', 'Duration', '6.5');
   await page.page.focus('#on-canvas-style-duration');
   await page.press('Enter');
-  await becomes(page, 'textbox');
+  const field = await page.call('field', () => {
+    const node = /** @type {HTMLInputElement} */ (document.activeElement);
+    return { type: node.type, role: node.getAttribute('role'), value: node.value, label: node.getAttribute('aria-label') };
+  });
+  assert.deepEqual(field, { type: 'text', role: 'spinbutton', value: '6.5', label: 'Duration' });
+  await type(page, '7', 'Escape');
+  assert.equal((await shown(page)).seconds, 6.5);
+  await page.press('Enter');
   await type(page, '8', 'Enter');
+  await settle(page);
   assert.deepEqual(await shown(page), { role: 'slider', value: 8, seconds: 8 }, 'by Enter');
   await page.press('ArrowRight');
   assert.equal((await shown(page)).seconds, 8.5);

@@ -239,4 +239,24 @@ TEST_CASE("session: a transition map begins anew when what it depends on changes
   CHECK(host.mapped.size() == 3);
 }
 
+TEST_CASE("timeline: a result is inserted while a search runs that its end adds to the results",
+          "[shell][session][timeline]") {
+  QuietHost host;
+  Session session(host);
+  session.Synthesize();
+  End(session, host, 20000);
+  const std::string id = session.found.Sorted(FoundMotions::Order::kNewest).front()->id;
+  session.Set([](Document& d) { d.search.seed += 1; });
+  session.Synthesize();
+  SearchProgress found{
+      .state = SearchState::kRunning, .evaluations = 9, .budget = 50, .curve = {}, .best_genome = {}};
+  found.best_genome.assign(ProblemOf(host.started.back()).Shape().Genes(), 30000);
+  found.best_fitness = 2.0f;
+  session.OnSearchProgress(found);
+  REQUIRE(session.InsertFound(id, 100));
+  CHECK_FALSE(session.Searching());
+  CHECK(session.found.Count() == 2);
+  CHECK(Validate(session.Doc()));
+}
+
 }  // namespace gaitsmith::shell::test

@@ -54,7 +54,7 @@ TEST_CASE("suite: it runs by itself, and what does not fit into the queue is sai
   CHECK(session.queue.Waiting().size() == 29);
   session.MakeSuite(kAll);
   CHECK(session.queue.Waiting().size() == SearchQueue::kMost);
-  CHECK(host.status == "The queue has room for 21 of the suite's 30 searches.");
+  CHECK(host.status == "The queue had room for 21 of the suite's 30 searches.");
   CHECK(State(session) == before);
 }
 
