@@ -32,6 +32,7 @@ async function copy(address) {
     // No permission, no focus, or a page that was not served securely: the person copies by hand.
     const text = element('link-text', HTMLTextAreaElement);
     text.value = link;
+    setText(element('link-words'), link.length > LONG_LINK ? longWords(link) : '');
     element('link-dialog', HTMLDialogElement).showModal();
     text.select();
     return;
@@ -39,10 +40,13 @@ async function copy(address) {
   tellCopied(link);
 }
 
+/** @param {string} link */
+const longWords = ({ length }) => tr('It has {1} characters, and some programs cut links off after about 2,000: a file carries everything.', grouped(length));
+
 /** A long one may not arrive. @param {string} link */
-function tellCopied({ length }) {
-  if (length <= LONG_LINK) return toast(tr('Link copied'));
-  setText(element('long-link-words'), tr('The link is copied. It has {1} characters, and some programs cut links off after about 2,000: a file carries everything.', grouped(length)));
+function tellCopied(link) {
+  if (link.length <= LONG_LINK) return toast(tr('Link copied'));
+  setText(element('long-link-words'), `${tr('Link copied')}. ${longWords(link)}`);
   element('long-link-dialog', HTMLDialogElement).showModal();
 }
 

@@ -216,9 +216,17 @@ async function longLink({ browser, address }) {
     }, document);
     await page.clickElement('#copy-link');
     await page.frames();
-    const said = await page.call('dialog', () => (/** @type {HTMLDialogElement} */ (document.querySelector('#long-link-dialog')).open
-      ? document.querySelector('#long-link-words')?.textContent ?? '' : ''));
-    return { length, said };
+    // Where the browser does not copy by itself, it is copied by hand from a box that says the same.
+    const said = await page.call('dialogs', () => {
+      const of = (/** @type {string} */ dialog, /** @type {string} */ words) => (/** @type {HTMLDialogElement} */ (document.querySelector(dialog)).open
+        ? document.querySelector(words)?.textContent ?? '' : '');
+      const boxed = /** @type {HTMLDialogElement} */ (document.querySelector('#link-dialog'));
+      const text = of('#long-link-dialog', '#long-link-words') + of('#link-dialog', '#link-words');
+      const byHand = boxed.open;
+      boxed.close();
+      return { text, byHand };
+    });
+    return { length, said: said.text, byHand: said.byHand };
   };
   const short = await copy(example);
   assert.ok(short.length <= 1900 && short.said === '', `four clips, ${short.length} characters: ${short.said}`);
@@ -226,6 +234,7 @@ async function longLink({ browser, address }) {
   const long = await copy({ ...example, hash: undefined, controllers: [...example.controllers, ...others] });
   assert.ok(long.length > 1900);
   assert.ok(long.said.includes(long.length.toLocaleString('en')), long.said);
+  if (long.byHand) return page.close();
   await page.clickElement('#long-link-save');
   assert.equal(await page.call('closed', () => /** @type {HTMLDialogElement} */ (document.querySelector('#long-link-dialog')).open), false);
   assert.deepEqual(page.complaints, []);

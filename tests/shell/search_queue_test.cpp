@@ -228,7 +228,8 @@ TEST_CASE("found motions: as text and back, bit for bit, and in their order", "[
   FoundMotions list;
   bool told = false;
   list.on_change = [&](const std::string&, const std::string&) { told = true; };
-  for (const std::uint32_t seed : {3u, 1u, 2u}) CHECK_FALSE(list.Restore(EncodeFound(Found(seed, seed))).empty());
+  for (const std::uint32_t seed : {3u, 1u, 2u})
+    CHECK_FALSE(list.Restore(EncodeFound(Found(seed, seed))).empty());
   CHECK_FALSE(told);
   CHECK(Seeds(list, FoundMotions::Order::kNewest) == List{3, 2, 1});
   CHECK_FALSE(list.Restore(EncodeFound(Found(1, 1.0))).empty());
