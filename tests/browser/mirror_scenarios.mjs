@@ -149,12 +149,14 @@ async function saidInWords({ browser, address }) {
   await page.press('.', 4);
   await sleep(1500);
   assert.notEqual(await description(), before);
-  assert.equal((await said()).length, 2, `${await said()}`);
+  // Four steps, and not a sentence for each; where frames are slow, one for the way and one for where it ends.
+  const steps = (await said()).length - 1;
+  assert.ok(steps >= 1 && steps <= 2, `${await said()}`);
   const start = Date.now();
   await page.page.evaluate(() => { void window.gaitsmith.synthesize({ evaluations: 20000, seed: 5 }); });
   await page.until('the end', () => /^Search done/.test(document.querySelector('#status')?.textContent ?? ''));
   await sleep(2000);
-  const search = (await said()).slice(2).filter((sentence) => !sentence.startsWith('Paused at'));
+  const search = (await said()).slice(1 + steps).filter((sentence) => !sentence.startsWith('Paused at'));
   assert.match(search[0], /^Searching with /);
   assert.match(search[search.length - 1], /^Search done: best [\d.]+( m)? after 20,000 evaluations\.?$/);
   assert.ok(search.length <= 3 + (Date.now() - start) / 9000, `a running commentary: ${search.join(' / ')}`);
