@@ -79,7 +79,7 @@ void DrawEliteMap(Ui& ui, Session& session, int& turns) {
       }
     }
   }
-  const ElitesSettings& settings = session.Elites()->Settings();
+  const ElitesSettings& settings = map.Settings();
   ui.Letters().Draw(ui.Canvas(), Type::kSmall, {left, bottom + 0.5f * kAxis}, ui.Ink().second_ink,
                     Tr("Slip, 0 to {1} m →", Fixed(settings.most[1], 1)));
   ui.Letters().Draw(ui.Canvas(), Type::kSmall, {all.Min.x + kAxis - 5.0f, all.Min.y + 7.0f},

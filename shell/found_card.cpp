@@ -54,9 +54,10 @@ std::string LineOf(const FoundMotion& found, bool with_unit) {
             Grouped(found.evaluations), decider);
 }
 
+bool HasTerms(const FoundMotion& found) { return found.Moves() && !found.terms.broke_physics; }
+
 /// "18.33 m · up to 0.97 m · slip 20.9 m · turns 0.02": the paper's terms
 std::string TermsLine(const FoundMotion& found) {
-  if (!found.Moves() || found.terms.broke_physics) return {};
   const Terms& terms = found.terms;
   return Tr("{1} m · up to {2} m · slip {3} m · turns {4}", AmountText(std::abs(terms.travel_m), 2),
             AmountText(terms.max_cm_height_m, 2), AmountText(terms.slip_sum_m, 1),
@@ -135,8 +136,8 @@ void DrawWords(const Ui& ui, const FoundMotion& found, ImVec2 at, float width) {
   const Fonts& letters = ui.Letters();
   letters.DrawElided(ui.Canvas(), Type::kStrong, at, width, ui.Ink().ink, CardName(found));
   at.y += kLine;
-  if (const std::string terms = TermsLine(found); !terms.empty()) {
-    letters.DrawElided(ui.Canvas(), Type::kNote, at, width, ui.Ink().second_ink, terms);
+  if (HasTerms(found)) {
+    letters.DrawElided(ui.Canvas(), Type::kNote, at, width, ui.Ink().second_ink, TermsLine(found));
     at.y += kLine;
   }
   letters.DrawElided(ui.Canvas(), Type::kNote, at, width, ui.Ink().second_ink, LineOf(found, false));
@@ -157,7 +158,7 @@ FoundWish DrawFoundCard(Ui& ui, const Session& session, const FoundMotions::Entr
                         MotionStrips& strips) {
   const FoundMotion& found = entry.motion;
   const float buttons = ui.Look().ControlHeight();
-  const float words = kLine * (TermsLine(found).empty() ? 2.0f : 3.0f) + 4.0f;
+  const float words = kLine * (HasTerms(found) ? 3.0f : 2.0f) + 4.0f;
   const float strip = found.Moves() ? kStripHeight : 0.0f;
   const ImRect card = ui.Row(strip + words + buttons + 14.0f);
   ui.Gap(8.0f);

@@ -64,7 +64,7 @@ void Session::MakeSuite(const SuiteChoice& choice) {
 bool Session::MakeAgain(const std::string& id) {
   const FoundMotions::Entry* entry = found.Find(id);
   if (entry == nullptr || entry->motion.origin == Origin::kByHand) return false;
-  const Document document = entry->motion.document;  // what ends meanwhile changes the results
+  const Document document = SearchOf(entry->motion.document);
   if (!Searching() && !lab.Running()) {
     BeginSearch(document, true);
     return true;

@@ -44,6 +44,9 @@ export class Mirror {
     this.#root.addEventListener('change', (event) => this.#changed(event));
     this.#root.addEventListener('focusin', (event) => this.#focused(event));
     this.#root.addEventListener('focusout', (event) => {
+      // A field that is left unchanged says so by no other event.
+      const left = this.at(event.target);
+      if (left?.node.classList.contains('typing')) this.commit(left);
       if (this.contains(event.relatedTarget)) return;
       this.#here = undefined;
       if (event.relatedTarget !== canvas) app.unfocus();

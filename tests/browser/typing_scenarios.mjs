@@ -63,6 +63,13 @@ async function typed({ browser, address }) {
   assert.deepEqual(field, { type: 'text', role: 'spinbutton', value: '6.5', label: 'Duration' });
   await type(page, '7', 'Escape');
   assert.equal((await shown(page)).seconds, 6.5);
+  // Who goes on without a key has a slider again.
+  await page.press('Enter');
+  await page.press('Tab');
+  await settle(page);
+  assert.equal(await page.call('left', () => /** @type {HTMLInputElement} */ (document.querySelector('#on-canvas-style-duration')).type), 'range');
+  assert.equal((await shown(page)).seconds, 6.5);
+  await page.page.focus('#on-canvas-style-duration');
   await page.press('Enter');
   await type(page, '8', 'Enter');
   await settle(page);
