@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// A lesson's page: its links open documents in the playground beside the text, its goals are watched there, its buttons do
+// something there.
+import { Player } from './player.js';
+import { keepProgress, progressOf } from './progress.js';
+import { startQuizzes } from './quiz.js';
+
+const GOAL_STATES = { '': '', set: 'The playground watches for it.', met: 'Reached.' };
+
+const lesson = document.querySelector('main')?.dataset.lesson ?? '';
+const frame = /** @type {HTMLIFrameElement} */ (document.getElementById('playground'));
+const fold = /** @type {HTMLButtonElement} */ (document.getElementById('fold'));
+const done = /** @type {HTMLInputElement} */ (document.getElementById('done'));
+const links = /** @type {HTMLAnchorElement[]} */ ([...document.querySelectorAll('a[data-open]')]);
+const goals = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('[data-goal]:not(a)')]);
+const player = new Player(frame);
+
+/** The page's sentence about what it asked of the playground. @param {unknown} error */
+const sentence = (error) => `That did not work: ${error instanceof Error ? error.message : error}`;
+
+/** Which link the playground has followed. @param {string | undefined} payload */
+function markOpen(payload) {
+  for (const link of links) {
+    if (link.dataset.open === payload) link.setAttribute('aria-current', 'true');
+    else link.removeAttribute('aria-current');
+  }
+}
+
+/** @param {boolean} shown */
+function showPlayground(shown) {
+  document.body.classList.toggle('folded', !shown);
+  fold.setAttribute('aria-expanded', String(shown));
+  fold.textContent = shown ? 'Hide the playground' : 'Show the playground';
+}
+
+/** What an element wants arranged in the playground. @param {HTMLElement} element */
+function arrangement({ dataset: { panels, lock, goal } }) {
+  return Object.fromEntries(Object.entries({ panels, lock, goal }).filter(([, value]) => value !== undefined));
+}
+
+/** @param {HTMLAnchorElement} link */
+async function follow(link) {
+  showPlayground(true);
+  try {
+    await player.call('open', link.dataset.open);
+    const arranged = arrangement(link);
+    if (Object.keys(arranged).length > 0) await player.call('arrange', arranged);
+    markOpen(link.dataset.open);
+  } catch {
+    location.href = link.href; // the playground itself says what is wrong
+  }
+}
+
+/** @param {HTMLElement} box @param {keyof typeof GOAL_STATES} state */
+function showGoal(box, state) {
+  const words = box.querySelector('.state');
+  box.classList.toggle('met', state === 'met');
+  if (words && words.textContent !== GOAL_STATES[state]) words.textContent = GOAL_STATES[state];
+}
+
+/** @param {HTMLElement} box @param {boolean} met @param {Record<string, number> | undefined} measures */
+function tellGoal(box, met, measures) {
+  const goal = box.dataset.goal ?? '';
+  const soFar = box.querySelector('.so-far');
+  const named = Object.entries(measures ?? {}).filter(([name]) => new RegExp(`\\b${name}\\b`).test(goal));
+  if (soFar) soFar.textContent = named.map(([name, value]) => `${name.replaceAll('_', ' ')} ${Number(value.toFixed(2))}`).join(' · ');
+  if (!met && box.classList.contains('met')) return; // reached is reached
+  showGoal(box, met ? 'met' : 'set');
+  if (met) keepProgress(lesson, { goals: [...new Set([...progressOf(lesson).goals, goal])] });
+}
+
+/** @param {HTMLButtonElement} button @param {HTMLElement} state */
+async function press(button, state) {
+  const { call = '', args = '[]' } = button.dataset;
+  if (button.getAttribute('aria-disabled') === 'true') return;
+  showPlayground(true);
+  button.setAttribute('aria-disabled', 'true'); // not `disabled`, which would lose the keyboard's place
+  state.textContent = 'Working …';
+  try {
+    await player.call(call, ...JSON.parse(args));
+    if (call === 'open') markOpen(JSON.parse(args)[0]);
+    state.textContent = 'Done.';
+  } catch (error) {
+    state.textContent = sentence(error);
+  }
+  button.removeAttribute('aria-disabled');
+}
+
+for (const link of links) {
+  link.addEventListener('click', (event) => {
+    if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return; // a window of its own is wanted
+    event.preventDefault();
+    void follow(link);
+  });
+}
+
+for (const box of goals) {
+  const button = /** @type {HTMLButtonElement} */ (box.querySelector('button'));
+  button.hidden = false;
+  if (progressOf(lesson).goals.includes(box.dataset.goal ?? '')) showGoal(box, 'met');
+  button.addEventListener('click', async () => {
+    showPlayground(true);
+    for (const other of goals) if (other !== box && !other.classList.contains('met')) showGoal(other, '');
+    try {
+      await player.call('arrange', { goal: box.dataset.goal });
+      if (!box.classList.contains('met')) showGoal(box, 'set');
+    } catch (error) {
+      const words = box.querySelector('.state');
+      if (words) words.textContent = sentence(error);
+    }
+  });
+}
+
+for (const button of document.querySelectorAll('button[data-call]')) {
+  const state = button.parentElement?.querySelector('.state');
+  if (!(button instanceof HTMLButtonElement && state instanceof HTMLElement)) continue;
+  button.disabled = false;
+  button.addEventListener('click', () => press(button, state));
+}
+
+player.addEventListener('goal', (event) => {
+  const { goal, met, measures } = /** @type {import('./player.js').PlayerEvent} */ (event).detail;
+  for (const box of goals) if (box.dataset.goal === goal) tellGoal(box, met, measures);
+});
+
+fold.hidden = false;
+fold.addEventListener('click', () => showPlayground(document.body.classList.contains('folded')));
+done.disabled = false;
+done.checked = progressOf(lesson).done;
+done.addEventListener('change', () => keepProgress(lesson, { done: done.checked }));
+markOpen(frame.dataset.open);
+startQuizzes();
