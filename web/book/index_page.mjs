@@ -17,6 +17,7 @@ the gallery, or <a href="../">open the playground</a>.</p>
 <form id="find" role="search" action="index.html">
 <label for="find-words">Search the book</label>
 <input type="search" id="find-words" name="q" autocomplete="off" spellcheck="false">
+<button type="submit" class="bordered">Search</button>
 <noscript><p>The search needs JavaScript; the pages do not.</p></noscript>
 </form>
 <p id="find-count" role="status"></p>

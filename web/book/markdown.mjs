@@ -14,6 +14,7 @@ import { attributes, escaped } from './html.mjs';
 /** Text under a heading. @typedef {{heading: string, id: string, text: string}} Section */
 /** @typedef {{html: string, title: string, sentence: string, headings: Heading[], sections: Section[]}} Rendered */
 
+const NUMBER = /^[-−+<>≤≥±~≈]?\s*\d[\d.,]*(\s*[\p{L}%²/·]+)?$/u;
 const WIDE_CODE = 60; // characters; wider code may have to be scrolled, also by key
 
 /** What a link tells the lesson's script. @param {Opens} opens */
@@ -29,6 +30,7 @@ export class Markdown {
     const { rules } = this.#markdown.renderer;
     rules.table_open = () => '<div class="scroll" tabindex="0"><table>\n';
     rules.table_close = () => '</table></div>\n';
+    for (const cell of ['th', 'td']) rules[`${cell}_open`] = (tokens, i) => `<${cell}${attributes({ class: cellClass(tokens[i], tokens[i + 1].content) })}>`;
     rules.fence = rules.code_block = (tokens, i) => {
       const { meta, content } = tokens[i];
       const wide = content.split('\n').some((line) => line.length > WIDE_CODE);
@@ -134,6 +136,12 @@ export class Markdown {
     }
     token.meta = { html: await BLOCKS[kind](this, page, token.content, line) };
   }
+}
+
+/** The page's policy allows no styles in attributes, in which tables say how they are aligned. @param {Token} cell @param {string} content */
+function cellClass(cell, content) {
+  const [, alignment] = /text-align:(center|right)/.exec(String(cell.attrGet('style') ?? '')) ?? [];
+  return [alignment, NUMBER.test(content) ? 'number' : ''].filter(Boolean).join(' ') || undefined;
 }
 
 /** What is read aloud of a line. @param {Token} token */

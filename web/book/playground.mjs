@@ -3,7 +3,7 @@
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { dayStrip, fewWords, nightStrip } from './strip_colours.mjs';
+import { dayStrip, nightStrip } from './strip_colours.mjs';
 
 /** @typedef {import('../engine.js').Engine} Engine */
 /** @typedef {{payload: string, document: Uint8Array}} Opened */
@@ -37,8 +37,8 @@ export class Playground {
   async strips(path) {
     const motion = this.engine.motion((await this.#open(path)).document);
     try {
-      const many = dayStrip(motion.filmStrip(POSES.many, WORDS));
-      const few = fewWords(dayStrip(motion.filmStrip(POSES.few, WORDS)));
+      const many = dayStrip(motion.filmStrip(POSES.many, WORDS), 'many');
+      const few = dayStrip(motion.filmStrip(POSES.few, WORDS), 'few');
       return { many, few, manyByNight: nightStrip(many), fewByNight: nightStrip(few) };
     } finally {
       motion.close();

@@ -54,11 +54,16 @@ ${ways.map((way) => `      <li><a${attributes({ href: up + way.address, 'aria-cu
   </nav>
 ${address === 'index.html' || kind === 'lesson' ? '' : finder(up)}</header>
 ${body}
-<footer>
+${kind === 'lesson' ? '' : footer(up)}</body>
+</html>
+`;
+}
+
+/** @param {string} up */
+function footer(up) {
+  return `<footer>
   <p>Gaitsmith is free software under the <a href="${up}../LICENSE">MIT licence</a>. This page asks nothing of other servers and tells them nothing.</p>
 </footer>
-</body>
-</html>
 `;
 }
 
@@ -66,6 +71,7 @@ ${body}
 function finder(up) {
   return `  <form class="finder" role="search" action="${up}index.html">
     <input type="search" name="q" aria-label="Search the book" placeholder="Search" autocomplete="off" spellcheck="false">
+    <button type="submit" aria-label="Search"><svg viewBox="0 0 20 20" aria-hidden="true"><circle cx="9" cy="9" r="5"/><path d="M13 13l4 4"/></svg></button>
   </form>
 `;
 }
