@@ -52,8 +52,11 @@ check_instructions() {
   tests/bench/instruction_guard.sh build/release/tests/bench/instructions
 }
 
-# Links, anchors, pictures, HTML and search of the book beside the built page.
-check_book() { GAITSMITH_SITE=build/site node --test tests/web/book.test.mjs; }
+# Links, anchors, pictures, HTML and search of the book beside the built page; then the book in Chromium.
+check_book() {
+  GAITSMITH_SITE=build/site node --test tests/web/book.test.mjs
+  node tests/browser/book.mjs
+}
 
 check_browsers() { node tests/browser/run.mjs; }
 

@@ -6,7 +6,7 @@ import { attributes, escaped } from './html.mjs';
 /** @typedef {import('./pages.mjs').Page} Page */
 /** @typedef {(markdown: Markdown, page: Page, content: string, line: number) => Promise<string>} Block */
 
-const CONDITION = /^\s*[a-z_]+\s*(>=|<=|>|<|=)\s*-?\d+(\.\d+)?\s*$/;
+const CONDITION = /^\s*[a-z_]+\s*(>=|<=|>|<|=)\s*(-?\d+(\.\d+)?|[a-z]+)\s*$/; // as web/goal.js reads them
 const CHOICE = /^\(([ x])\)\s+(.+?)\s*(?:\|\s*(.+))?$/;
 /** What a button may ask of the playground (docs/embedding.md). */
 const CALLS = ['open', 'synthesize', 'stop', 'pause', 'resume', 'lab', 'undo', 'redo', 'run', 'arrange'];
@@ -24,7 +24,6 @@ async function goal(markdown, page, content, line) {
 ${TICK}
 <div>
 <p>${await markdown.inline(page, line, words.join('\n'))}</p>
-<p class="so-far"></p>
 <p class="state" role="status"></p>
 <button type="button" class="bordered" hidden>Set this goal</button>
 </div>

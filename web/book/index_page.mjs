@@ -21,7 +21,7 @@ the gallery, or <a href="../">open the playground</a>.</p>
 <noscript><p>The search needs JavaScript; the pages do not.</p></noscript>
 </form>
 <p id="find-count" role="status"></p>
-<ol id="found" aria-label="Found" hidden></ol>
+<ol id="found" hidden></ol>
 <div id="groups">
 ${groups.map(({ title, id, pages }) => `<section${attributes({ id, 'aria-labelledby': `${id}-heading` })}>
 <h2 id="${id}-heading">${title}</h2>

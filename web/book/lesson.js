@@ -12,8 +12,10 @@ const frame = /** @type {HTMLIFrameElement} */ (document.getElementById('playgro
 const fold = /** @type {HTMLButtonElement} */ (document.getElementById('fold'));
 const done = /** @type {HTMLInputElement} */ (document.getElementById('done'));
 const links = /** @type {HTMLAnchorElement[]} */ ([...document.querySelectorAll('a[data-open]')]);
-const goals = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('[data-goal]:not(a)')]);
+const goals = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('.goal')]);
 const player = new Player(frame);
+/** The goal that the playground watches for. */
+let watched = frame.dataset.goal;
 
 /** The page's sentence about what it asked of the playground. @param {unknown} error */
 const sentence = (error) => `That did not work: ${error instanceof Error ? error.message : error}`;
@@ -58,15 +60,24 @@ function showGoal(box, state) {
   if (words && words.textContent !== GOAL_STATES[state]) words.textContent = GOAL_STATES[state];
 }
 
-/** @param {HTMLElement} box @param {boolean} met @param {Record<string, number> | undefined} measures */
-function tellGoal(box, met, measures) {
+/** @param {HTMLElement} box @param {boolean} met */
+function tellGoal(box, met) {
   const goal = box.dataset.goal ?? '';
-  const soFar = box.querySelector('.so-far');
-  const named = Object.entries(measures ?? {}).filter(([name]) => new RegExp(`\\b${name}\\b`).test(goal));
-  if (soFar) soFar.textContent = named.map(([name, value]) => `${name.replaceAll('_', ' ')} ${Number(value.toFixed(2))}`).join(' · ');
   if (!met && box.classList.contains('met')) return; // reached is reached
   showGoal(box, met ? 'met' : 'set');
   if (met) keepProgress(lesson, { goals: [...new Set([...progressOf(lesson).goals, goal])] });
+}
+
+/** Asks the playground to watch for it, and for no other. @param {HTMLElement} box */
+async function setGoal(box) {
+  for (const other of goals) if (other !== box && !other.classList.contains('met')) showGoal(other, '');
+  try {
+    await player.call('arrange', { goal: box.dataset.goal });
+    if (!box.classList.contains('met')) showGoal(box, 'set');
+  } catch (error) {
+    const words = box.querySelector('.state');
+    if (words) words.textContent = sentence(error);
+  }
 }
 
 /** @param {HTMLButtonElement} button @param {HTMLElement} state */
@@ -98,16 +109,10 @@ for (const box of goals) {
   const button = /** @type {HTMLButtonElement} */ (box.querySelector('button'));
   button.hidden = false;
   if (progressOf(lesson).goals.includes(box.dataset.goal ?? '')) showGoal(box, 'met');
-  button.addEventListener('click', async () => {
+  button.addEventListener('click', () => {
     showPlayground(true);
-    for (const other of goals) if (other !== box && !other.classList.contains('met')) showGoal(other, '');
-    try {
-      await player.call('arrange', { goal: box.dataset.goal });
-      if (!box.classList.contains('met')) showGoal(box, 'set');
-    } catch (error) {
-      const words = box.querySelector('.state');
-      if (words) words.textContent = sentence(error);
-    }
+    watched = box.dataset.goal;
+    void setGoal(box);
   });
 }
 
@@ -119,8 +124,13 @@ for (const button of document.querySelectorAll('button[data-call]')) {
 }
 
 player.addEventListener('goal', (event) => {
-  const { goal, met, measures } = /** @type {import('./player.js').PlayerEvent} */ (event).detail;
-  for (const box of goals) if (box.dataset.goal === goal) tellGoal(box, met, measures);
+  const { goal, met } = /** @type {import('./player.js').PlayerEvent} */ (event).detail;
+  for (const box of goals) if (box.dataset.goal === goal) tellGoal(box, met);
+});
+// Also where it was loaded anew; and what it said of the goal in its address was said before it knew us.
+player.addEventListener('ready', () => {
+  const box = goals.find(({ dataset }) => dataset.goal === watched);
+  if (box) void setGoal(box);
 });
 
 fold.hidden = false;

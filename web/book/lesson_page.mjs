@@ -42,7 +42,7 @@ ${html}<p class="done"><label><input type="checkbox" id="done" disabled> I have 
 ${around(all[at - 1], all[at + 1], up)}</main>
 <aside aria-label="The playground">
 <button id="fold" type="button" class="bordered" aria-expanded="true" aria-controls="playground" hidden>Hide the playground</button>
-<iframe id="playground"${attributes({ src: `${up}../${playgroundAddress(payload, query)}`, 'data-open': payload, title: 'The playground', allow: 'clipboard-write' })}></iframe>
+<iframe id="playground"${attributes({ src: `${up}../${playgroundAddress(payload, query)}`, 'data-open': payload, 'data-goal': goal?.value ?? opens?.goal, title: 'The playground', allow: 'clipboard-write' })}></iframe>
 <p class="printed">The playground stands here on the screen.</p>
 </aside>
 </div>`,

@@ -15,7 +15,7 @@ import { attributes, escaped } from './html.mjs';
 /** @typedef {{html: string, title: string, sentence: string, headings: Heading[], sections: Section[]}} Rendered */
 
 const NUMBER = /^[-−+<>≤≥±~≈]?\s*\d[\d.,]*(\s*[\p{L}%²/·]+)?$/u;
-const WIDE_CODE = 60; // characters; wider code may have to be scrolled, also by key
+const WIDE_CODE = 30; // characters; wider code may have to be scrolled, also by key
 
 /** What a link tells the lesson's script. @param {Opens} opens */
 const opening = ({ payload, panels, lock, goal }) => ({ 'data-open': payload, 'data-panels': panels, 'data-lock': lock, 'data-goal': goal });
@@ -30,7 +30,11 @@ export class Markdown {
     const { rules } = this.#markdown.renderer;
     rules.table_open = () => '<div class="scroll" tabindex="0"><table>\n';
     rules.table_close = () => '</table></div>\n';
-    for (const cell of ['th', 'td']) rules[`${cell}_open`] = (tokens, i) => `<${cell}${attributes({ class: cellClass(tokens[i], tokens[i + 1].content) })}>`;
+    // The corner of a table heads nothing.
+    const name = (/** @type {string} */ content) => (content === '' ? 'td' : 'th');
+    rules.th_open = (tokens, i) => `<${name(tokens[i + 1].content)}${attributes({ class: cellClass(tokens[i], '') })}>`;
+    rules.th_close = (tokens, i) => `</${name(tokens[i - 1].content)}>`;
+    rules.td_open = (tokens, i) => `<td${attributes({ class: cellClass(tokens[i], tokens[i + 1].content) })}>`;
     rules.fence = rules.code_block = (tokens, i) => {
       const { meta, content } = tokens[i];
       const wide = content.split('\n').some((line) => line.length > WIDE_CODE);

@@ -25,7 +25,7 @@ export class Playground {
   /** @param {string} site  the built one */
   static async load(site) {
     const { Engine } = await import(pathToFileURL(join(site, 'engine.js')).href);
-    return new Playground(await Engine.load(await WebAssembly.compile(await readFile(join(site, 'engine.wasm')))));
+    return new Playground(await Engine.load());
   }
 
   /** What stands after # in a link. Throws core's sentence. @param {string} path */
