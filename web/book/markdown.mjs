@@ -31,9 +31,9 @@ export class Markdown {
     rules.table_open = () => '<div class="scroll" tabindex="0"><table>\n';
     rules.table_close = () => '</table></div>\n';
     // The corner of a table heads nothing.
-    const name = (/** @type {string} */ content) => (content === '' ? 'td' : 'th');
+    const name = (/** @type {string} */ content, end = false) => (content === '' ? 'td' : end ? 'th' : 'th scope="col"');
     rules.th_open = (tokens, i) => `<${name(tokens[i + 1].content)}${attributes({ class: cellClass(tokens[i], '') })}>`;
-    rules.th_close = (tokens, i) => `</${name(tokens[i - 1].content)}>`;
+    rules.th_close = (tokens, i) => `</${name(tokens[i - 1].content, true)}>`;
     rules.td_open = (tokens, i) => `<td${attributes({ class: cellClass(tokens[i], tokens[i + 1].content) })}>`;
     rules.fence = rules.code_block = (tokens, i) => {
       const { meta, content } = tokens[i];
