@@ -25,6 +25,7 @@ const foreign = createRequire(join(ROOT, 'web/package.json'));
 test('book: first sentences end where they end', () => {
   assert.equal(firstSentence('Mr. Star-Man walks. Then he rests.'), 'Mr. Star-Man walks.');
   assert.equal(firstSentence('At 0.8 s, e.g. here, it turns! Yes.'), 'At 0.8 s, e.g. here, it turns!');
+  assert.equal(firstSentence('It searches. core/x.h is how.'), 'It searches.');
   assert.equal(firstSentence('One thing:'), 'One thing.');
   assert.ok(firstSentence('word '.repeat(100)).length < 242);
 });

@@ -31,7 +31,7 @@ function load() {
 
 /** The text about the first word that was found, with all of them marked. @param {Found} found */
 function snippet({ text, terms }) {
-  const words = new RegExp(`(${terms.map((term) => term.replace(/[^\p{L}\p{N}]/gu, '\\$&')).join('|')})`, 'giu');
+  const words = new RegExp(`(${terms.map((term) => term.replace(/[\\^$.*+?()[\]{}|/]/g, '\\$&')).join('|')})`, 'giu');
   const at = Math.max(0, text.search(words) - AROUND);
   const from = at === 0 ? 0 : text.indexOf(' ', at) + 1;
   const part = `${from > 0 ? '… ' : ''}${text.slice(from, from + SNIPPET)}${from + SNIPPET < text.length ? ' …' : ''}`;
@@ -59,7 +59,7 @@ async function find() {
   const words = input.value.trim();
   try {
     /** @type {Found[]} */
-    const found = words === '' ? [] : (await load()).search(words, { prefix: true, fuzzy: 0.15, combineWith: 'AND', boost: { title: 4, heading: 3 } });
+    const found = words === '' ? [] : (await load()).search(words, { prefix: true, fuzzy: (term) => (term.length > 5 ? 0.2 : false), combineWith: 'AND', boost: { title: 4, heading: 3 } });
     if (words !== input.value.trim()) return; // typed on meanwhile
     list.replaceChildren(...found.slice(0, MOST).map(item));
     list.hidden = found.length === 0;

@@ -19,7 +19,7 @@ export class HeadingNames {
 
 /** The first sentence, for who has not read the rest. @param {string} text */
 export function firstSentence(text) {
-  const ends = [...text.matchAll(/[.!?](?=\s+["“(]?[\p{Lu}\d]|\s*$)/gu)];
+  const ends = [...text.matchAll(/[.!?](?=\s|$)/g)];
   const end = ends.find(({ index }) => !/(?:\b(?:Mr|Mrs|Dr|vs|cf|No|Fig)|\b[A-Za-z]\.[A-Za-z])$/.test(text.slice(0, index)));
   const sentence = end ? text.slice(0, end.index + 1) : text;
   if (sentence.length <= 240) return sentence.replace(/:$/, '.');

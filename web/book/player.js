@@ -9,6 +9,7 @@
 // It needs nothing else: copy it. Calls and events stand in Gaitsmith's docs/embedding.md.
 
 const VERSION = 1;
+const PATIENCE_MS = 20000; // a slow machine takes its time to start
 
 /** An event of the playground: 'progress', 'done', 'error', 'changed' or 'goal'; and 'ready', when it has answered. */
 export class PlayerEvent extends Event {
@@ -17,6 +18,11 @@ export class PlayerEvent extends Event {
     super(type);
     this.detail = detail;
   }
+}
+
+/** Rejected in a while. */
+function silence() {
+  return new Promise((_, reject) => { setTimeout(() => reject(new Error('the playground does not answer')), PATIENCE_MS); });
 }
 
 export class Player extends EventTarget {
@@ -42,7 +48,7 @@ export class Player extends EventTarget {
 
   /** @param {string} name @param {...any} args @returns {Promise<any>} rejected with the playground's sentence */
   async call(name, ...args) {
-    await this.ready;
+    await Promise.race([this.ready, silence()]);
     return this.#ask(name, args, this.#origin);
   }
 

@@ -22,8 +22,7 @@ ${parts.map(({ id, text }) => `<li><a href="#${id}">${escaped(text)}</a></li>`).
     kind: page.name === 'gallery' ? 'page wide' : 'page',
     body: `<div class="spread">
 <main id="main" tabindex="-1">
-<p class="group">${escaped(group)}</p>
-${html}</main>
+${group === title ? '' : `<p class="group">${escaped(group)}</p>\n`}${html}</main>
 ${contents}</div>`,
   };
 }

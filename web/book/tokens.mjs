@@ -15,5 +15,6 @@ export async function tokens(stylesheet) {
     unnamed('(prefers-color-scheme: dark)', 'dark'),
     unnamed('(prefers-contrast: more)', 'strong-light'),
     unnamed('(prefers-contrast: more) and (prefers-color-scheme: dark)', 'strong-dark'),
-    ...[...themes].filter(([theme]) => theme !== '').map(([theme, colours]) => `:root[data-theme="${theme}"] { ${colours} }`), ''].join('\n');
+    ...[...themes].filter(([theme]) => theme !== '').map(([theme, colours]) => `:root[data-theme="${theme}"] { ${colours} }`),
+    `@media print { :root:root { ${themes.get('')} } }`, ''].join('\n');
 }
