@@ -59,7 +59,7 @@ async function find() {
   const words = input.value.trim();
   try {
     /** @type {Found[]} */
-    const found = words === '' ? [] : (await load()).search(words, { prefix: true, fuzzy: (term) => (term.length > 5 ? 0.2 : false), combineWith: 'AND', boost: { title: 4, heading: 3 } });
+    const found = words === '' ? [] : (await load()).search(words, { prefix: true, fuzzy: (/** @type {string} */ term) => (term.length > 5 ? 0.2 : false), combineWith: 'AND', boost: { title: 4, heading: 3 } });
     if (words !== input.value.trim()) return; // typed on meanwhile
     list.replaceChildren(...found.slice(0, MOST).map(item));
     list.hidden = found.length === 0;

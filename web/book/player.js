@@ -20,11 +20,6 @@ export class PlayerEvent extends Event {
   }
 }
 
-/** Rejected in a while. */
-function silence() {
-  return new Promise((_, reject) => { setTimeout(() => reject(new Error('the playground does not answer')), PATIENCE_MS); });
-}
-
 export class Player extends EventTarget {
   #number = 0;
   /** Calls without an answer yet. @type {Map<number, {resolve: (result: any) => void, reject: (error: Error) => void}>} */
@@ -48,7 +43,10 @@ export class Player extends EventTarget {
 
   /** @param {string} name @param {...any} args @returns {Promise<any>} rejected with the playground's sentence */
   async call(name, ...args) {
-    await Promise.race([this.ready, silence()]);
+    /** @type {ReturnType<typeof setTimeout> | undefined} */
+    let timer;
+    const silence = new Promise((_, reject) => { timer = setTimeout(() => reject(new Error('the playground does not answer')), PATIENCE_MS); });
+    await Promise.race([this.ready, silence]).finally(() => clearTimeout(timer));
     return this.#ask(name, args, this.#origin);
   }
 
