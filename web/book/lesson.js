@@ -10,6 +10,7 @@ const GOAL_STATES = { '': '', set: 'The playground watches for it.', met: 'Reach
 const lesson = document.querySelector('main')?.dataset.lesson ?? '';
 const frame = /** @type {HTMLIFrameElement} */ (document.getElementById('playground'));
 const fold = /** @type {HTMLButtonElement} */ (document.getElementById('fold'));
+const enlarge = /** @type {HTMLButtonElement} */ (document.getElementById('enlarge'));
 const done = /** @type {HTMLInputElement} */ (document.getElementById('done'));
 const links = /** @type {HTMLAnchorElement[]} */ ([...document.querySelectorAll('a[data-open]')]);
 const goals = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('.goal')]);
@@ -133,8 +134,11 @@ player.addEventListener('ready', () => {
   if (box) void setGoal(box);
 });
 
-fold.hidden = false;
+/** @type {HTMLElement} */ (document.getElementById('shelf')).hidden = false;
 fold.addEventListener('click', () => showPlayground(document.body.classList.contains('folded')));
+enlarge.addEventListener('click', () => {
+  enlarge.setAttribute('aria-pressed', String(document.body.classList.toggle('enlarged')));
+});
 done.disabled = false;
 done.checked = progressOf(lesson).done;
 done.addEventListener('change', () => keepProgress(lesson, { done: done.checked }));

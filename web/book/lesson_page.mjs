@@ -41,7 +41,10 @@ export async function lessonPage(page, { html, sentence }, all, links) {
 ${html}<p class="done"><label><input type="checkbox" id="done" disabled> I have done this lesson</label></p>
 ${around(all[at - 1], all[at + 1], up)}</main>
 <aside aria-label="The playground">
-<button id="fold" type="button" class="bordered" aria-expanded="true" aria-controls="playground" hidden>Hide the playground</button>
+<div id="shelf" hidden>
+<button id="fold" type="button" aria-expanded="true" aria-controls="playground">Hide the playground</button>
+<button id="enlarge" type="button" aria-pressed="false">Whole screen</button>
+</div>
 <iframe id="playground"${attributes({ src: `${up}../${playgroundAddress(payload, query)}`, 'data-open': payload, 'data-goal': goal?.value ?? opens?.goal, title: 'The playground', allow: 'clipboard-write' })}></iframe>
 <p class="printed">The playground stands here on the screen.</p>
 </aside>

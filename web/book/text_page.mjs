@@ -5,6 +5,7 @@ import { escaped } from './html.mjs';
 /** @typedef {import('./markdown.mjs').Rendered} Rendered */
 /** @typedef {import('./pages.mjs').Page} Page */
 
+const DATE = / \(\d{4}-\d\d-\d\d\)$/; // of a decision; a list is long enough without
 const FEWEST_HEADINGS = 4; // that are worth a list
 
 /** @param {Page} page @param {Rendered} rendered @param {string} group @returns {import('./template.mjs').Sheet} */
@@ -13,7 +14,7 @@ export function textPage(page, { html, title, sentence, headings }, group) {
   const contents = parts.length < FEWEST_HEADINGS ? '' : `<nav class="contents" aria-label="On this page">
 <p>On this page</p>
 <ul>
-${parts.map(({ id, text }) => `<li><a href="#${id}">${escaped(text)}</a></li>`).join('\n')}
+${parts.map(({ id, text }) => `<li><a href="#${id}">${escaped(text.replace(DATE, ''))}</a></li>`).join('\n')}
 </ul>
 </nav>
 `;
