@@ -54,7 +54,11 @@ export class Address {
 
   write() {
     const { payload, link } = this.#opened;
-    history.replaceState(null, '', this.app.link() === link ? `#${payload}` : this.link());
+    try {
+      history.replaceState(null, '', this.app.link() === link ? `#${payload}` : this.link());
+    } catch {
+      return; // a frame without an origin may not
+    }
     this.written();
   }
 }
