@@ -40,7 +40,7 @@ same "$("$gaitsmith" hash star-man-shuffle)" "$("$gaitsmith" hash "$root/example
 for motion in star-man-cartwheel frog-on-the-moon; do
   same "$("$gaitsmith" hash $motion)" "$("$gaitsmith" hash "$root/examples/gallery/$motion.json")" "motion of the gallery"
 done
-[ -z "$(comm -12 <(ls "$root/examples" "$root/examples/problems" | sort) <(ls "$root/examples/gallery" | sort))" ] ||
+[ -z "$(basename -a "$root"/examples/*.json "$root"/examples/{problems,gallery}/*.json | sort | uniq -d)" ] ||
   fault "a motion of the gallery has the name of another example"
 
 # One row a step, the start included, every column named.
