@@ -29,14 +29,14 @@ lint() {
   say "lint is clean"
 }
 
-# Every compiler and optimisation level replays the golden motions bit for bit, in every lane count, and the command
+# Every compiler and optimisation level replays the golden and the shipped motions bit for bit, in every lane count, and the command
 # line keeps its contract there.
 check_determinism() {
   local preset document
   for preset in gcc-O0 clang-O0 clang-O2 release; do
     cmake --preset "$preset" >/dev/null
     cmake --build --preset "$preset" --target gaitsmith
-    for document in tests/golden/motions/*.json examples/*.json; do
+    for document in tests/golden/motions/*.json examples/*.json examples/gallery/*.json; do
       echo "$preset: $document"
       "build/$preset/shell/gaitsmith" validate "$document"
     done

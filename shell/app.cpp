@@ -27,7 +27,25 @@ bool App::Advance(double seconds) {
   return session_.player.Advance(step) || improved;
 }
 
-int App::Panel(int panels) const { return std::clamp(session_.Doc().view.panel, 0, panels - 1); }
+std::vector<int> App::ShownPanels(int panels) const {
+  std::vector<int> shown;
+  for (int panel = 0; panel < panels; ++panel) {
+    if (session_.arrangement.Shows(panel)) shown.push_back(panel);
+  }
+  return shown;
+}
+
+int App::DrawTabs(Ui& ui, const ImRect& rect, const std::vector<int>& shown) {
+  std::vector<const char*> names;
+  for (const int panel : shown) names.push_back(kPanels[static_cast<std::size_t>(panel)]);
+  // The nearest one to what the document wishes.
+  const int wished = session_.Doc().view.panel;
+  const auto nearest =
+      std::ranges::min_element(shown, {}, [&](int panel) { return std::abs(panel - wished); });
+  auto tab = static_cast<int>(nearest - shown.begin());
+  if (ui.Tabs("panels", rect, Tr("Panels"), names, tab)) ChoosePanel(shown[static_cast<std::size_t>(tab)]);
+  return shown[static_cast<std::size_t>(tab)];
+}
 
 void App::ChoosePanel(int panel) {
   session_.SetView([&](View& view) { view.panel = panel; });
@@ -59,49 +77,65 @@ void App::Draw() {
 }
 
 void App::DrawDesk(Ui& ui, const ImRect& whole) {
-  const float panel_x = whole.Max.x - kPanelWidth;
-  const float timeline_y =
-      whole.Max.y - kTimelineHeight - TransitionStripHeight(session_) - (ui.Look().touch ? 14.0f : 0.0f);
+  const std::vector<int> shown = ShownPanels(kDeskPanels);
+  const bool timeline = session_.arrangement.Shows(kTimelinePanel);
+  const float panel_x = shown.empty() ? whole.Max.x : whole.Max.x - kPanelWidth;
+  const float timeline_y = !timeline ? whole.Max.y
+                                     : whole.Max.y - kTimelineHeight - TransitionStripHeight(session_) -
+                                           (ui.Look().touch ? 14.0f : 0.0f);
   const float transport_y = timeline_y - kTransportHeight;
   const ImRect stage(whole.Min, {panel_x, transport_y});
   const ImRect card = WorldCardOn(stage, stage_.world);
   DrawStage(ui, session_, stage_, stage, stage_.world.open ? stage.Max.x - card.Min.x : 0.0f);
   if (stage_.world.open) {
     ui.Frame(card, ui.Ink().panel, ui.Ink().line);
-    DrawWorldCard(ui, session_, stage_.world, card);
+    DrawWorld(ui, card);
   }
   DrawTransport(ui, session_, {{whole.Min.x, transport_y}, {panel_x, timeline_y}});
-  DrawTimeline(ui, session_, {{whole.Min.x, timeline_y}, {panel_x, whole.Max.y}});
+  if (timeline) DrawLockedTimeline(ui, {{whole.Min.x, timeline_y}, {panel_x, whole.Max.y}});
+  if (shown.empty()) return;
   ui.VerticalLine(panel_x, whole.Min.y, whole.Max.y);
-
-  int panel = Panel(kDeskPanels);
   const ImRect tabs({panel_x + 1.0f, whole.Min.y}, {whole.Max.x, whole.Min.y + kTabHeight});
-  if (ui.Tabs("panels", tabs, Tr("Panels"), std::span(kPanels).first(kDeskPanels), panel)) ChoosePanel(panel);
+  const int panel = DrawTabs(ui, tabs, shown);
   DrawPanel(ui, {{panel_x + 1.0f, tabs.Max.y}, whole.Max}, panel);
+}
+
+void App::DrawWorld(Ui& ui, const ImRect& rect) {
+  ui.Lock(session_.arrangement.Locks(LockedPart::kWorld));
+  DrawWorldCard(ui, session_, stage_.world, rect);
+  ui.Lock(false);
+}
+
+void App::DrawLockedTimeline(Ui& ui, const ImRect& rect) {
+  ui.Lock(session_.arrangement.Locks(LockedPart::kTimeline));
+  DrawTimeline(ui, session_, rect);
+  ui.Lock(false);
 }
 
 void App::DrawPhone(Ui& ui, const ImRect& whole) {
   const float tab_height = 44.0f;
   const float transport = 50.0f;
   // The stage keeps the upper part; short canvases give the panel what it needs first.
+  const std::vector<int> shown = ShownPanels(static_cast<int>(kPanels.size()));
   const float sheet = std::clamp(0.33f * whole.GetHeight(), 190.0f, 420.0f);
-  const float tabs_y = whole.Max.y - sheet - tab_height;
+  const float tabs_y = shown.empty() && !stage_.world.open ? whole.Max.y : whole.Max.y - sheet - tab_height;
   DrawStage(ui, session_, stage_, {whole.Min, {whole.Max.x, tabs_y - transport}});
   DrawTransport(ui, session_, {{whole.Min.x, tabs_y - transport}, {whole.Max.x, tabs_y}});
   ui.HorizontalLine(whole.Min.x, whole.Max.x, tabs_y);
 
-  int panel = Panel(static_cast<int>(kPanels.size()));
   const ImRect tabs({whole.Min.x, tabs_y}, {whole.Max.x, tabs_y + tab_height});
-  if (ui.Tabs("panels", tabs, Tr("Panels"), kPanels, panel)) ChoosePanel(panel);
+  const int panel = shown.empty() ? -1 : DrawTabs(ui, tabs, shown);
   // Whatever chooses another panel, a tab, a key or a command, wants to see it.
   if (panel != panel_before_) stage_.world.open = false;
   panel_before_ = panel;
   const ImRect rest({whole.Min.x, tabs.Max.y}, whole.Max);
   if (stage_.world.open) {
-    DrawWorldCard(ui, session_, stage_.world, rest);  // the stage has no room for it
+    DrawWorld(ui, rest);  // the stage has no room for it
+  } else if (panel < 0) {
+    return;
   } else if (panel == kTimelinePanel) {
     const PartScope part = ui.Part("panel", "tabpanel", Tr(kPanels[kTimelinePanel]));
-    DrawTimeline(ui, session_, rest);
+    DrawLockedTimeline(ui, rest);
   } else {
     DrawPanel(ui, rest, panel);
   }
@@ -120,6 +154,12 @@ void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
     ui.Paragraph(session_.notice, ui.Ink().accent, Type::kNote);
     ui.Gap(8.0f);
   }
+  const bool locked = session_.arrangement.LocksPanel(panel);
+  if (locked) {
+    ui.Paragraph(Tr("Locked here: to read, not to change."), ui.Ink().second_ink, Type::kNote);
+    ui.Gap(8.0f);
+  }
+  ui.Lock(locked);
   switch (panel) {
     case 0:
       DrawFigurePanel(ui, session_, figure_panel_);
@@ -138,6 +178,7 @@ void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
       if (search_panel_.list.strips.Waiting()) window_.RequestOneFrame();
       break;
   }
+  ui.Lock(false);
   ui.Gap(6.0f);
   ui.ScrollByTouch();
   ui.ScrollBar("panel/scroll");

@@ -40,9 +40,14 @@ class App {
  private:
   void DrawDesk(Ui&, const ImRect& whole);
   void DrawPhone(Ui&, const ImRect& whole);
+  /// @param shown at least one panel. @return the chosen one
+  int DrawTabs(Ui&, const ImRect&, const std::vector<int>& shown);
   void DrawPanel(Ui&, const ImRect&, int panel);
+  void DrawWorld(Ui&, const ImRect&);
+  void DrawLockedTimeline(Ui&, const ImRect&);
   bool TakeFingers(const SDL_Event&);
-  [[nodiscard]] int Panel(int panels) const;
+  /// Of so many first ones.
+  [[nodiscard]] std::vector<int> ShownPanels(int panels) const;
   void ChoosePanel(int panel);
 
   Host& host_;

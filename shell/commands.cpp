@@ -156,6 +156,7 @@ void AddTimeline(std::vector<Command>& list, Session& session) {
 
 void AddPanels(std::vector<Command>& list, Session& session, bool phone) {
   for (int i = 0; i < (phone ? static_cast<int>(kPanels.size()) : kDeskPanels); ++i) {
+    if (!session.arrangement.Shows(i)) continue;
     const char* name = kPanels[static_cast<std::size_t>(i)];
     list.push_back({.id = std::string("panel/") + name,
                     .group = TrLater("Panels"),

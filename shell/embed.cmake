@@ -1,6 +1,6 @@
 # Writes files as arrays into one C++ source, the definitions of shell/embedded.h:
-#   cmake -DOUTPUT=... -DFONTS=<folder> -DEXAMPLES=<folder> [-DGERMAN=<file>] -P embed.cmake
-# Documents are *.json of the examples folder itself, figures and problems those of its folders figures/ and problems/.
+#   cmake -DOUTPUT=... -DFONTS=<folder> -DEXAMPLES=<folder> [-DGERMAN=<file>] [-DGALLERY=ON] -P embed.cmake
+# Documents are *.json of the examples folder itself; figures, problems and the gallery those of its folders of these names.
 set(text "// Written by shell/embed.cmake.\n#include \"shell/embedded.h\"\n\n#include <array>\n\nnamespace gaitsmith::shell {\nnamespace {\n\n")
 
 function(append_array name file)
@@ -45,6 +45,11 @@ endfunction()
 append_examples(kDocuments "${EXAMPLES}/*.json")
 append_examples(kFigures "${EXAMPLES}/figures/*.json")
 append_examples(kProblems "${EXAMPLES}/problems/*.json")
+set(gallery "{}")
+if(GALLERY)
+  append_examples(kGallery "${EXAMPLES}/gallery/*.json")
+  set(gallery "kGallery")
+endif()
 
 string(APPEND text "}  // namespace\n
 std::span<const unsigned char> InterRegular() { return kInterRegular; }
@@ -52,6 +57,7 @@ std::span<const unsigned char> InterSemiBold() { return kInterSemiBold; }
 std::span<const Example> ExampleDocuments() { return kDocuments; }
 std::span<const Example> ExampleFigures() { return kFigures; }
 std::span<const Example> ExampleProblems() { return kProblems; }
+std::span<const Example> ExampleGallery() { return ${gallery}; }
 std::string_view GermanTable() { return ${german}; }
 
 }  // namespace gaitsmith::shell\n")

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/document/json.h"
 #include "core/document/json_value.h"
@@ -250,7 +251,10 @@ EMSCRIPTEN_KEEPALIVE const char* gs_synthesize(const char* options) {
     fault = ApplySearchOptions(*parsed, changed, workers);
     if (!fault.empty()) return Reply(fault);
     if (const auto valid = Validate(changed); !valid) return Reply(TrError(valid.error()));
+    // Locks are for a person's hands.
+    const Arrangement locks = std::exchange(session.arrangement, {});
     session.Set([&](Document& d) { d = changed; });
+    session.arrangement = locks;
   }
   session.workers = workers;
   session.Synthesize();
@@ -300,6 +304,17 @@ EMSCRIPTEN_KEEPALIVE const char* gs_rename_found(const char* options) {
 /// A found motion of an earlier visit. @return its id; empty: the text is none
 EMSCRIPTEN_KEEPALIVE const char* gs_restore_found(const char* text) {
   return Reply(TheSession().found.Restore(text));
+}
+
+/// What is shown and locked. @param options JSON object. @return an empty text, or a sentence
+EMSCRIPTEN_KEEPALIVE const char* gs_arrange(const char* options) {
+  const auto parsed = ParseJson(options);
+  return Reply(parsed ? ApplyArrangement(*parsed, TheSession().arrangement) : TrError(parsed.error()));
+}
+/// The motion shown in numbers, as MeasuresJson.
+EMSCRIPTEN_KEEPALIVE const char* gs_measures() {
+  ThePage().reply = MeasuresJson(TheSession());
+  return ThePage().reply.c_str();
 }
 
 /// Starts the lab; one that runs is stopped first. @param options JSON object

@@ -168,6 +168,10 @@ void DrawSettings(Ui& ui, Session& session, SearchPanelState& state) {
                   Fixed(static_cast<float>(d.task.duration_steps) * kStep, 1)),
                Type::kNote);
   ui.Gap(6.0f);
+  if (session.arrangement.Locks(LockedPart::kSearch)) {
+    ui.Paragraph(Tr("Locked here: to read, not to change."), ui.Ink().second_ink, Type::kNote);
+    ui.Gap(8.0f);
+  }
   DrawSearchSettings(ui, session, state.variation);
   ui.Gap(6.0f);
 }
@@ -188,7 +192,9 @@ void DrawSearchPanel(Ui& ui, Session& session, SearchPanelState& state) {
     DrawEliteMap(ui, session, state.elite_turns);
   DrawKeepingButtons(ui, session);
   ui.Gap(kGap);
+  ui.Lock(session.arrangement.Locks(LockedPart::kSearch));
   DrawSettings(ui, session, state);
+  ui.Lock(false);
   if (DrawFold(ui, "suite", Tr("Suite"), Tr("{1} to make", std::to_string(state.suite_of.Searches())),
                state.suite))
     DrawSuiteForm(ui, session, state.suite_of);

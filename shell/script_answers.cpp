@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "shell/script_answers.h"
 
+#include <cmath>
 #include <cstdio>
 
 #include "core/document/json_value.h"
 #include "core/document/link.h"
+#include "shell/language.h"
 #include "shell/search_words.h"
+#include "shell/style_words.h"
 
 namespace gaitsmith::shell {
 namespace {
@@ -50,6 +53,34 @@ std::string FoundJson(const FoundMotions& found) {
             ",\"link\":" + QuoteJson(EncodeLink(motion.document)) + "}";
   }
   return json + "]";
+}
+
+std::string MeasuresJson(const Session& session) {
+  const Motion& motion = session.player.Shown();
+  const Terms& terms = motion.TermsAt(motion.Frames() - 1);
+  std::string json = "{\"terms\":[";
+  const auto add = [&json](std::string_view name, const char* label, const char* unit, int decimals,
+                           float value) {
+    if (!json.ends_with('[')) json += ",\n";
+    json += "{\"name\":" + QuoteJson(name) + ",\"label\":" + QuoteJson(label) +
+            ",\"unit\":" + QuoteJson(unit) + ",\"decimals\":" + std::to_string(decimals) +
+            ",\"value\":" + (std::isfinite(value) ? Exact(static_cast<double>(value), 9) : "null") + "}";
+  };
+  add("distance", Tr("Distance"), "m", 2, std::abs(terms.travel_m));
+  add("travel", Tr("Travel to the right"), "m", 2, terms.travel_m);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(kStyleTerms); ++i) {
+    const TermWords& words = TermTexts()[i];
+    add(kStyleTermNames[i], Tr(words.label), *words.unit == '\0' ? "" : Tr(words.unit), words.decimals,
+        terms.Style(static_cast<StyleTerm>(i)));
+  }
+  const Controller* controller = session.ShownController();
+  const char* sense = controller == nullptr                             ? ""
+                      : controller->kind == ControllerKind::kNetwork    ? "network"
+                      : controller->senses.kind == SenseKind::kPhysical ? "physical"
+                                                                        : "timer";
+  return json + "],\"sense\":" + QuoteJson(sense) +
+         ",\"rules\":" + std::to_string(controller == nullptr ? 0 : controller->rules) +
+         ",\"broke\":" + (terms.broke_physics ? "true" : "false") + "}";
 }
 
 }  // namespace gaitsmith::shell

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "shell/language.h"
 #include "shell/session.h"
 
 namespace gaitsmith::shell {
@@ -61,6 +62,31 @@ std::string ApplyLabOptions(const JsonValue& options, LabSettings& settings) {
       return "lab: unknown option or value: " + name;
     }
   }
+  return {};
+}
+
+std::string ApplyArrangement(const JsonValue& options, Arrangement& arrangement) {
+  Arrangement next = arrangement;
+  for (std::size_t i = 0; i < options.names.size(); ++i) {
+    const std::string& name = options.names[i];
+    const JsonValue& value = options.items[i];
+    const bool text = value.kind == JsonValue::Kind::kString;
+    if (name == "panels" && text) {
+      if (const auto wrong = ShowPanels(value.text, next))
+        return Tr(
+            "panels: there is no panel “{1}”; there are figure, controller, style, search, lab, timeline, "
+            "all, none",
+            *wrong);
+    } else if (name == "lock" && text) {
+      if (const auto wrong = LockParts(value.text, next))
+        return Tr(
+            "lock: “{1}” cannot be locked; figure, controller, style, search, timeline, world, all, none can",
+            *wrong);
+    } else {
+      return "arrange: unknown option or value: " + name;
+    }
+  }
+  arrangement = next;
   return {};
 }
 

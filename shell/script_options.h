@@ -6,6 +6,7 @@
 
 #include "core/document/document.h"
 #include "core/document/json_value.h"
+#include "shell/arrangement.h"
 #include "shell/lab.h"
 
 namespace gaitsmith::shell {
@@ -19,5 +20,9 @@ namespace gaitsmith::shell {
 /// "firstSeed": 1}. Ranges are the lab's to check.
 /// @return an empty text, or a sentence
 [[nodiscard]] std::string ApplyLabOptions(const JsonValue& options, LabSettings& settings);
+
+/// What a lesson shows and locks, each optional: {"panels": "style,search", "lock": "figure"}.
+/// @return an empty text, or a sentence; then nothing has changed
+[[nodiscard]] std::string ApplyArrangement(const JsonValue& options, Arrangement& arrangement);
 
 }  // namespace gaitsmith::shell

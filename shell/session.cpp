@@ -49,6 +49,24 @@ void Strip(Document& document) {
   document.duration_steps = document.task.duration_steps;
 }
 
+std::string LockedWords(LockedPart part) {
+  switch (part) {
+    case LockedPart::kFigure:
+      return Tr("the figure is locked here");
+    case LockedPart::kController:
+      return Tr("the controller is locked here");
+    case LockedPart::kStyle:
+      return Tr("the style is locked here");
+    case LockedPart::kSearch:
+      return Tr("the search's settings are locked here");
+    case LockedPart::kTimeline:
+      return Tr("the timeline is locked here");
+    case LockedPart::kWorld:
+      return Tr("the world is locked here");
+  }
+  return "";
+}
+
 bool Same(const Document& a, const Document& b) { return EncodeBinary(a) == EncodeBinary(b); }
 
 double PeriodS(const SenseSpec& senses) {
@@ -202,9 +220,16 @@ std::optional<Document> Session::Edited(const Edit& edit) {
   return next;
 }
 
+bool Session::Refuses(const Arrangement& locks, const Document& next) {
+  const auto part = LockedDifference(locks, document_, next);
+  if (!part) return false;
+  Say(Tr("Not possible: {1}.", LockedWords(*part)));
+  return true;
+}
+
 bool Session::Change(const Edit& edit) {
   auto next = Edited(edit);
-  if (!next) return false;
+  if (!next || Refuses(arrangement, *next)) return false;
   notice.clear();
   if (Same(*next, document_)) return true;
   Remember();
@@ -215,7 +240,7 @@ bool Session::Change(const Edit& edit) {
 
 bool Session::Set(const Edit& edit) {
   auto next = Edited(edit);
-  if (!next) return false;
+  if (!next || Refuses(arrangement, *next)) return false;
   if (Same(*next, document_)) return true;
   Remember();
   document_ = std::move(*next);
@@ -240,7 +265,7 @@ bool Session::ReplaceFigure(const Figure& figure) {
     d.title = figure.name;
   };
   const auto next = Edited(edit);
-  if (!next) return false;
+  if (!next || Refuses(arrangement, *next)) return false;
   if (Same(*next, document_)) return true;
   AbandonSearch();  // it looks for motions of the figure as it was
   const bool loses = !fits && !document_.controllers.empty();
@@ -254,43 +279,49 @@ bool Session::ReplaceFigure(const Figure& figure) {
 
 void Session::ChooseFigure(int index) {
   const Figure& figure = figures_[static_cast<std::size_t>(index)];
-  AbandonSearch();
   // A shipped motion of this figure is better than one that stands still.
   for (const Example& example : ExampleDocuments()) {
     auto document = DecodeJson(example.json);
     if (!document || document->figure.name != figure.name || document->controllers.empty()) continue;
-    Replace(std::move(*document));
+    if (!Replace(std::move(*document))) return;
     Say(Tr("{1} with a shipped motion. Undo brings the last figure back.", TrTitle(figure.name)));
     return;
   }
-  if (!Change([&](Document& d) {
-        d.figure = figure;
-        d.title = figure.name;
-        Strip(d);
-      })) {
-    return;
-  }
+  const Edit edit = [&](Document& d) {
+    d.figure = figure;
+    d.title = figure.name;
+    Strip(d);
+  };
+  if (const auto next = Edited(edit); !next || Refuses(arrangement, *next)) return;
+  AbandonSearch();
+  if (!Change(edit)) return;
   ForgetProgress();
   player.Seek(0.0);
   Say(Tr("{1} cannot move yet: press Synthesize. Undo brings the last figure back.", TrTitle(figure.name)));
 }
 
-void Session::Replace(Document document) {
+bool Session::Replace(Document document) {
+  // Another motion of the same problem is nobody's edit.
+  Arrangement problem = arrangement;
+  for (const LockedPart part : {LockedPart::kController, LockedPart::kSearch, LockedPart::kTimeline})
+    problem.locked[static_cast<std::size_t>(part)] = false;
+  if (Refuses(problem, document)) return false;
   AbandonSearch();
   Remember();
   document.view = document_.view;
   selected_clip_ = 0;
   ForgetProgress();
   Show(std::move(document), true);
+  return true;
 }
 
 void Session::ChooseProblem(int index) {
-  Replace(problems_[static_cast<std::size_t>(index)]);
+  if (!Replace(problems_[static_cast<std::size_t>(index)])) return;
   Say(Tr("{1}: press Synthesize. Undo brings back what was here.", TrTitle(document_.title)));
 }
 
 void Session::ChooseExample(const Document& example) {
-  Replace(example);
+  if (!Replace(example)) return;
   Say(Tr("{1}. Undo brings back what was here.", TrTitle(document_.title)));
 }
 

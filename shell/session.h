@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/document/transition.h"
+#include "shell/arrangement.h"
 #include "shell/elite_map.h"
 #include "shell/found_motions.h"
 #include "shell/history.h"
@@ -44,6 +45,8 @@ class Session {
   bool Change(const Edit& edit);
   /// Changes settings of the next search, which the motion does not depend on.
   bool Set(const Edit& edit);
+  /// What is shown, and what a person cannot change by hand: searches, scripts and opened documents can.
+  Arrangement arrangement;
   /// Changes what is shown and how, which Undo leaves alone.
   void SetView(const std::function<void(View&)>& edit);
   /// The person (or a script) begins to do something new: a press, a key. The first change after it keeps the
@@ -248,8 +251,11 @@ class Session {
   void Remember() { Remember(gesture_); }
   /// @param words a pattern for what is done
   void Return(const Document& document, const char* words);
-  /// Another document in the place of this one, which Undo brings back.
-  void Replace(Document document);
+  /// Another document in the place of this one, which Undo brings back. @return false, with a sentence: it is
+  /// locked
+  bool Replace(Document document);
+  /// The arrangement does not let this document take the place of the one in hand. Says so.
+  [[nodiscard]] bool Refuses(const Arrangement&, const Document& next);
   [[nodiscard]] bool FoundNothingYet() const;
   /// An edit of the timeline; the clip it returns is selected then.
   void EditTimeline(const std::function<Result<int>(Document&)>& edit);

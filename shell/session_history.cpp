@@ -99,7 +99,7 @@ void Session::New() {
     if (problem.title.starts_with(next.figure.name)) next = problem;
   }
   next.hash.reset();
-  Replace(std::move(next));
+  if (!Replace(std::move(next))) return;
   Say(Tr("A new document. {1} cannot move yet: press Synthesize. Undo brings back what was here.",
          TrTitle(document_.figure.name)));
 }

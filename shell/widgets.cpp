@@ -72,6 +72,8 @@ void Ui::Fact(std::string_view label, std::string_view value) const {
 Touch Ui::Area(std::string_view id, const ImRect& rect, Grab grab, Widget description, bool enabled) {
   ImGuiContext& g = *ImGui::GetCurrentContext();
   ImGuiWindow* window = ImGui::GetCurrentWindow();
+  const bool unfolds = description.role == "button" && description.state.expanded;
+  enabled = enabled && !(locked_ && !unfolds);
   Touch touch;
   touch.id = window->GetID(id.data(), id.data() + id.size());
   const WidgetRequest* asked = registry_.Requests().DueFor(id);

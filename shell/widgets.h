@@ -64,6 +64,9 @@ class Ui {
   /// For large areas that lie behind everything; the window itself has the colour of panels.
   [[nodiscard]] Backdrop& Behind() { return backdrop_; }
 
+  /// From now on what is drawn can be read and unfolded, but changes nothing.
+  void Lock(bool locked) { locked_ = locked; }
+
   // Layout in a panel: rows from the top down, as wide as the panel.
   [[nodiscard]] ImRect Row(float height) const;
   [[nodiscard]] ImRect ControlRow() const { return Row(theme_.ControlHeight()); }
@@ -152,6 +155,7 @@ class Ui {
                   const SliderRange&);
 
   const Theme& theme_;
+  bool locked_ = false;
   WidgetRegistry& registry_;
   Backdrop& backdrop_;
 };

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 #include "core/document/json.h"
 
@@ -14,7 +15,17 @@ namespace gaitsmith::test {
 
 namespace {
 const std::filesystem::path kRoot = GAITSMITH_SOURCE_DIR;
+
+/// The paths of a folder's documents inside the repository, sorted.
+std::vector<std::string> DocumentsIn(const std::string& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(kRoot / folder)) {
+    if (entry.path().extension() == ".json") names.push_back(folder + "/" + entry.path().filename().string());
+  }
+  std::ranges::sort(names);
+  return names;
 }
+}  // namespace
 
 std::string ReadFile(const std::string& path) {
   std::ifstream file(kRoot / path, std::ios::binary);
@@ -92,15 +103,15 @@ Controller RandomController(const Figure& figure, const SenseSpec& senses, std::
   return {"random", ControllerKind::kRules, senses, 10, RandomGenome(shape, senses, Variation{}, random)};
 }
 
-std::vector<std::string> GoldenMotions() {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(kRoot / "tests/golden/motions")) {
-    if (entry.path().extension() == ".json")
-      names.push_back("tests/golden/motions/" + entry.path().filename().string());
-  }
-  std::ranges::sort(names);
+std::vector<std::string> GoldenMotions() { return DocumentsIn("tests/golden/motions"); }
+
+std::vector<std::string> ShippedDocuments() {
+  std::vector<std::string> names = DocumentsIn("examples");
+  for (std::string& name : GalleryDocuments()) names.push_back(std::move(name));
   return names;
 }
+
+std::vector<std::string> GalleryDocuments() { return DocumentsIn("examples/gallery"); }
 
 Document StarManTravel(SenseKind senses) {
   Document document;

@@ -34,6 +34,11 @@ Controller RandomController(const Figure& figure, const SenseSpec& senses, std::
 /// All golden documents of tests/golden/motions, sorted by name.
 std::vector<std::string> GoldenMotions();
 
+/// The documents of examples/ and of its gallery, sorted by name.
+std::vector<std::string> ShippedDocuments();
+/// Those of the gallery alone.
+std::vector<std::string> GalleryDocuments();
+
 /// Search settings and problem of Mr. Star-Man's travel.
 Document StarManTravel(SenseKind senses);
 

@@ -39,7 +39,7 @@ export class Address {
     if (payload === '' || payload === this.app.link()) return;
     const fault = this.app.open(payload);
     if (!fault) this.#opened = { payload, link: this.app.link() };
-    banner(fault && tr('This link was not opened: {1} Please copy the whole link again; what is shown here is not what it held.', sentence(fault)));
+    banner(fault && tr('This link was not opened: {1} Copy the whole link again, or reload this page in case a newer one made it; what is shown here is not what the link held.', sentence(fault)));
   }
 
   /** From now on the address follows the document. */
@@ -54,7 +54,11 @@ export class Address {
 
   write() {
     const { payload, link } = this.#opened;
-    history.replaceState(null, '', this.app.link() === link ? `#${payload}` : this.link());
+    try {
+      history.replaceState(null, '', this.app.link() === link ? `#${payload}` : this.link());
+    } catch {
+      return; // a frame without an origin may not
+    }
     this.written();
   }
 }

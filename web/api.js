@@ -8,17 +8,28 @@
 /** @typedef {import('./app.js').QueuedSearch} QueuedSearch */
 /** @typedef {import('./app.js').SynthesizeOptions} SynthesizeOptions */
 /** @typedef {import('./app.js').Widget} Widget */
+/** @typedef {import('./arrangement.js').ArrangementOptions} ArrangementOptions */
 /** @typedef {import('./lab.js').LabResult} LabResult */
 /** @typedef {import('./messages.js').SearchReport} SearchReport */
 
-/** What the page is made of. @typedef {{app: App, searches: import('./searches.js').Searches, lab: import('./lab.js').Lab, address: import('./address.js').Address, commands: import('./commands.js').Commands, canvas: HTMLCanvasElement}} Parts */
+/** What the page is made of. @typedef {{app: App, searches: import('./searches.js').Searches, lab: import('./lab.js').Lab, arrangement: import('./arrangement.js').Arrangement, address: import('./address.js').Address, commands: import('./commands.js').Commands, canvas: HTMLCanvasElement}} Parts */
 /** What a search came to. @typedef {{report: SearchReport, hash: string, link: string}} SearchResult */
 
-/** Events: 'progress' (detail: SearchReport), 'done' (detail: SearchResult), 'error' (detail: Error). */
+// The document changes at every frame of a drag.
+const REST_MS = 250;
+
+/**
+ * Events: 'progress' (detail: SearchReport), 'done' (detail: SearchResult), 'error' (detail: Error), 'changed' (detail: {title}), 'goal'
+ * (detail: {goal, met, measures}).
+ * @typedef {'progress' | 'done' | 'error' | 'changed' | 'goal'} EventName
+ */
+
 export class Gaitsmith extends EventTarget {
   /** @type {Parts | null} */
   #parts = null;
   #fps = 0;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #changed;
   /** @type {(api: Gaitsmith) => void} */
   #resolve = () => {};
   /** @type {(error: Error) => void} */
@@ -121,17 +132,29 @@ export class Gaitsmith extends EventTarget {
     this.#need().app.setFrameRate(this.#fps);
   }
 
+  /**
+   * Shows some panels, locks some parts, sets a goal; what is left out stays as it is.
+   * @param {ArrangementOptions} options  as in the address
+   * @returns {Promise<void>} rejected with a sentence; then nothing has changed
+   */
+  async arrange(options) { return this.#need().arrangement.set(options); }
+  /** The motion shown in numbers: distance, travel, the terms of its style, sense, rules, broke. @returns {Record<string, number | string | boolean>} */
+  measures() {
+    const { terms, ...others } = this.#need().app.measures();
+    return { ...Object.fromEntries(terms.map(({ name, value }) => [name, value])), ...others };
+  }
+
   pause() { this.#need().app.pause(); }
   resume() { this.#need().app.resume(); }
   stop() { this.#need().app.stop(); }
 
   /**
-   * @param {'progress' | 'done' | 'error'} type
+   * @param {EventName} type
    * @param {(event: CustomEvent) => void} listener
    */
   on(type, listener) { this.addEventListener(type, /** @type {EventListener} */ (listener)); }
 
-  /** @param {'progress' | 'done' | 'error'} type @param {(event: CustomEvent) => void} listener */
+  /** @param {EventName} type @param {(event: CustomEvent) => void} listener */
   off(type, listener) { this.removeEventListener(type, /** @type {EventListener} */ (listener)); }
 
   /** Every widget on the canvas, its rectangle in CSS pixels of the page. @returns {Widget[]} */
@@ -171,6 +194,11 @@ export class Gaitsmith extends EventTarget {
     parts.searches.addEventListener('error', (event) => forward('error', /** @type {CustomEvent} */ (event).detail));
   }
   firstFrame() { this.#resolve(this); }
+  /** The document is another one now. @param {string} title */
+  documentChanged(title) {
+    clearTimeout(this.#changed);
+    this.#changed = setTimeout(() => this.dispatchEvent(new CustomEvent('changed', { detail: { title } })), REST_MS);
+  }
   /** @param {Error} error */
   cannotRun(error) { this.#reject(error); }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The application in the canvas, for the page: text and numbers in and out of its memory.
 
-/** @typedef {import('./app.d.mts').AppModule} AppModule */
+/** @typedef {import('./app_module.js').AppModule} AppModule */
 /** @typedef {import('./messages.js').SearchReport} SearchReport */
 
 /**
@@ -67,6 +67,9 @@
 /** A widget for the mirror, which has those out of sight and texts ("heading", "paragraph"), too. @typedef {Widget & {range?: WidgetRange, part: number}} MirrorWidget */
 /** A named part of the canvas; parent: index of the one it is in, or -1. @typedef {{id: string, label: string, role: string, parent: number}} MirrorPart */
 /** keyboard: what has it shows it; waiting: something asked for is still to be done. @typedef {{keyboard: boolean, waiting: boolean, parts: MirrorPart[], widgets: MirrorWidget[]}} MirrorState */
+
+/** One number of a motion. @typedef {{name: string, label: string, unit: string, decimals: number, value: number}} Measure */
+/** The whole motion in numbers; sense: of the controller shown, or empty; broke: physics did. @typedef {{terms: Measure[], sense: string, rules: number, broke: boolean}} Measures */
 
 /** Of shell/commands.h. @typedef {{id: string, group: string, title: string, whyNot: string, keys: string[]}} CanvasCommand */
 
@@ -173,6 +176,10 @@ export class App {
   key(name, onCanvas, repeated) {
     return this.#with(name, (at) => this.module._gs_key(at, onCanvas ? 1 : 0, repeated ? 1 : 0)) !== 0;
   }
+  /** What is shown and locked. @param {{panels?: string, lock?: string}} options @returns {string} empty, or a sentence; then nothing has changed */
+  arrange(options) { return this.#with(JSON.stringify(options), (at) => this.#text(this.module._gs_arrange(at))); }
+  /** The motion shown in numbers. @returns {Measures} */
+  measures() { return JSON.parse(this.#text(this.module._gs_measures())); }
   /** Whether a text field on the canvas is open. */
   typing() { return this.widgets().some(({ role }) => role === 'textbox'); }
 

@@ -1,15 +1,29 @@
 // SPDX-License-Identifier: MIT
-// The engine's code, loaded and compiled once for all workers.
+// The engine's code, loaded and compiled once for all workers, and the workers.
+import { compiledModule } from './compiled_module.js';
+
+/** A frame without an origin of its own (sandbox without allow-same-origin) gets no workers. */
+export const hasWorkers = self.origin !== 'null';
 
 /** @type {Promise<WebAssembly.Module> | null} */
 let compiled = null;
+/** What stands in for workers, once it is loaded. @type {typeof import('./page_worker.js').PageWorker | null} */
+let PageWorker = null;
 
-/** Rejected when it cannot be loaded; then the next call tries again. */
+/** Before it there are no workers. Rejected when it cannot be loaded; then the next call tries again. */
 export function compiledEngine() {
-  compiled ??= WebAssembly.compileStreaming(fetch(new URL('engine.wasm', import.meta.url)));
+  compiled ??= load();
   compiled.catch(() => { compiled = null; });
   return compiled;
 }
 
+async function load() {
+  if (!hasWorkers) ({ PageWorker } = await import('./page_worker.js'));
+  return compiledModule('engine_module.wasm');
+}
+
 /** A worker without a role yet. */
-export const createWorker = () => new Worker(new URL('worker.js', import.meta.url), { type: 'module' });
+export function createWorker() {
+  if (PageWorker) return /** @type {Worker} */ (/** @type {unknown} */ (new PageWorker()));
+  return new Worker(new URL('worker.js', import.meta.url), { type: 'module' });
+}

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The engine for JavaScript: documents, evaluators and searches as objects, errors as exceptions. Works in a
 // page, in a worker and under Node.
-import createEngine from './engine.mjs';
+import createEngine from './engine_module.js';
 
-/** @typedef {import('./engine.d.mts').EngineModule} EngineModule */
+/** @typedef {import('./engine_module.js').EngineModule} EngineModule */
 /** @typedef {{code: string, where: string, what: string}} Fault  What core found wrong, and where. */
 
 /**
@@ -28,7 +28,7 @@ export class Engine {
   }
 
   /**
-   * @param {WebAssembly.Module} [compiled]  compiled before, e.g. by the page; else engine.wasm is fetched
+   * @param {WebAssembly.Module} [compiled]  compiled before, e.g. by the page; else engine_module.wasm is fetched
    * @returns {Promise<Engine>}
    */
   static async load(compiled) {

@@ -6,8 +6,18 @@ import { followLanguage, tr } from './language.js';
 
 /** @typedef {import('./app.js').App} App */
 
+// Below it the menu is folded; inside another page it always is.
+const NARROW = matchMedia('(max-width: 899px)');
+
 /** Before there is anything to undo. */
 export function startHeader() {
+  const { dataset } = document.documentElement;
+  const fold = () => {
+    if (NARROW.matches || window.parent !== window) dataset.compact = '';
+    else delete dataset.compact;
+  };
+  NARROW.addEventListener('change', fold);
+  fold();
   onClick('banner-close', () => banner(''));
   onClick('banner-reload', () => location.reload());
   const more = element('more');

@@ -2,6 +2,7 @@
 // The page: starts the application in the canvas and connects it with address, workers, header and footer.
 import { Address } from './address.js';
 import { App } from './app.js';
+import { Arrangement } from './arrangement.js';
 import { Autosave } from './autosave.js';
 import { Commands } from './commands.js';
 import { Gaitsmith } from './api.js';
@@ -19,15 +20,18 @@ import { Guide } from './guide.js';
 import { HistoryButtons, startHeader } from './header.js';
 import { KeptResults } from './kept_results.js';
 import { compiledEngine, createWorker } from './compiled_engine.js';
+import { compiledModule } from './compiled_module.js';
 import { guardKeys } from './keys.js';
 import { startDropping } from './dropping.js';
 import { LANGUAGES, chooseLanguage, followLanguage, startLanguage, tr, trLater, trSentence } from './language.js';
 import { startPageWords } from './page_words.js';
+import { startOffline } from './offline.js';
 import { startSharing } from './sharing.js';
 import { chooseTheme, followTheme, nextTheme, startTheme, THEMES } from './theme.js';
 
 const HINT_AFTER_MS = 5000;
 const canvas = element('canvas', HTMLCanvasElement);
+const embedded = window.parent !== window;
 
 const gaitsmith = new Gaitsmith();
 window.gaitsmith = gaitsmith;
@@ -48,13 +52,17 @@ start().catch((error) => {
 
 async function start() {
   setTimeout(() => { element('loading-hint').hidden = false; }, HINT_AFTER_MS);
-  /** @type {{app: App, searches: Searches, transitions: TransitionMaps, lab: Lab, address: Address, autosave: Autosave, kept: KeptResults, naming: Naming, buttons: HistoryButtons, commands: Commands, canvas: HTMLCanvasElement} | null} */
+  /** @type {{app: App, searches: Searches, transitions: TransitionMaps, lab: Lab, arrangement: Arrangement, address: Address, autosave: Autosave, kept: KeptResults, naming: Naming, buttons: HistoryButtons, commands: Commands, canvas: HTMLCanvasElement} | null} */
   let parts = null;
 
   // The language comes while the application does; its first frame is to have both.
-  const [{ default: createApp }] = await Promise.all([import('./app.mjs'), spoken]);
+  const [{ default: createApp }, code] = await Promise.all([import('./app_module.js'), compiledModule('app_module.wasm'), spoken]);
   const module = await createApp({
     canvas,
+    instantiateWasm: (imports, receive) => {
+      void WebAssembly.instantiate(code, imports).then((instance) => receive(instance, code));
+      return {};
+    },
     onAbort: () => banner(tr('Gaitsmith stopped working. Your last state is in the address: reload to go on.'), { reload: true }),
     page: {
       maxWorkers: () => navigator.hardwareConcurrency || 2,
@@ -76,6 +84,7 @@ async function start() {
       status: (sentence) => statusLine.say(sentence),
       documentChanged: (title) => {
         showTitle(title);
+        gaitsmith.documentChanged(title);
         parts?.address.changed();
         parts?.autosave.changed();
         parts?.buttons.update();
@@ -112,17 +121,32 @@ async function start() {
   autosave.begin();
   showTitle(app.title());
   commands = new Commands(app, new Mirror(app, canvas));
-  parts = { app, searches, transitions, lab: new Lab(app), address, autosave, kept: new KeptResults(statusLine), naming: new Naming(app), buttons: new HistoryButtons(app), commands, canvas };
+  parts = { app, searches, transitions, lab: new Lab(app), arrangement: new Arrangement(app, gaitsmith), address, autosave, kept: new KeptResults(statusLine), naming: new Naming(app), buttons: new HistoryButtons(app), commands, canvas };
   gaitsmith.begin(parts);
+  parts.arrangement.begin();
   gaitsmith.fps = Number(new URLSearchParams(location.search).get('fps'));
   searches.addEventListener('done', () => address.changed());
   startSharing(app, address);
+  void gaitsmith.ready.then(() => startOffline({
+    leave: () => {
+      address.write();
+      autosave.save();
+    },
+  }));
   startDropping(app);
   if (matchMedia('(prefers-reduced-motion: reduce)').matches) app.play(false);
   new Narrator(app);
+  if (embedded) {
+    document.documentElement.dataset.embedded = '';
+    const home = element('home', HTMLAnchorElement);
+    home.target = '_blank';
+    home.ariaLabel = home.title = tr('Open this in a tab of its own');
+    (await import('./embedding.js')).startEmbedding(gaitsmith);
+  }
   const guide = new Guide(app, canvas, statusLine);
-  addCommands(commands, { autosave, palette: new Palette(commands), help: new HelpSheet(commands), guide });
-  void gaitsmith.ready.then(() => guide.offer());
+  addCommands(commands, { address, autosave, palette: new Palette(commands), help: new HelpSheet(commands), guide });
+  // Who has been sent to something special is not shown around.
+  if (!/[?&](goal|panels|lock)=/.test(location.search)) void gaitsmith.ready.then(() => guide.offer());
   statusLine.welcome(tr('Press Synthesize to search for a better motion'));
 
   // SDL cancels every touch, and browsers warn of it where a busy page is asked too late to be able to.
@@ -152,13 +176,23 @@ async function openExport(app, statusLine) {
   }
 }
 
-/** What the page itself can do; the application adds its own. @param {Commands} commands @param {{autosave: Autosave, palette: Palette, help: HelpSheet, guide: Guide}} parts */
-function addCommands(commands, { autosave, palette, help, guide }) {
+/** @param {App} app @param {Address} address @param {StatusLine} statusLine */
+async function openShare(app, address, statusLine) {
+  try {
+    (await import('./share.js')).openShare(app, address);
+  } catch {
+    statusLine.say(tr('The dialog could not be loaded.'));
+  }
+}
+
+/** What the page itself can do; the application adds its own. @param {Commands} commands @param {{address: Address, autosave: Autosave, palette: Palette, help: HelpSheet, guide: Guide}} parts */
+function addCommands(commands, { address, autosave, palette, help, guide }) {
   const click = Commands.click;
   commands.add([
     { id: 'document/open', group: 'Document', title: trLater('Open a file or a link'), keys: ['Ctrl+o'], pressed: ['Ctrl+v'], run: click('open') },
     { id: 'document/save', group: 'Document', title: trLater('Save as a file'), keys: ['Ctrl+s'], run: click('save') },
     { id: 'document/export', group: 'Document', title: trLater('Export as picture, film or data'), keys: [], run: () => void openExport(commands.app, statusLine) },
+    { id: 'document/share', group: 'Document', title: trLater('Share: link, code for cameras, lines for another page'), keys: [], run: click('share') },
     { id: 'document/copy-link', group: 'Document', title: trLater('Copy link'), keys: ['c'], pressed: ['Ctrl+c'], run: click('copy-link') },
     { id: 'view/theme', group: 'View', title: trLater('Next theme'), keys: ['t'], run: nextTheme },
     { id: 'help/commands', group: 'Help', title: trLater('Find a command'), keys: ['Ctrl+k'], run: () => palette.open() },
@@ -173,9 +207,14 @@ function addCommands(commands, { autosave, palette, help, guide }) {
   onClick('new', () => commands.app.run('document/new'));
   onClick('home', (event) => {
     if (event.ctrlKey || event.metaKey || event.shiftKey) return; // another tab, another window
+    if (embedded) { // there is more room in a tab of its own
+      element('home', HTMLAnchorElement).href = address.link().replace(/\?[^#]*/, '');
+      return;
+    }
     event.preventDefault();
     commands.app.run('document/new');
   });
+  onClick('share', () => void openShare(commands.app, address, statusLine));
   onClick('commands', () => palette.open());
   onClick('keys', () => help.open());
 }

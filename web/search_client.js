@@ -71,7 +71,7 @@ export class SearchClient {
 
   /**
    * @param {object} options
-   * @param {WebAssembly.Module} options.engine  compiled engine.wasm; every worker gets it ready to run
+   * @param {WebAssembly.Module} options.engine  compiled engine_module.wasm; every worker gets it ready to run
    * @param {() => Worker} options.createWorker  of worker.js
    * @param {SearchListener} options.listener
    */

@@ -2,7 +2,7 @@
 // Searches as the page knows them: the application asks for one, workers run it, and application, status line and
 // listeners hear how far it is.
 import { NO_REPORT } from './no_report.js';
-import { compiledEngine, createWorker } from './compiled_engine.js';
+import { compiledEngine, createWorker, hasWorkers } from './compiled_engine.js';
 import { banner } from './dom.js';
 import { tr, trLater, trSentence } from './language.js';
 
@@ -69,7 +69,7 @@ export class Searches extends EventTarget {
   /** Loads all that the first search will need, while nothing else is to be done. A failure is that search's to tell. */
   async standBy() {
     const client = await this.#prepare().catch(() => null);
-    if (!this.searching) client?.standBy(Math.min(navigator.hardwareConcurrency || 2, MOST_STANDING_BY));
+    if (!this.searching && hasWorkers) client?.standBy(Math.min(navigator.hardwareConcurrency || 2, MOST_STANDING_BY));
   }
 
   /** Of the document on the page, which changes as it improves. */
@@ -103,7 +103,8 @@ export class Searches extends EventTarget {
       const client = await this.#prepare();
       if (run !== this.#run) return;
       this.#client = client;
-      this.#client.start(document, workers);
+      if (!hasWorkers) this.statusLine.say(tr('This frame has no workers: the search runs in the page itself, and takes longer.'));
+      this.#client.start(document, hasWorkers ? workers : 1);
       for (const wish of this.#later.splice(0)) this.#client[wish]();
     } catch (error) {
       if (run === this.#run) this.#fail(error instanceof Error ? error : new Error(String(error)));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Serves a folder on this machine:  node web/serve.mjs [folder, default build/site] [port, default 8080]
-// Prints the address. A taken port is left alone and a free one chosen; port 0 chooses one too.
+// Prints the address. A taken port is left alone and a free one chosen; port 0 chooses one too. In the place of the service
+// worker there is one that goes away again, for a page that is being worked on must never come out of a cache; with
+// --offline as the last word the site's own is served.
 import { createReadStream } from 'node:fs';
 import { stat } from 'node:fs/promises';
 import { createServer } from 'node:http';
@@ -8,11 +10,15 @@ import { extname, join, resolve, sep } from 'node:path';
 
 const TYPES = {
   '.css': 'text/css; charset=utf-8', '.html': 'text/html; charset=utf-8', '.js': 'text/javascript; charset=utf-8',
-  '.json': 'application/json', '.mjs': 'text/javascript; charset=utf-8', '.svg': 'image/svg+xml',
-  '.wasm': 'application/wasm',
+  '.json': 'application/json', '.md': 'text/plain; charset=utf-8', '.mjs': 'text/javascript; charset=utf-8', '.svg': 'image/svg+xml',
+  '.png': 'image/png', '.txt': 'text/plain; charset=utf-8', '.wasm': 'application/wasm', '.webmanifest': 'application/manifest+json',
 };
+const NO_WORKER = `addEventListener('install', () => skipWaiting());
+addEventListener('activate', (event) => event.waitUntil(registration.unregister()));
+`;
 const folder = resolve(process.argv[2] ?? 'build/site');
 const port = Number(process.argv[3] ?? 8080);
+const offline = process.argv.at(-1) === '--offline';
 
 const server = createServer(async (request, response) => {
   const path = new URL(request.url ?? '/', 'http://localhost').pathname; // no file of ours needs escapes
@@ -20,6 +26,10 @@ const server = createServer(async (request, response) => {
   const found = file.startsWith(folder + sep) && (await stat(file).catch(() => null));
   if (!found || !found.isFile()) {
     response.writeHead(404, { 'content-type': 'text/plain' }).end('not found\n');
+    return;
+  }
+  if (!offline && path.endsWith('/service_worker.js')) {
+    response.writeHead(200, { 'content-type': 'text/javascript' }).end(NO_WORKER);
     return;
   }
   const type = TYPES[/** @type {keyof typeof TYPES} */ (extname(file))] ?? 'application/octet-stream';

@@ -75,8 +75,10 @@ export class Coordinator {
    * @param {import('./engine.js').Engine} engine
    * @param {import('./messages.js').Coordinate} role
    * @param {(message: CoordinatorToPage, transfer?: Transferable[]) => void} post
+   * @param {number} [longestMs]  that a slice should take
    */
-  constructor(engine, { document, state, workers }, post) {
+  constructor(engine, { document, state, workers }, post, longestMs = LONGEST_SLICE_MS) {
+    this.longestMs = longestMs;
     this.search = engine.search(document);
     if (state) this.search.load(state);
     this.workers = workers;
@@ -181,7 +183,7 @@ export class Coordinator {
     const count = genomes.length / this.search.genes;
     if (count === 0) return null;
     const share = Math.ceil(count / Math.max(1, this.#hands.size));
-    const soon = this.#genomeMs > 0 ? LANES * Math.ceil(LONGEST_SLICE_MS / this.#genomeMs / LANES) : LANES;
+    const soon = this.#genomeMs > 0 ? LANES * Math.max(1, Math.floor(this.longestMs / this.#genomeMs / LANES)) : LANES;
     /** @type {Batch} */
     const batch = { genomes, scores: new Float32Array(SCORE_LENGTH * count), waiting: [], missing: 0 };
     batch.waiting = cut(count, Math.min(share, soon)).map((span) => ({ ...span, id: ++this.#lastSlice, batch }));

@@ -11,9 +11,10 @@ const STRIDE = 4; // moments between two looks at the clock
  * @param {import('./engine.js').Engine} engine
  * @param {import('./messages.js').MapTransitions} role
  * @param {(message: MapperToPage, transfer?: Transferable[]) => void} post
+ * @param {number} [partMs]  after which a part is told
  * @returns {() => void} ends it
  */
-export function startMapper(engine, { document, generation }, post) {
+export function startMapper(engine, { document, generation }, post, partMs = PART_MS) {
   const map = engine.transitionMap(document);
   const { count, usual } = map;
   let next = 0;
@@ -22,7 +23,7 @@ export function startMapper(engine, { document, generation }, post) {
     const first = next;
     /** @type {number[]} */
     const known = [];
-    while (next < count && (known.length === 0 || performance.now() - start < PART_MS)) {
+    while (next < count && (known.length === 0 || performance.now() - start < partMs)) {
       const scores = map.scores(next, Math.min(STRIDE, count - next));
       known.push(...scores);
       next += scores.length;

@@ -52,11 +52,10 @@ Result<void> WriteText(const std::string& path, const std::string& text) {
 }
 
 Result<Document> ReadDocument(const std::string& path) {
-  for (const Example& example : ExampleDocuments()) {
-    if (example.name == path && !std::filesystem::exists(path)) return DecodeJson(example.json);
-  }
-  for (const Example& example : ExampleProblems()) {
-    if (example.name == path && !std::filesystem::exists(path)) return DecodeJson(example.json);
+  for (const auto shipped : {ExampleDocuments(), ExampleProblems(), ExampleGallery()}) {
+    for (const Example& example : shipped) {
+      if (example.name == path && !std::filesystem::exists(path)) return DecodeJson(example.json);
+    }
   }
   const auto text = ReadText(path);
   if (!text) return std::unexpected(text.error());

@@ -12,7 +12,8 @@ namespace gaitsmith::shell {
 /// Writes to a neighbouring file first and renames it, so that a failure leaves an older file as it was.
 [[nodiscard]] Result<void> WriteText(const std::string& path, const std::string& text);
 
-/// A document from a file of JSON, a link, or the name of a shipped example.
+/// A document from a file of JSON, a link, or the name of a shipped example, problem or motion of the
+/// gallery.
 [[nodiscard]] Result<Document> ReadDocument(const std::string& path);
 
 /// The controller that a document's motion begins with. @param document has one

@@ -35,7 +35,7 @@ export async function searchAlone(browser, address, document, workers, limitMs) 
   const taken = await page.evaluate(async (text, count, limit, settled) => {
     const { Engine } = await import(new URL('engine.js', location.href).href);
     const { SearchClient } = await import(new URL('search_client.js', location.href).href);
-    const compiled = await WebAssembly.compileStreaming(fetch(new URL('engine.wasm', location.href)));
+    const compiled = await WebAssembly.compileStreaming(fetch(new URL('engine_module.wasm', location.href)));
     const engine = await Engine.load(compiled);
     /** @type {{ms: number, simulated: number} | null} */
     let first = null;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pictures of the page to look at, in build/screenshots: each panel in each theme on three screens.
 //   node tests/browser/pictures.mjs [words of the pictures to take, default all]
-//   node tests/browser/pictures.mjs docs    those that docs/pictures.md shows, into docs/pictures
+//   node tests/browser/pictures.mjs docs    those that docs/pictures.md shows, into docs/pictures; and the preview of links
 import assert from 'node:assert/strict';
 import { copyFile, mkdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -69,6 +69,21 @@ export async function takePictures(browser, address, wanted = '') {
   return count;
 }
 
+/** What chat programs show of a link: a figure that has come a long way. @param {import('./browsers.mjs').Browser} browser @param {string} address */
+async function takePreview(browser, address) {
+  const driver = await PageDriver.open(browser, `${address}?panels=none`);
+  await driver.page.setViewport({ width: 1200, height: 630 });
+  const example = await readFile(join(ROOT, 'examples/gallery/star-man-cartwheel.json'), 'utf8');
+  await driver.page.evaluate((text) => {
+    window.gaitsmith.open(text);
+    window.gaitsmith.run('motion/start');
+    for (let frame = 0; frame < 880; frame++) window.gaitsmith.run('motion/forward');
+  }, example);
+  await driver.frames(4);
+  await driver.page.screenshot({ path: /** @type {`${string}.png`} */ (join(ROOT, 'web/preview.png')) });
+  await driver.close();
+}
+
 if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   const address = await serve(join(ROOT, 'build/site'));
   const browser = await startChromium();
@@ -76,6 +91,7 @@ if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   const docs = process.argv[2] === 'docs';
   console.log(`${await takePictures(browser, address, docs ? '' : process.argv[2])} pictures in build/screenshots`);
   if (docs) {
+    await takePreview(browser, address);
     const text = await readFile(join(ROOT, 'docs/pictures.md'), 'utf8');
     for (const [, name] of text.matchAll(/\(pictures\/(.+?\.png)\)/g)) await copyFile(join(FOLDER, name), join(ROOT, 'docs/pictures', name));
   }

@@ -16,8 +16,10 @@ import { LAB_SCENARIOS } from './lab_scenarios.mjs';
 import { LANGUAGE_SCENARIOS } from './language_scenarios.mjs';
 import { LOOP_SCENARIOS } from './loop_scenarios.mjs';
 import { MIRROR_SCENARIOS } from './mirror_scenarios.mjs';
+import { OFFLINE_SCENARIOS } from './offline_scenarios.mjs';
 import { PALETTE_SCENARIOS } from './palette_scenarios.mjs';
 import { QUEUE_SCENARIOS } from './queue_scenarios.mjs';
+import { SHARE_SCENARIOS } from './share_scenarios.mjs';
 import { SUITE_SCENARIOS } from './suite_scenarios.mjs';
 import { TIMELINE_SCENARIOS } from './timeline_scenarios.mjs';
 import { WORLD_SCENARIOS } from './world_scenarios.mjs';
@@ -245,6 +247,8 @@ export const SCENARIOS = [
   ...PALETTE_SCENARIOS,
   ...QUEUE_SCENARIOS,
   ...TIMELINE_SCENARIOS,
+  ...OFFLINE_SCENARIOS,
+  ...SHARE_SCENARIOS,
   ...SUITE_SCENARIOS,
   ...MIRROR_SCENARIOS,
   ...LOOP_SCENARIOS,

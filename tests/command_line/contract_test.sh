@@ -37,6 +37,11 @@ for problem in "$root"/examples/problems/*.json; do
   same "$("$gaitsmith" hash "$(basename "$problem" .json)")" "$("$gaitsmith" hash "$problem")" "shipped problem"
 done
 same "$("$gaitsmith" hash star-man-shuffle)" "$("$gaitsmith" hash "$root/examples/star-man-shuffle.json")" "shipped example"
+for motion in star-man-cartwheel frog-on-the-moon; do
+  same "$("$gaitsmith" hash $motion)" "$("$gaitsmith" hash "$root/examples/gallery/$motion.json")" "motion of the gallery"
+done
+[ -z "$(basename -a "$root"/examples/*.json "$root"/examples/{problems,gallery}/*.json | sort | uniq -d)" ] ||
+  fault "a motion of the gallery has the name of another example"
 
 # One row a step, the start included, every column named.
 "$gaitsmith" simulate "$golden" --csv motion.csv || fault "simulate"

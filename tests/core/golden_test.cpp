@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Pins: the trajectory hash of every document in tests/golden/motions, and the scores of forty searches. The
-// same file runs natively with gcc and clang, at several optimisation levels, under sanitizers and as WASM
-// under Node. Does not pin: what the motions look like. To bless anew (only by a numbered decision in
-// docs/design.md):
+// Pins: the trajectory hash of every document in tests/golden/motions, in examples/ and in its gallery, and
+// the scores of forty searches. The same file runs natively with gcc and clang, at several optimisation
+// levels, under sanitizers and as WASM under Node. Does not pin: what the motions look like. To bless anew
+// (only by a numbered decision in docs/design.md):
 //   tests/golden/bless build/release/shell/gaitsmith
 // Has caught: nothing yet.
 #include <algorithm>
@@ -44,6 +44,25 @@ TEST_CASE("golden: every motion keeps its hash, in every lane", "[golden][determ
       }
     }
   }
+}
+
+TEST_CASE("golden: every shipped motion keeps its hash, alone and among searchers", "[golden][determinism]") {
+  int hashes = 0;
+  for (const std::string& name : ShippedDocuments()) {
+    CAPTURE(name);
+    const auto document = DecodeJson(ReadFile(name));
+    REQUIRE(document);
+    if (!document->hash) continue;
+    ++hashes;
+    CHECK(HashText(Simulate(*document).Hash()) == HashText(*document->hash));
+    if (document->timeline.size() != 1) continue;
+    const Controller& controller =
+        document->controllers[static_cast<std::size_t>(document->timeline[0].controller)];
+    const std::vector<Genome> genomes = {controller.genes};
+    const auto results = Evaluator(ReplayProblem(*document, controller), 4, true).Evaluate(genomes);
+    CHECK(HashText(results[0].trajectory_hash) == HashText(*document->hash));
+  }
+  CHECK(hashes >= 28);
 }
 
 namespace {

@@ -23,7 +23,7 @@ const documents = new Map();
 
 before(async () => {
   const { Engine } = await import(pathToFileURL(join(WEB, 'engine.js')).href);
-  engine = await Engine.load(await WebAssembly.compile(await readFile(join(WEB, 'engine.wasm'))));
+  engine = await Engine.load(await WebAssembly.compile(await readFile(join(WEB, 'engine_module.wasm'))));
   for (const folder of ['examples', 'tests/golden/motions']) {
     for (const file of (await readdir(join(ROOT, folder))).filter((name) => name.endsWith('.json')))
       documents.set(file, JSON.parse(await readFile(join(ROOT, folder, file), 'utf8')));

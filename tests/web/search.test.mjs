@@ -26,7 +26,7 @@ let figure;
 before(async () => {
   ({ SearchClient } = await import(pathToFileURL(join(WEB, 'search_client.js')).href));
   const { Engine } = await import(pathToFileURL(join(WEB, 'engine.js')).href);
-  compiled = await WebAssembly.compile(await readFile(join(WEB, 'engine.wasm')));
+  compiled = await WebAssembly.compile(await readFile(join(WEB, 'engine_module.wasm')));
   engine = await Engine.load(compiled);
   figure = await readFile(join(HERE, '../../examples/figures/mr-star-man.json'), 'utf8');
 });

@@ -24,7 +24,7 @@ let composite;
 before(async () => {
   ({ TransitionMaps } = await import(pathToFileURL(join(WEB, 'transition_maps.js')).href));
   const { Engine } = await import(pathToFileURL(join(WEB, 'engine.js')).href);
-  compiled = await WebAssembly.compile(await readFile(join(WEB, 'engine.wasm')));
+  compiled = await WebAssembly.compile(await readFile(join(WEB, 'engine_module.wasm')));
   engine = await Engine.load(compiled);
   composite = JSON.parse(await readFile(join(HERE, '../../examples/there-and-back.json'), 'utf8'));
 });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Types of app.mjs, the module that Emscripten makes of shell/. shell/host_web.cpp is the other side of this
+// Types of app_module.js, the module that Emscripten makes of shell/. shell/host_web.cpp is the other side of this
 // border and says what each function does.
 
 /** An address in the module's memory; 0 is null. */
@@ -51,6 +51,8 @@ export interface AppModule {
   _gs_show_found(id: Pointer): number;
   _gs_rename_found(options: Pointer): Pointer;
   _gs_restore_found(text: Pointer): Pointer;
+  _gs_arrange(options: Pointer): Pointer;
+  _gs_measures(): Pointer;
   _gs_lab(options: Pointer): Pointer;
   _gs_lab_csv(): Pointer;
   _gs_lab_state(): number;
@@ -98,6 +100,8 @@ export interface PageForApp {
 
 export default function createApp(options: {
   canvas: HTMLCanvasElement;
+  /** Instantiates code that was compiled already. */
+  instantiateWasm(imports: WebAssembly.Imports, receive: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void): object;
   page: PageForApp;
   onAbort?(reason: unknown): void;
 }): Promise<AppModule>;

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+// The built site on a plain static host: under a path of its own, without a network, with a new version, in frames that
+// may do little, without storage.
+import assert from 'node:assert/strict';
+import { cp, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { execFile } from 'node:child_process';
+import { promisify } from 'node:util';
+import { ROOT } from './browsers.mjs';
+import { PageDriver } from './page_driver.mjs';
+import { PlainServer } from './plain_server.mjs';
+
+/** @typedef {import('./scenarios.mjs').Visit} Visit */
+
+const SITE = process.argv[2] ?? join(ROOT, 'build/site');
+const run = promisify(execFile);
+
+/** A host with a copy of the site. @param {(server: PlainServer) => Promise<void>} body */
+async function onHost(body) {
+  const folder = await mkdtemp(join(tmpdir(), 'site-'));
+  await cp(SITE, folder, { recursive: true });
+  const server = new PlainServer(folder, '/some/where/');
+  await server.start();
+  try {
+    await body(server);
+  } finally {
+    server.close();
+    await rm(folder, { recursive: true });
+  }
+}
+
+/** The whole page is kept. @param {PageDriver} page */
+const kept = (page) => page.until('the service worker', `(async () => (await navigator.serviceWorker.ready).active?.state === 'activated')()`);
+
+/** A search of the page comes to its end and moves something. @param {PageDriver} page */
+const searches = (page) => page.call('search', async () => {
+  const { hash, report } = await window.gaitsmith.synthesize({ seed: 3, evaluations: 2000, algorithm: 'sphc' });
+  return { hash, state: report.state };
+});
+
+/** @param {Visit} visit */
+async function subPathAndOffline({ browser }) {
+  await onHost(async (server) => {
+    const page = await PageDriver.open(browser, server.address());
+    const { hash, state } = await searches(page);
+    assert.equal(state, 'done');
+    await kept(page);
+    assert.ok(server.asked.every((path) => path.startsWith(server.path)), `asked outside: ${server.asked.find((path) => !path.startsWith(server.path))}`);
+    assert.deepEqual(page.complaints, []);
+    const link = await page.link();
+
+    server.away = true;
+    server.asked = [];
+    await page.reload();
+    assert.equal((await searches(page)).hash, hash, 'the same search finds the same without a network');
+    // What is loaded only when it is wanted is there, too.
+    await page.page.evaluate(() => void window.gaitsmith.run('document/export'));
+    await page.until('the export dialog', () => document.querySelector('#export-dialog')?.hasAttribute('open') ?? false);
+    const other = await PageDriver.open(browser, link, { beside: page });
+    assert.equal(await other.hash(), hash, 'a link opens without a network');
+    await page.close();
+  });
+}
+
+/** @param {Visit} visit */
+async function update({ browser }) {
+  await onHost(async (server) => {
+    const page = await PageDriver.open(browser, server.address());
+    await kept(page);
+    await page.reload(); // now it is the kept one
+    const hash = await page.hash();
+
+    // A new version: one script and one page differ.
+    const script = join(server.folder, 'naming.js');
+    await writeFile(script, `${await readFile(script, 'utf8')}\nwindow.testNew = 'script';\n`);
+    const index = join(server.folder, 'index.html');
+    await writeFile(index, (await readFile(index, 'utf8')).replace('<html lang="en">', '<html lang="en" data-new>'));
+    await run(process.execPath, [join(ROOT, 'web/seal.mjs'), server.folder]);
+
+    const second = await PageDriver.open(browser, server.address(), { beside: page });
+    const versionOf = (/** @type {PageDriver} */ driver) => driver.call('version', () =>
+      `${'new' in document.documentElement.dataset} ${/** @type {any} */ (window).testNew ?? 'old'}`);
+    assert.equal(await versionOf(second), 'false old', 'a page that opens beside an old one is an old one');
+    await page.page.bringToFront();
+    await page.call('update', async () => { await (await navigator.serviceWorker.ready).update(); return true; });
+    await page.until('the offer', () => document.querySelector('#update')?.hasAttribute('hidden') === false);
+
+    await page.clickElement('#update-go');
+    await page.until('the refusal', () => /Other tabs/.test(document.querySelector('#update-text')?.textContent ?? ''));
+    assert.equal(await versionOf(page), 'false old', 'while two pages are open none changes');
+    await second.page.close();
+    await page.arrive(() => page.clickElement('#update-go'));
+    assert.equal(await versionOf(page), 'true script', 'the new version is there as a whole');
+    assert.equal(await page.hash(), hash, 'and the work');
+    await page.close();
+  });
+}
+
+/** @param {Visit} visit */
+async function halfAVersion({ browser }) {
+  await onHost(async (server) => {
+    const page = await PageDriver.open(browser, server.address());
+    await kept(page);
+    await page.reload();
+    // Half an upload: the list is new, a file is not what it says.
+    await writeFile(join(server.folder, 'naming.js'), 'window.testNew = "whole";\n');
+    await run(process.execPath, [join(ROOT, 'web/seal.mjs'), server.folder]);
+    await writeFile(join(server.folder, 'naming.js'), 'window.testNew = "half";\n');
+    const state = await page.call('update', async () => {
+      const registration = await navigator.serviceWorker.ready;
+      await registration.update().catch(() => {});
+      const coming = registration.installing;
+      if (coming) await new Promise((resolve) => coming.addEventListener('statechange', resolve, { once: true }));
+      return `${registration.waiting?.state ?? 'none waits'}, ${coming?.state ?? 'none came'}`;
+    });
+    assert.match(state, /none waits, (redundant|none came)/);
+    page.complaints.length = 0; // the browser names the file that does not match
+    await page.reload();
+    assert.equal(await page.call('old', () => /** @type {any} */ (window).testNew), undefined);
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+  });
+}
+
+/** The frame's own answer to a message, as a page of another origin gets it. */
+const ASKS = `<!doctype html><title>Around</title><body><script>
+  const waiting = new Map(); let last = 0; window.events = []; window.answered = [];
+  addEventListener('message', ({ data, origin }) => {
+    if (data?.gaitsmith !== 1) return;
+    if (data.event) events.push(data.event); else { answered.push(data.id); waiting.get(data.id)?.(data); }
+  });
+  window.ask = (call, ...args) => new Promise((resolve) => {
+    waiting.set(++last, resolve);
+    document.querySelector('iframe').contentWindow.postMessage({ gaitsmith: 1, id: last, call, args }, '*');
+  });
+  window.put = (source, sandbox) => {
+    const frame = document.createElement('iframe');
+    if (sandbox) frame.sandbox = sandbox;
+    frame.width = 800; frame.height = 500; frame.src = source;
+    document.body.append(frame);
+  };
+</script>`;
+
+/** @param {Visit['browser']} browser @param {PlainServer} server @param {string} sandbox @param {string} [query] */
+async function around(browser, server, sandbox, query = '') {
+  server.pages['/around.html'] = ASKS;
+  const context = await browser.createBrowserContext();
+  const page = await context.newPage();
+  await page.setViewport({ width: 1000, height: 700 });
+  await page.goto(new URL('/around.html', server.address('127.0.0.1')).href); // another origin than the frame's
+  await page.evaluate((source, box) => /** @type {any} */ (window).put(source, box), server.address() + query, sandbox);
+  /** @param {string} call @param {any[]} args @returns {Promise<any>} */
+  const ask = (call, ...args) => page.evaluate((name, values) => /** @type {any} */ (window).ask(name, ...values), call, args);
+  const until = async (/** @type {string} */ what, /** @type {string} */ condition) => {
+    for (let i = 0; i < 600; i++, await new Promise((resolve) => setTimeout(resolve, 100))) if (await page.evaluate(condition)) return;
+    assert.fail(`waited in vain for ${what}`);
+  };
+  return { page, ask, until, close: () => context.close() };
+}
+
+/** @param {Visit} visit */
+async function foreignFrame({ browser }) {
+  await onHost(async (server) => {
+    const { page, ask, until, close } = await around(browser, server, 'allow-scripts allow-same-origin', '?panels=style&lock=figure&goal=distance>=1');
+    await until('the frame', `events.includes('ready')`);
+    const hello = (await ask('hello')).result;
+    assert.equal(hello.version, 1);
+    const { result } = await ask('synthesize', { seed: 3, evaluations: 2000, algorithm: 'sphc' });
+    assert.equal(result.report.state, 'done');
+    assert.notEqual(result.hash, hello.hash);
+    await until('its events', `events.includes('progress') && events.includes('done') && events.includes('changed') && events.includes('goal')`);
+    assert.match((await ask('open', 'no link')).error, /./, 'a bad link is an error');
+    assert.equal((await ask('hash')).result, result.hash, 'and changes nothing');
+    assert.match((await ask('constructor')).error, /there is no call constructor/);
+    assert.match((await ask('arrange', { panels: 'kitchen' })).error, /kitchen/);
+    assert.match((await ask('arrange', { goal: 'distance >= far' })).error, /distance >= far/);
+    assert.ok(Object.keys((await ask('measures')).result).includes('rotations'));
+    // Who is not around the page is not heard.
+    const heard = await page.evaluate(async () => {
+      const stranger = document.createElement('iframe');
+      document.body.append(stranger);
+      const target = document.querySelector('iframe')?.contentWindow;
+      /** @type {any} */ (stranger.contentWindow).eval(`parent.frames[0].postMessage({ gaitsmith: 1, id: 99999, call: 'undo', args: [] }, '*')`);
+      await new Promise((resolve) => setTimeout(resolve, 500));
+      return [Boolean(target), /** @type {any} */ (window).answered.includes(99999)];
+    });
+    assert.deepEqual(heard, [true, false]);
+    assert.equal((await ask('hash')).result, result.hash);
+    await close();
+  });
+}
+
+/** @param {Visit} visit */
+async function narrowFrame({ browser }) {
+  await onHost(async (server) => {
+    const refused = await around(browser, server, 'allow-scripts');
+    const inFrame = async () => {
+      const frame = refused.page.frames().find((each) => each.url().startsWith(server.address()));
+      return frame ? frame.evaluate(() => document.querySelector('#loading p')?.textContent ?? '').catch(() => '') : '';
+    };
+    for (let i = 0; i < 100 && !/allow-same-origin/.test(await inFrame()); i++) await new Promise((resolve) => setTimeout(resolve, 100));
+    assert.match(await inFrame(), /allow-same-origin/, 'where a host lets no frame without an origin load scripts, the page says so');
+    await refused.close();
+
+    server.headers['access-control-allow-origin'] = '*'; // most hosts send it
+    const { ask, until, close } = await around(browser, server, 'allow-scripts');
+    await until('the frame', `events.includes('ready')`);
+    await ask('hello');
+    const { result, error } = await ask('synthesize', { seed: 3, evaluations: 400, algorithm: 'sphc' });
+    assert.equal(error, undefined);
+    assert.equal(result.report.state, 'done', 'without workers it searches in the page');
+    const other = await PageDriver.open(browser, server.address());
+    const same = await other.call('search', () => window.gaitsmith.synthesize({ seed: 3, evaluations: 400, algorithm: 'sphc' }).then(({ hash }) => hash));
+    assert.equal(result.hash, same, 'and finds what workers find');
+    await other.close();
+    await close();
+  });
+}
+
+/** @param {Visit} visit */
+async function noStorage({ browser, address }) {
+  const page = await PageDriver.open(browser, address, { before: () => {
+    for (const name of ['localStorage', 'sessionStorage', 'indexedDB', 'caches']) {
+      Object.defineProperty(window, name, { get() { throw new DOMException('forbidden', 'SecurityError'); } });
+    }
+    Object.defineProperty(navigator.serviceWorker, 'register', { value: () => Promise.reject(new DOMException('forbidden', 'SecurityError')) });
+  } });
+  const { state } = await searches(page);
+  assert.equal(state, 'done');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function secondProfile({ browser, address }) {
+  const first = await PageDriver.open(browser, address);
+  const { hash } = await searches(first);
+  const link = await first.link();
+  const cookies = await first.page.browserContext().cookies();
+  assert.deepEqual(cookies, [], 'no cookies');
+  await first.close();
+  const second = await PageDriver.open(browser, link);
+  assert.equal(await second.hash(), hash);
+  assert.equal((await searches(second)).hash, hash, 'and searching there finds the same');
+  assert.deepEqual(second.complaints, []);
+  await second.close();
+}
+
+/** @type {typeof import('./scenarios.mjs').SCENARIOS} */
+export const OFFLINE_SCENARIOS = [
+  ['on a plain host under a path it works, and goes on without a network', subPathAndOffline],
+  ['a new version comes as a whole, when one page is left and its reader asks for it', update],
+  ['half a new version is no new version', halfAVersion],
+  ['in a frame of another origin it is played by messages', foreignFrame],
+  ['in a frame without an origin it searches in the page, or says what is missing', narrowFrame],
+  ['without storage everything else works', noStorage],
+  ['a link opens in another profile, where the same search finds the same', secondProfile],
+];

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// A static host as plain as they come: a folder under a path of its own, types for .html, .js and .css alone, and no header
+// that anybody would have to set up.
+import { readFile } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import { extname, join, normalize } from 'node:path';
+
+const TYPES = /** @type {Record<string, string>} */ ({ '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css' });
+
+export class PlainServer {
+  /** Paths that were asked for. @type {string[]} */
+  asked = [];
+  /** Pages that are in no folder, by their paths. @type {Record<string, string>} */
+  pages = {};
+  /** The network has gone. */
+  away = false;
+  /** Further headers. @type {Record<string, string>} */
+  headers = {};
+
+  /** @param {string} folder @param {string} path  under which it is found, such as /some/where/ */
+  constructor(folder, path) {
+    this.folder = folder;
+    this.path = path;
+    this.server = createServer((request, response) => void this.#answer(request, response));
+  }
+
+  /** @returns {Promise<void>} */
+  start() { return new Promise((resolve) => this.server.listen(0, '127.0.0.1', () => resolve())); }
+
+  close() {
+    this.server.closeAllConnections();
+    this.server.close();
+  }
+
+  /** @param {string} host  localhost and 127.0.0.1 are two origins on one machine */
+  address(host = 'localhost') {
+    const address = this.server.address();
+    return `http://${host}:${address && typeof address === 'object' ? address.port : 0}${this.path}`;
+  }
+
+  /** @param {import('node:http').IncomingMessage} request @param {import('node:http').ServerResponse} response */
+  async #answer(request, response) {
+    const path = (request.url ?? '/').split(/[?#]/)[0];
+    this.asked.push(path);
+    if (this.away) {
+      response.destroy();
+      return;
+    }
+    const page = this.pages[path];
+    const inside = path.startsWith(this.path) ? normalize(path.slice(this.path.length)).replace(/^\.$|\/$|^$/, (end) => (end === '/' ? '/index.html' : 'index.html')) : null;
+    const bytes = page ?? (inside === null || inside.startsWith('..') ? null : await readFile(join(this.folder, inside)).catch(() => null));
+    if (bytes === null) response.writeHead(404).end('not found');
+    else response.writeHead(200, { 'content-type': page ? 'text/html' : TYPES[extname(inside ?? '')] ?? 'application/octet-stream', 'cache-control': 'max-age=600', ...this.headers }).end(bytes);
+  }
+}

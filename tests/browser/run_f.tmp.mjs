@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// Drives the built page in Chromium and Firefox:  node tests/browser/run.mjs [folder, default build/site] [words of the scenarios to run, default all]
+// Leaves pictures of it in build/screenshots. Prints what passed and fails if anything did not.
+import assert from 'node:assert/strict';
+import { readdir, readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { PageDriver } from './page_driver.mjs';
+import { ROOT, serve, startChromium, startFirefox, stopAll } from './browsers.mjs';
+import { SCENARIOS } from './scenarios.mjs';
+import { takePictures } from './pictures.mjs';
+import { nativeHash } from './native.mjs';
+
+let passed = 0;
+let failed = 0;
+
+/** @param {string} name @param {() => Promise<void>} body */
+async function check(name, body) {
+  const start = performance.now();
+  try {
+    await body();
+    passed++;
+    console.log(`ok      ${name} (${((performance.now() - start) / 1000).toFixed(1)} s)`);
+  } catch (error) {
+    failed++;
+    console.log(`FAILED  ${name}\n        ${error instanceof Error ? error.message.replaceAll('\n', '\n        ') : error}`);
+  }
+}
+
+/** Every golden document has the same hash here and natively. @param {PageDriver} page @returns {Promise<number>} how many */
+async function checkGoldens(page) {
+  const folder = join(ROOT, 'tests/golden/motions');
+  const files = (await readdir(folder).catch(() => /** @type {string[]} */ ([]))).filter((file) => file.endsWith('.json'));
+  for (const file of files) {
+    const text = await readFile(join(folder, file), 'utf8');
+    const here = await page.page.evaluate((json) => {
+      window.gaitsmith.open(json);
+      return window.gaitsmith.hash();
+    }, text);
+    assert.equal(here, await nativeHash(text) ?? here, file);
+    const pinned = JSON.parse(text).hash;
+    if (pinned) assert.equal(here, pinned, file);
+  }
+  return files.length;
+}
+
+const wanted = process.argv[3] ?? '';
+const address = await serve(process.argv[2] ?? join(ROOT, 'build/site'));
+/** @type {import('./scenarios.mjs').Visit[]} */
+const visits = [];
+for (const [name, start] of /** @type {const} */ ([['Firefox', startFirefox]])) {
+  const browser = await start();
+  if (!browser) {
+    await check(`${name} is installed (./dev setup browsers)`, async () => assert.fail('not found'));
+    continue;
+  }
+  console.log(`\n${name}: ${await browser.version()}`);
+  const visit = /** @type {import('./scenarios.mjs').Visit} */ ({ name, browser, address, found: {}, link: '', figures: {} });
+  visits.push(visit);
+  for (const [claim, body] of SCENARIOS.filter(([text, , only = name]) => text.includes(wanted) && only === name)) await check(`${name}: ${claim}`, () => body(visit));
+  await check(`${name}: golden motions have their pinned hashes`, async () => {
+    const page = await PageDriver.open(browser, address);
+    visit.figures['golden motions'] = await checkGoldens(page);
+    await page.close();
+  });
+  const before = visits[0];
+  if (before !== visit && wanted === '') { // what they found comes from other scenarios
+    await check(`${name} and ${before.name} find the same motions and open each other's links`, async () => {
+      assert.deepEqual(visit.found, before.found);
+      const page = await PageDriver.open(browser, before.link);
+      assert.equal(await page.hash(), before.found.timer);
+      await page.close();
+    });
+  }
+  if (name === 'Chromium' && wanted === '') await check(`${name}: pictures of every panel in every theme`, async () => {
+    visit.figures.pictures = await takePictures(browser, address);
+  });
+  await browser.close();
+  for (const [what, value] of Object.entries(visit.figures)) console.log(`        ${what}: ${value}`);
+}
+stopAll();
+console.log(`\n${passed} passed, ${failed} failed`);
+process.exitCode = failed ? 1 : 0;

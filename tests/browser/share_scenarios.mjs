@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// Sharing: the dialog's link, its code for cameras and its lines for another page; links that cannot be opened; and what a
+// lesson asks of the page in its address.
+import assert from 'node:assert/strict';
+import { createRequire } from 'node:module';
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { ROOT } from './browsers.mjs';
+import { PageDriver } from './page_driver.mjs';
+
+/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @type {(data: Uint8ClampedArray, width: number, height: number) => {data: string} | null} */
+const jsQR = createRequire(join(ROOT, 'web/package.json'))('jsqr');
+
+/** @param {PageDriver} page @param {string} selector @returns {Promise<string>} */
+const valueOf = (page, selector) => page.page.evaluate((where) => /** @type {HTMLTextAreaElement} */ (document.querySelector(where)).value, selector);
+
+/** What a camera would read. @param {PageDriver} page */
+async function read(page) {
+  const { pixels, size } = await page.call('code', async () => {
+    const svg = /** @type {SVGElement} */ (document.querySelector('#share-code svg')).cloneNode(true);
+    const modules = Number(/** @type {SVGElement} */ (svg).getAttribute('viewBox')?.split(' ')[2]);
+    const side = 4 * modules;
+    /** @type {SVGElement} */ (svg).setAttribute('width', String(side));
+    /** @type {SVGElement} */ (svg).setAttribute('height', String(side));
+    const image = new Image();
+    image.src = `data:image/svg+xml,${encodeURIComponent(new XMLSerializer().serializeToString(svg))}`;
+    await image.decode();
+    const context = /** @type {CanvasRenderingContext2D} */ (Object.assign(document.createElement('canvas'), { width: side, height: side }).getContext('2d'));
+    context.fillStyle = '#fff';
+    context.fillRect(0, 0, side, side);
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, side, side);
+    return { size: side, pixels: Array.from({ length: side * side }, (_, i) => data[4 * i]) };
+  });
+  return jsQR(Uint8ClampedArray.from(pixels.flatMap((grey) => [grey, grey, grey, 255])), size, size)?.data;
+}
+
+/** @param {Visit} visit */
+async function shareDialog({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  await page.clickElement('#share');
+  await page.until('the code', () => document.querySelector('#share-code svg') !== null);
+  const link = await page.link();
+  assert.equal(await valueOf(page, '#share-link'), link);
+  assert.equal(await read(page), link, 'a camera reads the link');
+
+  await page.clickElement('#share-embed summary');
+  await page.clickElement('#share-panels [value=lab]');
+  await page.clickElement('#share-lock');
+  const lines = await valueOf(page, '#share-snippet');
+  await page.press('Escape');
+  const around = await page.page.browserContext().newPage();
+  await around.goto(new URL('no_start.js', address).href); // a page of the same host, and nothing on it
+  await around.setContent(lines);
+  await around.waitForFunction(() => /** @type {any} */ (document.querySelector('iframe')?.contentWindow)?.gaitsmith, { timeout: 30000 });
+  const inside = await around.evaluate(async () => {
+    const { gaitsmith } = /** @type {Window} */ (document.querySelector('iframe')?.contentWindow);
+    await gaitsmith.ready;
+    const before = gaitsmith.hash();
+    gaitsmith.run('panel/Figure');
+    const figures = gaitsmith.commands().filter(({ id }) => id.startsWith('figure/') && !id.includes('mr-star-man'));
+    for (const { id } of figures.slice(0, 3)) gaitsmith.run(id);
+    return { before, after: gaitsmith.hash(), lab: gaitsmith.commands().some(({ id }) => id === 'panel/Lab'), style: gaitsmith.commands().some(({ id }) => id === 'panel/Style'), title: document.querySelector('iframe')?.title };
+  });
+  const hash = await page.hash();
+  assert.deepEqual([inside.before, inside.after, inside.lab, inside.style], [hash, hash, false, true]);
+  assert.equal(inside.title, await page.text('#title'));
+
+  // A link that no camera could read has no code, and the dialog says why.
+  const long = await readFile(join(ROOT, 'examples/figure-12.json'), 'utf8');
+  await page.page.evaluate((text) => window.gaitsmith.open(text), long);
+  await page.page.evaluate(() => window.gaitsmith.run('document/share'));
+  await page.until('the dialog', () => document.querySelector('#share-dialog')?.hasAttribute('open') ?? false);
+  assert.equal(await page.call('hidden', () => document.querySelector('#share-code')?.hasAttribute('hidden')), true);
+  assert.match(await page.text('#share-words'), /too long for a code/);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function linksThatCannotBeOpened({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const hash = await page.hash();
+  const payload = (await page.link()).split('#')[1];
+  const cases = /** @type {[RegExp, string][]} */ ([
+    [/cut or damaged|was damaged/, `${payload.slice(0, 40)}${payload[40] === 'A' ? 'B' : 'A'}${payload.slice(41)}`],
+    [/was cut/, payload.slice(0, 120)],
+    [/made by a newer one/, `Cg${payload.slice(2)}`],
+    [/link/, 'A'.repeat(200000)],
+    [/link/, 'not a link at all'],
+  ]);
+  for (const [says, bad] of cases) {
+    await page.page.evaluate((text) => { location.hash = text; }, bad);
+    await page.until('the banner', () => document.querySelector('#banner')?.hasAttribute('hidden') === false);
+    const text = await page.text('#banner-text');
+    assert.match(text, says);
+    assert.match(text, /Copy the whole link again, or reload/, 'what to do');
+    assert.equal(await page.hash(), hash, 'the work is as it was');
+    await page.clickElement('#banner-close');
+  }
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function lessonInTheAddress({ browser, address }) {
+  const page = await PageDriver.open(browser, `${address}?panels=style,search&lock=style,world&goal=distance>=1,rotations>=500`);
+  const ids = await page.call('commands', () => window.gaitsmith.commands().map(({ id }) => id));
+  assert.deepEqual(ids.filter((id) => id.startsWith('panel/')), ['panel/Style', 'panel/Search']);
+  assert.equal(await page.text('#goal li.met'), ' Distance ≥ 1 m (now 18.33 m)');
+  await page.call('events', () => {
+    const seen = /** @type {object[]} */ ([]);
+    Object.assign(window, { testGoals: seen });
+    window.gaitsmith.on('goal', ({ detail }) => seen.push(detail));
+    return true;
+  });
+  await page.call('goal', () => window.gaitsmith.arrange({ goal: 'distance >= 1, sense = physical' }).then(() => true));
+  assert.equal(await page.call('reached', () => document.querySelector('#goal')?.classList.contains('met')), true);
+  await page.until('its event', () => /** @type {any} */ (window).testGoals.at(-1)?.met === true);
+
+  // A locked slider is disabled, and a key changes nothing either.
+  await page.page.evaluate(() => window.gaitsmith.run('panel/Style'));
+  await page.frames();
+  const slip = (await page.widgets()).find(({ id }) => id === 'style/slip');
+  assert.equal(slip?.state.disabled, true);
+  const start = (await page.widgets()).find(({ id }) => id === 'stage');
+  assert.ok(start && !start.state.disabled);
+  const hash = await page.hash();
+  await page.call('still plays', () => window.gaitsmith.synthesize({ evaluations: 400, seed: 2 }).then(() => true));
+  assert.notEqual(await page.hash(), hash, 'and searching goes on');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+
+  const wrong = await PageDriver.open(browser, `${address}?panels=kitchen`);
+  await wrong.until('the banner', () => /kitchen/.test(document.querySelector('#banner-text')?.textContent ?? ''));
+  await wrong.close();
+}
+
+/** @type {typeof import('./scenarios.mjs').SCENARIOS} */
+export const SHARE_SCENARIOS = [
+  ['Share has the link, a code that a camera reads, and lines that put it into another page', shareDialog],
+  ['links that are damaged, cut, newer, too long or none say so and what to do', linksThatCannotBeOpened],
+  ['an address shows panels, locks parts and sets a goal that is ticked', lessonInTheAddress],
+];

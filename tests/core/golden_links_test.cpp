@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Pins: the links of tests/golden/links, one file for each version of the binary form: each opens, shows the
+// motion that it always showed, and is written again with the very same characters, straight from the link
+// and by way of JSON. Does not pin: which documents a version can hold (document_test.cpp). To bless anew:
+// never; links that people have sent cannot be taken back. Lines may be added to the newest version's file:
+//   gaitsmith hash DOC && gaitsmith link encode DOC
+// Has caught: nothing yet.
+#include <algorithm>
+#include <catch_amalgamated.hpp>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/document/json.h"
+#include "core/document/link.h"
+#include "tests/scene.h"
+
+namespace gaitsmith::test {
+
+namespace {
+
+constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+
+struct GoldenLink {
+  std::string name;  // the comment above it
+  std::string hash, payload;
+};
+
+/// The lines of a file: the hash and the payload each, under a comment that names them.
+std::vector<GoldenLink> LinksOf(int version) {
+  std::istringstream file(ReadFile("tests/golden/links/version-" + std::to_string(version) + ".txt"));
+  std::vector<GoldenLink> links;
+  std::string line, name;
+  while (std::getline(file, line)) {
+    if (line.starts_with("#")) {
+      name = line;
+    } else if (!line.empty()) {
+      CAPTURE(line);
+      REQUIRE(line.find(' ') == 16);
+      REQUIRE_FALSE(name.empty());
+      links.push_back({name, line.substr(0, 16), line.substr(17)});
+      name.clear();
+    }
+  }
+  return links;
+}
+
+/// The first byte of a payload, without the decoder that is tested.
+int VersionOf(const std::string& payload) {
+  return static_cast<int>((kAlphabet.find(payload.at(0)) << 2u) | (kAlphabet.find(payload.at(1)) >> 4u));
+}
+
+void CheckLinks(int version, std::size_t least) {
+  const auto links = LinksOf(version);
+  REQUIRE(links.size() >= least);
+  for (const GoldenLink& link : links) {
+    CAPTURE(link.name);
+    CHECK(VersionOf(link.payload) == version);
+    const auto document = DecodeLink(link.payload);
+    REQUIRE(document);
+    REQUIRE(document->hash);
+    CHECK(HashText(*document->hash) == link.hash);
+    CHECK(HashText(Simulate(*document).Hash()) == link.hash);
+    CHECK(EncodeLink(*document) == link.payload);
+    const auto from_json = DecodeJson(EncodeJson(*document));
+    REQUIRE(from_json);
+    CHECK(EncodeLink(*from_json) == link.payload);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("golden links: every link of version 1 opens with its motion", "[golden][links]") {
+  CheckLinks(1, 12);
+}
+
+TEST_CASE("golden links: every link of version 2 opens with its motion", "[golden][links]") {
+  CheckLinks(2, 10);
+}
+
+TEST_CASE("golden links: a link with another character is refused", "[golden][links]") {
+  constexpr std::size_t kPlaces = 48;
+  for (const int version : {1, 2}) {
+    for (const GoldenLink& link : LinksOf(version)) {
+      CAPTURE(link.name);
+      const std::size_t last = link.payload.size() - 1;
+      for (std::size_t place = 0; place < kPlaces; ++place) {
+        const std::size_t at = place * last / (kPlaces - 1);
+        std::string changed = link.payload;
+        // A neighbour differs in few bits, the one across the alphabet in the highest.
+        const std::size_t step = place % 2 == 0 ? 1 : 32;
+        changed[at] = kAlphabet[(kAlphabet.find(changed[at]) + step) % kAlphabet.size()];
+        CAPTURE(at);
+        REQUIRE_FALSE(DecodeLink(changed));
+      }
+    }
+  }
+}
+
+}  // namespace gaitsmith::test

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// What stands in for a Worker where the browser gives the page none, such as in a frame without an origin: the same roles
+// in the page itself, in slices so short that it goes on drawing.
+import { WorkerRoles } from './worker_roles.js';
+
+const SLICE_MS = 8;
+
+export class PageWorker {
+  /** @type {((event: {data: any}) => void) | null} */
+  onmessage = null;
+  /** @type {((event: {message: string, preventDefault?: () => void}) => void) | null} */
+  onerror = null;
+  #open = true;
+  #roles = new WorkerRoles(
+    (data) => this.#later(() => this.onmessage?.({ data })),
+    (error) => this.#later(() => this.onerror?.({ message: String(error) })),
+    { longestMs: SLICE_MS },
+  );
+
+  /** @param {any} message */
+  postMessage(message) { this.#later(() => this.#roles.hear(message)); }
+
+  terminate() {
+    this.#open = false;
+    this.#roles.leave();
+  }
+
+  /** Never at once, as between threads. @param {() => void} action */
+  #later(action) { setTimeout(() => { if (this.#open) action(); }); }
+}
