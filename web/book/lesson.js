@@ -17,6 +17,10 @@ const goals = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('.goal
 const player = new Player(frame);
 /** The goal that the playground watches for. */
 let watched = frame.dataset.goal;
+/** The panels that it shows where there is room for them. */
+let panels = frame.dataset.panels ?? 'all';
+// As in lesson.css: half a small screen has room for the stage alone.
+const small = matchMedia('(max-width: 56em)');
 
 /** The page's sentence about what it asked of the playground. @param {unknown} error */
 const sentence = (error) => `That did not work: ${error instanceof Error ? error.message : error}`;
@@ -36,18 +40,25 @@ function showPlayground(shown) {
   fold.textContent = shown ? 'Hide the playground' : 'Show the playground';
 }
 
-/** What an element wants arranged in the playground. @param {HTMLElement} element */
-function arrangement({ dataset: { panels, lock, goal } }) {
-  return Object.fromEntries(Object.entries({ panels, lock, goal }).filter(([, value]) => value !== undefined));
+/** @param {{panels?: string, lock?: string, goal?: string}} wanted  what is undefined stays as it is */
+function arrange(wanted) {
+  panels = wanted.panels ?? panels;
+  watched = wanted.goal ?? watched;
+  const room = !small.matches || document.body.classList.contains('enlarged');
+  const now = Object.entries({ ...wanted, panels: room ? panels : 'none' }).filter(([, value]) => value !== undefined);
+  return player.call('arrange', Object.fromEntries(now));
 }
+
+/** The room for panels has changed. */
+const arrangePanels = () => arrange({}).catch(() => {});
 
 /** @param {HTMLAnchorElement} link */
 async function follow(link) {
   showPlayground(true);
   try {
     await player.call('open', link.dataset.open);
-    const arranged = arrangement(link);
-    if (Object.keys(arranged).length > 0) await player.call('arrange', arranged);
+    const { panels: shown, lock, goal } = link.dataset;
+    if (shown ?? lock ?? goal) await arrange({ panels: shown, lock, goal });
     markOpen(link.dataset.open);
   } catch {
     location.href = link.href; // the playground itself says what is wrong
@@ -73,7 +84,7 @@ function tellGoal(box, met) {
 async function setGoal(box) {
   for (const other of goals) if (other !== box && !other.classList.contains('met')) showGoal(other, '');
   try {
-    await player.call('arrange', { goal: box.dataset.goal });
+    await arrange({ goal: box.dataset.goal });
     if (!box.classList.contains('met')) showGoal(box, 'set');
   } catch (error) {
     const words = box.querySelector('.state');
@@ -89,8 +100,9 @@ async function press(button, state) {
   button.setAttribute('aria-disabled', 'true'); // not `disabled`, which would lose the keyboard's place
   state.textContent = 'Working …';
   try {
-    await player.call(call, ...JSON.parse(args));
-    if (call === 'open') markOpen(JSON.parse(args)[0]);
+    const [first, ...others] = JSON.parse(args);
+    await (call === 'arrange' ? arrange(first) : player.call(call, first, ...others));
+    if (call === 'open') markOpen(first);
     state.textContent = 'Done.';
   } catch (error) {
     state.textContent = sentence(error);
@@ -112,7 +124,6 @@ for (const box of goals) {
   if (progressOf(lesson).goals.includes(box.dataset.goal ?? '')) showGoal(box, 'met');
   button.addEventListener('click', () => {
     showPlayground(true);
-    watched = box.dataset.goal;
     void setGoal(box);
   });
 }
@@ -132,12 +143,15 @@ player.addEventListener('goal', (event) => {
 player.addEventListener('ready', () => {
   const box = goals.find(({ dataset }) => dataset.goal === watched);
   if (box) void setGoal(box);
+  else if (small.matches) void arrangePanels();
 });
+small.addEventListener('change', arrangePanels);
 
 /** @type {HTMLElement} */ (document.getElementById('shelf')).hidden = false;
 fold.addEventListener('click', () => showPlayground(document.body.classList.contains('folded')));
 enlarge.addEventListener('click', () => {
   enlarge.setAttribute('aria-pressed', String(document.body.classList.toggle('enlarged')));
+  void arrangePanels();
 });
 done.disabled = false;
 done.checked = progressOf(lesson).done;

@@ -45,7 +45,7 @@ ${around(all[at - 1], all[at + 1], up)}</main>
 <button id="fold" type="button" aria-expanded="true" aria-controls="playground">Hide the playground</button>
 <button id="enlarge" type="button" aria-pressed="false">Whole screen</button>
 </div>
-<iframe id="playground"${attributes({ src: `${up}../${playgroundAddress(payload, query)}`, 'data-open': payload, 'data-goal': goal?.value ?? opens?.goal, title: 'The playground', allow: 'clipboard-write' })}></iframe>
+<iframe id="playground"${attributes({ src: `${up}../${playgroundAddress(payload, query)}`, 'data-open': payload, 'data-panels': fields.get('panels')?.value ?? opens?.panels, 'data-goal': goal?.value ?? opens?.goal, title: 'The playground', allow: 'clipboard-write' })}></iframe>
 <p class="printed">The playground stands here on the screen.</p>
 </aside>
 </div>`,
