@@ -30,7 +30,7 @@ try {
   if (diagnostics.length > 0) throw new Error(ts.formatDiagnostics(diagnostics, ts.createCompilerHost({})));
 
   await mkdir(out, { recursive: true });
-  execFileSync('npm', ['pack', '--pack-destination', out], { cwd: folder, stdio: ['ignore', 'ignore', 'inherit'] });
+  execFileSync('npm', ['pack', '--loglevel=error', '--pack-destination', out], { cwd: folder, stdio: ['ignore', 'ignore', 'inherit'] });
   const { name, version } = JSON.parse(await readFile(join(HERE, 'package.json'), 'utf8'));
   console.log(`== ${name}-${version}.tgz`);
 } finally {
