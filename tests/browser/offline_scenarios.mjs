@@ -2,7 +2,7 @@
 // The built site on a plain static host: under a path of its own, without a network, with a new version, in frames that
 // may do little, without storage.
 import assert from 'node:assert/strict';
-import { cp, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { cp, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { execFile } from 'node:child_process';
@@ -247,6 +247,25 @@ async function secondProfile({ browser, address }) {
   await second.close();
 }
 
+/** @param {Visit} visit */
+async function packagedEngine({ browser }) {
+  const folder = await mkdtemp(join(tmpdir(), 'package-'));
+  const archive = (await readdir(join(SITE, 'package'))).find((name) => name.endsWith('.tgz'));
+  await run('tar', ['-xzf', join(SITE, 'package', archive ?? ''), '-C', folder]);
+  const server = new PlainServer(join(folder, 'package'), '/');
+  await server.start();
+  const context = await browser.createBrowserContext();
+  const page = await context.newPage();
+  await page.goto(`${server.address()}example.html`);
+  await page.waitForFunction(() => /moved/.test(document.body.textContent ?? ''), { timeout: 30000 });
+  const said = await page.evaluate(() => document.body.textContent?.trim());
+  const { stdout } = await run(process.execPath, [join(folder, 'package/example.js')]);
+  assert.equal(said, stdout.trim(), 'a page finds what Node finds');
+  await context.close();
+  server.close();
+  await rm(folder, { recursive: true });
+}
+
 /** @type {typeof import('./scenarios.mjs').SCENARIOS} */
 export const OFFLINE_SCENARIOS = [
   ['on a plain host under a path it works, and goes on without a network', subPathAndOffline],
@@ -255,5 +274,6 @@ export const OFFLINE_SCENARIOS = [
   ['in a frame of another origin it is played by messages', foreignFrame],
   ['in a frame without an origin it searches in the page, or says what is missing', narrowFrame],
   ['without storage everything else works', noStorage],
+  ['the package of the engine runs in a page as it does in Node', packagedEngine],
   ['a link opens in another profile, where the same search finds the same', secondProfile],
 ];

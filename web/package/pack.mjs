@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Packs the engine for npm: module, code, types made of its comments, example.
+//
+//   node web/package/pack.mjs <folder of the built engine> <folder for the package>
+import { execFileSync } from 'node:child_process';
+import { copyFile, mkdir, mkdtemp, readFile, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import ts from 'typescript';
+
+const HERE = dirname(fileURLToPath(import.meta.url));
+const WEB = dirname(HERE);
+const [built, out] = process.argv.slice(2).map((path) => resolve(path));
+if (!out) throw new Error('pack: from which folder, and where to?');
+
+const folder = await mkdtemp(join(tmpdir(), 'gaitsmith-engine-'));
+try {
+  for (const name of ['package.json', 'README.md', 'example.js', 'example.html']) await copyFile(join(HERE, name), join(folder, name));
+  for (const name of ['engine.js', 'engine_module.js', 'engine_module.wasm']) await copyFile(join(built, name), join(folder, name));
+  await copyFile(join(WEB, '../LICENSE'), join(folder, 'LICENSE'));
+  await copyFile(join(WEB, 'engine_module.d.ts'), join(folder, 'engine_module.d.ts'));
+
+  const source = join(WEB, 'engine.js');
+  const program = ts.createProgram([source], {
+    allowJs: true, declaration: true, emitDeclarationOnly: true, target: ts.ScriptTarget.ES2022, module: ts.ModuleKind.NodeNext,
+    moduleResolution: ts.ModuleResolutionKind.NodeNext, lib: ['lib.es2022.d.ts', 'lib.dom.d.ts'], types: [], outDir: folder,
+  });
+  const { diagnostics } = program.emit(program.getSourceFile(source));
+  if (diagnostics.length > 0) throw new Error(ts.formatDiagnostics(diagnostics, ts.createCompilerHost({})));
+
+  await mkdir(out, { recursive: true });
+  execFileSync('npm', ['pack', '--loglevel=error', '--pack-destination', out], { cwd: folder, stdio: ['ignore', 'ignore', 'inherit'] });
+  const { name, version } = JSON.parse(await readFile(join(HERE, 'package.json'), 'utf8'));
+  console.log(`== ${name}-${version}.tgz`);
+} finally {
+  await rm(folder, { recursive: true });
+}
