@@ -12,6 +12,7 @@ ACORN=8.15.0            # Emscripten's optimiser imports it; Debian does not pac
 NODE_MIN=18
 PACKAGES=(build-essential cmake ninja-build git python3 clang-$LLVM lld-$LLVM llvm-$LLVM clang-format-$LLVM
           clang-tidy-$LLVM libclang-rt-$LLVM-dev patchelf libsdl2-dev libgl-dev libbenchmark-dev
+          doxygen  # reads core's comments for the reference
           parallel) # the documented way to spread a study is tested
 BROWSERS=(chromium firefox-esr xvfb xauth)
 MEASURES=(valgrind libbox2d-dev) # instruction counts; the engine that ours is compared with

@@ -19,6 +19,7 @@ import { Links } from './links.mjs';
 import { Markdown } from './markdown.mjs';
 import { readPages } from './pages.mjs';
 import { Playground } from './playground.mjs';
+import { readReference, REFERENCE } from './reference.mjs';
 import { searchIndex } from './search_index.mjs';
 import { htmlPage } from './template.mjs';
 import { textPage } from './text_page.mjs';
@@ -27,12 +28,13 @@ import { tokens } from './tokens.mjs';
 /** @typedef {import('./lesson_page.mjs').LessonPage} LessonPage */
 /** @typedef {import('./markdown.mjs').Rendered} Rendered */
 /** @typedef {import('./pages.mjs').Page} Page */
+/** @typedef {import('./reference.mjs').Reference} Reference */
 /** @typedef {import('./template.mjs').Sheet} Sheet */
 
 const HERE = dirname(fileURLToPath(import.meta.url));
 const ROOT = join(HERE, '../..');
 const SCRIPTS = ['find.js', 'lesson.js', 'look.js', 'player.js', 'progress.js', 'quiz.js', 'shelf.js'];
-const STYLES = ['book.css', 'lesson.css'];
+const STYLES = ['book.css', 'lesson.css', 'reference.css'];
 
 /** @param {string} file @param {string | Uint8Array} contents */
 async function put(file, contents) {
@@ -44,7 +46,9 @@ async function put(file, contents) {
 async function read(site) {
   const faults = new Faults();
   const pages = await readPages(ROOT, faults);
-  const links = new Links(ROOT, pages, await Playground.load(site), faults);
+  const reference = await readReference(ROOT, pages);
+  if (!reference) console.log('book: without the API reference, for Doxygen is not installed');
+  const links = new Links(ROOT, pages, await Playground.load(site), faults, reference?.addresses);
   const markdown = new Markdown(links);
   /** @type {Map<Page, Rendered>} */
   const rendered = new Map();
@@ -52,17 +56,19 @@ async function read(site) {
   for (const { source, line, page, anchor } of links.references) {
     if (!rendered.get(page)?.headings.some(({ id }) => id === anchor)) faults.add(source, line, `${page.source} has no heading "#${anchor}"`);
   }
-  const sheets = await compose(pages, rendered, links);
+  const sheets = await compose(pages, rendered, links, reference);
   faults.orThrow();
-  return { sheets, rendered, links };
+  return { sheets, rendered, links, reference };
 }
 
-/** @param {Page[]} pages @param {Map<Page, Rendered>} rendered @param {Links} links @returns {Promise<Sheet[]>} */
-async function compose(pages, rendered, links) {
+/** @param {Page[]} pages @param {Map<Page, Rendered>} rendered @param {Links} links @param {Reference | undefined} reference @returns {Promise<Sheet[]>} */
+async function compose(pages, rendered, links, reference) {
   const of = (/** @type {Page} */ page) => /** @type {Rendered} */ (rendered.get(page));
   const groups = grouped(pages);
   const lessons = pages.filter(/** @returns {page is LessonPage} */ (page) => page.lesson !== undefined);
-  const sheets = [indexPage(groups.map((group) => ({ ...group, pages: group.pages.map((page) => ({ ...page, title: of(page).title, sentence: of(page).sentence })) })))];
+  const entries = groups.map((group) => ({ ...group, pages: /** @type {import('./index_page.mjs').Entry[]} */ (group.pages.map((page) => ({ ...page, title: of(page).title, sentence: of(page).sentence }))) }));
+  if (reference) entries.find(({ id }) => id === 'for-engineers')?.pages.splice(1, 0, { ...REFERENCE, name: 'reference' });
+  const sheets = [indexPage(entries), ...reference?.sheets ?? []];
   for (const { title, pages: some } of groups) {
     for (const page of some) sheets.push(page.lesson ? await lessonPage(/** @type {LessonPage} */ (page), of(page), lessons, links) : textPage(page, of(page), title));
   }
@@ -78,6 +84,7 @@ function ways({ address, kind }, sheets) {
     ...(sheets.some((sheet) => sheet.kind === 'lesson') ? [{ name: 'Lessons', address: `index.html#${LESSONS.id}`, current: kind === 'lesson' ? /** @type {const} */ ('true') : undefined }] : []),
     ...(has('gallery.html') ? [{ name: 'Gallery', address: 'gallery.html', current: here('gallery.html') }] : []),
     { name: 'Teachers', ...(has('teachers.html') ? { address: 'teachers.html', current: here('teachers.html') } : { address: 'index.html#for-teachers' }) },
+    ...(has(REFERENCE.address) ? [{ name: 'API', address: REFERENCE.address, current: here(REFERENCE.address) ?? (kind.includes('reference') ? /** @type {const} */ ('true') : undefined) }] : []),
     { name: 'Docs', address: 'index.html', current: here('index.html') },
   ];
 }
@@ -85,14 +92,14 @@ function ways({ address, kind }, sheets) {
 /** @param {string} site */
 async function build(site) {
   const book = join(site, 'book');
-  const { sheets, rendered, links } = await read(site);
+  const { sheets, rendered, links, reference } = await read(site);
   await rm(book, { recursive: true, force: true });
   const texts = await Promise.all(sheets.map(async (sheet) => {
     const html = htmlPage(sheet, ways(sheet, sheets));
     await put(join(book, sheet.address), html);
     return html;
   }));
-  await put(join(book, 'search.json'), searchIndex([...rendered].map(([{ address }, { title, sections }]) => ({ address, title, sections }))));
+  await put(join(book, 'search.json'), searchIndex([...[...rendered].map(([{ address }, { title, sections }]) => ({ address, title, sections })), ...reference?.searched ?? []]));
   for (const [name, { many, few, manyByNight, fewByNight }] of links.strips) {
     await put(join(book, `strips/${name}.svg`), many.svg);
     await put(join(book, `strips/${name}-few.svg`), few.svg);

@@ -9,7 +9,7 @@ import { playgroundAddress } from './playground.mjs';
 /** @typedef {import('./playground.mjs').Playground} Playground */
 /** @typedef {import('./playground.mjs').Strips} Strips */
 /** What a link is told in a lesson. @typedef {{payload: string, panels?: string, lock?: string, goal?: string}} Opens */
-/** @typedef {{href: string, opens?: Opens}} Link */
+/** An empty one leads nowhere. @typedef {{href: string, opens?: Opens}} Link */
 /** @typedef {{source: string, line: number, page: Page, anchor: string}} Reference */
 
 /** Files of the repository that the site has, and where. @type {Record<string, string>} */
@@ -25,11 +25,12 @@ export class Links {
   /** Film strips that are needed, by the name of their files. @type {Map<string, Strips>} */
   strips = new Map();
 
-  /** @param {string} root @param {Page[]} pages @param {Playground} playground @param {Faults} faults */
-  constructor(root, pages, playground, faults) {
+  /** @param {string} root @param {Page[]} pages @param {Playground} playground @param {Faults} faults @param {Map<string, string>} [reference]  addresses of core's headers and folders; without it links to them are words */
+  constructor(root, pages, playground, faults, reference) {
     this.root = root;
     this.playground = playground;
     this.faults = faults;
+    this.reference = reference;
     this.pages = new Map(pages.map((page) => [page.source, page]));
   }
 
@@ -52,6 +53,9 @@ export class Links {
     }
     if (file in SHIPPED) return { href: this.way(page, `../${SHIPPED[file]}${query && `?${query}`}`) };
     if (!existsSync(join(this.root, file))) return this.#fault(page, line, `there is no file "${file}" to link to`);
+    const reference = file.replace(/\/$/, '');
+    if (this.reference?.has(reference)) return { href: this.way(page, this.reference.get(reference) ?? '') };
+    if (!this.reference && /^core(\/|$)/.test(reference)) return { href: '' };
     if (file.endsWith('.json')) return this.#document(page, line, file, query);
     if (IMAGE.test(file)) return { href: this.image(page, line, path) };
     return this.#fault(page, line, `"${file}" is not on the site: name it without a link`);

@@ -91,6 +91,7 @@ export class Markdown {
     const { children } = inline;
     if (!children) return;
     let linked = false;
+    let leads = true;
     for (const child of children) {
       const href = String(child.attrGet(child.type === 'image' ? 'src' : 'href') ?? '');
       const line = first + Math.max(0, inline.content.split('\n').findIndex((text) => text.includes(href)));
@@ -98,10 +99,13 @@ export class Markdown {
         linked = true;
         const { href: way, opens } = await this.links.resolve(page, line, href);
         child.attrSet('href', way);
+        leads = way !== '';
+        child.hidden = !leads;
         if (opens) child.meta = { opens };
         if (opens && page.lesson) for (const [name, value] of Object.entries(opening(opens))) if (value !== undefined) child.attrSet(name, value);
       } else if (child.type === 'link_close') {
         linked = false;
+        child.hidden = !leads;
       } else if (child.type === 'image') {
         if (/\.json(\?|$)/.test(href)) await this.#strip(page, child, line, href, linked);
         else child.attrSet('src', this.links.image(page, line, href));

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// What headers declare for others: types with what is public in them, enumerations, functions, constants.
+import { HEADER_SPACE } from './names.mjs';
+
+/** @typedef {import('./xml.mjs').Element} Element */
+/** @typedef {'class' | 'struct' | 'enum' | 'alias' | 'function' | 'constructor' | 'variable'} Kind */
+/**
+ * @typedef {object} Symbol
+ * @property {Kind} kind
+ * @property {string} name    in its header: with the types it is in
+ * @property {string} short   without them
+ * @property {string} file    its header
+ * @property {number} line
+ * @property {Element} element  Doxygen's
+ * @property {Symbol[]} members  of a class, a struct
+ * @property {Symbol[]} others   functions of the same name that stand behind it
+ * @property {string} id        on its page
+ */
+
+/** @type {Record<string, Kind>} */
+const KINDS = { class: 'class', struct: 'struct', enum: 'enum', typedef: 'alias', function: 'function', friend: 'function', variable: 'variable' };
+/** Names of operators in anchors. @type {Record<string, string>} */
+const OPERATORS = { '==': 'equal', '!=': 'unequal', '<': 'less', '>': 'greater', '=': 'assign', '()': 'call', '[]': 'at', '+': 'plus', '-': 'minus', '*': 'times' };
+
+/** What the compiler writes, or nobody calls. @param {Element} member */
+function isNoise(member) {
+  const name = member.textOf('name');
+  return name.startsWith('~') || name.startsWith('GAITSMITH_') || (/=\s*(default|delete)$/.test(member.textOf('argsstring')) && !name.startsWith('operator'));
+}
+
+/** @param {Element} element @param {string} outer  the type it is in @returns {Symbol | undefined} */
+function symbolOf(element, outer) {
+  const place = element.one('location')?.attributes;
+  const kind = KINDS[element.attributes.kind];
+  if (!kind || !place?.file) return undefined;
+  const short = element.textOf('name') || element.textOf('compoundname').split('::').pop() || '';
+  const isMaker = kind === 'function' && short === outer.split('::').pop();
+  return { kind: isMaker ? 'constructor' : kind, name: outer ? `${outer}::${short}` : short, short, file: place.file, line: Number(place.line), element, members: [], others: [], id: '' };
+}
+
+/** @param {Element} compound @param {string} outer @returns {Symbol[]} in the order of the file */
+function membersOf(compound, outer) {
+  return compound.all('sectiondef')
+    .flatMap((section) => section.all('memberdef'))
+    .filter((member) => (member.attributes.prot ?? 'public') === 'public' && !isNoise(member))
+    .flatMap((member) => symbolOf(member, outer) ?? [])
+    .sort((a, b) => a.line - b.line);
+}
+
+/** Functions of one name that follow one another become one. @param {Symbol[]} symbols */
+function merged(symbols) {
+  /** @type {Symbol[]} */
+  const out = [];
+  for (const symbol of symbols) {
+    const same = out.find(({ kind, name }) => (kind === 'function' || kind === 'constructor') && kind === symbol.kind && name === symbol.name);
+    if (same) same.others.push(symbol);
+    else out.push(symbol);
+  }
+  return out;
+}
+
+/** @param {string} name @param {Map<string, number>} taken */
+function anchor(name, taken) {
+  const plain = name.toLowerCase().replace(/operator(.+)$/, (_, sign) => `operator-${OPERATORS[sign] ?? 'of'}`).replaceAll('::', '-').replace(/[^a-z0-9_-]/g, '');
+  const before = taken.get(plain) ?? 0;
+  taken.set(plain, before + 1);
+  return before === 0 ? plain : `${plain}-${before}`;
+}
+
+/** By header. @param {Element[]} compounds @returns {Map<string, Symbol[]>} */
+export function symbolsOf(compounds) {
+  /** @type {Symbol[]} */
+  const all = [];
+  const hidden = compounds.filter(({ attributes }) => attributes.prot && attributes.prot !== 'public').map((compound) => compound.textOf('compoundname'));
+  for (const compound of compounds) {
+    const whole = compound.textOf('compoundname');
+    const name = whole.slice(HEADER_SPACE.length + 2);
+    if (whole === HEADER_SPACE) {
+      all.push(...membersOf(compound, ''));
+    } else if (whole.startsWith(`${HEADER_SPACE}::`) && !/<|detail/.test(name) && !hidden.some((one) => whole === one || whole.startsWith(`${one}::`))) {
+      const type = symbolOf(compound, name.split('::').slice(0, -1).join('::'));
+      if (!type) continue;
+      const members = membersOf(compound, name);
+      type.members = merged(members.filter(({ kind }) => kind !== 'enum'));
+      all.push(type, ...members.filter(({ kind }) => kind === 'enum'));
+    }
+  }
+  /** @type {Map<string, Symbol[]>} */
+  const byHeader = new Map();
+  for (const symbol of all.sort((a, b) => a.line - b.line)) byHeader.set(symbol.file, [...byHeader.get(symbol.file) ?? [], symbol]);
+  for (const [header, symbols] of byHeader) {
+    const whole = merged(symbols);
+    /** @type {Map<string, number>} */
+    const taken = new Map([['main', 1]]);
+    for (const symbol of whole.flatMap((one) => [one, ...one.members])) symbol.id = anchor(symbol.name, taken);
+    byHeader.set(header, whole);
+  }
+  return byHeader;
+}
