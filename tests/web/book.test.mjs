@@ -17,6 +17,7 @@ import { firstSentence, HeadingNames } from '../../web/book/headings.mjs';
 import { Links } from '../../web/book/links.mjs';
 import { Markdown } from '../../web/book/markdown.mjs';
 import { readPages } from '../../web/book/pages.mjs';
+import { firstComment, notes, readableComments } from '../../web/book/reference/comments.mjs';
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 const SITE = process.env.GAITSMITH_SITE && resolve(process.env.GAITSMITH_SITE);
@@ -44,18 +45,35 @@ test('book: front matter is read, and its faults have lines', () => {
   assert.match(faults.sentences.join(), /^f\.md:3: /);
 });
 
-/** The faults of one lesson's body, and its HTML. @param {string} body */
-async function lessonOf(body) {
+test('reference: a header says what it is before its code, with what is set as it stands', () => {
+  const header = '// SPDX-License-Identifier: MIT\n// One. Two\n// three.\n//\n// Four:\n//   a  <= b\n//   c\n// Five.\n#pragma once\n// not this\n';
+  assert.deepEqual(firstComment(header), [{ text: 'One. Two three.', drawn: false }, { text: 'Four:', drawn: false }, { text: 'a  <= b\nc', drawn: true }, { text: 'Five.', drawn: false }]);
+});
+
+test('reference: comments behind members are seen, also where they go on below, and lines keep their numbers', () => {
+  const header = ['// of the file', '#pragma once', 'enum class A {', '  kB,  // one,', '       // two', '  kC,', '};', 'struct D {', '  // Of both.', '  int e = 1;  // [1, 2]',
+    '  int f;  // NOLINT', '};', '///   x <- y', '/// @param g, h  numbers', '}  // namespace gaitsmith'].join('\n');
+  const lines = readableComments(header).split('\n');
+  assert.equal(lines.length, header.split('\n').length);
+  assert.deepEqual([lines[3], lines[4], lines[9], lines[10]], ['  kB, ///< @details one, two', '', '  int e = 1; ///< @details [1, 2]', '  int f;  // NOLINT']);
+  assert.deepEqual(lines.slice(12), ['/// <pre>x &lt;- y</pre>', '/// @param g,h  numbers', '}  // namespace gaitsmith']);
+  assert.deepEqual([...notes(header)], [[10, 'Of both.']]);
+});
+
+/** The faults of one lesson's body, and its HTML. @param {string} body @param {Map<string, string>} [reference] */
+async function lessonOf(body, reference) {
   const root = await mkdtemp(join(tmpdir(), 'book-'));
   await mkdir(join(root, 'docs/lessons'), { recursive: true });
   await writeFile(join(root, 'docs/there.md'), '# There\nHello.\n');
   await writeFile(join(root, 'docs/lessons/1-x.md'), `---\ntitle: X\nminutes: 5\nopen: ../a.json\n---\n${body}`);
   await writeFile(join(root, 'docs/a.json'), '{}');
+  await mkdir(join(root, 'core'));
+  await writeFile(join(root, 'core/x.h'), '');
   await writeFile(join(root, 'secret.txt'), '');
   const faults = new Faults();
   const pages = await readPages(root, faults);
   const playground = /** @type {any} */ ({ payload: async () => 'AbC' });
-  const { html } = await new Markdown(new Links(root, pages, playground, faults)).render(pages[0]);
+  const { html } = await new Markdown(new Links(root, pages, playground, faults, reference)).render(pages[0]);
   await rm(root, { recursive: true });
   return { html, faults: faults.sentences };
 }
@@ -71,6 +89,15 @@ test('book: links lead where the book has things', async () => {
 test('book: a link that leads nowhere is a fault with its line', async () => {
   const { faults } = await lessonOf('A\n\nB\n[none](none.md)\n\n[secret](../../secret.txt)\n\n[a](../a.json?evil=1)\n');
   assert.deepEqual(faults.map((fault) => fault.slice(0, 22)), ['docs/lessons/1-x.md:9:', 'docs/lessons/1-x.md:11', 'docs/lessons/1-x.md:13']);
+});
+
+test('book: a link to a header leads to its page, and is words where there is no reference', async () => {
+  const body = '[the *header*](../../core/x.h) [all](../../core) [there](../there.md)\n';
+  const { html, faults } = await lessonOf(body, new Map([['core/x.h', 'reference/core/x.html'], ['core', 'reference/index.html']]));
+  assert.match(html, /<p><a href="\.\.\/reference\/core\/x\.html">the <em>header<\/em><\/a> <a href="\.\.\/reference\/index\.html">all<\/a>/);
+  const without = await lessonOf(body);
+  assert.match(without.html, /<p>the <em>header<\/em> all <a href="\.\.\/there\.html">there<\/a><\/p>/);
+  assert.deepEqual([faults, without.faults], [[], []]);
 });
 
 test('book: blocks of lessons', async () => {
@@ -197,5 +224,45 @@ if (!SITE) {
       const [page, id] = href.split('#');
       assert.ok(pages.has(join(book, page)) && (!id || hasId(join(book, page), id)), href);
     }
+  });
+
+  const hasReference = existsSync(join(book, 'reference'));
+  test('reference: every header of core has a page, and the first page leads to it', { skip: !hasReference && 'Doxygen was not installed' }, async () => {
+    const first = pages.get(join(book, 'reference/index.html'))?.root;
+    for (const header of (await readdir(join(ROOT, 'core'), { recursive: true })).filter((name) => name.endsWith('.h'))) {
+      const page = `core/${header.replace(/h$/, 'html')}`;
+      const root = pages.get(join(book, 'reference', page))?.root;
+      assert.ok(root, page);
+      assert.match(root.querySelector('main').text, new RegExp(`#include &quot;core/${header}&quot;|#include "core/${header}"`), page);
+      assert.ok(root.querySelector('h2'), `${page} declares nothing`);
+      assert.ok(first.querySelector(`a[href="../reference/${page}"]`), `the first page does not lead to ${page}`);
+    }
+  });
+
+  test('reference: a page has what its header declares for others, with words, and nothing else', { skip: !hasReference && 'Doxygen was not installed' }, () => {
+    const page = (/** @type {string} */ name) => pages.get(join(book, `reference/core/${name}.html`))?.root;
+    const evaluator = page('physics/evaluator');
+    const heading = evaluator.getElementById('evaluator-evaluate');
+    assert.equal(heading.text, 'Evaluate');
+    const [declared, parameters, returned] = [heading.nextElementSibling, heading.nextElementSibling.nextElementSibling, heading.nextElementSibling.nextElementSibling.nextElementSibling];
+    assert.match(declared.text, /std::vector&lt;Evaluation&gt; Evaluate\(std::span&lt;const Genome&gt; genomes\) const/);
+    assert.match(declared.innerHTML, /<var>genomes<\/var>/);
+    assert.match(declared.innerHTML, /<a href="#evaluation">Evaluation<\/a>.*<a href="\.\.\/control\/stimulus_response\.html#gene">|<a href="\.\.\/\.\.\/\.\.\/reference\/core\/control\/stimulus_response\.html#genome">Genome<\/a>/s);
+    assert.match(parameters.text, /genomes any number of them, each with Problem::Shape\(\)\.Genes\(\) genes/);
+    assert.match(returned.text, /Returns an evaluation for each, in order/);
+    assert.match(evaluator.getElementById('evaluation-fitness').text, /float fitness = kVoidScore\s+with several beginnings: the mean, void if one is/);
+    assert.doesNotMatch(evaluator.text, /problem_|EvaluateWidth|lane_width/);
+    // A comment that goes on below itself; one above several members; two members of one declaration; a constant.
+    assert.match(page('control/senses').text, /kPhysical\s+joint angles, contact forces at the endpoints, height and vertical velocity of the centre of mass/);
+    assert.match(page('physics/task').text, /The further terms; 0 where nobody asked for them\. See docs\/style\.md\.\s+float effort_rad/);
+    assert.match(page('physics/motion').getElementById('motion-point-y').parentNode.text, /float x, y/);
+    assert.match(page('physics/figure').getElementById('knoparent').text, /constexpr int kNoParent = -1/);
+  });
+
+  test('reference: the search finds what is declared', { skip: !hasReference && 'Doxygen was not installed' }, async () => {
+    const MiniSearch = foreign('minisearch');
+    const search = MiniSearch.loadJSON(await readFile(join(book, 'search.json'), 'utf8'), { fields: ['title', 'heading', 'text'], storeFields: ['href'] });
+    assert.equal(search.search('MakeSearch', { boost: { heading: 3 } })[0].href, 'reference/core/search/search.html#makesearch');
+    assert.equal(search.search('kVoidScore', { boost: { heading: 3 } })[0].href, 'reference/core/physics/task.html#kvoidscore');
   });
 }

@@ -8,6 +8,7 @@ const MOST = 20;
 const REST_MS = 120;
 const AROUND = 70; // characters of text before what was found
 const SNIPPET = 180;
+const REFERENCE_COUNTS = 0.3; // it has a place for every function: the pages that explain come first
 
 const form = /** @type {HTMLFormElement} */ (document.getElementById('find'));
 const input = /** @type {HTMLInputElement} */ (document.getElementById('find-words'));
@@ -43,6 +44,9 @@ function snippet({ text, terms }) {
   return line;
 }
 
+/** A name that is no word, such as MakeSearch, is looked for in the reference. @param {number} _ @param {string} term @param {any} found */
+const boostDocument = (_, term, { href, heading }) => (!href.startsWith('reference/') || (/[a-z][A-Z]/.test(heading) && heading.toLowerCase() === term) ? 1 : REFERENCE_COUNTS);
+
 /** @param {Found} found */
 function item(found) {
   const row = document.createElement('li');
@@ -59,7 +63,7 @@ async function find() {
   const words = input.value.trim();
   try {
     /** @type {Found[]} */
-    const found = words === '' ? [] : (await load()).search(words, { prefix: true, fuzzy: (/** @type {string} */ term) => (term.length > 5 ? 0.2 : false), combineWith: 'AND', boost: { title: 4, heading: 3 } });
+    const found = words === '' ? [] : (await load()).search(words, { prefix: true, fuzzy: (/** @type {string} */ term) => (term.length > 5 ? 0.2 : false), combineWith: 'AND', boost: { title: 4, heading: 3 }, boostDocument });
     if (words !== input.value.trim()) return; // typed on meanwhile
     list.replaceChildren(...found.slice(0, MOST).map(item));
     list.hidden = found.length === 0;

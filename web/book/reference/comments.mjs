@@ -32,7 +32,7 @@ export function readableComments(header) {
         words += ` ${lines[next].trim().slice(3)}`;
         lines[next] = '';
       }
-      lines[i] = `${code} ///< ${words}`;
+      lines[i] = `${code} ///< @details ${words}`;
       i = next - 1;
     }
   }

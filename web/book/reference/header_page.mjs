@@ -6,12 +6,15 @@ import { upFrom } from '../template.mjs';
 import { firstComment, notes } from './comments.mjs';
 import { addressOf } from './names.mjs';
 import { description, drawing } from './prose.mjs';
-import { signature } from './signature.mjs';
+import { declarator, signature } from './signature.mjs';
+import { isComparable } from './symbols.mjs';
 
 /** @typedef {import('../markdown.mjs').Section} Section */
 /** @typedef {import('./names.mjs').Names} Names */
 /** @typedef {import('./symbols.mjs').Symbol} Symbol */
 /** What the search knows of a page. @typedef {{address: string, title: string, sections: Section[]}} Searched */
+
+/** In a list; line: where it is declared. @typedef {{id?: string, line: number, declared: string, words: string}} Row */
 
 const FEWEST = 3; // names that are worth a list
 
@@ -21,6 +24,12 @@ const plain = (html) => html.replace(/<\/(p|li|pre|h\d)>/g, ' ').replace(/<[^>]+
 /** @param {string} header */
 export function sentenceOf(header) {
   return firstSentence(firstComment(header)[0]?.text ?? '');
+}
+
+/** @param {import('./prose.mjs').Description} description */
+function worded({ html, parameters, returns }) {
+  const list = parameters.map(({ names, html: words }) => `<li>${names.map((name) => `<var>${escaped(name)}</var>`).join(', ')} ${words}</li>\n`).join('');
+  return html + (list && `<ul class="parameters">\n${list}</ul>\n`) + (returns && `<p><strong>Returns</strong> ${returns}</p>\n`);
 }
 
 class HeaderPage {
@@ -49,9 +58,7 @@ class HeaderPage {
     /** Declarations that share their words. @type {{signatures: string[], words: string}[]} */
     const parts = [];
     for (const one of [symbol, ...symbol.others]) {
-      const said = description(one.element, writer);
-      const parameters = said.parameters.map(({ names, html }) => `<li>${names.map((name) => `<var>${escaped(name)}</var>`).join(', ')} ${html}</li>\n`).join('');
-      const words = said.html + (parameters && `<ul class="parameters">\n${parameters}</ul>\n`) + (said.returns && `<p><strong>Returns</strong> ${said.returns}</p>\n`);
+      const words = worded(description(one.element, writer));
       const last = parts[parts.length - 1];
       const written = signature(one, writer);
       if (words === '' && last) last.signatures.push(written);
@@ -60,7 +67,7 @@ class HeaderPage {
     return parts.map(({ signatures, words }) => `<pre class="signature"><code>${signatures.join(signatures.some((one) => one.includes('\n')) ? '\n\n' : '\n')}</code></pre>\n${words}`).join('');
   }
 
-  /** Members, values or constants with what stands behind them. @param {{id?: string, line: number, declared: string, words: string}[]} rows */
+  /** Members, values or constants with what stands behind them. @param {Row[]} rows */
   #list(rows) {
     if (rows.length === 0) return '';
     const row = rows.map(({ id, line, declared, words }) => {
@@ -73,17 +80,29 @@ class HeaderPage {
   /** @param {Symbol[]} variables @param {string} scope */
   #variables(variables, scope) {
     const writer = this.names.on(this.address, scope);
-    return this.#list(variables.map((one) => ({ id: one.id, line: one.line, declared: signature(one, writer), words: description(one.element, writer).html })));
+    /** @type {Row[]} */
+    const rows = [];
+    for (const one of variables) {
+      const last = rows[rows.length - 1];
+      const words = description(one.element, writer).html;
+      if (last?.line === one.line) { // int a, b;
+        last.declared += `, ${declarator(one, writer, one.id)}`;
+        last.words += words;
+      } else {
+        rows.push({ id: one.id, line: one.line, declared: signature(one, writer), words });
+      }
+    }
+    return this.#list(rows);
   }
 
   /** @param {Symbol} type */
   #type(type) {
     const writer = this.names.on(this.address, type.name);
-    const { html } = description(type.element, writer);
+    const html = worded(description(type.element, writer));
     const declared = signature(type, writer);
     const values = type.element.all('enumvalue').map((value) => ({ line: 0, declared: `<var>${escaped(value.textOf('name'))}</var>${escaped(value.textOf('initializer') && ` ${value.textOf('initializer')}`)}`, words: description(value, writer).html }));
     const aliases = type.members.filter(({ kind }) => kind === 'alias');
-    const own = this.#found(`${declared && `<pre class="signature"><code>${declared}</code></pre>\n`}${html}${this.#list(values)}${this.#variables([...aliases, ...type.members.filter(({ kind }) => kind === 'variable')], type.name)}`, type);
+    const own = this.#found(`${declared && `<pre class="signature"><code>${declared}</code></pre>\n`}${html}${isComparable(type.element) ? '<p>Can be compared with <code>==</code>.</p>\n' : ''}${this.#list(values)}${this.#variables([...aliases, ...type.members.filter(({ kind }) => kind === 'variable')], type.name)}`, type);
     const functions = type.members.filter(({ kind }) => kind === 'function' || kind === 'constructor')
       .map((one) => `<h3${attributes({ id: one.id })}>${one.kind === 'constructor' ? '<small>constructor</small> ' : ''}${escaped(one.short)}</h3>\n${this.#found(this.#callable(one, type.name), one)}`);
     return `<h2${attributes({ id: type.id })}><small>${type.kind}</small> ${escaped(type.name)}</h2>\n${own}${functions.join('')}`;

@@ -8,7 +8,7 @@ import { upFrom } from '../template.mjs';
 /** The namespace of core. */
 export const HEADER_SPACE = 'gaitsmith';
 
-const IN_WORDS = /((?:docs|core)\/[\w/]+\.(?:md|h)\b|\b\w+\.h\b|\b(?:[A-Z]\w*::)+\w+(?:\(\))?|\bk[A-Z]\w*\b|\b[A-Z][a-z0-9]+(?:[A-Z][a-z0-9]*)+\b(?:\(\))?|\b[A-Z]\w*\(\))/;
+const IN_WORDS = /((?:docs|core)\/[\w/]+\.(?:md|h)\b|\b\w+\.h\b|\b(?:[A-Z]\w*::)+\w+(?:\(\))?(?:\.\w+\(\))*|\bk[A-Z]\w*\b|\b[A-Z][a-z0-9]+(?:[A-Z][a-z0-9]*)+\b(?:\(\))?|\b[A-Z]\w*\(\))/;
 const IN_CODE = /((?:[A-Za-z]\w*::)*[A-Za-z]\w*)/;
 
 /** The page of a header. @param {string} header */
@@ -40,7 +40,7 @@ export class Names {
 
   /** @param {string} name @param {string} scope  the type it stands in */
   #find(name, scope) {
-    const plain = name.replace(/\(\)$/, '');
+    const plain = name.replace(/\(\).*$/, '');
     return this.#known.get(`${scope}::${plain}`) ?? this.#known.get(plain);
   }
 

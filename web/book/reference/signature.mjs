@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Declarations as they are written in core, without what only the compiler needs, with links.
-import { escaped } from '../html.mjs';
+import { attributes, escaped } from '../html.mjs';
 
 /** @typedef {import('./names.mjs').Writer} Writer */
 /** @typedef {import('./symbols.mjs').Symbol} Symbol */
 /** @typedef {import('./xml.mjs').Element} Element */
 /** HTML, and how long it is to the eye. @typedef {{html: string, length: number}} Piece */
 
-const WIDEST = 66; // characters of a signature in one line
+const WIDEST = 80; // characters of a signature in one line
 const UNSAID = /^((inline|static|virtual|friend|explicit|constexpr) )+/;
 
 /** Doxygen sets types wide. @param {string} text */
@@ -19,15 +19,18 @@ const plain = (text, tag) => ({ html: tag ? `<${tag}>${escaped(text)}</${tag}>` 
 /** @param {Piece[]} pieces @returns {Piece} */
 const joined = (pieces) => ({ html: pieces.map(({ html }) => html).join(''), length: pieces.reduce((sum, { length }) => sum + length, 0) });
 
-/** @param {Element | undefined} type @param {Writer} writer @returns {Piece} */
-function typed(type, writer) {
+/** Names of a declaration's own, which are no types of core. @param {Element} element */
+const parametersOf = (element) => (element.one('templateparamlist')?.all('param') ?? []).map((param) => param.textOf('declname') || param.textOf('type').replace(/^(class|typename)\s+/, ''));
+
+/** @param {Element | undefined} type @param {Writer} writer @param {string[]} own  names that lead nowhere @returns {Piece} */
+function typed(type, writer, own) {
   const children = type?.children ?? [];
   return joined(children.map((child, i) => {
     if (typeof child === 'string') {
       const text = narrow(child);
       return plain(i === 0 ? text.trimStart().replace(UNSAID, '') : text);
     }
-    return { html: writer.reference(child.attributes.refid, child.text), length: child.text.length };
+    return own.includes(child.text) ? plain(child.text) : { html: writer.reference(child.attributes.refid, child.text), length: child.text.length };
   }));
 }
 
@@ -35,13 +38,13 @@ function typed(type, writer) {
 function template(element, writer) {
   const list = element.one('templateparamlist');
   if (!list) return '';
-  const parameters = list.all('param').map((param) => [typed(param.one('type'), writer).html, param.textOf('declname')].filter(Boolean).join(' '));
+  const parameters = list.all('param').map((param) => [typed(param.one('type'), writer, parametersOf(element)).html, param.textOf('declname')].filter(Boolean).join(' '));
   return `template &lt;${parameters.join(', ')}&gt;\n`;
 }
 
-/** @param {Element} param @param {Writer} writer @returns {Piece} */
-function parameter(param, writer) {
-  const type = typed(param.one('type'), writer);
+/** @param {Element} param @param {Writer} writer @param {string[]} own @returns {Piece} */
+function parameter(param, writer, own) {
+  const type = typed(param.one('type'), writer, own);
   const name = param.textOf('declname');
   const standard = param.textOf('defval');
   return joined([type, ...(name ? [plain(' '), plain(name, 'var'), plain(param.textOf('array'))] : []),
@@ -50,25 +53,32 @@ function parameter(param, writer) {
 
 /** @param {Symbol} symbol @param {Writer} writer @returns {string} HTML */
 function callable({ element, short }, writer) {
-  const { attributes } = element;
-  const said = [attributes.static === 'yes' && 'static', attributes.virt && attributes.virt !== 'non-virtual' && 'virtual', attributes.explicit === 'yes' && 'explicit',
-    attributes.constexpr === 'yes' && 'constexpr'].filter(Boolean).map((word) => `${word} `).join('');
-  const type = typed(element.one('type'), writer);
+  const { attributes: is } = element;
+  const said = [is.static === 'yes' && 'static', is.virt && is.virt !== 'non-virtual' && 'virtual', is.explicit === 'yes' && 'explicit', is.constexpr === 'yes' && 'constexpr'].filter(Boolean).map((word) => `${word} `).join('');
+  const own = parametersOf(element);
+  const type = typed(element.one('type'), writer, own);
   const before = joined([plain(said), type, plain(type.length > 0 ? ' ' : ''), plain(short, 'b')]);
   const args = element.textOf('argsstring');
   const after = args.slice(args.lastIndexOf(')') + 1).replace(/\s*=\s*/, ' = ').replace(/^(?=\w)/, ' ').replace('noexcept', ' noexcept').replace(/ +/g, ' ');
-  const parameters = element.all('param').map((param) => parameter(param, writer));
+  const parameters = element.all('param').map((param) => parameter(param, writer, own));
   const length = before.length + after.length + 2 + parameters.reduce((sum, one) => sum + one.length + 2, 0);
   const isLong = length > WIDEST && parameters.length > 0;
-  const list = parameters.map(({ html }) => (isLong ? `\n    ${html}` : html)).join(isLong ? ',' : ', ');
-  return `${template(element, writer)}${before.html}(${list})${escaped(after)}`;
+  const end = `)${escaped(after)}`;
+  const list = parameters.map(({ html }, i) => `${isLong ? '\n    ' : ''}<span>${html}${i < parameters.length - 1 ? ',' : end}</span>`).join(isLong ? '' : ' ');
+  return `${template(element, writer)}${before.html}(${list || end}`;
+}
+
+/** What stands behind the type of a variable. @param {Symbol} symbol @param {Writer} writer @param {string} [id] @returns {string} HTML */
+export function declarator({ element, short }, writer, id) {
+  const value = element.textOf('initializer').replace(/\s+/g, ' ').replace(/^=? ?/, (sign) => (sign.includes('=') ? ' = ' : ''));
+  return `<var${attributes({ id })}>${escaped(short)}</var>${escaped(element.textOf('argsstring'))}${writer.code(value)}`;
 }
 
 /** @param {Symbol} symbol @param {Writer} writer @returns {string} HTML */
-function variable({ element, short }, writer) {
+function variable(symbol, writer) {
+  const { element } = symbol;
   const said = `${element.attributes.static === 'yes' ? 'static ' : ''}${element.attributes.constexpr === 'yes' ? 'constexpr ' : ''}`;
-  const value = element.textOf('initializer').replace(/\s+/g, ' ').replace(/^=? ?/, (sign) => (sign.includes('=') ? ' = ' : ''));
-  return `${said}${typed(element.one('type'), writer).html} <var>${escaped(short)}</var>${escaped(element.textOf('argsstring'))}${writer.code(value)}`;
+  return `${said}${typed(element.one('type'), writer, parametersOf(element)).html} ${declarator(symbol, writer)}`;
 }
 
 /** @param {Symbol} symbol @param {Writer} writer @returns {string} HTML; of a type that has no more to it than its name: nothing */
@@ -78,10 +88,10 @@ export function signature(symbol, writer) {
   switch (kind) {
     case 'function': case 'constructor': return callable(symbol, writer);
     case 'variable': return variable(symbol, writer);
-    case 'alias': return `${typeBefore}using <b>${escaped(short)}</b> = ${typed(element.one('type'), writer).html}`;
+    case 'alias': return `${typeBefore}using <b>${escaped(short)}</b> = ${typed(element.one('type'), writer, parametersOf(element)).html}`;
     case 'enum': return '';
     default: {
-      const bases = element.all('basecompoundref').filter(({ attributes }) => attributes.prot === 'public').map((base) => writer.reference(base.attributes.refid ?? '', base.text.replace(/^gaitsmith::/, '')));
+      const bases = element.all('basecompoundref').filter((base) => base.attributes.prot === 'public').map((base) => writer.reference(base.attributes.refid ?? '', base.text.replace(/^gaitsmith::/, '')));
       return typeBefore || bases.length > 0 ? `${typeBefore}${kind} <b>${escaped(short)}</b>${bases.length > 0 ? ` : public ${bases.join(', public ')}` : ''}` : '';
     }
   }

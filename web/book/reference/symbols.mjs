@@ -25,7 +25,7 @@ const OPERATORS = { '==': 'equal', '!=': 'unequal', '<': 'less', '>': 'greater',
 /** What the compiler writes, or nobody calls. @param {Element} member */
 function isNoise(member) {
   const name = member.textOf('name');
-  return name.startsWith('~') || name.startsWith('GAITSMITH_') || (/=\s*(default|delete)$/.test(member.textOf('argsstring')) && !name.startsWith('operator'));
+  return name.startsWith('~') || name.startsWith('GAITSMITH_') || /=\s*(default|delete)$/.test(member.textOf('argsstring'));
 }
 
 /** @param {Element} element @param {string} outer  the type it is in @returns {Symbol | undefined} */
@@ -37,6 +37,10 @@ function symbolOf(element, outer) {
   const isMaker = kind === 'function' && short === outer.split('::').pop();
   return { kind: isMaker ? 'constructor' : kind, name: outer ? `${outer}::${short}` : short, short, file: place.file, line: Number(place.line), element, members: [], others: [], id: '' };
 }
+
+/** Whether two of a type can be compared, member by member. @param {Element} compound */
+export const isComparable = (compound) => compound.all('sectiondef').flatMap((section) => section.all('memberdef'))
+  .some((member) => member.textOf('name') === 'operator==' && /=\s*default$/.test(member.textOf('argsstring')));
 
 /** @param {Element} compound @param {string} outer @returns {Symbol[]} in the order of the file */
 function membersOf(compound, outer) {
