@@ -158,7 +158,7 @@ if (!SITE) {
   const files = (await readdir(book, { recursive: true })).filter((file) => file.endsWith('.html')).sort();
   const pages = new Map(await Promise.all(files.map(async (file) => {
     const html = await readFile(join(book, file), 'utf8');
-    return /** @type {[string, {html: string, root: any}]} */ ([join(book, file), { html, root: parse(html, { comment: true }) }]);
+    return /** @type {[string, {html: string, root: any}]} */ ([join(book, file), { html, root: parse(html, { comment: true, blockTextElements: { script: true, style: true } }) }]);
   })));
   /** @param {string} file @param {string} id */
   const hasId = (file, id) => (pages.get(file)?.root ?? parse(readFileSync(file, 'utf8'))).getElementById(id) !== null;
@@ -233,8 +233,8 @@ if (!SITE) {
       const page = `core/${header.replace(/h$/, 'html')}`;
       const root = pages.get(join(book, 'reference', page))?.root;
       assert.ok(root, page);
-      assert.match(root.querySelector('main').text, new RegExp(`#include &quot;core/${header}&quot;|#include "core/${header}"`), page);
-      assert.ok(root.querySelector('h2'), `${page} declares nothing`);
+      assert.match(root.querySelector('main').text, new RegExp(`#include "core/${header}"`), page);
+      assert.ok(root.querySelector('h2') || header === 'physics/evaluator_width.h', `${page} declares nothing`);
       assert.ok(first.querySelector(`a[href="../reference/${page}"]`), `the first page does not lead to ${page}`);
     }
   });
@@ -245,9 +245,9 @@ if (!SITE) {
     const heading = evaluator.getElementById('evaluator-evaluate');
     assert.equal(heading.text, 'Evaluate');
     const [declared, parameters, returned] = [heading.nextElementSibling, heading.nextElementSibling.nextElementSibling, heading.nextElementSibling.nextElementSibling.nextElementSibling];
-    assert.match(declared.text, /std::vector&lt;Evaluation&gt; Evaluate\(std::span&lt;const Genome&gt; genomes\) const/);
+    assert.match(declared.text, /std::vector<Evaluation> Evaluate\(std::span<const Genome> genomes\) const/);
     assert.match(declared.innerHTML, /<var>genomes<\/var>/);
-    assert.match(declared.innerHTML, /<a href="#evaluation">Evaluation<\/a>.*<a href="\.\.\/control\/stimulus_response\.html#gene">|<a href="\.\.\/\.\.\/\.\.\/reference\/core\/control\/stimulus_response\.html#genome">Genome<\/a>/s);
+    assert.match(declared.innerHTML, /<a href="#evaluation">Evaluation<\/a>.*<a href="\.\.\/\.\.\/\.\.\/reference\/core\/control\/stimulus_response\.html#genome">Genome<\/a>/s);
     assert.match(parameters.text, /genomes any number of them, each with Problem::Shape\(\)\.Genes\(\) genes/);
     assert.match(returned.text, /Returns an evaluation for each, in order/);
     assert.match(evaluator.getElementById('evaluation-fitness').text, /float fitness = kVoidScore\s+with several beginnings: the mean, void if one is/);

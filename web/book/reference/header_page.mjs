@@ -126,7 +126,7 @@ class HeaderPage {
       ...types.map((type) => this.#type(type)),
       ...functions.map((one) => `<h2${attributes({ id: one.id })}><small>function</small> ${escaped(one.name)}</h2>\n${this.#found(this.#callable(one, ''), one)}`),
       ...(constants.length > 0 ? [`<h2 id="constants">Constants</h2>\n${this.#variables(constants, '')}`] : []),
-    ].join('');
+    ].join('') || '<p class="how">It declares nothing for others: it defines what other headers declare.</p>\n';
     for (const one of constants) this.sections.push({ heading: one.name, id: one.id, text: plain(`${signature(one, writer)} ${description(one.element, writer).html}`) });
     const contents = parts.length < FEWEST ? '' : `<nav class="contents" aria-label="On this page">
 <p>On this page</p>

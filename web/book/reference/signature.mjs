@@ -64,7 +64,8 @@ function callable({ element, short }, writer) {
   const length = before.length + after.length + 2 + parameters.reduce((sum, one) => sum + one.length + 2, 0);
   const isLong = length > WIDEST && parameters.length > 0;
   const end = `)${escaped(after)}`;
-  const list = parameters.map(({ html }, i) => `${isLong ? '\n    ' : ''}<span>${html}${i < parameters.length - 1 ? ',' : end}</span>`).join(isLong ? '' : ' ');
+  const closed = parameters.map(({ html }, i) => html + (i < parameters.length - 1 ? ',' : end));
+  const list = isLong ? closed.map((html) => `\n    ${html}`).join('') : closed.map((html) => `<span>${html}</span>`).join(' ');
   return `${template(element, writer)}${before.html}(${list || end}`;
 }
 

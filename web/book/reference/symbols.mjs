@@ -22,10 +22,12 @@ const KINDS = { class: 'class', struct: 'struct', enum: 'enum', typedef: 'alias'
 /** Names of operators in anchors. @type {Record<string, string>} */
 const OPERATORS = { '==': 'equal', '!=': 'unequal', '<': 'less', '>': 'greater', '=': 'assign', '()': 'call', '[]': 'at', '+': 'plus', '-': 'minus', '*': 'times' };
 
-/** What the compiler writes, or nobody calls. @param {Element} member */
-function isNoise(member) {
+/** What the compiler writes, or nobody calls by name. @param {Element} member @param {string} outer  the type it is in */
+function isNoise(member, outer) {
   const name = member.textOf('name');
-  return name.startsWith('~') || name.startsWith('GAITSMITH_') || /=\s*(default|delete)$/.test(member.textOf('argsstring'));
+  const [first, ...more] = member.all('param').map((param) => param.textOf('type').replace(/^const |[\s&]+$/g, ''));
+  const isCopy = more.length === 0 && first === outer.split('::').pop() && (name === first || name === 'operator=');
+  return isCopy || name.startsWith('~') || name.startsWith('GAITSMITH_') || /=\s*(default|delete)$/.test(member.textOf('argsstring'));
 }
 
 /** @param {Element} element @param {string} outer  the type it is in @returns {Symbol | undefined} */
@@ -46,7 +48,7 @@ export const isComparable = (compound) => compound.all('sectiondef').flatMap((se
 function membersOf(compound, outer) {
   return compound.all('sectiondef')
     .flatMap((section) => section.all('memberdef'))
-    .filter((member) => (member.attributes.prot ?? 'public') === 'public' && !isNoise(member))
+    .filter((member) => (member.attributes.prot ?? 'public') === 'public' && !isNoise(member, outer))
     .flatMap((member) => symbolOf(member, outer) ?? [])
     .sort((a, b) => a.line - b.line);
 }
