@@ -70,9 +70,10 @@ class HeaderPage {
   /** Members, values or constants with what stands behind them. @param {Row[]} rows */
   #list(rows) {
     if (rows.length === 0) return '';
-    const row = rows.map(({ id, line, declared, words }) => {
+    const { words } = this.names.on(this.address, '');
+    const row = rows.map(({ id, line, declared, words: said }) => {
       const note = this.notes.get(line);
-      return `${note ? `<li class="note">${escaped(note)}</li>\n` : ''}<li${attributes({ id })}><code>${declared}</code>\n${words}</li>`;
+      return `${note ? `<li class="note">${words(note)}</li>\n` : ''}<li${attributes({ id })}><code>${declared}</code>\n${said}</li>`;
     });
     return `<ul class="members">\n${row.join('\n')}\n</ul>\n`;
   }
