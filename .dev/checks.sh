@@ -52,6 +52,12 @@ check_instructions() {
   tests/bench/instruction_guard.sh build/release/tests/bench/instructions
 }
 
+# Links, anchors, pictures, HTML and search of the book beside the built page; then the book in Chromium.
+check_book() {
+  GAITSMITH_SITE=build/site node --test tests/web/book.test.mjs
+  node tests/browser/book.mjs
+}
+
 check_browsers() { node tests/browser/run.mjs; }
 
 # A stage stops at its first failure; the later stages still run.
@@ -74,6 +80,7 @@ test_everything() {
   stage "instruction count" check_instructions
   stage "tests (WASM)" cmake --workflow --preset wasm
   stage site build_site
+  stage book check_book
   stage browsers check_browsers
   stage fuzz fuzz 10
   printf '\n'

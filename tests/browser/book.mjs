@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// The book in Chromium:  node tests/browser/book.mjs [folder, default build/site]
+// A lesson talks to a playground that only takes down what it is asked; the search; axe; what fits on a phone. Leaves pictures
+// in build/screenshots/book.
+import assert from 'node:assert/strict';
+import { mkdir, readdir, readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { ROOT, serve, startChromium, stopAll } from './browsers.mjs';
+
+/** @typedef {import('./browsers.mjs').Page} Page */
+
+const SITE = process.argv[2] ?? join(ROOT, 'build/site');
+const PICTURES = join(ROOT, 'build/screenshots/book');
+const SIZES = [[1280, 720], [1920, 1080], [390, 844]];
+const PATIENCE = { timeout: 10000 };
+
+/** Stands in for the playground. */
+const FAKE = `<!doctype html><html lang="en"><title>Fake</title><p>The playground stands here.</p><script>
+window.asked = [];
+addEventListener('message', ({ source, origin, data: { gaitsmith, id, call, args } }) => {
+  if (source !== parent || gaitsmith !== 1) return;
+  asked.push([call, ...args]);
+  source.postMessage(call === 'synthesize' ? { gaitsmith, id, error: 'this figure cannot move' } : { gaitsmith, id, result: { version: 1 } }, origin);
+});
+window.tell = (event, detail) => parent.postMessage({ gaitsmith: 1, event, detail }, '*');
+tell('ready');
+</script>`;
+
+const address = await serve(SITE);
+const browser = await startChromium();
+if (!browser) throw new Error('Chromium is not installed: ./dev setup browsers');
+const axe = await readFile(join(ROOT, 'web/node_modules/axe-core/axe.min.js'), 'utf8');
+const files = (await readdir(join(SITE, 'book'), { recursive: true })).filter((file) => file.endsWith('.html')).sort();
+const lessons = files.filter((file) => file.startsWith('lessons'));
+/** @type {string[]} */
+const complaints = [];
+let failed = 0;
+
+/** @param {string} name @param {(page: Page) => Promise<void>} body */
+async function check(name, body) {
+  const context = await /** @type {import('./browsers.mjs').Browser} */ (browser).createBrowserContext();
+  const page = await context.newPage();
+  page.on('console', (message) => { if (['error', 'warn'].includes(message.type())) complaints.push(`${name}: ${message.text()}`); });
+  page.on('pageerror', (error) => complaints.push(`${name}: ${error}`));
+  await page.setRequestInterception(true);
+  page.on('request', (request) => {
+    const url = new URL(request.url());
+    if (url.origin !== new URL(address).origin) complaints.push(`${name}: asks ${url.href}`);
+    if (url.pathname === '/index.html' && request.frame() !== page.mainFrame()) void request.respond({ contentType: 'text/html', body: FAKE });
+    else void request.continue();
+  });
+  try {
+    await body(page);
+    console.log(`ok      ${name}`);
+  } catch (error) {
+    failed++;
+    console.log(`FAILED  ${name}\n        ${error instanceof Error ? error.message.replaceAll('\n', '\n        ') : error}`);
+  }
+  await context.close();
+}
+
+/** What the playground was asked, but for greetings. @param {Page} page @returns {Promise<any[][]>} */
+async function asked(page) {
+  const all = await page.frames()[1].evaluate(() => /** @type {any} */ (window).asked);
+  return all.filter((/** @type {any[]} */ [call]) => call !== 'hello');
+}
+
+/** @param {Page} page @param {string} event @param {object} detail */
+const tell = (page, event, detail) => page.frames()[1].evaluate((name, what) => /** @type {any} */ (window).tell(name, what), event, detail);
+
+/** @param {Page} page @param {string} selector @param {string} words */
+const says = (page, selector, words) => page.waitForFunction((where, what) => document.querySelector(where)?.textContent?.includes(what), PATIENCE, selector, words);
+
+if (lessons.length > 0) {
+  const lesson = `${address}book/${lessons[0]}`;
+
+  await check('book: a link of a lesson opens beside it, and says that it is open', async (page) => {
+    await page.goto(lesson);
+    const link = /** @type {NonNullable<Awaited<ReturnType<Page['$']>>>} */ (await page.waitForSelector('main a[data-open]:not([aria-current])', PATIENCE));
+    const payload = await link.evaluate((node) => node.getAttribute('data-open'));
+    await link.click();
+    await page.waitForFunction((open) => [...document.querySelectorAll('[aria-current=true][data-open]')].some((node) => node.getAttribute('data-open') === open), PATIENCE, payload);
+    assert.ok((await asked(page)).some(([call, what]) => call === 'open' && what === payload));
+    assert.equal(page.url(), lesson);
+    assert.equal(await page.$$eval('a[aria-current=true][data-open]', (nodes) => new Set(nodes.map((node) => node.getAttribute('data-open'))).size), 1);
+  });
+
+  await check('book: a goal is set, reached, and kept', async (page) => {
+    await page.goto(lesson);
+    const goal = await page.$eval('.goal', (node) => node.getAttribute('data-goal') ?? '');
+    await page.click('.goal button');
+    await says(page, '.goal .state', 'watches');
+    assert.ok((await asked(page)).some(([call, what]) => call === 'arrange' && what.goal === goal));
+    await tell(page, 'goal', { goal: 'rotations >= 99', met: true });
+    await tell(page, 'goal', { goal, met: false, measures: {} });
+    assert.equal(await page.$('.goal.met'), null);
+    await tell(page, 'goal', { goal, met: true, measures: {} });
+    await says(page, '.goal.met .state', 'Reached');
+    await page.click('#done');
+    await page.reload();
+    await page.waitForSelector('.goal.met', PATIENCE);
+    assert.ok(await page.$eval('#done', (node) => /** @type {HTMLInputElement} */ (node).checked));
+    await page.goto(`${address}book/index.html`);
+    await page.waitForSelector('.shelf .done', PATIENCE);
+    await page.click('#forget');
+    assert.equal(await page.$('.shelf .done'), null);
+    assert.equal(await page.evaluate(() => localStorage.getItem('gaitsmith-lessons')), null);
+  });
+
+  await check('book: an answer is explained at once, by keys too', async (page) => {
+    await page.goto(lesson);
+    await page.waitForFunction(() => /** @type {HTMLElement | null} */ (document.querySelector('.quiz details'))?.hidden, PATIENCE);
+    await page.focus('.quiz input');
+    await page.keyboard.press('Space');
+    const first = await page.$eval('.quiz .feedback', (node) => node.textContent);
+    await page.keyboard.press('ArrowDown');
+    assert.match(String(first), /^(Right|No)\. ./);
+    assert.notEqual(await page.$eval('.quiz .feedback', (node) => node.textContent), first);
+  });
+
+  await check('book: a button asks, and says what the playground said', async (page) => {
+    await page.goto(lesson);
+    const button = await page.waitForSelector('button[data-call=synthesize]:not([disabled])', PATIENCE).catch(() => null);
+    if (!button) return; // this lesson has none
+    await button.click();
+    await says(page, '.do .state', 'this figure cannot move');
+  });
+
+  await check('book: without scripts a lesson can be read, and its links lead to the playground', async (page) => {
+    await page.setJavaScriptEnabled(false);
+    await page.goto(lesson);
+    assert.match(await page.$eval('main a[data-open]', (node) => /** @type {HTMLAnchorElement} */ (node).href), /\/index\.html(\?[^#]*)?#\w/);
+  });
+}
+
+await check('book: the search is found in by keys', async (page) => {
+  await page.goto(`${address}book/physics.html`);
+  await page.type('.finder input', 'timer senses');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('#found a', PATIENCE);
+  await page.focus('#find-words');
+  await page.keyboard.press('ArrowDown');
+  assert.ok(await page.evaluate(() => document.activeElement?.closest('#found')));
+  await Promise.all([page.waitForNavigation(PATIENCE), page.keyboard.press('Enter')]);
+  assert.doesNotMatch(page.url(), /index\.html/);
+});
+
+await check('book: the theme is the one that was chosen in the playground', async (page) => {
+  await page.goto(`${address}book/physics.html`);
+  await page.evaluate(() => localStorage.setItem('gaitsmith-theme', 'dark'));
+  await page.reload();
+  assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), 'rgb(20, 24, 29)');
+});
+
+await mkdir(PICTURES, { recursive: true });
+for (const theme of ['light', 'dark', 'projector', 'contrast']) {
+  await check(`book: axe finds nothing, and no page is wider than its screen (${theme})`, async (page) => {
+    /** @type {string[]} */
+    const found = [];
+    await page.goto(`${address}book/index.html`);
+    await page.evaluate((name) => localStorage.setItem('gaitsmith-theme', name), theme);
+    // Words and pictures are the same in every theme; colours are seen on one page of each kind.
+    for (const file of ['light', 'dark'].includes(theme) ? files : files.filter((name) => [lessons[0], 'index.html', 'gallery.html', 'formats.html'].includes(name))) {
+      await page.goto(`${address}book/${file}`);
+      await page.evaluate(axe);
+      for (const [width, height] of SIZES) {
+        await page.setViewport({ width, height });
+        const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+        if (wide > 0) found.push(`${file} is ${wide} px too wide for ${width}`);
+        if (width !== 1920) {
+          found.push(...await page.evaluate((where) => /** @type {any} */ (window).axe.run({ resultTypes: ['violations'], iframes: false })
+            .then((/** @type {any} */ { violations }) => violations.map((/** @type {any} */ { id, nodes }) => `${where}: ${id}: ${nodes.slice(0, 3).map((/** @type {any} */ { html }) => html.slice(0, 140)).join(' | ')}`)), `${file} ${width}`));
+        }
+        if (theme === 'light' || theme === 'dark') await page.screenshot({ path: join(PICTURES, `${file.replace(/\W/g, '-')}-${width}-${theme}.png`) });
+      }
+    }
+    assert.deepEqual(found, []);
+  });
+}
+
+await check('book: nothing is asked of other hosts, and no page complains', async () => assert.deepEqual(complaints, []));
+await browser.close();
+stopAll();
+process.exitCode = failed > 0 ? 1 : 0;

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// The book: its rules, and, where a built site is given, every page of it.
+//
+//   node --test tests/web/book.test.mjs                                  the rules
+//   GAITSMITH_SITE=build/site node --test tests/web/book.test.mjs        and the pages
+import assert from 'node:assert/strict';
+import { existsSync, readFileSync } from 'node:fs';
+import { mkdtemp, mkdir, readdir, readFile, rm, writeFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join, relative, resolve } from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { Faults } from '../../web/book/faults.mjs';
+import { frontMatter } from '../../web/book/front_matter.mjs';
+import { firstSentence, HeadingNames } from '../../web/book/headings.mjs';
+import { Links } from '../../web/book/links.mjs';
+import { Markdown } from '../../web/book/markdown.mjs';
+import { readPages } from '../../web/book/pages.mjs';
+
+const ROOT = fileURLToPath(new URL('../../', import.meta.url));
+const SITE = process.env.GAITSMITH_SITE && resolve(process.env.GAITSMITH_SITE);
+const foreign = createRequire(join(ROOT, 'web/package.json'));
+
+test('book: first sentences end where they end', () => {
+  assert.equal(firstSentence('Mr. Star-Man walks. Then he rests.'), 'Mr. Star-Man walks.');
+  assert.equal(firstSentence('At 0.8 s, e.g. here, it turns! Yes.'), 'At 0.8 s, e.g. here, it turns!');
+  assert.equal(firstSentence('It searches. core/x.h is how.'), 'It searches.');
+  assert.equal(firstSentence('One thing:'), 'One thing.');
+  assert.ok(firstSentence('word '.repeat(100)).length < 242);
+});
+
+test('book: headings have the names that Git forges give them', () => {
+  const names = new HeadingNames();
+  assert.deepEqual(['7 Contact model (2026-11-21)', 'What’s `τ`?', 'A', 'A'].map((text) => names.name(text)),
+    ['7-contact-model-2026-11-21', 'whats-τ', 'a', 'a-1']);
+});
+
+test('book: front matter is read, and its faults have lines', () => {
+  const faults = new Faults();
+  const { fields, before, body } = frontMatter('---\ntitle: A: b\nminutes: 5\n---\nText', 'f.md', ['title', 'minutes'], faults);
+  assert.deepEqual([fields.get('title')?.value, before, body], ['A: b', 4, 'Text']);
+  frontMatter('---\ntitle: A\nauthor: B\n---\n', 'f.md', ['title'], faults);
+  assert.match(faults.sentences.join(), /^f\.md:3: /);
+});
+
+/** The faults of one lesson's body, and its HTML. @param {string} body */
+async function lessonOf(body) {
+  const root = await mkdtemp(join(tmpdir(), 'book-'));
+  await mkdir(join(root, 'docs/lessons'), { recursive: true });
+  await writeFile(join(root, 'docs/there.md'), '# There\nHello.\n');
+  await writeFile(join(root, 'docs/lessons/1-x.md'), `---\ntitle: X\nminutes: 5\nopen: ../a.json\n---\n${body}`);
+  await writeFile(join(root, 'docs/a.json'), '{}');
+  await writeFile(join(root, 'secret.txt'), '');
+  const faults = new Faults();
+  const pages = await readPages(root, faults);
+  const playground = /** @type {any} */ ({ payload: async () => 'AbC' });
+  const { html } = await new Markdown(new Links(root, pages, playground, faults)).render(pages[0]);
+  await rm(root, { recursive: true });
+  return { html, faults: faults.sentences };
+}
+
+test('book: links lead where the book has things', async () => {
+  const { html, faults } = await lessonOf('[there](../there.md#there) [it](../a.json?panels=style,figure&lock=figure) [out](https://example.org/)\n');
+  assert.deepEqual(faults, []);
+  assert.match(html, /href="\.\.\/there\.html#there"/);
+  assert.match(html, /href="\.\.\/\.\.\/index\.html\?panels=style,figure&amp;lock=figure#AbC" data-open="AbC" data-panels="style,figure" data-lock="figure"/);
+  assert.match(html, /href="https:\/\/example\.org\/"/);
+});
+
+test('book: a link that leads nowhere is a fault with its line', async () => {
+  const { faults } = await lessonOf('A\n\nB\n[none](none.md)\n\n[secret](../../secret.txt)\n\n[a](../a.json?evil=1)\n');
+  assert.deepEqual(faults.map((fault) => fault.slice(0, 22)), ['docs/lessons/1-x.md:9:', 'docs/lessons/1-x.md:11', 'docs/lessons/1-x.md:13']);
+});
+
+test('book: blocks of lessons', async () => {
+  const { html, faults } = await lessonOf([
+    '```goal', 'travel >= 8, rotations >= 1', 'Reach *8 m*.', '```', '```quiz', 'Why <so>?', '( ) a | no', '(x) b | yes', '```',
+    '```do', '{"call": "open", "args": ["../a.json"], "label": "Open & look"}', '```'].join('\n'));
+  assert.deepEqual(faults, []);
+  assert.match(html, /data-goal="travel &gt;= 8, rotations &gt;= 1"/);
+  assert.match(html, /Reach <em>8 m<\/em>\./);
+  assert.match(html, /<legend>Why &lt;so&gt;\?<\/legend>/);
+  assert.equal(html.match(/type="radio"/g)?.length, 2);
+  assert.equal(html.match(/data-right/g)?.length, 1);
+  assert.match(html, /data-call="open" data-args="\[&quot;AbC&quot;\]" disabled>Open &amp; look</);
+  const bad = await lessonOf(['```goal', 'as far as you can', 'Go.', '```', '```quiz', 'Why?', '( ) a | no', '```', '```do', '{"call": "format", "label": "x"}', '```'].join('\n'));
+  assert.equal(bad.faults.length, 3);
+});
+
+test('player: asks, is answered, is told, and minds who speaks', async () => {
+  /** @type {((event: any) => void) | undefined} */
+  let hear;
+  /** @type {any[]} */
+  const posted = [];
+  const contentWindow = { postMessage: (/** @type {any} */ message, /** @type {string} */ origin) => posted.push({ ...message, origin }) };
+  Object.assign(globalThis, { addEventListener: (/** @type {string} */ _, /** @type {any} */ listener) => { hear = listener; }, location: { href: 'https://school.example/page.html' } });
+  const frame = Object.assign(new EventTarget(), { contentWindow, src: 'https://play.example/index.html?embed=1' });
+  const { Player } = await import('../../web/book/player.js');
+  const player = new Player(/** @type {any} */ (frame));
+  const say = (/** @type {any} */ data, source = contentWindow, origin = 'https://play.example') => hear?.({ data: { gaitsmith: 1, ...data }, source, origin });
+  const [hello] = posted;
+  assert.deepEqual([hello.call, hello.origin], ['hello', '*']);
+  const asked = player.call('open', 'AbC');
+  say({ id: hello.id, result: { version: 9 } }, /** @type {any} */ ({}));
+  say({ id: hello.id, result: { version: 9 } }, contentWindow, 'https://other.example');
+  say({ id: hello.id, result: { version: 1 } });
+  assert.deepEqual(await player.ready, { version: 1 });
+  await new Promise(setImmediate);
+  const open = posted[posted.length - 1];
+  assert.deepEqual([open.call, open.args, open.origin], ['open', ['AbC'], 'https://play.example']);
+  say({ id: open.id, error: 'no such figure' });
+  await assert.rejects(asked, /no such figure/);
+  /** @type {any} */
+  let told;
+  player.addEventListener('goal', (event) => { told = /** @type {any} */ (event).detail; });
+  say({ event: 'goal', detail: { met: true } });
+  assert.deepEqual(told, { met: true });
+  const lost = player.call('hash');
+  await new Promise(setImmediate);
+  say({ event: 'ready' });
+  await assert.rejects(lost, /anew/);
+});
+
+if (!SITE) {
+  test('book: pages', { skip: 'no built site is given as GAITSMITH_SITE' }, () => {});
+} else {
+  const book = join(SITE, 'book');
+  const { parse } = foreign('node-html-parser');
+  const { HtmlValidate } = foreign('html-validate');
+  const files = (await readdir(book, { recursive: true })).filter((file) => file.endsWith('.html')).sort();
+  const pages = new Map(await Promise.all(files.map(async (file) => {
+    const html = await readFile(join(book, file), 'utf8');
+    return /** @type {[string, {html: string, root: any}]} */ ([join(book, file), { html, root: parse(html, { comment: true }) }]);
+  })));
+  /** @param {string} file @param {string} id */
+  const hasId = (file, id) => (pages.get(file)?.root ?? parse(readFileSync(file, 'utf8'))).getElementById(id) !== null;
+
+  test('book: every file of docs is a page', async () => {
+    for (const folder of ['docs', 'docs/lessons']) {
+      for (const file of (await readdir(join(ROOT, folder))).filter((name) => name.endsWith('.md'))) {
+        assert.ok(pages.has(join(book, relative(join(ROOT, 'docs'), join(ROOT, folder, file.replace(/md$/, 'html'))))), file);
+      }
+    }
+  });
+
+  test('book: every link, anchor and picture leads somewhere on the site, and nothing else is loaded', () => {
+    for (const [file, { root }] of pages) {
+      for (const node of root.querySelectorAll('[href], [src], [srcset], [action]')) {
+        const { href, src, srcset, action } = node.attributes;
+        const address = href ?? src ?? srcset ?? action;
+        if (/^https?:|^mailto:/.test(address)) {
+          assert.equal(node.tagName, 'A', `${file} loads ${address}`);
+          continue;
+        }
+        const url = new URL(address.replaceAll('&amp;', '&'), pathToFileURL(file));
+        const there = fileURLToPath(url.href.replace(/[?#].*$/, '')).replace(/\/$/, '/index.html');
+        assert.ok(there.startsWith(SITE), `${file}: ${address} leaves the site`);
+        assert.ok(existsSync(there), `${file}: ${address} leads nowhere`);
+        const isPlayground = there === join(SITE, 'index.html');
+        if (url.hash && !isPlayground) assert.ok(hasId(there, decodeURIComponent(url.hash.slice(1))), `${file}: ${address} has no such place`);
+      }
+    }
+  });
+
+  test('book: style sheets load nothing from elsewhere, and only what is there', async () => {
+    for (const file of (await readdir(book)).filter((name) => name.endsWith('.css'))) {
+      const css = await readFile(join(book, file), 'utf8');
+      assert.doesNotMatch(css, /@import|url\(["']?(https?:)?\/\//, file);
+      for (const [, path] of css.matchAll(/url\(([^)]+)\)/g)) assert.ok(existsSync(join(book, path)), `${file}: ${path}`);
+    }
+  });
+
+  test('book: every page has a title, a description, one heading of the first order, and landmarks', () => {
+    for (const [file, { root }] of pages) {
+      assert.ok(root.querySelector('title')?.text.trim(), file);
+      assert.ok(root.querySelector('meta[name=description]')?.getAttribute('content')?.trim(), file);
+      assert.equal(root.querySelectorAll('h1').length, 1, file);
+      for (const one of ['header', 'main', 'nav']) assert.ok(root.querySelector(one), `${file}: ${one}`);
+      for (const image of root.querySelectorAll('img')) assert.ok(image.getAttribute('alt')?.trim(), `${file}: a picture without words`);
+    }
+  });
+
+  test('book: html-validate finds nothing', () => {
+    const validator = new HtmlValidate({ root: true, extends: ['html-validate:recommended'], rules: { 'long-title': 'off', 'valid-id': ['error', { relaxed: true }], 'doctype-style': ['error', { style: 'lowercase' }] } });
+    const found = [...pages].flatMap(([file, { html }]) => validator.validateStringSync(html).results
+      .flatMap((/** @type {any} */ { messages }) => messages.map((/** @type {any} */ { line, ruleId, message }) => `${relative(book, file)}:${line}: ${ruleId}: ${message}`)));
+    assert.deepEqual(found, []);
+  });
+
+  test('book: the search finds', async () => {
+    const MiniSearch = foreign('minisearch');
+    const search = MiniSearch.loadJSON(await readFile(join(book, 'search.json'), 'utf8'), { fields: ['title', 'heading', 'text'], storeFields: ['href'] });
+    const found = search.search('complementarity').map((/** @type {any} */ { href }) => href);
+    assert.ok(found.some((/** @type {string} */ href) => href.startsWith('design.html#')), found.join());
+    for (const { href } of search.search('the', { prefix: true })) {
+      const [page, id] = href.split('#');
+      assert.ok(pages.has(join(book, page)) && (!id || hasId(join(book, page), id)), href);
+    }
+  });
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// The blocks that only lessons have: a goal to reach, a question with answers to choose from, something the playground does.
+import { attributes, escaped } from './html.mjs';
+
+/** @typedef {import('./markdown.mjs').Markdown} Markdown */
+/** @typedef {import('./pages.mjs').Page} Page */
+/** @typedef {(markdown: Markdown, page: Page, content: string, line: number) => Promise<string>} Block */
+
+const CONDITION = /^\s*[a-z_]+\s*(>=|<=|>|<|=)\s*(-?\d+(\.\d+)?|[a-z]+)\s*$/; // as web/goal.js reads them
+const CHOICE = /^\(([ x])\)\s+(.+?)\s*(?:\|\s*(.+))?$/;
+/** What a button may ask of the playground (docs/embedding.md). */
+const CALLS = ['open', 'synthesize', 'stop', 'pause', 'resume', 'lab', 'undo', 'redo', 'run', 'arrange'];
+const TICK = '<svg class="tick" viewBox="0 0 20 20" aria-hidden="true"><circle cx="10" cy="10" r="8.5"/><path d="M6 10.4l2.8 2.8L14.2 7.4"/></svg>';
+
+/** @param {string} conditions  of a goal */
+export const areConditions = (conditions) => conditions.split(',').every((one) => CONDITION.test(one));
+
+/** @type {Block} */
+async function goal(markdown, page, content, line) {
+  const [conditions = '', ...words] = content.trim().split('\n');
+  if (!areConditions(conditions)) markdown.faults.add(page.source, line + 1, 'the first line of a goal is its conditions, such as "travel >= 8, rotations >= 1"');
+  if (words.length === 0) markdown.faults.add(page.source, line, 'a goal needs a line with its words');
+  return `<section class="goal"${attributes({ 'data-goal': conditions.trim() })} aria-label="Goal">
+${TICK}
+<div>
+<p>${await markdown.inline(page, line, words.join('\n'))}</p>
+<p class="state" role="status"></p>
+<button type="button" class="bordered" hidden>Set this goal</button>
+</div>
+</section>
+`;
+}
+
+/** @type {Block} */
+async function quiz(markdown, page, content, line) {
+  const [question = '', ...lines] = content.trim().split('\n');
+  const name = `quiz-${line}`;
+  const choices = await Promise.all(lines.map(async (text, i) => {
+    const [, mark, words, why] = CHOICE.exec(text) ?? [];
+    if (!words || !why) markdown.faults.add(page.source, line + 2 + i, 'an answer is written "( ) words | explanation", the right one with an x');
+    return { right: mark === 'x', words: await markdown.inline(page, line, words ?? ''), why: await markdown.inline(page, line, why ?? '') };
+  }));
+  if (choices.filter(({ right }) => right).length !== 1) markdown.faults.add(page.source, line, 'one answer of a quiz is right: "(x)"');
+  return `<fieldset class="quiz">
+<legend>${await markdown.inline(page, line, question)}</legend>
+${choices.map(({ words, right }, i) => `<p><input type="radio"${attributes({ name, id: `${name}-${i}`, value: String(i), 'data-right': right ? '' : undefined })}> <label for="${name}-${i}">${words}</label></p>`).join('\n')}
+<div class="feedback" role="status"></div>
+<details>
+<summary>Answers</summary>
+<ol>
+${choices.map(({ words, right, why }) => `<li><span class="answer">${words}</span> <span class="why"><strong>${right ? 'Right.' : 'No.'}</strong> ${why}</span></li>`).join('\n')}
+</ol>
+</details>
+</fieldset>
+`;
+}
+
+/** @type {Block} */
+async function doing(markdown, page, content, line) {
+  /** @type {{call?: string, args?: any[], label?: string}} */
+  let what = {};
+  try {
+    what = JSON.parse(content);
+  } catch {
+    markdown.faults.add(page.source, line + 1, 'what to do is written as JSON');
+  }
+  const { call = '', args = [], label = '' } = what;
+  if (!CALLS.includes(call)) markdown.faults.add(page.source, line + 1, `"call" is one of ${CALLS.join(', ')}`);
+  if (!Array.isArray(args)) markdown.faults.add(page.source, line + 1, '"args" is a list');
+  if (typeof label !== 'string' || label === '') markdown.faults.add(page.source, line + 1, '"label" says what stands on the button');
+  const meant = call === 'open' && /\.json$/.test(String(args[0]))
+    ? [(await markdown.links.resolve(page, line + 1, args[0])).opens?.payload] : args;
+  return `<p class="do"><button type="button" class="primary"${attributes({ 'data-call': call, 'data-args': JSON.stringify(meant) })} disabled>${escaped(String(label))}</button> <span class="state" role="status"></span></p>
+`;
+}
+
+/** By the word after the fence. @type {Record<string, Block>} */
+export const BLOCKS = { goal, quiz, do: doing };

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// Makes the book: docs/ as pages beside the playground.
+//
+//   node web/book/build.mjs <folder of the built site>
+//
+// Needs the site's engine, which opens the documents that pages link to. What is wrong with a page is said with its place.
+import { execFile } from 'node:child_process';
+import { copyFile, mkdir, readFile, rm, writeFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
+import { grouped, LESSONS } from './contents.mjs';
+import { cutFaces } from './faces.mjs';
+import { Faults } from './faults.mjs';
+import { indexPage } from './index_page.mjs';
+import { lessonPage } from './lesson_page.mjs';
+import { Links } from './links.mjs';
+import { Markdown } from './markdown.mjs';
+import { readPages } from './pages.mjs';
+import { Playground } from './playground.mjs';
+import { searchIndex } from './search_index.mjs';
+import { htmlPage } from './template.mjs';
+import { textPage } from './text_page.mjs';
+import { tokens } from './tokens.mjs';
+
+/** @typedef {import('./lesson_page.mjs').LessonPage} LessonPage */
+/** @typedef {import('./markdown.mjs').Rendered} Rendered */
+/** @typedef {import('./pages.mjs').Page} Page */
+/** @typedef {import('./template.mjs').Sheet} Sheet */
+
+const HERE = dirname(fileURLToPath(import.meta.url));
+const ROOT = join(HERE, '../..');
+const SCRIPTS = ['find.js', 'lesson.js', 'look.js', 'player.js', 'progress.js', 'quiz.js', 'shelf.js'];
+const STYLES = ['book.css', 'lesson.css'];
+
+/** @param {string} file @param {string | Uint8Array} contents */
+async function put(file, contents) {
+  await mkdir(dirname(file), { recursive: true });
+  await writeFile(file, contents);
+}
+
+/** All pages, rendered and without a fault. @param {string} site */
+async function read(site) {
+  const faults = new Faults();
+  const pages = await readPages(ROOT, faults);
+  const links = new Links(ROOT, pages, await Playground.load(site), faults);
+  const markdown = new Markdown(links);
+  /** @type {Map<Page, Rendered>} */
+  const rendered = new Map();
+  for (const page of pages) rendered.set(page, await markdown.render(page));
+  for (const { source, line, page, anchor } of links.references) {
+    if (!rendered.get(page)?.headings.some(({ id }) => id === anchor)) faults.add(source, line, `${page.source} has no heading "#${anchor}"`);
+  }
+  const sheets = await compose(pages, rendered, links);
+  faults.orThrow();
+  return { sheets, rendered, links };
+}
+
+/** @param {Page[]} pages @param {Map<Page, Rendered>} rendered @param {Links} links @returns {Promise<Sheet[]>} */
+async function compose(pages, rendered, links) {
+  const of = (/** @type {Page} */ page) => /** @type {Rendered} */ (rendered.get(page));
+  const groups = grouped(pages);
+  const lessons = pages.filter(/** @returns {page is LessonPage} */ (page) => page.lesson !== undefined);
+  const sheets = [indexPage(groups.map((group) => ({ ...group, pages: group.pages.map((page) => ({ ...page, title: of(page).title, sentence: of(page).sentence })) })))];
+  for (const { title, pages: some } of groups) {
+    for (const page of some) sheets.push(page.lesson ? await lessonPage(/** @type {LessonPage} */ (page), of(page), lessons, links) : textPage(page, of(page), title));
+  }
+  return sheets;
+}
+
+/** Where the header leads from a page. @param {Sheet} sheet @param {Sheet[]} sheets @returns {import('./template.mjs').Way[]} */
+function ways({ address, kind }, sheets) {
+  const has = (/** @type {string} */ one) => sheets.some((sheet) => sheet.address === one);
+  const here = (/** @type {string} */ one) => (address === one ? /** @type {const} */ ('page') : undefined);
+  return [
+    { name: 'Playground', address: '../' },
+    ...(sheets.some((sheet) => sheet.kind === 'lesson') ? [{ name: 'Lessons', address: `index.html#${LESSONS.id}`, current: kind === 'lesson' ? /** @type {const} */ ('true') : undefined }] : []),
+    ...(has('gallery.html') ? [{ name: 'Gallery', address: 'gallery.html', current: here('gallery.html') }] : []),
+    { name: 'Teachers', ...(has('teachers.html') ? { address: 'teachers.html', current: here('teachers.html') } : { address: 'index.html#for-teachers' }) },
+    { name: 'Docs', address: 'index.html', current: here('index.html') },
+  ];
+}
+
+/** @param {string} site */
+async function build(site) {
+  const book = join(site, 'book');
+  const { sheets, rendered, links } = await read(site);
+  await rm(book, { recursive: true, force: true });
+  const texts = await Promise.all(sheets.map(async (sheet) => {
+    const html = htmlPage(sheet, ways(sheet, sheets));
+    await put(join(book, sheet.address), html);
+    return html;
+  }));
+  await put(join(book, 'search.json'), searchIndex([...rendered].map(([{ address }, { title, sections }]) => ({ address, title, sections }))));
+  for (const [name, { many, few, manyByNight, fewByNight }] of links.strips) {
+    await put(join(book, `strips/${name}.svg`), many.svg);
+    await put(join(book, `strips/${name}-few.svg`), few.svg);
+    await put(join(book, `strips/${name}-night.svg`), manyByNight.svg);
+    await put(join(book, `strips/${name}-few-night.svg`), fewByNight.svg);
+  }
+  for (const [file, address] of links.images) await put(join(book, address), await readFile(join(ROOT, file)));
+  await put(join(book, 'tokens.css'), await tokens(join(ROOT, 'web/style.css')));
+  for (const file of STYLES) await copyFile(join(HERE, file), join(book, file));
+  await promisify(execFile)(process.execPath, [join(ROOT, 'web/strip.mjs'), book, ...SCRIPTS.map((file) => join(HERE, file))]);
+  // With its comments: it is for others to read and to copy.
+  await copyFile(join(HERE, 'player.js'), join(site, 'player.js'));
+  const minisearch = join(dirname(createRequire(import.meta.url).resolve('minisearch')), '../..');
+  await copyFile(join(minisearch, 'dist/es/index.js'), join(book, 'minisearch.js'));
+  await copyFile(join(minisearch, 'LICENSE.txt'), join(book, 'minisearch.LICENSE.txt'));
+  await cutFaces(join(book, 'faces'), texts.join(''));
+  console.log(`book: ${sheets.length} pages, ${links.strips.size} film strips`);
+}
+
+const [site] = process.argv.slice(2);
+try {
+  if (!site) throw new Error('the folder of the built site is missing');
+  await build(resolve(site));
+} catch (error) {
+  console.error(error instanceof Error ? error.message : error);
+  process.exitCode = 1;
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// How the book is divided. Lessons come first and divide themselves.
+
+/** Names of files in docs/. Those that are in no group stand in the last one. @type {{title: string, id: string, names: string[]}[]} */
+const GROUPS = [
+  { title: 'Gallery', id: 'gallery', names: ['gallery', 'pictures'] },
+  { title: 'For teachers', id: 'for-teachers', names: ['teachers', 'writing-lessons'] },
+  { title: 'The playground', id: 'the-playground', names: ['animation', 'style', 'accessibility'] },
+  { title: 'The engine', id: 'the-engine', names: ['physics', 'search', 'determinism', 'performance'] },
+  { title: 'For engineers', id: 'for-engineers', names: ['embedding', 'command-line', 'formats', 'design'] },
+];
+
+export const LESSONS = { title: 'Lessons', id: 'lessons' };
+
+/**
+ * The groups that have pages, in order.
+ * @template {{name: string, lesson?: object}} P
+ * @param {P[]} pages
+ * @returns {{title: string, id: string, pages: P[]}[]}
+ */
+export function grouped(pages) {
+  const named = new Set(GROUPS.flatMap(({ names }) => names));
+  const groups = GROUPS.map(({ title, id, names }, i) => ({
+    title, id,
+    pages: [
+      ...names.flatMap((name) => pages.filter((page) => !page.lesson && page.name === name)),
+      ...(i === GROUPS.length - 1 ? pages.filter((page) => !page.lesson && !named.has(page.name)) : []),
+    ],
+  }));
+  return [{ ...LESSONS, pages: pages.filter((page) => page.lesson) }, ...groups].filter(({ pages: some }) => some.length > 0);
+}

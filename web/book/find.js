@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// The search of the book, in the page: its index is fetched when somebody looks for something.
+import MiniSearch from './minisearch.js';
+
+/** @typedef {{href: string, title: string, heading: string, text: string, terms: string[]}} Found */
+
+const MOST = 20;
+const REST_MS = 120;
+const AROUND = 70; // characters of text before what was found
+const SNIPPET = 180;
+
+const form = /** @type {HTMLFormElement} */ (document.getElementById('find'));
+const input = /** @type {HTMLInputElement} */ (document.getElementById('find-words'));
+const count = /** @type {HTMLElement} */ (document.getElementById('find-count'));
+const list = /** @type {HTMLElement} */ (document.getElementById('found'));
+const groups = /** @type {HTMLElement} */ (document.getElementById('groups'));
+
+/** @type {Promise<any> | undefined} */
+let index;
+/** @type {ReturnType<typeof setTimeout> | undefined} */
+let timer;
+
+function load() {
+  index ??= fetch('search.json').then(async (answer) => {
+    if (!answer.ok) throw new Error(answer.statusText);
+    return MiniSearch.loadJSON(await answer.text(), { fields: ['title', 'heading', 'text'], storeFields: ['href', 'title', 'heading', 'text'] });
+  });
+  index.catch(() => { index = undefined; }); // try again next time
+  return index;
+}
+
+/** The text about the first word that was found, with all of them marked. @param {Found} found */
+function snippet({ text, terms }) {
+  const words = new RegExp(`(${terms.map((term) => term.replace(/[\\^$.*+?()[\]{}|/]/g, '\\$&')).join('|')})`, 'giu');
+  const at = Math.max(0, text.search(words) - AROUND);
+  const from = at === 0 ? 0 : text.indexOf(' ', at) + 1;
+  const part = `${from > 0 ? '… ' : ''}${text.slice(from, from + SNIPPET)}${from + SNIPPET < text.length ? ' …' : ''}`;
+  const line = document.createElement('p');
+  for (const [i, piece] of part.split(words).entries()) {
+    if (i % 2 === 0) line.append(piece);
+    else line.append(Object.assign(document.createElement('mark'), { textContent: piece }));
+  }
+  return line;
+}
+
+/** @param {Found} found */
+function item(found) {
+  const row = document.createElement('li');
+  const link = document.createElement('a');
+  link.href = found.href;
+  link.textContent = found.heading || found.title;
+  row.append(link);
+  if (found.heading) row.append(' ', Object.assign(document.createElement('small'), { textContent: found.title }));
+  row.append(snippet(found));
+  return row;
+}
+
+async function find() {
+  const words = input.value.trim();
+  try {
+    /** @type {Found[]} */
+    const found = words === '' ? [] : (await load()).search(words, { prefix: true, fuzzy: (/** @type {string} */ term) => (term.length > 5 ? 0.2 : false), combineWith: 'AND', boost: { title: 4, heading: 3 } });
+    if (words !== input.value.trim()) return; // typed on meanwhile
+    list.replaceChildren(...found.slice(0, MOST).map(item));
+    list.hidden = found.length === 0;
+    groups.hidden = words !== '';
+    count.textContent = words === '' ? '' : found.length === 0 ? 'Nothing has these words.'
+      : found.length > MOST ? `The best ${MOST} of ${found.length} places` : found.length === 1 ? 'One place' : `${found.length} places`;
+    history.replaceState(null, '', words === '' ? location.pathname + location.hash : `?q=${encodeURIComponent(words)}`);
+  } catch {
+    count.textContent = 'The search could not be loaded.';
+  }
+}
+
+const links = () => [...list.querySelectorAll('a')];
+
+input.addEventListener('focus', () => { void load().catch(() => {}); }, { once: true });
+input.addEventListener('input', () => {
+  clearTimeout(timer);
+  timer = setTimeout(find, REST_MS);
+});
+form.addEventListener('submit', async (event) => {
+  event.preventDefault();
+  clearTimeout(timer);
+  await find();
+  links()[0]?.focus();
+});
+addEventListener('keydown', (event) => {
+  const at = links().indexOf(/** @type {HTMLAnchorElement} */ (document.activeElement));
+  if (document.activeElement !== input && at < 0) return;
+  if (event.key === 'Escape' && at >= 0) input.focus();
+  else if (event.key === 'ArrowDown') links()[at + 1]?.focus();
+  else if (event.key === 'ArrowUp' && at >= 0) (links()[at - 1] ?? input).focus();
+  else return;
+  event.preventDefault();
+});
+
+const asked = new URLSearchParams(location.search).get('q');
+if (asked) {
+  input.value = asked;
+  void find();
+}

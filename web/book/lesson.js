@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// A lesson's page: its links open documents in the playground beside the text, its goals are watched there, its buttons do
+// something there.
+import { Player } from './player.js';
+import { keepProgress, progressOf } from './progress.js';
+import { startQuizzes } from './quiz.js';
+
+const GOAL_STATES = { '': '', set: 'The playground watches for it.', met: 'Reached.' };
+
+const lesson = document.querySelector('main')?.dataset.lesson ?? '';
+const frame = /** @type {HTMLIFrameElement} */ (document.getElementById('playground'));
+const fold = /** @type {HTMLButtonElement} */ (document.getElementById('fold'));
+const enlarge = /** @type {HTMLButtonElement} */ (document.getElementById('enlarge'));
+const done = /** @type {HTMLInputElement} */ (document.getElementById('done'));
+const links = /** @type {HTMLAnchorElement[]} */ ([...document.querySelectorAll('a[data-open]')]);
+const goals = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('.goal')]);
+const player = new Player(frame);
+/** The goal that the playground watches for. */
+let watched = frame.dataset.goal;
+/** The panels that it shows where there is room for them. */
+let panels = frame.dataset.panels ?? 'all';
+// As in lesson.css: half a small screen has room for the stage alone.
+const small = matchMedia('(max-width: 56em)');
+
+/** The page's sentence about what it asked of the playground. @param {unknown} error */
+const sentence = (error) => `That did not work: ${error instanceof Error ? error.message : error}`;
+
+/** Which link the playground has followed. @param {string | undefined} payload */
+function markOpen(payload) {
+  for (const link of links) {
+    if (link.dataset.open === payload) link.setAttribute('aria-current', 'true');
+    else link.removeAttribute('aria-current');
+  }
+}
+
+/** @param {boolean} shown */
+function showPlayground(shown) {
+  document.body.classList.toggle('folded', !shown);
+  fold.setAttribute('aria-expanded', String(shown));
+  fold.textContent = shown ? 'Hide the playground' : 'Show the playground';
+}
+
+/** @param {{panels?: string, lock?: string, goal?: string}} wanted  what is undefined stays as it is */
+function arrange(wanted) {
+  panels = wanted.panels ?? panels;
+  watched = wanted.goal ?? watched;
+  const room = !small.matches || document.body.classList.contains('enlarged');
+  const now = Object.entries({ ...wanted, panels: room ? panels : 'none' }).filter(([, value]) => value !== undefined);
+  return player.call('arrange', Object.fromEntries(now));
+}
+
+/** The room for panels has changed. */
+const arrangePanels = () => arrange({}).catch(() => {});
+
+/** @param {HTMLAnchorElement} link */
+async function follow(link) {
+  showPlayground(true);
+  try {
+    await player.call('open', link.dataset.open);
+    const { panels: shown, lock, goal } = link.dataset;
+    if (shown ?? lock ?? goal) await arrange({ panels: shown, lock, goal });
+    markOpen(link.dataset.open);
+  } catch {
+    location.href = link.href; // the playground itself says what is wrong
+  }
+}
+
+/** @param {HTMLElement} box @param {keyof typeof GOAL_STATES} state */
+function showGoal(box, state) {
+  const words = box.querySelector('.state');
+  box.classList.toggle('met', state === 'met');
+  if (words && words.textContent !== GOAL_STATES[state]) words.textContent = GOAL_STATES[state];
+}
+
+/** @param {HTMLElement} box @param {boolean} met */
+function tellGoal(box, met) {
+  const goal = box.dataset.goal ?? '';
+  if (!met && box.classList.contains('met')) return; // reached is reached
+  showGoal(box, met ? 'met' : 'set');
+  if (met) keepProgress(lesson, { goals: [...new Set([...progressOf(lesson).goals, goal])] });
+}
+
+/** Asks the playground to watch for it, and for no other. @param {HTMLElement} box */
+async function setGoal(box) {
+  for (const other of goals) if (other !== box && !other.classList.contains('met')) showGoal(other, '');
+  try {
+    await arrange({ goal: box.dataset.goal });
+    if (!box.classList.contains('met')) showGoal(box, 'set');
+  } catch (error) {
+    const words = box.querySelector('.state');
+    if (words) words.textContent = sentence(error);
+  }
+}
+
+/** @param {HTMLButtonElement} button @param {HTMLElement} state */
+async function press(button, state) {
+  const { call = '', args = '[]' } = button.dataset;
+  if (button.getAttribute('aria-disabled') === 'true') return;
+  showPlayground(true);
+  button.setAttribute('aria-disabled', 'true'); // not `disabled`, which would lose the keyboard's place
+  state.textContent = 'Working …';
+  try {
+    const [first, ...others] = JSON.parse(args);
+    await (call === 'arrange' ? arrange(first) : player.call(call, first, ...others));
+    if (call === 'open') markOpen(first);
+    state.textContent = 'Done.';
+  } catch (error) {
+    state.textContent = sentence(error);
+  }
+  button.removeAttribute('aria-disabled');
+}
+
+for (const link of links) {
+  link.addEventListener('click', (event) => {
+    if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return; // a window of its own is wanted
+    event.preventDefault();
+    void follow(link);
+  });
+}
+
+for (const box of goals) {
+  const button = /** @type {HTMLButtonElement} */ (box.querySelector('button'));
+  button.hidden = false;
+  if (progressOf(lesson).goals.includes(box.dataset.goal ?? '')) showGoal(box, 'met');
+  button.addEventListener('click', () => {
+    showPlayground(true);
+    void setGoal(box);
+  });
+}
+
+for (const button of document.querySelectorAll('button[data-call]')) {
+  const state = button.parentElement?.querySelector('.state');
+  if (!(button instanceof HTMLButtonElement && state instanceof HTMLElement)) continue;
+  button.disabled = false;
+  button.addEventListener('click', () => press(button, state));
+}
+
+player.addEventListener('goal', (event) => {
+  const { goal, met } = /** @type {import('./player.js').PlayerEvent} */ (event).detail;
+  for (const box of goals) if (box.dataset.goal === goal) tellGoal(box, met);
+});
+// Also where it was loaded anew; and what it said of the goal in its address was said before it knew us.
+player.addEventListener('ready', () => {
+  const box = goals.find(({ dataset }) => dataset.goal === watched);
+  if (box) void setGoal(box);
+  else if (small.matches) void arrangePanels();
+});
+small.addEventListener('change', arrangePanels);
+
+/** @type {HTMLElement} */ (document.getElementById('shelf')).hidden = false;
+fold.addEventListener('click', () => showPlayground(document.body.classList.contains('folded')));
+enlarge.addEventListener('click', () => {
+  enlarge.setAttribute('aria-pressed', String(document.body.classList.toggle('enlarged')));
+  void arrangePanels();
+});
+done.disabled = false;
+done.checked = progressOf(lesson).done;
+done.addEventListener('change', () => keepProgress(lesson, { done: done.checked }));
+markOpen(frame.dataset.open);
+startQuizzes();

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Where the links and images of a page lead: its Markdown names files of the repository, the book has them elsewhere.
+import { existsSync } from 'node:fs';
+import { join, posix } from 'node:path';
+import { playgroundAddress } from './playground.mjs';
+
+/** @typedef {import('./faults.mjs').Faults} Faults */
+/** @typedef {import('./pages.mjs').Page} Page */
+/** @typedef {import('./playground.mjs').Playground} Playground */
+/** @typedef {import('./playground.mjs').Strips} Strips */
+/** What a link is told in a lesson. @typedef {{payload: string, panels?: string, lock?: string, goal?: string}} Opens */
+/** @typedef {{href: string, opens?: Opens}} Link */
+/** @typedef {{source: string, line: number, page: Page, anchor: string}} Reference */
+
+/** Files of the repository that the site has, and where. @type {Record<string, string>} */
+const SHIPPED = { 'web/index.html': 'index.html', 'web/book/player.js': 'player.js', 'LICENSE': 'LICENSE' };
+const PARAMETERS = ['panels', 'lock', 'goal'];
+const IMAGE = /\.(png|svg|jpg|webp)$/;
+
+export class Links {
+  /** Links to headings, to be looked at when all pages are read. @type {Reference[]} */
+  references = [];
+  /** Images to copy: from the repository into the book. @type {Map<string, string>} */
+  images = new Map();
+  /** Film strips that are needed, by the name of their files. @type {Map<string, Strips>} */
+  strips = new Map();
+
+  /** @param {string} root @param {Page[]} pages @param {Playground} playground @param {Faults} faults */
+  constructor(root, pages, playground, faults) {
+    this.root = root;
+    this.playground = playground;
+    this.faults = faults;
+    this.pages = new Map(pages.map((page) => [page.source, page]));
+  }
+
+  /** The way from a page to an address of the book ('../': of the site). @param {Page} page @param {string} address */
+  way(page, address) {
+    const up = page.address.includes('/') ? '../' : '';
+    return up + address;
+  }
+
+  /** @param {Page} page @param {number} line @param {string} href @returns {Promise<Link>} */
+  async resolve(page, line, href) {
+    if (/^(https?:|mailto:)/.test(href)) return { href };
+    const [, path, query = '', anchor] = /^([^?#]*)(?:\?([^#]*))?(?:#(.*))?$/.exec(href) ?? [, href];
+    const file = path ? this.file(page, path) : page.source;
+    const other = this.pages.get(file);
+    if (other) {
+      if (anchor !== undefined) this.references.push({ source: page.source, line, page: other, anchor });
+      const at = anchor === undefined ? '' : `#${anchor}`;
+      return { href: path ? this.way(page, other.address) + at : at };
+    }
+    if (file in SHIPPED) return { href: this.way(page, `../${SHIPPED[file]}${query && `?${query}`}`) };
+    if (!existsSync(join(this.root, file))) return this.#fault(page, line, `there is no file "${file}" to link to`);
+    if (file.endsWith('.json')) return this.#document(page, line, file, query);
+    if (IMAGE.test(file)) return { href: this.image(page, line, path) };
+    return this.#fault(page, line, `"${file}" is not on the site: name it without a link`);
+  }
+
+  /** The address of an image, which is copied. @param {Page} page @param {number} line @param {string} path */
+  image(page, line, path) {
+    const file = this.file(page, path);
+    if (!IMAGE.test(file) || !file.startsWith('docs/') || !existsSync(join(this.root, file))) {
+      return this.#fault(page, line, `"${file}" is no image in docs/`).href;
+    }
+    const address = file.slice('docs/'.length);
+    this.images.set(file, address);
+    return this.way(page, address);
+  }
+
+  /** A document's film strips and the name of their files. @param {Page} page @param {string} path */
+  async strip(page, path) {
+    const file = this.file(page, path);
+    const name = file.replace(/^examples\//, '').replace(/\.json$/, '').replace(/[^\w-]+/g, '-');
+    const strips = this.strips.get(name) ?? await this.playground.strips(join(this.root, file));
+    this.strips.set(name, strips);
+    return { name, strips };
+  }
+
+  /** @param {Page} page @param {number} line @param {string} file @param {string} query @returns {Promise<Link>} */
+  async #document(page, line, file, query) {
+    const parameters = new URLSearchParams(query);
+    for (const key of parameters.keys()) {
+      if (!PARAMETERS.includes(key)) this.faults.add(page.source, line, `a document is opened with ${PARAMETERS.join(', ')}, not "${key}"`);
+    }
+    try {
+      const payload = await this.playground.payload(join(this.root, file));
+      const opens = { payload, ...Object.fromEntries(parameters) };
+      return { href: this.way(page, `../${playgroundAddress(payload, parameters)}`), opens };
+    } catch (error) {
+      return this.#fault(page, line, `"${file}" does not open in the playground: ${error instanceof Error ? error.message : error}`);
+    }
+  }
+
+  /** In the repository. @param {Page} page @param {string} path */
+  file(page, path) {
+    return posix.normalize(posix.join(posix.dirname(page.source), decodeURI(path.replace(/[?#].*$/, ''))));
+  }
+
+  /** @param {Page} page @param {number} line @param {string} sentence @returns {Link} */
+  #fault(page, line, sentence) {
+    this.faults.add(page.source, line, sentence);
+    return { href: '#' };
+  }
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The theme that was chosen in the playground (web/theme.js), before anything is painted: not a module, for those wait.
+(() => {
+  const dark = matchMedia('(prefers-color-scheme: dark)');
+  const contrast = matchMedia('(prefers-contrast: more), (forced-colors: active)');
+
+  function chosen() {
+    try {
+      return localStorage.getItem('gaitsmith-theme');
+    } catch {
+      return null; // forbidden: as the system does
+    }
+  }
+
+  function look() {
+    const { dataset } = document.documentElement;
+    const theme = chosen();
+    const strong = theme === 'contrast' || (theme !== 'light' && theme !== 'dark' && contrast.matches);
+    if (theme === 'light' || theme === 'dark') dataset.theme = theme;
+    else if (theme === 'projector') dataset.theme = 'strong-light';
+    else dataset.theme = `${strong ? 'strong-' : ''}${dark.matches ? 'dark' : 'light'}`;
+    dataset.scale = theme === 'projector' ? 'large' : 'normal';
+  }
+
+  look();
+  for (const query of [dark, contrast]) query.addEventListener('change', look);
+  addEventListener('storage', look); // chosen in another window, or in the playground on this page
+})();

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// A page's Markdown as HTML, and what else the book knows of it: its headings, its first sentence, its text to search.
+import MarkdownIt from 'markdown-it';
+import { BLOCKS } from './blocks.mjs';
+import { cards } from './cards.mjs';
+import { firstSentence, HeadingNames } from './headings.mjs';
+import { attributes, escaped } from './html.mjs';
+
+/** @typedef {import('markdown-it/lib/token.mjs').default} Token */
+/** @typedef {import('./headings.mjs').Heading} Heading */
+/** @typedef {import('./links.mjs').Links} Links */
+/** @typedef {import('./links.mjs').Opens} Opens */
+/** @typedef {import('./pages.mjs').Page} Page */
+/** Text under a heading. @typedef {{heading: string, id: string, text: string}} Section */
+/** @typedef {{html: string, title: string, sentence: string, headings: Heading[], sections: Section[]}} Rendered */
+
+const NUMBER = /^[-−+<>≤≥±~≈]?\s*\d[\d.,]*(\s*[\p{L}%²/·]+)?$/u;
+const WIDE_CODE = 30; // characters; wider code may have to be scrolled, also by key
+
+/** What a link tells the lesson's script. @param {Opens} opens */
+const opening = ({ payload, panels, lock, goal }) => ({ 'data-open': payload, 'data-panels': panels, 'data-lock': lock, 'data-goal': goal });
+
+export class Markdown {
+  #markdown = new MarkdownIt({ html: false });
+
+  /** @param {Links} links */
+  constructor(links) {
+    this.links = links;
+    this.faults = links.faults;
+    const { rules } = this.#markdown.renderer;
+    rules.table_open = () => '<div class="scroll" tabindex="0"><table>\n';
+    rules.table_close = () => '</table></div>\n';
+    // The corner of a table heads nothing.
+    const name = (/** @type {string} */ content, end = false) => (content === '' ? 'td' : end ? 'th' : 'th scope="col"');
+    rules.th_open = (tokens, i) => `<${name(tokens[i + 1].content)}${attributes({ class: cellClass(tokens[i], '') })}>`;
+    rules.th_close = (tokens, i) => `</${name(tokens[i - 1].content, true)}>`;
+    rules.td_open = (tokens, i) => `<td${attributes({ class: cellClass(tokens[i], tokens[i + 1].content) })}>`;
+    rules.fence = rules.code_block = (tokens, i) => {
+      const { meta, content } = tokens[i];
+      const wide = content.split('\n').some((line) => line.length > WIDE_CODE);
+      return meta?.html ?? `<pre${wide ? ' tabindex="0"' : ''}><code>${escaped(content)}</code></pre>\n`;
+    };
+  }
+
+  /** @param {Page} page @returns {Promise<Rendered>} */
+  async render(page) {
+    const tokens = this.#markdown.parse(page.body, {});
+    const names = new HeadingNames();
+    /** @type {Heading[]} */
+    const headings = [];
+    /** @type {Section[]} */
+    const sections = [{ heading: page.lesson?.title ?? '', id: '', text: '' }];
+    let paragraph = '';
+    for (const [i, token] of tokens.entries()) {
+      const line = page.before + (token.map?.[0] ?? 0) + 1;
+      if (token.type === 'heading_open') {
+        const text = plain(tokens[i + 1]);
+        const heading = { level: Number(token.tag.slice(1)), text, id: names.name(text) };
+        headings.push(heading);
+        if (heading.level === 1) sections[0].heading = text;
+        else {
+          token.attrSet('id', heading.id);
+          sections.push({ heading: text, id: heading.id, text: '' });
+        }
+      } else if (token.type === 'inline') {
+        if (tokens[i - 1].type === 'paragraph_open') paragraph ||= plain(token);
+        if (tokens[i - 1].type !== 'heading_open') sections[sections.length - 1].text += `${plain(token)}\n`;
+        await this.#connect(page, token, line);
+      } else if (token.type === 'fence') {
+        await this.#block(page, token, line);
+        if (!token.meta) sections[sections.length - 1].text += `${token.content}\n`;
+      }
+    }
+    const titles = headings.filter(({ level }) => level === 1);
+    if (titles.length !== (page.lesson ? 0 : 1)) {
+      this.faults.add(page.source, page.before + 1, page.lesson ? 'the title of a lesson stands between its --- lines, not in a heading of its own' : 'a page has one heading of the first order');
+    }
+    const html = this.#markdown.renderer.render(cards(tokens), { html: false }, {});
+    return { html, title: sections[0].heading, sentence: firstSentence(paragraph), headings, sections };
+  }
+
+  /** Words of a block. @param {Page} page @param {number} line @param {string} text */
+  async inline(page, line, text) {
+    const tokens = this.#markdown.parseInline(text, {});
+    for (const token of tokens) await this.#connect(page, token, line);
+    return this.#markdown.renderer.render(tokens, { html: false }, {});
+  }
+
+  /** Gives the links and images of a line of text their places. @param {Page} page @param {Token} inline @param {number} first */
+  async #connect(page, inline, first) {
+    const { children } = inline;
+    if (!children) return;
+    let linked = false;
+    for (const child of children) {
+      const href = String(child.attrGet(child.type === 'image' ? 'src' : 'href') ?? '');
+      const line = first + Math.max(0, inline.content.split('\n').findIndex((text) => text.includes(href)));
+      if (child.type === 'link_open') {
+        linked = true;
+        const { href: way, opens } = await this.links.resolve(page, line, href);
+        child.attrSet('href', way);
+        if (opens) child.meta = { opens };
+        if (opens && page.lesson) for (const [name, value] of Object.entries(opening(opens))) if (value !== undefined) child.attrSet(name, value);
+      } else if (child.type === 'link_close') {
+        linked = false;
+      } else if (child.type === 'image') {
+        if (/\.json(\?|$)/.test(href)) await this.#strip(page, child, line, href, linked);
+        else child.attrSet('src', this.links.image(page, line, href));
+        child.attrSet('loading', 'lazy');
+      }
+    }
+  }
+
+  /** An image of a document is its film strip. @param {Page} page @param {Token} image @param {number} line @param {string} path @param {boolean} linked */
+  async #strip(page, image, line, path, linked) {
+    const { href, opens } = await this.links.resolve(page, line, path);
+    if (!opens) return;
+    const { name, strips } = await this.links.strip(page, path);
+    const alt = image.content;
+    if (alt.trim() === '') this.faults.add(page.source, line, 'a film strip needs words in its square brackets, for who cannot see it');
+    const picture = (/** @type {string} */ when, /** @type {string} */ ending) => {
+      const file = (/** @type {string} */ which) => this.links.way(page, `strips/${name}${which}${ending}.svg`);
+      const { many, few } = strips;
+      return `<picture class="${when}"><source media="(max-width: 40em)"${attributes({ srcset: file('-few'), width: String(few.width), height: String(few.height) })}>` +
+        `<img${attributes({ src: file(''), alt, width: String(many.width), height: String(many.height), loading: 'lazy' })}></picture>`;
+    };
+    const pictures = picture('by-day', '') + picture('by-night', '-night');
+    const shown = `<span class="strip">${pictures}</span>`;
+    image.type = 'html_inline';
+    image.content = linked ? shown : `<a${attributes({ class: 'strip', href, ...(page.lesson ? opening(opens) : {}) })}>${pictures}</a>`;
+    image.meta = { unlinked: shown };
+  }
+
+  /** @param {Page} page @param {Token} token @param {number} line */
+  async #block(page, token, line) {
+    const kind = token.info.trim();
+    if (!Object.hasOwn(BLOCKS, kind)) return;
+    if (!page.lesson) {
+      this.faults.add(page.source, line, `only lessons have blocks of the kind "${kind}"`);
+      return;
+    }
+    token.meta = { html: await BLOCKS[kind](this, page, token.content, line) };
+  }
+}
+
+/** The page's policy allows no styles in attributes, in which tables say how they are aligned. @param {Token} cell @param {string} content */
+function cellClass(cell, content) {
+  const [, alignment] = /text-align:(center|right)/.exec(String(cell.attrGet('style') ?? '')) ?? [];
+  return [alignment, NUMBER.test(content) ? 'number' : ''].filter(Boolean).join(' ') || undefined;
+}
+
+/** What is read aloud of a line. @param {Token} token */
+function plain(token) {
+  return (token.children ?? []).map(({ type, content }) => (type === 'softbreak' || type === 'hardbreak' ? ' ' : ['text', 'code_inline', 'image'].includes(type) ? content : '')).join('');
+}

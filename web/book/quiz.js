@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Questions of a lesson: an answer is explained when it is chosen. Nothing is kept or sent.
+
+/** @param {HTMLElement} quiz */
+function start(quiz) {
+  const feedback = quiz.querySelector('.feedback');
+  const answers = quiz.querySelector('details');
+  const explained = [...quiz.querySelectorAll('.why')];
+  if (!feedback || !answers) return;
+  answers.hidden = true; // they are for who has no scripts
+  quiz.addEventListener('change', ({ target }) => {
+    if (!(target instanceof HTMLInputElement)) return;
+    feedback.replaceChildren(...[...explained[Number(target.value)].childNodes].map((node) => node.cloneNode(true)));
+    feedback.classList.toggle('right', target.dataset.right !== undefined);
+  });
+}
+
+export function startQuizzes() {
+  for (const quiz of document.querySelectorAll('.quiz')) if (quiz instanceof HTMLElement) start(quiz);
+}
