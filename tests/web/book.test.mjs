@@ -95,7 +95,7 @@ test('player: asks, is answered, is told, and minds who speaks', async () => {
   const posted = [];
   const contentWindow = { postMessage: (/** @type {any} */ message, /** @type {string} */ origin) => posted.push({ ...message, origin }) };
   Object.assign(globalThis, { addEventListener: (/** @type {string} */ _, /** @type {any} */ listener) => { hear = listener; }, location: { href: 'https://school.example/page.html' } });
-  const frame = Object.assign(new EventTarget(), { contentWindow, src: 'https://play.example/index.html?embed=1' });
+  const frame = Object.assign(new EventTarget(), { contentWindow, src: 'https://play.example/index.html' });
   const { Player } = await import('../../web/book/player.js');
   const player = new Player(/** @type {any} */ (frame));
   const say = (/** @type {any} */ data, source = contentWindow, origin = 'https://play.example') => hear?.({ data: { gaitsmith: 1, ...data }, source, origin });
