@@ -188,6 +188,18 @@ if (!SITE) {
     assert.deepEqual(found, []);
   });
 
+  test('site: html-validate finds nothing in the playground and in the example of the package', async () => {
+    const validator = new HtmlValidate({ root: true, extends: ['html-validate:recommended'], rules: {
+      'doctype-style': ['error', { style: 'lowercase' }],
+      'empty-heading': 'off', 'unique-landmark': 'off', // scripts write the title and the tour
+      'prefer-native-element': 'off', // a combobox over a list, a drawn progress bar and dialogs have no native form that does what they do
+    } });
+    for (const file of [join(SITE, 'index.html'), join(ROOT, 'web/package/example.html')]) {
+      const { results } = validator.validateStringSync(await readFile(file, 'utf8'));
+      assert.deepEqual(results.flatMap((/** @type {any} */ { messages }) => messages.map((/** @type {any} */ { line, ruleId }) => `${file}:${line}: ${ruleId}`)), []);
+    }
+  });
+
   test('book: the search finds', async () => {
     const MiniSearch = foreign('minisearch');
     const search = MiniSearch.loadJSON(await readFile(join(book, 'search.json'), 'utf8'), { fields: ['title', 'heading', 'text'], storeFields: ['href'] });
