@@ -9,6 +9,7 @@ EMSCRIPTEN=3.1.69       # in that suite
 EMSCRIPTEN_MIN=3.1.69   # oldest emcc accepted from PATH or $EMSDK
 IMGUI=1.90.1 CATCH2=3.7.1 EIGEN=3.4.0 SDL2=2.32.4
 ACORN=8.15.0            # Emscripten's optimiser imports it; Debian does not pack it as an ES module
+LIGHTHOUSE=11.7.1       # the last one that knows of installable pages
 NODE_MIN=18
 PACKAGES=(build-essential cmake ninja-build git python3 clang-$LLVM lld-$LLVM llvm-$LLVM clang-format-$LLVM
           clang-tidy-$LLVM libclang-rt-$LLVM-dev patchelf libsdl2-dev libgl-dev libbenchmark-dev

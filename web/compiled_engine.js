@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The engine's code, loaded and compiled once for all workers, and the workers.
 import { compiledModule } from './compiled_module.js';
+import { scriptAddress } from './trusted.js';
 
 /** A frame without an origin of its own (sandbox without allow-same-origin) gets no workers. */
 export const hasWorkers = self.origin !== 'null';
@@ -25,5 +26,5 @@ async function load() {
 /** A worker without a role yet. */
 export function createWorker() {
   if (PageWorker) return /** @type {Worker} */ (/** @type {unknown} */ (new PageWorker()));
-  return new Worker(new URL('worker.js', import.meta.url), { type: 'module' });
+  return new Worker(scriptAddress('worker.js'), { type: 'module' });
 }

@@ -4,13 +4,14 @@
 // nobody ever runs half of each.
 import { element, onClick, setText } from './dom.js';
 import { tr } from './language.js';
+import { scriptAddress } from './trusted.js';
 
 /** @param {{leave: () => void}} hooks  leave: called before the page reloads itself */
 export async function startOffline({ leave }) {
   // A page inside another page keeps nothing.
   if (window.top !== window || !navigator.serviceWorker) return;
   try {
-    const registration = await navigator.serviceWorker.register('service_worker.js', { updateViaCache: 'none' });
+    const registration = await navigator.serviceWorker.register(scriptAddress('service_worker.js'), { updateViaCache: 'none' });
     follow(registration);
     // Somebody may leave the page open for weeks.
     setInterval(() => { if (navigator.onLine) registration.update().catch(() => {}); }, 3600e3);

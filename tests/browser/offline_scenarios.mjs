@@ -176,6 +176,11 @@ async function foreignFrame({ browser }) {
     assert.match((await ask('arrange', { panels: 'kitchen' })).error, /kitchen/);
     assert.match((await ask('arrange', { goal: 'distance >= far' })).error, /distance >= far/);
     assert.ok(Object.keys((await ask('measures')).result).includes('rotations'));
+    // Copy link copies, or shows the link to be copied by hand.
+    const inside = page.frames().find((frame) => frame.url().startsWith(server.address()));
+    assert.ok(inside);
+    await (await inside.$('#copy-link'))?.click();
+    await inside.waitForFunction(() => document.querySelector('#toast')?.classList.contains('shown') || document.querySelector('#link-dialog')?.hasAttribute('open'), { timeout: 10000 });
     // Who is not around the page is not heard.
     const heard = await page.evaluate(async () => {
       const stranger = document.createElement('iframe');

@@ -43,6 +43,23 @@ async function checkGoldens(page) {
   return files.length;
 }
 
+/** Links that were sent long ago open with the motion that they had. @param {PageDriver} page @returns {Promise<number>} how many */
+async function checkGoldenLinks(page) {
+  let count = 0;
+  for (const version of [1, 2]) {
+    const lines = (await readFile(join(ROOT, `tests/golden/links/version-${version}.txt`), 'utf8')).split('\n');
+    for (const [hash, link] of lines.filter((line) => /^[0-9a-f]{16} /.test(line)).map((line) => line.split(' '))) {
+      const here = await page.page.evaluate((payload) => {
+        window.gaitsmith.open(payload);
+        return window.gaitsmith.hash();
+      }, link);
+      assert.equal(here, hash, `version ${version}: ${link.slice(0, 40)}…`);
+      count++;
+    }
+  }
+  return count;
+}
+
 const wanted = process.argv[3] ?? '';
 const address = await serve(process.argv[2] ?? join(ROOT, 'build/site'));
 /** @type {import('./scenarios.mjs').Visit[]} */
@@ -57,9 +74,10 @@ for (const [name, start] of /** @type {const} */ ([['Chromium', startChromium]])
   const visit = /** @type {import('./scenarios.mjs').Visit} */ ({ name, browser, address, found: {}, link: '', figures: {} });
   visits.push(visit);
   for (const [claim, body] of SCENARIOS.filter(([text, , only = name]) => text.includes(wanted) && only === name)) await check(`${name}: ${claim}`, () => body(visit));
-  await check(`${name}: golden motions have their pinned hashes`, async () => {
+  await check(`${name}: golden motions and links have their pinned hashes`, async () => {
     const page = await PageDriver.open(browser, address);
     visit.figures['golden motions'] = await checkGoldens(page);
+    visit.figures['golden links'] = await checkGoldenLinks(page);
     await page.close();
   });
   const before = visits[0];

@@ -24,7 +24,7 @@ export async function lessonPage(page, { html, sentence }, all, links) {
   const goal = fields.get('goal');
   if (goal && !areConditions(goal.value)) links.faults.add(page.source, goal.line, '"goal" has conditions, such as "travel >= 8"');
   /** @type {[string, string][]} */
-  const query = [['embed', '1'], ['lang', 'en']];
+  const query = [['lang', 'en']];
   for (const key of /** @type {const} */ (['panels', 'lock', 'goal'])) {
     const value = fields.get(key)?.value ?? opens?.[key];
     if (value) query.push([key, value]);

@@ -28,7 +28,7 @@ export class Player extends EventTarget {
   #greeted = () => {};
   #known = false;
 
-  /** @param {HTMLIFrameElement} frame  whose src is the playground's address, with embed=1 */
+  /** @param {HTMLIFrameElement} frame  whose src is the playground's address */
   constructor(frame) {
     super();
     this.frame = frame;
