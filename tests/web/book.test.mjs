@@ -268,6 +268,7 @@ if (!SITE) {
     assert.match(page('control/senses').text, /kPhysical\s+joint angles, contact forces at the endpoints, height and vertical velocity of the centre of mass/);
     assert.match(page('physics/task').text, /The further terms; 0 where nobody asked for them\. See docs\/style\.md\.\s+float effort_rad/);
     assert.match(page('physics/motion').getElementById('motion-point-y').parentNode.text, /float x, y/);
+    assert.equal(page('search/batch_search').getElementById('batchsearch-tell').nextElementSibling.text, 'virtual void Tell(std::span<const Score> scores) final');
     assert.match(page('physics/figure').getElementById('knoparent').text, /constexpr int kNoParent = -1/);
   });
 

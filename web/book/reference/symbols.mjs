@@ -44,12 +44,13 @@ function symbolOf(element, outer) {
 export const isComparable = (compound) => compound.all('sectiondef').flatMap((section) => section.all('memberdef'))
   .some((member) => member.textOf('name') === 'operator==' && /=\s*default$/.test(member.textOf('argsstring')));
 
-/** @param {Element} compound @param {string} outer @returns {Symbol[]} in the order of the file */
+/** Those that `using` brings from elsewhere stay there. @param {Element} compound @param {string} outer @returns {Symbol[]} in the order of the file */
 function membersOf(compound, outer) {
   return compound.all('sectiondef')
     .flatMap((section) => section.all('memberdef'))
     .filter((member) => (member.attributes.prot ?? 'public') === 'public' && !isNoise(member, outer))
     .flatMap((member) => symbolOf(member, outer) ?? [])
+    .filter(({ file }) => outer === '' || file === compound.one('location')?.attributes.file)
     .sort((a, b) => a.line - b.line);
 }
 
