@@ -17,7 +17,7 @@ import { firstSentence, HeadingNames } from '../../web/book/headings.mjs';
 import { Links } from '../../web/book/links.mjs';
 import { Markdown } from '../../web/book/markdown.mjs';
 import { readPages } from '../../web/book/pages.mjs';
-import { firstComment, notes, readableComments } from '../../web/book/reference/comments.mjs';
+import { firstComment, notes, forDoxygen } from '../../web/book/reference/comments.mjs';
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 const SITE = process.env.GAITSMITH_SITE && resolve(process.env.GAITSMITH_SITE);
@@ -53,7 +53,7 @@ test('reference: a header says what it is before its code, with what is set as i
 test('reference: comments behind members are seen, also where they go on below, and lines keep their numbers', () => {
   const header = ['// of the file', '#pragma once', 'enum class A {', '  kB,  // one,', '       // two', '  kC,', '};', 'struct D {', '  // Of both.', '  int e = 1;  // [1, 2]',
     '  int f;  // NOLINT', '};', '///   x <- y', '/// @param g, h  numbers', '}  // namespace gaitsmith'].join('\n');
-  const lines = readableComments(header).split('\n');
+  const lines = forDoxygen(header).split('\n');
   assert.equal(lines.length, header.split('\n').length);
   assert.deepEqual([lines[3], lines[4], lines[9], lines[10]], ['  kB, ///< @details one, two', '', '  int e = 1; ///< @details [1, 2]', '  int f;  // NOLINT']);
   assert.deepEqual(lines.slice(12), ['/// <pre>x &lt;- y</pre>', '/// @param g,h  numbers', '}  // namespace gaitsmith']);

@@ -6,6 +6,7 @@
 
 const BEHIND = /^(.*[^\s/])\s+\/\/ (?!NOLINT|namespace)(.*)$/;
 const ALONE = /^(\s*)\/\/ (?!NOLINT|namespace)(.*)$/;
+const TAKEN = /^ +using \w+::\w+;$/;
 const DRAWN = /^\/\/\/? {2,}(\S.*)$/; // a formula, a row of a table
 
 /** @param {string} text */
@@ -14,13 +15,15 @@ const marked = (text) => text.replace(/&/g, '&amp;').replace(/</g, '&lt;').repla
 /** @param {string[]} lines */
 const codeBegins = (lines) => lines.indexOf('#pragma once') + 1;
 
-/** @param {string} header @returns {string} for Doxygen */
-export function readableComments(header) {
+/** What Doxygen is given. It would list what `using` takes from a base as if it were declared anew. @param {string} header @returns {string} */
+export function forDoxygen(header) {
   const lines = header.split('\n');
   for (let i = codeBegins(lines); i < lines.length; i++) {
     const comment = lines[i].trimStart();
     const [, code, first] = BEHIND.exec(lines[i]) ?? [];
-    if (comment.startsWith('///')) {
+    if (TAKEN.test(lines[i])) {
+      lines[i] = '';
+    } else if (comment.startsWith('///')) {
       const [, drawn] = DRAWN.exec(comment) ?? [];
       lines[i] = drawn === undefined ? lines[i].replace(/@param (\w+), (\w+)/, '@param $1,$2') : `/// <pre>${marked(drawn)}</pre>`;
     } else if (code !== undefined) {
@@ -43,7 +46,7 @@ export function readableComments(header) {
 export function notes(header) {
   /** @type {Map<number, string>} */
   const found = new Map();
-  const lines = readableComments(header).split('\n');
+  const lines = forDoxygen(header).split('\n');
   let words = '';
   for (let i = codeBegins(lines); i < lines.length; i++) {
     const [, , alone] = ALONE.exec(lines[i]) ?? [];

@@ -3,7 +3,7 @@
 import { spawn } from 'node:child_process';
 import { mkdir, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
-import { readableComments } from './comments.mjs';
+import { forDoxygen } from './comments.mjs';
 import { parsed } from './xml.mjs';
 
 /** @typedef {import('./xml.mjs').Element} Element */
@@ -47,7 +47,7 @@ export async function askDoxygen(headers, folder) {
   await rm(folder, { recursive: true, force: true });
   for (const [path, text] of headers) {
     await mkdir(dirname(join(folder, path)), { recursive: true });
-    await writeFile(join(folder, path), readableComments(text));
+    await writeFile(join(folder, path), forDoxygen(text));
   }
   if (!await run(folder)) return undefined;
   const files = (await readdir(join(folder, 'xml'))).filter((name) => /^(class|struct|namespace).*\.xml$/.test(name)).sort();

@@ -13,7 +13,7 @@ import { HEADER_SPACE } from './names.mjs';
  * @property {number} line
  * @property {Element} element  Doxygen's
  * @property {Symbol[]} members  of a class, a struct
- * @property {Symbol[]} others   functions of the same name that stand behind it
+ * @property {Symbol[]} others   further functions of its name
  * @property {string} id        on its page
  */
 
@@ -44,17 +44,16 @@ function symbolOf(element, outer) {
 export const isComparable = (compound) => compound.all('sectiondef').flatMap((section) => section.all('memberdef'))
   .some((member) => member.textOf('name') === 'operator==' && /=\s*default$/.test(member.textOf('argsstring')));
 
-/** Those that `using` brings from elsewhere stay there. @param {Element} compound @param {string} outer @returns {Symbol[]} in the order of the file */
+/** @param {Element} compound @param {string} outer @returns {Symbol[]} in the order of the file */
 function membersOf(compound, outer) {
   return compound.all('sectiondef')
     .flatMap((section) => section.all('memberdef'))
     .filter((member) => (member.attributes.prot ?? 'public') === 'public' && !isNoise(member, outer))
     .flatMap((member) => symbolOf(member, outer) ?? [])
-    .filter(({ file }) => outer === '' || file === compound.one('location')?.attributes.file)
     .sort((a, b) => a.line - b.line);
 }
 
-/** Functions of one name that follow one another become one. @param {Symbol[]} symbols */
+/** Functions of one name become one entry, where the first stands. @param {Symbol[]} symbols */
 function merged(symbols) {
   /** @type {Symbol[]} */
   const out = [];
