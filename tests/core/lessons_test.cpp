@@ -407,9 +407,11 @@ TEST_CASE("lessons: style", "[lessons]") {
   Says(lesson, "Mr. Star-Man gets nearly 7 m in 10 s");
   CHECK(Rounded(std::abs(TermsOf(plain).travel_m), 0) == 7);
   const auto usual = UsualWeights(plain);
-  const auto wished = [&](StyleTerm term, float units) {
+  // Tenths of the usual weight, as the slider counts.
+  const auto wished = [&](StyleTerm term, int tenths) {
     Document document = plain;
-    document.task.weights[static_cast<std::size_t>(term)] = units * usual[static_cast<std::size_t>(term)];
+    const auto index = static_cast<std::size_t>(term);
+    document.task.weights[index] = static_cast<float>(tenths * 0.1 * static_cast<double>(usual[index]));
     return Search(document, Algorithm::kSphc, 1, 6000).document;
   };
   struct Row {
@@ -421,11 +423,11 @@ TEST_CASE("lessons: style", "[lessons]") {
   const std::vector<Row> rows = {{"| none | 6.8 m | 9.0 m | 0.3 | 1.03 m |", "4-no-style",
                                   Search(plain, Algorithm::kSphc, 1, 6000).document, 6.8, 9.0, 0.3, 1.03},
                                  {"| slip | 5.1 m | 25.9 m | 0.0 | 0.99 m |", "4-shuffle",
-                                  wished(StyleTerm::kSlipSum, 1.0f), 5.1, 25.9, 0.0, 0.99},
+                                  wished(StyleTerm::kSlipSum, 10), 5.1, 25.9, 0.0, 0.99},
                                  {"| rotations | 7.5 m | 2.6 m | 3.2 | 1.00 m |", "4-cartwheel",
-                                  wished(StyleTerm::kRotations, 1.0f), 7.5, 2.6, 3.2, 1.00},
+                                  wished(StyleTerm::kRotations, 10), 7.5, 2.6, 3.2, 1.00},
                                  {"| height | 4.2 m | 4.3 m | 0.2 | 1.25 m |", "4-hop",
-                                  wished(StyleTerm::kMaxCmHeight, 1.0f), 4.2, 4.3, 0.2, 1.25}};
+                                  wished(StyleTerm::kMaxCmHeight, 10), 4.2, 4.3, 0.2, 1.25}};
   for (const Row& row : rows) {
     Says(lesson, row.says);
     const Terms terms = TermsOf(row.found);
@@ -437,12 +439,19 @@ TEST_CASE("lessons: style", "[lessons]") {
           HashText(Shipped(std::string("lessons/") + row.file).hash.value()));
   }
   CHECK(Meets(goal, rows[2].found));
+  Says(lesson, "The first is a **shuffle**, on feet that hardly ever leave the ground.");
+  const Motion shuffle = Simulate(rows[1].found);
+  int flights = 0;
+  for (int frame = 1; frame <= 1000; ++frame) flights += InFlight(shuffle, frame) ? 1 : 0;
+  CHECK(flights < 50);
+  Says(lesson, "The second is a **cartwheel**");
+  CHECK(LongestFlight(Simulate(rows[2].found)) == 0);
   Says(lesson, "The third rears up and hops, once.");
   const int flight = LongestFlight(Simulate(rows[3].found));
   CHECK(flight >= 20);
   CHECK(flight <= 30);
   Says(lesson, "He rubs more than ever, but where does he go?");
-  const Terms rubbed = TermsOf(wished(StyleTerm::kSlipSum, 3.0f));
+  const Terms rubbed = TermsOf(wished(StyleTerm::kSlipSum, 30));
   CHECK(rubbed.slip_sum_m > 30.0f);
   CHECK(std::abs(rubbed.travel_m) < 3.0f);
 }
