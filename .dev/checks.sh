@@ -36,7 +36,7 @@ check_determinism() {
   for preset in gcc-O0 clang-O0 clang-O2 release; do
     cmake --preset "$preset" >/dev/null
     cmake --build --preset "$preset" --target gaitsmith
-    for document in tests/golden/motions/*.json examples/*.json examples/gallery/*.json; do
+    for document in tests/golden/motions/*.json examples/*.json examples/gallery/*.json examples/lessons/*.json; do
       echo "$preset: $document"
       "build/$preset/shell/gaitsmith" validate "$document"
     done

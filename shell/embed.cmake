@@ -1,6 +1,7 @@
 # Writes files as arrays into one C++ source, the definitions of shell/embedded.h:
 #   cmake -DOUTPUT=... -DFONTS=<folder> -DEXAMPLES=<folder> [-DGERMAN=<file>] [-DGALLERY=ON] -P embed.cmake
-# Documents are *.json of the examples folder itself; figures, problems and the gallery those of its folders of these names.
+# Documents are *.json of the examples folder itself; figures and problems those of its folders of these
+# names; the gallery holds those of the lessons, too.
 set(text "// Written by shell/embed.cmake.\n#include \"shell/embedded.h\"\n\n#include <array>\n\nnamespace gaitsmith::shell {\nnamespace {\n\n")
 
 function(append_array name file)
@@ -21,8 +22,8 @@ if(GERMAN)
 endif()
 
 # JSON is text: raw strings in pieces, since compilers limit the length of one.
-function(append_examples table pattern)
-  file(GLOB files "${pattern}")
+function(append_examples table)
+  file(GLOB files ${ARGN})
   list(SORT files)
   set(rows "")
   list(LENGTH files count)
@@ -47,7 +48,7 @@ append_examples(kFigures "${EXAMPLES}/figures/*.json")
 append_examples(kProblems "${EXAMPLES}/problems/*.json")
 set(gallery "{}")
 if(GALLERY)
-  append_examples(kGallery "${EXAMPLES}/gallery/*.json")
+  append_examples(kGallery "${EXAMPLES}/gallery/*.json" "${EXAMPLES}/lessons/*.json")
   set(gallery "kGallery")
 endif()
 

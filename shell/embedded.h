@@ -20,7 +20,7 @@ struct Example {
 [[nodiscard]] std::span<const Example> ExampleFigures();
 /// Documents without a controller: a figure, a task and senses that go well together.
 [[nodiscard]] std::span<const Example> ExampleProblems();
-/// Ready motions, docs/gallery.md; empty in the page, which is light.
+/// Ready motions, those of docs/gallery.md and of docs/lessons; empty in the page, which is light.
 [[nodiscard]] std::span<const Example> ExampleGallery();
 
 /// languages/de.json; empty in the page, which fetches it.

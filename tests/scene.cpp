@@ -108,10 +108,13 @@ std::vector<std::string> GoldenMotions() { return DocumentsIn("tests/golden/moti
 std::vector<std::string> ShippedDocuments() {
   std::vector<std::string> names = DocumentsIn("examples");
   for (std::string& name : GalleryDocuments()) names.push_back(std::move(name));
+  for (std::string& name : LessonDocuments()) names.push_back(std::move(name));
   return names;
 }
 
 std::vector<std::string> GalleryDocuments() { return DocumentsIn("examples/gallery"); }
+
+std::vector<std::string> LessonDocuments() { return DocumentsIn("examples/lessons"); }
 
 Document StarManTravel(SenseKind senses) {
   Document document;

@@ -34,10 +34,12 @@ Controller RandomController(const Figure& figure, const SenseSpec& senses, std::
 /// All golden documents of tests/golden/motions, sorted by name.
 std::vector<std::string> GoldenMotions();
 
-/// The documents of examples/ and of its gallery, sorted by name.
+/// The documents of examples/, of its gallery and of its lessons, each sorted by name.
 std::vector<std::string> ShippedDocuments();
 /// Those of the gallery alone.
 std::vector<std::string> GalleryDocuments();
+/// Those of the lessons alone.
+std::vector<std::string> LessonDocuments();
 
 /// Search settings and problem of Mr. Star-Man's travel.
 Document StarManTravel(SenseKind senses);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The engine: core behind a C interface, compiled to a small WebAssembly module of its own (engine_module.js,
-// engine_module.wasm) without window, files or exceptions. A worker uses one of its roles: an evaluator scores
-// genomes, a search says which genomes to score, a transition map scores moments of a timeline. engine_module.d.ts
-// declares this interface for JavaScript and engine.js wraps it; nothing else calls it.
+// engine_module.wasm) without window, files or exceptions. A worker uses one of its roles: an evaluator
+// scores genomes, a search says which genomes to score, a transition map scores moments of a timeline.
+// engine_module.d.ts declares this interface for JavaScript and engine.js wraps it; nothing else calls it.
 //
 // Rules of the border:
 // - Bytes come in through gs_input(size): the caller writes them there, then calls a function that takes

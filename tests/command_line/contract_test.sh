@@ -37,11 +37,11 @@ for problem in "$root"/examples/problems/*.json; do
   same "$("$gaitsmith" hash "$(basename "$problem" .json)")" "$("$gaitsmith" hash "$problem")" "shipped problem"
 done
 same "$("$gaitsmith" hash star-man-shuffle)" "$("$gaitsmith" hash "$root/examples/star-man-shuffle.json")" "shipped example"
-for motion in star-man-cartwheel frog-on-the-moon; do
-  same "$("$gaitsmith" hash $motion)" "$("$gaitsmith" hash "$root/examples/gallery/$motion.json")" "motion of the gallery"
+for motion in gallery/star-man-cartwheel gallery/frog-on-the-moon lessons/6-clock-12; do
+  same "$("$gaitsmith" hash "${motion#*/}")" "$("$gaitsmith" hash "$root/examples/$motion.json")" "motion of $motion"
 done
-[ -z "$(basename -a "$root"/examples/*.json "$root"/examples/{problems,gallery}/*.json | sort | uniq -d)" ] ||
-  fault "a motion of the gallery has the name of another example"
+[ -z "$(basename -a "$root"/examples/*.json "$root"/examples/{problems,gallery,lessons}/*.json | sort | uniq -d)" ] ||
+  fault "a motion of the gallery or of a lesson has the name of another example"
 
 # One row a step, the start included, every column named.
 "$gaitsmith" simulate "$golden" --csv motion.csv || fault "simulate"

@@ -101,9 +101,9 @@ async function press(button, state) {
   state.textContent = 'Working …';
   try {
     const [first, ...others] = JSON.parse(args);
-    await (call === 'arrange' ? arrange(first) : player.call(call, first, ...others));
+    const answer = await (call === 'arrange' ? arrange(first) : player.call(call, first, ...others));
     if (call === 'open') markOpen(first);
-    state.textContent = 'Done.';
+    state.textContent = call === 'run' && answer === false ? 'That is not possible now.' : 'Done.';
   } catch (error) {
     state.textContent = sentence(error);
   }
