@@ -18,6 +18,9 @@ const AROUND = `
   declare var frame: HTMLIFrameElement & { contentWindow: Window };
   declare var jsonOrLink: string;
   interface Window { gaitsmith: import('WEB/api.js').Gaitsmith }
+  // Pages know what their elements and events are.
+  interface Document { getElementById(id: string): any; querySelector(what: string): any }
+  interface EventTarget { addEventListener(type: string, listener: (event: any) => void): void }
 `;
 
 /** @typedef {{where: string, language: string, code: string}} Sample */
