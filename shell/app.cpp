@@ -37,6 +37,7 @@ std::vector<int> App::ShownPanels(int panels) const {
 
 int App::DrawTabs(Ui& ui, const ImRect& rect, const std::vector<int>& shown) {
   std::vector<const char*> names;
+  names.reserve(shown.size());
   for (const int panel : shown) names.push_back(kPanels[static_cast<std::size_t>(panel)]);
   // The nearest one to what the document wishes.
   const int wished = session_.Doc().view.panel;
@@ -92,7 +93,7 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
     DrawWorld(ui, card);
   }
   DrawTransport(ui, session_, {{whole.Min.x, transport_y}, {panel_x, timeline_y}});
-  if (timeline) DrawLockedTimeline(ui, {{whole.Min.x, timeline_y}, {panel_x, whole.Max.y}});
+  if (timeline) DrawTimeline(ui, session_, {{whole.Min.x, timeline_y}, {panel_x, whole.Max.y}});
   if (shown.empty()) return;
   ui.VerticalLine(panel_x, whole.Min.y, whole.Max.y);
   const ImRect tabs({panel_x + 1.0f, whole.Min.y}, {whole.Max.x, whole.Min.y + kTabHeight});
@@ -103,12 +104,6 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
 void App::DrawWorld(Ui& ui, const ImRect& rect) {
   ui.Lock(session_.arrangement.Locks(LockedPart::kWorld));
   DrawWorldCard(ui, session_, stage_.world, rect);
-  ui.Lock(false);
-}
-
-void App::DrawLockedTimeline(Ui& ui, const ImRect& rect) {
-  ui.Lock(session_.arrangement.Locks(LockedPart::kTimeline));
-  DrawTimeline(ui, session_, rect);
   ui.Lock(false);
 }
 
@@ -135,7 +130,7 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
     return;
   } else if (panel == kTimelinePanel) {
     const PartScope part = ui.Part("panel", "tabpanel", Tr(kPanels[kTimelinePanel]));
-    DrawLockedTimeline(ui, rest);
+    DrawTimeline(ui, session_, rest);
   } else {
     DrawPanel(ui, rest, panel);
   }

@@ -44,7 +44,6 @@ class App {
   int DrawTabs(Ui&, const ImRect&, const std::vector<int>& shown);
   void DrawPanel(Ui&, const ImRect&, int panel);
   void DrawWorld(Ui&, const ImRect&);
-  void DrawLockedTimeline(Ui&, const ImRect&);
   bool TakeFingers(const SDL_Event&);
   /// Of so many first ones.
   [[nodiscard]] std::vector<int> ShownPanels(int panels) const;

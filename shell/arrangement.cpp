@@ -32,35 +32,62 @@ std::optional<std::string_view> Choose(std::string_view list, const std::array<c
   return std::nullopt;
 }
 
-void CopyPart(LockedPart part, const Document& from, Document& to) {
+/// Whether they are encoded alike, but for what belongs to controllers, whose length the figure decides.
+bool Alike(Document a, Document b) {
+  for (Document* d : {&a, &b}) {
+    d->controllers.clear();
+    d->timeline.clear();
+    d->search.start = -1;
+  }
+  return EncodeBinary(a) == EncodeBinary(b);
+}
+
+bool SameMotion(const Controller& a, const Controller& b) {
+  return a.kind == b.kind && a.senses == b.senses && a.rules == b.rules && a.genes == b.genes;
+}
+
+/// A controller that stays is another one. Which of them there are is the timeline's concern.
+bool RulesDiffer(const Document& before, const Document& after) {
+  return before.controllers.size() == after.controllers.size() &&
+         !std::ranges::equal(before.controllers, after.controllers, SameMotion);
+}
+
+bool ClipsDiffer(const Document& before, const Document& after) {
+  return before.duration_steps != after.duration_steps ||
+         !std::ranges::equal(before.timeline, after.timeline, [](const Clip& a, const Clip& b) {
+           return a.controller == b.controller && a.start_step == b.start_step;
+         });
+}
+
+bool Differs(LockedPart part, const Document& before, const Document& after) {
+  Document mixed = before;
   switch (part) {
     case LockedPart::kFigure:
-      to.figure = from.figure;
+      mixed.figure = after.figure;
       break;
     case LockedPart::kController:
-      to.controllers = from.controllers;
-      to.kind = from.kind;
-      to.senses = from.senses;
-      to.rules = from.rules;
+      mixed.kind = after.kind;
+      mixed.senses = after.senses;
+      mixed.rules = after.rules;
+      if (RulesDiffer(before, after)) return true;
       break;
     case LockedPart::kStyle:
-      to.task.kind = from.task.kind;
-      to.task.weights = from.task.weights;
+      mixed.task.kind = after.task.kind;
+      mixed.task.weights = after.task.weights;
       break;
     case LockedPart::kSearch:
-      to.search = from.search;
-      to.task.duration_steps = from.task.duration_steps;
+      mixed.search = after.search;
+      mixed.task.duration_steps = after.task.duration_steps;
       break;
     case LockedPart::kTimeline:
-      to.timeline = from.timeline;
-      to.duration_steps = from.duration_steps;
-      break;
+      return ClipsDiffer(before, after);
     case LockedPart::kWorld:
-      to.environment = from.environment;
-      to.start = from.start;
-      to.pushes = from.pushes;
+      mixed.environment = after.environment;
+      mixed.start = after.start;
+      mixed.pushes = after.pushes;
       break;
   }
+  return !Alike(before, mixed);
 }
 
 }  // namespace
@@ -68,7 +95,7 @@ void CopyPart(LockedPart part, const Document& from, Document& to) {
 bool Arrangement::LocksPanel(int panel) const {
   const std::string_view name = kPanelNames[static_cast<std::size_t>(panel)];
   const auto part = std::ranges::find(kLockedPartNames, name);
-  return name != "search" && part != kLockedPartNames.end() &&
+  return name != "search" && name != "timeline" && part != kLockedPartNames.end() &&
          locked[static_cast<std::size_t>(part - kLockedPartNames.begin())];
 }
 
@@ -83,10 +110,8 @@ std::optional<std::string_view> LockParts(std::string_view list, Arrangement& ar
 std::optional<LockedPart> LockedDifference(const Arrangement& arrangement, const Document& before,
                                            const Document& after) {
   for (std::size_t i = 0; i < kLockedPartNames.size(); ++i) {
-    if (!arrangement.locked[i]) continue;
-    Document mixed = before;
-    CopyPart(static_cast<LockedPart>(i), after, mixed);
-    if (EncodeBinary(mixed) != EncodeBinary(before)) return static_cast<LockedPart>(i);
+    const auto part = static_cast<LockedPart>(i);
+    if (arrangement.locked[i] && Differs(part, before, after)) return part;
   }
   return std::nullopt;
 }

@@ -24,7 +24,8 @@ struct Arrangement {
   Arrangement() { shown.fill(true); }
   [[nodiscard]] bool Shows(int panel) const { return shown[static_cast<std::size_t>(panel)]; }
   [[nodiscard]] bool Locks(LockedPart part) const { return locked[static_cast<std::size_t>(part)]; }
-  /// Nothing can be changed on this panel. Of the Search panel only the settings are locked: it searches.
+  /// Nothing can be changed on this panel. Of the Search panel only the settings are locked: it searches. The
+  /// timeline's clips can be pressed to be looked at; what would change them says that they are locked.
   [[nodiscard]] bool LocksPanel(int panel) const;
 };
 

@@ -287,9 +287,13 @@ EMSCRIPTEN_KEEPALIVE const char* gs_found() {
 }
 /// @return 0: there is no such result
 EMSCRIPTEN_KEEPALIVE int gs_show_found(const char* id) {
-  TheSession().BeginGesture();
+  Session& session = TheSession();
+  session.BeginGesture();
   ThePage().window->RequestFrame();
-  return TheSession().ShowFound(id) ? 1 : 0;
+  const Arrangement locks = std::exchange(session.arrangement, {});  // they are for a person's hands
+  const bool shown = session.ShowFound(id);
+  session.arrangement = locks;
+  return shown ? 1 : 0;
 }
 /// @param options JSON object: id, name. @return an empty text, or why not
 EMSCRIPTEN_KEEPALIVE const char* gs_rename_found(const char* options) {
@@ -309,6 +313,7 @@ EMSCRIPTEN_KEEPALIVE const char* gs_restore_found(const char* text) {
 /// What is shown and locked. @param options JSON object. @return an empty text, or a sentence
 EMSCRIPTEN_KEEPALIVE const char* gs_arrange(const char* options) {
   const auto parsed = ParseJson(options);
+  ThePage().window->RequestFrame();
   return Reply(parsed ? ApplyArrangement(*parsed, TheSession().arrangement) : TrError(parsed.error()));
 }
 /// The motion shown in numbers, as MeasuresJson.

@@ -300,12 +300,11 @@ void Session::ChooseFigure(int index) {
   Say(Tr("{1} cannot move yet: press Synthesize. Undo brings the last figure back.", TrTitle(figure.name)));
 }
 
-bool Session::Replace(Document document) {
-  // Another motion of the same problem is nobody's edit.
-  Arrangement problem = arrangement;
+bool Session::Replace(Document document, bool same_problem) {
+  Arrangement locks = arrangement;
   for (const LockedPart part : {LockedPart::kController, LockedPart::kSearch, LockedPart::kTimeline})
-    problem.locked[static_cast<std::size_t>(part)] = false;
-  if (Refuses(problem, document)) return false;
+    locks.locked[static_cast<std::size_t>(part)] &= !same_problem;
+  if (Refuses(locks, document)) return false;
   AbandonSearch();
   Remember();
   document.view = document_.view;

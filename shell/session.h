@@ -253,7 +253,9 @@ class Session {
   void Return(const Document& document, const char* words);
   /// Another document in the place of this one, which Undo brings back. @return false, with a sentence: it is
   /// locked
-  bool Replace(Document document);
+  /// @param same_problem  it is another motion of the problem in hand: that is nobody's edit of its
+  /// controllers
+  bool Replace(Document document, bool same_problem = false);
   /// The arrangement does not let this document take the place of the one in hand. Says so.
   [[nodiscard]] bool Refuses(const Arrangement&, const Document& next);
   [[nodiscard]] bool FoundNothingYet() const;

@@ -131,8 +131,8 @@ bool Session::ShowFound(const std::string& id) {
       document.controllers[static_cast<std::size_t>(document.timeline[0].controller)].name = name;
   }
   const bool moves = entry->motion.Moves();
-  if (!Replace(document)) return true;   // it says why
-  if (differs_from_maker_) return true;  // the stage says so
+  if (!Replace(document, true)) return true;  // it says why
+  if (differs_from_maker_) return true;       // the stage says so
   Say(Tr(moves ? "{1}. Undo brings back what was here."
                : "{1}: this search failed. Undo brings back what was here.",
          TrTitle(document_.title)));
@@ -141,7 +141,7 @@ bool Session::ShowFound(const std::string& id) {
 
 void Session::ShowElite(Document motion) {
   BeginGesture();
-  if (!Replace(std::move(motion))) return;
+  if (!Replace(std::move(motion), true)) return;
   Say(Tr("{1}. “Keep motion” puts it among the results; Undo brings back what was here.",
          TrTitle(document_.title)));
 }

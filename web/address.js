@@ -30,7 +30,7 @@ export class Address {
   /** The whole address of the present document. */
   link() { return this.linkOf(this.app.link()); }
   /** @param {string} payload */
-  linkOf(payload) { return `${location.href.split('#')[0]}#${payload}`; }
+  linkOf(payload) { return `${location.href.split(/[?#]/)[0]}#${payload}`; }
 
   /** Opens what the address holds, if anything. A damaged link leaves the present work as it is. */
   open() {
@@ -55,7 +55,7 @@ export class Address {
   write() {
     const { payload, link } = this.#opened;
     try {
-      history.replaceState(null, '', this.app.link() === link ? `#${payload}` : this.link());
+      history.replaceState(null, '', `#${this.app.link() === link ? payload : this.app.link()}`);
     } catch {
       return; // a frame without an origin may not
     }

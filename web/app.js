@@ -68,7 +68,7 @@
 /** A named part of the canvas; parent: index of the one it is in, or -1. @typedef {{id: string, label: string, role: string, parent: number}} MirrorPart */
 /** keyboard: what has it shows it; waiting: something asked for is still to be done. @typedef {{keyboard: boolean, waiting: boolean, parts: MirrorPart[], widgets: MirrorWidget[]}} MirrorState */
 
-/** One number of a motion. @typedef {{name: string, label: string, unit: string, decimals: number, value: number}} Measure */
+/** One number of a motion. @typedef {{name: string, label: string, unit: string, decimals: number, value: number | null}} Measure */
 /** The whole motion in numbers; sense: of the controller shown, or empty; broke: physics did. @typedef {{terms: Measure[], sense: string, rules: number, broke: boolean}} Measures */
 
 /** Of shell/commands.h. @typedef {{id: string, group: string, title: string, whyNot: string, keys: string[]}} CanvasCommand */

@@ -3,7 +3,7 @@
 // (?panels=style,search&lock=figure&goal=distance>=8), or a script does. docs/embedding.md documents it.
 import { banner } from './dom.js';
 import { sentence } from './address.js';
-import { tr } from './language.js';
+import { followLanguage, tr } from './language.js';
 
 /** @typedef {import('./app.js').App} App */
 /** What is left out stays as it is. @typedef {{panels?: string, lock?: string, goal?: string}} ArrangementOptions */
@@ -13,13 +13,14 @@ const NAMES = /** @type {const} */ (['panels', 'lock', 'goal']);
 export class Arrangement {
   /** @type {import('./goal.js').GoalBar | null} */
   #bar = null;
-  #wanted = 0;
+  #last = Promise.resolve();
 
   /** @param {App} app @param {import('./api.js').Gaitsmith} told  hears of the goal */
   constructor(app, told) {
     this.app = app;
     this.told = told;
     told.addEventListener('changed', () => this.#bar?.look());
+    followLanguage(() => this.#bar?.look());
   }
 
   /** What the address wishes for. A wish that cannot be understood is said, and the others are fulfilled. */
@@ -32,13 +33,18 @@ export class Arrangement {
   }
 
   /** @param {ArrangementOptions} options @returns {Promise<void>} rejected with a sentence; then nothing has changed */
-  async set(options) {
-    const { goal, ...shown } = options;
-    const turn = ++this.#wanted;
+  set(options) {
+    const done = this.#last.then(() => this.#set(options)); // one after the other
+    this.#last = done.catch(() => {});
+    return done;
+  }
+
+  /** @param {ArrangementOptions} options */
+  async #set({ goal, ...shown }) {
     const bar = goal ? new (await import('./goal.js')).GoalBar(this.app, this.told, goal) : null; // throws
     const fault = this.app.arrange(shown);
     if (fault) throw new Error(fault);
-    if (goal === undefined || turn < this.#wanted) return;
+    if (goal === undefined) return;
     this.#bar?.close();
     this.#bar = bar;
     bar?.show();

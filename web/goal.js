@@ -3,7 +3,7 @@
 // header says how far it is, and ticks what is reached.
 import { announce } from './announcer.js';
 import { element } from './dom.js';
-import { fixed, followLanguage, tr } from './language.js';
+import { fixed, tr } from './language.js';
 
 /** @typedef {import('./app.js').App} App */
 /** @typedef {import('./app.js').Measures} Measures */
@@ -21,7 +21,7 @@ export function parseGoal(text) {
   return parts.map((part) => {
     const [, name, relation, value] = /^([a-z_]+)\s*(>=|<=|>|<|=)\s*(\S+)$/.exec(part) ?? [];
     const number = Number(value);
-    const known = name === 'sense' ? relation === '=' && value in SENSES
+    const known = name === 'sense' ? relation === '=' && Object.hasOwn(SENSES, value)
       : (TERMS.includes(name) || name === 'rules') && Number.isFinite(number);
     if (!known) throw new Error(tr('goal: “{1}” is no condition, such as distance >= 8 or sense = physical', part));
     return { name, relation: /** @type {Relation} */ (relation), wanted: name === 'sense' ? value : number };
@@ -61,7 +61,6 @@ export class GoalBar {
 
   show() {
     this.#row.hidden = false;
-    followLanguage(() => this.look());
     this.look();
   }
 
@@ -103,6 +102,9 @@ function words({ name, relation, wanted }, measures) {
   if (name === 'rules') return tr('{1} {2} {3} (now {4})', tr('Rules'), sign, wanted, measures.rules);
   const { label, unit, decimals, value } = /** @type {import('./app.js').Measure} */ (measures.terms.find((term) => term.name === name));
   const amount = (/** @type {number} */ number, /** @type {number} */ places) => `${fixed(number, places)}${unit && ` ${unit}`}`;
+  // What is nearly enough does not read as enough.
+  const cut = relation.startsWith('>') ? Math.floor : relation.startsWith('<') ? Math.ceil : Math.round;
+  const shown = value === null ? null : cut(value * 10 ** decimals) / 10 ** decimals;
   const places = Math.min(decimals, (String(wanted).split('.')[1] ?? '').length);
-  return tr('{1} {2} {3} (now {4})', label, sign, amount(Number(wanted), places), amount(value, decimals));
+  return tr('{1} {2} {3} (now {4})', label, sign, amount(Number(wanted), places), shown === null ? '–' : amount(shown, decimals));
 }

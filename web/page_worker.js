@@ -22,7 +22,7 @@ export class PageWorker {
 
   terminate() {
     this.#open = false;
-    this.#roles.leave();
+    this.#roles.end();
   }
 
   /** Never at once, as between threads. @param {() => void} action */

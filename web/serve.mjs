@@ -17,7 +17,7 @@ const NO_WORKER = `addEventListener('install', () => skipWaiting());
 addEventListener('activate', (event) => event.waitUntil(registration.unregister()));
 `;
 const folder = resolve(process.argv[2] ?? 'build/site');
-const port = Number(process.argv[3] ?? 8080);
+const port = Number(process.argv[3]?.replace('--offline', '8080') ?? 8080);
 const offline = process.argv.at(-1) === '--offline';
 
 const server = createServer(async (request, response) => {

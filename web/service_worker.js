@@ -7,12 +7,13 @@
 const site = /** @type {{SITE: Site}} */ (/** @type {unknown} */ (self)).SITE;
 // The types of service workers and of pages exclude each other.
 const worker = /** @type {any} */ (self);
-const PREFIX = 'gaitsmith-site-';
-const CACHE = PREFIX + site.version;
 const ROOT = new URL('./', worker.location.href).href;
+// Storage belongs to the whole host, which may have several copies of the site.
+const PREFIX = `gaitsmith-site ${new URL(ROOT).pathname} `;
+const CACHE = PREFIX + site.version;
 
 worker.addEventListener('install', (/** @type {any} */ event) => event.waitUntil(keepPage()));
-worker.addEventListener('activate', (/** @type {any} */ event) => event.waitUntil(forgetOthers()));
+worker.addEventListener('activate', (/** @type {any} */ event) => event.waitUntil(takeCharge()));
 worker.addEventListener('fetch', (/** @type {any} */ event) => {
   const path = pathOf(event.request);
   if (path !== null) event.respondWith(answer(event.request, path));
@@ -29,16 +30,17 @@ async function keepPage() {
   }));
 }
 
-async function forgetOthers() {
+/** Pages that are open go on as they began: they may have come out of the browser's own cache, and be older. */
+async function takeCharge() {
   const names = await caches.keys();
   await Promise.all(names.filter((name) => name.startsWith(PREFIX) && name !== CACHE).map((name) => caches.delete(name)));
-  await worker.clients.claim();
+  await keepPage(); // the worker before may have taken this cache for an old one
 }
 
 /** Only when no other page would find itself with another version than it began with. @param {MessagePort} port */
 async function takeOver(port) {
   const pages = await worker.clients.matchAll({ type: 'window', includeUncontrolled: true });
-  const alone = pages.length <= 1;
+  const alone = pages.filter((/** @type {{url: string}} */ { url }) => url.startsWith(ROOT)).length <= 1;
   port.postMessage({ alone });
   if (alone) await worker.skipWaiting();
 }
@@ -54,7 +56,7 @@ function pathOf(request) {
 
 /** @param {Request} request @param {string} path */
 async function answer(request, path) {
-  const kept = await caches.match(ROOT + path, { cacheName: CACHE });
+  const kept = await caches.match(ROOT + path, { cacheName: CACHE }).catch(() => undefined);
   if (kept) return kept;
   try {
     const response = await fetched(path);
@@ -62,8 +64,8 @@ async function answer(request, path) {
     await cache.put(ROOT + path, response.clone()).catch(() => {}); // the storage is full
     return response;
   } catch {
-    // Of the pages of the book a newer one is better than none.
-    return fetch(request);
+    // Of the book a newer page is better than none; a part of the playground that is not of its version is not.
+    return site.page.includes(path) && request.mode !== 'navigate' ? Response.error() : fetch(request);
   }
 }
 
@@ -71,5 +73,6 @@ async function answer(request, path) {
 async function fetched(path) {
   const response = await fetch(ROOT + path, { cache: 'no-cache', integrity: site.hashes[path], credentials: 'same-origin' });
   if (!response.ok) throw new Error(`${path}: ${response.status}`);
-  return response;
+  // Hosts with pretty addresses send on, and browsers refuse such an answer to whoever opens a page.
+  return response.redirected ? new Response(response.body, { headers: response.headers }) : response;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The Share dialog: the link with its picture for cameras (a QR code), and the lines that put the playground with this
 // motion into another page.
-import { element, onClick, setText, toast } from './dom.js';
+import { element, onClick, setText } from './dom.js';
 import { grouped, tr } from './language.js';
 
 /** @typedef {import('./app.js').App} App */
@@ -48,6 +48,7 @@ class ShareDialog {
     this.#write();
     void this.#draw();
     this.#dialog.classList.remove('large');
+    setText(element('share-said'), '');
     this.#dialog.showModal();
     this.#link.scrollTop = 0;
     element('share-copy').focus();
@@ -60,7 +61,8 @@ class ShareDialog {
       ? tr('With {1} characters this link is too long for a code that a camera reads from across a room: {2} is the most. Fewer rules, or a timer, make it shorter.', grouped(link.length), grouped(MOST_IN_QR))
       : tr('A phone’s camera opens this code: all of the motion is in it.'));
     if (this.#code.hidden) return;
-    const { encode } = await import('./uqr.js');
+    const { encode } = await import('./uqr.js').catch(() => ({ encode: null }));
+    if (!encode) return setText(this.#words, tr('The code could not be loaded.'));
     const { data, size } = encode(link, { ecc: 'L', border: QUIET });
     // One path, a square for each dark module.
     const path = data.flatMap((row, y) => row.flatMap((dark, x) => (dark ? `M${x} ${y}h1v1h-1z` : []))).join('');
@@ -91,7 +93,7 @@ class ShareDialog {
   async #copy(field) {
     try {
       await navigator.clipboard.writeText(field.value);
-      toast(tr('Copied'));
+      setText(element('share-said'), tr('Copied'));
     } catch {
       field.select(); // the person copies by hand
       setText(element('share-said'), tr('The browser did not allow copying by itself. The text is selected: press Ctrl+C or ⌘C.'));

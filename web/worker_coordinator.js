@@ -258,8 +258,14 @@ export class Coordinator {
     this.post({ type: 'finished', report: this.#summary(true) });
   }
 
-  /** Frees the search, after its end. */
-  close() { this.search.close(); }
+  /** Ends it, wherever it is, and frees the search. */
+  close() {
+    clearInterval(this.ticker);
+    this.#state = 'stopped';
+    for (const { port } of this.#hands.values()) port.close();
+    this.#hands.clear();
+    this.search.close();
+  }
 
   /** Not older than fifty times what it takes to find it. @param {boolean} anew */
   #spreadNow(anew) {

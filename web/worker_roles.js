@@ -41,6 +41,12 @@ export class WorkerRoles {
       .catch(this.die);
   }
 
+  /** No role follows, not even one that is on its way. */
+  end() {
+    this.leave();
+    this.#before = this.#before.then(() => this.leave(), () => {});
+  }
+
   leave() {
     this.#leave();
     this.#leave = () => {};

@@ -54,11 +54,51 @@ async function subPathAndOffline({ browser }) {
     server.asked = [];
     await page.reload();
     assert.equal((await searches(page)).hash, hash, 'the same search finds the same without a network');
+    const lesson = await page.page.browserContext().newPage();
+    server.away = false;
+    await lesson.goto(`${server.address()}book/lessons/1-a-rule.html`);
+    server.away = true;
+    await lesson.reload();
+    await lesson.waitForFunction(() => /** @type {any} */ (document.querySelector('iframe')?.contentWindow)?.gaitsmith, { timeout: 30000 });
+    await lesson.close();
     // What is loaded only when it is wanted is there, too.
     await page.page.evaluate(() => void window.gaitsmith.run('document/export'));
     await page.until('the export dialog', () => document.querySelector('#export-dialog')?.hasAttribute('open') ?? false);
     const other = await PageDriver.open(browser, link, { beside: page });
     assert.equal(await other.hash(), hash, 'a link opens without a network');
+    await page.close();
+  });
+}
+
+/** @param {Visit} visit */
+async function prettyHost({ browser }) {
+  await onHost(async (server) => {
+    server.pretty = true;
+    const page = await PageDriver.open(browser, server.address());
+    const hash = await page.hash();
+    await kept(page);
+    await page.reload(); // in the worker's charge
+    assert.equal(await page.hash(), hash);
+    await page.page.goto(`${server.address()}book/gallery.html`);
+    await page.page.reload();
+    assert.match(await page.page.title(), /Gallery/);
+    await page.close();
+  });
+}
+
+/** @param {Visit} visit */
+async function twoCopies({ browser }) {
+  await onHost(async (server) => {
+    await cp(SITE, join(server.folder, 'older'), { recursive: true });
+    const page = await PageDriver.open(browser, server.address());
+    await kept(page);
+    const other = await PageDriver.open(browser, `${server.address()}older/`, { beside: page });
+    await kept(other);
+    server.away = true;
+    for (const driver of [page, other]) {
+      await driver.page.bringToFront();
+      await driver.reload();
+    }
     await page.close();
   });
 }
@@ -103,6 +143,7 @@ async function halfAVersion({ browser }) {
     const page = await PageDriver.open(browser, server.address());
     await kept(page);
     await page.reload();
+    const asked = server.asked.filter((path) => path.endsWith('/naming.js')).length;
     // Half an upload: the list is new, a file is not what it says.
     await writeFile(join(server.folder, 'naming.js'), 'window.testNew = "whole";\n');
     await run(process.execPath, [join(ROOT, 'web/seal.mjs'), server.folder]);
@@ -115,6 +156,7 @@ async function halfAVersion({ browser }) {
       return `${registration.waiting?.state ?? 'none waits'}, ${coming?.state ?? 'none came'}`;
     });
     assert.match(state, /none waits, (redundant|none came)/);
+    assert.ok(server.asked.filter((path) => path.endsWith('/naming.js')).length > asked, 'the new version was looked at');
     page.complaints.length = 0; // the browser names the file that does not match
     await page.reload();
     assert.equal(await page.call('old', () => /** @type {any} */ (window).testNew), undefined);
@@ -191,6 +233,8 @@ async function foreignFrame({ browser }) {
       return [Boolean(target), /** @type {any} */ (window).answered.includes(99999)];
     });
     assert.deepEqual(heard, [true, false]);
+    await ask('hello'); // later than the stranger's
+    assert.equal(await page.evaluate(() => /** @type {any} */ (window).answered.includes(99999)), false);
     assert.equal((await ask('hash')).result, result.hash);
     await close();
   });
@@ -215,6 +259,9 @@ async function narrowFrame({ browser }) {
     const { result, error } = await ask('synthesize', { seed: 3, evaluations: 400, algorithm: 'sphc' });
     assert.equal(error, undefined);
     assert.equal(result.report.state, 'done', 'without workers it searches in the page');
+    void ask('synthesize', { seed: 4, evaluations: 20000, algorithm: 'sphc' }).catch(() => {});
+    const again = await ask('synthesize', { seed: 3, evaluations: 400, algorithm: 'sphc' });
+    assert.equal(again.result.report.evaluations, 400, 'a search that takes the place of another');
     const other = await PageDriver.open(browser, server.address());
     const same = await other.call('search', () => window.gaitsmith.synthesize({ seed: 3, evaluations: 400, algorithm: 'sphc' }).then(({ hash }) => hash));
     assert.equal(result.hash, same, 'and finds what workers find');
@@ -260,20 +307,25 @@ async function packagedEngine({ browser }) {
   const server = new PlainServer(join(folder, 'package'), '/');
   await server.start();
   const context = await browser.createBrowserContext();
-  const page = await context.newPage();
-  await page.goto(`${server.address()}example.html`);
-  await page.waitForFunction(() => /moved/.test(document.body.textContent ?? ''), { timeout: 30000 });
-  const said = await page.evaluate(() => document.body.textContent?.trim());
-  const { stdout } = await run(process.execPath, [join(folder, 'package/example.js')]);
-  assert.equal(said, stdout.trim(), 'a page finds what Node finds');
-  await context.close();
-  server.close();
-  await rm(folder, { recursive: true });
+  try {
+    const page = await context.newPage();
+    await page.goto(`${server.address()}example.html`);
+    await page.waitForFunction(() => /moved/.test(document.body.textContent ?? ''), { timeout: 30000 });
+    const said = await page.evaluate(() => document.body.textContent?.trim());
+    const { stdout } = await run(process.execPath, [join(folder, 'package/example.js')]);
+    assert.equal(said, stdout.trim(), 'a page finds what Node finds');
+  } finally {
+    await context.close();
+    server.close();
+    await rm(folder, { recursive: true });
+  }
 }
 
 /** @type {typeof import('./scenarios.mjs').SCENARIOS} */
 export const OFFLINE_SCENARIOS = [
   ['on a plain host under a path it works, and goes on without a network', subPathAndOffline],
+  ['a host that sends pages on to prettier addresses is as good', prettyHost],
+  ['two copies on one host keep out of each other’s way', twoCopies],
   ['a new version comes as a whole, when one page is left and its reader asks for it', update],
   ['half a new version is no new version', halfAVersion],
   ['in a frame of another origin it is played by messages', foreignFrame],

@@ -14,6 +14,8 @@ export class PlainServer {
   pages = {};
   /** The network has gone. */
   away = false;
+  /** As some hosts do: .../index.html is sent on to .../, and page.html to page. */
+  pretty = false;
   /** Further headers. @type {Record<string, string>} */
   headers = {};
 
@@ -47,9 +49,14 @@ export class PlainServer {
       return;
     }
     const page = this.pages[path];
+    if (this.pretty && path.endsWith('.html')) {
+      response.writeHead(308, { location: path.replace(/(index)?\.html$/, '') }).end();
+      return;
+    }
     const inside = path.startsWith(this.path) ? normalize(path.slice(this.path.length)).replace(/^\.$|\/$|^$/, (end) => (end === '/' ? '/index.html' : 'index.html')) : null;
-    const bytes = page ?? (inside === null || inside.startsWith('..') ? null : await readFile(join(this.folder, inside)).catch(() => null));
+    const file = (/** @type {string} */ name) => readFile(join(this.folder, name)).catch(() => null);
+    const bytes = page ?? (inside === null || inside.startsWith('..') ? null : await file(inside) ?? (this.pretty ? await file(`${inside}.html`) : null));
     if (bytes === null) response.writeHead(404).end('not found');
-    else response.writeHead(200, { 'content-type': page ? 'text/html' : TYPES[extname(inside ?? '')] ?? 'application/octet-stream', 'cache-control': 'max-age=600', ...this.headers }).end(bytes);
+    else response.writeHead(200, { 'content-type': page ? 'text/html' : TYPES[extname(inside ?? '')] ?? (this.pretty && !extname(inside ?? '') ? 'text/html' : undefined) ?? 'application/octet-stream', 'cache-control': 'max-age=600', ...this.headers }).end(bytes);
   }
 }

@@ -61,9 +61,10 @@ async function shareDialog({ browser, address }) {
     gaitsmith.run('panel/Figure');
     const figures = gaitsmith.commands().filter(({ id }) => id.startsWith('figure/') && !id.includes('mr-star-man'));
     for (const { id } of figures.slice(0, 3)) gaitsmith.run(id);
-    return { before, after: gaitsmith.hash(), lab: gaitsmith.commands().some(({ id }) => id === 'panel/Lab'), style: gaitsmith.commands().some(({ id }) => id === 'panel/Style'), title: document.querySelector('iframe')?.title };
+    return { tried: figures.slice(0, 3).length, before, after: gaitsmith.hash(), lab: gaitsmith.commands().some(({ id }) => id === 'panel/Lab'), style: gaitsmith.commands().some(({ id }) => id === 'panel/Style'), title: document.querySelector('iframe')?.title };
   });
   const hash = await page.hash();
+  assert.equal(inside.tried, 3);
   assert.deepEqual([inside.before, inside.after, inside.lab, inside.style], [hash, hash, false, true]);
   assert.equal(inside.title, await page.text('#title'));
 
@@ -117,6 +118,13 @@ async function lessonInTheAddress({ browser, address }) {
   await page.call('goal', () => window.gaitsmith.arrange({ goal: 'distance >= 1, sense = physical' }).then(() => true));
   assert.equal(await page.call('reached', () => document.querySelector('#goal')?.classList.contains('met')), true);
   await page.until('its event', () => /** @type {any} */ (window).testGoals.at(-1)?.met === true);
+
+  // Also while nothing moves.
+  await page.page.evaluate(() => { if (document.body) window.gaitsmith.run('motion/end'); });
+  await page.frames();
+  await page.call('all panels', () => window.gaitsmith.arrange({ panels: 'all' }).then(() => true));
+  await page.until('the other panels', () => window.gaitsmith.widgets().some(({ label }) => label === 'Lab'));
+  await page.call('fewer', () => window.gaitsmith.arrange({ panels: 'style,search' }).then(() => true));
 
   // A locked slider is disabled, and a key changes nothing either.
   await page.page.evaluate(() => window.gaitsmith.run('panel/Style'));
