@@ -6,18 +6,12 @@ import { followLanguage, tr } from './language.js';
 
 /** @typedef {import('./app.js').App} App */
 
-// Below it the menu is folded; inside another page it always is.
+// Below it the menu is folded; inside another page, and wherever its words are too long, it is, too.
 const NARROW = matchMedia('(max-width: 899px)');
 
 /** Before there is anything to undo. */
 export function startHeader() {
-  const { dataset } = document.documentElement;
-  const fold = () => {
-    if (NARROW.matches || window.parent !== window) dataset.compact = '';
-    else delete dataset.compact;
-  };
-  NARROW.addEventListener('change', fold);
-  fold();
+  foldMenu();
   onClick('banner-close', () => banner(''));
   onClick('banner-reload', () => location.reload());
   const more = element('more');
@@ -40,6 +34,20 @@ export function startHeader() {
     show(false);
     more.focus();
   });
+}
+
+/** Folds the menu where it has no room: that depends on the language, the theme's size and the typeface. */
+function foldMenu() {
+  const root = document.documentElement;
+  const header = /** @type {HTMLElement} */ (element('more').parentElement);
+  const fold = () => {
+    delete root.dataset.compact;
+    if (window.parent !== window || NARROW.matches || header.scrollWidth > header.clientWidth) root.dataset.compact = '';
+  };
+  addEventListener('resize', fold);
+  document.fonts.addEventListener('loadingdone', fold);
+  new MutationObserver(fold).observe(root, { attributeFilter: ['data-scale'] });
+  followLanguage(fold);
 }
 
 export class HistoryButtons {

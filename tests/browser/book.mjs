@@ -71,17 +71,27 @@ const tell = (page, event, detail) => page.frames()[1].evaluate((name, what) => 
 /** @param {Page} page @param {string} selector @param {string} words */
 const says = (page, selector, words) => page.waitForFunction((where, what) => document.querySelector(where)?.textContent?.includes(what), PATIENCE, selector, words);
 
+/** Goes to the first lesson that has so many different things of a kind. @param {Page} page @param {string} selector @param {string} attribute @returns {Promise<string>} its address */
+async function goToLessonWith(page, selector, attribute, least = 1) {
+  for (const name of lessons) {
+    await page.goto(`${address}book/${name}`);
+    const there = await page.$$eval(selector, (nodes, what) => new Set(nodes.map((node) => node.getAttribute(what))).size, attribute);
+    if (there >= least) return page.url();
+  }
+  assert.fail(`no lesson has ${least} ${selector}`);
+}
+
 if (lessons.length > 0) {
   const lesson = `${address}book/${lessons[0]}`;
 
   await check('book: a link of a lesson opens beside it, and says that it is open', async (page) => {
-    await page.goto(lesson);
+    const many = await goToLessonWith(page, 'main a[data-open]', 'data-open', 2);
     const link = /** @type {NonNullable<Awaited<ReturnType<Page['$']>>>} */ (await page.waitForSelector('main a[data-open]:not([aria-current])', PATIENCE));
     const payload = await link.evaluate((node) => node.getAttribute('data-open'));
     await link.click();
     await page.waitForFunction((open) => [...document.querySelectorAll('[aria-current=true][data-open]')].some((node) => node.getAttribute('data-open') === open), PATIENCE, payload);
     assert.ok((await asked(page)).some(([call, what]) => call === 'open' && what === payload));
-    assert.equal(page.url(), lesson);
+    assert.equal(page.url(), many);
     assert.equal(await page.$$eval('a[aria-current=true][data-open]', (nodes) => new Set(nodes.map((node) => node.getAttribute('data-open'))).size), 1);
   });
 
@@ -119,11 +129,11 @@ if (lessons.length > 0) {
   });
 
   await check('book: a button asks, and says what the playground said', async (page) => {
-    await page.goto(lesson);
-    const button = await page.waitForSelector('button[data-call=synthesize]:not([disabled])', PATIENCE).catch(() => null);
-    if (!button) return; // this lesson has none
+    await goToLessonWith(page, 'button[data-call=synthesize]', 'data-call');
+    const button = /** @type {NonNullable<Awaited<ReturnType<Page['$']>>>} */ (await page.waitForSelector('button[data-call=synthesize]:not([disabled])', PATIENCE));
+    await button.evaluate((node) => /** @type {HTMLElement} */ (node).classList.add('pressed'));
     await button.click();
-    await says(page, '.do .state', 'this figure cannot move');
+    await says(page, '.do:has(.pressed) .state', 'this figure cannot move');
   });
 
   await check('book: without scripts a lesson can be read, and its links lead to the playground', async (page) => {

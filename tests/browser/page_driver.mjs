@@ -70,6 +70,8 @@ export class PageDriver {
       assert.ok(Date.now() - start < PATIENCE_MS, 'the page has not come');
     }
     await this.call('ready', () => window.gaitsmith.ready.then(() => true));
+    // A person's hand is not as quick as to come before it.
+    await this.until('the mirror', () => document.querySelector('#mirror [id^=on-canvas]') !== null);
   }
 
   async close() { await this.page.browserContext().close(); }
