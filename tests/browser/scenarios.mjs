@@ -19,6 +19,7 @@ import { MIRROR_SCENARIOS } from './mirror_scenarios.mjs';
 import { OFFLINE_SCENARIOS } from './offline_scenarios.mjs';
 import { PALETTE_SCENARIOS } from './palette_scenarios.mjs';
 import { QUEUE_SCENARIOS } from './queue_scenarios.mjs';
+import { SECURITY_SCENARIOS } from './security_scenarios.mjs';
 import { SHARE_SCENARIOS } from './share_scenarios.mjs';
 import { SUITE_SCENARIOS } from './suite_scenarios.mjs';
 import { TIMELINE_SCENARIOS } from './timeline_scenarios.mjs';
@@ -248,6 +249,7 @@ export const SCENARIOS = [
   ...QUEUE_SCENARIOS,
   ...TIMELINE_SCENARIOS,
   ...OFFLINE_SCENARIOS,
+  ...SECURITY_SCENARIOS,
   ...SHARE_SCENARIOS,
   ...SUITE_SCENARIOS,
   ...MIRROR_SCENARIOS,

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// The saved state of any search, whole, damaged or made up, as a worker's checkpoint comes back: an error, or
+// a search that goes on within its rules. What was not damaged goes on as if nothing had happened. Bytes: the
+// search, how far it went before it was saved, then pairs of a place and what is changed there; an odd one
+// out cuts the state off.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <span>
+
+#include "core/document/document.h"
+#include "core/search/search.h"
+
+namespace {
+
+using namespace gaitsmith;
+
+Document SmallProblem(const std::uint8_t* head) {
+  Document d;
+  d.figure.rods = {Rod{}, Rod{.parent = 0}, Rod{.parent = 1}};
+  d.rules = 2;
+  d.search.algorithm = static_cast<Algorithm>(head[0] % kAlgorithmNames.size());
+  d.search.seed = head[0];
+  d.search.evaluations = 300;
+  d.search.population = 4;
+  d.search.reseed_interval = 3;
+  d.search.genetic.population = 12;
+  d.search.torus.side = 4;
+  d.search.elites.initial = 20;
+  d.search.elites.batch = 8;
+  d.search.two_stage = {.random = 30, .kept = 2};
+  if (d.search.algorithm == Algorithm::kTwoStage) d.kind = ControllerKind::kNetwork;
+  return d;
+}
+
+// A landscape instead of a simulation: some have no motion.
+Score ScoreOf(const Genome& genome) {
+  std::uint32_t sum = 2166136261u;
+  for (const Gene gene : genome) sum = (sum ^ gene) * 16777619u;
+  const float share = static_cast<float>(sum >> 8) * (1.0f / 16777216.0f);
+  return {sum % 17 == 0 ? -1e9f : share, {share, 1.0f - share, share * share}};
+}
+
+bool Round(Search& search) {
+  const std::vector<Genome> asked = search.Ask(10);
+  if (asked.empty()) return false;
+  std::vector<Score> scores(asked.size());
+  std::ranges::transform(asked, scores.begin(), ScoreOf);
+  search.Tell(scores);
+  return true;
+}
+
+std::vector<std::uint8_t> SavedState(const Search& search) {
+  BitWriter out;
+  search.Save(out);
+  return out.Bytes();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size < 2) return 0;
+  const Document d = SmallProblem(data);
+  if (!Validate(d)) std::abort();
+  const auto search = MakeSearch(d.search, SpaceOf(d));
+  for (int round = 0; round < data[1] % 40; ++round) {
+    if (!Round(*search)) break;
+  }
+  std::vector<std::uint8_t> state = SavedState(*search);
+  const std::vector<std::uint8_t> sound = state;
+  std::size_t at = 2;
+  for (; at + 2 < size && !state.empty(); at += 3) {
+    const std::size_t place = (static_cast<std::size_t>(data[at]) << 8 | data[at + 1]) % state.size();
+    state[place] = static_cast<std::uint8_t>(state[place] ^ data[at + 2]);
+  }
+  if (size - at == 1) state.resize(state.size() * data[at] / 256);
+
+  const auto other = MakeSearch(d.search, SpaceOf(d));
+  BitReader in(state);
+  const auto loaded = other->Load(in);
+  if (!loaded) {
+    if (loaded.error().what.empty() || state == sound) std::abort();
+    return 0;
+  }
+  for (int round = 0; round < 12; ++round) {
+    const bool more = Round(*other);
+    if (other->Evaluations() > d.search.evaluations + 1000 || std::isnan(other->BestFitness())) std::abort();
+    if (state == sound && (Round(*search) != more || SavedState(*search) != SavedState(*other))) std::abort();
+    if (!more) break;
+  }
+  return 0;
+}
