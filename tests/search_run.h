@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Runs a search on a function in place of physics, and keeps what came of it.
+// Runs a search, on physics or on a function in its place, and keeps what came of it.
 #pragma once
 
 #include <algorithm>
 #include <catch_amalgamated.hpp>
 #include <vector>
 
+#include "core/document/document.h"
+#include "core/physics/evaluator.h"
 #include "core/search/search.h"
 
 namespace gaitsmith::test {
@@ -17,22 +19,41 @@ struct Outcome {
   int told = 0;
 };
 
-template <class Function>
-Outcome Run(Search& search, int wanted, Function function) {
+/// @param score  of a list of genomes, the fitness of each
+template <class Scorer>
+Outcome RunInBatches(Search& search, int wanted, Scorer score) {
   Outcome outcome;
   while (!search.Done()) {
     const auto genomes = search.Ask(wanted);
     REQUIRE(!genomes.empty());
-    std::vector<float> fitness;
-    fitness.reserve(genomes.size());
-    for (const Genome& genome : genomes) fitness.push_back(function(genome));
-    search.Tell(fitness);
+    search.Tell(score(genomes));
     outcome.told += static_cast<int>(genomes.size());
   }
   outcome.best = search.BestGenome();
   outcome.fitness = search.BestFitness();
   outcome.curve = search.Curve();
   return outcome;
+}
+
+template <class Function>
+Outcome Run(Search& search, int wanted, Function function) {
+  return RunInBatches(search, wanted, [&](const std::vector<Genome>& genomes) {
+    std::vector<float> fitness;
+    fitness.reserve(genomes.size());
+    for (const Genome& genome : genomes) fitness.push_back(function(genome));
+    return fitness;
+  });
+}
+
+/// The search that a document asks for, with physics. @param document valid
+inline Outcome RunSearchOf(const Document& document) {
+  const auto search = MakeSearch(document.search, SpaceOf(document));
+  const Evaluator evaluator(ProblemOf(document));
+  return RunInBatches(*search, 40, [&](const std::vector<Genome>& genomes) {
+    std::vector<float> fitness;
+    for (const Evaluation& one : evaluator.Evaluate(genomes)) fitness.push_back(one.fitness);
+    return fitness;
+  });
 }
 
 inline bool Same(const Outcome& a, const Outcome& b) {

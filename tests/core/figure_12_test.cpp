@@ -8,6 +8,7 @@
 
 #include "core/document/json.h"
 #include "core/numeric/scalar_math.h"
+#include "tests/flight_time.h"
 #include "tests/scene.h"
 
 namespace gaitsmith {
@@ -27,14 +28,9 @@ Part Measured(const Document& d, const Motion& motion, std::size_t clip) {
   Part part{.name = d.controllers[static_cast<std::size_t>(d.timeline[clip].controller)].name,
             .travel_m = last.x_m - first.x_m,
             .turns = (last.turn_rad - first.turn_rad) / (2.0 * kPi)};
-  int flight = 0;
-  for (int frame = begin; frame <= end; ++frame) {
+  for (int frame = begin; frame <= end; ++frame)
     part.rise_m = std::max(part.rise_m, static_cast<double>(motion.At(frame).y_m - first.y_m));
-    bool touches = false;
-    for (int e = 0; e < motion.Bones().endpoints; ++e) touches |= motion.Force(frame, e).y > 0.0f;
-    flight = touches ? 0 : flight + 1;
-    part.longest_flight = std::max(part.longest_flight, flight);
-  }
+  part.longest_flight = test::LongestFlight(motion, begin, end);
   return part;
 }
 

@@ -11,6 +11,7 @@
 #include "core/document/json.h"
 #include "core/physics/evaluator.h"
 #include "tests/scene.h"
+#include "tests/search_run.h"
 
 namespace gaitsmith::test {
 
@@ -71,15 +72,7 @@ float BestOf(Algorithm algorithm, SenseKind senses, std::uint32_t seed) {
   Document document = StarManTravel(senses);
   document.search.algorithm = algorithm;
   document.search.seed = seed;
-  const auto search = MakeSearch(document.search, SpaceOf(document));
-  const Evaluator evaluator(ProblemOf(document));
-  while (!search->Done()) {
-    std::vector<float> fitness;
-    for (const Evaluation& evaluation : evaluator.Evaluate(search->Ask(80)))
-      fitness.push_back(evaluation.fitness);
-    search->Tell(fitness);
-  }
-  return search->BestFitness();
+  return RunSearchOf(document).fitness;
 }
 
 }  // namespace
