@@ -150,10 +150,7 @@ void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
     ui.Gap(8.0f);
   }
   const bool locked = session_.arrangement.LocksPanel(panel);
-  if (locked) {
-    ui.Paragraph(Tr("Locked here: to read, not to change."), ui.Ink().second_ink, Type::kNote);
-    ui.Gap(8.0f);
-  }
+  if (locked) ui.LockNote();
   ui.Lock(locked);
   switch (panel) {
     case 0:

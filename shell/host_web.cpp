@@ -49,10 +49,24 @@ Page& ThePage() {
 
 Session& TheSession() { return ThePage().app->State(); }
 
-const char* Reply(std::string text) {
+// Asked for often: nothing is drawn anew for it.
+const char* QuietReply(std::string text) {
   ThePage().reply = std::move(text);
-  ThePage().window->RequestFrame();
   return ThePage().reply.c_str();
+}
+
+const char* Reply(std::string text) {
+  ThePage().window->RequestFrame();
+  return QuietReply(std::move(text));
+}
+
+// Locks are for a person's hands, not for scripts.
+template <class Deed>
+void WithoutLocks(Deed deed) {
+  Arrangement& locks = TheSession().arrangement;
+  const Arrangement kept = std::exchange(locks, {});
+  deed();
+  locks = kept;
 }
 
 // The canvas is as large as the page's style makes it; SDL hears only of the whole window's changes.
@@ -129,10 +143,7 @@ EMSCRIPTEN_KEEPALIVE const char* gs_hash() { return Reply(HashText(TheSession().
 EMSCRIPTEN_KEEPALIVE const char* gs_title() { return Reply(TrTitle(TheSession().Doc().title)); }
 
 /// Every visible widget of the last frame, as a JSON list.
-EMSCRIPTEN_KEEPALIVE const char* gs_widgets() {
-  ThePage().reply = ThePage().window->Registry().Json();
-  return ThePage().reply.c_str();
-}
+EMSCRIPTEN_KEEPALIVE const char* gs_widgets() { return QuietReply(ThePage().window->Registry().Json()); }
 
 /// Everything on the canvas, in and out of sight, as WidgetRegistry::MirrorJson; empty: as at the last call.
 EMSCRIPTEN_KEEPALIVE const char* gs_mirror() {
@@ -178,14 +189,8 @@ EMSCRIPTEN_KEEPALIVE int gs_dismiss() {
 }
 
 /// The moment on the stage in words, short or in full.
-EMSCRIPTEN_KEEPALIVE const char* gs_moment() {
-  ThePage().reply = MomentWords(TheSession());
-  return ThePage().reply.c_str();
-}
-EMSCRIPTEN_KEEPALIVE const char* gs_description() {
-  ThePage().reply = DescriptionOf(TheSession());
-  return ThePage().reply.c_str();
-}
+EMSCRIPTEN_KEEPALIVE const char* gs_moment() { return QuietReply(MomentWords(TheSession())); }
+EMSCRIPTEN_KEEPALIVE const char* gs_description() { return QuietReply(DescriptionOf(TheSession())); }
 EMSCRIPTEN_KEEPALIVE int gs_playing() { return TheSession().player.Playing() ? 1 : 0; }
 
 /// @param palette a PaletteName
@@ -251,10 +256,7 @@ EMSCRIPTEN_KEEPALIVE const char* gs_synthesize(const char* options) {
     fault = ApplySearchOptions(*parsed, changed, workers);
     if (!fault.empty()) return Reply(fault);
     if (const auto valid = Validate(changed); !valid) return Reply(TrError(valid.error()));
-    // Locks are for a person's hands.
-    const Arrangement locks = std::exchange(session.arrangement, {});
-    session.Set([&](Document& d) { d = changed; });
-    session.arrangement = locks;
+    WithoutLocks([&] { session.Set([&](Document& d) { d = changed; }); });
   }
   session.workers = workers;
   session.Synthesize();
@@ -276,23 +278,15 @@ EMSCRIPTEN_KEEPALIVE const char* gs_enqueue(const char* options) {
   return Reply(session.Enqueue(wanted) ? "" : session.notice);
 }
 /// What waits, as QueueJson.
-EMSCRIPTEN_KEEPALIVE const char* gs_queue() {
-  ThePage().reply = QueueJson(TheSession().queue);
-  return ThePage().reply.c_str();
-}
+EMSCRIPTEN_KEEPALIVE const char* gs_queue() { return QuietReply(QueueJson(TheSession().queue)); }
 /// What was found, the newest first, as FoundJson.
-EMSCRIPTEN_KEEPALIVE const char* gs_found() {
-  ThePage().reply = FoundJson(TheSession().found);
-  return ThePage().reply.c_str();
-}
+EMSCRIPTEN_KEEPALIVE const char* gs_found() { return QuietReply(FoundJson(TheSession().found)); }
 /// @return 0: there is no such result
 EMSCRIPTEN_KEEPALIVE int gs_show_found(const char* id) {
-  Session& session = TheSession();
-  session.BeginGesture();
+  TheSession().BeginGesture();
   ThePage().window->RequestFrame();
-  const Arrangement locks = std::exchange(session.arrangement, {});  // they are for a person's hands
-  const bool shown = session.ShowFound(id);
-  session.arrangement = locks;
+  bool shown = false;
+  WithoutLocks([&] { shown = TheSession().ShowFound(id); });
   return shown ? 1 : 0;
 }
 /// @param options JSON object: id, name. @return an empty text, or why not
@@ -313,14 +307,10 @@ EMSCRIPTEN_KEEPALIVE const char* gs_restore_found(const char* text) {
 /// What is shown and locked. @param options JSON object. @return an empty text, or a sentence
 EMSCRIPTEN_KEEPALIVE const char* gs_arrange(const char* options) {
   const auto parsed = ParseJson(options);
-  ThePage().window->RequestFrame();
   return Reply(parsed ? ApplyArrangement(*parsed, TheSession().arrangement) : TrError(parsed.error()));
 }
 /// The motion shown in numbers, as MeasuresJson.
-EMSCRIPTEN_KEEPALIVE const char* gs_measures() {
-  ThePage().reply = MeasuresJson(TheSession());
-  return ThePage().reply.c_str();
-}
+EMSCRIPTEN_KEEPALIVE const char* gs_measures() { return QuietReply(MeasuresJson(TheSession())); }
 
 /// Starts the lab; one that runs is stopped first. @param options JSON object
 /// @return an empty text, or a sentence, and then nothing has changed

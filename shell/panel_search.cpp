@@ -168,10 +168,7 @@ void DrawSettings(Ui& ui, Session& session, SearchPanelState& state) {
                   Fixed(static_cast<float>(d.task.duration_steps) * kStep, 1)),
                Type::kNote);
   ui.Gap(6.0f);
-  if (session.arrangement.Locks(LockedPart::kSearch)) {
-    ui.Paragraph(Tr("Locked here: to read, not to change."), ui.Ink().second_ink, Type::kNote);
-    ui.Gap(8.0f);
-  }
+  if (session.arrangement.Locks(LockedPart::kSearch)) ui.LockNote();
   DrawSearchSettings(ui, session, state.variation);
   ui.Gap(6.0f);
 }

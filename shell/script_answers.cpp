@@ -6,6 +6,7 @@
 
 #include "core/document/json_value.h"
 #include "core/document/link.h"
+#include "core/document/schema.h"
 #include "shell/language.h"
 #include "shell/search_words.h"
 #include "shell/style_words.h"
@@ -74,10 +75,10 @@ std::string MeasuresJson(const Session& session) {
         terms.Style(static_cast<StyleTerm>(i)));
   }
   const Controller* controller = session.ShownController();
-  const char* sense = controller == nullptr                             ? ""
-                      : controller->kind == ControllerKind::kNetwork    ? "network"
-                      : controller->senses.kind == SenseKind::kPhysical ? "physical"
-                                                                        : "timer";
+  const std::string_view sense = controller == nullptr ? ""
+                                 : controller->kind == ControllerKind::kNetwork
+                                     ? "network"
+                                     : kSenseKindNames[static_cast<std::size_t>(controller->senses.kind)];
   return json + "],\"sense\":" + QuoteJson(sense) +
          ",\"rules\":" + std::to_string(controller == nullptr ? 0 : controller->rules) +
          ",\"broke\":" + (terms.broke_physics ? "true" : "false") + "}";

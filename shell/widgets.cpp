@@ -39,6 +39,11 @@ void Ui::Heading(std::string_view text) const {
   Letters().Draw(Canvas(), Type::kStrong, {row.Min.x, row.GetCenter().y}, Ink().ink, text);
 }
 
+void Ui::LockNote() const {
+  Paragraph(Tr("Locked here: to read, not to change."), Type::kNote);
+  Gap(8.0f);
+}
+
 void Ui::Paragraph(std::string_view text, Type type) const { Paragraph(text, Ink().second_ink, type); }
 
 void Ui::Paragraph(std::string_view text, ImU32 colour, Type type) const {

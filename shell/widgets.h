@@ -66,6 +66,8 @@ class Ui {
 
   /// From now on what is drawn can be read and unfolded, but changes nothing.
   void Lock(bool locked) { locked_ = locked; }
+  /// Says so, above what is locked.
+  void LockNote() const;
 
   // Layout in a panel: rows from the top down, as wide as the panel.
   [[nodiscard]] ImRect Row(float height) const;

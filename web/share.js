@@ -9,7 +9,6 @@ import { grouped, tr } from './language.js';
 
 // A camera across a room reads up to about this many modules (version 20) from a projector.
 const MOST_IN_QR = 850;
-const PANELS = ['figure', 'controller', 'style', 'search', 'lab', 'timeline'];
 const QUIET = 4; // modules of margin, as the standard asks for
 
 /** @type {ShareDialog | null} */
@@ -82,7 +81,7 @@ class ShareDialog {
     const shown = boxes.filter(({ checked }) => checked).map(({ value }) => value);
     const address = new URL(this.#link.value);
     address.search = '';
-    if (shown.length < PANELS.length) address.searchParams.set('panels', shown.join(',') || 'none');
+    if (shown.length < boxes.length) address.searchParams.set('panels', shown.join(',') || 'none');
     if (this.#lock.checked) address.searchParams.set('lock', 'figure');
     const source = address.href.replaceAll('%2C', ',');
     const height = Math.min(2000, Math.max(300, Number(this.#height.value) || 600));

@@ -13,13 +13,12 @@ import { PlainServer } from './plain_server.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
 
-const SITE = process.argv[2] ?? join(ROOT, 'build/site');
 const run = promisify(execFile);
 
-/** A host with a copy of the site. @param {(server: PlainServer) => Promise<void>} body */
-async function onHost(body) {
+/** A host with a copy of the site. @param {Visit} visit @param {(server: PlainServer) => Promise<void>} body */
+async function onHost(visit, body) {
   const folder = await mkdtemp(join(tmpdir(), 'site-'));
-  await cp(SITE, folder, { recursive: true });
+  await cp(visit.site, folder, { recursive: true });
   const server = new PlainServer(folder, '/some/where/');
   await server.start();
   try {
@@ -31,7 +30,7 @@ async function onHost(body) {
 }
 
 /** The whole page is kept. @param {PageDriver} page */
-const kept = (page) => page.until('the service worker', `(async () => (await navigator.serviceWorker.ready).active?.state === 'activated')()`);
+const kept = (page) => page.until('the service worker', `(async () => (await navigator.serviceWorker.getRegistration())?.active?.state === 'activated')()`);
 
 /** A search of the page comes to its end and moves something. @param {PageDriver} page */
 const searches = (page) => page.call('search', async () => {
@@ -40,8 +39,9 @@ const searches = (page) => page.call('search', async () => {
 });
 
 /** @param {Visit} visit */
-async function subPathAndOffline({ browser }) {
-  await onHost(async (server) => {
+async function subPathAndOffline(visit) {
+  const { browser } = visit;
+  await onHost(visit, async (server) => {
     const page = await PageDriver.open(browser, server.address());
     const { hash, state } = await searches(page);
     assert.equal(state, 'done');
@@ -71,8 +71,9 @@ async function subPathAndOffline({ browser }) {
 }
 
 /** @param {Visit} visit */
-async function prettyHost({ browser }) {
-  await onHost(async (server) => {
+async function prettyHost(visit) {
+  const { browser } = visit;
+  await onHost(visit, async (server) => {
     server.pretty = true;
     const page = await PageDriver.open(browser, server.address());
     const hash = await page.hash();
@@ -87,9 +88,10 @@ async function prettyHost({ browser }) {
 }
 
 /** @param {Visit} visit */
-async function twoCopies({ browser }) {
-  await onHost(async (server) => {
-    await cp(SITE, join(server.folder, 'older'), { recursive: true });
+async function twoCopies(visit) {
+  const { browser } = visit;
+  await onHost(visit, async (server) => {
+    await cp(visit.site, join(server.folder, 'older'), { recursive: true });
     const page = await PageDriver.open(browser, server.address());
     await kept(page);
     const other = await PageDriver.open(browser, `${server.address()}older/`, { beside: page });
@@ -104,8 +106,9 @@ async function twoCopies({ browser }) {
 }
 
 /** @param {Visit} visit */
-async function update({ browser }) {
-  await onHost(async (server) => {
+async function update(visit) {
+  const { browser } = visit;
+  await onHost(visit, async (server) => {
     const page = await PageDriver.open(browser, server.address());
     await kept(page);
     await page.reload(); // now it is the kept one
@@ -138,8 +141,9 @@ async function update({ browser }) {
 }
 
 /** @param {Visit} visit */
-async function halfAVersion({ browser }) {
-  await onHost(async (server) => {
+async function halfAVersion(visit) {
+  const { browser } = visit;
+  await onHost(visit, async (server) => {
     const page = await PageDriver.open(browser, server.address());
     await kept(page);
     await page.reload();
@@ -202,8 +206,9 @@ async function around(browser, server, sandbox, query = '') {
 }
 
 /** @param {Visit} visit */
-async function foreignFrame({ browser }) {
-  await onHost(async (server) => {
+async function foreignFrame(visit) {
+  const { browser } = visit;
+  await onHost(visit, async (server) => {
     const { page, ask, until, close } = await around(browser, server, 'allow-scripts allow-same-origin', '?panels=style&lock=figure&goal=distance>=1');
     await until('the frame', `events.includes('ready')`);
     const hello = (await ask('hello')).result;
@@ -241,8 +246,9 @@ async function foreignFrame({ browser }) {
 }
 
 /** @param {Visit} visit */
-async function narrowFrame({ browser }) {
-  await onHost(async (server) => {
+async function narrowFrame(visit) {
+  const { browser } = visit;
+  await onHost(visit, async (server) => {
     const refused = await around(browser, server, 'allow-scripts');
     const inFrame = async () => {
       const frame = refused.page.frames().find((each) => each.url().startsWith(server.address()));
@@ -300,10 +306,11 @@ async function secondProfile({ browser, address }) {
 }
 
 /** @param {Visit} visit */
-async function packagedEngine({ browser }) {
+async function packagedEngine(visit) {
+  const { browser } = visit;
   const folder = await mkdtemp(join(tmpdir(), 'package-'));
-  const archive = (await readdir(join(SITE, 'package'))).find((name) => name.endsWith('.tgz'));
-  await run('tar', ['-xzf', join(SITE, 'package', archive ?? ''), '-C', folder]);
+  const archive = (await readdir(join(visit.site, 'package'))).find((name) => name.endsWith('.tgz'));
+  await run('tar', ['-xzf', join(visit.site, 'package', archive ?? ''), '-C', folder]);
   const server = new PlainServer(join(folder, 'package'), '/');
   await server.start();
   const context = await browser.createBrowserContext();

@@ -61,7 +61,8 @@ async function checkGoldenLinks(page) {
 }
 
 const wanted = process.argv[3] ?? '';
-const address = await serve(process.argv[2] ?? join(ROOT, 'build/site'));
+const site = process.argv[2] ?? join(ROOT, 'build/site');
+const address = await serve(site);
 /** @type {import('./scenarios.mjs').Visit[]} */
 const visits = [];
 for (const [name, start] of /** @type {const} */ ([['Chromium', startChromium], ['Firefox', startFirefox]])) {
@@ -71,7 +72,7 @@ for (const [name, start] of /** @type {const} */ ([['Chromium', startChromium], 
     continue;
   }
   console.log(`\n${name}: ${await browser.version()}`);
-  const visit = /** @type {import('./scenarios.mjs').Visit} */ ({ name, browser, address, found: {}, link: '', figures: {} });
+  const visit = /** @type {import('./scenarios.mjs').Visit} */ ({ name, browser, site, address, found: {}, link: '', figures: {} });
   visits.push(visit);
   for (const [claim, body] of SCENARIOS.filter(([text, , only = name]) => text.includes(wanted) && only === name)) await check(`${name}: ${claim}`, () => body(visit));
   await check(`${name}: golden motions and links have their pinned hashes`, async () => {

@@ -36,6 +36,7 @@ import { nativeHash } from './native.mjs';
  * @typedef {object} Visit  what one browser's scenarios share
  * @property {string} name
  * @property {Browser} browser
+ * @property {string} site      the folder that is served
  * @property {string} address
  * @property {PageDriver} page
  * @property {Record<string, string>} found  hashes that every browser must agree on

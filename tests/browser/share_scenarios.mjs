@@ -3,8 +3,9 @@
 // lesson asks of the page in its address.
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
-import { readFile } from 'node:fs/promises';
+import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
+import { TERMS } from '../../web/goal_conditions.js';
 import { ROOT } from './browsers.mjs';
 import { PageDriver } from './page_driver.mjs';
 
@@ -144,9 +145,37 @@ async function lessonInTheAddress({ browser, address }) {
   await wrong.close();
 }
 
+/** Each goal of a lesson can be read, everything that it asks for is measured, and what the lesson opens does not meet it. @param {Visit} visit */
+async function goalsOfLessons({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const folder = join(ROOT, 'docs/lessons');
+  let goals = 0;
+  for (const file of (await readdir(folder)).filter((name) => /^\d.*\.md$/.test(name))) {
+    const text = await readFile(join(folder, file), 'utf8');
+    const opened = await readFile(join(folder, /^open: (.+)$/m.exec(text)?.[1] ?? ''), 'utf8');
+    const inText = [...text.matchAll(/^```goal\n(.+)$/gm), ...text.matchAll(/^goal: (.+)$/gm)].map(([, goal]) => goal);
+    assert.notEqual(inText.length, 0, file);
+    for (const goal of inText) {
+      const { met, waits } = await page.page.evaluate(async (json, wanted) => {
+        window.gaitsmith.open(json);
+        await window.gaitsmith.arrange({ goal: wanted });
+        return { met: document.querySelector('#goal')?.classList.contains('met'), waits: document.querySelector('#goal-list')?.textContent ?? '' };
+      }, opened, goal);
+      assert.equal(met, false, `${file}: ${goal}`);
+      assert.ok(waits.length > 10 && !waits.includes('–'), `${file}: ${waits}`);
+      goals++;
+    }
+  }
+  assert.ok(goals >= 7);
+  const measured = await page.page.evaluate(() => window.gaitsmith.measures());
+  for (const term of TERMS) assert.ok(term in measured, term);
+  await page.close();
+}
+
 /** @type {typeof import('./scenarios.mjs').SCENARIOS} */
 export const SHARE_SCENARIOS = [
   ['Share has the link, a code that a camera reads, and lines that put it into another page', shareDialog],
   ['links that are damaged, cut, newer, too long or none say so and what to do', linksThatCannotBeOpened],
   ['an address shows panels, locks parts and sets a goal that is ticked', lessonInTheAddress],
+  ['the goals of all lessons can be read, are measured, and are still to be reached', goalsOfLessons],
 ];

@@ -1,24 +1,32 @@
 // SPDX-License-Identifier: MIT
 // The blocks that only lessons have: a goal to reach, a question with answers to choose from, something the playground does.
+import { parseGoal } from '../goal_conditions.js';
 import { attributes, escaped } from './html.mjs';
 
 /** @typedef {import('./markdown.mjs').Markdown} Markdown */
 /** @typedef {import('./pages.mjs').Page} Page */
 /** @typedef {(markdown: Markdown, page: Page, content: string, line: number) => Promise<string>} Block */
 
-const CONDITION = /^\s*[a-z_]+\s*(>=|<=|>|<|=)\s*(-?\d+(\.\d+)?|[a-z]+)\s*$/; // as web/goal.js reads them
 const CHOICE = /^\(([ x])\)\s+(.+?)\s*(?:\|\s*(.+))?$/;
 /** What a button may ask of the playground (docs/embedding.md). */
 const CALLS = ['open', 'synthesize', 'stop', 'pause', 'resume', 'lab', 'undo', 'redo', 'run', 'arrange'];
 const TICK = '<svg class="tick" viewBox="0 0 20 20" aria-hidden="true"><circle cx="10" cy="10" r="8.5"/><path d="M6 10.4l2.8 2.8L14.2 7.4"/></svg>';
 
-/** @param {string} conditions  of a goal */
-export const areConditions = (conditions) => conditions.split(',').every((one) => CONDITION.test(one));
+/** What is wrong with the conditions of a goal; empty: nothing. @param {string} conditions */
+export function faultOfGoal(conditions) {
+  try {
+    parseGoal(conditions);
+    return '';
+  } catch (error) {
+    return /** @type {Error} */ (error).message;
+  }
+}
 
 /** @type {Block} */
 async function goal(markdown, page, content, line) {
   const [conditions = '', ...words] = content.trim().split('\n');
-  if (!areConditions(conditions)) markdown.faults.add(page.source, line + 1, 'the first line of a goal is its conditions, such as "travel >= 8, rotations >= 1"');
+  const fault = faultOfGoal(conditions);
+  if (fault) markdown.faults.add(page.source, line + 1, fault);
   if (words.length === 0) markdown.faults.add(page.source, line, 'a goal needs a line with its words');
   return `<section class="goal"${attributes({ 'data-goal': conditions.trim() })} aria-label="Goal">
 ${TICK}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A lesson: text, and the playground beside it.
 import { attributes, escaped } from './html.mjs';
-import { areConditions } from './blocks.mjs';
+import { faultOfGoal } from './blocks.mjs';
 import { LESSONS } from './contents.mjs';
 import { playgroundAddress } from './playground.mjs';
 import { upFrom } from './template.mjs';
@@ -22,7 +22,8 @@ export async function lessonPage(page, { html, sentence }, all, links) {
   const { opens } = open ? await links.resolve(page, open.line, open.value) : { opens: undefined };
   if (open && !opens) links.faults.add(page.source, open.line, '"open" names a document of examples');
   const goal = fields.get('goal');
-  if (goal && !areConditions(goal.value)) links.faults.add(page.source, goal.line, '"goal" has conditions, such as "travel >= 8"');
+  const fault = goal && faultOfGoal(goal.value);
+  if (fault) links.faults.add(page.source, goal.line, fault);
   /** @type {[string, string][]} */
   const query = [['lang', 'en']];
   for (const key of /** @type {const} */ (['panels', 'lock', 'goal'])) {
