@@ -2,6 +2,7 @@
 #include "core/document/binary.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #include "core/document/archive.h"
@@ -232,11 +233,17 @@ std::uint32_t TakeLittleEndian(std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 std::uint32_t Crc32(std::span<const std::uint8_t> bytes) {
+  static constexpr auto kOfByte = [] {
+    std::array<std::uint32_t, 256> table{};
+    for (std::uint32_t byte = 0; byte < table.size(); ++byte) {
+      std::uint32_t crc = byte;
+      for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (0xedb88320u & (0u - (crc & 1u)));
+      table[byte] = crc;
+    }
+    return table;
+  }();
   std::uint32_t crc = ~0u;
-  for (const std::uint8_t byte : bytes) {
-    crc ^= byte;
-    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (0xedb88320u & (0u - (crc & 1u)));
-  }
+  for (const std::uint8_t byte : bytes) crc = (crc >> 8) ^ kOfByte[(crc ^ byte) & 0xffu];
   return ~crc;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/document/link.h"
 
+#include <array>
+
 #include "core/document/binary.h"
 
 namespace gaitsmith {
@@ -8,6 +10,15 @@ namespace gaitsmith {
 namespace {
 
 constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+
+constexpr std::uint8_t kForeign = 64;
+constexpr auto kValues = [] {
+  std::array<std::uint8_t, 256> values{};
+  values.fill(kForeign);
+  for (std::size_t i = 0; i < kAlphabet.size(); ++i)
+    values[static_cast<std::uint8_t>(kAlphabet[i])] = static_cast<std::uint8_t>(i);
+  return values;
+}();
 
 std::string ToBase64Url(std::span<const std::uint8_t> bytes) {
   std::string text;
@@ -30,13 +41,13 @@ Result<std::vector<std::uint8_t>> FromBase64Url(std::string_view text) {
   std::uint32_t held = 0;
   int bits = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const std::size_t value = kAlphabet.find(text[i]);
-    if (value == std::string_view::npos) {
+    const std::uint8_t value = kValues[static_cast<std::uint8_t>(text[i])];
+    if (value == kForeign) {
       return Fail(ErrorCode::kSyntax, "link",
                   "character " + std::to_string(i + 1) + " of " + std::to_string(text.size()) +
                       " does not belong in a link");
     }
-    held = held << 6 | static_cast<std::uint32_t>(value);
+    held = held << 6 | value;
     bits += 6;
     if (bits >= 8) {
       bits -= 8;

@@ -145,6 +145,43 @@ async function lessonInTheAddress({ browser, address }) {
   await wrong.close();
 }
 
+/** Every link that people may have, with each other character at each place, and cut at each. @param {Visit} visit */
+async function damagedLinks({ name, browser, address, figures }) {
+  const page = await PageDriver.open(browser, address);
+  const links = (await Promise.all([1, 2].map((version) => readFile(join(ROOT, `tests/golden/links/version-${version}.txt`), 'utf8'))))
+    .flatMap((text) => text.split('\n')).filter((line) => /^[0-9a-f]{16} /.test(line)).map((line) => line.slice(17));
+  assert.ok(links.length >= 44);
+  let tried = 0;
+  for (const link of links) {
+    const { count, opened } = await page.page.evaluate(async (payload) => {
+      const { Engine } = await import(new URL('engine.js', location.href).href);
+      const { module } = await Engine.load();
+      const opens = (/** @type {Uint8Array} */ text) => {
+        const at = module._gs_input(text.length);
+        module.HEAPU8.set(text, at);
+        return module._gs_document_from_text(text.length) !== 0;
+      };
+      const bytes = new TextEncoder().encode('ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_ #%+/=.\0\n');
+      const text = new TextEncoder().encode(payload);
+      /** @type {string[]} */
+      const bad = opens(text) ? [] : ['the link itself is refused'];
+      text.forEach((right, at) => {
+        for (const byte of bytes) {
+          text[at] = byte;
+          if (byte !== right && opens(text)) bad.push(`byte ${byte} at ${at}`);
+        }
+        text[at] = right;
+        if (opens(text.subarray(0, at))) bad.push(`cut at ${at}`);
+      });
+      return { count: text.length * bytes.length, opened: bad };
+    }, link);
+    assert.deepEqual(opened, [], link.slice(0, 40));
+    tried += count;
+  }
+  figures[`damaged links refused in ${name}`] = tried;
+  await page.close();
+}
+
 /** Each goal of a lesson can be read, everything that it asks for is measured, and what the lesson opens does not meet it. @param {Visit} visit */
 async function goalsOfLessons({ browser, address }) {
   const page = await PageDriver.open(browser, address);
@@ -176,6 +213,7 @@ async function goalsOfLessons({ browser, address }) {
 export const SHARE_SCENARIOS = [
   ['Share has the link, a code that a camera reads, and lines that put it into another page', shareDialog],
   ['links that are damaged, cut, newer, too long or none say so and what to do', linksThatCannotBeOpened],
+  ['golden links with any one byte changed, or cut anywhere, are refused', damagedLinks],
   ['an address shows panels, locks parts and sets a goal that is ticked', lessonInTheAddress],
   ['the goals of all lessons can be read, are measured, and are still to be reached', goalsOfLessons],
 ];

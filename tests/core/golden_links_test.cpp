@@ -79,21 +79,25 @@ TEST_CASE("golden links: every link of version 2 opens with its motion", "[golde
   CheckLinks(2, 10);
 }
 
-TEST_CASE("golden links: a link with another character is refused", "[golden][links]") {
-  constexpr std::size_t kPlaces = 48;
+TEST_CASE("golden links: no link that was changed in one byte or cut short opens", "[golden][links]") {
+#ifdef NDEBUG
+  constexpr std::size_t kStep = 1;  // also in WASM: tests/browser/share_scenarios.mjs
+#else
+  constexpr std::size_t kStep = 7;  // of places: all take sanitizers minutes
+#endif
   for (const int version : {1, 2}) {
     for (const GoldenLink& link : LinksOf(version)) {
       CAPTURE(link.name);
-      const std::size_t last = link.payload.size() - 1;
-      for (std::size_t place = 0; place < kPlaces; ++place) {
-        const std::size_t at = place * last / (kPlaces - 1);
+      int opened = 0;
+      for (std::size_t at = 0; at < link.payload.size(); at += kStep) {
+        opened += DecodeLink(std::string_view(link.payload).substr(0, at)) ? 1 : 0;
         std::string changed = link.payload;
-        // A neighbour differs in few bits, the one across the alphabet in the highest.
-        const std::size_t step = place % 2 == 0 ? 1 : 32;
-        changed[at] = kAlphabet[(kAlphabet.find(changed[at]) + step) % kAlphabet.size()];
-        CAPTURE(at);
-        REQUIRE_FALSE(DecodeLink(changed));
+        for (int byte = 0; byte < 256; ++byte) {
+          changed[at] = static_cast<char>(byte);
+          if (changed[at] != link.payload[at]) opened += DecodeLink(changed) ? 1 : 0;
+        }
       }
+      REQUIRE(opened == 0);
     }
   }
 }
