@@ -45,7 +45,9 @@ class Touch {
       const F r_x = 0.5f * (x0 + x1), r_y = 0.5f * (y0 + y1);
       const F u_x = (x1 - x0) * world.inverse_step, u_y = (y1 - y0) * world.inverse_step;
       Contact<W>& contact = contact_[c];
-      contact.arm = cosine * r_x - sine * r_y;
+      // An arm of a contact that there is not may be infinite where all else is finite, and no force times
+      // that is not zero.
+      contact.arm = L::Select(present_[c], cosine * r_x - sine * r_y, F{});
       // An endpoint that only lands in this step is not quite at height 0 at mid-step.
       const F above = body_.height + (sine * r_x + cosine * r_y);
       contact.drift_t = (cosine * u_x - sine * u_y) - s.spin * above;
