@@ -163,7 +163,7 @@ void SolveTouching(const World& world, MotionState<W>& s, const typename Lane<W>
 /// The energy that the ground's impulses give in a step [J]: their work at the mean of the velocities before
 /// and after them, which is that after, less half of what they changed. Measured on the way that the
 /// endpoints go, not on the one that was foreseen: never above zero, were the contacts solved exactly. Only
-/// of impulses that change much (the others cannot give much either, and are most).
+/// where much energy goes by (elsewhere, and that is most steps, not much can be given either).
 template <int W>
 void MeasureGivenEnergy(const Skeleton& skeleton, const World& world, MotionState<W>& s) {
   using L = Lane<W>;
@@ -172,7 +172,9 @@ void MeasureGivenEnergy(const Skeleton& skeleton, const World& world, MotionStat
   const F kick_y = s.ground.up + world.mass_kg * world.fall_y;
   const F changed = 0.5f * ((kick_x * kick_x + kick_y * kick_y) * world.inverse_mass +
                             s.ground.moment * s.ground.moment * s.inverse_inertia);
-  const typename L::I much = (s.ground.up > 0.0f) & (changed > world.max_ground_work_j);
+  // What normal forces gave and friction took counts on its own.
+  const F went_by = changed + L::Abs(s.ground.normal_work_j) + L::Abs(s.ground.friction_work_j);
+  const typename L::I much = (s.ground.up > 0.0f) & (went_by > world.max_ground_work_j);
   if (!L::Any(much)) return;
   const Pose<W>& before = s.PoseNow();
   const Pose<W>& after = s.NextPose();
