@@ -20,10 +20,10 @@ const std::array<LawLimit, kLaws> kLawLimits = {{
     {"momentum", "share", 1e-6},
     {"flight", "share", 0.0},
     {"moment", "reach + way", 1.0},
-    {"still energy", "M g l", 0.1},
-    {"still gain", "M g l/s", 1.0},
-    {"ground work", "M g l", 0.1},
-    {"ground gain", "M g l/s", 1.0},
+    {"still energy", "M g l + E", 0.1},
+    {"still gain", "(M g l + E)/s", 1.0},
+    {"ground work", "M g l + E", 0.1},
+    {"ground gain", "(M g l + E)/s", 1.0},
     {"lifting", "m/s", 2.0},
 }};
 
@@ -64,8 +64,8 @@ class Trial {
     offences_.judged = frame_;
     // What is a rate is judged against a second at least: one bad step is no bad second.
     const double seconds = std::max(1.0, (frame_ - 1) * step_s_);
-    Offend(Law::kStillGain, still_gain_ / unit_j_ / seconds);
-    Offend(Law::kGroundGain, ground_gain_ / unit_j_ / seconds);
+    Offend(Law::kStillGain, still_gain_ / seconds);
+    Offend(Law::kGroundGain, ground_gain_ / seconds);
     Offend(Law::kLifting, lifted_m_ / seconds);
     return offences_;
   }
@@ -181,8 +181,8 @@ class Trial {
       const double spin = (motion_.At(frame_).turn_rad - motion_.At(last).turn_rad) / step_s_;
       const double astray = spin * (turned - ground_moment);
       const double gained = ground_work + astray + lift_j - taken - rounding_j - slack;
-      Offend(Law::kGroundWork, gained / unit_j_);
-      ground_gain_ += std::max(0.0, gained);
+      Offend(Law::kGroundWork, gained / Scale());
+      ground_gain_ += std::max(0.0, gained / Scale());
     }
     lifted_m_ += lift_m;
     if (!pushed && Still()) JudgeStill(gravity, rounding_j);
@@ -197,8 +197,8 @@ class Trial {
     const double before = kinetic(frame_ - 1), after = kinetic(frame_);
     const double gained = after - before - mass_kg_ * gravity.Dot(Middle(frame_) - Middle(frame_ - 1)) -
                           rounding_j - kRounding * (before + after);
-    Offend(Law::kStillEnergy, gained / unit_j_);
-    still_gain_ += std::max(0.0, gained);
+    Offend(Law::kStillEnergy, gained / Scale());
+    still_gain_ += std::max(0.0, gained / Scale());
   }
 
   /// How far the figure was lifted out of the ground in this step [m].
@@ -222,6 +222,15 @@ class Trial {
       if (motion_.RateRadps(frame_, j) != 0.0f || motion_.RateRadps(frame_ - 1, j) != 0.0f) return false;
     }
     return true;
+  }
+
+  /// What a gain of energy is measured against: M g l and the energy with which the figure came [J].
+  [[nodiscard]] double Scale() const {
+    const Vector velocity = Velocity(frame_ - 1);
+    const double spin = frame_ < 2
+                            ? static_cast<double>(document_.start.spin_radps)
+                            : (motion_.At(frame_ - 1).turn_rad - motion_.At(frame_ - 2).turn_rad) / step_s_;
+    return unit_j_ + 0.5 * mass_kg_ * velocity.Dot(velocity) + 0.5 * MiddleInertia() * spin * spin;
   }
 
   /// An endpoint as the root rod sees it, from the centre of mass [m].
@@ -250,7 +259,7 @@ class Trial {
   double step_s_;
   double mass_kg_ = 0.0, reach_m_ = 0.0, unit_j_ = 0.0;
   int frame_ = 0;
-  double still_gain_ = 0.0, ground_gain_ = 0.0;  // [J]
+  double still_gain_ = 0.0, ground_gain_ = 0.0;
   double lifted_m_ = 0.0;
   Offences offences_;
 };

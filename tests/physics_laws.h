@@ -26,11 +26,12 @@ enum class Law {
   kFlight,       // without ground and pushes the angular momentum keeps its bits: change over itself
   kMoment,       // the ground's impulses act where the endpoints are: error of their lever arm, over the
                  // figure's reach and its way in the step
-  kStillEnergy,  // while no joint moves, kinetic energy grows by gravity's work at most [M g l in a step]
-  kStillGain,    // the same, all steps that gain added up [M g l a second]
+  kStillEnergy,  // while no joint moves, kinetic energy grows by gravity's work at most: gained in a step,
+                 // over M g l and the energy E of the figure's motion as one body
+  kStillGain,    // the same, all steps that gain added up [a second]
   kGroundWork,   // the ground gives no energy, neither by its impulses, at the mean of the velocities before
-                 // and after them, nor by lifting [M g l in a step]
-  kGroundGain,   // the same, all steps that gain added up [M g l a second]
+                 // and after them, nor by lifting: given in a step, over M g l + E
+  kGroundGain,   // the same, all steps that gain added up [a second]
   kLifting,      // the way that the figure is lifted out of the ground [m/s]
 };
 inline constexpr int kLaws = 13;

@@ -65,6 +65,7 @@ TEST_CASE("moment: restored after any step of a motion dense with contacts, it g
   const Player player(*document);
   const int steps = document->duration_steps;
   std::vector<std::uint64_t> bits;
+  bits.reserve(static_cast<std::size_t>(steps));
   Simulation<1> whole = player.Begin();
   for (int step = 0; step < steps; ++step) bits.push_back(player.Step(whole, step));
 
