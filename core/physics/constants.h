@@ -53,7 +53,7 @@ inline constexpr float kMaxPenetration = 0.02f;
 /// longest rod, g standard gravity): as the contact solver sees it, and as the endpoints then really went,
 /// where no loss of friction's can hide a gain. A gait's landings are lifted by up to 1.2 mm, a tenth of it;
 /// 32,400 random motions of the shipped figures, thrown at up to 20 m/s, really gained up to a
-/// quarter of it, and hardly any a tenth.
+/// sixth of it.
 inline constexpr float kMaxGroundWork = 1e-2f;
 
 /// A motion is void when the root turns further than this in one step [rad]: the step no longer resolves it.

@@ -172,8 +172,11 @@ void MeasureGivenEnergy(const Skeleton& skeleton, const World& world, MotionStat
   const F kick_y = s.ground.up + world.mass_kg * world.fall_y;
   const F changed = 0.5f * ((kick_x * kick_x + kick_y * kick_y) * world.inverse_mass +
                             s.ground.moment * s.ground.moment * s.inverse_inertia);
-  // What normal forces gave and friction took counts on its own.
-  const F went_by = changed + L::Abs(s.ground.normal_work_j) + L::Abs(s.ground.friction_work_j);
+  // What normal forces gave and friction took counts on its own, and so does friction on a lever that was
+  // foreseen in free fall: for a figure of a millimetre a step's fall is long.
+  const F lever = 0.5f * (s.flight_y - s.path_y);
+  const F went_by = changed + L::Abs(s.ground.normal_work_j) + L::Abs(s.ground.friction_work_j) +
+                    L::Abs(s.ground.along * s.spin * lever);
   const typename L::I much = (s.ground.up > 0.0f) & (went_by > world.max_ground_work_j);
   if (!L::Any(much)) return;
   const Pose<W>& before = s.PoseNow();
