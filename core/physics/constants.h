@@ -50,11 +50,19 @@ inline constexpr float kRestRate = 1e-9f;
 inline constexpr float kMaxPenetration = 0.02f;
 
 /// A motion is void when the ground does more work on the figure in one step than this share of M g l (l the
-/// longest rod, g standard gravity). A gait's landings are lifted by up to 1.2 mm, a tenth of it.
+/// longest rod, g standard gravity): as the contact solver sees it, and as the endpoints then really went,
+/// where no loss of friction's can hide a gain. A gait's landings are lifted by up to 1.2 mm, a tenth of it;
+/// 32,400 random motions of the shipped figures, thrown at up to 20 m/s, really gained up to a
+/// sixth of it.
 inline constexpr float kMaxGroundWork = 1e-2f;
 
 /// A motion is void when the root turns further than this in one step [rad]: the step no longer resolves it.
 inline constexpr float kMaxTurnPerStep = 0.5f;
+
+/// The same for the turn with which the arms of its contacts were computed [rad]: they are those of half of
+/// it, and Turn() holds up to 0.5. A blow to one end of a figure that lies would otherwise be answered on
+/// arms that nobody has. 32,400 random motions of the shipped figures, thrown at up to 20 m/s, foresaw 0.43.
+inline constexpr float kMaxForeseenTurn = 2.0f * kMaxTurnPerStep;
 
 /// Standard gravity [m/s^2]. Scales the force senses, so that a change of gravity in a document is felt as
 /// such.

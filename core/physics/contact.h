@@ -185,7 +185,7 @@ void SolveSingle(const World& world, const Body<W>& body, Contact<W>& contact) {
 /// Two endpoints: both if that pushes at both, else one alone if that keeps the other from the ground. There
 /// is one more way: friction can jam an endpoint that would not even approach; it is taken only where nothing
 /// else will do.
-/// @param has_two lanes that have a second contact; in the others `two` must be out of reach
+/// @param has_two lanes that have a second contact; the others are solved as SolveSingle does, bit by bit
 template <int W>
 void SolvePair(const World& world, const Body<W>& body, Contact<W>& one, Contact<W>& two,
                const typename Lane<W>::I& has_two) {
@@ -213,7 +213,9 @@ void SolvePair(const World& world, const Body<W>& body, Contact<W>& one, Contact
   const Impulse<W> alone_two = SolveOne<W>(m_two, two.Approach(body), two.Slide(body), world.friction);
   const F two_then = approach_after(two, one.arm, alone_one);
   const F one_then = approach_after(one, two.arm, alone_two);
-  offer(alone_one, nothing, two_then >= -kContactTolerance);
+  // Without a second contact nobody asks where it would go: thrown fast enough, even what is out of reach
+  // arrives.
+  offer(alone_one, nothing, (two_then >= -kContactTolerance) | ~has_two);
   offer(nothing, alone_two, one_then >= -kContactTolerance);
   if (!L::Any(open)) return;
   const Impulse<W> jam_one = Stop<W>(m_one, one.Approach(body), one.Slide(body));

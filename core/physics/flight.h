@@ -63,7 +63,7 @@ template <int W>
   s.flight_y = world.step_s * (s.velocity_y - 0.5f * world.fall_y);
   s.ground = {};
   PlaceAtEnd<W>(skeleton, world, s);
-  s.flight_spin = s.spin;
+  s.flight_spin = s.foreseen_spin = s.spin;
 }
 
 }  // namespace gaitsmith

@@ -22,6 +22,7 @@ struct GroundEffect {
   F normal_work_j{};  // by normal forces
   F friction_work_j{};
   F friction_gain_j{};  // of that, by contacts where it had the wrong sign
+  F given_energy_j{};   // by all, as the endpoints then really went: see MeasureGivenEnergy
 };
 
 template <int W>
@@ -64,6 +65,7 @@ struct MotionState {
   std::array<F, kMaxEndpoints> normal{}, tangent{};  // impulses in this step [N s]
   GroundEffect<W> ground{};
   F lifting_work_j{};
+  F foreseen_spin{};  // with which the arms of the contacts were computed [rad/s]
 
   [[nodiscard]] const Pose<W>& PoseNow() const { return poses[static_cast<std::size_t>(now)]; }
   [[nodiscard]] const Pose<W>& NextPose() const { return poses[static_cast<std::size_t>(1 - now)]; }

@@ -172,7 +172,9 @@ class Simulation {
     // Written so that NaN trips the guards too.
     const F work = s.ground.normal_work_j + s.ground.friction_work_j + s.lifting_work_j;
     s.broken |= ~((lift <= kMaxPenetration) & (work <= world_.max_ground_work_j) &
-                  (L::Abs(s.spin) * world_.step_s <= kMaxTurnPerStep));
+                  (s.ground.given_energy_j + s.lifting_work_j <= world_.max_ground_work_j) &
+                  (L::Abs(s.spin) * world_.step_s <= kMaxTurnPerStep) &
+                  (L::Abs(s.foreseen_spin) * world_.step_s <= kMaxForeseenTurn));
     for (std::size_t k = 0; k < endpoints; ++k) {
       s.last_normal[k] = s.normal[k];
       s.last_tangent[k] = s.tangent[k];

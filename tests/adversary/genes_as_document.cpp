@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "tests/adversary/genes_as_document.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "core/document/json.h"
+#include "core/numeric/scalar_math.h"
+
+namespace gaitsmith::test {
+
+namespace {
+
+constexpr int kSteps = 150;
+constexpr int kRules = 3;
+
+/// Numbers from genes, one after another; after the last the first again.
+class Reader {
+ public:
+  explicit Reader(std::span<const Gene> genes) : genes_(genes) {}
+
+  Gene Next() { return genes_[at_++ % genes_.size()]; }
+  /// A tenth of the genes at either end mean the end itself: extremes are reached.
+  float Between(float low, float high) {
+    const float share = std::clamp(static_cast<float>(Next()) * (1.25f / 65535.0f) - 0.125f, 0.0f, 1.0f);
+    return share >= 1.0f ? high : low + (high - low) * share;
+  }
+  /// The same, where its order of magnitude is what matters.
+  float Magnitude(float low, float high) {
+    const float power = Between(0.0f, 1.0f);
+    const double from = Log(static_cast<double>(low)), to = Log(static_cast<double>(high));
+    return std::clamp(static_cast<float>(Exp(from + (to - from) * static_cast<double>(power))), low, high);
+  }
+  int Below(int count) {
+    return static_cast<int>(static_cast<std::uint32_t>(Next()) * static_cast<std::uint32_t>(count) >> 16);
+  }
+
+ private:
+  std::span<const Gene> genes_;
+  std::size_t at_ = 0;
+};
+
+Figure FigureOf(bool any, Reader& read) {
+  Figure figure;
+  const int rods = 1 + read.Below(any ? kMaxRods : 7);
+  const bool folded = any && read.Below(8) == 0;
+  for (int i = 0; i < rods; ++i) {
+    Rod rod;
+    rod.length_m = any ? read.Magnitude(0.001f, 1000.0f) : read.Between(0.2f, 2.0f);
+    rod.mass_kg = any ? read.Magnitude(1e-6f, 1e6f) : read.Between(0.2f, 5.0f);
+    rod.rest_rad = folded && i > 0 ? 3.1415927f : read.Between(-3.1415927f, 3.1415927f);
+    rod.min_rad = any ? read.Between(-3.1415927f, 0.0f) : -1.0f;
+    rod.max_rad = any ? read.Between(0.0f, 3.1415927f) : 1.0f;
+    const int parent = read.Below(std::max(1, i));
+    rod.parent = i == 0 ? kNoParent : parent;
+    rod.parent_end = read.Below(2) == 0 ? RodEnd::kStart : RodEnd::kEnd;
+    figure.rods.push_back(rod);
+  }
+  return figure;
+}
+
+/// The figures that are shipped, read once.
+const std::vector<Figure>& ShippedFigures() {
+  static const std::vector<Figure> kFigures = [] {
+    std::vector<Figure> figures;
+    for (const std::string name :
+         {"mr-star-man", "beryl-biped", "horse", "hopper", "inchworm", "five-rod-fred"}) {
+      std::ifstream in(std::string(GAITSMITH_SOURCE_DIR "/examples/figures/") + name + ".json");
+      const std::string text(std::istreambuf_iterator<char>(in), {});
+      if (auto figure = DecodeFigureJson(text)) figures.push_back(std::move(*figure));
+    }
+    return figures;
+  }();
+  return kFigures;
+}
+
+Push PushOf(bool any, const Figure& figure, Reader& read) {
+  Push push;
+  push.step = read.Below(kSteps);
+  push.endpoint = read.Below(figure.Endpoints() + 1) - 1;
+  const float most = any ? read.Magnitude(1e-3f, 1e6f) : 10.0f;
+  push.impulse_x_ns = read.Between(-most, most);
+  push.impulse_y_ns = read.Between(-most, most);
+  return push;
+}
+
+/// Everything but the controller.
+void SetScene(bool any, Reader& read, Document& d) {
+  d.figure = FigureOf(any, read);
+  d.environment.gravity_mps2 = any ? read.Between(0.0f, 100.0f) : read.Between(1.0f, 20.0f);
+  d.environment.friction = any ? read.Between(0.0f, 10.0f) : read.Between(0.0f, 1.5f);
+  d.environment.slope_rad = any ? read.Between(-0.6f, 0.6f) : read.Between(-0.2f, 0.2f);
+  d.environment.sway_rad = read.Below(3) == 0 ? read.Between(0.0f, any ? 0.6f : 0.2f) : 0.0f;
+  d.environment.sway_period_s = any ? read.Between(0.5f, 60.0f) : read.Between(2.0f, 8.0f);
+  d.start.drop_height_m = read.Below(2) == 0 ? 0.0f : read.Between(0.0f, any ? 100.0f : 1.0f);
+  const float speed = any ? read.Magnitude(0.1f, 100.0f) : 3.0f;
+  d.start.velocity_x_mps = read.Between(-speed, speed);
+  d.start.velocity_y_mps = read.Between(-speed, any ? speed : 1.0f);
+  d.start.spin_radps = any ? read.Between(-40.0f, 40.0f) : read.Between(-6.0f, 6.0f);
+  for (int pushes = read.Below(3); pushes > 0; --pushes) d.pushes.push_back(PushOf(any, d.figure, read));
+  std::ranges::sort(d.pushes, {}, &Push::step);
+}
+
+}  // namespace
+
+SearchSpace SpaceOfDocuments() {
+  // The genes of a network are plain numbers: no operator turns them round.
+  int hidden = 1;
+  while (NetworkShape(hidden, 8).Genes() < kDocumentGenes) ++hidden;
+  return {{ControllerKind::kNetwork, hidden, SenseKind::kPhysical, 8}, {}, {}};
+}
+
+Document DocumentOf(World world, bool still, std::span<const Gene> genes) {
+  const bool any = world == World::kAny;
+  Reader read(genes.first(std::min(genes.size(), kDocumentGenes)));
+  Document d;
+  if (world == World::kGait) {
+    const std::vector<Figure>& figures = ShippedFigures();
+    d.figure = figures[static_cast<std::size_t>(read.Below(static_cast<int>(figures.size())))];
+  } else {
+    SetScene(any, read, d);
+  }
+  d.senses.kind = read.Below(2) == 0 ? SenseKind::kTimer : SenseKind::kPhysical;
+  d.senses.period_steps = 2 + read.Below(kSteps);
+  d.senses.tau_min_s = world == World::kOrdinary ? 0.07f : 0.02f;
+  d.kind = d.senses.kind == SenseKind::kPhysical && read.Below(2) == 0 ? ControllerKind::kNetwork
+                                                                       : ControllerKind::kRules;
+  d.rules = kRules;
+  d.task.duration_steps = d.duration_steps = kSteps;
+  if (still) return d;
+  Controller controller{"", d.kind, d.senses, d.rules, {}};
+  const ControllerShape shape = controller.Shape(d.figure.Rods());
+  for (std::size_t gene = 0; gene < shape.Genes(); ++gene) controller.genes.push_back(read.Next());
+  if (d.kind == ControllerKind::kRules) {
+    const BankShape& bank = shape.Bank();
+    for (int rule = 0; rule < bank.rules; ++rule) {
+      for (int sense = 0; sense < bank.senses; ++sense) {
+        Gene& low = controller.genes[bank.Low(rule, sense)];
+        Gene& high = controller.genes[bank.High(rule, sense)];
+        // Of many senses most must be ignored, or no rule ever fires.
+        if (d.senses.kind == SenseKind::kPhysical && (low ^ high) % 5 != 0) {
+          low = 0;
+          high = kGeneMax;
+        }
+        if (low > high) std::swap(low, high);
+      }
+    }
+  }
+  d.controllers = {controller};
+  d.timeline = {{.controller = 0, .start_step = 0}};
+  return d;
+}
+
+}  // namespace gaitsmith::test

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+#include "tests/physics_laws.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <vector>
+
+#include "core/physics/evaluator.h"
+
+namespace gaitsmith::test {
+
+const std::array<LawLimit, kLaws> kLawLimits = {{
+    {"finite", "numbers", 0.0},
+    {"joint limits", "rad", 0.0},
+    {"above ground", "reach", 2e-6},
+    {"push", "m/s", 0.0},
+    {"cone", "share", 1e-6},
+    {"momentum", "share", 1e-6},
+    {"flight", "share", 0.0},
+    {"moment", "reach + way", 1.0},
+    {"still energy", "M g l + E", 0.1},
+    {"still gain", "(M g l + E)/s", 1.0},
+    {"ground work", "M g l + E", 0.1},
+    {"ground gain", "(M g l + E)/s", 1.0},
+    {"lifting", "m/s", 2.0},
+}};
+
+namespace {
+
+/// Rounding of a sum of single-precision numbers, as a share of what was added.
+constexpr double kRounding = 4.8e-7;  // 2^-21
+
+struct Vector {
+  double x = 0.0, y = 0.0;
+  Vector operator+(Vector other) const { return {x + other.x, y + other.y}; }
+  Vector operator-(Vector other) const { return {x - other.x, y - other.y}; }
+  Vector operator*(double by) const { return {x * by, y * by}; }
+  [[nodiscard]] double Dot(Vector other) const { return x * other.x + y * other.y; }
+  [[nodiscard]] double Cross(Vector other) const { return x * other.y - y * other.x; }
+  [[nodiscard]] double Length() const { return std::sqrt(x * x + y * y); }
+};
+Vector Wide(Motion::Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+
+/// One motion on trial.
+class Trial {
+ public:
+  Trial(const Document& document, const Motion& motion)
+      : document_(document), motion_(motion), step_s_(static_cast<double>(motion.StepS())) {
+    const Skeleton& bones = motion.Bones();
+    mass_kg_ = static_cast<double>(bones.mass_kg);
+    for (int rod = 0; rod < bones.rods; ++rod)
+      reach_m_ += static_cast<double>(bones.limbs[static_cast<std::size_t>(rod)].length_m);
+    unit_j_ = EnergyUnit(bones);
+  }
+
+  Offences Judge() {
+    JudgeFrame(0);
+    for (frame_ = 1; frame_ < motion_.Frames() && !motion_.TermsAt(frame_).broke_physics; ++frame_) {
+      JudgeFrame(frame_);
+      JudgeStep();
+    }
+    offences_.judged = frame_;
+    // What is a rate is judged against a second at least: one bad step is no bad second.
+    const double seconds = std::max(1.0, (frame_ - 1) * step_s_);
+    Offend(Law::kStillGain, still_gain_ / seconds);
+    Offend(Law::kGroundGain, ground_gain_ / seconds);
+    Offend(Law::kLifting, lifted_m_ / seconds);
+    return offences_;
+  }
+
+ private:
+  void Offend(Law law, double by) {
+    Offence& worst = offences_.of[static_cast<std::size_t>(law)];
+    if (std::isnan(by)) by = std::numeric_limits<double>::infinity();
+    if (by > worst.by) worst = {by, frame_};
+  }
+
+  [[nodiscard]] Vector Middle(int frame) const {
+    const Motion::Frame& f = motion_.At(frame);
+    return {f.x_m, static_cast<double>(f.y_m)};
+  }
+  [[nodiscard]] Vector Velocity(int frame) const {
+    const Motion::Frame& f = motion_.At(frame);
+    return {static_cast<double>(f.velocity_x_mps), static_cast<double>(f.velocity_y_mps)};
+  }
+  [[nodiscard]] Vector Impulse(int endpoint) const { return Wide(motion_.Force(frame_, endpoint)) * step_s_; }
+
+  void JudgeFrame(int frame) {
+    const Motion::Frame& f = motion_.At(frame);
+    double infinite = 0.0;
+    const auto count = [&](double number) { infinite += std::isfinite(number) ? 0.0 : 1.0; };
+    for (const double number :
+         {f.x_m, f.turn_rad, static_cast<double>(f.y_m), static_cast<double>(f.velocity_x_mps),
+          static_cast<double>(f.velocity_y_mps), static_cast<double>(f.angular_momentum)})
+      count(number);
+    for (int k = 0; k < motion_.Bones().endpoints; ++k) {
+      const Vector place = Wide(motion_.Endpoint(frame, k)), force = Wide(motion_.Force(frame, k));
+      for (const double number : {place.x, place.y, force.x, force.y}) count(number);
+      Offend(Law::kAboveGround, -(static_cast<double>(f.y_m) + place.y) / reach_m_);
+      Offend(Law::kPush, -force.y * step_s_ / mass_kg_);
+      const double most = static_cast<double>(document_.environment.friction) * force.y;
+      if (force.x != 0.0) Offend(Law::kCone, (std::abs(force.x) - most) / std::abs(force.x));
+    }
+    for (int j = 0; j < motion_.Bones().joints; ++j) {
+      const Skeleton::Limb& limb = motion_.Bones().limbs[static_cast<std::size_t>(j) + 1];
+      const float angle = motion_.AngleRad(frame, j);
+      count(static_cast<double>(angle));
+      count(static_cast<double>(motion_.RateRadps(frame, j)));
+      Offend(Law::kJointLimits, static_cast<double>(std::max(limb.min_rad - angle, angle - limb.max_rad)));
+    }
+    Offend(Law::kFinite, infinite);
+  }
+
+  void JudgeStep() {
+    const int last = frame_ - 1;
+    const float time_s = static_cast<float>(last) * motion_.StepS();
+    const auto slope = static_cast<double>(GroundAngle(document_.environment, time_s));
+    const Vector gravity =
+        Vector{-std::sin(slope), -std::cos(slope)} * static_cast<double>(document_.environment.gravity_mps2);
+
+    Vector given{};
+    double given_sum = 0.0, given_moment = 0.0;
+    bool pushed = false;
+    for (const Push& push : document_.pushes) {
+      if (push.step != last) continue;
+      const Vector impulse = {static_cast<double>(push.impulse_x_ns), static_cast<double>(push.impulse_y_ns)};
+      pushed = true;
+      given = given + impulse;
+      given_sum += impulse.Length();
+      if (push.endpoint != kCentreOfMass)
+        given_moment += Wide(motion_.Endpoint(last, push.endpoint)).Cross(impulse);
+    }
+
+    Vector ground{};
+    double ground_sum = 0.0, ground_moment = 0.0, ground_work = 0.0;
+    const auto lift_j = static_cast<double>(motion_.At(frame_).lifting_work_j);
+    const double lift_m = Lift();
+    for (int k = 0; k < motion_.Bones().endpoints; ++k) {
+      const Vector impulse = Impulse(k);
+      const Vector before = Wide(motion_.Endpoint(last, k)), after = Wide(motion_.Endpoint(frame_, k));
+      const Vector way = Middle(frame_) + after - Middle(last) - before - Vector{0.0, lift_m};
+      ground = ground + impulse;
+      ground_sum += impulse.Length();
+      ground_moment += ((before + after) * 0.5).Cross(impulse);
+      ground_work += impulse.Dot(way) / step_s_;
+    }
+
+    const Vector change = (Velocity(frame_) - Velocity(last)) * mass_kg_;
+    const double took_part =
+        mass_kg_ * (Velocity(last).Length() + Velocity(frame_).Length() + gravity.Length() * step_s_) +
+        ground_sum + given_sum;
+    if (took_part > 0.0) {
+      Offend(Law::kMomentum, (change - gravity * (mass_kg_ * step_s_) - ground - given).Length() / took_part);
+    }
+
+    const auto spin_before = static_cast<double>(motion_.At(last).angular_momentum);
+    const auto spin_after = static_cast<double>(motion_.At(frame_).angular_momentum);
+    if (ground_sum == 0.0 && !pushed && spin_after != spin_before)
+      Offend(Law::kFlight, std::abs(spin_after - spin_before) / std::abs(spin_before));
+    if (ground_sum > 0.0) {
+      const double missing = std::abs(spin_after - spin_before - ground_moment - given_moment);
+      const double rounding = kRounding * (std::abs(spin_after) + std::abs(spin_before) +
+                                           std::abs(given_moment) + given_sum * reach_m_);
+      const double way_m = std::max(Velocity(last).Length(), Velocity(frame_).Length()) * step_s_;
+      Offend(Law::kMoment, (missing - rounding) / (ground_sum * (reach_m_ + way_m)));
+    }
+
+    // Rounding of heights far above the ground and of great speeds is no work of anybody.
+    const double rounding_j = kRounding * mass_kg_ *
+                              (Velocity(last).Dot(Velocity(last)) + Velocity(frame_).Dot(Velocity(frame_)) +
+                               gravity.Length() * (std::abs(Middle(frame_).y) + reach_m_));
+    if (ground_sum > 0.0) {
+      // At the mean of the velocities before and after: those after, less half of what the ground changed.
+      const Vector kick = ground + gravity * (mass_kg_ * step_s_);
+      const double turned = spin_after - spin_before - given_moment;
+      const double taken = 0.5 * kick.Dot(kick) / mass_kg_ + 0.5 * turned * turned / MiddleInertia();
+      const double slack = kRounding * ground_sum / step_s_ * (std::abs(Middle(frame_).y) + reach_m_);
+      // Angular momentum that no impulse on an endpoint gave is the ground's as well.
+      const double spin = (motion_.At(frame_).turn_rad - motion_.At(last).turn_rad) / step_s_;
+      const double astray = spin * (turned - ground_moment);
+      const double gained = ground_work + astray + lift_j - taken - rounding_j - slack;
+      Offend(Law::kGroundWork, gained / Scale());
+      ground_gain_ += std::max(0.0, gained / Scale());
+    }
+    lifted_m_ += lift_m;
+    if (!pushed && Still()) JudgeStill(gravity, rounding_j);
+  }
+
+  void JudgeStill(Vector gravity, double rounding_j) {
+    const double inertia = MiddleInertia();
+    const auto kinetic = [&](int frame) {
+      const auto spin = static_cast<double>(motion_.At(frame).angular_momentum);
+      return 0.5 * mass_kg_ * Velocity(frame).Dot(Velocity(frame)) + 0.5 * spin * spin / inertia;
+    };
+    const double before = kinetic(frame_ - 1), after = kinetic(frame_);
+    const double gained = after - before - mass_kg_ * gravity.Dot(Middle(frame_) - Middle(frame_ - 1)) -
+                          rounding_j - kRounding * (before + after);
+    Offend(Law::kStillEnergy, gained / Scale());
+    still_gain_ += std::max(0.0, gained / Scale());
+  }
+
+  /// How far the figure was lifted out of the ground in this step [m].
+  [[nodiscard]] double Lift() const {
+    const auto gravity = static_cast<double>(document_.environment.gravity_mps2);
+    if (gravity > 1e-3) {
+      const double slope = std::cos(static_cast<double>(document_.environment.slope_rad));
+      return static_cast<double>(motion_.At(frame_).lifting_work_j) / (mass_kg_ * gravity * slope);
+    }
+    // Lifting does no work there, but is seen: all other ways are the velocity's.
+    const double lift = Middle(frame_).y - Middle(frame_ - 1).y -
+                        static_cast<double>(motion_.At(frame_).velocity_y_mps) * step_s_;
+    const double rounding = kRounding * (std::abs(Middle(frame_).y) + reach_m_) + 1e-3 * step_s_ * step_s_;
+    return lift > rounding ? lift : 0.0;
+  }
+
+  /// Whether no joint moves in this step.
+  [[nodiscard]] bool Still() const {
+    for (int j = 0; j < motion_.Bones().joints; ++j) {
+      if (motion_.AngleRad(frame_, j) != motion_.AngleRad(frame_ - 1, j)) return false;
+      if (motion_.RateRadps(frame_, j) != 0.0f || motion_.RateRadps(frame_ - 1, j) != 0.0f) return false;
+    }
+    return true;
+  }
+
+  /// What a gain of energy is measured against: M g l and the energy with which the figure came [J].
+  [[nodiscard]] double Scale() const {
+    const Vector velocity = Velocity(frame_ - 1);
+    const double spin = frame_ < 2
+                            ? static_cast<double>(document_.start.spin_radps)
+                            : (motion_.At(frame_ - 1).turn_rad - motion_.At(frame_ - 2).turn_rad) / step_s_;
+    return unit_j_ + 0.5 * mass_kg_ * velocity.Dot(velocity) + 0.5 * MiddleInertia() * spin * spin;
+  }
+
+  /// An endpoint as the root rod sees it, from the centre of mass [m].
+  [[nodiscard]] Vector Seen(int frame, int endpoint) const {
+    const double turn = motion_.At(frame).turn_rad;
+    const Vector place = Wide(motion_.Endpoint(frame, endpoint));
+    return {std::cos(turn) * place.x + std::sin(turn) * place.y,
+            std::cos(turn) * place.y - std::sin(turn) * place.x};
+  }
+  /// About the centre of mass, of the shape in the middle of the step [kg m^2].
+  [[nodiscard]] double MiddleInertia() const {
+    double inertia = 0.0;
+    for (int rod = 0; rod < motion_.Bones().rods; ++rod) {
+      const Skeleton::Limb& limb = motion_.Bones().limbs[static_cast<std::size_t>(rod)];
+      Vector middle{};
+      for (const int frame : {frame_ - 1, frame_})
+        middle = middle + (Seen(frame, limb.start) + Seen(frame, rod + 1)) * 0.25;
+      inertia +=
+          static_cast<double>(limb.mass_kg) * middle.Dot(middle) + static_cast<double>(limb.inertia_kgm2);
+    }
+    return inertia;
+  }
+
+  const Document& document_;
+  const Motion& motion_;
+  double step_s_;
+  double mass_kg_ = 0.0, reach_m_ = 0.0, unit_j_ = 0.0;
+  int frame_ = 0;
+  double still_gain_ = 0.0, ground_gain_ = 0.0;
+  double lifted_m_ = 0.0;
+  Offences offences_;
+};
+
+}  // namespace
+
+int Offences::FirstBroken() const {
+  for (int law = 0; law < kLaws; ++law) {
+    const auto i = static_cast<std::size_t>(law);
+    if (!(of[i].by <= kLawLimits[i].most)) return law;
+  }
+  return kLaws;
+}
+
+double EnergyUnit(const Skeleton& bones) {
+  return static_cast<double>(bones.mass_kg) * static_cast<double>(kStandardGravity) *
+         static_cast<double>(bones.longest_rod_m);
+}
+
+Offences Judge(const Document& document, const Motion& motion) { return Trial(document, motion).Judge(); }
+
+int DifferingBits(const Document& document, const Motion& motion) {
+  int differing = Simulate(document).Hash() == motion.Hash() ? 0 : 1;
+  const Controller& controller = document.controllers.front();
+  const Problem problem = ReplayProblem(document, controller);
+  for (const int lanes : Evaluator::kLaneCounts) {
+    const auto count = static_cast<std::size_t>(lanes);
+    std::vector<Genome> genomes(count);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      RandomStream random(lane, static_cast<std::uint32_t>(lanes), 0);
+      genomes[lane] =
+          RandomGenome(controller.Shape(document.figure.Rods()), controller.senses, Variation{}, random);
+    }
+    const std::size_t own = static_cast<std::size_t>(motion.Hash() % count);
+    genomes[own] = controller.genes;
+    const auto found = Evaluator(problem, lanes, true).Evaluate(genomes);
+    differing += found[own].trajectory_hash == motion.Hash() ? 0 : 1;
+  }
+  return differing;
+}
+
+}  // namespace gaitsmith::test
