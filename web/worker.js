@@ -8,3 +8,4 @@ const die = (/** @type {unknown} */ error) => void setTimeout(() => { throw erro
 
 const roles = new WorkerRoles((message, transfer = []) => self.postMessage(message, { transfer }), die);
 self.addEventListener('message', ({ data }) => roles.hear(data));
+roles.begin();

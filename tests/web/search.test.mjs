@@ -200,7 +200,7 @@ test('an exception in the coordinator ends it, so that it is replaced', async ()
   const dying = await run(document, 2, (_, report, crew) => {
     if (poisoned || report.evaluations < 500) return;
     poisoned = true;
-    crew[0].postMessage({ type: 'poison' });
+    crew[0].postMessage({ type: 'poison', run: 1 });
   });
   assert.match(dying.incidents.join(), /continues from evaluation/);
   assertSame(dying, await run(document, 1));
