@@ -60,6 +60,9 @@ check_book() {
 
 check_browsers() { node tests/browser/run.mjs; }
 
+# Long enough to see a leak; ./dev soak takes its time.
+check_soak() { node tests/browser/soak.mjs 120; }
+
 # A stage stops at its first failure; the later stages still run.
 passed=0 failed=()
 stage() {
@@ -82,6 +85,7 @@ test_everything() {
   stage site build_site
   stage book check_book
   stage browsers check_browsers
+  stage soak check_soak
   stage fuzz fuzz 10
   printf '\n'
   [ ${#failed[@]} = 0 ] || printf 'failed: %s\n' "${failed[@]}"
