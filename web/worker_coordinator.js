@@ -134,7 +134,8 @@ export class Coordinator {
     const hand = this.#hands.get(evaluator);
     this.#hands.delete(evaluator);
     if (!hand) return;
-    for (const slice of hand.slices) slice.batch.waiting.unshift(slice);
+    // What it sent before may still be on its way, and must not count beside what another one makes of it.
+    for (const slice of hand.slices.splice(0)) slice.batch.waiting.unshift(slice);
     hand.port.close();
   }
 
