@@ -223,7 +223,7 @@ test('what an evaluator sent before it was given up does not count beside what a
   const evaluator = engine.evaluator(document);
   /** @type {any} */
   let last = null;
-  const coordinator = new Coordinator(engine, { document, state: null, workers: 2 },
+  const coordinator = new Coordinator(engine, { document, state: null, workers: 8 },
     (/** @type {any} */ { type, report }) => { if (type === 'finished') last = report; });
   const port = () => ({ sent: /** @type {any[]} */ ([]), onmessage: /** @type {any} */ (null), close: () => {}, addEventListener: () => {},
     postMessage(/** @type {any} */ message) { this.sent.push(message); } });
