@@ -126,7 +126,10 @@ async function work(round) {
 async function weigh() {
   await page.page.evaluate((text) => {
     window.gaitsmith.open(text);
-    /** @type {any} */ (window).testFrames.length = 0;
+    const state = /** @type {any} */ (window);
+    state.testFrames.length = 0;
+    const born = state.testWorkers; // a list of the test, which must not keep those that are gone
+    born.splice(0, Infinity, ...born.filter((/** @type {Worker} */ worker) => state.testLive.has(worker)));
   }, home);
   await page.click('panels/3');
   const slow = pace();
