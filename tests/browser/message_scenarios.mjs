@@ -91,7 +91,7 @@ async function searchWith({ faults, how = '' }, document) {
           }
         },
         incident: () => incidents++,
-        failed: (/** @type {any} */ error) => { resolve(`failed: ${error.fault?.code ?? error.message}`); },
+        failed: (/** @type {any} */ error) => { setTimeout(() => resolve(`failed: ${error.fault?.code ?? error.message}`), 300); },
       },
     });
     const end = (/** @type {any} */ { state, evaluations, bestFitness, bestGenome, curve }) =>
@@ -107,15 +107,15 @@ async function searchWith({ faults, how = '' }, document) {
 async function eachMessage({ browser, name, figures }) {
   const page = await PageDriver.open(browser, (await faultySite()).address());
   // The state of a search is told once a second: only some have to last as long.
-  const [short, long] = await page.call('documents', async () => {
+  const [short, long, endless] = await page.call('documents', async () => {
     const [{ Engine }, { compiledEngine }] = await Promise.all(['engine.js', 'compiled_engine.js'].map((name) => import(new URL(name, location.href).href)));
     const engine = await Engine.load(await compiledEngine());
-    return [2500, 8000].map((evaluations) => {
+    return [2500, 8000, 1000000].map((evaluations) => {
       const json = { ...window.gaitsmith.document(), hash: undefined, title: '', search: { seed: 9, evaluations } };
       return btoa(String.fromCharCode(...engine.documentFromText(JSON.stringify(json))));
     });
   });
-  const documentOf = (/** @type {Case} */ { faults }) => (faults.some(({ type }) => type === 'checkpoint') ? long : short);
+  const documentOf = (/** @type {Case} */ { faults }) => (faults[0].type === 'stop' ? endless : faults[0].type === 'checkpoint' ? long : short);
   const run = (/** @type {Case} */ wish) => page.page.evaluate(searchWith, wish, documentOf(wish));
   const undisturbed = new Map();
   for (const document of [short, long]) undisturbed.set(document, (await page.page.evaluate(searchWith, { faults: [] }, document)).found);
