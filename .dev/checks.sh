@@ -30,18 +30,33 @@ lint() {
 }
 
 # Every compiler and optimisation level replays the golden and the shipped motions bit for bit, in every lane count, and the command
-# line keeps its contract there.
+# line keeps its contract there. gcc's -O1 and clang's with sanitizers are built for the tests, gcc's -O3 for release.
 check_determinism() {
-  local preset document
-  for preset in gcc-O0 clang-O0 clang-O2 release; do
-    cmake --preset "$preset" >/dev/null
-    cmake --build --preset "$preset" --target gaitsmith
+  local name compiler flags document
+  while read -r name compiler flags; do
+    case $name in
+      dev | asan | release) cmake --preset "$name" >/dev/null ;;
+      *-avx2)
+        if ! grep -qw avx2 /proc/cpuinfo 2>/dev/null; then say "$name: not on this processor"; continue; fi ;&
+      *) cmake -G Ninja -B "build/$name" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS_DEBUG="$flags" >/dev/null ;;
+    esac
+    cmake --build "build/$name" --target gaitsmith
     for document in tests/golden/motions/*.json examples/*.json examples/gallery/*.json examples/lessons/*.json; do
-      echo "$preset: $document"
-      "build/$preset/shell/gaitsmith" validate "$document"
+      echo "$name: $document"
+      "build/$name/shell/gaitsmith" validate "$document"
     done
-    tests/command_line/contract_test.sh "build/$preset/shell/gaitsmith" .
-  done
+    tests/command_line/contract_test.sh "build/$name/shell/gaitsmith" . </dev/null
+  done <<MATRIX
+dev
+asan
+release
+gcc-O0 g++ -O0
+gcc-O2 g++ -O2
+clang-O0 clang++-$LLVM -O0
+clang-O2 clang++-$LLVM -O2
+clang-O3-avx2 clang++-$LLVM -O3 -march=x86-64-v3
+gcc-O3-avx2 g++ -O3 -march=x86-64-v3
+MATRIX
 }
 
 # Where time cannot be trusted, instructions can.
@@ -59,6 +74,9 @@ check_book() {
 }
 
 check_browsers() { node tests/browser/run.mjs; }
+
+# Long enough to see a leak; ./dev soak takes its time.
+check_soak() { node tests/browser/soak.mjs 120; }
 
 # A stage stops at its first failure; the later stages still run.
 passed=0 failed=()
@@ -82,6 +100,7 @@ test_everything() {
   stage site build_site
   stage book check_book
   stage browsers check_browsers
+  stage soak check_soak
   stage fuzz fuzz 10
   printf '\n'
   [ ${#failed[@]} = 0 ] || printf 'failed: %s\n' "${failed[@]}"

@@ -52,6 +52,12 @@ export class Address {
     this.#timer = setTimeout(() => (this.busy() ? this.changed() : this.write()), REST_MS);
   }
 
+  /** It stays as it is. */
+  end() {
+    clearTimeout(this.#timer);
+    this.#read = false;
+  }
+
   write() {
     const { payload, link } = this.#opened;
     try {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The application in the canvas, for the page: text and numbers in and out of its memory.
+import { trLater } from './language.js';
 
 /** @typedef {import('./app_module.js').AppModule} AppModule */
 /** @typedef {import('./messages.js').SearchReport} SearchReport */
@@ -232,7 +233,7 @@ export class App {
     const saved = report.saved ?? new Uint8Array(0);
     const numbers = Float32Array.from(spread ? [spread.members, spread.least, spread.lowerQuartile, spread.median,
       spread.upperQuartile, spread.best] : []);
-    const at = this.module._malloc(curve.byteLength + numbers.byteLength + genes.byteLength + saved.byteLength + 4);
+    const at = this.#room(curve.byteLength + numbers.byteLength + genes.byteLength + saved.byteLength + 4);
     const spreadAt = at + curve.byteLength;
     const genesAt = spreadAt + numbers.byteLength;
     const savedAt = genesAt + genes.byteLength;
@@ -249,7 +250,7 @@ export class App {
 
   /** A part of a transition map. @param {import('./messages.js').Mapped} part */
   transitionsMapped({ generation, first, scores, usual }) {
-    const at = this.module._malloc(scores.byteLength);
+    const at = this.#room(scores.byteLength);
     this.module.HEAPU8.set(new Uint8Array(scores.buffer, scores.byteOffset, scores.byteLength), at);
     this.module._gs_transitions_mapped(generation, first, at, scores.length, usual);
     this.module._free(at);
@@ -257,6 +258,9 @@ export class App {
 
   /** Nothing more comes of the map. @param {number} generation */
   transitionsFailed(generation) { this.module._gs_transitions_failed(generation); }
+
+  /** Throws where there is no memory left: then nothing has changed. @param {number} bytes */
+  #room(bytes) { return roomAt(this.module._malloc(bytes)); }
 
   /** @param {number} at */
   #text(at) { return this.module.UTF8ToString(at); }
@@ -268,11 +272,17 @@ export class App {
    * @param {(at: number, bytes: number) => T} use
    */
   #with(text, use) {
-    const at = this.module.stringToNewUTF8(text);
+    const at = roomAt(this.module.stringToNewUTF8(text));
     try {
       return use(at, new TextEncoder().encode(text).length);
     } finally {
       this.module._free(at);
     }
   }
+}
+
+/** @param {number} at  of memory that was asked for */
+function roomAt(at) {
+  if (at === 0) throw new RangeError(trLater('there is not enough memory left in this page'));
+  return at;
 }

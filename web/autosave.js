@@ -84,6 +84,12 @@ export class Autosave {
     this.statusLine.say(tr('This browser does not let the page keep your work: save it, or copy its link, before you leave.'));
   }
 
+  /** Keeps nothing more: what the application says from now on is not to be trusted. */
+  end() {
+    clearTimeout(this.#timer);
+    this.#begun = false;
+  }
+
   /** Works of earlier visits, to open. @returns {Command[]} */
   commands() {
     if (this.#embedded) return [];

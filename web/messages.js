@@ -9,7 +9,8 @@
 // The page starts one coordinator and N evaluators; coordinator and evaluator talk through a MessagePort of
 // their own, so the page's thread has no part in the search's loop. Typed arrays are transferred wherever the
 // sender has no more use for them. After 'failed' or 'finished' the page ends the workers; or, when the search was
-// done, gives them roles in the next one.
+// done, gives them roles in the next one. Since workers outlive searches, what concerns a search says which run of it:
+// what comes late, or twice, is not taken for the next one's. Whatever is lost is noticed by somebody's silence.
 
 /** @typedef {import('./engine.js').Fault} Fault */
 /** @typedef {import('./engine.js').Spread} Spread */
@@ -23,6 +24,7 @@
  * core refuses the document.
  * @typedef {object} Coordinate
  * @property {'coordinate'} type
+ * @property {number} run                 not 0, another one for every role of this kind that the page gives out
  * @property {WebAssembly.Module} engine  compiled once, by the page
  * @property {Uint8Array} document        core/document/binary.h
  * @property {Uint8Array | null} state    of a checkpoint to continue from
@@ -33,6 +35,7 @@
  * Be an evaluator: score what arrives at `port`. Reply: 'ready'; 'failed' if core refuses the document.
  * @typedef {object} Evaluate
  * @property {'evaluate'} type
+ * @property {number} run                 that of the coordinator
  * @property {WebAssembly.Module} engine
  * @property {Uint8Array} document
  * @property {MessagePort} port           transferred; its other end goes to the coordinator
@@ -61,10 +64,12 @@
 /** Go on. Reply: 'progress' with state 'running'. @typedef {{type: 'resume'}} Resume */
 /** End here. Reply: 'finished' with state 'stopped'. @typedef {{type: 'stop'}} Stop */
 
-/** @typedef {AddEvaluator | RemoveEvaluator | Pause | Resume | Stop} PageToCoordinator */
+/** @typedef {AddEvaluator | RemoveEvaluator | Pause | Resume | Stop} Wish */
+/** @typedef {Wish & {run: number}} PageToCoordinator */
 
 // ---- any worker → page ----
 
+/** Its scripts are here; the first message of every worker. @typedef {{type: 'loaded'}} Loaded */
 /** The role is taken. @typedef {{type: 'ready'}} Ready */
 /** Core refused what it was given; another worker would fail alike. @typedef {{type: 'failed', fault: Fault}} Failed */
 
@@ -86,7 +91,10 @@
  * @property {Uint8Array | null} saved        the state of the whole search, at its end; else null
  */
 
-/** At most 30 a second, at least one in two. @typedef {{type: 'progress', report: SearchReport}} Progress */
+/**
+ * At most 30 a second, at least one in a second; with the evaluators that have work from here.
+ * @typedef {{type: 'progress', report: SearchReport, evaluators: number[]}} Progress
+ */
 /** The last message of a search; its report has everything. @typedef {{type: 'finished', report: SearchReport}} Finished */
 /**
  * The whole state of the search, about once a second: a new coordinator continues from it.
@@ -98,8 +106,9 @@
  * @typedef {{type: 'silent', evaluator: number}} Silent
  */
 
-/** @typedef {Ready | Failed | Progress | Finished | Checkpoint | Silent} CoordinatorToPage */
-/** @typedef {Ready | Failed} EvaluatorToPage */
+/** @typedef {Ready | Failed | Progress | Finished | Checkpoint | Silent} OfCoordinator */
+/** @typedef {Loaded | OfCoordinator & {run: number}} CoordinatorToPage */
+/** @typedef {Loaded | (Ready | Failed) & {run: number}} EvaluatorToPage */
 
 // ---- mapper → page ----
 
@@ -113,7 +122,8 @@
  * @property {Float32Array} scores
  * @property {number} usual          what the controller reaches from the start
  */
-/** @typedef {Ready | Failed | Mapped} MapperToPage */
+/** @typedef {Ready | Failed | Mapped} OfMapper */
+/** @typedef {Loaded | OfMapper} MapperToPage */
 
 // ---- coordinator ↔ evaluator ----
 

@@ -55,6 +55,16 @@ async function start() {
   /** @type {{app: App, searches: Searches, transitions: TransitionMaps, lab: Lab, arrangement: Arrangement, address: Address, autosave: Autosave, kept: KeptResults, naming: Naming, buttons: HistoryButtons, commands: Commands, canvas: HTMLCanvasElement} | null} */
   let parts = null;
 
+  // A trap leaves the application's memory as it happened to be: nothing of it is kept from then on.
+  const stopped = (/** @type {Error} */ error) => {
+    parts?.autosave.end();
+    parts?.address.end();
+    parts?.searches.abandon(error);
+    banner(tr('Gaitsmith stopped working. Your last state is in the address: reload to go on.'), { reload: true });
+  };
+  addEventListener('error', ({ error }) => { if (error instanceof WebAssembly.RuntimeError) stopped(error); });
+  addEventListener('unhandledrejection', ({ reason }) => { if (reason instanceof WebAssembly.RuntimeError) stopped(reason); });
+
   // The language comes while the application does; its first frame is to have both.
   const [{ default: createApp }, code] = await Promise.all([import('./app_module.js'), compiledModule('app_module.wasm'), spoken]);
   const module = await createApp({
@@ -63,7 +73,7 @@ async function start() {
       void WebAssembly.instantiate(code, imports).then((instance) => receive(instance, code));
       return {};
     },
-    onAbort: () => banner(tr('Gaitsmith stopped working. Your last state is in the address: reload to go on.'), { reload: true }),
+    onAbort: () => stopped(new Error('aborted')),
     page: {
       maxWorkers: () => navigator.hardwareConcurrency || 2,
       startSearch: (document, workers) => void parts?.searches.start(document, workers),

@@ -17,6 +17,8 @@ export class PageWorker {
     { longestMs: SLICE_MS },
   );
 
+  constructor() { this.#roles.begin(); }
+
   /** @param {any} message */
   postMessage(message) { this.#later(() => this.#roles.hear(message)); }
 

@@ -2,15 +2,16 @@
 // The page's side of a search: starts one coordinator and N evaluators, and replaces those that die. A dead
 // evaluator costs its slice, which is scored again; a dead coordinator costs what it did since its last
 // checkpoint. Neither changes the result. A search that is being stopped is not worth replacing anyone: it ends with
-// what is known.
+// what is known. A message that is lost looks like a death, or like a wish that was not heard, and is mended alike.
 import { EngineError } from './engine.js';
 import { grouped, tr, trLater } from './language.js';
 import { NO_REPORT } from './no_report.js';
 import { unreachable } from './messages.js';
 
 /** @typedef {import('./messages.js').CoordinatorToPage} CoordinatorToPage */
+/** @typedef {import('./messages.js').OfCoordinator} OfCoordinator */
 /** @typedef {import('./messages.js').EvaluatorToPage} EvaluatorToPage */
-/** @typedef {import('./messages.js').PageToCoordinator} PageToCoordinator */
+/** @typedef {import('./messages.js').Wish} Wish */
 /** @typedef {import('./messages.js').Role} Role */
 /** @typedef {import('./messages.js').SearchReport} SearchReport */
 
@@ -23,21 +24,24 @@ import { unreachable } from './messages.js';
  * @property {(error: Error) => void} failed            the search is over without a result
  */
 
-/** @typedef {{worker: Worker, ready: boolean, waitedMs: number}} Evaluator */
+/** @typedef {{worker: Worker, ready: boolean, waitedMs: number}} Evaluator  waitedMs: since it was last known to be well */
 /**
  * @typedef {object} Crew  the workers of one search
+ * @property {number} run
  * @property {Worker} coordinator
  * @property {boolean} coordinatorReady
+ * @property {boolean} paused     as the coordinator said last
  * @property {number} silentMs
  * @property {Map<number, Evaluator>} evaluators
  * @property {boolean} sound  none of them has died
  */
 
 const TICK_MS = 1000;
-// The coordinator reports twice a second.
-const COORDINATOR_SILENCE_MS = 5000;
-// Scripts may come over a slow line.
-const START_MS = 30000;
+// The coordinator reports about twice a second, and whose work it hands out.
+const SILENCE_MS = 5000;
+// Scripts may come over a slow line; once they are there, it takes an engine and a document.
+const LOAD_MS = 30000;
+const BEGIN_MS = 10000;
 // A coordinator that has not ended its search by then hangs.
 const STOP_MS = 2000;
 // More deaths than this without an evaluation in between are no accident.
@@ -66,6 +70,9 @@ export class SearchClient {
   #deaths = 0;
   #evaluations = 0;
   #evaluatorNumber = 0;
+  #runs = 0;
+  /** Workers whose scripts are there. @type {WeakSet<Worker>} */
+  #loaded = new WeakSet();
   /** @type {ReturnType<typeof setInterval> | undefined} */
   #watch;
 
@@ -108,7 +115,12 @@ export class SearchClient {
     this.#checkpoint = null;
     this.#deaths = 0;
     this.#evaluations = 0;
-    this.#hire();
+    try {
+      this.#hire();
+    } catch (error) {
+      this.#dismiss(); // the browser gives no more workers
+      throw error;
+    }
   }
 
   pause() {
@@ -149,26 +161,28 @@ export class SearchClient {
     clearTimeout(this.#rest);
     const coordinator = this.#worker();
     /** @type {Crew} */
-    const crew = { coordinator, coordinatorReady: false, silentMs: 0, evaluators: new Map(), sound: true };
+    const crew = { run: ++this.#runs, coordinator, coordinatorReady: false, paused: false, silentMs: 0, evaluators: new Map(), sound: true };
     this.#crew = crew;
     /** @param {MessageEvent<CoordinatorToPage>} event */
     coordinator.onmessage = ({ data }) => {
-      if (crew === this.#crew) this.#hear(crew, data);
+      if (data.type === 'loaded') this.#loaded.add(coordinator);
+      else if (crew === this.#crew && data.run === crew.run) this.#hear(crew, data);
     };
     coordinator.onerror = (event) => {
       event.preventDefault?.();
-      if (crew === this.#crew) this.#coordinatorDied();
+      if (crew === this.#crew) this.#coordinatorDied(event.message);
     };
     /** @type {Role} */
     const role = {
       type: 'coordinate',
+      run: crew.run,
       engine: this.engine,
       document: this.#document,
       state: this.#checkpoint?.state ?? null,
       workers: this.#workers,
     };
     coordinator.postMessage(role);
-    if (this.#paused) coordinator.postMessage({ type: 'pause' });
+    if (this.#paused) this.#send({ type: 'pause' });
     for (let i = 0; i < this.#workers; i++) this.#addEvaluator(crew);
     this.#sendHome(); // those that are too many
     this.#watch = setInterval(() => this.#tick(crew), TICK_MS);
@@ -190,7 +204,7 @@ export class SearchClient {
   #rests(workers) {
     this.#rested = workers;
     for (const worker of workers) {
-      worker.onmessage = null;
+      worker.onmessage = ({ data }) => { if (data.type === 'loaded') this.#loaded.add(worker); };
       worker.onerror = () => this.#sendHome();
     }
     this.#rest = setTimeout(() => this.#sendHome(), REST_MS);
@@ -219,10 +233,17 @@ export class SearchClient {
     crew.evaluators.set(evaluator, entry);
     /** @param {MessageEvent<EvaluatorToPage>} event */
     worker.onmessage = ({ data }) => {
-      if (crew !== this.#crew) return;
+      if (data.type === 'loaded') {
+        this.#loaded.add(worker);
+        entry.waitedMs = 0;
+        return;
+      }
+      if (crew !== this.#crew || data.run !== crew.run) return;
       switch (data.type) {
         case 'ready':
+          if (entry.ready) return; // told twice: the port is gone already
           entry.ready = true;
+          entry.waitedMs = 0;
           this.#send({ type: 'add-evaluator', evaluator, port: port2 }, [port2]);
           break;
         case 'failed':
@@ -234,21 +255,26 @@ export class SearchClient {
     };
     worker.onerror = (event) => {
       event.preventDefault?.();
-      if (crew === this.#crew) this.#replace(crew, evaluator);
+      if (crew === this.#crew) this.#replace(crew, evaluator, event.message);
     };
     /** @type {Role} */
-    const role = { type: 'evaluate', engine: this.engine, document: this.#document, port: port1 };
+    const role = { type: 'evaluate', run: crew.run, engine: this.engine, document: this.#document, port: port1 };
     worker.postMessage(role, [port1]);
   }
 
-  /** @param {Crew} crew @param {CoordinatorToPage} message */
+  /** @param {Crew} crew @param {OfCoordinator} message */
   #hear(crew, message) {
     crew.silentMs = 0;
+    crew.coordinatorReady = true;
     switch (message.type) {
       case 'ready':
-        crew.coordinatorReady = true;
         break;
       case 'progress':
+        crew.paused = message.report.state === 'paused';
+        for (const evaluator of message.evaluators) {
+          const entry = crew.evaluators.get(evaluator);
+          if (entry) entry.waitedMs = 0;
+        }
         if (message.report.evaluations > this.#evaluations) this.#deaths = 0;
         this.#evaluations = Math.max(this.#evaluations, message.report.evaluations);
         this.#known = {
@@ -283,17 +309,22 @@ export class SearchClient {
   #tick(crew) {
     // Ticks are counted rather than a clock read: after a laptop's sleep nobody is late.
     crew.silentMs += TICK_MS;
-    if (crew.silentMs > (crew.coordinatorReady ? COORDINATOR_SILENCE_MS : START_MS)) {
+    if (crew.silentMs > this.#patienceMs(crew.coordinator, crew.coordinatorReady)) {
       this.#coordinatorDied();
       return;
     }
+    if (crew.coordinatorReady && crew.paused !== this.#paused) this.#send({ type: this.#paused ? 'pause' : 'resume' });
     for (const [evaluator, entry] of [...crew.evaluators]) {
-      if (!entry.ready && (entry.waitedMs += TICK_MS) > START_MS) this.#replace(crew, evaluator);
+      if (entry.ready && !crew.coordinatorReady) continue; // nobody could know it yet
+      if ((entry.waitedMs += TICK_MS) > this.#patienceMs(entry.worker, entry.ready)) this.#replace(crew, evaluator);
     }
   }
 
-  /** @param {Crew} crew @param {number} evaluator */
-  #replace(crew, evaluator) {
+  /** @param {Worker} worker @param {boolean} ready */
+  #patienceMs(worker, ready) { return ready ? SILENCE_MS : this.#loaded.has(worker) ? BEGIN_MS : LOAD_MS; }
+
+  /** @param {Crew} crew @param {number} evaluator @param {string} [reason] */
+  #replace(crew, evaluator, reason) {
     const entry = crew.evaluators.get(evaluator);
     if (!entry) return; // told twice: by its error and by its silence
     entry.worker.terminate();
@@ -301,29 +332,41 @@ export class SearchClient {
     crew.sound = false;
     this.#send({ type: 'remove-evaluator', evaluator });
     if (this.#stopping !== null) return;
-    if (!this.#survives()) return;
+    if (!this.#survives(reason)) return;
     this.listener.incident(tr('A search worker stopped; another one took over and repeats its work.'));
-    this.#addEvaluator(crew);
+    this.#attempt(() => this.#addEvaluator(crew));
   }
 
-  #coordinatorDied() {
+  /** @param {string} [reason] */
+  #coordinatorDied(reason) {
     if (this.#stopping !== null) {
       this.#stopped();
       return;
     }
     this.#dismiss();
-    if (!this.#survives()) return;
+    if (!this.#survives(reason)) return;
     const from = grouped(this.#checkpoint?.evaluations ?? 0);
     this.listener.incident(tr('The coordinator of the search stopped; another one continues from evaluation {1}.', from));
-    this.#hire();
+    this.#attempt(() => this.#hire());
+  }
+
+  /** @param {() => void} hire */
+  #attempt(hire) {
+    try {
+      hire();
+    } catch (error) {
+      this.#fail(error instanceof Error ? error : new Error(String(error)));
+    }
   }
 
   /** Ends a search whose coordinator cannot report its end. */
   #stopped() { this.listener.progress(this.drop()); }
 
-  #survives() {
+  /** @param {string} [reason]  as the browser tells it; each tells it in another way */
+  #survives(reason = '') {
     if (++this.#deaths <= MOST_DEATHS) return true;
-    this.#fail(new Error(trLater('the search workers keep stopping; the search was given up')));
+    this.#fail(new Error(/memory|\bOOM\b/i.test(reason) ? trLater('there is not enough memory for this search; it was given up')
+      : trLater('the search workers keep stopping; the search was given up')));
     return false;
   }
 
@@ -333,8 +376,8 @@ export class SearchClient {
     this.listener.failed(error);
   }
 
-  /** @param {PageToCoordinator} message @param {Transferable[]} [transfer] */
-  #send(message, transfer = []) {
-    this.#crew?.coordinator.postMessage(message, transfer);
+  /** @param {Wish} wish @param {Transferable[]} [transfer] */
+  #send(wish, transfer = []) {
+    this.#crew?.coordinator.postMessage({ ...wish, run: this.#crew.run }, transfer);
   }
 }

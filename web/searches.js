@@ -117,6 +117,16 @@ export class Searches extends EventTarget {
     this.statusLine.clear();
   }
 
+  /** The application takes no more reports. @param {Error} error */
+  abandon(error) {
+    this.#run++;
+    this.#client?.close();
+    this.searching = false;
+    this.#end?.reject(error);
+    this.#end = null;
+    this.statusLine.clear();
+  }
+
   pause() { this.#wish('pause'); }
   resume() { this.#wish('resume'); }
   stop() { this.#wish('stop'); }
@@ -139,7 +149,13 @@ export class Searches extends EventTarget {
       this.searching = false;
       this.#end = null;
     }
-    this.app.searchProgress(report, this.#curve); // at the end of one the next of lab or queue begins in here
+    try {
+      this.app.searchProgress(report, this.#curve); // at the end of one the next of lab or queue begins in here
+    } catch (error) {
+      this.#client?.drop();
+      this.#end = end;
+      return this.#fail(error instanceof Error ? error : new Error(String(error)));
+    }
     if (trial) {
       if (!ended && !this.#labOver) this.statusLine.show(ofAll(report, trial), words);
       return;

@@ -22,7 +22,7 @@ export class StatusLine {
   #spokenMs = 0;
   /** What was said of the search that runs. */
   #speaking = '';
-  #sentenceUntilMs = 0;
+  #saidMs = -Infinity;
 
   /** What stands there while there is nothing to tell. @param {string} sentence */
   welcome(sentence) {
@@ -33,7 +33,7 @@ export class StatusLine {
   say(sentence) {
     setText(this.#status, sentence);
     announce(sentence);
-    this.#sentenceUntilMs = sentence ? performance.now() + SENTENCE_STAYS_MS : 0;
+    this.#saidMs = sentence ? performance.now() : -Infinity;
   }
 
   /** @param {SearchReport} report @param {SearchWords} words */
@@ -56,7 +56,7 @@ export class StatusLine {
     }
     const paused = report.state === 'paused';
     const sentence = doing(paused);
-    if (now > this.#sentenceUntilMs) setText(this.#status, sentence);
+    if (now < this.#saidMs || now - this.#saidMs > SENTENCE_STAYS_MS) setText(this.#status, sentence); // the clock may have been set back
     this.#progress.hidden = false;
     this.#progress.setAttribute('aria-valuemax', String(report.budget));
     this.#progress.setAttribute('aria-valuenow', String(report.evaluations));
@@ -80,7 +80,7 @@ export class StatusLine {
   /** No search: only the sentence remains. */
   clear() {
     this.#progress.hidden = true;
-    this.#sentenceUntilMs = 0;
+    this.#saidMs = -Infinity;
     for (const node of [this.#count, this.#rate, this.#best, this.#left]) setText(node, '');
   }
 }

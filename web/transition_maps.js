@@ -28,6 +28,10 @@ export class TransitionMaps {
   /** @type {WebAssembly.Module | null} */
   #compiled = null;
   #generation = 0; // wanted; 0: none
+  /** @type {Role | null} */
+  #wanted = null;
+  #told = 0; // moments of it, without a gap
+  #again = false; // it is told a second time
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #watch;
 
@@ -55,10 +59,18 @@ export class TransitionMaps {
       const engine = this.#compiled ??= await this.engine();
       if (generation !== this.#generation) return;
       this.#worker ??= this.#hire();
-      this.#worker.postMessage(/** @type {Role} */ ({ type: 'map-transitions', engine, document, generation }));
+      this.#wanted = { type: 'map-transitions', engine, document, generation };
+      this.#ask(false);
     } catch {
       if (generation === this.#generation) this.#fail();
     }
+  }
+
+  /** @param {boolean} again */
+  #ask(again) {
+    this.#told = 0;
+    this.#again = again;
+    if (this.#wanted) this.#worker?.postMessage(this.#wanted);
   }
 
   /** Nobody wants the map any more. */
@@ -66,6 +78,13 @@ export class TransitionMaps {
     if (this.#generation === 0) return;
     if (this.#compiled) this.#worker?.postMessage(/** @type {Role} */ ({ type: 'stand-by', engine: this.#compiled }));
     this.#rest();
+  }
+
+  /** Ends the worker at once. */
+  close() {
+    this.#generation = 0;
+    clearTimeout(this.#watch);
+    this.#dismiss();
   }
 
   #rest() {
@@ -94,12 +113,14 @@ export class TransitionMaps {
   #hear(message) {
     if (this.#generation === 0) return;
     switch (message.type) {
+      case 'loaded':
       case 'ready':
         break;
       case 'mapped':
         if (message.generation !== this.#generation) return;
         this.#expect(SILENCE_MS);
-        if (message.first + message.scores.length >= message.count) this.#rest();
+        if (message.first <= this.#told) this.#told = Math.max(this.#told, message.first + message.scores.length);
+        if (message.first + message.scores.length >= message.count) this.#end(message.count);
         this.listener.mapped(message);
         break;
       case 'failed':
@@ -108,6 +129,13 @@ export class TransitionMaps {
       default:
         unreachable(message);
     }
+  }
+
+  /** The last part has come. If one before it was lost, all are told once more. @param {number} count  of moments */
+  #end(count) {
+    if (this.#told >= count) this.#rest();
+    else if (this.#again) setTimeout(() => this.#fail());
+    else this.#ask(true);
   }
 
   /** @param {number} ms */

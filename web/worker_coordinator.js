@@ -6,8 +6,8 @@
 import { SCORE_LENGTH } from './engine.js';
 import { unreachable } from './messages.js';
 
-/** @typedef {import('./messages.js').PageToCoordinator} PageToCoordinator */
-/** @typedef {import('./messages.js').CoordinatorToPage} CoordinatorToPage */
+/** @typedef {import('./messages.js').Wish} Wish */
+/** @typedef {import('./messages.js').OfCoordinator} OfCoordinator */
 /** @typedef {import('./messages.js').EvaluatorToCoordinator} EvaluatorToCoordinator */
 /** @typedef {import('./messages.js').CoordinatorToEvaluator} CoordinatorToEvaluator */
 /** @typedef {import('./messages.js').SearchReport} SearchReport */
@@ -48,6 +48,9 @@ const RATE_WINDOW_MS = 3000;
 // The spread of thousands takes a millisecond or two: a fiftieth of the time at most.
 const SPREAD_REST = 50;
 
+/** A clock that was set back must not hold anything up. @param {number} ms  earlier, by that clock */
+const since = (ms) => (performance.now() < ms ? Infinity : performance.now() - ms);
+
 export class Coordinator {
   /** @type {Map<number, Hand>} */
   #hands = new Map();
@@ -69,12 +72,13 @@ export class Coordinator {
   #bestSent = NaN;
   /** @type {SearchReport['spread']} */
   #spread = null;
-  #spreadDueMs = 0;
+  #spreadMs = -Infinity;
+  #spreadRestMs = 0;
 
   /**
    * @param {import('./engine.js').Engine} engine
    * @param {import('./messages.js').Coordinate} role
-   * @param {(message: CoordinatorToPage, transfer?: Transferable[]) => void} post
+   * @param {(message: OfCoordinator, transfer?: Transferable[]) => void} post
    * @param {number} [longestMs]  that a slice should take
    */
   constructor(engine, { document, state, workers }, post, longestMs = LONGEST_SLICE_MS) {
@@ -87,7 +91,7 @@ export class Coordinator {
     this.ticker = setInterval(() => this.#tick(), TICK_MS);
   }
 
-  /** @param {PageToCoordinator} message */
+  /** @param {Wish} message */
   receive(message) {
     switch (message.type) {
       case 'add-evaluator':
@@ -113,6 +117,7 @@ export class Coordinator {
 
   /** @param {number} evaluator @param {MessagePort} port */
   #add(evaluator, port) {
+    if (this.#hands.has(evaluator)) return; // told twice: its work is under way
     /** @type {Hand} */
     const hand = { port, slices: [], startedMs: 0, waitedMs: 0 };
     this.#hands.set(evaluator, hand);
@@ -129,7 +134,8 @@ export class Coordinator {
     const hand = this.#hands.get(evaluator);
     this.#hands.delete(evaluator);
     if (!hand) return;
-    for (const slice of hand.slices) slice.batch.waiting.unshift(slice);
+    // What it sent before may still be on its way, and must not count beside what another one makes of it.
+    for (const slice of hand.slices.splice(0)) slice.batch.waiting.unshift(slice);
     hand.port.close();
   }
 
@@ -197,7 +203,8 @@ export class Coordinator {
     const slice = hand.slices[0];
     if (slice?.id !== id) return; // it was taken from a hand that seemed dead
     hand.slices.shift();
-    const ms = (performance.now() - hand.startedMs) / slice.count;
+    // Ticks know better than a clock that jumps.
+    const ms = Math.min(since(hand.startedMs), hand.waitedMs + TICK_MS) / slice.count;
     this.#begin(hand);
     this.#genomeMs = this.#genomeMs > 0 ? 0.8 * this.#genomeMs + 0.2 * ms : ms;
     this.#simulated += slice.count;
@@ -214,14 +221,15 @@ export class Coordinator {
   #batchDone() {
     this.#fitBatchSize();
     const now = performance.now();
+    if (now < (this.#pace.at(-1)?.ms ?? 0)) this.#pace = [];
     this.#pace.push({ ms: now, evaluations: this.search.evaluations });
     while (this.#pace[0].ms < now - RATE_WINDOW_MS) this.#pace.shift();
-    if (now - this.#checkpointMs >= CHECKPOINT_MS) {
+    if (since(this.#checkpointMs) >= CHECKPOINT_MS) {
       this.#checkpointMs = now;
       const state = this.search.save();
       this.post({ type: 'checkpoint', state, evaluations: this.search.evaluations }, [state.buffer]);
     }
-    if (now - this.#progressMs >= PROGRESS_MS) this.#report();
+    if (since(this.#progressMs) >= PROGRESS_MS) this.#report();
   }
 
   #fitBatchSize() {
@@ -241,12 +249,12 @@ export class Coordinator {
       if (hand.waitedMs > Math.max(SILENCE_MS, SILENCE_RATIO * usualMs)) this.#giveUp(evaluator);
     }
     // The page takes a silent coordinator for a dead one.
-    if (performance.now() - this.#progressMs >= TICK_MS) this.#report();
+    if (since(this.#progressMs) >= TICK_MS) this.#report();
   }
 
   #report() {
     this.#progressMs = performance.now();
-    this.post({ type: 'progress', report: this.#summary(false) });
+    this.post({ type: 'progress', report: this.#summary(false), evaluators: [...this.#hands.keys()] });
   }
 
   /** @param {'done' | 'stopped'} state */
@@ -269,10 +277,10 @@ export class Coordinator {
 
   /** Not older than fifty times what it takes to find it. @param {boolean} anew */
   #spreadNow(anew) {
-    const start = performance.now();
-    if (anew || start >= this.#spreadDueMs) {
+    if (anew || since(this.#spreadMs) >= this.#spreadRestMs) {
+      this.#spreadMs = performance.now();
       this.#spread = this.search.spread;
-      this.#spreadDueMs = start + SPREAD_REST * (performance.now() - start);
+      this.#spreadRestMs = SPREAD_REST * Math.min(since(this.#spreadMs), TICK_MS);
     }
     return this.#spread;
   }

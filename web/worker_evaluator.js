@@ -13,7 +13,13 @@ export function startEvaluator(engine, { document, port }) {
   const evaluator = engine.evaluator(document);
   /** @param {MessageEvent<CoordinatorToEvaluator>} event */
   port.onmessage = ({ data }) => {
-    const scores = evaluator.score(data.genomes);
+    let scores;
+    try {
+      scores = evaluator.score(data.genomes);
+    } catch (error) {
+      port.close(); // an engine that trapped scores nothing more
+      throw error;
+    }
     /** @type {EvaluatorToCoordinator} */
     const reply = { type: 'scored', slice: data.slice, scores };
     port.postMessage(reply, [scores.buffer]);

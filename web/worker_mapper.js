@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The mapper's role: scores the moments at which a clip could take over, part by part, and tells each part.
 
-/** @typedef {import('./messages.js').MapperToPage} MapperToPage */
+/** @typedef {import('./messages.js').OfMapper} OfMapper */
 
 // A part is told after this long, or sooner: the first ones are a coarse picture of the whole.
 const PART_MS = 100;
@@ -10,7 +10,7 @@ const STRIDE = 4; // moments between two looks at the clock
 /**
  * @param {import('./engine.js').Engine} engine
  * @param {import('./messages.js').MapTransitions} role
- * @param {(message: MapperToPage, transfer?: Transferable[]) => void} post
+ * @param {(message: OfMapper, transfer?: Transferable[]) => void} post
  * @param {number} [partMs]  after which a part is told
  * @returns {() => void} ends it
  */

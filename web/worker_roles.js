@@ -9,9 +9,9 @@ import { unreachable } from './messages.js';
 
 /** @typedef {import('./messages.js').Role} Role */
 /** @typedef {import('./messages.js').PageToCoordinator} PageToCoordinator */
-/** @typedef {import('./messages.js').CoordinatorToPage} CoordinatorToPage */
-/** @typedef {import('./messages.js').MapperToPage} MapperToPage */
-/** @typedef {(message: CoordinatorToPage | MapperToPage | {type: 'failed', fault: any} | {type: 'ready'}, transfer?: Transferable[]) => void} Post */
+/** @typedef {import('./messages.js').OfCoordinator} OfCoordinator */
+/** @typedef {import('./messages.js').OfMapper} OfMapper */
+/** @typedef {(message: (import('./messages.js').Loaded | OfCoordinator | OfMapper) & {run?: number}, transfer?: Transferable[]) => void} Post */
 
 export class WorkerRoles {
   /** @type {Promise<Engine> | null} */
@@ -21,6 +21,7 @@ export class WorkerRoles {
   /** Frees what the role before holds. */
   #leave = () => {};
   #before = Promise.resolve();
+  #run = 0; // of the search that the role belongs to; 0: none
 
   /**
    * @param {Post} post
@@ -33,11 +34,14 @@ export class WorkerRoles {
     this.longestMs = longestMs;
   }
 
+  /** Says that it is here. */
+  begin() { this.post({ type: 'loaded' }); }
+
   /** Messages wait for the role that one before them began, and keep their order. @param {Role | PageToCoordinator} message */
   hear(message) {
     const isRole = ['stand-by', 'coordinate', 'evaluate', 'map-transitions'].includes(message.type);
     this.#before = this.#before
-      .then(() => (isRole ? this.#take(/** @type {Role} */ (message)) : this.#coordinator?.receive(/** @type {PageToCoordinator} */ (message))))
+      .then(() => (isRole ? this.#take(/** @type {Role} */ (message)) : this.#receive(/** @type {PageToCoordinator} */ (message))))
       .catch(this.die);
   }
 
@@ -53,8 +57,18 @@ export class WorkerRoles {
     this.#coordinator = null;
   }
 
+  /** @param {PageToCoordinator} message */
+  #receive(message) {
+    if (message.run === this.#run) this.#coordinator?.receive(message); // else it comes too late
+  }
+
   /** @param {Role} message */
   async #take(message) {
+    const run = 'run' in message ? message.run : 0;
+    if (run > 0 && run === this.#run) return; // it came twice
+    this.#run = run;
+    /** @type {Post} */
+    const post = run > 0 ? (said, transfer) => this.post({ ...said, run }, transfer) : this.post;
     try {
       this.leave();
       this.#engine ??= Engine.load(message.engine);
@@ -63,7 +77,7 @@ export class WorkerRoles {
         case 'stand-by':
           return;
         case 'coordinate': {
-          const mine = new Coordinator(engine, message, this.post, this.longestMs);
+          const mine = new Coordinator(engine, message, post, this.longestMs);
           this.#coordinator = mine;
           this.#leave = () => mine.close();
           break;
@@ -72,14 +86,14 @@ export class WorkerRoles {
           this.#leave = startEvaluator(engine, message);
           break;
         case 'map-transitions':
-          this.#leave = startMapper(engine, message, this.post, this.longestMs);
+          this.#leave = startMapper(engine, message, post, this.longestMs);
           break;
         default:
           unreachable(message);
       }
-      this.post({ type: 'ready' });
+      post({ type: 'ready' });
     } catch (error) {
-      if (error instanceof EngineError) this.post({ type: 'failed', fault: error.fault });
+      if (error instanceof EngineError) post({ type: 'failed', fault: error.fault });
       else this.die(error);
     }
   }

@@ -211,7 +211,7 @@ async function oneFails({ browser, address }) {
           if (message.type !== 'coordinate' || !state.testFailing) return super.postMessage(message, transfer);
           state.testFailing = false;
           const fault = { code: 'structure', where: '', what: 'made up by a test' };
-          setTimeout(() => this.onmessage?.(new MessageEvent('message', { data: { type: 'failed', fault } })), 50);
+          setTimeout(() => this.onmessage?.(new MessageEvent('message', { data: { type: 'failed', run: message.run, fault } })), 50);
         }
       };
     },

@@ -8,6 +8,7 @@ import { ROOT } from './browsers.mjs';
 import { PageDriver, sleep } from './page_driver.mjs';
 import { AXE_SCENARIOS } from './axe_scenarios.mjs';
 import { EXPORT_SCENARIOS } from './export_scenarios.mjs';
+import { FAULT_SCENARIOS } from './fault_scenarios.mjs';
 import { FIGURE_SCENARIOS } from './figure_scenarios.mjs';
 import { FINGER_SCENARIOS } from './finger_scenarios.mjs';
 import { HISTORY_SCENARIOS } from './history_scenarios.mjs';
@@ -15,8 +16,10 @@ import { KEPT_WORK_SCENARIOS } from './kept_work_scenarios.mjs';
 import { LAB_SCENARIOS } from './lab_scenarios.mjs';
 import { LANGUAGE_SCENARIOS } from './language_scenarios.mjs';
 import { LOOP_SCENARIOS } from './loop_scenarios.mjs';
+import { MESSAGE_SCENARIOS } from './message_scenarios.mjs';
 import { MIRROR_SCENARIOS } from './mirror_scenarios.mjs';
 import { OFFLINE_SCENARIOS } from './offline_scenarios.mjs';
+import { OUTAGE_SCENARIOS } from './outage_scenarios.mjs';
 import { PALETTE_SCENARIOS } from './palette_scenarios.mjs';
 import { QUEUE_SCENARIOS } from './queue_scenarios.mjs';
 import { SECURITY_SCENARIOS } from './security_scenarios.mjs';
@@ -251,6 +254,9 @@ export const SCENARIOS = [
   ...TIMELINE_SCENARIOS,
   ...OFFLINE_SCENARIOS,
   ...SECURITY_SCENARIOS,
+  ...MESSAGE_SCENARIOS,
+  ...FAULT_SCENARIOS,
+  ...OUTAGE_SCENARIOS,
   ...SHARE_SCENARIOS,
   ...SUITE_SCENARIOS,
   ...MIRROR_SCENARIOS,

@@ -200,7 +200,7 @@ test('an exception in the coordinator ends it, so that it is replaced', async ()
   const dying = await run(document, 2, (_, report, crew) => {
     if (poisoned || report.evaluations < 500) return;
     poisoned = true;
-    crew[0].postMessage({ type: 'poison' });
+    crew[0].postMessage({ type: 'poison', run: 1 });
   });
   assert.match(dying.incidents.join(), /continues from evaluation/);
   assertSame(dying, await run(document, 1));
@@ -215,6 +215,31 @@ test('an engine that cannot be instantiated is an error, not a silence', async (
   const start = performance.now();
   await assert.rejects(run(problem({}), 1, undefined, wanting), /keep stopping/);
   assert.ok(performance.now() - start < 20000);
+});
+
+test('what an evaluator sent before it was given up does not count beside what another one makes of it', async () => {
+  const { Coordinator } = await import(pathToFileURL(join(WEB, 'worker_coordinator.js')).href);
+  const document = problem({ evaluations: 600 });
+  const evaluator = engine.evaluator(document);
+  /** @type {any} */
+  let last = null;
+  const coordinator = new Coordinator(engine, { document, state: null, workers: 8 },
+    (/** @type {any} */ { type, report }) => { if (type === 'finished') last = report; });
+  const port = () => ({ sent: /** @type {any[]} */ ([]), onmessage: /** @type {any} */ (null), close: () => {}, addEventListener: () => {},
+    postMessage(/** @type {any} */ message) { this.sent.push(message); } });
+  const steady = port();
+  coordinator.receive({ type: 'add-evaluator', evaluator: 0, port: steady });
+  for (let lost = 1; steady.sent.length > 0; lost++) {
+    const late = port();
+    coordinator.receive({ type: 'add-evaluator', evaluator: lost, port: late });
+    coordinator.receive({ type: 'remove-evaluator', evaluator: lost });
+    for (const port of [late, steady]) {
+      for (const { slice, genomes } of port.sent.splice(0)) port.onmessage({ data: { slice, scores: evaluator.score(genomes) } });
+    }
+  }
+  coordinator.close();
+  evaluator.close();
+  assertSame({ last, genome: last.bestGenome, reports: [], incidents: [] }, await run(document, 1));
 });
 
 test('scores that were not asked for are refused', () => {

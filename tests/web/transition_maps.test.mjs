@@ -67,7 +67,7 @@ function client() {
 }
 
 test('transition maps: parts make the whole map, in order', async () => {
-  const { maps, parts, failures, workers, until, complete } = client();
+  const { maps, parts, failures, until, complete } = client();
   await maps.start(request(1), 7);
   await until(complete);
   const map = engine.transitionMap(request(1));
@@ -77,7 +77,7 @@ test('transition maps: parts make the whole map, in order', async () => {
   assert.throws(() => map.scores(map.count, 1), /not in the map/);
   map.close();
   assert.deepEqual(failures, []);
-  for (const worker of workers) worker.terminate();
+  maps.close(); // else it rests for minutes
 });
 
 test('transition maps: what is replaced or stopped is not told of', async () => {
@@ -93,7 +93,7 @@ test('transition maps: what is replaced or stopped is not told of', async () => 
   await maps.start(request(1), 4);
   await until(() => parts.slice(before).some(({ first, scores, count }) => first + scores.length === count));
   assert.ok(parts.slice(before).every(({ generation }) => generation === 4));
-  for (const worker of workers) worker.terminate();
+  maps.close(); // else it rests for minutes
 });
 
 test('transition maps: a worker that dies, or refuses, is told of once; the next map gets another one', async () => {
@@ -108,5 +108,30 @@ test('transition maps: a worker that dies, or refuses, is told of once; the next
   await maps.start(request(1), 3);
   await until(complete);
   assert.ok(parts.every(({ generation }) => generation === 3));
-  for (const worker of workers) worker.terminate();
+  maps.close(); // else it rests for minutes
+});
+
+test('transition maps: where a part is lost all are told again; where one is lost again, that is a failure', async () => {
+  for (const losses of [1, 2]) {
+    const asked = /** @type {any[]} */ ([]);
+    const failures = /** @type {number[]} */ ([]);
+    const firsts = /** @type {number[]} */ ([]);
+    /** @type {any} */
+    const worker = { postMessage: (/** @type {any} */ message) => asked.push(message), terminate: () => {} };
+    const maps = new TransitionMaps({
+      engine: () => Promise.resolve(compiled),
+      createWorker: () => worker,
+      listener: { mapped: ({ first }) => firsts.push(first), failed: (generation) => failures.push(generation) },
+    });
+    await maps.start(new Uint8Array(), 5);
+    for (let told = 0; told < asked.length; told++) {
+      const parts = told < losses ? [0, 8] : [0, 4, 8]; // of twelve moments
+      for (const first of parts) worker.onmessage({ data: { type: 'mapped', generation: 5, count: 12, first, scores: new Float32Array(4), usual: 1 } });
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+    assert.equal(asked.length, 2);
+    assert.deepEqual(failures, losses === 1 ? [] : [5]);
+    assert.deepEqual(firsts, losses === 1 ? [0, 8, 0, 4, 8] : [0, 8, 0, 8]);
+    maps.close();
+  }
 });

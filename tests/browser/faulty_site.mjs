@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// The built site, with workers that can be told to fail: the page's own scripts are untouched.
+import { rmSync } from 'node:fs';
+import { cp, mkdtemp, readFile, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { execFile } from 'node:child_process';
+import { promisify } from 'node:util';
+import { ROOT } from './browsers.mjs';
+import { PageDriver } from './page_driver.mjs';
+import { PlainServer } from './plain_server.mjs';
+
+/** @typedef {import('./worker_faults.mjs').Fault} Fault */
+
+/** @type {Promise<PlainServer> | null} */
+let server = null;
+
+/** A host with such a site, the same one until the tests end. @param {string} [site] */
+export function faultySite(site = process.argv[2] ?? join(ROOT, 'build/site')) {
+  server ??= start(site);
+  return server;
+}
+
+/** @param {string} site */
+async function start(site) {
+  const folder = await mkdtemp(join(tmpdir(), 'faulty-site-'));
+  process.on('exit', () => rmSync(folder, { recursive: true }));
+  await cp(site, folder, { recursive: true });
+  await cp(join(ROOT, 'tests/browser/worker_faults.mjs'), join(folder, 'worker_faults.js'));
+  const worker = join(folder, 'worker.js');
+  await writeFile(worker, `import './worker_faults.js';\n${await readFile(worker, 'utf8')}`);
+  await promisify(execFile)(process.execPath, [join(ROOT, 'web/seal.mjs'), folder]);
+  const host = new PlainServer(folder, '/');
+  await host.start();
+  host.server.unref();
+  return host;
+}
+
+/** Opens it. @param {import('./browsers.mjs').Browser} browser @param {{before?: () => void}} [options] */
+export async function openFaulty(browser, { before } = {}) {
+  const address = (await faultySite()).address();
+  const page = await PageDriver.open(browser, address, { before: before ?? countWorkers });
+  return page;
+}
+
+/** New workers of the page meet these faults. @param {PageDriver} page @param {Fault[]} faults */
+export const expectFaults = (page, faults) => page.page.evaluate((list) => {
+  Object.assign(window, { testFaults: list });
+  // Those that stand by have no faults.
+  for (const worker of /** @type {any} */ (window).testWorkers) worker.onerror?.(new ErrorEvent('error', { message: 'sent home by a test' }));
+}, faults);
+
+/** Workers that live. @param {PageDriver} page @returns {Promise<number>} */
+export const liveWorkers = (page) => page.call('workers', () => /** @type {any} */ (window).testLive.size);
+
+/** Runs in the page before its scripts: new workers get the faults that are expected, and those that live are known. */
+export function countWorkers() {
+  const live = new Set();
+  const Kept = window.Worker;
+  const told = new BroadcastChannel('faults');
+  Object.assign(window, { testLive: live, testFaults: [], testMet: 0,
+    Worker: class extends Kept {
+      /** @param {string | URL} url @param {WorkerOptions} [options] */
+      constructor(url, options) {
+        const { testFaults } = /** @type {any} */ (window);
+        super(url, { ...options, name: testFaults.length > 0 ? JSON.stringify(testFaults) : '' });
+        live.add(this);
+      }
+      terminate() {
+        live.delete(this);
+        super.terminate();
+      }
+    } });
+  told.onmessage = ({ data }) => {
+    if (data.jumpMs) return;
+    const state = /** @type {any} */ (window);
+    state.testMet++;
+    state.testFaults = state.testFaults.filter((/** @type {Fault} */ { id }) => id !== data.id);
+  };
+}
