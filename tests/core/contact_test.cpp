@@ -45,7 +45,7 @@ Instant RandomInstant(std::uint64_t seed) {
 }
 
 /// The worst offence against any condition, as a velocity [m/s].
-double Offence(const Instant& instant, int contacts) {
+double OffenceOf(const Instant& instant, int contacts) {
   Body<1> after = instant.body;
   for (int i = 0; i < contacts; ++i) {
     const Contact<1>& c = instant.contact[static_cast<std::size_t>(i)];
@@ -80,7 +80,7 @@ TEST_CASE("contact: one endpoint is solved exactly", "[physics][contact]") {
     Instant instant = RandomInstant(seed);
     SolveSingle<1>(instant.world, instant.body, instant.contact[0]);
     CAPTURE(seed);
-    REQUIRE(Offence(instant, 1) < 2e-4);
+    REQUIRE(OffenceOf(instant, 1) < 2e-4);
   }
 }
 
@@ -90,7 +90,7 @@ TEST_CASE("contact: two endpoints are solved exactly", "[physics][contact]") {
   for (std::uint64_t seed = 0; seed < kInstants; ++seed) {
     Instant instant = RandomInstant(seed);
     SolvePair<1>(instant.world, instant.body, instant.contact[0], instant.contact[1], ~L::I{});
-    solved += Offence(instant, 2) < 1e-3 ? 1 : 0;
+    solved += OffenceOf(instant, 2) < 1e-3 ? 1 : 0;
   }
   REQUIRE(solved == kInstants);
 }
@@ -102,7 +102,7 @@ TEST_CASE("contact: sweeps come close with three endpoints", "[physics][contact]
   for (std::uint64_t seed = 0; seed < kInstants; ++seed) {
     Instant instant = RandomInstant(seed);
     SolveMany<1>(instant.world, instant.body, instant.contact, present);
-    solved += Offence(instant, 3) < 1e-2 ? 1 : 0;
+    solved += OffenceOf(instant, 3) < 1e-2 ? 1 : 0;
   }
   CAPTURE(solved);
   REQUIRE(solved >= kInstants * 4 / 5);

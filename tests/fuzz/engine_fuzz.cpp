@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// What messages make workers do: any calls of the engine's border (web/engine.cpp) in any order, with any
+// documents, genomes, scores and saved states, whole, damaged or made up. Each is done or refused with a
+// sentence; what it answers is finite and inside its own memory. Bytes: the document, then calls and what
+// they bring.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "core/document/binary.h"
+#include "core/document/json_value.h"
+#include "core/physics/evaluator.h"
+#include "core/search/search.h"
+#include "web/engine.cpp"  // NOLINT: the border has no header, only a declaration for JavaScript
+
+namespace {
+
+using namespace gaitsmith;
+
+// What is left of the fuzzer's bytes; zeros when it is at its end.
+class Bytes {
+ public:
+  Bytes(const std::uint8_t* data, std::size_t size) : rest_(data, size) {}
+  [[nodiscard]] bool Empty() const { return rest_.empty(); }
+  std::uint8_t Next() {
+    if (rest_.empty()) return 0;
+    const std::uint8_t byte = rest_.front();
+    rest_ = rest_.subspan(1);
+    return byte;
+  }
+  int Signed() { return static_cast<std::int8_t>(Next()); }
+  std::vector<std::uint8_t> Take(std::size_t count) {
+    const auto part = rest_.first(std::min(count, rest_.size()));
+    rest_ = rest_.subspan(part.size());
+    return {part.begin(), part.end()};
+  }
+
+ private:
+  std::span<const std::uint8_t> rest_;
+};
+
+Document SmallProblem(Bytes& bytes) {
+  Document d;
+  d.figure.rods = {Rod{}, Rod{.parent = 0}, Rod{.parent = 1}};
+  d.rules = 2;
+  d.task.duration_steps = d.duration_steps = 1 + bytes.Next() % 40;
+  d.search.algorithm = static_cast<Algorithm>(bytes.Next() % kAlgorithmNames.size());
+  d.search.seed = bytes.Next();
+  d.search.evaluations = 1 + bytes.Next();
+  d.search.population = 4;
+  d.search.genetic.population = 12;
+  d.search.torus.side = 4;
+  d.search.elites.initial = 20;
+  d.search.elites.batch = 8;
+  d.search.two_stage = {.random = 30, .kept = 2};
+  if (bytes.Next() % 4 == 0 || d.search.algorithm == Algorithm::kTwoStage) d.kind = ControllerKind::kNetwork;
+  if (bytes.Next() % 2 == 0) d.senses.kind = SenseKind::kTimer;
+  RandomStream random(bytes.Next(), 0, 0);
+  for (int clip = 0; clip < bytes.Next() % 3; ++clip) {
+    d.controllers.push_back(
+        {"", d.kind, d.senses, d.rules, RandomGenome(SpaceOf(d).shape, d.senses, Variation{}, random)});
+    d.timeline.push_back({clip, clip * 15});
+  }
+  d.search.in_place_of = bytes.Signed() % 4;
+  return d;
+}
+
+std::size_t Bring(std::vector<std::uint8_t> what) {
+  std::uint8_t* at = gs_input(what.size());
+  std::ranges::copy(what, at);
+  return what.size();
+}
+
+// One byte in some is changed.
+std::size_t BringDamaged(Bytes& bytes, std::vector<std::uint8_t> what) {
+  const std::uint8_t damage = bytes.Next();
+  if (damage % 8 == 1 && !what.empty()) what[(damage * 256u + bytes.Next()) % what.size()] ^= bytes.Next();
+  if (damage % 8 == 2) what.resize(what.size() * bytes.Next() / 256);
+  return Bring(std::move(what));
+}
+
+void Refused() {
+  const auto error = ParseJson(gs_error());
+  if (!error || error->Find("what") == nullptr || error->Find("what")->text.empty()) std::abort();
+}
+
+template <class Role, class Open>
+void Opened(std::unique_ptr<Role, void (*)(Role*)>& role, Open open, std::size_t size) {
+  Role* now = open(size);
+  if (now == nullptr) return Refused();
+  role.reset(now);
+}
+
+void Tell(Bytes& bytes, SearchRole* search, std::size_t asked) {
+  const std::size_t numbers = (bytes.Next() % 2 == 0 ? 4 : 1) * asked + (bytes.Next() % 16 == 1 ? 1 : 0);
+  // Whatever is no number, or too large a one, may come.
+  std::vector<std::uint8_t> scores = bytes.Take(std::min<std::size_t>(bytes.Next(), 4 * numbers));
+  while (scores.size() < 4 * numbers)
+    scores.push_back(static_cast<std::uint8_t>(scores.size() % 4 == 3 ? 63 : 0));
+  Bring(std::move(scores));
+  if (!gs_search_tell(search, numbers)) return Refused();
+  if (std::isnan(gs_search_best_fitness(search))) std::abort();
+  static_cast<void>(gs_search_spread(search));
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Bytes bytes(data, size);
+  const Document d = SmallProblem(bytes);
+  const std::vector<std::uint8_t> document = EncodeBinary(d);
+  std::unique_ptr<EvaluatorRole, void (*)(EvaluatorRole*)> evaluating(nullptr, gs_evaluator_close);
+  std::unique_ptr<SearchRole, void (*)(SearchRole*)> searching(nullptr, gs_search_close);
+  std::unique_ptr<MapRole, void (*)(MapRole*)> mapping(nullptr, gs_map_close);
+  std::unique_ptr<MotionRole, void (*)(MotionRole*)> showing(nullptr, gs_motion_close);
+  std::vector<std::size_t> asked;
+  std::vector<std::uint8_t> saved;
+  for (int calls = 0; calls < 40 && !bytes.Empty(); ++calls) {
+    switch (bytes.Next() % 11) {
+      case 0:
+        Opened(evaluating, gs_evaluator_open, BringDamaged(bytes, document));
+        break;
+      case 1: {
+        if (!evaluating) break;
+        Bring(bytes.Take(bytes.Next() * 4u));
+        const std::size_t count = bytes.Next() % 20;
+        const Score* scores = gs_evaluator_run(evaluating.get(), count);
+        if (scores == nullptr && count > 0) Refused();
+        for (std::size_t i = 0; scores != nullptr && i < count; ++i) {
+          if (!std::isfinite(scores[i].fitness)) std::abort();
+        }
+        break;
+      }
+      case 2:
+        Opened(searching, gs_search_open, BringDamaged(bytes, document));
+        asked.clear();
+        break;
+      case 3: {
+        if (!searching) break;
+        const std::size_t count = gs_search_ask(searching.get(), bytes.Signed());
+        const Gene* genomes = gs_search_genomes(searching.get());
+        unsigned sum = 0;  // what was named can be read
+        for (std::size_t i = 0; i < count * gs_search_genes(searching.get()); ++i) sum += genomes[i];
+        if (sum == 0xffffffffu) std::abort();
+        if (count > 0) asked.push_back(count);
+        break;
+      }
+      case 4:
+        if (!searching) break;
+        Tell(bytes, searching.get(), asked.empty() ? 3 : asked.front());
+        if (!asked.empty()) asked.erase(asked.begin());
+        break;
+      case 5: {
+        if (!searching || !asked.empty()) break;
+        const std::uint8_t* state = gs_search_save(searching.get());
+        saved.assign(state, state + gs_search_saved_size(searching.get()));
+        break;
+      }
+      case 6:
+        if (!searching) break;
+        if (!gs_search_load(searching.get(), BringDamaged(bytes, saved))) Refused();
+        asked.clear();
+        break;
+      case 7:
+        Opened(mapping, gs_map_open, BringDamaged(bytes, document));
+        break;
+      case 8: {
+        if (!mapping) break;
+        const int first = bytes.Signed();
+        const int count = bytes.Signed() % 8;
+        const float* scores = gs_map_run(mapping.get(), first, count);
+        if (scores == nullptr) Refused();
+        for (int i = 0; scores != nullptr && i < count; ++i) {
+          if (std::isnan(scores[i])) std::abort();
+        }
+        break;
+      }
+      case 9: {
+        Opened(showing, gs_motion_open, BringDamaged(bytes, document));
+        if (!showing) break;
+        const std::size_t words = Bring(bytes.Take(bytes.Next()));
+        const char* text = gs_motion_film_strip(showing.get(), words, bytes.Signed());
+        if (text == nullptr) Refused();
+        if (gs_motion_gltf(showing.get()) == nullptr || gs_motion_csv(showing.get()) == nullptr) std::abort();
+        break;
+      }
+      default: {
+        const std::uint8_t* read = gs_document_from_text(Bring(bytes.Take(bytes.Next() * 16u)));
+        if (read == nullptr) {
+          Refused();
+        } else if (!DecodeBinary({read, gs_document_size()})) {
+          std::abort();
+        }
+      }
+    }
+  }
+  return 0;
+}
