@@ -58,6 +58,15 @@ gcc-O3-avx2 g++ -O3 -march=x86-64-v3
 MATRIX
 }
 
+# Threads are only in the native program: ThreadSanitizer watches whatever uses them, and the command line's whole contract.
+check_threads() {
+  cmake -G Ninja -B build/threads -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER="clang++-$LLVM" \
+    -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g -fsanitize=thread" >/dev/null
+  cmake --build build/threads --target gaitsmith gaitsmith_shell_tests
+  build/threads/tests/gaitsmith_shell_tests
+  tests/command_line/contract_test.sh build/threads/shell/gaitsmith .
+}
+
 # Where time cannot be trusted, instructions can.
 check_instructions() {
   setup_measures
@@ -93,6 +102,7 @@ test_everything() {
   stage lint lint
   stage "tests (dev)" cmake --workflow --preset dev
   stage "tests (sanitizers)" cmake --workflow --preset asan
+  stage threads check_threads
   stage determinism check_determinism
   stage "instruction count" check_instructions
   stage "tests (WASM)" cmake --workflow --preset wasm

@@ -1,0 +1,63 @@
+# What ./dev can try beyond its tests, mostly for long: each goes on where it ended or is done in minutes. Sourced by ./dev.
+
+soak() {
+  setup_browsers
+  build_site
+  node tests/browser/soak.mjs $((60 * ${1:-30})) build/site "${@:2}"
+}
+
+fuzz() {
+  local seconds=${1:-60}
+  cmake --workflow --preset fuzz
+  local source name
+  for source in tests/fuzz/*_fuzz.cpp; do
+    name=$(basename "$source" _fuzz.cpp)
+    mkdir -p "build/fuzz/corpus/$name"
+    say "$name: $seconds s"
+    "build/fuzz/tests/fuzz/${name}_fuzz" -max_total_time="$seconds" -artifact_prefix=build/fuzz/ -verbosity=0 \
+      -print_final_stats=1 -max_len=20000 "build/fuzz/corpus/$name" examples tests/golden/motions
+  done
+}
+
+# Its findings are a study: docs/physics.md says what they mean.
+adversary() {
+  local minutes=${1:-10}
+  cmake --preset release
+  cmake --build --preset release --target adversary
+  build/release/tests/adversary/adversary --out docs/studies/adversary --evaluations 8000 --seeds 1000 --minutes "$minutes"
+}
+
+# Of the tests of core and shell and of the command line's contract together. Lines of templates count once.
+coverage() {
+  local build=$ROOT/build/coverage report=build/coverage/report.txt
+  cmake -G Ninja -B "$build" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER="clang++-$LLVM" \
+    -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g -fprofile-instr-generate -fcoverage-mapping" >/dev/null
+  cmake --build "$build" --target gaitsmith_tests gaitsmith_shell_tests gaitsmith
+  rm -rf "$build/profiles"
+  export LLVM_PROFILE_FILE=$build/profiles/%p.profraw
+  say "tests"
+  "$build/tests/gaitsmith_tests"
+  "$build/tests/gaitsmith_shell_tests"
+  tests/command_line/contract_test.sh "$build/shell/gaitsmith" "$ROOT"
+  "llvm-profdata-$LLVM" merge -sparse "$build"/profiles/*.profraw -o "$build/all.profdata"
+  "llvm-cov-$LLVM" report "$build/tests/gaitsmith_tests" -object "$build/tests/gaitsmith_shell_tests" -object "$build/shell/gaitsmith" \
+    -instr-profile="$build/all.profdata" --show-branch-summary --show-region-summary=false core >"$report"
+  awk '$1 == "TOTAL" { print "core: functions " $4 ", lines " $7 ", branches " $10 }' "$report"
+  say "each file: $report"
+}
+
+mutate() { node tests/mutation/run.mjs --shard "${1:-1/1}"; }
+
+# Two folders, because a path must not matter either; the toolchain and what npm fetched are the same.
+reproduce() {
+  local twin
+  for twin in one another-one; do
+    rm -rf "build/reproduce/$twin"
+    git clone -q . "build/reproduce/$twin"
+    ln -s "$T" "build/reproduce/$twin/.toolchain"
+    cp -r web/node_modules "build/reproduce/$twin/web/"
+    (cd "build/reproduce/$twin" && ./dev site)
+  done
+  diff -r build/reproduce/one/build/site build/reproduce/another-one/build/site || die "the two builds differ in the files above"
+  say "two builds of $(git rev-parse --short HEAD), the same $(find build/reproduce/one/build/site -type f | wc -l) files"
+}

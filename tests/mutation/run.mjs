@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// How many small faults in core the tests find:  node tests/mutation/run.mjs [--shard 1/2] [--count 200] [--seed 1]
+// Works on a copy of the sources in build/mutation, and appends a line for each fault to docs/studies/mutation/shard-K-of-N.csv;
+// what stands there already is not tried again. A fault that does not compile is none: the next in the draw takes its place.
+import { execFileSync, spawnSync } from 'node:child_process';
+import { appendFileSync, cpSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
+import { mutantsOf, shuffled, withFault } from './mutants.mjs';
+
+const ROOT = join(dirname(fileURLToPath(import.meta.url)), '../..');
+const { values } = parseArgs({ options: { shard: { type: 'string', default: '1/1' }, count: { type: 'string', default: '200' }, seed: { type: 'string', default: '1' } } });
+const [shard, shards] = values.shard.split('/').map(Number);
+const count = Number(values.count);
+const seed = Number(values.seed);
+if (!(shards >= 1 && shard >= 1 && shard <= shards && count >= 1 && Number.isInteger(seed))) throw new Error('usage: node tests/mutation/run.mjs [--shard K/N] [--count M] [--seed S]');
+
+const COPY = join(ROOT, `build/mutation/${shard}`);
+const BUILD = join(COPY, 'build');
+const RESULTS = join(ROOT, `docs/studies/mutation/shard-${shard}-of-${shards}.csv`);
+const HEADER = 'number,file,line,kind,before,after,result,seconds';
+// The quick tests first; a fault that these do not find meets all others.
+const ROUNDS = [['~[lessons]~[links]~[golden]'], ['[golden],[links],[lessons]']];
+const PATIENCE_S = 240; // the whole takes a quarter of it
+
+/** @param {string[]} words */
+const git = (...words) => execFileSync('git', words, { cwd: ROOT, encoding: 'utf8' });
+/** @param {string} program @param {string[]} words @param {number} [seconds] */
+const run = (program, words, seconds = 900) => spawnSync(program, words, { cwd: COPY, encoding: 'utf8', timeout: seconds * 1000, killSignal: 'SIGKILL' });
+const build = () => run('cmake', ['--build', BUILD, '--target', 'gaitsmith_tests', ...(shards > 1 ? ['-j1'] : [])]);
+
+/** @returns {'killed' | 'survived' | 'timeout'} */
+function judged() {
+  for (const tests of ROUNDS) {
+    const { status, signal } = run(join(BUILD, 'tests/gaitsmith_tests'), [...tests, '--abort', '--rng-seed', '1'], PATIENCE_S);
+    if (signal === 'SIGKILL') return 'timeout';
+    if (status !== 0) return 'killed';
+  }
+  return 'survived';
+}
+
+const files = git('ls-files').split('\n').filter((file) => file !== '' && existsSync(join(ROOT, file)));
+for (const file of files) {
+  const there = join(COPY, file);
+  if (existsSync(there) && readFileSync(there).equals(readFileSync(join(ROOT, file)))) continue;
+  mkdirSync(dirname(there), { recursive: true });
+  cpSync(join(ROOT, file), there);
+}
+cpSync(join(ROOT, '.toolchain/src'), join(COPY, '.toolchain/src'), { recursive: true, force: false });
+const all = files.filter((file) => /^core\/.*\.(h|cpp)$/.test(file)).flatMap((file) => mutantsOf(file, readFileSync(join(ROOT, file), 'utf8')));
+const draw = shuffled(all, seed);
+console.error(`${all.length} places for a fault in core; shard ${shard} of ${shards}`);
+const configured = run('cmake', ['-G', 'Ninja', '-S', COPY, '-B', BUILD, '-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O1']);
+if (configured.status !== 0 || build().status !== 0) throw new Error(`the sources themselves do not build: ${configured.stderr}`);
+if (judged() !== 'survived') throw new Error('the sources themselves do not pass');
+
+mkdirSync(dirname(RESULTS), { recursive: true });
+if (!existsSync(RESULTS)) writeFileSync(RESULTS, `${HEADER}\n`);
+const known = readFileSync(RESULTS, 'utf8').trim().split('\n').slice(1).map((line) => line.split(','));
+const tried = new Set(known.map(([number]) => Number(number)));
+let valid = known.filter((fields) => fields.at(-2) !== 'does not compile').length;
+for (let number = shard - 1; number < draw.length && valid < Math.ceil(count / shards); number += shards) {
+  if (tried.has(number)) continue;
+  const mutant = draw[number];
+  const path = join(COPY, mutant.file);
+  const sound = readFileSync(join(ROOT, mutant.file), 'utf8');
+  const start = performance.now();
+  writeFileSync(path, withFault(sound, mutant));
+  const result = build().status === 0 ? judged() : 'does not compile';
+  writeFileSync(path, sound);
+  const seconds = ((performance.now() - start) / 1000).toFixed(0);
+  const text = (/** @type {string} */ words) => `"${words.trim().replaceAll('"', '""').replaceAll(',', ';')}"`;
+  appendFileSync(RESULTS, `${number},${mutant.file},${mutant.line},${mutant.kind},${text(mutant.before)},${text(mutant.after)},${result},${seconds}\n`);
+  if (result !== 'does not compile') valid++;
+  console.error(`${valid}: ${mutant.file}:${mutant.line} ${mutant.kind}: ${mutant.before.trim()} → ${mutant.after.trim()}: ${result}, ${seconds} s`);
+}
