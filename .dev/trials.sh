@@ -6,16 +6,24 @@ soak() {
   node tests/browser/soak.mjs $((60 * ${1:-30})) build/site "${@:2}"
 }
 
+# Runs of ten minutes and more are a study: a line in docs/studies/fuzzing/runs.csv for each.
 fuzz() {
-  local seconds=${1:-60}
+  local seconds=${1:-60} name log runs
+  shift || true
   cmake --workflow --preset fuzz
-  local source name
-  for source in tests/fuzz/*_fuzz.cpp; do
-    name=$(basename "$source" _fuzz.cpp)
+  for name in ${*:-$(cd tests/fuzz && basename -s _fuzz.cpp -a ./*_fuzz.cpp)}; do
     mkdir -p "build/fuzz/corpus/$name"
+    log=build/fuzz/$name.log
     say "$name: $seconds s"
-    "build/fuzz/tests/fuzz/${name}_fuzz" -max_total_time="$seconds" -artifact_prefix=build/fuzz/ -verbosity=0 \
-      -print_final_stats=1 -max_len=20000 "build/fuzz/corpus/$name" examples tests/golden/motions
+    "build/fuzz/tests/fuzz/${name}_fuzz" -max_total_time="$seconds" -artifact_prefix=build/fuzz/ -verbosity=0 -print_final_stats=1 -max_len=20000 \
+      "build/fuzz/corpus/$name" examples tests/golden/motions >"$log" 2>&1 || { tail -40 "$log"; die "$name found something: build/fuzz has what it fed"; }
+    runs=$(awk '/number_of_executed_units/ { print $2 }' "$log")
+    say "$name: $runs runs, nothing found"
+    if [ "$seconds" -ge 600 ]; then
+      mkdir -p docs/studies/fuzzing
+      [ -s docs/studies/fuzzing/runs.csv ] || echo program,seconds,runs >docs/studies/fuzzing/runs.csv
+      echo "$name,$seconds,$runs" >>docs/studies/fuzzing/runs.csv
+    fi
   done
 }
 
