@@ -6,17 +6,29 @@ soak() {
   node tests/browser/soak.mjs $((60 * ${1:-30})) build/site "${@:2}"
 }
 
+# Golden links as they are sent, and what is in them between header and checksum.
+link_seeds() {
+  local link number=0
+  mkdir -p build/fuzz/links
+  grep -hE '^[0-9a-f]{16} ' tests/golden/links/*.txt | while read -r _ link; do
+    number=$((number + 1))
+    printf %s "$link" >"build/fuzz/links/$number.link"
+    printf '%s%.*s' "$link" $(((4 - ${#link} % 4) % 4)) == | tr -- -_ +/ | base64 -d | tail -c +5 | head -c -4 >"build/fuzz/links/$number.body"
+  done
+}
+
 # Runs of ten minutes and more are a study: a line in docs/studies/fuzzing/runs.csv for each.
 fuzz() {
   local seconds=${1:-60} name log runs
   shift || true
   cmake --workflow --preset fuzz
+  link_seeds
   for name in ${*:-$(cd tests/fuzz && basename -s _fuzz.cpp -a ./*_fuzz.cpp)}; do
     mkdir -p "build/fuzz/corpus/$name"
     log=build/fuzz/$name.log
     say "$name: $seconds s"
     "build/fuzz/tests/fuzz/${name}_fuzz" -max_total_time="$seconds" -artifact_prefix=build/fuzz/ -verbosity=0 -print_final_stats=1 -max_len=20000 \
-      "build/fuzz/corpus/$name" examples tests/golden/motions >"$log" 2>&1 || { tail -40 "$log"; die "$name found something: build/fuzz has what it fed"; }
+      "build/fuzz/corpus/$name" build/fuzz/links examples tests/golden/motions >"$log" 2>&1 || { tail -40 "$log"; die "$name found something: build/fuzz has what it fed"; }
     runs=$(awk '/number_of_executed_units/ { print $2 }' "$log")
     say "$name: $runs runs, nothing found"
     if [ "$seconds" -ge 600 ]; then

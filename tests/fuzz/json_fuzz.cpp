@@ -6,6 +6,7 @@
 
 #include "core/document/binary.h"
 #include "core/document/json.h"
+#include "core/document/link.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace gaitsmith;
@@ -19,5 +20,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!again || EncodeJson(*again) != json) std::abort();
   const auto reread = DecodeJson(json);
   if (!reread || EncodeJson(*reread) != json) std::abort();
+  Document hashed = *document;
+  hashed.hash = hashed.hash.value_or(1);  // a link has one; to find it takes a simulation
+  const auto linked = DecodeLink(EncodeLink(hashed));
+  if (!linked || EncodeJson(*linked) != EncodeJson(hashed)) std::abort();
   return 0;
 }

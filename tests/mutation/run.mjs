@@ -3,7 +3,7 @@
 // Works on a copy of the sources in build/mutation, and appends a line for each fault to docs/studies/mutation/shard-K-of-N.csv;
 // what stands there already is not tried again. A fault that does not compile is none: the next in the draw takes its place.
 import { execFileSync, spawnSync } from 'node:child_process';
-import { appendFileSync, cpSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { appendFileSync, cpSync, existsSync, mkdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
@@ -47,7 +47,7 @@ for (const file of files) {
   mkdirSync(dirname(there), { recursive: true });
   cpSync(join(ROOT, file), there);
 }
-cpSync(join(ROOT, '.toolchain/src'), join(COPY, '.toolchain/src'), { recursive: true, force: false });
+if (!existsSync(join(COPY, '.toolchain'))) symlinkSync(join(ROOT, '.toolchain'), join(COPY, '.toolchain'));
 const all = files.filter((file) => /^core\/.*\.(h|cpp)$/.test(file)).flatMap((file) => mutantsOf(file, readFileSync(join(ROOT, file), 'utf8')));
 const draw = shuffled(all, seed);
 console.error(`${all.length} places for a fault in core; shard ${shard} of ${shards}`);
