@@ -29,8 +29,11 @@ async function onHost(visit, body) {
   }
 }
 
-/** The whole page is kept. @param {PageDriver} page */
-const kept = (page) => page.until('the service worker', `(async () => (await navigator.serviceWorker.getRegistration())?.active?.state === 'activated')()`);
+/** The whole page is kept, by a worker of its own and not by one of a folder above. @param {PageDriver} page */
+const kept = (page) => page.until('the service worker', `(async () => {
+  const registration = await navigator.serviceWorker.getRegistration();
+  return registration?.scope === new URL('.', location.href).href && registration.active?.state === 'activated';
+})()`);
 
 /** A search of the page comes to its end and moves something. @param {PageDriver} page */
 const searches = (page) => page.call('search', async () => {
