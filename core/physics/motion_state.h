@@ -81,7 +81,7 @@ struct Moment {
 };
 
 /// Puts every lane where one figure is, its joint rates and what its endpoints bear included, and measures
-/// from there. What a controller keeps is left to the next one.
+/// from there; what is void stays so. What a controller keeps is left to the next one.
 template <int W>
 void SpreadState(const MotionState<1>& one, MotionState<W>& all) {
   using L = Lane<W>;
@@ -106,6 +106,7 @@ void SpreadState(const MotionState<1>& one, MotionState<W>& all) {
   spread(pose.middle_y, all.poses[0].middle_y);
   spread(one.last_normal, all.last_normal);
   spread(one.last_tangent, all.last_tangent);
+  if (one.broken[0] != 0) all.broken = ~typename L::I{};
 }
 
 }  // namespace gaitsmith

@@ -2,7 +2,7 @@
 // Controllers that are scored from where others leave the figure.
 #include <catch_amalgamated.hpp>
 
-#include "core/document/document.h"
+#include "core/document/json.h"
 #include "core/physics/evaluator.h"
 #include "tests/scene.h"
 
@@ -40,6 +40,20 @@ TEST_CASE("handover: a beginning of no length is the start", "[evaluator]") {
     const auto b = Evaluator(begun, true).Evaluate(genomes)[0];
     CHECK(a.fitness == b.fitness);
     CHECK(a.trajectory_hash == b.trajectory_hash);
+  }
+}
+
+TEST_CASE("handover: who takes over from a void motion is void", "[evaluator]") {
+  const auto find = DecodeJson(ReadFile("tests/adversary/finds/blow-to-one-end.json"));
+  REQUIRE(find);
+  for (const auto& [steps, is_void] : {std::pair(75, false), std::pair(77, true)}) {
+    Problem problem = ProblemOf(*find);
+    problem.beginnings = {{.controllers = find->controllers, .clips = {{}}, .steps = steps}};
+    problem.task.duration_steps = 1;
+    for (const int lanes : Evaluator::kLaneCounts) {
+      const std::vector<Genome> genomes(3, find->controllers[0].genes);
+      CHECK(Evaluator(problem, lanes, false).Evaluate(genomes)[2].terms.broke_physics == is_void);
+    }
   }
 }
 

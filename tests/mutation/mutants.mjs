@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Small faults that a programmer could have made in core: the places for them, and a fair draw among them.
+import { createHash } from 'node:crypto';
 
 /** @typedef {{file: string, line: number, column: number, kind: string, before: string, after: string}} Mutant  before: what stands there */
 
@@ -41,19 +42,18 @@ export function withFault(text, { line, column, before, after }) {
   return lines.join('\n');
 }
 
-/** The order in which they are tried: shuffled, the same for the same seed. @template T @param {T[]} all @param {number} seed @returns {T[]} */
-export function shuffled(all, seed) {
-  const order = [...all];
-  let state = seed >>> 0;
-  const next = () => { // mulberry32
-    state = (state + 0x6d2b79f5) >>> 0;
-    let word = Math.imul(state ^ (state >>> 15), 1 | state);
-    word = (word + Math.imul(word ^ (word >>> 7), 61 | word)) ^ word;
-    return (word ^ (word >>> 14)) >>> 0;
-  };
-  for (let i = order.length - 1; i > 0; i--) {
-    const other = next() % (i + 1);
-    [order[i], order[other]] = [order[other], order[i]];
-  }
-  return order;
+/**
+ * The order in which they are tried: drawn, and told by what the places are, so that a change elsewhere does not deal anew.
+ * @param {Mutant[]} all @param {(file: string) => string} textOf @param {number} seed
+ * @returns {{name: string, mutant: Mutant}[]} name: eight hexadecimal digits
+ */
+export function drawn(all, textOf, seed) {
+  /** @type {Map<string, number>} */
+  const seen = new Map(); // the same fault of the same line, for a second time in its file
+  return all.map((mutant) => {
+    const place = `${seed} ${mutant.file} ${mutant.kind} ${mutant.column} ${textOf(mutant.file).split('\n')[mutant.line - 1]}`;
+    const nth = (seen.get(place) ?? 0) + 1;
+    seen.set(place, nth);
+    return { name: createHash('sha256').update(`${place} ${nth}`).digest('hex').slice(0, 8), mutant };
+  }).sort((a, b) => (a.name < b.name ? -1 : 1));
 }

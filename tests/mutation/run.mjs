@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
-// How many small faults in core the tests find:  node tests/mutation/run.mjs [--shard 1/2] [--count 200] [--seed 1]
-// Works on a copy of the sources in build/mutation, and appends a line for each fault to docs/studies/mutation/shard-K-of-N.csv;
-// what stands there already is not tried again. A fault that does not compile is none: the next in the draw takes its place.
+// How many small faults in core the tests find:  node tests/mutation/run.mjs [--shard 1/2] [--count 200] [--seed 1] [--again yes]
+// Works on a copy of the sources in build/mutation, and keeps a line for each fault in docs/studies/mutation/shard-K-of-N.csv;
+// what stands there already is not tried again, but with --again what survived. A fault that does not compile is none: the next
+// in the draw takes its place.
 import { execFileSync, spawnSync } from 'node:child_process';
-import { appendFileSync, cpSync, existsSync, mkdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
-import { mutantsOf, shuffled, withFault } from './mutants.mjs';
+import { drawn, mutantsOf, withFault } from './mutants.mjs';
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), '../..');
-const { values } = parseArgs({ options: { shard: { type: 'string', default: '1/1' }, count: { type: 'string', default: '200' }, seed: { type: 'string', default: '1' } } });
+const { values } = parseArgs({ options: { shard: { type: 'string', default: '1/1' }, count: { type: 'string', default: '200' }, seed: { type: 'string', default: '1' }, again: { type: 'string', default: 'no' } } });
 const [shard, shards] = values.shard.split('/').map(Number);
 const count = Number(values.count);
 const seed = Number(values.seed);
@@ -19,9 +20,10 @@ if (!(shards >= 1 && shard >= 1 && shard <= shards && count >= 1 && Number.isInt
 const COPY = join(ROOT, `build/mutation/${shard}`);
 const BUILD = join(COPY, 'build');
 const RESULTS = join(ROOT, `docs/studies/mutation/shard-${shard}-of-${shards}.csv`);
-const HEADER = 'number,file,line,kind,before,after,result,seconds';
+const HEADER = 'fault,file,line,kind,before,after,result,seconds';
 // The quick tests first; a fault that these do not find meets all others.
 const ROUNDS = [['~[lessons]~[links]~[golden]'], ['[golden],[links],[lessons]']];
+const NONE = 'does not compile';
 const PATIENCE_S = 240; // the whole takes a quarter of it
 
 /** @param {string[]} words */
@@ -48,30 +50,37 @@ for (const file of files) {
   cpSync(join(ROOT, file), there);
 }
 if (!existsSync(join(COPY, '.toolchain'))) symlinkSync(join(ROOT, '.toolchain'), join(COPY, '.toolchain'));
-const all = files.filter((file) => /^core\/.*\.(h|cpp)$/.test(file)).flatMap((file) => mutantsOf(file, readFileSync(join(ROOT, file), 'utf8')));
-const draw = shuffled(all, seed);
-console.error(`${all.length} places for a fault in core; shard ${shard} of ${shards}`);
+const textOf = (/** @type {string} */ file) => readFileSync(join(ROOT, file), 'utf8');
+const all = files.filter((file) => /^core\/.*\.(h|cpp)$/.test(file)).flatMap((file) => mutantsOf(file, textOf(file)));
+const draw = drawn(all, textOf, seed).filter(({ name }) => parseInt(name, 16) % shards === shard - 1);
+console.error(`${all.length} places for a fault in core, ${draw.length} of them of shard ${shard} of ${shards}`);
 const configured = run('cmake', ['-G', 'Ninja', '-S', COPY, '-B', BUILD, '-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O1']);
 if (configured.status !== 0 || build().status !== 0) throw new Error(`the sources themselves do not build: ${configured.stderr}`);
 if (judged() !== 'survived') throw new Error('the sources themselves do not pass');
 
+/** What is known of a fault: its line, and the result in it. @type {Map<string, {line: string, result: string}>} */
+const known = new Map();
+if (existsSync(RESULTS)) {
+  for (const line of textOf(RESULTS.slice(ROOT.length + 1)).trim().split('\n').slice(1)) {
+    known.set(line.split(',')[0], { line, result: /** @type {string} */ (line.split(',').at(-2)) });
+  }
+}
 mkdirSync(dirname(RESULTS), { recursive: true });
-if (!existsSync(RESULTS)) writeFileSync(RESULTS, `${HEADER}\n`);
-const known = readFileSync(RESULTS, 'utf8').trim().split('\n').slice(1).map((line) => line.split(','));
-const tried = new Set(known.map(([number]) => Number(number)));
-let valid = known.filter((fields) => fields.at(-2) !== 'does not compile').length;
-for (let number = shard - 1; number < draw.length && valid < Math.ceil(count / shards); number += shards) {
-  if (tried.has(number)) continue;
-  const mutant = draw[number];
+const valid = () => [...known.values()].filter(({ result }) => result !== NONE).length;
+for (const { name, mutant } of draw) {
+  const before = known.get(name);
+  if (before ? values.again === 'no' || before.result !== 'survived' : valid() >= Math.ceil(count / shards)) continue;
   const path = join(COPY, mutant.file);
-  const sound = readFileSync(join(ROOT, mutant.file), 'utf8');
+  const sound = textOf(mutant.file);
   const start = performance.now();
   writeFileSync(path, withFault(sound, mutant));
-  const result = build().status === 0 ? judged() : 'does not compile';
+  const result = build().status === 0 ? judged() : NONE;
   writeFileSync(path, sound);
   const seconds = ((performance.now() - start) / 1000).toFixed(0);
   const text = (/** @type {string} */ words) => `"${words.trim().replaceAll('"', '""').replaceAll(',', ';')}"`;
-  appendFileSync(RESULTS, `${number},${mutant.file},${mutant.line},${mutant.kind},${text(mutant.before)},${text(mutant.after)},${result},${seconds}\n`);
-  if (result !== 'does not compile') valid++;
-  console.error(`${valid}: ${mutant.file}:${mutant.line} ${mutant.kind}: ${mutant.before.trim()} → ${mutant.after.trim()}: ${result}, ${seconds} s`);
+  known.set(name, { result, line: `${name},${mutant.file},${mutant.line},${mutant.kind},${text(mutant.before)},${text(mutant.after)},${result},${seconds}` });
+  writeFileSync(RESULTS, `${[HEADER, ...[...known.values()].map(({ line }) => line)].join('\n')}\n`);
+  console.error(`${valid()}: ${mutant.file}:${mutant.line} ${mutant.kind}: ${mutant.before.trim()} → ${mutant.after.trim()}: ${result}, ${seconds} s`);
 }
+const killed = [...known.values()].filter(({ result }) => result === 'killed' || result === 'timeout').length;
+console.error(`${killed} of ${valid()} found`);
