@@ -3,7 +3,7 @@
 // lessons, and the scores of forty searches. The same file runs natively with gcc and clang, at several
 // optimisation levels, under sanitizers and as WASM under Node. Does not pin: what the motions look like. To
 // bless anew (only by a numbered decision in docs/design.md):
-//   tests/golden/bless build/release/shell/gaitsmith
+//   tests/golden/bless build/release/shell/gaitsmith build/dev/tests/gaitsmith_tests
 // Has caught: nothing yet.
 #include <algorithm>
 #include <catch_amalgamated.hpp>
