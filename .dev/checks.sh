@@ -29,10 +29,19 @@ lint() {
   say "lint is clean"
 }
 
-# Every compiler and optimisation level replays the golden and the shipped motions bit for bit, in every lane count, and the command
-# line keeps its contract there. dev is gcc -O1, release gcc -O3.
+# Replays the golden and the shipped motions bit for bit:   replay_motions <name> <gaitsmith, as it is called...>
+replay_motions() {
+  local name=$1 document; shift
+  for document in tests/golden/motions/*.json examples/*.json examples/gallery/*.json examples/lessons/*.json; do
+    echo "$name: $document"
+    "$@" validate "$document"
+  done
+}
+
+# Every compiler and optimisation level replays them, in every lane count, and the command line keeps its contract there. dev is gcc
+# -O1, release gcc -O3.
 check_determinism() {
-  local name compiler flags document
+  local name compiler flags
   while read -r name compiler flags; do
     case $name in
       dev | release) cmake --preset "$name" >/dev/null ;;
@@ -41,10 +50,7 @@ check_determinism() {
       *) cmake -G Ninja -B "build/$name" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS_DEBUG="$flags" >/dev/null ;;
     esac
     cmake --build "build/$name" --target gaitsmith
-    for document in tests/golden/motions/*.json examples/*.json examples/gallery/*.json examples/lessons/*.json; do
-      echo "$name: $document"
-      "build/$name/shell/gaitsmith" validate "$document"
-    done
+    replay_motions "$name" "build/$name/shell/gaitsmith"
     tests/command_line/contract_test.sh "build/$name/shell/gaitsmith" . </dev/null
   done <<MATRIX
 dev
@@ -56,6 +62,24 @@ clang-O2 clang++-$LLVM -O2
 clang-O3-avx2 clang++-$LLVM -O3 -march=x86-64-v3
 gcc-O3-avx2 g++ -O3 -march=x86-64-v3
 MATRIX
+}
+
+# Another processor, for as long as qemu's user mode, thirty times slower, takes for every motion and a few short searches.
+check_aarch64() {
+  local search here there qemu=(qemu-aarch64-static build/aarch64/shell/gaitsmith)
+  command -v apt-get >/dev/null || { say "no apt here: aarch64 under qemu is left out"; return; }
+  apt_need "${AARCH64[@]}"
+  cmake --preset dev >/dev/null
+  cmake --build build/dev --target gaitsmith
+  cmake -G Ninja -B build/aarch64 -DCMAKE_BUILD_TYPE=Release -DCMAKE_TOOLCHAIN_FILE=.dev/aarch64.cmake >/dev/null
+  cmake --build build/aarch64 --target gaitsmith
+  replay_motions aarch64 "${qemu[@]}"
+  for search in sphc cma-es ssga; do
+    echo "aarch64: $search"
+    here=$(build/dev/shell/gaitsmith synthesize --search "$search" --evaluations 400 --out -)
+    there=$("${qemu[@]}" synthesize --search "$search" --evaluations 400 --out -)
+    [ "$here" = "$there" ] || die "$search finds another motion on aarch64"
+  done
 }
 
 # Threads are only in the native program: ThreadSanitizer watches whatever uses them, and the command line's whole contract.
@@ -104,6 +128,7 @@ test_everything() {
   stage "tests (sanitizers)" cmake --workflow --preset asan
   stage threads check_threads
   stage determinism check_determinism
+  stage aarch64 check_aarch64
   stage "instruction count" check_instructions
   stage "tests (WASM)" cmake --workflow --preset wasm
   stage site build_site

@@ -28,12 +28,13 @@ if(NOT PROJECT_IS_TOP_LEVEL)
   return()
 endif()
 
-# SDL2: Emscripten's port for WASM, the system's package natively.
+# SDL2: Emscripten's port for WASM, the system's package natively; none for another processor, where only the command line
+# and the tests of core are built.
 add_library(SDL2 INTERFACE)
 if(EMSCRIPTEN)
   target_compile_options(SDL2 INTERFACE -sUSE_SDL=2)
   target_link_options(SDL2 INTERFACE -sUSE_SDL=2)
-else()
+elseif(NOT CMAKE_CROSSCOMPILING)
   find_package(SDL2 REQUIRED CONFIG)
   find_package(OpenGL REQUIRED)
   target_link_libraries(SDL2 INTERFACE SDL2::SDL2)
@@ -62,7 +63,7 @@ if(EMSCRIPTEN)
   set_source_files_properties("${imgui_SOURCE_DIR}/backends/imgui_impl_opengl3.cpp" PROPERTIES
     COMPILE_DEFINITIONS glGetIntegerv=gaitsmith_webgl_state)
   target_link_options(imgui INTERFACE -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2)
-else()
+elseif(NOT CMAKE_CROSSCOMPILING)
   target_link_libraries(imgui PUBLIC OpenGL::GL ${CMAKE_DL_LIBS})
 endif()
 

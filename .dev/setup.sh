@@ -17,6 +17,7 @@ PACKAGES=(build-essential cmake ninja-build git python3 clang-$LLVM lld-$LLVM ll
           parallel) # the documented way to spread a study is tested
 BROWSERS=(chromium firefox-esr xvfb xauth)
 MEASURES=(valgrind libbox2d-dev) # instruction counts; the engine that ours is compared with
+AARCH64=(g++-aarch64-linux-gnu qemu-user-static) # another processor, for determinism
 
 T=$ROOT/.toolchain
 LOG=$T/setup.log
