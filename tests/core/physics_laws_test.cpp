@@ -123,4 +123,13 @@ TEST_CASE("find: light rods on a heavy ball that the ground throws are void", "[
   CHECK(motion.TermsAt(1).broke_physics);
 }
 
+TEST_CASE("find: a figure of millimetres that friction turns while it falls further than it is long is void",
+          "[physics][laws][find]") {
+  // Friction's lever was foreseen where free fall would have taken the figure, 5 mm lower than it came to be:
+  // 1.3 M g l.
+  const Document find = Read("tests/adversary/finds/lever-of-a-long-fall.json");
+  const Motion motion = Replay(find);
+  CHECK(motion.TermsAt(3).broke_physics);
+}
+
 }  // namespace gaitsmith::test

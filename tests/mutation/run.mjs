@@ -18,7 +18,8 @@ const seed = Number(values.seed);
 if (!(shards >= 1 && shard >= 1 && shard <= shards && count >= 1 && Number.isInteger(seed))) throw new Error('usage: node tests/mutation/run.mjs [--shard K/N] [--count M] [--seed S]');
 
 const COPY = join(ROOT, `build/mutation/${shard}`);
-const BUILD = join(COPY, 'build');
+// A header touches everything: several files are compiled as one then.
+const BUILDS = { cpp: join(COPY, 'build'), h: join(COPY, 'build-unity') };
 const RESULTS = join(ROOT, `docs/studies/mutation/shard-${shard}-of-${shards}.csv`);
 const HEADER = 'fault,file,line,kind,before,after,result,seconds';
 // The quick tests first; a fault that these do not find meets all others.
@@ -30,12 +31,12 @@ const PATIENCE_S = 240; // the whole takes a quarter of it
 const git = (...words) => execFileSync('git', words, { cwd: ROOT, encoding: 'utf8' });
 /** @param {string} program @param {string[]} words @param {number} [seconds] */
 const run = (program, words, seconds = 900) => spawnSync(program, words, { cwd: COPY, encoding: 'utf8', timeout: seconds * 1000, killSignal: 'SIGKILL' });
-const build = () => run('cmake', ['--build', BUILD, '--target', 'gaitsmith_tests', ...(shards > 1 ? ['-j1'] : [])]);
+const build = (/** @type {string} */ folder) => run('cmake', ['--build', folder, '--target', 'gaitsmith_tests', ...(shards > 1 ? ['-j1'] : [])]);
 
-/** @returns {'killed' | 'survived' | 'timeout'} */
-function judged() {
+/** @param {string} folder of the build @returns {'killed' | 'survived' | 'timeout'} */
+function judged(folder) {
   for (const tests of ROUNDS) {
-    const { status, signal } = run(join(BUILD, 'tests/gaitsmith_tests'), [...tests, '--abort', '--rng-seed', '1'], PATIENCE_S);
+    const { status, signal } = run(join(folder, 'tests/gaitsmith_tests'), [...tests, '--abort', '--rng-seed', '1'], PATIENCE_S);
     if (signal === 'SIGKILL') return 'timeout';
     if (status !== 0) return 'killed';
   }
@@ -54,9 +55,12 @@ const textOf = (/** @type {string} */ file) => readFileSync(join(ROOT, file), 'u
 const all = files.filter((file) => /^core\/.*\.(h|cpp)$/.test(file)).flatMap((file) => mutantsOf(file, textOf(file)));
 const draw = drawn(all, textOf, seed).filter(({ name }) => parseInt(name, 16) % shards === shard - 1);
 console.error(`${all.length} places for a fault in core, ${draw.length} of them of shard ${shard} of ${shards}`);
-const configured = run('cmake', ['-G', 'Ninja', '-S', COPY, '-B', BUILD, '-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O1']);
-if (configured.status !== 0 || build().status !== 0) throw new Error(`the sources themselves do not build: ${configured.stderr}`);
-if (judged() !== 'survived') throw new Error('the sources themselves do not pass');
+for (const [kind, folder] of Object.entries(BUILDS)) {
+  const words = ['-G', 'Ninja', '-S', COPY, '-B', folder, '-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O1', `-DCMAKE_UNITY_BUILD=${kind === 'h' ? 'ON' : 'OFF'}`];
+  const configured = run('cmake', words);
+  if (configured.status !== 0 || build(folder).status !== 0) throw new Error(`the sources themselves do not build: ${configured.stderr}`);
+  if (judged(folder) !== 'survived') throw new Error('the sources themselves do not pass');
+}
 
 /** What is known of a fault: its line, and the result in it. @type {Map<string, {line: string, result: string}>} */
 const known = new Map();
@@ -74,7 +78,8 @@ for (const { name, mutant } of draw) {
   const sound = textOf(mutant.file);
   const start = performance.now();
   writeFileSync(path, withFault(sound, mutant));
-  const result = build().status === 0 ? judged() : NONE;
+  const folder = mutant.file.endsWith('.h') ? BUILDS.h : BUILDS.cpp;
+  const result = build(folder).status === 0 ? judged(folder) : NONE;
   writeFileSync(path, sound);
   const seconds = ((performance.now() - start) / 1000).toFixed(0);
   const text = (/** @type {string} */ words) => `"${words.trim().replaceAll('"', '""').replaceAll(',', ';')}"`;
