@@ -116,8 +116,8 @@ TEST_CASE("find: a long rod that sweeps into the ground and is shot away by it i
 }
 
 TEST_CASE("find: light rods on a heavy ball that the ground throws are void", "[physics][laws][find]") {
-  // Impulses that change little of the motion of a thousand tonnes move rods of grams by much: normal forces gave what
-  // friction seemed to take, 2.5 M g l in one step.
+  // Impulses that change little of the motion of a thousand tonnes move rods of grams by much: normal forces
+  // gave what friction seemed to take, 2.5 M g l in one step.
   const Document find = Read("tests/adversary/finds/light-rods-on-a-heavy-ball.json");
   const Motion motion = Replay(find);
   CHECK(motion.TermsAt(1).broke_physics);
