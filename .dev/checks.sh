@@ -47,7 +47,7 @@ check_determinism() {
       dev | release) cmake --preset "$name" >/dev/null ;;
       *-avx2)
         if ! grep -qw avx2 /proc/cpuinfo 2>/dev/null; then say "$name: not on this processor"; continue; fi ;&
-      *) cmake -G Ninja -B "build/$name" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS_DEBUG="$flags" >/dev/null ;;
+      *) cmake -G Ninja -B "build/$name" -DCMAKE_UNITY_BUILD=ON -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS_DEBUG="$flags" >/dev/null ;;
     esac
     cmake --build "build/$name" --target gaitsmith
     replay_motions "$name" "build/$name/shell/gaitsmith"
@@ -71,7 +71,7 @@ check_aarch64() {
   apt_need "${AARCH64[@]}"
   cmake --preset dev >/dev/null
   cmake --build build/dev --target gaitsmith
-  cmake -G Ninja -B build/aarch64 -DCMAKE_BUILD_TYPE=Release -DCMAKE_TOOLCHAIN_FILE=.dev/aarch64.cmake >/dev/null
+  cmake -G Ninja -B build/aarch64 -DCMAKE_UNITY_BUILD=ON -DCMAKE_BUILD_TYPE=Release -DCMAKE_TOOLCHAIN_FILE=.dev/aarch64.cmake >/dev/null
   cmake --build build/aarch64 --target gaitsmith
   replay_motions aarch64 "${qemu[@]}"
   for search in sphc cma-es ssga; do
@@ -84,7 +84,7 @@ check_aarch64() {
 
 # Threads are only in the native program: ThreadSanitizer watches whatever uses them, and the command line's whole contract.
 check_threads() {
-  cmake -G Ninja -B build/threads -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER="clang++-$LLVM" \
+  cmake -G Ninja -B build/threads -DCMAKE_UNITY_BUILD=ON -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER="clang++-$LLVM" \
     -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g -fsanitize=thread" >/dev/null
   cmake --build build/threads --target gaitsmith gaitsmith_shell_tests
   build/threads/tests/gaitsmith_shell_tests

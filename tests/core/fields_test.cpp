@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// Pins: every field of a document, its range and what it is when left out. In a link a number takes as many
+// bits as its range needs, and one that is standard takes one: a range that moves breaks every link. To bless
+// anew (only by a numbered decision in docs/design.md):
+//   tests/golden/bless build/release/shell/gaitsmith build/dev/tests/gaitsmith_tests
+#include <catch_amalgamated.hpp>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <sstream>
+
+#include "core/document/archive.h"
+#include "core/document/json.h"
+#include "core/document/schema.h"
+#include "tests/scene.h"
+
+namespace gaitsmith::test {
+
+namespace {
+
+/// An archive that tells what there is, a field a line.
+class FieldTable {
+ public:
+  void Real(std::string_view name, float&, float low, float high, float standard) {
+    Line(name) << "real " << RealText(low) << " to " << RealText(high) << ", standard " << RealText(standard);
+  }
+  void Integer(std::string_view name, int&, int low, int high, int standard) {
+    Line(name) << "integer " << low << " to " << high << ", standard " << standard;
+  }
+  void Natural(std::string_view name, std::uint32_t&, std::uint32_t standard) {
+    Line(name) << "natural, standard " << standard;
+  }
+  void Flag(std::string_view name, bool&, bool standard) {
+    Line(name) << "flag, standard " << (standard ? "true" : "false");
+  }
+  template <class Enum, class Names>
+  void Choice(std::string_view name, Enum&, const Names& names, Enum standard) {
+    std::ostringstream& line = Line(name);
+    line << "choice of";
+    for (const std::string_view choice : names) line << ' ' << choice;
+    line << ", standard " << names[static_cast<std::size_t>(standard)];
+  }
+  void Text(std::string_view name, std::string&) { Line(name) << "text"; }
+  void Model(std::string_view name, int&) { Line(name) << "model"; }
+  void Hash(std::string_view name, std::optional<std::uint64_t>&) { Line(name) << "hash"; }
+  void Genes(Controller&, int) { Line("genes") << "genes"; }
+  template <class Fields>
+  void Group(std::string_view name, Fields fields) {
+    Inside(std::string(name) + ".", fields);
+  }
+  template <class Item, class Fields>
+  void List(std::string_view name, std::vector<Item>&, int most, Fields fields) {
+    Line(name) << "list of at most " << most;
+    Item item;
+    Inside(std::string(name) + "[].", [&] { fields(item); });
+  }
+  template <class Fields>
+  void Since(int version, Fields fields) {
+    version_ = version;
+    fields();
+    version_ = 1;
+  }
+
+  [[nodiscard]] std::string Table() const { return out_.str() + "\n"; }
+
+ private:
+  std::ostringstream& Line(std::string_view name) {
+    out_ << (out_.view().empty() ? "" : "\n") << 'v' << version_ << ' ' << path_ << name << ": ";
+    return out_;
+  }
+  template <class Fields>
+  void Inside(const std::string& step, Fields fields) {
+    const std::string before = path_;
+    path_ += step;
+    fields();
+    path_ = before;
+  }
+
+  std::ostringstream out_;
+  std::string path_;
+  int version_ = 1;
+};
+
+std::string Fields() {
+  FieldTable table;
+  Document document;
+  Describe(table, document);
+  return table.Table();
+}
+
+}  // namespace
+
+TEST_CASE("golden: every field of a document keeps its name, range and standard", "[document][determinism]") {
+  std::istringstream pinned(ReadFile("tests/golden/fields.txt")), found(Fields());
+  int fields = 0;
+  for (std::string was, is; std::getline(found, is); ++fields) {
+    REQUIRE(std::getline(pinned, was));
+    CHECK(is == was);
+  }
+  std::string more;
+  CHECK_FALSE(std::getline(pinned, more));
+  CHECK(fields > 90);
+}
+
+TEST_CASE("figure: what a rod may be is what a document says it may be", "[document][figure]") {
+  const Document good = TwoClips();
+  const auto agree = [&](float Rod::* field, float low, float high) {
+    const float beyond = std::numeric_limits<float>::infinity();
+    for (const float value : {low, high, std::nextafter(low, -beyond), std::nextafter(high, beyond)}) {
+      CAPTURE(low, high, value);
+      Figure figure = good.figure;
+      figure.rods[1].*field = value;
+      CHECK(Validate(figure).has_value() == (value >= low && value <= high));
+    }
+  };
+  agree(&Rod::length_m, 0.001f, 1000.0f);
+  agree(&Rod::mass_kg, 1e-6f, 1e6f);
+  agree(&Rod::rest_rad, -6.2831855f, 6.2831855f);
+  agree(&Rod::min_rad, -3.1415927f, 0.0f);
+  agree(&Rod::max_rad, 0.0f, 3.1415927f);
+}
+
+TEST_CASE("bless the fields of a document", "[.bless]") { std::fputs(Fields().c_str(), stdout); }
+
+}  // namespace gaitsmith::test
