@@ -17,9 +17,10 @@ const count = Number(values.count);
 const seed = Number(values.seed);
 if (!(shards >= 1 && shard >= 1 && shard <= shards && count >= 1 && Number.isInteger(seed))) throw new Error('usage: node tests/mutation/run.mjs [--shard K/N] [--count M] [--seed S]');
 
-const COPY = join(ROOT, `build/mutation/${shard}`);
+/** @typedef {{copy: string, folder: string, unity: boolean}} Build  of a copy of its own, so that a header's fault is no news to the other */
+const build = (/** @type {string} */ name, unity = false) => ({ copy: join(ROOT, `build/mutation/${shard}-${name}`), folder: join(ROOT, `build/mutation/${shard}-${name}/build`), unity });
 // A header touches everything: several files are compiled as one then.
-const BUILDS = { cpp: join(COPY, 'build'), h: join(COPY, 'build-unity') };
+const BUILDS = { sources: build('sources'), headers: build('headers', true) };
 const RESULTS = join(ROOT, `docs/studies/mutation/shard-${shard}-of-${shards}.csv`);
 const HEADER = 'fault,file,line,kind,before,after,result,seconds';
 // The quick tests first; a fault that these do not find meets all others.
@@ -29,14 +30,14 @@ const PATIENCE_S = 240; // the whole takes a quarter of it
 
 /** @param {string[]} words */
 const git = (...words) => execFileSync('git', words, { cwd: ROOT, encoding: 'utf8' });
-/** @param {string} program @param {string[]} words @param {number} [seconds] */
-const run = (program, words, seconds = 900) => spawnSync(program, words, { cwd: COPY, encoding: 'utf8', timeout: seconds * 1000, killSignal: 'SIGKILL' });
-const build = (/** @type {string} */ folder) => run('cmake', ['--build', folder, '--target', 'gaitsmith_tests', ...(shards > 1 ? ['-j1'] : [])]);
+/** @param {Build} where @param {string} program @param {string[]} words @param {number} [seconds] */
+const run = ({ copy }, program, words, seconds = 900) => spawnSync(program, words, { cwd: copy, encoding: 'utf8', timeout: seconds * 1000, killSignal: 'SIGKILL' });
+const built = (/** @type {Build} */ where) => run(where, 'cmake', ['--build', where.folder, '--target', 'gaitsmith_tests', ...(shards > 1 ? ['-j1'] : [])]).status === 0;
 
-/** @param {string} folder of the build @returns {'killed' | 'survived' | 'timeout'} */
-function judged(folder) {
+/** @param {Build} where @returns {'killed' | 'survived' | 'timeout'} */
+function judged(where) {
   for (const tests of ROUNDS) {
-    const { status, signal } = run(join(folder, 'tests/gaitsmith_tests'), [...tests, '--abort', '--rng-seed', '1'], PATIENCE_S);
+    const { status, signal } = run(where, join(where.folder, 'tests/gaitsmith_tests'), [...tests, '--abort', '--rng-seed', '1'], PATIENCE_S);
     if (signal === 'SIGKILL') return 'timeout';
     if (status !== 0) return 'killed';
   }
@@ -44,24 +45,23 @@ function judged(folder) {
 }
 
 const files = git('ls-files').split('\n').filter((file) => file !== '' && existsSync(join(ROOT, file)));
-for (const file of files) {
-  const there = join(COPY, file);
-  if (existsSync(there) && readFileSync(there).equals(readFileSync(join(ROOT, file)))) continue;
-  mkdirSync(dirname(there), { recursive: true });
-  cpSync(join(ROOT, file), there);
+for (const where of Object.values(BUILDS)) {
+  for (const file of files) {
+    const there = join(where.copy, file);
+    if (existsSync(there) && readFileSync(there).equals(readFileSync(join(ROOT, file)))) continue;
+    mkdirSync(dirname(there), { recursive: true });
+    cpSync(join(ROOT, file), there);
+  }
+  if (!existsSync(join(where.copy, '.toolchain'))) symlinkSync(join(ROOT, '.toolchain'), join(where.copy, '.toolchain'));
+  const configured = run(where, 'cmake', ['-G', 'Ninja', '-S', where.copy, '-B', where.folder, '-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O1',
+    `-DCMAKE_UNITY_BUILD=${where.unity ? 'ON' : 'OFF'}`]);
+  if (configured.status !== 0 || !built(where)) throw new Error(`the sources themselves do not build: ${configured.stderr}`);
+  if (judged(where) !== 'survived') throw new Error('the sources themselves do not pass');
 }
-if (!existsSync(join(COPY, '.toolchain'))) symlinkSync(join(ROOT, '.toolchain'), join(COPY, '.toolchain'));
 const textOf = (/** @type {string} */ file) => readFileSync(join(ROOT, file), 'utf8');
 const all = files.filter((file) => /^core\/.*\.(h|cpp)$/.test(file)).flatMap((file) => mutantsOf(file, textOf(file)));
 const draw = drawn(all, textOf, seed).filter(({ name }) => parseInt(name, 16) % shards === shard - 1);
 console.error(`${all.length} places for a fault in core, ${draw.length} of them of shard ${shard} of ${shards}`);
-for (const [kind, folder] of Object.entries(BUILDS)) {
-  const words = ['-G', 'Ninja', '-S', COPY, '-B', folder, '-DCMAKE_BUILD_TYPE=Debug', '-DCMAKE_CXX_FLAGS_DEBUG=-O1', `-DCMAKE_UNITY_BUILD=${kind === 'h' ? 'ON' : 'OFF'}`];
-  const configured = run('cmake', words);
-  if (configured.status !== 0 || build(folder).status !== 0) throw new Error(`the sources themselves do not build: ${configured.stderr}`);
-  if (judged(folder) !== 'survived') throw new Error('the sources themselves do not pass');
-}
-
 /** What is known of a fault: its line, and the result in it. @type {Map<string, {line: string, result: string}>} */
 const known = new Map();
 if (existsSync(RESULTS)) {
@@ -74,12 +74,12 @@ const valid = () => [...known.values()].filter(({ result }) => result !== NONE).
 for (const { name, mutant } of draw) {
   const before = known.get(name);
   if (before ? values.again === 'no' || before.result !== 'survived' : valid() >= Math.ceil(count / shards)) continue;
-  const path = join(COPY, mutant.file);
+  const where = mutant.file.endsWith('.h') ? BUILDS.headers : BUILDS.sources;
+  const path = join(where.copy, mutant.file);
   const sound = textOf(mutant.file);
   const start = performance.now();
   writeFileSync(path, withFault(sound, mutant));
-  const folder = mutant.file.endsWith('.h') ? BUILDS.h : BUILDS.cpp;
-  const result = build(folder).status === 0 ? judged(folder) : NONE;
+  const result = built(where) ? judged(where) : NONE;
   writeFileSync(path, sound);
   const seconds = ((performance.now() - start) / 1000).toFixed(0);
   const text = (/** @type {string} */ words) => `"${words.trim().replaceAll('"', '""').replaceAll(',', ';')}"`;
