@@ -100,6 +100,24 @@ TEST_CASE("timeline: splitting and inserting", "[timeline]") {
   CHECK(Validate(d));
 }
 
+TEST_CASE("timeline: an insert cuts a clip where both parts are long enough, and else goes before or behind",
+          "[timeline]") {
+  // A step in the middle clip, from 200 to 400, and where its cut and what is inserted begin then.
+  const std::vector<std::pair<int, std::vector<int>>> cases = {
+      {200 + kShortestClip - 1, {0, 200, 300, 500}},
+      {200 + kShortestClip, {0, 200, 200 + kShortestClip, 300 + kShortestClip, 500}},
+      {400 - kShortestClip, {0, 200, 400 - kShortestClip, 500 - kShortestClip, 500}},
+      {400 - kShortestClip + 1, {0, 200, 400, 500}},
+  };
+  for (const auto& [step, starts] : cases) {
+    CAPTURE(step);
+    Document d = ThreeClips();
+    REQUIRE(InsertClips(d, {{.controller = 0, .steps = 100}}, step));
+    CHECK(Starts(d) == starts);
+    CHECK(d.duration_steps == 700);
+  }
+}
+
 TEST_CASE("timeline: a clip behind the end is brought in by an edit", "[timeline]") {
   Document d = ThreeClips();
   d.duration_steps = 350;
