@@ -4,18 +4,23 @@
 
 #include <algorithm>
 
+extern "C" {  // host_web.library.js
+void gs_fence_frame();
+bool gs_frame_is_drawn();
+void gs_forget_fence();
+}
+
 namespace gaitsmith::shell {
 
 void FramePace::Measure(double now_ms) {
-  if (fence_ == nullptr) return;
+  if (!measuring_) return;
   ++looks_;
   const double cost_ms = now_ms - begun_ms_;
   // A lost context signals nothing, and a page where nothing moves does not look.
   constexpr double kGivenUpMs = 1000.0;
-  const GLenum state = glClientWaitSync(fence_, 0, 0);
-  if (state == GL_TIMEOUT_EXPIRED && cost_ms < kGivenUpMs) return;
-  glDeleteSync(fence_);
-  fence_ = nullptr;
+  if (!gs_frame_is_drawn() && cost_ms < kGivenUpMs) return;
+  gs_forget_fence();
+  measuring_ = false;
   if (looks_ > 1 && cost_ms >= kGivenUpMs) return;
   // Ready by the display's next frame is as quick as can be seen.
   constexpr double kNewest = 0.25;
@@ -35,8 +40,9 @@ bool FramePace::Due(double now_ms, bool searching) {
 
 void FramePace::Drawn(double now_ms) {
   drawn_ms_ = now_ms;
-  if (fence_ != nullptr) return;
-  fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  if (measuring_) return;
+  gs_fence_frame();
+  measuring_ = true;
   begun_ms_ = now_ms;
   looks_ = 0;
 }

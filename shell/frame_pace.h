@@ -3,8 +3,6 @@
 // needs, so while one runs, slow frames become rarer.
 #pragma once
 
-#include <GLES3/gl3.h>
-
 namespace gaitsmith::shell {
 
 class FramePace {
@@ -23,9 +21,8 @@ class FramePace {
 
   double limit_ms_ = 0.0;
   double drawn_ms_ = 0.0;
-  double cost_ms_ = 0.0;  // from handing a frame over until it is drawn, of late
-  // The frame that is being measured.
-  GLsync fence_ = nullptr;
+  double cost_ms_ = 0.0;    // from handing a frame over until it is drawn, of late
+  bool measuring_ = false;  // a frame, with a fence behind it
   double begun_ms_ = 0.0;
   int looks_ = 0;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the application calls on the page, as an Emscripten library: each function forwards to Module.page, an
-// object the page passes to createApp({canvas, page}). Functions the page leaves out do nothing.
+// object the page passes to createApp({canvas, page}). Functions the page leaves out do nothing. And the fence behind a frame.
 addToLibrary({
   $callPage: (name, ...args) => Module['page']?.[name]?.(...args),
 
@@ -52,5 +52,17 @@ addToLibrary({
   gs_page_leave_canvas: (direction) => {
     if (Module['page']?.['leaveCanvas']) callPage('leaveCanvas', direction);
     else Module['canvas'].blur();
+  },
+
+  // Emscripten's own fences get a new number each, and its tables a place for every number that there ever was.
+  $frameFence: 'null',
+  gs_fence_frame__deps: ['$frameFence'],
+  gs_fence_frame: () => { frameFence = GLctx.fenceSync(GLctx.SYNC_GPU_COMMANDS_COMPLETE, 0); }, // null in a lost context
+  gs_frame_is_drawn__deps: ['$frameFence'],
+  gs_frame_is_drawn: () => !frameFence || GLctx.clientWaitSync(frameFence, 0, 0) !== GLctx.TIMEOUT_EXPIRED,
+  gs_forget_fence__deps: ['$frameFence'],
+  gs_forget_fence: () => {
+    GLctx.deleteSync(frameFence);
+    frameFence = null;
   },
 });

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What Dear ImGui's renderer is told when it asks for WebGL's state. It does so at every frame, to put back
 // what it changes; but nobody else draws here, and a browser that is asked for state waits until its graphics
-// process has caught up: up to 30 ms a frame where graphics are software. So the questions never reach it.
+// process has caught up: up to 30 ms a frame where graphics are software. So the questions never reach it. It
+// also makes a vertex array for every frame, and Emscripten's tables keep a place for each that there ever
+// was. So it gets the same one again.
 #include <GLES3/gl3.h>
 
-// The backend's glGetIntegerv, renamed in .dev/libraries.cmake.
+// The backend's functions, renamed in .dev/libraries.cmake.
 extern "C" void gaitsmith_webgl_state(GLenum what, GLint* value) {
   switch (what) {
     case GL_MAJOR_VERSION:
@@ -29,3 +31,11 @@ extern "C" void gaitsmith_webgl_state(GLenum what, GLint* value) {
       *value = 0;  // nothing is bound, and GL_ZERO
   }
 }
+
+extern "C" void gaitsmith_webgl_vertex_array(GLsizei, GLuint* array) {
+  static GLuint kept = 0;
+  if (kept == 0) glGenVertexArrays(1, &kept);
+  *array = kept;
+}
+
+extern "C" void gaitsmith_webgl_keep(GLsizei, const GLuint*) {}

@@ -11,6 +11,7 @@ import { EXPORT_SCENARIOS } from './export_scenarios.mjs';
 import { FAULT_SCENARIOS } from './fault_scenarios.mjs';
 import { FIGURE_SCENARIOS } from './figure_scenarios.mjs';
 import { FINGER_SCENARIOS } from './finger_scenarios.mjs';
+import { GRAPHICS_SCENARIOS } from './graphics_scenarios.mjs';
 import { HISTORY_SCENARIOS } from './history_scenarios.mjs';
 import { KEPT_WORK_SCENARIOS } from './kept_work_scenarios.mjs';
 import { LAB_SCENARIOS } from './lab_scenarios.mjs';
@@ -257,6 +258,7 @@ export const SCENARIOS = [
   ...MESSAGE_SCENARIOS,
   ...FAULT_SCENARIOS,
   ...OUTAGE_SCENARIOS,
+  ...GRAPHICS_SCENARIOS,
   ...SHARE_SCENARIOS,
   ...SUITE_SCENARIOS,
   ...MIRROR_SCENARIOS,

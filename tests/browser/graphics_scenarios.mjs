@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// What drawing takes of WebGL, in a page of its own.
+import assert from 'node:assert/strict';
+import { PageDriver } from './page_driver.mjs';
+
+/** @typedef {import('./scenarios.mjs').Visit} Visit */
+
+/** Runs in the page before its scripts: counts what WebGL is asked to make and to let go. */
+function counted() {
+  const tally = Object.assign(window, { testMade: 0, testFences: 0, testDraws: 0 });
+  /** @type {any} */
+  const gl = WebGL2RenderingContext.prototype;
+  for (const name of Object.getOwnPropertyNames(gl).filter((each) => /^create|^(?:fenceSync|deleteSync|drawElements)$/.test(each))) {
+    const whole = gl[name];
+    gl[name] = function (/** @type {unknown[]} */ ...words) {
+      if (name === 'fenceSync') tally.testFences++;
+      else if (name === 'deleteSync') tally.testFences--;
+      else if (name === 'drawElements') tally.testDraws++;
+      else tally.testMade++;
+      return whole.apply(this, words);
+    };
+  }
+}
+
+/**
+ * Emscripten never gives a number of WebGL's objects back: an object a frame is memory for ever.
+ * @param {Visit} visit
+ */
+async function framesMakeNothing({ browser, address }) {
+  const page = await PageDriver.open(browser, address, { before: counted });
+  const tally = () => page.call('counts', () => {
+    const { testMade, testFences, testDraws } = /** @type {any} */ (window);
+    return { made: testMade, fences: testFences, draws: testDraws };
+  });
+  await page.frames(10); // typefaces and programs are made with the first ones
+  const before = await tally();
+  assert.ok(before.made > 0);
+  await page.frames(60);
+  const after = await tally();
+  assert.ok(after.draws > before.draws + 60, `${after.draws - before.draws} draws in 60 frames`);
+  assert.equal(after.made, before.made);
+  assert.ok(after.fences >= 0 && after.fences <= 1, `${after.fences} fences wait`);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @type {[string, (visit: Visit) => Promise<void>][]} */
+export const GRAPHICS_SCENARIOS = [['frames make nothing in WebGL that stays', framesMakeNothing]];
