@@ -62,6 +62,12 @@ TEST_CASE("exp: relative error below 1e-15", "[numeric]") {
   CAPTURE(worst);
   REQUIRE(worst < 1e-15);
   REQUIRE(Exp(-1e9) == 0.0);
+  REQUIRE(Exp(-700.0) == 0.0);
+  REQUIRE(Exp(-699.9) > 0.0);
+  REQUIRE(Exp(699.9) < Exp(700.0));
+  REQUIRE(Exp(700.1) == Exp(700.0));
+  REQUIRE(Exp(1e9) == Exp(700.0));
+  REQUIRE(Exp(std::numeric_limits<double>::quiet_NaN()) == 0.0);
   REQUIRE(Exp(0.0) == 1.0);
 }
 

@@ -220,6 +220,30 @@ TEST_CASE("composite: simulated anew from a change on, it is the same to the bit
   }
 }
 
+TEST_CASE("composite: a motion parts at the first push that differs, in whatever it differs", "[timeline]") {
+  Document first = ThreeClips();
+  first.pushes = {{.step = 90, .endpoint = 1, .impulse_x_ns = 2.0f, .impulse_y_ns = 1.0f},
+                  {.step = 250, .endpoint = 0, .impulse_x_ns = -1.0f}};
+  CHECK(PartingStep(first, first) == kMaxSteps);
+  const auto parts_at = [&](std::size_t push, void (*edit)(Push&)) {
+    Document next = first;
+    edit(next.pushes[push]);
+    return PartingStep(next, first);
+  };
+  for (const std::size_t push : {0u, 1u}) {
+    CAPTURE(push);
+    const int step = first.pushes[push].step;
+    CHECK(parts_at(push, [](Push& p) { p.step += 7; }) == step);
+    CHECK(parts_at(push, [](Push& p) { p.step -= 7; }) == step - 7);
+    CHECK(parts_at(push, [](Push& p) { p.endpoint = 3; }) == step);
+    CHECK(parts_at(push, [](Push& p) { p.impulse_x_ns += 0.5f; }) == step);
+    CHECK(parts_at(push, [](Push& p) { p.impulse_y_ns += 0.5f; }) == step);
+  }
+  Document other_senses = first;
+  other_senses.controllers[1].senses.tau_max_s += 0.1f;
+  CHECK(PartingStep(other_senses, first) == 200);
+}
+
 TEST_CASE("composite: rocking ground and pushes before the change are kept in time",
           "[timeline][determinism]") {
   Document first = ThreeClips(SenseKind::kPhysical);
