@@ -75,14 +75,12 @@ aarch64() {
 
 mutate() { node tests/mutation/run.mjs --shard "${1:-1/1}"; }
 
-# Two folders, because a path must not matter either; the toolchain and what npm fetched are the same.
+# Two folders, because a path must not matter either, each with a set-up of its own.
 reproduce() {
   local twin
   for twin in one another-one; do
     rm -rf "build/reproduce/$twin"
     git clone -q . "build/reproduce/$twin"
-    ln -s "$T" "build/reproduce/$twin/.toolchain"
-    cp -r web/node_modules "build/reproduce/$twin/web/"
     (cd "build/reproduce/$twin" && ./dev site)
   done
   diff -r build/reproduce/one/build/site build/reproduce/another-one/build/site || die "the two builds differ in the files above"
