@@ -204,6 +204,7 @@ TEST_CASE("network: a document carries it in JSON and in a link, and says what d
 TEST_CASE("network: inputs are named by what they are, from one", "[network]") {
   const NetworkShape shape(2, 3);  // two hidden nodes; three rods have four endpoints and two joints
   std::vector<std::string> names;
+  names.reserve(static_cast<std::size_t>(shape.Inputs()));
   for (int input = 0; input < shape.Inputs(); ++input) names.push_back(InputName(shape, input));
   CHECK(names == std::vector<std::string>{"touch 1", "touch 2", "touch 3", "touch 4", "angle 1", "angle 2",
                                           "node 1", "node 2"});

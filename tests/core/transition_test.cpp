@@ -34,6 +34,7 @@ TEST_CASE("transition: how near a state is, told by other means", "[timeline]") 
   // Joint angles and rates, sine and cosine of the turn, height, velocity; what counts as little of each.
   const auto state_of = [&](const Motion& of, int frame) {
     std::vector<double> state;
+    state.reserve(2 * static_cast<std::size_t>(joints) + 5);
     for (int j = 0; j < joints; ++j) state.push_back(static_cast<double>(of.AngleRad(frame, j)));
     for (int j = 0; j < joints; ++j) state.push_back(static_cast<double>(of.RateRadps(frame, j)));
     const Motion::Frame& f = of.At(frame);
