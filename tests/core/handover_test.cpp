@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Controllers that are scored from where others leave the figure.
+#include <array>
 #include <catch_amalgamated.hpp>
+#include <cmath>
 
 #include "core/document/json.h"
 #include "core/physics/evaluator.h"
@@ -60,20 +62,59 @@ TEST_CASE("handover: who takes over from a void motion is void", "[evaluator]") 
 TEST_CASE("handover: with several, the mean counts", "[evaluator]") {
   Document d = TwoClips();
   d.search.handovers = {{.controller = 1, .step = 140}, {.controller = 0, .step = 333}};
+  d.task.weights.fill(0.01f);  // a term that weighs nothing is not measured
   REQUIRE(Validate(d));
   const Problem all = ProblemOf(d);
   REQUIRE(all.beginnings.size() == 3);
   const std::vector<Genome> genomes = {d.controllers[0].genes, d.controllers[1].genes};
   const auto mean = Evaluator(all).Evaluate(genomes);
-  std::vector<double> sums(2, 0.0);
+  using Value = std::pair<const char*, float (*)(const Evaluation&)>;
+  const std::array<Value, 10> values = {{
+      {"fitness", [](const Evaluation& e) { return e.fitness; }},
+      {"travel", [](const Evaluation& e) { return e.terms.travel_m; }},
+      {"start height", [](const Evaluation& e) { return e.terms.start_height_m; }},
+      {"height", [](const Evaluation& e) { return e.terms.max_cm_height_m; }},
+      {"slip", [](const Evaluation& e) { return e.terms.slip_sum_m; }},
+      {"rotations", [](const Evaluation& e) { return e.terms.rotations; }},
+      {"effort", [](const Evaluation& e) { return e.terms.effort_rad; }},
+      {"upright", [](const Evaluation& e) { return e.terms.upright; }},
+      {"smoothness", [](const Evaluation& e) { return e.terms.smoothness_radps2; }},
+      {"head", [](const Evaluation& e) { return e.terms.head_height_m; }},
+  }};
+  std::array<std::array<double, 10>, 2> sums{};
   for (const Beginning& beginning : all.beginnings) {
     Problem one = all;
     one.beginnings = {beginning};
     const auto found = Evaluator(one).Evaluate(genomes);
-    for (std::size_t i = 0; i < 2; ++i) sums[i] += static_cast<double>(found[i].fitness);
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (std::size_t v = 0; v < values.size(); ++v) {
+        sums[i][v] += static_cast<double>(values[v].second(found[i]));
+      }
+    }
   }
-  for (std::size_t i = 0; i < 2; ++i)
-    CHECK(std::abs(static_cast<double>(mean[i].fitness) - sums[i] / 3.0) < 1e-5);
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t v = 0; v < values.size(); ++v) {
+      CAPTURE(values[v].first);
+      const double expected = sums[i][v] / 3.0;
+      CHECK(expected != 0.0);
+      CHECK(std::abs(static_cast<double>(values[v].second(mean[i])) - expected) <
+            1e-5 * std::max(1.0, std::abs(expected)));
+    }
+  }
+}
+
+TEST_CASE("handover: one that is void makes all void", "[evaluator]") {
+  Evaluation sound, broken;
+  sound.fitness = 3.0f;
+  broken.fitness = kVoidScore;
+  broken.terms.broke_physics = true;
+  for (const std::size_t at : {0u, 1u, 2u}) {
+    CAPTURE(at);
+    Evaluation mean;
+    for (int i = 0; i < 3; ++i) AddToMean(mean, static_cast<std::size_t>(i) == at ? broken : sound, i);
+    CHECK(mean.fitness == kVoidScore);
+    CHECK(mean.terms.broke_physics);
+  }
 }
 
 TEST_CASE("handover: what a document cannot ask for", "[document]") {

@@ -146,7 +146,8 @@ TEST_CASE("timeline: what goes over a limit changes nothing", "[timeline]") {
   Document d = ThreeClips();
   const auto before = Starts(d);
   CHECK(LoopTimeline(d, 21).error().what == "at most 120 s, there would be 126 s");
-  CHECK_FALSE(LoopTimeline(d, 1));
+  CHECK(LoopTimeline(d, 1).error().what == "must be from 2 to 100, is 1");
+  CHECK(LoopTimeline(d, 101).error().what == "must be from 2 to 100, is 101");
   CHECK_FALSE(InsertClips(d, {{.controller = 2, .steps = 100}}, 100));
   CHECK_FALSE(RemoveClip(d, -1));
   CHECK_FALSE(DuplicateClip(d, 3));

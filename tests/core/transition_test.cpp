@@ -147,6 +147,10 @@ TEST_CASE("transition map: a request has what the map depends on, and nothing el
   CHECK(bytes(2) != before);
   d.timeline[2].start_step += 5;
   CHECK(bytes(1) != before);
+  d.task.duration_steps = 3 * kLongestWatch;
+  CHECK(TransitionRequest(d, 1).task.duration_steps == kLongestWatch);
+  d.task.duration_steps = kLongestWatch - 1;
+  CHECK(TransitionRequest(d, 1).task.duration_steps == kLongestWatch - 1);
   CHECK(TransitionSteps(d, 0).empty());
   CHECK(TransitionSteps(d, 3).empty());
 }
