@@ -254,8 +254,12 @@ async function newVersion(visit) {
     assert.equal(before, true);
     await page.call('pause', () => { window.gaitsmith.pause(); });
     await page.until('a pause', () => /^Paused/.test(document.querySelector('#status')?.textContent ?? ''), 10000);
-    await sleep(1500); // the last improvement is on the stage
-    const best = await stateOf(page);
+    // The last improvement has come to the stage when nothing changes any more.
+    let best = '';
+    for (let now = await stateOf(page); now !== best; now = await stateOf(page)) {
+      best = now;
+      await sleep(1500);
+    }
     await page.arrive(() => page.clickElement('#update-go'));
     assert.equal(await page.call('version', () => /** @type {any} */ (window).testNew), true);
     assert.ok(await stateOf(page) === best, 'another document');
