@@ -101,7 +101,9 @@ class Trial {
       Offend(Law::kAboveGround, -(static_cast<double>(f.y_m) + place.y) / reach_m_);
       Offend(Law::kPush, -force.y * step_s_ / mass_kg_);
       const double most = static_cast<double>(document_.environment.friction) * force.y;
-      if (force.x != 0.0) Offend(Law::kCone, (std::abs(force.x) - most) / std::abs(force.x));
+      // Impulses below the least normal float have few digits left to keep a share with.
+      const double least = static_cast<double>(std::numeric_limits<float>::min()) / step_s_;
+      Offend(Law::kCone, (std::abs(force.x) - most) / std::max(std::abs(force.x), least));
     }
     for (int j = 0; j < motion_.Bones().joints; ++j) {
       const Skeleton::Limb& limb = motion_.Bones().limbs[static_cast<std::size_t>(j) + 1];

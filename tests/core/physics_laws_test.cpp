@@ -132,4 +132,10 @@ TEST_CASE("find: a figure of millimetres that friction turns while it falls furt
   CHECK(motion.TermsAt(3).broke_physics);
 }
 
+TEST_CASE("find: forces next to nothing keep the cone as well as their few digits can",
+          "[physics][laws][find]") {
+  // Where there is next to no gravity, impulses of 1e-41 N s, which floats tell apart in steps of 1e-45.
+  Replay(Read("tests/adversary/finds/next-to-no-force.json"));
+}
+
 }  // namespace gaitsmith::test
