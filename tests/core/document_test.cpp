@@ -320,7 +320,10 @@ TEST_CASE("JSON: what is wrong is said with its place", "[document]") {
   CHECK(JsonFault("{\"model\": 2}") ==
         "model: needs physical model 2, this Gaitsmith knows models up to 1; a newer one is needed");
   CHECK(DecodeJson("{\"model\": 2}").error().code == ErrorCode::kUnknownVersion);
-  CHECK(JsonFault("{\"hash\": \"\"}") == "hash: must be 16 hexadecimal digits");
+  for (const std::string hash :
+       {"", "0123456789abcde", "0123456789abcdefe", "0123456789abcdeg", "0123456789ABCDEF"}) {
+    CHECK(JsonFault("{\"hash\": \"" + hash + "\"}") == "hash: must be 16 hexadecimal digits");
+  }
   std::string crowded = "{";
   for (int i = 0; i < 100; ++i) crowded += "\"f" + std::to_string(i) + "\": 0,";
   CHECK(JsonFault(crowded + "\"z\": 0}").ends_with("there are more fields than any object has"));

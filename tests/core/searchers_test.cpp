@@ -50,21 +50,25 @@ TEST_CASE("every search: saved and loaded at any point, it goes on as if nothing
     const Outcome uninterrupted = Run(*whole, 50, Rosenbrock);
     auto search = MakeSearch(settings, kSmall);
     RandomStream random(3, static_cast<std::uint64_t>(algorithm), 0);
-    while (!search->Done()) {
+    bool saves = true;  // also before the first is asked for
+    while (true) {
+      if (saves) {
+        BitWriter saved;
+        search->Save(saved);
+        search = MakeSearch(settings, kSmall);
+        BitReader reader(saved.Bytes());
+        REQUIRE(search->Load(reader));
+        BitWriter again;
+        search->Save(again);
+        REQUIRE(again.Bytes() == saved.Bytes());
+      }
+      if (search->Done()) break;
       std::vector<float> fitness;
       for (const Genome& genome : search->Ask(1 + static_cast<int>(random.Below(30)))) {
         fitness.push_back(Rosenbrock(genome));
       }
       search->Tell(fitness);
-      if (random.Chance(0.5)) continue;
-      BitWriter saved;
-      search->Save(saved);
-      search = MakeSearch(settings, kSmall);
-      BitReader reader(saved.Bytes());
-      REQUIRE(search->Load(reader));
-      BitWriter again;
-      search->Save(again);
-      REQUIRE(again.Bytes() == saved.Bytes());
+      saves = !random.Chance(0.5);
     }
     REQUIRE(Same({search->BestGenome(), search->BestFitness(), search->Curve()}, uninterrupted));
   }
