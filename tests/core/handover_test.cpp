@@ -13,6 +13,7 @@ TEST_CASE("handover: in place of a clip, a controller is scored as the composite
   Document d = TwoClips();
   d.task.weights = {0.5f, -0.25f, 2.0f, 0.01f, 0.3f, 0.01f, 0.2f};
   d.search.in_place_of = 1;
+  d.pushes = {{.step = 100, .impulse_x_ns = 4.0f}, {.step = 400, .endpoint = 1, .impulse_y_ns = 3.0f}};
   REQUIRE(Validate(d));
   const Problem problem = ProblemOf(d);
   CHECK(problem.task.duration_steps == 300);

@@ -140,6 +140,16 @@ TEST_CASE("SPHC: looking ahead one step wastes nothing", "[search]") {
   REQUIRE(Run(*search, 10, Hill).told == 1000);
 }
 
+TEST_CASE("SPHC: it looks as far ahead as it is asked to", "[search]") {
+  const auto search = MakeSearch(BriefSettings(Algorithm::kSphc, 4000), kSpace);
+  search->Tell(std::vector<float>(search->Ask(10).size()));  // the ten starts
+  for (const std::size_t wanted : {10u, 40u, 80u}) {
+    const std::size_t asked = search->Ask(static_cast<int>(wanted)).size();
+    REQUIRE(asked == wanted);
+    search->Tell(std::vector<float>(asked));
+  }
+}
+
 TEST_CASE("RG&T: the best of so many random genomes, however many are asked at a time", "[search]") {
   const SearchSettings settings = BriefSettings(Algorithm::kRandomSearch, 777);
   const auto one = MakeSearch(settings, kSpace);
