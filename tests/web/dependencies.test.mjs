@@ -11,13 +11,22 @@ const json = async (/** @type {string} */ file) => JSON.parse(await readFile(joi
 
 test('dependencies: the page names every npm package with its version and licence', async () => {
   const text = await readFile(join(ROOT, 'docs/dependencies.md'), 'utf8');
-  const told = [...text.matchAll(/^\| `([^`]+)` \| ([^|]+) \| ([^|]+) \| npm/gm)].map(([, name, version, licence]) => [name, version.trim(), licence.trim()]);
+  const [shipped, others] = text.split('## To build').map((part) => [...part.matchAll(/^\| `([^`]+)` \| ([^|]+) \| ([^|]+) \| npm/gm)]
+    .map(([, name, version, licence]) => [name, version.trim(), licence.trim()]).sort());
   const { devDependencies, dependencies } = await json('package.json');
-  assert.equal(dependencies, undefined);
-  const real = await Promise.all(Object.keys(devDependencies).map(async (name) => {
-    const { version, license } = await json(`node_modules/${name}/package.json`);
-    assert.equal(version, devDependencies[name], `${name} is pinned`);
-    return [name, version, license];
-  }));
-  assert.deepEqual(told.sort(), real.sort());
+  for (const [told, pinned] of [[shipped, dependencies], [others, devDependencies]]) {
+    const real = await Promise.all(Object.keys(pinned).map(async (name) => {
+      const { version, license } = await json(`node_modules/${name}/package.json`);
+      assert.equal(version, pinned[name], `${name} is pinned`);
+      return [name, version, license];
+    }));
+    assert.deepEqual(told, real.sort());
+  }
+});
+
+// So that `npm audit --omit=dev` speaks of what is shipped, and that is all there is of it.
+test('dependencies: what is shipped from npm brings nothing else along', async () => {
+  const { packages } = await json('package-lock.json');
+  const shipped = Object.entries(packages).filter(([folder, { dev }]) => folder !== '' && !dev).map(([folder]) => folder.slice('node_modules/'.length));
+  assert.deepEqual(shipped.sort(), Object.keys(packages[''].dependencies).sort());
 });
