@@ -304,8 +304,7 @@ TEST_CASE("JSON: what is wrong is said with its place", "[document]") {
         "environment.friktion: there is no such field");
   CHECK(JsonFault(Changed(json, "\"friction\": 0.55", "\"friction\": 0.5, \"friction\": 0.55"))
             .ends_with("the field \"friction\" is there twice"));
-  CHECK(JsonFault(Changed(json, "\"friction\": 0.55", "\"friction\": 1e999"))
-            .ends_with("the number is too large"));
+  CHECK(JsonFault("{\"seed\": 1e999}") == "line 1, column 10: the number is too large");
   CHECK(JsonFault(Changed(json, "\"seed\": 4000000001", "\"seed\": 4294967296")) ==
         "search.seed: must be from 0 to 4294967295, is 4294967296");
   CHECK(JsonFault(Changed(json, "\"rules\": 7", "\"rules\": 1.5")) ==

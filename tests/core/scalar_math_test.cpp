@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/numeric/random.h"
+#include "core/physics/trajectory_hash.h"
 
 namespace gaitsmith {
 
@@ -76,6 +77,22 @@ TEST_CASE("log: absolute error below 1e-14 for ordinary ratios, relative below 1
   for (double x = 1e-3; x < 1e4; x *= 1.0037) REQUIRE(std::abs(Log(x) - std::log(x)) < 1e-14);
   for (double x = 1e-300; x < 1e300; x *= 17.3) REQUIRE(std::abs(Log(x) / std::log(x) - 1.0) < 1e-14);
   REQUIRE(Log(1.0) == 0.0);
+}
+
+TEST_CASE("sine, exp, log: the same bits for ever", "[numeric][golden]") {
+  TrajectoryHash sines, exps, logs;
+  RandomStream random(7, 0, 0);
+  for (int i = 0; i < 100000; ++i) {
+    const double x = 40.0 * (random.Uniform() - 0.5);
+    const SineCosine turned = SinCos(static_cast<float>(x));
+    sines.Add(turned.sine);
+    sines.Add(turned.cosine);
+    exps.Add(Exp(x));
+    logs.Add(Log(random.Uniform() + 1e-300));
+  }
+  CHECK(sines.Value() == 0x102384cf0cffc8aa);
+  CHECK(exps.Value() == 0xef53909b4c26db6c);
+  CHECK(logs.Value() == 0xb3d066ade540e557);
 }
 
 TEST_CASE("random stream: a function of its key alone", "[numeric]") {

@@ -50,7 +50,7 @@ TEST_CASE("every search: saved and loaded at any point, it goes on as if nothing
     const Outcome uninterrupted = Run(*whole, 50, Rosenbrock);
     auto search = MakeSearch(settings, kSmall);
     RandomStream random(3, static_cast<std::uint64_t>(algorithm), 0);
-    bool saves = true;  // also before the first is asked for
+    bool saves = true;  // also before the first is asked for, and after it
     while (true) {
       if (saves) {
         BitWriter saved;
@@ -64,11 +64,11 @@ TEST_CASE("every search: saved and loaded at any point, it goes on as if nothing
       }
       if (search->Done()) break;
       std::vector<float> fitness;
-      for (const Genome& genome : search->Ask(1 + static_cast<int>(random.Below(30)))) {
+      for (const Genome& genome : search->Ask(saves ? 1 : 1 + static_cast<int>(random.Below(30)))) {
         fitness.push_back(Rosenbrock(genome));
       }
       search->Tell(fitness);
-      saves = !random.Chance(0.5);
+      saves = search->Evaluations() == 1 || !random.Chance(0.5);
     }
     REQUIRE(Same({search->BestGenome(), search->BestFitness(), search->Curve()}, uninterrupted));
   }
@@ -124,6 +124,20 @@ TEST_CASE("every search: a damaged state is refused, or at least does no harm", 
       std::fill_n(numbers.begin() + static_cast<std::ptrdiff_t>(at), 8, std::uint8_t{0xff});
       accepts_or_refuses(numbers);
     }
+  }
+}
+
+TEST_CASE("search: a state with more scores than its batch has is refused", "[search]") {
+  SearchSettings settings = Settings(Algorithm::kGga, 600);
+  settings.genetic.population = 100;
+  const auto large = MakeSearch(settings, kTiny);
+  large->Tell(std::vector<float>(large->Ask(50).size()));
+  BitWriter saved;
+  large->Save(saved);
+  for (const auto& [population, takes] : {std::pair(100, true), std::pair(20, false)}) {
+    settings.genetic.population = population;
+    BitReader reader(saved.Bytes());
+    CHECK(MakeSearch(settings, kTiny)->Load(reader).has_value() == takes);
   }
 }
 

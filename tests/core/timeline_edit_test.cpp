@@ -132,6 +132,9 @@ TEST_CASE("timeline: a clip behind the end is brought in by an edit", "[timeline
   CHECK(Order(d) == std::vector{0, 1, 0, 1});
   CHECK(Starts(d) == std::vector{0, 300, 350, 410});
   CHECK(d.duration_steps == 410 + kShortestClip);
+  d = ThreeClips();
+  d.duration_steps = d.timeline[2].start_step;  // begins with the end
+  CHECK(StretchesOf(d)[2].steps == kShortestClip);
   // Too short for what a border must leave: it stays.
   d = ThreeClips();
   d.timeline = {{.controller = 0, .start_step = 0},

@@ -64,9 +64,11 @@ const draw = drawn(all, textOf, seed).filter(({ name }) => parseInt(name, 16) % 
 console.error(`${all.length} places for a fault in core, ${draw.length} of them of shard ${shard} of ${shards}`);
 /** What is known of a fault: its line, and the result in it. @type {Map<string, {line: string, result: string}>} */
 const known = new Map();
+const places = new Set(draw.map(({ name }) => name)); // a fault whose place is no more is forgotten
 if (existsSync(RESULTS)) {
   for (const line of textOf(RESULTS.slice(ROOT.length + 1)).trim().split('\n').slice(1)) {
-    known.set(line.split(',')[0], { line, result: /** @type {string} */ (line.split(',').at(-2)) });
+    const [name, ...rest] = line.split(',');
+    if (places.has(name)) known.set(name, { line, result: /** @type {string} */ (rest.at(-2)) });
   }
 }
 mkdirSync(dirname(RESULTS), { recursive: true });
