@@ -73,7 +73,7 @@ aarch64() {
   qemu-aarch64-static build/aarch64/tests/gaitsmith_tests "[golden],[determinism]"
 }
 
-mutate() { node tests/mutation/run.mjs --shard "${1:-1/1}"; }
+mutate() { node tests/mutation/run.mjs --shard "${1:-1/1}" "${@:2}"; }
 
 # Two folders, because a path must not matter either, each with a set-up of its own.
 reproduce() {
