@@ -66,6 +66,20 @@ TEST_CASE("golden: every shipped motion keeps its hash, alone and among searcher
   CHECK(hashes >= 44);
 }
 
+TEST_CASE("replay: a controller is what it is, whatever the document would search for", "[determinism]") {
+  Document d = StarManTravel(SenseKind::kPhysical);
+  d.controllers = {RandomController(d.figure, d.senses, 5)};
+  d.timeline = {{}};
+  const std::uint64_t hash = Simulate(d).Hash();
+  d.senses.velocity_mps = 5.0f;
+  d.kind = ControllerKind::kNetwork;
+  d.rules = 3;
+  REQUIRE(Validate(d));
+  CHECK(Simulate(d).Hash() == hash);
+  const std::vector<Genome> genomes = {d.controllers[0].genes};
+  CHECK(Evaluator(ReplayProblem(d, d.controllers[0]), true).Evaluate(genomes)[0].trajectory_hash == hash);
+}
+
 namespace {
 
 float BestOf(Algorithm algorithm, SenseKind senses, std::uint32_t seed) {
