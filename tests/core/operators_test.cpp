@@ -10,7 +10,8 @@
 namespace gaitsmith::test {
 
 TEST_CASE("roulette wheel: chances in proportion to fitness above the least", "[search]") {
-  const std::vector<Individual> population = {{{}, -3.0f}, {{}, -1.0f}, {{}, 5.0f}, {{}, -1e9f}, {{}, -3.0f}};
+  const std::vector<Individual> population = {
+      {{}, -3.0f}, {{}, -1.0f}, {{}, 5.0f}, {{}, kNoMotion}, {{}, -3.0f}};
   const std::vector<double> wheel = RouletteWheel(population);
   std::array<int, 5> chosen{};
   for (int i = 0; i < 1000; ++i) ++chosen[SpinWheel(wheel, (i + 0.5) / 1000.0)];

@@ -43,13 +43,16 @@ TEST_CASE("every search: intervals stay in order, so that what is found can be s
 }
 
 TEST_CASE("every search: saved and loaded at any point, it goes on as if nothing had happened", "[search]") {
-  for (const Algorithm algorithm : kAll) {
-    CAPTURE(Name(algorithm));
-    const SearchSettings settings = Settings(algorithm, 1200);
+  std::vector<SearchSettings> all;
+  for (const Algorithm algorithm : kAll) all.push_back(Settings(algorithm, 1200));
+  all.push_back(Settings(Algorithm::kPowell, 1200));
+  all.back().refine.step = 1.0f;  // as far as steps go
+  for (const SearchSettings& settings : all) {
+    CAPTURE(Name(settings.algorithm));
     const auto whole = MakeSearch(settings, kSmall);
     const Outcome uninterrupted = Run(*whole, 50, Rosenbrock);
     auto search = MakeSearch(settings, kSmall);
-    RandomStream random(3, static_cast<std::uint64_t>(algorithm), 0);
+    RandomStream random(3, static_cast<std::uint64_t>(settings.algorithm), 0);
     bool saves = true;  // also before the first is asked for, and after it
     while (true) {
       if (saves) {
