@@ -6,6 +6,7 @@
 
 #include "core/physics/ground_use.h"
 #include "core/physics/motion.h"
+#include "core/physics/simulation.h"
 #include "tests/reference/free_flight.h"
 #include "tests/scene.h"
 
@@ -198,6 +199,42 @@ TEST_CASE("joints: no limit is ever passed, however hasty the rules", "[physics]
       }
     }
   }
+}
+
+TEST_CASE("ground: the energy that its blow gives is what the figure has more", "[physics][ground]") {
+  Environment weightless;
+  weightless.gravity_mps2 = 0.0f;
+  const Skeleton rod(LyingRod());
+  const double mass = 0.7;
+  const auto energy = [&](const MotionState<1>& s, double inverse_inertia) {
+    const auto square = [](Lane<1>::F value) {
+      return static_cast<double>(value[0]) * static_cast<double>(value[0]);
+    };
+    return 0.5 * (mass * (square(s.velocity_x) + square(s.velocity_y)) +
+                  square(s.angular_momentum) * inverse_inertia);
+  };
+  int blows = 0;
+  for (const float along : {-30.0f, 0.0f, 12.0f}) {
+    for (const float down : {-15.0f, -40.0f}) {
+      for (const float spin : {-25.0f, -3.0f, 8.0f}) {
+        CAPTURE(along, down, spin);
+        Simulation<1> simulation(
+            rod, weightless,
+            {.drop_height_m = 0.05f, .velocity_x_mps = along, .velocity_y_mps = down, .spin_radps = spin},
+            {});
+        const Moment<1> before = simulation.Save();
+        simulation.Step();
+        const Moment<1> after = simulation.Save();
+        const auto inverse_inertia = static_cast<double>(after.state.inverse_inertia[0]);
+        const double came = energy(before.state, inverse_inertia);
+        const double gained = energy(after.state, inverse_inertia) - came;
+        const auto given = static_cast<double>(after.state.ground.given_energy_j[0]);
+        CHECK(std::abs(given - gained) < 0.02 * came);
+        blows += gained < -0.3 * came ? 1 : 0;
+      }
+    }
+  }
+  CHECK(blows >= 12);
 }
 
 TEST_CASE("mirror: a mirrored figure does the mirrored fall", "[physics][ground]") {

@@ -211,6 +211,21 @@ TEST_CASE("search: a damaged state is refused", "[search]") {
   }
 }
 
+TEST_CASE("SPHC: a state that has reseeded more often than its budget lets it is refused", "[search]") {
+  const SearchSettings settings = BriefSettings(Algorithm::kSphc, 900);  // of 90 generations: 4 reseedings
+  const auto search = MakeSearch(settings, kSpace);
+  Run(*search, 50, Hill);
+  BitWriter saved;
+  search->Save(saved);
+  for (const int reseedings : {4, 5, 100}) {
+    CAPTURE(reseedings);
+    auto bytes = saved.Bytes();
+    bytes[0] = static_cast<std::uint8_t>(reseedings);
+    BitReader reader(bytes);
+    CHECK(search->Load(reader).has_value() == (reseedings == 4));
+  }
+}
+
 TEST_CASE("search: NaN loses to everything", "[search]") {
   for (const Algorithm algorithm : {Algorithm::kRandomSearch, Algorithm::kSphc}) {
     int asked = 0;
