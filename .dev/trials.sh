@@ -73,7 +73,11 @@ aarch64() {
   qemu-aarch64-static build/aarch64/tests/gaitsmith_tests "[golden],[determinism]"
 }
 
-mutate() { node tests/mutation/run.mjs --shard "${1:-1/1}" "${@:2}"; }
+mutate() {
+  local shard=1/1
+  if [[ ${1:-} == */* ]]; then shard=$1; shift; fi
+  node tests/mutation/run.mjs --shard "$shard" "$@"
+}
 
 # Two folders, because a path must not matter either, each with a set-up of its own.
 reproduce() {

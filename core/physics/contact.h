@@ -93,10 +93,10 @@ typename Lane<W>::I InCone(const Impulse<W>& force, float friction) {
 
 /// The impulse that alone satisfies contact and friction at one endpoint, exactly: nothing for an endpoint
 /// that would not reach the ground; stick (both velocities vanish) if that lies in the friction cone; else
-/// slip on the edge of the cone, to the side on which friction opposes it. One of the three always fits.
-/// Friction pushes to the side to which it would push to stop the endpoint: where +mu lambda fits, the slide
-/// that is left, b_t + (n_t + mu t_t) lambda, is <= 0, so that with b_n = -(n_n + mu n_t) lambda
-/// n_t b_n - n_n b_t >= mu (n_n t_t - n_t^2) lambda > 0, which is the sign of what stops it; -mu likewise.
+/// slip on the edge of the cone, to the side on which friction opposes it. One of the three always fits;
+/// where rounding denies all of them, at the very edge of the cone, the edge next to sticking is taken.
+/// In exact numbers the sign of stop's tangent alone tells right from left. In floats it is noise where a
+/// figure's radius of gyration is tiny against the arm, and the ground would pull: hence all the conditions.
 /// @param b_n, b_t v_n and v_t without this impulse [m/s]
 template <int W>
 Impulse<W> SolveOne(const Mobility<W>& m, typename Lane<W>::F b_n, typename Lane<W>::F b_t, float friction) {
@@ -105,9 +105,17 @@ Impulse<W> SolveOne(const Mobility<W>& m, typename Lane<W>::F b_n, typename Lane
   using I = typename L::I;
   const Impulse<W> stop = Stop<W>(m, b_n, b_t);
   const I sticks = InCone<W>(stop, friction);
-  const I rightward = stop.tangent > 0.0f;
-  const F edge_n = -b_n * L::Select(rightward, m.right_per_n, m.left_per_n);
-  const F edge_t = edge_n * L::Select(rightward, L::Splat(friction), L::Splat(-friction));
+
+  // Friction +mu lambda pushes right, so the endpoint must slide left, and the other way round.
+  const F right_n = -b_n * m.right_per_n;
+  const F left_n = -b_n * m.left_per_n;
+  const I can_right = m.right_per_n > 0.0f, can_left = m.left_per_n > 0.0f;
+  const I right = can_right & (b_t + (m.nt + friction * m.tt) * right_n <= 0.0f);
+  const I left = can_left & (b_t + (m.nt - friction * m.tt) * left_n >= 0.0f);
+  const I rightward = right | (~left & can_right & ((stop.tangent > 0.0f) | ~can_left));
+
+  const F edge_n = L::Select(rightward, right_n, left_n);
+  const F edge_t = friction * L::Select(rightward, right_n, -left_n);
   const I meets = b_n < 0.0f;
   return {L::Select(meets, L::Select(sticks, stop.normal, edge_n), F{}),
           L::Select(meets, L::Select(sticks, stop.tangent, edge_t), F{})};

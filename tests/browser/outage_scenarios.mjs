@@ -256,7 +256,8 @@ async function newVersion(visit) {
     await page.until('a pause', () => /^Paused/.test(document.querySelector('#status')?.textContent ?? ''), 10000);
     // The last improvement has come to the stage when nothing changes any more.
     let best = '';
-    for (let now = await stateOf(page); now !== best; now = await stateOf(page)) {
+    for (let turn = 0, now = await stateOf(page); now !== best; turn++, now = await stateOf(page)) {
+      assert.ok(turn < 20, 'the document never rests');
       best = now;
       await sleep(1500);
     }

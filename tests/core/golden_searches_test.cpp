@@ -4,7 +4,6 @@
 // for ever. The functions add and multiply, nothing else: the same bits everywhere. To bless anew (only by a
 // numbered decision in docs/design.md):
 //   tests/golden/bless build/release/shell/gaitsmith build/dev/tests/gaitsmith_tests
-//   >tests/golden/search_ends.txt
 #include <catch_amalgamated.hpp>
 #include <cstdio>
 #include <sstream>

@@ -42,16 +42,18 @@ export function withFault(text, { line, column, before, after }) {
   return lines.join('\n');
 }
 
+const DRAW = 1; // another number draws others
+
 /**
  * The order in which they are tried: drawn, and told by what the places are, so that a change elsewhere does not deal anew.
- * @param {Mutant[]} all @param {(file: string) => string} textOf @param {number} seed
+ * @param {Mutant[]} all @param {(file: string) => string} textOf
  * @returns {{name: string, mutant: Mutant}[]} name: eight hexadecimal digits
  */
-export function drawn(all, textOf, seed) {
+export function drawn(all, textOf) {
   /** @type {Map<string, number>} */
   const seen = new Map(); // the same fault of the same line, for a second time in its file
   return all.map((mutant) => {
-    const place = `${seed} ${mutant.file} ${mutant.kind} ${mutant.column} ${textOf(mutant.file).split('\n')[mutant.line - 1]}`;
+    const place = `${DRAW} ${mutant.file} ${mutant.kind} ${mutant.column} ${textOf(mutant.file).split('\n')[mutant.line - 1]}`;
     const nth = (seen.get(place) ?? 0) + 1;
     seen.set(place, nth);
     return { name: createHash('sha256').update(`${place} ${nth}`).digest('hex').slice(0, 8), mutant };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many small faults in core the tests find:  node tests/mutation/run.mjs [--shard 1/2] [--count 200] [--seed 1] [--again yes]
+// How many small faults in core the tests find:  node tests/mutation/run.mjs [--shard 1/2] [--count 200] [--again]
 // Works on a copy of the sources in build/mutation, and keeps a line for each fault in docs/studies/mutation/shard-K-of-N.csv;
 // what stands there already is not tried again, but with --again what survived. A fault that does not compile is none: the next
 // in the draw takes its place.
@@ -11,11 +11,10 @@ import { parseArgs } from 'node:util';
 import { drawn, mutantsOf, withFault } from './mutants.mjs';
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), '../..');
-const { values } = parseArgs({ options: { shard: { type: 'string', default: '1/1' }, count: { type: 'string', default: '200' }, seed: { type: 'string', default: '1' }, again: { type: 'string', default: 'no' } } });
+const { values } = parseArgs({ options: { shard: { type: 'string', default: '1/1' }, count: { type: 'string', default: '200' }, again: { type: 'boolean', default: false } } });
 const [shard, shards] = values.shard.split('/').map(Number);
 const count = Number(values.count);
-const seed = Number(values.seed);
-if (!(shards >= 1 && shard >= 1 && shard <= shards && count >= 1 && Number.isInteger(seed))) throw new Error('usage: node tests/mutation/run.mjs [--shard K/N] [--count M] [--seed S]');
+if (!(shards >= 1 && shard >= 1 && shard <= shards && count >= 1)) throw new Error('usage: node tests/mutation/run.mjs [--shard K/N] [--count M] [--again]');
 
 /** @typedef {{copy: string, folder: string, unity: boolean}} Build  of a copy of its own, so that a header's fault is no news to the other */
 const build = (/** @type {string} */ name, unity = false) => ({ copy: join(ROOT, `build/mutation/${shard}-${name}`), folder: join(ROOT, `build/mutation/${shard}-${name}/build`), unity });
@@ -32,7 +31,13 @@ const PATIENCE_S = 240; // the whole takes a quarter of it
 const git = (...words) => execFileSync('git', words, { cwd: ROOT, encoding: 'utf8' });
 /** @param {Build} where @param {string} program @param {string[]} words @param {number} [seconds] */
 const run = ({ copy }, program, words, seconds = 900) => spawnSync(program, words, { cwd: copy, encoding: 'utf8', timeout: seconds * 1000, killSignal: 'SIGKILL' });
-const built = (/** @type {Build} */ where) => run(where, 'cmake', ['--build', where.folder, '--target', 'gaitsmith_tests', ...(shards > 1 ? ['-j1'] : [])]).status === 0;
+
+/** @param {Build} where @returns {boolean} whether it compiles */
+function built(where) {
+  const { status, signal } = run(where, 'cmake', ['--build', where.folder, '--target', 'gaitsmith_tests', ...(shards > 1 ? ['-j1'] : [])]);
+  if (signal) throw new Error(`the build ended by ${signal}`);
+  return status === 0;
+}
 
 /** @param {Build} where @returns {'killed' | 'survived' | 'timeout'} */
 function judged(where) {
@@ -58,15 +63,17 @@ for (const where of Object.values(BUILDS)) {
   if (configured.status !== 0 || !built(where)) throw new Error(`the sources themselves do not build: ${configured.stderr}`);
   if (judged(where) !== 'survived') throw new Error('the sources themselves do not pass');
 }
-const textOf = (/** @type {string} */ file) => readFileSync(join(ROOT, file), 'utf8');
-const all = files.filter((file) => /^core\/.*\.(h|cpp)$/.test(file)).flatMap((file) => mutantsOf(file, textOf(file)));
-const draw = drawn(all, textOf, seed).filter(({ name }) => parseInt(name, 16) % shards === shard - 1);
+// As they are in the copies: the sources themselves may change meanwhile.
+const core = new Map(files.filter((file) => /^core\/.*\.(h|cpp)$/.test(file)).map((file) => [file, readFileSync(join(BUILDS.sources.copy, file), 'utf8')]));
+const textOf = (/** @type {string} */ file) => /** @type {string} */ (core.get(file));
+const all = [...core].flatMap(([file, text]) => mutantsOf(file, text));
+const draw = drawn(all, textOf).filter(({ name }) => parseInt(name, 16) % shards === shard - 1);
 console.error(`${all.length} places for a fault in core, ${draw.length} of them of shard ${shard} of ${shards}`);
 /** What is known of a fault: its line, and the result in it. @type {Map<string, {line: string, result: string}>} */
 const known = new Map();
 const places = new Set(draw.map(({ name }) => name)); // a fault whose place is no more is forgotten
 if (existsSync(RESULTS)) {
-  for (const line of textOf(RESULTS.slice(ROOT.length + 1)).trim().split('\n').slice(1)) {
+  for (const line of readFileSync(RESULTS, 'utf8').trim().split('\n').slice(1)) {
     const [name, ...rest] = line.split(',');
     if (places.has(name)) known.set(name, { line, result: /** @type {string} */ (rest.at(-2)) });
   }
@@ -75,7 +82,7 @@ mkdirSync(dirname(RESULTS), { recursive: true });
 const valid = () => [...known.values()].filter(({ result }) => result !== NONE).length;
 for (const { name, mutant } of draw) {
   const before = known.get(name);
-  if (before ? values.again === 'no' || before.result !== 'survived' : valid() >= Math.ceil(count / shards)) continue;
+  if (before ? !values.again || before.result !== 'survived' : valid() >= Math.ceil(count / shards)) continue;
   const where = mutant.file.endsWith('.h') ? BUILDS.headers : BUILDS.sources;
   const path = join(where.copy, mutant.file);
   const sound = textOf(mutant.file);
