@@ -180,7 +180,7 @@ void AddView(std::vector<Command>& list, Session& session) {
   add("trail", TrLater("Show the path of the centre of mass"), TrLater("Hide the path of the centre of mass"),
       &View::trail);
   add("forces", TrLater("Show contact forces"), TrLater("Hide contact forces"), &View::forces);
-  const bool beside = session.SideBySide();
+  const bool beside = session.Compared().Beside();
   list.push_back(
       {.id = "view/compare",
        .group = TrLater("View"),

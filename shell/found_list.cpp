@@ -14,7 +14,7 @@ bool IsWanted(const FoundMotion& found, FoundListState::Filter filter, const Doc
     case FoundListState::Filter::kAll:
       return true;
     case FoundListState::Filter::kThisFigure:
-      return SameRods(found.document.figure, open.figure);
+      return SameTree(found.document.figure, open.figure);
     case FoundListState::Filter::kKept:
       return found.kept;
   }

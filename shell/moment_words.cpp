@@ -77,7 +77,7 @@ std::string DescriptionOf(const Session& session) {
     words += std::string(" ") + Tr("Nothing drives it: a search finds a controller.");
   }
   words += " " + ScoreWords(d.task, player.TermsNow());
-  if (const Playback* other = session.SideBySide() ? session.Ghost() : nullptr) {
+  if (const Playback* other = session.Compared().Beside() ? session.Compared().Player() : nullptr) {
     const Terms& terms = other->Shown().TermsAt(std::min(frame, other->Shown().Frames() - 1));
     words += " " + Tr("Beside it, {1}: {2}.", session.GhostWords(), WayWords(terms.travel_m));
   }

@@ -126,7 +126,7 @@ void DrawRules(Ui& ui, Session& session, ControllerPanelState& state) {
 // The same figure with a timer and with senses, side by side.
 void DrawComparison(Ui& ui, Session& session, const Controller& shown) {
   const bool with_timer = RivalOf(shown) == Decider::kTimer;
-  const bool beside = session.SideBySide();
+  const bool beside = session.Compared().Beside();
   const bool awaits = !beside && session.AwaitsRival();
   const char* label = Tr(beside       ? "Stop comparing"
                          : with_timer ? "Compare with a timer"

@@ -184,7 +184,7 @@ void DrawSearchPanel(Ui& ui, Session& session, SearchPanelState& state) {
     DrawCurve(ui, session);
     ui.Gap(10.0f);
   }
-  if (session.Elites() && SameRods(session.Elites()->Whose(), session.Doc().figure) &&
+  if (session.Elites() && SameTree(session.Elites()->Whose(), session.Doc().figure) &&
       DrawFold(ui, "elites", Tr("Map of styles"), Grouped(session.Elites()->Count()), state.elites))
     DrawEliteMap(ui, session, state.elite_turns);
   DrawKeepingButtons(ui, session);

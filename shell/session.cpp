@@ -86,14 +86,6 @@ const char* ControllerPattern(ControllerKind kind, const SenseSpec& senses, int 
 
 }  // namespace
 
-bool SameRods(const Figure& a, const Figure& b) {
-  if (a.rods.size() != b.rods.size()) return false;
-  for (std::size_t i = 0; i < a.rods.size(); ++i) {
-    if (a.rods[i].parent != b.rods[i].parent || a.rods[i].parent_end != b.rods[i].parent_end) return false;
-  }
-  return true;
-}
-
 Figure StandardFigure() {
   Figure figure{.name = "Mr. Star-Man", .rods = {}};
   for (int i = 0; i < 5; ++i) {
@@ -197,7 +189,7 @@ void Session::Show(Document document, bool start_over) {
       std::clamp(selected_clip_, 0, std::max(0, static_cast<int>(document_.timeline.size()) - 1));
   player.Load(document_, start_over);
   // What was done to the world of another figure has no meaning for this one.
-  if (start_over || !SameRods(calm_.figure, document_.figure)) calm_ = document_;
+  if (start_over || !SameTree(calm_.figure, document_.figure)) calm_ = document_;
   LoadGhost();
   differs_from_maker_ = document_.hash && *document_.hash != player.Shown().Hash();
   CheckTransitions();
@@ -257,7 +249,7 @@ void Session::SetView(const std::function<void(View&)>& edit) {
 }
 
 bool Session::ReplaceFigure(const Figure& figure) {
-  const bool fits = SameRods(figure, document_.figure);
+  const bool fits = SameTree(figure, document_.figure);
   const Edit edit = [&](Document& d) {
     d.figure = figure;
     if (fits) return;

@@ -13,6 +13,7 @@
 #include "shell/arrangement.h"
 #include "shell/elite_map.h"
 #include "shell/found_motions.h"
+#include "shell/ghost.h"
 #include "shell/history.h"
 #include "shell/host.h"
 #include "shell/lab.h"
@@ -130,26 +131,15 @@ class Session {
   void ResetWorld();
   [[nodiscard]] const Environment& CalmWorld() const { return calm_.environment; }
 
-  /// A second motion of the figure, drawn behind it or beside it: as it was before the last search, without
-  /// what was done to the world, or of another controller in the same world, with the same pushes: one of the
-  /// document or a found one.
-  static constexpr int kFoundGhost = -4, kNoGhost = -3, kEarlierGhost = -2,
-                       kCalmGhost = -1;  // others: index of the controller
-  /// @param choice not kFoundGhost
-  void ChooseGhost(int choice);
+  // The motion that the shown one is compared with, in the same world, with the same pushes.
+  /// @param controller  of the document, for Ghost::Kind::kController
+  void ChooseGhost(Ghost::Kind, int controller = -1);
   /// @return false: there is no such motion, or its figure has other rods
   bool ChooseFoundGhost(const std::string& id);
-  [[nodiscard]] int ChosenGhost() const { return ghost_; }
-  /// Id of the found motion that it is.
-  [[nodiscard]] const std::string& FoundGhostId() const { return found_ghost_id_; }
-  [[nodiscard]] const Playback* Ghost() const { return ghost_ == kNoGhost ? nullptr : &ghost_player_; }
-  /// Whose it is: "without your changes", "timer 3.00 s".
-  [[nodiscard]] std::string GhostWords() const;
+  [[nodiscard]] const Ghost& Compared() const { return ghost_; }
+  [[nodiscard]] std::string GhostWords() const { return ghost_.Words(document_); }
   /// The ghost is at the moment that is shown.
-  void KeepGhostInTime() {
-    if (Ghost() != nullptr) ghost_player_.Seek(player.TimeS());
-  }
-  [[nodiscard]] bool SideBySide() const { return side_by_side_ && ghost_ != kNoGhost; }
+  void KeepGhostInTime() { ghost_.Seek(player.TimeS()); }
   void PutSideBySide(bool beside);
   /// Beside the shown motion the best one that was found with the other kind of sense variables, for the same
   /// figure and task; when there is none, a search for one begins, or waits in the queue.
@@ -277,7 +267,7 @@ class Session {
   void NoteFound();
   [[nodiscard]] bool BelongsOnStage() const;
   void ForgetProgress();
-  void LoadGhost();
+  void LoadGhost() { ghost_.Load({.shown = document_, .earlier = earlier_, .calm = calm_}); }
   /// The found motion that was noted last stands beside, if it was ordered.
   void MeetRival();
   void RunTrial();
@@ -305,12 +295,8 @@ class Session {
   double unchanged_for_s_ = 0.0;  // the map that is wanted
   Document calm_;                 // as it was opened, for its world
   Document earlier_;              // as it was before the last search, for the ghost
-  int ghost_ = kNoGhost;
-  Document found_ghost_;  // the found motion that it is, if it is one
-  std::string found_ghost_id_;
-  bool side_by_side_ = false;
+  Ghost ghost_;
   std::optional<Document> rival_;  // the search whose motion is to stand beside
-  Playback ghost_player_;
   SearchProgress progress_;
   std::string progress_title_;
   std::optional<Document> searched_;  // the document as it was when the search began; empty: none is wanted
@@ -324,8 +310,6 @@ class Session {
   double shown_for_s_ = 0.0;
 };
 
-/// The same rods on the same joints, whatever their lengths: controllers of one fit the other.
-[[nodiscard]] bool SameRods(const Figure&, const Figure&);
 /// Mr. Star-Man: five equal rods from one hub.
 [[nodiscard]] Figure StandardFigure();
 

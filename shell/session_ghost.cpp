@@ -14,14 +14,14 @@ bool SuitsAsRival(const FoundMotion& found, const Document& wanted) {
   if (!found.Moves()) return false;
   const Document& d = found.document;
   return d.controllers.back().kind == wanted.kind && d.controllers.back().senses.kind == wanted.senses.kind &&
-         d.figure.name == wanted.figure.name && SameRods(d.figure, wanted.figure) &&
+         d.figure.name == wanted.figure.name && SameTree(d.figure, wanted.figure) &&
          d.task.kind == wanted.task.kind;
 }
 
 }  // namespace
 
-void Session::ChooseGhost(int choice) {
-  ghost_ = std::clamp(choice, kNoGhost, static_cast<int>(document_.controllers.size()) - 1);
+void Session::ChooseGhost(Ghost::Kind kind, int controller) {
+  ghost_.StandFor(kind, controller);
   LoadGhost();
   host_.DocumentChanged(document_.title);
 }
@@ -29,28 +29,16 @@ void Session::ChooseGhost(int choice) {
 bool Session::ChooseFoundGhost(const std::string& id) {
   const FoundMotions::Entry* entry = found.Find(id);
   if (entry == nullptr || !entry->motion.Moves() ||
-      !SameRods(entry->motion.document.figure, document_.figure))
+      !SameTree(entry->motion.document.figure, document_.figure))
     return false;
-  found_ghost_ = entry->motion.document;
-  found_ghost_id_ = id;
-  ghost_ = kFoundGhost;
+  ghost_.StandFor(id, entry->motion.document);
   LoadGhost();
   host_.DocumentChanged(document_.title);
   return true;
 }
 
-std::string Session::GhostWords() const {
-  if (ghost_ == kEarlierGhost) return Tr("before the last search");
-  if (ghost_ == kCalmGhost) return Tr("without your changes");
-  if (ghost_ == kNoGhost) return "";
-  const Controller& controller = ghost_ == kFoundGhost
-                                     ? found_ghost_.controllers.back()
-                                     : document_.controllers[static_cast<std::size_t>(ghost_)];
-  return DeciderWords(controller.kind, controller.senses);
-}
-
 void Session::PutSideBySide(bool beside) {
-  side_by_side_ = beside;
+  ghost_.PutBeside(beside);
   host_.DocumentChanged(document_.title);
 }
 
@@ -65,7 +53,7 @@ void Session::CompareDeciders() {
   wanted.search.start = -1;
   for (const FoundMotions::Entry* entry : found.Sorted(FoundMotions::Order::kBest)) {
     if (!SuitsAsRival(entry->motion, wanted) || !ChooseFoundGhost(entry->id)) continue;
-    side_by_side_ = true;
+    ghost_.PutBeside(true);
     return;
   }
   if (AwaitsRival() || !Enqueue(wanted)) return;
@@ -74,8 +62,8 @@ void Session::CompareDeciders() {
 }
 
 void Session::StopComparing() {
-  side_by_side_ = false;
-  ChooseGhost(kNoGhost);
+  ghost_.PutBeside(false);
+  ChooseGhost(Ghost::Kind::kNone);
 }
 
 bool Session::AwaitsRival() const {
@@ -89,26 +77,7 @@ void Session::MeetRival() {
   const FoundMotions::Entry* entry = rival_ ? found.Find(noted_) : nullptr;
   if (entry == nullptr || !SuitsAsRival(entry->motion, *rival_)) return;
   rival_.reset();
-  if (ChooseFoundGhost(noted_)) side_by_side_ = true;
-}
-
-void Session::LoadGhost() {
-  const bool fits = ghost_ == kEarlierGhost ? SameRods(earlier_.figure, document_.figure)
-                    : ghost_ == kFoundGhost ? SameRods(found_ghost_.figure, document_.figure)
-                                            : ghost_ < static_cast<int>(document_.controllers.size());
-  if (!fits) ghost_ = kNoGhost;
-  if (ghost_ == kNoGhost) return;
-  Document document = ghost_ == kEarlierGhost ? earlier_ : document_;
-  if (ghost_ == kFoundGhost) {
-    document.controllers = found_ghost_.controllers;
-    document.timeline = found_ghost_.timeline;
-  } else if (ghost_ >= 0) {
-    document.timeline = {{.controller = ghost_, .start_step = 0}};
-  }
-  const Document& world = ghost_ == kCalmGhost ? calm_ : document_;
-  document.environment = world.environment;
-  document.pushes = world.pushes;
-  ghost_player_.Load(document, false);
+  if (ChooseFoundGhost(noted_)) ghost_.PutBeside(true);
 }
 
 Decider RivalOf(const Controller& controller) {

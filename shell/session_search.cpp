@@ -28,7 +28,7 @@ void Session::TryStyle() {
   wanted.search.evaluations = kTryEvaluations;
   wanted.search.start = document_.timeline[static_cast<std::size_t>(selected_clip_)].controller;
   BeginSearch(std::move(wanted));
-  if (Searching()) ChooseGhost(kEarlierGhost);
+  if (Searching()) ChooseGhost(Ghost::Kind::kEarlier);
 }
 
 void Session::BeginSearch(Document wanted, bool queued) {

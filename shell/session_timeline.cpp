@@ -31,7 +31,8 @@ void Session::EditTimeline(const std::function<Result<int>(Document&)>& edit) {
   if (!selected) return Say(Tr("Not possible: {1}.", TrError(selected.error())));
   DropUnusedControllers(next, document_.timeline);
   std::optional<Controller> ghost;
-  if (ghost_ >= 0) ghost = document_.controllers[static_cast<std::size_t>(ghost_)];
+  if (const auto index = ghost_.ControllerIndex())
+    ghost = document_.controllers[static_cast<std::size_t>(*index)];
   const bool changed = Change([&](Document& d) {
     d.controllers = next.controllers;
     d.timeline = next.timeline;
@@ -43,7 +44,7 @@ void Session::EditTimeline(const std::function<Result<int>(Document&)>& edit) {
   if (!ghost) return;
   // Controllers may have moved up in their list.
   const auto known = AddController(next, *ghost);
-  ghost_ = known && *known < static_cast<int>(document_.controllers.size()) ? *known : kNoGhost;
+  ghost_.StandFor(Ghost::Kind::kController, known.value_or(-1));
   LoadGhost();
 }
 
@@ -119,7 +120,7 @@ bool Session::InsertFound(const std::string& id, std::optional<int> wanted) {
   // A search that the edit ends changes the results.
   const Document other = entry->motion.document;
   const std::string name = entry->motion.name;
-  if (!SameRods(other.figure, document_.figure)) {
+  if (!SameTree(other.figure, document_.figure)) {
     Say(Tr("Not possible: this controller was found for a figure with other rods, {1}.",
            TrTitle(other.figure.name)));
     return false;

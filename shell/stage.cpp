@@ -119,9 +119,9 @@ void DrawFollowButton(Ui& ui, StageState& state, const ImRect& rect) {
 // The other motion, in the right half of the stage.
 void DrawBeside(Ui& ui, Session& session, const StageState& state, const ImRect& half, const ImRect& free,
                 float ground_y) {
-  const Playback& other = *session.Ghost();
+  const Playback& other = *session.Compared().Player();
   const Environment& world =
-      session.ChosenGhost() == Session::kCalmGhost ? session.CalmWorld() : session.Doc().environment;
+      session.Compared().StandsFor() == Ghost::Kind::kCalm ? session.CalmWorld() : session.Doc().environment;
   const Scene scene{.ui = ui,
                     .session = session,
                     .player = other,
@@ -150,7 +150,7 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
                .value = Tr("{1} m after {2} s", Fixed(terms.travel_m, 2), Fixed(session.player.TimeS(), 2))});
   Zoom(state, touch);
   const float ground_y = ui.Look().Snap(rect.Max.y - std::clamp(0.178f * rect.GetHeight(), 62.0f, 130.0f));
-  const bool two = session.SideBySide();
+  const bool two = session.Compared().Beside();
   session.KeepGhostInTime();
   const float open_x = rect.Max.x - covered;
   const float middle = two ? ui.Look().Snap(0.5f * (rect.Min.x + open_x)) : rect.Max.x;

@@ -105,45 +105,68 @@ std::vector<const FoundMotions::Entry*> Rivals(const Session& session) {
   std::vector<const FoundMotions::Entry*> rivals;
   for (const FoundMotions::Entry* entry : session.found.Sorted(FoundMotions::Order::kNewest)) {
     if (rivals.size() == kMost) break;
-    if (entry->motion.Moves() && SameRods(entry->motion.document.figure, session.Doc().figure))
+    if (entry->motion.Moves() && SameTree(entry->motion.document.figure, session.Doc().figure))
       rivals.push_back(entry);
   }
   return rivals;
 }
 
-void DrawGhostChoice(Ui& ui, Session& session) {
-  std::vector<std::string> choices = {Tr("Nothing"), Tr("Before the last search"),
-                                      Tr("Without your changes")};
-  int number = 0;
-  for (const Controller& controller : session.Doc().controllers) {
-    ++number;
-    choices.push_back(controller.name.empty() ? Tr("Controller {1}", number) : TrTitle(controller.name));
+struct GhostChoice {
+  std::string words;
+  Ghost::Kind kind;
+  int controller = -1;
+  std::string found_id;
+};
+
+// @param chosen  set to the index of the present one
+std::vector<GhostChoice> GhostChoices(const Session& session, int& chosen) {
+  using enum Ghost::Kind;
+  std::vector<GhostChoice> choices = {
+      {.words = Tr("Nothing"), .kind = kNone, .found_id = {}},
+      {.words = Tr("Before the last search"), .kind = kEarlier, .found_id = {}},
+      {.words = Tr("Without your changes"), .kind = kCalm, .found_id = {}}};
+  for (int index = 0; const Controller& controller : session.Doc().controllers) {
+    const std::string& name = controller.name;
+    choices.push_back({.words = name.empty() ? Tr("Controller {1}", index + 1) : TrTitle(name),
+                       .kind = kController,
+                       .controller = index,
+                       .found_id = {}});
+    ++index;
   }
-  const int own = static_cast<int>(choices.size());
-  const std::vector<const FoundMotions::Entry*> rivals = Rivals(session);
-  int chosen = session.ChosenGhost() - Session::kNoGhost;
-  for (const FoundMotions::Entry* entry : rivals) {
+  for (const FoundMotions::Entry* entry : Rivals(session)) {
     const Controller& controller = entry->motion.document.controllers.back();
-    if (session.ChosenGhost() == Session::kFoundGhost && session.FoundGhostId() == entry->id)
-      chosen = static_cast<int>(choices.size());
-    choices.push_back(Fixed(entry->motion.Score(), 2) + " · " +
-                      DeciderWords(controller.kind, controller.senses));
+    choices.push_back(
+        {.words = Fixed(entry->motion.Score(), 2) + " · " + DeciderWords(controller.kind, controller.senses),
+         .kind = kFound,
+         .found_id = entry->id});
   }
-  if (chosen < 0) {  // it has left the results meanwhile
-    chosen = static_cast<int>(choices.size());
-    choices.push_back(session.GhostWords());
-  }
+  const Ghost& ghost = session.Compared();
+  const auto now = std::ranges::find_if(choices, [&](const GhostChoice& c) {
+    return c.kind == ghost.StandsFor() && c.controller == ghost.ControllerIndex().value_or(-1) &&
+           c.found_id == ghost.FoundId();
+  });
+  chosen = static_cast<int>(now - choices.begin());
+  if (now == choices.end())  // it has left the results meanwhile
+    choices.push_back({.words = session.GhostWords(), .kind = kFound, .found_id = ghost.FoundId()});
+  return choices;
+}
+
+void DrawGhostChoice(Ui& ui, Session& session) {
+  int chosen = 0;
+  const std::vector<GhostChoice> choices = GhostChoices(session, chosen);
+  std::vector<std::string> words;
+  for (const GhostChoice& choice : choices) words.push_back(choice.words);
   ui.Heading(Tr("Compare"));
-  if (ui.Combo("world/ghost", Tr("With"), choices, chosen)) {
-    if (chosen < own) {
-      session.ChooseGhost(chosen + Session::kNoGhost);
-    } else if (static_cast<std::size_t>(chosen - own) < rivals.size()) {
-      session.ChooseFoundGhost(rivals[static_cast<std::size_t>(chosen - own)]->id);
-    }
+  if (ui.Combo("world/ghost", Tr("With"), words, chosen)) {
+    const GhostChoice& wanted = choices[static_cast<std::size_t>(chosen)];
+    if (wanted.kind == Ghost::Kind::kFound)
+      session.ChooseFoundGhost(wanted.found_id);
+    else
+      session.ChooseGhost(wanted.kind, wanted.controller);
   }
-  if (session.Ghost() == nullptr) return;
+  if (session.Compared().Player() == nullptr) return;
   static constexpr std::array<const char*, 2> kPlaces = {TrLater("Behind it"), TrLater("Beside it")};
-  int place = session.SideBySide() ? 1 : 0;
+  int place = session.Compared().Beside() ? 1 : 0;
   ui.Gap(6.0f);
   if (ui.Segmented("world/beside", ui.ControlRow(), Tr("Where the other is drawn"), kPlaces, place))
     session.PutSideBySide(place == 1);

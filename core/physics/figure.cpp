@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/physics/figure.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gaitsmith {
@@ -57,6 +58,12 @@ Result<void> CheckNumber(float value, float low, float high, int rod, const char
 }
 
 }  // namespace
+
+bool SameTree(const Figure& one, const Figure& other) {
+  return std::ranges::equal(one.rods, other.rods, [](const Rod& a, const Rod& b) {
+    return a.parent == b.parent && a.parent_end == b.parent_end;
+  });
+}
 
 Result<void> Validate(const Figure& figure) {
   if (figure.rods.empty()) return Fail(ErrorCode::kMissing, "rods", "a figure needs at least one rod");

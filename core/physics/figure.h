@@ -24,6 +24,8 @@ struct Rod {
   float rest_rad = 0.0f;  // drawn angle against the parent (root: against horizontal), anticlockwise
   float min_rad = -1.0f;  // joint limits against rest_rad, [-pi, 0] and [0, pi];
   float max_rad = 1.0f;   // the root has no joint and ignores them
+
+  bool operator==(const Rod&) const = default;
 };
 
 struct Figure {
@@ -34,6 +36,10 @@ struct Figure {
   [[nodiscard]] int Joints() const { return Rods() - 1; }
   [[nodiscard]] int Endpoints() const { return Rods() + 1; }
 };
+
+/// The same rods hang on the same ends, whatever their lengths and masses: controllers of one figure can
+/// drive the other.
+[[nodiscard]] bool SameTree(const Figure&, const Figure&);
 
 /// Checks that the rods form one tree and every number is in range.
 /// @return nothing, or the first fault: where it is ("rods[2].parent") and what is wrong, for a person to

@@ -73,14 +73,6 @@ const Controller& FirstControllerOf(const Document& document) {
   return document.controllers[static_cast<std::size_t>(first)];
 }
 
-bool SameRods(const Figure& one, const Figure& other) {
-  return std::ranges::equal(one.rods, other.rods, [](const Rod& a, const Rod& b) {
-    return a.length_m == b.length_m && a.mass_kg == b.mass_kg && a.parent == b.parent &&
-           a.parent_end == b.parent_end && a.rest_rad == b.rest_rad && a.min_rad == b.min_rad &&
-           a.max_rad == b.max_rad;
-  });
-}
-
 Result<Figure> ReadFigure(const std::string& name_or_path) {
   for (const Example& example : ExampleFigures()) {
     if (example.name == name_or_path) return DecodeFigureJson(example.json);

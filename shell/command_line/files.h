@@ -19,9 +19,6 @@ namespace gaitsmith::shell {
 /// The controller that a document's motion begins with. @param document has one
 [[nodiscard]] const Controller& FirstControllerOf(const Document& document);
 
-/// Whether controllers of one figure fit the other to the bit: names do not matter.
-[[nodiscard]] bool SameRods(const Figure&, const Figure&);
-
 /// A figure by the name of its file in examples/figures ("mr-star-man") or by path.
 [[nodiscard]] Result<Figure> ReadFigure(const std::string& name_or_path);
 

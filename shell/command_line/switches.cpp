@@ -59,7 +59,7 @@ Result<std::vector<Contestant>> ReadContestants(const std::vector<std::string>& 
   for (const std::string& path : paths) {
     auto one = ReadContestant(path, length);
     if (!one) return std::unexpected(one.error());
-    if (!all.empty() && !SameRods(one->problem.figure, all.front().problem.figure)) {
+    if (!all.empty() && one->problem.figure.rods != all.front().problem.figure.rods) {
       return Fail(ErrorCode::kStructure, path,
                   "is of another figure than " + paths[0] + "; a controller fits its own alone");
     }

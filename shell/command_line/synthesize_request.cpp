@@ -119,7 +119,7 @@ Result<void> AddHandovers(const Arguments& arguments, Document& document) {
     const auto other = ReadDocument(text.substr(0, mark));
     if (!other) return std::unexpected(other.error());
     if (other->controllers.empty()) return Fail(ErrorCode::kMissing, where, "has no controller");
-    if (!SameRods(other->figure, document.figure)) {
+    if (other->figure.rods != document.figure.rods) {
       return Fail(ErrorCode::kStructure, where,
                   "is of another figure, \"" + other->figure.name + "\"; the search is for \"" +
                       document.figure.name + "\"");

@@ -115,4 +115,23 @@ TEST_CASE("figure: every shipped figure can move itself: of 30 random wind-ups o
   }
 }
 
+TEST_CASE("figure: controllers fit where the same rods hang on the same ends", "[figure]") {
+  const Figure biped = ShippedFigure("beryl-biped");
+  Figure other = biped;
+  CHECK(SameTree(biped, other));
+  CHECK(biped.rods == other.rods);
+  other.rods[1].length_m *= 2.0f;
+  other.rods[0].mass_kg *= 2.0f;
+  CHECK(SameTree(biped, other));
+  CHECK(biped.rods != other.rods);
+  other.rods[1].parent_end = other.rods[1].parent_end == RodEnd::kEnd ? RodEnd::kStart : RodEnd::kEnd;
+  CHECK_FALSE(SameTree(biped, other));
+  other = biped;
+  other.rods.back().parent = other.rods.back().parent == 0 ? 1 : 0;
+  CHECK_FALSE(SameTree(biped, other));
+  other = biped;
+  other.rods.pop_back();
+  CHECK_FALSE(SameTree(biped, other));
+}
+
 }  // namespace gaitsmith::test

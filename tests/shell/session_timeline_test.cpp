@@ -114,7 +114,7 @@ TEST_CASE("session: a result is inserted where time stands", "[shell][session][t
   const Figure other = session.Figures()[0].rods.size() == session.Doc().figure.rods.size()
                            ? session.Figures()[1]
                            : session.Figures()[0];
-  REQUIRE_FALSE(SameRods(other, session.Doc().figure));
+  REQUIRE_FALSE(SameTree(other, session.Doc().figure));
   session.ReplaceFigure(other);
   const std::string before = State(session);
   CHECK_FALSE(session.InsertFound(id));
