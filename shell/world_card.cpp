@@ -155,6 +155,7 @@ void DrawGhostChoice(Ui& ui, Session& session) {
   int chosen = 0;
   const std::vector<GhostChoice> choices = GhostChoices(session, chosen);
   std::vector<std::string> words;
+  words.reserve(choices.size());
   for (const GhostChoice& choice : choices) words.push_back(choice.words);
   ui.Heading(Tr("Compare"));
   if (ui.Combo("world/ghost", Tr("With"), words, chosen)) {
