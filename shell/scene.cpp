@@ -183,7 +183,7 @@ std::vector<ImVec2> DrawScene(const Scene& s) {
   if (view.forces) DrawForces(s, endpoints);
   if (view.poses) {
     const Playback::Point centre = s.player.CentreAt(s.player.TimeS());
-    DrawLetter(s, centre.x_m, centre.y_m, active, past.next);
+    DrawLetter(s, centre.x_m, centre.y_m, s.ui.Ink().ink, past.next);
   }
   return endpoints;
 }
