@@ -18,19 +18,22 @@ link_seeds() {
 }
 
 # Runs of ten minutes and more are a study: a line in docs/studies/fuzzing/runs.csv for each. Shorter ones than a minute
-# guard main, where a day's luck must not decide: they draw the same numbers each time.
+# guard main, where luck should decide nothing: they draw the same numbers each time, beginning with no corpus of their own.
 fuzz() {
-  local seconds=${1:-60} name log runs seed=0
+  local seconds=${1:-60} name log runs seed=0 corpus=build/fuzz/corpus
   shift || true
-  [ "$seconds" -ge 60 ] || seed=1
+  if [ "$seconds" -lt 60 ]; then
+    seed=1 corpus=build/fuzz/short
+    rm -rf "$corpus"
+  fi
   cmake --workflow --preset fuzz
   link_seeds
   for name in ${*:-$(cd tests/fuzz && basename -s _fuzz.cpp -a ./*_fuzz.cpp)}; do
-    mkdir -p "build/fuzz/corpus/$name"
+    mkdir -p "$corpus/$name"
     log=build/fuzz/$name.log
     say "$name: $seconds s"
     "build/fuzz/tests/fuzz/${name}_fuzz" -seed=$seed -max_total_time="$seconds" -artifact_prefix=build/fuzz/ -verbosity=0 -print_final_stats=1 -max_len=20000 \
-      "build/fuzz/corpus/$name" build/fuzz/links examples tests/golden/motions >"$log" 2>&1 || { tail -40 "$log"; die "$name found something: build/fuzz has what it fed"; }
+      "$corpus/$name" build/fuzz/links examples tests/golden/motions >"$log" 2>&1 || { tail -40 "$log"; die "$name found something: build/fuzz has what it fed"; }
     runs=$(awk '/number_of_executed_units/ { print $2 }' "$log")
     say "$name: $runs runs, nothing found"
     if [ "$seconds" -ge 600 ]; then

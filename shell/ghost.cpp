@@ -6,15 +6,17 @@
 
 namespace gaitsmith::shell {
 
-void Ghost::StandFor(Kind kind, int controller) {
+void Ghost::StandFor(Kind kind, int controller, const Documents& documents) {
   kind_ = kind;
   controller_ = controller;
+  Load(documents);
 }
 
-void Ghost::StandFor(const std::string& id, const Document& found) {
+void Ghost::StandFor(const std::string& id, const Document& found, const Documents& documents) {
   kind_ = Kind::kFound;
   found_id_ = id;
   found_ = found;
+  Load(documents);
 }
 
 bool Ghost::Fits(const Documents& documents) const {

@@ -20,20 +20,20 @@ class Ghost {
     kController,  // another controller of the document, alone
     kFound,       // a found motion, by its controllers
   };
-  /// Takes effect with the next Load.
-  /// @param controller  of the document, for kController
-  void StandFor(Kind, int controller = -1);
-  /// @param id  among the found motions, which may lose it: this keeps it
-  void StandFor(const std::string& id, const Document& found);
-
   /// What it may be the motion of.
   struct Documents {
     const Document& shown;
     const Document& earlier;
     const Document& calm;
   };
-  /// Simulates it in the shown world, but for kCalm. Where it has other rods, or its controller is gone, it
-  /// stands for nothing from then on.
+  /// Simulates it in the shown world, but for kCalm. Where its rods hang on another tree, or there is no such
+  /// controller, it stands for nothing.
+  /// @param kind  not kFound
+  /// @param controller  of the document, for kController
+  void StandFor(Kind kind, int controller, const Documents&);
+  /// @param id  among the found motions, which may lose it: this keeps it
+  void StandFor(const std::string& id, const Document& found, const Documents&);
+  /// The same once more, after any of the documents has changed.
   void Load(const Documents&);
 
   [[nodiscard]] Kind StandsFor() const { return kind_; }

@@ -190,7 +190,7 @@ void Session::Show(Document document, bool start_over) {
   player.Load(document_, start_over);
   // What was done to the world of another figure has no meaning for this one.
   if (start_over || !SameTree(calm_.figure, document_.figure)) calm_ = document_;
-  LoadGhost();
+  ghost_.Load(GhostDocuments());
   differs_from_maker_ = document_.hash && *document_.hash != player.Shown().Hash();
   CheckTransitions();
   host_.DocumentChanged(document_.title);

@@ -131,10 +131,12 @@ class Session {
   void ResetWorld();
   [[nodiscard]] const Environment& CalmWorld() const { return calm_.environment; }
 
-  // The motion that the shown one is compared with, in the same world, with the same pushes.
+  // The motion that the shown one is compared with, in the same world, with the same pushes, but for the calm
+  // one.
+  /// @param kind  not kFound
   /// @param controller  of the document, for Ghost::Kind::kController
-  void ChooseGhost(Ghost::Kind, int controller = -1);
-  /// @return false: there is no such motion, or its figure has other rods
+  void ChooseGhost(Ghost::Kind kind, int controller = -1);
+  /// @return false: there is no such motion, or its figure is another tree of rods
   bool ChooseFoundGhost(const std::string& id);
   [[nodiscard]] const Ghost& Compared() const { return ghost_; }
   [[nodiscard]] std::string GhostWords() const { return ghost_.Words(document_); }
@@ -267,7 +269,9 @@ class Session {
   void NoteFound();
   [[nodiscard]] bool BelongsOnStage() const;
   void ForgetProgress();
-  void LoadGhost() { ghost_.Load({.shown = document_, .earlier = earlier_, .calm = calm_}); }
+  [[nodiscard]] Ghost::Documents GhostDocuments() const {
+    return {.shown = document_, .earlier = earlier_, .calm = calm_};
+  }
   /// The found motion that was noted last stands beside, if it was ordered.
   void MeetRival();
   void RunTrial();

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "shell/language.h"
-#include "shell/search_words.h"
 #include "shell/session.h"
 
 namespace gaitsmith::shell {
@@ -21,8 +20,7 @@ bool SuitsAsRival(const FoundMotion& found, const Document& wanted) {
 }  // namespace
 
 void Session::ChooseGhost(Ghost::Kind kind, int controller) {
-  ghost_.StandFor(kind, controller);
-  LoadGhost();
+  ghost_.StandFor(kind, controller, GhostDocuments());
   host_.DocumentChanged(document_.title);
 }
 
@@ -31,8 +29,7 @@ bool Session::ChooseFoundGhost(const std::string& id) {
   if (entry == nullptr || !entry->motion.Moves() ||
       !SameTree(entry->motion.document.figure, document_.figure))
     return false;
-  ghost_.StandFor(id, entry->motion.document);
-  LoadGhost();
+  ghost_.StandFor(id, entry->motion.document, GhostDocuments());
   host_.DocumentChanged(document_.title);
   return true;
 }

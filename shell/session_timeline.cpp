@@ -44,8 +44,7 @@ void Session::EditTimeline(const std::function<Result<int>(Document&)>& edit) {
   if (!ghost) return;
   // Controllers may have moved up in their list.
   const auto known = AddController(next, *ghost);
-  ghost_.StandFor(Ghost::Kind::kController, known.value_or(-1));
-  LoadGhost();
+  ghost_.StandFor(Ghost::Kind::kController, known.value_or(-1), GhostDocuments());
 }
 
 bool Session::DisturbsSearch(const Document& next) const {

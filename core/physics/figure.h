@@ -37,8 +37,8 @@ struct Figure {
   [[nodiscard]] int Endpoints() const { return Rods() + 1; }
 };
 
-/// The same rods hang on the same ends, whatever their lengths and masses: controllers of one figure can
-/// drive the other.
+/// As many rods hang on the same ends, whatever their lengths, masses, angles and limits: controllers of one
+/// figure can drive the other.
 [[nodiscard]] bool SameTree(const Figure&, const Figure&);
 
 /// Checks that the rods form one tree and every number is in range.

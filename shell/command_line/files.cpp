@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "shell/command_line/files.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>

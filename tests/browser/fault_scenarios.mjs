@@ -47,10 +47,11 @@ const ACCIDENTS = [
 /** All workers at its first progress, seen in the page: the search is over sooner than a test can look. @param {PageDriver} page */
 const killAll = (page) => page.page.evaluate(() => {
   const doomed = /** @type {any} */ (window).testWorkers;
-  let spared = false;
-  window.gaitsmith.on('progress', () => {
-    if (!spared) for (const worker of doomed) worker.terminate();
-    spared = true;
+  let dead = false;
+  window.gaitsmith.on('progress', ({ detail }) => {
+    if (dead || detail.evaluations === 0) return;
+    dead = true;
+    for (const worker of doomed) worker.terminate();
   });
 });
 
