@@ -79,16 +79,18 @@ export class Coordinator {
    * @param {import('./engine.js').Engine} engine
    * @param {import('./messages.js').Coordinate} role
    * @param {(message: OfCoordinator, transfer?: Transferable[]) => void} post
+   * @param {(error: unknown) => void} die
    * @param {number} [longestMs]  that a slice should take
    */
-  constructor(engine, { document, state, workers }, post, longestMs = LONGEST_SLICE_MS) {
+  constructor(engine, { document, state, workers }, post, die, longestMs = LONGEST_SLICE_MS) {
     this.longestMs = longestMs;
+    this.die = die;
     this.search = engine.search(document);
     if (state) this.search.load(state);
     this.workers = workers;
     this.#measure.evaluations = this.search.evaluations;
     this.post = post;
-    this.ticker = setInterval(() => this.#tick(), TICK_MS);
+    this.ticker = setInterval(() => this.#attempt(() => this.#tick()), TICK_MS);
   }
 
   /** @param {Wish} message */
@@ -122,11 +124,21 @@ export class Coordinator {
     const hand = { port, slices: [], startedMs: 0, waitedMs: 0 };
     this.#hands.set(evaluator, hand);
     /** @param {MessageEvent<EvaluatorToCoordinator>} event */
-    port.onmessage = ({ data }) => this.#take(hand, data);
+    port.onmessage = ({ data }) => this.#attempt(() => this.#take(hand, data));
     // Where browsers tell that the other end has died, there is no need to wait for its silence.
     port.addEventListener('close', () => {
-      if (this.#hands.get(evaluator) === hand) this.#giveUp(evaluator);
+      this.#attempt(() => { if (this.#hands.get(evaluator) === hand) this.#giveUp(evaluator); });
     });
+  }
+
+  /** What is done between messages to the role. @param {() => void} action */
+  #attempt(action) {
+    try {
+      action();
+    } catch (error) {
+      this.#letGo();
+      this.die(error);
+    }
   }
 
   /** @param {number} evaluator */
@@ -136,7 +148,7 @@ export class Coordinator {
     if (!hand) return;
     // What it sent before may still be on its way, and must not count beside what another one makes of it.
     for (const slice of hand.slices.splice(0)) slice.batch.waiting.unshift(slice);
-    hand.port.close();
+    hangUp(hand);
   }
 
   /** @param {number} evaluator */
@@ -260,19 +272,22 @@ export class Coordinator {
   /** @param {'done' | 'stopped'} state */
   #finish(state) {
     this.#state = state;
-    clearInterval(this.ticker);
-    for (const { port } of this.#hands.values()) port.close();
-    this.#hands.clear();
+    this.#letGo();
     this.post({ type: 'finished', report: this.#summary(true) });
   }
 
   /** Ends it, wherever it is, and frees the search. */
   close() {
-    clearInterval(this.ticker);
     this.#state = 'stopped';
-    for (const { port } of this.#hands.values()) port.close();
-    this.#hands.clear();
+    this.#letGo();
     this.search.close();
+  }
+
+  /** Hears nobody any more. */
+  #letGo() {
+    clearInterval(this.ticker);
+    for (const hand of this.#hands.values()) hangUp(hand);
+    this.#hands.clear();
   }
 
   /** Not older than fifty times what it takes to find it. @param {boolean} anew */
@@ -311,6 +326,12 @@ export class Coordinator {
       saved: everything ? search.save() : null,
     };
   }
+}
+
+/** Between two in one page a message that was sent before still comes. @param {Hand} hand */
+function hangUp({ port }) {
+  port.onmessage = null;
+  port.close();
 }
 
 /**

@@ -7,25 +7,31 @@
 /**
  * @param {import('./engine.js').Engine} engine
  * @param {import('./messages.js').Evaluate} role
+ * @param {(error: unknown) => void} die
  * @returns {() => void} ends it
  */
-export function startEvaluator(engine, { document, port }) {
+export function startEvaluator(engine, { document, port }, die) {
   const evaluator = engine.evaluator(document);
+  const hangUp = () => {
+    port.onmessage = null; // between two in one page a message that was sent before still comes
+    port.close();
+  };
   /** @param {MessageEvent<CoordinatorToEvaluator>} event */
   port.onmessage = ({ data }) => {
     let scores;
     try {
       scores = evaluator.score(data.genomes);
     } catch (error) {
-      port.close(); // an engine that trapped scores nothing more
-      throw error;
+      hangUp(); // an engine that trapped scores nothing more
+      die(error);
+      return;
     }
     /** @type {EvaluatorToCoordinator} */
     const reply = { type: 'scored', slice: data.slice, scores };
     port.postMessage(reply, [scores.buffer]);
   };
   return () => {
-    port.close();
+    hangUp();
     evaluator.close();
   };
 }

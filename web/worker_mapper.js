@@ -11,10 +11,11 @@ const STRIDE = 4; // moments between two looks at the clock
  * @param {import('./engine.js').Engine} engine
  * @param {import('./messages.js').MapTransitions} role
  * @param {(message: OfMapper, transfer?: Transferable[]) => void} post
+ * @param {(error: unknown) => void} die
  * @param {number} [partMs]  after which a part is told
  * @returns {() => void} ends it
  */
-export function startMapper(engine, { document, generation }, post, partMs = PART_MS) {
+export function startMapper(engine, { document, generation }, post, die, partMs = PART_MS) {
   const map = engine.transitionMap(document);
   const { count, usual } = map;
   let next = 0;
@@ -23,10 +24,15 @@ export function startMapper(engine, { document, generation }, post, partMs = PAR
     const first = next;
     /** @type {number[]} */
     const known = [];
-    while (next < count && (known.length === 0 || performance.now() - start < partMs)) {
-      const scores = map.scores(next, Math.min(STRIDE, count - next));
-      known.push(...scores);
-      next += scores.length;
+    try {
+      while (next < count && (known.length === 0 || performance.now() - start < partMs)) {
+        const scores = map.scores(next, Math.min(STRIDE, count - next));
+        known.push(...scores);
+        next += scores.length;
+      }
+    } catch (error) {
+      die(error);
+      return;
     }
     const scores = Float32Array.from(known);
     post({ type: 'mapped', generation, count, first, scores, usual }, [scores.buffer]);

@@ -22,6 +22,8 @@ export class WorkerRoles {
   #leave = () => {};
   #before = Promise.resolve();
   #run = 0; // of the search that the role belongs to; 0: none
+  // Then it says and hears nothing more: it may have stopped half way through a change of the search.
+  #dead = false;
 
   /**
    * @param {Post} post
@@ -29,8 +31,12 @@ export class WorkerRoles {
    * @param {{longestMs?: number}} [pace]  of what is done between two messages
    */
   constructor(post, die, { longestMs } = {}) {
-    this.post = post;
-    this.die = die;
+    /** @type {Post} */
+    this.post = (message, transfer) => { if (!this.#dead) post(message, transfer); };
+    this.die = (/** @type {unknown} */ error) => {
+      this.#dead = true;
+      die(error);
+    };
     this.longestMs = longestMs;
   }
 
@@ -41,7 +47,10 @@ export class WorkerRoles {
   hear(message) {
     const isRole = ['stand-by', 'coordinate', 'evaluate', 'map-transitions'].includes(message.type);
     this.#before = this.#before
-      .then(() => (isRole ? this.#take(/** @type {Role} */ (message)) : this.#receive(/** @type {PageToCoordinator} */ (message))))
+      .then(() => {
+        if (this.#dead) return;
+        return isRole ? this.#take(/** @type {Role} */ (message)) : this.#receive(/** @type {PageToCoordinator} */ (message));
+      })
       .catch(this.die);
   }
 
@@ -52,9 +61,14 @@ export class WorkerRoles {
   }
 
   leave() {
-    this.#leave();
+    const leave = this.#leave;
     this.#leave = () => {};
     this.#coordinator = null;
+    try {
+      leave();
+    } catch (error) {
+      if (!this.#dead) throw error; // an engine that trapped may do so again
+    }
   }
 
   /** @param {PageToCoordinator} message */
@@ -77,16 +91,16 @@ export class WorkerRoles {
         case 'stand-by':
           return;
         case 'coordinate': {
-          const mine = new Coordinator(engine, message, post, this.longestMs);
+          const mine = new Coordinator(engine, message, post, this.die, this.longestMs);
           this.#coordinator = mine;
           this.#leave = () => mine.close();
           break;
         }
         case 'evaluate':
-          this.#leave = startEvaluator(engine, message);
+          this.#leave = startEvaluator(engine, message, this.die);
           break;
         case 'map-transitions':
-          this.#leave = startMapper(engine, message, post, this.longestMs);
+          this.#leave = startMapper(engine, message, post, this.die, this.longestMs);
           break;
         default:
           unreachable(message);

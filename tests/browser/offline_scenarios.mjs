@@ -262,15 +262,20 @@ async function narrowFrame(visit) {
     await refused.close();
 
     server.headers['access-control-allow-origin'] = '*'; // most hosts send it
-    const { ask, until, close } = await around(browser, server, 'allow-scripts');
+    const { page, ask, until, close } = await around(browser, server, 'allow-scripts');
     await until('the frame', `events.includes('ready')`);
     await ask('hello');
     const { result, error } = await ask('synthesize', { seed: 3, evaluations: 400, algorithm: 'sphc' });
     assert.equal(error, undefined);
     assert.equal(result.report.state, 'done', 'without workers it searches in the page');
-    void ask('synthesize', { seed: 4, evaluations: 20000, algorithm: 'sphc' }).catch(() => {});
-    const again = await ask('synthesize', { seed: 3, evaluations: 400, algorithm: 'sphc' });
-    assert.equal(again.result.report.evaluations, 400, 'a search that takes the place of another');
+    for (let round = 0; round < 5; round++) { // what it may hear of the other's work is a matter of luck
+      await page.evaluate('events = []');
+      void ask('synthesize', { seed: 4, evaluations: 1e6, algorithm: 'sphc' }).catch(() => {});
+      await until('its progress', `events.includes('progress')`);
+      const again = await ask('synthesize', { seed: 3, evaluations: 400, algorithm: 'sphc' });
+      assert.equal(again.error, undefined, 'a search that takes the place of another');
+      assert.equal(again.result.hash, result.hash);
+    }
     const other = await PageDriver.open(browser, server.address());
     const same = await other.call('search', () => window.gaitsmith.synthesize({ seed: 3, evaluations: 400, algorithm: 'sphc' }).then(({ hash }) => hash));
     assert.equal(result.hash, same, 'and finds what workers find');

@@ -2,90 +2,12 @@
 // Searches through the page's own client and workers, under Node: the result is the same bits for any number
 // of workers, and whoever dies on the way. Pins nothing: every claim compares two runs.
 import assert from 'node:assert/strict';
-import { readFile } from 'node:fs/promises';
-import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { fileURLToPath, pathToFileURL } from 'node:url';
-import { NodeWorker } from './web_worker.mjs';
+import { test } from 'node:test';
+import { assertSame, engine, fromWeb, newClient, newWorker, problem, run } from './search_run.mjs';
 
-const HERE = fileURLToPath(new URL('.', import.meta.url));
-const WEB = process.env.GAITSMITH_WEB ?? join(HERE, '../../build/wasm/web');
-
+/** @typedef {import('./web_worker.mjs').NodeWorker} NodeWorker */
 /** @typedef {import('../../web/messages.js').SearchReport} SearchReport */
-/** @typedef {{reports: SearchReport[], incidents: string[], last: SearchReport, genome: Uint16Array}} Run */
-
-/** @type {typeof import('../../web/search_client.js').SearchClient} */
-let SearchClient;
-/** @type {import('../../web/engine.js').Engine} */
-let engine;
-/** @type {WebAssembly.Module} */
-let compiled;
-/** @type {string} */
-let figure;
-
-before(async () => {
-  ({ SearchClient } = await import(pathToFileURL(join(WEB, 'search_client.js')).href));
-  const { Engine } = await import(pathToFileURL(join(WEB, 'engine.js')).href);
-  compiled = await WebAssembly.compile(await readFile(join(WEB, 'engine_module.wasm')));
-  engine = await Engine.load(compiled);
-  figure = await readFile(join(HERE, '../../examples/figures/mr-star-man.json'), 'utf8');
-});
-
-/** @param {object} settings  of the search */
-function problem(settings) {
-  const search = { seed: 7, evaluations: 3000, ...settings };
-  return engine.documentFromText(JSON.stringify({ figure: JSON.parse(figure), search }));
-}
-
-/**
- * Runs a search to its end.
- * @param {Uint8Array} document
- * @param {number} workers
- * @param {(client: import('../../web/search_client.js').SearchClient, report: SearchReport, crew: NodeWorker[]) => void} [meddle]
- *   called at every report
- * @param {WebAssembly.Module} [module]
- * @returns {Promise<Run>}
- */
-function run(document, workers, meddle, module = compiled) {
-  return new Promise((resolve, reject) => {
-    /** @type {NodeWorker[]} */
-    const crew = [];
-    /** @type {SearchReport[]} */
-    const reports = [];
-    /** @type {string[]} */
-    const incidents = [];
-    const client = new SearchClient({
-      engine: module,
-      createWorker: () => {
-        crew.push(new NodeWorker(join(WEB, 'worker.js')));
-        return /** @type {any} */ (crew[crew.length - 1]);
-      },
-      listener: {
-        progress: (report) => {
-          reports.push(report);
-          if (report.state === 'done' || report.state === 'stopped') {
-            resolve({ reports, incidents, last: report, genome: report.bestGenome ?? new Uint16Array() });
-          } else {
-            meddle?.(client, report, crew);
-          }
-        },
-        incident: (sentence) => incidents.push(sentence),
-        failed: reject,
-      },
-    });
-    client.start(document, workers);
-    after(() => client.close());
-  });
-}
-
-/** @param {Run} a @param {Run} b */
-function assertSame(a, b) {
-  assert.ok(a.genome.length > 0);
-  assert.deepEqual(a.genome, b.genome);
-  assert.equal(a.last.bestFitness, b.last.bestFitness);
-  assert.equal(a.last.evaluations, b.last.evaluations);
-  assert.deepEqual(a.last.curve, b.last.curve);
-}
+/** @typedef {import('./search_run.mjs').Run} Run */
 
 for (const algorithm of ['sphc', 'rgt', 'gga', 'shc', 'cma-es', 'map-elites']) {
   test(`${algorithm}: one, two and three workers find the same`, async () => {
@@ -99,8 +21,7 @@ for (const algorithm of ['sphc', 'rgt', 'gga', 'shc', 'cma-es', 'map-elites']) {
 }
 
 test('a network, by the two-stage search: one, two and three workers find the same', async () => {
-  const document = engine.documentFromText(JSON.stringify({ figure: JSON.parse(figure), kind: 'network',
-    search: { algorithm: 'two-stage', seed: 7, evaluations: 1500 } }));
+  const document = problem({ algorithm: 'two-stage', evaluations: 1500 }, { kind: 'network' });
   const [one, two, three] = [await run(document, 1), await run(document, 2), await run(document, 3)];
   assert.ok(one.last.bestFitness > 0.5);
   assertSame(one, two);
@@ -138,15 +59,8 @@ test('workers that stood by, or whose search is done, run the next one, of anoth
   const crew = [];
   /** @type {(report: SearchReport) => void} */
   let hear = () => {};
-  const client = new SearchClient({
-    engine: compiled,
-    createWorker: () => {
-      crew.push(new NodeWorker(join(WEB, 'worker.js')));
-      return /** @type {any} */ (crew[crew.length - 1]);
-    },
-    listener: { progress: (report) => hear(report), incident: assert.fail, failed: assert.fail },
-  });
-  after(() => client.close());
+  const client = newClient({ progress: (report) => hear(report), incident: assert.fail, failed: assert.fail },
+    () => crew[crew.push(newWorker()) - 1]);
   /** @param {Uint8Array} document @param {number} workers @returns {Promise<Run>} */
   const search = (document, workers) => new Promise((resolve) => {
     hear = (last) => {
@@ -210,21 +124,21 @@ test('an engine that cannot be instantiated is an error, not a silence', async (
   // Imports x.y, which nobody has.
   const wanting = new WebAssembly.Module(new Uint8Array([
     0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 1, 4, 1, 0x60, 0, 0, 2, 7, 1, 1, 0x78, 1, 0x79, 0, 0]));
-  const { Engine } = await import(pathToFileURL(join(WEB, 'engine.js')).href);
+  const { Engine } = await fromWeb('engine.js');
   await assert.rejects(Engine.load(wanting), /instantiate/);
   const start = performance.now();
-  await assert.rejects(run(problem({}), 1, undefined, wanting), /keep stopping/);
+  await assert.rejects(run(problem({}), 1, undefined, { module: wanting }), /keep stopping/);
   assert.ok(performance.now() - start < 20000);
 });
 
 test('what an evaluator sent before it was given up does not count beside what another one makes of it', async () => {
-  const { Coordinator } = await import(pathToFileURL(join(WEB, 'worker_coordinator.js')).href);
+  const { Coordinator } = await fromWeb('worker_coordinator.js');
   const document = problem({ evaluations: 600 });
   const evaluator = engine.evaluator(document);
   /** @type {any} */
   let last = null;
   const coordinator = new Coordinator(engine, { document, state: null, workers: 8 },
-    (/** @type {any} */ { type, report }) => { if (type === 'finished') last = report; });
+    (/** @type {any} */ { type, report }) => { if (type === 'finished') last = report; }, assert.fail);
   const port = () => ({ sent: /** @type {any[]} */ ([]), onmessage: /** @type {any} */ (null), close: () => {}, addEventListener: () => {},
     postMessage(/** @type {any} */ message) { this.sent.push(message); } });
   const steady = port();
@@ -234,7 +148,7 @@ test('what an evaluator sent before it was given up does not count beside what a
     coordinator.receive({ type: 'add-evaluator', evaluator: lost, port: late });
     coordinator.receive({ type: 'remove-evaluator', evaluator: lost });
     for (const port of [late, steady]) {
-      for (const { slice, genomes } of port.sent.splice(0)) port.onmessage({ data: { slice, scores: evaluator.score(genomes) } });
+      for (const { slice, genomes } of port.sent.splice(0)) port.onmessage?.({ data: { slice, scores: evaluator.score(genomes) } });
     }
   }
   coordinator.close();
