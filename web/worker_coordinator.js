@@ -79,7 +79,7 @@ export class Coordinator {
    * @param {import('./engine.js').Engine} engine
    * @param {import('./messages.js').Coordinate} role
    * @param {(message: OfCoordinator, transfer?: Transferable[]) => void} post
-   * @param {(error: unknown) => void} die
+   * @param {(error: unknown) => void} die  then it is let go
    * @param {number} [longestMs]  that a slice should take
    */
   constructor(engine, { document, state, workers }, post, die, longestMs = LONGEST_SLICE_MS) {
@@ -136,7 +136,6 @@ export class Coordinator {
     try {
       action();
     } catch (error) {
-      this.#letGo();
       this.die(error);
     }
   }
@@ -272,23 +271,18 @@ export class Coordinator {
   /** @param {'done' | 'stopped'} state */
   #finish(state) {
     this.#state = state;
-    this.#letGo();
+    this.letGo();
     this.post({ type: 'finished', report: this.#summary(true) });
   }
 
-  /** Ends it, wherever it is, and frees the search. */
-  close() {
-    this.#state = 'stopped';
-    this.#letGo();
-    this.search.close();
-  }
-
-  /** Hears nobody any more. */
-  #letGo() {
+  /** Hears nobody any more, wherever it is. */
+  letGo() {
     clearInterval(this.ticker);
     for (const hand of this.#hands.values()) hangUp(hand);
     this.#hands.clear();
   }
+
+  free() { this.search.close(); }
 
   /** Not older than fifty times what it takes to find it. @param {boolean} anew */
   #spreadNow(anew) {

@@ -7,22 +7,17 @@
 /**
  * @param {import('./engine.js').Engine} engine
  * @param {import('./messages.js').Evaluate} role
- * @param {(error: unknown) => void} die
- * @returns {() => void} ends it
+ * @param {(error: unknown) => void} die  then it is let go
+ * @returns {import('./worker_roles.js').Holdings}
  */
 export function startEvaluator(engine, { document, port }, die) {
   const evaluator = engine.evaluator(document);
-  const hangUp = () => {
-    port.onmessage = null; // between two in one page a message that was sent before still comes
-    port.close();
-  };
   /** @param {MessageEvent<CoordinatorToEvaluator>} event */
   port.onmessage = ({ data }) => {
     let scores;
     try {
       scores = evaluator.score(data.genomes);
     } catch (error) {
-      hangUp(); // an engine that trapped scores nothing more
       die(error);
       return;
     }
@@ -30,8 +25,11 @@ export function startEvaluator(engine, { document, port }, die) {
     const reply = { type: 'scored', slice: data.slice, scores };
     port.postMessage(reply, [scores.buffer]);
   };
-  return () => {
-    hangUp();
-    evaluator.close();
+  return {
+    letGo: () => {
+      port.onmessage = null; // between two in one page a message that was sent before still comes
+      port.close();
+    },
+    free: () => evaluator.close(),
   };
 }

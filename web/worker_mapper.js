@@ -11,9 +11,9 @@ const STRIDE = 4; // moments between two looks at the clock
  * @param {import('./engine.js').Engine} engine
  * @param {import('./messages.js').MapTransitions} role
  * @param {(message: OfMapper, transfer?: Transferable[]) => void} post
- * @param {(error: unknown) => void} die
+ * @param {(error: unknown) => void} die  then it is let go
  * @param {number} [partMs]  after which a part is told
- * @returns {() => void} ends it
+ * @returns {import('./worker_roles.js').Holdings}
  */
 export function startMapper(engine, { document, generation }, post, die, partMs = PART_MS) {
   const map = engine.transitionMap(document);
@@ -39,8 +39,5 @@ export function startMapper(engine, { document, generation }, post, die, partMs 
     if (next < count) timer = setTimeout(part); // messages come in between
   };
   let timer = setTimeout(part);
-  return () => {
-    clearTimeout(timer);
-    map.close();
-  };
+  return { letGo: () => clearTimeout(timer), free: () => map.close() };
 }

@@ -11,6 +11,7 @@ import { unreachable } from './messages.js';
 /** @typedef {import('./messages.js').PageToCoordinator} PageToCoordinator */
 /** @typedef {import('./messages.js').OfCoordinator} OfCoordinator */
 /** @typedef {import('./messages.js').OfMapper} OfMapper */
+/** @typedef {{letGo: () => void, free: () => void}} Holdings  letGo: hears nobody any more; free: what it has of the engine */
 /** @typedef {(message: (import('./messages.js').Loaded | OfCoordinator | OfMapper) & {run?: number}, transfer?: Transferable[]) => void} Post */
 
 export class WorkerRoles {
@@ -18,8 +19,8 @@ export class WorkerRoles {
   #engine = null;
   /** @type {Coordinator | null} */
   #coordinator = null;
-  /** Frees what the role before holds. */
-  #leave = () => {};
+  /** @type {Holdings | null} */
+  #holdings = null;
   #before = Promise.resolve();
   #run = 0; // of the search that the role belongs to; 0: none
   // Then it says and hears nothing more: it may have stopped half way through a change of the search.
@@ -35,6 +36,7 @@ export class WorkerRoles {
     this.post = (message, transfer) => { if (!this.#dead) post(message, transfer); };
     this.die = (/** @type {unknown} */ error) => {
       this.#dead = true;
+      this.#holdings?.letGo();
       die(error);
     };
     this.longestMs = longestMs;
@@ -61,14 +63,10 @@ export class WorkerRoles {
   }
 
   leave() {
-    const leave = this.#leave;
-    this.#leave = () => {};
-    this.#coordinator = null;
-    try {
-      leave();
-    } catch (error) {
-      if (!this.#dead) throw error; // an engine that trapped may do so again
-    }
+    const holdings = this.#holdings;
+    this.#holdings = this.#coordinator = null;
+    holdings?.letGo();
+    if (!this.#dead) holdings?.free(); // an engine that trapped is asked nothing more; it goes as a whole
   }
 
   /** @param {PageToCoordinator} message */
@@ -90,17 +88,14 @@ export class WorkerRoles {
       switch (message.type) {
         case 'stand-by':
           return;
-        case 'coordinate': {
-          const mine = new Coordinator(engine, message, post, this.die, this.longestMs);
-          this.#coordinator = mine;
-          this.#leave = () => mine.close();
+        case 'coordinate':
+          this.#holdings = this.#coordinator = new Coordinator(engine, message, post, this.die, this.longestMs);
           break;
-        }
         case 'evaluate':
-          this.#leave = startEvaluator(engine, message, this.die);
+          this.#holdings = startEvaluator(engine, message, this.die);
           break;
         case 'map-transitions':
-          this.#leave = startMapper(engine, message, post, this.die, this.longestMs);
+          this.#holdings = startMapper(engine, message, post, this.die, this.longestMs);
           break;
         default:
           unreachable(message);

@@ -3,7 +3,7 @@
 // still come, as in Firefox.
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
-import { assertSame, fromWeb, newClient, problem, run } from './search_run.mjs';
+import { assertSame, engine, fromWeb, newClient, problem, run } from './search_run.mjs';
 
 /** @typedef {import('../../web/page_worker.js').PageWorker} PageWorker */
 /** @typedef {import('../../web/messages.js').SearchReport} SearchReport */
@@ -62,7 +62,41 @@ test('it finds what workers find', async () => {
   }
 });
 
-test('a search that takes the place of another hears nothing of its work', async () => {
+/**
+ * Watches what is asked of the engine, and says what came to a part of it that was freed, had trapped or was doomed.
+ * @param {import('node:test').TestContext} t
+ * @param {(call: string, times: number) => boolean} [traps]  whether this one does
+ */
+function watch(t, traps = () => false) {
+  /** @type {string[]} */
+  const late = [];
+  const searches = new Set();
+  const over = new WeakSet();
+  /** @type {Record<string, number>} */
+  const times = {};
+  for (const [role, calls] of /** @type {const} */ ([['Evaluator', ['score']], ['Search', ['ask', 'tell', 'save']], ['TransitionMap', ['scores']]])) {
+    const prototype = /** @type {any} */ (engineScript[role].prototype);
+    for (const call of [...calls, 'close']) {
+      const whole = prototype[call];
+      t.after(() => { prototype[call] = whole; });
+      prototype[call] = function watched(/** @type {any[]} */ ...args) {
+        const name = `${role}.${call}`;
+        if (over.has(this)) late.push(name);
+        if (role === 'Search') searches.add(this);
+        if (call === 'close') over.add(this);
+        times[name] = (times[name] ?? 0) + 1;
+        if (traps(name, times[name])) {
+          over.add(this);
+          throw new WebAssembly.RuntimeError('unreachable');
+        }
+        return whole.apply(this, args);
+      };
+    }
+  }
+  return { late, doomSearches: () => searches.forEach((search) => over.add(search)) };
+}
+
+test('a search that takes the place of another hears nothing of its work', async (t) => {
   const [long, short] = [problem({ evaluations: 1e6, seed: 4 }), problem({ evaluations: 400 })];
   /** @type {(report: SearchReport) => void} */
   let hear = () => {};
@@ -73,6 +107,7 @@ test('a search that takes the place of another hears nothing of its work', async
     client.start(document, 2);
   });
   const usual = await run(short, 1);
+  const { late } = watch(t);
   await inPage(async () => {
     for (let round = 0; round < 5; round++) {
       await search(long, ({ evaluations }) => evaluations > 0);
@@ -80,28 +115,65 @@ test('a search that takes the place of another hears nothing of its work', async
       assertSame({ last, genome: last.bestGenome ?? new Uint16Array(), reports: [], incidents: [] }, usual);
     }
   });
+  assert.deepEqual(late, []);
 });
 
-/** What traps, once, and what is said of it. @type {[string, 'Evaluator' | 'Search', string, RegExp][]} */
+/** What traps, once, and what is said of it. @type {[string, string, RegExp][]} */
 const TRAPS = [
-  ['an evaluator', 'Evaluator', 'score', /another one took over/],
-  ['the coordinator', 'Search', 'tell', /continues from evaluation/],
+  ['an evaluator', 'Evaluator.score', /another one took over/],
+  ['the coordinator', 'Search.tell', /continues from evaluation/],
 ];
-for (const [who, role, call, said] of TRAPS) {
+for (const [who, call, said] of TRAPS) {
   test(`${who} that traps is replaced, and the page does not take itself for the one that trapped`, async (t) => {
     const document = problem({ evaluations: 1000 });
     const usual = await run(document, 1);
-    const prototype = /** @type {any} */ (engineScript[role].prototype);
-    const whole = prototype[call];
-    let calls = 0;
-    t.after(() => { prototype[call] = whole; });
-    prototype[call] = function trapping(/** @type {any[]} */ ...args) {
-      if (++calls === 20) throw new WebAssembly.RuntimeError('unreachable');
-      return whole.apply(this, args);
-    };
+    const { late } = watch(t, (name, times) => name === call && times === 20);
     const dying = await inPage(() => run(document, 2, undefined, { createWorker }));
     assert.match(dying.incidents.join(), said);
     assert.equal(dying.incidents.length, 1);
     assertSame(dying, usual);
+    assert.deepEqual(late, []);
   });
 }
+
+test('a coordinator that traps at a message asks nothing more of the engine, whatever its evaluators say', async (t) => {
+  const document = problem({ evaluations: 4000 });
+  const usual = await run(document, 1);
+  const { late, doomSearches } = watch(t);
+  let [poisoned, next] = [0, 0]; // next: where the next coordinator stands in the crew
+  const dying = await inPage(() => run(document, 2, (_, report, crew) => {
+    if (poisoned >= 3 || report.evaluations < 500 || next >= crew.length) return;
+    crew[next].postMessage({ run: ++poisoned, get type() { doomSearches(); return 'poison'; } });
+    next = crew.length;
+  }, { createWorker }));
+  assert.equal(dying.incidents.length, 3);
+  assertSame(dying, usual);
+  assert.deepEqual(late, []);
+});
+
+test('a coordinator that was let go hears none of its ports; one that traps at its clock dies of it', async (t) => {
+  const { Coordinator } = await fromWeb('worker_coordinator.js');
+  const document = problem({ evaluations: 600 });
+  const evaluator = engine.evaluator(document);
+  const { late } = watch(t);
+  /** @type {(error: unknown) => void} */
+  let die = (error) => assert.fail(String(error));
+  const begin = () => new Coordinator(engine, { document, state: null, workers: 1 }, () => {}, (/** @type {unknown} */ error) => die(error));
+  const gone = begin();
+  const port = new LatePort();
+  const sent = /** @type {any[]} */ ([]);
+  port.postMessage = (message) => sent.push(message);
+  gone.receive({ type: 'add-evaluator', evaluator: 1, port });
+  assert.ok(sent.length > 0);
+  gone.letGo();
+  gone.free();
+  for (const { slice, genomes } of sent) port.onmessage?.({ data: { slice, scores: evaluator.score(genomes) } });
+  assert.deepEqual(late, []);
+  evaluator.close();
+
+  const trapped = begin();
+  const trap = new WebAssembly.RuntimeError('unreachable');
+  Object.defineProperty(trapped.search, 'evaluations', { get: () => { throw trap; } });
+  assert.equal(await new Promise((resolve) => { die = resolve; }), trap);
+  trapped.letGo();
+});

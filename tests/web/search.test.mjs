@@ -151,7 +151,8 @@ test('what an evaluator sent before it was given up does not count beside what a
       for (const { slice, genomes } of port.sent.splice(0)) port.onmessage?.({ data: { slice, scores: evaluator.score(genomes) } });
     }
   }
-  coordinator.close();
+  coordinator.letGo();
+  coordinator.free();
   evaluator.close();
   assertSame({ last, genome: last.bestGenome, reports: [], incidents: [] }, await run(document, 1));
 });

@@ -36,8 +36,8 @@ const request = (clip) => {
   return engine.documentFromText(JSON.stringify({ ...composite, hash: undefined, senses, rules: rules.length, search: { in_place_of: clip } }));
 };
 
-/** A client and what it told. */
-function client() {
+/** A client and what it told. @param {() => any} [createWorker] */
+function client(createWorker = () => new NodeWorker(join(WEB, 'worker.js'))) {
   /** @type {Mapped[]} */
   const parts = [];
   /** @type {number[]} */
@@ -49,7 +49,7 @@ function client() {
   const maps = new TransitionMaps({
     engine: () => Promise.resolve(compiled),
     createWorker: () => {
-      workers.push(new NodeWorker(join(WEB, 'worker.js')));
+      workers.push(createWorker());
       return /** @type {any} */ (workers[workers.length - 1]);
     },
     listener: {
@@ -109,6 +109,30 @@ test('transition maps: a worker that dies, or refuses, is told of once; the next
   await until(complete);
   assert.ok(parts.every(({ generation }) => generation === 3));
   maps.close(); // else it rests for minutes
+});
+
+test('transition maps: in the page, where it has no workers, a trap between two messages is one failure; the next map is whole', async (t) => {
+  const { PageWorker } = await import(pathToFileURL(join(WEB, 'page_worker.js')).href);
+  const { TransitionMap } = await import(pathToFileURL(join(WEB, 'engine.js')).href);
+  const whole = TransitionMap.prototype.scores;
+  let calls = 0;
+  t.after(() => { TransitionMap.prototype.scores = whole; });
+  TransitionMap.prototype.scores = function trapping(/** @type {any[]} */ ...args) {
+    if (++calls === 3) throw new WebAssembly.RuntimeError('unreachable');
+    return whole.apply(this, args);
+  };
+  const { maps, parts, failures, workers, until, complete } = client(() => new PageWorker());
+  await maps.start(request(1), 1);
+  await until(() => failures.length > 0);
+  assert.equal(calls, 3);
+  await maps.start(request(1), 2);
+  await until(complete);
+  assert.deepEqual(failures, [1]);
+  assert.equal(workers.length, 2);
+  const map = engine.transitionMap(request(1));
+  assert.deepEqual(parts.filter(({ generation }) => generation === 2).flatMap(({ scores }) => [...scores]), [...map.scores(0, map.count)]);
+  map.close();
+  maps.close();
 });
 
 test('transition maps: where a part is lost all are told again; where one is lost again, that is a failure', async () => {
