@@ -72,15 +72,15 @@ import { trLater } from './language.js';
 /** One number of a motion. @typedef {{name: string, label: string, unit: string, decimals: number, value: number | null}} Measure */
 /** The whole motion in numbers; sense: of the controller shown, or empty; broke: physics did. @typedef {{terms: Measure[], sense: string, rules: number, broke: boolean}} Measures */
 
-/** Of shell/commands.h. @typedef {{id: string, group: string, title: string, whyNot: string, keys: string[]}} CanvasCommand */
+/** Of shell/app/commands.h. @typedef {{id: string, group: string, title: string, whyNot: string, keys: string[]}} CanvasCommand */
 
-// SearchState in shell/search_progress.h.
+// SearchState in shell/search/search_progress.h.
 const STATES = { running: 1, paused: 2, done: 3, stopped: 4, failed: 5 };
 
-// PaletteName in shell/theme.h.
+// PaletteName in shell/widgets/theme.h.
 const PALETTES = ['light', 'dark', 'strong-light', 'strong-dark'];
 
-// LabState in shell/lab.h.
+// LabState in shell/session/lab.h.
 const LAB_STATES = /** @type {const} */ (['idle', 'running', 'done', 'stopped', 'failed']);
 
 export class App {

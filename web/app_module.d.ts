@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Types of app_module.js, the module that Emscripten makes of shell/. shell/host_web.cpp is the other side of this
+// Types of app_module.js, the module that Emscripten makes of shell/. shell/host/page.cpp is the other side of this
 // border and says what each function does.
 
 /** An address in the module's memory; 0 is null. */
@@ -66,7 +66,7 @@ export interface AppModule {
   _gs_transitions_failed(generation: number): void;
 }
 
-/** What the application calls on the page: shell/host.h, in JavaScript. */
+/** What the application calls on the page: shell/session/host.h, in JavaScript. */
 export interface PageForApp {
   /** Most workers that make sense here. */
   maxWorkers(): number;

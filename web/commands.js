@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Everything that can be done without pointing at a control: the page's own commands and the application's (its table
-// is shell/commands.cpp) as one list. Keys, the sheet of keys and the palette all come from it.
+// is shell/app/commands.cpp) as one list. Keys, the sheet of keys and the palette all come from it.
 import { element } from './dom.js';
 import { belongsToControls, keyName } from './keys.js';
 import { tr, trLater } from './language.js';

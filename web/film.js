@@ -13,7 +13,7 @@ const TOP_Y = 62; // of the figure at its highest
 const WIDEST = 250; // of the figure
 const TRAIL_STEPS = 150;
 const INK = '#1d2733', SECOND_INK = '#5b6672', PAPER = '#fbfaf6', GROUND = '#efebe3', TRAIL = '#2f5fd0';
-// As in shell/rule_colours.h.
+// As in shell/export/rule_colours.h.
 const COLOURS = ['#2092ea', '#dd8a53', '#106c6f', '#61459b', '#eb54a9', '#b4af0f', '#8cb58f', '#804538', '#5b47e0', '#71630f'];
 const ROD_SHARE = 0.16; // thickness against mean length
 const LEAST_TICK = 76;

@@ -12,7 +12,7 @@ const KEY = 'gaitsmith-language';
 const ENGLISH = { code: 'en', text: '', decimalMark: '.', groupMark: ',', words: /** @type {Map<string, string>} */ (new Map()) };
 // The page waits for its language at the start, but not for ever.
 const PATIENCE_MS = 10000;
-// As in shell/language.cpp: what sentences made elsewhere are about.
+// As in shell/words/language.cpp: what sentences made elsewhere are about.
 const INSERT = /"[^"]*"|(?<![\d_])-?\d(?:\d|[.,](?=\d)|e(?=[+-])|(?<=e)[+-](?=\d))*/g;
 
 let spoken = ENGLISH;

@@ -13,7 +13,7 @@ export const THEMES = { system: trLater('As the system'), light: trLater('Light'
 /**
  * What is then shown.
  * @typedef {object} Look
- * @property {'light' | 'dark' | 'strong-light' | 'strong-dark'} palette  as in shell/theme.h
+ * @property {'light' | 'dark' | 'strong-light' | 'strong-dark'} palette  as in shell/widgets/theme.h
  * @property {number} scale  of everything: a room reads from further away than a desk
  */
 

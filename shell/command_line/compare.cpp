@@ -5,7 +5,7 @@
 
 #include "shell/command_line/study_options.h"
 #include "shell/command_line/trial_crew.h"
-#include "shell/parallel_search.h"
+#include "shell/search/parallel_search.h"
 
 namespace gaitsmith::shell {
 

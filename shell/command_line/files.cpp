@@ -11,7 +11,7 @@
 
 #include "core/document/json.h"
 #include "core/document/link.h"
-#include "shell/embedded.h"
+#include "shell/embedded/embedded.h"
 
 namespace gaitsmith::shell {
 

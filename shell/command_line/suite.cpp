@@ -4,7 +4,7 @@
 #include "shell/command_line/suite_options.h"
 #include "shell/command_line/suite_report.h"
 #include "shell/command_line/trial_crew.h"
-#include "shell/parallel_search.h"
+#include "shell/search/parallel_search.h"
 
 namespace gaitsmith::shell {
 

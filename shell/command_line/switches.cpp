@@ -11,7 +11,7 @@
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"
 #include "shell/command_line/problem_options.h"
-#include "shell/parallel_search.h"
+#include "shell/search/parallel_search.h"
 
 namespace gaitsmith::shell {
 

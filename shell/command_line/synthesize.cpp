@@ -12,7 +12,7 @@
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"
 #include "shell/command_line/synthesize_request.h"
-#include "shell/parallel_search.h"
+#include "shell/search/parallel_search.h"
 
 namespace gaitsmith::shell {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "shell/export/film_strip_layout.h"
-#include "shell/rule_colours.h"
+#include "shell/export/rule_colours.h"
 
 namespace gaitsmith::shell {
 

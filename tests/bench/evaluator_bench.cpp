@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/physics/evaluator.h"
-#include "shell/parallel_search.h"
+#include "shell/search/parallel_search.h"
 #include "tests/bench/workload.h"
 
 namespace {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "shell/arrangement.h"
 #include "shell/command_line/arguments.h"
+#include "shell/session/arrangement.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace gaitsmith;

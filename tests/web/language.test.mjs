@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tables of shell/languages against the sources: every text that goes through Tr or tr is there, with the same
+// The tables of shell/words/languages against the sources: every text that goes through Tr or tr is there, with the same
 // places to fill in, and nothing is there that nobody says.
 import assert from 'node:assert/strict';
 import { readdir, readFile } from 'node:fs/promises';
@@ -8,7 +8,7 @@ import { before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
-const TABLES = join(ROOT, 'shell/languages');
+const TABLES = join(ROOT, 'shell/words/languages');
 
 /**
  * words: of shell and page, by their English; errors: core's sentences; titles: shipped documents, and what searches

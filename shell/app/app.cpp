@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+// Layout, time and the keyboard.
+#include "shell/app/app.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "shell/panels/controller/controller_panel.h"
+#include "shell/panels/lab/lab_panel.h"
+#include "shell/panels/style/style_panel.h"
+#include "shell/session/panels.h"
+#include "shell/stage/stage.h"
+#include "shell/timeline/timeline.h"
+#include "shell/timeline/transition_strip.h"
+#include "shell/timeline/transport.h"
+#include "shell/words/language.h"
+
+namespace gaitsmith::shell {
+
+bool App::Advance(double seconds) {
+  // After a pause of the whole page (a hidden tab) the motion goes on from where it was.
+  const double step = std::min(seconds, 0.1);
+  session_.GoOn();
+  session_.FollowTransitions(step);
+  const bool improved = session_.ShowImprovement(step);
+  return session_.player.Advance(step) || improved;
+}
+
+std::vector<int> App::ShownPanels(int panels) const {
+  std::vector<int> shown;
+  for (int panel = 0; panel < panels; ++panel) {
+    if (session_.arrangement.Shows(panel)) shown.push_back(panel);
+  }
+  return shown;
+}
+
+int App::DrawTabs(Ui& ui, const ImRect& rect, const std::vector<int>& shown) {
+  std::vector<const char*> names;
+  names.reserve(shown.size());
+  for (const int panel : shown) names.push_back(kPanels[static_cast<std::size_t>(panel)]);
+  // The nearest one to what the document wishes.
+  const int wished = session_.Doc().view.panel;
+  const auto nearest =
+      std::ranges::min_element(shown, {}, [&](int panel) { return std::abs(panel - wished); });
+  auto tab = static_cast<int>(nearest - shown.begin());
+  if (ui.Tabs("panels", rect, Tr("Panels"), names, tab)) ChoosePanel(shown[static_cast<std::size_t>(tab)]);
+  return shown[static_cast<std::size_t>(tab)];
+}
+
+void App::ChoosePanel(int panel) {
+  session_.SetView([&](View& view) { view.panel = panel; });
+}
+
+void App::Draw() {
+  Theme& theme = window_.Look();
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  phone_ = size.x < kPhoneWidth;
+  if (phone_) theme.touch = true;
+  Ui ui(theme, window_.Registry(), window_.Behind());
+  if (const WidgetRequest* due = window_.Registry().Requests().Due(); due != nullptr && due->begins)
+    session_.BeginGesture();
+
+  ImGui::SetNextWindowPos({0.0f, 0.0f});
+  ImGui::SetNextWindowSize(size);
+  ImGui::Begin("Gaitsmith", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoScrollWithMouse |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoBackground);
+  const ImRect whole({0.0f, 0.0f}, size);
+  if (phone_) {
+    DrawPhone(ui, whole);
+  } else {
+    DrawDesk(ui, whole);
+  }
+  ImGui::End();
+  if (!first_frame_told_) host_.FirstFrame();
+  first_frame_told_ = true;
+}
+
+void App::DrawDesk(Ui& ui, const ImRect& whole) {
+  const std::vector<int> shown = ShownPanels(kDeskPanels);
+  const bool timeline = session_.arrangement.Shows(kTimelinePanel);
+  const float panel_x = shown.empty() ? whole.Max.x : whole.Max.x - kPanelWidth;
+  const float timeline_y = !timeline ? whole.Max.y
+                                     : whole.Max.y - kTimelineHeight - TransitionStripHeight(session_) -
+                                           (ui.Look().touch ? 14.0f : 0.0f);
+  const float transport_y = timeline_y - kTransportHeight;
+  const ImRect stage(whole.Min, {panel_x, transport_y});
+  const ImRect card = WorldCardOn(stage, stage_.world);
+  DrawStage(ui, session_, stage_, stage, stage_.world.open ? stage.Max.x - card.Min.x : 0.0f);
+  if (stage_.world.open) {
+    ui.Frame(card, ui.Ink().panel, ui.Ink().line);
+    DrawWorld(ui, card);
+  }
+  DrawTransport(ui, session_, {{whole.Min.x, transport_y}, {panel_x, timeline_y}});
+  if (timeline) DrawTimeline(ui, session_, {{whole.Min.x, timeline_y}, {panel_x, whole.Max.y}});
+  if (shown.empty()) return;
+  ui.VerticalLine(panel_x, whole.Min.y, whole.Max.y);
+  const ImRect tabs({panel_x + 1.0f, whole.Min.y}, {whole.Max.x, whole.Min.y + kTabHeight});
+  const int panel = DrawTabs(ui, tabs, shown);
+  DrawPanel(ui, {{panel_x + 1.0f, tabs.Max.y}, whole.Max}, panel);
+}
+
+void App::DrawWorld(Ui& ui, const ImRect& rect) {
+  ui.Lock(session_.arrangement.Locks(LockedPart::kWorld));
+  DrawWorldCard(ui, session_, stage_.world, rect);
+  ui.Lock(false);
+}
+
+void App::DrawPhone(Ui& ui, const ImRect& whole) {
+  const float tab_height = 44.0f;
+  const float transport = 50.0f;
+  // The stage keeps the upper part; short canvases give the panel what it needs first.
+  const std::vector<int> shown = ShownPanels(static_cast<int>(kPanels.size()));
+  const float sheet = std::clamp(0.33f * whole.GetHeight(), 190.0f, 420.0f);
+  const float tabs_y = shown.empty() && !stage_.world.open ? whole.Max.y : whole.Max.y - sheet - tab_height;
+  DrawStage(ui, session_, stage_, {whole.Min, {whole.Max.x, tabs_y - transport}});
+  DrawTransport(ui, session_, {{whole.Min.x, tabs_y - transport}, {whole.Max.x, tabs_y}});
+  ui.HorizontalLine(whole.Min.x, whole.Max.x, tabs_y);
+
+  const ImRect tabs({whole.Min.x, tabs_y}, {whole.Max.x, tabs_y + tab_height});
+  const int panel = shown.empty() ? -1 : DrawTabs(ui, tabs, shown);
+  // Whatever chooses another panel, a tab, a key or a command, wants to see it.
+  if (panel != panel_before_) stage_.world.open = false;
+  panel_before_ = panel;
+  const ImRect rest({whole.Min.x, tabs.Max.y}, whole.Max);
+  if (stage_.world.open) {
+    DrawWorld(ui, rest);  // the stage has no room for it
+  } else if (panel < 0) {
+    return;
+  } else if (panel == kTimelinePanel) {
+    const PartScope part = ui.Part("panel", "tabpanel", Tr(kPanels[kTimelinePanel]));
+    DrawTimeline(ui, session_, rest);
+  } else {
+    DrawPanel(ui, rest, panel);
+  }
+}
+
+void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
+  ImGui::SetCursorScreenPos(rect.Min);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPanelPadding, 14.0f});
+  const char* name = kPanels[static_cast<std::size_t>(panel)];
+  const PartScope part = ui.Part("panel", "tabpanel", Tr(name));
+  const std::string id = "panel/" + std::string(name);
+  ImGui::BeginChild(id.c_str(), rect.GetSize(), ImGuiChildFlags_AlwaysUseWindowPadding,
+                    ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollbar);
+  ImGui::PopStyleVar();
+  if (!session_.notice.empty()) {
+    ui.Paragraph(session_.notice, ui.Ink().accent, Type::kNote);
+    ui.Gap(8.0f);
+  }
+  const bool locked = session_.arrangement.LocksPanel(panel);
+  if (locked) ui.LockNote();
+  ui.Lock(locked);
+  switch (panel) {
+    case 0:
+      DrawFigurePanel(ui, session_, figure_panel_);
+      break;
+    case 1:
+      DrawControllerPanel(ui, session_, controller_panel_);
+      break;
+    case 2:
+      DrawStylePanel(ui, session_);
+      break;
+    case 4:
+      DrawLabPanel(ui, session_);
+      break;
+    default:
+      DrawSearchPanel(ui, session_, search_panel_);
+      if (search_panel_.list.strips.Waiting()) window_.RequestOneFrame();
+      break;
+  }
+  ui.Lock(false);
+  ui.Gap(6.0f);
+  ui.ScrollByTouch();
+  ui.ScrollBar("panel/scroll");
+  ImGui::EndChild();
+}
+
+std::vector<Command> App::Commands() {
+  std::vector<Command> list = CommandsOf(session_, phone_);
+  list.push_back({.id = "view/world",
+                  .group = TrLater("View"),
+                  .title = Tr(stage_.world.open ? "Close the world card"
+                                                : "World: push, slope, friction, gravity, ghost"),
+                  .run = [this] { stage_.world.open = !stage_.world.open; }});
+  for (Command& command : ShelfOf(session_)) list.push_back(std::move(command));
+  return list;
+}
+
+bool App::Run(std::string_view id) {
+  const std::vector<Command> list = Commands();
+  const auto command = std::ranges::find(list, id, &Command::id);
+  if (command == list.end() || !command->why_not.empty()) return false;
+  session_.BeginGesture();
+  command->run();
+  window_.RequestFrame();
+  return true;
+}
+
+bool App::Key(std::string_view name, bool on_canvas, bool repeated) {
+  if (ImGui::GetIO().MouseDown[0]) return false;  // what is being dragged must not go away
+  if (on_canvas && (ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0))
+    return false;
+  const std::string_view coming = window_.Registry().Requests().Last();
+  const auto wants_keys = [coming](const Widget& w) {
+    const bool focused = coming.empty() ? w.state.focused : w.id == coming;
+    return focused && w.id != "stage" && w.id != "transport/scrub";
+  };
+  if (on_canvas && BelongsToControls(name) && std::ranges::any_of(window_.Registry().Widgets(), wants_keys))
+    return false;
+  for (const Command& command : CommandsOf(session_, phone_)) {
+    if (std::ranges::find(command.keys, name) == command.keys.end()) continue;
+    if (repeated && !command.repeats) return true;
+    if (!command.why_not.empty()) {
+      host_.Status(Tr("Not now: {1}.", command.why_not));
+      return true;
+    }
+    session_.BeginGesture();
+    command.run();
+    window_.RequestFrame();
+    return true;
+  }
+  return false;
+}
+
+// SDL makes a mouse of the first finger, which must let go when a second one comes.
+bool App::TakeFingers(const SDL_Event& event) {
+  if (event.type == SDL_FINGERDOWN || event.type == SDL_FINGERMOTION || event.type == SDL_FINGERUP) {
+    if (stage_.pinch.Take(event.tfinger, ImGui::GetIO().DisplaySize)) {
+      ImGui::GetIO().AddMousePosEvent(-FLT_MAX, -FLT_MAX);
+      ImGui::GetIO().AddMouseButtonEvent(ImGuiMouseButton_Left, false);
+    }
+    return false;
+  }
+  if (!stage_.pinch.Holds()) return false;
+  return (event.type == SDL_MOUSEMOTION && event.motion.which == SDL_TOUCH_MOUSEID) ||
+         ((event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEBUTTONUP) &&
+          event.button.which == SDL_TOUCH_MOUSEID);
+}
+
+bool App::Take(const SDL_Event& event) {
+  // A key that repeats, and the keys of a number being typed, go on with what was begun.
+  const bool key_down = event.type == SDL_KEYDOWN;
+  const bool fresh_key = key_down && event.key.repeat == 0 && !ImGui::GetIO().WantTextInput;
+  if (fresh_key || event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_FINGERDOWN) session_.BeginGesture();
+  if (TakeFingers(event)) return true;
+  if (!key_down) return false;
+  const SDL_Keysym key = event.key.keysym;
+  const bool busy = ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
+  if (busy) return false;
+  const auto& widgets = window_.Registry().Widgets();
+  const auto focused = std::ranges::find_if(widgets, [](const Widget& w) { return w.state.focused; });
+
+  // The Tab key goes through the canvas once and then leaves it; Escape leaves it at once.
+  if (key.sym == SDLK_ESCAPE) {
+    host_.LeaveCanvas(0);
+    return true;
+  }
+  if (key.sym == SDLK_TAB && (key.mod & (KMOD_CTRL | KMOD_ALT)) == 0 && !widgets.empty() &&
+      focused != widgets.end()) {
+    const bool back = (key.mod & KMOD_SHIFT) != 0;
+    if (!window_.Registry().StopsBeyondFocus(back)) {
+      host_.LeaveCanvas(back ? -1 : 1);
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace gaitsmith::shell

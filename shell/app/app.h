@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// The application: one session, laid out for a desk or a phone, advanced in time and drawn.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "shell/app/commands.h"
+#include "shell/app/window.h"
+#include "shell/panels/controller/controller_panel.h"
+#include "shell/panels/figure/figure_panel.h"
+#include "shell/panels/search/search_panel.h"
+#include "shell/session/session.h"
+#include "shell/stage/stage.h"
+
+namespace gaitsmith::shell {
+
+class App {
+ public:
+  App(Host& host, Window& window) : host_(host), window_(window), session_(host) {}
+
+  /// Moves playback and search on. @return true when a new frame is due
+  bool Advance(double seconds);
+  void Draw();
+
+  /// Keys that the application itself takes. @return true when the interface must not see the event
+  bool Take(const SDL_Event& event);
+
+  /// Everything that can be done without a control: the table's commands, then the shelf's.
+  [[nodiscard]] std::vector<Command> Commands();
+  /// @return false: there is no such command, or it is not possible now
+  bool Run(std::string_view id);
+  /// A key went down. @param name as in Command::keys. @param on_canvas the canvas has the keyboard, so that
+  /// its controls come first. @return true when a command took it
+  bool Key(std::string_view name, bool on_canvas, bool repeated);
+
+  [[nodiscard]] Session& State() { return session_; }
+  [[nodiscard]] Window& Surface() { return window_; }
+
+ private:
+  void DrawDesk(Ui&, const ImRect& whole);
+  void DrawPhone(Ui&, const ImRect& whole);
+  /// @param shown at least one panel. @return the chosen one
+  int DrawTabs(Ui&, const ImRect&, const std::vector<int>& shown);
+  void DrawPanel(Ui&, const ImRect&, int panel);
+  void DrawWorld(Ui&, const ImRect&);
+  bool TakeFingers(const SDL_Event&);
+  /// Of so many first ones.
+  [[nodiscard]] std::vector<int> ShownPanels(int panels) const;
+  void ChoosePanel(int panel);
+
+  Host& host_;
+  Window& window_;
+  Session session_;
+  FigurePanelState figure_panel_;
+  StageState stage_;
+  int panel_before_ = -1;  // on a phone, in the frame before
+  bool phone_ = false;
+  ControllerPanelState controller_panel_;
+  SearchPanelState search_panel_;
+  bool first_frame_told_ = false;
+};
+
+}  // namespace gaitsmith::shell

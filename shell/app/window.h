@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// The window (in a browser: the canvas), its OpenGL context and Dear ImGui's context. Draws a frame only when
+// asked to or when an event came, and keeps type and lines sharp as the device's pixel ratio changes.
+#pragma once
+
+#include <SDL.h>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "shell/widgets/backdrop.h"
+#include "shell/widgets/theme.h"
+#include "shell/widgets/widget_registry.h"
+
+namespace gaitsmith::shell {
+
+class Window {
+ public:
+  struct Options {
+    std::string title = "Gaitsmith";
+    int width = 1280;  // [points]
+    int height = 720;
+    float scale = 1.0f;  // further enlargement, for displays whose system does not report one
+  };
+
+  /// @return nothing when there is no display or no OpenGL; SDL_GetError() says why
+  [[nodiscard]] static std::unique_ptr<Window> Open(const Options&);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  /// Sees every event first; true keeps it from the interface.
+  using EventFilter = std::function<bool(const SDL_Event&)>;
+
+  /// Takes all waiting events; waits up to this long for the first one. @return false when the user closes
+  /// the window
+  bool TakeEvents(int wait_ms, const EventFilter& filter);
+
+  /// True for a few frames after an event: Dear ImGui needs a second one to settle.
+  [[nodiscard]] bool NeedsFrame() const { return frames_due_ > 0; }
+  /// The same, but only for frames that answer somebody, whose first must not come late.
+  [[nodiscard]] bool OwesAnswer() const { return frames_due_ > 1; }
+  void RequestFrame() { frames_due_ = 3; }
+  /// The same when something is shown that no event came for.
+  void RequestOneFrame() { frames_due_ = std::max(frames_due_, 1); }
+
+  void Draw(const std::function<void()>& contents);
+
+  void SetPalette(PaletteName);
+  /// Enlarges everything, in (0, 8].
+  void SetScale(float scale);
+  void SetTitle(const std::string& title) { SDL_SetWindowTitle(window_, title.c_str()); }
+  /// In a browser: the canvas has this size on the page now [CSS pixels]; also call it when only the density
+  /// changed.
+  void SetSize(int width, int height);
+
+  [[nodiscard]] Theme& Look() { return theme_; }
+  [[nodiscard]] WidgetRegistry& Registry() { return registry_; }
+  /// What the contents put behind themselves; the rest of the window has the colour of panels.
+  [[nodiscard]] Backdrop& Behind() { return backdrop_; }
+
+ private:
+  Window(SDL_Window* window, SDL_GLContext context, float scale);
+  void Handle(SDL_Event event);
+  void FollowDensity();
+  void RasteriseType(float density);
+  void DrawBackdrop();
+  [[nodiscard]] float Density() const;
+
+  SDL_Window* window_;
+  SDL_GLContext context_;
+  float scale_;
+  int frames_due_ = 3;
+  ImVec2 pointer_{-1e6f, -1e6f};
+  Theme theme_;
+  WidgetRegistry registry_;
+  Backdrop backdrop_;
+};
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,65 @@
+# Writes files as arrays into one C++ source, the definitions of shell/embedded/embedded.h:
+#   cmake -DOUTPUT=... -DFONTS=<folder> -DEXAMPLES=<folder> [-DGERMAN=<file>] [-DGALLERY=ON] -P embed.cmake
+# Documents are *.json of the examples folder itself; figures and problems those of its folders of these
+# names; the gallery holds those of the lessons, too.
+set(text "// Written by shell/embedded/embed.cmake.\n#include \"shell/embedded/embedded.h\"\n\n#include <array>\n\nnamespace gaitsmith::shell {\nnamespace {\n\n")
+
+function(append_array name file)
+  file(READ "${file}" hex HEX)
+  string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${hex}")
+  string(REGEX REPLACE "(................................................................................)" "\\1\n" bytes
+         "${bytes}")
+  set(text "${text}constexpr unsigned char ${name}[] = {\n${bytes}};\n\n" PARENT_SCOPE)
+endfunction()
+
+append_array(kInterRegular "${FONTS}/inter-regular.ttf")
+append_array(kInterSemiBold "${FONTS}/inter-semibold.ttf")
+
+set(german "{}")
+if(GERMAN)
+  append_array(kGerman "${GERMAN}")
+  set(german "{reinterpret_cast<const char*>(kGerman), sizeof kGerman}")
+endif()
+
+# JSON is text: raw strings in pieces, since compilers limit the length of one.
+function(append_examples table)
+  file(GLOB files ${ARGN})
+  list(SORT files)
+  set(rows "")
+  list(LENGTH files count)
+  foreach(file IN LISTS files)
+    get_filename_component(stem "${file}" NAME_WE)
+    file(READ "${file}" json)
+    set(pieces "")
+    string(LENGTH "${json}" length)
+    set(at 0)
+    while(at LESS length)
+      string(SUBSTRING "${json}" ${at} 8000 piece)
+      string(APPEND pieces "\n    R\"json(${piece})json\"")
+      math(EXPR at "${at} + 8000")
+    endwhile()
+    string(APPEND rows "  {\"${stem}\",${pieces}},\n")
+  endforeach()
+  set(text "${text}constexpr std::array<Example, ${count}> ${table} = {{\n${rows}}};\n\n" PARENT_SCOPE)
+endfunction()
+
+append_examples(kDocuments "${EXAMPLES}/*.json")
+append_examples(kFigures "${EXAMPLES}/figures/*.json")
+append_examples(kProblems "${EXAMPLES}/problems/*.json")
+set(gallery "{}")
+if(GALLERY)
+  append_examples(kGallery "${EXAMPLES}/gallery/*.json" "${EXAMPLES}/lessons/*.json")
+  set(gallery "kGallery")
+endif()
+
+string(APPEND text "}  // namespace\n
+std::span<const unsigned char> InterRegular() { return kInterRegular; }
+std::span<const unsigned char> InterSemiBold() { return kInterSemiBold; }
+std::span<const Example> ExampleDocuments() { return kDocuments; }
+std::span<const Example> ExampleFigures() { return kFigures; }
+std::span<const Example> ExampleProblems() { return kProblems; }
+std::span<const Example> ExampleGallery() { return ${gallery}; }
+std::string_view GermanTable() { return ${german}; }
+
+}  // namespace gaitsmith::shell\n")
+file(WRITE "${OUTPUT}" "${text}")

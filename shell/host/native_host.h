@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The desktop as a host: searches run on threads of this process.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "shell/search/parallel_search.h"
+#include "shell/session/host.h"
+#include "shell/session/transition_scores.h"
+
+namespace gaitsmith::shell {
+
+class NativeHost final : public Host {
+ public:
+  ~NativeHost() override;
+
+  [[nodiscard]] int MaxWorkers() const override;
+  void StartSearch(const Document& document, int workers) override;
+  void StartTrial(const Document& document, int workers, const TrialWords& trial) override;
+  void PauseSearch() override;
+  void ResumeSearch() override;
+  void StopSearch() override;
+  void StartTransitionMap(const Document& request, int generation) override;
+  void StopTransitionMap() override;
+  void Status(const std::string& sentence) override { status_ = sentence; }
+  /// Into the working directory; never over another file.
+  void SaveText(const std::string& name, const std::string& text) override;
+  void DocumentChanged(const std::string& title) override { title_ = title; }
+
+  /// The newest report since the last call, if there is one.
+  [[nodiscard]] std::optional<SearchProgress> TakeProgress();
+  /// What has become known of the transition map since the last call.
+  [[nodiscard]] std::vector<TransitionPart> TakeTransitions();
+  /// "Mr. Star-Man — Gaitsmith", for the window's frame.
+  [[nodiscard]] std::string WindowTitle() const;
+
+ private:
+  std::mutex mutex_;
+  std::optional<SearchProgress> latest_;     // guarded by mutex_
+  std::vector<TransitionPart> transitions_;  // guarded by mutex_
+  std::unique_ptr<SearchControl> control_;
+  std::jthread searcher_;
+  std::jthread mapper_;
+  std::string status_;
+  std::string title_;
+};
+
+}  // namespace gaitsmith::shell

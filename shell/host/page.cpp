@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: MIT
+// The page as a host: the bridge between the canvas and the DOM, and with web_host.h the only file that knows
+// Emscripten.
+//
+// The page calls the gs_ functions below (text is UTF-8; returned text is valid until the next call) and
+// provides, as Module.page, the functions that web_host.h calls and host_web.library.js forwards to.
+#include <emscripten/emscripten.h>
+#include <emscripten/html5.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/document/json.h"
+#include "core/document/json_value.h"
+#include "core/document/link.h"
+#include "shell/app/app.h"
+#include "shell/app/commands.h"
+#include "shell/host/frame_pace.h"
+#include "shell/host/page_host.h"
+#include "shell/host/script_answers.h"
+#include "shell/host/script_options.h"
+#include "shell/session/moment_words.h"
+#include "shell/words/language.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+// Everything that lives as long as the page.
+struct Page {
+  std::unique_ptr<Window> window;
+  WebHost host;
+  std::unique_ptr<App> app;
+  std::string reply;
+  std::string mirrored;  // as told last
+  double before_ms = 0.0;
+  FramePace pace;
+  bool moved = false;  // since the last frame that was drawn
+  double width = 0.0;
+  double height = 0.0;
+  double density = 0.0;
+};
+
+// The C functions that the page calls have no other way to reach it.
+Page& ThePage() {
+  static Page page;
+  return page;
+}
+
+Session& TheSession() { return ThePage().app->State(); }
+
+// Asked for often: nothing is drawn anew for it.
+const char* QuietReply(std::string text) {
+  ThePage().reply = std::move(text);
+  return ThePage().reply.c_str();
+}
+
+const char* Reply(std::string text) {
+  ThePage().window->RequestFrame();
+  return QuietReply(std::move(text));
+}
+
+// Locks are for a person's hands, not for scripts.
+template <class Deed>
+void WithoutLocks(Deed deed) {
+  Arrangement& locks = TheSession().arrangement;
+  const Arrangement kept = std::exchange(locks, {});
+  deed();
+  locks = kept;
+}
+
+// The canvas is as large as the page's style makes it; SDL hears only of the whole window's changes.
+void FollowCanvas(Page& page) {
+  double width = 0.0;
+  double height = 0.0;
+  emscripten_get_element_css_size("#canvas", &width, &height);
+  const double density = emscripten_get_device_pixel_ratio();
+  if (width == page.width && height == page.height && density == page.density) return;
+  page.width = width;
+  page.height = height;
+  page.density = density;
+  page.window->SetSize(static_cast<int>(std::lround(width)), static_cast<int>(std::lround(height)));
+}
+
+// @return 0: it is not on the canvas, or cannot be used now
+int Request(WidgetRequest request) {
+  WidgetRegistry& registry = ThePage().window->Registry();
+  const Widget* widget = registry.Find(request.id);
+  const bool moves = request.kind != WidgetRequest::Kind::kFocus;
+  if (widget == nullptr || (moves && widget->state.disabled)) return 0;
+  registry.Requests().Add(std::move(request));
+  ThePage().window->RequestFrame();
+  return 1;
+}
+
+void Tick(void* argument) {
+  Page& page = *static_cast<Page*>(argument);
+  FollowCanvas(page);
+  page.window->TakeEvents(0, [&page](const SDL_Event& event) { return page.app->Take(event); });
+  const double now_ms = emscripten_get_now();
+  page.moved |= page.app->Advance((now_ms - page.before_ms) / 1000.0);
+  page.before_ms = now_ms;
+  // A search's new best was simulated. Drawing it as well would hold the page up for as long again.
+  constexpr double kLongMs = 6.0;
+  if (emscripten_get_now() - now_ms > kLongMs) return;
+  if (!page.moved && !page.window->NeedsFrame()) return;
+  // Whoever moves the pointer or types is not made to wait for a search.
+  const Session& session = page.app->State();
+  const bool searching = (session.Searching() || session.lab.Running()) && !page.window->OwesAnswer();
+  if (!page.pace.Due(now_ms, searching)) return;
+  page.moved = false;
+  page.window->Draw([&page] { page.app->Draw(); });
+  page.pace.Drawn(now_ms);
+}
+
+}  // namespace
+}  // namespace gaitsmith::shell
+
+using namespace gaitsmith;         // NOLINT: the functions below have no namespace
+using namespace gaitsmith::shell;  // NOLINT
+
+extern "C" {
+
+/// 0: there is no canvas that WebGL draws on, and none of the other functions may be called.
+EMSCRIPTEN_KEEPALIVE int gs_running() { return ThePage().app ? 1 : 0; }
+
+/// Opens JSON, a link or the payload of one. @return an empty text, or a sentence that says what is wrong and
+/// where
+EMSCRIPTEN_KEEPALIVE const char* gs_open(const char* text, int bytes) {
+  const auto opened = TheSession().Open({text, static_cast<std::size_t>(bytes)});
+  return Reply(opened ? "" : TrError(opened.error()));
+}
+
+EMSCRIPTEN_KEEPALIVE const char* gs_document_json() { return Reply(EncodeJson(TheSession().WithHash())); }
+/// The payload of a link, without an address.
+EMSCRIPTEN_KEEPALIVE const char* gs_link() {
+  // With the hash at hand, for the motion would be simulated for it.
+  const Document& document = TheSession().Doc();
+  return Reply(EncodeLink(document.hash ? document : TheSession().WithHash()));
+}
+/// 16 hexadecimal digits of the shown motion.
+EMSCRIPTEN_KEEPALIVE const char* gs_hash() { return Reply(HashText(TheSession().player.Shown().Hash())); }
+EMSCRIPTEN_KEEPALIVE const char* gs_title() { return Reply(TrTitle(TheSession().Doc().title)); }
+
+/// Every visible widget of the last frame, as a JSON list.
+EMSCRIPTEN_KEEPALIVE const char* gs_widgets() { return QuietReply(ThePage().window->Registry().Json()); }
+
+/// Everything on the canvas, in and out of sight, as WidgetRegistry::MirrorJson; empty: as at the last call.
+EMSCRIPTEN_KEEPALIVE const char* gs_mirror() {
+  std::string now = ThePage().window->Registry().MirrorJson();
+  if (now == ThePage().mirrored) return "";
+  ThePage().mirrored = std::move(now);
+  return ThePage().mirrored.c_str();
+}
+
+// What is asked of a widget happens in the next frame. @return 0: it is not on the canvas, or cannot be used
+// now.
+// @param again  more of what was asked before, as a key that is held: no step of its own for Undo
+/// As by a click.
+EMSCRIPTEN_KEEPALIVE int gs_activate(const char* id) {
+  return Request({.id = id, .kind = WidgetRequest::Kind::kPress});
+}
+/// As by arrow keys.
+EMSCRIPTEN_KEEPALIVE int gs_step(const char* id, int steps, int again) {
+  return Request({.id = id,
+                  .kind = WidgetRequest::Kind::kStep,
+                  .number = static_cast<double>(steps),
+                  .begins = again == 0});
+}
+/// @param value  as of WidgetRange
+EMSCRIPTEN_KEEPALIVE int gs_set_value(const char* id, double value, int again) {
+  return Request({.id = id, .kind = WidgetRequest::Kind::kSet, .number = value, .begins = again == 0});
+}
+/// @param ring  it shows that it has the keyboard
+EMSCRIPTEN_KEEPALIVE int gs_focus(const char* id, int ring) {
+  return Request({.id = id, .kind = WidgetRequest::Kind::kFocus, .ring = ring != 0, .begins = false});
+}
+/// The keyboard is elsewhere on the page: nothing on the canvas shows a ring.
+EMSCRIPTEN_KEEPALIVE void gs_unfocus() {
+  ImGui::GetCurrentContext()->NavDisableHighlight = true;
+  ThePage().window->RequestFrame();
+}
+/// Closes an open list. @return 0: there is none
+EMSCRIPTEN_KEEPALIVE int gs_dismiss() {
+  if (ImGui::GetCurrentContext()->OpenPopupStack.Size == 0) return 0;
+  ImGui::ClosePopupToLevel(0, true);
+  ThePage().window->RequestFrame();
+  return 1;
+}
+
+/// The moment on the stage in words, short or in full.
+EMSCRIPTEN_KEEPALIVE const char* gs_moment() { return QuietReply(MomentWords(TheSession())); }
+EMSCRIPTEN_KEEPALIVE const char* gs_description() { return QuietReply(DescriptionOf(TheSession())); }
+EMSCRIPTEN_KEEPALIVE int gs_playing() { return TheSession().player.Playing() ? 1 : 0; }
+
+/// @param palette a PaletteName
+EMSCRIPTEN_KEEPALIVE void gs_set_theme(int palette, double scale) {
+  Window& window = *ThePage().window;
+  window.SetPalette(static_cast<PaletteName>(std::clamp(palette, 0, 3)));
+  window.SetScale(static_cast<float>(std::clamp(scale, 0.5, 4.0)));
+}
+
+/// Everything is said in another language from now on. @param table of shell/languages, as JSON; empty:
+/// English
+/// @return 0: it is no such table, and nothing has changed
+EMSCRIPTEN_KEEPALIVE int gs_set_language(const char* table) {
+  if (!SpeakLanguage(table)) return 0;
+  Page& page = ThePage();
+  if (!page.app) return 1;
+  page.host.DocumentChanged(TheSession().Doc().title);
+  page.window->RequestFrame();
+  return 1;
+}
+
+/// Draws no more often than this; 0: as often as the display does.
+EMSCRIPTEN_KEEPALIVE void gs_set_frame_rate(double per_second) { ThePage().pace.Limit(per_second); }
+
+EMSCRIPTEN_KEEPALIVE void gs_play(int playing) {
+  TheSession().player.Play(playing != 0);
+  ThePage().window->RequestFrame();
+}
+
+EMSCRIPTEN_KEEPALIVE int gs_can_undo() { return TheSession().CanUndo() ? 1 : 0; }
+EMSCRIPTEN_KEEPALIVE void gs_undo() {
+  TheSession().Undo();
+  ThePage().window->RequestFrame();
+}
+EMSCRIPTEN_KEEPALIVE int gs_can_redo() { return TheSession().CanRedo() ? 1 : 0; }
+EMSCRIPTEN_KEEPALIVE void gs_redo() {
+  TheSession().Redo();
+  ThePage().window->RequestFrame();
+}
+/// What is open now is where Undo ends.
+EMSCRIPTEN_KEEPALIVE void gs_forget_past() { TheSession().ForgetPast(); }
+
+/// What can be done without a control, as CommandsJson.
+EMSCRIPTEN_KEEPALIVE const char* gs_commands() { return Reply(CommandsJson(ThePage().app->Commands())); }
+/// @return 0: no such command, or not possible now
+EMSCRIPTEN_KEEPALIVE int gs_run(const char* id) { return ThePage().app->Run(id) ? 1 : 0; }
+/// A key went down. @param name as in Command::keys. @return 1 when a command took it
+EMSCRIPTEN_KEEPALIVE int gs_key(const char* name, int on_canvas, int repeated) {
+  return ThePage().app->Key(name, on_canvas != 0, repeated != 0) ? 1 : 0;
+}
+
+/// @param options JSON object or empty text. @return an empty text or a sentence
+EMSCRIPTEN_KEEPALIVE const char* gs_synthesize(const char* options) {
+  Session& session = TheSession();
+  if (session.lab.Running()) return Reply(Tr("The lab is running: stop it first, or let it end."));
+  session.BeginGesture();
+  int workers = session.workers;
+  std::string fault;
+  if (options != nullptr && *options != '\0') {
+    const auto parsed = ParseJson(options);
+    if (!parsed) return Reply(TrError(parsed.error()));
+    Document changed = session.Doc();
+    fault = ApplySearchOptions(*parsed, changed, workers);
+    if (!fault.empty()) return Reply(fault);
+    if (const auto valid = Validate(changed); !valid) return Reply(TrError(valid.error()));
+    WithoutLocks([&] { session.Set([&](Document& d) { d = changed; }); });
+  }
+  session.workers = workers;
+  session.Synthesize();
+  return Reply("");
+}
+
+/// Adds a search to the queue, with these options in place of the document's own. @param options JSON object
+/// @return an empty text or a sentence
+EMSCRIPTEN_KEEPALIVE const char* gs_enqueue(const char* options) {
+  Session& session = TheSession();
+  const auto parsed = ParseJson(options);
+  if (!parsed) return Reply(TrError(parsed.error()));
+  Document wanted = session.Doc();
+  int workers = session.workers;
+  if (std::string fault = ApplySearchOptions(*parsed, wanted, workers); !fault.empty())
+    return Reply(std::move(fault));
+  if (const auto valid = Validate(wanted); !valid) return Reply(TrError(valid.error()));
+  session.workers = workers;
+  return Reply(session.Enqueue(wanted) ? "" : session.notice);
+}
+/// What waits, as QueueJson.
+EMSCRIPTEN_KEEPALIVE const char* gs_queue() { return QuietReply(QueueJson(TheSession().queue)); }
+/// What was found, the newest first, as FoundJson.
+EMSCRIPTEN_KEEPALIVE const char* gs_found() { return QuietReply(FoundJson(TheSession().found)); }
+/// @return 0: there is no such result
+EMSCRIPTEN_KEEPALIVE int gs_show_found(const char* id) {
+  TheSession().BeginGesture();
+  ThePage().window->RequestFrame();
+  bool shown = false;
+  WithoutLocks([&] { shown = TheSession().ShowFound(id); });
+  return shown ? 1 : 0;
+}
+/// @param options JSON object: id, name. @return an empty text, or why not
+EMSCRIPTEN_KEEPALIVE const char* gs_rename_found(const char* options) {
+  const auto parsed = ParseJson(options);
+  if (!parsed) return Reply(TrError(parsed.error()));
+  const JsonValue* id = parsed->Find("id");
+  const JsonValue* name = parsed->Find("name");
+  const bool texts = id != nullptr && id->kind == JsonValue::Kind::kString && name != nullptr &&
+                     name->kind == JsonValue::Kind::kString;
+  return Reply(texts ? TheSession().found.Rename(id->text, name->text) : Tr("id and name must be texts"));
+}
+/// A found motion of an earlier visit. @return its id; empty: the text is none
+EMSCRIPTEN_KEEPALIVE const char* gs_restore_found(const char* text) {
+  return Reply(TheSession().found.Restore(text));
+}
+
+/// What is shown and locked. @param options JSON object. @return an empty text, or a sentence
+EMSCRIPTEN_KEEPALIVE const char* gs_arrange(const char* options) {
+  const auto parsed = ParseJson(options);
+  return Reply(parsed ? ApplyArrangement(*parsed, TheSession().arrangement) : TrError(parsed.error()));
+}
+/// The motion shown in numbers, as MeasuresJson.
+EMSCRIPTEN_KEEPALIVE const char* gs_measures() { return QuietReply(MeasuresJson(TheSession())); }
+
+/// Starts the lab; one that runs is stopped first. @param options JSON object
+/// @return an empty text, or a sentence, and then nothing has changed
+EMSCRIPTEN_KEEPALIVE const char* gs_lab(const char* options) {
+  const auto parsed = ParseJson(options);
+  if (!parsed) return Reply(TrError(parsed.error()));
+  LabSettings settings = TheSession().lab.settings;
+  if (std::string fault = ApplyLabOptions(*parsed, settings); !fault.empty()) return Reply(std::move(fault));
+  const auto started = TheSession().StartLab(settings);
+  return Reply(started ? "" : TrError(started.error()));
+}
+/// The lab's curves so far, as a file.
+EMSCRIPTEN_KEEPALIVE const char* gs_lab_csv() { return Reply(TheSession().lab.Csv()); }
+/// As of LabState.
+EMSCRIPTEN_KEEPALIVE int gs_lab_state() { return static_cast<int>(TheSession().lab.State()); }
+
+EMSCRIPTEN_KEEPALIVE void gs_pause() { TheSession().Pause(); }
+EMSCRIPTEN_KEEPALIVE void gs_resume() { TheSession().Resume(); }
+EMSCRIPTEN_KEEPALIVE void gs_stop() {
+  TheSession().Stop();
+  ThePage().window->RequestFrame();
+}
+
+/// @param state  0 idle, 1 running, 2 paused, 3 done, 4 stopped, 5 failed
+/// @param curve  pairs (evaluation, best), whose evaluations are exact to 2^24, enough for a curve
+/// @param genes the best genome, or none when it has not changed
+/// @param saved  the state of the whole search, at its end; else none
+/// @param spread of the population: members, least, lower quartile, median, upper quartile, best; null: none
+EMSCRIPTEN_KEEPALIVE void gs_search_progress(int state, int evaluations, int budget, double rate,
+                                             double seconds_left, float best, const float* curve, int points,
+                                             const std::uint16_t* genes, int gene_count, const float* spread,
+                                             const std::uint8_t* saved, int saved_bytes) {
+  SearchProgress progress{.state = static_cast<SearchState>(std::clamp(state, 0, 5)),
+                          .evaluations = evaluations,
+                          .budget = budget,
+                          .evaluations_per_second = rate,
+                          .seconds_left = seconds_left,
+                          .workers = TheSession().workers,
+                          .best_fitness = best};
+  progress.curve.reserve(static_cast<std::size_t>(std::max(points, 0)));
+  for (int i = 0; i < points; ++i)
+    progress.curve.push_back({static_cast<int>(curve[2 * i]), curve[2 * i + 1]});
+  if (gene_count > 0) progress.best_genome.assign(genes, genes + gene_count);
+  if (spread != nullptr) {
+    progress.spread = {static_cast<int>(spread[0]), spread[1], spread[2], spread[3], spread[4], spread[5]};
+  }
+  if (saved_bytes > 0) progress.saved.assign(saved, saved + saved_bytes);
+  TheSession().OnSearchProgress(std::move(progress));
+  ThePage().window->RequestOneFrame();
+}
+
+/// A part of a transition map: scores of places from `first` on, and the score that is usual.
+EMSCRIPTEN_KEEPALIVE void gs_transitions_mapped(int generation, int first, const float* scores, int count,
+                                                float usual) {
+  TheSession().OnTransitions(
+      {.generation = generation, .first = first, .usual = usual, .scores = {scores, scores + count}});
+  ThePage().window->RequestOneFrame();
+}
+/// Nothing more comes of the map of this generation.
+EMSCRIPTEN_KEEPALIVE void gs_transitions_failed(int generation) {
+  TheSession().OnTransitionsFailed(generation);
+  ThePage().window->RequestOneFrame();
+}
+
+}  // extern "C"
+
+int main() {
+  Page& page = ThePage();
+  // SDL takes the canvas' style as the master of its size only when it differs from what was asked for.
+  page.window = Window::Open({.width = 16, .height = 16});
+  if (!page.window) return 1;
+  page.app = std::make_unique<App>(page.host, *page.window);
+  page.before_ms = emscripten_get_now();
+  emscripten_set_main_loop_arg(Tick, &page, 0, false);
+  return 0;
+}

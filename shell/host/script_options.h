@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What scripts on the page may ask for (docs/embedding.md), as JSON objects.
+#pragma once
+
+#include <string>
+
+#include "core/document/document.h"
+#include "core/document/json_value.h"
+#include "shell/session/arrangement.h"
+#include "shell/session/lab.h"
+
+namespace gaitsmith::shell {
+
+/// Options of a search, each optional: {"algorithm": "sphc", "evaluations": 40000, "seed": 1, "workers": 2,
+/// "sense": "physical" | "timer", "period": 0.8}. The document is not validated.
+/// @return an empty text, or a sentence
+[[nodiscard]] std::string ApplySearchOptions(const JsonValue& options, Document& document, int& workers);
+
+/// Options of the lab, each optional: {"algorithms": ["sphc", "rgt"], "trials": 10, "evaluations": 4000,
+/// "firstSeed": 1}. Ranges are the lab's to check.
+/// @return an empty text, or a sentence
+[[nodiscard]] std::string ApplyLabOptions(const JsonValue& options, LabSettings& settings);
+
+/// What a lesson shows and locks, each optional: {"panels": "style,search", "lock": "figure"}.
+/// @return an empty text, or a sentence; then nothing has changed
+[[nodiscard]] std::string ApplyArrangement(const JsonValue& options, Arrangement& arrangement);
+
+}  // namespace gaitsmith::shell

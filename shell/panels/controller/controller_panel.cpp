@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// Senses, period, number of rules, and the rule cards or the network: a learner can read why the figure does
+// what it does.
+#include "shell/panels/controller/controller_panel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "shell/panels/controller/network_diagram.h"
+#include "shell/panels/controller/rule_card.h"
+#include "shell/words/language.h"
+#include "shell/words/wording.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+// How a timer compares with the length of the motion: below it the motion repeats, above it never does.
+const char* PeriodWords(int period_steps, int duration_steps) {
+  const float ratio = static_cast<float>(period_steps) / static_cast<float>(duration_steps);
+  if (ratio < 0.1f) return Tr("far below the motion's length: it repeats like a wind-up toy");
+  if (ratio < 0.6f) return Tr("below the motion's length: it repeats a few times");
+  if (ratio <= 1.0f) return Tr("about the motion's length: hardly repeats");
+  return Tr("above the motion's length: it never repeats");
+}
+
+void DrawSettings(Ui& ui, Session& session) {
+  const SenseSpec& senses = session.Doc().senses;
+  static constexpr std::array<const char*, 3> kKinds = {TrLater("Timer"), TrLater("Senses"),
+                                                        TrLater("Network")};
+  const bool network = session.Doc().kind == ControllerKind::kNetwork;
+  int kind = static_cast<int>(DeciderOf(session.Doc()));
+  if (ui.Segmented("controller/senses", ui.Row(ui.Look().touch ? 42.0f : 34.0f), Tr("What decides"), kKinds,
+                   kind)) {
+    session.Set([&](Document& d) { Decide(d, static_cast<Decider>(kind)); });
+  }
+  ui.Gap(8.0f);
+  ui.Paragraph(Tr(kind == 0   ? "Rules that follow a clock: a wind-up toy."
+                  : kind == 1 ? "Rules that feel angles, contacts, height and rise."
+                              : "Touch and angle sensors, hidden nodes and actuators, all connected."),
+               Type::kNote);
+  ui.Gap(10.0f);
+  if (kind == 0) {
+    const float seconds = static_cast<float>(senses.period_steps) * kStep;
+    double period = static_cast<double>(seconds);
+    // From far below the motion's length to above it, however long it is.
+    const double length = static_cast<double>(session.Doc().task.duration_steps) * static_cast<double>(kStep);
+    const double longest = std::min(std::max(30.0, 1.5 * length), kMaxSteps * static_cast<double>(kStep));
+    if (ui.Slider("controller/period", Tr("Period"), period,
+                  {.low = 0.1, .high = longest, .step = 0.01, .logarithmic = true},
+                  Fixed(seconds, 2) + " s")) {
+      const int steps = static_cast<int>(std::lround(period * 100.0));
+      // A timer controller on the stage follows at once: the same rules, wound faster or slower.
+      const Controller* shown = session.ShownController();
+      const bool live = shown != nullptr && shown->senses.kind == SenseKind::kTimer;
+      const auto edit = [&](Document& d) {
+        d.senses.period_steps = steps;
+        if (!live) return;
+        const auto clip = static_cast<std::size_t>(session.SelectedClip());
+        d.controllers[static_cast<std::size_t>(d.timeline[clip].controller)].senses.period_steps = steps;
+      };
+      if (live) {
+        session.Change(edit);
+      } else {
+        session.Set(edit);
+      }
+    }
+    const int motion = session.Doc().task.duration_steps;
+    ui.Paragraph(PeriodWords(session.Doc().senses.period_steps, motion), Type::kNote);
+    ui.Gap(8.0f);
+  }
+  double rules = session.Doc().rules;
+  if (ui.Slider("controller/rules", Tr(network ? "Hidden nodes" : "Rules"), rules,
+                {.low = 1.0, .high = std::max(20.0, rules), .step = 1.0},
+                std::to_string(session.Doc().rules))) {
+    session.Set([&](Document& d) { d.rules = static_cast<int>(rules); });
+  }
+  const float tau = session.Doc().senses.tau_min_s;
+  double fastest = static_cast<double>(tau);
+  if (ui.Slider("controller/tau", Tr("Fastest response τ"), fastest,
+                {.low = 0.05, .high = 0.5, .step = 0.01, .logarithmic = true}, Fixed(tau, 2) + " s")) {
+    session.Set([&](Document& d) {
+      d.senses.tau_min_s = static_cast<float>(fastest);
+      d.senses.tau_max_s = std::max(d.senses.tau_max_s, d.senses.tau_min_s);
+    });
+  }
+}
+
+// The cards, two in a row; the editor of an open one follows its row.
+void DrawRules(Ui& ui, Session& session, ControllerPanelState& state) {
+  // A copy: an edit replaces the shown one while the rest is still being drawn.
+  const Controller controller = *session.ShownController();
+  if (state.editor.rule >= controller.rules) state.editor = {};
+  const ImRect why = RuleWhyRow(ui);
+  ui.Gap(10.0f);
+  state.why.pointed_at = -1;
+  for (int first = 0; first < controller.rules; first += 2) {
+    const ImRect row = ui.Row(kCardHeight);
+    const float width = 0.5f * (row.GetWidth() - 8.0f);
+    for (int rule = first; rule < std::min(first + 2, controller.rules); ++rule) {
+      const float x = rule == first ? row.Min.x : row.Max.x - width;
+      const bool open = state.editor.rule == rule;
+      const Touch touch =
+          DrawRuleCard(ui, session, controller, rule, open, {{x, row.Min.y}, {x + width, row.Max.y}});
+      if (touch.hovered || (touch.focused && state.why.pointed_at < 0)) state.why.pointed_at = rule;
+      if (!touch.pressed) continue;
+      state.editor = open ? RuleEditorState{} : RuleEditorState{.rule = rule, .reveal = true};
+    }
+    ui.Gap(8.0f);
+    if (state.editor.rule < first || state.editor.rule > first + 1) continue;
+    if (state.editor.reveal) {
+      // The row that was opened goes to the top, so that its editor has the panel; where that is low, the
+      // editor.
+      const bool low = ImGui::GetWindowHeight() < 5.0f * kCardHeight;
+      const float top = low ? ImGui::GetCursorScreenPos().y : row.Min.y - 10.0f;
+      ImGui::SetScrollFromPosY(top - ImGui::GetWindowPos().y, 0.0f);
+      state.editor.reveal = false;
+    }
+    DrawRuleEditor(ui, session, controller, state.editor);
+  }
+  // Last, when it is known what the pointer and the keyboard are at: a paused page draws no frame more.
+  // And of the controller as it is by now.
+  DrawRuleWhy(ui, why, session, *session.ShownController(), state.why);
+}
+
+// The same figure with a timer and with senses, side by side.
+void DrawComparison(Ui& ui, Session& session, const Controller& shown) {
+  const bool with_timer = RivalOf(shown) == Decider::kTimer;
+  const bool beside = session.Compared().Beside();
+  const bool awaits = !beside && session.AwaitsRival();
+  const char* label = Tr(beside       ? "Stop comparing"
+                         : with_timer ? "Compare with a timer"
+                                      : "Compare with senses");
+  if (ui.Button("controller/compare", ui.ControlRow(), label, ButtonLook::kOutlined, !awaits,
+                awaits ? Tr("{1}: a search for it runs or waits", label) : "")) {
+    if (beside) {
+      session.StopComparing();
+    } else {
+      session.CompareDeciders();
+    }
+  }
+  if (awaits) {
+    ui.Paragraph(Tr(with_timer ? "A search with a timer runs or waits: what it finds comes to stand beside."
+                               : "A search with senses runs or waits: what it finds comes to stand beside."),
+                 Type::kNote);
+  }
+  ui.Gap(10.0f);
+}
+
+}  // namespace
+
+void DrawControllerPanel(Ui& ui, Session& session, ControllerPanelState& state) {
+  DrawSettings(ui, session);
+  ui.Gap(10.0f);
+  const Controller* shown = session.ShownController();
+  const Document& d = session.Doc();
+  const bool differs = shown != nullptr && (shown->senses.kind != d.senses.kind || shown->rules != d.rules ||
+                                            shown->kind != d.kind);
+  if (shown == nullptr || differs) {
+    ui.Paragraph(shown == nullptr ? Tr("No controller yet. A search finds one with these settings.")
+                                  : Tr("The next search uses these settings. On the stage: {1}.",
+                                       ControllerWords(shown->kind, shown->senses, shown->rules)),
+                 Type::kNote);
+    ui.Gap(6.0f);
+    if (!session.Searching() &&
+        ui.Button("controller/start", ui.Row(38.0f), Tr("Synthesize"), ButtonLook::kPrimary)) {
+      session.Synthesize();
+      return;
+    }
+    ui.Gap(12.0f);
+  }
+  if (shown == nullptr) return;
+  DrawComparison(ui, session, *shown);
+  if (shown->kind == ControllerKind::kNetwork) return DrawNetwork(ui, session, *shown);
+  DrawRules(ui, session, state);
+}
+
+}  // namespace gaitsmith::shell

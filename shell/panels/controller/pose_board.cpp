@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "shell/panels/controller/pose_board.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/numeric/scalar_math.h"
+#include "shell/stage/figure_drawing.h"
+#include "shell/words/language.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+constexpr float kBoardHeight = 184.0f;
+constexpr float kPiF = static_cast<float>(kPi);
+
+float Wrapped(float angle) {
+  while (angle > kPiF) angle -= 2.0f * kPiF;
+  while (angle < -kPiF) angle += 2.0f * kPiF;
+  return angle;
+}
+
+/// The pose on the canvas: endpoint 0 stays where it is while limbs turn.
+struct Picture {
+  const Skeleton& bones;
+  float scale;
+  ImVec2 origin;
+
+  [[nodiscard]] std::vector<ImVec2> Place(std::vector<ImVec2> metres) const {
+    const ImVec2 first = metres[0];
+    for (ImVec2& p : metres) p = {origin.x + (p.x - first.x) * scale, origin.y - (p.y - first.y) * scale};
+    return metres;
+  }
+};
+
+Picture LayOut(const Skeleton& bones, const std::vector<ImVec2>& metres, const RuleEditorState& state,
+               const ImRect& rect) {
+  if (state.limb >= 0) return {bones, state.scale, state.origin};
+  // Room for the drawn pose too, which the joints now are seldom far outside of.
+  ImRect extent(metres[0], metres[0]);
+  for (const ImVec2& point : metres) extent.Add(point);
+  const std::vector<ImVec2> rest = PoseOf(bones, {});
+  for (const ImVec2& point : rest) {
+    extent.Add(ImVec2(point.x - rest[0].x + metres[0].x, point.y - rest[0].y + metres[0].y));
+  }
+  const float scale = 0.82f * std::min(rect.GetHeight() / std::max(extent.GetHeight(), 0.1f),
+                                       rect.GetWidth() / std::max(extent.GetWidth(), 0.1f));
+  const ImVec2 middle = rect.GetCenter();
+  return {bones,
+          scale,
+          {middle.x + (metres[0].x - extent.GetCenter().x) * scale,
+           middle.y - (metres[0].y - extent.GetCenter().y) * scale}};
+}
+
+ImVec2 StartOf(const Skeleton& bones, const std::vector<ImVec2>& points, int limb) {
+  return points[static_cast<std::size_t>(bones.limbs[static_cast<std::size_t>(limb)].start)];
+}
+
+// Anticlockwise from the right, as angles are; the canvas counts y downwards.
+float CanvasDirection(ImVec2 from, ImVec2 to) { return std::atan2(from.y - to.y, to.x - from.x); }
+
+float DirectionOf(const Skeleton& bones, const std::vector<ImVec2>& points, int limb) {
+  return CanvasDirection(StartOf(bones, points, limb), points[static_cast<std::size_t>(limb) + 1]);
+}
+
+// The nearest limb that has a joint; of those that meet at the pointer, the one whose middle is nearest.
+int LimbAt(const Skeleton& bones, const std::vector<ImVec2>& points, ImVec2 pointer, float within) {
+  int found = -1;
+  for (int limb = 1; limb < bones.rods; ++limb) {
+    const ImVec2 a = StartOf(bones, points, limb);
+    const ImVec2 b = points[static_cast<std::size_t>(limb) + 1];
+    const ImVec2 along(b.x - a.x, b.y - a.y);
+    const float square = std::max(1e-6f, along.x * along.x + along.y * along.y);
+    const float share = ((pointer.x - a.x) * along.x + (pointer.y - a.y) * along.y) / square;
+    const float inside = std::clamp(share, 0.2f, 1.0f);
+    const float distance = std::hypot(pointer.x - a.x - inside * along.x, pointer.y - a.y - inside * along.y);
+    if (distance >= within) continue;
+    within = distance;
+    found = limb;
+  }
+  return found;
+}
+
+// How far the limb can turn, as an arc about its joint.
+void DrawReach(ImDrawList* list, const Skeleton& bones, const std::vector<ImVec2>& points, int limb,
+               float angle, ImU32 colour) {
+  const Skeleton::Limb& bone = bones.limbs[static_cast<std::size_t>(limb)];
+  const ImVec2 joint = StartOf(bones, points, limb);
+  const ImVec2 tip = points[static_cast<std::size_t>(limb) + 1];
+  const float radius = std::hypot(tip.x - joint.x, tip.y - joint.y);
+  const float zero = DirectionOf(bones, points, limb) - angle;
+  const float first = -(zero + bone.max_rad), last = -(zero + bone.min_rad);
+  for (const float end : {first, last}) {
+    list->AddLine(joint, {joint.x + radius * std::cos(end), joint.y + radius * std::sin(end)}, colour, 1.5f);
+  }
+  list->PathArcTo(joint, radius, first, last, 48);
+  list->PathStroke(colour, 0, 3.0f);
+}
+
+}  // namespace
+
+std::optional<PoseEdit> DrawPoseBoard(Ui& ui, const Skeleton& bones, const std::vector<float>& angles,
+                                      const std::vector<float>& present, RuleEditorState& state) {
+  const Palette& p = ui.Ink();
+  const ImRect rect = ui.Row(kBoardHeight);
+  const ImVec2 pointer = ImGui::GetIO().MousePos;
+  const std::vector<ImVec2> metres = PoseOf(bones, angles);
+  const Touch touch =
+      ui.Area("rule-edit/pose", rect, Grab::kDrag,
+              {.label = Tr("Target pose of rule {1}: drag a limb", state.rule + 1), .role = "img"});
+  if (!touch.held) state.limb = -1;
+  const Picture picture = LayOut(bones, metres, state, rect);
+  const std::vector<ImVec2> points = picture.Place(metres);
+  const float near = ui.Look().touch ? 26.0f : 16.0f;
+  if (touch.began) {
+    state.limb = LimbAt(bones, points, ImGui::GetIO().MouseClickedPos[0], near);
+    state.scale = picture.scale;
+    state.origin = picture.origin;
+    if (state.limb > 0) {
+      const ImVec2 joint = StartOf(bones, points, state.limb);
+      state.grip_rad = CanvasDirection(joint, pointer) - DirectionOf(bones, points, state.limb);
+    }
+  }
+
+  std::optional<PoseEdit> edit;
+  if (touch.held && state.limb > 0) {
+    const auto joint = static_cast<std::size_t>(state.limb) - 1;
+    const Skeleton::Limb& bone = bones.limbs[static_cast<std::size_t>(state.limb)];
+    const float wanted = CanvasDirection(StartOf(bones, points, state.limb), pointer) - state.grip_rad;
+    // The way round that is shorter from where it is: a limb at its limit must not flip to the other one.
+    const float turn = Wrapped(wanted - DirectionOf(bones, points, state.limb));
+    edit = PoseEdit{static_cast<int>(joint), std::clamp(angles[joint] + turn, bone.min_rad, bone.max_rad)};
+    if (std::abs(edit->angle_rad - angles[joint]) < 1e-4f) edit.reset();
+  }
+  if (!touch.visible) return edit;
+
+  ui.Frame(rect, p.paper, p.line, 9.0f);
+  ImDrawList* list = ui.Canvas();
+  list->PushClipRect(rect.Min, rect.Max, true);
+  const float width = std::clamp(RodWidth(bones, picture.scale), 5.0f, 11.0f);
+  const int lit = state.limb > 0 ? state.limb : touch.hovered ? LimbAt(bones, points, pointer, near) : -1;
+  const ImU32 colour = ui.Look().Rule(state.rule);
+  if (lit > 0) {
+    DrawReach(list, bones, points, lit, angles[static_cast<std::size_t>(lit) - 1], Fade(colour, 0.4f));
+    if (!ui.Look().touch) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  }
+  if (!present.empty()) {
+    DrawFigure(list, bones, picture.Place(PoseOf(bones, present)),
+               {.rods = Mix(p.paper, p.ink, 0.13f), .width = 0.8f * width});
+  }
+  DrawFigure(list, bones, points, {.rods = colour, .joints = p.panel, .width = width});
+  if (lit > 0) {
+    DrawCapsule(list, StartOf(bones, points, lit), points[static_cast<std::size_t>(lit) + 1], width,
+                Mix(colour, p.ink, 0.45f));
+  }
+  list->PopClipRect();
+  ui.DrawFocus(touch, rect, 9.0f);
+  return edit;
+}
+
+}  // namespace gaitsmith::shell

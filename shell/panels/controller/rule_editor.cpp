@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "shell/panels/controller/rule_editor.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/control/rule_edit.h"
+#include "core/control/sense_scale.h"
+#include "core/numeric/scalar_math.h"
+#include "shell/panels/controller/pose_board.h"
+#include "shell/panels/controller/rule_card.h"
+#include "shell/words/language.h"
+#include "shell/words/rule_words.h"
+#include "shell/words/wording.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+struct OpenRule {
+  Ui& ui;
+  Session& session;
+  const Controller& controller;
+  const Skeleton& bones;
+  int rule;
+  ImU32 colour;
+
+  // A search that ends for the sake of the edit may have left fewer rules.
+  void Edit(const std::function<void(RuleEdit)>& edit) const {
+    session.ChangeController([&, rods = bones.rods](Controller& c) {
+      if (rule < c.rules) edit(RuleEdit(c, rods, rule));
+    });
+  }
+  [[nodiscard]] std::string Named(int sense) const {
+    std::string name = TrSentence(SenseName(controller.senses.kind, bones.rods, sense));
+    if (name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
+    return name;
+  }
+};
+
+// @return false when the rule is no longer there
+bool DrawHeader(const OpenRule& open, RuleEditorState& state) {
+  Ui& ui = open.ui;
+  const ImRect row = ui.ControlRow();
+  const float y = row.GetCenter().y;
+  ui.Canvas()->AddCircleFilled({row.Min.x + 6.0f, y}, 6.0f, open.colour);
+  ui.Letters().Draw(ui.Canvas(), Type::kHeading, {row.Min.x + 20.0f, y}, ui.Ink().ink,
+                    Tr("Rule {1}", open.rule + 1));
+  const float close = row.GetHeight();
+  float x = row.Max.x - close - 134.0f;
+  const auto box = [&](float width) {
+    const ImRect area({x, row.Min.y}, {x + width, row.Max.y});
+    x += width + 6.0f;
+    return area;
+  };
+  const int rods = open.bones.rods;
+  const int rule = open.rule;
+  if (ui.Button("rule-edit/copy", box(58.0f), Tr("Copy"), ButtonLook::kOutlined,
+                open.controller.rules < kMaxRules, Tr("Copy the rule"))) {
+    const bool copied = open.session.ChangeController([&](Controller& c) {
+      if (rule < c.rules && c.rules < kMaxRules) CopyRule(c, rods, rule);
+    });
+    if (copied) state = {.rule = rule + 1, .reveal = true};
+    return false;
+  }
+  if (ui.Button("rule-edit/delete", box(64.0f), Tr("Delete"), ButtonLook::kOutlined,
+                open.controller.rules > 1, Tr("Delete the rule"))) {
+    open.session.ChangeController([&](Controller& c) {
+      if (rule < c.rules && c.rules > 1) DeleteRule(c, rods, rule);
+    });
+    state = {};
+    return false;
+  }
+  if (ui.IconButton("rule-edit/close", {{row.Max.x - close, row.Min.y}, row.Max}, Icon::kClose,
+                    Tr("Close the editor"))) {
+    state = {};
+    return false;
+  }
+  return true;
+}
+
+void DrawPose(const OpenRule& open, RuleEditorState& state) {
+  const Playback& player = open.session.player;
+  std::vector<float> present;
+  if (player.Shown().At(player.Frame()).clip == open.session.SelectedClip()) {
+    for (int joint = 0; joint < open.bones.joints; ++joint) {
+      present.push_back(player.Shown().AngleRad(player.Frame(), joint));
+    }
+  }
+  const std::vector<float> target = TargetPose(open.controller, open.bones, open.rule);
+  const auto edit = DrawPoseBoard(open.ui, open.bones, target, present, state);
+  if (!edit) return;
+  const Skeleton::Limb& limb = open.bones.limbs[static_cast<std::size_t>(edit->joint) + 1];
+  open.Edit([&](RuleEdit rule) { rule.SetTarget(edit->joint, edit->angle_rad, limb.min_rad, limb.max_rad); });
+}
+
+void DrawTau(const OpenRule& open) {
+  const SenseSpec& senses = open.controller.senses;
+  const float tau = TauOf(open.controller, open.bones.rods, open.rule);
+  double wanted = static_cast<double>(tau);
+  const SliderRange range{.low = static_cast<double>(senses.tau_min_s),
+                          .high = static_cast<double>(senses.tau_max_s),
+                          .step = 0.01,
+                          .logarithmic = true};
+  if (senses.tau_max_s <= senses.tau_min_s) {
+    open.ui.Fact(Tr("Time constant τ"), Fixed(tau, 2) + " s");
+  } else if (open.ui.Slider("rule-edit/tau", Tr("Time constant τ"), wanted, range, Fixed(tau, 2) + " s")) {
+    open.Edit([&](RuleEdit rule) { rule.SetTau(static_cast<float>(wanted)); });
+  }
+}
+
+void DrawHeeded(const OpenRule& open, int sense) {
+  Ui& ui = open.ui;
+  const Motion& motion = open.session.player.Shown();
+  const int frame = open.session.player.Frame();
+  const SenseSpec& spec = open.controller.senses;
+  const Stimulus stimulus = StimulusOf(open.controller, open.bones.rods, open.rule, sense);
+  const SenseScale scale = ScaleOf(spec, open.bones, sense);
+  const std::string id = "rule-edit/sense/" + std::to_string(sense + 1);
+  const bool felt = frame > 0 && motion.At(frame).clip == open.session.SelectedClip();
+  const auto words = [&](float value) { return QuantityWords(scale.quantity, scale.Of(value)); };
+  SliderInterval interval{ShareOnBar(spec, stimulus.low), ShareOnBar(spec, stimulus.high),
+                          words(stimulus.low), words(stimulus.high),
+                          felt ? ShareOnBar(spec, motion.Sense(frame, sense)) : -1.0f};
+
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  bool cares = true;
+  if (ui.Switch(id, open.Named(sense), cares)) {
+    open.Edit([&](RuleEdit rule) { rule.SetCares(sense, false); });
+  }
+  const ImRect row(at, {at.x + ui.Row(0.0f).GetWidth(), at.y + ui.Look().ControlHeight()});
+  ui.Letters().Draw(ui.Canvas(), Type::kNote, {row.Max.x - 44.0f, row.GetCenter().y}, ui.Ink().second_ink,
+                    Tr("{1} to {2}", interval.low_text, interval.high_text), Align::kRight);
+  if (cares && ui.IntervalSlider(id, open.Named(sense), interval, open.colour)) {
+    const auto [low, high] = EdgesOf(spec.kind);
+    open.Edit([&](RuleEdit rule) {
+      rule.SetInterval(sense, low + interval.low * (high - low), low + interval.high * (high - low));
+    });
+  }
+  ui.Gap(4.0f);
+}
+
+// What the rule ignores, as small switches side by side.
+void DrawIgnored(const OpenRule& open, const std::vector<int>& senses) {
+  Ui& ui = open.ui;
+  const float height = ui.Look().touch ? 34.0f : 26.0f;
+  const int columns = 4;
+  const Palette& p = ui.Ink();
+  for (std::size_t i = 0; i < senses.size(); i += columns) {
+    const ImRect row = ui.Row(height);
+    const float width = (row.GetWidth() - 6.0f * (columns - 1)) / columns;
+    for (std::size_t k = i; k < std::min(senses.size(), i + columns); ++k) {
+      const int sense = senses[k];
+      const float x = row.Min.x + static_cast<float>(k - i) * (width + 6.0f);
+      const ImRect chip({x, row.Min.y}, {x + width, row.Max.y});
+      const Touch touch = ui.Area(
+          "rule-edit/sense/" + std::to_string(sense + 1), chip, Grab::kPress,
+          {.label = open.Named(sense), .role = "switch", .value = Tr("off"), .state = {.checked = false}});
+      if (touch.pressed) open.Edit([&](RuleEdit rule) { rule.SetCares(sense, true); });
+      if (!touch.visible) continue;
+      ui.Frame(chip, Mix(p.panel, p.ink, touch.hovered ? 0.05f : 0.0f), p.line);
+      ui.Letters().DrawElided(ui.Canvas(), Type::kNote, {chip.Min.x + 8.0f, chip.GetCenter().y},
+                              width - 12.0f, p.second_ink, open.Named(sense));
+      ui.DrawFocus(touch, chip);
+    }
+    ui.Gap(6.0f);
+  }
+}
+
+void DrawStimulus(const OpenRule& open) {
+  std::vector<int> ignored;
+  open.ui.Heading(Tr("Acts where"));
+  for (int sense = 0; sense < SenseCount(open.controller.senses.kind, open.bones.rods); ++sense) {
+    if (StimulusOf(open.controller, open.bones.rods, open.rule, sense).cares) {
+      DrawHeeded(open, sense);
+    } else {
+      ignored.push_back(sense);
+    }
+  }
+  if (ignored.empty()) return;
+  open.ui.Paragraph(
+      Tr(static_cast<int>(ignored.size()) == SenseCount(open.controller.senses.kind, open.bones.rods)
+             ? "It heeds no sense, so it always holds. Press one to heed it:"
+             : "Does not care about these; press one to heed it:"),
+      Type::kNote);
+  open.ui.Gap(4.0f);
+  DrawIgnored(open, ignored);
+}
+
+void DrawJoints(const OpenRule& open) {
+  constexpr double kDegrees = 180.0 / kPi;
+  const std::vector<float> target = TargetPose(open.controller, open.bones, open.rule);
+  open.ui.Heading(Tr("Target angles"));
+  for (int joint = 0; joint < open.bones.joints; ++joint) {
+    const Skeleton::Limb& limb = open.bones.limbs[static_cast<std::size_t>(joint) + 1];
+    if (limb.max_rad <= limb.min_rad) continue;
+    const float angle = target[static_cast<std::size_t>(joint)];
+    double degrees = static_cast<double>(angle) * kDegrees;
+    const SliderRange range{.low = static_cast<double>(limb.min_rad) * kDegrees,
+                            .high = static_cast<double>(limb.max_rad) * kDegrees,
+                            .step = 1.0};
+    const std::string number = std::to_string(joint + 1);
+    if (!open.ui.LineSlider("rule-edit/angle/" + number, Tr("Angle {1}", number), degrees, range,
+                            QuantityWords(SenseQuantity::kAngle, angle), open.colour)) {
+      continue;
+    }
+    open.Edit([&](RuleEdit rule) {
+      rule.SetTarget(joint, static_cast<float>(degrees / kDegrees), limb.min_rad, limb.max_rad);
+    });
+  }
+}
+
+}  // namespace
+
+void DrawRuleEditor(Ui& ui, Session& session, const Controller& controller, RuleEditorState& state) {
+  // A change makes a new motion, while the rest is still being drawn.
+  const Skeleton bones = session.player.Shown().Bones();
+  const OpenRule open{ui, session, controller, bones, state.rule, ui.Look().Rule(state.rule)};
+  const PartScope part = ui.Part("rule-edit", "group", Tr("Editor of rule {1}", state.rule + 1));
+  const float top = ImGui::GetCursorScreenPos().y;
+  if (!DrawHeader(open, state)) return;
+  ui.Gap(4.0f);
+  DrawPose(open, state);
+  ui.Gap(2.0f);
+  ui.Paragraph(Tr("Drag a limb to turn it within its limits. Pale: the joints now."), Type::kNote);
+  ui.Gap(8.0f);
+  DrawTau(open);
+  ui.Gap(8.0f);
+  DrawStimulus(open);
+  ui.Gap(6.0f);
+  DrawJoints(open);
+  // A line in the rule's colour ties the editor together.
+  const ImVec2 end = ImGui::GetCursorScreenPos();
+  ui.Canvas()->AddRectFilled({end.x - 9.0f, top}, {end.x - 6.0f, end.y}, open.colour, 1.5f);
+  ui.Gap(12.0f);
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "shell/panels/figure/drawing_board.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shell/panels/figure/figure_edit.h"
+#include "shell/stage/figure_drawing.h"
+#include "shell/words/language.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+constexpr float kBoardHeight = 268.0f;
+
+struct Board {
+  Skeleton skeleton;
+  std::vector<ImVec2> metres;  // endpoints
+  std::vector<ImVec2> canvas;
+  float scale;
+
+  ImVec2 ToMetres(ImVec2 point) const {
+    return {metres[0].x + (point.x - canvas[0].x) / scale, metres[0].y - (point.y - canvas[0].y) / scale};
+  }
+  ImVec2 ToCanvas(ImVec2 point) const {
+    return {canvas[0].x + (point.x - metres[0].x) * scale, canvas[0].y - (point.y - metres[0].y) * scale};
+  }
+};
+
+Board LayOut(const Figure& figure, const DrawingBoardState& state, const ImRect& rect) {
+  Board board{.skeleton = Skeleton(figure), .metres = {}, .canvas = {}, .scale = state.scale};
+  board.metres = PoseOf(board.skeleton, {});
+  ImVec2 low = board.metres[0];
+  ImVec2 high = low;
+  for (const ImVec2& p : board.metres) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  ImVec2 origin;  // canvas position of endpoint 0
+  if (state.still >= 0) {
+    const ImVec2 still = board.metres[static_cast<std::size_t>(state.still)];
+    origin = {state.anchor.x + (board.metres[0].x - still.x) * board.scale,
+              state.anchor.y - (board.metres[0].y - still.y) * board.scale};
+  } else {
+    // Leaves room around the figure to grow into.
+    board.scale = 0.64f * std::min(rect.GetHeight() / std::max(high.y - low.y, 0.1f),
+                                   rect.GetWidth() / std::max(high.x - low.x, 0.1f));
+    const ImVec2 middle = rect.GetCenter();
+    origin = {middle.x + (board.metres[0].x - 0.5f * (low.x + high.x)) * board.scale,
+              middle.y - (board.metres[0].y - 0.5f * (low.y + high.y)) * board.scale};
+  }
+  for (const ImVec2& p : board.metres) {
+    board.canvas.emplace_back(origin.x + (p.x - board.metres[0].x) * board.scale,
+                              origin.y - (p.y - board.metres[0].y) * board.scale);
+  }
+  return board;
+}
+
+int EndpointAt(const Board& board, ImVec2 pointer, float within) {
+  int found = -1;
+  for (std::size_t k = 0; k < board.canvas.size(); ++k) {
+    const float distance = std::hypot(pointer.x - board.canvas[k].x, pointer.y - board.canvas[k].y);
+    if (distance > within) continue;
+    within = distance;
+    found = static_cast<int>(k);
+  }
+  return found;
+}
+
+int LimbAt(const Board& board, ImVec2 pointer, float within) {
+  int found = -1;
+  for (int limb = 0; limb < board.skeleton.rods; ++limb) {
+    const auto i = static_cast<std::size_t>(limb);
+    const ImVec2 a = board.canvas[static_cast<std::size_t>(board.skeleton.limbs[i].start)];
+    const ImVec2 b = board.canvas[i + 1];
+    const ImVec2 along(b.x - a.x, b.y - a.y);
+    const float square = std::max(1e-6f, along.x * along.x + along.y * along.y);
+    const float share =
+        std::clamp(((pointer.x - a.x) * along.x + (pointer.y - a.y) * along.y) / square, 0.0f, 1.0f);
+    const float distance = std::hypot(pointer.x - a.x - share * along.x, pointer.y - a.y - share * along.y);
+    if (distance > within) continue;
+    within = distance;
+    found = limb;
+  }
+  return found;
+}
+
+void DrawBoard(Ui& ui, const Board& board, const DrawingBoardState& state, const ImRect& rect) {
+  const Palette& p = ui.Ink();
+  ImDrawList* list = ui.Canvas();
+  // A dot every quarter metre gives the eye a measure.
+  const float grid = 0.25f * board.scale;
+  if (grid > 9.0f) {
+    for (float x = board.canvas[0].x - std::floor((board.canvas[0].x - rect.Min.x) / grid) * grid;
+         x < rect.Max.x; x += grid) {
+      for (float y = board.canvas[0].y - std::floor((board.canvas[0].y - rect.Min.y) / grid) * grid;
+           y < rect.Max.y; y += grid) {
+        list->AddRectFilled({x - 0.5f, y - 0.5f}, {x + 0.5f, y + 0.5f}, p.line);
+      }
+    }
+  }
+  const float width = std::clamp(RodWidth(board.skeleton, board.scale), 6.0f, 15.0f);
+  DrawFigure(list, board.skeleton, board.canvas, {.rods = p.ink, .width = width});
+  for (int limb = 0; limb < board.skeleton.rods; ++limb) {
+    const auto i = static_cast<std::size_t>(limb);
+    if (board.skeleton.limbs[i].drawn != state.rod) continue;
+    DrawCapsule(list, board.canvas[static_cast<std::size_t>(board.skeleton.limbs[i].start)],
+                board.canvas[i + 1], width, p.accent);
+  }
+  for (std::size_t k = 0; k < board.canvas.size(); ++k) {
+    const bool held = state.endpoint == static_cast<int>(k);
+    list->AddCircleFilled(board.canvas[k], held ? 7.0f : 5.5f, p.accent);
+    list->AddCircleFilled(board.canvas[k], held ? 5.0f : 3.5f, p.panel);
+  }
+}
+
+// What is taken hold of: an endpoint before a rod.
+void Begin(DrawingBoardState& state, const Board& board, ImVec2 pointer, float near) {
+  constexpr int kNone = DrawingBoardState::kNone;
+  state.endpoint = EndpointAt(board, pointer, near);
+  state.turning = kNone;
+  if (state.endpoint >= 0) {
+    state.rod = board.skeleton.limbs[static_cast<std::size_t>(std::max(0, state.endpoint - 1))].drawn;
+    state.still = state.endpoint == 0 ? 1 : 0;
+  } else if (const int limb = LimbAt(board, pointer, near); limb >= 0) {
+    const auto i = static_cast<std::size_t>(limb);
+    const auto start = static_cast<std::size_t>(board.skeleton.limbs[i].start);
+    state.turning = limb;
+    state.rod = board.skeleton.limbs[i].drawn;
+    state.still = static_cast<int>(start);
+    state.grip_rad = Direction(board.metres[start], board.ToMetres(pointer)) -
+                     Direction(board.metres[start], board.metres[i + 1]);
+  } else {
+    return;
+  }
+  state.scale = board.scale;
+  state.anchor = board.canvas[static_cast<std::size_t>(state.still)];
+}
+
+// What the drag makes of the figure.
+Figure Moved(const DrawnFigure& drawn, const DrawingBoardState& state, ImVec2 target) {
+  if (state.turning >= 0) {
+    const auto start =
+        static_cast<std::size_t>(drawn.skeleton.limbs[static_cast<std::size_t>(state.turning)].start);
+    const float direction = Direction(drawn.points[start], target) - state.grip_rad;
+    return WithLimbTurned(drawn, state.turning, state.snap ? SnappedAngle(direction) : direction);
+  }
+  const auto still = static_cast<std::size_t>(
+      state.endpoint == 0 ? 1 : drawn.skeleton.limbs[static_cast<std::size_t>(state.endpoint) - 1].start);
+  return WithEndpointAt(drawn, state.endpoint, state.snap ? Snapped(drawn.points[still], target) : target);
+}
+
+}  // namespace
+
+void DrawDrawingBoard(Ui& ui, Session& session, DrawingBoardState& state) {
+  const ImRect rect = ui.Row(kBoardHeight);
+  const Figure& figure = session.Doc().figure;
+  const Touch touch =
+      ui.Area("figure/board", rect, Grab::kDrag,
+              {.label = Tr("Drawing board"), .role = "img", .value = Tr("{1} rods", figure.Rods())});
+  const ImVec2 pointer = ImGui::GetIO().MousePos;
+  const float near = ui.Look().touch ? 26.0f : 15.0f;
+  Board board = LayOut(figure, state, rect);
+  if (touch.began) Begin(state, board, pointer, near);
+
+  const DrawnFigure drawn{.figure = figure, .skeleton = board.skeleton, .points = board.metres};
+  const bool growing = state.tool == DrawingTool::kGrow && state.endpoint >= 0;
+  const bool held = state.endpoint >= 0 || state.turning >= 0;
+  // A finger that takes hold of nothing may scroll the panel, which the board fills on a phone.
+  if (touch.held && !held && ui.Look().touch) ImGui::ClearActiveID();
+  const auto tip = [&] {
+    const ImVec2 target = board.ToMetres(pointer);
+    return state.snap ? Snapped(board.metres[static_cast<std::size_t>(state.endpoint)], target) : target;
+  };
+  if (touch.held && held && !growing && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 3.0f)) {
+    session.ReplaceFigure(Moved(drawn, state, board.ToMetres(pointer)));
+    board = LayOut(session.Doc().figure, state, rect);
+  }
+  if (!touch.held && held) {
+    const ImVec2 from =
+        state.endpoint >= 0 ? board.canvas[static_cast<std::size_t>(state.endpoint)] : pointer;
+    if (growing && std::hypot(pointer.x - from.x, pointer.y - from.y) > near) {
+      Figure grown = WithRodFrom(drawn, state.endpoint, tip());
+      grown.name = kOwnFigure;
+      if (session.ReplaceFigure(grown)) state.rod = session.Doc().figure.Rods() - 1;
+    }
+    state.endpoint = state.turning = state.still = DrawingBoardState::kNone;
+    board = LayOut(session.Doc().figure, state, rect);
+  }
+  if (!touch.visible) return;
+  ui.Frame(rect, ui.Ink().paper, ui.Ink().line, 9.0f);
+  ui.Canvas()->PushClipRect(rect.Min, rect.Max, true);
+  DrawBoard(ui, board, state, rect);
+  if (touch.held && growing) {
+    DrawCapsule(ui.Canvas(), board.canvas[static_cast<std::size_t>(state.endpoint)], board.ToCanvas(tip()),
+                7.0f, Fade(ui.Ink().accent, 0.7f));
+  }
+  ui.Canvas()->PopClipRect();
+  ui.DrawFocus(touch, rect, 9.0f);
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// The list of figures, the drawing board, and the selected rod's numbers.
+#include "shell/panels/figure/figure_panel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/numeric/scalar_math.h"
+#include "shell/panels/figure/figure_edit.h"
+#include "shell/panels/figure/figure_gallery.h"
+#include "shell/words/language.h"
+#include "shell/words/wording.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+constexpr float kDegree = static_cast<float>(kPi) / 180.0f;
+constexpr float kLargestAngle = 3.1415925f;  // just below pi, where core's range ends
+
+std::string Degrees(double degrees) {
+  return (degrees < -0.5 ? "−" : "") + Fixed(std::abs(std::round(degrees)), 0) + "°";
+}
+
+/// Changes the selected rod.
+using RodEdit = std::function<void(Rod&)>;
+
+void EditNumbers(Ui& ui, const Rod& rod, const std::function<void(const RodEdit&)>& change) {
+  const bool root = rod.parent == kNoParent;
+  double length = static_cast<double>(rod.length_m);
+  double mass = static_cast<double>(rod.mass_kg);
+  double angle = static_cast<double>(rod.rest_rad / kDegree);
+  if (ui.Slider("figure/length", Tr("Length"), length,
+                {.low = 0.1, .high = 5.0, .step = 0.01, .logarithmic = true},
+                Fixed(rod.length_m, 2) + " m")) {
+    change([&](Rod& r) { r.length_m = static_cast<float>(length); });
+  }
+  if (ui.Slider("figure/mass", Tr("Mass"), mass,
+                {.low = 0.05, .high = 50.0, .step = 0.05, .logarithmic = true},
+                Fixed(rod.mass_kg, 2) + " kg")) {
+    change([&](Rod& r) { r.mass_kg = static_cast<float>(mass); });
+  }
+  if (ui.Slider("figure/angle", Tr(root ? "Angle to the ground" : "Angle to its parent"), angle,
+                {.low = -180.0, .high = 180.0, .step = 1.0}, Degrees(angle))) {
+    change([&](Rod& r) {
+      r.rest_rad = std::clamp(static_cast<float>(angle) * kDegree, -kLargestAngle, kLargestAngle);
+    });
+  }
+  if (root) return;
+  double least = static_cast<double>(rod.min_rad / kDegree);
+  double most = static_cast<double>(rod.max_rad / kDegree);
+  if (ui.Slider("figure/joint-from", Tr("Joint turns from"), least, {.low = -180.0, .high = 0.0, .step = 1.0},
+                Degrees(least)))
+    change(
+        [&](Rod& r) { r.min_rad = std::clamp(static_cast<float>(least) * kDegree, -kLargestAngle, 0.0f); });
+  if (ui.Slider("figure/joint-to", Tr("Joint turns to"), most, {.low = 0.0, .high = 180.0, .step = 1.0},
+                Degrees(most)))
+    change([&](Rod& r) { r.max_rad = std::clamp(static_cast<float>(most) * kDegree, 0.0f, kLargestAngle); });
+}
+
+void EditRod(Ui& ui, Session& session, DrawingBoardState& state) {
+  const Figure& figure = session.Doc().figure;
+  state.rod = std::clamp(state.rod, 0, figure.Rods() - 1);
+  int number = state.rod + 1;
+  ui.Number("figure/rod", Tr("Rod, of {1}", figure.Rods()), number, 1, figure.Rods());
+  state.rod = number - 1;
+  const auto index = static_cast<std::size_t>(state.rod);
+  const Rod rod = figure.rods[index];
+  EditNumbers(ui, rod, [&](const RodEdit& edit) {
+    Figure changed = session.Doc().figure;
+    edit(changed.rods[index]);
+    session.ReplaceFigure(changed);
+  });
+  ui.Gap(8.0f);
+  const auto replace = [&](Figure next, int selected) {
+    next.name = kOwnFigure;
+    if (session.ReplaceFigure(next)) state.rod = selected;
+  };
+  // Three in a row: what can be done with a rod.
+  const ImRect row = ui.ControlRow();
+  const float width = (row.GetWidth() - 16.0f) / 3.0f;
+  const auto third = [&](int k) {
+    const float left = row.Min.x + static_cast<float>(k) * (width + 8.0f);
+    return ImRect(left, row.Min.y, left + width, row.Max.y);
+  };
+  const bool root = rod.parent == kNoParent;
+  const bool room = figure.Rods() < kMaxRods;
+  if (ui.Button("figure/grow", third(0), Tr("Grow a rod"), ButtonLook::kOutlined, room)) {
+    replace(WithRodGrown(figure, state.rod), figure.Rods());
+  } else if (ui.Button("figure/copy", third(1), Tr("Copy limb"), ButtonLook::kOutlined, room && !root)) {
+    replace(WithLimbCopied(figure, state.rod), figure.Rods());
+  } else if (ui.Button("figure/delete", third(2), Tr("Delete limb"), ButtonLook::kOutlined, !root)) {
+    replace(WithoutRod(figure, state.rod), rod.parent);
+  }
+  if (root) {
+    ui.Gap(4.0f);
+    ui.Paragraph(Tr("This is the root: it carries all others, so it can be neither copied nor deleted."),
+                 Type::kNote);
+  } else if (!room) {
+    ui.Gap(4.0f);
+    ui.Paragraph(Tr("A figure has at most {1} rods.", kMaxRods), Type::kNote);
+  }
+}
+
+// Another figure: the tool and its grid stay in the hand.
+void Reset(DrawingBoardState& board) { board = {.tool = board.tool, .snap = board.snap}; }
+
+// A figure with the task, the senses and the joints that suit it: what the paper calls a problem.
+void DrawProblems(Ui& ui, Session& session, FigurePanelState& state) {
+  std::vector<std::string> titles;
+  int chosen = -1;
+  for (const Document& problem : session.Problems()) {
+    const bool same =
+        problem.figure.name == session.Doc().figure.name && problem.task.kind == session.Doc().task.kind;
+    if (same) chosen = static_cast<int>(titles.size());
+    titles.push_back(TrTitle(problem.title));
+  }
+  if (!ui.Combo("figure/problem", Tr("Problem"), titles, chosen, Tr("Own"))) return;
+  session.ChooseProblem(chosen);
+  Reset(state.board);
+}
+
+}  // namespace
+
+void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
+  int chosen = -1;
+  for (std::size_t i = 0; i < session.Figures().size(); ++i) {
+    if (session.Figures()[i].name == session.Doc().figure.name) chosen = static_cast<int>(i);
+  }
+  if (const auto pressed = DrawFigureGallery(ui, session.Figures(), chosen, state.gallery_open)) {
+    if (*pressed != chosen) session.ChooseFigure(*pressed);
+    Reset(state.board);
+  }
+  if (state.gallery_open) {
+    ui.Gap(4.0f);
+    ui.Paragraph(
+        Tr("Another figure needs a controller of its own: the present ones go. Undo brings them back."),
+        Type::kNote);
+  }
+  ui.Gap(6.0f);
+  DrawProblems(ui, session, state);
+  ui.Gap(10.0f);
+  static constexpr std::array<const char*, 2> kTools = {TrLater("Move"), TrLater("Grow a rod")};
+  const ImRect tools = ui.Row(ui.Look().touch ? 42.0f : 34.0f);
+  int tool = static_cast<int>(state.board.tool);
+  const char* undo = Tr("Undo");
+  const float undo_width = std::max(68.0f, ui.Letters().Width(Type::kBody, undo) + 16.0f);
+  if (ui.Segmented("figure/tool", {tools.Min, {tools.Max.x - undo_width - 8.0f, tools.Max.y}},
+                   Tr("Tool of the drawing board"), kTools, tool))
+    state.board.tool = static_cast<DrawingTool>(tool);
+  if (ui.Button("figure/undo", {{tools.Max.x - undo_width, tools.Min.y}, tools.Max}, undo,
+                ButtonLook::kOutlined, session.CanUndo())) {
+    session.Undo();
+    Reset(state.board);
+  }
+  ui.Gap(8.0f);
+  DrawDrawingBoard(ui, session, state.board);
+  ui.Gap(8.0f);
+  ui.Paragraph(
+      Tr(state.board.tool == DrawingTool::kMove
+             ? "Drag a joint or a tip to change a rod; drag a rod to turn it with all that hangs on it."
+             : "Drag from a joint or a tip to grow a rod there."),
+      Type::kNote);
+  ui.Switch("figure/snap", Tr("Snap to 15° and 5 cm"), state.board.snap);
+  ui.Gap(8.0f);
+  EditRod(ui, session, state.board);
+  ui.Gap(8.0f);
+  const ImRect row = ui.ControlRow();
+  const float middle = row.GetCenter().x;
+  if (ui.Button("figure/mirror", {row.Min, {middle - 4.0f, row.Max.y}}, Tr("Mirror all")))
+    session.ReplaceFigure(Mirrored(session.Doc().figure));
+  if (ui.Button("figure/fresh", {{middle + 4.0f, row.Min.y}, row.Max}, Tr("Start from one rod"))) {
+    Figure single = SingleRod();
+    single.name = kOwnFigure;
+    session.ReplaceFigure(single);
+    Reset(state.board);
+    state.board.tool = DrawingTool::kGrow;
+  }
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+// The lab: which algorithms, how many trials; their curves with quartiles, and the same as a table and a
+// file.
+#include "shell/panels/lab/lab_panel.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "shell/widgets/plot.h"
+#include "shell/words/algorithm_words.h"
+#include "shell/words/language.h"
+#include "shell/words/wording.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+/// An algorithm keeps its colour from one run to the next.
+ImU32 ColourOf(const Theme& theme, Algorithm algorithm) {
+  constexpr int kColours = 10;  // of rules; the eleventh would be the first again
+  const int index = static_cast<int>(algorithm);
+  return index < kColours ? theme.Rule(index) : theme.palette.second_ink;
+}
+
+/// "SPHC, 3 trials: median 5.31, quartiles 4.20 and 6.10"
+std::string SeriesText(const LabSeries& series) {
+  const std::string& name = WordsOf(series.algorithm).name;
+  std::string text =
+      Tr(series.trials == 1 ? "{1}, {2} trial" : "{1}, {2} trials", name, Grouped(series.trials));
+  if (series.trials == 0) return text;
+  if (series.points.empty()) return Tr("{1}: no motion", text);
+  const LabSeries::Point& end = series.points.back();
+  return Tr("{1}: median {2}, quartiles {3} and {4}", text, Fixed(end.median, 2),
+            Fixed(end.lower_quartile, 2), Fixed(end.upper_quartile, 2));
+}
+
+std::string AllText(const Lab& lab) {
+  std::string text;
+  for (const LabSeries& series : lab.Series()) text += (text.empty() ? "" : "; ") + SeriesText(series);
+  return Tr("{1}. After {2} evaluations", text, Grouped(lab.Evaluations()));
+}
+
+void DrawButtons(Ui& ui, Session& session) {
+  const ImRect row = ui.Row(38.0f);
+  if (session.lab.Running()) {
+    if (ui.Button("lab/stop", row, Tr("Stop"))) session.StopLab();
+  } else if (ui.Button("lab/start", row, Tr("Start"), ButtonLook::kPrimary)) {
+    session.StartLab();
+  }
+}
+
+void DrawProgress(Ui& ui, const Lab& lab) {
+  const ImRect row = ui.Row(6.0f);
+  const float share = static_cast<float>(lab.Finished()) / static_cast<float>(std::max(1, lab.Total()));
+  ui.Canvas()->AddRectFilled(row.Min, row.Max, ui.Ink().soft, 3.0f);
+  ui.Canvas()->AddRectFilled(row.Min, {row.Min.x + share * row.GetWidth(), row.Max.y}, ui.Ink().good, 3.0f);
+  ui.Gap(8.0f);
+  ui.Fact(Tr(lab.Total() == 1 ? "{1} of {2} trial" : "{1} of {2} trials", Grouped(lab.Finished()),
+             Grouped(lab.Total())),
+          Tr(lab.Running()                       ? "running"
+             : lab.State() == LabState::kDone    ? "done"
+             : lab.State() == LabState::kStopped ? "stopped"
+                                                 : "failed"));
+}
+
+void DrawCurves(Ui& ui, const Lab& lab) {
+  std::vector<std::vector<PlotPoint>> medians;
+  std::vector<std::vector<PlotSpread>> spreads;
+  for (const LabSeries& series : lab.Series()) {
+    medians.emplace_back();
+    spreads.emplace_back();
+    for (const LabSeries::Point& point : series.points) {
+      const auto x = static_cast<double>(point.evaluations);
+      medians.back().push_back({x, point.median});
+      spreads.back().push_back({x, point.lower_quartile, point.upper_quartile});
+    }
+  }
+  std::vector<PlotSeries> plotted;
+  for (std::size_t i = 0; i < medians.size(); ++i) {
+    const Algorithm algorithm = lab.Series()[i].algorithm;
+    plotted.push_back({.name = WordsOf(algorithm).name,
+                       .points = medians[i],
+                       .colour = ColourOf(ui.Look(), algorithm),
+                       .spread = spreads[i]});
+  }
+  const ImRect head = ui.Row(24.0f);
+  ui.Letters().Draw(ui.Canvas(), Type::kStrong, {head.Min.x, head.GetCenter().y}, ui.Ink().ink,
+                    Tr("Best so far"));
+  ui.Letters().Draw(ui.Canvas(), Type::kNote, {head.Max.x, head.GetCenter().y}, ui.Ink().second_ink,
+                    Tr("median and quartiles"), Align::kRight);
+  DrawPlot(ui, "lab/curves", Tr("Best score so far: medians and quartiles"), ui.Row(190.0f),
+           {.x_end = static_cast<double>(std::max(lab.Evaluations(), 1)),
+            .x_label = Tr("evaluations"),
+            .y_unit = ""},
+           plotted, AllText(lab));
+}
+
+/// The curves' ends, and the legend of the plot.
+void DrawTable(Ui& ui, const Lab& lab) {
+  // Where columns end, as shares of the width; what they hold is right-aligned.
+  constexpr float kTrials = 0.44f, kMedian = 0.66f, kQuartiles = 1.0f;
+  const float line = ui.Look().touch ? 24.0f : 20.0f;
+  const ImRect whole = ui.Row(line * static_cast<float>(lab.Series().size() + 1));
+  ImGui::PushItemFlag(ImGuiItemFlags_NoNav | ImGuiItemFlags_NoTabStop, true);
+  ui.Area("lab/table", whole, Grab::kNothing,
+          {.label = Tr("Best of the trials"), .role = "note", .value = AllText(lab)});
+  ImGui::PopItemFlag();
+  ImDrawList* list = ui.Canvas();
+  float y = whole.Min.y + 0.5f * line;
+  const auto put = [&](Type type, float column, ImU32 colour, const std::string& text) {
+    ui.Letters().Draw(list, type, {whole.Min.x + column * whole.GetWidth(), y}, colour, text, Align::kRight);
+  };
+  put(Type::kNote, kTrials, ui.Ink().second_ink, Tr("trials"));
+  put(Type::kNote, kMedian, ui.Ink().second_ink, Tr("median"));
+  put(Type::kNote, kQuartiles, ui.Ink().second_ink, Tr("quartiles"));
+  for (const LabSeries& series : lab.Series()) {
+    y += line;
+    list->AddRectFilled({whole.Min.x, y - 4.0f}, {whole.Min.x + 8.0f, y + 4.0f},
+                        ColourOf(ui.Look(), series.algorithm), 2.0f);
+    ui.Letters().Draw(list, Type::kBody, {whole.Min.x + 15.0f, y}, ui.Ink().ink,
+                      WordsOf(series.algorithm).name);
+    put(Type::kBody, kTrials, ui.Ink().second_ink, Grouped(series.trials));
+    if (series.points.empty()) {
+      put(Type::kBody, kQuartiles, ui.Ink().second_ink, Tr(series.trials > 0 ? "no motion" : "none yet"));
+      continue;
+    }
+    const LabSeries::Point& end = series.points.back();
+    put(Type::kStrong, kMedian, ui.Ink().ink, Fixed(end.median, 2));
+    put(Type::kBody, kQuartiles, ui.Ink().second_ink,
+        Tr("{1} to {2}", Fixed(end.lower_quartile, 2), Fixed(end.upper_quartile, 2)));
+  }
+}
+
+/// Toggles, as many in a row as fit.
+void DrawAlgorithms(Ui& ui, LabSettings& settings) {
+  constexpr float kGap = 6.0f;
+  const PartScope part = ui.Part("lab/algorithms", "group", Tr("Algorithms to compare"));
+  const Palette& p = ui.Ink();
+  const auto width_of = [&](std::size_t i) {
+    return ui.Letters().Width(Type::kBody, AlgorithmTexts()[i].name) + 34.0f;
+  };
+  for (std::size_t next = 0; next < AlgorithmTexts().size(); ui.Gap(kGap)) {
+    const ImRect row = ui.ControlRow();
+    for (float x = row.Min.x; next < AlgorithmTexts().size(); ++next) {
+      const float width = width_of(next);
+      if (x > row.Min.x && x + width > row.Max.x) break;
+      const ImRect chip({x, row.Min.y}, {std::min(x + width, row.Max.x), row.Max.y});
+      bool& on = settings.chosen[next];
+      const Touch touch = ui.Area("lab/algorithm/" + std::string(kAlgorithmNames[next]), chip, Grab::kPress,
+                                  {.label = Tr(AlgorithmTexts()[next].title),
+                                   .role = "switch",
+                                   .value = Tr(on ? "on" : "off"),
+                                   .state = {.checked = on}});
+      if (touch.pressed) on = !on;
+      x += width + kGap;
+      if (!touch.visible) continue;
+      const ImU32 colour = ColourOf(ui.Look(), static_cast<Algorithm>(next));
+      ui.Frame(chip, on ? Mix(p.panel, colour, 0.14f) : Mix(p.panel, p.ink, touch.hovered ? 0.04f : 0.0f),
+               on ? Mix(p.panel, colour, 0.7f) : p.line);
+      const ImVec2 dot(chip.Min.x + 14.0f, chip.GetCenter().y);
+      if (on) {
+        ui.Canvas()->AddCircleFilled(dot, 4.5f, colour);
+      } else {
+        ui.Canvas()->AddCircle(dot, 4.0f, p.second_ink, 0, 1.2f);
+      }
+      ui.Letters().Draw(ui.Canvas(), Type::kBody, {chip.Min.x + 24.0f, chip.GetCenter().y},
+                        on ? p.ink : p.second_ink, AlgorithmTexts()[next].name);
+      ui.DrawFocus(touch, chip);
+    }
+  }
+}
+
+void DrawSettings(Ui& ui, LabSettings& settings) {
+  DrawAlgorithms(ui, settings);
+  ui.Gap(4.0f);
+  ui.Number("lab/trials", Tr("Trials of each"), settings.trials, kFewestLabTrials, kMostLabTrials);
+  ui.Gap(6.0f);
+  double evaluations = settings.evaluations;
+  if (ui.Slider("lab/evaluations", Tr("Evaluations of each"), evaluations,
+                {.low = 500.0, .high = 40'000.0, .step = 100.0, .logarithmic = true},
+                Grouped(settings.evaluations))) {
+    settings.evaluations = static_cast<int>(evaluations);
+  }
+  ui.Gap(6.0f);
+  constexpr int kMostSeed = 999'999'999;
+  int seed = static_cast<int>(std::min<std::uint32_t>(settings.first_seed, kMostSeed));
+  if (ui.Number("lab/first-seed", Tr("First seed"), seed, 0, kMostSeed))
+    settings.first_seed = static_cast<std::uint32_t>(seed);
+}
+
+}  // namespace
+
+void DrawLabPanel(Ui& ui, Session& session) {
+  Lab& lab = session.lab;
+  DrawButtons(ui, session);
+  ui.Gap(12.0f);
+  if (lab.Total() > 0) {
+    DrawProgress(ui, lab);
+    ui.Gap(6.0f);
+    DrawCurves(ui, lab);
+    ui.Gap(8.0f);
+    if (!lab.IsOf(session.Doc())) {
+      ui.Paragraph(Tr("These trials are of the document as it was when they began."), ui.Ink().accent,
+                   Type::kNote);
+      ui.Gap(4.0f);
+    }
+    DrawTable(ui, lab);
+    ui.Gap(8.0f);
+    if (ui.Button("lab/save", ui.ControlRow(), Tr("Save curves as CSV"), ButtonLook::kOutlined,
+                  lab.Finished() > 0))
+      session.SaveLabCurves();
+    ui.Gap(14.0f);
+  }
+  DrawSettings(ui, lab.settings);
+  ui.Gap(10.0f);
+  const Document& d = session.Doc();
+  ui.Paragraph(
+      Tr("The next run compares how fast each algorithm finds {1} that can make {2} {3} for {4} s. "
+         "The first trial of each has the first seed, the next one the next; the shown motion stays.",
+         ControllerWords(d.kind, d.senses, d.rules), TrTitle(d.figure.name), TaskWords(d.task.kind),
+         Fixed(static_cast<float>(d.task.duration_steps) * kStep, 1)),
+      Type::kNote);
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "shell/panels/search/elite_panel.h"
+
+#include <algorithm>
+#include <string>
+
+#include "shell/session/elite_map.h"
+#include "shell/words/language.h"
+#include "shell/words/wording.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+constexpr float kAxis = 18.0f;  // room for the name of an axis
+
+/// A square of the map. @return whether it is pressed
+bool DrawSquare(Ui& ui, const EliteMap& map, const ImRect& rect, int height, int slip, int turns) {
+  const MapElites::Elite* elite = map.At(height, slip, turns);
+  const Palette& p = ui.Ink();
+  if (elite == nullptr) {
+    ui.Canvas()->AddRectFilled(rect.Min, rect.Max, Mix(p.panel, p.soft, 0.7f), 2.0f);
+    return false;
+  }
+  const std::string id =
+      "elite/" + std::to_string(height) + "/" + std::to_string(slip) + "/" + std::to_string(turns);
+  const Touch touch = ui.Area(id, rect, Grab::kPress,
+                              {.label = Tr("Height {1} m, slip {2} m, turns {3}", map.RangeText(0, height),
+                                           map.RangeText(1, slip), map.RangeText(2, turns)),
+                               .role = "option",
+                               .value = Tr("score {1}", Fixed(elite->score.fitness, 2))});
+  const float range = std::max(map.Best() - map.Least(), 1e-6f);
+  const float share = (elite->score.fitness - map.Least()) / range;
+  ui.Canvas()->AddRectFilled(rect.Min, rect.Max, Mix(p.soft, p.accent, 0.15f + 0.85f * share), 2.0f);
+  if (touch.hovered) {
+    ui.Canvas()->AddRect(rect.Min, rect.Max, p.ink, 2.0f, 0, 1.5f);
+    const std::string score = Fixed(elite->score.fitness, 1);
+    const float room = 0.5f * ui.Letters().Width(Type::kSmall, score) + 4.0f;
+    const ImVec2 centre(rect.GetCenter().x, rect.Min.y - 10.0f);
+    ImDrawList* over = ImGui::GetForegroundDrawList();
+    over->AddRectFilled({centre.x - room, centre.y - 9.0f}, {centre.x + room, centre.y + 9.0f}, p.ink, 4.0f);
+    ui.Letters().Draw(over, Type::kSmall, centre, p.panel, score, Align::kCentre);
+  }
+  ui.DrawFocus(touch, rect, 2.0f);
+  return touch.pressed;
+}
+
+}  // namespace
+
+void DrawEliteMap(Ui& ui, Session& session, int& turns) {
+  const EliteMap& map = *session.Elites();
+  const int bins = map.Bins();
+  turns = std::clamp(turns, 0, bins - 1);
+  ui.Paragraph(map.Title(), Type::kNote);
+  ui.Paragraph(Tr("The best motion of each style, stronger where it scores more. A press shows it."),
+               Type::kNote);
+  ui.Gap(4.0f);
+  int shown = turns + 1;
+  if (ui.Number("elites/turns", Tr("Turns {1}", map.RangeText(2, turns)), shown, 1, bins)) turns = shown - 1;
+  ui.Paragraph(Tr("{1} motions here, {2} on all {3} sheets.", std::to_string(map.Count(turns)),
+                  std::to_string(map.Count()), std::to_string(bins)),
+               Type::kNote);
+  ui.Gap(4.0f);
+  // Slip to the right, height upwards.
+  const float side = ImGui::GetCurrentWindowRead()->Size.x - 2.0f * kPanelPadding - kAxis;
+  const float edge = std::floor(std::min(side / static_cast<float>(bins), 34.0f));
+  const ImRect all = ui.Row(edge * static_cast<float>(bins) + kAxis);
+  const float left = all.Min.x + kAxis;
+  const float bottom = all.Min.y + edge * static_cast<float>(bins);
+  std::optional<Document> wanted;
+  {
+    const PartScope part = ui.Part("elites/map", "listbox", Tr("Map of styles"));
+    for (int height = 0; height < bins; ++height) {
+      for (int slip = 0; slip < bins; ++slip) {
+        const ImVec2 at(left + edge * static_cast<float>(slip),
+                        bottom - edge * static_cast<float>(height + 1));
+        if (DrawSquare(ui, map, {{at.x + 1.0f, at.y + 1.0f}, {at.x + edge - 1.0f, at.y + edge - 1.0f}},
+                       height, slip, turns))
+          wanted = map.MotionAt(height, slip, turns);
+      }
+    }
+  }
+  const ElitesSettings& settings = map.Settings();
+  ui.Letters().Draw(ui.Canvas(), Type::kSmall, {left, bottom + 0.5f * kAxis}, ui.Ink().second_ink,
+                    Tr("Slip, 0 to {1} m →", Fixed(settings.most[1], 1)));
+  ui.Letters().Draw(ui.Canvas(), Type::kSmall, {all.Min.x + kAxis - 5.0f, all.Min.y + 7.0f},
+                    ui.Ink().second_ink, "↑", Align::kRight);
+  ui.Paragraph(Tr("Height upwards, 0 to {1} m", Fixed(settings.most[0], 1)), Type::kNote);
+  ui.Gap(6.0f);
+  if (wanted) session.ShowElite(std::move(*wanted));
+}
+
+}  // namespace gaitsmith::shell

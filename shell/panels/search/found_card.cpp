@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "shell/panels/search/found_card.h"
+
+#include <array>
+#include <cmath>
+
+#include "shell/timeline/found_drop.h"
+#include "shell/words/algorithm_words.h"
+#include "shell/words/language.h"
+#include "shell/words/search_words.h"
+#include "shell/words/style_words.h"
+#include "shell/words/wording.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+constexpr float kStripHeight = 54.0f;
+constexpr float kLine = 17.0f;  // of text
+
+std::string ScoreText(const FoundMotion& found) {
+  if (!found.Moves()) return Tr("failed");
+  return found.Score() <= kVoidScore ? Tr("no score") : Fixed(found.Score(), 2);
+}
+
+/// What controls it: the controller's own, which need not be what its document would search next.
+struct Control {
+  ControllerKind kind;
+  SenseSpec senses;
+  int rules;
+};
+Control ControlOf(const Document& d) {
+  if (d.controllers.empty()) return {d.kind, d.senses, d.rules};
+  const Controller& last = d.controllers.back();
+  return {last.kind, last.senses, last.rules};
+}
+
+/// "SPHC · seed 3 · 40,000 · physical", "SPHC · seed 3 · stopped at 3,100 · timer 0.80 s", "kept by hand ·
+/// network"
+std::string LineOf(const FoundMotion& found, bool with_unit) {
+  const Document& d = found.document;
+  const Control control = ControlOf(d);
+  const std::string decider = DeciderWords(control.kind, control.senses);
+  if (found.origin == Origin::kByHand) return Tr("kept by hand · {1}", decider);
+  const char* pattern =
+      with_unit ? TrLater("{1} · seed {2} · {3} evaluations · {4}") : TrLater("{1} · seed {2} · {3} · {4}");
+  if (found.origin == Origin::kStopped) {
+    pattern = with_unit ? TrLater("{1} · seed {2} · stopped at {3} evaluations · {4}")
+                        : TrLater("{1} · seed {2} · stopped at {3} · {4}");
+  } else if (found.origin == Origin::kFailed) {
+    pattern = with_unit ? TrLater("{1} · seed {2} · failed at {3} evaluations · {4}")
+                        : TrLater("{1} · seed {2} · failed at {3} · {4}");
+  }
+  return Tr(pattern, WordsOf(d.search.algorithm).name, std::to_string(d.search.seed),
+            Grouped(found.evaluations), decider);
+}
+
+bool HasTerms(const FoundMotion& found) { return found.Moves() && !found.terms.broke_physics; }
+
+/// "18.33 m · up to 0.97 m · slip 20.9 m · turns 0.02": the paper's terms
+std::string TermsLine(const FoundMotion& found) {
+  const Terms& terms = found.terms;
+  return Tr("{1} m · up to {2} m · slip {3} m · turns {4}", AmountText(std::abs(terms.travel_m), 2),
+            AmountText(terms.max_cm_height_m, 2), AmountText(terms.slip_sum_m, 1),
+            AmountText(terms.rotations, 2));
+}
+
+/// Where the walking figure of a card is; below 0 while nothing is played.
+float ShareNow(const Session& session, const Document& document) {
+  if (!session.player.Playing()) return -1.0f;
+  const double length = document.duration_steps * static_cast<double>(kStep);
+  return static_cast<float>(std::fmod(ImGui::GetTime(), length) / length);
+}
+
+/// The buttons under the words, from the left.
+class ButtonRow {
+ public:
+  ButtonRow(Ui& ui, const ImRect& row) : ui_(ui), size_(row.GetHeight()), x_(row.Min.x), row_(row) {}
+  ImRect Next() {
+    const ImRect place({x_, row_.Min.y}, {x_ + size_, row_.Max.y});
+    x_ += size_ + 2.0f;
+    return place;
+  }
+  bool Put(const std::string& id, Icon icon, const std::string& label, bool enabled = true) {
+    return ui_.IconButton(id, Next(), icon, label, ButtonLook::kPlain, enabled);
+  }
+  /// The rest of the row.
+  [[nodiscard]] ImRect Rest() const { return {{x_ + 4.0f, row_.Min.y}, row_.Max}; }
+
+ private:
+  Ui& ui_;
+  float size_, x_;
+  ImRect row_;
+};
+
+bool DrawKeepSwitch(Ui& ui, const std::string& id, const ImRect& rect, const std::string& scene, bool kept) {
+  const Touch star = ui.Area(id, rect, Grab::kPress,
+                             {.label = Tr("Keep: {1}", scene),
+                              .role = "switch",
+                              .value = Tr(kept ? "on" : "off"),
+                              .state = {.checked = kept}});
+  if (!star.visible) return star.pressed;
+  if (star.hovered)
+    ui.Canvas()->AddRectFilled(rect.Min, rect.Max, Mix(ui.Ink().panel, ui.Ink().ink, 0.05f), kCornerRadius);
+  DrawIcon(ui.Canvas(), kept ? Icon::kBookmarkFull : Icon::kBookmark, rect.GetCenter(), 14.0f,
+           kept ? ui.Ink().accent : ui.Ink().second_ink);
+  ui.DrawFocus(star, rect);
+  return star.pressed;
+}
+
+FoundWish DrawButtons(Ui& ui, const Session& session, const FoundMotions::Entry& entry, const ImRect& row,
+                      const std::string& scene) {
+  const FoundMotion& found = entry.motion;
+  const std::string id = "found/" + entry.id;
+  FoundWish wish = FoundWish::kNothing;
+  ButtonRow buttons(ui, row);
+  if (buttons.Put(id + "/insert", Icon::kPlus, Tr("Insert into the timeline at the moment shown: {1}", scene),
+                  found.Moves()))
+    wish = FoundWish::kInsert;
+  if (DrawKeepSwitch(ui, id + "/keep", buttons.Next(), scene, found.kept)) wish = FoundWish::kKeep;
+  if (session.CanAskName() && buttons.Put(id + "/rename", Icon::kPencil, Tr("Name: {1}", scene)))
+    wish = FoundWish::kRename;
+  if (buttons.Put(id + "/again", Icon::kRestart,
+                  Tr("Make again, with the same seed and settings: {1}", scene),
+                  found.origin != Origin::kByHand))
+    wish = FoundWish::kAgain;
+  if (buttons.Put(id + "/delete", Icon::kClose, Tr("Delete: {1}", scene))) wish = FoundWish::kDelete;
+  const ImRect rest = buttons.Rest();
+  const std::string score = ScoreText(found);
+  const bool bad = !found.Moves() || found.Score() <= kVoidScore;
+  ui.Letters().Draw(ui.Canvas(), Type::kStrong, {rest.Max.x - 6.0f, rest.GetCenter().y},
+                    bad ? ui.Ink().bad : ui.Ink().good, score, Align::kRight);
+  return wish;
+}
+
+void DrawWords(const Ui& ui, const FoundMotion& found, ImVec2 at, float width) {
+  const Fonts& letters = ui.Letters();
+  letters.DrawElided(ui.Canvas(), Type::kStrong, at, width, ui.Ink().ink, CardName(found));
+  at.y += kLine;
+  if (HasTerms(found)) {
+    letters.DrawElided(ui.Canvas(), Type::kNote, at, width, ui.Ink().second_ink, TermsLine(found));
+    at.y += kLine;
+  }
+  letters.DrawElided(ui.Canvas(), Type::kNote, at, width, ui.Ink().second_ink, LineOf(found, false));
+}
+
+}  // namespace
+
+std::string CardName(const FoundMotion& found) {
+  return found.name.empty() ? SearchTitle(found.document) : found.name;
+}
+
+std::string SceneText(const FoundMotion& found) {
+  const Control control = ControlOf(found.document);
+  return CardName(found) + ", " + ControllerWords(control.kind, control.senses, control.rules);
+}
+
+FoundWish DrawFoundCard(Ui& ui, const Session& session, const FoundMotions::Entry& entry,
+                        MotionStrips& strips) {
+  const FoundMotion& found = entry.motion;
+  const float buttons = ui.Look().ControlHeight();
+  const float words = kLine * (HasTerms(found) ? 3.0f : 2.0f) + 4.0f;
+  const float strip = found.Moves() ? kStripHeight : 0.0f;
+  const ImRect card = ui.Row(strip + words + buttons + 14.0f);
+  ui.Gap(8.0f);
+  // Of a hundred entries a few are to be seen, and the others must not cost a frame.
+  const bool seen = ImGui::IsRectVisible(card.Min, card.Max);
+  const bool shown = seen && session.InHand(entry);
+  const Palette& p = ui.Ink();
+  const std::string scene = seen ? SceneText(found) : CardName(found);
+  std::string spoken;
+  if (seen) {
+    spoken = LineOf(found, true) + ". " +
+             (found.Moves() ? ScoreWords(found.document.task, found.terms) : Tr("It failed."));
+  }
+  const ImRect upper(card.Min, {card.Max.x, card.Max.y - buttons - 4.0f});
+  const Touch touch = ui.Area(
+      "found/" + entry.id, upper, Grab::kPress,
+      {.label = Tr("Show {1}", scene), .role = "button", .value = spoken, .state = {.selected = shown}});
+  if (found.Moves()) OfferFound(ui, entry.id, CardName(found));
+  FoundWish wish = touch.pressed ? FoundWish::kShow : FoundWish::kNothing;
+  if (seen) {
+    const ImU32 fill =
+        shown ? Mix(p.panel, p.accent, 0.10f) : Mix(p.panel, p.ink, touch.hovered ? 0.04f : 0.0f);
+    ui.Frame(card, fill, shown ? p.accent : p.line);
+    const ImRect picture({card.Min.x + 5.0f, card.Min.y + 5.0f}, {card.Max.x - 5.0f, card.Min.y + strip});
+    if (found.Moves()) {
+      const MotionStrip* poses = strips.Of(entry.id, found.document);
+      if (poses != nullptr) DrawMotionStrip(ui, *poses, picture, ShareNow(session, found.document));
+    }
+    DrawWords(ui, found, {card.Min.x + 8.0f, card.Min.y + strip + 12.0f}, card.GetWidth() - 16.0f);
+    ui.DrawFocus(touch, upper);
+  }
+  const ImRect row({card.Min.x + 3.0f, upper.Max.y}, {card.Max.x, upper.Max.y + buttons});
+  const FoundWish below = DrawButtons(ui, session, entry, row, scene);
+  return below != FoundWish::kNothing ? below : wish;
+}
+
+}  // namespace gaitsmith::shell

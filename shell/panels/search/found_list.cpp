@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "shell/panels/search/found_list.h"
+
+#include <array>
+#include <string>
+
+#include "shell/words/language.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+bool IsWanted(const FoundMotion& found, FoundListState::Filter filter, const Document& open) {
+  switch (filter) {
+    case FoundListState::Filter::kAll:
+      return true;
+    case FoundListState::Filter::kThisFigure:
+      return SameTree(found.document.figure, open.figure);
+    case FoundListState::Filter::kKept:
+      return found.kept;
+  }
+  return true;
+}
+
+/// What went last, and its way back.
+void DrawRemoved(Ui& ui, FoundMotions& found) {
+  const FoundMotions::Entry* removed = found.Removed();
+  if (removed == nullptr) return;
+  const ImRect row = ui.ControlRow();
+  const ImRect button({row.Max.x - 96.0f, row.Min.y}, row.Max);
+  ui.Letters().DrawElided(ui.Canvas(), Type::kNote, {row.Min.x, row.GetCenter().y}, row.GetWidth() - 104.0f,
+                          ui.Ink().second_ink, Tr("Deleted: {1}", SceneText(removed->motion)));
+  if (ui.Button("found/bring-back", button, Tr("Bring back"))) found.BringBack();
+  ui.Gap(6.0f);
+}
+
+void DrawChoices(Ui& ui, FoundListState& state) {
+  const std::array<std::string, 5> orders = {Tr("Newest first"), Tr("Best score first"), Tr("Highest first"),
+                                             Tr("Most turns first"), Tr("Least slip first")};
+  const std::array<std::string, 3> filters = {Tr("All"), Tr("Of this figure"), Tr("Kept ones")};
+  int order = static_cast<int>(state.order);
+  int filter = static_cast<int>(state.filter);
+  if (ui.Combo("found/order", Tr("Order of the results"), orders, order))
+    state.order = static_cast<FoundMotions::Order>(order);
+  ui.Gap(4.0f);
+  if (ui.Combo("found/filter", Tr("Which results"), filters, filter))
+    state.filter = static_cast<FoundListState::Filter>(filter);
+  ui.Gap(8.0f);
+}
+
+void Do(Session& session, FoundWish wish, const std::string& id) {
+  const FoundMotions::Entry* entry = session.found.Find(id);
+  if (entry == nullptr) return;
+  switch (wish) {
+    case FoundWish::kNothing:
+      return;
+    case FoundWish::kShow:
+      session.ShowFound(id);
+      return;
+    case FoundWish::kInsert:
+      session.InsertFound(id);
+      return;
+    case FoundWish::kKeep:
+      session.found.Keep(id, !entry->motion.kept);
+      return;
+    case FoundWish::kRename:
+      session.AskName(id);
+      return;
+    case FoundWish::kAgain:
+      session.MakeAgain(id);
+      return;
+    case FoundWish::kDelete:
+      session.found.Remove(id);
+      return;
+  }
+}
+
+}  // namespace
+
+void DrawFound(Ui& ui, Session& session, FoundListState& state) {
+  state.strips.BeginFrame();
+  DrawRemoved(ui, session.found);
+  if (session.found.Empty()) {
+    ui.Paragraph(Tr("What searches find is listed here, and what you keep."), Type::kNote);
+    return;
+  }
+  DrawChoices(ui, state);
+  // What is pressed changes the list, so it is done after it.
+  FoundWish wish = FoundWish::kNothing;
+  std::string id;
+  bool any = false;
+  for (const FoundMotions::Entry* entry : session.found.Sorted(state.order)) {
+    if (!IsWanted(entry->motion, state.filter, session.Doc())) continue;
+    any = true;
+    const FoundWish here = DrawFoundCard(ui, session, *entry, state.strips);
+    if (here == FoundWish::kNothing) continue;
+    wish = here;
+    id = entry->id;
+  }
+  if (!any) ui.Paragraph(Tr("None of the results is of this kind."), Type::kNote);
+  ui.Paragraph(Tr("Press one to see it; drag it to the timeline to chain it. Up to 100 stay; where room is "
+                  "short, the oldest that are not kept go."),
+               Type::kNote);
+  Do(session, wish, id);
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The found motions in the Search panel, as cards: sorted, and those that are asked for.
+#pragma once
+
+#include "shell/panels/search/found_card.h"
+
+namespace gaitsmith::shell {
+
+struct FoundListState {
+  enum class Filter { kAll, kThisFigure, kKept };
+
+  FoundMotions::Order order = FoundMotions::Order::kNewest;
+  Filter filter = Filter::kAll;
+  MotionStrips strips = {};
+};
+
+void DrawFound(Ui&, Session&, FoundListState&);
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// The settings of the next search: algorithm, budget, seed, and what that algorithm can be told besides.
+#pragma once
+
+#include "shell/session/session.h"
+#include "shell/widgets/widgets.h"
+
+namespace gaitsmith::shell {
+
+/// @param variation  whether the section of the shared operators is open
+void DrawSearchSettings(Ui&, Session&, bool& variation);
+
+}  // namespace gaitsmith::shell

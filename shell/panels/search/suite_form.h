@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// "Make a suite" in the Search panel: what it is made of, and the button that queues its searches.
+#pragma once
+
+#include "shell/session/session.h"
+#include "shell/session/suite_plan.h"
+#include "shell/widgets/widgets.h"
+
+namespace gaitsmith::shell {
+
+void DrawSuiteForm(Ui&, Session&, SuiteChoice&);
+
+}  // namespace gaitsmith::shell

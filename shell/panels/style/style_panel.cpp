@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+// Task, duration, weights, and the live score term by term.
+#include "shell/panels/style/style_panel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/document/usual_weights.h"
+#include "shell/words/language.h"
+#include "shell/words/style_words.h"
+#include "shell/words/wording.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+/// The score of what the stage has shown so far, as a sum: a line for each term, measured × weight and what
+/// that adds. What has no weight is measured all the same.
+class ScoreTable {
+ public:
+  ScoreTable(Ui& ui, int lines)
+      : ui_(ui),
+        line_height_(ui.Look().touch ? 24.0f : 20.0f),
+        whole_(ui.Row(line_height_ * static_cast<float>(lines) + kRuleGap)),
+        y_(whole_.Min.y) {}
+
+  void Head() {
+    const float y = Next();
+    Put(Type::kNote, y, kMeasured, ui_.Ink().second_ink, Tr("measured"));
+    Put(Type::kNote, y, kWeight, ui_.Ink().second_ink, Tr("weight"));
+    Put(Type::kNote, y, kAdds, ui_.Ink().second_ink, Tr("adds"));
+  }
+  /// @param weight empty: it has none
+  void Line(std::string_view name, const std::string& measured, const std::string& weight,
+            const std::string& adds) {
+    const float y = Next();
+    const bool counts = !adds.empty();
+    const ImU32 ink = counts ? ui_.Ink().ink : ui_.Ink().second_ink;
+    ui_.Letters().Draw(ui_.Canvas(), Type::kBody, {whole_.Min.x, y}, ink, name);
+    Put(Type::kBody, y, kMeasured, ui_.Ink().second_ink, measured);
+    if (!weight.empty()) Put(Type::kBody, y, kWeight, ui_.Ink().second_ink, "× " + weight);
+    if (counts) Put(Type::kBody, y, kAdds, ink, adds);
+  }
+  /// @param sum empty: there is none, and the name says why
+  void Sum(std::string_view name, const std::string& sum, ImU32 colour) {
+    y_ += kRuleGap;
+    ui_.HorizontalLine(whole_.Min.x, whole_.Max.x, y_ - 0.5f * kRuleGap);
+    const float y = Next();
+    ui_.Letters().Draw(ui_.Canvas(), Type::kStrong, {whole_.Min.x, y}, sum.empty() ? colour : ui_.Ink().ink,
+                       name);
+    Put(Type::kStrong, y, kAdds, colour, sum);
+  }
+  [[nodiscard]] const ImRect& Whole() const { return whole_; }
+
+ private:
+  // Where columns end, as shares of the width; what they hold is right-aligned.
+  static constexpr float kMeasured = 0.58f;
+  static constexpr float kWeight = 0.78f;
+  static constexpr float kAdds = 1.0f;
+  static constexpr float kRuleGap = 7.0f;
+
+  float Next() {
+    y_ += line_height_;
+    return y_ - 0.5f * line_height_;
+  }
+  void Put(Type type, float y, float column, ImU32 colour, std::string_view text) const {
+    ui_.Letters().Draw(ui_.Canvas(), type, {whole_.Min.x + column * whole_.GetWidth(), y}, colour, text,
+                       Align::kRight);
+  }
+
+  Ui& ui_;
+  float line_height_;
+  ImRect whole_;
+  float y_;  // of the next line
+};
+
+void DrawScore(Ui& ui, const Session& session) {
+  const Task& task = session.Doc().task;
+  const Terms& terms = session.player.TermsNow();
+  const ImRect head = ui.Row(Fonts::LineHeight(Type::kStrong) + 4.0f);
+  const float y = head.GetCenter().y;
+  ui.Letters().Draw(ui.Canvas(), Type::kStrong, {head.Min.x, y}, ui.Ink().ink, Tr("Score so far"));
+  ui.Letters().Draw(ui.Canvas(), Type::kNote, {head.Max.x, y}, ui.Ink().second_ink,
+                    Tr("at {1} s", Fixed(session.player.TimeS(), 2)), Align::kRight);
+  const float fitness = Fitness(task, terms);
+  ScoreTable table(ui, kStyleTerms + 4);  // head, primary term, sum, end
+  // One note that says the whole sum, for tools that read the canvas.
+  ImGui::PushItemFlag(ImGuiItemFlags_NoNav | ImGuiItemFlags_NoTabStop, true);
+  ui.Area("style/score", table.Whole(), Grab::kNothing,
+          {.label = Tr("Score so far"), .role = "note", .value = ScoreWords(task, terms)});
+  ImGui::PopItemFlag();
+  table.Head();
+  const float primary = Primary(task, terms);
+  table.Line(PrimaryLabel(task.kind), AmountText(primary, 2) + " m", "", AmountText(primary, 2));
+  for (std::size_t i = 0; i < kStyleTerms; ++i) {
+    const TermWords& words = TermTexts()[i];
+    const float value = terms.Style(static_cast<StyleTerm>(i));
+    const float weight = task.weights[i];
+    const bool weighed = weight != 0.0f;
+    table.Line(Tr(words.label), ValueText(words, value), weighed ? WeightText(weight) : "",
+               weighed ? AmountText(weight * value, 2) : "");
+  }
+  if (fitness <= kVoidScore) {
+    table.Sum(Tr("Void: this motion breaks physics"), "", ui.Ink().bad);
+  } else {
+    table.Sum(Tr("Score"), AmountText(fitness, 2), ui.Ink().good);
+  }
+  const Motion& motion = session.player.Shown();
+  const float whole = Fitness(task, motion.TermsAt(motion.Frames() - 1));
+  table.Line(Tr("At the end, {1} s", Fixed(session.player.DurationS(), 2)), "", "",
+             whole <= kVoidScore ? Tr("void") : AmountText(whole, 2));
+}
+
+// Of a weight's slider, in usual weights.
+constexpr double kMostUnits = 3.0;
+constexpr double kUnitStep = 0.1;
+
+void DrawWeights(Ui& ui, Session& session) {
+  const Task& task = session.Doc().task;
+  const bool any = std::ranges::any_of(task.weights, [](float weight) { return weight != 0.0f; });
+  ui.Heading(Tr("Style"));
+  ui.Paragraph(Tr("Above 0 asks for more, below 0 for less; 1 is the usual weight of this figure."),
+               Type::kNote);
+  ui.Gap(8.0f);
+  const auto usual = UsualWeights(session.Doc());
+  for (std::size_t i = 0; i < kStyleTerms; ++i) {
+    const TermWords& words = TermTexts()[i];
+    const auto unit = static_cast<double>(usual[i]);
+    double units = static_cast<double>(task.weights[i]) / unit;
+    std::string text = "0";
+    if (task.weights[i] != 0.0f) {
+      text = AmountText(static_cast<float>(units), 1) + " · " + WeightText(task.weights[i]);
+      if (*words.per != '\0') text += std::string(" ") + Tr(words.per);
+    }
+    if (ui.Slider(words.id, Tr(words.label), units,
+                  {.low = -kMostUnits, .high = kMostUnits, .step = kUnitStep}, text)) {
+      // On the slider's own grid, or steps by key would gather rounding.
+      const auto chosen = static_cast<float>(std::round(units / kUnitStep) * kUnitStep * unit);
+      session.Set([&](Document& d) { d.task.weights[i] = chosen; });
+    }
+    ui.Paragraph(Tr(words.line), Type::kNote);
+    ui.Gap(8.0f);
+  }
+  if (ui.Button("style/reset", ui.ControlRow(), Tr("Reset all weights to 0"), ButtonLook::kOutlined, any)) {
+    session.Set([](Document& d) { d.task.weights = {}; });
+  }
+}
+
+}  // namespace
+
+void DrawStylePanel(Ui& ui, Session& session) {
+  const Task& task = session.Doc().task;
+  const std::array<std::string, 4> tasks = {Tr("Travel, either way"), Tr("Travel to the right"),
+                                            Tr("Travel to the left"), Tr("Jump")};
+  int kind = static_cast<int>(task.kind);
+  if (ui.Combo("style/task", Tr("Goal"), tasks, kind)) {
+    session.Set([&](Document& d) { d.task.kind = static_cast<TaskKind>(kind); });
+  }
+  ui.Paragraph(PrimaryLine(task.kind), Type::kNote);
+  ui.Gap(8.0f);
+  const float seconds = static_cast<float>(task.duration_steps) * kStep;
+  double duration = static_cast<double>(seconds);
+  if (ui.Slider("style/duration", Tr("Duration"), duration, {.low = 1.0, .high = 30.0, .step = 0.5},
+                Fixed(seconds, 1) + " s")) {
+    session.SetDuration(static_cast<int>(std::lround(duration * 100.0)));
+  }
+  ui.Gap(10.0f);
+  DrawScore(ui, session);
+  ui.Gap(14.0f);
+  DrawWeights(ui, session);
+  ui.Gap(8.0f);
+  if (!session.Searching()) {
+    if (ui.Button("style/try", ui.Row(38.0f), Tr("Try: a moment from this motion"), ButtonLook::kOutlined,
+                  session.ShownController() != nullptr)) {
+      session.TryStyle();
+    }
+    ui.Gap(8.0f);
+    if (ui.Button("style/start", ui.Row(38.0f), Tr("Synthesize in this style"), ButtonLook::kOutlined))
+      session.Synthesize();
+  }
+  ui.Gap(14.0f);
+  ui.Heading(Tr("Shown on the stage"));
+  bool poses = session.Doc().view.poses;
+  bool trail = session.Doc().view.trail;
+  bool forces = session.Doc().view.forces;
+  if (ui.Switch("view/poses", Tr("Past poses"), poses)) session.SetView([&](View& v) { v.poses = poses; });
+  if (ui.Switch("view/trail", Tr("Path of the centre of mass"), trail))
+    session.SetView([&](View& v) { v.trail = trail; });
+  if (ui.Switch("view/forces", Tr("Contact forces"), forces))
+    session.SetView([&](View& v) { v.forces = forces; });
+}
+
+}  // namespace gaitsmith::shell

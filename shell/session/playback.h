@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// A document's motion being shown: where in time it is, how fast it runs, and what drawing it needs along the
+// way. The motion itself is core's; nothing here computes physics.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/document/document.h"
+
+namespace gaitsmith::shell {
+
+/// A stretch of time in which one rule of one clip was active.
+struct RuleRun {
+  int start_frame;
+  int end_frame;
+  int clip;
+  int rule;
+};
+
+/// A stretch of time in which something of the figure bears on the ground.
+struct Contact {
+  int start_frame;
+  int end_frame;
+};
+
+class Playback {
+ public:
+  /// Simulates the document; keeps the time where it is, or starts over.
+  void Load(const Document& document, bool start_over);
+
+  /// @return true when the picture changed
+  bool Advance(double seconds);
+  void Play(bool playing) { playing_ = playing; }
+  void Seek(double time_s);
+  /// Moves by whole frames and pauses.
+  void Step(int frames);
+
+  [[nodiscard]] bool Loaded() const { return motion_ != nullptr; }
+  [[nodiscard]] const Motion& Shown() const { return *motion_; }
+  [[nodiscard]] bool Playing() const { return playing_; }
+  [[nodiscard]] double TimeS() const { return time_s_; }
+  [[nodiscard]] double DurationS() const;
+  [[nodiscard]] int Frame() const;
+  [[nodiscard]] const Terms& TermsNow() const { return motion_->TermsAt(Frame()); }
+
+  double speed = 1.0;
+
+  /// A point of the figure: along the ground in double precision, height above it.
+  struct Point {
+    double x_m;
+    float y_m;
+  };
+  /// Endpoints at this time, between frames by straight interpolation.
+  [[nodiscard]] std::vector<Point> EndpointsAt(double time_s) const;
+  [[nodiscard]] Point CentreAt(double time_s) const;
+  /// The centre of mass, smoothed over a second: what a steady camera follows.
+  [[nodiscard]] double CameraXAt(double time_s) const;
+
+  [[nodiscard]] float ReachM() const {
+    return reach_m_;
+  }  // farthest any endpoint gets from the centre of mass
+  [[nodiscard]] float HeightM() const { return height_m_; }  // highest any endpoint gets
+  [[nodiscard]] const std::vector<RuleRun>& Runs() const { return runs_; }
+  [[nodiscard]] const std::vector<Contact>& Contacts() const { return contacts_; }
+  /// Frames whose poses stand apart enough to be drawn side by side: A, B, C...
+  [[nodiscard]] const std::vector<int>& PoseFrames() const { return pose_frames_; }
+
+ private:
+  void Measure();
+  void FindRuns();
+  void FindContacts();
+  [[nodiscard]] float GapM(int frame, int other) const;
+  void ChoosePoses();
+  void SmoothCamera();
+
+  std::unique_ptr<Motion> motion_;
+  Document shown_;  // what it is the motion of
+  double time_s_ = 0.0;
+  bool playing_ = true;
+  float reach_m_ = 1.0f;
+  float height_m_ = 1.0f;
+  std::vector<RuleRun> runs_;
+  std::vector<Contact> contacts_;
+  std::vector<int> pose_frames_;
+  std::vector<double> camera_x_m_;
+};
+
+}  // namespace gaitsmith::shell

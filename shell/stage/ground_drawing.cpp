@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "shell/stage/ground_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shell/words/wording.h"
+
+namespace gaitsmith::shell {
+
+namespace {
+
+constexpr int kTicksInReach = 120;  // on the stage and as far again to either side, where a slope shows them
+
+}  // namespace
+
+void DrawGround(Ui& ui, const ImRect& rect, const Camera& camera) {
+  const Palette& p = ui.Ink();
+  ImDrawList* list = ui.Canvas();
+  const double width_m = static_cast<double>(rect.GetWidth() / camera.scale);
+  const double first = camera.left_m - width_m;
+  const double last = camera.left_m + 2.0 * width_m;
+  const ImVec2 left = camera.ToScreen(first, 0.0f);
+  const ImVec2 right = camera.ToScreen(last, 0.0f);
+  if (camera.sine == 0.0f) {
+    const float opacity = ImGui::ColorConvertU32ToFloat4(p.ground).w;
+    ui.Behind().Fill({{rect.Min.x, camera.origin.y}, rect.Max}, Mix(p.paper, p.ground, opacity));
+  } else {
+    const float below = rect.Max.y + 0.6f * rect.GetWidth();
+    const ImVec2 corners[] = {left, right, {right.x, below}, {left.x, below}};
+    list->AddConvexPolyFilled(corners, 4, p.ground);
+  }
+
+  // A tick every metre, or every 2, 5, 10... where they would crowd. Counted from the first, since a metre
+  // may be too little to change a number.
+  const auto label_of = [](double metres) {
+    return (metres < 0.0 ? "−" : "") + Fixed(std::abs(metres), 0) + " m";
+  };
+  const float label_width = ui.Letters().Width(Type::kSmall, label_of(std::min(first, -last)));
+  const double crowded_m = static_cast<double>(std::max(44.0f, label_width + 8.0f) / camera.scale);
+  const double least_m = std::max(crowded_m, (last - first) / kTicksInReach);
+  double spacing = 1.0;
+  for (int grow = 0; spacing < least_m; ++grow) spacing *= grow % 3 == 1 ? 2.5 : 2.0;
+  const double first_tick = std::ceil(first / spacing) * spacing;
+  for (int tick = 0; tick <= kTicksInReach; ++tick) {
+    const double metres = first_tick + tick * spacing;
+    const ImVec2 at = camera.ToScreen(metres, 0.0f);
+    if (at.x < rect.Min.x - 30.0f || at.x > rect.Max.x + 30.0f) continue;
+    const ImVec2 foot(at.x + 7.0f * camera.sine, at.y + 7.0f * camera.cosine);
+    list->AddLine(at, foot, p.second_ink);
+    const ImVec2 text(at.x + 19.0f * camera.sine, at.y + 19.0f * camera.cosine);
+    const std::string label = label_of(metres);
+    // Cut at the edge, "−1 m" would read "1 m".
+    const float half = 0.5f * ui.Letters().Width(Type::kSmall, label) + 2.0f;
+    if (text.x - half < rect.Min.x || text.x + half > rect.Max.x) continue;
+    ui.Letters().Draw(list, Type::kSmall, text, p.second_ink, label, Align::kCentre);
+  }
+  list->AddLine(left, right, p.second_ink, 1.5f);
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// The ground with its ruler, level or on a slope.
+#pragma once
+
+#include "shell/stage/camera.h"
+#include "shell/widgets/widgets.h"
+
+namespace gaitsmith::shell {
+
+/// @param stage the part of the canvas that shows it
+void DrawGround(Ui&, const ImRect& stage, const Camera&);
+
+}  // namespace gaitsmith::shell

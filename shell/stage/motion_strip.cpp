@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "shell/stage/motion_strip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shell/stage/figure_drawing.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+constexpr int kPoses = 61;       // kept of each motion
+constexpr int kDrawn = 6;        // of them, side by side
+constexpr float kGround = 4.0f;  // of the ground, at the lower edge [points]
+
+MotionStrip StripOf(const Document& document) {
+  const Motion motion = Simulate(document);
+  const Skeleton& bones = motion.Bones();
+  const int last = motion.Frames() - 1;
+  MotionStrip strip{
+      .bones = bones, .poses = {}, .extent = {}, .leftward = motion.TermsAt(last).travel_m < 0.0f};
+  strip.extent = ImRect(1e9f, 0.0f, -1e9f, 0.1f);
+  strip.poses.reserve(kPoses);
+  for (int i = 0; i < kPoses; ++i) {
+    const int frame = last * i / (kPoses - 1);
+    // A motion that broke physics ends where it does.
+    if (!std::isfinite(motion.At(frame).y_m) || !std::isfinite(motion.Endpoint(frame, 0).x)) break;
+    std::vector<ImVec2> points;
+    points.reserve(static_cast<std::size_t>(bones.endpoints));
+    for (int e = 0; e < bones.endpoints; ++e) {
+      const Motion::Point point = motion.Endpoint(frame, e);
+      const ImVec2 at(point.x, std::clamp(point.y + motion.At(frame).y_m, -1.0f, 100.0f));
+      strip.extent.Add(at);
+      points.push_back(at);
+    }
+    strip.poses.push_back(std::move(points));
+  }
+  return strip;
+}
+
+}  // namespace
+
+const MotionStrip* MotionStrips::Of(const std::string& name, const Document& document) {
+  if (const auto known = strips_.find(name); known != strips_.end()) return &known->second;
+  waiting_ = made_;
+  if (made_) return nullptr;
+  made_ = true;
+  if (strips_.size() >= kMost) strips_.clear();
+  return &strips_.emplace(name, StripOf(document)).first->second;
+}
+
+void DrawMotionStrip(const Ui& ui, const MotionStrip& strip, const ImRect& rect, float share) {
+  const Palette& p = ui.Ink();
+  ImDrawList* list = ui.Canvas();
+  list->AddRectFilled(rect.Min, rect.Max, p.paper, kCornerRadius);
+  const float ground = rect.Max.y - kGround;
+  list->AddRectFilled({rect.Min.x, ground}, rect.Max, Mix(p.paper, p.ink, 0.12f), kCornerRadius,
+                      ImDrawFlags_RoundCornersBottom);
+  const float place = rect.GetWidth() / static_cast<float>(kDrawn);
+  const float scale = std::min(1.5f * place / std::max(strip.extent.GetWidth(), 0.1f),
+                               (ground - rect.Min.y - 5.0f) / std::max(strip.extent.Max.y, 0.1f));
+  const FigureInk ink{.rods = p.ink, .width = std::clamp(RodWidth(strip.bones, scale), 1.5f, 3.5f)};
+  // Time runs the way the figure goes.
+  const auto draw = [&](float at, const FigureInk& with) {
+    const auto pose = static_cast<std::size_t>(std::lround(at * static_cast<float>(strip.poses.size() - 1)));
+    const float way = strip.leftward ? 1.0f - at : at;
+    const float x = rect.Min.x + place * 0.6f + way * (rect.GetWidth() - 1.2f * place);
+    std::vector<ImVec2> points = strip.poses[pose];
+    for (ImVec2& point : points) point = {x + point.x * scale, ground - point.y * scale};
+    DrawFigure(list, strip.bones, points, with);
+  };
+  if (strip.poses.empty()) return;
+  list->PushClipRect(rect.Min, rect.Max, true);
+  FigureInk past = ink;
+  past.rods = Mix(p.paper, p.ink, share >= 0.0f ? 0.28f : 0.6f);
+  for (int i = 0; i < kDrawn; ++i) draw(static_cast<float>(i) / static_cast<float>(kDrawn - 1), past);
+  if (share >= 0.0f) draw(std::min(share, 1.0f), {.rods = p.accent, .width = ink.width + 0.5f});
+  list->PopClipRect();
+}
+
+}  // namespace gaitsmith::shell

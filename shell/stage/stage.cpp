@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// The stage's layout, its numbers, and what hands do on it.
+#include "shell/stage/stage.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shell/stage/push_gesture.h"
+#include "shell/stage/scene.h"
+#include "shell/words/language.h"
+#include "shell/words/search_words.h"
+#include "shell/words/wording.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+constexpr float kLeastZoom = 0.1f;
+constexpr float kMostZoom = 6.0f;
+constexpr float kCornerRoom = 114.0f;  // that the numbers leave to the button in the corner
+
+// Stays as long as what it says is true, and is told to whoever cannot see it.
+void DrawNote(const Scene& s, ImVec2 at, const std::string& sentence) {
+  const float width =
+      std::min(s.ui.Letters().Width(Type::kNote, sentence), s.rect.GetWidth() - 2.0f * (at.x - s.rect.Min.x));
+  ImGui::PushItemFlag(ImGuiItemFlags_NoNav | ImGuiItemFlags_NoTabStop, true);
+  s.ui.Area("stage/note", {{at.x, at.y - 9.0f}, {at.x + width, at.y + 9.0f}}, Grab::kPress,
+            {.label = sentence, .role = "note"});
+  ImGui::PopItemFlag();
+  s.ui.Letters().DrawElided(s.list, Type::kNote, at, width + 1.0f, s.ui.Ink().bad, sentence);
+}
+
+/// @param name of what decides, where two are to be told apart
+/// @param clear width of the second line, which a button in the corner may reach down to [points]
+void DrawNumbers(const Scene& s, const std::string& name, float clear) {
+  const Palette& p = s.ui.Ink();
+  const Fonts& letters = s.ui.Letters();
+  const Terms& terms = s.player.TermsNow();
+  const bool jump = s.session.Doc().task.kind == TaskKind::kJump;
+  const float metres = jump ? terms.max_cm_height_m - terms.start_height_m : std::abs(terms.travel_m);
+  const ImVec2 at(s.rect.Min.x + 16.0f, s.rect.Min.y + 23.0f);
+  letters.Draw(s.list, Type::kNumber, at, p.ink, Fixed(metres, 2) + " m");
+  const std::string words = !name.empty() ? name
+                                          : Tr(jump ? "jump · slip {1} m · {2} rotations · peak {3} m"
+                                                    : "travel · slip {1} m · {2} rotations · peak {3} m",
+                                               Fixed(terms.slip_sum_m, 1), Fixed(terms.rotations, 1),
+                                               Fixed(terms.max_cm_height_m, 2));
+  letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 22.0f}, clear, p.second_ink, words);
+}
+
+void DrawRemark(const Scene& s) {
+  const Palette& p = s.ui.Ink();
+  const Fonts& letters = s.ui.Letters();
+  const Terms& terms = s.player.TermsNow();
+  const ImVec2 at(s.rect.Min.x + 16.0f, s.rect.Min.y + 23.0f);
+  const auto remark = [&](ImU32 colour, std::string_view sentence) {
+    const float width = s.rect.GetWidth() - 32.0f;
+    letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 40.0f}, width, colour, sentence);
+    s.ui.Tell(sentence, {{at.x, at.y + 31.0f}, {at.x + width, at.y + 49.0f}});
+  };
+  if (terms.broke_physics) {
+    remark(p.bad, Tr("This motion breaks physics and counts as void."));
+  } else if (s.session.WorldChanged()) {
+    remark(p.accent, Tr("You changed its world: this is not the motion that was opened."));
+  } else if (s.session.DiffersFromMaker()) {
+    DrawNote(s, {at.x, at.y + 40.0f}, Tr("This motion differs from the one its maker saw."));
+  } else if (s.session.Doc().timeline.empty()) {
+    remark(p.accent, Tr("No controller yet: press Synthesize in the Search panel."));
+  }
+}
+
+void Zoom(StageState& state, const Touch& touch) {
+  const float wheel = ImGui::GetIO().MouseWheel;
+  if (!touch.hovered || wheel == 0.0f) return;
+  state.gaze.zoom = std::clamp(state.gaze.zoom * std::pow(1.15f, wheel), kLeastZoom, kMostZoom);
+  if (std::abs(state.gaze.zoom - 1.0f) < 0.02f) state.gaze.zoom = 1.0f;
+}
+
+// What lies between the fingers stays there. Whatever one finger had begun is over.
+/// @param area of the whole stage. @param rect that the figure keeps in; another of its width may stand
+/// beside
+void TakePinch(Session& session, StageState& state, const ImRect& area, const ImRect& rect, float ground_y) {
+  state.pinch.area = area;
+  if (!state.pinch.Holds()) return;
+  if (state.push.drawn) session.player.Play(state.push.was_playing);
+  state.push = {};
+  state.panning = false;
+  const Pinch::Change change = state.pinch.TakeChange();
+  const auto metres = [&](float x) {
+    const Camera camera = AimCamera(session.player, session.Doc().environment, state.gaze, rect, ground_y);
+    const float across = x > rect.Max.x ? x - rect.Max.x : x - rect.Min.x;
+    return camera.left_m + static_cast<double>(across / camera.scale);
+  };
+  const double held_m = metres(change.from.x);
+  state.gaze.zoom = std::clamp(state.gaze.zoom * change.zoom, kLeastZoom, kMostZoom);
+  state.gaze.pan_m += held_m - metres(change.to.x);
+}
+
+// @return true when a drag has moved the picture, until it ends
+bool Pan(StageState& state, const Touch& touch, float scale) {
+  const bool panned = state.panning;
+  if (!touch.held) {
+    state.panning = false;
+    return panned;
+  }
+  if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 5.0f)) state.panning = true;
+  if (state.panning) state.gaze.pan_m -= static_cast<double>(ImGui::GetIO().MouseDelta.x / scale);
+  return state.panning;
+}
+
+void DrawFollowButton(Ui& ui, StageState& state, const ImRect& rect) {
+  const float height = ui.Look().touch ? 40.0f : 32.0f;
+  const ImVec2 corner(rect.Max.x - 98.0f, rect.Min.y + 10.0f);
+  if (!ui.Button("stage/follow", {{corner.x - 82.0f, corner.y}, {corner.x, corner.y + height}}, Tr("Follow")))
+    return;
+  state.gaze.zoom = 1.0f;
+  state.gaze.pan_m = 0.0;
+}
+
+// The other motion, in the right half of the stage.
+void DrawBeside(Ui& ui, Session& session, const StageState& state, const ImRect& half, const ImRect& free,
+                float ground_y) {
+  const Playback& other = *session.Compared().Player();
+  const Environment& world =
+      session.Compared().StandsFor() == Ghost::Kind::kCalm ? session.CalmWorld() : session.Doc().environment;
+  const Scene scene{.ui = ui,
+                    .session = session,
+                    .player = other,
+                    .list = ui.Canvas(),
+                    .rect = half,
+                    .camera = AimCamera(other, world, state.gaze, free, ground_y)};
+  const PartScope part = ui.Part("beside", "group", Tr("Beside it"));
+  ui.Tell(Tr("Beside it: {1}, {2} m.", session.GhostWords(), Fixed(other.TermsNow().travel_m, 2)), half);
+  scene.list->PushClipRect(half.Min, half.Max, true);
+  DrawScene(scene);
+  DrawNumbers(scene, session.GhostWords(), half.GetWidth() - kCornerRoom);
+  scene.list->PopClipRect();
+  ui.VerticalLine(half.Min.x, half.Min.y, half.Max.y);
+}
+
+}  // namespace
+
+void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, float covered) {
+  const PartScope part = ui.Part("stage", "region", Tr("Stage"));
+  const Terms& terms = session.player.TermsNow();
+  ImGui::SetNextItemAllowOverlap();  // its buttons lie on it
+  const Touch touch =
+      ui.Area("stage", rect, Grab::kPress,
+              {.label = Tr("Stage: {1}", TrTitle(session.Doc().figure.name)),
+               .role = "img",
+               .value = Tr("{1} m after {2} s", Fixed(terms.travel_m, 2), Fixed(session.player.TimeS(), 2))});
+  Zoom(state, touch);
+  const float ground_y = ui.Look().Snap(rect.Max.y - std::clamp(0.178f * rect.GetHeight(), 62.0f, 130.0f));
+  const bool two = session.Compared().Beside();
+  session.KeepGhostInTime();
+  const float open_x = rect.Max.x - covered;
+  const float middle = two ? ui.Look().Snap(0.5f * (rect.Min.x + open_x)) : rect.Max.x;
+  const ImRect own(rect.Min, {middle, rect.Max.y});
+  const ImRect free(rect.Min, {std::min(middle, open_x), rect.Max.y});
+  TakePinch(session, state, {rect.Min, {open_x, rect.Max.y}}, free, ground_y);
+  const Scene scene{
+      .ui = ui,
+      .session = session,
+      .player = session.player,
+      .list = ui.Canvas(),
+      .rect = own,
+      .camera = AimCamera(session.player, session.Doc().environment, state.gaze, free, ground_y)};
+  ui.Behind().Fill(rect, ui.Ink().paper);
+  scene.list->PushClipRect(own.Min, own.Max, true);
+  const std::vector<ImVec2> endpoints = DrawScene(scene);
+  const bool pinching = state.pinch.Holds();
+  const bool pushing = !pinching && PushByHand(ui, session, state.push, touch, scene.camera, endpoints);
+  const bool panned = !pinching && !pushing && Pan(state, touch, scene.camera.scale);
+  if (touch.pressed && !pinching && !pushing && !panned) session.player.Play(!session.player.Playing());
+  const Controller* shown = session.ShownController();
+  const std::string name = two && shown != nullptr ? DeciderWords(shown->kind, shown->senses) : "";
+  DrawNumbers(scene, name, own.GetWidth() - (two ? 32.0f : kCornerRoom));
+  DrawRemark(scene);
+  scene.list->PopClipRect();
+  if (two)
+    DrawBeside(ui, session, state, {{middle, rect.Min.y}, rect.Max},
+               {{middle, rect.Min.y}, {open_x, rect.Max.y}}, ground_y);
+  ImRect ring = rect;
+  ring.Expand(-4.0f);
+  scene.list->PushClipRect(rect.Min, rect.Max, true);
+  ui.DrawFocus(touch, ring, 4.0f);
+  scene.list->PopClipRect();
+  DrawWorldButton(ui, state.world, rect);
+  if (state.gaze.zoom != 1.0f || state.gaze.pan_m != 0.0) DrawFollowButton(ui, state, rect);
+}
+
+}  // namespace gaitsmith::shell

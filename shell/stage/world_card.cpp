@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "shell/stage/world_card.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/numeric/scalar_math.h"
+#include "shell/words/language.h"
+#include "shell/words/search_words.h"
+#include "shell/words/wording.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+constexpr float kWidth = 290.0f;
+constexpr float kButtonWidth = 78.0f;
+constexpr double kDegree = kPi / 180.0;
+
+std::string NameOfEndpoint(int endpoint) {
+  return endpoint == kCentreOfMass ? Tr("centre of mass") : Tr("endpoint {1}", endpoint + 1);
+}
+
+void DrawGroundAndGravity(Ui& ui, Session& session) {
+  const Environment& world = session.Doc().environment;
+  const auto change = [&](float Environment::* field, double value) {
+    session.Change([&](Document& d) { d.environment.*field = static_cast<float>(value); });
+  };
+  double slope = static_cast<double>(world.slope_rad) / kDegree;
+  if (ui.Slider("world/slope", Tr("Slope"), slope, {.low = -30.0, .high = 30.0, .step = 0.5},
+                Tr(slope > 0.0   ? "{1}° up"
+                   : slope < 0.0 ? "{1}° down"
+                                 : "{1}°",
+                   Fixed(slope, 1)))) {
+    change(&Environment::slope_rad, slope * kDegree);
+  }
+  double sway = static_cast<double>(world.sway_rad) / kDegree;
+  if (ui.Slider("world/sway", Tr("Rocks"), sway, {.low = 0.0, .high = 30.0, .step = 0.5},
+                sway == 0.0 ? Tr("not") : "±" + Fixed(sway, 1) + "°")) {
+    change(&Environment::sway_rad, sway * kDegree);
+  }
+  double period = static_cast<double>(world.sway_period_s);
+  if (sway != 0.0 &&
+      ui.Slider("world/sway-period", Tr("once in"), period,
+                {.low = 0.5, .high = 20.0, .step = 0.1, .logarithmic = true}, Fixed(period, 1) + " s")) {
+    change(&Environment::sway_period_s, period);
+  }
+  double friction = static_cast<double>(world.friction);
+  if (ui.Slider("world/friction", Tr("Friction"), friction, {.low = 0.0, .high = 2.0, .step = 0.05},
+                Tr(friction < 0.15  ? "{1} ice"
+                   : friction > 1.5 ? "{1} rubber"
+                                    : "{1}",
+                   Fixed(friction, 2)))) {
+    change(&Environment::friction, friction);
+  }
+  double gravity = static_cast<double>(world.gravity_mps2);
+  if (ui.Slider("world/gravity", Tr("Gravity"), gravity, {.low = 0.0, .high = 25.0, .step = 0.1},
+                Fixed(gravity, 1) + " m/s²")) {
+    change(&Environment::gravity_mps2, gravity);
+  }
+}
+
+void DrawPushes(Ui& ui, Session& session, WorldCardState& state) {
+  const Skeleton& bones = session.player.Shown().Bones();
+  ui.Heading(Tr("Push"));
+  ui.Paragraph(Tr("Pull at a joint on the stage, or set it here."), Type::kNote);
+  ui.Gap(6.0f);
+  std::vector<std::string> places = {Tr("Centre of mass")};
+  for (int k = 0; k < bones.endpoints; ++k) places.push_back(Tr("Endpoint {1}", k + 1));
+  state.endpoint = std::clamp(state.endpoint, 0, bones.endpoints);
+  ui.Combo("world/endpoint", Tr("Where"), places, state.endpoint);
+  const double most = std::max(5.0, 8.0 * static_cast<double>(bones.mass_kg));
+  state.strength_ns = std::min(state.strength_ns, most);
+  ui.Slider("world/strength", Tr("Strength"), state.strength_ns, {.low = 0.5, .high = most, .step = 0.5},
+            Fixed(state.strength_ns, 1) + " N s");
+  ui.Slider("world/direction", Tr("Direction"), state.direction_deg,
+            {.low = -180.0, .high = 180.0, .step = 5.0}, Fixed(state.direction_deg, 0) + "°");
+  ui.Gap(6.0f);
+  if (ui.Button("world/push", ui.ControlRow(), Tr("Push now"))) {
+    const double angle = state.direction_deg * kDegree;
+    session.Kick(state.endpoint - 1, static_cast<float>(state.strength_ns * std::cos(angle)),
+                 static_cast<float>(state.strength_ns * std::sin(angle)));
+  }
+  const auto& pushes = session.Doc().pushes;
+  for (std::size_t i = 0; i < pushes.size(); ++i) {
+    const Push& push = pushes[i];
+    const ImRect row = ui.ControlRow();
+    const std::string words = Fixed(static_cast<float>(push.step) * kStep, 2) + " s · " +
+                              Fixed(std::hypot(push.impulse_x_ns, push.impulse_y_ns), 1) + " N s · " +
+                              NameOfEndpoint(push.endpoint);
+    ui.Letters().DrawElided(ui.Canvas(), Type::kNote, {row.Min.x, row.GetCenter().y},
+                            row.GetWidth() - row.GetHeight() - 4.0f, ui.Ink().second_ink, words);
+    const ImRect button({row.Max.x - row.GetHeight(), row.Min.y}, row.Max);
+    if (ui.IconButton("world/remove/" + std::to_string(i), button, Icon::kClose,
+                      Tr("Remove the push at {1}", words))) {
+      session.RemovePush(i);
+      break;
+    }
+  }
+}
+
+// What searches have found for these rods, the newest first.
+std::vector<const FoundMotions::Entry*> Rivals(const Session& session) {
+  constexpr std::size_t kMost = 12;  // a list that a phone can show
+  std::vector<const FoundMotions::Entry*> rivals;
+  for (const FoundMotions::Entry* entry : session.found.Sorted(FoundMotions::Order::kNewest)) {
+    if (rivals.size() == kMost) break;
+    if (entry->motion.Moves() && SameTree(entry->motion.document.figure, session.Doc().figure))
+      rivals.push_back(entry);
+  }
+  return rivals;
+}
+
+struct GhostChoice {
+  std::string words;
+  Ghost::Kind kind;
+  int controller = -1;
+  std::string found_id;
+};
+
+// @param chosen  set to the index of the present one
+std::vector<GhostChoice> GhostChoices(const Session& session, int& chosen) {
+  using enum Ghost::Kind;
+  std::vector<GhostChoice> choices = {
+      {.words = Tr("Nothing"), .kind = kNone, .found_id = {}},
+      {.words = Tr("Before the last search"), .kind = kEarlier, .found_id = {}},
+      {.words = Tr("Without your changes"), .kind = kCalm, .found_id = {}}};
+  for (int index = 0; const Controller& controller : session.Doc().controllers) {
+    const std::string& name = controller.name;
+    choices.push_back({.words = name.empty() ? Tr("Controller {1}", index + 1) : TrTitle(name),
+                       .kind = kController,
+                       .controller = index,
+                       .found_id = {}});
+    ++index;
+  }
+  for (const FoundMotions::Entry* entry : Rivals(session)) {
+    const Controller& controller = entry->motion.document.controllers.back();
+    choices.push_back(
+        {.words = Fixed(entry->motion.Score(), 2) + " · " + DeciderWords(controller.kind, controller.senses),
+         .kind = kFound,
+         .found_id = entry->id});
+  }
+  const Ghost& ghost = session.Compared();
+  const auto now = std::ranges::find_if(choices, [&](const GhostChoice& c) {
+    return c.kind == ghost.StandsFor() && c.controller == ghost.ControllerIndex().value_or(-1) &&
+           c.found_id == ghost.FoundId();
+  });
+  chosen = static_cast<int>(now - choices.begin());
+  if (now == choices.end())  // it has left the results meanwhile
+    choices.push_back({.words = session.GhostWords(), .kind = kFound, .found_id = ghost.FoundId()});
+  return choices;
+}
+
+void DrawGhostChoice(Ui& ui, Session& session) {
+  int chosen = 0;
+  const std::vector<GhostChoice> choices = GhostChoices(session, chosen);
+  std::vector<std::string> words;
+  words.reserve(choices.size());
+  for (const GhostChoice& choice : choices) words.push_back(choice.words);
+  ui.Heading(Tr("Compare"));
+  if (ui.Combo("world/ghost", Tr("With"), words, chosen)) {
+    const GhostChoice& wanted = choices[static_cast<std::size_t>(chosen)];
+    if (wanted.kind == Ghost::Kind::kFound)
+      session.ChooseFoundGhost(wanted.found_id);
+    else
+      session.ChooseGhost(wanted.kind, wanted.controller);
+  }
+  if (session.Compared().Player() == nullptr) return;
+  static constexpr std::array<const char*, 2> kPlaces = {TrLater("Behind it"), TrLater("Beside it")};
+  int place = session.Compared().Beside() ? 1 : 0;
+  ui.Gap(6.0f);
+  if (ui.Segmented("world/beside", ui.ControlRow(), Tr("Where the other is drawn"), kPlaces, place))
+    session.PutSideBySide(place == 1);
+}
+
+}  // namespace
+
+void DrawWorldButton(Ui& ui, WorldCardState& state, const ImRect& stage) {
+  const float height = ui.Look().touch ? 40.0f : 32.0f;
+  const ImVec2 corner(stage.Max.x - 12.0f, stage.Min.y + 10.0f);
+  const ImRect button({corner.x - kButtonWidth, corner.y}, {corner.x, corner.y + height});
+  if (ui.Button("world/open", button, Tr(state.open ? "Close" : "World"), ButtonLook::kOutlined, true,
+                Tr(state.open ? "Close the world card" : "World: push, slope, friction, gravity, ghost")))
+    state.open = !state.open;
+}
+
+ImRect WorldCardOn(const ImRect& stage, const WorldCardState& state) {
+  const float top = stage.Min.y + 50.0f;
+  return {{stage.Max.x - kWidth - 12.0f, top},
+          {stage.Max.x - 12.0f, std::min(stage.Max.y - 10.0f, top + state.height)}};
+}
+
+void DrawWorldCard(Ui& ui, Session& session, WorldCardState& state, const ImRect& card) {
+  const PartScope part = ui.Part("world", "region", Tr("World"));
+  ImGui::SetCursorScreenPos(card.Min);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {14.0f, 12.0f});
+  ImGui::BeginChild(
+      "world", card.GetSize(), ImGuiChildFlags_AlwaysUseWindowPadding,
+      ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoBackground);
+  ImGui::PopStyleVar();
+  DrawGroundAndGravity(ui, session);
+  ui.Gap(8.0f);
+  DrawPushes(ui, session, state);
+  ui.Gap(8.0f);
+  DrawGhostChoice(ui, session);
+  ui.Gap(8.0f);
+  if (ui.Button("world/reset", ui.ControlRow(), Tr("Back to the world as opened"), ButtonLook::kOutlined,
+                session.WorldChanged())) {
+    session.ResetWorld();
+  }
+  state.height = ImGui::GetCursorPosY() + ImGui::GetScrollY() + 8.0f;
+  ui.ScrollByTouch();
+  ui.ScrollBar("world/scroll");
+  ImGui::EndChild();
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "shell/timeline/timeline_tools.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "shell/words/language.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+struct Tool {
+  const char* id;
+  const char* label;
+  const char* heard;  // in full
+  bool enabled;
+  void (Session::*use)();
+  int spare;  // where there is no room for all, those with the greatest number go first
+};
+
+std::vector<Tool> ToolsOf(const Session& session) {
+  const bool any = !session.Doc().timeline.empty();
+  const bool several = session.Doc().timeline.size() > 1;
+  std::vector<Tool> tools = {
+      {"timeline/add", TrLater("Add"), TrLater("Add the selected clip once more at the end"), any,
+       &Session::AddClip, 0},
+      {"timeline/split", TrLater("Split"), TrLater("Split the clip at the moment shown"), any,
+       &Session::SplitClip, 0},
+      {"timeline/duplicate", TrLater("Duplicate"), TrLater("Duplicate the selected clip"), any,
+       &Session::DuplicateClip, 3},
+      {"timeline/mirror", TrLater("Mirror"), TrLater("Mirror the selected clip: it goes the other way"), any,
+       &Session::MirrorClip, 2},
+      {"timeline/loop", TrLater("Repeat"), TrLater("Repeat the whole timeline"), any, &Session::LoopTimeline,
+       4},
+      {"timeline/repair", TrLater("Repair"),
+       TrLater("Repair the selected clip: search from where it takes over"), session.CanRepair(),
+       &Session::RepairClip, 1},
+      {"timeline/remove", TrLater("Remove"), TrLater("Remove the selected clip"), several,
+       &Session::RemoveClip, 0},
+  };
+  if (session.Transitions().Any()) {
+    tools.insert(tools.end() - 1, {"timeline/snap-to-best", TrLater("Snap to best"),
+                                   TrLater("Snap to best: the selected clip takes over where that does best"),
+                                   *session.WhyNoSnap() == '\0', &Session::SnapToBest, 1});
+  }
+  return tools;
+}
+
+float WidthOf(const Ui& ui, const Tool& tool) {
+  return ui.Letters().Width(Type::kBody, Tr(tool.label)) + (ui.Look().touch ? 28.0f : 18.0f);
+}
+
+/// Places for tools in rows of this width, one below another, from (0, 0) on.
+std::vector<ImRect> RowsOf(const Ui& ui, const std::vector<Tool>& tools, float width) {
+  constexpr float kGap = 8.0f;
+  const float height = ui.Look().ControlHeight();
+  std::vector<ImRect> places;
+  ImVec2 at;
+  for (const Tool& tool : tools) {
+    const float own = WidthOf(ui, tool);
+    if (at.x > 0.0f && at.x + own > width) at = {0.0f, at.y + height + kGap};
+    places.push_back({at, {at.x + own, at.y + height}});
+    at.x += own + kGap;
+  }
+  return places;
+}
+
+/// Places for tools in one row, from (0, 0) on.
+std::vector<ImRect> RowOf(const Ui& ui, const std::vector<Tool>& tools, float height) {
+  std::vector<ImRect> places;
+  float x = 0.0f;
+  for (const Tool& tool : tools) {
+    const float own = WidthOf(ui, tool);
+    places.push_back({{x, 0.0f}, {x + own, height}});
+    x += own;
+  }
+  return places;
+}
+
+}  // namespace
+
+float DrawTimelineTools(Ui& ui, Session& session, const ImRect& row, float below) {
+  std::vector<Tool> tools = ToolsOf(session);
+  const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
+  const float first = ImGui::GetWindowPos().x + kPanelPadding;
+  const bool room_below = below + ui.Look().ControlHeight() <= bottom;
+  const bool in_row = RowOf(ui, tools, row.GetHeight()).back().Max.x <= row.GetWidth() || !room_below;
+  const auto places_of = [&] {
+    return in_row ? RowOf(ui, tools, row.GetHeight()) : RowsOf(ui, tools, row.Max.x - first);
+  };
+  const ImVec2 room = in_row ? row.GetSize() : ImVec2(row.Max.x - first, bottom - below);
+  std::vector<ImRect> places = places_of();
+  // The palette has all of them.
+  while (tools.size() > 1 && (places.back().Max.x > room.x || places.back().Max.y > room.y)) {
+    tools.erase(std::ranges::max_element(tools, {}, &Tool::spare));
+    places = places_of();
+  }
+  const ImVec2 at = in_row ? ImVec2(row.Max.x - places.back().Max.x, row.Min.y) : ImVec2(first, below);
+  const Tool* used = nullptr;
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    ImRect place = places[i];
+    place.Translate(at);
+    const ButtonLook look = in_row ? ButtonLook::kPlain : ButtonLook::kOutlined;
+    if (ui.Button(tools[i].id, place, Tr(tools[i].label), look, tools[i].enabled, Tr(tools[i].heard)))
+      used = &tools[i];
+  }
+  if (used != nullptr) (session.*used->use)();
+  return in_row ? at.x : row.Max.x;
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The look in numbers: colours of the themes, the ten rule colours, sizes, and Dear ImGui's own style
+// made to match.
+#pragma once
+
+#include <imgui.h>
+
+#include "shell/widgets/fonts.h"
+
+namespace gaitsmith::shell {
+
+struct Palette {
+  ImU32 paper;       // the stage
+  ImU32 panel;       // everything that is not the stage
+  ImU32 ink;         // text, figures
+  ImU32 second_ink;  // captions, ruler
+  ImU32 line;        // one-pixel borders
+  ImU32 soft;        // fills of tracks and wells
+  ImU32 accent;
+  ImU32 accent_ink;  // text on the accent
+  ImU32 good;
+  ImU32 bad;
+  ImU32 ground;  // laid over the paper below the ground line
+  bool dark = false;
+};
+
+/// The strong ones have the contrast that projectors and tired eyes need: every colour of text and line at
+/// least 7 : 1 and 4.5 : 1 against what it stands on.
+enum class PaletteName { kLight, kDark, kStrongLight, kStrongDark };
+[[nodiscard]] const Palette& PaletteOf(PaletteName);
+
+/// Colour of a rule (or controller), counted from 0; repeats after ten. Chosen near the design's ten so that
+/// any two stay at least 22 apart in CIE Lab for protanopes, deuteranopes and tritanopes [Machado 2009] (the
+/// design's: 4.5).
+[[nodiscard]] ImU32 RuleColour(int rule, bool dark);
+
+/// `from` with this share of `to` laid over it, share in [0, 1]; opaque.
+[[nodiscard]] ImU32 Mix(ImU32 from, ImU32 to, float share);
+/// The same colour, at this opacity in [0, 1].
+[[nodiscard]] ImU32 Fade(ImU32 colour, float opacity);
+
+/// Everything a widget needs to know about how to look. One per window; rebuilt parts are replaced in place.
+struct Theme {
+  Palette palette = PaletteOf(PaletteName::kLight);
+  Fonts fonts;
+  bool touch = false;    // fingers: every target at least 36 px high
+  float density = 1.0f;  // device pixels per point
+
+  [[nodiscard]] ImU32 Rule(int rule) const { return RuleColour(rule, palette.dark); }
+  /// Height of buttons, fields and sliders' hit areas [points].
+  [[nodiscard]] float ControlHeight() const { return touch ? 38.0f : 30.0f; }
+  /// Moves a coordinate to the nearest device pixel, so that one-pixel lines stay one pixel.
+  [[nodiscard]] float Snap(float points) const;
+};
+
+inline constexpr float kTransportHeight = 46.0f;
+inline constexpr float kTimelineHeight = 118.0f;
+inline constexpr float kPanelWidth = 348.0f;
+inline constexpr float kTabHeight = 39.0f;
+inline constexpr float kPanelPadding = 14.0f;
+inline constexpr float kPhoneWidth = 700.0f;  // narrower canvases get the phone's layout
+inline constexpr float kCornerRadius = 7.0f;
+inline constexpr float kKnobRadius = 7.0f;  // of sliders
+
+/// Sets colours and sizes of the few parts that Dear ImGui draws itself (scroll bars, pop-ups, text fields).
+void ApplyStyle(const Theme&);
+
+}  // namespace gaitsmith::shell

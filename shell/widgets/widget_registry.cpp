@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// The registry's bookkeeping, and the functions Dear ImGui calls when built with IMGUI_ENABLE_TEST_ENGINE.
+#include "shell/widgets/widget_registry.h"
+
+#include <algorithm>
+
+namespace gaitsmith::shell {
+namespace {
+
+// Scroll bars, notes and texts are there to be seen or read; the Tab key passes over them.
+bool Stops(const Widget& widget) {
+  return !widget.state.disabled && widget.role != "scrollbar" && widget.role != "note" &&
+         widget.role != "heading" && widget.role != "paragraph";
+}
+
+// Whatever is scrolled away lies on the edge that it went over, so that nothing of it stands outside.
+void ClipToSight(Widget& widget, const ImRect& sight) {
+  const ImRect whole = widget.rect;
+  widget.rect.ClipWithFull(sight);
+  if (widget.rect.GetWidth() >= 1.0f && widget.rect.GetHeight() >= 1.0f) return;
+  widget.in_sight = false;
+  widget.rect.Min = {std::clamp(whole.Min.x, sight.Min.x, std::max(sight.Min.x, sight.Max.x - 1.0f)),
+                     std::clamp(whole.Min.y, sight.Min.y, std::max(sight.Min.y, sight.Max.y - 1.0f))};
+  widget.rect.Max = {
+      std::clamp(whole.Max.x, widget.rect.Min.x + 1.0f, std::max(widget.rect.Min.x + 1.0f, sight.Max.x)),
+      widget.rect.Min.y + 1.0f};
+}
+
+}  // namespace
+
+void WidgetRegistry::Attach() {
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  context.TestEngine = this;
+  context.TestEngineHookItems = true;
+}
+
+void WidgetRegistry::BeginFrame() {
+  rects_.clear();
+  widgets_.clear();
+  ids_.clear();
+  parts_.clear();
+  part_ = -1;
+  texts_ = 0;
+  requests_.BeginFrame();
+}
+
+void WidgetRegistry::EndFrame() {
+  const ImGuiContext& g = *ImGui::GetCurrentContext();
+  keyboard_ = !g.NavDisableHighlight;
+  // It may have changed hands while the frame was drawn, and only one has it.
+  for (std::size_t i = 0; i < widgets_.size(); ++i) {
+    if (ids_[i] != 0) widgets_[i].state.focused = ids_[i] == g.NavId;
+  }
+  requests_.EndFrame();
+}
+
+void WidgetRegistry::OnItem(ImGuiID id, const ImRect& rect) { rects_[id] = rect; }
+
+void WidgetRegistry::Describe(ImGuiID id, Widget widget) {
+  const auto found = rects_.find(id);
+  if (found == rects_.end()) return;
+  widget.rect = found->second;
+  widget.part = part_;
+  ClipToSight(widget, ImGui::GetCurrentWindowRead()->ClipRect);
+  if (!ids_.empty() && ids_.back() == id) {  // it has become something else within the frame
+    widgets_.back() = std::move(widget);
+    return;
+  }
+  widgets_.push_back(std::move(widget));
+  ids_.push_back(id);
+}
+
+void WidgetRegistry::DescribeText(std::string_view role, std::string_view text, const ImRect& rect) {
+  if (text.empty()) return;
+  Widget widget{
+      .id = "text/" + std::to_string(++texts_), .label = std::string(text), .role = std::string(role)};
+  widget.rect = rect;
+  widget.part = part_;
+  ClipToSight(widget, ImGui::GetCurrentWindowRead()->ClipRect);
+  widgets_.push_back(std::move(widget));
+  ids_.push_back(0);
+}
+
+void WidgetRegistry::EnterPart(WidgetPart part) {
+  part.parent = part_;
+  part_ = static_cast<int>(parts_.size());
+  parts_.push_back(std::move(part));
+}
+
+void WidgetRegistry::LeavePart() {
+  if (part_ >= 0) part_ = parts_[static_cast<std::size_t>(part_)].parent;
+}
+
+const Widget* WidgetRegistry::Find(std::string_view id) const {
+  const auto found = std::ranges::find(widgets_, id, &Widget::id);
+  return found == widgets_.end() ? nullptr : &*found;
+}
+
+bool WidgetRegistry::StopsBeyondFocus(bool back) const {
+  const auto focused = std::ranges::find_if(widgets_, [](const Widget& w) { return w.state.focused; });
+  return back ? std::any_of(widgets_.begin(), focused, Stops)
+              : focused != widgets_.end() && std::any_of(focused + 1, widgets_.end(), Stops);
+}
+
+}  // namespace gaitsmith::shell
+
+void ImGuiTestEngineHook_ItemAdd(ImGuiContext* context, ImGuiID id, const ImRect& box,
+                                 const ImGuiLastItemData*) {
+  if (context->TestEngine == nullptr) return;
+  static_cast<gaitsmith::shell::WidgetRegistry*>(context->TestEngine)->OnItem(id, box);
+}
+
+// Names, states and log lines come from our own widgets, which know more than Dear ImGui does.
+void ImGuiTestEngineHook_ItemInfo(ImGuiContext*, ImGuiID, const char*, ImGuiItemStatusFlags) {}
+void ImGuiTestEngineHook_Log(ImGuiContext*, const char*, ...) {}
+const char* ImGuiTestEngine_FindItemDebugLabel(ImGuiContext*, ImGuiID) { return nullptr; }

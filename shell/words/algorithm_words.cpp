@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "shell/words/algorithm_words.h"
+
+#include "shell/words/language.h"
+
+namespace gaitsmith::shell {
+
+const std::array<AlgorithmWords, kAlgorithmNames.size()>& AlgorithmTexts() {
+  static const std::array<AlgorithmWords, kAlgorithmNames.size()> kTexts = {{
+      {"RG&T", TrLater("RG&T: at random"),
+       TrLater("Draws controllers at random and keeps the best: the benchmark.")},
+      {"SPHC", TrLater("SPHC: hill climbing, reseeded"),
+       TrLater(
+           "Some climb side by side; now and then the better half replaces the worse. The paper's best.")},
+      {"GGA", TrLater("GGA: genetic, by generations"),
+       TrLater("Parents drawn by roulette wheel; their children replace the whole population.")},
+      {"SSGA", TrLater("SSGA: genetic, steady state"),
+       TrLater("Parents chosen by rank; two children at a time push out the two worst.")},
+      {"SHC", TrLater("SHC: hill climbing"),
+       TrLater("One controller, perturbed; the change stays if it is better.")},
+      {"MPGA", TrLater("MPGA: genetic, on a torus"),
+       TrLater("One controller on each cell of a torus, mating nearby: Ngo and Marks' parallel search.")},
+      {"Nelder–Mead", TrLater("Nelder–Mead: simplex"),
+       TrLater("Moves a simplex of controllers downhill. For refining what was found; poor from random.")},
+      {"Powell", TrLater("Powell: direction set"),
+       TrLater("Climbs along one gene after another. For refining what was found; poor from random.")},
+      {"CMA-ES", TrLater("CMA-ES: covariance adaptation"),
+       TrLater("Samples around a mean and learns which directions pay. Quick with a timer.")},
+      {"MAP-Elites", TrLater("MAP-Elites: a suite of styles"),
+       TrLater("Keeps the best for every height, slip and turn: many motions from one search.")},
+      {"Two-stage", TrLater("Two-stage: random, then climbing"),
+       TrLater("Draws many at random, then climbs from the best: how networks were first found.")},
+  }};
+  return kTexts;
+}
+
+const AlgorithmWords& WordsOf(Algorithm algorithm) {
+  return AlgorithmTexts()[static_cast<std::size_t>(algorithm)];
+}
+
+bool RefinesOne(Algorithm algorithm) {
+  return algorithm == Algorithm::kShc || algorithm == Algorithm::kNelderMead ||
+         algorithm == Algorithm::kPowell || algorithm == Algorithm::kCmaEs;
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "shell/words/rule_words.h"
+
+#include <cmath>
+
+#include "core/control/rule_edit.h"
+#include "core/numeric/scalar_math.h"
+#include "shell/words/language.h"
+#include "shell/words/wording.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+// How far a sense lies outside of a rule's interval: "0.04 m above its interval".
+std::string MissWords(const RuleMoment& moment, int rule, int sense) {
+  const SenseScale scale = ScaleOf(moment.controller.senses, moment.bones, sense);
+  const Stimulus stimulus = StimulusOf(moment.controller, moment.bones.rods, rule, sense);
+  const float felt = moment.senses[static_cast<std::size_t>(sense)];
+  const bool above = felt > stimulus.high;
+  const float miss =
+      above ? scale.Of(felt) - scale.Of(stimulus.high) : scale.Of(stimulus.low) - scale.Of(felt);
+  return Tr(above ? "{1} above its interval" : "{1} below its interval", QuantityWords(scale.quantity, miss));
+}
+
+std::string DepthWords(const RuleStanding& standing) { return Fixed(standing.Depth(), 2); }
+
+std::string WhyItActs(const RuleMoment& moment, int rule) {
+  const auto standing_of = [&](int r) -> const RuleStanding& {
+    return moment.choice.standings[static_cast<std::size_t>(r)];
+  };
+  const RuleStanding& own = standing_of(rule);
+  std::string words;
+  if (own.cares == 0) {
+    words = Tr("Rule {1} acts: it heeds no sense, so it always holds.", rule + 1);
+  } else {
+    const char* pattern =
+        own.cares == 1 ? TrLater("Rule {1} acts: {2} lies in its interval (depth {3} of 1).")
+        : own.cares == 2
+            ? TrLater(
+                  "Rule {1} acts: {2} lies in its interval, and so does the other sense it heeds "
+                  "(depth {3} of 1).")
+            : TrLater(
+                  "Rule {1} acts: {2} lies in its interval, and so do the other {4} it heeds "
+                  "(depth {3} of 1).");
+    words = Tr(pattern, rule + 1, SenseWords(moment, own.decisive_sense), DepthWords(own), own.cares - 1);
+  }
+  if (moment.choice.runner_up < 0) return words;
+  const int rival = moment.choice.runner_up;
+  const RuleStanding& next = standing_of(rival);
+  if (!next.Holds()) {
+    return words + " " +
+           Tr("No other rule holds; nearest is rule {1}: {2}, {3}.", rival + 1,
+              SenseWords(moment, next.decisive_sense), MissWords(moment, rival, next.decisive_sense));
+  }
+  if (next.off == own.off) return words + " " + Tr("Rule {1} is as deep, but comes later.", rival + 1);
+  return words + " " +
+         Tr("It beats rule {1} (depth {2}) by {3}.", rival + 1, DepthWords(next),
+            Fixed(next.off - own.off, 2));
+}
+
+}  // namespace
+
+std::optional<RuleMoment> MomentOf(const Controller& controller, const Motion& motion, int clip, int frame) {
+  if (controller.kind != ControllerKind::kRules || motion.At(frame).clip != clip) return std::nullopt;
+  const int count = SenseCount(controller.senses.kind, motion.Bones().rods);
+  RuleMoment moment{controller, motion.Bones(), {}, {}, frame == 0};
+  for (int sense = 0; sense < count; ++sense) moment.senses.push_back(motion.Sense(frame, sense));
+  // A controller that takes over begins with its first rule.
+  const bool goes_on = frame > 0 && motion.At(frame - 1).clip == clip;
+  moment.choice =
+      ChoiceOf(controller, motion.Bones().rods, moment.senses, goes_on ? motion.At(frame - 1).rule : 0);
+  return moment;
+}
+
+std::string QuantityWords(SenseQuantity quantity, float value) {
+  const auto with = [](double number, int decimals, const char* unit) {
+    const std::string text = Fixed(number, decimals);
+    return (text.front() == '-' ? "−" + text.substr(1) : text) + unit;
+  };
+  const auto number = static_cast<double>(value);
+  switch (quantity) {
+    case SenseQuantity::kAngle:
+      return with(number * 180.0 / kPi, 0, "°");
+    case SenseQuantity::kForce:
+      return with(number, std::abs(number) < 10.0 ? 1 : 0, " N");
+    case SenseQuantity::kHeight:
+      return with(number, 2, " m");
+    case SenseQuantity::kVelocity:
+      return with(number, 2, " m/s");
+    case SenseQuantity::kTime:
+      return with(number, 2, " s");
+  }
+  return {};
+}
+
+std::string SenseWords(const RuleMoment& moment, int sense) {
+  const SenseScale scale = ScaleOf(moment.controller.senses, moment.bones, sense);
+  return Tr("{1} at {2}", TrSentence(SenseName(moment.controller.senses.kind, moment.bones.rods, sense)),
+            QuantityWords(scale.quantity, scale.Of(moment.senses[static_cast<std::size_t>(sense)])));
+}
+
+std::string WhyWords(const RuleMoment& moment, int rule) {
+  const RuleChoice& choice = moment.choice;
+  const RuleStanding& own = choice.standings[static_cast<std::size_t>(rule)];
+  if (moment.begins) {
+    return Tr(rule == 0 ? "Rule {1} acts: a controller begins with its first rule, before anything is felt."
+                        : "Rule {1} waits: nothing is felt yet, and a controller begins with rule 1.",
+              rule + 1);
+  }
+  if (rule == choice.rule && choice.holds) return WhyItActs(moment, rule);
+  if (rule == choice.rule) {
+    const int rival = choice.runner_up;
+    std::string words = Tr("Rule {1} stays on: no rule's intervals hold what is felt.", rule + 1);
+    if (rival < 0) return words;
+    const int sense = choice.standings[static_cast<std::size_t>(rival)].decisive_sense;
+    return words + " " +
+           Tr("Nearest is rule {1}: {2}, {3}.", rival + 1, SenseWords(moment, sense),
+              MissWords(moment, rival, sense));
+  }
+  if (!own.Holds()) {
+    return Tr("Rule {1} rests: {2} lies {3}.", rule + 1, SenseWords(moment, own.decisive_sense),
+              MissWords(moment, rule, own.decisive_sense));
+  }
+  const RuleStanding& winner = choice.standings[static_cast<std::size_t>(choice.rule)];
+  if (winner.off == own.off) {
+    return Tr("Rule {1} holds too (depth {2}), but rule {3} is as deep and comes first.", rule + 1,
+              DepthWords(own), choice.rule + 1);
+  }
+  return Tr("Rule {1} holds too (depth {2}), but rule {3} is deeper by {4}.", rule + 1, DepthWords(own),
+            choice.rule + 1, Fixed(own.off - winner.off, 2));
+}
+
+}  // namespace gaitsmith::shell

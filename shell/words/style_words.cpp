@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "shell/words/style_words.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shell/session/session.h"
+#include "shell/words/language.h"
+#include "shell/words/wording.h"
+
+namespace gaitsmith::shell {
+const std::array<TermWords, kStyleTerms>& TermTexts() {
+  static constexpr std::array<TermWords, kStyleTerms> kTexts = {{
+      {"style/height", TrLater("Height"), TrLater("height"), TrLater("peak of the centre of mass"), "m",
+       TrLater("per m"), 2},
+      {"style/slip", TrLater("Slip"), TrLater("slip"), TrLater("how far loaded endpoints slide"), "m",
+       TrLater("per m"), 2},
+      {"style/rotations", TrLater("Rotations"), TrLater("rotations"),
+       TrLater("turns of the root from start to end"), TrLater("turns"), TrLater("per turn"), 2},
+      {"style/effort", TrLater("Effort"), TrLater("effort"), TrLater("angle that all joints travel together"),
+       "rad", TrLater("per rad"), 1},
+      {"style/upright", TrLater("Upright"), TrLater("upright"), TrLater("mean: 1 as drawn, −1 upside down"),
+       "", "", 2},
+      {"style/smoothness", TrLater("Smoothness"), TrLater("smoothness"),
+       TrLater("0 when joints never change speed"), "rad/s²", TrLater("per rad/s²"), 1},
+      {"style/head", TrLater("Head height"), TrLater("head height"),
+       TrLater("mean height of the endpoint drawn highest"), "m", TrLater("per m"), 2},
+  }};
+  return kTexts;
+}
+
+std::string AmountText(float amount, int decimals) {
+  const float size = std::abs(amount);
+  return Fixed(amount, size >= 10'000.0f ? 0 : size >= 1000.0f ? std::min(decimals, 1) : decimals);
+}
+
+std::string ValueText(const TermWords& words, float value) {
+  return AmountText(value, words.decimals) + (*words.unit != '\0' ? " " : "") + Tr(words.unit);
+}
+
+std::string WeightText(float weight) {
+  const float size = std::abs(weight);
+  const int least = size >= 100.0f ? 0 : 1;
+  const int most = size >= 100.0f ? 1 : size >= 10.0f ? 2 : 4;
+  int decimals = least;
+  const auto shown_exactly = [&] {
+    const double scaled = static_cast<double>(weight) * std::pow(10.0, decimals);
+    return std::abs(scaled - std::round(scaled)) < 1e-3;
+  };
+  while (decimals < most && !shown_exactly()) ++decimals;
+  return Fixed(weight, decimals);
+}
+
+std::string PrimaryLabel(TaskKind kind) {
+  switch (kind) {
+    case TaskKind::kTravel:
+      return Tr("Travel");
+    case TaskKind::kTravelRight:
+      return Tr("Travel to the right");
+    case TaskKind::kTravelLeft:
+      return Tr("Travel to the left");
+    case TaskKind::kJump:
+      return Tr("Jump");
+  }
+  return {};
+}
+
+std::string PrimaryLine(TaskKind kind) {
+  switch (kind) {
+    case TaskKind::kTravel:
+      return Tr("Metres the centre of mass gets away, either way.");
+    case TaskKind::kTravelRight:
+      return Tr("Metres the centre of mass gets to the right.");
+    case TaskKind::kTravelLeft:
+      return Tr("Metres the centre of mass gets to the left.");
+    case TaskKind::kJump:
+      return Tr("Metres the centre of mass rises above its start.");
+  }
+  return {};
+}
+
+std::string ScoreWords(const Task& task, const Terms& terms) {
+  const float fitness = Fitness(task, terms);
+  if (fitness <= kVoidScore) return Tr("No score: this motion breaks physics.");
+  std::string sum, rest;
+  for (std::size_t i = 0; i < kStyleTerms; ++i) {
+    const TermWords& words = TermTexts()[i];
+    const float value = terms.Style(static_cast<StyleTerm>(i));
+    const float weight = task.weights[i];
+    const std::string measured = std::string(Tr(words.word)) + " " + ValueText(words, value);
+    if (weight == 0.0f) {
+      rest += (rest.empty() ? "" : ", ") + measured;
+    } else {
+      const float adds = weight * value;
+      sum += "; " + Tr(adds < 0.0f ? "{1} times {2} takes away {3}" : "{1} times {2} adds {3}", measured,
+                       WeightText(weight), AmountText(std::abs(adds), 2));
+    }
+  }
+  const std::string whole = Tr("Score {1}: {2} {3} m{4}.", AmountText(fitness, 2), TaskWords(task.kind),
+                               AmountText(Primary(task, terms), 2), sum);
+  return rest.empty() ? whole : whole + " " + Tr("Not weighed: {1}.", rest);
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The stage in words: what is said is true of the motion that is shown.
+#include "shell/session/moment_words.h"
+
+#include <catch_amalgamated.hpp>
+#include <string>
+
+#include "shell/embedded/embedded.h"
+#include "shell/words/wording.h"
+#include "tests/shell/session/quiet_host.h"
+
+namespace gaitsmith::shell::test {
+namespace {
+
+bool Has(const std::string& words, const std::string& part) { return words.find(part) != std::string::npos; }
+
+TEST_CASE("the description names figure, way, contacts, the rule that acts and why, and the score") {
+  QuietHost host;
+  Session session(host);
+  session.player.Seek(2.0);
+  session.player.Play(false);
+  REQUIRE_FALSE(session.Doc().timeline.empty());
+  const Motion& motion = session.player.Shown();
+  const int frame = session.player.Frame();
+  const std::string rule = "Rule " + std::to_string(motion.At(frame).rule + 1);
+  const std::string words = DescriptionOf(session);
+  CHECK(Has(words, session.Doc().figure.name + " has travelled "));
+  CHECK(Has(words, " after 2.00 s of "));
+  CHECK(Has(words, rule));
+  CHECK(Has(words, " Score "));
+  CHECK(Has(MomentWords(session), "Paused at 2.00 s, "));
+  CHECK(Has(MomentWords(session), rule + " acts."));
+  session.player.Play(true);
+  CHECK(Has(MomentWords(session), "Plays at 2.00 s, "));
+
+  // Contacts, wherever there are some and wherever there are none.
+  bool touched = false;
+  for (int f = 1; f < motion.Frames(); ++f) {
+    bool any = false;
+    for (int k = 0; k < motion.Bones().endpoints; ++k)
+      any |= motion.Force(f, k).y > 0.05f * motion.Bones().mass_kg * kStandardGravity;
+    session.player.Seek(f * static_cast<double>(motion.StepS()) + 1e-4);
+    if (session.player.Frame() != f) continue;
+    const bool says = Has(DescriptionOf(session), "touch the ground.") ||
+                      Has(DescriptionOf(session), "touches the ground. Rule");
+    if (any) CHECK(says);
+    touched |= any;
+  }
+  CHECK(touched);
+  session.player.Seek(0.0);
+  CHECK_FALSE(Has(DescriptionOf(session), " the ground."));  // nothing is known of the step before the first
+  session.player.Seek(1.0);
+  const float lift_ns = 6.0f * motion.Bones().mass_kg;
+  REQUIRE(session.Kick(kCentreOfMass, 0.0f, lift_ns));
+  session.player.Seek(1.4);
+  CHECK(Has(DescriptionOf(session), "Nothing touches the ground."));
+}
+
+TEST_CASE("without a controller the description says that nothing drives the figure") {
+  QuietHost host;
+  Session session(host);
+  session.New();
+  CHECK(Has(DescriptionOf(session), "Nothing drives it"));
+  CHECK_FALSE(Has(MomentWords(session), "Rule"));
+}
+
+}  // namespace
+}  // namespace gaitsmith::shell::test

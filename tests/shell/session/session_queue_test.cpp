@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: MIT
+// A session's queue and results: what runs when, what the stage shows, and what one step of Undo is.
+#include <algorithm>
+#include <catch_amalgamated.hpp>
+
+#include "core/document/binary.h"
+#include "core/document/json.h"
+#include "shell/app/commands.h"
+#include "tests/scene.h"
+#include "tests/shell/session/quiet_host.h"
+
+namespace gaitsmith::shell::test {
+
+namespace {
+
+// A genome that the search started last could have found.
+void Report(Session& session, const QuietHost& host, Gene gene, SearchState state) {
+  const Document& problem = host.started.back();
+  SearchProgress progress{.state = state, .evaluations = 50, .budget = 100, .curve = {}, .best_genome = {}};
+  progress.best_genome.assign(ProblemOf(problem).Shape().Genes(), gene);
+  progress.best_fitness = 1.0f;
+  session.OnSearchProgress(std::move(progress));
+}
+
+// "Mr. Star-Man" in hand, and three searches of other figures and seeds in the queue.
+void QueueThree(Session& session) {
+  for (const int problem : {1, 2, 3}) {
+    Document document = session.Problems()[static_cast<std::size_t>(problem)];
+    document.search.seed = static_cast<std::uint32_t>(problem);
+    REQUIRE(session.Enqueue(document));
+  }
+}
+
+std::vector<const FoundMotions::Entry*> Newest(const Session& session) {
+  return session.found.Sorted(FoundMotions::Order::kNewest);
+}
+
+}  // namespace
+
+TEST_CASE("session: the queue runs one after another by itself and leaves the stage alone",
+          "[shell][session][queue]") {
+  QuietHost host;
+  Session session(host);
+  const std::string before = State(session);
+  QueueThree(session);
+  CHECK(host.started.empty());  // what waits waits
+  REQUIRE(session.RunQueue());
+  for (const std::uint32_t seed : {1u, 2u, 3u}) {
+    CAPTURE(seed);
+    REQUIRE(host.started.size() == seed);
+    CHECK(host.started.back().search.seed == seed);
+    CHECK(session.RunsQueued());
+    Report(session, host, 20000, SearchState::kRunning);
+    CHECK_FALSE(session.ShowImprovement(10.0));
+    Report(session, host, 30000, SearchState::kDone);
+  }
+  CHECK_FALSE(session.Searching());
+  CHECK(host.started.size() == 3);
+  CHECK(State(session) == before);
+  CHECK_FALSE(session.CanUndo());
+  const auto found = Newest(session);
+  REQUIRE(found.size() == 3);
+  CHECK(host.stored.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(SameSearch(found[i]->motion.document, host.started[2 - i]));
+    CHECK(found[i]->motion.origin == Origin::kDone);
+    CHECK(found[i]->motion.document.controllers.back().genes.front() == 30000);
+  }
+}
+
+TEST_CASE("session: a result is shown as it was found, in one step", "[shell][session][found]") {
+  QuietHost host;
+  Session session(host);
+  QueueThree(session);
+  REQUIRE(session.RunQueue());
+  for (int i = 0; i < 3; ++i) Report(session, host, 30000, SearchState::kDone);
+  session.SetView([](View& view) { view.panel = 3; });
+  const std::string before = State(session);
+  const FoundMotions::Entry entry = *Newest(session)[1];
+  session.BeginGesture();
+  REQUIRE(session.ShowFound(entry.id));
+  Document shown = session.Doc();
+  CHECK(shown.view.panel == 3);
+  shown.view = {};
+  CHECK(EncodeBinary(shown) == EncodeBinary(entry.motion.document));
+  CHECK(session.player.Shown().Hash() == *entry.motion.document.hash);
+  CHECK(session.InHand(entry));
+  CHECK_FALSE(session.InHand(*Newest(session)[0]));
+  CHECK_FALSE(session.DiffersFromMaker());
+  session.Undo();
+  CHECK(State(session) == before);
+  CHECK_FALSE(session.CanUndo());
+  CHECK_FALSE(session.ShowFound("nothing of the kind"));
+}
+
+TEST_CASE("session: one that fails does not stop the rest, and says so among the results",
+          "[shell][session][queue]") {
+  QuietHost host;
+  Session session(host);
+  QueueThree(session);
+  REQUIRE(session.RunQueue());
+  session.OnSearchProgress({.state = SearchState::kFailed, .curve = {}, .best_genome = {}});
+  REQUIRE(host.started.size() == 2);
+  CHECK(session.notice.find("failed") != std::string::npos);
+  Report(session, host, 20000, SearchState::kRunning);
+  session.OnSearchProgress({.state = SearchState::kFailed, .curve = {}, .best_genome = {}});
+  REQUIRE(host.started.size() == 3);
+  Report(session, host, 20000, SearchState::kDone);
+  const auto found = Newest(session);
+  REQUIRE(found.size() == 3);
+  CHECK(found[0]->motion.origin == Origin::kDone);
+  CHECK(found[1]->motion.origin == Origin::kFailed);
+  CHECK(found[1]->motion.Moves());  // what it had found is kept
+  CHECK(found[2]->motion.origin == Origin::kFailed);
+  CHECK_FALSE(found[2]->motion.Moves());
+  REQUIRE(session.ShowFound(found[2]->id));
+  CHECK(SameSearch(session.Doc(), host.started[0]));
+}
+
+TEST_CASE("session: after Stop the others wait, until somebody says go on", "[shell][session][queue]") {
+  QuietHost host;
+  Session session(host);
+  QueueThree(session);
+  REQUIRE(session.RunQueue());
+  Report(session, host, 20000, SearchState::kRunning);
+  session.Stop();
+  REQUIRE(Newest(session).size() == 1);
+  Report(session, host, 25000, SearchState::kStopped);  // a little further, as workers report it in the end
+  session.GoOn();
+  CHECK(host.started.size() == 1);
+  CHECK_FALSE(session.Searching());
+  REQUIRE(Newest(session).size() == 1);
+  CHECK(Newest(session)[0]->motion.origin == Origin::kStopped);
+  CHECK(Newest(session)[0]->motion.document.controllers[0].genes[0] == 25000);
+  CHECK(Newest(session)[0]->motion.evaluations == 50);
+  CHECK(session.queue.Waiting().size() == 2);
+  CHECK(session.notice.find("2 searches wait until") != std::string::npos);
+  REQUIRE(session.RunQueue());
+  CHECK(session.notice.empty());
+  CHECK(host.started.size() == 2);
+  CHECK_FALSE(session.RunQueue());
+  CHECK(host.started.size() == 2);
+  // One that ends as stopped although nobody here has stopped it leaves the rest waiting, too.
+  Report(session, host, 20000, SearchState::kStopped);
+  CHECK_FALSE(session.Searching());
+  CHECK(host.started.size() == 2);
+}
+
+TEST_CASE("session: what is done to the document in hand does not concern a search of the queue",
+          "[shell][session][queue]") {
+  QuietHost host;
+  Session session(host);
+  QueueThree(session);
+  REQUIRE(session.RunQueue());
+  Report(session, host, 20000, SearchState::kRunning);
+  session.BeginGesture();
+  session.New();
+  session.Undo();
+  session.Redo();
+  session.BeginGesture();
+  session.ChooseFigure(1);
+  REQUIRE(session.Open(EncodeJson(session.Problems()[4])));
+  CHECK(host.stops == 0);
+  CHECK(session.RunsQueued());
+  CHECK(session.Progress().evaluations == 50);
+  const std::string before = State(session);
+  Report(session, host, 30000, SearchState::kDone);
+  CHECK(host.started.size() == 2);
+  CHECK(State(session) == before);
+  CHECK(Newest(session).size() == 1);
+}
+
+TEST_CASE("session: a search of the queue that the document in hand asks for is shown as it improves",
+          "[shell][session][queue]") {
+  QuietHost host;
+  Session session(host);
+  session.ChooseProblem(0);
+  session.BeginGesture();
+  const std::string before = State(session);
+  REQUIRE(session.Enqueue(session.Doc()));
+  REQUIRE(session.RunQueue());
+  Report(session, host, 20000, SearchState::kRunning);
+  REQUIRE(session.ShowImprovement(10.0));
+  CHECK(session.ShownController() != nullptr);
+  SECTION("and its end is one step") {
+    Report(session, host, 30000, SearchState::kDone);
+    CHECK(session.InHand(*Newest(session)[0]));
+    session.Undo();
+    CHECK(State(session) == before);
+  }
+  SECTION("until what it has found is taken back") {
+    session.Undo();
+    Report(session, host, 30000, SearchState::kDone);
+    CHECK(State(session) == before);
+    CHECK(Newest(session).size() == 1);
+  }
+  SECTION("until the document asks for something else") {
+    session.BeginGesture();
+    session.Set([](Document& d) { d.task.kind = TaskKind::kJump; });
+    const std::string changed = State(session);
+    Report(session, host, 30000, SearchState::kDone);
+    CHECK(State(session) == changed);
+    CHECK(Newest(session)[0]->motion.document.task.kind == TaskKind::kTravel);
+  }
+  SECTION("until it is changed by hand") {
+    session.BeginGesture();
+    REQUIRE(session.ChangeController([](Controller& c) { c.genes[0] = 7; }));
+    const std::string changed = State(session);
+    Report(session, host, 30000, SearchState::kDone);
+    CHECK(State(session) == changed);
+  }
+}
+
+TEST_CASE("session: the queue follows a search of one's own, and one that ended because its document went",
+          "[shell][session][queue]") {
+  QuietHost host;
+  Session session(host);
+  session.ChooseProblem(0);
+  session.Synthesize();
+  QueueThree(session);
+  Report(session, host, 20000, SearchState::kDone);
+  REQUIRE(host.started.size() == 2);
+  CHECK(session.RunsQueued());
+  session.Synthesize();  // stops that one
+  CHECK_FALSE(session.RunsQueued());
+  CHECK(host.started.size() == 3);
+  session.BeginGesture();
+  session.New();
+  CHECK_FALSE(session.Searching());
+  session.GoOn();
+  CHECK(session.RunsQueued());
+  CHECK(host.started.size() == 4);
+}
+
+TEST_CASE("session: five seeds are five more of this search, also when asked twice",
+          "[shell][session][queue]") {
+  QuietHost host;
+  Session session(host);
+  session.ChooseProblem(0);
+  session.Set([](Document& d) { d.search.seed = 3; });
+  session.Synthesize();  // with seed 3
+  CHECK(session.EnqueueSeeds(kQueuedSeeds) == 5);
+  CHECK(session.EnqueueSeeds(kQueuedSeeds) == 5);
+  std::uint32_t seed = 3;
+  for (const SearchQueue::Entry& entry : session.queue.Waiting()) CHECK(entry.document.search.seed == ++seed);
+  CHECK(session.Doc().search.seed == 3);
+  while (session.EnqueueSeeds(kQueuedSeeds) == kQueuedSeeds) {
+  }
+  CHECK(session.queue.Waiting().size() == SearchQueue::kMost);
+  CHECK(session.notice.find("50") != std::string::npos);
+}
+
+TEST_CASE("session: the lab and the queue wait for each other", "[shell][session][queue]") {
+  QuietHost host;
+  Session session(host);
+  REQUIRE(session.StartLab(session.lab.settings));
+  QueueThree(session);
+  CHECK_FALSE(session.RunQueue());
+  session.StopLab();
+  REQUIRE(session.RunQueue());
+  CHECK_FALSE(session.StartLab(session.lab.settings));
+}
+
+TEST_CASE("session: every search that found something is among the results, and Keep marks it",
+          "[shell][session][found]") {
+  QuietHost host;
+  Session session(host);
+  session.ChooseProblem(0);
+  CHECK_FALSE(session.KeepMotion());
+  session.Synthesize();
+  session.Stop();
+  CHECK(session.found.Empty());  // nothing was found
+  session.Synthesize();
+  Report(session, host, 30000, SearchState::kDone);
+  REQUIRE(session.found.Count() == 1);
+  const std::string id = Newest(session)[0]->id;
+  CHECK(session.InHand(*Newest(session)[0]));
+  CHECK_FALSE(Newest(session)[0]->motion.kept);
+  REQUIRE(session.KeepMotion());
+  REQUIRE(session.found.Count() == 1);
+  CHECK(Newest(session)[0]->motion.kept);
+  CHECK(Newest(session)[0]->motion.origin == Origin::kDone);
+  // What is changed by hand is another motion.
+  session.BeginGesture();
+  REQUIRE(session.ChangeController([](Controller& c) { c.genes[0] = 7; }));
+  REQUIRE(session.KeepMotion());
+  REQUIRE(session.found.Count() == 2);
+  CHECK(Newest(session)[0]->motion.origin == Origin::kByHand);
+  CHECK(host.stored[id].find("\"kept\":true") != std::string::npos);
+  session.found.Remove(id);
+  CHECK(host.stored[id].empty());
+}
+
+TEST_CASE("commands: of queue and results say why not, and do it when they can", "[shell][commands]") {
+  QuietHost host;
+  Session session(host);
+  const auto command = [&](std::string_view id) {
+    const auto list = CommandsOf(session, false);
+    const auto found = std::ranges::find(list, id, &Command::id);
+    REQUIRE(found != list.end());
+    return *found;
+  };
+  CHECK_FALSE(command("queue/run").why_not.empty());
+  CHECK_FALSE(command("queue/clear").why_not.empty());
+  CHECK_FALSE(command("found/best").why_not.empty());
+  CHECK_FALSE(command("found/bring-back").why_not.empty());
+  command("queue/add").run();
+  command("queue/seeds").run();
+  CHECK(session.queue.Waiting().size() == 6);
+  command("queue/run").run();
+  CHECK(session.RunsQueued());
+  CHECK_FALSE(command("queue/run").why_not.empty());
+  CHECK_FALSE(command("document/undo").why_not.empty());  // nothing of it is in the document
+  command("queue/clear").run();
+  Report(session, host, 30000, SearchState::kDone);
+  CHECK_FALSE(session.Searching());
+  session.New();
+  command("found/best").run();
+  CHECK(session.InHand(*Newest(session)[0]));
+  command("found/keep").run();
+  CHECK(Newest(session)[0]->motion.kept);
+}
+
+}  // namespace gaitsmith::shell::test

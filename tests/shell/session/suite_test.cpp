@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Suites of searches, and what can be done with what they find.
+#include <catch_amalgamated.hpp>
+#include <set>
+
+#include "core/document/binary.h"
+#include "core/document/usual_weights.h"
+#include "shell/session/suite_plan.h"
+#include "tests/shell/session/quiet_host.h"
+
+namespace gaitsmith::shell::test {
+namespace {
+
+constexpr SuiteChoice kAll = {{true, true}, {true, true, true}, {true, true, true, true, true}};
+
+const FoundMotions::Entry& NewestOf(const Session& session) {
+  return *session.found.Sorted(FoundMotions::Order::kNewest).front();
+}
+
+}  // namespace
+
+TEST_CASE("suite: one search for each combination, all different and valid", "[shell][suite]") {
+  QuietHost host;
+  Session session(host);
+  CHECK(kAll.Searches() == 30);
+  const std::vector<Document> suite = SuiteOf(session.Doc(), kAll);
+  REQUIRE(suite.size() == 30);
+  std::set<std::vector<std::uint8_t>> different;
+  for (const Document& one : suite) {
+    CHECK(Validate(one));
+    CHECK(one.search.seed == session.Doc().search.seed);
+    CHECK(one.search.evaluations == session.Doc().search.evaluations);
+    different.insert(EncodeBinary(one));
+  }
+  CHECK(different.size() == 30);
+  // Style by style within a goal, goal by goal within the senses.
+  CHECK(suite[2].task.weights[2] == UsualWeights(suite[2])[2]);
+  CHECK(suite[5].task.kind == TaskKind::kTravelLeft);
+  CHECK(suite[15].senses.kind == SenseKind::kTimer);
+  Document network = session.Doc();
+  network.kind = ControllerKind::kNetwork;
+  for (const Document& one : SuiteOf(network, kAll)) {
+    CHECK(Validate(one));
+    CHECK((one.kind == ControllerKind::kNetwork) == (one.senses.kind == SenseKind::kPhysical));
+  }
+}
+
+TEST_CASE("suite: it runs by itself, and what does not fit into the queue is said", "[shell][suite]") {
+  QuietHost host;
+  Session session(host);
+  const std::string before = State(session);
+  session.MakeSuite(kAll);
+  CHECK(host.started.size() == 1);
+  CHECK(session.queue.Waiting().size() == 29);
+  session.MakeSuite(kAll);
+  CHECK(session.queue.Waiting().size() == SearchQueue::kMost);
+  CHECK(host.status == "The queue had room for 21 of the suite's 30 searches.");
+  CHECK(State(session) == before);
+}
+
+TEST_CASE("results: a name goes with a motion, a wrong one is refused, and made again it is the same",
+          "[shell][suite]") {
+  QuietHost host;
+  Session session(host);
+  session.Synthesize();
+  End(session, host, 20000);
+  const std::string id = NewestOf(session).id;
+  CHECK(session.found.Rename(id, "Wheel").empty());
+  CHECK(session.found.Rename(id, std::string(81, 'x')) == "at most 80 bytes, has 81");
+  CHECK_FALSE(session.found.Rename(id, "a\nb").empty());
+  CHECK_FALSE(session.found.Rename("0", "Wheel").empty());
+  CHECK(NewestOf(session).motion.name == "Wheel");
+  CHECK(host.stored[id].contains(R"("name":"Wheel")"));
+
+  // Stored and read again it has its name; a name that is none is refused.
+  const auto read = DecodeFound(host.stored[id]);
+  REQUIRE(read);
+  CHECK(read->name == "Wheel");
+  std::string bad = host.stored[id];
+  bad.replace(bad.find("\"Wheel\""), 7, "17");
+  CHECK_FALSE(DecodeFound(bad));
+
+  REQUIRE(session.ShowFound(id));
+  CHECK(session.Doc().title == "Wheel");
+  CHECK(session.Doc().controllers[0].name == "Wheel");
+  CHECK(session.InHand(NewestOf(session)));
+  REQUIRE(session.InsertFound(id, 100));
+  CHECK(session.Doc().timeline[1].start_step == 100);
+
+  REQUIRE(session.MakeAgain(id));
+  CHECK(host.started.size() == 2);
+  CHECK(EncodeBinary(SearchOf(host.started[0])) == EncodeBinary(SearchOf(host.started[1])));
+  End(session, host, 20000);
+  CHECK(session.found.Count() == 1);
+  CHECK(NewestOf(session).motion.name == "Wheel");
+}
+
+}  // namespace gaitsmith::shell::test

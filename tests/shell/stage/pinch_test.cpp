@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Fingers on the stage.
+#include "shell/stage/pinch.h"
+
+#include <catch_amalgamated.hpp>
+
+namespace gaitsmith::shell {
+namespace {
+
+constexpr ImVec2 kCanvas{400.0f, 800.0f};
+
+class Hand {
+ public:
+  Hand() { pinch.area = ImRect(0.0f, 0.0f, 400.0f, 500.0f); }
+  bool Down(int finger, float x, float y) { return Tell(SDL_FINGERDOWN, finger, x, y); }
+  void Move(int finger, float x, float y) { Tell(SDL_FINGERMOTION, finger, x, y); }
+  void Up(int finger) { Tell(SDL_FINGERUP, finger, 0.0f, 0.0f); }
+
+  Pinch pinch;
+
+ private:
+  bool Tell(Uint32 type, int finger, float x, float y) {
+    SDL_TouchFingerEvent event{};
+    event.type = type;
+    event.fingerId = finger;
+    event.x = x / kCanvas.x;
+    event.y = y / kCanvas.y;
+    return pinch.Take(event, kCanvas);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("Fingers that part enlarge by as much as they part, about their middle") {
+  Hand hand;
+  REQUIRE_FALSE(hand.Down(7, 150.0f, 200.0f));
+  REQUIRE_FALSE(hand.pinch.Holds());
+  REQUIRE(hand.Down(9, 250.0f, 200.0f));
+  REQUIRE(hand.pinch.Holds());
+  hand.Move(7, 100.0f, 200.0f);
+  hand.Move(9, 300.0f, 200.0f);
+  const Pinch::Change change = hand.pinch.TakeChange();
+  REQUIRE(change.zoom == Catch::Approx(2.0f));
+  REQUIRE(change.to.x == Catch::Approx(change.from.x));
+  REQUIRE(hand.pinch.TakeChange().zoom == 1.0f);  // told once
+}
+
+TEST_CASE("Fingers that go together move the picture and do not enlarge it") {
+  Hand hand;
+  hand.Down(1, 100.0f, 100.0f);
+  hand.Down(2, 160.0f, 180.0f);
+  hand.Move(1, 130.0f, 100.0f);
+  hand.Move(2, 190.0f, 180.0f);
+  const Pinch::Change change = hand.pinch.TakeChange();
+  REQUIRE(change.zoom == Catch::Approx(1.0f));
+  REQUIRE(change.to.x - change.from.x == Catch::Approx(30.0f));
+}
+
+TEST_CASE("What remains of a pinch is no tap, and the next finger begins anew") {
+  Hand hand;
+  hand.Down(1, 100.0f, 100.0f);
+  hand.Down(2, 200.0f, 100.0f);
+  hand.Up(1);
+  REQUIRE(hand.pinch.Holds());
+  hand.Move(2, 390.0f, 400.0f);
+  REQUIRE(hand.pinch.TakeChange().zoom == 1.0f);
+  hand.Up(2);
+  REQUIRE_FALSE(hand.pinch.Holds());
+  hand.Down(3, 100.0f, 100.0f);
+  REQUIRE_FALSE(hand.pinch.Holds());
+}
+
+TEST_CASE("Fingers elsewhere are none of the stage's, and fingers that meet do not blow it up") {
+  Hand hand;
+  hand.Down(1, 100.0f, 100.0f);
+  REQUIRE_FALSE(hand.Down(2, 200.0f, 700.0f));
+  REQUIRE_FALSE(hand.pinch.Holds());
+  REQUIRE(hand.Down(3, 120.0f, 100.0f));
+  hand.Move(3, 100.0f, 100.0f);
+  REQUIRE(hand.pinch.TakeChange().zoom == Catch::Approx(1.0f));
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Themes keep the contrast they promise, by the definition of WCAG 2.1.
+#include "shell/widgets/theme.h"
+
+#include <algorithm>
+#include <catch_amalgamated.hpp>
+#include <cmath>
+
+namespace gaitsmith::shell {
+namespace {
+
+double Luminance(ImU32 colour) {
+  const auto linear = [](ImU32 byte) {
+    const double c = static_cast<double>(byte & 0xffu) / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(colour >> IM_COL32_R_SHIFT) + 0.7152 * linear(colour >> IM_COL32_G_SHIFT) +
+         0.0722 * linear(colour >> IM_COL32_B_SHIFT);
+}
+
+double Contrast(ImU32 a, ImU32 b) {
+  const auto [darker, lighter] = std::minmax({Luminance(a), Luminance(b)});
+  return (lighter + 0.05) / (darker + 0.05);
+}
+
+double LeastOfText(const Palette& p) {
+  double least = Contrast(p.accent_ink, p.accent);
+  for (const ImU32 behind : {p.paper, p.panel, p.soft}) {
+    for (const ImU32 text : {p.ink, p.second_ink}) least = std::min(least, Contrast(text, behind));
+  }
+  for (const ImU32 text : {p.accent, p.good, p.bad}) least = std::min(least, Contrast(text, p.panel));
+  return least;
+}
+
+}  // namespace
+
+TEST_CASE("Black on white has a contrast of 21 to 1") {
+  REQUIRE(std::abs(Contrast(IM_COL32_BLACK, IM_COL32_WHITE) - 21.0) < 1e-9);
+}
+
+TEST_CASE("Text can be read in every theme, and from the back row in the strong ones") {
+  REQUIRE(LeastOfText(PaletteOf(PaletteName::kLight)) >= 4.0);
+  REQUIRE(LeastOfText(PaletteOf(PaletteName::kDark)) >= 4.5);
+  for (const PaletteName name : {PaletteName::kStrongLight, PaletteName::kStrongDark}) {
+    const Palette& p = PaletteOf(name);
+    REQUIRE(LeastOfText(p) >= 7.0);
+    for (const ImU32 behind : {p.paper, p.panel}) REQUIRE(Contrast(p.line, behind) >= 4.5);
+    REQUIRE(Contrast(p.line, p.soft) >= 3.0);
+  }
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// Widgets that are asked instead of pointed at: without a window, but drawn by Dear ImGui as on the canvas.
+#include "shell/widgets/widget_request.h"
+
+#include <array>
+#include <catch_amalgamated.hpp>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "shell/widgets/widgets.h"
+
+namespace gaitsmith::shell::test {
+namespace {
+
+using Kind = WidgetRequest::Kind;
+
+// Draws one frame after the other into nothing.
+class Panel {
+ public:
+  Panel() {
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.DisplaySize = {400.0f, 300.0f};
+    io.DeltaTime = 0.02f;
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    theme_.palette = PaletteOf(PaletteName::kLight);
+    theme_.fonts.Build(1.0f);
+    registry_.Attach();
+  }
+  ~Panel() { ImGui::DestroyContext(); }
+  Panel(const Panel&) = delete;
+  Panel& operator=(const Panel&) = delete;
+
+  void Draw(const std::function<void(Ui&)>& contents) {
+    registry_.BeginFrame();
+    ImGui::NewFrame();
+    ImGui::SetNextWindowPos({0.0f, 0.0f});
+    ImGui::SetNextWindowSize({400.0f, 300.0f});
+    ImGui::Begin("whole", nullptr, ImGuiWindowFlags_NoDecoration);
+    ImGui::BeginChild("panel", {380.0f, 200.0f}, 0,
+                      ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollbar);
+    Ui ui(theme_, registry_, backdrop_);
+    contents(ui);
+    ImGui::EndChild();
+    ImGui::End();
+    registry_.EndFrame();
+    ImGui::Render();
+  }
+  WidgetRegistry& Registry() { return registry_; }
+
+ private:
+  Theme theme_;
+  WidgetRegistry registry_;
+  Backdrop backdrop_;
+};
+
+TEST_CASE("a widget that is asked does in the next frame, once, what a click or a key would do") {
+  Panel panel;
+  int pressed = 0;
+  bool on = false;
+  double value = 0.5;
+  int number = 7;
+  const auto contents = [&](Ui& ui) {
+    pressed += ui.Button("go", ui.ControlRow(), "Go") ? 1 : 0;
+    pressed += ui.Button("grey", ui.ControlRow(), "Grey", ButtonLook::kOutlined, false) ? 100 : 0;
+    ui.Switch("switch", "Switch", on);
+    ui.Slider("slider", "Slider", value, {.low = 0.0, .high = 1.0, .step = 0.1}, "");
+    ui.Number("number", "Number", number, 0, 10);
+  };
+  panel.Draw(contents);
+  panel.Draw(contents);
+  WidgetRequests& requests = panel.Registry().Requests();
+
+  requests.Add({.id = "go", .kind = Kind::kPress});
+  requests.Add({.id = "switch", .kind = Kind::kPress});
+  requests.Add({.id = "slider", .kind = Kind::kSet, .number = 0.33});
+  requests.Add({.id = "number", .kind = Kind::kStep, .number = 2.0});
+  panel.Draw(contents);
+  CHECK(pressed == 1);
+  CHECK_FALSE(on);
+  panel.Draw(contents);
+  CHECK(on);
+  panel.Draw(contents);
+  CHECK(std::abs(value - 0.3) < 1e-9);  // on the slider's own grid
+  panel.Draw(contents);
+  CHECK(number == 9);
+  CHECK_FALSE(requests.Waiting());
+  panel.Draw(contents);
+  CHECK(pressed == 1);
+  CHECK(on);
+
+  requests.Add({.id = "number", .kind = Kind::kSet, .number = 99.0});
+  panel.Draw(contents);
+  CHECK(number == 10);
+  requests.Add({.id = "grey", .kind = Kind::kPress});
+  requests.Add({.id = "nowhere", .kind = Kind::kPress});
+  panel.Draw(contents);
+  panel.Draw(contents);
+  CHECK(pressed == 1);
+  CHECK_FALSE(requests.Waiting());
+}
+
+TEST_CASE("what is asked takes the keyboard, alone, and comes into sight") {
+  Panel panel;
+  double value = 0.0;
+  const auto contents = [&](Ui& ui) {
+    for (int i = 0; i < 12; ++i) {
+      const std::string name = std::to_string(i);
+      ui.Slider("slider/" + name, "Slider " + name, value, {}, "");
+    }
+  };
+  panel.Draw(contents);
+  panel.Draw(contents);
+  const Widget* last = panel.Registry().Find("slider/11");
+  REQUIRE(last != nullptr);
+  CHECK_FALSE(last->in_sight);
+  CHECK(panel.Registry().Json().find("slider/11") == std::string::npos);
+  CHECK(panel.Registry().MirrorJson().find("slider/11") != std::string::npos);
+
+  panel.Registry().Requests().Add({.id = "slider/11", .kind = Kind::kStep, .number = 3.0});
+  for (int i = 0; i < 3; ++i) panel.Draw(contents);
+  CHECK(std::abs(value - 0.03) < 1e-9);
+  last = panel.Registry().Find("slider/11");
+  REQUIRE(last != nullptr);
+  CHECK(last->in_sight);
+  int focused = 0;
+  for (const Widget& widget : panel.Registry().Widgets()) focused += widget.state.focused ? 1 : 0;
+  CHECK(focused == 1);
+  CHECK(last->state.focused);
+}
+
+TEST_CASE("steps add up, numbers replace each other, and nothing else is lost on the way") {
+  WidgetRequests requests;
+  requests.Add({.id = "a", .kind = Kind::kFocus});
+  requests.Add({.id = "a", .kind = Kind::kStep, .number = 1.0});
+  requests.Add({.id = "a", .kind = Kind::kStep, .number = 1.0, .begins = false});
+  requests.Add({.id = "b", .kind = Kind::kSet, .number = 1.0});
+  requests.Add({.id = "b", .kind = Kind::kSet, .number = 2.0, .begins = false});
+  requests.Add({.id = "b", .kind = Kind::kPress});
+  requests.Add({.id = "b", .kind = Kind::kPress});
+  CHECK(requests.Last() == "b");
+  std::string order;
+  for (; requests.Waiting(); requests.EndFrame()) {
+    requests.BeginFrame();
+    REQUIRE(requests.Due() != nullptr);
+    CHECK(requests.DueFor("elsewhere") == nullptr);
+    CHECK(requests.Due()->begins);
+    order += requests.Due()->id + std::to_string(static_cast<int>(requests.Due()->number)) + " ";
+  }
+  CHECK(order == "a2 b2 b0 b0 ");
+}
+
+TEST_CASE("parts contain what is drawn in them") {
+  Panel panel;
+  int chosen = 0;
+  static constexpr std::array<const char*, 2> kOptions = {"One", "Two"};
+  panel.Draw([&](Ui& ui) {
+    const PartScope part = ui.Part("outer", "region", "Outer");
+    ui.Segmented("choice", ui.ControlRow(), "Choice", kOptions, chosen);
+    ui.Paragraph("Words.");
+  });
+  const WidgetRegistry& registry = panel.Registry();
+  REQUIRE(registry.Parts().size() == 2);
+  CHECK(registry.Parts()[1].label == "Choice");
+  CHECK(registry.Parts()[1].parent == 0);
+  const Widget* option = registry.Find("choice/1");
+  REQUIRE(option != nullptr);
+  CHECK(option->part == 1);
+  const Widget* words = registry.Find("text/1");
+  REQUIRE(words != nullptr);
+  CHECK(words->label == "Words.");
+  CHECK(words->part == 0);
+}
+
+}  // namespace
+}  // namespace gaitsmith::shell::test
