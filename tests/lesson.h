@@ -32,7 +32,7 @@ Document Shipped(const std::string& path);
 
 Terms TermsOf(const Document& document);
 
-/// What the playground ticks (web/goal_conditions.js), for the whole motion.
+/// What the playground ticks (web/page/goal_conditions.js), for the whole motion.
 bool Meets(const std::string& goal, const Document& document);
 
 struct Found {

@@ -5,11 +5,11 @@
 #include <string_view>
 #include <vector>
 
-#include "shell/app/commands.h"
 #include "shell/app/window.h"
 #include "shell/panels/controller/controller_panel.h"
 #include "shell/panels/figure/figure_panel.h"
 #include "shell/panels/search/search_panel.h"
+#include "shell/session/commands.h"
 #include "shell/session/session.h"
 #include "shell/stage/stage.h"
 

@@ -15,11 +15,11 @@
 #include "core/document/json_value.h"
 #include "core/document/link.h"
 #include "shell/app/app.h"
-#include "shell/app/commands.h"
 #include "shell/host/frame_pace.h"
 #include "shell/host/page_host.h"
 #include "shell/host/script_answers.h"
 #include "shell/host/script_options.h"
+#include "shell/session/commands.h"
 #include "shell/session/moment_words.h"
 #include "shell/words/language.h"
 

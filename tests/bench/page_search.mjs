@@ -3,7 +3,7 @@
 // animating on the canvas.
 
 /** @typedef {import('../browser/browsers.mjs').Browser} Browser */
-/** @typedef {import('../../web/messages.js').SearchReport} SearchReport */
+/** @typedef {import('../../web/search/messages.js').SearchReport} SearchReport */
 
 /**
  * What a search took.
@@ -33,9 +33,9 @@ export async function searchAlone(browser, address, document, workers, limitMs) 
   const page = await (await browser.createBrowserContext()).newPage();
   await page.goto(`${address}an-empty-page`);
   const taken = await page.evaluate(async (text, count, limit, settled) => {
-    const { Engine } = await import(new URL('engine.js', location.href).href);
-    const { SearchClient } = await import(new URL('search_client.js', location.href).href);
-    const compiled = await WebAssembly.compileStreaming(fetch(new URL('engine_module.wasm', location.href)));
+    const { Engine } = await import(new URL('search/engine.js', location.href).href);
+    const { SearchClient } = await import(new URL('search/search_client.js', location.href).href);
+    const compiled = await WebAssembly.compileStreaming(fetch(new URL('search/engine_module.wasm', location.href)));
     const engine = await Engine.load(compiled);
     /** @type {{ms: number, simulated: number} | null} */
     let first = null;
@@ -43,7 +43,7 @@ export async function searchAlone(browser, address, document, workers, limitMs) 
     const last = await new Promise((resolve, reject) => {
       const client = new SearchClient({
         engine: compiled,
-        createWorker: () => new Worker(new URL('worker.js', location.href), { type: 'module' }),
+        createWorker: () => new Worker(new URL('search/worker.js', location.href), { type: 'module' }),
         listener: {
           progress: (/** @type {SearchReport} */ report) => {
             if (report.simulated > 0) first ??= { ms: performance.now(), simulated: report.simulated };

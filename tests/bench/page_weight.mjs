@@ -60,7 +60,7 @@ export async function memory(browser, address, algorithms) {
   const bytes = await page.evaluate(async (names) => {
     await window.gaitsmith.ready;
     await window.gaitsmith.synthesize({ evaluations: 2000, seed: 1 });
-    const { Engine } = await import(new URL('engine.js', location.href).href);
+    const { Engine } = await import(new URL('search/engine.js', location.href).href);
     const workers = /** @type {Record<string, number>} */ ({});
     const shown = /** @type {any} */ (window.gaitsmith.document());
     for (const algorithm of names) {

@@ -27,8 +27,8 @@ const FOLDER = join(ROOT, 'build/bench');
  * @returns {Promise<number>} how many motions it simulated
  */
 async function evaluate(engineAddress, { document, genomes }, ms) {
-  const { Engine } = /** @type {typeof import('../../web/engine.js')} */ (await import(engineAddress));
-  const kept = /** @type {{benchEngine?: import('../../web/engine.js').Engine}} */ (globalThis);
+  const { Engine } = /** @type {typeof import('../../web/search/engine.js')} */ (await import(engineAddress));
+  const kept = /** @type {{benchEngine?: import('../../web/search/engine.js').Engine}} */ (globalThis);
   const engine = (kept.benchEngine ??= await Engine.load());
   const evaluator = engine.evaluator(engine.documentFromText(document));
   const batch = Uint16Array.from(genomes);
@@ -73,7 +73,7 @@ for (const name of WORKLOADS) {
     genomes: [...new Uint16Array(genes.buffer, genes.byteOffset, genes.length / 2)],
   };
 }
-const engineAddress = pathToFileURL(join(ROOT, 'build/wasm/web/engine.js')).href;
+const engineAddress = pathToFileURL(join(ROOT, 'build/wasm/web/search/engine.js')).href;
 contestants['wasm node'] = (workload, ms) => perSecondOf(nodeSeconds, () => evaluate(engineAddress, works[workload], ms));
 
 const browser = await startChromium();
@@ -88,7 +88,7 @@ if (browser) {
     return metrics.find(({ name }) => name === 'ThreadTime')?.value ?? NaN;
   };
   contestants['wasm chromium'] = (workload, ms) =>
-    perSecondOf(threadSeconds, () => page.evaluate(evaluate, `${address}engine.js`, works[workload], ms));
+    perSecondOf(threadSeconds, () => page.evaluate(evaluate, `${address}search/engine.js`, works[workload], ms));
   about['wasm chromium'] = { version: await browser.version() };
 }
 

@@ -40,7 +40,7 @@ function firstLine(program, options, stdio, channel) {
 
 /** Serves a folder. @param {string} folder @returns {Promise<string>} its address */
 export function serve(folder) {
-  return firstLine(process.execPath, [join(ROOT, 'web/serve.mjs'), folder, '0'], ['ignore', 'pipe', 'inherit'], 1);
+  return firstLine(process.execPath, [join(ROOT, 'web/build/serve.mjs'), folder, '0'], ['ignore', 'pipe', 'inherit'], 1);
 }
 
 export function stopAll() {

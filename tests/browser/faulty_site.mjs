@@ -26,10 +26,10 @@ async function start(site) {
   const folder = await mkdtemp(join(tmpdir(), 'faulty-site-'));
   process.on('exit', () => rmSync(folder, { recursive: true }));
   await cp(site, folder, { recursive: true });
-  await cp(join(ROOT, 'tests/browser/worker_faults.mjs'), join(folder, 'worker_faults.js'));
-  const worker = join(folder, 'worker.js');
+  await cp(join(ROOT, 'tests/browser/worker_faults.mjs'), join(folder, 'search/worker_faults.js'));
+  const worker = join(folder, 'search/worker.js');
   await writeFile(worker, `import './worker_faults.js';\n${await readFile(worker, 'utf8')}`);
-  await promisify(execFile)(process.execPath, [join(ROOT, 'web/seal.mjs'), folder]);
+  await promisify(execFile)(process.execPath, [join(ROOT, 'web/build/seal.mjs'), folder]);
   const host = new PlainServer(folder, '/');
   await host.start();
   host.server.unref();

@@ -48,7 +48,7 @@ const CASES = (/** @type {const} */ (['lose', 'double'])).flatMap((act) => KINDS
  */
 async function searchWith({ faults, how = '' }, document) {
   const [{ SearchClient }, { compiledEngine }, { scriptAddress }] = await Promise.all(
-    ['search_client.js', 'compiled_engine.js', 'trusted.js'].map((name) => import(new URL(name, location.href).href)));
+    ['search/search_client.js', 'search/compiled_engine.js', 'browser/trusted.js'].map((name) => import(new URL(name, location.href).href)));
   const ids = new Set(faults.map(({ id }) => id));
   let waiting = faults;
   let met = 0;
@@ -69,7 +69,7 @@ async function searchWith({ faults, how = '' }, document) {
     const client = new SearchClient({
       engine,
       createWorker: () => {
-        const worker = new Worker(scriptAddress('worker.js'), { type: 'module', name: waiting.length > 0 ? JSON.stringify(waiting) : '' });
+        const worker = new Worker(scriptAddress('search/worker.js'), { type: 'module', name: waiting.length > 0 ? JSON.stringify(waiting) : '' });
         const { terminate } = worker;
         worker.terminate = () => {
           live.splice(live.indexOf(worker), 1);
@@ -108,7 +108,7 @@ async function eachMessage({ browser, name, figures }) {
   const page = await PageDriver.open(browser, (await faultySite()).address());
   // The state of a search is told once a second: only some have to last as long.
   const [short, long, endless] = await page.call('documents', async () => {
-    const [{ Engine }, { compiledEngine }] = await Promise.all(['engine.js', 'compiled_engine.js'].map((name) => import(new URL(name, location.href).href)));
+    const [{ Engine }, { compiledEngine }] = await Promise.all(['search/engine.js', 'search/compiled_engine.js'].map((name) => import(new URL(name, location.href).href)));
     const engine = await Engine.load(await compiledEngine());
     return [2500, 8000, 1000000].map((evaluations) => {
       const json = { ...window.gaitsmith.document(), hash: undefined, title: '', search: { seed: 9, evaluations } };

@@ -6,7 +6,7 @@ import { activate, active, scrubbed, settle } from './assistive.mjs';
 import { PageDriver, sleep } from './page_driver.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
-/** @typedef {import('../../web/app.js').Widget} Widget */
+/** @typedef {import('../../web/app/app.js').Widget} Widget */
 
 /** Has the keyboard on the canvas, and shows it. @param {PageDriver} page @returns {Promise<string | undefined>} */
 const focusedWidget = async (page) => (await page.widgets()).find(({ state }) => state.focused)?.id;

@@ -122,7 +122,7 @@ async function update(visit) {
     await writeFile(script, `${await readFile(script, 'utf8')}\nwindow.testNew = 'script';\n`);
     const index = join(server.folder, 'index.html');
     await writeFile(index, (await readFile(index, 'utf8')).replace('<html lang="en">', '<html lang="en" data-new>'));
-    await run(process.execPath, [join(ROOT, 'web/seal.mjs'), server.folder]);
+    await run(process.execPath, [join(ROOT, 'web/build/seal.mjs'), server.folder]);
 
     const second = await PageDriver.open(browser, server.address(), { beside: page });
     const versionOf = (/** @type {PageDriver} */ driver) => driver.call('version', () =>
@@ -153,7 +153,7 @@ async function halfAVersion(visit) {
     const asked = server.asked.filter((path) => path.endsWith('/naming.js')).length;
     // Half an upload: the list is new, a file is not what it says.
     await writeFile(join(server.folder, 'naming.js'), 'window.testNew = "whole";\n');
-    await run(process.execPath, [join(ROOT, 'web/seal.mjs'), server.folder]);
+    await run(process.execPath, [join(ROOT, 'web/build/seal.mjs'), server.folder]);
     await writeFile(join(server.folder, 'naming.js'), 'window.testNew = "half";\n');
     const state = await page.call('update', async () => {
       const registration = await navigator.serviceWorker.ready;

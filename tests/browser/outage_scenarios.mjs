@@ -236,11 +236,11 @@ async function newVersion(visit) {
     const page = await PageDriver.open(visit.browser, server.address());
     await page.until('the service worker', `(async () => (await navigator.serviceWorker.ready).active?.state === 'activated')()`);
     await page.reload(); // now it is the kept one
-    for (const script of ['worker.js', 'naming.js']) {
+    for (const script of ['search/worker.js', 'page/naming.js']) {
       const path = join(server.folder, script);
       await writeFile(path, `${await readFile(path, 'utf8')}\nself.testNew = true;\n`);
     }
-    await promisify(execFile)(process.execPath, [join(ROOT, 'web/seal.mjs'), server.folder]);
+    await promisify(execFile)(process.execPath, [join(ROOT, 'web/build/seal.mjs'), server.folder]);
 
     await begin(page, { evaluations: 12000 });
     await page.call('update', async () => { await (await navigator.serviceWorker.ready).update(); return true; });

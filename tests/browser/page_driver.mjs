@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 
 /** @typedef {import('./browsers.mjs').Browser} Browser */
 /** @typedef {import('./browsers.mjs').Page} Page */
-/** @typedef {import('../../web/app.js').Widget} Widget */
+/** @typedef {import('../../web/app/app.js').Widget} Widget */
 
 const PATIENCE_MS = 60000;
 /** @param {number} ms */

@@ -6,7 +6,7 @@ import { stateOf } from './history_scenarios.mjs';
 import { nativeHash } from './native.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
-/** @typedef {import('../../web/app.js').FoundMotion} FoundMotion */
+/** @typedef {import('../../web/app/app.js').FoundMotion} FoundMotion */
 
 const EVALUATIONS = 800;
 

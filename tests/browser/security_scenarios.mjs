@@ -79,7 +79,7 @@ async function onlyOwnScripts({ browser, address }) {
   const tried = await page.call('scripts', async () => {
     const tries = /** @type {Record<string, () => unknown>} */ ({
       // In a page whose policy knows Trusted Types a text is no address of a script.
-      worker: () => new Worker('worker.js'),
+      worker: () => new Worker('search/worker.js'),
       markup: () => { document.createElement('p').innerHTML = '<b>x</b>'; },
       policy: () => /** @type {any} */ (window).trustedTypes.createPolicy('another', {}),
     });

@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { TERMS } from '../../web/goal_conditions.js';
+import { TERMS } from '../../web/page/goal_conditions.js';
 import { ROOT } from './browsers.mjs';
 import { PageDriver } from './page_driver.mjs';
 
@@ -52,7 +52,7 @@ async function shareDialog({ browser, address }) {
   const lines = await valueOf(page, '#share-snippet');
   await page.press('Escape');
   const around = await page.page.browserContext().newPage();
-  await around.goto(new URL('no_start.js', address).href); // a page of the same host, and nothing on it
+  await around.goto(new URL('page/no_start.js', address).href); // a page of the same host, and nothing on it
   await around.setContent(lines);
   await around.waitForFunction(() => /** @type {any} */ (document.querySelector('iframe')?.contentWindow)?.gaitsmith, { timeout: 30000 });
   const inside = await around.evaluate(async () => {
@@ -154,7 +154,7 @@ async function damagedLinks({ name, browser, address, figures }) {
   let tried = 0;
   for (const link of links) {
     const { count, opened } = await page.page.evaluate(async (payload) => {
-      const { Engine } = await import(new URL('engine.js', location.href).href);
+      const { Engine } = await import(new URL('search/engine.js', location.href).href);
       const { module } = await Engine.load();
       const opens = (/** @type {Uint8Array} */ text) => {
         const at = module._gs_input(text.length);

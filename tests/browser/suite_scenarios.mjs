@@ -10,7 +10,7 @@ import { Mouse } from './hands.mjs';
 import { PageDriver } from './page_driver.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
-/** @typedef {import('../../web/app.js').FoundMotion} FoundMotion */
+/** @typedef {import('../../web/app/app.js').FoundMotion} FoundMotion */
 
 /** @param {PageDriver} page @returns {Promise<FoundMotion[]>} */
 const results = (page) => page.call('results', () => window.gaitsmith.results());

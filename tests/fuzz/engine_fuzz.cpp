@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What messages make workers do: any calls of the engine's border (web/engine.cpp) in any order, with any
+// What messages make workers do: any calls of the engine's border (web/search/engine.cpp) in any order, with any
 // documents, genomes, scores and saved states, whole, damaged or made up. Each is done or refused with a
 // sentence; what it answers is finite and inside its own memory. Bytes: the document, then calls and what
 // they bring.
@@ -14,7 +14,7 @@
 #include "core/document/json_value.h"
 #include "core/physics/evaluator.h"
 #include "core/search/search.h"
-#include "web/engine.cpp"  // NOLINT: the border has no header, only a declaration for JavaScript
+#include "web/search/engine.cpp"  // NOLINT: the border has no header, only a declaration for JavaScript
 
 namespace {
 

@@ -16,14 +16,14 @@ const { GifReader } = foreign('omggif');
 
 const ENGLISH = ['{1} poses of {2} from {3} s to {4} s, lettered {5} to {6}.', 'tilted by {1}°', '.'];
 
-/** @type {import('../../web/engine.js').Engine} */
+/** @type {import('../../web/search/engine.js').Engine} */
 let engine;
 /** Shipped documents, by name. @type {Map<string, any>} */
 const documents = new Map();
 
 before(async () => {
-  const { Engine } = await import(pathToFileURL(join(WEB, 'engine.js')).href);
-  engine = await Engine.load(await WebAssembly.compile(await readFile(join(WEB, 'engine_module.wasm'))));
+  const { Engine } = await import(pathToFileURL(join(WEB, 'search/engine.js')).href);
+  engine = await Engine.load(await WebAssembly.compile(await readFile(join(WEB, 'search/engine_module.wasm'))));
   for (const folder of ['examples', 'tests/golden/motions']) {
     for (const file of (await readdir(join(ROOT, folder))).filter((name) => name.endsWith('.json')))
       documents.set(file, JSON.parse(await readFile(join(ROOT, folder, file), 'utf8')));
@@ -103,7 +103,7 @@ function blankCanvas() {
 }
 
 test('export: a GIF has a frame for every 40 ms, says how far it is, and stops when told', async () => {
-  const { gif } = await import(pathToFileURL(join(WEB, 'export_film.js')).href);
+  const { gif } = await import(pathToFileURL(join(WEB, 'share/export_film.js')).href);
   Object.assign(globalThis, { document: { createElement: blankCanvas } });
   const motion = motionOf({ ...documents.get('star-man-shuffle.json'), duration_steps: 50 });
   /** @type {number[]} */

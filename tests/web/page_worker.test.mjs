@@ -5,12 +5,12 @@ import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { assertSame, engine, fromWeb, newClient, problem, run } from './search_run.mjs';
 
-/** @typedef {import('../../web/page_worker.js').PageWorker} PageWorker */
-/** @typedef {import('../../web/messages.js').SearchReport} SearchReport */
+/** @typedef {import('../../web/search/page_worker.js').PageWorker} PageWorker */
+/** @typedef {import('../../web/search/messages.js').SearchReport} SearchReport */
 
 /** @type {() => PageWorker} */
 let createWorker;
-/** What the roles run on; spoilt in tests. @type {typeof import('../../web/engine.js')} */
+/** What the roles run on; spoilt in tests. @type {typeof import('../../web/search/engine.js')} */
 let engineScript;
 
 class LatePort {
@@ -29,9 +29,9 @@ class LatePort {
 }
 
 before(async () => {
-  const { PageWorker } = await fromWeb('page_worker.js');
+  const { PageWorker } = await fromWeb('search/page_worker.js');
   createWorker = () => new PageWorker();
-  engineScript = await fromWeb('engine.js');
+  engineScript = await fromWeb('search/engine.js');
 });
 
 class LateChannel {
@@ -152,7 +152,7 @@ test('a coordinator that traps at a message asks nothing more of the engine, wha
 });
 
 test('a coordinator that was let go hears none of its ports; one that traps at its clock dies of it', async (t) => {
-  const { Coordinator } = await fromWeb('worker_coordinator.js');
+  const { Coordinator } = await fromWeb('search/worker_coordinator.js');
   const document = problem({ evaluations: 600 });
   const evaluator = engine.evaluator(document);
   const { late } = watch(t);

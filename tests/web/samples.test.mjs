@@ -55,7 +55,7 @@ test('samples: JavaScript in the documentation fits the types', async () => {
     // A module, so that samples do not share their names; the site has player.js in its own folder.
     `${code.replace("'./player.js'", "'./book/player.js'")}\nexport {};\n`,
   ]));
-  files.set(join(web, 'samples.d.ts'), AROUND.replaceAll('WEB', '.'));
+  files.set(join(web, 'samples.d.ts'), AROUND.replaceAll('WEB', './page'));
   const options = {
     allowJs: true, checkJs: true, noEmit: true, strict: true, noImplicitAny: false, strictNullChecks: false, skipLibCheck: true, target: ts.ScriptTarget.ES2022,
     module: ts.ModuleKind.NodeNext, moduleResolution: ts.ModuleResolutionKind.NodeNext, lib: ['lib.es2022.d.ts', 'lib.dom.d.ts', 'lib.dom.iterable.d.ts'], types: [],

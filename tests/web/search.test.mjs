@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { assertSame, engine, fromWeb, newClient, newWorker, problem, run } from './search_run.mjs';
 
 /** @typedef {import('./web_worker.mjs').NodeWorker} NodeWorker */
-/** @typedef {import('../../web/messages.js').SearchReport} SearchReport */
+/** @typedef {import('../../web/search/messages.js').SearchReport} SearchReport */
 /** @typedef {import('./search_run.mjs').Run} Run */
 
 for (const algorithm of ['sphc', 'rgt', 'gga', 'shc', 'cma-es', 'map-elites']) {
@@ -124,7 +124,7 @@ test('an engine that cannot be instantiated is an error, not a silence', async (
   // Imports x.y, which nobody has.
   const wanting = new WebAssembly.Module(new Uint8Array([
     0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 1, 4, 1, 0x60, 0, 0, 2, 7, 1, 1, 0x78, 1, 0x79, 0, 0]));
-  const { Engine } = await fromWeb('engine.js');
+  const { Engine } = await fromWeb('search/engine.js');
   await assert.rejects(Engine.load(wanting), /instantiate/);
   const start = performance.now();
   await assert.rejects(run(problem({}), 1, undefined, { module: wanting }), /keep stopping/);
@@ -132,7 +132,7 @@ test('an engine that cannot be instantiated is an error, not a silence', async (
 });
 
 test('what an evaluator sent before it was given up does not count beside what another one makes of it', async () => {
-  const { Coordinator } = await fromWeb('worker_coordinator.js');
+  const { Coordinator } = await fromWeb('search/worker_coordinator.js');
   const document = problem({ evaluations: 600 });
   const evaluator = engine.evaluator(document);
   /** @type {any} */
@@ -241,7 +241,7 @@ test('a damaged document is refused with one clear fault, not tried again and ag
   const document = problem({});
   document[10] ^= 4;
   await assert.rejects(run(document, 2), (error) => {
-    const fault = /** @type {import('../../web/engine.js').EngineError} */ (error).fault;
+    const fault = /** @type {import('../../web/search/engine.js').EngineError} */ (error).fault;
     return fault.code === 'checksum' && fault.what.length > 0;
   });
 });

@@ -10,20 +10,20 @@ import { NodeWorker } from './web_worker.mjs';
 const HERE = fileURLToPath(new URL('.', import.meta.url));
 const WEB = process.env.GAITSMITH_WEB ?? join(HERE, '../../build/wasm/web');
 
-/** @typedef {import('../../web/messages.js').SearchReport} SearchReport */
-/** @typedef {import('../../web/search_client.js').SearchClient} SearchClient */
+/** @typedef {import('../../web/search/messages.js').SearchReport} SearchReport */
+/** @typedef {import('../../web/search/search_client.js').SearchClient} SearchClient */
 /** @typedef {{reports: SearchReport[], incidents: string[], last: SearchReport, genome: Uint16Array}} Run */
 
 /** A script of the page. @param {string} name @returns {Promise<any>} */
 export const fromWeb = (name) => import(pathToFileURL(join(WEB, name)).href);
 
-export const compiled = await WebAssembly.compile(await readFile(join(WEB, 'engine_module.wasm')));
-/** @type {import('../../web/engine.js').Engine} */
-export const engine = await (await fromWeb('engine.js')).Engine.load(compiled);
-const { SearchClient: Client } = await fromWeb('search_client.js');
+export const compiled = await WebAssembly.compile(await readFile(join(WEB, 'search/engine_module.wasm')));
+/** @type {import('../../web/search/engine.js').Engine} */
+export const engine = await (await fromWeb('search/engine.js')).Engine.load(compiled);
+const { SearchClient: Client } = await fromWeb('search/search_client.js');
 const figure = JSON.parse(await readFile(join(HERE, '../../examples/figures/mr-star-man.json'), 'utf8'));
 
-export const newWorker = () => new NodeWorker(join(WEB, 'worker.js'));
+export const newWorker = () => new NodeWorker(join(WEB, 'search/worker.js'));
 
 /** @param {object} settings  of the search @param {object} [others]  of the document */
 export function problem(settings, others = {}) {
@@ -32,7 +32,7 @@ export function problem(settings, others = {}) {
 
 /**
  * A client of worker threads, or of other stand-ins for workers.
- * @param {import('../../web/search_client.js').SearchListener} listener
+ * @param {import('../../web/search/search_client.js').SearchListener} listener
  * @param {() => any} [createWorker]
  * @param {WebAssembly.Module} [module]
  * @returns {SearchClient}

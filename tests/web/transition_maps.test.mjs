@@ -10,11 +10,11 @@ import { NodeWorker } from './web_worker.mjs';
 const HERE = fileURLToPath(new URL('.', import.meta.url));
 const WEB = process.env.GAITSMITH_WEB ?? join(HERE, '../../build/wasm/web');
 
-/** @typedef {import('../../web/messages.js').Mapped} Mapped */
+/** @typedef {import('../../web/search/messages.js').Mapped} Mapped */
 
-/** @type {typeof import('../../web/transition_maps.js').TransitionMaps} */
+/** @type {typeof import('../../web/search/transition_maps.js').TransitionMaps} */
 let TransitionMaps;
-/** @type {import('../../web/engine.js').Engine} */
+/** @type {import('../../web/search/engine.js').Engine} */
 let engine;
 /** @type {WebAssembly.Module} */
 let compiled;
@@ -22,9 +22,9 @@ let compiled;
 let composite;
 
 before(async () => {
-  ({ TransitionMaps } = await import(pathToFileURL(join(WEB, 'transition_maps.js')).href));
-  const { Engine } = await import(pathToFileURL(join(WEB, 'engine.js')).href);
-  compiled = await WebAssembly.compile(await readFile(join(WEB, 'engine_module.wasm')));
+  ({ TransitionMaps } = await import(pathToFileURL(join(WEB, 'search/transition_maps.js')).href));
+  const { Engine } = await import(pathToFileURL(join(WEB, 'search/engine.js')).href);
+  compiled = await WebAssembly.compile(await readFile(join(WEB, 'search/engine_module.wasm')));
   engine = await Engine.load(compiled);
   composite = JSON.parse(await readFile(join(HERE, '../../examples/there-and-back.json'), 'utf8'));
 });
@@ -37,7 +37,7 @@ const request = (clip) => {
 };
 
 /** A client and what it told. @param {() => any} [createWorker] */
-function client(createWorker = () => new NodeWorker(join(WEB, 'worker.js'))) {
+function client(createWorker = () => new NodeWorker(join(WEB, 'search/worker.js'))) {
   /** @type {Mapped[]} */
   const parts = [];
   /** @type {number[]} */
@@ -112,8 +112,8 @@ test('transition maps: a worker that dies, or refuses, is told of once; the next
 });
 
 test('transition maps: in the page, where it has no workers, a trap between two messages is one failure; the next map is whole', async (t) => {
-  const { PageWorker } = await import(pathToFileURL(join(WEB, 'page_worker.js')).href);
-  const { TransitionMap } = await import(pathToFileURL(join(WEB, 'engine.js')).href);
+  const { PageWorker } = await import(pathToFileURL(join(WEB, 'search/page_worker.js')).href);
+  const { TransitionMap } = await import(pathToFileURL(join(WEB, 'search/engine.js')).href);
   const whole = TransitionMap.prototype.scores;
   let calls = 0;
   t.after(() => { TransitionMap.prototype.scores = whole; });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The blocks that only lessons have: a goal to reach, a question with answers to choose from, something the playground does.
-import { parseGoal } from '../goal_conditions.js';
+import { parseGoal } from '../page/goal_conditions.js';
 import { attributes, escaped } from './html.mjs';
 
 /** @typedef {import('./markdown.mjs').Markdown} Markdown */

@@ -107,9 +107,9 @@ async function build(site) {
     await put(join(book, `strips/${name}-few-night.svg`), fewByNight.svg);
   }
   for (const [file, address] of links.images) await put(join(book, address), await readFile(join(ROOT, file)));
-  await put(join(book, 'tokens.css'), await tokens(join(ROOT, 'web/style.css')));
+  await put(join(book, 'tokens.css'), await tokens(join(ROOT, 'web/page/style.css')));
   for (const file of STYLES) await copyFile(join(HERE, file), join(book, file));
-  await promisify(execFile)(process.execPath, [join(ROOT, 'web/strip.mjs'), book, ...SCRIPTS.map((file) => join(HERE, file))]);
+  await promisify(execFile)(process.execPath, [join(ROOT, 'web/build/strip.mjs'), book, HERE, ...SCRIPTS.map((file) => join(HERE, file))]);
   // With its comments: it is for others to read and to copy.
   await copyFile(join(HERE, 'player.js'), join(site, 'player.js'));
   const minisearch = join(dirname(createRequire(import.meta.url).resolve('minisearch')), '../..');

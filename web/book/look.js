@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The theme that was chosen in the playground (web/theme.js), before anything is painted: not a module, for those wait.
+// The theme that was chosen in the playground (web/page/theme.js), before anything is painted: not a module, for those wait.
 (() => {
   const dark = matchMedia('(prefers-color-scheme: dark)');
   const contrast = matchMedia('(prefers-contrast: more), (forced-colors: active)');

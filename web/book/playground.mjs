@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { dayStrip, nightStrip } from './strip_colours.mjs';
 
-/** @typedef {import('../engine.js').Engine} Engine */
+/** @typedef {import('../search/engine.js').Engine} Engine */
 /** @typedef {{payload: string, document: Uint8Array}} Opened */
 /** A film strip and where it lies. @typedef {{svg: string, width: number, height: number}} Strip */
 /** Of many poses and of few, by day and by night. @typedef {{many: Strip, few: Strip, manyByNight: Strip, fewByNight: Strip}} Strips */
@@ -24,7 +24,7 @@ export class Playground {
 
   /** @param {string} site  the built one */
   static async load(site) {
-    const { Engine } = await import(pathToFileURL(join(site, 'engine.js')).href);
+    const { Engine } = await import(pathToFileURL(join(site, 'search/engine.js')).href);
     return new Playground(await Engine.load());
   }
 

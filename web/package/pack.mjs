@@ -17,11 +17,11 @@ if (!out) throw new Error('pack: from which folder, and where to?');
 const folder = await mkdtemp(join(tmpdir(), 'gaitsmith-engine-'));
 try {
   for (const name of ['package.json', 'README.md', 'example.js', 'example.html']) await copyFile(join(HERE, name), join(folder, name));
-  for (const name of ['engine.js', 'engine_module.js', 'engine_module.wasm']) await copyFile(join(built, name), join(folder, name));
+  for (const name of ['engine.js', 'engine_module.js', 'engine_module.wasm']) await copyFile(join(built, 'search', name), join(folder, name));
   await copyFile(join(WEB, '../LICENSE'), join(folder, 'LICENSE'));
-  await copyFile(join(WEB, 'engine_module.d.ts'), join(folder, 'engine_module.d.ts'));
+  await copyFile(join(WEB, 'search/engine_module.d.ts'), join(folder, 'engine_module.d.ts'));
 
-  const source = join(WEB, 'engine.js');
+  const source = join(WEB, 'search/engine.js');
   const program = ts.createProgram([source], {
     allowJs: true, declaration: true, emitDeclarationOnly: true, target: ts.ScriptTarget.ES2022, module: ts.ModuleKind.NodeNext,
     moduleResolution: ts.ModuleResolutionKind.NodeNext, lib: ['lib.es2022.d.ts', 'lib.dom.d.ts'], types: [], outDir: folder,

@@ -11,10 +11,10 @@ namespace gaitsmith::shell::test {
 
 TEST_CASE("parallel search: the number of threads changes no bit of what is found", "[shell][search]") {
   Document d;
-  d.figure = gaitsmith::test::StarMan();
+  d.figure = gaitsmith::test::ShippedFigure("mr-star-man");
   d.task.duration_steps = d.duration_steps = 150;
   d.search.evaluations = 700;
-  d.search.algorithm = GENERATE(Algorithm::kSphc, Algorithm::kSteadyStateGa, Algorithm::kMapElites);
+  d.search.algorithm = GENERATE(Algorithm::kSphc, Algorithm::kSsga, Algorithm::kMapElites);
   CAPTURE(d.search.algorithm);
   const auto found = [&](int threads) {
     SearchControl control;
@@ -32,7 +32,7 @@ TEST_CASE("parallel search: the number of threads changes no bit of what is foun
 
 TEST_CASE("parallel search: cancelling ends it before its budget", "[shell][search]") {
   Document d;
-  d.figure = gaitsmith::test::StarMan();
+  d.figure = gaitsmith::test::ShippedFigure("mr-star-man");
   d.search.evaluations = 1'000'000;
   SearchControl control;
   const SearchProgress done = RunParallelSearch(ProblemOf(d), d.search, 2, control,

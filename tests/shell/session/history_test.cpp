@@ -7,7 +7,7 @@
 
 #include "core/document/binary.h"
 #include "core/document/json.h"
-#include "shell/app/commands.h"
+#include "shell/session/commands.h"
 #include "tests/scene.h"
 #include "tests/shell/session/quiet_host.h"
 

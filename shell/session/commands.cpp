@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "shell/session/commands.h"
+
+#include <utility>
+
+#include "core/document/json.h"
+#include "core/document/json_value.h"
+#include "shell/embedded/embedded.h"
+#include "shell/session/panels.h"
+#include "shell/words/language.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+void AddHistory(std::vector<Command>& list, Session& session) {
+  list.push_back({.id = "document/new", .group = TrLater("Document"), .title = Tr("New"), .run = [&session] {
+                    session.New();
+                  }});
+  list.push_back({.id = "document/undo",
+                  .group = TrLater("Document"),
+                  .title = Tr("Undo"),
+                  .keys = {"Ctrl+z"},
+                  .why_not = session.CanUndo() || (session.Searching() && !session.RunsQueued())
+                                 ? ""
+                                 : Tr("nothing to undo"),
+                  .repeats = true,
+                  .run = [&session] { session.Undo(); }});
+  list.push_back({.id = "document/redo",
+                  .group = TrLater("Document"),
+                  .title = Tr("Redo"),
+                  .keys = {"Ctrl+Shift+z", "Ctrl+y"},
+                  .why_not = session.CanRedo() ? "" : Tr("nothing to redo"),
+                  .repeats = true,
+                  .run = [&session] { session.Redo(); }});
+}
+
+void AddMotion(std::vector<Command>& list, Session& session) {
+  Playback& player = session.player;
+  const auto add = [&](const std::string& id, const std::string& title, const std::vector<std::string>& keys,
+                       bool repeats, auto run) {
+    list.push_back({.id = "motion/" + id,
+                    .group = TrLater("Motion"),
+                    .title = title,
+                    .keys = keys,
+                    .repeats = repeats,
+                    .run = run});
+  };
+  add("play", Tr("Play or pause"), {"Space"}, false, [&player] { player.Play(!player.Playing()); });
+  add("forward", Tr("One step forward"), {".", "ArrowRight"}, true, [&player] { player.Step(1); });
+  add("back", Tr("One step back"), {",", "ArrowLeft"}, true, [&player] { player.Step(-1); });
+  add("start", Tr("To the start"), {"Home"}, false, [&player] { player.Seek(0.0); });
+  add("end", Tr("To the end"), {"End"}, false, [&player] {
+    player.Play(false);
+    player.Seek(player.DurationS());
+  });
+}
+
+void AddSearch(std::vector<Command>& list, Session& session) {
+  const bool busy = session.Searching() || session.lab.Running();
+  list.push_back({.id = "search/synthesize",
+                  .group = TrLater("Search"),
+                  .title = Tr("Synthesize, or stop"),
+                  .keys = {"s"},
+                  .run = [&session, busy] { busy ? session.Stop() : session.Synthesize(); }});
+  const bool paused = session.Progress().state == SearchState::kPaused;
+  list.push_back({.id = "search/pause",
+                  .group = TrLater("Search"),
+                  .title = Tr("Pause the search, or go on"),
+                  .keys = {"p"},
+                  .why_not = session.Searching() ? "" : Tr("no search runs"),
+                  .run = [&session, paused] { paused ? session.Resume() : session.Pause(); }});
+}
+
+void AddQueue(std::vector<Command>& list, Session& session) {
+  const bool none = session.queue.Waiting().empty();
+  const std::string full = session.queue.Full() ? Tr("the queue is full") : "";
+  const bool busy = session.Searching() || session.lab.Running();
+  list.push_back({.id = "queue/add",
+                  .group = TrLater("Search"),
+                  .title = Tr("Add this search to the queue"),
+                  .keys = {"q"},
+                  .why_not = full,
+                  .run = [&session] { session.Enqueue(session.Doc()); }});
+  list.push_back({.id = "queue/seeds",
+                  .group = TrLater("Search"),
+                  .title = Tr("Queue five seeds of this search"),
+                  .why_not = full,
+                  .run = [&session] { session.EnqueueSeeds(kQueuedSeeds); }});
+  list.push_back({.id = "queue/run",
+                  .group = TrLater("Search"),
+                  .title = Tr("Run the queue"),
+                  .why_not = none   ? Tr("nothing waits")
+                             : busy ? Tr("a search or the lab is running")
+                                    : "",
+                  .run = [&session] { session.RunQueue(); }});
+  list.push_back({.id = "queue/clear",
+                  .group = TrLater("Search"),
+                  .title = Tr("Clear the queue"),
+                  .why_not = none ? Tr("nothing waits") : "",
+                  .run = [&session] { session.queue.Clear(); }});
+}
+
+void AddFound(std::vector<Command>& list, Session& session) {
+  list.push_back({.id = "found/keep",
+                  .group = TrLater("Results"),
+                  .title = Tr("Keep this motion"),
+                  .keys = {"k"},
+                  .why_not = session.Doc().timeline.empty() ? Tr("there is no motion yet") : "",
+                  .run = [&session] { session.KeepMotion(); }});
+  const FoundMotions::Entry* best = session.found.Best(session.Doc());
+  list.push_back({.id = "found/best",
+                  .group = TrLater("Results"),
+                  .title = Tr("Show the best result for this figure and task"),
+                  .why_not = best == nullptr ? Tr("there are no results yet") : "",
+                  .run = [&session, id = best == nullptr ? "" : best->id] { session.ShowFound(id); }});
+  list.push_back({.id = "found/bring-back",
+                  .group = TrLater("Results"),
+                  .title = Tr("Bring back the deleted result"),
+                  .why_not = session.found.Removed() == nullptr ? Tr("nothing was deleted") : "",
+                  .run = [&session] { session.found.BringBack(); }});
+}
+
+void AddTimeline(std::vector<Command>& list, Session& session) {
+  const auto clips = static_cast<int>(session.Doc().timeline.size());
+  const int selected = session.SelectedClip();
+  const char* none = clips > 0 ? "" : Tr("there is no motion yet");
+  const char* one = clips > 1 ? "" : Tr("there is only one clip");
+  const auto add = [&](const char* id, const char* title, const std::vector<std::string>& keys,
+                       const char* why_not, auto run) {
+    list.push_back({.id = std::string("timeline/") + id,
+                    .group = TrLater("Timeline"),
+                    .title = title,
+                    .keys = keys,
+                    .why_not = why_not,
+                    .run = run});
+  };
+  add("split", Tr("Split the clip at the moment shown"), {"b"}, none, [&session] { session.SplitClip(); });
+  add("duplicate", Tr("Duplicate the selected clip"), {"d"}, none, [&session] { session.DuplicateClip(); });
+  add("mirror", Tr("Mirror the selected clip: it goes the other way"), {"m"}, none,
+      [&session] { session.MirrorClip(); });
+  add("add", Tr("Add the selected clip once more at the end"), {}, none, [&session] { session.AddClip(); });
+  add("earlier", Tr("Move the selected clip earlier"), {"["},
+      clips > 1 && selected == 0 ? Tr("it is the first") : one,
+      [&session] { session.ReorderClip(session.SelectedClip() - 1); });
+  add("later", Tr("Move the selected clip later"), {"]"},
+      clips > 1 && selected == clips - 1 ? Tr("it is the last") : one,
+      [&session] { session.ReorderClip(session.SelectedClip() + 1); });
+  add("loop", Tr("Repeat the whole timeline"), {}, none, [&session] { session.LoopTimeline(); });
+  add("repair", Tr("Repair the selected clip: search from where it takes over"), {"r"},
+      session.CanRepair() ? "" : Tr("it takes over from no other clip"),
+      [&session] { session.RepairClip(); });
+  add("snap-to-best", Tr("Snap to best: the selected clip takes over where that does best"), {},
+      session.WhyNoSnap(), [&session] { session.SnapToBest(); });
+  add("remove", Tr("Remove the selected clip"), {}, one, [&session] { session.RemoveClip(); });
+}
+
+void AddPanels(std::vector<Command>& list, Session& session, bool phone) {
+  for (int i = 0; i < (phone ? static_cast<int>(kPanels.size()) : kDeskPanels); ++i) {
+    if (!session.arrangement.Shows(i)) continue;
+    const char* name = kPanels[static_cast<std::size_t>(i)];
+    list.push_back({.id = std::string("panel/") + name,
+                    .group = TrLater("Panels"),
+                    .title = Tr("{1} panel", Tr(name)),
+                    .keys = {std::to_string(i + 1)},
+                    .run = [&session, i] { session.SetView([i](View& view) { view.panel = i; }); }});
+  }
+}
+
+void AddView(std::vector<Command>& list, Session& session) {
+  const auto add = [&](const std::string& id, const char* show, const char* hide, bool View::* shown) {
+    const bool now = session.Doc().view.*shown;
+    list.push_back({.id = "view/" + id,
+                    .group = TrLater("View"),
+                    .title = Tr(now ? hide : show),
+                    .run = [&session, shown, now] {
+                      session.SetView([shown, now](View& view) { view.*shown = !now; });
+                    }});
+  };
+  add("poses", TrLater("Show past poses"), TrLater("Hide past poses"), &View::poses);
+  add("trail", TrLater("Show the path of the centre of mass"), TrLater("Hide the path of the centre of mass"),
+      &View::trail);
+  add("forces", TrLater("Show contact forces"), TrLater("Hide contact forces"), &View::forces);
+  const bool beside = session.Compared().Beside();
+  list.push_back(
+      {.id = "view/compare",
+       .group = TrLater("View"),
+       .title = Tr(beside ? "Stop comparing side by side" : "Compare timer and senses side by side"),
+       .why_not = session.ShownController() == nullptr ? Tr("there is no motion yet") : "",
+       .run = [&session, beside] { beside ? session.StopComparing() : session.CompareDeciders(); }});
+}
+
+}  // namespace
+
+std::vector<Command> CommandsOf(Session& session, bool phone) {
+  std::vector<Command> list;
+  AddHistory(list, session);
+  AddMotion(list, session);
+  AddSearch(list, session);
+  AddQueue(list, session);
+  AddFound(list, session);
+  AddTimeline(list, session);
+  AddPanels(list, session, phone);
+  AddView(list, session);
+  return list;
+}
+
+std::vector<Command> ShelfOf(Session& session) {
+  std::vector<Command> list;
+  for (const Example& example : ExampleDocuments()) {
+    auto document = DecodeJson(example.json);
+    if (!document) continue;
+    list.push_back({.id = "example/" + std::string(example.name),
+                    .group = TrLater("Examples"),
+                    .title = Tr("Open example: {1}", TrTitle(document->title)),
+                    .run = [&session, document = std::move(*document)] { session.ChooseExample(document); }});
+  }
+  int index = 0;
+  for (const Document& problem : session.Problems()) {
+    list.push_back({.id = "task/" + std::to_string(index),
+                    .group = TrLater("Tasks"),
+                    .title = Tr("Choose task: {1}", TrTitle(problem.title)),
+                    .run = [&session, index] { session.ChooseProblem(index); }});
+    ++index;
+  }
+  index = 0;
+  for (const Figure& figure : session.Figures()) {
+    list.push_back({.id = "figure/" + std::to_string(index),
+                    .group = TrLater("Figures"),
+                    .title = Tr("Choose figure: {1}", TrTitle(figure.name)),
+                    .run = [&session, index] { session.ChooseFigure(index); }});
+    ++index;
+  }
+  return list;
+}
+
+std::string CommandsJson(const std::vector<Command>& commands) {
+  std::string json = "[";
+  for (const Command& command : commands) {
+    if (json.size() > 1) json += ",\n";
+    json += "{\"id\":" + QuoteJson(command.id) + ",\"group\":" + QuoteJson(command.group) +
+            ",\"title\":" + QuoteJson(command.title) + ",\"whyNot\":" + QuoteJson(command.why_not) +
+            ",\"keys\":[";
+    for (std::size_t i = 0; i < command.keys.size(); ++i)
+      json += (i > 0 ? "," : "") + QuoteJson(command.keys[i]);
+    json += "]}";
+  }
+  return json + "]";
+}
+
+bool BelongsToControls(std::string_view key) {
+  return key == "Space" || key == "Home" || key == "End" || key.starts_with("Arrow");
+}
+
+}  // namespace gaitsmith::shell

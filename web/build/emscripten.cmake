@@ -1,0 +1,20 @@
+# Finds Emscripten (the choice of ./dev setup, else $EMSDK, else emcc on PATH) and hands over to its own
+# toolchain file.
+set(emscripten_root "")
+set(setup_choice "${CMAKE_CURRENT_LIST_DIR}/../../.toolchain/emscripten-root")
+if(EXISTS "${setup_choice}")
+  file(READ "${setup_choice}" emscripten_root)
+  string(STRIP "${emscripten_root}" emscripten_root)
+elseif(DEFINED ENV{EMSDK})
+  set(emscripten_root "$ENV{EMSDK}/upstream/emscripten")
+else()
+  find_program(em_config em-config)
+  if(em_config)
+    execute_process(COMMAND "${em_config}" EMSCRIPTEN_ROOT OUTPUT_VARIABLE emscripten_root
+                    OUTPUT_STRIP_TRAILING_WHITESPACE)
+  endif()
+endif()
+if(NOT EXISTS "${emscripten_root}/cmake/Modules/Platform/Emscripten.cmake")
+  message(FATAL_ERROR "No Emscripten found: run ./dev setup, or set EMSDK, or put emcc on PATH.")
+endif()
+include("${emscripten_root}/cmake/Modules/Platform/Emscripten.cmake")

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// The header: its menu on narrow screens, the banner below it, and Undo and Redo, which say why they are not possible.
+import { banner, element, onClick } from '../browser/dom.js';
+import { keyCap } from '../access/keys.js';
+import { followLanguage, tr } from '../languages/language.js';
+
+/** @typedef {import('../app/app.js').App} App */
+
+// Below it the menu is folded; inside another page, and wherever its words are too long, it is, too.
+const NARROW = matchMedia('(max-width: 899px)');
+
+/** Before there is anything to undo. */
+export function startHeader() {
+  foldMenu();
+  onClick('banner-close', () => banner(''));
+  onClick('banner-reload', () => location.reload());
+  const more = element('more');
+  const menu = element('menu');
+  const show = (/** @type {boolean} */ shown) => {
+    menu.classList.toggle('shown', shown);
+    more.setAttribute('aria-expanded', String(shown));
+  };
+  more.addEventListener('click', (event) => {
+    event.stopPropagation();
+    show(!menu.classList.contains('shown'));
+  });
+  for (const type of ['click', 'pointerdown']) {
+    document.addEventListener(type, (event) => {
+      if (type === 'click' || !(event.target instanceof Node && (menu.contains(event.target) || more.contains(event.target)))) show(false);
+    });
+  }
+  menu.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape') return;
+    show(false);
+    more.focus();
+  });
+}
+
+/** Folds the menu where it has no room: that depends on the language, the theme's size and the typeface. */
+function foldMenu() {
+  const root = document.documentElement;
+  const header = /** @type {HTMLElement} */ (element('more').parentElement);
+  const fold = () => {
+    delete root.dataset.compact;
+    if (window.parent !== window || NARROW.matches || header.scrollWidth > header.clientWidth) root.dataset.compact = '';
+  };
+  addEventListener('resize', fold);
+  document.fonts.addEventListener('loadingdone', fold);
+  new MutationObserver(fold).observe(root, { attributeFilter: ['data-scale'] });
+  followLanguage(fold);
+}
+
+export class HistoryButtons {
+  #undo = element('undo');
+  #redo = element('redo');
+
+  /** @param {App} app */
+  constructor(app) {
+    this.app = app;
+    // The application says in the status line when there is nothing to do.
+    onClick('undo', () => app.undo());
+    onClick('redo', () => app.redo());
+    followLanguage(() => this.update());
+  }
+
+  /** The document is another one now. */
+  update() {
+    say(this.#undo, tr('Undo ({1})', keyCap('Ctrl+z')), this.app.canUndo() ? '' : tr('Nothing to undo'));
+    say(this.#redo, tr('Redo ({1})', keyCap('Ctrl+Shift+z')), this.app.canRedo() ? '' : tr('Nothing to redo'));
+  }
+}
+
+/**
+ * Not `disabled`, which would take the keyboard away from whoever has just pressed the button for the last time.
+ * @param {HTMLElement} button @param {string} title @param {string} whyNot
+ */
+function say(button, title, whyNot) {
+  button.title = whyNot || title;
+  button.setAttribute('aria-disabled', String(whyNot !== ''));
+}

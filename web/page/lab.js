@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The lab as the page knows it: the application plans its trials and asks for one after another, the workers of
+// searches run them, and whoever began the lab by script gets its rows.
+
+/** @typedef {import('../app/app.js').App} App */
+/** @typedef {import('../app/app.js').LabOptions} LabOptions */
+
+/** A point of a trial's curve. @typedef {{problem: string, search: string, seed: number, evaluation: number, best: number}} LabRow */
+/**
+ * What a run came to: all of it, or what was there when it was stopped.
+ * @typedef {{state: 'done' | 'stopped', rows: LabRow[], csv: string}} LabResult  csv: as `gaitsmith compare --curves`
+ */
+
+export class Lab {
+  /** @type {{resolve: (result: LabResult) => void, reject: (error: Error) => void} | null} */
+  #end = null;
+
+  /** @param {App} app */
+  constructor(app) {
+    this.app = app;
+  }
+
+  /**
+   * Runs the lab for the present document; one that runs is stopped first.
+   * @param {LabOptions} options
+   * @returns {Promise<LabResult>}
+   */
+  run(options) {
+    const fault = this.app.lab(options); // ends the run before this one
+    if (fault) return Promise.reject(new Error(fault));
+    return new Promise((resolve, reject) => { this.#end = { resolve, reject }; });
+  }
+
+  /** The application says that the run is over. */
+  ended() {
+    const end = this.#end;
+    this.#end = null;
+    if (!end) return;
+    const state = this.app.labState();
+    if (state === 'failed') return end.reject(new Error('the lab failed'));
+    const csv = this.app.labCsv();
+    end.resolve({ state: state === 'done' ? 'done' : 'stopped', rows: rowsOf(csv), csv });
+  }
+}
+
+/** @param {string} csv @returns {LabRow[]} */
+function rowsOf(csv) {
+  return csv.trimEnd().split('\n').slice(2).map((line) => {
+    const [problem, search, seed, evaluation, best] = line.split(',');
+    return { problem, search, seed: Number(seed), evaluation: Number(evaluation), best: Number(best) };
+  });
+}

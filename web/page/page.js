@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// The page: starts the application in the canvas and connects it with address, workers, header and footer.
+import { Address } from '../share/address.js';
+import { App } from '../app/app.js';
+import { Arrangement } from './arrangement.js';
+import { Autosave } from '../storage/autosave.js';
+import { Commands } from './commands.js';
+import { Gaitsmith } from './api.js';
+import { HelpSheet } from './help_sheet.js';
+import { Lab } from './lab.js';
+import { Mirror } from '../access/mirror.js';
+import { Naming } from './naming.js';
+import { Narrator } from '../access/narrator.js';
+import { Palette } from './palette.js';
+import { Searches } from '../search/searches.js';
+import { StatusLine } from '../access/status_line.js';
+import { TransitionMaps } from '../search/transition_maps.js';
+import { banner, element, offerFile, onClick, setText } from '../browser/dom.js';
+import { Guide } from './guide.js';
+import { HistoryButtons, startHeader } from './header.js';
+import { KeptResults } from '../storage/kept_results.js';
+import { compiledEngine, createWorker } from '../search/compiled_engine.js';
+import { compiledModule } from '../browser/compiled_module.js';
+import { guardKeys } from '../access/keys.js';
+import { startDropping } from '../share/dropping.js';
+import { LANGUAGES, chooseLanguage, followLanguage, startLanguage, tr, trLater, trSentence } from '../languages/language.js';
+import { startPageWords } from '../languages/page_words.js';
+import { startOffline } from '../storage/offline.js';
+import { startSharing } from '../share/sharing.js';
+import { chooseTheme, followTheme, nextTheme, startTheme, THEMES } from './theme.js';
+
+const HINT_AFTER_MS = 5000;
+const canvas = element('canvas', HTMLCanvasElement);
+const embedded = window.parent !== window;
+
+const gaitsmith = new Gaitsmith();
+window.gaitsmith = gaitsmith;
+/** @type {Commands | null} */
+let commands = null;
+startPageWords();
+startTheme();
+const statusLine = new StatusLine();
+const spoken = startLanguage((sentence) => statusLine.say(sentence));
+guardKeys((event) => commands !== null && (commands.mirror.keys.passing(event) || commands.take(event)));
+startHeader();
+start().catch((error) => {
+  element('loading').hidden = true;
+  const reason = error instanceof Error ? error.message : String(error);
+  banner(tr('Gaitsmith cannot start here: {1}. Reload the page, or try another browser.', trSentence(reason)), { reload: true });
+  gaitsmith.cannotRun(error instanceof Error ? error : new Error(reason));
+});
+
+async function start() {
+  setTimeout(() => { element('loading-hint').hidden = false; }, HINT_AFTER_MS);
+  /** @type {{app: App, searches: Searches, transitions: TransitionMaps, lab: Lab, arrangement: Arrangement, address: Address, autosave: Autosave, kept: KeptResults, naming: Naming, buttons: HistoryButtons, commands: Commands, canvas: HTMLCanvasElement} | null} */
+  let parts = null;
+
+  // A trap leaves the application's memory as it happened to be: nothing of it is kept from then on.
+  const stopped = (/** @type {Error} */ error) => {
+    parts?.autosave.end();
+    parts?.address.end();
+    parts?.searches.abandon(error);
+    banner(tr('Gaitsmith stopped working. Your last state is in the address: reload to go on.'), { reload: true });
+  };
+  addEventListener('error', ({ error }) => { if (error instanceof WebAssembly.RuntimeError) stopped(error); });
+  addEventListener('unhandledrejection', ({ reason }) => { if (reason instanceof WebAssembly.RuntimeError) stopped(reason); });
+
+  // The language comes while the application does; its first frame is to have both.
+  const [{ default: createApp }, code] = await Promise.all([import('../app/app_module.js'), compiledModule(new URL('../app/app_module.wasm', import.meta.url)), spoken]);
+  const module = await createApp({
+    canvas,
+    instantiateWasm: (imports, receive) => {
+      void WebAssembly.instantiate(code, imports).then((instance) => receive(instance, code));
+      return {};
+    },
+    onAbort: () => stopped(new Error('aborted')),
+    page: {
+      maxWorkers: () => navigator.hardwareConcurrency || 2,
+      startSearch: (document, workers) => void parts?.searches.start(document, workers),
+      startTrial: (document, workers, trial) => void parts?.searches.start(document, workers, { trial }),
+      startQueued: (document, workers, words) => void parts?.searches.start(document, workers, { queued: words }),
+      askName: (id, name, usual) => parts?.naming.ask(id, name, usual),
+      storeFound: (id, text) => parts?.kept.store(id, text),
+      labEnded: () => {
+        parts?.searches.labEnded();
+        parts?.lab.ended();
+      },
+      saveText: (name, text) => offerFile(name, text, 'text/csv'),
+      pauseSearch: () => parts?.searches.pause(),
+      resumeSearch: () => parts?.searches.resume(),
+      stopSearch: () => parts?.searches.stop(),
+      startTransitionMap: (document, generation) => void parts?.transitions.start(document, generation),
+      stopTransitionMap: () => parts?.transitions.stop(),
+      status: (sentence) => statusLine.say(sentence),
+      documentChanged: (title) => {
+        showTitle(title);
+        gaitsmith.documentChanged(title);
+        parts?.address.changed();
+        parts?.autosave.changed();
+        parts?.buttons.update();
+      },
+      firstFrame: () => {
+        element('loading').hidden = true;
+        performance.mark('gaitsmith-first-frame');
+        // Nobody needs them sooner.
+        if (parts) parts.kept.restore(parts.app);
+        // Now the line is free.
+        setTimeout(() => parts?.searches.standBy(), 1000);
+        gaitsmith.firstFrame();
+      },
+      leaveCanvas: () => canvas.blur(), // Tab does not get so far
+    },
+  });
+
+  const app = new App(module);
+  app.lendTypeface();
+  if (!app.running()) throw new Error(trLater('this browser has no WebGL 2'));
+  const searches = new Searches(app, statusLine);
+  const transitions = new TransitionMaps({
+    engine: compiledEngine,
+    createWorker,
+    listener: { mapped: (part) => app.transitionsMapped(part), failed: (generation) => app.transitionsFailed(generation) },
+  });
+  const address = new Address(app, () => searches.improving);
+  followTheme((look) => app.setTheme(look));
+  followLanguage((table) => {
+    app.setLanguage(table);
+    showTitle(app.title());
+  });
+  const autosave = new Autosave(app, address, statusLine);
+  autosave.begin();
+  showTitle(app.title());
+  commands = new Commands(app, new Mirror(app, canvas));
+  parts = { app, searches, transitions, lab: new Lab(app), arrangement: new Arrangement(app, gaitsmith), address, autosave, kept: new KeptResults(statusLine), naming: new Naming(app), buttons: new HistoryButtons(app), commands, canvas };
+  gaitsmith.begin(parts);
+  parts.arrangement.begin();
+  gaitsmith.fps = Number(new URLSearchParams(location.search).get('fps'));
+  searches.addEventListener('done', () => address.changed());
+  startSharing(app, address);
+  void gaitsmith.ready.then(() => startOffline({
+    leave: () => {
+      address.write();
+      autosave.save();
+    },
+  }));
+  startDropping(app);
+  if (matchMedia('(prefers-reduced-motion: reduce)').matches) app.play(false);
+  new Narrator(app);
+  if (embedded) {
+    document.documentElement.dataset.embedded = '';
+    const home = element('home', HTMLAnchorElement);
+    home.target = '_blank';
+    home.ariaLabel = home.title = tr('Open this in a tab of its own');
+    (await import('../share/embedding.js')).startEmbedding(gaitsmith);
+  }
+  const guide = new Guide(app, canvas, statusLine);
+  addCommands(commands, { address, autosave, palette: new Palette(commands), help: new HelpSheet(commands), guide });
+  // Who has been sent to something special is not shown around.
+  if (!/[?&](goal|panels|lock)=/.test(location.search)) void gaitsmith.ready.then(() => guide.offer());
+  statusLine.welcome(tr('Press Synthesize to search for a better motion'));
+
+  // SDL cancels every touch, and browsers warn of it where a busy page is asked too late to be able to.
+  for (const type of ['touchstart', 'touchmove', 'touchend']) {
+    canvas.addEventListener(type, (event) => { if (!event.cancelable) event.preventDefault = () => {}; }, { capture: true });
+  }
+
+  canvas.addEventListener('webglcontextlost', () => {
+    address.write();
+    autosave.save();
+    banner(tr('The graphics of this page were lost. Your work is in the address: reload to go on.'), { reload: true });
+  });
+}
+
+/** @param {string} title */
+function showTitle(title) {
+  setText(element('title'), title);
+  document.title = title ? `${title} — Gaitsmith` : 'Gaitsmith';
+}
+
+/** The dialog and all that makes files are loaded for those who want some. @param {App} app @param {StatusLine} statusLine */
+async function openExport(app, statusLine) {
+  try {
+    (await import('../share/export.js')).openExport(app);
+  } catch {
+    statusLine.say(tr('The export could not be loaded.'));
+  }
+}
+
+/** @param {App} app @param {Address} address @param {StatusLine} statusLine */
+async function openShare(app, address, statusLine) {
+  try {
+    (await import('../share/share.js')).openShare(app, address);
+  } catch {
+    statusLine.say(tr('The dialog could not be loaded.'));
+  }
+}
+
+/** What the page itself can do; the application adds its own. @param {Commands} commands @param {{address: Address, autosave: Autosave, palette: Palette, help: HelpSheet, guide: Guide}} parts */
+function addCommands(commands, { address, autosave, palette, help, guide }) {
+  const click = Commands.click;
+  commands.add([
+    { id: 'document/open', group: 'Document', title: trLater('Open a file or a link'), keys: ['Ctrl+o'], pressed: ['Ctrl+v'], run: click('open') },
+    { id: 'document/save', group: 'Document', title: trLater('Save as a file'), keys: ['Ctrl+s'], run: click('save') },
+    { id: 'document/export', group: 'Document', title: trLater('Export as picture, film or data'), keys: [], run: () => void openExport(commands.app, statusLine) },
+    { id: 'document/share', group: 'Document', title: trLater('Share: link, code for cameras, lines for another page'), keys: [], run: click('share') },
+    { id: 'document/copy-link', group: 'Document', title: trLater('Copy link'), keys: ['c'], pressed: ['Ctrl+c'], run: click('copy-link') },
+    { id: 'view/theme', group: 'View', title: trLater('Next theme'), keys: ['t'], run: nextTheme },
+    { id: 'help/commands', group: 'Help', title: trLater('Find a command'), keys: ['Ctrl+k'], run: () => palette.open() },
+    { id: 'help/keys', group: 'Help', title: trLater('All keys'), keys: ['?', 'F1'], run: () => help.open() },
+    { id: 'help/tour', group: 'Help', title: trLater('Tour of the playground'), keys: [], run: () => void guide.start() },
+  ]);
+  commands.addShelf(() => autosave.commands());
+  commands.addShelf(() => Object.entries(THEMES).map(([theme, name]) => (
+    { id: `view/theme/${theme}`, group: 'View', title: tr('Theme: {1}', tr(name)), keys: [], run: () => chooseTheme(theme) })));
+  commands.addShelf(() => Object.entries(LANGUAGES).map(([code, name]) => (
+    { id: `view/language/${code}`, group: 'View', title: tr('Language: {1}', name), keys: [], run: () => void chooseLanguage(code) })));
+  onClick('new', () => commands.app.run('document/new'));
+  onClick('home', (event) => {
+    if (event.ctrlKey || event.metaKey || event.shiftKey) return; // another tab, another window
+    if (embedded) { // there is more room in a tab of its own
+      element('home', HTMLAnchorElement).href = address.link().replace(/\?[^#]*/, '');
+      return;
+    }
+    event.preventDefault();
+    commands.app.run('document/new');
+  });
+  onClick('share', () => void openShare(commands.app, address, statusLine));
+  onClick('commands', () => palette.open());
+  onClick('keys', () => help.open());
+}

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// Six steps round the playground for whoever opens it for the first time. It covers nothing that it speaks of, holds
+// nobody up, and is done with at any press of Escape.
+import { element, onClick, setText } from '../browser/dom.js';
+import { followLanguage, tr, trLater } from '../languages/language.js';
+
+/** @typedef {import('../app/app.js').App} App */
+/** @typedef {{left: number, top: number, right: number, bottom: number}} Box */
+/** @typedef {{title: string, text: string, at: RegExp | string, panel?: string}} Step  at: a widget's id, or an element's selector */
+
+const MARGIN = 12;
+
+/** @type {Step[]} */
+const STEPS = [
+  { title: trLater('No one animated this'), at: /^stage$/,
+    text: trLater('The computer found how this figure moves. Letters mark where it was, arrows what the ground does to it. A click stops and starts it.') },
+  { title: trLater('Let it find another'), at: /^search\/start$/, panel: 'panel/Search',
+    text: trLater('Synthesize searches for a better motion while you watch: the curve shows the best so far.') },
+  { title: trLater('A clock, or senses'), at: /^controller\/senses/, panel: 'panel/Controller',
+    text: trLater('What decides when to move: a timer, like a wind-up toy, or what the figure feels. The next search uses your choice.') },
+  { title: trLater('Why it moves so'), at: /^controller\/why$/, panel: 'panel/Controller',
+    text: trLater('A few rules are all there is. The one that acts is lit, and this says why. Open a rule to change it by hand.') },
+  { title: trLater('Push it'), at: /^world\/open$/,
+    text: trLater('Pull at a joint on the stage and let go, or tilt the ground under World. Does it recover? Undo takes everything back.') },
+  { title: trLater('Show it to somebody'), at: '#copy-link',
+    text: trLater('The link holds the whole motion. Whoever opens it sees the very same one, bit for bit, and can go on from there.') },
+];
+
+export class Tour {
+  #card = element('tour');
+  #mark = element('tour-mark');
+  #next = element('tour-next', HTMLButtonElement);
+  #step = -1;
+  /** @type {HTMLElement | null} */
+  #before = null;
+
+  /** @param {App} app @param {HTMLCanvasElement} canvas */
+  constructor(app, canvas) {
+    this.app = app;
+    this.canvas = canvas;
+    onClick('tour-next', () => this.#go(this.#step + 1));
+    onClick('tour-back', () => this.#go(this.#step - 1));
+    onClick('tour-skip', () => this.end());
+    this.#card.addEventListener('keydown', (event) => {
+      if (event.key !== 'Escape') return;
+      event.stopPropagation();
+      this.end();
+    });
+    addEventListener('resize', () => this.#place());
+    // Panels scroll and change their length while it speaks of something in them.
+    setInterval(() => this.#place(), 250);
+    followLanguage(() => this.#write());
+  }
+
+  get open() { return this.#step >= 0; }
+
+  start() {
+    this.#before = document.activeElement instanceof HTMLElement ? document.activeElement : null;
+    this.#go(0);
+    this.#next.focus({ preventScroll: true });
+  }
+
+  end() {
+    if (!this.open) return;
+    const mine = this.#card.contains(document.activeElement);
+    this.#step = -1;
+    this.#card.hidden = this.#mark.hidden = true;
+    if (mine) (this.#before?.isConnected ? this.#before : element('home')).focus({ preventScroll: true });
+  }
+
+  /** @param {number} step */
+  #go(step) {
+    if (step >= STEPS.length) return this.end();
+    this.#step = Math.max(0, step);
+    const { panel } = STEPS[this.#step];
+    if (panel) this.app.run(panel);
+    this.#write();
+    element('tour-back', HTMLButtonElement).disabled = this.#step === 0;
+    this.#card.hidden = false;
+    // The application draws the panel first.
+    requestAnimationFrame(() => requestAnimationFrame(() => this.#place()));
+  }
+
+  #write() {
+    if (!this.open) return;
+    const { title, text } = STEPS[this.#step];
+    setText(element('tour-title'), tr(title));
+    setText(element('tour-text'), tr(text));
+    setText(element('tour-count'), tr('{1} of {2}', this.#step + 1, STEPS.length));
+    setText(this.#next, this.#step === STEPS.length - 1 ? tr('Done') : tr('Next'));
+  }
+
+  /** @returns {Box | null} what the step speaks of [CSS pixels] */
+  #subject() {
+    const { at } = STEPS[this.#step];
+    if (typeof at === 'string') return document.querySelector(at)?.getBoundingClientRect() ?? null;
+    const all = this.app.widgets().filter(({ id }) => at.test(id));
+    if (all.length === 0) return null;
+    const { left, top } = this.canvas.getBoundingClientRect();
+    return {
+      left: left + Math.min(...all.map(({ rect }) => rect.x)),
+      top: top + Math.min(...all.map(({ rect }) => rect.y)),
+      right: left + Math.max(...all.map(({ rect }) => rect.x + rect.width)),
+      bottom: top + Math.max(...all.map(({ rect }) => rect.y + rect.height)),
+    };
+  }
+
+  /** Beside its subject, within the window. */
+  #place() {
+    if (!this.open) return;
+    const subject = this.#subject();
+    this.#mark.hidden = !subject;
+    const { offsetWidth: width, offsetHeight: height } = this.#card;
+    const [across, down] = [innerWidth, innerHeight];
+    let [x, y] = [(across - width) / 2, down - height - 40];
+    if (subject) {
+      const { left, top, right, bottom } = subject;
+      setBox(this.#mark, left - 4, top - 4, right - left + 8, bottom - top + 8);
+      const middle = clamp((left + right - width) / 2, across - width);
+      const level = clamp((top + bottom - height) / 2, down - height);
+      /** @type {[number, number][]} */
+      const places = [[left - width - MARGIN, level], [middle, bottom + MARGIN], [middle, top - height - MARGIN], [right + MARGIN, level]];
+      // What fills most of the window, the stage, has room for the card in its upper right.
+      [x, y] = places.find(([px, py]) => px >= MARGIN && py >= MARGIN && px + width <= across - MARGIN && py + height <= down - MARGIN)
+        ?? [clamp(right - width - MARGIN, across - width), clamp(top + 64, down - height)];
+    }
+    this.#card.style.left = `${Math.round(x)}px`;
+    this.#card.style.top = `${Math.round(y)}px`;
+  }
+}
+
+/** @param {number} value @param {number} most */
+const clamp = (value, most) => Math.max(MARGIN, Math.min(value, most - MARGIN));
+
+/** @param {HTMLElement} node @param {number} x @param {number} y @param {number} width @param {number} height */
+function setBox(node, x, y, width, height) {
+  Object.assign(node.style, { left: `${x}px`, top: `${y}px`, width: `${width}px`, height: `${height}px` });
+}

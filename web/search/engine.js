@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+// The engine for JavaScript: documents, evaluators and searches as objects, errors as exceptions. Works in a
+// page, in a worker and under Node.
+import createEngine from './engine_module.js';
+
+/** @typedef {import('./engine_module.js').EngineModule} EngineModule */
+/** @typedef {{code: string, where: string, what: string}} Fault  What core found wrong, and where. */
+
+/**
+ * Fitness of a population: of its members that have a motion, at least two.
+ * @typedef {{members: number, least: number, lowerQuartile: number, median: number, upperQuartile: number, best: number}} Spread
+ */
+
+/** A fault of core as an exception; its message is core's own sentence. */
+export class EngineError extends Error {
+  /** @param {Fault} fault */
+  constructor(fault) {
+    super(fault.where ? `${fault.where}: ${fault.what}` : fault.what);
+    this.name = 'EngineError';
+    this.fault = fault;
+  }
+}
+
+export class Engine {
+  /** @param {EngineModule} module */
+  constructor(module) {
+    this.module = module;
+  }
+
+  /**
+   * @param {WebAssembly.Module} [compiled]  compiled before, e.g. by the page; else engine_module.wasm is fetched
+   * @returns {Promise<Engine>}
+   */
+  static async load(compiled) {
+    if (!compiled) return new Engine(await createEngine());
+    return new Engine(await new Promise((resolve, reject) => {
+      createEngine({
+        instantiateWasm(imports, receive) {
+          // Emscripten waits for `receive` and would wait forever, e.g. when there is no memory left.
+          WebAssembly.instantiate(compiled, imports).then((instance) => receive(instance, compiled)).catch(reject);
+          return {};
+        },
+      }).then(resolve, reject);
+    }));
+  }
+
+  /** Bytes of WebAssembly memory in use. */
+  get memoryBytes() { return this.module.HEAPU8.length; }
+
+  /**
+   * The binary form of a document, as evaluators and searches take it.
+   * @param {string} text  JSON, or a link
+   */
+  documentFromText(text) {
+    const size = this.put(new TextEncoder().encode(text));
+    const bytes = this.orThrow(this.module._gs_document_from_text(size));
+    return this.bytesAt(bytes, this.module._gs_document_size());
+  }
+
+  /** @param {Uint8Array} document @returns {Evaluator} */
+  evaluator(document) {
+    return new Evaluator(this, this.orThrow(this.module._gs_evaluator_open(this.put(document))));
+  }
+
+  /** @param {Uint8Array} document @returns {Search} */
+  search(document) {
+    return new Search(this, this.orThrow(this.module._gs_search_open(this.put(document))));
+  }
+
+  /** @param {Uint8Array} document  whose search names the clip @returns {TransitionMap} */
+  transitionMap(document) {
+    return new TransitionMap(this, this.orThrow(this.module._gs_map_open(this.put(document))));
+  }
+
+  /** @param {Uint8Array} document @returns {RecordedMotion} */
+  motion(document) {
+    return new RecordedMotion(this, this.orThrow(this.module._gs_motion_open(this.put(document))));
+  }
+
+  // For the classes below.
+
+  /**
+   * Copies a typed array into the engine's input area.
+   * @param {Uint8Array | Uint16Array | Float32Array} data
+   * @returns {number} its size in bytes
+   */
+  put(data) {
+    const at = this.module._gs_input(data.byteLength); // may grow the memory: take HEAPU8 after it
+    this.module.HEAPU8.set(new Uint8Array(data.buffer, data.byteOffset, data.byteLength), at);
+    return data.byteLength;
+  }
+
+  /** A copy, because the original moves when memory grows. @param {number} at @param {number} size */
+  bytesAt(at, size) {
+    return this.module.HEAPU8.slice(at, at + size);
+  }
+
+  /** @param {number} result  null or false means that it failed */
+  orThrow(result) {
+    if (result) return result;
+    const heap = this.module.HEAPU8;
+    const at = this.module._gs_error();
+    throw new EngineError(JSON.parse(new TextDecoder().decode(heap.subarray(at, heap.indexOf(0, at)))));
+  }
+}
+
+/** Numbers in the score of a genome: fitness, greatest height, slip, rotations. */
+export const SCORE_LENGTH = 4;
+
+/** Scores genomes of one problem. */
+export class Evaluator {
+  /** @param {Engine} engine @param {number} handle */
+  constructor(engine, handle) {
+    this.engine = engine;
+    this.handle = handle;
+    /** Genes of one genome. */
+    this.genes = engine.module._gs_evaluator_genes(handle);
+  }
+
+  /**
+   * @param {Uint16Array} genomes  any number of them, one after another
+   * @returns {Float32Array} SCORE_LENGTH numbers for each
+   */
+  score(genomes) {
+    const count = Math.floor(genomes.length / this.genes);
+    this.engine.put(genomes);
+    if (count === 0) return new Float32Array(0);
+    const at = this.engine.orThrow(this.engine.module._gs_evaluator_run(this.handle, count));
+    return new Float32Array(this.engine.bytesAt(at, 4 * SCORE_LENGTH * count).buffer);
+  }
+
+  /** @param {Uint16Array} genomes @returns {Float32Array} fitness of each */
+  evaluate(genomes) {
+    return this.score(genomes).filter((_, i) => i % SCORE_LENGTH === 0);
+  }
+
+  close() { this.engine.module._gs_evaluator_close(this.handle); }
+}
+
+/** Decides which genomes to score next, and remembers the best. */
+export class Search {
+  /** @param {Engine} engine @param {number} handle */
+  constructor(engine, handle) {
+    this.engine = engine;
+    this.handle = handle;
+    /** Genes of one genome. */
+    this.genes = engine.module._gs_search_genes(handle);
+    /** Evaluations in all. */
+    this.budget = engine.module._gs_search_budget(handle);
+    /** Whether asks may follow one another before the first is told. */
+    this.asksAhead = engine.module._gs_search_asks_ahead(handle) !== 0;
+  }
+
+  /**
+   * @param {number} wanted  about how many genomes
+   * @returns {Uint16Array} genomes, one after another; none when all depends on asks that are not told yet
+   */
+  ask(wanted) {
+    const count = this.engine.module._gs_search_ask(this.handle, wanted);
+    return this.#genesAt(this.engine.module._gs_search_genomes(this.handle), count);
+  }
+
+  /**
+   * Once for each ask, in their order.
+   * @param {Float32Array} scores  of each genome of the oldest ask not told yet: SCORE_LENGTH numbers, or its fitness alone
+   */
+  tell(scores) {
+    this.engine.put(scores);
+    this.engine.orThrow(this.engine.module._gs_search_tell(this.handle, scores.length));
+  }
+
+  get evaluations() { return this.engine.module._gs_search_evaluations(this.handle); }
+  get done() { return this.engine.module._gs_search_done(this.handle) !== 0; }
+  get bestFitness() { return this.engine.module._gs_search_best_fitness(this.handle); }
+
+  /** @returns {Uint16Array} the best genome so far; empty before the first tell */
+  get bestGenome() {
+    const at = this.engine.module._gs_search_best_genome(this.handle);
+    return this.#genesAt(at, at ? 1 : 0);
+  }
+
+  /** Points of the best-so-far curve. */
+  get curveLength() { return this.engine.module._gs_search_curve_length(this.handle); }
+
+  /** The curve as core stores it: per point an int32 (evaluation) and a float32 (best). */
+  get curve() {
+    return this.engine.bytesAt(this.engine.module._gs_search_curve(this.handle), 8 * this.curveLength);
+  }
+
+  /** How the fitness of the population scatters now. @returns {Spread | null} null where there is none */
+  get spread() {
+    const at = this.engine.module._gs_search_spread(this.handle);
+    if (!at) return null;
+    const view = new DataView(this.engine.bytesAt(at, 24).buffer);
+    const [least, lowerQuartile, median, upperQuartile, best] = [4, 8, 12, 16, 20].map((offset) => view.getFloat32(offset, true));
+    return { members: view.getInt32(0, true), least, lowerQuartile, median, upperQuartile, best };
+  }
+
+  /** The whole state, to continue later or elsewhere. Only between a tell and an ask. */
+  save() {
+    const at = this.engine.module._gs_search_save(this.handle);
+    return this.engine.bytesAt(at, this.engine.module._gs_search_saved_size(this.handle));
+  }
+
+  /** @param {Uint8Array} state  saved by a search of the same document */
+  load(state) {
+    this.engine.orThrow(this.engine.module._gs_search_load(this.handle, this.engine.put(state)));
+  }
+
+  close() { this.engine.module._gs_search_close(this.handle); }
+
+  /** @param {number} at @param {number} count */
+  #genesAt(at, count) {
+    return new Uint16Array(this.engine.bytesAt(at, 2 * this.genes * count).buffer);
+  }
+}
+
+/** How well a clip would do if it took over at other moments. */
+export class TransitionMap {
+  /** @param {Engine} engine @param {number} handle */
+  constructor(engine, handle) {
+    this.engine = engine;
+    this.handle = handle;
+    /** Moments. */
+    this.count = engine.module._gs_map_count(handle);
+    /** What scores are measured by. */
+    this.usual = engine.module._gs_map_usual_score(handle);
+  }
+
+  /** In the map's order, coarse first. @param {number} first @param {number} count @returns {Float32Array} */
+  scores(first, count) {
+    const at = this.engine.orThrow(this.engine.module._gs_map_run(this.handle, first, count));
+    return new Float32Array(this.engine.bytesAt(at, 4 * count).buffer);
+  }
+
+  close() { this.engine.module._gs_map_close(this.handle); }
+}
+
+/** What a document's figure does: to be drawn, and as files for other programs. */
+export class RecordedMotion {
+  /** @param {Engine} engine @param {number} handle */
+  constructor(engine, handle) {
+    this.engine = engine;
+    this.handle = handle;
+    const { module } = engine;
+    this.frames = module._gs_motion_frames(handle);
+    const rods = module._gs_motion_rods(handle);
+    /** Of each rod the endpoint where it begins; rod i ends at endpoint i + 1. */
+    this.starts = new Int32Array(engine.bytesAt(module._gs_motion_starts(handle), 4 * rods).buffer);
+    this.endpoints = rods + 1;
+    /** Numbers of one frame: controller in charge (-1: none), x and y of the centre of mass, of every endpoint [m]. */
+    this.stride = 3 + 2 * this.endpoints;
+    const at = module._gs_motion_numbers(handle);
+    /** Of all frames, one after another. */
+    this.numbers = new Float32Array(engine.bytesAt(at, 4 * this.stride * this.frames).buffer);
+  }
+
+  /** @param {number} poses @param {string[]} words  FilmStripWords of shell/export/film_strip.h, in order */
+  filmStrip(poses, words) {
+    const size = this.engine.put(new TextEncoder().encode(words.map((word) => `${word}\0`).join('')));
+    return this.#text(this.engine.module._gs_motion_film_strip(this.handle, size, poses));
+  }
+  gltf() { return this.#text(this.engine.module._gs_motion_gltf(this.handle)); }
+  csv() { return this.#text(this.engine.module._gs_motion_csv(this.handle)); }
+
+  close() { this.engine.module._gs_motion_close(this.handle); }
+
+  /** @param {number} at */
+  #text(at) {
+    this.engine.orThrow(at);
+    return new TextDecoder().decode(this.engine.bytesAt(at, this.engine.module._gs_motion_text_size(this.handle)));
+  }
+}

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// The dialog that makes files of the motion for other programs, and the files. Loaded when somebody wants one.
+import { element, offerFile, onClick, toast } from '../browser/dom.js';
+import { Engine } from '../search/engine.js';
+import { fixed, tr, trSentence } from '../languages/language.js';
+import { fileName } from './sharing.js';
+
+/** @typedef {import('../app/app.js').App} App */
+/** @typedef {import('../search/engine.js').RecordedMotion} RecordedMotion */
+/**
+ * What a format is made of.
+ * @typedef {object} Order
+ * @property {RecordedMotion} motion
+ * @property {string} title
+ * @property {number} poses
+ * @property {AbortSignal} signal            told when nobody wants it any more
+ * @property {(share: number) => void} told  how much is done, of 1
+ */
+/** @typedef {{ending: string, type: string, make: (order: Order) => Promise<BlobPart>}} Format */
+
+const PNG_SCALE = 2;
+
+/** @type {Record<string, Format>} */
+export const FORMATS = {
+  svg: { ending: 'svg', type: 'image/svg+xml', make: async (order) => strip(order) },
+  png: { ending: 'png', type: 'image/png', make: (order) => painted(strip(order)) },
+  gif: { ending: 'gif', type: 'image/gif', make: async (order) => (await import('./export_film.js')).gif(order) },
+  webm: { ending: 'webm', type: 'video/webm', make: async (order) => (await import('./export_film.js')).webm(order) },
+  gltf: { ending: 'gltf', type: 'model/gltf+json', make: async ({ motion }) => motion.gltf() },
+  csv: { ending: 'csv', type: 'text/csv', make: async ({ motion }) => motion.csv() },
+};
+
+/** @param {Order} order */
+function strip({ motion, poses }) {
+  return motion.filmStrip(poses, [
+    tr('{1} poses of {2} from {3} s to {4} s, lettered {5} to {6}.'),
+    tr('ground tilted by {1}°, drawn level'),
+    fixed(0.5, 1).charAt(1),
+  ]);
+}
+
+/** Pixels of an SVG. @param {string} svg @returns {Promise<Blob>} PNG */
+async function painted(svg) {
+  const url = URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' }));
+  try {
+    const image = new Image();
+    image.src = url;
+    await image.decode();
+    const canvas = document.createElement('canvas');
+    canvas.width = PNG_SCALE * image.naturalWidth;
+    canvas.height = PNG_SCALE * image.naturalHeight;
+    canvas.getContext('2d')?.drawImage(image, 0, 0, canvas.width, canvas.height);
+    const png = await new Promise((resolve) => canvas.toBlob(resolve, 'image/png'));
+    if (!(png instanceof Blob)) throw new Error('no picture');
+    return png;
+  } finally {
+    URL.revokeObjectURL(url);
+  }
+}
+
+class ExportDialog {
+  #dialog = element('export-dialog', HTMLDialogElement);
+  #formats = element('export-formats', HTMLFieldSetElement);
+  #poses = element('export-poses', HTMLInputElement);
+  #progress = element('export-progress', HTMLProgressElement);
+  #go = element('export-go', HTMLButtonElement);
+  #cancel = element('export-cancel', HTMLButtonElement);
+  #error = element('export-error');
+  /** Of what is being made. @type {AbortController | null} */
+  #making = null;
+  /** @type {Promise<Engine> | null} */
+  #engine = null;
+
+  /** @param {App} app */
+  constructor(app) {
+    this.app = app;
+    this.#dialog.addEventListener('submit', (event) => {
+      event.preventDefault();
+      void this.#export();
+    });
+    this.#formats.addEventListener('change', () => this.#chosen());
+    this.#dialog.addEventListener('close', () => this.#making?.abort());
+    onClick('export-cancel', () => (this.#making ? this.#making.abort() : this.#dialog.close()));
+  }
+
+  open() {
+    this.#error.textContent = '';
+    this.#chosen();
+    if (typeof MediaRecorder !== 'function' || !MediaRecorder.isTypeSupported('video/webm')) {
+      this.#radio('webm').disabled = true;
+      element('export-webm').textContent = tr('This browser cannot record films');
+    }
+    this.#dialog.showModal();
+    this.#radio(this.#format()).focus();
+  }
+
+  /** @param {string} format */
+  #radio(format) { return /** @type {HTMLInputElement} */ (this.#formats.querySelector(`[value=${format}]`)); }
+  #format() { return /** @type {HTMLInputElement} */ (this.#formats.querySelector(':checked')).value; }
+
+  /** Only a strip has poses to count. */
+  #chosen() {
+    const strip = ['svg', 'png'].includes(this.#format());
+    element('export-strip').hidden = !strip;
+    this.#poses.disabled = !strip;
+  }
+
+  async #export() {
+    if (this.#making) return;
+    const { ending, type, make } = FORMATS[this.#format()];
+    const making = new AbortController();
+    this.#show(making);
+    /** @type {RecordedMotion | null} */
+    let motion = null;
+    try {
+      const engine = await this.#load();
+      motion = engine.motion(engine.documentFromText(this.app.documentText()));
+      const contents = await make({
+        motion,
+        title: this.app.title(),
+        poses: Number(this.#poses.value),
+        signal: making.signal,
+        told: (share) => { this.#progress.value = share; },
+      });
+      making.signal.throwIfAborted();
+      const name = `${fileName(this.app.title())}.${ending}`;
+      offerFile(name, contents, type);
+      toast(tr('Exported: {1}', name));
+      this.#show(null);
+      this.#dialog.close();
+    } catch (error) {
+      this.#show(null);
+      if (making.signal.aborted) toast(tr('Export cancelled'));
+      else this.#error.textContent = tr('The file could not be made: {1}.', trSentence(error instanceof Error ? error.message : String(error)));
+    } finally {
+      motion?.close();
+    }
+  }
+
+  /** Kept: whoever wants one file may want another. */
+  #load() {
+    this.#engine ??= Engine.load();
+    this.#engine.catch(() => { this.#engine = null; }); // try again next time
+    return this.#engine;
+  }
+
+  /** @param {AbortController | null} making */
+  #show(making) {
+    this.#making = making;
+    this.#formats.disabled = making !== null;
+    this.#go.disabled = making !== null;
+    this.#error.textContent = '';
+    this.#progress.hidden = making === null;
+    this.#progress.value = 0;
+    if (making) this.#cancel.focus(); // what had the keyboard may be out of use
+    else if (this.#dialog.open) this.#go.focus();
+  }
+}
+
+/** @type {ExportDialog | undefined} */
+let dialog;
+
+/** @param {App} app */
+export function openExport(app) {
+  dialog ??= new ExportDialog(app);
+  dialog.open();
+}

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// A motion as a film: the figure on its ground, frame by frame on a canvas of its own, in light colours that any page
+// and slide can have. The camera knows the whole motion, so it need not run after the figure.
+import { fixed } from '../languages/language.js';
+
+/** @typedef {import('../search/engine.js').RecordedMotion} RecordedMotion */
+
+export const STEPS_PER_SECOND = 100;
+const WIDTH = 640;
+const HEIGHT = 360;
+const GROUND_Y = 292;
+const TOP_Y = 62; // of the figure at its highest
+const WIDEST = 250; // of the figure
+const TRAIL_STEPS = 150;
+const INK = '#1d2733', SECOND_INK = '#5b6672', PAPER = '#fbfaf6', GROUND = '#efebe3', TRAIL = '#2f5fd0';
+// As in shell/export/rule_colours.h.
+const COLOURS = ['#2092ea', '#dd8a53', '#106c6f', '#61459b', '#eb54a9', '#b4af0f', '#8cb58f', '#804538', '#5b47e0', '#71630f'];
+const ROD_SHARE = 0.16; // thickness against mean length
+const LEAST_TICK = 76;
+const EDGE = 28; // of labels
+
+export class Film {
+  width = WIDTH;
+  height = HEIGHT;
+
+  /** @param {RecordedMotion} motion @param {string} title */
+  constructor(motion, title) {
+    this.motion = motion;
+    this.title = title;
+    this.canvas = document.createElement('canvas');
+    this.canvas.width = WIDTH;
+    this.canvas.height = HEIGHT;
+    this.context = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext('2d', { willReadFrequently: true }));
+    const { widest, top, rod } = sizes(motion);
+    this.scale = Math.min(WIDEST / widest, (GROUND_Y - TOP_Y) / Math.max(top + rod, 1e-6));
+    this.rod = rod * this.scale;
+    this.tick = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000].find((length) => length * this.scale >= LEAST_TICK) ?? 50000;
+    this.cameras = smooth(Float64Array.from({ length: motion.frames }, (_, i) => this.#at(i, 1)));
+    this.severalControllers = new Set(Array.from({ length: motion.frames }, (_, i) => this.#at(i, 0))).size > 1;
+  }
+
+  /** The whole picture of one step. @param {number} frame */
+  draw(frame) {
+    const { context: c } = this;
+    c.fillStyle = PAPER;
+    c.fillRect(0, 0, WIDTH, HEIGHT);
+    this.#ground(frame);
+    this.#trail(frame);
+    this.#figure(frame);
+    c.textBaseline = 'alphabetic';
+    c.textAlign = 'right';
+    this.#text(`${fixed(frame / STEPS_PER_SECOND, 2)} s`, WIDTH - 20, 34, SECOND_INK, '14px');
+    c.textAlign = 'left';
+    this.#text(this.title, 20, 34, INK, '600 16px', WIDTH - 130);
+    const controller = this.#at(frame, 0);
+    if (!this.severalControllers || controller < 0) return;
+    c.fillStyle = COLOURS[controller % COLOURS.length];
+    c.fillRect(20, 44, 36, 4);
+  }
+
+  /** The colours that pictures are made of, but for their blends: #rrggbb. */
+  get colours() {
+    const controllers = new Set(Array.from({ length: this.motion.frames }, (_, i) => this.#at(i, 0)).filter((one) => one >= 0));
+    return [PAPER, GROUND, INK, SECOND_INK, TRAIL, ...[...controllers].map((one) => COLOURS[one % COLOURS.length])];
+  }
+
+  /** @returns {Uint8ClampedArray} RGBA of what was drawn last */
+  pixels() { return this.context.getImageData(0, 0, WIDTH, HEIGHT).data; }
+
+  /** @param {number} frame @param {number} which */
+  #at(frame, which) { return this.motion.numbers[frame * this.motion.stride + which]; }
+  /** @param {number} metres @param {number} frame */
+  #x(metres, frame) { return WIDTH / 2 + (metres - this.cameras[frame]) * this.scale; }
+  /** Rods lie on the ground with their edge. @param {number} metres */
+  #y(metres) { return GROUND_Y - this.rod / 2 - metres * this.scale; }
+
+  /** @param {string} text @param {number} x @param {number} y @param {string} colour @param {string} font @param {number} [most] */
+  #text(text, x, y, colour, font, most) {
+    this.context.font = `${font} Inter, Helvetica, Arial, sans-serif`;
+    this.context.fillStyle = colour;
+    this.context.fillText(text, x, y, most);
+  }
+
+  /** @param {number} frame */
+  #ground(frame) {
+    const { context: c } = this;
+    c.fillStyle = GROUND;
+    c.fillRect(0, GROUND_Y, WIDTH, HEIGHT - GROUND_Y);
+    c.fillStyle = SECOND_INK;
+    c.fillRect(0, GROUND_Y - 0.75, WIDTH, 1.5);
+    c.textAlign = 'center';
+    const reach = WIDTH / 2 / this.scale + this.tick;
+    const first = Math.ceil((this.cameras[frame] - reach) / this.tick);
+    for (let mark = first; mark * this.tick < this.cameras[frame] + reach; mark++) {
+      const x = this.#x(mark * this.tick, frame);
+      c.fillStyle = SECOND_INK;
+      c.fillRect(x - 0.5, GROUND_Y, 1, 8);
+      const metres = fixed(Math.abs(mark * this.tick), this.tick < 1 ? 1 : 0);
+      if (x < EDGE || x > WIDTH - EDGE) continue; // cut, it would be misread
+      this.#text(`${mark < 0 ? '−' : ''}${metres} m`, x, GROUND_Y + 24, SECOND_INK, '12px');
+    }
+  }
+
+  /** @param {number} frame */
+  #trail(frame) {
+    const { context: c } = this;
+    c.strokeStyle = TRAIL;
+    c.lineWidth = 1.5;
+    for (let i = Math.max(1, frame - TRAIL_STEPS); i <= frame; i++) {
+      c.globalAlpha = 0.5 * (1 - (frame - i) / TRAIL_STEPS);
+      c.beginPath();
+      c.moveTo(this.#x(this.#at(i - 1, 1), frame), this.#y(this.#at(i - 1, 2)));
+      c.lineTo(this.#x(this.#at(i, 1), frame), this.#y(this.#at(i, 2)));
+      c.stroke();
+    }
+    c.globalAlpha = 1;
+  }
+
+  /** @param {number} frame */
+  #figure(frame) {
+    const { context: c, motion } = this;
+    const place = (/** @type {number} */ k) => /** @type {[number, number]} */ (
+      [this.#x(this.#at(frame, 3 + 2 * k), frame), this.#y(this.#at(frame, 4 + 2 * k))]);
+    const meeting = new Uint8Array(motion.endpoints);
+    c.strokeStyle = INK;
+    c.lineWidth = this.rod;
+    c.lineCap = 'round';
+    c.beginPath();
+    motion.starts.forEach((start, rod) => {
+      c.moveTo(...place(start));
+      c.lineTo(...place(rod + 1));
+      meeting[start]++;
+      meeting[rod + 1]++;
+    });
+    c.stroke();
+    meeting.forEach((rods, k) => {
+      if (rods < 2) return;
+      if (rods > 2) this.#disc(place(k), 0.76, INK); // a hub
+      this.#disc(place(k), rods > 2 ? 0.46 : 0.3, PAPER);
+    });
+  }
+
+  /** @param {[number, number]} centre @param {number} share  of the rods' thickness @param {string} colour */
+  #disc([x, y], share, colour) {
+    this.context.fillStyle = colour;
+    this.context.beginPath();
+    this.context.arc(x, y, share * this.rod, 0, 2 * Math.PI);
+    this.context.fill();
+  }
+}
+
+/** How large the figure gets, and how thick its rods are [m]. @param {RecordedMotion} motion */
+function sizes({ numbers, stride, frames, starts, endpoints }) {
+  let widest = 0;
+  let top = 0;
+  for (let i = 0; i < frames; i++) {
+    let left = Infinity;
+    let right = -Infinity;
+    for (let k = 0; k < endpoints; k++) {
+      const x = numbers[i * stride + 3 + 2 * k];
+      left = Math.min(left, x);
+      right = Math.max(right, x);
+      top = Math.max(top, numbers[i * stride + 4 + 2 * k]);
+    }
+    widest = Math.max(widest, right - left);
+  }
+  let length = 0;
+  starts.forEach((start, rod) => {
+    const [x, y, endX, endY] = [3 + 2 * start, 4 + 2 * start, 5 + 2 * rod, 6 + 2 * rod].map((which) => numbers[which]);
+    length += Math.hypot(endX - x, endY - y);
+  });
+  // A motion that explodes must not shrink its figure to nothing.
+  const bounded = Math.max(1e-6, Math.min(widest, 1000));
+  return { widest: bounded, top: Math.min(top, 50 * bounded), rod: ROD_SHARE * length / starts.length };
+}
+
+/** Means over a second around each, twice: a camera without jerks. @param {Float64Array} values */
+function smooth(values) {
+  for (let pass = 0; pass < 2; pass++) {
+    const sums = new Float64Array(values.length + 1);
+    values.forEach((value, i) => { sums[i + 1] = sums[i] + value; });
+    values = values.map((_, i) => {
+      const half = Math.min(STEPS_PER_SECOND / 2, i, values.length - 1 - i);
+      return (sums[i + half + 1] - sums[i - half]) / (2 * half + 1);
+    });
+  }
+  return values;
+}

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// The Share dialog: the link with its picture for cameras (a QR code), and the lines that put the playground with this
+// motion into another page.
+import { element, onClick, setText } from '../browser/dom.js';
+import { grouped, tr } from '../languages/language.js';
+
+/** @typedef {import('../app/app.js').App} App */
+/** @typedef {import('./address.js').Address} Address */
+
+// A camera across a room reads up to about this many modules (version 20) from a projector.
+const MOST_IN_QR = 850;
+const QUIET = 4; // modules of margin, as the standard asks for
+
+/** @type {ShareDialog | null} */
+let dialog = null;
+
+/** @param {App} app @param {Address} address */
+export function openShare(app, address) {
+  dialog ??= new ShareDialog(app, address);
+  dialog.open();
+}
+
+class ShareDialog {
+  #dialog = element('share-dialog', HTMLDialogElement);
+  #link = element('share-link', HTMLTextAreaElement);
+  #code = element('share-code');
+  #words = element('share-words');
+  #snippet = element('share-snippet', HTMLTextAreaElement);
+  #panels = element('share-panels');
+  #lock = element('share-lock', HTMLInputElement);
+  #height = element('share-height', HTMLInputElement);
+
+  /** @param {App} app @param {Address} address */
+  constructor(app, address) {
+    this.app = app;
+    this.address = address;
+    this.#panels.addEventListener('change', () => this.#write());
+    for (const field of [this.#lock, this.#height]) field.addEventListener('input', () => this.#write());
+    for (const field of [this.#link, this.#snippet]) field.addEventListener('focus', () => field.select());
+    onClick('share-larger', () => this.#dialog.classList.toggle('large'));
+    onClick('share-copy', () => void this.#copy(this.#link));
+    onClick('share-copy-snippet', () => void this.#copy(this.#snippet));
+  }
+
+  open() {
+    this.#link.value = this.address.link();
+    this.#write();
+    void this.#draw();
+    this.#dialog.classList.remove('large');
+    setText(element('share-said'), '');
+    this.#dialog.showModal();
+    this.#link.scrollTop = 0;
+    element('share-copy').focus();
+  }
+
+  async #draw() {
+    const link = this.#link.value;
+    this.#code.hidden = element('share-larger').hidden = link.length > MOST_IN_QR;
+    setText(this.#words, link.length > MOST_IN_QR
+      ? tr('With {1} characters this link is too long for a code that a camera reads from across a room: {2} is the most. Fewer rules, or a timer, make it shorter.', grouped(link.length), grouped(MOST_IN_QR))
+      : tr('A phone’s camera opens this code: all of the motion is in it.'));
+    if (this.#code.hidden) return;
+    const { encode } = await import('./uqr.js').catch(() => ({ encode: null }));
+    if (!encode) return setText(this.#words, tr('The code could not be loaded.'));
+    const { data, size } = encode(link, { ecc: 'L', border: QUIET });
+    // One path, a square for each dark module.
+    const path = data.flatMap((row, y) => row.flatMap((dark, x) => (dark ? `M${x} ${y}h1v1h-1z` : []))).join('');
+    const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+    svg.setAttribute('viewBox', `0 0 ${size} ${size}`);
+    svg.setAttribute('role', 'img');
+    svg.setAttribute('aria-label', tr('QR code of the link'));
+    const squares = document.createElementNS(svg.namespaceURI, 'path');
+    squares.setAttribute('d', path);
+    svg.append(squares);
+    this.#code.replaceChildren(svg);
+  }
+
+  /** The lines for another page, as the fields wish. */
+  #write() {
+    const boxes = /** @type {HTMLInputElement[]} */ ([...this.#panels.querySelectorAll('input')]);
+    const shown = boxes.filter(({ checked }) => checked).map(({ value }) => value);
+    const address = new URL(this.#link.value);
+    address.search = '';
+    if (shown.length < boxes.length) address.searchParams.set('panels', shown.join(',') || 'none');
+    if (this.#lock.checked) address.searchParams.set('lock', 'figure');
+    const source = address.href.replaceAll('%2C', ',');
+    const height = Math.min(2000, Math.max(300, Number(this.#height.value) || 600));
+    this.#snippet.value = `<iframe src="${escaped(source)}"\n  title="${escaped(this.app.title() || 'Gaitsmith')}" width="100%" height="${height}"\n  allow="clipboard-write; fullscreen" style="border:0"></iframe>`;
+  }
+
+  /** @param {HTMLTextAreaElement} field */
+  async #copy(field) {
+    try {
+      await navigator.clipboard.writeText(field.value);
+      setText(element('share-said'), tr('Copied'));
+    } catch {
+      field.select(); // the person copies by hand
+      setText(element('share-said'), tr('The browser did not allow copying by itself. The text is selected: press Ctrl+C or ⌘C.'));
+    }
+  }
+}
+
+/** For an attribute in double quotes. @param {string} text */
+const escaped = (text) => text.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;').replaceAll('>', '&gt;');

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// Copy link, Open and Save, and the clipboard's keys. All of it happens in DOM event handlers, because browsers give
+// the clipboard and files only to those.
+import { element, offerFile, onClick, setText, toast } from '../browser/dom.js';
+import { sentence } from './address.js';
+import { grouped, tr, trSentence } from '../languages/language.js';
+
+/** @typedef {import('../app/app.js').App} App */
+
+const MOST_BYTES = 8e6;
+// Programs that carry links cut some off after 2,000 characters or a little more.
+const LONG_LINK = 1900;
+
+/** @param {App} app @param {import('./address.js').Address} address */
+export function startSharing(app, address) {
+  onClick('copy-link', () => copy(address));
+  onClick('save', () => save(app));
+  onClick('long-link-save', () => {
+    save(app);
+    element('long-link-dialog', HTMLDialogElement).close();
+  });
+  startOpening(app);
+  startClipboardKeys(app, address);
+}
+
+/** @param {import('./address.js').Address} address */
+async function copy(address) {
+  const link = address.link();
+  try {
+    await navigator.clipboard.writeText(link);
+  } catch {
+    // No permission, no focus, or a page that was not served securely: the person copies by hand.
+    const text = element('link-text', HTMLTextAreaElement);
+    text.value = link;
+    setText(element('link-words'), link.length > LONG_LINK ? longWords(link) : '');
+    element('link-dialog', HTMLDialogElement).showModal();
+    text.select();
+    return;
+  }
+  tellCopied(link);
+}
+
+/** @param {string} link */
+const longWords = ({ length }) => tr('It has {1} characters, and some programs cut links off after about 2,000: a file carries everything.', grouped(length));
+
+/** A long one may not arrive. @param {string} link */
+function tellCopied(link) {
+  if (link.length <= LONG_LINK) return toast(tr('Link copied'));
+  setText(element('long-link-words'), `${tr('Link copied')}. ${longWords(link)}`);
+  element('long-link-dialog', HTMLDialogElement).showModal();
+}
+
+/** @param {App} app */
+function save(app) {
+  offerFile(`${fileName(app.title())}.json`, app.documentText(), 'application/json');
+}
+
+/** A title as the name of a file, without its ending. @param {string} title */
+export const fileName = (title) => title.replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-+|-+$/g, '').toLowerCase() || 'gaitsmith';
+
+/** @param {App} app */
+function startOpening(app) {
+  const dialog = element('open-dialog', HTMLDialogElement);
+  const text = element('open-text', HTMLTextAreaElement);
+  const file = element('file', HTMLInputElement);
+  const error = element('open-error');
+  const open = (/** @type {string} */ content) => {
+    const fault = content.trim() === '' ? tr('There is nothing to open yet.') : app.open(content);
+    error.textContent = fault && sentence(fault);
+    if (!fault) dialog.close();
+  };
+
+  onClick('open', () => {
+    text.value = '';
+    error.textContent = '';
+    dialog.showModal();
+    text.focus();
+  });
+  onClick('open-go', () => open(text.value));
+  onClick('open-file', () => file.click());
+  file.addEventListener('change', async () => {
+    const chosen = file.files?.[0];
+    file.value = ''; // the same file may be chosen again
+    if (!chosen) return;
+    const { text: content, fault } = await textOf(chosen);
+    if (fault) error.textContent = sentence(fault);
+    else open(content);
+  });
+  text.addEventListener('paste', () => setTimeout(() => open(text.value)));
+}
+
+/**
+ * What a file holds, if it can be a document at all: what core says about a picture is no help to anyone.
+ * @param {File} file
+ * @returns {Promise<{text: string, fault: string}>}
+ */
+export async function textOf(file) {
+  const no = (/** @type {string} */ fault) => ({ text: '', fault });
+  if (file.size > MOST_BYTES) return no(tr('it has {1} MB, and no Gaitsmith document is that large', grouped(file.size / 1e6)));
+  let text;
+  try {
+    text = new TextDecoder('utf-8', { fatal: true }).decode(await file.arrayBuffer());
+  } catch {
+    return no(tr('it is not a Gaitsmith document (a file that Save made, or a text with a link)'));
+  }
+  return text.trim() === '' ? no(tr('it is empty')) : { text, fault: '' };
+}
+
+/** @param {App} app @param {import('./address.js').Address} address */
+function startClipboardKeys(app, address) {
+  // What is typed into a dialog is its own.
+  const typing = () => document.querySelector('dialog[open]') !== null;
+  addEventListener('copy', (event) => {
+    if (typing() || !getSelection()?.isCollapsed) return;
+    const link = address.link();
+    event.clipboardData?.setData('text/plain', link);
+    event.preventDefault();
+    tellCopied(link);
+  });
+  addEventListener('paste', (event) => {
+    const text = event.clipboardData?.getData('text/plain') ?? '';
+    if (typing() || text === '') return;
+    event.preventDefault();
+    const fault = app.open(text);
+    if (fault) toast(tr('Not opened: {1}', trSentence(fault)));
+  });
+}
