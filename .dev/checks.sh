@@ -10,6 +10,7 @@ our_files() {
 check_format() { our_files '*.h' '*.cpp' | xargs -r "clang-format-$LLVM" --dry-run --Werror; }
 
 check_types() {
+  node web/build/border.mjs --check
   web/node_modules/.bin/tsc --project web/tsconfig.json
 }
 

@@ -19,6 +19,7 @@
 #include "shell/host/page_host.h"
 #include "shell/host/script_answers.h"
 #include "shell/host/script_options.h"
+#include "shell/session/progress_record.h"
 #include "shell/session/commands.h"
 #include "shell/session/moment_words.h"
 #include "shell/words/language.h"
@@ -334,32 +335,16 @@ EMSCRIPTEN_KEEPALIVE void gs_stop() {
   ThePage().window->RequestFrame();
 }
 
-/// @param state  0 idle, 1 running, 2 paused, 3 done, 4 stopped, 5 failed
-/// @param curve  pairs (evaluation, best), whose evaluations are exact to 2^24, enough for a curve
-/// @param genes the best genome, or none when it has not changed
-/// @param saved  the state of the whole search, at its end; else none
-/// @param spread of the population: members, least, lower quartile, median, upper quartile, best; null: none
-EMSCRIPTEN_KEEPALIVE void gs_search_progress(int state, int evaluations, int budget, double rate,
-                                             double seconds_left, float best, const float* curve, int points,
-                                             const std::uint16_t* genes, int gene_count, const float* spread,
-                                             const std::uint8_t* saved, int saved_bytes) {
-  SearchProgress progress{.state = static_cast<SearchState>(std::clamp(state, 0, 5)),
-                          .evaluations = evaluations,
-                          .budget = budget,
-                          .evaluations_per_second = rate,
-                          .seconds_left = seconds_left,
-                          .workers = TheSession().workers,
-                          .best_fitness = best};
-  progress.curve.reserve(static_cast<std::size_t>(std::max(points, 0)));
-  for (int i = 0; i < points; ++i)
-    progress.curve.push_back({static_cast<int>(curve[2 * i]), curve[2 * i + 1]});
-  if (gene_count > 0) progress.best_genome.assign(genes, genes + gene_count);
-  if (spread != nullptr) {
-    progress.spread = {static_cast<int>(spread[0]), spread[1], spread[2], spread[3], spread[4], spread[5]};
-  }
-  if (saved_bytes > 0) progress.saved.assign(saved, saved + saved_bytes);
-  TheSession().OnSearchProgress(std::move(progress));
+/// How far the search is, as DecodeProgress takes it. @return an empty text, or what is wrong with the
+/// report, which then changes nothing
+EMSCRIPTEN_KEEPALIVE const char* gs_search_progress(const char* report, const std::uint8_t* bytes,
+                                                    int count) {
+  auto progress = DecodeProgress(report, {bytes, static_cast<std::size_t>(std::max(count, 0))});
+  if (!progress) return QuietReply(TrError(progress.error()));
+  progress->workers = TheSession().workers;
+  TheSession().OnSearchProgress(std::move(*progress));
   ThePage().window->RequestOneFrame();
+  return QuietReply("");
 }
 
 /// A part of a transition map: scores of places from `first` on, and the score that is usual.

@@ -2,8 +2,10 @@
 // How far a search has come: what a page's worker, the desktop's threads and the command line all report.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/physics/task.h"
@@ -13,6 +15,9 @@
 namespace gaitsmith::shell {
 
 enum class SearchState { kIdle, kRunning, kPaused, kDone, kStopped, kFailed };
+/// In the order of SearchState.
+inline constexpr std::array<std::string_view, 6> kSearchStateNames = {"idle", "running", "paused",
+                                                                      "done", "stopped", "failed"};
 
 /// Reported at most about thirty times a second, and once at the end.
 struct SearchProgress {

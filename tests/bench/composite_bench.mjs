@@ -15,7 +15,7 @@ const address = await serve(process.argv[2] ?? join(ROOT, 'build/site'));
 const browser = await startChromium();
 try {
   if (!browser) throw new Error('Chromium is not here: ./dev setup browsers');
-  const { page } = await PageDriver.open(browser, address);
+  const { page } = await PageDriver.open(browser, address, { plays: true });
   const times = await page.evaluate(async (changes) => {
     const { gaitsmith } = window;
     const document = /** @type {any} */ (gaitsmith.document());

@@ -18,7 +18,7 @@ const searchDone = (page) => page.until('the end of the search', () => /^Search 
 
 /** @param {Visit} visit */
 async function loopByRoles({ browser, address }) {
-  const page = await PageDriver.open(browser, address);
+  const page = await PageDriver.open(browser, address, { plays: true });
   await activate(page, 'tab', 'Figure');
   const all = (await page.widgets()).find(({ id }) => id === 'figure/gallery');
   await activate(page, 'button', all?.label ?? '');
@@ -87,7 +87,7 @@ async function tabTo(page, id, key = 'Tab') {
 
 /** @param {Visit} visit */
 async function loopByKeyboard({ browser, address }) {
-  const page = await PageDriver.open(browser, address);
+  const page = await PageDriver.open(browser, address, { plays: true });
   const value = async (/** @type {string} */ id) => (await page.widgets()).find((widget) => widget.id === id)?.value ?? '';
   await page.page.focus('#copy-link');
   await tabTo(page, 'panels/3');

@@ -196,7 +196,7 @@ async function quota(visit) {
     const context = await visit.browser.createBrowserContext();
     const blank = await context.newPage();
     const session = await blank.createCDPSession();
-    await blank.goto(`${server.address()}naming.js`);
+    await blank.goto(`${server.address()}page/naming.js`);
     await session.send('Storage.overrideQuotaForOrigin', { origin: new URL(server.address()).origin, quotaSize: 1000 });
     const page = await PageDriver.open(visit.browser, server.address(), { beside: new PageDriver(blank) });
     await begin(page);

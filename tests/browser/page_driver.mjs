@@ -13,6 +13,8 @@ export const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 export class PageDriver {
   /** Console errors, failed requests, requests to other hosts. @type {string[]} */
   complaints = [];
+  /** Whether the motion plays on after the page has come. */
+  plays = false;
 
   /** @param {Page} page */
   constructor(page) {
@@ -23,13 +25,15 @@ export class PageDriver {
    * Opens an address in a fresh profile (a context of its own: no cookies, storage or cache of others), or in another
    * tab of the profile of a page that is open.
    * @param {Browser} browser @param {string} address
-   * @param {{beside?: PageDriver, before?: () => void, newcomer?: boolean}} [options]  before: runs in the page before its own
-   * scripts; newcomer: is offered the tour
+   * @param {{beside?: PageDriver, before?: () => void, newcomer?: boolean, plays?: boolean}} [options]  before: runs in the page
+   * before its own scripts; newcomer: is offered the tour; plays: the motion plays on, else it is paused at once, since drawing it
+   * takes most of a processor where graphics are software
    */
-  static async open(browser, address, { beside, before, newcomer = false } = {}) {
+  static async open(browser, address, { beside, before, newcomer = false, plays = false } = {}) {
     const context = beside ? beside.page.browserContext() : await browser.createBrowserContext();
     const page = await context.newPage();
     const driver = new PageDriver(page);
+    driver.plays = plays;
     const { complaints } = driver;
     page.on('console', (message) => {
       if (['error', 'warn', 'assert'].includes(message.type()) && !/WebGL|GPU|GL Driver|software/i.test(message.text())) {
@@ -72,6 +76,13 @@ export class PageDriver {
     await this.call('ready', () => window.gaitsmith.ready.then(() => true));
     // A person's hand is not as quick as to come before it.
     await this.until('the mirror', () => document.querySelector('#mirror [id^=on-canvas]') !== null);
+    if (!this.plays) await this.play(false);
+  }
+
+  /** The motion plays, or is paused. Without its button on the canvas it stays as it is. @param {boolean} playing */
+  async play(playing) {
+    const label = (await this.widgets()).find(({ id }) => id === 'transport/play')?.label;
+    if (label && (label === 'Play') === playing) await this.page.evaluate(() => window.gaitsmith.run('motion/play'));
   }
 
   async close() { await this.page.browserContext().close(); }

@@ -84,7 +84,7 @@ async function byKeyboard({ browser, address }) {
 
 /** @param {Visit} visit */
 async function keysWork({ browser, address }) {
-  const page = await PageDriver.open(browser, address);
+  const page = await PageDriver.open(browser, address, { plays: true });
   const value = async (/** @type {string} */ id) => (await page.widgets()).find((widget) => widget.id === id);
   const playing = async () => (await value('transport/play'))?.label === 'Pause';
   const time = async () => Number.parseFloat((await value('transport/scrub'))?.value ?? '');

@@ -36,7 +36,6 @@ async function activeRule(page) {
 async function byMouse({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   await page.click('panels/1');
-  await page.click('transport/play');
   const before = await page.hash();
   const card = await activeRule(page);
   const number = card.id.split('/')[2];
@@ -108,7 +107,7 @@ async function tabTo(page, wanted) {
 
 /** @param {Visit} visit */
 async function byKeyboard({ browser, address }) {
-  const page = await PageDriver.open(browser, address);
+  const page = await PageDriver.open(browser, address, { plays: true });
   const before = await page.hash();
   await page.page.focus('canvas');
   await page.frames(6);

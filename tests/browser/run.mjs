@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Drives the built page in Chromium and Firefox:  node tests/browser/run.mjs [folder, default build/site] [words of the scenarios to run, default all]
+// BROWSER=chromium or BROWSER=firefox drives one of them alone.
 // Leaves pictures of it in build/screenshots. Prints what passed and fails if anything did not.
 import assert from 'node:assert/strict';
 import { readdir, readFile } from 'node:fs/promises';
@@ -63,17 +64,15 @@ async function checkGoldenLinks(page) {
 const wanted = process.argv[3] ?? '';
 const site = process.argv[2] ?? join(ROOT, 'build/site');
 const address = await serve(site);
-/** @type {import('./scenarios.mjs').Visit[]} */
-const visits = [];
-for (const [name, start] of /** @type {const} */ ([['Chromium', startChromium], ['Firefox', startFirefox]])) {
+/** Everything that one browser shows. @param {string} name @param {() => Promise<import('./browsers.mjs').Browser | null>} start */
+async function drive(name, start) {
   const browser = await start();
   if (!browser) {
     await check(`${name} is installed (./dev setup browsers)`, async () => assert.fail('not found'));
-    continue;
+    return null;
   }
-  console.log(`\n${name}: ${await browser.version()}`);
+  console.log(`${name}: ${await browser.version()}`);
   const visit = /** @type {import('./scenarios.mjs').Visit} */ ({ name, browser, site, address, found: {}, link: '', figures: {} });
-  visits.push(visit);
   for (const [claim, body] of SCENARIOS.filter(([text, , only = name]) => text.includes(wanted) && only === name)) await check(`${name}: ${claim}`, () => body(visit));
   await check(`${name}: golden motions and links have their pinned hashes`, async () => {
     const page = await PageDriver.open(browser, address);
@@ -81,20 +80,28 @@ for (const [name, start] of /** @type {const} */ ([['Chromium', startChromium], 
     visit.figures['golden links'] = await checkGoldenLinks(page);
     await page.close();
   });
-  const before = visits[0];
-  if (before !== visit && wanted === '') { // what they found comes from other scenarios
-    await check(`${name} and ${before.name} find the same motions and open each other's links`, async () => {
-      assert.deepEqual(visit.found, before.found);
-      const page = await PageDriver.open(browser, before.link);
-      assert.equal(await page.hash(), before.found.timer);
-      await page.close();
-    });
-  }
   if (name === 'Chromium' && wanted === '') await check(`${name}: pictures of every panel in every theme`, async () => {
     visit.figures.pictures = await takePictures(browser, address);
   });
+  return visit;
+}
+
+const BROWSERS = /** @type {const} */ ({ Chromium: startChromium, Firefox: startFirefox });
+const chosen = Object.entries(BROWSERS).filter(([name]) => [name.toLowerCase(), ''].includes(process.env.BROWSER ?? ''));
+assert.ok(chosen.length > 0, `BROWSER is chromium or firefox, not ${process.env.BROWSER}`);
+// Both at once: they wait more than they compute.
+const [first, ...others] = (await Promise.all(chosen.map(([name, start]) => drive(name, start)))).filter((visit) => visit !== null);
+for (const visit of wanted === '' && first ? others : []) { // what they found comes from other scenarios
+  await check(`${visit.name} and ${first.name} find the same motions and open each other's links`, async () => {
+    assert.deepEqual(visit.found, first.found);
+    const page = await PageDriver.open(visit.browser, first.link);
+    assert.equal(await page.hash(), first.found.timer);
+    await page.close();
+  });
+}
+for (const { name, browser, figures } of [first, ...others]) {
   await browser.close();
-  for (const [what, value] of Object.entries(visit.figures)) console.log(`        ${what}: ${value}`);
+  for (const [what, value] of Object.entries(figures)) console.log(`${name}: ${what}: ${value}`);
 }
 stopAll();
 console.log(`\n${passed} passed, ${failed} failed`);

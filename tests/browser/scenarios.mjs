@@ -88,9 +88,12 @@ export const SCENARIOS = [
   }],
 
   ['the found motion moves on the stage', async ({ page }) => {
+    await page.play(true);
     const before = await page.stage();
     await sleep(400);
     assert.notEqual((await page.stage()).sum, before.sum);
+    await page.play(false);
+    assert.equal((await page.stage()).sum, (await page.stage()).sum, 'a paused motion stands still');
   }],
 
   ['the timer, chosen by a click, gives another search and another motion', async (visit) => {
@@ -202,6 +205,7 @@ export const SCENARIOS = [
   }],
 
   ['the motion can be had in words', async ({ page }) => {
+    await page.page.evaluate(() => { for (let frame = 0; frame < 50; frame++) window.gaitsmith.run('motion/forward'); });
     await page.page.focus('#describe');
     assert.ok(await page.call('seen', () => {
       const box = document.querySelector('#describe')?.getBoundingClientRect();

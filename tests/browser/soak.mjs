@@ -29,7 +29,7 @@ const EDITS = 6; // between two weighings
 const browser = await startChromium();
 if (!browser) throw new Error('Chromium is not installed (./dev setup browsers)');
 const site = await faultySite(folder); // its workers tell of their memory
-const page = await PageDriver.open(browser, site.address(), { before: soaked });
+const page = await PageDriver.open(browser, site.address(), { before: soaked, plays: true });
 const session = await page.page.createCDPSession();
 const home = await page.call('home', () => JSON.stringify({ ...window.gaitsmith.document(), hash: undefined,
   search: { ...window.gaitsmith.document().search, algorithm: 'sphc', seed: 1, evaluations: 3000 } }));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The application in the canvas, for the page: text and numbers in and out of its memory.
+import { NO_REPORT } from './no_report.js';
 import { trLater } from '../languages/language.js';
 
 /** @typedef {import('./app_module.js').AppModule} AppModule */
@@ -73,9 +74,6 @@ import { trLater } from '../languages/language.js';
 /** The whole motion in numbers; sense: of the controller shown, or empty; broke: physics did. @typedef {{terms: Measure[], sense: string, rules: number, broke: boolean}} Measures */
 
 /** Of shell/session/commands.h. @typedef {{id: string, group: string, title: string, whyNot: string, keys: string[]}} CanvasCommand */
-
-// SearchState in shell/search/search_progress.h.
-const STATES = { running: 1, paused: 2, done: 3, stopped: 4, failed: 5 };
 
 // PaletteName in shell/widgets/theme.h.
 const PALETTES = ['light', 'dark', 'strong-light', 'strong-dark'];
@@ -220,32 +218,27 @@ export class App {
 
   /** Nothing came of the search. */
   searchFailed() {
-    this.module._gs_search_progress(STATES.failed, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
+    this.searchProgress({ ...NO_REPORT, state: 'failed' });
   }
 
-  /**
-   * @param {SearchReport} report
-   * @param {Float32Array} curve  pairs (evaluation, best) from the start of the search
-   */
-  searchProgress(report, curve) {
-    const genes = report.bestGenome ?? new Uint16Array(0);
-    const { spread } = report;
-    const saved = report.saved ?? new Uint8Array(0);
-    const numbers = Float32Array.from(spread ? [spread.members, spread.least, spread.lowerQuartile, spread.median,
-      spread.upperQuartile, spread.best] : []);
-    const at = this.#room(curve.byteLength + numbers.byteLength + genes.byteLength + saved.byteLength + 4);
-    const spreadAt = at + curve.byteLength;
-    const genesAt = spreadAt + numbers.byteLength;
-    const savedAt = genesAt + genes.byteLength;
-    const heap = this.module.HEAPU8; // after malloc, which may grow it
-    heap.set(new Uint8Array(curve.buffer, curve.byteOffset, curve.byteLength), at);
-    heap.set(new Uint8Array(numbers.buffer), spreadAt);
-    heap.set(new Uint8Array(genes.buffer, genes.byteOffset, genes.byteLength), genesAt);
-    heap.set(saved, savedAt);
-    this.module._gs_search_progress(STATES[report.state], report.evaluations, report.budget, report.rate,
-      report.secondsLeft, report.bestFitness, at, curve.length / 2, genesAt, genes.length, spread ? spreadAt : 0,
-      savedAt, saved.length);
-    this.module._free(at);
+  /** @param {Omit<SearchReport, 'state'> & {state: SearchReport['state'] | 'failed'}} report  with the whole curve */
+  searchProgress({ bestGenome, curve, saved, ...record }) {
+    const parts = [curve, bestGenome, saved].map((part) => (part ? new Uint8Array(part.buffer, part.byteOffset, part.byteLength) : new Uint8Array(0)));
+    const [curveBytes, genomeBytes, savedBytes] = parts.map(({ length }) => length);
+    const count = curveBytes + genomeBytes + savedBytes;
+    const at = this.#room(Math.max(count, 1));
+    try {
+      let next = at;
+      for (const part of parts) {
+        this.module.HEAPU8.set(part, next); // after malloc, which may grow it
+        next += part.length;
+      }
+      const fault = this.#with(JSON.stringify({ ...record, curveBytes, genomeBytes, savedBytes }),
+        (text) => this.#text(this.module._gs_search_progress(text, at, count)));
+      if (fault) throw new Error(fault);
+    } finally {
+      this.module._free(at);
+    }
   }
 
   /** A part of a transition map. @param {import('../search/messages.js').Mapped} part */

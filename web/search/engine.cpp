@@ -22,6 +22,7 @@
 #include "core/document/json.h"
 #include "core/document/json_value.h"
 #include "core/document/link.h"
+#include "core/document/spread_json.h"
 #include "core/document/transition.h"
 #include "core/search/evaluation_score.h"
 #include "core/search/spread.h"
@@ -91,7 +92,7 @@ struct SearchRole {
   std::size_t genes;
   std::vector<std::size_t> asked;  // genomes of each ask that is not told yet, oldest first
   std::vector<Gene> genomes;       // of the last ask, one after another (asked * genes)
-  std::optional<Spread> spread = {};
+  std::string spread = {};         // as JSON
   std::vector<std::uint8_t> saved;
 };
 
@@ -240,12 +241,13 @@ static_assert(sizeof(Search::CurvePoint) == 8);
 GS_EXPORT std::size_t gs_search_curve_length(const SearchRole* role) { return role->search->Curve().size(); }
 GS_EXPORT const void* gs_search_curve(const SearchRole* role) { return role->search->Curve().data(); }
 
-/// The spread of the population's fitness: an int (members) and five floats (least, lower quartile, median,
-/// upper quartile, best); null where there is none.
-static_assert(sizeof(Spread) == 24);
-GS_EXPORT const Spread* gs_search_spread(SearchRole* role) {
-  role->spread = SpreadOf(role->search->PopulationFitness());
-  return role->spread ? &*role->spread : nullptr;
+/// The spread of the population's fitness as JSON (core/document/spread_json.h), ending with a 0; null where
+/// there is none.
+GS_EXPORT const char* gs_search_spread(SearchRole* role) {
+  const auto spread = SpreadOf(role->search->PopulationFitness());
+  if (!spread) return nullptr;
+  role->spread = SpreadJson(*spread);
+  return role->spread.c_str();
 }
 
 /// The whole state of the search, between a tell and an ask.

@@ -98,9 +98,13 @@ export class Engine {
   /** @param {number} result  null or false means that it failed */
   orThrow(result) {
     if (result) return result;
+    throw new EngineError(JSON.parse(this.textAt(this.module._gs_error())));
+  }
+
+  /** A text that ends with a 0. @param {number} at */
+  textAt(at) {
     const heap = this.module.HEAPU8;
-    const at = this.module._gs_error();
-    throw new EngineError(JSON.parse(new TextDecoder().decode(heap.subarray(at, heap.indexOf(0, at)))));
+    return new TextDecoder().decode(heap.subarray(at, heap.indexOf(0, at)));
   }
 }
 
@@ -190,10 +194,7 @@ export class Search {
   /** How the fitness of the population scatters now. @returns {Spread | null} null where there is none */
   get spread() {
     const at = this.engine.module._gs_search_spread(this.handle);
-    if (!at) return null;
-    const view = new DataView(this.engine.bytesAt(at, 24).buffer);
-    const [least, lowerQuartile, median, upperQuartile, best] = [4, 8, 12, 16, 20].map((offset) => view.getFloat32(offset, true));
-    return { members: view.getInt32(0, true), least, lowerQuartile, median, upperQuartile, best };
+    return at ? JSON.parse(this.engine.textAt(at)) : null;
   }
 
   /** The whole state, to continue later or elsewhere. Only between a tell and an ask. */

@@ -5,7 +5,7 @@
 // what is known. A message that is lost looks like a death, or like a wish that was not heard, and is mended alike.
 import { EngineError } from './engine.js';
 import { grouped, tr, trLater } from '../languages/language.js';
-import { NO_REPORT } from './no_report.js';
+import { NO_REPORT } from '../app/no_report.js';
 import { unreachable } from './messages.js';
 
 /** @typedef {import('./messages.js').CoordinatorToPage} CoordinatorToPage */

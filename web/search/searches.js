@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Searches as the page knows them: the application asks for one, workers run it, and application, status line and
 // listeners hear how far it is.
-import { NO_REPORT } from './no_report.js';
+import { NO_REPORT } from '../app/no_report.js';
 import { compiledEngine, createWorker, hasWorkers } from './compiled_engine.js';
 import { banner } from '../browser/dom.js';
 import { tr, trLater, trSentence } from '../languages/language.js';
@@ -28,7 +28,8 @@ export class Searches extends EventTarget {
   /** @type {SearchClient | null} */
   #client = null;
   #run = 0; // counts starts: what a slow start finds out may be outdated
-  #curve = new Float32Array(0);
+  /** As core stores it. @type {Uint8Array} */
+  #curve = new Uint8Array(0);
   /** @type {SearchWords} */
   #words = { doing: () => '', unit: '', workers: 1 };
   /** What runs is a trial of the lab. @type {Trial | null} */
@@ -86,7 +87,7 @@ export class Searches extends EventTarget {
     this.ended.catch(() => {}); // the banner tells, even if nobody waits
     this.searching = true;
     this.#later = [];
-    this.#curve = new Float32Array(0);
+    this.#curve = new Uint8Array(0);
     this.#trial = trial ?? null;
     this.#queued = queued !== undefined;
     this.#labOver = false;
@@ -140,7 +141,7 @@ export class Searches extends EventTarget {
   /** @param {SearchReport} report */
   #hear(report) {
     const ended = report.state === 'done' || report.state === 'stopped';
-    if (report.curve) this.#curve = pairs(report.curve);
+    if (report.curve) this.#curve = report.curve;
     const trial = this.#trial;
     const words = this.#words;
     const queued = this.#queued;
@@ -150,7 +151,7 @@ export class Searches extends EventTarget {
       this.#end = null;
     }
     try {
-      this.app.searchProgress(report, this.#curve); // at the end of one the next of lab or queue begins in here
+      this.app.searchProgress({ ...report, curve: this.#curve }); // at the end of one the next of lab or queue begins in here
     } catch (error) {
       this.#client?.drop();
       this.#end = end;
@@ -181,16 +182,6 @@ export class Searches extends EventTarget {
     end?.reject(error);
     this.dispatchEvent(new CustomEvent('error', { detail: error }));
   }
-}
-
-/**
- * The curve as the application takes it. Core's points are an int32 and a float32 each.
- * @param {Uint8Array} points
- */
-function pairs(points) {
-  const view = new DataView(points.buffer, points.byteOffset, points.byteLength);
-  return Float32Array.from({ length: points.byteLength / 4 }, (_, i) =>
-    i % 2 === 0 ? view.getInt32(4 * i, true) : view.getFloat32(4 * i, true));
 }
 
 /**

@@ -1,0 +1,113 @@
+# The rooms inside shell/ and web/, and which may use which: every room names only rooms above it here, so there is no circle and
+# no arrow back up. Fails on an include or import that is not in these tables, on a file outside all rooms, and on a room
+# that does not exist.
+#   cmake -DROOT=<repository> -P rooms_test.cmake
+cmake_policy(VERSION 3.25)
+
+# room: rooms it may use
+set(shell_rooms
+    "embedded:"
+    "search:"
+    "study:"
+    "export:"
+    "command_line: embedded search study export"
+    "words:"
+    "session: embedded search study words"
+    "widgets: embedded export words"
+    "stage: words session widgets"
+    "timeline: words session widgets stage"
+    "panels/figure: words session widgets stage"
+    "panels/controller: words session widgets stage"
+    "panels/style: words session widgets stage"
+    "panels/search: words session widgets stage timeline"
+    "panels/lab: words session widgets stage"
+    "app: words session widgets stage timeline panels/figure panels/controller panels/style panels/search panels/lab"
+    "host: embedded search words session widgets stage timeline app")
+set(web_rooms
+    "build:"
+    "browser:"
+    "languages: browser"
+    "app: browser languages"
+    "access: browser languages app"
+    "search: browser languages app access"
+    "storage: browser languages app access"
+    "share: browser languages app search"
+    "page: browser languages app access search storage share"
+    "book: page"
+    "package: search")
+# What these rooms must never include, whatever stands between: the session's tests run without a window.
+set(windowless embedded search study export words session command_line)
+
+set(faults "")
+macro(fault text)
+  string(APPEND faults "\n${text}")
+endmacro()
+
+# Calls found for each arrow of a file: the rooms it reaches.
+function(room_of path rooms result)
+  set(${result} "" PARENT_SCOPE)
+  foreach(room IN LISTS rooms)
+    if(path MATCHES "^${room}/")
+      set(${result} ${room} PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
+
+foreach(top shell web)
+  set(names "")
+  foreach(line IN LISTS ${top}_rooms)
+    string(REGEX MATCH "^([a-z_/]+): *(.*)$" _ "${line}")
+    set(name ${CMAKE_MATCH_1})
+    string(REPLACE " " ";" uses "${CMAKE_MATCH_2}")
+    foreach(use IN LISTS uses)
+      if(NOT use IN_LIST names)
+        fault("${top}/${name} uses ${use}, which does not stand above it in the table")
+      endif()
+    endforeach()
+    if(NOT IS_DIRECTORY ${ROOT}/${top}/${name})
+      fault("there is no room ${top}/${name}")
+    endif()
+    list(APPEND names ${name})
+    set(${top}_uses_${name} ${uses})
+  endforeach()
+
+  file(GLOB_RECURSE files RELATIVE ${ROOT}/${top} ${ROOT}/${top}/*.h ${ROOT}/${top}/*.cpp ${ROOT}/${top}/*.js ${ROOT}/${top}/*.mjs)
+  list(FILTER files EXCLUDE REGEX "node_modules/")
+  foreach(file IN LISTS files)
+    room_of(${file} "${names}" room)
+    if(room STREQUAL "" AND NOT file STREQUAL "engine.js") # at the root for programs outside, which know its address
+      fault("${top}/${file} lies in no room")
+    endif()
+    if(file MATCHES "\\.(js|mjs)$")
+      file(READ ${ROOT}/${top}/${file} text)
+      string(REGEX REPLACE "/\\*[^*]*\\*+([^/*][^*]*\\*+)*/" "" text "${text}") # types in comments draw no arrow
+      string(REGEX MATCHALL "(from|import|import\\() ?'\\.[^']*'" arrows "${text}")
+    else()
+      file(STRINGS ${ROOT}/${top}/${file} arrows REGEX "^[ \t]*#[ \t]*include")
+      if(room IN_LIST windowless AND arrows MATCHES "imgui|SDL|GLES")
+        fault("${top}/${file} includes a window's library")
+      endif()
+    endif()
+    foreach(arrow IN LISTS arrows)
+      set(target "")
+      if(arrow MATCHES "'(\\.[^']*)'")
+        set(target ${CMAKE_MATCH_1})
+        cmake_path(GET file PARENT_PATH folder)
+        cmake_path(ABSOLUTE_PATH target BASE_DIRECTORY /${folder} NORMALIZE)
+        string(SUBSTRING ${target} 1 -1 target)
+      elseif(arrow MATCHES "\"${top}/([^\"]*)\"")
+        set(target ${CMAKE_MATCH_1})
+      endif()
+      if(NOT target STREQUAL "")
+        room_of(${target} "${names}" reached)
+        if(NOT reached STREQUAL room AND NOT reached IN_LIST ${top}_uses_${room} AND NOT room STREQUAL "")
+          fault("${top}/${file} reaches ${target}: ${room} may use ${${top}_uses_${room}}")
+        endif()
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
+
+if(faults)
+  message(FATAL_ERROR "walls between rooms:${faults}")
+endif()

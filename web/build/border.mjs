@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// The types of the two WebAssembly modules, made from the C++ sources that export the functions: what stands there is written
+// nowhere else. tests/web/border.test.mjs compares them with what the compiled modules export.
+//
+//   node web/build/border.mjs            writes search/engine_module.d.ts and app/app_module.d.ts
+//   node web/build/border.mjs --check    fails when they are not what the sources say
+import { readFile, writeFile } from 'node:fs/promises';
+import { join, relative } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+
+const ROOT = fileURLToPath(new URL('../../', import.meta.url));
+
+/** @typedef {{name: string, result: string, parameters: {name: string, type: string}[], comment: string[]}} ExportedFunction */
+
+/** A module: the C++ sources that export its functions, how an export is marked there, and the types around them, written by hand. */
+export const MODULES = [
+  { sources: ['web/search/engine.cpp'], mark: 'GS_EXPORT', name: 'EngineModule', types: 'web/search/engine_module.d.ts', around: 'web/search/engine_module.frame.d.ts' },
+  { sources: ['shell/host/page.cpp', 'shell/host/page_typeface.cpp'], mark: 'EMSCRIPTEN_KEEPALIVE', name: 'AppModule', types: 'web/app/app_module.d.ts', around: 'web/app/app_module.frame.d.ts' },
+];
+
+/** @param {string} type  of C++, without a name */
+function scriptType(type) {
+  if (type.includes('*')) return 'Pointer';
+  if (type === 'void') return 'void';
+  if (/^(bool|int|float|double|std::(u?int(8|16|32)_t|size_t))$/.test(type)) return 'number';
+  throw new Error(`border: no type of JavaScript is known for ${type}`);
+}
+
+/** @param {string} declaration  "const float* curve" @returns {{name: string, type: string}} */
+function parameter(declaration) {
+  const match = /^(.*?[\s*])([a-z_0-9]+)$/.exec(declaration.trim());
+  if (!match) throw new Error(`border: ${declaration} is no parameter with a name`);
+  return { name: match[2].replace(/_([a-z])/g, (_, letter) => letter.toUpperCase()), type: scriptType(match[1].trim()) };
+}
+
+/** @param {string} source @param {string} mark @returns {ExportedFunction[]} in the source's order */
+export function exportedFunctions(source, mark) {
+  const pattern = new RegExp(`((?:^[ \\t]*///.*\\n)*)(?:^static_assert.*\\n)*^${mark}\\s+([^(;]*?[\\s*])(gs_[a-z_]+)\\(([^)]*)\\)`, 'gm');
+  return [...source.matchAll(pattern)].map(([, comment, result, name, parameters]) => ({
+    name,
+    result: scriptType(result.trim()),
+    parameters: parameters.trim() === '' ? [] : parameters.split(',').map(parameter),
+    comment: comment.split('\n').filter(Boolean).map((line) => line.replace(/^\s*\/\/\/ ?/, '')),
+  }));
+}
+
+/** @param {ExportedFunction} exported */
+function declaration({ name, result, parameters, comment }) {
+  const said = comment.length === 0 ? '' : comment.length === 1 ? `  /** ${comment[0]} */\n` : `  /**\n${comment.map((line) => `   * ${line}\n`).join('')}   */\n`;
+  return `${said}  _${name}(${parameters.map((each) => `${each.name}: ${each.type}`).join(', ')}): ${result};\n`;
+}
+
+/** @param {typeof MODULES[number]} module @returns {Promise<string>} the text of its types */
+export async function typesOf({ sources, mark, name, around }) {
+  const texts = await Promise.all(sources.map((source) => readFile(join(ROOT, source), 'utf8')));
+  const functions = texts.flatMap((text) => exportedFunctions(text, mark));
+  const frame = await readFile(join(ROOT, around), 'utf8');
+  const place = `export interface ${name} {\n`;
+  if (!frame.includes(place)) throw new Error(`border: ${around} has no interface ${name}`);
+  return `// Written by web/build/border.mjs from ${sources.join(', ')} and ${around}: change those.\n`
+    + frame.replace(place, () => `${place}${functions.map(declaration).join('')}\n`);
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
+  for (const module of MODULES) {
+    const text = await typesOf(module);
+    const path = join(ROOT, module.types);
+    if (process.argv[2] !== '--check') await writeFile(path, text);
+    else if (await readFile(path, 'utf8').catch(() => '') !== text) {
+      console.error(`border: ${relative(ROOT, path)} is not what ${module.sources.join(', ')} says; run node web/build/border.mjs`);
+      process.exitCode = 1;
+    }
+  }
+}
