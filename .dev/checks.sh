@@ -39,13 +39,13 @@ replay_motions() {
   done
 }
 
-# Every compiler and optimisation level replays them, in every lane count, and the command line keeps its contract there. dev is gcc
-# -O1, release gcc -O3.
+# Every compiler and optimisation level replays them, in every lane count, and the command line keeps its contract there. The
+# build of the tests is gcc -O1, release gcc -O3, and the linter's clang -O0.
 check_determinism() {
   local name compiler flags
   while read -r name compiler flags; do
     case $name in
-      dev | release) cmake --preset "$name" >/dev/null ;;
+      tests | release | tidy) cmake --preset "$name" >/dev/null ;;
       *-avx2)
         if ! grep -qw avx2 /proc/cpuinfo 2>/dev/null; then say "$name: not on this processor"; continue; fi ;&
       *) cmake -G Ninja -B "build/$name" -DCMAKE_UNITY_BUILD=ON -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS_DEBUG="$flags" >/dev/null ;;
@@ -54,11 +54,11 @@ check_determinism() {
     replay_motions "$name" "build/$name/shell/gaitsmith"
     tests/command_line/contract_test.sh "build/$name/shell/gaitsmith" . </dev/null
   done <<MATRIX
-dev
+tests
 release
+tidy
 gcc-O0 g++ -O0
 gcc-O2 g++ -O2
-clang-O0 clang++-$LLVM -O0
 clang-O2 clang++-$LLVM -O2
 clang-O3-avx2 clang++-$LLVM -O3 -march=x86-64-v3
 gcc-O3-avx2 g++ -O3 -march=x86-64-v3
@@ -70,14 +70,14 @@ check_aarch64() {
   local search here there qemu=(qemu-aarch64-static build/aarch64/shell/gaitsmith)
   command -v apt-get >/dev/null || leave_out "no apt here: aarch64 under qemu is left out"
   apt_need "${AARCH64[@]}"
-  cmake --preset dev >/dev/null
-  cmake --build build/dev --target gaitsmith
+  cmake --preset tests >/dev/null
+  cmake --build build/tests --target gaitsmith
   cmake -G Ninja -B build/aarch64 -DCMAKE_UNITY_BUILD=ON -DCMAKE_BUILD_TYPE=Release -DCMAKE_TOOLCHAIN_FILE=.dev/aarch64.cmake >/dev/null
   cmake --build build/aarch64 --target gaitsmith
   replay_motions aarch64 "${qemu[@]}"
   for search in sphc cma-es ssga; do
     echo "aarch64: $search"
-    here=$(build/dev/shell/gaitsmith synthesize --search "$search" --evaluations 400 --out -)
+    here=$(build/tests/shell/gaitsmith synthesize --search "$search" --evaluations 400 --out -)
     there=$("${qemu[@]}" synthesize --search "$search" --evaluations 400 --out -)
     [ "$here" = "$there" ] || die "$search finds another motion on aarch64"
   done
@@ -107,6 +107,7 @@ check_book() {
 }
 
 check_browsers() { node tests/browser/run.mjs; }
+main_scenarios() { BROWSER=chromium node tests/browser/run.mjs build/site --main; }
 
 # Long enough to see a leak; ./dev soak takes its time.
 check_soak() { node tests/browser/soak.mjs 120; }
@@ -115,35 +116,78 @@ check_soak() { node tests/browser/soak.mjs 120; }
 LEFT_OUT=77
 leave_out() { say "$*"; exit $LEFT_OUT; }
 
-# A stage stops at its first failure; the later stages still run.
-passed=0 left_out=0 failed=()
+# What each stage came to, a line each: "<seconds> <passed|left-out|failed> <name>". A stage stops at its first failure; the
+# later stages still run.
+RESULTS=build/test-results.txt
 stage() {
-  local name=$1 start=$SECONDS status=0; shift
+  local name=$1 start=$SECONDS status=0 result; shift
   printf '\n######## %s\n' "$name"
   set +e; ( set -e; "$@" ); status=$?; set -e
-  if [ $status = 0 ]; then passed=$((passed + 1)); printf '######## %s: passed, %d s\n' "$name" $((SECONDS - start))
-  elif [ $status = $LEFT_OUT ]; then left_out=$((left_out + 1)); printf '######## %s: left out\n' "$name"
-  else failed+=("$name"); printf '######## %s: FAILED, %d s\n' "$name" $((SECONDS - start)); fi
+  case $status in
+    0) result=passed ;;
+    "$LEFT_OUT") result=left-out ;;
+    *) result=failed ;;
+  esac
+  printf '%d %s %s\n' $((SECONDS - start)) "$result" "$name" >>"$RESULTS"
+  printf '######## %s: %s, %d s\n' "$name" "$result" $((SECONDS - start))
+}
+
+# Fails with how much each stage took, and on how many stages passed.
+summary() {
+  local passed left_out failed
+  passed=$(grep -c ' passed ' "$RESULTS" || true)
+  left_out=$(grep -c ' left-out ' "$RESULTS" || true)
+  failed=$(grep -c ' failed ' "$RESULTS" || true)
+  printf '\n%7s  %-9s %s\n' seconds result stage
+  while read -r seconds result name; do printf '%7d  %-9s %s\n' "$seconds" "$result" "$name"; done <"$RESULTS"
+  printf '%7d  in all\n\n' $SECONDS
+  printf '%d passed, %d left out, %d failed\n' "$passed" "$left_out" "$failed"
+  [ "$failed" = 0 ]
+}
+
+begin_stages() {
+  mkdir -p build
+  : >"$RESULTS"
+  stage set-up setup
+  stage "set-up of the browsers" setup_browsers
+}
+
+# What needs the built page mostly waits, so it runs beside the compilers.
+page_stages() {
+  stage book check_book
+  stage browsers check_browsers
+  stage soak check_soak
 }
 
 test_everything() {
-  stage set-up setup
-  stage "set-up of the browsers" setup_browsers
+  local page_lane
+  begin_stages
+  stage "tests (WASM)" cmake --workflow --preset wasm
+  stage site build_site
+  page_stages >build/page-stages.log 2>&1 &
+  page_lane=$!
   stage lint lint
-  stage "tests (dev)" cmake --workflow --preset dev
+  stage "tests (gcc)" cmake --workflow --preset tests
   stage "tests (sanitizers)" cmake --workflow --preset asan
   stage threads check_threads
   stage determinism check_determinism
   stage aarch64 check_aarch64
   stage "instruction count" check_instructions
+  stage fuzz fuzz 10
+  say "waiting for the stages of the page"
+  wait "$page_lane" || true
+  cat build/page-stages.log
+  summary
+}
+
+# Between two commits: what most mistakes show up in.
+test_quickly() {
+  begin_stages
+  stage format check_format
+  stage types check_types
+  stage "tests (gcc)" cmake --workflow --preset tests
   stage "tests (WASM)" cmake --workflow --preset wasm
   stage site build_site
-  stage book check_book
-  stage browsers check_browsers
-  stage soak check_soak
-  stage fuzz fuzz 10
-  printf '\n'
-  [ ${#failed[@]} = 0 ] || printf 'failed: %s\n' "${failed[@]}"
-  printf '%d passed, %d left out, %d failed\n' "$passed" "$left_out" ${#failed[@]}
-  [ ${#failed[@]} = 0 ]
+  stage "browser" main_scenarios
+  summary
 }

@@ -41,7 +41,10 @@ export class PageDriver {
       }
     });
     page.on('pageerror', (error) => complaints.push(`uncaught: ${error}`));
-    page.on('requestfailed', (request) => complaints.push(`request failed: ${request.url()}`));
+    // A page that is left takes back what it has asked for.
+    page.on('requestfailed', (request) => {
+      if (!/ABORTED/i.test(request.failure()?.errorText ?? '')) complaints.push(`request failed: ${request.url()}`);
+    });
     page.on('response', (response) => {
       if (response.status() >= 400) complaints.push(`${response.status()}: ${response.url()}`);
     });
@@ -83,6 +86,11 @@ export class PageDriver {
   async play(playing) {
     const label = (await this.widgets()).find(({ id }) => id === 'transport/play')?.label;
     if (label && (label === 'Play') === playing) await this.page.evaluate(() => window.gaitsmith.run('motion/play'));
+  }
+
+  /** Steps through the motion. @param {number} frames */
+  forward(frames) {
+    return this.page.evaluate((steps) => { for (let step = 0; step < steps; step++) window.gaitsmith.run('motion/forward'); }, frames);
   }
 
   async close() { await this.page.browserContext().close(); }

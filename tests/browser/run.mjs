@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Drives the built page in Chromium and Firefox:  node tests/browser/run.mjs [folder, default build/site] [words of the scenarios to run, default all]
+// Drives the built page in Chromium and Firefox:  node tests/browser/run.mjs [folder, default build/site] [words of the scenarios to run, default all;
+// or --main: a whole visit and no more]
 // BROWSER=chromium or BROWSER=firefox drives one of them alone.
 // Leaves pictures of it in build/screenshots. Prints what passed and fails if anything did not.
 import assert from 'node:assert/strict';
@@ -7,7 +8,7 @@ import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { PageDriver } from './page_driver.mjs';
 import { ROOT, serve, startChromium, startFirefox, stopAll } from './browsers.mjs';
-import { SCENARIOS } from './scenarios.mjs';
+import { MAIN_SCENARIOS, SCENARIOS } from './scenarios.mjs';
 import { takePictures } from './pictures.mjs';
 import { nativeHash } from './native.mjs';
 
@@ -61,7 +62,10 @@ async function checkGoldenLinks(page) {
   return count;
 }
 
-const wanted = process.argv[3] ?? '';
+const main = process.argv[3] === '--main';
+const wanted = main ? '' : process.argv[3] ?? '';
+const whole = !main && wanted === '';
+const scenarios = main ? MAIN_SCENARIOS : SCENARIOS;
 const site = process.argv[2] ?? join(ROOT, 'build/site');
 const address = await serve(site);
 /** Everything that one browser shows. @param {string} name @param {() => Promise<import('./browsers.mjs').Browser | null>} start */
@@ -73,14 +77,14 @@ async function drive(name, start) {
   }
   console.log(`${name}: ${await browser.version()}`);
   const visit = /** @type {import('./scenarios.mjs').Visit} */ ({ name, browser, site, address, found: {}, link: '', figures: {} });
-  for (const [claim, body] of SCENARIOS.filter(([text, , only = name]) => text.includes(wanted) && only === name)) await check(`${name}: ${claim}`, () => body(visit));
+  for (const [claim, body] of scenarios.filter(([text, , only = name]) => text.includes(wanted) && only === name)) await check(`${name}: ${claim}`, () => body(visit));
   await check(`${name}: golden motions and links have their pinned hashes`, async () => {
     const page = await PageDriver.open(browser, address);
     visit.figures['golden motions'] = await checkGoldens(page);
     visit.figures['golden links'] = await checkGoldenLinks(page);
     await page.close();
   });
-  if (name === 'Chromium' && wanted === '') await check(`${name}: pictures of every panel in every theme`, async () => {
+  if (name === 'Chromium' && whole) await check(`${name}: pictures of every panel in every theme`, async () => {
     visit.figures.pictures = await takePictures(browser, address);
   });
   return visit;
@@ -91,7 +95,7 @@ const chosen = Object.entries(BROWSERS).filter(([name]) => [name.toLowerCase(), 
 assert.ok(chosen.length > 0, `BROWSER is chromium or firefox, not ${process.env.BROWSER}`);
 // Both at once: they wait more than they compute.
 const [first, ...others] = (await Promise.all(chosen.map(([name, start]) => drive(name, start)))).filter((visit) => visit !== null);
-for (const visit of wanted === '' && first ? others : []) { // what they found comes from other scenarios
+for (const visit of whole && first ? others : []) { // what they found comes from other scenarios
   await check(`${visit.name} and ${first.name} find the same motions and open each other's links`, async () => {
     assert.deepEqual(visit.found, first.found);
     const page = await PageDriver.open(visit.browser, first.link);

@@ -51,8 +51,9 @@ import { nativeHash } from './native.mjs';
 /** The searches of these tests are short: what they claim does not depend on length. */
 const EVALUATIONS = 8000;
 
-/** What is claimed, how it is seen, and the only browser that can show it, if it is one. @type {[string, (visit: Visit) => Promise<void>, string?][]} */
-export const SCENARIOS = [
+/** What is claimed, how it is seen, and the only browser that can show it, if it is one. @typedef {[string, (visit: Visit) => Promise<void>, string?]} Scenario */
+/** A whole visit in a few minutes. @type {Scenario[]} */
+export const MAIN_SCENARIOS = [
   ['opens without a complaint, and draws', async (visit) => {
     visit.page = await PageDriver.open(visit.browser, visit.address);
     visit.figures['open to first frame, ms'] = await visit.page.call('mark', () =>
@@ -205,7 +206,7 @@ export const SCENARIOS = [
   }],
 
   ['the motion can be had in words', async ({ page }) => {
-    await page.page.evaluate(() => { for (let frame = 0; frame < 50; frame++) window.gaitsmith.run('motion/forward'); });
+    await page.forward(50);
     await page.page.focus('#describe');
     assert.ok(await page.call('seen', () => {
       const box = document.querySelector('#describe')?.getBoundingClientRect();
@@ -224,6 +225,7 @@ export const SCENARIOS = [
       const document = window.gaitsmith.document();
       window.gaitsmith.open({ ...document, task: { ...document.task, weights: { slip_sum: 0.5, upright: 4 } } });
     });
+    await fresh.forward(200);
     const before = await fresh.hash();
     await fresh.click('panels/2');
     const note = (await fresh.widgets()).find(({ id }) => id === 'style/score');
@@ -251,6 +253,11 @@ export const SCENARIOS = [
     await fresh.close();
   }],
 
+];
+
+/** All of them. @type {Scenario[]} */
+export const SCENARIOS = [
+  ...MAIN_SCENARIOS,
   ...LAB_SCENARIOS,
   ...HISTORY_SCENARIOS,
   ...KEPT_WORK_SCENARIOS,
