@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <tuple>
 
 #include "core/document/archive.h"
 #include "core/document/schema.h"
@@ -16,7 +17,9 @@ namespace {
 constexpr std::size_t kHeaderBytes = 4;
 constexpr std::size_t kChecksumBytes = 4;
 constexpr int kModelBits = 5;
-constexpr int kChoiceBits = 4;  // more than any choice needs now: names are added without a new version
+// Of the index of a choice's name. Names are added without a new version: the 16th and later ones take 8 bits
+// more.
+constexpr int kChoiceBits = 4;
 
 class BinaryWriter : public Archive {
  public:
@@ -48,8 +51,10 @@ class BinaryWriter : public Archive {
     since_ = outside;
   }
   template <class Enum, class Names>
-  void Choice(std::string_view, Enum& value, const Names&, Enum standard) {
-    if (!Standard(value == standard)) bits_.Put(static_cast<std::uint64_t>(value), kChoiceBits);
+  void Choice(std::string_view, Enum& value, const Names& names, Enum standard) {
+    static_assert(std::tuple_size_v<Names> <= LongestTable(kChoiceBits));
+    static_cast<void>(names);
+    if (!Standard(value == standard)) bits_.PutIndex(static_cast<std::size_t>(value), kChoiceBits);
   }
   void Text(std::string_view, std::string& text) {
     bits_.Put(text.size(), 7);
@@ -135,7 +140,7 @@ class BinaryReader : public Archive {
   void Choice(std::string_view name, Enum& value, const Names& names, Enum standard) {
     value = standard;
     if (!Given(name)) return;
-    const auto index = static_cast<std::int64_t>(bits_.Take(kChoiceBits));
+    const auto index = static_cast<std::int64_t>(bits_.TakeIndex(kChoiceBits));
     CheckInteger(name, index, 0, static_cast<std::int64_t>(names.size()) - 1);
     CheckLeft(name);
     if (Ok()) value = static_cast<Enum>(index);

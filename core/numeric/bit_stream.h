@@ -2,6 +2,7 @@
 // Packs numbers into as few bits as their range needs, and takes them out again. Least significant bit first.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -18,6 +19,13 @@ class BitWriter {
       bytes_.back() = static_cast<std::uint8_t>(bytes_.back() | (((value >> i) & 1u) << used_));
       used_ = (used_ + 1) % 8;
     }
+  }
+  /// An index into a table that may grow: `bits` while it is below 2^bits - 1; else all ones and 8 bits more.
+  /// @param index [0, LongestTable(bits))
+  void PutIndex(std::size_t index, int bits) {
+    const std::size_t escape = (std::size_t{1} << bits) - 1;
+    Put(std::min(index, escape), bits);
+    if (index >= escape) Put(index - escape, 8);
   }
   [[nodiscard]] const std::vector<std::uint8_t>& Bytes() const { return bytes_; }
 
@@ -42,6 +50,12 @@ class BitReader {
     }
     return value;
   }
+  /// As BitWriter::PutIndex has written it.
+  std::size_t TakeIndex(int bits) {
+    const std::size_t escape = (std::size_t{1} << bits) - 1;
+    const auto index = static_cast<std::size_t>(Take(bits));
+    return index < escape ? index : escape + static_cast<std::size_t>(Take(8));
+  }
   [[nodiscard]] bool Overrun() const { return overrun_; }
   /// All bytes were used, but for less than a byte of zeros.
   [[nodiscard]] bool AtEnd() {
@@ -54,6 +68,9 @@ class BitReader {
   std::size_t at_ = 0;
   bool overrun_ = false;
 };
+
+/// Rows of the longest table whose indices PutIndex can write with so many bits.
+[[nodiscard]] constexpr std::size_t LongestTable(int bits) { return (std::size_t{1} << bits) - 1 + 256; }
 
 /// Bits needed to tell apart `count` values.
 [[nodiscard]] constexpr int BitsFor(std::uint64_t count) {

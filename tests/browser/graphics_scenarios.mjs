@@ -27,7 +27,7 @@ function counted() {
  * @param {Visit} visit
  */
 async function framesMakeNothing({ browser, address }) {
-  const page = await PageDriver.open(browser, address, { before: counted });
+  const page = await PageDriver.open(browser, address, { before: counted, plays: true });
   const tally = () => page.call('counts', () => {
     const { testMade, testFences, testDraws } = /** @type {any} */ (window);
     return { made: testMade, fences: testFences, draws: testDraws };

@@ -3,7 +3,7 @@
 //
 //   node web/package/pack.mjs <folder of the built engine> <folder for the package>
 import { execFileSync } from 'node:child_process';
-import { copyFile, mkdir, mkdtemp, readFile, rm } from 'node:fs/promises';
+import { copyFile, mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -16,9 +16,13 @@ if (!out) throw new Error('pack: from which folder, and where to?');
 
 const folder = await mkdtemp(join(tmpdir(), 'gaitsmith-engine-'));
 try {
-  for (const name of ['package.json', 'README.md', 'example.js', 'example.html']) await copyFile(join(HERE, name), join(folder, name));
+  for (const name of ['README.md', 'example.js', 'example.html']) await copyFile(join(HERE, name), join(folder, name));
   for (const name of ['engine.js', 'engine_module.js', 'engine_module.wasm']) await copyFile(join(built, 'search', name), join(folder, name));
   await copyFile(join(WEB, '../LICENSE'), join(folder, 'LICENSE'));
+  const version = /project\(gaitsmith VERSION (\S+)/.exec(await readFile(join(WEB, '../CMakeLists.txt'), 'utf8'))?.[1];
+  if (!version) throw new Error('pack: CMakeLists.txt has no version');
+  const { name, ...description } = JSON.parse(await readFile(join(HERE, 'package.json'), 'utf8'));
+  await writeFile(join(folder, 'package.json'), `${JSON.stringify({ name, version, ...description }, null, 2)}\n`);
   await copyFile(join(WEB, 'search/engine_module.d.ts'), join(folder, 'engine_module.d.ts'));
 
   const source = join(WEB, 'search/engine.js');
@@ -31,7 +35,6 @@ try {
 
   await mkdir(out, { recursive: true });
   execFileSync('npm', ['pack', '--loglevel=error', '--pack-destination', out], { cwd: folder, stdio: ['ignore', 'ignore', 'inherit'] });
-  const { name, version } = JSON.parse(await readFile(join(HERE, 'package.json'), 'utf8'));
   console.log(`== ${name}-${version}.tgz`);
 } finally {
   await rm(folder, { recursive: true });
