@@ -132,7 +132,7 @@ async function oneOrder({ browser, address }) {
 
 /** @param {Visit} visit */
 async function saidInWords({ browser, address }) {
-  const page = await PageDriver.open(browser, address, { before: noteSaid });
+  const page = await PageDriver.open(browser, address, { before: noteSaid, plays: true });
   const said = () => page.call('said', () => /** @type {string[]} */ (/** @type {any} */ (window).testSaid));
   const description = () => page.text('#description');
   await sleep(2500);
@@ -179,7 +179,7 @@ function noteSaid() {
 /** @param {Visit} visit */
 async function stillness({ browser, address, name }) {
   if (name === 'Firefox') return; // takes no such wish from a test
-  const page = await PageDriver.open(browser, address);
+  const page = await PageDriver.open(browser, address, { plays: true });
   await page.page.emulateMediaFeatures([{ name: 'prefers-reduced-motion', value: 'reduce' }]);
   await page.reload();
   await sleep(500);
@@ -198,7 +198,7 @@ async function stillness({ browser, address, name }) {
 
 /** @param {Visit} visit */
 async function cheap({ browser, address, figures }) {
-  const page = await PageDriver.open(browser, address, { before: timeMirror });
+  const page = await PageDriver.open(browser, address, { before: timeMirror, plays: true });
   await page.call('mark', () => { /** @type {any} */ (window).testMirrorMs.length = 0; });
   await sleep(4000);
   const times = await page.call('times', () => /** @type {number[]} */ (/** @type {any} */ (window).testMirrorMs));
