@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/physics/task.h"
+#include "core/rollout/task.h"
 #include "core/search/search.h"
 #include "core/search/spread.h"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/numeric/error.h"
-#include "core/physics/motion.h"
+#include "core/rollout/motion.h"
 #include "core/search/search.h"
 
 namespace gaitsmith {

@@ -9,8 +9,8 @@
 #include "core/control/controllers.h"
 #include "core/physics/environment.h"
 #include "core/physics/ground.h"
-#include "core/physics/task.h"
 #include "core/physics/trajectory_hash.h"
+#include "core/rollout/task.h"
 
 namespace gaitsmith {
 

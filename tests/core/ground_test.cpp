@@ -4,9 +4,9 @@
 #include <catch_amalgamated.hpp>
 #include <cmath>
 
-#include "core/physics/ground_use.h"
-#include "core/physics/motion.h"
 #include "core/physics/simulation.h"
+#include "core/rollout/ground_use.h"
+#include "core/rollout/motion.h"
 #include "tests/reference/free_flight.h"
 #include "tests/scene.h"
 

@@ -4,8 +4,8 @@
 #include <catch_amalgamated.hpp>
 
 #include "core/document/json.h"
-#include "core/physics/evaluator.h"
 #include "core/physics/simulation.h"
+#include "core/rollout/evaluator.h"
 #include "tests/scene.h"
 
 namespace gaitsmith::test {

@@ -7,7 +7,7 @@
 
 #include "core/document/binary.h"
 #include "core/document/json.h"
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 #include "tests/scene.h"
 
 namespace gaitsmith::test {

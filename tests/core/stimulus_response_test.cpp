@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/control/bank.h"
-#include "core/physics/evaluator.h"
 #include "core/physics/simulation.h"
+#include "core/rollout/evaluator.h"
 #include "core/search/operators.h"
 #include "tests/scene.h"
 

@@ -5,7 +5,7 @@
 #include <catch_amalgamated.hpp>
 
 #include "core/numeric/bit_stream.h"
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 #include "shell/parallel_search.h"
 #include "tests/scene.h"
 #include "tests/shell/quiet_host.h"

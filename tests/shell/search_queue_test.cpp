@@ -7,7 +7,7 @@
 
 #include "core/document/binary.h"
 #include "core/document/link.h"
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 #include "shell/found_motions.h"
 #include "shell/spread_curve.h"
 #include "tests/scene.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/physics/mirror_image.h"
+#include "core/rollout/mirror_image.h"
 
 #include <algorithm>
 

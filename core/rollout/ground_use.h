@@ -2,7 +2,7 @@
 // How a recorded motion uses the ground: what tells a cartwheel from a somersault.
 #pragma once
 
-#include "core/physics/motion.h"
+#include "core/rollout/motion.h"
 
 namespace gaitsmith {
 

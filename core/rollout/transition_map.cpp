@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "core/physics/transition_map.h"
+#include "core/rollout/transition_map.h"
 
 #include <optional>
 
-#include "core/physics/beginning.h"
-#include "core/physics/evaluator.h"
 #include "core/physics/simulation.h"
-#include "core/physics/style_meter.h"
+#include "core/rollout/beginning.h"
+#include "core/rollout/evaluator.h"
+#include "core/rollout/style_meter.h"
 
 namespace gaitsmith {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 
 #include <algorithm>
 
-#include "core/physics/beginning.h"
-#include "core/physics/evaluator_width.h"
+#include "core/rollout/beginning.h"
+#include "core/rollout/evaluator_width.h"
 
 namespace gaitsmith {
 

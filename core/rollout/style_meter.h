@@ -7,7 +7,7 @@
 #include <array>
 
 #include "core/physics/motion_state.h"
-#include "core/physics/task.h"
+#include "core/rollout/task.h"
 
 namespace gaitsmith {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Evaluators of every width, in a file of their own: a program that asks for none does not carry them.
-#include "core/physics/evaluator_width.h"
+#include "core/rollout/evaluator_width.h"
 
 namespace gaitsmith {
 

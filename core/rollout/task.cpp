@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/physics/task.h"
+#include "core/rollout/task.h"
 
 #include <cmath>
 

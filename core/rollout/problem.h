@@ -7,7 +7,7 @@
 #include "core/control/controller.h"
 #include "core/physics/environment.h"
 #include "core/physics/figure.h"
-#include "core/physics/task.h"
+#include "core/rollout/task.h"
 
 namespace gaitsmith {
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "core/physics/problem.h"
 #include "core/physics/skeleton.h"
+#include "core/rollout/problem.h"
 
 namespace gaitsmith {
 

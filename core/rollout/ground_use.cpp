@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/physics/ground_use.h"
+#include "core/rollout/ground_use.h"
 
 #include <array>
 

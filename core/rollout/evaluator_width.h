@@ -6,9 +6,9 @@
 #include <array>
 #include <optional>
 
-#include "core/physics/evaluator.h"
 #include "core/physics/simulation.h"
-#include "core/physics/style_meter.h"
+#include "core/rollout/evaluator.h"
+#include "core/rollout/style_meter.h"
 
 namespace gaitsmith {
 

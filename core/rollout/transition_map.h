@@ -7,8 +7,8 @@
 
 #include "core/control/controllers.h"
 #include "core/physics/motion_state.h"
-#include "core/physics/problem.h"
 #include "core/physics/skeleton.h"
+#include "core/rollout/problem.h"
 
 namespace gaitsmith {
 

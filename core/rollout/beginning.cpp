@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "core/physics/beginning.h"
+#include "core/rollout/beginning.h"
 
-#include "core/physics/evaluator.h"
 #include "core/physics/simulation.h"
+#include "core/rollout/evaluator.h"
 
 namespace gaitsmith {
 

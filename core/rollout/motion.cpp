@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "core/physics/motion.h"
+#include "core/rollout/motion.h"
 
 #include <algorithm>
 #include <bit>
 #include <utility>
 
-#include "core/physics/evaluator.h"
 #include "core/physics/simulation.h"
-#include "core/physics/style_meter.h"
+#include "core/rollout/evaluator.h"
+#include "core/rollout/style_meter.h"
 
 namespace gaitsmith {
 

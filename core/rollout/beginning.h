@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/physics/motion_state.h"
-#include "core/physics/problem.h"
 #include "core/physics/skeleton.h"
+#include "core/rollout/problem.h"
 
 namespace gaitsmith {
 
