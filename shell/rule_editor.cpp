@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/control/rule_edit.h"
-#include "core/control/sense_scale.h"
 #include "core/numeric/scalar_math.h"
+#include "core/rollout/figure_senses.h"
 #include "shell/language.h"
 #include "shell/pose_board.h"
 #include "shell/rule_card.h"

@@ -57,6 +57,9 @@ struct Document {
 /// Checks every number, name and reference. The first fault is returned: where and what.
 [[nodiscard]] Result<void> Validate(const Document&);
 
+/// Who acts where in a document, as a motion takes it. @param document valid; must outlive the script
+[[nodiscard]] Script ScriptOf(const Document& document);
+
 /// The motion the document describes. @param document valid
 [[nodiscard]] Motion Simulate(const Document& document);
 

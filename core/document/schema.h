@@ -74,11 +74,15 @@ void Describe(Archive& ar, Task& task) {
   ar.Choice("kind", task.kind, kTaskNames, standard.kind);
   ar.Integer("duration_steps", task.duration_steps, 1, kMaxSteps, standard.duration_steps);
   ar.Group("weights", [&] {
-    const auto weight = [&](std::size_t term) {
-      ar.Real(kStyleTermNames[term], task.weights[term], -1000.0f, 1000.0f, 0.0f);
-    };
-    for (std::size_t term = 0; term < kPaperTerms; ++term) weight(term);
-    for (std::size_t term = kPaperTerms; term < kStyleTerms; ++term) ar.Since(2, [&] { weight(term); });
+    for (std::size_t term = 0; term < kStyleTerms; ++term) {
+      const StyleTermRow& row = kStyleTable[term];
+      const auto weight = [&] { ar.Real(row.name, task.weights[term], -1000.0f, 1000.0f, 0.0f); };
+      if (row.since == 1) {
+        weight();
+      } else {
+        ar.Since(row.since, weight);
+      }
+    }
   });
 }
 

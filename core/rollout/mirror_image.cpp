@@ -1,66 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "core/rollout/mirror_image.h"
 
-#include <algorithm>
-
-#include "core/physics/pose.h"
+#include "core/physics/symmetry.h"
 
 namespace gaitsmith {
 
 namespace {
-
-// Lengths, masses and limits may differ by this share, places by this share of the longest rod.
-constexpr float kTolerance = 1e-3f;
-
-bool Near(float a, float b, float scale) {
-  const float off = a > b ? a - b : b - a;
-  return off <= kTolerance * scale;
-}
-
-struct Drawn {
-  explicit Drawn(const Figure& figure) : skeleton(figure) {
-    Pose<1> pose;
-    PoseFigure<1>(skeleton, {}, pose);
-    const SineCosine root = SinCos(skeleton.start_angle_rad);
-    for (std::size_t k = 0; k < static_cast<std::size_t>(skeleton.endpoints); ++k) {
-      x[k] = root.cosine * pose.endpoint_x[k][0] - root.sine * pose.endpoint_y[k][0];
-      y[k] = root.sine * pose.endpoint_x[k][0] + root.cosine * pose.endpoint_y[k][0];
-    }
-  }
-  Skeleton skeleton;
-  std::array<float, kMaxEndpoints> x{}, y{};  // from the centre of mass
-};
-
-std::unexpected<Error> Lopsided() {
-  return Fail(ErrorCode::kStructure, "", "the figure is not its own mirror image as it is drawn");
-}
-
-// The endpoint that lies where the image of this one does; -1: none.
-int ImageOfEndpoint(const Drawn& drawn, int endpoint) {
-  const auto k = static_cast<std::size_t>(endpoint);
-  for (int other = 0; other < drawn.skeleton.endpoints; ++other) {
-    const auto o = static_cast<std::size_t>(other);
-    const float scale = drawn.skeleton.longest_rod_m;
-    if (Near(drawn.x[o], -drawn.x[k], scale) && Near(drawn.y[o], drawn.y[k], scale)) return other;
-  }
-  return -1;
-}
-
-// The rod between the images of a rod's ends, of the same length and mass; -1: none.
-int ImageOfRod(const Skeleton& skeleton, const Symmetry& symmetry, int rod) {
-  const Skeleton::Limb& limb = skeleton.limbs[static_cast<std::size_t>(rod)];
-  const int start = symmetry.endpoint[static_cast<std::size_t>(limb.start)];
-  const int end = symmetry.endpoint[static_cast<std::size_t>(rod) + 1];
-  for (int other = 0; other < skeleton.rods; ++other) {
-    const Skeleton::Limb& image = skeleton.limbs[static_cast<std::size_t>(other)];
-    const bool along = image.start == start && other + 1 == end;
-    const bool against = image.start == end && other + 1 == start;
-    if ((along || against) && Near(image.length_m, limb.length_m, limb.length_m) &&
-        Near(image.mass_kg, limb.mass_kg, limb.mass_kg))
-      return other;
-  }
-  return -1;
-}
 
 // "Shuffle" and "Shuffle, mirrored" are each other's image.
 std::string NameOfImage(const std::string& name) {
@@ -72,52 +17,26 @@ std::string NameOfImage(const std::string& name) {
 
 Gene Opposite(Gene gene) { return static_cast<Gene>(kGeneMax - gene); }
 
-}  // namespace
-
-Result<Symmetry> SymmetryOf(const Figure& figure) {
-  const Drawn drawn(figure);
-  const Skeleton& skeleton = drawn.skeleton;
-  Symmetry symmetry;
-  std::array<bool, kMaxEndpoints> taken{};
-  for (int k = 0; k < skeleton.endpoints; ++k) {
-    const int image = ImageOfEndpoint(drawn, k);
-    if (image < 0 || taken[static_cast<std::size_t>(image)]) return Lopsided();
-    taken[static_cast<std::size_t>(image)] = true;
-    symmetry.endpoint[static_cast<std::size_t>(k)] = image;
+// Where a sense goes in the mirror image, and whether it is turned round there.
+struct ImageOfSense {
+  int sense;
+  bool reversed;
+};
+ImageOfSense ImageOf(const Symmetry& symmetry, SenseKind kind, const PortCount& ports, int sense) {
+  const auto [group, index] = PlaceOf(kind, ports, sense);
+  const auto i = static_cast<std::size_t>(index);
+  switch (group->per) {
+    case SensePer::kActuator:
+      return {sense - index + symmetry.joint[i], group->reverses && symmetry.reversed[i]};
+    case SensePer::kContact:
+      return {sense - index + symmetry.endpoint[i], false};
+    case SensePer::kBody:
+      break;
   }
-  std::array<int, kMaxRods> rod_image{};
-  for (int rod = 0; rod < skeleton.rods; ++rod) {
-    rod_image[static_cast<std::size_t>(rod)] = ImageOfRod(skeleton, symmetry, rod);
-    if (rod_image[static_cast<std::size_t>(rod)] < 0) return Lopsided();
-  }
-  for (int joint = 0; joint < skeleton.joints; ++joint) {
-    const auto j = static_cast<std::size_t>(joint);
-    const Skeleton::Limb& limb = skeleton.limbs[j + 1];
-    const int child = rod_image[j + 1];
-    const int parent = rod_image[static_cast<std::size_t>(limb.parent)];
-    // Of two rods that hang on each other the image may have the other one for its parent; then the angle
-    // between them, turned round twice, keeps its sign.
-    const bool kept = skeleton.limbs[static_cast<std::size_t>(child)].parent == parent;
-    const bool swapped = skeleton.limbs[static_cast<std::size_t>(parent)].parent == child;
-    if (!kept && !swapped) {
-      return Fail(
-          ErrorCode::kStructure, "",
-          "the figure's mirror image hangs together otherwise: draw it beginning with a rod in its middle");
-    }
-    const int image = kept ? child - 1 : parent - 1;
-    const Skeleton::Limb& other = skeleton.limbs[static_cast<std::size_t>(image) + 1];
-    const float least = kept ? -other.max_rad : other.min_rad;
-    const float most = kept ? -other.min_rad : other.max_rad;
-    if (!Near(limb.min_rad, least, 1.0f) || !Near(limb.max_rad, most, 1.0f)) {
-      return Fail(ErrorCode::kStructure, "",
-                  "joints " + std::to_string(joint + 1) + " and " + std::to_string(image + 1) +
-                      " have limits that are not each other's mirror image");
-    }
-    symmetry.joint[j] = image;
-    symmetry.reversed[j] = kept;
-  }
-  return symmetry;
+  return {sense, false};
 }
+
+}  // namespace
 
 Result<Controller> MirrorImageOf(const Controller& controller, const Figure& figure) {
   if (controller.kind != ControllerKind::kRules)
@@ -125,26 +44,23 @@ Result<Controller> MirrorImageOf(const Controller& controller, const Figure& fig
                 "a network has no mirror image: its sensors cannot feel the opposite");
   const auto symmetry = SymmetryOf(figure);
   if (!symmetry) return std::unexpected(symmetry.error());
-  const BankShape shape(controller.rules, controller.senses.kind, figure.Rods());
+  const PortCount ports = figure.Rods();
+  const BankShape shape(controller.rules, controller.senses.kind, ports);
   Controller image = controller;
   image.name = NameOfImage(controller.name);
-  const bool physical = controller.senses.kind == SenseKind::kPhysical;
   for (int rule = 0; rule < shape.rules; ++rule) {
     for (int joint = 0; joint < shape.joints; ++joint) {
       const int to = symmetry->joint[static_cast<std::size_t>(joint)];
       const bool reversed = symmetry->reversed[static_cast<std::size_t>(joint)];
       const Gene target = controller.genes[shape.Target(rule, joint)];
       image.genes[shape.Target(rule, to)] = reversed ? Opposite(target) : target;
-      if (!physical) continue;
-      const Gene low = controller.genes[shape.Low(rule, joint)];
-      const Gene high = controller.genes[shape.High(rule, joint)];
+    }
+    for (int sense = 0; sense < shape.senses; ++sense) {
+      const auto [to, reversed] = ImageOf(*symmetry, controller.senses.kind, ports, sense);
+      const Gene low = controller.genes[shape.Low(rule, sense)];
+      const Gene high = controller.genes[shape.High(rule, sense)];
       image.genes[shape.Low(rule, to)] = reversed ? Opposite(high) : low;
       image.genes[shape.High(rule, to)] = reversed ? Opposite(low) : high;
-    }
-    for (int k = 0; physical && k < shape.joints + 2; ++k) {
-      const int to = symmetry->endpoint[static_cast<std::size_t>(k)];
-      image.genes[shape.Low(rule, shape.joints + to)] = controller.genes[shape.Low(rule, shape.joints + k)];
-      image.genes[shape.High(rule, shape.joints + to)] = controller.genes[shape.High(rule, shape.joints + k)];
     }
   }
   return image;

@@ -37,8 +37,14 @@ struct Problem {
   /// Where the controller takes over; none: at the start. With several it is scored from each of them, and
   /// what counts is the mean: a robust controller [Fukunaga 1994, section 6].
   std::vector<Beginning> beginnings = {};
+  int model = 1;  // version of the physical model, [1, kModelVersion]: which plant simulates
 
-  [[nodiscard]] ControllerShape Shape() const { return {kind, rules, senses.kind, figure.Rods()}; }
+  /// Of the controllers that are searched for.
+  [[nodiscard]] ControllerShape Shape() const;
+  /// The same for a plant that no model names.
+  [[nodiscard]] ControllerShape ShapeFor(const PortCount& ports) const {
+    return {kind, rules, senses.kind, ports};
+  }
 };
 
 }  // namespace gaitsmith

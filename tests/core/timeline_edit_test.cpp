@@ -6,6 +6,7 @@
 
 #include "core/document/composite.h"
 #include "core/document/link.h"
+#include "core/physics/symmetry.h"
 #include "core/rollout/mirror_image.h"
 #include "tests/scene.h"
 
