@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/rollout/beginning.h"
-#include "core/rollout/score.h"
+#include "core/rollout/measurement.h"
 
 namespace gaitsmith {
 
@@ -50,7 +50,7 @@ class PlantMomentScorer final : public MomentScorer {
   [[nodiscard]] float Fitness(Rollout<PlantOf, 1>& rollout) const {
     rollout.Follow(controllers_);
     Evaluation evaluation;
-    Score(rollout, ports_.Count().actuators, problem_.task, std::span(&evaluation, 1));
+    Measure(rollout, ports_.Count().actuators, problem_.task, std::span(&evaluation, 1));
     return evaluation.fitness;
   }
 

@@ -16,8 +16,8 @@ namespace gaitsmith {
 /// @param results out: of the first lanes, without hashes
 /// @param hashes  of every lane, each step is added to them; none: hashes are not wanted
 template <template <int> class PlantOf, int W>
-void Score(Rollout<PlantOf, W>& rollout, int actuators, const Task& task, std::span<Evaluation> results,
-           std::span<TrajectoryHash> hashes = {}) {
+void Measure(Rollout<PlantOf, W>& rollout, int actuators, const Task& task, std::span<Evaluation> results,
+             std::span<TrajectoryHash> hashes = {}) {
   const PlantOf<W>& plant = rollout.PlantNow();
   // Most searches weigh none of the further terms. They are not measured then.
   const FurtherTerms weighted = WeightedFurtherTerms(task);
