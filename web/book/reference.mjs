@@ -25,6 +25,7 @@ const FOLDERS = [
   { name: 'rollout', title: 'Rollouts', sentence: 'Controllers drive figures: scored, recorded, handed over.' },
   { name: 'physics', title: 'Physics', sentence: 'Figures and the ground they move on.' },
   { name: 'control', title: 'Control', sentence: 'Senses, and the controllers that answer them: rules and networks.' },
+  { name: 'signal', title: 'Signals', sentence: 'What passes between controllers and plants: targets and readings.' },
   { name: 'search', title: 'Searches', sentence: 'How controllers are found.' },
   { name: 'numeric', title: 'Numbers', sentence: 'Arithmetic, random numbers and errors that are the same everywhere.' },
 ];
