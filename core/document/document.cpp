@@ -47,7 +47,9 @@ class Checker : public Archive {
   void Since(int, Fields fields) {
     fields();
   }
-  void Genes(Controller& controller, int) { CheckInteger("rules", controller.rules, 1, kMaxRules); }
+  void Genes(Controller& controller, const PortCount&) {
+    CheckInteger("rules", controller.rules, 1, kMaxRules);
+  }
 };
 
 }  // namespace
