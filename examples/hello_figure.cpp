@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "core/document/document.h"
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 
 int main() {
   using namespace gaitsmith;

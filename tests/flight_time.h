@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/physics/motion.h"
+#include "core/rollout/motion.h"
 
 namespace gaitsmith::test {
 

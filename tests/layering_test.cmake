@@ -5,7 +5,7 @@ cmake_policy(VERSION 3.25)
 set(faults "")
 
 # Headers of the standard library that core has a use for; whatever is not here is not allowed.
-set(standard algorithm array bit charconv cmath cstddef cstdint cstdlib expected functional limits memory numeric optional
+set(standard algorithm array bit charconv cmath concepts cstddef cstdint cstdlib expected functional limits memory numeric optional
     span string string_view utility vector variant tuple map)
 
 function(check_includes room allowed_rooms)
@@ -14,7 +14,7 @@ function(check_includes room allowed_rooms)
     file(STRINGS ${file} includes REGEX "^[ \t]*#[ \t]*include")
     file(RELATIVE_PATH name ${ROOT} ${file})
     foreach(line IN LISTS includes)
-      if(line MATCHES "\"(shell/export|shell/rule_colours|[a-z_]+)[/.]")
+      if(line MATCHES "\"(shell/export|[a-z_]+)[/.]")
         if(NOT CMAKE_MATCH_1 IN_LIST allowed_rooms)
           set(faults "${faults}\n${name}: ${line}" PARENT_SCOPE)
           set(faults "${faults}\n${name}: ${line}")
@@ -31,8 +31,8 @@ function(check_includes room allowed_rooms)
 endfunction()
 
 check_includes(core "core")
-check_includes(shell "core;shell;shell/export;shell/rule_colours")
-check_includes(shell/export "core;shell/export;shell/rule_colours")
+check_includes(shell "core;shell;shell/export")
+check_includes(shell/export "core;shell/export")
 check_includes(web "core;shell/export")
 check_includes(examples "core")
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 
 namespace gaitsmith::test {
 

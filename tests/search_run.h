@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/document/document.h"
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 #include "core/search/search.h"
 
 namespace gaitsmith::test {

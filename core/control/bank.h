@@ -7,16 +7,13 @@
 #include <span>
 #include <vector>
 
-#include "core/control/response.h"
+#include "core/control/sense_reader.h"
 #include "core/control/stimulus_response.h"
 #include "core/numeric/lane.h"
 #include "core/numeric/scalar_math.h"
+#include "core/signal/actuator_targets.h"
 
 namespace gaitsmith {
-
-/// Normalised senses of W figures; SenseCount() of them are in use.
-template <int W>
-using SenseVector = std::array<typename Lane<W>::F, kMaxSenses>;
 
 template <int W>
 class Bank {
@@ -26,18 +23,18 @@ class Bank {
 
  public:
   /// @param genomes 1 to W of them, all of this shape; missing lanes repeat the last one
-  /// @param limits  least and greatest angle of each joint [rad], shape.joints pairs
+  /// @param ports   shape.joints actuators
   /// @param step_s  time step, for the decay of responses
   Bank(const BankShape& shape, const SenseSpec& senses, std::span<const std::span<const Gene>> genomes,
-       std::span<const std::array<float, 2>> limits, float step_s)
-      : senses_(senses), shape_(shape) {
+       const Ports& ports, float step_s)
+      : senses_(senses), shape_(shape), reader_(senses, ports, step_s) {
     const auto rules = static_cast<std::size_t>(shape.rules);
     targets_.resize(rules * static_cast<std::size_t>(shape.joints));
     decay_.resize(rules);
     inverse_tau_.resize(rules);
     for (int lane = 0; lane < W; ++lane) {
       const auto& genes = genomes[std::min(static_cast<std::size_t>(lane), genomes.size() - 1)];
-      DecodeResponses(genes, limits, step_s, lane);
+      DecodeResponses(genes, ports.actuator_range, step_s, lane);
     }
     for (int rule = 0; rule < shape.rules; ++rule) {
       const std::size_t before = intervals_.size();
@@ -90,14 +87,30 @@ class Bank {
   /// @param phase step within the period, [0, period_steps)
   [[nodiscard]] const I& ChoiceAt(int phase) const { return choice_at_[static_cast<std::size_t>(phase)]; }
 
-  /// What one lane's rule asks of its joints.
-  void Respond(int rule, int lane, Response<W>& response) const {
+  /// Senses, and finds the rule that acts in every lane.
+  /// @param steps   since the bank took over
+  /// @param senses  out: what the bank feels
+  /// @param present the rules that acted until now
+  [[nodiscard]] I Decide(const Readings<W>& readings, int steps, const I& present,
+                         SenseVector<W>& senses) const {
+    if (senses_.kind == SenseKind::kTimer) {
+      const int phase = steps % senses_.period_steps;
+      senses[0] = L::Splat(TimerSense(phase, senses_.period_steps));
+      const I& choice = ChoiceAt(phase);
+      return L::Select(choice < 0, present, choice);
+    }
+    reader_.Read(readings, senses);
+    return Choose(senses, present);
+  }
+
+  /// What one lane's rule asks of its actuators.
+  void Respond(int rule, int lane, ActuatorTargets<W>& targets) const {
     const auto r = static_cast<std::size_t>(rule);
     const auto joints = static_cast<std::size_t>(shape_.joints);
     for (std::size_t j = 0; j < joints; ++j) {
-      L::Put(response.target_rad[j], lane, L::At(targets_[r * joints + j], lane));
-      L::Put(response.decay[j], lane, L::At(decay_[r], lane));
-      L::Put(response.inverse_tau[j], lane, L::At(inverse_tau_[r], lane));
+      L::Put(targets.target[j], lane, L::At(targets_[r * joints + j], lane));
+      L::Put(targets.decay[j], lane, L::At(decay_[r], lane));
+      L::Put(targets.inverse_tau[j], lane, L::At(inverse_tau_[r], lane));
     }
   }
 
@@ -181,6 +194,7 @@ class Bank {
 
   SenseSpec senses_;
   BankShape shape_;
+  SenseReader<W> reader_;
   std::vector<Interval> intervals_;  // of all rules in turn, only those that some lane cares about
   std::array<std::size_t, kMaxRules> intervals_of_{};
   std::vector<I> choice_at_;    // (period_steps), with a timer

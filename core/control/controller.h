@@ -20,11 +20,11 @@ inline constexpr std::array<std::string_view, 2> kControllerKindNames = {"rules"
 class ControllerShape {
  public:
   // NOLINTNEXTLINE(google-explicit-constructor): whoever has a bank's shape has this
-  ControllerShape(const BankShape& bank) : bank_(bank), network_(1, 1) {}
+  ControllerShape(const BankShape& bank) : bank_(bank), network_(1, {0, 0}) {}
 
   /// @param units rules of a bank or hidden nodes of a network, [1, kMaxRules]
-  ControllerShape(ControllerKind kind, int units, SenseKind senses, int rods)
-      : kind_(kind), bank_(units, senses, rods), network_(units, rods) {}
+  ControllerShape(ControllerKind kind, int units, SenseKind senses, const PortCount& ports)
+      : kind_(kind), bank_(units, senses, ports), network_(units, ports) {}
 
   [[nodiscard]] ControllerKind Kind() const { return kind_; }
   [[nodiscard]] const BankShape& Bank() const { return bank_; }           // of rules
@@ -55,7 +55,9 @@ struct Controller {
   int rules = 0;     // or a network's hidden nodes
   Genome genes;
 
-  [[nodiscard]] ControllerShape Shape(int rods) const { return {kind, rules, senses.kind, rods}; }
+  [[nodiscard]] ControllerShape Shape(const PortCount& ports) const {
+    return {kind, rules, senses.kind, ports};
+  }
 };
 
 }  // namespace gaitsmith

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-// W controllers of one shape side by side, decoded and ready to run.
+// W controllers of one shape side by side, decoded and ready to run. Whatever differs between kinds of
+// controllers while they run stands here, one overload for each kind.
 #pragma once
 
+#include <bit>
+#include <cstdint>
 #include <variant>
 
 #include "core/control/bank.h"
@@ -12,15 +15,77 @@ namespace gaitsmith {
 template <int W>
 using Controllers = std::variant<Bank<W>, Network<W>>;
 
-/// Parameters as of Bank and Network.
+/// What W controllers carry from step to step, whatever their kind.
+template <int W>
+struct ControllerState {
+  int steps = 0;               // since the controllers took over
+  typename Lane<W>::I rule{};  // that acts, of a bank
+  SenseVector<W> senses{};     // of a bank
+  NetworkState<W> network{};
+};
+
+/// @param ports of the plant that they drive
+/// @param genomes 1 to W of them, all of this shape; missing lanes repeat the last one
 template <int W>
 [[nodiscard]] Controllers<W> DecodeControllers(const ControllerShape& shape, const SenseSpec& senses,
                                                std::span<const std::span<const Gene>> genomes,
-                                               std::span<const std::array<float, 2>> limits, float step_s) {
+                                               const Ports& ports, float step_s) {
   if (shape.Kind() == ControllerKind::kNetwork) {
-    return Network<W>(shape.Network(), senses, genomes, limits, step_s);
+    return Network<W>(shape.Network(), senses, genomes, ports.actuator_range, step_s);
   }
-  return Bank<W>(shape.Bank(), senses, genomes, limits, step_s);
+  return Bank<W>(shape.Bank(), senses, genomes, ports, step_s);
+}
+
+/// Takes over: the first rule acts, the timer stands at zero.
+template <int W>
+void Begin(const Bank<W>& bank, ControllerState<W>& state, ActuatorTargets<W>& targets) {
+  state.steps = 0;
+  state.rule = typename Lane<W>::I{};
+  for (int lane = 0; lane < W; ++lane) bank.Respond(0, lane, targets);
+}
+/// Takes over: all nodes are empty.
+template <int W>
+void Begin(const Network<W>& network, ControllerState<W>& state, ActuatorTargets<W>& targets) {
+  state.steps = 0;
+  state.rule = typename Lane<W>::I{};
+  network.Begin(state.network, targets);
+}
+
+/// Answers the readings after a step. @param state its steps count this step
+template <int W>
+[[gnu::noinline]] void Advance(const Bank<W>& bank, const Readings<W>& readings, ControllerState<W>& state,
+                               ActuatorTargets<W>& targets) {
+  using L = Lane<W>;
+  const typename L::I chosen = bank.Decide(readings, state.steps, state.rule, state.senses);
+  const typename L::I changed = chosen != state.rule;
+  if (!L::Any(changed)) return;
+  state.rule = chosen;
+  for (int lane = 0; lane < W; ++lane) {
+    if (L::At(changed, lane)) bank.Respond(L::At(chosen, lane), lane, targets);
+  }
+}
+template <int W>
+void Advance(const Network<W>& network, const Readings<W>& readings, ControllerState<W>& state,
+             ActuatorTargets<W>& targets) {
+  const NetworkShape& shape = network.Shape();
+  network.Advance({readings.position, static_cast<std::size_t>(shape.joints)},
+                  {readings.impulse, static_cast<std::size_t>(shape.touches)}, state.network, targets);
+}
+
+/// What acts in a controller, for a person to see.
+struct Activity {
+  int rule;              // the active rule; of a network: hidden nodes that fire
+  std::uint64_t firing;  // bit i: input i of the network is 1; of a bank 0
+};
+[[nodiscard]] inline Activity ActivityOf(const Bank<1>&, const ControllerState<1>& state) {
+  return {state.rule[0], 0};
+}
+[[nodiscard]] inline Activity ActivityOf(const Network<1>& network, const ControllerState<1>& state) {
+  static_assert(kMaxInputs <= 64);
+  std::uint64_t firing = 0;
+  for (std::size_t i = 0; i < kMaxInputs; ++i) firing |= std::uint64_t{state.network.input[i][0] > 0.0f} << i;
+  // Hidden nodes are the last inputs.
+  return {std::popcount(firing >> (network.Shape().touches + network.Shape().joints)), firing};
 }
 
 }  // namespace gaitsmith

@@ -16,16 +16,17 @@
 #include <string>
 #include <vector>
 
-#include "core/control/response.h"
 #include "core/control/stimulus_response.h"
 #include "core/numeric/lane.h"
 #include "core/numeric/scalar_math.h"
+#include "core/signal/actuator_targets.h"
+#include "core/signal/readings.h"
 
 namespace gaitsmith {
 
 inline constexpr int kMaxHidden = kMaxRules;
-inline constexpr int kMaxNodes = kMaxHidden + kMaxJoints;
-inline constexpr int kMaxInputs = kMaxEndpoints + kMaxJoints + kMaxHidden;  // 64
+inline constexpr int kMaxNodes = kMaxHidden + kMaxActuators;
+inline constexpr int kMaxInputs = kMaxContacts + kMaxActuators + kMaxHidden;  // 64
 /// Weights lie in [-kMostWeight, kMostWeight].
 inline constexpr float kMostWeight = 2.0f;
 
@@ -37,7 +38,8 @@ struct NetworkShape {
   int touches = 0;  // endpoints
   int joints = 0;
 
-  NetworkShape(int hidden_nodes, int rods) : hidden(hidden_nodes), touches(rods + 1), joints(rods - 1) {}
+  NetworkShape(int hidden_nodes, const PortCount& ports)
+      : hidden(hidden_nodes), touches(ports.contacts), joints(ports.actuators) {}
 
   [[nodiscard]] int Inputs() const { return touches + joints + hidden; }
   /// Row and column of a matrix with a row per node and a column per input.
@@ -123,12 +125,12 @@ class Network {
   }
 
   /// All nodes empty and silent.
-  void Begin(NetworkState<W>& state, Response<W>& response) const {
+  void Begin(NetworkState<W>& state, ActuatorTargets<W>& targets) const {
     state = {};
     for (std::size_t j = 0; j < threshold_.size(); ++j) {
-      response.target_rad[j] = target_empty_[j];
-      response.decay[j] = decay_[j];
-      response.inverse_tau[j] = inverse_tau_[j];
+      targets.target[j] = target_empty_[j];
+      targets.decay[j] = decay_[j];
+      targets.inverse_tau[j] = inverse_tau_[j];
     }
   }
 
@@ -136,7 +138,7 @@ class Network {
   /// @param angle_rad of each joint
   /// @param push      of the ground at each endpoint, any unit; only its sign counts
   void Advance(std::span<const F> angle_rad, std::span<const F> push, NetworkState<W>& state,
-               Response<W>& response) const {
+               ActuatorTargets<W>& targets) const {
     const auto touches = static_cast<std::size_t>(shape_.touches);
     const auto joints = static_cast<std::size_t>(shape_.joints);
     const auto hidden = static_cast<std::size_t>(shape_.hidden);
@@ -159,7 +161,7 @@ class Network {
       output = L::Select(charge >= 1.0f, one, L::Select(charge <= 0.0f, F{}, output));
     }
     for (std::size_t j = 0; j < joints; ++j) {
-      response.target_rad[j] = target_empty_[j] + target_span_[j] * state.charge[hidden + j];
+      targets.target[j] = target_empty_[j] + target_span_[j] * state.charge[hidden + j];
     }
   }
 

@@ -5,12 +5,14 @@
 
 namespace gaitsmith {
 
-RuleChoice ChoiceOf(const Controller& controller, int rods, std::span<const float> senses, int present) {
-  const BankShape shape(controller.rules, controller.senses.kind, rods);
+RuleChoice ChoiceOf(const Controller& controller, const PortCount& ports, std::span<const float> senses,
+                    int present) {
+  const BankShape shape(controller.rules, controller.senses.kind, ports);
   const std::span<const Gene> genes(controller.genes);
-  // Targets do not matter here, nor does the step that responses decay in.
-  const std::vector<std::array<float, 2>> limits(static_cast<std::size_t>(shape.joints), {-1.0f, 1.0f});
-  const Bank<1> bank(shape, controller.senses, std::span(&genes, 1), limits, kStep);
+  // Neither targets nor the scales of readings matter here, nor does the step that responses decay in.
+  const Ports any = {.actuator_range = {static_cast<std::size_t>(shape.joints), {-1.0f, 1.0f}},
+                     .contacts = ports.contacts};
+  const Bank<1> bank(shape, controller.senses, std::span(&genes, 1), any, kStep);
   SenseVector<1> felt{};
   for (std::size_t i = 0; i < senses.size(); ++i) felt[i][0] = senses[i];
 

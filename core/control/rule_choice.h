@@ -28,10 +28,10 @@ struct RuleChoice {
   std::vector<RuleStanding> standings;  // of all rules
 };
 
-/// @param controller of rules, for a figure of so many rods
+/// @param controller of rules, for a plant with these ports
 /// @param senses     normalised, SenseCount() of them
 /// @param present    the rule that acted until now
-[[nodiscard]] RuleChoice ChoiceOf(const Controller& controller, int rods, std::span<const float> senses,
-                                  int present);
+[[nodiscard]] RuleChoice ChoiceOf(const Controller& controller, const PortCount& ports,
+                                  std::span<const float> senses, int present);
 
 }  // namespace gaitsmith

@@ -6,13 +6,13 @@
 namespace gaitsmith {
 namespace {
 
-BankShape ShapeOf(const Controller& controller, int rods) {
-  return {controller.rules, controller.senses.kind, rods};
+BankShape ShapeOf(const Controller& controller, const PortCount& ports) {
+  return {controller.rules, controller.senses.kind, ports};
 }
 
 // Where a rule's genes begin; of the number of rules, the end of all.
-auto Begin(Controller& controller, int rods, int rule) {
-  return controller.genes.begin() + rule * ShapeOf(controller, rods).GenesPerRule();
+auto Begin(Controller& controller, const PortCount& ports, int rule) {
+  return controller.genes.begin() + rule * ShapeOf(controller, ports).GenesPerRule();
 }
 
 }  // namespace
@@ -32,30 +32,31 @@ void RuleEdit::SetCares(int sense, bool cares) {
   controller_.genes[shape_.High(rule_, sense)] = cares ? kGeneMax - kGeneMax / 4 : kGeneMax;
 }
 
-Stimulus StimulusOf(const Controller& controller, int rods, int rule, int sense) {
-  const BankShape shape = ShapeOf(controller, rods);
+Stimulus StimulusOf(const Controller& controller, const PortCount& ports, int rule, int sense) {
+  const BankShape shape = ShapeOf(controller, ports);
   const auto [low, high] = EdgesOf(controller.senses.kind);
   return {shape.Cares(controller.genes, rule, sense),
           Decode(controller.genes[shape.Low(rule, sense)], low, high),
           Decode(controller.genes[shape.High(rule, sense)], low, high)};
 }
 
-float TargetOf(const Controller& controller, int rods, int rule, int joint, float min_rad, float max_rad) {
-  return Decode(controller.genes[ShapeOf(controller, rods).Target(rule, joint)], min_rad, max_rad);
+float TargetOf(const Controller& controller, const PortCount& ports, int rule, int joint, float min_rad,
+               float max_rad) {
+  return Decode(controller.genes[ShapeOf(controller, ports).Target(rule, joint)], min_rad, max_rad);
 }
 
-float TauOf(const Controller& controller, int rods, int rule) {
-  return DecodeTau(controller.genes[ShapeOf(controller, rods).Tau(rule)], controller.senses);
+float TauOf(const Controller& controller, const PortCount& ports, int rule) {
+  return DecodeTau(controller.genes[ShapeOf(controller, ports).Tau(rule)], controller.senses);
 }
 
-void CopyRule(Controller& controller, int rods, int rule) {
-  const Genome copy(Begin(controller, rods, rule), Begin(controller, rods, rule + 1));
-  controller.genes.insert(Begin(controller, rods, rule + 1), copy.begin(), copy.end());
+void CopyRule(Controller& controller, const PortCount& ports, int rule) {
+  const Genome copy(Begin(controller, ports, rule), Begin(controller, ports, rule + 1));
+  controller.genes.insert(Begin(controller, ports, rule + 1), copy.begin(), copy.end());
   ++controller.rules;
 }
 
-void DeleteRule(Controller& controller, int rods, int rule) {
-  controller.genes.erase(Begin(controller, rods, rule), Begin(controller, rods, rule + 1));
+void DeleteRule(Controller& controller, const PortCount& ports, int rule) {
+  controller.genes.erase(Begin(controller, ports, rule), Begin(controller, ports, rule + 1));
   --controller.rules;
 }
 

@@ -17,9 +17,9 @@ struct Stimulus {
 /// longer than this.
 class RuleEdit {
  public:
-  /// @param rods of the figure that the bank is for
-  RuleEdit(Controller& controller, int rods, int rule)
-      : controller_(controller), shape_(controller.rules, controller.senses.kind, rods), rule_(rule) {}
+  /// @param ports of the plant that the bank is for
+  RuleEdit(Controller& controller, const PortCount& ports, int rule)
+      : controller_(controller), shape_(controller.rules, controller.senses.kind, ports), rule_(rule) {}
 
   void SetTarget(int joint, float angle_rad, float min_rad, float max_rad) {
     controller_.genes[shape_.Target(rule_, joint)] = Encode(angle_rad, min_rad, max_rad);
@@ -38,14 +38,15 @@ class RuleEdit {
   int rule_;
 };
 
-[[nodiscard]] Stimulus StimulusOf(const Controller&, int rods, int rule, int sense);
-[[nodiscard]] float TargetOf(const Controller&, int rods, int rule, int joint, float min_rad, float max_rad);
-[[nodiscard]] float TauOf(const Controller&, int rods, int rule);
+[[nodiscard]] Stimulus StimulusOf(const Controller&, const PortCount& ports, int rule, int sense);
+[[nodiscard]] float TargetOf(const Controller&, const PortCount& ports, int rule, int joint, float min_rad,
+                             float max_rad);
+[[nodiscard]] float TauOf(const Controller&, const PortCount& ports, int rule);
 
 /// Puts a copy of the rule behind it. It loses every tie against the original, so by itself it changes
 /// nothing but the numbers of those that follow. @param controller with fewer than kMaxRules
-void CopyRule(Controller& controller, int rods, int rule);
+void CopyRule(Controller& controller, const PortCount& ports, int rule);
 /// @param controller with more than one rule
-void DeleteRule(Controller& controller, int rods, int rule);
+void DeleteRule(Controller& controller, const PortCount& ports, int rule);
 
 }  // namespace gaitsmith

@@ -3,9 +3,8 @@
 // section 4.2.
 #pragma once
 
-#include <string>
-
-#include "core/physics/constants.h"
+#include "core/signal/ports.h"
+#include "core/signal/time.h"
 
 namespace gaitsmith {
 
@@ -15,15 +14,8 @@ enum class SenseKind {
   kTimer,     // t' = t mod t_p, a wind-up toy
 };
 
-/// Most values a controller can sense: joints + endpoints + 2.
-inline constexpr int kMaxSenses = kMaxJoints + kMaxEndpoints + 2;
-
-/// A controller's senses and the ranges that give its genes their meaning. Senses are normalised:
-///   joint angle       its limits                            -> [0, 1]
-///   contact force     [0, force_weights * weight]           -> [0, 1], clipped (impacts spike to 35 weights)
-///   height of c.o.m.  [0, height_rods * longest rod]        -> [0, 1]
-///   vertical velocity [-velocity_mps, velocity_mps]         -> [0, 1]
-///   timer             [0, period)                           -> [0, 1)
+/// A controller's senses and the ranges that give its genes their meaning. sense_table.h has every sense with
+/// its range.
 struct SenseSpec {
   SenseKind kind = SenseKind::kPhysical;
   int period_steps = 100;  // t_p in whole steps, [2, kMaxSteps]; used by the timer
@@ -55,11 +47,5 @@ struct Edges {
 [[nodiscard]] constexpr Edges EdgesOf(SenseKind kind) {
   return kind == SenseKind::kTimer ? Edges{0.0f, 1.0f} : Edges{kEdgeLow, kEdgeHigh};
 }
-
-/// Values in the sense vector of a figure with this many rods: 2 n + 2 physical, 1 timer.
-[[nodiscard]] int SenseCount(SenseKind kind, int rods);
-
-/// "angle 1", "force 3", "height", "rise", "timer". Joints and endpoints count from 1 as in the paper.
-[[nodiscard]] std::string SenseName(SenseKind kind, int rods, int sense);
 
 }  // namespace gaitsmith

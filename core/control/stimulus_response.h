@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "core/control/senses.h"
+#include "core/control/sense_table.h"
 #include "core/numeric/random.h"
 
 namespace gaitsmith {
@@ -31,8 +31,8 @@ struct BankShape {
   int senses = 1;
   int joints = 0;
 
-  BankShape(int rule_count, SenseKind kind, int rods)
-      : rules(rule_count), senses(SenseCount(kind, rods)), joints(rods - 1) {}
+  BankShape(int rule_count, SenseKind kind, const PortCount& ports)
+      : rules(rule_count), senses(SenseCount(kind, ports)), joints(ports.actuators) {}
 
   [[nodiscard]] int GenesPerRule() const { return 2 * senses + joints + 1; }
   [[nodiscard]] std::size_t Genes() const {

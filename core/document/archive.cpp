@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/rollout/models.h"
+
 namespace gaitsmith {
 
 std::string RealText(float value) {
@@ -189,7 +191,7 @@ Result<void> CheckReferences(const Document& d) {
     const Controller& c = d.controllers[i];
     if (auto senses = CheckSenses(c.senses, Element("controllers", i, "senses")); !senses) return senses;
     if (auto kind = CheckKind(c.kind, c.senses, Element("controllers", i, "kind")); !kind) return kind;
-    const std::size_t genes = c.Shape(d.figure.Rods()).Genes();
+    const std::size_t genes = c.Shape(CountPorts(d.model, d.figure)).Genes();
     if (c.genes.size() != genes) {
       return Fail(ErrorCode::kStructure, Element("controllers", i, "rules"),
                   "is for another figure: it has " + std::to_string(c.genes.size()) +

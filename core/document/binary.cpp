@@ -73,13 +73,13 @@ class BinaryWriter : public Archive {
   void Hash(std::string_view, std::optional<std::uint64_t>& hash) {
     if (!Standard(!hash)) bits_.Put(*hash, 64);
   }
-  void Genes(Controller& controller, int rods) {
+  void Genes(Controller& controller, const PortCount& ports) {
     bits_.Put(static_cast<std::uint64_t>(controller.rules - 1), BitsFor(kMaxRules));
     if (controller.kind == ControllerKind::kNetwork) {
       for (const Gene gene : controller.genes) bits_.Put(gene, 16);
       return;
     }
-    const BankShape shape(controller.rules, controller.senses.kind, rods);
+    const BankShape shape(controller.rules, controller.senses.kind, ports);
     for (int rule = 0; rule < shape.rules; ++rule) {
       for (int sense = 0; sense < shape.senses; ++sense) {
         if (Standard(!shape.Cares(controller.genes, rule, sense))) continue;
@@ -179,11 +179,11 @@ class BinaryReader : public Archive {
     if (Given(name)) hash = bits_.Take(64);
     CheckLeft(name);
   }
-  void Genes(Controller& controller, int rods) {
+  void Genes(Controller& controller, const PortCount& ports) {
     controller.rules = static_cast<int>(bits_.Take(BitsFor(kMaxRules))) + 1;
-    if (!Ok() || rods < 1) return FailAt("rules", ErrorCode::kStructure, "the figure has no rods");
-    const BankShape shape(controller.rules, controller.senses.kind, rods);
-    controller.genes.assign(controller.Shape(rods).Genes(), 0);
+    if (!Ok() || ports.actuators < 0) return FailAt("rules", ErrorCode::kStructure, "the figure has no rods");
+    const BankShape shape(controller.rules, controller.senses.kind, ports);
+    controller.genes.assign(controller.Shape(ports).Genes(), 0);
     if (controller.kind == ControllerKind::kNetwork) {
       for (Gene& gene : controller.genes) gene = static_cast<Gene>(bits_.Take(16));
       return CheckLeft("nodes");

@@ -13,6 +13,7 @@ namespace {
 bool SameScene(const Document& a, const Document& b) {
   const auto bare = [](const Document& d) {
     Document scene;
+    scene.model = d.model;
     scene.figure = d.figure;
     scene.environment = d.environment;
     scene.start = d.start;
@@ -54,8 +55,7 @@ int PartingStep(const Document& a, const Document& b) {
 }
 
 Motion SimulateAnew(const Document& d, const Document& before, Motion known) {
-  return {std::move(known), PartingStep(d, before), d.figure,   d.environment,   d.start,
-          d.pushes,         d.controllers,          d.timeline, d.duration_steps};
+  return {std::move(known), PartingStep(d, before), ScriptOf(d)};
 }
 
 }  // namespace gaitsmith

@@ -47,7 +47,9 @@ class Checker : public Archive {
   void Since(int, Fields fields) {
     fields();
   }
-  void Genes(Controller& controller, int) { CheckInteger("rules", controller.rules, 1, kMaxRules); }
+  void Genes(Controller& controller, const PortCount&) {
+    CheckInteger("rules", controller.rules, 1, kMaxRules);
+  }
 };
 
 }  // namespace
@@ -60,12 +62,22 @@ Result<void> Validate(const Document& document) {
   return CheckReferences(document);
 }
 
-Motion Simulate(const Document& d) {
-  return {d.figure, d.environment, d.start, d.pushes, d.controllers, d.timeline, d.duration_steps};
+Script ScriptOf(const Document& d) {
+  return {.figure = d.figure,
+          .environment = d.environment,
+          .start = d.start,
+          .pushes = d.pushes,
+          .controllers = d.controllers,
+          .clips = d.timeline,
+          .steps = d.duration_steps,
+          .model = d.model};
 }
+
+Motion Simulate(const Document& d) { return Motion(ScriptOf(d)); }
 
 Problem ProblemOf(const Document& d) {
   Problem problem = {d.figure, d.environment, d.start, d.pushes, d.task, d.senses, d.rules, d.kind};
+  problem.model = d.model;
   if (d.search.in_place_of >= 0) {
     const auto clip = static_cast<std::size_t>(d.search.in_place_of);
     const int start = d.timeline[clip].start_step;

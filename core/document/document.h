@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/numeric/error.h"
-#include "core/physics/motion.h"
+#include "core/rollout/motion.h"
 #include "core/search/search.h"
 
 namespace gaitsmith {
@@ -56,6 +56,9 @@ struct Document {
 
 /// Checks every number, name and reference. The first fault is returned: where and what.
 [[nodiscard]] Result<void> Validate(const Document&);
+
+/// Who acts where in a document, as a motion takes it. @param document valid; must outlive the script
+[[nodiscard]] Script ScriptOf(const Document& document);
 
 /// The motion the document describes. @param document valid
 [[nodiscard]] Motion Simulate(const Document& document);

@@ -111,13 +111,13 @@ class JsonReader : public Archive {
     if (!good) return FailAt(name, ErrorCode::kSyntax, "must be 16 hexadecimal digits");
     hash = value;
   }
-  void Genes(Controller& controller, int rods) {
+  void Genes(Controller& controller, const PortCount& ports) {
     const bool network = controller.kind == ControllerKind::kNetwork;
     const std::string_view list = network ? "nodes" : "rules";
     const JsonValue* given = Get(list, JsonValue::Kind::kArray);
     if (!Ok()) return;
-    if (rods < 1) return FailAt(list, ErrorCode::kStructure, "the figure has no rods");
-    const int outside = network ? rods - 1 : 0;  // nodes that are not hidden: the actuators
+    if (ports.actuators < 0) return FailAt(list, ErrorCode::kStructure, "the figure has no rods");
+    const int outside = network ? ports.actuators : 0;  // nodes that are not hidden: the actuators
     const int least = 1 + outside;
     const int most = kMaxRules + outside;
     if (given == nullptr || std::cmp_less(given->items.size(), least) ||
@@ -127,7 +127,7 @@ class JsonReader : public Archive {
                         (network ? ": hidden nodes, then one for each joint" : ""));
     }
     controller.rules = static_cast<int>(given->items.size()) - outside;
-    const ControllerShape shape = controller.Shape(rods);
+    const ControllerShape shape = controller.Shape(ports);
     controller.genes.assign(shape.Genes(), 0);
     Enter(list);
     for (std::size_t i = 0; i < given->items.size() && Ok(); ++i) {
@@ -140,7 +140,7 @@ class JsonReader : public Archive {
         if (network) {
           Node(controller, shape.Network(), static_cast<int>(i));
         } else {
-          Rule(controller, shape.Bank(), rods, static_cast<int>(i));
+          Rule(controller, shape.Bank(), ports, static_cast<int>(i));
         }
         Close();
       }
@@ -155,11 +155,11 @@ class JsonReader : public Archive {
   void Finish() { Close(); }
 
  private:
-  void Rule(Controller& controller, const BankShape& shape, int rods, int rule) {
+  void Rule(Controller& controller, const BankShape& shape, const PortCount& ports, int rule) {
     for (int sense = 0; sense < shape.senses; ++sense) controller.genes[shape.High(rule, sense)] = kGeneMax;
     Group("when", [&] {
       for (int sense = 0; sense < shape.senses; ++sense) {
-        const std::string name = SenseName(controller.senses.kind, rods, sense);
+        const std::string name = SenseName(controller.senses.kind, ports, sense);
         Gene interval[2] = {0, kGeneMax};
         if (!GeneList(name, interval, false)) continue;
         if (interval[0] > interval[1]) return FailAt(name, ErrorCode::kOutOfRange, "ends before it begins");

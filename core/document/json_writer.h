@@ -76,15 +76,15 @@ class JsonWriter : public Archive {
     Note(!hash);
     if (hash) Field(name, QuoteJson(HashText(*hash)));
   }
-  void Genes(Controller& controller, int rods) {
-    const ControllerShape shape = controller.Shape(rods);
+  void Genes(Controller& controller, const PortCount& ports) {
+    const ControllerShape shape = controller.Shape(ports);
     const bool network = shape.Kind() == ControllerKind::kNetwork;
     Field(network ? "nodes" : "rules", "");
     Nested('[', ']', [&] {
       for (int component = 0; component < shape.Components(); ++component) {
         Separate();
         out_ += network ? NodeText(controller, shape.Network(), component)
-                        : RuleText(controller, shape.Bank(), rods, component);
+                        : RuleText(controller, shape.Bank(), ports, component);
       }
     });
   }
@@ -95,12 +95,13 @@ class JsonWriter : public Archive {
   }
 
  private:
-  static std::string RuleText(const Controller& controller, const BankShape& shape, int rods, int rule) {
+  static std::string RuleText(const Controller& controller, const BankShape& shape, const PortCount& ports,
+                              int rule) {
     std::string when, pose;
     for (int sense = 0; sense < shape.senses; ++sense) {
       if (!shape.Cares(controller.genes, rule, sense)) continue;
-      when += (when.empty() ? "" : ", ") + QuoteJson(SenseName(controller.senses.kind, rods, sense)) + ": [" +
-              std::to_string(controller.genes[shape.Low(rule, sense)]) + ", " +
+      when += (when.empty() ? "" : ", ") + QuoteJson(SenseName(controller.senses.kind, ports, sense)) +
+              ": [" + std::to_string(controller.genes[shape.Low(rule, sense)]) + ", " +
               std::to_string(controller.genes[shape.High(rule, sense)]) + "]";
     }
     for (int joint = 0; joint < shape.joints; ++joint) {

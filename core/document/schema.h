@@ -7,7 +7,7 @@
 //   Natural(name, uint32_t&, standard)           Flag(name, bool&, standard)
 //   Choice(name, Enum&, names, standard)         Text(name, string&)
 //   Group(name, function)                        List(name, vector&, most, function(element))
-//   Hash(name, optional<uint64_t>&)              Genes(Controller&, rods)
+//   Hash(name, optional<uint64_t>&)              Genes(Controller&, ports)
 //   Since(version, function)
 // In JSON a field that equals its standard value may be left out; in a link it costs one bit. Since() holds
 // fields that came with a later version of the binary format: a document that leaves all of them at their
@@ -17,6 +17,7 @@
 #include <string_view>
 
 #include "core/document/document.h"
+#include "core/rollout/models.h"
 
 namespace gaitsmith {
 
@@ -74,11 +75,15 @@ void Describe(Archive& ar, Task& task) {
   ar.Choice("kind", task.kind, kTaskNames, standard.kind);
   ar.Integer("duration_steps", task.duration_steps, 1, kMaxSteps, standard.duration_steps);
   ar.Group("weights", [&] {
-    const auto weight = [&](std::size_t term) {
-      ar.Real(kStyleTermNames[term], task.weights[term], -1000.0f, 1000.0f, 0.0f);
-    };
-    for (std::size_t term = 0; term < kPaperTerms; ++term) weight(term);
-    for (std::size_t term = kPaperTerms; term < kStyleTerms; ++term) ar.Since(2, [&] { weight(term); });
+    for (std::size_t term = 0; term < kStyleTerms; ++term) {
+      const StyleTermRow& row = kStyleTable[term];
+      const auto weight = [&] { ar.Real(row.name, task.weights[term], -1000.0f, 1000.0f, 0.0f); };
+      if (row.since == 1) {
+        weight();
+      } else {
+        ar.Since(row.since, weight);
+      }
+    }
   });
 }
 
@@ -176,11 +181,11 @@ void Describe(Archive& ar, SearchSettings& search) {
 }
 
 template <class Archive>
-void Describe(Archive& ar, Controller& controller, int rods) {
+void Describe(Archive& ar, Controller& controller, const PortCount& ports) {
   ar.Text("name", controller.name);
   ar.Group("senses", [&] { Describe(ar, controller.senses); });
   ar.Since(2, [&] { ar.Choice("kind", controller.kind, kControllerKindNames, ControllerKind::kRules); });
-  ar.Genes(controller, rods);
+  ar.Genes(controller, ports);
 }
 
 template <class Archive>
@@ -213,8 +218,8 @@ void Describe(Archive& ar, Document& d) {
   ar.Integer("rules", d.rules, 1, kMaxRules, standard.rules);
   ar.Since(2, [&] { ar.Choice("kind", d.kind, kControllerKindNames, standard.kind); });
   ar.Group("search", [&] { Describe(ar, d.search); });
-  const int rods = d.figure.Rods();
-  ar.List("controllers", d.controllers, kMaxControllers, [&](Controller& c) { Describe(ar, c, rods); });
+  const PortCount ports = CountPorts(d.model, d.figure);
+  ar.List("controllers", d.controllers, kMaxControllers, [&](Controller& c) { Describe(ar, c, ports); });
   ar.List("timeline", d.timeline, kMaxClips, [&](Clip& clip) { Describe(ar, clip); });
   ar.Integer("duration_steps", d.duration_steps, 1, kMaxSteps, standard.duration_steps);
   ar.Group("view", [&] { Describe(ar, d.view); });

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/physics/mirror_image.h"
+#include "core/rollout/mirror_image.h"
 
 namespace gaitsmith {
 

@@ -79,7 +79,11 @@ Nearness NearnessOf(const Motion& motion, int frame, const Motion& usual) {
 
 Motion UsualMotion(const Document& d, int controller) {
   const Clip whole{.controller = controller, .start_step = 0};
-  return {d.figure, d.environment, d.start, {}, d.controllers, std::span(&whole, 1), d.task.duration_steps};
+  Script script = ScriptOf(d);
+  script.pushes = {};
+  script.clips = std::span(&whole, 1);
+  script.steps = d.task.duration_steps;
+  return Motion(script);
 }
 
 std::vector<int> TransitionSteps(const Document& d, int clip) {
@@ -97,6 +101,7 @@ Document TransitionRequest(const Document& d, int clip) {
   const auto last = static_cast<std::size_t>(clip);
   const Controller& controller = d.controllers[static_cast<std::size_t>(d.timeline[last].controller)];
   Document request;
+  request.model = d.model;
   request.figure = d.figure;
   request.environment = d.environment;
   request.start = d.start;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/document/document.h"
-#include "core/physics/transition_map.h"
+#include "core/rollout/transition_map.h"
 
 namespace gaitsmith {
 

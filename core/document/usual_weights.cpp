@@ -18,12 +18,12 @@ constexpr Calibrated kCalibrated[] = {
     {.figure = "Beryl Biped", .physical = {10.0f, 0.6f, 10.0f}, .timer = {10.0f, 0.6f, 10.0f}},
     {.figure = "Five-Rod Fred", .physical = {8.0f, 0.7f, 8.0f}, .timer = {8.0f, 0.9f, 8.0f}},
 };
-constexpr std::array<float, kStyleTerms> kAnyFigure = {10.0f, 0.6f, 10.0f, 0.05f, 5.0f, 0.2f, 2.0f};
 
 }  // namespace
 
 std::array<float, kStyleTerms> UsualWeights(const Document& document) {
-  std::array<float, kStyleTerms> weights = kAnyFigure;
+  std::array<float, kStyleTerms> weights;
+  for (std::size_t term = 0; term < weights.size(); ++term) weights[term] = kStyleTable[term].usual_weight;
   const std::string_view name = document.figure.name;
   for (const Calibrated& one : kCalibrated) {
     if (name.substr(0, name.find(',')) != one.figure) continue;

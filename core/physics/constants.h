@@ -3,6 +3,9 @@
 // and what breaks when it changes. Changing any of them changes the bits of every motion ever shared.
 #pragma once
 
+#include "core/signal/ports.h"
+#include "core/signal/time.h"
+
 namespace gaitsmith {
 
 /// Version of the physical model. Documents name it; a later model gets a new number and this one stays.
@@ -12,13 +15,7 @@ inline constexpr int kModelVersion = 1;
 inline constexpr int kMaxRods = 16;
 inline constexpr int kMaxJoints = kMaxRods - 1;
 inline constexpr int kMaxEndpoints = kMaxRods + 1;
-
-/// Time step [s]. At 0.02 a gait's landings sink 13 mm before they are lifted, at 0.01 1.2 mm; 0.005 costs
-/// twice as much and finds the same motions.
-inline constexpr float kStep = 0.01f;
-
-/// Longest motion [steps]: two minutes. Bounds what a link can make a browser compute.
-inline constexpr int kMaxSteps = 12000;
+static_assert(kMaxJoints <= kMaxActuators && kMaxEndpoints <= kMaxContacts);
 
 /// An endpoint predicted to end the step lower than this above ground [m] takes part in the contact solution.
 /// Must exceed the half g h^2 (0.5 mm) by which the flight prediction differs; larger only costs time.
@@ -63,9 +60,5 @@ inline constexpr float kMaxTurnPerStep = 0.5f;
 /// it, and Turn() holds up to 0.5. A blow to one end of a figure that lies would otherwise be answered on
 /// arms that nobody has. 32,400 random motions of the shipped figures, thrown at up to 20 m/s, foresaw 0.43.
 inline constexpr float kMaxForeseenTurn = 2.0f * kMaxTurnPerStep;
-
-/// Standard gravity [m/s^2]. Scales the force senses, so that a change of gravity in a document is felt as
-/// such.
-inline constexpr float kStandardGravity = 9.8f;
 
 }  // namespace gaitsmith

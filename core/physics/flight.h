@@ -50,11 +50,12 @@ typename Lane<W>::I EndpointsNearGround(const Skeleton& skeleton, const MotionSt
 
 /// Gravity, joints and the path of a step without ground.
 template <int W>
-[[gnu::noinline]] void Fly(const Skeleton& skeleton, const World& world, MotionState<W>& s) {
+[[gnu::noinline]] void Fly(const Skeleton& skeleton, const World& world, const ActuatorTargets<W>& targets,
+                           MotionState<W>& s) {
   // Adding zero turns -0 into +0, so that impulses of zero change no bit.
   s.velocity_x = s.velocity_x + world.fall_x + 0.0f;
   s.velocity_y = s.velocity_y + world.fall_y + 0.0f;
-  MoveJoints<W>(skeleton, s.response, world.step_s, s.angle_rad, s.rate_radps, s.joint_turn);
+  MoveJoints<W>(skeleton, targets, world.step_s, s.angle_rad, s.rate_radps, s.joint_turn);
   PoseFigure<W>(skeleton, s.angle_rad, s.NextPose());
   s.shape = MeasureShape<W>(skeleton, s.PoseNow(), s.NextPose(), s.joint_turn, world.inverse_step);
   s.inverse_inertia = 1.0f / s.shape.inertia;

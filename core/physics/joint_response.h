@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "core/control/response.h"
 #include "core/physics/skeleton.h"
+#include "core/signal/actuator_targets.h"
 
 namespace gaitsmith {
 
@@ -18,7 +18,7 @@ namespace gaitsmith {
 /// @param angle, rate  of each joint [rad], [rad/s]; in and out
 /// @param turn         out: change of each angle in this step [rad]
 template <int W>
-void MoveJoints(const Skeleton& skeleton, const Response<W>& response, float step_s,
+void MoveJoints(const Skeleton& skeleton, const ActuatorTargets<W>& targets, float step_s,
                 std::array<typename Lane<W>::F, kMaxJoints>& angle,
                 std::array<typename Lane<W>::F, kMaxJoints>& rate,
                 std::array<typename Lane<W>::F, kMaxJoints>& turn) {
@@ -27,10 +27,10 @@ void MoveJoints(const Skeleton& skeleton, const Response<W>& response, float ste
   using I = typename L::I;
   for (std::size_t j = 0; j < static_cast<std::size_t>(skeleton.joints); ++j) {
     const Skeleton::Limb& limb = skeleton.limbs[j + 1];
-    const F off = angle[j] - response.target_rad[j];
-    const F pull_step = (rate[j] + off * response.inverse_tau[j]) * step_s;
-    const F free_angle = response.target_rad[j] + (off + pull_step) * response.decay[j];
-    const F free_rate = (rate[j] - pull_step * response.inverse_tau[j]) * response.decay[j];
+    const F off = angle[j] - targets.target[j];
+    const F pull_step = (rate[j] + off * targets.inverse_tau[j]) * step_s;
+    const F free_angle = targets.target[j] + (off + pull_step) * targets.decay[j];
+    const F free_rate = (rate[j] - pull_step * targets.inverse_tau[j]) * targets.decay[j];
     const I below = free_angle < limb.min_rad;
     const I above = free_angle > limb.max_rad;
     const F held =

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Everything about W figures side by side: what they carry from step to step, what is measured over their
-// motion, and the step in progress. Plain data; flight.h, ground.h and simulation.h work on it.
+// motion, and the step in progress. Plain data; flight.h, ground.h and figure_plant.h work on it.
 #pragma once
 
 #include <array>
 
-#include "core/control/bank.h"
-#include "core/control/network.h"
 #include "core/physics/contact.h"
 #include "core/physics/pose.h"
 
@@ -44,10 +42,6 @@ struct MotionState {
   int now = 0;
   std::array<F, kMaxEndpoints> last_normal{};  // impulses of the ground in the last step [N s]
   std::array<F, kMaxEndpoints> last_tangent{};
-  I rule{};  // of a bank
-  Response<W> response{};
-  SenseVector<W> senses{};
-  NetworkState<W> network{};
 
   // Measured over the motion.
   F start_height_m{}, greatest_height_m{}, slip_m{};
@@ -72,16 +66,8 @@ struct MotionState {
   [[nodiscard]] Pose<W>& NextPose() { return poses[static_cast<std::size_t>(1 - now)]; }
 };
 
-/// A moment of a motion, from which it can go on as if it had never been left.
-template <int W>
-struct Moment {
-  MotionState<W> state;
-  int step = 0;         // since the start
-  int timer_steps = 0;  // since the controller in charge took over
-};
-
 /// Puts every lane where one figure is, its joint rates and what its endpoints bear included, and measures
-/// from there; what is void stays so. What a controller keeps is left to the next one.
+/// from there. What is void stays so.
 template <int W>
 void SpreadState(const MotionState<1>& one, MotionState<W>& all) {
   using L = Lane<W>;

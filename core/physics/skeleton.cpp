@@ -67,4 +67,16 @@ Skeleton::Skeleton(const Figure& figure)
   head = HighestEndpoint(*this);
 }
 
+Ports PortsOf(const Skeleton& skeleton) {
+  Ports ports = {.actuator_range = {},
+                 .contacts = skeleton.endpoints,
+                 .mass_kg = skeleton.mass_kg,
+                 .length_m = skeleton.longest_rod_m};
+  for (int joint = 0; joint < skeleton.joints; ++joint) {
+    const Skeleton::Limb& limb = skeleton.limbs[static_cast<std::size_t>(joint) + 1];
+    ports.actuator_range.push_back({limb.min_rad, limb.max_rad});
+  }
+  return ports;
+}
+
 }  // namespace gaitsmith

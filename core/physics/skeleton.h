@@ -37,4 +37,7 @@ struct Skeleton {
   int head = 0;                  // highest endpoint of the drawn pose; of equals the first
 };
 
+/// Joints are the actuators, endpoints the contacts, both in the skeleton's order.
+[[nodiscard]] Ports PortsOf(const Skeleton&);
+
 }  // namespace gaitsmith

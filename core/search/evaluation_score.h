@@ -3,7 +3,7 @@
 // nothing of physics.
 #pragma once
 
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 #include "core/search/search.h"
 
 namespace gaitsmith {

@@ -5,7 +5,7 @@
 
 #include "core/document/json.h"
 #include "core/document/link.h"
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"

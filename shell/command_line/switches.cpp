@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"

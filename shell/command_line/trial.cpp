@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/document/link.h"
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 #include "core/search/evaluation_score.h"
 
 namespace gaitsmith::shell {

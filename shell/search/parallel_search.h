@@ -7,7 +7,7 @@
 #include <functional>
 #include <mutex>
 
-#include "core/physics/problem.h"
+#include "core/rollout/problem.h"
 #include "shell/search/search_progress.h"
 
 namespace gaitsmith::shell {

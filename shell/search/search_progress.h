@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/physics/task.h"
+#include "core/rollout/task.h"
 #include "core/search/search.h"
 #include "core/search/spread.h"
 

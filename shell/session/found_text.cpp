@@ -14,19 +14,17 @@ namespace {
 // In the order of Origin.
 constexpr std::array<std::string_view, 4> kOriginNames = {"done", "stopped", "failed", "by-hand"};
 
-// In the order of the text.
+// The terms in the order of the text: the two that are no style terms, then the table.
 template <class T, class Use>
 void ForEachTerm(T& terms, Use use) {
   use(terms.travel_m);
   use(terms.start_height_m);
-  use(terms.max_cm_height_m);
-  use(terms.slip_sum_m);
-  use(terms.rotations);
-  use(terms.effort_rad);
-  use(terms.upright);
-  use(terms.smoothness_radps2);
-  use(terms.head_height_m);
+  for (const StyleTermRow& row : kStyleTable) use(terms.*row.value);
 }
+
+// Numbers in the text: now, and at least, since terms are only ever added behind.
+constexpr std::size_t kKnownTerms = 2 + kStyleTable.size();
+constexpr std::size_t kFewestTerms = 2 + kPaperTerms;
 
 std::string Exact(double value, int digits) {
   char text[40];
@@ -92,15 +90,18 @@ Result<FoundMotion> DecodeFound(std::string_view text) {
     found.terms.broke_physics = true;
     return found;
   }
+  const auto& values = terms->items;
+  const bool numbers = terms->kind == Kind::kArray && std::ranges::all_of(values, [](const JsonValue& value) {
+                         return value.kind == Kind::kNumber;
+                       });
+  if (!numbers || values.size() < kFewestTerms || values.size() > kKnownTerms) return Bad("terms");
+  if (values.size() < kKnownTerms) {
+    // Kept before the last terms came: they are measured now.
+    if (found.Moves()) found.terms = Measured(found.document, found.origin, found.evaluations).terms;
+    return found;
+  }
   std::size_t next = 0;
-  ForEachTerm(found.terms, [&](float& value) {
-    if (next < terms->items.size() && terms->items[next].kind == Kind::kNumber)
-      value = static_cast<float>(terms->items[next].number);
-    else
-      next = terms->items.size();
-    ++next;
-  });
-  if (terms->kind != Kind::kArray || next != terms->items.size()) return Bad("terms");
+  ForEachTerm(found.terms, [&](float& value) { value = static_cast<float>(values[next++].number); });
   return found;
 }
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <span>
 
-#include "core/physics/ground_use.h"
+#include "core/rollout/ground_use.h"
 #include "core/search/search.h"
 #include "shell/study/study_plan.h"
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/control/rule_choice.h"
-#include "core/control/sense_scale.h"
-#include "core/physics/motion.h"
+#include "core/rollout/figure_senses.h"
+#include "core/rollout/motion.h"
 
 namespace gaitsmith::shell {
 

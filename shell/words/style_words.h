@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "core/physics/task.h"
+#include "core/rollout/task.h"
 
 namespace gaitsmith::shell {
 

@@ -3,7 +3,7 @@
 // senses that a rule cares about. cost_bench.mjs fits the slopes. Time is that of kGenomes motions of 5 s.
 #include <benchmark/benchmark.h>
 
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 #include "tests/bench/workload.h"
 
 namespace {

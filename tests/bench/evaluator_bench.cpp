@@ -3,7 +3,7 @@
 // counts simulated motions of Mr. Star-Man: ten rules, 5 s, 500 steps.
 #include <benchmark/benchmark.h>
 
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 #include "shell/search/parallel_search.h"
 #include "tests/bench/workload.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/document/json.h"
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 #include "tests/bench/workload.h"
 
 namespace {

@@ -13,7 +13,7 @@
 #include <string>
 
 #include "core/document/json.h"
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 #include "tests/bench/workload.h"
 #ifdef GAITSMITH_BOX2D
 #include "tests/bench/box2d_rival.h"

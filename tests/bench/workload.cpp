@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/document/json.h"
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 
 namespace gaitsmith::bench {
 

@@ -43,7 +43,7 @@ class FieldTable {
   void Text(std::string_view name, std::string&) { Line(name) << "text"; }
   void Model(std::string_view name, int&) { Line(name) << "model"; }
   void Hash(std::string_view name, std::optional<std::uint64_t>&) { Line(name) << "hash"; }
-  void Genes(Controller&, int) { Line("genes") << "genes"; }
+  void Genes(Controller&, const PortCount&) { Line("genes") << "genes"; }
   template <class Fields>
   void Group(std::string_view name, Fields fields) {
     Inside(std::string(name) + ".", fields);

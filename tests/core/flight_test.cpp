@@ -4,7 +4,7 @@
 #include <catch_amalgamated.hpp>
 #include <cmath>
 
-#include "core/physics/motion.h"
+#include "core/rollout/motion.h"
 #include "tests/reference/free_flight.h"
 #include "tests/scene.h"
 

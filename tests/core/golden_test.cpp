@@ -9,7 +9,7 @@
 #include <catch_amalgamated.hpp>
 
 #include "core/document/json.h"
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 #include "tests/scene.h"
 #include "tests/search_run.h"
 

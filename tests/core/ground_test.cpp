@@ -4,9 +4,9 @@
 #include <catch_amalgamated.hpp>
 #include <cmath>
 
-#include "core/physics/ground_use.h"
-#include "core/physics/motion.h"
-#include "core/physics/simulation.h"
+#include "core/physics/figure_plant.h"
+#include "core/rollout/ground_use.h"
+#include "core/rollout/motion.h"
 #include "tests/reference/free_flight.h"
 #include "tests/scene.h"
 
@@ -218,17 +218,17 @@ TEST_CASE("ground: the energy that its blow gives is what the figure has more", 
     for (const float down : {-15.0f, -40.0f}) {
       for (const float spin : {-25.0f, -3.0f, 8.0f}) {
         CAPTURE(along, down, spin);
-        Simulation<1> simulation(
+        FigurePlant<1> plant(
             rod, weightless,
             {.drop_height_m = 0.05f, .velocity_x_mps = along, .velocity_y_mps = down, .spin_radps = spin},
-            {});
-        const Moment<1> before = simulation.Save();
-        simulation.Step();
-        const Moment<1> after = simulation.Save();
-        const auto inverse_inertia = static_cast<double>(after.state.inverse_inertia[0]);
-        const double came = energy(before.state, inverse_inertia);
-        const double gained = energy(after.state, inverse_inertia) - came;
-        const auto given = static_cast<double>(after.state.ground.given_energy_j[0]);
+            kStep);
+        const MotionState<1> before = plant.Save();
+        plant.Step(0, {});
+        const MotionState<1> after = plant.Save();
+        const auto inverse_inertia = static_cast<double>(after.inverse_inertia[0]);
+        const double came = energy(before, inverse_inertia);
+        const double gained = energy(after, inverse_inertia) - came;
+        const auto given = static_cast<double>(after.ground.given_energy_j[0]);
         CHECK(std::abs(given - gained) < 0.02 * came);
         blows += gained < -0.3 * came ? 1 : 0;
       }

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/document/json.h"
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 #include "tests/scene.h"
 
 namespace gaitsmith::test {

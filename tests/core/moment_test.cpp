@@ -4,53 +4,38 @@
 #include <catch_amalgamated.hpp>
 
 #include "core/document/json.h"
-#include "core/physics/evaluator.h"
-#include "core/physics/simulation.h"
+#include "core/physics/figure_plant.h"
+#include "core/rollout/rollout.h"
 #include "tests/scene.h"
 
 namespace gaitsmith::test {
 
 namespace {
 
+using FigureRollout = Rollout<FigurePlant, 1>;
+
 /// A document's motion, step by step.
 class Player {
  public:
-  explicit Player(const Document& document) : document_(document), bones_(document.figure) {
-    const auto limits = JointLimits(bones_);
-    for (const Clip& clip : document.timeline) {
-      const Controller& controller = document.controllers[static_cast<std::size_t>(clip.controller)];
-      const std::span<const Gene> genes(controller.genes);
-      controllers_.push_back(DecodeControllers<1>(controller.Shape(bones_.rods), controller.senses,
-                                                  std::span(&genes, 1), limits, kStep));
-    }
-  }
+  explicit Player(const Document& document)
+      : document_(document),
+        bones_(document.figure),
+        takeovers_(DecodeClips(document.timeline, document.controllers, PortsOf(bones_), kStep)) {}
 
-  [[nodiscard]] Simulation<1> Begin() const {
-    return {bones_, document_.environment, document_.start, document_.pushes};
+  [[nodiscard]] FigureRollout Begin() const {
+    return {bones_, document_.environment, document_.start, document_.pushes, takeovers_};
   }
   /// @return the bits of where the step leads
-  std::uint64_t Step(Simulation<1>& simulation, int step) const {
-    for (std::size_t clip = 0; clip < controllers_.size(); ++clip) {
-      if (document_.timeline[clip].start_step == step) simulation.Follow(controllers_[clip]);
-    }
-    simulation.Step();
+  static std::uint64_t Step(FigureRollout& rollout) {
     TrajectoryHash hash;
-    simulation.AddTo(hash, 0);
+    rollout.RunTo(rollout.StepNow() + 1, kNothing, [&] { rollout.PlantNow().AddTo(hash, 0); });
     return hash.Value();
-  }
-  /// Who is in charge when a step ends.
-  [[nodiscard]] const Controllers<1>* InCharge(int step) const {
-    const Controllers<1>* in_charge = nullptr;
-    for (std::size_t clip = 0; clip < controllers_.size(); ++clip) {
-      if (document_.timeline[clip].start_step <= step) in_charge = &controllers_[clip];
-    }
-    return in_charge;
   }
 
  private:
   const Document& document_;
   Skeleton bones_;
-  std::vector<Controllers<1>> controllers_;
+  std::vector<Takeover<1>> takeovers_;
 };
 
 }  // namespace
@@ -66,27 +51,27 @@ TEST_CASE("moment: restored after any step of a motion dense with contacts, it g
   const int steps = document->duration_steps;
   std::vector<std::uint64_t> bits;
   bits.reserve(static_cast<std::size_t>(steps));
-  Simulation<1> whole = player.Begin();
-  for (int step = 0; step < steps; ++step) bits.push_back(player.Step(whole, step));
+  FigureRollout whole = player.Begin();
+  for (int step = 0; step < steps; ++step) bits.push_back(Player::Step(whole));
 
   constexpr int kAhead = 40;
   int touching = 0;
-  Simulation<1> going = player.Begin();  // itself restored after every step
+  FigureRollout going = player.Begin();  // itself restored after every step
   for (int step = 0; step < steps; ++step) {
     CAPTURE(step);
-    REQUIRE(player.Step(going, step) == bits[static_cast<std::size_t>(step)]);
-    for (const auto& normal : going.State().last_normal) {
+    REQUIRE(Player::Step(going) == bits[static_cast<std::size_t>(step)]);
+    for (const auto& normal : going.PlantNow().Save().last_normal) {
       if (normal[0] <= 0.0f) continue;
       ++touching;
       break;
     }
-    const Moment<1> moment = going.Save();
-    Simulation<1> restored = player.Begin();
-    restored.Restore(moment, player.InCharge(step));
+    const Moment<FigurePlant, 1> moment = going.Save();
+    FigureRollout restored = player.Begin();
+    restored.Restore(moment);
     for (int later = step + 1; later < std::min(steps, step + kAhead); ++later) {
-      REQUIRE(player.Step(restored, later) == bits[static_cast<std::size_t>(later)]);
+      REQUIRE(Player::Step(restored) == bits[static_cast<std::size_t>(later)]);
     }
-    going.Restore(moment, player.InCharge(step));
+    going.Restore(moment);
   }
   CAPTURE(touching, steps);
   CHECK(2 * touching > steps);
@@ -102,8 +87,7 @@ TEST_CASE("moment: a motion that shares its beginning with another has the same 
     const std::uint64_t hash = motion.Hash();
     for (const int parting : {0, 1, 99, 100, 101, 163, 200, 333, d.duration_steps - 1, d.duration_steps}) {
       CAPTURE(parting);
-      motion = Motion(std::move(motion), parting, d.figure, d.environment, d.start, d.pushes, d.controllers,
-                      d.timeline, d.duration_steps);
+      motion = Motion(std::move(motion), parting, ScriptOf(d));
       CHECK(motion.Hash() == hash);
       CHECK(motion.Frames() == d.duration_steps + 1);
     }

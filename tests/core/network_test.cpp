@@ -7,7 +7,7 @@
 
 #include "core/document/binary.h"
 #include "core/document/json.h"
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 #include "tests/scene.h"
 
 namespace gaitsmith::test {
@@ -38,7 +38,7 @@ struct Bench {
   std::vector<std::array<float, 2>> limits = {{-1.0f, 1.0f}, {-0.5f, 2.0f}};
   Genome genes = Quiet(shape, 0);  // the least delay: tau_min_s
   NetworkState<1> state;
-  Response<1> response{};
+  ActuatorTargets<1> targets{};
 
   [[nodiscard]] Network<1> Build() const {
     const std::span<const Gene> span(genes);
@@ -48,7 +48,7 @@ struct Bench {
     using F = Lane<1>::F;
     const std::array<F, 2> angle = {F{angles[0]}, F{angles[1]}};
     const std::array<F, 4> push = {F{pushes[0]}, F{pushes[1]}, F{pushes[2]}, F{pushes[3]}};
-    network.Advance(angle, push, state, response);
+    network.Advance(angle, push, state, targets);
   }
 };
 
@@ -60,7 +60,7 @@ TEST_CASE(
   Bench bench;
   bench.genes[bench.shape.Weight(0, 2)] = kGeneMax;  // touch 3 excites the hidden node
   const Network<1> network = bench.Build();
-  network.Begin(bench.state, bench.response);
+  network.Begin(bench.state, bench.targets);
   const auto output = [&] {
     return bench.state.input[static_cast<std::size_t>(bench.shape.Inputs()) - 1][0];
   };
@@ -83,7 +83,7 @@ TEST_CASE("network: a short touch does not turn a node, for it must fill up firs
   Bench bench;
   bench.genes[bench.shape.Weight(0, 0)] = kGeneMax;
   const Network<1> network = bench.Build();
-  network.Begin(bench.state, bench.response);
+  network.Begin(bench.state, bench.targets);
   for (int step = 0; step < 200; ++step) {
     // On for ten steps of every twenty: charges and discharges alike, and never fills.
     bench.Advance(network, {-2.0f, -2.0f}, {step % 20 < 10 ? 1.0f : 0.0f, 0.0f, 0.0f, 0.0f});
@@ -96,17 +96,17 @@ TEST_CASE("network: an actuator moves its target from one end to the other in it
   const int actuator = bench.shape.hidden + 1;                                // of joint 2, [-0.5, 2] rad
   bench.genes[bench.shape.Weight(actuator, bench.shape.touches)] = kGeneMax;  // angle 1
   const Network<1> network = bench.Build();
-  network.Begin(bench.state, bench.response);
-  CHECK(bench.response.target_rad[1][0] == -0.5f);
+  network.Begin(bench.state, bench.targets);
+  CHECK(bench.targets.target[1][0] == -0.5f);
   // Threshold at the least angle, -1 rad: at -0.9 the sensor is on.
   for (int step = 1; step <= 15; ++step) {
     bench.Advance(network, {-0.9f, 0.0f}, {});
     const float expected = -0.5f + 2.5f * static_cast<float>(step) / 15.0f;
-    REQUIRE(std::abs(bench.response.target_rad[1][0] - expected) < 1e-5f);
+    REQUIRE(std::abs(bench.targets.target[1][0] - expected) < 1e-5f);
   }
-  CHECK(bench.response.target_rad[0][0] == -1.0f);
+  CHECK(bench.targets.target[0][0] == -1.0f);
   for (int step = 0; step < 100; ++step) bench.Advance(network, {-1.1f, 0.0f}, {});
-  CHECK(bench.response.target_rad[1][0] == -0.5f);
+  CHECK(bench.targets.target[1][0] == -0.5f);
 }
 
 TEST_CASE("network: a node that inhibits itself and is excited for ever swings in twice its delay",
@@ -115,7 +115,7 @@ TEST_CASE("network: a node that inhibits itself and is excited for ever swings i
   bench.genes[bench.shape.Weight(0, bench.shape.touches)] = 49151;   // angle 1: +1
   bench.genes[bench.shape.Weight(0, bench.shape.Inputs() - 1)] = 0;  // itself: -2
   const Network<1> network = bench.Build();
-  network.Begin(bench.state, bench.response);
+  network.Begin(bench.state, bench.targets);
   std::vector<int> turned_on;
   float before = 0.0f;
   for (int step = 0; step < 400; ++step) {

@@ -5,8 +5,8 @@
 #include <catch_amalgamated.hpp>
 #include <cmath>
 
-#include "core/control/sense_scale.h"
 #include "core/document/document.h"
+#include "core/rollout/figure_senses.h"
 #include "tests/scene.h"
 
 namespace gaitsmith::test {

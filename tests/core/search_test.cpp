@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 #include "tests/scene.h"
 #include "tests/search_run.h"
 

@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "core/control/bank.h"
-#include "core/physics/evaluator.h"
-#include "core/physics/simulation.h"
+#include "core/rollout/evaluator.h"
 #include "core/search/operators.h"
 #include "tests/scene.h"
 
@@ -31,8 +30,8 @@ struct TimerBank {
   }
   [[nodiscard]] int Choose(float sense, int present) const {
     const std::span<const Gene> span(genes);
-    const std::vector<std::array<float, 2>> limits = {{-1.0f, 1.0f}};
-    const Bank<1> bank(shape, senses, std::span(&span, 1), limits, kStep);
+    const Ports ports = {.actuator_range = {{-1.0f, 1.0f}}, .contacts = 3};
+    const Bank<1> bank(shape, senses, std::span(&span, 1), ports, kStep);
     SenseVector<1> values{};
     values[0][0] = sense;
     return bank.Choose(values, Lane<1>::I{present})[0];
@@ -51,7 +50,7 @@ TEST_CASE("rules: the deepest stimulus wins, ties go to the first, and the last 
 }
 
 TEST_CASE("timer: the table of choices says what the rules themselves say, at every phase", "[control]") {
-  const std::vector<std::array<float, 2>> limits = {{-1.0f, 1.0f}};
+  const Ports ports = {.actuator_range = {{-1.0f, 1.0f}}, .contacts = 3};
   for (const int period : {2, 7, 100, 12000}) {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
       CAPTURE(period, seed);
@@ -67,7 +66,7 @@ TEST_CASE("timer: the table of choices says what the rules themselves say, at ev
         genes[shape.High(7, 0)] = kGeneMax;
       }
       const std::span<const Gene> span(genes);
-      const Bank<1> bank(shape, senses, std::span(&span, 1), limits, kStep);
+      const Bank<1> bank(shape, senses, std::span(&span, 1), ports, kStep);
       for (int phase = 0; phase < period; ++phase) {
         SenseVector<1> values{};
         values[0][0] = TimerSense(phase, period);

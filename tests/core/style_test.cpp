@@ -11,8 +11,8 @@
 #include "core/document/link.h"
 #include "core/document/usual_weights.h"
 #include "core/numeric/scalar_math.h"
-#include "core/physics/evaluator.h"
 #include "core/physics/trajectory_hash.h"
+#include "core/rollout/evaluator.h"
 #include "core/search/evaluation_score.h"
 #include "tests/scene.h"
 

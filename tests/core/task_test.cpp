@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "core/physics/task.h"
+#include "core/rollout/task.h"
 
 #include <catch_amalgamated.hpp>
 #include <cmath>
 #include <limits>
 
-#include "core/physics/motion.h"
+#include "core/rollout/motion.h"
 #include "tests/scene.h"
 
 namespace gaitsmith::test {

@@ -6,7 +6,8 @@
 
 #include "core/document/composite.h"
 #include "core/document/link.h"
-#include "core/physics/mirror_image.h"
+#include "core/physics/symmetry.h"
+#include "core/rollout/mirror_image.h"
 #include "tests/scene.h"
 
 namespace gaitsmith::test {

@@ -8,7 +8,7 @@
 
 #include "core/document/binary.h"
 #include "core/document/timeline_edit.h"
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 #include "tests/scene.h"
 
 namespace gaitsmith::test {

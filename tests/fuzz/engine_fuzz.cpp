@@ -12,7 +12,7 @@
 
 #include "core/document/binary.h"
 #include "core/document/json_value.h"
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 #include "core/search/search.h"
 #include "web/search/engine.cpp"  // NOLINT: the border has no header, only a declaration for JavaScript
 

@@ -246,28 +246,28 @@ if (!SITE) {
       const root = pages.get(join(book, 'reference', page))?.root;
       assert.ok(root, page);
       assert.match(root.querySelector('main').text, new RegExp(`#include "core/${header}"`), page);
-      assert.ok(root.querySelector('h2') || header === 'physics/evaluator_width.h', `${page} declares nothing`);
+      assert.ok(root.querySelector('h2') || header === 'rollout/plant.h', `${page} declares nothing`);
       assert.ok(first.querySelector(`a[href="../reference/${page}"]`), `the first page does not lead to ${page}`);
     }
   });
 
   test('reference: a page has what its header declares for others, with words, and nothing else', { skip: !hasReference && 'Doxygen was not installed' }, () => {
     const page = (/** @type {string} */ name) => pages.get(join(book, `reference/core/${name}.html`))?.root;
-    const evaluator = page('physics/evaluator');
+    const evaluator = page('rollout/evaluator');
     const heading = evaluator.getElementById('evaluator-evaluate');
     assert.equal(heading.text, 'Evaluate');
     const [declared, parameters, returned] = [heading.nextElementSibling, heading.nextElementSibling.nextElementSibling, heading.nextElementSibling.nextElementSibling.nextElementSibling];
     assert.match(declared.text, /std::vector<Evaluation> Evaluate\(std::span<const Genome> genomes\) const/);
     assert.match(declared.innerHTML, /<var>genomes<\/var>/);
-    assert.match(declared.innerHTML, /<a href="#evaluation">Evaluation<\/a>.*<a href="\.\.\/\.\.\/\.\.\/reference\/core\/control\/stimulus_response\.html#genome">Genome<\/a>/s);
+    assert.match(declared.innerHTML, /<a href="\.\.\/\.\.\/\.\.\/reference\/core\/rollout\/evaluation\.html#evaluation">Evaluation<\/a>.*<a href="\.\.\/\.\.\/\.\.\/reference\/core\/control\/stimulus_response\.html#genome">Genome<\/a>/s);
     assert.match(parameters.text, /genomes any number of them, each with Problem::Shape\(\)\.Genes\(\) genes/);
     assert.match(returned.text, /Returns an evaluation for each, in order/);
-    assert.match(evaluator.getElementById('evaluation-fitness').text, /float fitness = kVoidScore\s+with several beginnings: the mean, void if one is/);
+    assert.match(page('rollout/evaluation').getElementById('evaluation-fitness').text, /float fitness = kVoidScore\s+with several beginnings: the mean, void if one is/);
     assert.doesNotMatch(evaluator.text, /problem_|EvaluateWidth|lane_width/);
     // A comment that goes on below itself; one above several members; two members of one declaration; a constant.
     assert.match(page('control/senses').text, /kPhysical\s+joint angles, contact forces at the endpoints, height and vertical velocity of the centre of mass/);
-    assert.match(page('physics/task').text, /The further terms; 0 where nobody asked for them\. See docs\/style\.md\.\s+float effort_rad/);
-    assert.match(page('physics/motion').getElementById('motion-point-y').parentNode.text, /float x, y/);
+    assert.match(page('physics/terms').text, /The further terms; 0 where nobody asked for them\. See docs\/style\.md\.\s+float effort_rad/);
+    assert.match(page('rollout/motion').getElementById('motion-point-y').parentNode.text, /float x, y/);
     assert.equal(page('search/batch_search').getElementById('batchsearch-tell').nextElementSibling.text, 'virtual void Tell(std::span<const Score> scores) final');
     assert.match(page('physics/figure').getElementById('knoparent').text, /constexpr int kNoParent = -1/);
   });
@@ -276,6 +276,6 @@ if (!SITE) {
     const MiniSearch = foreign('minisearch');
     const search = MiniSearch.loadJSON(await readFile(join(book, 'search.json'), 'utf8'), { fields: ['title', 'heading', 'text'], storeFields: ['href'] });
     assert.equal(search.search('MakeSearch', { boost: { heading: 3 } })[0].href, 'reference/core/search/search.html#makesearch');
-    assert.equal(search.search('kVoidScore', { boost: { heading: 3 } })[0].href, 'reference/core/physics/task.html#kvoidscore');
+    assert.equal(search.search('kVoidScore', { boost: { heading: 3 } })[0].href, 'reference/core/rollout/task.html#kvoidscore');
   });
 }

@@ -22,8 +22,10 @@ export const REFERENCE = { address: 'reference/index.html', title: 'API referenc
 /** Folders of core in the order in which one meets them. */
 const FOLDERS = [
   { name: 'document', title: 'Documents', sentence: 'What a file or a link holds, read, checked, edited and written.' },
-  { name: 'physics', title: 'Physics', sentence: 'Figures, the ground they move on, and what their motions are worth.' },
+  { name: 'rollout', title: 'Rollouts', sentence: 'Controllers drive figures: scored, recorded, handed over.' },
+  { name: 'physics', title: 'Physics', sentence: 'Figures and the ground they move on.' },
   { name: 'control', title: 'Control', sentence: 'Senses, and the controllers that answer them: rules and networks.' },
+  { name: 'signal', title: 'Signals', sentence: 'What passes between controllers and plants: targets and readings.' },
   { name: 'search', title: 'Searches', sentence: 'How controllers are found.' },
   { name: 'numeric', title: 'Numbers', sentence: 'Arithmetic, random numbers and errors that are the same everywhere.' },
 ];
@@ -52,7 +54,7 @@ function firstPage(headers) {
 <h1>${REFERENCE.title}</h1>
 <p>Core is a library in C++23 that needs nothing but the standard library: no threads, clocks, files or printing, and no exceptions. Everything is in the
 namespace <code>gaitsmith</code> and in the CMake target <code>gaitsmith::core</code>. <a href="../engineers.html">For engineers</a> says how to build it and has
-programs to begin with; most begin with ${['core/document/document.h', 'core/physics/evaluator.h', 'core/search/search.h'].map((path) => `<a href="../${addressOf(path)}"><code>${path.split('/').pop()}</code></a>`).join(', ')}.</p>
+programs to begin with; most begin with ${['core/document/document.h', 'core/rollout/evaluator.h', 'core/search/search.h'].map((path) => `<a href="../${addressOf(path)}"><code>${path.split('/').pop()}</code></a>`).join(', ')}.</p>
 ${shelves(headers).map(({ name, title, sentence, paths }) => `<h2 id="${name}">${escaped(title)} <small>core/${name}</small></h2>
 ${sentence && `<p>${escaped(sentence)}</p>\n`}<ul class="shelf">
 ${paths.map((path) => `<li><a${attributes({ href: `../${addressOf(path)}` })}>${escaped(path.split('/').pop() ?? path)}</a>\n<p>${escaped(sentenceOf(headers.get(path) ?? ''))}</p></li>`).join('\n')}

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/control/rule_edit.h"
-#include "core/control/sense_scale.h"
 #include "core/numeric/scalar_math.h"
+#include "core/rollout/figure_senses.h"
 #include "shell/panels/controller/pose_board.h"
 #include "shell/panels/controller/rule_card.h"
 #include "shell/words/language.h"

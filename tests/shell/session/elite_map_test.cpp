@@ -5,7 +5,7 @@
 #include <catch_amalgamated.hpp>
 
 #include "core/numeric/bit_stream.h"
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 #include "core/search/evaluation_score.h"
 #include "tests/scene.h"
 #include "tests/shell/session/quiet_host.h"

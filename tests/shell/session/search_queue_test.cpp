@@ -7,7 +7,7 @@
 
 #include "core/document/binary.h"
 #include "core/document/link.h"
-#include "core/physics/evaluator.h"
+#include "core/rollout/evaluator.h"
 #include "shell/session/found_motions.h"
 #include "shell/session/spread_curve.h"
 #include "tests/scene.h"
@@ -241,6 +241,26 @@ TEST_CASE("found motions: as text and back, bit for bit, and in their order", "[
     CAPTURE(bad);
     CHECK(list.Restore(bad).empty());
   }
+}
+
+TEST_CASE("found motions: one that was kept before the last terms came is read, and they are measured",
+          "[shell][found]") {
+  const Document problem = Problem(3);
+  const FoundMotion found = Measured(FoundDocument(problem, Genes(problem, 41000)), Origin::kDone, 1);
+  REQUIRE(found.terms.effort_rad > 0.0f);
+  const std::string text = EncodeFound(found);
+  const std::size_t first = text.find("\"terms\":[") + 9;
+  for (std::size_t left = kStyleTable.size() + 1; left >= 5; --left) {
+    CAPTURE(left);
+    std::size_t end = first;
+    for (std::size_t number = 0; number < left; ++number) end = text.find(',', end + 1);
+    const auto back = DecodeFound(text.substr(0, end) + "]}");
+    REQUIRE(back);
+    CHECK(EncodeFound(*back) == text);
+  }
+  std::size_t end = first;
+  for (std::size_t number = 0; number < 4; ++number) end = text.find(',', end + 1);
+  CHECK_FALSE(DecodeFound(text.substr(0, end) + "]}"));
 }
 
 TEST_CASE("found motions: one that broke physics has no score, and a text all the same", "[shell][found]") {

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Turns the readings of W plants into the senses of their controllers, as the table of senses says.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "core/control/sense_table.h"
+#include "core/signal/readings.h"
+
+namespace gaitsmith {
+
+/// Normalised senses of W plants; SenseCount() of them are in use.
+template <int W>
+using SenseVector = std::array<typename Lane<W>::F, kMaxSenses>;
+
+template <int W>
+class SenseReader {
+  using L = Lane<W>;
+  using F = typename L::F;
+
+ public:
+  /// @param spec of physical senses
+  SenseReader(const SenseSpec& spec, const Ports& ports, float step_s) : ports_(ports.Count()) {
+    std::size_t at = 0;
+    for (const SenseGroup& group : kPhysicalSenses) {
+      for (int i = 0; i < CountOf(group.per, ports_); ++i, ++at) {
+        const SenseRange range = group.range(spec, ports, static_cast<std::size_t>(i));
+        float width = range.at_one - range.at_zero;
+        // The plant reports forces as impulses of a step.
+        if (group.quantity == SenseQuantity::kForce) width *= step_s;
+        at_zero_[at] = L::Splat(range.at_zero);
+        // A locked joint always feels its least angle.
+        per_unit_[at] = L::Splat(width > 0.0f ? 1.0f / width : 0.0f);
+      }
+    }
+  }
+
+  void Read(const Readings<W>& readings, SenseVector<W>& senses) const {
+    std::size_t at = 0;
+    // One loop for each row of the table, written out by the compiler.
+    [&]<std::size_t... Row>(std::index_sequence<Row...>) {
+      (ReadGroup<Row>(readings, at, senses), ...);
+    }(std::make_index_sequence<kPhysicalSenses.size()>());
+  }
+
+ private:
+  template <std::size_t Row>
+  void ReadGroup(const Readings<W>& readings, std::size_t& at, SenseVector<W>& senses) const {
+    constexpr SenseGroup kGroup = kPhysicalSenses[Row];
+    const F* reading = ReadingOf<kGroup.quantity>(readings);
+    const auto count = static_cast<std::size_t>(CountOf(kGroup.per, ports_));
+    for (std::size_t i = 0; i < count; ++i, ++at) {
+      const F sense = (reading[i] - at_zero_[at]) * per_unit_[at];
+      if constexpr (kGroup.clipped) {
+        senses[at] = L::Min(sense, L::Splat(1.0f));
+      } else {
+        senses[at] = sense;
+      }
+    }
+  }
+
+  template <SenseQuantity Quantity>
+  static const F* ReadingOf(const Readings<W>& readings) {
+    if constexpr (Quantity == SenseQuantity::kAngle) return readings.position;
+    if constexpr (Quantity == SenseQuantity::kForce) return readings.impulse;
+    if constexpr (Quantity == SenseQuantity::kHeight) return readings.height;
+    if constexpr (Quantity == SenseQuantity::kVelocity) return readings.rise;
+  }
+
+  PortCount ports_;
+  std::array<F, kMaxSenses> at_zero_{}, per_unit_{};
+};
+
+}  // namespace gaitsmith

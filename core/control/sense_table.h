@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// The one table of senses: their order in the sense vector, names, units, ranges and mirror images. Whatever
+// counts, names, normalises or mirrors senses reads it.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/control/senses.h"
+
+namespace gaitsmith {
+
+enum class SenseQuantity { kAngle, kForce, kHeight, kVelocity, kTime };
+
+/// Of what a plant has one sense each. A mirror image exchanges senses as it exchanges these.
+enum class SensePer { kActuator, kContact, kBody };
+
+/// The readings that become 0 and 1.
+struct SenseRange {
+  float at_zero, at_one;  // [rad], [N], [m], [m/s] or [s]
+};
+
+/// Senses of one kind.
+struct SenseGroup {
+  SenseQuantity quantity;
+  std::string_view name;  // followed by the number, from 1, of the actuator or contact
+  std::string_view unit;  // of the range; of an actuator's position that of a joint
+  SensePer per;
+  bool reverses;  // in the mirror image of an actuator that turns the other way, s becomes 1 - s
+  bool clipped;   // at 1
+  SenseRange (*range)(const SenseSpec&, const Ports&, std::size_t index);
+};
+
+/// The physical senses [Fukunaga 1994, Table 1] in the order of the sense vector, each normalised to [0, 1].
+/// Forces are clipped, because impacts spike to 35 weights.
+inline constexpr std::array<SenseGroup, 4> kPhysicalSenses = {{
+    {SenseQuantity::kAngle, "angle", "rad", SensePer::kActuator, true, false,
+     [](const SenseSpec&, const Ports& ports, std::size_t index) {
+       const auto [least, greatest] = ports.actuator_range[index];
+       return SenseRange{least, greatest};
+     }},
+    {SenseQuantity::kForce, "force", "N", SensePer::kContact, false, true,
+     [](const SenseSpec& spec, const Ports& ports, std::size_t) {
+       return SenseRange{0.0f, spec.force_weights * ports.mass_kg * kStandardGravity};
+     }},
+    {SenseQuantity::kHeight, "height", "m", SensePer::kBody, false, false,
+     [](const SenseSpec& spec, const Ports& ports, std::size_t) {
+       return SenseRange{0.0f, spec.height_rods * ports.length_m};
+     }},
+    {SenseQuantity::kVelocity, "rise", "m/s", SensePer::kBody, false, false,
+     [](const SenseSpec& spec, const Ports&, std::size_t) {
+       return SenseRange{-spec.velocity_mps, spec.velocity_mps};
+     }},
+}};
+
+/// The sense of a wind-up toy: [0, period) becomes [0, 1).
+inline constexpr std::array<SenseGroup, 1> kTimerSenses = {{
+    {SenseQuantity::kTime, "timer", "s", SensePer::kBody, false, false,
+     [](const SenseSpec& spec, const Ports&, std::size_t) {
+       return SenseRange{0.0f, static_cast<float>(spec.period_steps) * kStep};
+     }},
+}};
+
+[[nodiscard]] constexpr std::span<const SenseGroup> SenseGroupsOf(SenseKind kind) {
+  if (kind == SenseKind::kTimer) return kTimerSenses;
+  return kPhysicalSenses;
+}
+
+/// Senses in a group.
+[[nodiscard]] constexpr int CountOf(SensePer per, const PortCount& ports) {
+  return per == SensePer::kActuator ? ports.actuators : per == SensePer::kContact ? ports.contacts : 1;
+}
+
+/// Values in the sense vector: 2 n + 2 physical ones of a figure of n rods, 1 timer.
+[[nodiscard]] constexpr int SenseCount(SenseKind kind, const PortCount& ports) {
+  int count = 0;
+  for (const SenseGroup& group : SenseGroupsOf(kind)) count += CountOf(group.per, ports);
+  return count;
+}
+
+/// Most values that a controller can sense.
+inline constexpr int kMaxSenses = SenseCount(SenseKind::kPhysical, {kMaxActuators, kMaxContacts});
+
+/// A sense's row of the table, and which actuator or contact it belongs to.
+struct SensePlace {
+  const SenseGroup* group;
+  int index;
+};
+/// @param sense in [0, SenseCount())
+[[nodiscard]] SensePlace PlaceOf(SenseKind kind, const PortCount& ports, int sense);
+
+/// "angle 1", "force 3", "height", "rise", "timer". Joints and endpoints count from 1 as in the paper.
+[[nodiscard]] std::string SenseName(SenseKind kind, const PortCount& ports, int sense);
+
+/// What a normalised sense is in units.
+struct SenseScale {
+  SenseQuantity quantity;
+  float at_zero, at_one;  // [rad], [N], [m], [m/s] or [s]
+
+  [[nodiscard]] float Of(float sense) const { return at_zero + (at_one - at_zero) * sense; }
+};
+/// @param sense in [0, SenseCount())
+[[nodiscard]] SenseScale ScaleOf(const SenseSpec&, const Ports&, int sense);
+
+}  // namespace gaitsmith

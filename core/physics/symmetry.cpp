@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "core/physics/symmetry.h"
+
+#include "core/physics/pose.h"
+#include "core/physics/skeleton.h"
+
+namespace gaitsmith {
+
+namespace {
+
+// Lengths, masses and limits may differ by this share, places by this share of the longest rod.
+constexpr float kTolerance = 1e-3f;
+
+bool Near(float a, float b, float scale) {
+  const float off = a > b ? a - b : b - a;
+  return off <= kTolerance * scale;
+}
+
+struct Drawn {
+  explicit Drawn(const Figure& figure) : skeleton(figure) {
+    Pose<1> pose;
+    PoseFigure<1>(skeleton, {}, pose);
+    const SineCosine root = SinCos(skeleton.start_angle_rad);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(skeleton.endpoints); ++k) {
+      x[k] = root.cosine * pose.endpoint_x[k][0] - root.sine * pose.endpoint_y[k][0];
+      y[k] = root.sine * pose.endpoint_x[k][0] + root.cosine * pose.endpoint_y[k][0];
+    }
+  }
+  Skeleton skeleton;
+  std::array<float, kMaxEndpoints> x{}, y{};  // from the centre of mass
+};
+
+std::unexpected<Error> Lopsided() {
+  return Fail(ErrorCode::kStructure, "", "the figure is not its own mirror image as it is drawn");
+}
+
+// The endpoint that lies where the image of this one does; -1: none.
+int ImageOfEndpoint(const Drawn& drawn, int endpoint) {
+  const auto k = static_cast<std::size_t>(endpoint);
+  for (int other = 0; other < drawn.skeleton.endpoints; ++other) {
+    const auto o = static_cast<std::size_t>(other);
+    const float scale = drawn.skeleton.longest_rod_m;
+    if (Near(drawn.x[o], -drawn.x[k], scale) && Near(drawn.y[o], drawn.y[k], scale)) return other;
+  }
+  return -1;
+}
+
+// The rod between the images of a rod's ends, of the same length and mass; -1: none.
+int ImageOfRod(const Skeleton& skeleton, const Symmetry& symmetry, int rod) {
+  const Skeleton::Limb& limb = skeleton.limbs[static_cast<std::size_t>(rod)];
+  const int start = symmetry.endpoint[static_cast<std::size_t>(limb.start)];
+  const int end = symmetry.endpoint[static_cast<std::size_t>(rod) + 1];
+  for (int other = 0; other < skeleton.rods; ++other) {
+    const Skeleton::Limb& image = skeleton.limbs[static_cast<std::size_t>(other)];
+    const bool along = image.start == start && other + 1 == end;
+    const bool against = image.start == end && other + 1 == start;
+    if ((along || against) && Near(image.length_m, limb.length_m, limb.length_m) &&
+        Near(image.mass_kg, limb.mass_kg, limb.mass_kg))
+      return other;
+  }
+  return -1;
+}
+
+}  // namespace
+
+Result<Symmetry> SymmetryOf(const Figure& figure) {
+  const Drawn drawn(figure);
+  const Skeleton& skeleton = drawn.skeleton;
+  Symmetry symmetry;
+  std::array<bool, kMaxEndpoints> taken{};
+  for (int k = 0; k < skeleton.endpoints; ++k) {
+    const int image = ImageOfEndpoint(drawn, k);
+    if (image < 0 || taken[static_cast<std::size_t>(image)]) return Lopsided();
+    taken[static_cast<std::size_t>(image)] = true;
+    symmetry.endpoint[static_cast<std::size_t>(k)] = image;
+  }
+  std::array<int, kMaxRods> rod_image{};
+  for (int rod = 0; rod < skeleton.rods; ++rod) {
+    rod_image[static_cast<std::size_t>(rod)] = ImageOfRod(skeleton, symmetry, rod);
+    if (rod_image[static_cast<std::size_t>(rod)] < 0) return Lopsided();
+  }
+  for (int joint = 0; joint < skeleton.joints; ++joint) {
+    const auto j = static_cast<std::size_t>(joint);
+    const Skeleton::Limb& limb = skeleton.limbs[j + 1];
+    const int child = rod_image[j + 1];
+    const int parent = rod_image[static_cast<std::size_t>(limb.parent)];
+    // Of two rods that hang on each other the image may have the other one for its parent; then the angle
+    // between them, turned round twice, keeps its sign.
+    const bool kept = skeleton.limbs[static_cast<std::size_t>(child)].parent == parent;
+    const bool swapped = skeleton.limbs[static_cast<std::size_t>(parent)].parent == child;
+    if (!kept && !swapped) {
+      return Fail(
+          ErrorCode::kStructure, "",
+          "the figure's mirror image hangs together otherwise: draw it beginning with a rod in its middle");
+    }
+    const int image = kept ? child - 1 : parent - 1;
+    const Skeleton::Limb& other = skeleton.limbs[static_cast<std::size_t>(image) + 1];
+    const float least = kept ? -other.max_rad : other.min_rad;
+    const float most = kept ? -other.min_rad : other.max_rad;
+    if (!Near(limb.min_rad, least, 1.0f) || !Near(limb.max_rad, most, 1.0f)) {
+      return Fail(ErrorCode::kStructure, "",
+                  "joints " + std::to_string(joint + 1) + " and " + std::to_string(image + 1) +
+                      " have limits that are not each other's mirror image");
+    }
+    symmetry.joint[j] = image;
+    symmetry.reversed[j] = kept;
+  }
+  return symmetry;
+}
+
+}  // namespace gaitsmith

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Scores a batch of genomes side by side, on the plant of one model. Evaluator picks the plant.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/rollout/beginning.h"
+#include "core/rollout/measurement.h"
+
+namespace gaitsmith {
+
+class BatchEvaluator {
+ public:
+  virtual ~BatchEvaluator() = default;
+  /// Most genomes of a batch.
+  [[nodiscard]] virtual std::size_t Lanes() const = 0;
+  /// @param genomes of the problem's shape, 1 to Lanes() @param results as many
+  virtual void Evaluate(std::span<const std::span<const Gene>> genomes,
+                        std::span<Evaluation> results) const = 0;
+};
+
+template <template <int> class PlantOf, int W>
+class PlantEvaluator final : public BatchEvaluator {
+ public:
+  PlantEvaluator(const Problem& problem, bool with_hash)
+      : problem_(problem),
+        body_(problem.figure),
+        ports_(PlantOf<W>::PortsOf(body_)),
+        shape_(problem.ShapeFor(ports_.Count())),
+        with_hash_(with_hash) {
+    for (const Beginning& beginning : problem_.beginnings) {
+      const std::span<const int> end(&beginning.steps, 1);
+      moments_.push_back(MomentsDuring<PlantOf>(beginning, problem_, body_, end).front());
+    }
+  }
+
+  [[nodiscard]] std::size_t Lanes() const override { return W; }
+
+  void Evaluate(std::span<const std::span<const Gene>> genomes,
+                std::span<Evaluation> results) const override {
+    const Controllers<W> controllers = DecodeControllers<W>(shape_, problem_.senses, genomes, ports_, kStep);
+    std::array<TrajectoryHash, W> hashes;
+    const std::span<TrajectoryHash> hashed =
+        with_hash_ ? std::span<TrajectoryHash>(hashes) : std::span<TrajectoryHash>();
+    std::array<Evaluation, W> scored;
+    const std::size_t begins = moments_.empty() ? 1 : moments_.size();
+    for (std::size_t begin = 0; begin < begins; ++begin) {
+      Rollout<PlantOf, W> rollout(body_, problem_.environment, problem_.start, problem_.pushes);
+      if (!moments_.empty()) rollout.BeginAt(moments_[begin]);
+      rollout.Follow(controllers);
+      Measure(rollout, ports_.Count().actuators, problem_.task, std::span(scored).first(results.size()),
+              hashed);
+      for (std::size_t i = 0; i < results.size(); ++i) {
+        if (begins > 1) {
+          AddToMean(results[i], scored[i], static_cast<int>(begin));
+        } else {
+          results[i] = scored[i];
+        }
+      }
+    }
+    if (!with_hash_) return;
+    for (std::size_t i = 0; i < results.size(); ++i) results[i].trajectory_hash = hashes[i].Value();
+  }
+
+ private:
+  Problem problem_;
+  typename PlantOf<W>::Body body_;
+  Ports ports_;
+  ControllerShape shape_;
+  std::vector<Moment<PlantOf, 1>> moments_;  // of the problem's beginnings
+  bool with_hash_;
+};
+
+}  // namespace gaitsmith

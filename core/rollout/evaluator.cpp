@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "core/rollout/evaluator.h"
+
+#include <algorithm>
+
+#include "core/rollout/batch_evaluator.h"
+#include "core/rollout/models.h"
+
+namespace gaitsmith {
+
+Evaluator::Evaluator(const Problem& problem, bool with_hash)
+    : Evaluator(WithPlantOf(
+          problem.model, [&]<template <int> class PlantOf>() -> std::shared_ptr<const BatchEvaluator> {
+            return std::make_shared<PlantEvaluator<PlantOf, kDefaultLanes>>(problem, with_hash);
+          })) {}
+
+std::vector<Evaluation> Evaluator::Evaluate(std::span<const std::span<const Gene>> genomes) const {
+  std::vector<Evaluation> results(genomes.size());
+  const std::size_t lanes = batch_->Lanes();
+  for (std::size_t at = 0; at < genomes.size(); at += lanes) {
+    const std::size_t count = std::min(lanes, genomes.size() - at);
+    batch_->Evaluate(genomes.subspan(at, count), std::span(results).subspan(at, count));
+  }
+  return results;
+}
+
+std::vector<Evaluation> Evaluator::Evaluate(std::span<const Genome> genomes) const {
+  const std::vector<std::span<const Gene>> spans(genomes.begin(), genomes.end());
+  return Evaluate(spans);
+}
+
+}  // namespace gaitsmith

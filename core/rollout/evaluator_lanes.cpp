@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Evaluators of every width, in a file of their own: a program that asks for none does not carry them.
+#include "core/rollout/batch_evaluator.h"
+#include "core/rollout/evaluator.h"
+#include "core/rollout/models.h"
+
+namespace gaitsmith {
+
+namespace {
+
+template <template <int> class PlantOf>
+std::shared_ptr<const BatchEvaluator> OfWidth(const Problem& problem, int lanes, bool with_hash) {
+  switch (lanes) {
+    case 1:
+      return std::make_shared<PlantEvaluator<PlantOf, 1>>(problem, with_hash);
+    case 2:
+      return std::make_shared<PlantEvaluator<PlantOf, 2>>(problem, with_hash);
+    case 4:
+      return std::make_shared<PlantEvaluator<PlantOf, 4>>(problem, with_hash);
+    case 8:
+      return std::make_shared<PlantEvaluator<PlantOf, 8>>(problem, with_hash);
+    default:
+      return std::make_shared<PlantEvaluator<PlantOf, 16>>(problem, with_hash);
+  }
+}
+
+}  // namespace
+
+Evaluator::Evaluator(const Problem& problem, int lanes, bool with_hash)
+    : Evaluator(WithPlantOf(problem.model, [&]<template <int> class PlantOf>() {
+        return OfWidth<PlantOf>(problem, lanes, with_hash);
+      })) {}
+
+}  // namespace gaitsmith

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// What controllers are worth: a task's time of a rollout, measured.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "core/rollout/evaluation.h"
+#include "core/rollout/rollout.h"
+#include "core/rollout/style_meter.h"
+
+namespace gaitsmith {
+
+/// Runs a rollout for the task's duration.
+/// @param actuators of the plant
+/// @param results out: of the first lanes, without hashes
+/// @param hashes  of every lane, each step is added to them; none: hashes are not wanted
+template <template <int> class PlantOf, int W>
+void Measure(Rollout<PlantOf, W>& rollout, int actuators, const Task& task, std::span<Evaluation> results,
+             std::span<TrajectoryHash> hashes = {}) {
+  const PlantOf<W>& plant = rollout.PlantNow();
+  // Most searches weigh none of the further terms. They are not measured then.
+  const FurtherTerms weighted = WeightedFurtherTerms(task);
+  std::optional<StyleMeter<PlantOf<W>>> meter;
+  if (weighted != FurtherTerms{}) meter.emplace(plant, actuators, weighted, kStep);
+  rollout.RunTo(rollout.StepNow() + task.duration_steps, kNothing, [&] {
+    if (meter) meter->Add();
+    for (std::size_t lane = 0; lane < hashes.size(); ++lane)
+      plant.AddTo(hashes[lane], static_cast<int>(lane));
+  });
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    Evaluation result;
+    result.terms = plant.TermsOf(static_cast<int>(i));
+    if (meter) meter->Put(static_cast<int>(i), result.terms);
+    result.fitness = Fitness(task, result.terms);
+    results[i] = result;
+  }
+}
+
+}  // namespace gaitsmith

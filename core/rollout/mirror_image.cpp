@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "core/rollout/mirror_image.h"
+
+#include "core/physics/symmetry.h"
+
+namespace gaitsmith {
+
+namespace {
+
+// "Shuffle" and "Shuffle, mirrored" are each other's image.
+std::string NameOfImage(const std::string& name) {
+  static const std::string kSuffix = ", mirrored";
+  constexpr std::size_t kRoom = 80;  // bytes that a name may have in a document
+  if (name.ends_with(kSuffix)) return name.substr(0, name.size() - kSuffix.size());
+  return name.empty() || name.size() + kSuffix.size() > kRoom ? name : name + kSuffix;
+}
+
+Gene Opposite(Gene gene) { return static_cast<Gene>(kGeneMax - gene); }
+
+// Where a sense goes in the mirror image, and whether it is turned round there.
+struct ImageOfSense {
+  int sense;
+  bool reversed;
+};
+ImageOfSense ImageOf(const Symmetry& symmetry, SenseKind kind, const PortCount& ports, int sense) {
+  const auto [group, index] = PlaceOf(kind, ports, sense);
+  const auto i = static_cast<std::size_t>(index);
+  switch (group->per) {
+    case SensePer::kActuator:
+      return {sense - index + symmetry.joint[i], group->reverses && symmetry.reversed[i]};
+    case SensePer::kContact:
+      return {sense - index + symmetry.endpoint[i], false};
+    case SensePer::kBody:
+      break;
+  }
+  return {sense, false};
+}
+
+}  // namespace
+
+Result<Controller> MirrorImageOf(const Controller& controller, const Figure& figure) {
+  if (controller.kind != ControllerKind::kRules)
+    return Fail(ErrorCode::kStructure, "",
+                "a network has no mirror image: its sensors cannot feel the opposite");
+  const auto symmetry = SymmetryOf(figure);
+  if (!symmetry) return std::unexpected(symmetry.error());
+  const PortCount ports = figure.Rods();
+  const BankShape shape(controller.rules, controller.senses.kind, ports);
+  Controller image = controller;
+  image.name = NameOfImage(controller.name);
+  for (int rule = 0; rule < shape.rules; ++rule) {
+    for (int joint = 0; joint < shape.joints; ++joint) {
+      const int to = symmetry->joint[static_cast<std::size_t>(joint)];
+      const bool reversed = symmetry->reversed[static_cast<std::size_t>(joint)];
+      const Gene target = controller.genes[shape.Target(rule, joint)];
+      image.genes[shape.Target(rule, to)] = reversed ? Opposite(target) : target;
+    }
+    for (int sense = 0; sense < shape.senses; ++sense) {
+      const auto [to, reversed] = ImageOf(*symmetry, controller.senses.kind, ports, sense);
+      const Gene low = controller.genes[shape.Low(rule, sense)];
+      const Gene high = controller.genes[shape.High(rule, sense)];
+      image.genes[shape.Low(rule, to)] = reversed ? Opposite(high) : low;
+      image.genes[shape.High(rule, to)] = reversed ? Opposite(low) : high;
+    }
+  }
+  return image;
+}
+
+}  // namespace gaitsmith

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+#include "core/rollout/models.h"
+
+namespace gaitsmith {
+
+PortCount CountPorts(int model, const Figure& figure) {
+  return WithPlantOf(model, [&]<template <int> class PlantOf>() { return PlantOf<1>::CountPorts(figure); });
+}
+
+}  // namespace gaitsmith

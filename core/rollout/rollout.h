@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// The one loop that simulates: W plants, each driven by its own controller, step by step. The evaluator,
+// motions, beginnings and transition maps all run it.
+#pragma once
+
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "core/control/controllers.h"
+#include "core/rollout/plant.h"
+#include "core/rollout/problem.h"
+
+namespace gaitsmith {
+
+/// Decoded controllers that take over at a step. Whole state of the plant carries across.
+template <int W>
+struct Takeover {
+  int step;
+  Controllers<W> controllers;
+};
+
+/// A moment of a rollout, from which it can go on as if it had never been left.
+template <template <int> class PlantOf, int W>
+struct Moment {
+  typename PlantOf<W>::State plant;
+  ControllerState<W> control;
+  ActuatorTargets<W> targets;
+  int step = 0;                // since the start
+  std::size_t taken_over = 0;  // takeovers so far
+};
+
+/// What RunTo does at each step where nothing else is asked for.
+inline constexpr auto kNothing = [] {};
+
+template <template <int> class PlantOf, int W>
+  requires Plant<PlantOf<W>>
+class Rollout {
+ public:
+  using P = PlantOf<W>;
+
+  /// @param body, pushes, takeovers must outlive the rollout. Pushes and takeovers are sorted by step; until
+  /// the first takeover the plant holds its drawn pose
+  Rollout(const typename P::Body& body, const Environment& environment, const StartState& start,
+          std::span<const Push> pushes, std::span<const Takeover<W>> takeovers = {}, float step_s = kStep)
+      : plant_(body, environment, start, step_s), pushes_(pushes), takeovers_(takeovers) {}
+
+  /// Lets other controllers take over now: their first rules become active, their timers start at zero, their
+  /// networks are empty. The motion goes on as it is. @param controllers must outlive their use
+  void Follow(const Controllers<W>& controllers) {
+    controllers_ = &controllers;
+    std::visit([&](const auto& one) { Begin(one, control_, targets_); }, controllers);
+  }
+
+  [[nodiscard]] Moment<PlantOf, W> Save() const {
+    return {plant_.Save(), control_, targets_, step_, taken_over_};
+  }
+  /// @param moment of a rollout with the same body, environment and start, and the same pushes and takeovers
+  /// before it
+  void Restore(const Moment<PlantOf, W>& moment) {
+    plant_.Restore(moment.plant);
+    control_ = moment.control;
+    targets_ = moment.targets;
+    step_ = moment.step;
+    taken_over_ = moment.taken_over;
+    controllers_ = taken_over_ == 0 ? nullptr : &takeovers_[taken_over_ - 1].controllers;
+    SkipPushes();
+  }
+  /// Every lane begins as one plant was at a moment, at rest or not, without its controller. What is measured
+  /// is measured from there.
+  void BeginAt(const Moment<PlantOf, 1>& moment) {
+    plant_.BeginAt(moment.plant);
+    control_ = {};
+    targets_ = {};
+    step_ = moment.step;
+    controllers_ = nullptr;
+    SkipPushes();
+  }
+
+  /// Lets everything take over that does so by the present step.
+  void TakeOver() {
+    while (taken_over_ < takeovers_.size() && takeovers_[taken_over_].step <= step_) {
+      Follow(takeovers_[taken_over_].controllers);
+      ++taken_over_;
+    }
+  }
+
+  /// Advances every lane by one step.
+  void Step() {
+    for (; next_push_ < pushes_.size() && pushes_[next_push_].step <= step_; ++next_push_) {
+      plant_.Give(pushes_[next_push_]);
+    }
+    plant_.Step(step_, targets_);
+    ++step_;
+    ++control_.steps;
+    if (controllers_ == nullptr) return;
+    const Readings<W> readings = plant_.Read();
+    std::visit([&](const auto& one) { Advance(one, readings, control_, targets_); }, *controllers_);
+  }
+
+  /// Simulates until a step.
+  /// @param before is called before each step, and before a controller takes over at it
+  /// @param after  is called after each step
+  template <class Before, class After>
+  void RunTo(int end, Before before, After after) {
+    while (step_ < end) {
+      before();
+      TakeOver();
+      Step();
+      after();
+    }
+  }
+
+  [[nodiscard]] const P& PlantNow() const { return plant_; }
+  [[nodiscard]] int StepNow() const { return step_; }
+  [[nodiscard]] const ControllerState<W>& Control() const { return control_; }
+  /// In charge now; null: none.
+  [[nodiscard]] const Controllers<W>* InCharge() const { return controllers_; }
+  /// The takeover in charge; -1: none yet.
+  [[nodiscard]] int Clip() const { return static_cast<int>(taken_over_) - 1; }
+
+ private:
+  /// Past those that were given before the present step.
+  void SkipPushes() {
+    next_push_ = 0;
+    while (next_push_ < pushes_.size() && pushes_[next_push_].step < step_) ++next_push_;
+  }
+
+  P plant_;
+  std::span<const Push> pushes_;
+  std::span<const Takeover<W>> takeovers_;
+  const Controllers<W>* controllers_ = nullptr;
+  ControllerState<W> control_;
+  ActuatorTargets<W> targets_{};
+  int step_ = 0;
+  std::size_t next_push_ = 0;
+  std::size_t taken_over_ = 0;
+};
+
+/// Clips, each with its controller decoded. @param controllers that the clips index into
+[[nodiscard]] std::vector<Takeover<1>> DecodeClips(std::span<const Clip> clips,
+                                                   std::span<const Controller> controllers,
+                                                   const Ports& ports, float step_s);
+
+}  // namespace gaitsmith

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Measures the further style terms of a plant from outside: it reads the plant after every step and changes
+// nothing. So no motion depends on what is measured of it, and a search that weighs none of these terms does
+// not pay for them. docs/style.md defines them.
+#pragma once
+
+#include <array>
+
+#include "core/rollout/plant.h"
+
+namespace gaitsmith {
+
+template <Plant P>
+class StyleMeter {
+  using L = Lane<P::kLanes>;
+  using F = typename L::F;
+  using D = typename L::D;
+
+ public:
+  /// What has been summed up so far.
+  struct Sums {
+    int steps = 0;
+    std::array<F, kMaxActuators> rate_radps{};  // of each joint before the step
+    D turned_rad{}, rate_change_radps{}, upright{}, head_m{};
+  };
+  [[nodiscard]] const Sums& Save() const { return sums_; }
+  void Restore(const Sums& sums) { sums_ = sums; }
+
+  /// @param plant that has not stepped yet; it must outlive the meter
+  /// @param actuators of the plant @param wanted terms to measure; the others stay 0
+  StyleMeter(const P& plant, int actuators, const FurtherTerms& wanted, float step_s)
+      : plant_(plant), actuators_(static_cast<std::size_t>(actuators)), wanted_(wanted), step_s_(step_s) {
+    const Readings<P::kLanes> now = plant.Read();
+    for (std::size_t j = 0; j < actuators_; ++j) sums_.rate_radps[j] = now.rate[j];
+  }
+
+  /// Call it after every step. A step's sum over the joints is single, the motion's sum double precision, so
+  /// that two minutes lose nothing.
+  [[gnu::noinline]] void Add() {
+    ++sums_.steps;
+    const Readings<P::kLanes> now = plant_.Read();
+    if (Wants(StyleTerm::kEffort)) {
+      F turned{};
+      for (std::size_t j = 0; j < actuators_; ++j) turned += L::Abs(now.change[j]);
+      sums_.turned_rad += L::ToDouble(turned);
+    }
+    if (Wants(StyleTerm::kSmoothness)) {
+      F changed{};
+      for (std::size_t j = 0; j < actuators_; ++j) {
+        changed += L::Abs(now.rate[j] - sums_.rate_radps[j]);
+        sums_.rate_radps[j] = now.rate[j];
+      }
+      sums_.rate_change_radps += L::ToDouble(changed);
+    }
+    if (Wants(StyleTerm::kUpright)) sums_.upright += L::ToDouble(plant_.Upright());
+    if (Wants(StyleTerm::kHeadHeight)) sums_.head_m += L::ToDouble(plant_.HeadHeight());
+  }
+
+  /// Puts what one figure has done so far into its terms. Before the first step a mean is the start's value.
+  void Put(int lane, Terms& terms) const {
+    const double steps = sums_.steps;
+    const bool none = sums_.steps == 0;
+    if (Wants(StyleTerm::kEffort)) terms.effort_rad = static_cast<float>(sums_.turned_rad[lane]);
+    if (Wants(StyleTerm::kUpright)) {
+      terms.upright = none ? L::At(plant_.Upright(), lane) : static_cast<float>(sums_.upright[lane] / steps);
+    }
+    if (Wants(StyleTerm::kSmoothness) && !none && actuators_ > 0) {
+      const double seconds = steps * static_cast<double>(actuators_) * static_cast<double>(step_s_);
+      terms.smoothness_radps2 =
+          static_cast<float>(0.0 - sums_.rate_change_radps[lane] / seconds);  // never -0
+    }
+    if (Wants(StyleTerm::kHeadHeight)) {
+      terms.head_height_m =
+          none ? L::At(plant_.HeadHeight(), lane) : static_cast<float>(sums_.head_m[lane] / steps);
+    }
+  }
+
+ private:
+  [[nodiscard]] bool Wants(StyleTerm term) const {
+    return wanted_[static_cast<std::size_t>(term) - static_cast<std::size_t>(kPaperTerms)];
+  }
+
+  const P& plant_;
+  std::size_t actuators_;
+  FurtherTerms wanted_;
+  float step_s_;
+  Sums sums_;
+};
+
+}  // namespace gaitsmith

@@ -1,0 +1,50 @@
+# The rooms of core, and which rooms each may include beside itself. A room may only name rooms that stand above it, so
+# there are no circles. Fails on any other include between rooms, and on a folder of core that is not in the list.
+#   cmake -DROOT=<repository> -P core_rooms_test.cmake
+cmake_policy(VERSION 3.25)
+set(rooms
+  "numeric  ->"
+  "signal   -> numeric"
+  "control  -> numeric signal"
+  "physics  -> numeric signal"
+  "rollout  -> numeric signal control physics"
+  "search   -> numeric signal control rollout"
+  "document -> numeric signal control physics rollout search")
+
+set(faults "")
+set(known "")
+foreach(line IN LISTS rooms)
+  string(REGEX MATCHALL "[a-z]+" names "${line}")
+  list(POP_FRONT names room)
+  foreach(name IN LISTS names)
+    if(NOT name IN_LIST known)
+      string(APPEND faults "\n${room} may not name ${name}, which does not stand above it in the list")
+    endif()
+  endforeach()
+  list(APPEND known ${room})
+  set(allowed_${room} ${room} ${names})
+endforeach()
+
+file(GLOB_RECURSE files RELATIVE ${ROOT}/core ${ROOT}/core/*.h ${ROOT}/core/*.cpp)
+set(includes_seen 0)
+foreach(file IN LISTS files)
+  string(REGEX MATCH "^[^/]+" room "${file}")
+  if(NOT room IN_LIST known)
+    string(APPEND faults "\ncore/${file} is in no room of the list")
+    continue()
+  endif()
+  file(STRINGS ${ROOT}/core/${file} includes REGEX "^[ \t]*#[ \t]*include[ \t]+\"")
+  foreach(include IN LISTS includes)
+    math(EXPR includes_seen "${includes_seen} + 1")
+    if(NOT include MATCHES "\"core/([a-z_]+)/" OR NOT CMAKE_MATCH_1 IN_LIST allowed_${room})
+      string(APPEND faults "\ncore/${file}: ${include}")
+    endif()
+  endforeach()
+endforeach()
+
+if(includes_seen LESS 100)
+  message(FATAL_ERROR "only ${includes_seen} includes found: the pattern no longer fits")
+endif()
+if(faults)
+  message(FATAL_ERROR "includes between rooms of core that are not allowed:${faults}")
+endif()
