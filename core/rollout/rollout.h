@@ -13,7 +13,7 @@
 
 namespace gaitsmith {
 
-/// Decoded controllers that take over at a step. Whole state of the plant carries across.
+/// Decoded controllers that take over at a step. The whole state of the plant carries across.
 template <int W>
 struct Takeover {
   int step;

@@ -149,6 +149,7 @@ TEST_CASE("plant: every number of lanes has the bits of one, and those of the re
       Problem problem = Crawling(senses);
       problem.kind = kind;
       std::vector<Genome> genomes;
+      genomes.reserve(21);
       for (std::uint64_t seed = 0; seed < 21; ++seed) genomes.push_back(RandomCrawler(problem, seed));
       const auto one = EvaluatorOf<1>(problem).Evaluate(genomes);
       std::vector<std::uint64_t> hashes;
