@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Every file and folder that docs/architecture.md, CONTRIBUTING.md and README.md name is there.
+import assert from 'node:assert/strict';
+import { existsSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
+import { dirname, join } from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+const ROOT = join(dirname(fileURLToPath(import.meta.url)), '../..');
+
+/** Paths of the repository in code spans and links. @param {string} text @returns {string[]} */
+function pathsIn(text) {
+  const prose = text.replace(/^```.*?^```/gms, '');
+  const spans = [...prose.matchAll(/`([^`\n]+)`/g), ...prose.matchAll(/\]\((?!https?:|\.\.\/\.\.\/|#)([^)#\s]+)/g)].map(([, path]) => path);
+  return spans.filter((path) => /^\.?[a-z_]+\/[\w./-]*$|^[A-Z_]+\.md$|^LICENSE$/.test(path));
+}
+
+for (const [page, least] of /** @type {const} */ ([['docs/architecture.md', 40], ['CONTRIBUTING.md', 5], ['README.md', 8]])) {
+  test(`architecture: ${page} names only what is there`, async () => {
+    const paths = pathsIn(await readFile(join(ROOT, page), 'utf8'));
+    assert.ok(paths.length >= least, `only ${paths.length} paths found`);
+    // Built files are not in the repository.
+    const missing = paths.filter((path) => !path.startsWith('build/') && !existsSync(join(ROOT, path)) && !existsSync(join(ROOT, 'docs', path)));
+    assert.deepEqual(missing, []);
+  });
+}
