@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/document/binary.h"
+#include "core/document/parts.h"
 #include "shell/session/session.h"
 #include "shell/words/language.h"
 
@@ -14,33 +15,14 @@ constexpr const char* kFigureWords = TrLater("the figure");
 // What a step changed, in a few words. The first of these that differs is what a person did; the rest
 // follows.
 const char* ChangeWords(const Document& a, const Document& b) {
-  const auto differ = [](const Document& x, const Document& y) { return EncodeBinary(x) != EncodeBinary(y); };
-  const auto same_but = [&](auto part) {
-    Document bare = a;
-    bare.controllers.clear();  // they are made for their figure
-    bare.timeline.clear();
-    bare.search.start = -1;
-    Document other = bare;
-    part(other);
-    return differ(bare, other);
-  };
-  if (same_but([&](Document& d) { d.figure = b.figure; })) return kFigureWords;
-  Document clips = a;
-  clips.timeline = b.timeline;
-  clips.duration_steps = b.duration_steps;
-  if (a.controllers.size() == b.controllers.size() && differ(clips, a)) return TrLater("the timeline");
-  Document moved = a;
-  moved.controllers = b.controllers;
-  moved.timeline = b.timeline;
-  moved.search.start = -1;
-  Document still = a;
-  still.search.start = -1;
-  if (differ(moved, still)) return TrLater("the motion");
-  if (same_but([&](Document& d) { d.task = b.task; })) return TrLater("the task and its weights");
-  if (same_but([&](Document& d) { d.environment = b.environment, d.start = b.start, d.pushes = b.pushes; }))
-    return TrLater("the surroundings");
-  if (same_but([&](Document& d) { d.senses = b.senses, d.kind = b.kind, d.rules = b.rules; }))
-    return TrLater("the senses of the next search");
+  const Parts changed = DifferingParts(a, b);
+  const bool clips = changed.HasAny({Part::kTimeline, Part::kDuration});
+  if (changed.HasAny(Part::kFigure)) return kFigureWords;
+  if (a.controllers.size() == b.controllers.size() && clips) return TrLater("the timeline");
+  if (changed.HasAny({Part::kControllers, Part::kTimeline})) return TrLater("the motion");
+  if (changed.HasAny(kTask)) return TrLater("the task and its weights");
+  if (changed.HasAny({Part::kEnvironment, Part::kStart, Part::kPushes})) return TrLater("the surroundings");
+  if (changed.HasAny(Part::kSought)) return TrLater("the senses of the next search");
   return TrLater("settings of the next search");
 }
 
