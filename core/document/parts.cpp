@@ -52,7 +52,7 @@ const Place* PlaceOf(std::string_view name, std::string_view field) {
   return found;
 }
 
-// An archive that gives a visitor each field of a document with the part that it belongs to.
+// An archive that gives a visitor the fields of the parts that it wants, each with its part.
 template <class Visitor>
 class PartArchive {
  public:
@@ -90,7 +90,7 @@ class PartArchive {
   void List(std::string_view name, std::vector<Item>& list, int, Fields fields) {
     if (part_ != nullptr) return visitor_.List(*part_, list, fields);
     const Place* place = Find(name);
-    if (place == nullptr) return;
+    if (place == nullptr || !visitor_.wanted.HasAny(place->part)) return;
     part_ = &place->part;
     visitor_.List(*part_, list, fields);
     part_ = nullptr;
@@ -104,7 +104,8 @@ class PartArchive {
   template <class Value>
   void Field(std::string_view name, Value& value, const Value& standard) {
     if (part_ != nullptr) return visitor_.Field(*part_, value, standard);
-    if (const Place* place = Find(name)) visitor_.Field(place->part, value, standard);
+    const Place* place = Find(name);
+    if (place != nullptr && visitor_.wanted.HasAny(place->part)) visitor_.Field(place->part, value, standard);
   }
 
   Visitor& visitor_;
@@ -116,6 +117,9 @@ class PartArchive {
 // Each part's values, as bits: equal where both encodings would be.
 class Contents {
  public:
+  explicit Contents(Parts parts) : wanted(parts) {}
+  Parts wanted;
+
   template <class Value>
   void Field(Part part, const Value& value, const Value& standard) {
     if constexpr (std::is_same_v<Value, std::string>) {
@@ -158,27 +162,27 @@ class Addresses {
     void* at;
     void (*copy)(const void* from, void* to);
   };
-  explicit Addresses(Parts wanted) : wanted_(wanted) {}
+  explicit Addresses(Parts parts) : wanted(parts) {}
+  Parts wanted;
+
   template <class Value>
-  void Field(Part part, Value& value, const Value&) {
-    Add(part, value);
+  void Field(Part, Value& value, const Value&) {
+    Add(value);
   }
   template <class Item, class Fields>
-  void List(Part part, std::vector<Item>& list, Fields) {
-    Add(part, list);  // as a whole
+  void List(Part, std::vector<Item>& list, Fields) {
+    Add(list);  // as a whole
   }
   void Genes(Part, Controller&, int) {}
   [[nodiscard]] const std::vector<Address>& All() const { return all_; }
 
  private:
   template <class Value>
-  void Add(Part part, Value& value) {
-    if (!wanted_.HasAny(part)) return;
+  void Add(Value& value) {
     all_.push_back({&value, [](const void* from, void* to) {
                       *static_cast<Value*>(to) = *static_cast<const Value*>(from);
                     }});
   }
-  Parts wanted_;
   std::vector<Address> all_;
 };
 
@@ -191,9 +195,9 @@ Visitor Walk(Document& document, Visitor visitor) {
 
 }  // namespace
 
-Parts DifferingParts(const Document& a, const Document& b) {
+Parts DifferingParts(const Document& a, const Document& b, Parts among) {
   Document x = a, y = b;  // an archive may change what it walks
-  const Contents in_x = Walk(x, Contents()), in_y = Walk(y, Contents());
+  const Contents in_x = Walk(x, Contents(among)), in_y = Walk(y, Contents(among));
   Parts differing({});
   for (int i = 0; i < kPartCount; ++i) {
     const auto part = static_cast<Part>(i);
@@ -203,7 +207,7 @@ Parts DifferingParts(const Document& a, const Document& b) {
 }
 
 bool SameParts(const Document& a, const Document& b, Parts parts) {
-  return !DifferingParts(a, b).HasAny(parts);
+  return DifferingParts(a, b, parts).Empty();
 }
 
 void CopyParts(const Document& from, Parts parts, Document& to) {

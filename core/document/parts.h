@@ -63,10 +63,9 @@ class Parts {
 inline constexpr Parts kScene = {Part::kFigure, Part::kEnvironment, Part::kStart};
 inline constexpr Parts kTask = {Part::kGoal, Part::kTaskLength};
 
-/// The parts in which two documents would be encoded differently.
-/// @param a, b  valid, or without controllers
-[[nodiscard]] Parts DifferingParts(const Document& a, const Document& b);
-/// Whether two documents would be encoded alike, as far as these parts go. @param a, b  as of DifferingParts
+/// The parts, among these, in which two documents would be encoded differently.
+[[nodiscard]] Parts DifferingParts(const Document& a, const Document& b, Parts among = AllParts());
+/// Whether two documents would be encoded alike, as far as these parts go.
 [[nodiscard]] bool SameParts(const Document& a, const Document& b, Parts);
 /// These parts of `to` become what they are in `from`; all others stay.
 void CopyParts(const Document& from, Parts, Document& to);

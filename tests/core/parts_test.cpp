@@ -93,13 +93,15 @@ std::string Change(Document& document, int field) {
   return index < changer.Paths().size() ? changer.Paths()[index] : "";
 }
 
-// With something in every list, of two kinds that a field away from its standard and one at it make.
+// With something in every list.
 Document Full() {
   Document d;
   d.title = "Full";
-  d.figure = {"Hinge", {Rod{}, Rod{.parent = 0, .length_m = 2.0f}}};
+  d.figure = {"Hinge", {Rod{}, Rod{}}};
+  d.figure.rods[1].parent = 0;
+  d.figure.rods[1].length_m = 2.0f;
   d.pushes = {{.step = 3, .endpoint = 0, .impulse_x_ns = 1.0f}};
-  Controller controller{.name = "One", .senses = d.senses, .rules = 2};
+  Controller controller{.name = "One", .senses = d.senses, .rules = 2, .genes = {}};
   controller.genes.assign(BankShape(2, d.senses.kind, 2).Genes(), 7);
   d.controllers = {controller, controller};
   d.timeline = {{.controller = 0, .start_step = 0}, {.controller = 1, .start_step = 100}};
