@@ -5,8 +5,8 @@ cmake_policy(VERSION 3.25)
 set(faults "")
 
 # Headers of the standard library that core has a use for; whatever is not here is not allowed.
-set(standard algorithm array bit charconv cmath concepts cstddef cstdint cstdlib expected functional limits memory numeric optional
-    span string string_view utility vector variant tuple map)
+set(standard algorithm array bit charconv cmath concepts cstddef cstdint cstdlib expected functional initializer_list limits memory numeric optional
+    span string string_view utility vector variant tuple type_traits map)
 
 function(check_includes room allowed_rooms)
   file(GLOB_RECURSE files ${ROOT}/${room}/*.h ${ROOT}/${room}/*.cpp)

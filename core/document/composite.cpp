@@ -2,34 +2,13 @@
 #include "core/document/composite.h"
 
 #include <algorithm>
+#include <functional>
 
-#include "core/document/binary.h"
+#include "core/document/parts.h"
 
 namespace gaitsmith {
 
 namespace {
-
-// What acts on the figure at every step.
-bool SameScene(const Document& a, const Document& b) {
-  const auto bare = [](const Document& d) {
-    Document scene;
-    scene.model = d.model;
-    scene.figure = d.figure;
-    scene.environment = d.environment;
-    scene.start = d.start;
-    return EncodeBinary(scene);
-  };
-  return bare(a) == bare(b);
-}
-
-bool SameController(const Controller& a, const Controller& b) {
-  return a.kind == b.kind && a.rules == b.rules && a.senses == b.senses && a.genes == b.genes;
-}
-
-bool SamePush(const Push& a, const Push& b) {
-  return a.step == b.step && a.endpoint == b.endpoint && a.impulse_x_ns == b.impulse_x_ns &&
-         a.impulse_y_ns == b.impulse_y_ns;
-}
 
 // The least step of two lists, sorted by step, from where they differ; kMaxSteps: nowhere.
 template <class Item, class Same, class StepOf>
@@ -43,15 +22,15 @@ int FirstDifference(const std::vector<Item>& a, const std::vector<Item>& b, Same
 }  // namespace
 
 int PartingStep(const Document& a, const Document& b) {
-  if (!SameScene(a, b)) return 0;
+  if (!SameParts(a, b, kScene)) return 0;
   const auto same_clip = [&](const Clip& x, const Clip& y) {
     return x.start_step == y.start_step &&
-           SameController(a.controllers[static_cast<std::size_t>(x.controller)],
-                          b.controllers[static_cast<std::size_t>(y.controller)]);
+           SameBehaviour(a.controllers[static_cast<std::size_t>(x.controller)],
+                         b.controllers[static_cast<std::size_t>(y.controller)]);
   };
   return std::min(
       FirstDifference(a.timeline, b.timeline, same_clip, [](const Clip& c) { return c.start_step; }),
-      FirstDifference(a.pushes, b.pushes, SamePush, [](const Push& p) { return p.step; }));
+      FirstDifference(a.pushes, b.pushes, std::equal_to<Push>(), [](const Push& p) { return p.step; }));
 }
 
 Motion SimulateAnew(const Document& d, const Document& before, Motion known) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/document/parts.h"
 #include "core/document/timeline_edit.h"
 
 namespace gaitsmith {
@@ -101,17 +102,11 @@ Document TransitionRequest(const Document& d, int clip) {
   const auto last = static_cast<std::size_t>(clip);
   const Controller& controller = d.controllers[static_cast<std::size_t>(d.timeline[last].controller)];
   Document request;
-  request.model = d.model;
-  request.figure = d.figure;
-  request.environment = d.environment;
-  request.start = d.start;
-  request.pushes = d.pushes;
-  request.task = d.task;
+  CopyParts(d, {kScene, Part::kPushes, kTask, Part::kControllers}, request);
   request.task.duration_steps = std::min(d.task.duration_steps, kLongestWatch);
   request.senses = controller.senses;
   request.rules = controller.rules;
   request.kind = controller.kind;
-  request.controllers = d.controllers;
   for (Controller& one : request.controllers) one.name.clear();
   request.timeline.assign(d.timeline.begin(), d.timeline.begin() + clip + 1);
   request.timeline[last].start_step = request.timeline[last - 1].start_step + kShortestClip;

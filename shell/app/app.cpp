@@ -17,22 +17,26 @@
 #include "shell/words/language.h"
 
 namespace gaitsmith::shell {
+namespace {
+
+/// Of the first `panels`, those that are shown.
+std::vector<int> ShownPanels(const Arrangement& layout, int panels) {
+  std::vector<int> shown;
+  for (int panel = 0; panel < panels; ++panel) {
+    if (layout.Shows(panel)) shown.push_back(panel);
+  }
+  return shown;
+}
+
+}  // namespace
 
 bool App::Advance(double seconds) {
   // After a pause of the whole page (a hidden tab) the motion goes on from where it was.
   const double step = std::min(seconds, 0.1);
-  session_.GoOn();
-  session_.FollowTransitions(step);
-  const bool improved = session_.ShowImprovement(step);
-  return session_.player.Advance(step) || improved;
-}
-
-std::vector<int> App::ShownPanels(int panels) const {
-  std::vector<int> shown;
-  for (int panel = 0; panel < panels; ++panel) {
-    if (session_.arrangement.Shows(panel)) shown.push_back(panel);
-  }
-  return shown;
+  session_.Queue().Resume();
+  session_.Timeline().Transitions().Advance(step);
+  const bool improved = session_.Search().ShowImprovement(step);
+  return session_.Player().Advance(step) || improved;
 }
 
 int App::DrawTabs(Ui& ui, const ImRect& rect, const std::vector<int>& shown) {
@@ -78,8 +82,8 @@ void App::Draw() {
 }
 
 void App::DrawDesk(Ui& ui, const ImRect& whole) {
-  const std::vector<int> shown = ShownPanels(kDeskPanels);
-  const bool timeline = session_.arrangement.Shows(kTimelinePanel);
+  const std::vector<int> shown = ShownPanels(session_.Layout(), kDeskPanels);
+  const bool timeline = session_.Layout().Shows(kTimelinePanel);
   const float panel_x = shown.empty() ? whole.Max.x : whole.Max.x - kPanelWidth;
   const float timeline_y = !timeline ? whole.Max.y
                                      : whole.Max.y - kTimelineHeight - TransitionStripHeight(session_) -
@@ -102,7 +106,7 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
 }
 
 void App::DrawWorld(Ui& ui, const ImRect& rect) {
-  ui.Lock(session_.arrangement.Locks(LockedPart::kWorld));
+  ui.Lock(session_.Layout().Locks(LockedPart::kWorld));
   DrawWorldCard(ui, session_, stage_.world, rect);
   ui.Lock(false);
 }
@@ -111,7 +115,7 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
   const float tab_height = 44.0f;
   const float transport = 50.0f;
   // The stage keeps the upper part; short canvases give the panel what it needs first.
-  const std::vector<int> shown = ShownPanels(static_cast<int>(kPanels.size()));
+  const std::vector<int> shown = ShownPanels(session_.Layout(), static_cast<int>(kPanels.size()));
   const float sheet = std::clamp(0.33f * whole.GetHeight(), 190.0f, 420.0f);
   const float tabs_y = shown.empty() && !stage_.world.open ? whole.Max.y : whole.Max.y - sheet - tab_height;
   DrawStage(ui, session_, stage_, {whole.Min, {whole.Max.x, tabs_y - transport}});
@@ -145,11 +149,11 @@ void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
   ImGui::BeginChild(id.c_str(), rect.GetSize(), ImGuiChildFlags_AlwaysUseWindowPadding,
                     ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollbar);
   ImGui::PopStyleVar();
-  if (!session_.notice.empty()) {
-    ui.Paragraph(session_.notice, ui.Ink().accent, Type::kNote);
+  if (!session_.Notice().empty()) {
+    ui.Paragraph(session_.Notice(), ui.Ink().accent, Type::kNote);
     ui.Gap(8.0f);
   }
-  const bool locked = session_.arrangement.LocksPanel(panel);
+  const bool locked = session_.Layout().LocksPanel(panel);
   if (locked) ui.LockNote();
   ui.Lock(locked);
   switch (panel) {

@@ -45,8 +45,6 @@ class App {
   void DrawPanel(Ui&, const ImRect&, int panel);
   void DrawWorld(Ui&, const ImRect&);
   bool TakeFingers(const SDL_Event&);
-  /// Of so many first ones.
-  [[nodiscard]] std::vector<int> ShownPanels(int panels) const;
   void ChoosePanel(int panel);
 
   Host& host_;

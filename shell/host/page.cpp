@@ -19,9 +19,9 @@
 #include "shell/host/page_host.h"
 #include "shell/host/script_answers.h"
 #include "shell/host/script_options.h"
-#include "shell/session/progress_record.h"
 #include "shell/session/commands.h"
 #include "shell/session/moment_words.h"
+#include "shell/session/progress_record.h"
 #include "shell/words/language.h"
 
 namespace gaitsmith::shell {
@@ -64,7 +64,7 @@ const char* Reply(std::string text) {
 // Locks are for a person's hands, not for scripts.
 template <class Deed>
 void WithoutLocks(Deed deed) {
-  Arrangement& locks = TheSession().arrangement;
+  Arrangement& locks = TheSession().Layout();
   const Arrangement kept = std::exchange(locks, {});
   deed();
   locks = kept;
@@ -106,8 +106,9 @@ void Tick(void* argument) {
   if (emscripten_get_now() - now_ms > kLongMs) return;
   if (!page.moved && !page.window->NeedsFrame()) return;
   // Whoever moves the pointer or types is not made to wait for a search.
-  const Session& session = page.app->State();
-  const bool searching = (session.Searching() || session.lab.Running()) && !page.window->OwesAnswer();
+  Session& session = page.app->State();
+  const bool searching =
+      (session.Search().Running() || session.Lab().Running()) && !page.window->OwesAnswer();
   if (!page.pace.Due(now_ms, searching)) return;
   page.moved = false;
   page.window->Draw([&page] { page.app->Draw(); });
@@ -140,7 +141,7 @@ EMSCRIPTEN_KEEPALIVE const char* gs_link() {
   return Reply(EncodeLink(document.hash ? document : TheSession().WithHash()));
 }
 /// 16 hexadecimal digits of the shown motion.
-EMSCRIPTEN_KEEPALIVE const char* gs_hash() { return Reply(HashText(TheSession().player.Shown().Hash())); }
+EMSCRIPTEN_KEEPALIVE const char* gs_hash() { return Reply(HashText(TheSession().Player().Shown().Hash())); }
 EMSCRIPTEN_KEEPALIVE const char* gs_title() { return Reply(TrTitle(TheSession().Doc().title)); }
 
 /// Every visible widget of the last frame, as a JSON list.
@@ -192,7 +193,7 @@ EMSCRIPTEN_KEEPALIVE int gs_dismiss() {
 /// The moment on the stage in words, short or in full.
 EMSCRIPTEN_KEEPALIVE const char* gs_moment() { return QuietReply(MomentWords(TheSession())); }
 EMSCRIPTEN_KEEPALIVE const char* gs_description() { return QuietReply(DescriptionOf(TheSession())); }
-EMSCRIPTEN_KEEPALIVE int gs_playing() { return TheSession().player.Playing() ? 1 : 0; }
+EMSCRIPTEN_KEEPALIVE int gs_playing() { return TheSession().Player().Playing() ? 1 : 0; }
 
 /// @param palette a PaletteName
 EMSCRIPTEN_KEEPALIVE void gs_set_theme(int palette, double scale) {
@@ -217,7 +218,7 @@ EMSCRIPTEN_KEEPALIVE int gs_set_language(const char* table) {
 EMSCRIPTEN_KEEPALIVE void gs_set_frame_rate(double per_second) { ThePage().pace.Limit(per_second); }
 
 EMSCRIPTEN_KEEPALIVE void gs_play(int playing) {
-  TheSession().player.Play(playing != 0);
+  TheSession().Player().Play(playing != 0);
   ThePage().window->RequestFrame();
 }
 
@@ -246,9 +247,9 @@ EMSCRIPTEN_KEEPALIVE int gs_key(const char* name, int on_canvas, int repeated) {
 /// @param options JSON object or empty text. @return an empty text or a sentence
 EMSCRIPTEN_KEEPALIVE const char* gs_synthesize(const char* options) {
   Session& session = TheSession();
-  if (session.lab.Running()) return Reply(Tr("The lab is running: stop it first, or let it end."));
+  if (session.Lab().Running()) return Reply(Tr("The lab is running: stop it first, or let it end."));
   session.BeginGesture();
-  int workers = session.workers;
+  int workers = session.Search().Workers();
   std::string fault;
   if (options != nullptr && *options != '\0') {
     const auto parsed = ParseJson(options);
@@ -259,8 +260,8 @@ EMSCRIPTEN_KEEPALIVE const char* gs_synthesize(const char* options) {
     if (const auto valid = Validate(changed); !valid) return Reply(TrError(valid.error()));
     WithoutLocks([&] { session.Set([&](Document& d) { d = changed; }); });
   }
-  session.workers = workers;
-  session.Synthesize();
+  session.Search().SetWorkers(workers);
+  session.Search().Synthesize();
   return Reply("");
 }
 
@@ -271,17 +272,19 @@ EMSCRIPTEN_KEEPALIVE const char* gs_enqueue(const char* options) {
   const auto parsed = ParseJson(options);
   if (!parsed) return Reply(TrError(parsed.error()));
   Document wanted = session.Doc();
-  int workers = session.workers;
+  int workers = session.Search().Workers();
   if (std::string fault = ApplySearchOptions(*parsed, wanted, workers); !fault.empty())
     return Reply(std::move(fault));
   if (const auto valid = Validate(wanted); !valid) return Reply(TrError(valid.error()));
-  session.workers = workers;
-  return Reply(session.Enqueue(wanted) ? "" : session.notice);
+  session.Search().SetWorkers(workers);
+  return Reply(session.Queue().Add(wanted) ? "" : session.Notice());
 }
 /// What waits, as QueueJson.
-EMSCRIPTEN_KEEPALIVE const char* gs_queue() { return QuietReply(QueueJson(TheSession().queue)); }
+EMSCRIPTEN_KEEPALIVE const char* gs_queue() { return QuietReply(QueueJson(TheSession().Queue().List())); }
 /// What was found, the newest first, as FoundJson.
-EMSCRIPTEN_KEEPALIVE const char* gs_found() { return QuietReply(FoundJson(TheSession().found)); }
+EMSCRIPTEN_KEEPALIVE const char* gs_found() {
+  return QuietReply(FoundJson(TheSession().Results().Motions()));
+}
 /// @return 0: there is no such result
 EMSCRIPTEN_KEEPALIVE int gs_show_found(const char* id) {
   TheSession().BeginGesture();
@@ -298,17 +301,18 @@ EMSCRIPTEN_KEEPALIVE const char* gs_rename_found(const char* options) {
   const JsonValue* name = parsed->Find("name");
   const bool texts = id != nullptr && id->kind == JsonValue::Kind::kString && name != nullptr &&
                      name->kind == JsonValue::Kind::kString;
-  return Reply(texts ? TheSession().found.Rename(id->text, name->text) : Tr("id and name must be texts"));
+  return Reply(texts ? TheSession().Results().Motions().Rename(id->text, name->text)
+                     : Tr("id and name must be texts"));
 }
 /// A found motion of an earlier visit. @return its id; empty: the text is none
 EMSCRIPTEN_KEEPALIVE const char* gs_restore_found(const char* text) {
-  return Reply(TheSession().found.Restore(text));
+  return Reply(TheSession().Results().Motions().Restore(text));
 }
 
 /// What is shown and locked. @param options JSON object. @return an empty text, or a sentence
 EMSCRIPTEN_KEEPALIVE const char* gs_arrange(const char* options) {
   const auto parsed = ParseJson(options);
-  return Reply(parsed ? ApplyArrangement(*parsed, TheSession().arrangement) : TrError(parsed.error()));
+  return Reply(parsed ? ApplyArrangement(*parsed, TheSession().Layout()) : TrError(parsed.error()));
 }
 /// The motion shown in numbers, as MeasuresJson.
 EMSCRIPTEN_KEEPALIVE const char* gs_measures() { return QuietReply(MeasuresJson(TheSession())); }
@@ -318,18 +322,18 @@ EMSCRIPTEN_KEEPALIVE const char* gs_measures() { return QuietReply(MeasuresJson(
 EMSCRIPTEN_KEEPALIVE const char* gs_lab(const char* options) {
   const auto parsed = ParseJson(options);
   if (!parsed) return Reply(TrError(parsed.error()));
-  LabSettings settings = TheSession().lab.settings;
+  LabSettings settings = TheSession().Lab().Trials().settings;
   if (std::string fault = ApplyLabOptions(*parsed, settings); !fault.empty()) return Reply(std::move(fault));
-  const auto started = TheSession().StartLab(settings);
+  const auto started = TheSession().Lab().Start(settings);
   return Reply(started ? "" : TrError(started.error()));
 }
 /// The lab's curves so far, as a file.
-EMSCRIPTEN_KEEPALIVE const char* gs_lab_csv() { return Reply(TheSession().lab.Csv()); }
+EMSCRIPTEN_KEEPALIVE const char* gs_lab_csv() { return Reply(TheSession().Lab().Trials().Csv()); }
 /// As of LabState.
-EMSCRIPTEN_KEEPALIVE int gs_lab_state() { return static_cast<int>(TheSession().lab.State()); }
+EMSCRIPTEN_KEEPALIVE int gs_lab_state() { return static_cast<int>(TheSession().Lab().Trials().State()); }
 
-EMSCRIPTEN_KEEPALIVE void gs_pause() { TheSession().Pause(); }
-EMSCRIPTEN_KEEPALIVE void gs_resume() { TheSession().Resume(); }
+EMSCRIPTEN_KEEPALIVE void gs_pause() { TheSession().Search().Pause(); }
+EMSCRIPTEN_KEEPALIVE void gs_resume() { TheSession().Search().Resume(); }
 EMSCRIPTEN_KEEPALIVE void gs_stop() {
   TheSession().Stop();
   ThePage().window->RequestFrame();
@@ -341,7 +345,7 @@ EMSCRIPTEN_KEEPALIVE const char* gs_search_progress(const char* report, const st
                                                     int count) {
   auto progress = DecodeProgress(report, {bytes, static_cast<std::size_t>(std::max(count, 0))});
   if (!progress) return QuietReply(TrError(progress.error()));
-  progress->workers = TheSession().workers;
+  progress->workers = TheSession().Search().Workers();
   TheSession().OnSearchProgress(std::move(*progress));
   ThePage().window->RequestOneFrame();
   return QuietReply("");
@@ -350,13 +354,13 @@ EMSCRIPTEN_KEEPALIVE const char* gs_search_progress(const char* report, const st
 /// A part of a transition map: scores of places from `first` on, and the score that is usual.
 EMSCRIPTEN_KEEPALIVE void gs_transitions_mapped(int generation, int first, const float* scores, int count,
                                                 float usual) {
-  TheSession().OnTransitions(
+  TheSession().Timeline().Transitions().OnScores(
       {.generation = generation, .first = first, .usual = usual, .scores = {scores, scores + count}});
   ThePage().window->RequestOneFrame();
 }
 /// Nothing more comes of the map of this generation.
 EMSCRIPTEN_KEEPALIVE void gs_transitions_failed(int generation) {
-  TheSession().OnTransitionsFailed(generation);
+  TheSession().Timeline().Transitions().OnFailed(generation);
   ThePage().window->RequestOneFrame();
 }
 

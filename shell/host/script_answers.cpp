@@ -57,7 +57,7 @@ std::string FoundJson(const FoundMotions& found) {
 }
 
 std::string MeasuresJson(const Session& session) {
-  const Motion& motion = session.player.Shown();
+  const Motion& motion = session.Player().Shown();
   const Terms& terms = motion.TermsAt(motion.Frames() - 1);
   std::string json = "{\"terms\":[";
   const auto add = [&json](std::string_view name, const char* label, const char* unit, int decimals,
@@ -74,7 +74,7 @@ std::string MeasuresJson(const Session& session) {
     add(kStyleTermNames[i], Tr(words.label), *words.unit == '\0' ? "" : Tr(words.unit), words.decimals,
         terms.Style(static_cast<StyleTerm>(i)));
   }
-  const Controller* controller = session.ShownController();
+  const Controller* controller = session.Timeline().ShownController();
   const std::string_view sense = controller == nullptr ? ""
                                  : controller->kind == ControllerKind::kNetwork
                                      ? "network"

@@ -2,8 +2,9 @@
 #include "shell/session/arrangement.h"
 
 #include <algorithm>
+#include <iterator>
 
-#include "core/document/binary.h"
+#include "core/document/parts.h"
 
 namespace gaitsmith::shell {
 namespace {
@@ -32,63 +33,22 @@ std::optional<std::string_view> Choose(std::string_view list, const std::array<c
   return std::nullopt;
 }
 
-/// Whether they are encoded alike, but for what belongs to controllers, whose length the figure decides.
-bool Alike(Document a, Document b) {
-  for (Document* d : {&a, &b}) {
-    d->controllers.clear();
-    d->timeline.clear();
-    d->search.start = -1;
-  }
-  return EncodeBinary(a) == EncodeBinary(b);
-}
-
-bool SameMotion(const Controller& a, const Controller& b) {
-  return a.kind == b.kind && a.senses == b.senses && a.rules == b.rules && a.genes == b.genes;
-}
-
 /// A controller that stays is another one. Which of them there are is the timeline's concern.
 bool RulesDiffer(const Document& before, const Document& after) {
   return before.controllers.size() == after.controllers.size() &&
-         !std::ranges::equal(before.controllers, after.controllers, SameMotion);
+         !std::ranges::equal(before.controllers, after.controllers, SameBehaviour);
 }
 
-bool ClipsDiffer(const Document& before, const Document& after) {
-  return before.duration_steps != after.duration_steps ||
-         !std::ranges::equal(before.timeline, after.timeline, [](const Clip& a, const Clip& b) {
-           return a.controller == b.controller && a.start_step == b.start_step;
-         });
-}
-
-bool Differs(LockedPart part, const Document& before, const Document& after) {
-  Document mixed = before;
-  switch (part) {
-    case LockedPart::kFigure:
-      mixed.figure = after.figure;
-      break;
-    case LockedPart::kController:
-      mixed.kind = after.kind;
-      mixed.senses = after.senses;
-      mixed.rules = after.rules;
-      if (RulesDiffer(before, after)) return true;
-      break;
-    case LockedPart::kStyle:
-      mixed.task.kind = after.task.kind;
-      mixed.task.weights = after.task.weights;
-      break;
-    case LockedPart::kSearch:
-      mixed.search = after.search;
-      mixed.task.duration_steps = after.task.duration_steps;
-      break;
-    case LockedPart::kTimeline:
-      return ClipsDiffer(before, after);
-    case LockedPart::kWorld:
-      mixed.environment = after.environment;
-      mixed.start = after.start;
-      mixed.pushes = after.pushes;
-      break;
-  }
-  return !Alike(before, mixed);
-}
+// What each lock holds. Controllers, whose length the figure decides, are looked at by their behaviour alone.
+constexpr Parts kLockedParts[] = {
+    Part::kFigure,
+    Part::kSought,
+    Part::kGoal,
+    {Part::kSearch, Part::kTakeover, Part::kTaskLength},
+    {Part::kTimeline, Part::kDuration},
+    {Part::kEnvironment, Part::kStart, Part::kPushes},
+};
+static_assert(std::size(kLockedParts) == kLockedPartNames.size());
 
 }  // namespace
 
@@ -109,9 +69,12 @@ std::optional<std::string_view> LockParts(std::string_view list, Arrangement& ar
 
 std::optional<LockedPart> LockedDifference(const Arrangement& arrangement, const Document& before,
                                            const Document& after) {
+  const Parts differing = DifferingParts(before, after);
   for (std::size_t i = 0; i < kLockedPartNames.size(); ++i) {
+    if (!arrangement.locked[i]) continue;
     const auto part = static_cast<LockedPart>(i);
-    if (arrangement.locked[i] && Differs(part, before, after)) return part;
+    const bool rules = part == LockedPart::kController && RulesDiffer(before, after);
+    if (rules || differing.HasAny(kLockedParts[i])) return part;
   }
   return std::nullopt;
 }

@@ -16,15 +16,16 @@ void AddHistory(std::vector<Command>& list, Session& session) {
   list.push_back({.id = "document/new", .group = TrLater("Document"), .title = Tr("New"), .run = [&session] {
                     session.New();
                   }});
-  list.push_back({.id = "document/undo",
-                  .group = TrLater("Document"),
-                  .title = Tr("Undo"),
-                  .keys = {"Ctrl+z"},
-                  .why_not = session.CanUndo() || (session.Searching() && !session.RunsQueued())
-                                 ? ""
-                                 : Tr("nothing to undo"),
-                  .repeats = true,
-                  .run = [&session] { session.Undo(); }});
+  list.push_back(
+      {.id = "document/undo",
+       .group = TrLater("Document"),
+       .title = Tr("Undo"),
+       .keys = {"Ctrl+z"},
+       .why_not = session.CanUndo() || (session.Search().Running() && !session.Search().RunsQueued())
+                      ? ""
+                      : Tr("nothing to undo"),
+       .repeats = true,
+       .run = [&session] { session.Undo(); }});
   list.push_back({.id = "document/redo",
                   .group = TrLater("Document"),
                   .title = Tr("Redo"),
@@ -35,7 +36,7 @@ void AddHistory(std::vector<Command>& list, Session& session) {
 }
 
 void AddMotion(std::vector<Command>& list, Session& session) {
-  Playback& player = session.player;
+  Playback& player = session.Player();
   const auto add = [&](const std::string& id, const std::string& title, const std::vector<std::string>& keys,
                        bool repeats, auto run) {
     list.push_back({.id = "motion/" + id,
@@ -56,48 +57,49 @@ void AddMotion(std::vector<Command>& list, Session& session) {
 }
 
 void AddSearch(std::vector<Command>& list, Session& session) {
-  const bool busy = session.Searching() || session.lab.Running();
+  const bool busy = session.Search().Running() || session.Lab().Running();
   list.push_back({.id = "search/synthesize",
                   .group = TrLater("Search"),
                   .title = Tr("Synthesize, or stop"),
                   .keys = {"s"},
-                  .run = [&session, busy] { busy ? session.Stop() : session.Synthesize(); }});
-  const bool paused = session.Progress().state == SearchState::kPaused;
-  list.push_back({.id = "search/pause",
-                  .group = TrLater("Search"),
-                  .title = Tr("Pause the search, or go on"),
-                  .keys = {"p"},
-                  .why_not = session.Searching() ? "" : Tr("no search runs"),
-                  .run = [&session, paused] { paused ? session.Resume() : session.Pause(); }});
+                  .run = [&session, busy] { busy ? session.Stop() : session.Search().Synthesize(); }});
+  const bool paused = session.Search().Progress().state == SearchState::kPaused;
+  list.push_back(
+      {.id = "search/pause",
+       .group = TrLater("Search"),
+       .title = Tr("Pause the search, or go on"),
+       .keys = {"p"},
+       .why_not = session.Search().Running() ? "" : Tr("no search runs"),
+       .run = [&session, paused] { paused ? session.Search().Resume() : session.Search().Pause(); }});
 }
 
 void AddQueue(std::vector<Command>& list, Session& session) {
-  const bool none = session.queue.Waiting().empty();
-  const std::string full = session.queue.Full() ? Tr("the queue is full") : "";
-  const bool busy = session.Searching() || session.lab.Running();
+  const bool none = session.Queue().List().Waiting().empty();
+  const std::string full = session.Queue().List().Full() ? Tr("the queue is full") : "";
+  const bool busy = session.Search().Running() || session.Lab().Running();
   list.push_back({.id = "queue/add",
                   .group = TrLater("Search"),
                   .title = Tr("Add this search to the queue"),
                   .keys = {"q"},
                   .why_not = full,
-                  .run = [&session] { session.Enqueue(session.Doc()); }});
+                  .run = [&session] { session.Queue().Add(session.Doc()); }});
   list.push_back({.id = "queue/seeds",
                   .group = TrLater("Search"),
                   .title = Tr("Queue five seeds of this search"),
                   .why_not = full,
-                  .run = [&session] { session.EnqueueSeeds(kQueuedSeeds); }});
+                  .run = [&session] { session.Queue().AddSeeds(kQueuedSeeds); }});
   list.push_back({.id = "queue/run",
                   .group = TrLater("Search"),
                   .title = Tr("Run the queue"),
                   .why_not = none   ? Tr("nothing waits")
                              : busy ? Tr("a search or the lab is running")
                                     : "",
-                  .run = [&session] { session.RunQueue(); }});
+                  .run = [&session] { session.Queue().Run(); }});
   list.push_back({.id = "queue/clear",
                   .group = TrLater("Search"),
                   .title = Tr("Clear the queue"),
                   .why_not = none ? Tr("nothing waits") : "",
-                  .run = [&session] { session.queue.Clear(); }});
+                  .run = [&session] { session.Queue().List().Clear(); }});
 }
 
 void AddFound(std::vector<Command>& list, Session& session) {
@@ -106,23 +108,24 @@ void AddFound(std::vector<Command>& list, Session& session) {
                   .title = Tr("Keep this motion"),
                   .keys = {"k"},
                   .why_not = session.Doc().timeline.empty() ? Tr("there is no motion yet") : "",
-                  .run = [&session] { session.KeepMotion(); }});
-  const FoundMotions::Entry* best = session.found.Best(session.Doc());
+                  .run = [&session] { session.Results().KeepShown(); }});
+  const FoundMotions::Entry* best = session.Results().Motions().Best(session.Doc());
   list.push_back({.id = "found/best",
                   .group = TrLater("Results"),
                   .title = Tr("Show the best result for this figure and task"),
                   .why_not = best == nullptr ? Tr("there are no results yet") : "",
                   .run = [&session, id = best == nullptr ? "" : best->id] { session.ShowFound(id); }});
-  list.push_back({.id = "found/bring-back",
-                  .group = TrLater("Results"),
-                  .title = Tr("Bring back the deleted result"),
-                  .why_not = session.found.Removed() == nullptr ? Tr("nothing was deleted") : "",
-                  .run = [&session] { session.found.BringBack(); }});
+  list.push_back(
+      {.id = "found/bring-back",
+       .group = TrLater("Results"),
+       .title = Tr("Bring back the deleted result"),
+       .why_not = session.Results().Motions().Removed() == nullptr ? Tr("nothing was deleted") : "",
+       .run = [&session] { session.Results().Motions().BringBack(); }});
 }
 
 void AddTimeline(std::vector<Command>& list, Session& session) {
   const auto clips = static_cast<int>(session.Doc().timeline.size());
-  const int selected = session.SelectedClip();
+  const int selected = session.Timeline().Selected();
   const char* none = clips > 0 ? "" : Tr("there is no motion yet");
   const char* one = clips > 1 ? "" : Tr("there is only one clip");
   const auto add = [&](const char* id, const char* title, const std::vector<std::string>& keys,
@@ -134,29 +137,32 @@ void AddTimeline(std::vector<Command>& list, Session& session) {
                     .why_not = why_not,
                     .run = run});
   };
-  add("split", Tr("Split the clip at the moment shown"), {"b"}, none, [&session] { session.SplitClip(); });
-  add("duplicate", Tr("Duplicate the selected clip"), {"d"}, none, [&session] { session.DuplicateClip(); });
+  add("split", Tr("Split the clip at the moment shown"), {"b"}, none,
+      [&session] { session.Timeline().SplitClip(); });
+  add("duplicate", Tr("Duplicate the selected clip"), {"d"}, none,
+      [&session] { session.Timeline().DuplicateClip(); });
   add("mirror", Tr("Mirror the selected clip: it goes the other way"), {"m"}, none,
-      [&session] { session.MirrorClip(); });
-  add("add", Tr("Add the selected clip once more at the end"), {}, none, [&session] { session.AddClip(); });
+      [&session] { session.Timeline().MirrorClip(); });
+  add("add", Tr("Add the selected clip once more at the end"), {}, none,
+      [&session] { session.Timeline().AddClip(); });
   add("earlier", Tr("Move the selected clip earlier"), {"["},
       clips > 1 && selected == 0 ? Tr("it is the first") : one,
-      [&session] { session.ReorderClip(session.SelectedClip() - 1); });
+      [&session] { session.Timeline().ReorderClip(session.Timeline().Selected() - 1); });
   add("later", Tr("Move the selected clip later"), {"]"},
       clips > 1 && selected == clips - 1 ? Tr("it is the last") : one,
-      [&session] { session.ReorderClip(session.SelectedClip() + 1); });
-  add("loop", Tr("Repeat the whole timeline"), {}, none, [&session] { session.LoopTimeline(); });
+      [&session] { session.Timeline().ReorderClip(session.Timeline().Selected() + 1); });
+  add("loop", Tr("Repeat the whole timeline"), {}, none, [&session] { session.Timeline().Repeat(); });
   add("repair", Tr("Repair the selected clip: search from where it takes over"), {"r"},
-      session.CanRepair() ? "" : Tr("it takes over from no other clip"),
-      [&session] { session.RepairClip(); });
+      session.Timeline().CanRepair() ? "" : Tr("it takes over from no other clip"),
+      [&session] { session.Timeline().RepairClip(); });
   add("snap-to-best", Tr("Snap to best: the selected clip takes over where that does best"), {},
-      session.WhyNoSnap(), [&session] { session.SnapToBest(); });
-  add("remove", Tr("Remove the selected clip"), {}, one, [&session] { session.RemoveClip(); });
+      session.Timeline().WhyNoSnap(), [&session] { session.Timeline().SnapToBest(); });
+  add("remove", Tr("Remove the selected clip"), {}, one, [&session] { session.Timeline().RemoveClip(); });
 }
 
 void AddPanels(std::vector<Command>& list, Session& session, bool phone) {
   for (int i = 0; i < (phone ? static_cast<int>(kPanels.size()) : kDeskPanels); ++i) {
-    if (!session.arrangement.Shows(i)) continue;
+    if (!session.Layout().Shows(i)) continue;
     const char* name = kPanels[static_cast<std::size_t>(i)];
     list.push_back({.id = std::string("panel/") + name,
                     .group = TrLater("Panels"),
@@ -180,13 +186,15 @@ void AddView(std::vector<Command>& list, Session& session) {
   add("trail", TrLater("Show the path of the centre of mass"), TrLater("Hide the path of the centre of mass"),
       &View::trail);
   add("forces", TrLater("Show contact forces"), TrLater("Hide contact forces"), &View::forces);
-  const bool beside = session.Compared().Beside();
+  const bool beside = session.Comparison().Other().Beside();
   list.push_back(
       {.id = "view/compare",
        .group = TrLater("View"),
        .title = Tr(beside ? "Stop comparing side by side" : "Compare timer and senses side by side"),
-       .why_not = session.ShownController() == nullptr ? Tr("there is no motion yet") : "",
-       .run = [&session, beside] { beside ? session.StopComparing() : session.CompareDeciders(); }});
+       .why_not = session.Timeline().ShownController() == nullptr ? Tr("there is no motion yet") : "",
+       .run = [&session, beside] {
+         beside ? session.Comparison().Stop() : session.Comparison().CompareControlModes();
+       }});
 }
 
 }  // namespace
@@ -215,7 +223,7 @@ std::vector<Command> ShelfOf(Session& session) {
                     .run = [&session, document = std::move(*document)] { session.ChooseExample(document); }});
   }
   int index = 0;
-  for (const Document& problem : session.Problems()) {
+  for (const Document& problem : session.Shipped().Problems()) {
     list.push_back({.id = "task/" + std::to_string(index),
                     .group = TrLater("Tasks"),
                     .title = Tr("Choose task: {1}", TrTitle(problem.title)),
@@ -223,7 +231,7 @@ std::vector<Command> ShelfOf(Session& session) {
     ++index;
   }
   index = 0;
-  for (const Figure& figure : session.Figures()) {
+  for (const Figure& figure : session.Shipped().Figures()) {
     list.push_back({.id = "figure/" + std::to_string(index),
                     .group = TrLater("Figures"),
                     .title = Tr("Choose figure: {1}", TrTitle(figure.name)),

@@ -26,7 +26,7 @@ bool Ghost::Fits(const Documents& documents) const {
       return false;
     case Kind::kEarlier:
       return SameTree(documents.earlier.figure, figure);
-    case Kind::kCalm:
+    case Kind::kAsOpened:
       return true;
     case Kind::kController:
       return controller_ >= 0 && controller_ < static_cast<int>(documents.shown.controllers.size());
@@ -46,7 +46,7 @@ void Ghost::Load(const Documents& documents) {
   } else if (kind_ == Kind::kController) {
     document.timeline = {{.controller = controller_, .start_step = 0}};
   }
-  const Document& world = kind_ == Kind::kCalm ? documents.calm : documents.shown;
+  const Document& world = kind_ == Kind::kAsOpened ? documents.as_opened : documents.shown;
   document.environment = world.environment;
   document.pushes = world.pushes;
   player_.Load(document, false);
@@ -62,7 +62,7 @@ std::string Ghost::Words(const Document& shown) const {
       return "";
     case Kind::kEarlier:
       return Tr("before the last search");
-    case Kind::kCalm:
+    case Kind::kAsOpened:
       return Tr("without your changes");
     case Kind::kController:
     case Kind::kFound:
@@ -71,7 +71,7 @@ std::string Ghost::Words(const Document& shown) const {
   const Controller& controller = kind_ == Kind::kFound
                                      ? found_.controllers.back()
                                      : shown.controllers[static_cast<std::size_t>(controller_)];
-  return DeciderWords(controller.kind, controller.senses);
+  return ControlModeWords(controller.kind, controller.senses);
 }
 
 void Ghost::Seek(double time_s) {

@@ -16,7 +16,7 @@ class Ghost {
   enum class Kind {
     kNone,
     kEarlier,     // as it was before the last search
-    kCalm,        // without what was done to the world
+    kAsOpened,    // without what was done to the world
     kController,  // another controller of the document, alone
     kFound,       // a found motion, by its controllers
   };
@@ -24,10 +24,10 @@ class Ghost {
   struct Documents {
     const Document& shown;
     const Document& earlier;
-    const Document& calm;
+    const Document& as_opened;
   };
-  /// Simulates it in the shown world, but for kCalm. Where its rods hang on another tree, or there is no such
-  /// controller, it stands for nothing.
+  /// Simulates it in the shown world, but for kAsOpened. Where its rods hang on another tree, or there is no
+  /// such controller, it stands for nothing.
   /// @param kind  not kFound
   /// @param controller  of the document, for kController
   void StandFor(Kind kind, int controller, const Documents&);
@@ -40,7 +40,7 @@ class Ghost {
   [[nodiscard]] std::optional<int> ControllerIndex() const;
   /// Empty unless it is a found motion.
   [[nodiscard]] std::string FoundId() const { return kind_ == Kind::kFound ? found_id_ : std::string(); }
-  /// "without your changes", "timer 3.00 s". @param shown  the document in hand
+  /// "without your changes", "timer 3.00 s". @param shown  the open document
   [[nodiscard]] std::string Words(const Document& shown) const;
   /// Null: it stands for nothing.
   [[nodiscard]] const Playback* Player() const { return kind_ == Kind::kNone ? nullptr : &player_; }

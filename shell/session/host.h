@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the application needs from the place it runs in: the page (host_web.cpp) or the desktop
-// (host_native.cpp).
+// What the application needs from what it runs in: the page (page_host.h) or the desktop
+// (native_host.h).
 #pragma once
 
 #include <string>
@@ -41,7 +41,7 @@ class Host {
   virtual void StopSearch() = 0;
 
   /// Works out a transition map beside whatever else runs; one that is under way is given up. Parts come
-  /// through Session::OnTransitions, with the same generation.
+  /// through TransitionRun::OnScores, with the same generation.
   /// @param request of TransitionRequest
   virtual void StartTransitionMap(const Document& request, int generation) = 0;
   virtual void StopTransitionMap() = 0;
@@ -55,7 +55,7 @@ class Host {
   virtual void StoreFound(const std::string& /*id*/, const std::string& /*text*/) {}
   /// Whether AskName can be answered.
   [[nodiscard]] virtual bool CanAskName() const { return false; }
-  /// Asks the person for the name of a found motion; the answer goes to Session::found.
+  /// Asks the person for the name of a found motion; the answer goes to the results.
   /// @param name  that it has, or empty. @param usual  what stands in its place then
   virtual void AskName(const std::string& /*id*/, const std::string& /*name*/, const std::string& /*usual*/) {
   }

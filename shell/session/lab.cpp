@@ -86,19 +86,19 @@ Result<void> Lab::Begin(const Document& document) {
   return {};
 }
 
-StudyPlan::Trial Lab::Place() const {
+StudyPlan::Trial Lab::Current() const {
   const std::size_t searches = study_.searches.size();
   const auto next = static_cast<std::size_t>(finished_);
   return {0, next % searches, study_.plan.first_seed + static_cast<std::uint32_t>(next / searches)};
 }
 
 Lab::Trial Lab::Now() const {
-  const auto [problem, search, seed] = Place();
+  const auto [problem, search, seed] = Current();
   return {study_.searches[search].algorithm, seed, TrialDocument(study_, problem, search, seed)};
 }
 
 void Lab::Finish(std::span<const Search::CurvePoint> curve) {
-  const auto [problem, search, seed] = Place();
+  const auto [problem, search, seed] = Current();
   const StudyPlan& plan = study_.plan;
   const std::size_t index = *plan.Find(plan.problems[problem], plan.searches[search], seed);
   const TrialResult result{.best = curve.empty() ? kVoidScore : curve.back().best,

@@ -85,7 +85,7 @@ class Lab {
   [[nodiscard]] std::string Label() const;
 
  private:
-  [[nodiscard]] StudyPlan::Trial Place() const;
+  [[nodiscard]] StudyPlan::Trial Current() const;
   void SumUp(std::size_t search);
 
   LabState state_ = LabState::kIdle;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "shell/words/controller_words.h"
 #include "shell/words/language.h"
 #include "shell/words/rule_words.h"
 #include "shell/words/style_words.h"
@@ -39,7 +40,7 @@ std::string ContactWords(const Motion& motion, int frame) {
 // The clip in charge, and its controller.
 const Controller* InCharge(const Session& session, int frame) {
   const Document& d = session.Doc();
-  const int clip = session.player.Shown().At(frame).clip;
+  const int clip = session.Player().Shown().At(frame).clip;
   if (clip < 0 || clip >= static_cast<int>(d.timeline.size())) return nullptr;
   return &d.controllers[static_cast<std::size_t>(d.timeline[static_cast<std::size_t>(clip)].controller)];
 }
@@ -47,7 +48,7 @@ const Controller* InCharge(const Session& session, int frame) {
 }  // namespace
 
 std::string MomentWords(const Session& session) {
-  const Playback& player = session.player;
+  const Playback& player = session.Player();
   std::string words = Tr(player.Playing() ? "Plays at {1} s, {2}." : "Paused at {1} s, {2}.",
                          Fixed(player.TimeS(), 2), WayWords(player.TermsNow().travel_m));
   const Controller* controller = InCharge(session, player.Frame());
@@ -57,7 +58,7 @@ std::string MomentWords(const Session& session) {
 }
 
 std::string DescriptionOf(const Session& session) {
-  const Playback& player = session.player;
+  const Playback& player = session.Player();
   const Motion& motion = player.Shown();
   const int frame = player.Frame();
   const Document& d = session.Doc();
@@ -77,9 +78,10 @@ std::string DescriptionOf(const Session& session) {
     words += std::string(" ") + Tr("Nothing drives it: a search finds a controller.");
   }
   words += " " + ScoreWords(d.task, player.TermsNow());
-  if (const Playback* other = session.Compared().Beside() ? session.Compared().Player() : nullptr) {
+  if (const Playback* other =
+          session.Comparison().Other().Beside() ? session.Comparison().Other().Player() : nullptr) {
     const Terms& terms = other->Shown().TermsAt(std::min(frame, other->Shown().Frames() - 1));
-    words += " " + Tr("Beside it, {1}: {2}.", session.GhostWords(), WayWords(terms.travel_m));
+    words += " " + Tr("Beside it, {1}: {2}.", session.Comparison().Words(), WayWords(terms.travel_m));
   }
   return words;
 }

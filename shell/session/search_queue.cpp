@@ -4,31 +4,33 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/document/binary.h"
+#include "core/document/parts.h"
 
 namespace gaitsmith::shell {
 
+namespace {
+
+// What no search depends on, and what SearchOf makes anew of the rest.
+constexpr Parts kOutsideSearch = {Part::kTitle,       Part::kSearchStart, Part::kTakeover, Part::kTimeline,
+                                  Part::kControllers, Part::kDuration,    Part::kView,     Part::kHash};
+
+}  // namespace
+
 Document SearchOf(const Document& document) {
-  Document search = document;
-  search.title.clear();
-  search.controllers.clear();
-  if (search.search.start >= 0) {
-    Controller start = document.controllers[static_cast<std::size_t>(search.search.start)];
+  Document search;
+  CopyParts(document, AllParts().Without(kOutsideSearch), search);
+  if (document.search.start >= 0) {
+    Controller start = document.controllers[static_cast<std::size_t>(document.search.start)];
     start.name.clear();
     search.controllers.push_back(std::move(start));
     search.search.start = 0;
   }
-  search.timeline.clear();
-  search.search.in_place_of = -1;
-  search.search.handovers.clear();
   search.duration_steps = search.task.duration_steps;
-  search.view = {};
-  search.hash.reset();
   return search;
 }
 
 bool SameSearch(const Document& a, const Document& b) {
-  return EncodeBinary(SearchOf(a)) == EncodeBinary(SearchOf(b));
+  return DifferingParts(SearchOf(a), SearchOf(b)).Empty();
 }
 
 bool SearchQueue::Add(const Document& document) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A session's past and future: New, Undo and Redo. Every one of them can itself be taken back.
+// A session's past and future: Undo and Redo, which can be taken back themselves.
 #include <utility>
 
-#include "core/document/binary.h"
+#include "core/document/parts.h"
 #include "shell/session/session.h"
 #include "shell/words/language.h"
 
@@ -14,94 +14,52 @@ constexpr const char* kFigureWords = TrLater("the figure");
 // What a step changed, in a few words. The first of these that differs is what a person did; the rest
 // follows.
 const char* ChangeWords(const Document& a, const Document& b) {
-  const auto differ = [](const Document& x, const Document& y) { return EncodeBinary(x) != EncodeBinary(y); };
-  const auto same_but = [&](auto part) {
-    Document bare = a;
-    bare.controllers.clear();  // they are made for their figure
-    bare.timeline.clear();
-    bare.search.start = -1;
-    Document other = bare;
-    part(other);
-    return differ(bare, other);
-  };
-  if (same_but([&](Document& d) { d.figure = b.figure; })) return kFigureWords;
-  Document clips = a;
-  clips.timeline = b.timeline;
-  clips.duration_steps = b.duration_steps;
-  if (a.controllers.size() == b.controllers.size() && differ(clips, a)) return TrLater("the timeline");
-  Document moved = a;
-  moved.controllers = b.controllers;
-  moved.timeline = b.timeline;
-  moved.search.start = -1;
-  Document still = a;
-  still.search.start = -1;
-  if (differ(moved, still)) return TrLater("the motion");
-  if (same_but([&](Document& d) { d.task = b.task; })) return TrLater("the task and its weights");
-  if (same_but([&](Document& d) { d.environment = b.environment, d.start = b.start, d.pushes = b.pushes; }))
-    return TrLater("the surroundings");
-  if (same_but([&](Document& d) { d.senses = b.senses, d.kind = b.kind, d.rules = b.rules; }))
-    return TrLater("the senses of the next search");
+  const Parts changed = DifferingParts(a, b);
+  const bool clips = changed.HasAny({Part::kTimeline, Part::kDuration});
+  if (changed.HasAny(Part::kFigure)) return kFigureWords;
+  if (a.controllers.size() == b.controllers.size() && clips) return TrLater("the timeline");
+  if (changed.HasAny({Part::kControllers, Part::kTimeline})) return TrLater("the motion");
+  if (changed.HasAny(kTask)) return TrLater("the task and its weights");
+  if (changed.HasAny({Part::kEnvironment, Part::kStart, Part::kPushes})) return TrLater("the surroundings");
+  if (changed.HasAny(Part::kSought)) return TrLater("the senses of the next search");
   return TrLater("settings of the next search");
 }
 
 }  // namespace
 
-void Session::Remember(int occasion) { history_.Keep(document_, occasion); }
-
-bool Session::FoundNothingYet() const {
-  if (!Searching() || queued_ || !searched_ || !improvement_.empty()) return false;
-  Document begun = earlier_;
-  begun.view = document_.view;
-  return EncodeBinary(begun) == EncodeBinary(document_);
-}
-
 void Session::Undo() {
   // A search that has found nothing yet is all there is to take back.
-  const bool only_search = FoundNothingYet();
-  AbandonSearch();
-  if (only_search) return Say(Tr("The search is stopped; the motion is as it was."));
-  if (const auto before = history_.Back(document_)) {
+  const bool only_search = search_.HasChangedNothing();
+  search_.Abandon();
+  if (only_search) return workspace_.Say(Tr("The search is stopped; the motion is as it was."));
+  if (const auto before = workspace_.TakeBack()) {
     Return(*before, TrLater("Undone: {1}."));
   } else {
-    host_.Status(Tr("There is nothing to undo."));
+    workspace_.TheHost().Status(Tr("There is nothing to undo."));
   }
 }
 
 void Session::Redo() {
-  if (CanRedo())
-    AbandonSearch();  // what it found last is a step of its own, and then nothing is left to redo
-  if (const auto after = history_.Forward(document_)) {
+  // What the search found last is a step of its own, and then nothing is left to redo.
+  if (CanRedo()) search_.Abandon();
+  if (const auto after = workspace_.TakeForward()) {
     Return(*after, TrLater("Done again: {1}."));
   } else {
-    host_.Status(Tr("There is nothing to redo."));
+    workspace_.TheHost().Status(Tr("There is nothing to redo."));
   }
 }
 
 void Session::Return(const Document& document, const char* words) {
-  const std::string what = ChangeWords(document_, document);
+  const std::string what = ChangeWords(Doc(), document);
   BeginGesture();
-  notice.clear();
-  Show(document, what == kFigureWords);
-  host_.Status(Tr(words, Tr(what.c_str())));
+  Notice().clear();
+  workspace_.Show(document, what == kFigureWords);
+  workspace_.TheHost().Status(Tr(words, Tr(what.c_str())));
 }
 
 void Session::ForgetPast() {
-  history_.Clear();
-  host_.DocumentChanged(document_.title);
-}
-
-void Session::New() {
-  // The first problem's figure and senses are those that the paper's standard figure learns most with.
-  Document next;
-  next.figure = StandardFigure();
-  next.title = next.figure.name;
-  for (const Document& problem : problems_) {
-    if (problem.title.starts_with(next.figure.name)) next = problem;
-  }
-  next.hash.reset();
-  if (!Replace(std::move(next))) return;
-  Say(Tr("A new document. {1} cannot move yet: press Synthesize. Undo brings back what was here.",
-         TrTitle(document_.figure.name)));
+  workspace_.ForgetPast();
+  workspace_.Redraw();
 }
 
 }  // namespace gaitsmith::shell

@@ -43,7 +43,7 @@ bool PushByHand(Ui& ui, Session& session, PushGesture& gesture, const Touch& sta
   const ImVec2 pointer = ImGui::GetIO().MousePos;
   const float reach = ui.Look().touch ? 30.0f : 18.0f;
   if (stage.began) {
-    gesture = {.endpoint = Nearest(endpoints, pointer, reach), .was_playing = session.player.Playing()};
+    gesture = {.endpoint = Nearest(endpoints, pointer, reach), .was_playing = session.Player().Playing()};
   }
   if (gesture.endpoint == PushGesture::kNobody) {
     // A ring says what can be taken hold of.
@@ -53,11 +53,11 @@ bool PushByHand(Ui& ui, Session& session, PushGesture& gesture, const Touch& sta
     return false;
   }
   const ImVec2 from = endpoints[static_cast<std::size_t>(gesture.endpoint)];
-  const Impulse impulse = ImpulseOf(from, pointer, camera, session.player.Shown().Bones().mass_kg);
+  const Impulse impulse = ImpulseOf(from, pointer, camera, session.Player().Shown().Bones().mass_kg);
   if (stage.held) {
     if (!gesture.drawn && std::hypot(pointer.x - from.x, pointer.y - from.y) > reach) {
       gesture.drawn = true;
-      session.player.Play(false);
+      session.Player().Play(false);
     }
     if (gesture.drawn) {
       DrawArrow(ui.Canvas(), from, pointer, ui.Ink().accent, Fade(ui.Ink().paper, 0.85f));
@@ -68,8 +68,8 @@ bool PushByHand(Ui& ui, Session& session, PushGesture& gesture, const Touch& sta
   }
   const bool drawn = gesture.drawn;
   if (drawn) {
-    session.Kick(gesture.endpoint, impulse.x_ns, impulse.y_ns);
-    session.player.Play(gesture.was_playing);
+    session.World().Push(gesture.endpoint, impulse.x_ns, impulse.y_ns);
+    session.Player().Play(gesture.was_playing);
   }
   gesture = {};
   return drawn;

@@ -106,7 +106,7 @@ void DrawTrail(const Scene& s, double from_s) {
 
 // Another motion at the same time, as an outline of another colour: it must not be taken for a past pose.
 void DrawGhost(const Scene& s) {
-  const Playback* ghost = s.session.Compared().Player();
+  const Playback* ghost = s.session.Comparison().Other().Player();
   if (ghost == nullptr) return;
   const float width = RodWidth(s.player.Shown().Bones(), s.camera.scale);
   const std::vector<ImVec2> points = OnScreen(s, *ghost, s.player.TimeS());
@@ -174,7 +174,7 @@ std::vector<ImVec2> DrawScene(const Scene& s) {
   DrawGround(s.ui, s.rect, s.camera);
   const Past past = view.poses ? DrawPast(s) : Past{std::max(0.0, s.player.TimeS() - 4.0), 0};
   if (view.trail) DrawTrail(s, past.oldest_s);
-  if (!s.session.Compared().Beside()) DrawGhost(s);
+  if (!s.session.Comparison().Other().Beside()) DrawGhost(s);
   const Motion& motion = s.player.Shown();
   const std::vector<ImVec2> endpoints = OnScreen(s, s.player, s.player.TimeS());
   const ImU32 active = ActiveColour(s);

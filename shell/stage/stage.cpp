@@ -59,7 +59,7 @@ void DrawRemark(const Scene& s) {
   };
   if (terms.broke_physics) {
     remark(p.bad, Tr("This motion breaks physics and counts as void."));
-  } else if (s.session.WorldChanged()) {
+  } else if (s.session.World().Changed()) {
     remark(p.accent, Tr("You changed its world: this is not the motion that was opened."));
   } else if (s.session.DiffersFromMaker()) {
     DrawNote(s, {at.x, at.y + 40.0f}, Tr("This motion differs from the one its maker saw."));
@@ -81,12 +81,12 @@ void Zoom(StageState& state, const Touch& touch) {
 void TakePinch(Session& session, StageState& state, const ImRect& area, const ImRect& rect, float ground_y) {
   state.pinch.area = area;
   if (!state.pinch.Holds()) return;
-  if (state.push.drawn) session.player.Play(state.push.was_playing);
+  if (state.push.drawn) session.Player().Play(state.push.was_playing);
   state.push = {};
   state.panning = false;
   const Pinch::Change change = state.pinch.TakeChange();
   const auto metres = [&](float x) {
-    const Camera camera = AimCamera(session.player, session.Doc().environment, state.gaze, rect, ground_y);
+    const Camera camera = AimCamera(session.Player(), session.Doc().environment, state.gaze, rect, ground_y);
     const float across = x > rect.Max.x ? x - rect.Max.x : x - rect.Min.x;
     return camera.left_m + static_cast<double>(across / camera.scale);
   };
@@ -119,9 +119,10 @@ void DrawFollowButton(Ui& ui, StageState& state, const ImRect& rect) {
 // The other motion, in the right half of the stage.
 void DrawBeside(Ui& ui, Session& session, const StageState& state, const ImRect& half, const ImRect& free,
                 float ground_y) {
-  const Playback& other = *session.Compared().Player();
-  const Environment& world =
-      session.Compared().StandsFor() == Ghost::Kind::kCalm ? session.CalmWorld() : session.Doc().environment;
+  const Playback& other = *session.Comparison().Other().Player();
+  const Environment& world = session.Comparison().Other().StandsFor() == Ghost::Kind::kAsOpened
+                                 ? session.World().AsOpened().environment
+                                 : session.Doc().environment;
   const Scene scene{.ui = ui,
                     .session = session,
                     .player = other,
@@ -129,10 +130,11 @@ void DrawBeside(Ui& ui, Session& session, const StageState& state, const ImRect&
                     .rect = half,
                     .camera = AimCamera(other, world, state.gaze, free, ground_y)};
   const PartScope part = ui.Part("beside", "group", Tr("Beside it"));
-  ui.Tell(Tr("Beside it: {1}, {2} m.", session.GhostWords(), Fixed(other.TermsNow().travel_m, 2)), half);
+  ui.Tell(Tr("Beside it: {1}, {2} m.", session.Comparison().Words(), Fixed(other.TermsNow().travel_m, 2)),
+          half);
   scene.list->PushClipRect(half.Min, half.Max, true);
   DrawScene(scene);
-  DrawNumbers(scene, session.GhostWords(), half.GetWidth() - kCornerRoom);
+  DrawNumbers(scene, session.Comparison().Words(), half.GetWidth() - kCornerRoom);
   scene.list->PopClipRect();
   ui.VerticalLine(half.Min.x, half.Min.y, half.Max.y);
 }
@@ -141,17 +143,17 @@ void DrawBeside(Ui& ui, Session& session, const StageState& state, const ImRect&
 
 void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, float covered) {
   const PartScope part = ui.Part("stage", "region", Tr("Stage"));
-  const Terms& terms = session.player.TermsNow();
+  const Terms& terms = session.Player().TermsNow();
   ImGui::SetNextItemAllowOverlap();  // its buttons lie on it
-  const Touch touch =
-      ui.Area("stage", rect, Grab::kPress,
-              {.label = Tr("Stage: {1}", TrTitle(session.Doc().figure.name)),
-               .role = "img",
-               .value = Tr("{1} m after {2} s", Fixed(terms.travel_m, 2), Fixed(session.player.TimeS(), 2))});
+  const Touch touch = ui.Area(
+      "stage", rect, Grab::kPress,
+      {.label = Tr("Stage: {1}", TrTitle(session.Doc().figure.name)),
+       .role = "img",
+       .value = Tr("{1} m after {2} s", Fixed(terms.travel_m, 2), Fixed(session.Player().TimeS(), 2))});
   Zoom(state, touch);
   const float ground_y = ui.Look().Snap(rect.Max.y - std::clamp(0.178f * rect.GetHeight(), 62.0f, 130.0f));
-  const bool two = session.Compared().Beside();
-  session.KeepGhostInTime();
+  const bool two = session.Comparison().Other().Beside();
+  session.Comparison().KeepInTime();
   const float open_x = rect.Max.x - covered;
   const float middle = two ? ui.Look().Snap(0.5f * (rect.Min.x + open_x)) : rect.Max.x;
   const ImRect own(rect.Min, {middle, rect.Max.y});
@@ -160,19 +162,19 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
   const Scene scene{
       .ui = ui,
       .session = session,
-      .player = session.player,
+      .player = session.Player(),
       .list = ui.Canvas(),
       .rect = own,
-      .camera = AimCamera(session.player, session.Doc().environment, state.gaze, free, ground_y)};
+      .camera = AimCamera(session.Player(), session.Doc().environment, state.gaze, free, ground_y)};
   ui.Behind().Fill(rect, ui.Ink().paper);
   scene.list->PushClipRect(own.Min, own.Max, true);
   const std::vector<ImVec2> endpoints = DrawScene(scene);
   const bool pinching = state.pinch.Holds();
   const bool pushing = !pinching && PushByHand(ui, session, state.push, touch, scene.camera, endpoints);
   const bool panned = !pinching && !pushing && Pan(state, touch, scene.camera.scale);
-  if (touch.pressed && !pinching && !pushing && !panned) session.player.Play(!session.player.Playing());
-  const Controller* shown = session.ShownController();
-  const std::string name = two && shown != nullptr ? DeciderWords(shown->kind, shown->senses) : "";
+  if (touch.pressed && !pinching && !pushing && !panned) session.Player().Play(!session.Player().Playing());
+  const Controller* shown = session.Timeline().ShownController();
+  const std::string name = two && shown != nullptr ? ControlModeWords(shown->kind, shown->senses) : "";
   DrawNumbers(scene, name, own.GetWidth() - (two ? 32.0f : kCornerRoom));
   DrawRemark(scene);
   scene.list->PopClipRect();

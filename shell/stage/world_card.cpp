@@ -61,7 +61,7 @@ void DrawGroundAndGravity(Ui& ui, Session& session) {
 }
 
 void DrawPushes(Ui& ui, Session& session, WorldCardState& state) {
-  const Skeleton& bones = session.player.Shown().Bones();
+  const Skeleton& bones = session.Player().Shown().Bones();
   ui.Heading(Tr("Push"));
   ui.Paragraph(Tr("Pull at a joint on the stage, or set it here."), Type::kNote);
   ui.Gap(6.0f);
@@ -78,8 +78,8 @@ void DrawPushes(Ui& ui, Session& session, WorldCardState& state) {
   ui.Gap(6.0f);
   if (ui.Button("world/push", ui.ControlRow(), Tr("Push now"))) {
     const double angle = state.direction_deg * kDegree;
-    session.Kick(state.endpoint - 1, static_cast<float>(state.strength_ns * std::cos(angle)),
-                 static_cast<float>(state.strength_ns * std::sin(angle)));
+    session.World().Push(state.endpoint - 1, static_cast<float>(state.strength_ns * std::cos(angle)),
+                         static_cast<float>(state.strength_ns * std::sin(angle)));
   }
   const auto& pushes = session.Doc().pushes;
   for (std::size_t i = 0; i < pushes.size(); ++i) {
@@ -93,7 +93,7 @@ void DrawPushes(Ui& ui, Session& session, WorldCardState& state) {
     const ImRect button({row.Max.x - row.GetHeight(), row.Min.y}, row.Max);
     if (ui.IconButton("world/remove/" + std::to_string(i), button, Icon::kClose,
                       Tr("Remove the push at {1}", words))) {
-      session.RemovePush(i);
+      session.World().RemovePush(i);
       break;
     }
   }
@@ -103,7 +103,7 @@ void DrawPushes(Ui& ui, Session& session, WorldCardState& state) {
 std::vector<const FoundMotions::Entry*> Rivals(const Session& session) {
   constexpr std::size_t kMost = 12;  // a list that a phone can show
   std::vector<const FoundMotions::Entry*> rivals;
-  for (const FoundMotions::Entry* entry : session.found.Sorted(FoundMotions::Order::kNewest)) {
+  for (const FoundMotions::Entry* entry : session.Results().Motions().Sorted(FoundMotions::Order::kNewest)) {
     if (rivals.size() == kMost) break;
     if (entry->motion.Moves() && SameTree(entry->motion.document.figure, session.Doc().figure))
       rivals.push_back(entry);
@@ -124,7 +124,7 @@ std::vector<GhostChoice> GhostChoices(const Session& session, int& chosen) {
   std::vector<GhostChoice> choices = {
       {.words = Tr("Nothing"), .kind = kNone, .found_id = {}},
       {.words = Tr("Before the last search"), .kind = kEarlier, .found_id = {}},
-      {.words = Tr("Without your changes"), .kind = kCalm, .found_id = {}}};
+      {.words = Tr("Without your changes"), .kind = kAsOpened, .found_id = {}}};
   for (int index = 0; const Controller& controller : session.Doc().controllers) {
     const std::string& name = controller.name;
     choices.push_back({.words = name.empty() ? Tr("Controller {1}", index + 1) : TrTitle(name),
@@ -135,19 +135,19 @@ std::vector<GhostChoice> GhostChoices(const Session& session, int& chosen) {
   }
   for (const FoundMotions::Entry* entry : Rivals(session)) {
     const Controller& controller = entry->motion.document.controllers.back();
-    choices.push_back(
-        {.words = Fixed(entry->motion.Score(), 2) + " · " + DeciderWords(controller.kind, controller.senses),
-         .kind = kFound,
-         .found_id = entry->id});
+    choices.push_back({.words = Fixed(entry->motion.Score(), 2) + " · " +
+                                ControlModeWords(controller.kind, controller.senses),
+                       .kind = kFound,
+                       .found_id = entry->id});
   }
-  const Ghost& ghost = session.Compared();
+  const Ghost& ghost = session.Comparison().Other();
   const auto now = std::ranges::find_if(choices, [&](const GhostChoice& c) {
     return c.kind == ghost.StandsFor() && c.controller == ghost.ControllerIndex().value_or(-1) &&
            c.found_id == ghost.FoundId();
   });
   chosen = static_cast<int>(now - choices.begin());
   if (now == choices.end())  // it has left the results meanwhile
-    choices.push_back({.words = session.GhostWords(), .kind = kFound, .found_id = ghost.FoundId()});
+    choices.push_back({.words = session.Comparison().Words(), .kind = kFound, .found_id = ghost.FoundId()});
   return choices;
 }
 
@@ -161,16 +161,16 @@ void DrawGhostChoice(Ui& ui, Session& session) {
   if (ui.Combo("world/ghost", Tr("With"), words, chosen)) {
     const GhostChoice& wanted = choices[static_cast<std::size_t>(chosen)];
     if (wanted.kind == Ghost::Kind::kFound)
-      session.ChooseFoundGhost(wanted.found_id);
+      session.Comparison().ChooseFound(wanted.found_id);
     else
-      session.ChooseGhost(wanted.kind, wanted.controller);
+      session.Comparison().Choose(wanted.kind, wanted.controller);
   }
-  if (session.Compared().Player() == nullptr) return;
+  if (session.Comparison().Other().Player() == nullptr) return;
   static constexpr std::array<const char*, 2> kPlaces = {TrLater("Behind it"), TrLater("Beside it")};
-  int place = session.Compared().Beside() ? 1 : 0;
+  int place = session.Comparison().Other().Beside() ? 1 : 0;
   ui.Gap(6.0f);
   if (ui.Segmented("world/beside", ui.ControlRow(), Tr("Where the other is drawn"), kPlaces, place))
-    session.PutSideBySide(place == 1);
+    session.Comparison().PutBeside(place == 1);
 }
 
 }  // namespace
@@ -205,8 +205,8 @@ void DrawWorldCard(Ui& ui, Session& session, WorldCardState& state, const ImRect
   DrawGhostChoice(ui, session);
   ui.Gap(8.0f);
   if (ui.Button("world/reset", ui.ControlRow(), Tr("Back to the world as opened"), ButtonLook::kOutlined,
-                session.WorldChanged())) {
-    session.ResetWorld();
+                session.World().Changed())) {
+    session.World().Reset();
   }
   state.height = ImGui::GetCursorPosY() + ImGui::GetScrollY() + 8.0f;
   ui.ScrollByTouch();

@@ -23,7 +23,7 @@ int StepMeant(const Session& session, const ImRect& band, float x) {
     const int border = i < d.timeline.size() ? d.timeline[i].start_step : d.duration_steps;
     if (std::abs(static_cast<float>(border - step)) < reach) meant = border;
   }
-  const int now = session.player.Frame();
+  const int now = session.Player().Frame();
   if (std::abs(static_cast<float>(now - step)) < reach) meant = now;
   return std::clamp(meant, 0, d.duration_steps);
 }
@@ -59,7 +59,7 @@ void TakeFound(const Ui& ui, Session& session, const ImRect& band) {
                                      static_cast<float>(std::max(1, d.duration_steps)) * band.GetWidth();
     ui.Canvas()->AddRectFilled({x - 2.0f, band.Min.y - 5.0f}, {x + 2.0f, band.Max.y + 5.0f}, ui.Ink().accent,
                                2.0f);
-    if (payload->IsDelivery()) session.InsertFound(static_cast<const char*>(payload->Data), step);
+    if (payload->IsDelivery()) session.Timeline().InsertFound(static_cast<const char*>(payload->Data), step);
   }
   ImGui::EndDragDropTarget();
 }

@@ -11,6 +11,7 @@
 #include "shell/timeline/timeline_tools.h"
 #include "shell/timeline/transition_strip.h"
 #include "shell/widgets/plot.h"
+#include "shell/words/controller_words.h"
 #include "shell/words/language.h"
 #include "shell/words/wording.h"
 
@@ -65,7 +66,7 @@ void DragClip(const Ui& ui, Session& session, const Band& band, std::size_t inde
   if (!(touch.held && dragged) && !let_go) return;
   const int place = PlaceAt(session.Doc(), band, index, g.IO.MousePos.x);
   ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-  if (let_go) return session.ReorderClip(place);
+  if (let_go) return session.Timeline().ReorderClip(place);
   if (place != static_cast<int>(index)) DrawPlace(ui, session.Doc(), band, index, place);
 }
 
@@ -73,7 +74,7 @@ void DrawClip(Ui& ui, Session& session, const Band& band, std::size_t index) {
   const Document& d = session.Doc();
   const Clip& clip = d.timeline[index];
   const Controller& controller = d.controllers[static_cast<std::size_t>(clip.controller)];
-  const bool selected = session.SelectedClip() == static_cast<int>(index);
+  const bool selected = session.Timeline().Selected() == static_cast<int>(index);
   constexpr float kGap = 4.0f;  // for the border
   const ImRect rect({band.XOf(clip.start_step), band.rect.Min.y},
                     {band.XOf(EndOf(d, index)) - kGap, band.rect.Max.y});
@@ -88,7 +89,7 @@ void DrawClip(Ui& ui, Session& session, const Band& band, std::size_t index) {
                                .value = Tr("{1} from {2}", length, SecondsWords(clip.start_step)),
                                .state = {.selected = selected}});
   ImGui::PopItemFlag();
-  if (touch.pressed) session.SelectClip(static_cast<int>(index));
+  if (touch.pressed) session.Timeline().Select(static_cast<int>(index));
 
   const Palette& p = ui.Ink();
   const ImU32 colour = ui.Look().Rule(colour_of);
@@ -116,7 +117,7 @@ int Snapped(const Session& session, const Band& band, int step) {
   const auto near = [&](int target) {
     return std::abs(static_cast<float>(target - step)) < kSnapPixels * steps_per_pixel;
   };
-  if (near(session.player.Frame())) return session.player.Frame();
+  if (near(session.Player().Frame())) return session.Player().Frame();
   const int half_second = static_cast<int>(std::lround(static_cast<float>(step) / 50.0f)) * 50;
   return near(half_second) ? half_second : step;
 }
@@ -151,7 +152,7 @@ void DrawSwitchPoint(Ui& ui, Session& session, const Band& band, std::size_t ind
       ui, session, band, "timeline/switch/" + std::to_string(index),
       {.label = Tr("Switch point before clip {1}", std::to_string(index + 1)), .value = SecondsWords(start)},
       start);
-  if (wanted != start) session.MoveClip(static_cast<int>(index), wanted);
+  if (wanted != start) session.Timeline().MoveClip(static_cast<int>(index), wanted);
 }
 
 /// The end of the motion: the last clip's length. The band always shows the whole, so that a drag pulls by so
@@ -176,7 +177,7 @@ void DrawEnd(Ui& ui, Session& session, const Band& band) {
     storage->SetFloat(key, pull - static_cast<float>(steps));
     wanted = end + steps;
   }
-  session.SetClipLength(static_cast<int>(last), length + wanted - end);
+  session.Timeline().SetClipLength(static_cast<int>(last), length + wanted - end);
 }
 
 void DrawRuler(Ui& ui, const Session& session, const Band& band) {
@@ -192,7 +193,7 @@ void DrawRuler(Ui& ui, const Session& session, const Band& band) {
     ui.Letters().Draw(ui.Canvas(), Type::kSmall, {x, y}, ui.Ink().second_ink, text, Align::kCentre);
   }
   // The playhead is faint over the clips' names and plain at their lower edge.
-  const float x = ui.Look().Snap(x_of(session.player.TimeS()));
+  const float x = ui.Look().Snap(x_of(session.Player().TimeS()));
   const float bottom = band.rect.Max.y;
   ui.Canvas()->AddRectFilled({x - 0.5f, band.rect.Min.y + 1.0f}, {x + 0.5f, bottom - 1.0f},
                              Fade(ui.Ink().ink, 0.22f));
@@ -207,9 +208,9 @@ std::string HintOf(Session& session) {
   const std::size_t clips = session.Doc().timeline.size();
   if (clips == 0) return Tr("empty until a search finds a controller");
   if (clips == 1) return Tr("add a clip, or a result, to chain another motion");
-  const auto nearness = session.NearnessAtHandover();
+  const auto nearness = session.Timeline().Transitions().NearnessAtHandover();
   if (!nearness) return Tr("drag clips and the borders between them");
-  const std::string clip = std::to_string(session.SelectedClip() + 1);
+  const std::string clip = std::to_string(session.Timeline().Selected() + 1);
   const char* pattern =
       nearness->distance < kNear  ? TrLater("clip {1} takes over near its usual motion ({2} off)")
       : nearness->distance < kFar ? TrLater("clip {1} takes over somewhat off its usual motion ({2})")

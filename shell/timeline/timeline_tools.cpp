@@ -14,7 +14,7 @@ struct Tool {
   const char* label;
   const char* heard;  // in full
   bool enabled;
-  void (Session::*use)();
+  void (TimelineEditor::*use)();
   int spare;  // where there is no room for all, those with the greatest number go first
 };
 
@@ -23,25 +23,25 @@ std::vector<Tool> ToolsOf(const Session& session) {
   const bool several = session.Doc().timeline.size() > 1;
   std::vector<Tool> tools = {
       {"timeline/add", TrLater("Add"), TrLater("Add the selected clip once more at the end"), any,
-       &Session::AddClip, 0},
+       &TimelineEditor::AddClip, 0},
       {"timeline/split", TrLater("Split"), TrLater("Split the clip at the moment shown"), any,
-       &Session::SplitClip, 0},
+       &TimelineEditor::SplitClip, 0},
       {"timeline/duplicate", TrLater("Duplicate"), TrLater("Duplicate the selected clip"), any,
-       &Session::DuplicateClip, 3},
+       &TimelineEditor::DuplicateClip, 3},
       {"timeline/mirror", TrLater("Mirror"), TrLater("Mirror the selected clip: it goes the other way"), any,
-       &Session::MirrorClip, 2},
-      {"timeline/loop", TrLater("Repeat"), TrLater("Repeat the whole timeline"), any, &Session::LoopTimeline,
+       &TimelineEditor::MirrorClip, 2},
+      {"timeline/loop", TrLater("Repeat"), TrLater("Repeat the whole timeline"), any, &TimelineEditor::Repeat,
        4},
       {"timeline/repair", TrLater("Repair"),
-       TrLater("Repair the selected clip: search from where it takes over"), session.CanRepair(),
-       &Session::RepairClip, 1},
+       TrLater("Repair the selected clip: search from where it takes over"), session.Timeline().CanRepair(),
+       &TimelineEditor::RepairClip, 1},
       {"timeline/remove", TrLater("Remove"), TrLater("Remove the selected clip"), several,
-       &Session::RemoveClip, 0},
+       &TimelineEditor::RemoveClip, 0},
   };
-  if (session.Transitions().Any()) {
+  if (session.Timeline().Transitions().Scores().Any()) {
     tools.insert(tools.end() - 1, {"timeline/snap-to-best", TrLater("Snap to best"),
                                    TrLater("Snap to best: the selected clip takes over where that does best"),
-                                   *session.WhyNoSnap() == '\0', &Session::SnapToBest, 1});
+                                   *session.Timeline().WhyNoSnap() == '\0', &TimelineEditor::SnapToBest, 1});
   }
   return tools;
 }
@@ -104,7 +104,7 @@ float DrawTimelineTools(Ui& ui, Session& session, const ImRect& row, float below
     if (ui.Button(tools[i].id, place, Tr(tools[i].label), look, tools[i].enabled, Tr(tools[i].heard)))
       used = &tools[i];
   }
-  if (used != nullptr) (session.*used->use)();
+  if (used != nullptr) (session.Timeline().*used->use)();
   return in_row ? at.x : row.Max.x;
 }
 

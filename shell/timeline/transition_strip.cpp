@@ -41,7 +41,7 @@ std::string SecondsOf(int step) { return Fixed(static_cast<float>(step) * kStepS
 int PercentOf(float share) { return static_cast<int>(std::lround(100.0f * std::clamp(share, 0.0f, 9.99f))); }
 
 std::string TransitionWords(const Session& session) {
-  const TransitionScores& map = session.Transitions();
+  const TransitionScores& map = session.Timeline().Transitions().Scores();
   const int best = map.Best();
   if (best < 0) return map.Failed() ? Tr("nothing is known") : Tr("not worked out yet");
   const std::string when = SecondsOf(map.Steps()[static_cast<std::size_t>(best)]);
@@ -51,7 +51,8 @@ std::string TransitionWords(const Session& session) {
     return Tr("{1} of {2} moments known; best so far at {3} s: {4} % of its usual score", map.Known(), count,
               when, percent);
   }
-  const int start = session.Doc().timeline[static_cast<std::size_t>(session.SelectedClip())].start_step;
+  const int start =
+      session.Doc().timeline[static_cast<std::size_t>(session.Timeline().Selected())].start_step;
   const int now = PercentOf(map.Share(map.Nearest(start)).value_or(0.0f));
   return Tr("best at {1} s: {2} % of its usual score; now {3} %", when, percent, now);
 }
@@ -93,10 +94,10 @@ void DrawShares(const Ui& ui, const TransitionScores& map, const Strip& strip) {
 
 /// A line where the clip takes over now, a dot where it would do best: the playhead is a wedge.
 void DrawMarks(const Ui& ui, const Session& session, const Strip& strip) {
-  const TransitionScores& map = session.Transitions();
+  const TransitionScores& map = session.Timeline().Transitions().Scores();
   const Palette& p = ui.Ink();
   ImDrawList* list = ui.Canvas();
-  const auto selected = static_cast<std::size_t>(session.SelectedClip());
+  const auto selected = static_cast<std::size_t>(session.Timeline().Selected());
   const float now =
       ui.Look().Snap(strip.XOf(static_cast<float>(session.Doc().timeline[selected].start_step)));
   list->AddRectFilled({now - 2.0f, strip.rect.Min.y}, {now + 2.0f, strip.rect.Max.y}, p.panel);
@@ -116,14 +117,14 @@ float TransitionStripHeight(const Session& session) {
 }
 
 void DrawTransitionStrip(Ui& ui, const Session& session, const ImRect& clips) {
-  const TransitionScores& map = session.Transitions();
+  const TransitionScores& map = session.Timeline().Transitions().Scores();
   if (!map.Any()) return;
   const float top = clips.Max.y + kAbove;
   const Strip strip{.rect = {{clips.Min.x, top}, {clips.Max.x, top + kStripHeight}},
                     .steps = static_cast<float>(session.Doc().duration_steps)};
   const ImRect area(strip.CellOf(map.Steps().front()).Min, strip.CellOf(map.Steps().back()).Max);
   const Touch touch = ui.Area("timeline/transitions", area, Grab::kDrag,
-                              {.label = Tr("Transition map of clip {1}", session.SelectedClip() + 1),
+                              {.label = Tr("Transition map of clip {1}", session.Timeline().Selected() + 1),
                                .role = "img",
                                .value = TransitionWords(session)});
   ui.Canvas()->AddRectFilled(area.Min, area.Max, ui.Ink().soft);

@@ -19,7 +19,7 @@ struct Speed {
 constexpr std::array<Speed, 4> kSpeeds = {{{1.0, "1×"}, {2.0, "2×"}, {0.25, "¼×"}, {0.5, "½×"}}};
 
 void DrawStrip(Ui& ui, Session& session, const ImRect& rect) {
-  Playback& player = session.player;
+  Playback& player = session.Player();
   const double duration = std::max(player.DurationS(), 1e-6);
   const Touch touch = ui.Area(
       "transport/scrub", rect, Grab::kArrows,
@@ -70,7 +70,7 @@ void DrawTransport(Ui& ui, Session& session, const ImRect& rect) {
   const PartScope part = ui.Part("transport", "group", Tr("Playback"));
   const Palette& p = ui.Ink();
   const Fonts& letters = ui.Letters();
-  Playback& player = session.player;
+  Playback& player = session.Player();
   ui.HorizontalLine(rect.Min.x, rect.Max.x, rect.Min.y);
 
   const float y = rect.GetCenter().y;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shell/words/search_words.h"
 
-#include "shell/session/session.h"
 #include "shell/words/algorithm_words.h"
+#include "shell/words/controller_words.h"
 #include "shell/words/language.h"
 #include "shell/words/style_words.h"
 #include "shell/words/wording.h"
@@ -28,7 +28,7 @@ std::string SearchLine(const Document& d) {
             std::to_string(d.search.seed), Grouped(d.search.evaluations));
 }
 
-std::string DeciderWords(ControllerKind kind, const SenseSpec& senses) {
+std::string ControlModeWords(ControllerKind kind, const SenseSpec& senses) {
   if (kind == ControllerKind::kNetwork) return Tr("network");
   if (senses.kind == SenseKind::kPhysical) return Tr("physical");
   return Tr("timer {1} s", Fixed(static_cast<float>(senses.period_steps) * kStep, 2));

@@ -15,7 +15,7 @@ namespace gaitsmith::shell {
 /// "SPHC · seed 3 · 40,000 evaluations"
 [[nodiscard]] std::string SearchLine(const Document&);
 /// What decides, in a word or two: "timer 0.80 s", "physical", "network".
-[[nodiscard]] std::string DeciderWords(ControllerKind, const SenseSpec&);
+[[nodiscard]] std::string ControlModeWords(ControllerKind, const SenseSpec&);
 /// "1 search waits", "12 searches wait"
 [[nodiscard]] std::string WaitingWords(std::size_t count);
 /// Of what it finds: "Mr. Star-Man · travel, 10 rules with physical senses, seed 3", no longer than a title

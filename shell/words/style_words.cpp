@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shell/session/session.h"
+#include "shell/words/controller_words.h"
 #include "shell/words/language.h"
 #include "shell/words/wording.h"
 

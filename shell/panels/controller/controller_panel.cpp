@@ -9,6 +9,8 @@
 
 #include "shell/panels/controller/network_diagram.h"
 #include "shell/panels/controller/rule_card.h"
+#include "shell/session/control_mode.h"
+#include "shell/words/controller_words.h"
 #include "shell/words/language.h"
 #include "shell/words/wording.h"
 
@@ -29,10 +31,10 @@ void DrawSettings(Ui& ui, Session& session) {
   static constexpr std::array<const char*, 3> kKinds = {TrLater("Timer"), TrLater("Senses"),
                                                         TrLater("Network")};
   const bool network = session.Doc().kind == ControllerKind::kNetwork;
-  int kind = static_cast<int>(DeciderOf(session.Doc()));
+  int kind = static_cast<int>(ControlModeOf(session.Doc()));
   if (ui.Segmented("controller/senses", ui.Row(ui.Look().touch ? 42.0f : 34.0f), Tr("What decides"), kKinds,
                    kind)) {
-    session.Set([&](Document& d) { Decide(d, static_cast<Decider>(kind)); });
+    session.Set([&](Document& d) { SetControlMode(d, static_cast<ControlMode>(kind)); });
   }
   ui.Gap(8.0f);
   ui.Paragraph(Tr(kind == 0   ? "Rules that follow a clock: a wind-up toy."
@@ -51,12 +53,12 @@ void DrawSettings(Ui& ui, Session& session) {
                   Fixed(seconds, 2) + " s")) {
       const int steps = static_cast<int>(std::lround(period * 100.0));
       // A timer controller on the stage follows at once: the same rules, wound faster or slower.
-      const Controller* shown = session.ShownController();
+      const Controller* shown = session.Timeline().ShownController();
       const bool live = shown != nullptr && shown->senses.kind == SenseKind::kTimer;
       const auto edit = [&](Document& d) {
         d.senses.period_steps = steps;
         if (!live) return;
-        const auto clip = static_cast<std::size_t>(session.SelectedClip());
+        const auto clip = static_cast<std::size_t>(session.Timeline().Selected());
         d.controllers[static_cast<std::size_t>(d.timeline[clip].controller)].senses.period_steps = steps;
       };
       if (live) {
@@ -89,7 +91,7 @@ void DrawSettings(Ui& ui, Session& session) {
 // The cards, two in a row; the editor of an open one follows its row.
 void DrawRules(Ui& ui, Session& session, ControllerPanelState& state) {
   // A copy: an edit replaces the shown one while the rest is still being drawn.
-  const Controller controller = *session.ShownController();
+  const Controller controller = *session.Timeline().ShownController();
   if (state.editor.rule >= controller.rules) state.editor = {};
   const ImRect why = RuleWhyRow(ui);
   ui.Gap(10.0f);
@@ -120,23 +122,23 @@ void DrawRules(Ui& ui, Session& session, ControllerPanelState& state) {
   }
   // Last, when it is known what the pointer and the keyboard are at: a paused page draws no frame more.
   // And of the controller as it is by now.
-  DrawRuleWhy(ui, why, session, *session.ShownController(), state.why);
+  DrawRuleWhy(ui, why, session, *session.Timeline().ShownController(), state.why);
 }
 
 // The same figure with a timer and with senses, side by side.
 void DrawComparison(Ui& ui, Session& session, const Controller& shown) {
-  const bool with_timer = RivalOf(shown) == Decider::kTimer;
-  const bool beside = session.Compared().Beside();
-  const bool awaits = !beside && session.AwaitsRival();
+  const bool with_timer = ContrastTo(shown) == ControlMode::kTimer;
+  const bool beside = session.Comparison().Other().Beside();
+  const bool awaits = !beside && session.Comparison().Awaits();
   const char* label = Tr(beside       ? "Stop comparing"
                          : with_timer ? "Compare with a timer"
                                       : "Compare with senses");
   if (ui.Button("controller/compare", ui.ControlRow(), label, ButtonLook::kOutlined, !awaits,
                 awaits ? Tr("{1}: a search for it runs or waits", label) : "")) {
     if (beside) {
-      session.StopComparing();
+      session.Comparison().Stop();
     } else {
-      session.CompareDeciders();
+      session.Comparison().CompareControlModes();
     }
   }
   if (awaits) {
@@ -152,7 +154,7 @@ void DrawComparison(Ui& ui, Session& session, const Controller& shown) {
 void DrawControllerPanel(Ui& ui, Session& session, ControllerPanelState& state) {
   DrawSettings(ui, session);
   ui.Gap(10.0f);
-  const Controller* shown = session.ShownController();
+  const Controller* shown = session.Timeline().ShownController();
   const Document& d = session.Doc();
   const bool differs = shown != nullptr && (shown->senses.kind != d.senses.kind || shown->rules != d.rules ||
                                             shown->kind != d.kind);
@@ -162,9 +164,9 @@ void DrawControllerPanel(Ui& ui, Session& session, ControllerPanelState& state) 
                                        ControllerWords(shown->kind, shown->senses, shown->rules)),
                  Type::kNote);
     ui.Gap(6.0f);
-    if (!session.Searching() &&
+    if (!session.Search().Running() &&
         ui.Button("controller/start", ui.Row(38.0f), Tr("Synthesize"), ButtonLook::kPrimary)) {
-      session.Synthesize();
+      session.Search().Synthesize();
       return;
     }
     ui.Gap(12.0f);

@@ -81,12 +81,13 @@ void DrawNodes(Ui& ui, const Diagram& diagram, const Session& session) {
                         TrSentence(InputName(shape, input)), Align::kRight);
     }
   }
-  const Motion& motion = session.player.Shown();
+  const Motion& motion = session.Player().Shown();
   const Skeleton& bones = motion.Bones();
   for (int joint = 0; joint < shape.joints; ++joint) {
     const ImVec2 at = diagram.Node(shape.hidden + joint);
     const Skeleton::Limb& limb = bones.limbs[static_cast<std::size_t>(joint) + 1];
-    const float share = (motion.AngleRad(session.player.Frame(), joint) - limb.min_rad) * limb.inverse_range;
+    const float share =
+        (motion.AngleRad(session.Player().Frame(), joint) - limb.min_rad) * limb.inverse_range;
     const float width = 40.0f, x = at.x - kNode;
     list->AddRectFilled({x, at.y - 4.0f}, {x + width, at.y + 4.0f}, p.soft, 4.0f);
     list->AddRectFilled({x, at.y - 4.0f}, {x + width * std::clamp(share, 0.0f, 1.0f), at.y + 4.0f}, p.ink,
@@ -107,14 +108,14 @@ std::string FiringWords(const Diagram& diagram) {
 }  // namespace
 
 void DrawNetwork(Ui& ui, const Session& session, const Controller& controller) {
-  const Motion& motion = session.player.Shown();
-  const Motion::Frame& now = motion.At(session.player.Frame());
+  const Motion& motion = session.Player().Shown();
+  const Motion::Frame& now = motion.At(session.Player().Frame());
   const NetworkShape shape(controller.rules, motion.Bones().rods);
   const int tallest = std::max({shape.touches + shape.joints, shape.hidden, shape.joints});
   ui.Paragraph(Tr("Filled: on. Green raises, red lowers. Bars: the joints' angles."), Type::kNote);
   ui.Gap(6.0f);
   const ImRect row = ui.Row(kPitch * static_cast<float>(tallest));
-  const Diagram diagram{shape, controller, row, now.clip == session.SelectedClip() ? now.firing : 0};
+  const Diagram diagram{shape, controller, row, now.clip == session.Timeline().Selected() ? now.firing : 0};
   const Touch touch = ui.Area("controller/network", row, Grab::kPress,
                               {.label = Tr("Network of {1} hidden nodes", shape.hidden),
                                .role = "img",

@@ -83,10 +83,10 @@ void DrawClock(Ui& ui, ImVec2 centre, float radius, float seconds, ImU32 colour)
 
 Touch DrawRuleCard(Ui& ui, const Session& session, const Controller& controller, int rule, bool open,
                    const ImRect& rect) {
-  const Motion& motion = session.player.Shown();
+  const Motion& motion = session.Player().Shown();
   const Skeleton& bones = motion.Bones();
-  const int frame = session.player.Frame();
-  const bool in_charge = motion.At(frame).clip == session.SelectedClip();
+  const int frame = session.Player().Frame();
+  const bool in_charge = motion.At(frame).clip == session.Timeline().Selected();
   const bool active = in_charge && motion.At(frame).rule == rule;
   const float tau = TauOf(controller, bones.rods, rule);
   const std::string tau_words = Fixed(tau, 2) + " s";
@@ -112,7 +112,7 @@ Touch DrawRuleCard(Ui& ui, const Session& session, const Controller& controller,
 
   const ImRect figure({rect.Min.x + 8.0f, rect.Min.y + 10.0f},
                       {rect.Min.x + 8.0f + kFigureWidth - 8.0f, rect.Max.y - 10.0f});
-  DrawPose(ui, bones, TargetPose(controller, bones, rule), session.player.ReachM(), figure,
+  DrawPose(ui, bones, TargetPose(controller, bones, rule), session.Player().ReachM(), figure,
            active ? colour : Mix(p.panel, p.ink, 0.82f));
 
   // "3  ◔ 0.29 s"

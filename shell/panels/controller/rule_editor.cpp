@@ -27,7 +27,7 @@ struct OpenRule {
 
   // A search that ends for the sake of the edit may have left fewer rules.
   void Edit(const std::function<void(RuleEdit)>& edit) const {
-    session.ChangeController([&, rods = bones.rods](Controller& c) {
+    session.Timeline().ChangeController([&, rods = bones.rods](Controller& c) {
       if (rule < c.rules) edit(RuleEdit(c, rods, rule));
     });
   }
@@ -57,7 +57,7 @@ bool DrawHeader(const OpenRule& open, RuleEditorState& state) {
   const int rule = open.rule;
   if (ui.Button("rule-edit/copy", box(58.0f), Tr("Copy"), ButtonLook::kOutlined,
                 open.controller.rules < kMaxRules, Tr("Copy the rule"))) {
-    const bool copied = open.session.ChangeController([&](Controller& c) {
+    const bool copied = open.session.Timeline().ChangeController([&](Controller& c) {
       if (rule < c.rules && c.rules < kMaxRules) CopyRule(c, rods, rule);
     });
     if (copied) state = {.rule = rule + 1, .reveal = true};
@@ -65,7 +65,7 @@ bool DrawHeader(const OpenRule& open, RuleEditorState& state) {
   }
   if (ui.Button("rule-edit/delete", box(64.0f), Tr("Delete"), ButtonLook::kOutlined,
                 open.controller.rules > 1, Tr("Delete the rule"))) {
-    open.session.ChangeController([&](Controller& c) {
+    open.session.Timeline().ChangeController([&](Controller& c) {
       if (rule < c.rules && c.rules > 1) DeleteRule(c, rods, rule);
     });
     state = {};
@@ -80,9 +80,9 @@ bool DrawHeader(const OpenRule& open, RuleEditorState& state) {
 }
 
 void DrawPose(const OpenRule& open, RuleEditorState& state) {
-  const Playback& player = open.session.player;
+  const Playback& player = open.session.Player();
   std::vector<float> present;
-  if (player.Shown().At(player.Frame()).clip == open.session.SelectedClip()) {
+  if (player.Shown().At(player.Frame()).clip == open.session.Timeline().Selected()) {
     for (int joint = 0; joint < open.bones.joints; ++joint) {
       present.push_back(player.Shown().AngleRad(player.Frame(), joint));
     }
@@ -111,13 +111,13 @@ void DrawTau(const OpenRule& open) {
 
 void DrawHeeded(const OpenRule& open, int sense) {
   Ui& ui = open.ui;
-  const Motion& motion = open.session.player.Shown();
-  const int frame = open.session.player.Frame();
+  const Motion& motion = open.session.Player().Shown();
+  const int frame = open.session.Player().Frame();
   const SenseSpec& spec = open.controller.senses;
   const Stimulus stimulus = StimulusOf(open.controller, open.bones.rods, open.rule, sense);
   const SenseScale scale = ScaleOf(spec, open.bones, sense);
   const std::string id = "rule-edit/sense/" + std::to_string(sense + 1);
-  const bool felt = frame > 0 && motion.At(frame).clip == open.session.SelectedClip();
+  const bool felt = frame > 0 && motion.At(frame).clip == open.session.Timeline().Selected();
   const auto words = [&](float value) { return QuantityWords(scale.quantity, scale.Of(value)); };
   SliderInterval interval{ShareOnBar(spec, stimulus.low), ShareOnBar(spec, stimulus.high),
                           words(stimulus.low), words(stimulus.high),
@@ -214,7 +214,7 @@ void DrawJoints(const OpenRule& open) {
 
 void DrawRuleEditor(Ui& ui, Session& session, const Controller& controller, RuleEditorState& state) {
   // A change makes a new motion, while the rest is still being drawn.
-  const Skeleton bones = session.player.Shown().Bones();
+  const Skeleton bones = session.Player().Shown().Bones();
   const OpenRule open{ui, session, controller, bones, state.rule, ui.Look().Rule(state.rule)};
   const PartScope part = ui.Part("rule-edit", "group", Tr("Editor of rule {1}", state.rule + 1));
   const float top = ImGui::GetCursorScreenPos().y;

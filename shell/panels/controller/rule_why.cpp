@@ -75,7 +75,7 @@ ImRect RuleWhyRow(Ui& ui) {
 
 void DrawRuleWhy(Ui& ui, const ImRect& box, const Session& session, const Controller& controller,
                  RuleWhyState& state) {
-  const Playback& player = session.player;
+  const Playback& player = session.Player();
   const Motion& motion = player.Shown();
   const double now_s = ImGui::GetTime();
   const bool old = now_s - state.since_s > kReadingTimeS || state.hash != motion.Hash();
@@ -85,7 +85,7 @@ void DrawRuleWhy(Ui& ui, const ImRect& box, const Session& session, const Contro
     state.hash = motion.Hash();
   }
   state.frame = std::min(state.frame, motion.Frames() - 1);
-  const auto moment = MomentOf(controller, motion, session.SelectedClip(), state.frame);
+  const auto moment = MomentOf(controller, motion, session.Timeline().Selected(), state.frame);
   const float line_height = Fonts::LineHeight(Type::kNote);
   ImRect inner = box;
   inner.Expand(-kPadding);

@@ -109,7 +109,7 @@ void Reset(DrawingBoardState& board) { board = {.tool = board.tool, .snap = boar
 void DrawProblems(Ui& ui, Session& session, FigurePanelState& state) {
   std::vector<std::string> titles;
   int chosen = -1;
-  for (const Document& problem : session.Problems()) {
+  for (const Document& problem : session.Shipped().Problems()) {
     const bool same =
         problem.figure.name == session.Doc().figure.name && problem.task.kind == session.Doc().task.kind;
     if (same) chosen = static_cast<int>(titles.size());
@@ -124,10 +124,10 @@ void DrawProblems(Ui& ui, Session& session, FigurePanelState& state) {
 
 void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
   int chosen = -1;
-  for (std::size_t i = 0; i < session.Figures().size(); ++i) {
-    if (session.Figures()[i].name == session.Doc().figure.name) chosen = static_cast<int>(i);
+  for (std::size_t i = 0; i < session.Shipped().Figures().size(); ++i) {
+    if (session.Shipped().Figures()[i].name == session.Doc().figure.name) chosen = static_cast<int>(i);
   }
-  if (const auto pressed = DrawFigureGallery(ui, session.Figures(), chosen, state.gallery_open)) {
+  if (const auto pressed = DrawFigureGallery(ui, session.Shipped().Figures(), chosen, state.gallery_open)) {
     if (*pressed != chosen) session.ChooseFigure(*pressed);
     Reset(state.board);
   }

@@ -9,6 +9,7 @@
 
 #include "shell/widgets/plot.h"
 #include "shell/words/algorithm_words.h"
+#include "shell/words/controller_words.h"
 #include "shell/words/language.h"
 #include "shell/words/wording.h"
 
@@ -42,10 +43,10 @@ std::string AllText(const Lab& lab) {
 
 void DrawButtons(Ui& ui, Session& session) {
   const ImRect row = ui.Row(38.0f);
-  if (session.lab.Running()) {
-    if (ui.Button("lab/stop", row, Tr("Stop"))) session.StopLab();
+  if (session.Lab().Running()) {
+    if (ui.Button("lab/stop", row, Tr("Stop"))) session.Lab().Stop();
   } else if (ui.Button("lab/start", row, Tr("Start"), ButtonLook::kPrimary)) {
-    session.StartLab();
+    session.Lab().Start();
   }
 }
 
@@ -191,7 +192,7 @@ void DrawSettings(Ui& ui, LabSettings& settings) {
 }  // namespace
 
 void DrawLabPanel(Ui& ui, Session& session) {
-  Lab& lab = session.lab;
+  Lab& lab = session.Lab().Trials();
   DrawButtons(ui, session);
   ui.Gap(12.0f);
   if (lab.Total() > 0) {
@@ -208,7 +209,7 @@ void DrawLabPanel(Ui& ui, Session& session) {
     ui.Gap(8.0f);
     if (ui.Button("lab/save", ui.ControlRow(), Tr("Save curves as CSV"), ButtonLook::kOutlined,
                   lab.Finished() > 0))
-      session.SaveLabCurves();
+      session.Lab().SaveCurves();
     ui.Gap(14.0f);
   }
   DrawSettings(ui, lab.settings);

@@ -47,7 +47,7 @@ bool DrawSquare(Ui& ui, const EliteMap& map, const ImRect& rect, int height, int
 }  // namespace
 
 void DrawEliteMap(Ui& ui, Session& session, int& turns) {
-  const EliteMap& map = *session.Elites();
+  const EliteMap& map = *session.Search().Elites();
   const int bins = map.Bins();
   turns = std::clamp(turns, 0, bins - 1);
   ui.Paragraph(map.Title(), Type::kNote);

@@ -6,6 +6,7 @@
 
 #include "shell/timeline/found_drop.h"
 #include "shell/words/algorithm_words.h"
+#include "shell/words/controller_words.h"
 #include "shell/words/language.h"
 #include "shell/words/search_words.h"
 #include "shell/words/style_words.h"
@@ -39,8 +40,8 @@ Control ControlOf(const Document& d) {
 std::string LineOf(const FoundMotion& found, bool with_unit) {
   const Document& d = found.document;
   const Control control = ControlOf(d);
-  const std::string decider = DeciderWords(control.kind, control.senses);
-  if (found.origin == Origin::kByHand) return Tr("kept by hand · {1}", decider);
+  const std::string mode = ControlModeWords(control.kind, control.senses);
+  if (found.origin == Origin::kByHand) return Tr("kept by hand · {1}", mode);
   const char* pattern =
       with_unit ? TrLater("{1} · seed {2} · {3} evaluations · {4}") : TrLater("{1} · seed {2} · {3} · {4}");
   if (found.origin == Origin::kStopped) {
@@ -51,7 +52,7 @@ std::string LineOf(const FoundMotion& found, bool with_unit) {
                         : TrLater("{1} · seed {2} · failed at {3} · {4}");
   }
   return Tr(pattern, WordsOf(d.search.algorithm).name, std::to_string(d.search.seed),
-            Grouped(found.evaluations), decider);
+            Grouped(found.evaluations), mode);
 }
 
 bool HasTerms(const FoundMotion& found) { return found.Moves() && !found.terms.broke_physics; }
@@ -66,7 +67,7 @@ std::string TermsLine(const FoundMotion& found) {
 
 /// Where the walking figure of a card is; below 0 while nothing is played.
 float ShareNow(const Session& session, const Document& document) {
-  if (!session.player.Playing()) return -1.0f;
+  if (!session.Player().Playing()) return -1.0f;
   const double length = document.duration_steps * static_cast<double>(kStep);
   return static_cast<float>(std::fmod(ImGui::GetTime(), length) / length);
 }
@@ -117,7 +118,7 @@ FoundWish DrawButtons(Ui& ui, const Session& session, const FoundMotions::Entry&
                   found.Moves()))
     wish = FoundWish::kInsert;
   if (DrawKeepSwitch(ui, id + "/keep", buttons.Next(), scene, found.kept)) wish = FoundWish::kKeep;
-  if (session.CanAskName() && buttons.Put(id + "/rename", Icon::kPencil, Tr("Name: {1}", scene)))
+  if (session.Results().CanAskName() && buttons.Put(id + "/rename", Icon::kPencil, Tr("Name: {1}", scene)))
     wish = FoundWish::kRename;
   if (buttons.Put(id + "/again", Icon::kRestart,
                   Tr("Make again, with the same seed and settings: {1}", scene),
@@ -164,7 +165,7 @@ FoundWish DrawFoundCard(Ui& ui, const Session& session, const FoundMotions::Entr
   ui.Gap(8.0f);
   // Of a hundred entries a few are to be seen, and the others must not cost a frame.
   const bool seen = ImGui::IsRectVisible(card.Min, card.Max);
-  const bool shown = seen && session.InHand(entry);
+  const bool shown = seen && session.Results().IsShown(entry);
   const Palette& p = ui.Ink();
   const std::string scene = seen ? SceneText(found) : CardName(found);
   std::string spoken;

@@ -48,7 +48,7 @@ void DrawChoices(Ui& ui, FoundListState& state) {
 }
 
 void Do(Session& session, FoundWish wish, const std::string& id) {
-  const FoundMotions::Entry* entry = session.found.Find(id);
+  const FoundMotions::Entry* entry = session.Results().Motions().Find(id);
   if (entry == nullptr) return;
   switch (wish) {
     case FoundWish::kNothing:
@@ -57,19 +57,19 @@ void Do(Session& session, FoundWish wish, const std::string& id) {
       session.ShowFound(id);
       return;
     case FoundWish::kInsert:
-      session.InsertFound(id);
+      session.Timeline().InsertFound(id);
       return;
     case FoundWish::kKeep:
-      session.found.Keep(id, !entry->motion.kept);
+      session.Results().Motions().Keep(id, !entry->motion.kept);
       return;
     case FoundWish::kRename:
-      session.AskName(id);
+      session.Results().AskName(id);
       return;
     case FoundWish::kAgain:
-      session.MakeAgain(id);
+      session.Queue().Repeat(id);
       return;
     case FoundWish::kDelete:
-      session.found.Remove(id);
+      session.Results().Motions().Remove(id);
       return;
   }
 }
@@ -78,8 +78,8 @@ void Do(Session& session, FoundWish wish, const std::string& id) {
 
 void DrawFound(Ui& ui, Session& session, FoundListState& state) {
   state.strips.BeginFrame();
-  DrawRemoved(ui, session.found);
-  if (session.found.Empty()) {
+  DrawRemoved(ui, session.Results().Motions());
+  if (session.Results().Motions().Empty()) {
     ui.Paragraph(Tr("What searches find is listed here, and what you keep."), Type::kNote);
     return;
   }
@@ -88,7 +88,7 @@ void DrawFound(Ui& ui, Session& session, FoundListState& state) {
   FoundWish wish = FoundWish::kNothing;
   std::string id;
   bool any = false;
-  for (const FoundMotions::Entry* entry : session.found.Sorted(state.order)) {
+  for (const FoundMotions::Entry* entry : session.Results().Motions().Sorted(state.order)) {
     if (!IsWanted(entry->motion, state.filter, session.Doc())) continue;
     any = true;
     const FoundWish here = DrawFoundCard(ui, session, *entry, state.strips);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "shell/words/algorithm_words.h"
+#include "shell/words/controller_words.h"
 #include "shell/words/language.h"
 #include "shell/words/search_words.h"
 #include "shell/words/wording.h"
@@ -36,7 +37,7 @@ Wish DrawEntry(Ui& ui, const SearchQueue::Entry& entry, std::size_t place) {
     letters.DrawElided(
         ui.Canvas(), Type::kNote, {words.Min.x, y + 9.0f}, words.GetWidth(), ui.Ink().second_ink,
         Tr("{1} · seed {2} · {3} · {4}", WordsOf(d.search.algorithm).name, std::to_string(d.search.seed),
-           Grouped(d.search.evaluations), DeciderWords(d.kind, d.senses)));
+           Grouped(d.search.evaluations), ControlModeWords(d.kind, d.senses)));
   }
   const float top = row.GetCenter().y - 0.5f * size;
   const ImRect remove({row.Max.x - size, top}, {row.Max.x, top + size});
@@ -51,22 +52,22 @@ Wish DrawEntry(Ui& ui, const SearchQueue::Entry& entry, std::size_t place) {
 }  // namespace
 
 void DrawQueue(Ui& ui, Session& session) {
-  SearchQueue& queue = session.queue;
+  SearchQueue& queue = session.Queue().List();
   const std::size_t count = queue.Waiting().size();
-  const bool busy = session.Searching() || session.lab.Running();
+  const bool busy = session.Search().Running() || session.Lab().Running();
   if (count == 0) {
     ui.Paragraph(Tr("Nothing waits. “Add to queue” puts the present search here, up to {1} of them.",
                     std::to_string(SearchQueue::kMost)),
                  Type::kNote);
   } else if (busy) {
     ui.Paragraph(
-        Tr(session.lab.Running()
+        Tr(session.Lab().Running()
                ? "The lab is running; afterwards press Run queue."
                : "They begin one after another when the search before them is done. After Stop they wait."),
         Type::kNote);
   } else {
     ui.Gap(2.0f);
-    if (ui.Button("queue/run", ui.ControlRow(), Tr("Run queue"), ButtonLook::kPrimary)) session.RunQueue();
+    if (ui.Button("queue/run", ui.ControlRow(), Tr("Run queue"), ButtonLook::kPrimary)) session.Queue().Run();
   }
   ui.Gap(4.0f);
   // What is pressed changes the list, so it is done after it.

@@ -14,6 +14,7 @@
 #include "shell/widgets/fold.h"
 #include "shell/widgets/plot.h"
 #include "shell/words/algorithm_words.h"
+#include "shell/words/controller_words.h"
 #include "shell/words/language.h"
 #include "shell/words/search_words.h"
 #include "shell/words/wording.h"
@@ -31,15 +32,15 @@ std::array<ImRect, 2> Halves(const ImRect& row) {
 
 void DrawSearchButtons(Ui& ui, Session& session) {
   const ImRect row = ui.Row(38.0f);
-  if (!session.Searching()) {
-    if (ui.Button("search/start", row, Tr("Synthesize"), ButtonLook::kPrimary)) session.Synthesize();
+  if (!session.Search().Running()) {
+    if (ui.Button("search/start", row, Tr("Synthesize"), ButtonLook::kPrimary)) session.Search().Synthesize();
     return;
   }
   const auto [left, right] = Halves(row);
-  if (session.Progress().state == SearchState::kPaused) {
-    if (ui.Button("search/resume", left, Tr("Resume"), ButtonLook::kPrimary)) session.Resume();
+  if (session.Search().Progress().state == SearchState::kPaused) {
+    if (ui.Button("search/resume", left, Tr("Resume"), ButtonLook::kPrimary)) session.Search().Resume();
   } else {
-    if (ui.Button("search/pause", left, Tr("Pause"))) session.Pause();
+    if (ui.Button("search/pause", left, Tr("Pause"))) session.Search().Pause();
   }
   if (ui.Button("search/stop", right, Tr("Stop"))) session.Stop();
 }
@@ -52,26 +53,26 @@ void DrawKeepingButtons(Ui& ui, Session& session) {
     return ImRect({row.Min.x + from * (part + kGap), row.Min.y},
                   {row.Min.x + to * (part + kGap) - kGap, row.Max.y});
   };
-  const bool full = session.queue.Full();
+  const bool full = session.Queue().List().Full();
   if (ui.Button("queue/add", place(0, 1), Tr(full ? "Queue is full" : "Add to queue"), ButtonLook::kOutlined,
                 !full))
-    session.Enqueue(session.Doc());
+    session.Queue().Add(session.Doc());
   if (ui.Button("queue/seeds", place(1, 2), Tr(full ? "Queue is full" : "Queue 5 seeds"),
                 ButtonLook::kOutlined, !full))
-    session.EnqueueSeeds(kQueuedSeeds);
+    session.Queue().AddSeeds(kQueuedSeeds);
   const bool motion = !session.Doc().timeline.empty();
   if (ui.Button("found/keep", place(2, 3), Tr(motion ? "Keep motion" : "No motion yet"),
                 ButtonLook::kOutlined, motion))
-    session.KeepMotion();
+    session.Results().KeepShown();
 }
 
-void DrawProgress(Ui& ui, const Session& session) {
-  const SearchProgress& progress = session.Progress();
+void DrawProgress(Ui& ui, const SearchRun& search) {
+  const SearchProgress& progress = search.Progress();
   const Palette& p = ui.Ink();
   // One line, whatever runs, so that nothing below moves away under the pointer when the next search begins.
   const ImRect title = ui.Row(Fonts::LineHeight(Type::kNote) + 6.0f);
   ui.Letters().DrawElided(ui.Canvas(), Type::kNote, {title.Min.x, title.GetCenter().y - 3.0f},
-                          title.GetWidth(), p.second_ink, session.ProgressTitle());
+                          title.GetWidth(), p.second_ink, search.Title());
   const float share = progress.budget > 0
                           ? static_cast<float>(progress.evaluations) / static_cast<float>(progress.budget)
                           : 0.0f;
@@ -117,8 +118,8 @@ void DrawLegend(Ui& ui, const SearchProgress& progress) {
                           Tr("population of {1}: median and quartiles", Grouped(progress.spread->members)));
 }
 
-void DrawCurve(Ui& ui, const Session& session) {
-  const SearchProgress& progress = session.Progress();
+void DrawCurve(Ui& ui, const SearchRun& search) {
+  const SearchProgress& progress = search.Progress();
   std::vector<PlotPoint> best_points;
   best_points.reserve(progress.curve.size() + 1);
   for (const Search::CurvePoint& point : progress.curve) {
@@ -129,7 +130,7 @@ void DrawCurve(Ui& ui, const Session& session) {
     best_points.push_back({static_cast<double>(progress.evaluations), best_points.back().y});
   std::vector<PlotPoint> medians;
   std::vector<PlotSpread> quartiles;
-  for (const auto& [evaluation, spread] : session.PopulationSpread().Points()) {
+  for (const auto& [evaluation, spread] : search.PopulationSpread().Points()) {
     const auto x = static_cast<double>(evaluation);
     medians.push_back({x, static_cast<double>(spread.median)});
     quartiles.push_back(
@@ -168,7 +169,7 @@ void DrawSettings(Ui& ui, Session& session, SearchPanelState& state) {
                   Fixed(static_cast<float>(d.task.duration_steps) * kStep, 1)),
                Type::kNote);
   ui.Gap(6.0f);
-  if (session.arrangement.Locks(LockedPart::kSearch)) ui.LockNote();
+  if (session.Layout().Locks(LockedPart::kSearch)) ui.LockNote();
   DrawSearchSettings(ui, session, state.variation);
   ui.Gap(6.0f);
 }
@@ -178,28 +179,28 @@ void DrawSettings(Ui& ui, Session& session, SearchPanelState& state) {
 void DrawSearchPanel(Ui& ui, Session& session, SearchPanelState& state) {
   DrawSearchButtons(ui, session);
   ui.Gap(kGap);
-  if (session.Progress().budget > 0) {
-    DrawProgress(ui, session);
+  if (session.Search().Progress().budget > 0) {
+    DrawProgress(ui, session.Search());
     ui.Gap(4.0f);
-    DrawCurve(ui, session);
+    DrawCurve(ui, session.Search());
     ui.Gap(10.0f);
   }
-  if (session.Elites() && SameTree(session.Elites()->Whose(), session.Doc().figure) &&
-      DrawFold(ui, "elites", Tr("Map of styles"), Grouped(session.Elites()->Count()), state.elites))
+  if (session.Search().Elites() && SameTree(session.Search().Elites()->Whose(), session.Doc().figure) &&
+      DrawFold(ui, "elites", Tr("Map of styles"), Grouped(session.Search().Elites()->Count()), state.elites))
     DrawEliteMap(ui, session, state.elite_turns);
   DrawKeepingButtons(ui, session);
   ui.Gap(kGap);
-  ui.Lock(session.arrangement.Locks(LockedPart::kSearch));
+  ui.Lock(session.Layout().Locks(LockedPart::kSearch));
   DrawSettings(ui, session, state);
   ui.Lock(false);
   if (DrawFold(ui, "suite", Tr("Suite"), Tr("{1} to make", std::to_string(state.suite_of.Searches())),
                state.suite))
     DrawSuiteForm(ui, session, state.suite_of);
-  const auto waiting = static_cast<long long>(session.queue.Waiting().size());
+  const auto waiting = static_cast<long long>(session.Queue().List().Waiting().size());
   const std::string queued =
       waiting == 0 ? Tr("empty") : Tr(waiting == 1 ? "{1} waits" : "{1} wait", Grouped(waiting));
   if (DrawFold(ui, "queue", Tr("Queue"), queued, state.queue)) DrawQueue(ui, session);
-  const auto found = static_cast<long long>(session.found.Count());
+  const auto found = static_cast<long long>(session.Results().Motions().Count());
   if (DrawFold(ui, "found", Tr("Results"), found == 0 ? Tr("none yet") : Grouped(found), state.found))
     DrawFound(ui, session, state.list);
 }

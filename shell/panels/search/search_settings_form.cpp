@@ -56,12 +56,12 @@ void DrawAll(Ui& ui, Session& session, const std::vector<const SearchParameter*>
 
 void DrawStart(Ui& ui, Session& session) {
   const Document& d = session.Doc();
-  const Controller* shown = session.ShownController();
+  const Controller* shown = session.Timeline().ShownController();
   if (shown == nullptr || !SuitsSearch(d, *shown)) return;
   bool on = d.search.start >= 0;
   if (ui.Switch("search/start-here", Tr("Start from the shown motion"), on)) {
     session.Set([&](Document& next) {
-      const auto clip = static_cast<std::size_t>(session.SelectedClip());
+      const auto clip = static_cast<std::size_t>(session.Timeline().Selected());
       next.search.start = on && clip < next.timeline.size() ? next.timeline[clip].controller : -1;
     });
   }
@@ -95,8 +95,9 @@ void DrawSearchSettings(Ui& ui, Session& session, bool& variation) {
   ui.Gap(7.0f);
   if (RefinesOne(search.algorithm)) DrawStart(ui, session);
   DrawAll(ui, session, ParametersOf(search.algorithm));
-  const int most = std::max(1, session.Place().MaxWorkers());
-  ui.Number("search/workers", Tr("Workers"), session.workers, 1, most);
+  const int most = std::max(1, session.Search().MaxWorkers());
+  int workers = session.Search().Workers();
+  if (ui.Number("search/workers", Tr("Workers"), workers, 1, most)) session.Search().SetWorkers(workers);
   ui.Paragraph(Tr("Threads that simulate: they change the time, never the result."), Type::kNote);
   ui.Gap(4.0f);
   if (DrawFold(ui, "search/variation", Tr("Drawing and perturbing"), "", variation)) {

@@ -76,12 +76,12 @@ class ScoreTable {
 
 void DrawScore(Ui& ui, const Session& session) {
   const Task& task = session.Doc().task;
-  const Terms& terms = session.player.TermsNow();
+  const Terms& terms = session.Player().TermsNow();
   const ImRect head = ui.Row(Fonts::LineHeight(Type::kStrong) + 4.0f);
   const float y = head.GetCenter().y;
   ui.Letters().Draw(ui.Canvas(), Type::kStrong, {head.Min.x, y}, ui.Ink().ink, Tr("Score so far"));
   ui.Letters().Draw(ui.Canvas(), Type::kNote, {head.Max.x, y}, ui.Ink().second_ink,
-                    Tr("at {1} s", Fixed(session.player.TimeS(), 2)), Align::kRight);
+                    Tr("at {1} s", Fixed(session.Player().TimeS(), 2)), Align::kRight);
   const float fitness = Fitness(task, terms);
   ScoreTable table(ui, kStyleTerms + 4);  // head, primary term, sum, end
   // One note that says the whole sum, for tools that read the canvas.
@@ -105,9 +105,9 @@ void DrawScore(Ui& ui, const Session& session) {
   } else {
     table.Sum(Tr("Score"), AmountText(fitness, 2), ui.Ink().good);
   }
-  const Motion& motion = session.player.Shown();
+  const Motion& motion = session.Player().Shown();
   const float whole = Fitness(task, motion.TermsAt(motion.Frames() - 1));
-  table.Line(Tr("At the end, {1} s", Fixed(session.player.DurationS(), 2)), "", "",
+  table.Line(Tr("At the end, {1} s", Fixed(session.Player().DurationS(), 2)), "", "",
              whole <= kVoidScore ? Tr("void") : AmountText(whole, 2));
 }
 
@@ -162,21 +162,21 @@ void DrawStylePanel(Ui& ui, Session& session) {
   double duration = static_cast<double>(seconds);
   if (ui.Slider("style/duration", Tr("Duration"), duration, {.low = 1.0, .high = 30.0, .step = 0.5},
                 Fixed(seconds, 1) + " s")) {
-    session.SetDuration(static_cast<int>(std::lround(duration * 100.0)));
+    session.Timeline().SetDuration(static_cast<int>(std::lround(duration * 100.0)));
   }
   ui.Gap(10.0f);
   DrawScore(ui, session);
   ui.Gap(14.0f);
   DrawWeights(ui, session);
   ui.Gap(8.0f);
-  if (!session.Searching()) {
+  if (!session.Search().Running()) {
     if (ui.Button("style/try", ui.Row(38.0f), Tr("Try: a moment from this motion"), ButtonLook::kOutlined,
-                  session.ShownController() != nullptr)) {
+                  session.Timeline().ShownController() != nullptr)) {
       session.TryStyle();
     }
     ui.Gap(8.0f);
     if (ui.Button("style/start", ui.Row(38.0f), Tr("Synthesize in this style"), ButtonLook::kOutlined))
-      session.Synthesize();
+      session.Search().Synthesize();
   }
   ui.Gap(14.0f);
   ui.Heading(Tr("Shown on the stage"));

@@ -51,14 +51,14 @@ TEST_CASE("arrangement: a locked part is not changed by hand, and all others are
       {"world", [](Document& d) { d.environment.friction = 0.1f; }},
   };
   for (const auto& [locked, refused] : edits) {
-    session.arrangement = {};
-    REQUIRE_FALSE(LockParts(locked, session.arrangement));
+    session.Layout() = {};
+    REQUIRE_FALSE(LockParts(locked, session.Layout()));
     for (const auto& [part, edit] : edits) {
       CAPTURE(locked, part);
       const bool same = std::string_view(part) == locked;
       const bool done = session.Change(edit);
       CHECK(done == !same);
-      CHECK(session.notice.empty() == !same);
+      CHECK(session.Notice().empty() == !same);
       if (done) session.Undo();
     }
   }
@@ -67,14 +67,14 @@ TEST_CASE("arrangement: a locked part is not changed by hand, and all others are
 TEST_CASE("arrangement: locks are for hands", "[arrangement]") {
   QuietHost host;
   Session session(host);
-  REQUIRE_FALSE(LockParts("figure,style,world", session.arrangement));
+  REQUIRE_FALSE(LockParts("figure,style,world", session.Layout()));
   const std::string name = session.Doc().figure.name;
 
-  for (int figure = 0; figure < static_cast<int>(session.Figures().size()); ++figure)
+  for (int figure = 0; figure < static_cast<int>(session.Shipped().Figures().size()); ++figure)
     session.ChooseFigure(figure);
   CHECK(session.Doc().figure.name == name);
-  for (int problem = 0; problem < static_cast<int>(session.Problems().size()); ++problem) {
-    if (session.Problems()[static_cast<std::size_t>(problem)].figure.name != name)
+  for (int problem = 0; problem < static_cast<int>(session.Shipped().Problems().size()); ++problem) {
+    if (session.Shipped().Problems()[static_cast<std::size_t>(problem)].figure.name != name)
       session.ChooseProblem(problem);
   }
   CHECK(session.Doc().figure.name == name);

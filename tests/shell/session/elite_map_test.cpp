@@ -95,13 +95,13 @@ TEST_CASE("elite map: a session has that of its last such search, and shows a mo
   REQUIRE(session.Open(gaitsmith::EncodeJson(StyleProblem())));
   session.ForgetPast();
   const std::string before = State(session);
-  CHECK_FALSE(session.Elites());
-  session.Synthesize();
+  CHECK_FALSE(session.Search().Elites());
+  session.Search().Synthesize();
   SearchProgress done = Searched(host.started.back());
   session.OnSearchProgress(done);
-  REQUIRE(session.Elites());
-  CHECK(session.Elites()->Count() > 3);
-  const EliteMap& map = *session.Elites();
+  REQUIRE(session.Search().Elites());
+  CHECK(session.Search().Elites()->Count() > 3);
+  const EliteMap& map = *session.Search().Elites();
   for (int cell = 0; cell < 64; ++cell) {
     if (map.At(cell / 16, cell / 4 % 4, cell % 4) == nullptr) continue;
     session.ShowElite(map.MotionAt(cell / 16, cell / 4 % 4, cell % 4));

@@ -116,12 +116,12 @@ TEST_CASE("session: three edits undone and done again are the same documents, bi
   QuietHost host;
   Session session(host);
   std::vector<std::string> states = {State(session)};
-  std::vector<std::uint64_t> hashes = {session.player.Shown().Hash()};
+  std::vector<std::uint64_t> hashes = {session.Player().Shown().Hash()};
   const auto edit = [&](auto&& body) {
     session.BeginGesture();
     body();
     states.push_back(State(session));
-    hashes.push_back(session.player.Shown().Hash());
+    hashes.push_back(session.Player().Shown().Hash());
     REQUIRE(states.back() != states[states.size() - 2]);
   };
   edit([&] { SetFriction(session, 0.3f); });
@@ -132,14 +132,14 @@ TEST_CASE("session: three edits undone and done again are the same documents, bi
     CAPTURE(i, host.status);
     session.Undo();
     CHECK(State(session) == states[i]);
-    CHECK(session.player.Shown().Hash() == hashes[i]);
+    CHECK(session.Player().Shown().Hash() == hashes[i]);
   }
   CHECK_FALSE(session.CanUndo());
   for (std::size_t i = 1; i < states.size(); ++i) {
     CAPTURE(i, host.status);
     session.Redo();
     CHECK(State(session) == states[i]);
-    CHECK(session.player.Shown().Hash() == hashes[i]);
+    CHECK(session.Player().Shown().Hash() == hashes[i]);
   }
   CHECK_FALSE(session.CanRedo());
 }
@@ -168,12 +168,12 @@ TEST_CASE("session: what a search finds is one step, apart from what was edited 
   Session session(host);
   const auto before = State(session);
   session.BeginGesture();
-  session.Synthesize();
+  session.Search().Synthesize();
   CHECK_FALSE(session.CanUndo());  // nothing has happened to the document yet
   session.OnSearchProgress(Found(session, 20000, SearchState::kRunning));
-  REQUIRE(session.ShowImprovement(10.0));
+  REQUIRE(session.Search().ShowImprovement(10.0));
   session.OnSearchProgress(Found(session, 30000, SearchState::kRunning));
-  REQUIRE(session.ShowImprovement(10.0));
+  REQUIRE(session.Search().ShowImprovement(10.0));
   const auto found = State(session);
   session.BeginGesture();
   SetFriction(session, 0.3f);
@@ -193,12 +193,12 @@ TEST_CASE("session: Undo while a search has found nothing stops it and takes bac
   Session session(host);
   SetFriction(session, 0.3f);
   const auto before = State(session);
-  session.Synthesize();
+  session.Search().Synthesize();
   session.SetView([](View& view) { view.trail = !view.trail; });
   session.Undo();
   CHECK(State(session) == before);
   CHECK(host.stops == 1);
-  CHECK_FALSE(session.Searching());
+  CHECK_FALSE(session.Search().Running());
   CHECK(session.CanUndo());
 }
 

@@ -17,11 +17,11 @@ bool Has(const std::string& words, const std::string& part) { return words.find(
 TEST_CASE("the description names figure, way, contacts, the rule that acts and why, and the score") {
   QuietHost host;
   Session session(host);
-  session.player.Seek(2.0);
-  session.player.Play(false);
+  session.Player().Seek(2.0);
+  session.Player().Play(false);
   REQUIRE_FALSE(session.Doc().timeline.empty());
-  const Motion& motion = session.player.Shown();
-  const int frame = session.player.Frame();
+  const Motion& motion = session.Player().Shown();
+  const int frame = session.Player().Frame();
   const std::string rule = "Rule " + std::to_string(motion.At(frame).rule + 1);
   const std::string words = DescriptionOf(session);
   CHECK(Has(words, session.Doc().figure.name + " has travelled "));
@@ -30,7 +30,7 @@ TEST_CASE("the description names figure, way, contacts, the rule that acts and w
   CHECK(Has(words, " Score "));
   CHECK(Has(MomentWords(session), "Paused at 2.00 s, "));
   CHECK(Has(MomentWords(session), rule + " acts."));
-  session.player.Play(true);
+  session.Player().Play(true);
   CHECK(Has(MomentWords(session), "Plays at 2.00 s, "));
 
   // Contacts, wherever there are some and wherever there are none.
@@ -39,20 +39,20 @@ TEST_CASE("the description names figure, way, contacts, the rule that acts and w
     bool any = false;
     for (int k = 0; k < motion.Bones().endpoints; ++k)
       any |= motion.Force(f, k).y > 0.05f * motion.Bones().mass_kg * kStandardGravity;
-    session.player.Seek(f * static_cast<double>(motion.StepS()) + 1e-4);
-    if (session.player.Frame() != f) continue;
+    session.Player().Seek(f * static_cast<double>(motion.StepS()) + 1e-4);
+    if (session.Player().Frame() != f) continue;
     const bool says = Has(DescriptionOf(session), "touch the ground.") ||
                       Has(DescriptionOf(session), "touches the ground. Rule");
     if (any) CHECK(says);
     touched |= any;
   }
   CHECK(touched);
-  session.player.Seek(0.0);
+  session.Player().Seek(0.0);
   CHECK_FALSE(Has(DescriptionOf(session), " the ground."));  // nothing is known of the step before the first
-  session.player.Seek(1.0);
+  session.Player().Seek(1.0);
   const float lift_ns = 6.0f * motion.Bones().mass_kg;
-  REQUIRE(session.Kick(kCentreOfMass, 0.0f, lift_ns));
-  session.player.Seek(1.4);
+  REQUIRE(session.World().Push(kCentreOfMass, 0.0f, lift_ns));
+  session.Player().Seek(1.4);
   CHECK(Has(DescriptionOf(session), "Nothing touches the ground."));
 }
 

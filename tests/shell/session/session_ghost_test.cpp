@@ -7,7 +7,9 @@
 namespace gaitsmith::shell::test {
 namespace {
 
-std::uint64_t GhostHash(const Session& session) { return session.Compared().Player()->Shown().Hash(); }
+std::uint64_t GhostHash(const Session& session) {
+  return session.Comparison().Other().Player()->Shown().Hash();
+}
 
 }  // namespace
 
@@ -16,89 +18,89 @@ TEST_CASE("session: a timer is searched for the shown senses, and stands beside 
   QuietHost host;
   Session session(host);
   const std::string before = State(session);
-  session.KeepGhostInTime();  // there is none yet
-  CHECK(session.Compared().Player() == nullptr);
-  session.CompareDeciders();
+  session.Comparison().KeepInTime();  // there is none yet
+  CHECK(session.Comparison().Other().Player() == nullptr);
+  session.Comparison().CompareControlModes();
   REQUIRE(host.started.size() == 1);
   CHECK(host.started[0].senses.kind == SenseKind::kTimer);
   CHECK(host.started[0].figure.name == session.Doc().figure.name);
-  CHECK(session.AwaitsRival());
-  CHECK_FALSE(session.Compared().Beside());
-  session.CompareDeciders();
+  CHECK(session.Comparison().Awaits());
+  CHECK_FALSE(session.Comparison().Other().Beside());
+  session.Comparison().CompareControlModes();
   CHECK(host.started.size() == 1);
-  CHECK(session.queue.Waiting().empty());
+  CHECK(session.Queue().List().Waiting().empty());
 
   End(session, host, 30000);
-  CHECK_FALSE(session.AwaitsRival());
-  REQUIRE(session.Compared().Beside());
-  CHECK(session.GhostWords().find("timer") != std::string::npos);
+  CHECK_FALSE(session.Comparison().Awaits());
+  REQUIRE(session.Comparison().Other().Beside());
+  CHECK(session.Comparison().Words().find("timer") != std::string::npos);
   CHECK(State(session) == before);
-  CHECK(GhostHash(session) != session.player.Shown().Hash());
+  CHECK(GhostHash(session) != session.Player().Shown().Hash());
 
   // The same push to both; without it both are as they were.
-  const std::uint64_t calm = session.player.Shown().Hash();
+  const std::uint64_t calm = session.Player().Shown().Hash();
   const std::uint64_t ghost_calm = GhostHash(session);
-  session.player.Seek(0.5);
-  REQUIRE(session.Kick(kCentreOfMass, 6.0f, 3.0f));
-  CHECK(session.player.Shown().Hash() != calm);
+  session.Player().Seek(0.5);
+  REQUIRE(session.World().Push(kCentreOfMass, 6.0f, 3.0f));
+  CHECK(session.Player().Shown().Hash() != calm);
   const std::uint64_t ghost_pushed = GhostHash(session);
   CHECK(ghost_pushed != ghost_calm);
-  Document expected = session.found.Sorted(FoundMotions::Order::kNewest)[0]->motion.document;
+  Document expected = session.Results().Motions().Sorted(FoundMotions::Order::kNewest)[0]->motion.document;
   expected.pushes = session.Doc().pushes;
   expected.duration_steps = session.Doc().duration_steps;
   CHECK(ghost_pushed == Simulate(expected).Hash());
   session.Undo();
   CHECK(GhostHash(session) == ghost_calm);
 
-  session.player.Seek(1.25);
-  session.KeepGhostInTime();
-  CHECK(session.Compared().Player()->TimeS() == 1.25);
+  session.Player().Seek(1.25);
+  session.Comparison().KeepInTime();
+  CHECK(session.Comparison().Other().Player()->TimeS() == 1.25);
 }
 
 TEST_CASE("session: what was found before is compared at once, and nothing with another figure",
           "[shell][session][ghost]") {
   QuietHost host;
   Session session(host);
-  session.CompareDeciders();
+  session.Comparison().CompareControlModes();
   End(session, host, 20000);
-  session.StopComparing();
-  CHECK(session.Compared().Player() == nullptr);
-  session.CompareDeciders();
+  session.Comparison().Stop();
+  CHECK(session.Comparison().Other().Player() == nullptr);
+  session.Comparison().CompareControlModes();
   CHECK(host.started.size() == 1);
-  REQUIRE(session.Compared().Beside());
+  REQUIRE(session.Comparison().Other().Beside());
   // The results may lose it, the stage does not.
-  session.found.Remove(session.Compared().FoundId());
+  session.Results().Motions().Remove(session.Comparison().Other().FoundId());
   CHECK(session.Change([](Document& d) { d.environment.friction = 0.4f; }));
-  CHECK(session.Compared().Beside());
-  CHECK(session.GhostWords().find("timer") != std::string::npos);
+  CHECK(session.Comparison().Other().Beside());
+  CHECK(session.Comparison().Words().find("timer") != std::string::npos);
 
   int other = 0;
-  for (const Figure& figure : session.Figures()) {
+  for (const Figure& figure : session.Shipped().Figures()) {
     if (!SameTree(figure, session.Doc().figure)) break;
     ++other;
   }
   session.ChooseFigure(other);
-  CHECK(session.Compared().Player() == nullptr);
-  CHECK_FALSE(session.Compared().Beside());
-  CHECK_FALSE(session.ChooseFoundGhost("0123456789abcdef"));
+  CHECK(session.Comparison().Other().Player() == nullptr);
+  CHECK_FALSE(session.Comparison().Other().Beside());
+  CHECK_FALSE(session.Comparison().ChooseFound("0123456789abcdef"));
 }
 
 TEST_CASE("session: a comparison waits behind a search that runs, and is given up with it",
           "[shell][session][ghost]") {
   QuietHost host;
   Session session(host);
-  session.Synthesize();
-  session.CompareDeciders();
+  session.Search().Synthesize();
+  session.Comparison().CompareControlModes();
   REQUIRE(host.started.size() == 1);
-  CHECK(session.queue.Waiting().size() == 1);
-  CHECK(session.AwaitsRival());
-  session.queue.Clear();
-  CHECK_FALSE(session.AwaitsRival());
+  CHECK(session.Queue().List().Waiting().size() == 1);
+  CHECK(session.Comparison().Awaits());
+  session.Queue().List().Clear();
+  CHECK_FALSE(session.Comparison().Awaits());
 
   session.New();
-  session.notice.clear();
-  session.CompareDeciders();
-  CHECK_FALSE(session.notice.empty());
+  session.Notice().clear();
+  session.Comparison().CompareControlModes();
+  CHECK_FALSE(session.Notice().empty());
   CHECK(host.started.size() == 1);
 }
 
@@ -108,41 +110,41 @@ TEST_CASE(
     "[shell][session][ghost]") {
   QuietHost host;
   Session session(host);
-  const std::uint64_t first = session.player.Shown().Hash();
-  CHECK(session.GhostWords().empty());
-  session.Synthesize();
+  const std::uint64_t first = session.Player().Shown().Hash();
+  CHECK(session.Comparison().Words().empty());
+  session.Search().Synthesize();
   End(session, host, 12345);
-  const std::uint64_t second = session.player.Shown().Hash();
+  const std::uint64_t second = session.Player().Shown().Hash();
   REQUIRE(second != first);
-  session.ChooseGhost(Ghost::Kind::kEarlier);
+  session.Comparison().Choose(Ghost::Kind::kEarlier);
   CHECK(GhostHash(session) == first);
-  CHECK(session.GhostWords() == "before the last search");
+  CHECK(session.Comparison().Words() == "before the last search");
 
-  session.ChooseGhost(Ghost::Kind::kCalm);
-  session.player.Seek(0.5);
-  REQUIRE(session.Kick(kCentreOfMass, 6.0f, 3.0f));
-  CHECK(session.player.Shown().Hash() != second);
+  session.Comparison().Choose(Ghost::Kind::kAsOpened);
+  session.Player().Seek(0.5);
+  REQUIRE(session.World().Push(kCentreOfMass, 6.0f, 3.0f));
+  CHECK(session.Player().Shown().Hash() != second);
   CHECK(GhostHash(session) == second);
-  session.ResetWorld();
+  session.World().Reset();
 
   // A controller stays what is compared with, wherever an edit puts it in the list.
-  session.AddClip();
-  session.MirrorClip();
+  session.Timeline().AddClip();
+  session.Timeline().MirrorClip();
   REQUIRE(session.Doc().controllers.size() == 2);
-  session.ChooseGhost(Ghost::Kind::kController, 1);
+  session.Comparison().Choose(Ghost::Kind::kController, 1);
   const Document alone = [&] {
     Document document = session.Doc();
     document.timeline = {{.controller = 1, .start_step = 0}};
     return document;
   }();
   CHECK(GhostHash(session) == Simulate(alone).Hash());
-  session.SelectClip(0);
-  session.RemoveClip();
+  session.Timeline().Select(0);
+  session.Timeline().RemoveClip();
   REQUIRE(session.Doc().controllers.size() == 1);
-  CHECK(session.Compared().ControllerIndex() == 0);
-  CHECK(GhostHash(session) == session.player.Shown().Hash());
-  session.ChooseGhost(Ghost::Kind::kController, 1);  // there is none
-  CHECK(session.Compared().StandsFor() == Ghost::Kind::kNone);
+  CHECK(session.Comparison().Other().ControllerIndex() == 0);
+  CHECK(GhostHash(session) == session.Player().Shown().Hash());
+  session.Comparison().Choose(Ghost::Kind::kController, 1);  // there is none
+  CHECK(session.Comparison().Other().StandsFor() == Ghost::Kind::kNone);
 }
 
 }  // namespace gaitsmith::shell::test

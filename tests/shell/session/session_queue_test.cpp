@@ -25,14 +25,14 @@ void Report(Session& session, const QuietHost& host, Gene gene, SearchState stat
 // "Mr. Star-Man" in hand, and three searches of other figures and seeds in the queue.
 void QueueThree(Session& session) {
   for (const int problem : {1, 2, 3}) {
-    Document document = session.Problems()[static_cast<std::size_t>(problem)];
+    Document document = session.Shipped().Problems()[static_cast<std::size_t>(problem)];
     document.search.seed = static_cast<std::uint32_t>(problem);
-    REQUIRE(session.Enqueue(document));
+    REQUIRE(session.Queue().Add(document));
   }
 }
 
 std::vector<const FoundMotions::Entry*> Newest(const Session& session) {
-  return session.found.Sorted(FoundMotions::Order::kNewest);
+  return session.Results().Motions().Sorted(FoundMotions::Order::kNewest);
 }
 
 }  // namespace
@@ -44,17 +44,17 @@ TEST_CASE("session: the queue runs one after another by itself and leaves the st
   const std::string before = State(session);
   QueueThree(session);
   CHECK(host.started.empty());  // what waits waits
-  REQUIRE(session.RunQueue());
+  REQUIRE(session.Queue().Run());
   for (const std::uint32_t seed : {1u, 2u, 3u}) {
     CAPTURE(seed);
     REQUIRE(host.started.size() == seed);
     CHECK(host.started.back().search.seed == seed);
-    CHECK(session.RunsQueued());
+    CHECK(session.Search().RunsQueued());
     Report(session, host, 20000, SearchState::kRunning);
-    CHECK_FALSE(session.ShowImprovement(10.0));
+    CHECK_FALSE(session.Search().ShowImprovement(10.0));
     Report(session, host, 30000, SearchState::kDone);
   }
-  CHECK_FALSE(session.Searching());
+  CHECK_FALSE(session.Search().Running());
   CHECK(host.started.size() == 3);
   CHECK(State(session) == before);
   CHECK_FALSE(session.CanUndo());
@@ -72,7 +72,7 @@ TEST_CASE("session: a result is shown as it was found, in one step", "[shell][se
   QuietHost host;
   Session session(host);
   QueueThree(session);
-  REQUIRE(session.RunQueue());
+  REQUIRE(session.Queue().Run());
   for (int i = 0; i < 3; ++i) Report(session, host, 30000, SearchState::kDone);
   session.SetView([](View& view) { view.panel = 3; });
   const std::string before = State(session);
@@ -83,9 +83,9 @@ TEST_CASE("session: a result is shown as it was found, in one step", "[shell][se
   CHECK(shown.view.panel == 3);
   shown.view = {};
   CHECK(EncodeBinary(shown) == EncodeBinary(entry.motion.document));
-  CHECK(session.player.Shown().Hash() == *entry.motion.document.hash);
-  CHECK(session.InHand(entry));
-  CHECK_FALSE(session.InHand(*Newest(session)[0]));
+  CHECK(session.Player().Shown().Hash() == *entry.motion.document.hash);
+  CHECK(session.Results().IsShown(entry));
+  CHECK_FALSE(session.Results().IsShown(*Newest(session)[0]));
   CHECK_FALSE(session.DiffersFromMaker());
   session.Undo();
   CHECK(State(session) == before);
@@ -98,10 +98,10 @@ TEST_CASE("session: one that fails does not stop the rest, and says so among the
   QuietHost host;
   Session session(host);
   QueueThree(session);
-  REQUIRE(session.RunQueue());
+  REQUIRE(session.Queue().Run());
   session.OnSearchProgress({.state = SearchState::kFailed, .curve = {}, .best_genome = {}});
   REQUIRE(host.started.size() == 2);
-  CHECK(session.notice.find("failed") != std::string::npos);
+  CHECK(session.Notice().find("failed") != std::string::npos);
   Report(session, host, 20000, SearchState::kRunning);
   session.OnSearchProgress({.state = SearchState::kFailed, .curve = {}, .best_genome = {}});
   REQUIRE(host.started.size() == 3);
@@ -121,28 +121,28 @@ TEST_CASE("session: after Stop the others wait, until somebody says go on", "[sh
   QuietHost host;
   Session session(host);
   QueueThree(session);
-  REQUIRE(session.RunQueue());
+  REQUIRE(session.Queue().Run());
   Report(session, host, 20000, SearchState::kRunning);
   session.Stop();
   REQUIRE(Newest(session).size() == 1);
   Report(session, host, 25000, SearchState::kStopped);  // a little further, as workers report it in the end
-  session.GoOn();
+  session.Queue().Resume();
   CHECK(host.started.size() == 1);
-  CHECK_FALSE(session.Searching());
+  CHECK_FALSE(session.Search().Running());
   REQUIRE(Newest(session).size() == 1);
   CHECK(Newest(session)[0]->motion.origin == Origin::kStopped);
   CHECK(Newest(session)[0]->motion.document.controllers[0].genes[0] == 25000);
   CHECK(Newest(session)[0]->motion.evaluations == 50);
-  CHECK(session.queue.Waiting().size() == 2);
-  CHECK(session.notice.find("2 searches wait until") != std::string::npos);
-  REQUIRE(session.RunQueue());
-  CHECK(session.notice.empty());
+  CHECK(session.Queue().List().Waiting().size() == 2);
+  CHECK(session.Notice().find("2 searches wait until") != std::string::npos);
+  REQUIRE(session.Queue().Run());
+  CHECK(session.Notice().empty());
   CHECK(host.started.size() == 2);
-  CHECK_FALSE(session.RunQueue());
+  CHECK_FALSE(session.Queue().Run());
   CHECK(host.started.size() == 2);
   // One that ends as stopped although nobody here has stopped it leaves the rest waiting, too.
   Report(session, host, 20000, SearchState::kStopped);
-  CHECK_FALSE(session.Searching());
+  CHECK_FALSE(session.Search().Running());
   CHECK(host.started.size() == 2);
 }
 
@@ -151,7 +151,7 @@ TEST_CASE("session: what is done to the document in hand does not concern a sear
   QuietHost host;
   Session session(host);
   QueueThree(session);
-  REQUIRE(session.RunQueue());
+  REQUIRE(session.Queue().Run());
   Report(session, host, 20000, SearchState::kRunning);
   session.BeginGesture();
   session.New();
@@ -159,10 +159,10 @@ TEST_CASE("session: what is done to the document in hand does not concern a sear
   session.Redo();
   session.BeginGesture();
   session.ChooseFigure(1);
-  REQUIRE(session.Open(EncodeJson(session.Problems()[4])));
+  REQUIRE(session.Open(EncodeJson(session.Shipped().Problems()[4])));
   CHECK(host.stops == 0);
-  CHECK(session.RunsQueued());
-  CHECK(session.Progress().evaluations == 50);
+  CHECK(session.Search().RunsQueued());
+  CHECK(session.Search().Progress().evaluations == 50);
   const std::string before = State(session);
   Report(session, host, 30000, SearchState::kDone);
   CHECK(host.started.size() == 2);
@@ -177,14 +177,14 @@ TEST_CASE("session: a search of the queue that the document in hand asks for is 
   session.ChooseProblem(0);
   session.BeginGesture();
   const std::string before = State(session);
-  REQUIRE(session.Enqueue(session.Doc()));
-  REQUIRE(session.RunQueue());
+  REQUIRE(session.Queue().Add(session.Doc()));
+  REQUIRE(session.Queue().Run());
   Report(session, host, 20000, SearchState::kRunning);
-  REQUIRE(session.ShowImprovement(10.0));
-  CHECK(session.ShownController() != nullptr);
+  REQUIRE(session.Search().ShowImprovement(10.0));
+  CHECK(session.Timeline().ShownController() != nullptr);
   SECTION("and its end is one step") {
     Report(session, host, 30000, SearchState::kDone);
-    CHECK(session.InHand(*Newest(session)[0]));
+    CHECK(session.Results().IsShown(*Newest(session)[0]));
     session.Undo();
     CHECK(State(session) == before);
   }
@@ -204,7 +204,7 @@ TEST_CASE("session: a search of the queue that the document in hand asks for is 
   }
   SECTION("until it is changed by hand") {
     session.BeginGesture();
-    REQUIRE(session.ChangeController([](Controller& c) { c.genes[0] = 7; }));
+    REQUIRE(session.Timeline().ChangeController([](Controller& c) { c.genes[0] = 7; }));
     const std::string changed = State(session);
     Report(session, host, 30000, SearchState::kDone);
     CHECK(State(session) == changed);
@@ -216,19 +216,19 @@ TEST_CASE("session: the queue follows a search of one's own, and one that ended 
   QuietHost host;
   Session session(host);
   session.ChooseProblem(0);
-  session.Synthesize();
+  session.Search().Synthesize();
   QueueThree(session);
   Report(session, host, 20000, SearchState::kDone);
   REQUIRE(host.started.size() == 2);
-  CHECK(session.RunsQueued());
-  session.Synthesize();  // stops that one
-  CHECK_FALSE(session.RunsQueued());
+  CHECK(session.Search().RunsQueued());
+  session.Search().Synthesize();  // stops that one
+  CHECK_FALSE(session.Search().RunsQueued());
   CHECK(host.started.size() == 3);
   session.BeginGesture();
   session.New();
-  CHECK_FALSE(session.Searching());
-  session.GoOn();
-  CHECK(session.RunsQueued());
+  CHECK_FALSE(session.Search().Running());
+  session.Queue().Resume();
+  CHECK(session.Search().RunsQueued());
   CHECK(host.started.size() == 4);
 }
 
@@ -238,27 +238,28 @@ TEST_CASE("session: five seeds are five more of this search, also when asked twi
   Session session(host);
   session.ChooseProblem(0);
   session.Set([](Document& d) { d.search.seed = 3; });
-  session.Synthesize();  // with seed 3
-  CHECK(session.EnqueueSeeds(kQueuedSeeds) == 5);
-  CHECK(session.EnqueueSeeds(kQueuedSeeds) == 5);
+  session.Search().Synthesize();  // with seed 3
+  CHECK(session.Queue().AddSeeds(kQueuedSeeds) == 5);
+  CHECK(session.Queue().AddSeeds(kQueuedSeeds) == 5);
   std::uint32_t seed = 3;
-  for (const SearchQueue::Entry& entry : session.queue.Waiting()) CHECK(entry.document.search.seed == ++seed);
+  for (const SearchQueue::Entry& entry : session.Queue().List().Waiting())
+    CHECK(entry.document.search.seed == ++seed);
   CHECK(session.Doc().search.seed == 3);
-  while (session.EnqueueSeeds(kQueuedSeeds) == kQueuedSeeds) {
+  while (session.Queue().AddSeeds(kQueuedSeeds) == kQueuedSeeds) {
   }
-  CHECK(session.queue.Waiting().size() == SearchQueue::kMost);
-  CHECK(session.notice.find("50") != std::string::npos);
+  CHECK(session.Queue().List().Waiting().size() == SearchQueue::kMost);
+  CHECK(session.Notice().find("50") != std::string::npos);
 }
 
 TEST_CASE("session: the lab and the queue wait for each other", "[shell][session][queue]") {
   QuietHost host;
   Session session(host);
-  REQUIRE(session.StartLab(session.lab.settings));
+  REQUIRE(session.Lab().Start(session.Lab().Trials().settings));
   QueueThree(session);
-  CHECK_FALSE(session.RunQueue());
-  session.StopLab();
-  REQUIRE(session.RunQueue());
-  CHECK_FALSE(session.StartLab(session.lab.settings));
+  CHECK_FALSE(session.Queue().Run());
+  session.Lab().Stop();
+  REQUIRE(session.Queue().Run());
+  CHECK_FALSE(session.Lab().Start(session.Lab().Trials().settings));
 }
 
 TEST_CASE("session: every search that found something is among the results, and Keep marks it",
@@ -266,28 +267,28 @@ TEST_CASE("session: every search that found something is among the results, and 
   QuietHost host;
   Session session(host);
   session.ChooseProblem(0);
-  CHECK_FALSE(session.KeepMotion());
-  session.Synthesize();
+  CHECK_FALSE(session.Results().KeepShown());
+  session.Search().Synthesize();
   session.Stop();
-  CHECK(session.found.Empty());  // nothing was found
-  session.Synthesize();
+  CHECK(session.Results().Motions().Empty());  // nothing was found
+  session.Search().Synthesize();
   Report(session, host, 30000, SearchState::kDone);
-  REQUIRE(session.found.Count() == 1);
+  REQUIRE(session.Results().Motions().Count() == 1);
   const std::string id = Newest(session)[0]->id;
-  CHECK(session.InHand(*Newest(session)[0]));
+  CHECK(session.Results().IsShown(*Newest(session)[0]));
   CHECK_FALSE(Newest(session)[0]->motion.kept);
-  REQUIRE(session.KeepMotion());
-  REQUIRE(session.found.Count() == 1);
+  REQUIRE(session.Results().KeepShown());
+  REQUIRE(session.Results().Motions().Count() == 1);
   CHECK(Newest(session)[0]->motion.kept);
   CHECK(Newest(session)[0]->motion.origin == Origin::kDone);
   // What is changed by hand is another motion.
   session.BeginGesture();
-  REQUIRE(session.ChangeController([](Controller& c) { c.genes[0] = 7; }));
-  REQUIRE(session.KeepMotion());
-  REQUIRE(session.found.Count() == 2);
+  REQUIRE(session.Timeline().ChangeController([](Controller& c) { c.genes[0] = 7; }));
+  REQUIRE(session.Results().KeepShown());
+  REQUIRE(session.Results().Motions().Count() == 2);
   CHECK(Newest(session)[0]->motion.origin == Origin::kByHand);
   CHECK(host.stored[id].find("\"kept\":true") != std::string::npos);
-  session.found.Remove(id);
+  session.Results().Motions().Remove(id);
   CHECK(host.stored[id].empty());
 }
 
@@ -306,17 +307,17 @@ TEST_CASE("commands: of queue and results say why not, and do it when they can",
   CHECK_FALSE(command("found/bring-back").why_not.empty());
   command("queue/add").run();
   command("queue/seeds").run();
-  CHECK(session.queue.Waiting().size() == 6);
+  CHECK(session.Queue().List().Waiting().size() == 6);
   command("queue/run").run();
-  CHECK(session.RunsQueued());
+  CHECK(session.Search().RunsQueued());
   CHECK_FALSE(command("queue/run").why_not.empty());
   CHECK_FALSE(command("document/undo").why_not.empty());  // nothing of it is in the document
   command("queue/clear").run();
   Report(session, host, 30000, SearchState::kDone);
-  CHECK_FALSE(session.Searching());
+  CHECK_FALSE(session.Search().Running());
   session.New();
   command("found/best").run();
-  CHECK(session.InHand(*Newest(session)[0]));
+  CHECK(session.Results().IsShown(*Newest(session)[0]));
   command("found/keep").run();
   CHECK(Newest(session)[0]->motion.kept);
 }

@@ -28,24 +28,24 @@ TEST_CASE("session: clips are chained, and every step is undone", "[shell][sessi
     CHECK(State(session) != states.back());
     states.push_back(State(session));
   };
-  step([&] { session.AddClip(); });
-  CHECK(session.SelectedClip() == 1);
+  step([&] { session.Timeline().AddClip(); });
+  CHECK(session.Timeline().Selected() == 1);
   CHECK(session.Doc().duration_steps == length + session.Doc().task.duration_steps);
-  step([&] { session.MirrorClip(); });
+  step([&] { session.Timeline().MirrorClip(); });
   CHECK(session.Doc().controllers.size() == 2);
-  step([&] { session.MoveClip(1, 333); });
+  step([&] { session.Timeline().MoveClip(1, 333); });
   CHECK(Starts(session) == std::vector{0, 333});
-  session.player.Seek(1.5);
-  step([&] { session.SplitClip(); });
+  session.Player().Seek(1.5);
+  step([&] { session.Timeline().SplitClip(); });
   CHECK(Starts(session) == std::vector{0, 150, 333});
-  CHECK(session.SelectedClip() == 1);
-  step([&] { session.ReorderClip(2); });
-  CHECK(session.SelectedClip() == 2);
-  step([&] { session.DuplicateClip(); });
-  step([&] { session.SetClipLength(0, 40); });
+  CHECK(session.Timeline().Selected() == 1);
+  step([&] { session.Timeline().ReorderClip(2); });
+  CHECK(session.Timeline().Selected() == 2);
+  step([&] { session.Timeline().DuplicateClip(); });
+  step([&] { session.Timeline().SetClipLength(0, 40); });
   CHECK(Starts(session)[1] == 40);
-  step([&] { session.RemoveClip(); });
-  step([&] { session.LoopTimeline(); });
+  step([&] { session.Timeline().RemoveClip(); });
+  step([&] { session.Timeline().Repeat(); });
   CHECK(session.Doc().timeline.size() == 6);
   CHECK(Validate(session.Doc()));
   for (std::size_t i = states.size() - 1; i > 0; --i) {
@@ -60,17 +60,17 @@ TEST_CASE("session: what a timeline has no room for changes nothing and is said"
           "[shell][session][timeline]") {
   QuietHost host;
   Session session(host);
-  for (int i = 0; i < 8; ++i) session.LoopTimeline();
+  for (int i = 0; i < 8; ++i) session.Timeline().Repeat();
   CHECK(session.Doc().duration_steps <= kMaxSteps);
-  CHECK(session.notice.starts_with("Not possible: at most 120 s"));
+  CHECK(session.Notice().starts_with("Not possible: at most 120 s"));
   const std::string before = State(session);
-  session.player.Seek(0.05);
-  session.SplitClip();
-  CHECK(session.notice ==
+  session.Player().Seek(0.05);
+  session.Timeline().SplitClip();
+  CHECK(session.Notice() ==
         "Not possible: both parts of a clip must last at least 0.2 s; this is too close to its end.");
-  session.ReorderClip(-1);
-  session.ReorderClip(10000);
-  CHECK_FALSE(session.InsertFound("nothing"));
+  session.Timeline().ReorderClip(-1);
+  session.Timeline().ReorderClip(10000);
+  CHECK_FALSE(session.Timeline().InsertFound("nothing"));
   CHECK(State(session) == before);
 }
 
@@ -78,60 +78,60 @@ TEST_CASE("session: an edit ends the search of a clip, and keeps what it has fou
           "[shell][session][timeline]") {
   QuietHost host;
   Session session(host);
-  session.Synthesize();
+  session.Search().Synthesize();
   SearchProgress progress{
       .state = SearchState::kRunning, .evaluations = 10, .budget = 50, .curve = {}, .best_genome = {}};
   progress.best_genome.assign(ProblemOf(host.started.back()).Shape().Genes(), 777);
   progress.best_fitness = 1.0;
   session.OnSearchProgress(progress);
-  session.DuplicateClip();
-  CHECK_FALSE(session.Searching());
+  session.Timeline().DuplicateClip();
+  CHECK_FALSE(session.Search().Running());
   REQUIRE(session.Doc().timeline.size() == 2);
-  CHECK(session.ShownController()->genes.front() == 777);
+  CHECK(session.Timeline().ShownController()->genes.front() == 777);
   session.Undo();
   CHECK(session.Doc().timeline.size() == 1);
-  CHECK(session.ShownController()->genes.front() == 777);
+  CHECK(session.Timeline().ShownController()->genes.front() == 777);
 }
 
 TEST_CASE("session: a result is inserted where time stands", "[shell][session][timeline]") {
   QuietHost host;
   Session session(host);
-  session.Synthesize();
+  session.Search().Synthesize();
   End(session, host, 20000);
-  const std::string id = session.found.Sorted(FoundMotions::Order::kNewest).front()->id;
+  const std::string id = session.Results().Motions().Sorted(FoundMotions::Order::kNewest).front()->id;
   session.Undo();  // the result stays in the list
   const int steps = session.Doc().duration_steps;
-  session.player.Seek(2.0);
-  REQUIRE(session.InsertFound(id));
+  session.Player().Seek(2.0);
+  REQUIRE(session.Timeline().InsertFound(id));
   CHECK(Starts(session) == std::vector{0, 200, 200 + session.Doc().task.duration_steps});
-  CHECK(session.SelectedClip() == 1);
-  CHECK(session.ShownController()->genes.front() == 20000);
+  CHECK(session.Timeline().Selected() == 1);
+  CHECK(session.Timeline().ShownController()->genes.front() == 20000);
   session.Undo();
-  session.player.Seek(session.player.DurationS());
-  REQUIRE(session.InsertFound(id));
+  session.Player().Seek(session.Player().DurationS());
+  REQUIRE(session.Timeline().InsertFound(id));
   CHECK(Starts(session) == std::vector{0, steps});
 
-  const Figure other = session.Figures()[0].rods.size() == session.Doc().figure.rods.size()
-                           ? session.Figures()[1]
-                           : session.Figures()[0];
+  const Figure other = session.Shipped().Figures()[0].rods.size() == session.Doc().figure.rods.size()
+                           ? session.Shipped().Figures()[1]
+                           : session.Shipped().Figures()[0];
   REQUIRE_FALSE(SameTree(other, session.Doc().figure));
   session.ReplaceFigure(other);
   const std::string before = State(session);
-  CHECK_FALSE(session.InsertFound(id));
-  CHECK(session.notice.find("other rods") != std::string::npos);
+  CHECK_FALSE(session.Timeline().InsertFound(id));
+  CHECK(session.Notice().find("other rods") != std::string::npos);
   CHECK(State(session) == before);
 }
 
 TEST_CASE("session: a repair searches from where the clip takes over", "[shell][session][timeline]") {
   QuietHost host;
   Session session(host);
-  session.RepairClip();
+  session.Timeline().RepairClip();
   CHECK(host.started.empty());
-  CHECK(session.notice == "Only a clip that takes over from another one can be repaired.");
-  session.AddClip();
-  session.MoveClip(1, 321);
-  const std::size_t results = session.found.Sorted(FoundMotions::Order::kNewest).size();
-  session.RepairClip();
+  CHECK(session.Notice() == "Only a clip that takes over from another one can be repaired.");
+  session.Timeline().AddClip();
+  session.Timeline().MoveClip(1, 321);
+  const std::size_t results = session.Results().Motions().Sorted(FoundMotions::Order::kNewest).size();
+  session.Timeline().RepairClip();
   REQUIRE(host.started.size() == 1);
   const Document& wanted = host.started[0];
   REQUIRE(Validate(wanted));
@@ -142,29 +142,29 @@ TEST_CASE("session: a repair searches from where the clip takes over", "[shell][
   CHECK(problem.beginnings[0].steps == 321);
   End(session, host, 12345);
   CHECK(session.Doc().timeline[1].controller != session.Doc().timeline[0].controller);
-  CHECK(session.ShownController()->genes.front() == 12345);
+  CHECK(session.Timeline().ShownController()->genes.front() == 12345);
   CHECK(session.Doc().search.in_place_of == -1);
-  CHECK(session.found.Sorted(FoundMotions::Order::kNewest).size() == results);
+  CHECK(session.Results().Motions().Sorted(FoundMotions::Order::kNewest).size() == results);
 }
 
 TEST_CASE("session: a clip snaps to the best moment of its transition map", "[shell][session][timeline]") {
   QuietHost host;
   Session session(host);
-  CHECK_FALSE(session.Transitions().Any());
-  session.SnapToBest();
-  CHECK(session.notice == "Not now: it takes over from no other clip.");
+  CHECK_FALSE(session.Timeline().Transitions().Scores().Any());
+  session.Timeline().SnapToBest();
+  CHECK(session.Notice() == "Not now: it takes over from no other clip.");
   session.BeginGesture();
-  session.AddClip();
-  REQUIRE(session.Transitions().Any());
-  session.FollowTransitions(0.1);
+  session.Timeline().AddClip();
+  REQUIRE(session.Timeline().Transitions().Scores().Any());
+  session.Timeline().Transitions().Advance(0.1);
   CHECK(host.mapped.empty());  // more changes may follow
-  session.FollowTransitions(0.2);
+  session.Timeline().Transitions().Advance(0.2);
   REQUIRE(host.mapped.size() == 1);
   CHECK(Validate(host.mapped[0]));
-  session.FollowTransitions(10.0);
+  session.Timeline().Transitions().Advance(10.0);
   CHECK(host.mapped.size() == 1);
 
-  const std::vector<int>& steps = session.Transitions().Steps();
+  const std::vector<int>& steps = session.Timeline().Transitions().Scores().Steps();
   const auto count = static_cast<int>(steps.size());
   const std::vector<int> order = CoarseFirst(count);
   std::vector<float> scores(steps.size(), 1.0f);
@@ -177,65 +177,68 @@ TEST_CASE("session: a clip snaps to the best moment of its transition map", "[sh
                           .scores = {scores.begin() + first, scores.begin() + first + size}};
   };
   const int generation = host.generations[0];
-  session.OnTransitions(part(generation - 1, 0, count));
-  session.OnTransitions({.generation = generation, .first = -1, .usual = 1.0f, .scores = {1.0f}});
-  session.OnTransitions({.generation = generation, .first = count, .usual = 1.0f, .scores = {1.0f}});
-  CHECK(session.Transitions().Known() == 0);
-  session.OnTransitions(part(generation, 0, 10));
-  session.OnTransitions(part(generation, 0, 10));  // told twice
-  CHECK(session.Transitions().Known() == 10);
-  CHECK(session.Transitions().Share(order[3]) == 0.8f);
-  CHECK_FALSE(session.Transitions().Share(order[10]));
+  session.Timeline().Transitions().OnScores(part(generation - 1, 0, count));
+  session.Timeline().Transitions().OnScores(
+      {.generation = generation, .first = -1, .usual = 1.0f, .scores = {1.0f}});
+  session.Timeline().Transitions().OnScores(
+      {.generation = generation, .first = count, .usual = 1.0f, .scores = {1.0f}});
+  CHECK(session.Timeline().Transitions().Scores().Known() == 0);
+  session.Timeline().Transitions().OnScores(part(generation, 0, 10));
+  session.Timeline().Transitions().OnScores(part(generation, 0, 10));  // told twice
+  CHECK(session.Timeline().Transitions().Scores().Known() == 10);
+  CHECK(session.Timeline().Transitions().Scores().Share(order[3]) == 0.8f);
+  CHECK_FALSE(session.Timeline().Transitions().Scores().Share(order[10]));
   const std::string before = State(session);
-  session.SnapToBest();
-  CHECK(session.notice == "Not now: the transition map is not complete yet.");
+  session.Timeline().SnapToBest();
+  CHECK(session.Notice() == "Not now: the transition map is not complete yet.");
   CHECK(State(session) == before);
-  session.OnTransitions(part(generation, 10, count - 10));
+  session.Timeline().Transitions().OnScores(part(generation, 10, count - 10));
 
   session.BeginGesture();
-  session.SnapToBest();
+  session.Timeline().SnapToBest();
   CHECK(Starts(session) == std::vector{0, best});
-  session.FollowTransitions(10.0);
+  session.Timeline().Transitions().Advance(10.0);
   CHECK(host.mapped.size() == 1);  // nothing that it depends on has changed
-  CHECK(session.Transitions().Known() == count);
-  CHECK(std::string(session.WhyNoSnap()) == "it takes over at the best moment already");
+  CHECK(session.Timeline().Transitions().Scores().Known() == count);
+  CHECK(std::string(session.Timeline().WhyNoSnap()) == "it takes over at the best moment already");
   session.Undo();
   CHECK(State(session) == before);
-  CHECK(session.Transitions().Known() == count);
+  CHECK(session.Timeline().Transitions().Scores().Known() == count);
 }
 
 TEST_CASE("session: a transition map begins anew when what it depends on changes",
           "[shell][session][timeline]") {
   QuietHost host;
   Session session(host);
-  session.AddClip();
-  session.FollowTransitions(1.0);
+  session.Timeline().AddClip();
+  session.Timeline().Transitions().Advance(1.0);
   REQUIRE(host.mapped.size() == 1);
   session.Set([](Document& d) { d.search.seed = 99; });
   session.SetView([](View& view) { view.trail = !view.trail; });
   CHECK(host.map_stops == 0);
   session.Change([](Document& d) { d.environment.gravity_mps2 = 5.0f; });
   CHECK(host.map_stops == 1);
-  session.OnTransitions({.generation = host.generations[0], .first = 0, .usual = 1.0f, .scores = {1.0f}});
-  CHECK(session.Transitions().Known() == 0);
-  session.FollowTransitions(1.0);
+  session.Timeline().Transitions().OnScores(
+      {.generation = host.generations[0], .first = 0, .usual = 1.0f, .scores = {1.0f}});
+  CHECK(session.Timeline().Transitions().Scores().Known() == 0);
+  session.Timeline().Transitions().Advance(1.0);
   REQUIRE(host.mapped.size() == 2);
   CHECK(host.generations[1] != host.generations[0]);
-  session.OnTransitionsFailed(host.generations[0]);
-  CHECK(session.notice.empty());
-  session.OnTransitionsFailed(host.generations[1]);
-  CHECK(session.notice.starts_with("The transition map could not"));
-  session.FollowTransitions(1.0);
+  session.Timeline().Transitions().OnFailed(host.generations[0]);
+  CHECK(session.Notice().empty());
+  session.Timeline().Transitions().OnFailed(host.generations[1]);
+  CHECK(session.Notice().starts_with("The transition map could not"));
+  session.Timeline().Transitions().Advance(1.0);
   CHECK(host.mapped.size() == 2);
-  session.SelectClip(0);
-  CHECK_FALSE(session.Transitions().Any());
+  session.Timeline().Select(0);
+  CHECK_FALSE(session.Timeline().Transitions().Scores().Any());
   // A search of what is shown changes it all the time.
-  session.Synthesize();
-  session.SelectClip(1);
-  session.FollowTransitions(1.0);
+  session.Search().Synthesize();
+  session.Timeline().Select(1);
+  session.Timeline().Transitions().Advance(1.0);
   CHECK(host.mapped.size() == 2);
   session.Stop();
-  session.FollowTransitions(1.0);
+  session.Timeline().Transitions().Advance(1.0);
   CHECK(host.mapped.size() == 3);
 }
 
@@ -243,19 +246,19 @@ TEST_CASE("timeline: a result is inserted while a search runs that its end adds 
           "[shell][session][timeline]") {
   QuietHost host;
   Session session(host);
-  session.Synthesize();
+  session.Search().Synthesize();
   End(session, host, 20000);
-  const std::string id = session.found.Sorted(FoundMotions::Order::kNewest).front()->id;
+  const std::string id = session.Results().Motions().Sorted(FoundMotions::Order::kNewest).front()->id;
   session.Set([](Document& d) { d.search.seed += 1; });
-  session.Synthesize();
+  session.Search().Synthesize();
   SearchProgress found{
       .state = SearchState::kRunning, .evaluations = 9, .budget = 50, .curve = {}, .best_genome = {}};
   found.best_genome.assign(ProblemOf(host.started.back()).Shape().Genes(), 30000);
   found.best_fitness = 2.0f;
   session.OnSearchProgress(found);
-  REQUIRE(session.InsertFound(id, 100));
-  CHECK_FALSE(session.Searching());
-  CHECK(session.found.Count() == 2);
+  REQUIRE(session.Timeline().InsertFound(id, 100));
+  CHECK_FALSE(session.Search().Running());
+  CHECK(session.Results().Motions().Count() == 2);
   CHECK(Validate(session.Doc()));
 }
 

@@ -14,7 +14,7 @@ namespace {
 constexpr SuiteChoice kAll = {{true, true}, {true, true, true}, {true, true, true, true, true}};
 
 const FoundMotions::Entry& NewestOf(const Session& session) {
-  return *session.found.Sorted(FoundMotions::Order::kNewest).front();
+  return *session.Results().Motions().Sorted(FoundMotions::Order::kNewest).front();
 }
 
 }  // namespace
@@ -49,11 +49,11 @@ TEST_CASE("suite: it runs by itself, and what does not fit into the queue is sai
   QuietHost host;
   Session session(host);
   const std::string before = State(session);
-  session.MakeSuite(kAll);
+  session.Queue().AddSuite(kAll);
   CHECK(host.started.size() == 1);
-  CHECK(session.queue.Waiting().size() == 29);
-  session.MakeSuite(kAll);
-  CHECK(session.queue.Waiting().size() == SearchQueue::kMost);
+  CHECK(session.Queue().List().Waiting().size() == 29);
+  session.Queue().AddSuite(kAll);
+  CHECK(session.Queue().List().Waiting().size() == SearchQueue::kMost);
   CHECK(host.status == "The queue had room for 21 of the suite's 30 searches.");
   CHECK(State(session) == before);
 }
@@ -62,13 +62,13 @@ TEST_CASE("results: a name goes with a motion, a wrong one is refused, and made 
           "[shell][suite]") {
   QuietHost host;
   Session session(host);
-  session.Synthesize();
+  session.Search().Synthesize();
   End(session, host, 20000);
   const std::string id = NewestOf(session).id;
-  CHECK(session.found.Rename(id, "Wheel").empty());
-  CHECK(session.found.Rename(id, std::string(81, 'x')) == "at most 80 bytes, has 81");
-  CHECK_FALSE(session.found.Rename(id, "a\nb").empty());
-  CHECK_FALSE(session.found.Rename("0", "Wheel").empty());
+  CHECK(session.Results().Motions().Rename(id, "Wheel").empty());
+  CHECK(session.Results().Motions().Rename(id, std::string(81, 'x')) == "at most 80 bytes, has 81");
+  CHECK_FALSE(session.Results().Motions().Rename(id, "a\nb").empty());
+  CHECK_FALSE(session.Results().Motions().Rename("0", "Wheel").empty());
   CHECK(NewestOf(session).motion.name == "Wheel");
   CHECK(host.stored[id].contains(R"("name":"Wheel")"));
 
@@ -83,15 +83,15 @@ TEST_CASE("results: a name goes with a motion, a wrong one is refused, and made 
   REQUIRE(session.ShowFound(id));
   CHECK(session.Doc().title == "Wheel");
   CHECK(session.Doc().controllers[0].name == "Wheel");
-  CHECK(session.InHand(NewestOf(session)));
-  REQUIRE(session.InsertFound(id, 100));
+  CHECK(session.Results().IsShown(NewestOf(session)));
+  REQUIRE(session.Timeline().InsertFound(id, 100));
   CHECK(session.Doc().timeline[1].start_step == 100);
 
-  REQUIRE(session.MakeAgain(id));
+  REQUIRE(session.Queue().Repeat(id));
   CHECK(host.started.size() == 2);
   CHECK(EncodeBinary(SearchOf(host.started[0])) == EncodeBinary(SearchOf(host.started[1])));
   End(session, host, 20000);
-  CHECK(session.found.Count() == 1);
+  CHECK(session.Results().Motions().Count() == 1);
   CHECK(NewestOf(session).motion.name == "Wheel");
 }
 

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The lab at work: many searches for the open document's problem, of which only the curves are kept. The host
+// runs its trials one after another, and the shown motion stays. It and the search exclude each other.
+#pragma once
+
+#include "shell/search/search_progress.h"
+#include "shell/session/lab.h"
+#include "shell/session/search_run.h"
+#include "shell/session/workspace.h"
+
+namespace gaitsmith::shell {
+
+class LabRun {
+ public:
+  LabRun(Workspace& workspace, SearchRun& search) : workspace_(workspace), search_(search) {}
+
+  /// The settings of the next run, and what the trials have shown so far.
+  [[nodiscard]] Lab& Trials() { return trials_; }
+  [[nodiscard]] const Lab& Trials() const { return trials_; }
+  [[nodiscard]] bool Running() const { return trials_.Running(); }
+
+  /// Runs the lab with these settings; one that runs is stopped first. Refused while a search runs.
+  [[nodiscard]] Result<void> Start(const LabSettings&);
+  /// The same with the settings on the panel, and the notice says what speaks against it.
+  void Start();
+  void Stop();
+  void OnProgress(const SearchProgress&);
+  void SaveCurves();
+
+ private:
+  void RunTrial();
+  void End(LabState);
+
+  Workspace& workspace_;
+  SearchRun& search_;
+  Lab trials_;
+};
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "shell/session/motion_comparison.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/document/timeline_edit.h"
+#include "shell/session/control_mode.h"
+#include "shell/words/language.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+// For this figure and task, controlled in the wanted way.
+bool FitsComparison(const FoundMotion& found, const Document& wanted) {
+  if (!found.Moves()) return false;
+  const Document& d = found.document;
+  return d.controllers.back().kind == wanted.kind && d.controllers.back().senses.kind == wanted.senses.kind &&
+         d.figure.name == wanted.figure.name && SameTree(d.figure, wanted.figure) &&
+         d.task.kind == wanted.task.kind;
+}
+
+}  // namespace
+
+void MotionComparison::Choose(Ghost::Kind kind, int controller) {
+  ghost_.StandFor(kind, controller, Documents());
+  workspace_.Redraw();
+}
+
+bool MotionComparison::ChooseFound(const std::string& id) {
+  const FoundMotions::Entry* entry = results_.Motions().Find(id);
+  if (entry == nullptr || !entry->motion.Moves() ||
+      !SameTree(entry->motion.document.figure, workspace_.Doc().figure))
+    return false;
+  ghost_.StandFor(id, entry->motion.document, Documents());
+  workspace_.Redraw();
+  return true;
+}
+
+void MotionComparison::PutBeside(bool beside) {
+  ghost_.PutBeside(beside);
+  workspace_.Redraw();
+}
+
+void MotionComparison::Stop() {
+  ghost_.PutBeside(false);
+  Choose(Ghost::Kind::kNone);
+}
+
+void MotionComparison::CompareControlModes() {
+  const Controller* shown = workspace_.ShownController();
+  if (shown == nullptr) {
+    workspace_.Say(Tr("There is no motion to compare: press Synthesize."));
+    return;
+  }
+  Document wanted = workspace_.Doc();
+  SetControlMode(wanted, ContrastTo(*shown));
+  wanted.search.start = -1;
+  for (const FoundMotions::Entry* entry : results_.Motions().Sorted(FoundMotions::Order::kBest)) {
+    if (!FitsComparison(entry->motion, wanted) || !ChooseFound(entry->id)) continue;
+    ghost_.PutBeside(true);
+    return;
+  }
+  if (Awaits() || !queue_.Add(wanted)) return;
+  ordered_ = std::move(wanted);
+  if (!queue_.Busy()) queue_.Run();
+}
+
+bool MotionComparison::Awaits() const {
+  if (!ordered_) return false;
+  const auto same = [&](const Document& other) { return SameSearch(other, *ordered_); };
+  return (search_.Searched() != nullptr && same(*search_.Searched())) ||
+         std::ranges::any_of(queue_.List().Waiting(), same, &SearchQueue::Entry::document);
+}
+
+void MotionComparison::ShowIfOrdered(const std::string& id) {
+  const FoundMotions::Entry* entry = ordered_ ? results_.Motions().Find(id) : nullptr;
+  if (entry == nullptr || !FitsComparison(entry->motion, *ordered_)) return;
+  ordered_.reset();
+  if (ChooseFound(id)) ghost_.PutBeside(true);
+}
+
+std::optional<Controller> MotionComparison::ComparedController() const {
+  const auto index = ghost_.ControllerIndex();
+  if (!index) return std::nullopt;
+  return workspace_.Doc().controllers[static_cast<std::size_t>(*index)];
+}
+
+void MotionComparison::FindAgain(const Controller& controller) {
+  // Where the document has it no longer, the index is one too many, and the ghost stands for nothing.
+  Document searched = workspace_.Doc();
+  const auto index = AddController(searched, controller);
+  ghost_.StandFor(Ghost::Kind::kController, index.value_or(-1), Documents());
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "shell/session/timeline_editor.h"
+
+#include <algorithm>
+
+#include "core/document/parts.h"
+#include "core/document/timeline_edit.h"
+#include "shell/words/language.h"
+#include "shell/words/wording.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+constexpr std::string_view kEdited = ", edited";
+
+void MarkEdited(std::string& words) {
+  if (words.ends_with(kEdited)) return;
+  words = Shortened(words, kMaxNameBytes - kEdited.size()) + std::string(kEdited);
+}
+
+/// What an edit that gives nothing back leaves selected.
+Result<int> Then(const Result<void>& done, int selected) {
+  if (!done) return std::unexpected(done.error());
+  return selected;
+}
+
+}  // namespace
+
+bool TimelineEditor::ChangeController(const std::function<void(Controller&)>& edit) {
+  if (ShownController() == nullptr) return false;
+  const ControllerKind kind = ShownController()->kind;
+  const SenseKind senses = ShownController()->senses.kind;
+  if (search_.Improves(Selected())) search_.Abandon();
+  // The end of a search shows its best, which may be of another kind than what the hand is at.
+  if (ShownController()->kind != kind || ShownController()->senses.kind != senses) return false;
+  return workspace_.Change([&](Document& d) {
+    const Clip& clip = d.timeline[static_cast<std::size_t>(Selected())];
+    Controller& controller = d.controllers[static_cast<std::size_t>(clip.controller)];
+    const Controller before = controller;
+    edit(controller);
+    if (controller.rules == before.rules && controller.genes == before.genes) return;
+    if (d.kind == controller.kind && d.rules == before.rules) d.rules = controller.rules;
+    // A title that a search wrote names the seed that finds this controller, which it no longer does.
+    const auto seed = before.name.rfind(", seed ");
+    if (seed != std::string::npos && d.title.ends_with(before.name.substr(seed))) MarkEdited(d.title);
+    MarkEdited(controller.name);
+  });
+}
+
+void TimelineEditor::Edit(const std::function<Result<int>(Document&)>& edit) {
+  Document next = workspace_.Doc();
+  auto selected = edit(next);
+  // A search that it disturbs ends, and what that found last is edited with the rest.
+  if (selected && search_.IsDisturbedBy(next)) {
+    search_.Abandon();
+    next = workspace_.Doc();
+    selected = edit(next);
+  }
+  if (!selected) return workspace_.Say(Tr("Not possible: {1}.", TrError(selected.error())));
+  DropUnusedControllers(next, workspace_.Doc().timeline);
+  const auto compared = comparison_.ComparedController();
+  const bool changed = workspace_.Change([&](Document& d) {
+    CopyParts(next, {Part::kControllers, Part::kTimeline, Part::kDuration, Part::kSearchStart}, d);
+  });
+  if (!changed) return;
+  Select(*selected);
+  if (compared) comparison_.FindAgain(*compared);
+}
+
+void TimelineEditor::AddClip() {
+  if (workspace_.Doc().timeline.empty()) return;
+  Edit([&](Document& d) {
+    const auto last = static_cast<int>(d.timeline.size());
+    const int controller = d.timeline[static_cast<std::size_t>(Selected())].controller;
+    const Stretch added{.controller = controller, .steps = d.task.duration_steps};
+    return Then(InsertClips(d, {added}, d.duration_steps), last);
+  });
+}
+
+void TimelineEditor::RemoveClip() {
+  if (workspace_.Doc().timeline.size() < 2) return;
+  Edit([&](Document& d) {
+    return Then(gaitsmith::RemoveClip(d, Selected()),
+                std::min(Selected(), static_cast<int>(workspace_.Doc().timeline.size()) - 2));
+  });
+}
+
+void TimelineEditor::MoveClip(int clip, int start_step) {
+  Edit([&](Document& d) { return Then(MoveSwitch(d, clip, start_step), Selected()); });
+}
+
+void TimelineEditor::SetClipLength(int clip, int steps) {
+  Edit([&](Document& d) { return Then(gaitsmith::SetClipLength(d, clip, steps), Selected()); });
+}
+
+void TimelineEditor::SplitClip() {
+  const int step = workspace_.Player().Frame();
+  Edit([&](Document& d) {
+    const auto done = gaitsmith::SplitClip(d, step);
+    return Then(done, ClipAt(d, step));
+  });
+}
+
+void TimelineEditor::DuplicateClip() {
+  Edit([&](Document& d) { return Then(gaitsmith::DuplicateClip(d, Selected()), Selected() + 1); });
+}
+
+void TimelineEditor::MirrorClip() {
+  Edit([&](Document& d) { return Then(gaitsmith::MirrorClip(d, Selected()), Selected()); });
+}
+
+void TimelineEditor::ReorderClip(int to) {
+  const int last = static_cast<int>(workspace_.Doc().timeline.size()) - 1;
+  if (to < 0 || to > last || to == Selected()) return;
+  if (search_.Running() && !search_.RunsQueued()) search_.Abandon();  // its clip may be another one then
+  Edit([&](Document& d) { return Then(gaitsmith::ReorderClip(d, Selected(), to), to); });
+}
+
+void TimelineEditor::Repeat() {
+  Edit([&](Document& d) { return Then(gaitsmith::LoopTimeline(d, 2), Selected()); });
+}
+
+bool TimelineEditor::InsertFound(const std::string& id, std::optional<int> wanted) {
+  const FoundMotions::Entry* entry = results_.Motions().Find(id);
+  if (entry == nullptr || !entry->motion.Moves()) return false;
+  // A search that the edit ends changes the results.
+  const Document other = entry->motion.document;
+  const std::string name = entry->motion.name;
+  if (!SameTree(other.figure, workspace_.Doc().figure)) {
+    workspace_.Say(Tr("Not possible: this controller was found for a figure with other rods, {1}.",
+                      TrTitle(other.figure.name)));
+    return false;
+  }
+  const auto before = workspace_.Doc().timeline.size();
+  // A motion that is shown to its end goes on with what is added.
+  const int frame = workspace_.Player().Frame();
+  const int step = wanted ? *wanted
+                   : frame >= workspace_.Player().Shown().Frames() - kShortestClip
+                       ? workspace_.Doc().duration_steps
+                       : frame;
+  Edit([&](Document& d) -> Result<int> {
+    std::vector<Stretch> inserted = StretchesOf(other);  // what was kept may be a composite itself
+    for (Stretch& stretch : inserted) {
+      Controller controller = other.controllers[static_cast<std::size_t>(stretch.controller)];
+      if (!name.empty() && inserted.size() == 1) controller.name = name;
+      const auto added = AddController(d, controller);
+      if (!added) return std::unexpected(added.error());
+      stretch.controller = *added;
+    }
+    const auto done = InsertClips(d, inserted, step);
+    return Then(done, ClipAt(d, std::min(step + kShortestClip, d.duration_steps - 1)));
+  });
+  return workspace_.Doc().timeline.size() != before;
+}
+
+void TimelineEditor::SetDuration(int steps) {
+  workspace_.Change([&](Document& d) {
+    d.task.duration_steps = steps;
+    if (d.timeline.size() < 2) d.duration_steps = steps;
+  });
+}
+
+const char* TimelineEditor::WhyNoSnap() const {
+  const TransitionScores& map = transitions_.Scores();
+  if (!CanRepair()) return Tr("it takes over from no other clip");
+  if (!map.Any()) return Tr("there is no room to move it");
+  if (map.Waits() || map.UnderWay()) return Tr("the transition map is not complete yet");
+  if (map.Best() < 0) return Tr("nothing is known of the transition map");
+  const Clip& clip = workspace_.Doc().timeline[static_cast<std::size_t>(Selected())];
+  const int best = map.Steps()[static_cast<std::size_t>(map.Best())];
+  return clip.start_step == best ? Tr("it takes over at the best moment already") : "";
+}
+
+void TimelineEditor::SnapToBest() {
+  if (const std::string why_not = WhyNoSnap(); !why_not.empty())
+    return workspace_.Say(Tr("Not now: {1}.", why_not));
+  const TransitionScores& map = transitions_.Scores();
+  MoveClip(Selected(), map.Steps()[static_cast<std::size_t>(map.Best())]);
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "shell/session/transition_run.h"
+
+#include "shell/words/language.h"
+
+namespace gaitsmith::shell {
+
+std::optional<Nearness> TransitionRun::NearnessAtHandover() {
+  const Document& d = workspace_.Doc();
+  const int clip = workspace_.SelectedClip();
+  if (clip <= 0 || clip >= static_cast<int>(d.timeline.size())) return std::nullopt;
+  const Clip& one = d.timeline[static_cast<std::size_t>(clip)];
+  const Motion& motion = workspace_.Player().Shown();
+  if (one.start_step >= motion.Frames()) return std::nullopt;
+  if (nearness_.hash != motion.Hash() || nearness_.clip != clip) {
+    const Nearness nearness = NearnessOf(motion, one.start_step, UsualMotion(d, one.controller));
+    nearness_ = {.hash = motion.Hash(), .clip = clip, .nearness = nearness};
+  }
+  return nearness_.nearness;
+}
+
+void TransitionRun::Follow() {
+  const Document& d = workspace_.Doc();
+  const int clip = workspace_.SelectedClip();
+  if (scores_.IsOf(d, clip)) return;
+  if (scores_.UnderWay()) workspace_.TheHost().StopTransitionMap();
+  if (TransitionSteps(d, clip).empty()) {
+    scores_.Clear();
+  } else {
+    scores_.Begin(d, clip);
+  }
+  unchanged_for_s_ = 0.0;
+}
+
+void TransitionRun::Advance(double seconds) {
+  constexpr double kSettledS = 0.2;  // a slider that is dragged changes every frame
+  unchanged_for_s_ += seconds;
+  if (!scores_.Waits() || unchanged_for_s_ < kSettledS) return;
+  if (search_.Running() && search_.BelongsOnStage()) return;
+  const int generation = scores_.Start();
+  workspace_.TheHost().StartTransitionMap(scores_.Request(), generation);
+}
+
+void TransitionRun::OnFailed(int generation) {
+  if (scores_.Fail(generation))
+    workspace_.Say(
+        Tr("The transition map could not be worked out to its end; what is known of it is shown."));
+}
+
+}  // namespace gaitsmith::shell

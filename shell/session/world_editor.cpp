@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "shell/session/world_editor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/document/parts.h"
+#include "shell/words/language.h"
+#include "shell/words/wording.h"
+
+namespace gaitsmith::shell {
+
+bool WorldEditor::Push(int endpoint, float impulse_x_ns, float impulse_y_ns) {
+  const int step = std::min(workspace_.Player().Frame(), kMaxSteps - 1);
+  const bool pushed = workspace_.Change([&](Document& d) {
+    const gaitsmith::Push push{
+        .step = step, .endpoint = endpoint, .impulse_x_ns = impulse_x_ns, .impulse_y_ns = impulse_y_ns};
+    const auto after = std::ranges::upper_bound(d.pushes, step, {}, &gaitsmith::Push::step);
+    d.pushes.insert(after, push);
+  });
+  if (pushed) {
+    workspace_.TheHost().Status(Tr("Pushed with {1} N s at {2} s.",
+                                   Fixed(std::hypot(impulse_x_ns, impulse_y_ns), 1),
+                                   Fixed(static_cast<float>(step) * kStep, 2)));
+  }
+  return pushed;
+}
+
+void WorldEditor::RemovePush(std::size_t index) {
+  workspace_.Change(
+      [&](Document& d) { d.pushes.erase(d.pushes.begin() + static_cast<std::ptrdiff_t>(index)); });
+}
+
+bool WorldEditor::Changed() const {
+  // Member by member: this is asked at every frame.
+  const Document& shown = workspace_.Doc();
+  return shown.environment != as_opened_.environment || shown.pushes != as_opened_.pushes;
+}
+
+void WorldEditor::Reset() {
+  workspace_.Change([&](Document& d) { CopyParts(as_opened_, {Part::kEnvironment, Part::kPushes}, d); });
+}
+
+void WorldEditor::Follow(bool opened) {
+  const Document& shown = workspace_.Doc();
+  // What was done to the world of another figure has no meaning for this one.
+  if (opened || !SameTree(as_opened_.figure, shown.figure)) as_opened_ = shown;
+}
+
+}  // namespace gaitsmith::shell

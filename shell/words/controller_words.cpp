@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "shell/words/controller_words.h"
+
+#include "shell/words/language.h"
+#include "shell/words/wording.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+double PeriodS(const SenseSpec& senses) {
+  return static_cast<double>(static_cast<float>(senses.period_steps) * kStep);
+}
+
+// For its number of rules or nodes, and the timer's period.
+const char* ControllerPattern(ControllerKind kind, const SenseSpec& senses, int rules) {
+  const bool one = rules == 1;
+  if (kind == ControllerKind::kNetwork) {
+    return one ? TrLater("a network of {1} hidden node") : TrLater("a network of {1} hidden nodes");
+  }
+  if (senses.kind == SenseKind::kPhysical)
+    return one ? TrLater("{1} rule with physical senses") : TrLater("{1} rules with physical senses");
+  return one ? TrLater("{1} rule with timer {2} s") : TrLater("{1} rules with timer {2} s");
+}
+
+}  // namespace
+
+std::string ControllerWords(ControllerKind kind, const SenseSpec& senses, int rules) {
+  return Tr(ControllerPattern(kind, senses, rules), rules, Fixed(PeriodS(senses), 2));
+}
+
+std::string ControllerName(ControllerKind kind, const SenseSpec& senses, int rules) {
+  return Fill(ControllerPattern(kind, senses, rules), {rules, PlainFixed(PeriodS(senses), 2)});
+}
+
+std::string TaskWords(TaskKind kind) { return Tr(TaskName(kind)); }
+
+const char* TaskName(TaskKind kind) {
+  switch (kind) {
+    case TaskKind::kTravel:
+      return TrLater("travel");
+    case TaskKind::kTravelRight:
+      return TrLater("travel to the right");
+    case TaskKind::kTravelLeft:
+      return TrLater("travel to the left");
+    case TaskKind::kJump:
+      return TrLater("jump");
+  }
+  return "";
+}
+
+}  // namespace gaitsmith::shell

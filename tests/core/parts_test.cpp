@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// Each field of the schema belongs to exactly one part of a document: a change of that field alone is a
+// change of that part alone, and copying the part copies the change.
+#include "core/document/parts.h"
+
+#include <catch_amalgamated.hpp>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/document/binary.h"
+#include "core/document/json.h"
+#include "core/document/json_value.h"
+#include "core/document/schema.h"
+
+namespace gaitsmith {
+
+namespace {
+
+// Walks a document as the encodings do, notes the path of each field and changes one of them.
+class Changer {
+ public:
+  explicit Changer(int wanted) : wanted_(wanted) {}
+  [[nodiscard]] const std::vector<std::string>& Paths() const { return paths_; }
+
+  void Real(std::string_view name, float& value, float, float, float) {
+    if (Turn(name)) value += 0.125f;
+  }
+  void Integer(std::string_view name, int& value, int, int, int) {
+    if (Turn(name)) ++value;
+  }
+  void Model(std::string_view name, int& model) {
+    if (Turn(name)) ++model;
+  }
+  void Natural(std::string_view name, std::uint32_t& value, std::uint32_t) {
+    if (Turn(name)) ++value;
+  }
+  void Flag(std::string_view name, bool& value, bool) {
+    if (Turn(name)) value = !value;
+  }
+  template <class Enum, class Names>
+  void Choice(std::string_view name, Enum& value, const Names&, Enum) {
+    if (Turn(name)) value = static_cast<Enum>(static_cast<int>(value) == 0 ? 1 : 0);
+  }
+  void Text(std::string_view name, std::string& text) {
+    if (Turn(name)) text += "x";
+  }
+  void Hash(std::string_view name, std::optional<std::uint64_t>& hash) {
+    if (Turn(name)) hash = hash.value_or(0) + 1;
+  }
+  void Genes(Controller& controller, int) {
+    if (Turn("rules")) ++controller.rules;
+    if (Turn("genes")) ++controller.genes.back();
+  }
+  template <class Fields>
+  void Since(int, Fields fields) {
+    fields();
+  }
+  template <class Fields>
+  void Group(std::string_view name, Fields fields) {
+    groups_.emplace_back(name);
+    fields();
+    groups_.pop_back();
+  }
+  template <class Item, class Fields>
+  void List(std::string_view name, std::vector<Item>& list, int, Fields fields) {
+    INFO(name);
+    REQUIRE_FALSE(list.empty());  // or its fields are not looked at
+    groups_.emplace_back(name);
+    for (Item& item : list) fields(item);
+    groups_.pop_back();
+    if (Turn(name)) list.pop_back();
+  }
+
+ private:
+  bool Turn(std::string_view name) {
+    std::string path;
+    for (const std::string& group : groups_) path += group + "/";
+    paths_.push_back(path + std::string(name));
+    return static_cast<int>(paths_.size()) - 1 == wanted_;
+  }
+  int wanted_;
+  std::vector<std::string> groups_;
+  std::vector<std::string> paths_;
+};
+
+// The document after one of its fields has changed. @return the field's path; empty: there is no such field
+std::string Change(Document& document, int field) {
+  Changer changer(field);
+  Describe(changer, document);
+  const auto index = static_cast<std::size_t>(field);
+  return index < changer.Paths().size() ? changer.Paths()[index] : "";
+}
+
+// With something in every list.
+Document Full() {
+  Document d;
+  d.title = "Full";
+  d.figure = {"Hinge", {Rod{}, Rod{}}};
+  d.figure.rods[1].parent = 0;
+  d.figure.rods[1].length_m = 2.0f;
+  d.pushes = {{.step = 3, .endpoint = 0, .impulse_x_ns = 1.0f}};
+  Controller controller{.name = "One", .senses = d.senses, .rules = 2, .genes = {}};
+  controller.genes.assign(BankShape(2, d.senses.kind, 2).Genes(), 7);
+  d.controllers = {controller, controller};
+  d.timeline = {{.controller = 0, .start_step = 0}, {.controller = 1, .start_step = 100}};
+  d.search.handovers = {{.controller = 1, .step = 50}};
+  d.hash = 0x1234;
+  return d;
+}
+
+// By the JSON key, or by the path where a group is of two parts.
+const std::map<std::string, Part>& ExpectedParts() {
+  static const std::map<std::string, Part> parts = {
+      {"title", Part::kTitle},
+      {"model", Part::kModel},
+      {"figure", Part::kFigure},
+      {"environment", Part::kEnvironment},
+      {"start", Part::kStart},
+      {"pushes", Part::kPushes},
+      {"task", Part::kGoal},
+      {"task/duration_steps", Part::kTaskLength},
+      {"senses", Part::kSought},
+      {"rules", Part::kSought},
+      {"kind", Part::kSought},
+      {"search", Part::kSearch},
+      {"search/start", Part::kSearchStart},
+      {"search/in_place_of", Part::kTakeover},
+      {"search/handovers", Part::kTakeover},
+      {"controllers", Part::kControllers},
+      {"timeline", Part::kTimeline},
+      {"duration_steps", Part::kDuration},
+      {"view", Part::kView},
+      {"hash", Part::kHash},
+  };
+  return parts;
+}
+
+// Null: the table above does not know the field.
+const Part* Expected(std::string path) {
+  while (true) {
+    if (const auto at = ExpectedParts().find(path); at != ExpectedParts().end()) return &at->second;
+    const auto slash = path.rfind('/');
+    if (slash == std::string::npos) return nullptr;
+    path.resize(slash);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("parts: a change of one field is a change of the part that the field belongs to, and of no other",
+          "[document][parts]") {
+  const Document full = Full();
+  CHECK(DifferingParts(full, full).Empty());
+  std::set<Part> seen;
+  int fields = 0;
+  for (;; ++fields) {
+    Document changed = full;
+    const std::string path = Change(changed, fields);
+    if (path.empty()) break;
+    CAPTURE(path);
+    const Part* part = Expected(path);
+    REQUIRE(part != nullptr);
+    seen.insert(*part);
+    CHECK(DifferingParts(full, changed) == Parts(*part));
+    CHECK_FALSE(SameParts(full, changed, *part));
+    CHECK(SameParts(full, changed, AllParts().Without(*part)));
+
+    // Copied with its part it arrives, and copied with all others it does not.
+    Document with = full;
+    CopyParts(changed, *part, with);
+    CHECK(DifferingParts(with, changed).Empty());
+    Document without = full;
+    CopyParts(changed, AllParts().Without(*part), without);
+    CHECK(DifferingParts(without, full).Empty());
+  }
+  CHECK(fields > 80);
+  CHECK(seen.size() == kPartCount);
+}
+
+TEST_CASE("parts: every key of a document's JSON belongs to one", "[document][parts]") {
+  const Document full = Full();
+  REQUIRE(Validate(full));
+  const auto json = ParseJson(EncodeJson(full));
+  REQUIRE(json);
+  std::set<std::string> unknown;
+  for (const std::string& name : json->names) {
+    if (!ExpectedParts().contains(name)) unknown.insert(name);
+  }
+  CHECK(unknown == std::set<std::string>{});
+  CHECK(json->names.size() > 10);
+}
+
+TEST_CASE("parts: two documents differ in no part exactly when they are encoded alike", "[document][parts]") {
+  const Document full = Full();
+  Document other = full;
+  other.start.drop_height_m = -0.0f;  // 0 is the standard, and is not written
+  CHECK(EncodeBinary(other) == EncodeBinary(full));
+  CHECK(DifferingParts(other, full).Empty());
+  Document blank;
+  CopyParts(full, AllParts(), blank);
+  CHECK(EncodeBinary(blank) == EncodeBinary(full));
+  CHECK(DifferingParts(blank, Document{}) == DifferingParts(full, Document{}));
+  CopyParts(Document{}, AllParts().Without(Part::kTitle), blank);
+  CHECK(blank.title == "Full");
+  CHECK(DifferingParts(blank, Document{}) == Parts(Part::kTitle));
+}
+
+TEST_CASE("parts: controllers behave alike whatever they are called", "[document][parts]") {
+  const Controller one = Full().controllers[0];
+  Controller other = one;
+  other.name = "Another";
+  CHECK(SameBehaviour(one, other));
+  ++other.genes.front();
+  CHECK_FALSE(SameBehaviour(one, other));
+}
+
+}  // namespace gaitsmith
