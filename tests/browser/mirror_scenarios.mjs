@@ -60,7 +60,7 @@ async function assertMirrored(page, where) {
 
 /** @param {Visit} visit */
 async function equal({ browser, address, name }) {
-  const page = await PageDriver.open(browser, address);
+  const page = await PageDriver.open(browser, address, { plays: true });
   await page.page.focus('canvas');
   await page.press(' ');
   const phone = name === 'Chromium'; // Firefox's window cannot be made so small
