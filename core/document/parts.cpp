@@ -3,7 +3,6 @@
 
 #include <array>
 #include <bit>
-#include <type_traits>
 
 #include "core/document/schema.h"
 
@@ -121,19 +120,20 @@ class Contents {
   Parts wanted;
 
   template <class Value>
-  void Field(Part part, const Value& value, const Value& standard) {
-    if constexpr (std::is_same_v<Value, std::string>) {
-      Put(part, value.size());
-      for (const char c : value) Put(part, static_cast<unsigned char>(c));
-    } else if constexpr (std::is_same_v<Value, std::optional<std::uint64_t>>) {
-      Put(part, value.has_value() ? 1 : 0);
-      Put(part, value.value_or(0));
-    } else if constexpr (std::is_same_v<Value, float>) {
-      // -0 is not written where the standard is 0.
-      Put(part, std::bit_cast<std::uint32_t>(value == standard ? standard : value));
-    } else {
-      Put(part, static_cast<std::uint64_t>(value));
-    }
+  void Field(Part part, const Value& value, const Value&) {
+    Put(part, static_cast<std::uint64_t>(value));
+  }
+  void Field(Part part, float value, float standard) {
+    // -0 is not written where the standard is 0.
+    Put(part, std::bit_cast<std::uint32_t>(value == standard ? standard : value));
+  }
+  void Field(Part part, const std::string& text, const std::string&) {
+    Put(part, text.size());
+    for (const char c : text) Put(part, static_cast<unsigned char>(c));
+  }
+  void Field(Part part, const std::optional<std::uint64_t>& hash, const std::optional<std::uint64_t>&) {
+    Put(part, hash.has_value() ? 1 : 0);
+    Put(part, hash.value_or(0));
   }
   template <class Item, class Fields>
   void List(Part part, std::vector<Item>& list, Fields fields) {

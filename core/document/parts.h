@@ -5,7 +5,7 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
+#include <utility>  // has std::initializer_list
 
 #include "core/document/document.h"
 

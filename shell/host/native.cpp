@@ -168,7 +168,7 @@ class Desktop {
       window_.RequestFrame();
     }
     for (const TransitionPart& part : host_.TakeTransitions()) {
-      app_.State().OnTransitions(part);
+      app_.State().Timeline().Transitions().OnScores(part);
       window_.RequestFrame();
     }
     if (const std::string title = host_.WindowTitle(); title != title_) window_.SetTitle(title_ = title);
@@ -194,7 +194,7 @@ class Desktop {
     return path;
   }
   void Tell(const std::string& sentence) {
-    app_.State().notice = sentence;
+    app_.State().Notice() = sentence;
     host_.Status(sentence);
   }
 

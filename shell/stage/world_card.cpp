@@ -100,15 +100,15 @@ void DrawPushes(Ui& ui, Session& session, WorldCardState& state) {
 }
 
 // What searches have found for these rods, the newest first.
-std::vector<const FoundMotions::Entry*> Rivals(const Session& session) {
+std::vector<const FoundMotions::Entry*> ComparableMotions(const Session& session) {
   constexpr std::size_t kMost = 12;  // a list that a phone can show
-  std::vector<const FoundMotions::Entry*> rivals;
+  std::vector<const FoundMotions::Entry*> motions;
   for (const FoundMotions::Entry* entry : session.Results().Motions().Sorted(FoundMotions::Order::kNewest)) {
-    if (rivals.size() == kMost) break;
+    if (motions.size() == kMost) break;
     if (entry->motion.Moves() && SameTree(entry->motion.document.figure, session.Doc().figure))
-      rivals.push_back(entry);
+      motions.push_back(entry);
   }
-  return rivals;
+  return motions;
 }
 
 struct GhostChoice {
@@ -133,7 +133,7 @@ std::vector<GhostChoice> GhostChoices(const Session& session, int& chosen) {
                        .found_id = {}});
     ++index;
   }
-  for (const FoundMotions::Entry* entry : Rivals(session)) {
+  for (const FoundMotions::Entry* entry : ComparableMotions(session)) {
     const Controller& controller = entry->motion.document.controllers.back();
     choices.push_back({.words = Fixed(entry->motion.Score(), 2) + " · " +
                                 ControlModeWords(controller.kind, controller.senses),

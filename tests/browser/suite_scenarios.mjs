@@ -162,7 +162,6 @@ async function byMouse(page) {
   };
   const shuffle = await cardOf(page, 'Shuffle');
   await hand.press(shuffle);
-  await page.press(' '); // it stands still
   await drop('Cartwheel', 260);
   assert.deepEqual(await borders(page), [0, 260, 660, 900]);
   await moveBorder(page, 2, 690);
