@@ -9,7 +9,7 @@ namespace gaitsmith {
 
 namespace {
 
-// What acts on the figure at every step.
+// Compares everything that acts on the figure at every step.
 bool SameScene(const Document& a, const Document& b) {
   const auto bare = [](const Document& d) {
     Document scene;
@@ -31,7 +31,7 @@ bool SamePush(const Push& a, const Push& b) {
          a.impulse_y_ns == b.impulse_y_ns;
 }
 
-// The least step of two lists, sorted by step, from where they differ; kMaxSteps: nowhere.
+// The first step at which two lists, sorted by step, differ. kMaxSteps if they are equal.
 template <class Item, class Same, class StepOf>
 int FirstDifference(const std::vector<Item>& a, const std::vector<Item>& b, Same same, StepOf step_of) {
   const auto [x, y] = std::mismatch(a.begin(), a.end(), b.begin(), b.end(), same);

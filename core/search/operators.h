@@ -18,8 +18,8 @@ namespace gaitsmith {
 /// How random banks are created and perturbed. The paper leaves both open. These numbers determine whether
 /// rules ever switch.
 struct Variation {
-  float dont_care =
-      0.8f;  // chance that a rule ignores a physical sense, [0, 1]; with none ignored no rule ever fires
+  /// Chance that a rule ignores a physical sense, [0, 1]. At 0 no rule ever matches.
+  float dont_care = 0.8f;
   float gene_chance = 0.1f;  // chance that one gene of a perturbed bank changes, (0, 1]
   float creep = 0.1f;        // standard deviation of a change, as a share of the gene's range, (0, 1]
   float redraw = 0.05f;      // chance that a component is redrawn instead of perturbed, [0, 1]

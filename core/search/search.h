@@ -63,8 +63,8 @@ enum class Covariance {
 };
 inline constexpr std::array<std::string_view, 3> kCovarianceNames = {"automatic", "full", "separable"};
 inline constexpr int kMostFullGenes = 128;  // limit of the automatic choice; Star-Man's timer banks have 70
-inline constexpr std::size_t kMostCovarianceGenes =
-    600;  // of a full covariance at all: 600^2 numbers are 3 MB
+/// Limit for any full covariance: 600^2 numbers are 3 MB.
+inline constexpr std::size_t kMostCovarianceGenes = 600;
 
 enum class CmaGenes {
   kCared,  // intervals that the run's first genome ignores stay ignored
