@@ -43,7 +43,7 @@ macro(fault text)
   string(APPEND faults "\n${text}")
 endmacro()
 
-# Calls found(...) for each room that a file depends on.
+# Sets `result` to the room that contains a path, or to nothing.
 function(room_of path rooms result)
   set(${result} "" PARENT_SCOPE)
   foreach(room IN LISTS rooms)
