@@ -1,6 +1,6 @@
-# What ./dev lint and ./dev test check. Sourced by ./dev.
+# The checks of ./dev lint and ./dev test. Sourced by ./dev.
 
-# Tracked files and those about to be; a file deleted but not yet staged is left out.
+# Tracked files and new ones, except ignored and deleted files.
 our_files() {
   git ls-files --cached --others --exclude-standard -- "$@" | while read -r file; do
     if [ -f "$file" ]; then echo "$file"; fi
@@ -14,7 +14,7 @@ check_types() {
   web/node_modules/.bin/tsc --project web/tsconfig.json
 }
 
-# Nothing in the repository may name a package registry or a folder of the machine it was written on.
+# The repository must not contain names of package registries or of folders on the developer's machine.
 check_leaks() {
   local found
   found=$(our_files ':!.dev/checks.sh' | xargs -r grep -nIE \
@@ -30,7 +30,7 @@ lint() {
   say "lint is clean"
 }
 
-# Replays the golden and the shipped motions bit for bit:   replay_motions <name> <gaitsmith, as it is called...>
+# Replays the golden and the shipped motions bit for bit: replay_motions <name> <command that runs gaitsmith...>
 replay_motions() {
   local name=$1 document; shift
   for document in tests/golden/motions/*.json examples/*.json examples/gallery/*.json examples/lessons/*.json; do
@@ -39,8 +39,8 @@ replay_motions() {
   done
 }
 
-# Every compiler and optimisation level replays them, in every lane count, and the command line keeps its contract there. The
-# build of the tests is gcc -O1, release gcc -O3, and the linter's clang -O0.
+# Replays them with every compiler, optimisation level and lane count, and checks the command line's contract there. The
+# tests are built with gcc -O1, release with gcc -O3, and the linter with clang -O0.
 check_determinism() {
   local name compiler flags
   while read -r name compiler flags; do
@@ -65,7 +65,7 @@ gcc-O3-avx2 g++ -O3 -march=x86-64-v3
 MATRIX
 }
 
-# Another processor, for as long as qemu's user mode, thirty times slower, takes for every motion and a few short searches.
+# Another processor: every motion and a few short searches, because qemu's user mode is thirty times slower.
 check_aarch64() {
   local search here there qemu=(qemu-aarch64-static build/aarch64/shell/gaitsmith)
   command -v apt-get >/dev/null || leave_out "no apt here: aarch64 under qemu is left out"
@@ -83,7 +83,8 @@ check_aarch64() {
   done
 }
 
-# Threads are only in the native program: ThreadSanitizer watches whatever uses them, and the command line's whole contract.
+# Only the native program has threads. ThreadSanitizer checks all code that uses them, and the command line's whole
+# contract.
 check_threads() {
   cmake -G Ninja -B build/threads -DCMAKE_UNITY_BUILD=ON -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER="clang++-$LLVM" \
     -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g -fsanitize=thread" >/dev/null
@@ -92,7 +93,7 @@ check_threads() {
   tests/command_line/contract_test.sh build/threads/shell/gaitsmith .
 }
 
-# Where time cannot be trusted, instructions can.
+# Counts instructions, because times vary from run to run.
 check_instructions() {
   setup_measures
   cmake --preset release >/dev/null
@@ -100,7 +101,7 @@ check_instructions() {
   tests/bench/instruction_guard.sh build/release/tests/bench/instructions
 }
 
-# Links, anchors, pictures, HTML and search of the book beside the built page; then the book in Chromium.
+# Links, anchors, pictures, HTML and search of the book in the built page, then the book in Chromium.
 check_book() {
   GAITSMITH_SITE=build/site node --test tests/web/book.test.mjs
   node tests/browser/book.mjs
@@ -109,15 +110,15 @@ check_book() {
 check_browsers() { node tests/browser/run.mjs; }
 main_scenarios() { BROWSER=chromium node tests/browser/run.mjs build/site --main; }
 
-# Long enough to see a leak; ./dev soak takes its time.
+# Long enough to see a leak. ./dev soak runs longer.
 check_soak() { node tests/browser/soak.mjs 120; }
 
-# What this machine cannot do is neither passed nor failed.
+# Exit status of a stage that this machine cannot run: neither passed nor failed.
 LEFT_OUT=77
 leave_out() { say "$*"; exit $LEFT_OUT; }
 
-# What each stage came to, a line each: "<seconds> <passed|left-out|failed> <name>". A stage stops at its first failure; the
-# later stages still run.
+# The result of each stage, one line per stage: "<seconds> <passed|left-out|failed> <name>". A stage stops at its first
+# failure. The later stages still run.
 RESULTS=build/test-results.txt
 stage() {
   local name=$1 start=$SECONDS status=0 result; shift
@@ -132,7 +133,7 @@ stage() {
   printf '######## %s: %s, %d s\n' "$name" "$result" $((SECONDS - start))
 }
 
-# Fails with how much each stage took, and on how many stages passed.
+# Prints each stage's time and the number of passed stages. Fails if a stage failed.
 summary() {
   local passed left_out failed
   passed=$(grep -c ' passed ' "$RESULTS" || true)
@@ -152,7 +153,7 @@ begin_stages() {
   stage "set-up of the browsers" setup_browsers
 }
 
-# What needs the built page mostly waits, so it runs beside the compilers.
+# Stages that need the built page mostly wait, so they run in parallel with the compilers.
 page_stages() {
   stage book check_book
   stage browsers check_browsers
@@ -180,7 +181,7 @@ test_everything() {
   summary
 }
 
-# Between two commits: what most mistakes show up in.
+# For use between two commits: the checks that find most mistakes.
 test_quickly() {
   begin_stages
   stage format check_format

@@ -1,18 +1,18 @@
-# Third-party code: Eigen for everyone, and SDL2, imgui and catch2 when Gaitsmith is the project being built.
-# After ./dev setup the sources lie in .toolchain; elsewhere CMake fetches the same releases.
+# Third-party code: Eigen always, and SDL2, imgui and catch2 if Gaitsmith is the main project. After ./dev setup the
+# sources are in .toolchain. Otherwise CMake fetches the same releases.
 include(FetchContent)
 if(EXISTS "${CMAKE_CURRENT_LIST_DIR}/../.toolchain/deps.cmake")
   include("${CMAKE_CURRENT_LIST_DIR}/../.toolchain/deps.cmake")
 endif()
 
-# Takes a library's sources without its own build: SOURCE_SUBDIR names a folder that has no CMakeLists.txt.
+# Fetches a library's sources without its own build: SOURCE_SUBDIR names a folder without CMakeLists.txt.
 function(gaitsmith_fetch name repository tag)
   FetchContent_Declare(${name} GIT_REPOSITORY ${repository} GIT_TAG ${tag} GIT_SHALLOW ON SOURCE_SUBDIR none)
   FetchContent_MakeAvailable(${name})
   set(${name}_SOURCE_DIR "${${name}_SOURCE_DIR}" PARENT_SCOPE)
 endfunction()
 
-# Code that is not ours is built only when linked, and neither warned about, nor linted, nor stepped through.
+# Third-party code is built only if linked, without warnings, linting or debug stepping.
 function(gaitsmith_foreign target)
   set_target_properties(${target} PROPERTIES CXX_CLANG_TIDY "" EXCLUDE_FROM_ALL ON)
   target_compile_options(${target} PRIVATE -w -g0)
@@ -28,8 +28,8 @@ if(NOT PROJECT_IS_TOP_LEVEL)
   return()
 endif()
 
-# SDL2: Emscripten's port for WASM, the system's package natively; none for another processor, where only the command line
-# and the tests of core are built.
+# SDL2: Emscripten's port for WASM, the system's package natively. None for another processor, where only the command
+# line and the tests of core are built.
 add_library(SDL2 INTERFACE)
 if(EMSCRIPTEN)
   target_compile_options(SDL2 INTERFACE -sUSE_SDL=2)
@@ -59,7 +59,7 @@ target_link_libraries(imgui PUBLIC SDL2)
 if(EMSCRIPTEN)
   target_compile_definitions(imgui PUBLIC IMGUI_IMPL_OPENGL_ES3)
   target_compile_options(imgui PRIVATE -Oz)
-  # They are shell/host/webgl_state.cpp's: see there.
+  # shell/host/webgl_state.cpp defines and explains these functions.
   set_source_files_properties("${imgui_SOURCE_DIR}/backends/imgui_impl_opengl3.cpp" PROPERTIES
     COMPILE_DEFINITIONS "glGetIntegerv=gaitsmith_webgl_state;glGenVertexArrays=gaitsmith_webgl_vertex_array;glDeleteVertexArrays=gaitsmith_webgl_keep")
   target_link_options(imgui INTERFACE -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2)
@@ -67,7 +67,7 @@ elseif(NOT CMAKE_CROSSCOMPILING)
   target_link_libraries(imgui PUBLIC OpenGL::GL ${CMAKE_DL_LIBS})
 endif()
 
-# Catch2 with its main, and catch_discover_tests. It throws, so on WASM its users must enable exceptions too.
+# Catch2 with its main, and catch_discover_tests. It throws exceptions, so its users must enable them on WASM.
 gaitsmith_fetch(catch2 https://github.com/catchorg/Catch2.git v3.7.1)
 add_library(catch2 STATIC "${catch2_SOURCE_DIR}/extras/catch_amalgamated.cpp")
 gaitsmith_foreign(catch2)

@@ -1,22 +1,22 @@
-# Gets what the build needs and nothing else: system packages by apt, the WASM toolchain and the library
-# sources into .toolchain/, node packages into web/node_modules. Sourced by ./dev; safe to run again.
+# Installs what the build needs: system packages by apt, the WASM toolchain and the library sources into .toolchain/,
+# node packages into web/node_modules. Sourced by ./dev. Can be run again at any time.
 
-# Every pinned version that no lock file holds. Library tags for machines without the Debian sources are in
+# Every pinned version without a lock file. The library tags for machines without the Debian sources are in
 # .dev/libraries.cmake and must name the same releases.
 LLVM=19                 # clang, lld, clang-format, clang-tidy
 SUITE=trixie            # the Debian release whose Emscripten and library sources are used
-EMSCRIPTEN=3.1.69       # in that suite
+EMSCRIPTEN=3.1.69       # its version in that suite
 EMSCRIPTEN_MIN=3.1.69   # oldest emcc accepted from PATH or $EMSDK
 IMGUI=1.90.1 CATCH2=3.7.1 EIGEN=3.4.0 SDL2=2.32.4
-ACORN=8.15.0            # Emscripten's optimiser imports it; Debian does not pack it as an ES module
-LIGHTHOUSE=11.7.1       # the last one that knows of installable pages
+ACORN=8.15.0            # imported by Emscripten's optimiser; Debian's package is not an ES module
+LIGHTHOUSE=11.7.1       # the last version that checks installable pages
 NODE_MIN=18
 PACKAGES=(build-essential cmake ninja-build git python3 clang-$LLVM lld-$LLVM llvm-$LLVM clang-format-$LLVM
           clang-tidy-$LLVM libclang-rt-$LLVM-dev patchelf libsdl2-dev libgl-dev libbenchmark-dev
-          doxygen  # reads core's comments for the reference
-          parallel) # the documented way to spread a study is tested
+          doxygen  # makes the reference from core's comments
+          parallel) # tests the documented way to distribute a study
 BROWSERS=(chromium firefox-esr xvfb xauth)
-MEASURES=(valgrind libbox2d-dev) # instruction counts; the engine that ours is compared with
+MEASURES=(valgrind libbox2d-dev) # instruction counts; the engine for comparison
 AARCH64=(g++-aarch64-linux-gnu qemu-user-static) # another processor, for determinism
 
 T=$ROOT/.toolchain
@@ -25,7 +25,7 @@ LOG=$T/setup.log
 say() { printf '== %s\n' "$*"; }
 die() { printf '%s\n' "$*" >&2; exit 1; }
 
-# Runs a command with its output in the log and a sign of life: seconds on a terminal, else a dot each 5 s.
+# Runs a command with its output in the log and a progress display: seconds on a terminal, otherwise a dot every 5 s.
 working() {
   local what=$1 start=$SECONDS pid; shift
   printf '== %s ' "$what"
@@ -39,7 +39,7 @@ working() {
   if [ -t 1 ]; then echo; else printf ' %d s\n' $((SECONDS - start)); fi
 }
 
-# A step is done when its stamp holds the same text; the text names versions and, where it matters, the place.
+# A step is done if its stamp file has the same text. The text contains versions and, where needed, the folder.
 is_done() { [ "$(cat "$T/$1.ok" 2>/dev/null)" = "$2" ]; }
 mark_done() { printf '%s\n' "$2" >"$T/$1.ok"; }
 
@@ -60,7 +60,7 @@ apt_need() {
 emcc_version() { "$1" --version 2>/dev/null | sed -nE '1s/.* ([0-9]+\.[0-9]+\.[0-9]+).*/\1/p'; }
 at_least() { [ -n "$2" ] && printf '%s\n%s\n' "$1" "$2" | sort -V -C; }
 
-# An Emscripten of the user's own, if it is new enough. A system package has a cache nobody may write to.
+# The user's own Emscripten, if it is new enough. The cache of a system package is read-only.
 own_emscripten() {
   local emcc root
   for emcc in "${EMSDK:+$EMSDK/upstream/emscripten/emcc}" "$(command -v emcc || true)"; do
@@ -72,8 +72,8 @@ own_emscripten() {
   done
 }
 
-# A private view of another suite: the system's own sources, pins and package state stay as they are. The
-# mirror is the one this machine already uses.
+# A private apt view of another suite. The system's own sources, pins and package state do not change. It uses the
+# machine's present mirror.
 private_apt() {
   local d=$T/apt mirror keyring=/usr/share/keyrings/debian-archive-keyring.gpg kind
   APT=(-q -o Dir::State::lists="$d/lists" -o Dir::Cache="$d/cache" -o Dir::Etc::sourcelist="$d/sources.list"
@@ -93,7 +93,7 @@ unpack_emscripten() {
   rm -rf "$debs" "$root" "$lib" "$runtime"; mkdir -p "$debs" "$root" "$lib" "$runtime"
   (cd "$debs" && apt-get "${APT[@]}" download "emscripten=$EMSCRIPTEN*" binaryen libc6 libgcc-s1 libstdc++6)
 
-  # 1.5 GB of the package are prebuilt variants of its libraries that we never link.
+  # Leaves out 1.5 GB of prebuilt library variants that we never link.
   dpkg-deb --fsys-tarfile "$debs"/emscripten_*.deb | tar -x -C "$root" \
     --exclude='*/wasm32-emscripten/lto*' --exclude='*/wasm32-emscripten/pic' --exclude='*-mt*.a' --exclude='*-ww*.a' \
     --exclude='*-asan*.a' --exclude='*/libwasmfs*.a' --exclude='*/emscripten/test' --exclude='*/share/doc' \
@@ -101,7 +101,8 @@ unpack_emscripten() {
   dpkg-deb -x "$debs"/binaryen_*.deb "$root"
   for deb in "$debs"/lib*.deb; do dpkg-deb -x "$deb" "$runtime"; done
 
-  # Binaryen is the one native part, linked against a newer libc: it gets that suite's loader and libraries.
+  # Binaryen is the only native part. It is linked against a newer libc, so it gets the loader and libraries of that
+  # suite.
   for name in 'ld-linux-*.so.*' libc.so.6 libm.so.6 libstdc++.so.6 libgcc_s.so.1; do
     cp -L "$(find "$runtime" -name "$name" -print -quit)" "$lib"/
   done
@@ -140,7 +141,7 @@ source_of() { # Debian source package, version, folder
   mark_done "src-$3" "$2"
 }
 
-# Hands Emscripten's own SDL2 port its source from disk, so that -sUSE_SDL=2 needs no download.
+# Provides the source of Emscripten's own SDL2 port from disk, so that -sUSE_SDL=2 needs no download.
 build_sdl2() {
   local em=$1 cache=$1/cache folder url
   read -r folder url < <(python3 - "$em" <<'PYTHON'
@@ -202,7 +203,7 @@ setup() {
     die "set-up needs Emscripten $EMSCRIPTEN_MIN or newer: put emcc on PATH or set EMSDK, and run ./dev setup again"
   fi
 
-  # On Debian the libraries come from its source packages; elsewhere CMake fetches the same releases.
+  # On Debian the libraries come from its source packages. Elsewhere CMake fetches the same releases.
   rm -f "$T/deps.cmake"
   if is_debian; then
     source_of imgui "$IMGUI" imgui

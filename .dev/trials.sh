@@ -1,4 +1,4 @@
-# What ./dev can try beyond its tests, mostly for long: each goes on where it ended or is done in minutes. Sourced by ./dev.
+# Longer trials of ./dev beyond its tests. Each continues where it ended, or takes only minutes. Sourced by ./dev.
 
 soak() {
   setup_browsers
@@ -6,7 +6,7 @@ soak() {
   node tests/browser/soak.mjs $((60 * ${1:-30})) build/site "${@:2}"
 }
 
-# Golden links as they are sent, and what is in them between header and checksum.
+# Golden links as text, and their bytes between header and checksum.
 link_seeds() {
   local link number=0
   mkdir -p build/fuzz/links
@@ -17,8 +17,8 @@ link_seeds() {
   done
 }
 
-# Runs of ten minutes and more are a study: a line in docs/studies/fuzzing/runs.csv for each. Shorter ones than a minute
-# guard main, where luck should decide nothing: they draw the same numbers each time, beginning with no corpus of their own.
+# Runs of ten minutes or more are a study and add a line each to docs/studies/fuzzing/runs.csv. Runs shorter than a
+# minute guard main and must not depend on luck: they draw the same numbers each time and start without a corpus.
 fuzz() {
   local seconds=${1:-60} name log runs seed=0 corpus=build/fuzz/corpus
   shift || true
@@ -44,7 +44,7 @@ fuzz() {
   done
 }
 
-# Its findings are a study: docs/physics.md says what they mean.
+# Its findings are a study. docs/physics.md explains them.
 adversary() {
   local minutes=${1:-10}
   cmake --preset release
@@ -52,7 +52,7 @@ adversary() {
   build/release/tests/adversary/adversary --out docs/studies/adversary --evaluations 8000 --seeds 1000 --minutes "$minutes"
 }
 
-# Of the tests of core and shell and of the command line's contract together. Lines of templates count once.
+# Joint coverage of the tests of core and shell and of the command line's contract. Lines of templates count once.
 coverage() {
   local build=$ROOT/build/coverage report=build/coverage/report.txt
   cmake -G Ninja -B "$build" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER="clang++-$LLVM" \
@@ -71,7 +71,7 @@ coverage() {
   say "each file: $report"
 }
 
-# All pinned results on another processor, the forty searches included: a quarter of an hour.
+# All pinned results on another processor, including the forty searches. Takes a quarter of an hour.
 aarch64() {
   check_aarch64
   cmake --build build/aarch64 --target gaitsmith_tests
@@ -84,7 +84,7 @@ mutate() {
   node tests/mutation/run.mjs --shard "$shard" "$@"
 }
 
-# Two folders, because a path must not matter either, each with a set-up of its own.
+# Builds in two folders, because a path must not matter either, each with a separate setup.
 reproduce() {
   local twin
   for twin in one another-one; do

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The smallest program on core: a figure of two rods learns to travel.
+// The smallest program that uses core: a figure of two rods learns to travel.
 #include <cstdio>
 
 #include "core/document/document.h"

@@ -1,5 +1,5 @@
-# The rooms of core, and which rooms each may include beside itself. A room may only name rooms that stand above it, so
-# there are no circles. Fails on any other include between rooms, and on a folder of core that is not in the list.
+# The rooms of core, and the other rooms that each may include. A room may only name rooms before it in the list, so
+# there are no cycles. Fails on any other include between rooms, and on a folder of core that is not in the list.
 #   cmake -DROOT=<repository> -P core_rooms_test.cmake
 cmake_policy(VERSION 3.25)
 set(rooms

@@ -8,7 +8,7 @@
 
 namespace gaitsmith::test {
 
-/// Nothing bears on the ground in this frame.
+/// True if no endpoint bears load in this frame.
 inline bool InFlight(const Motion& motion, int frame) {
   for (int e = 0; e < motion.Bones().endpoints; ++e) {
     if (motion.Force(frame, e).y > 0.0f) return false;
@@ -16,7 +16,7 @@ inline bool InFlight(const Motion& motion, int frame) {
   return true;
 }
 
-/// Steps in a row without contact: the most there are from frame `first` to frame `last`.
+/// The longest run of frames without contact from frame `first` to frame `last`.
 inline int LongestFlight(const Motion& motion, int first, int last) {
   int longest = 0, flight = 0;
   for (int frame = first; frame <= last; ++frame) {

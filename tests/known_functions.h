@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Functions with known optima for searches, and small spaces to search them in.
+// Functions with known optima to test searches, and small search spaces.
 #pragma once
 
 #include <algorithm>
@@ -24,10 +24,10 @@ inline const SearchSpace kTiny{BankShape(1, SenseKind::kTimer, 2), Timer()};
 
 inline constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-// Functions over the unit cube, highest value 0.
+// Functions over the unit cube with maximum 0.
 
-/// Places the optimum off the corners and the middle, where intervals (the first genes of seven) are in
-/// order.
+/// Puts the optimum away from corners and middle, at a point where the ends of intervals (the first genes of
+/// seven) are in order.
 inline double Off(std::size_t gene, Gene value) { return value / 65535.0 - (gene % 7 % 2 == 0 ? 0.3 : 0.62); }
 
 inline float Sphere(std::span<const Gene> genome) {
@@ -36,7 +36,7 @@ inline float Sphere(std::span<const Gene> genome) {
   return static_cast<float>(-sum);
 }
 
-/// Sphere with valleys of different widths: condition 1e4.
+/// An ellipsoid with valleys of different widths: condition 1e4.
 inline float Ellipsoid(std::span<const Gene> genome) {
   double sum = 0.0;
   for (std::size_t i = 0; i < genome.size(); ++i) {
@@ -55,7 +55,7 @@ inline float Rastrigin(std::span<const Gene> genome) {
   return static_cast<float>(-sum);
 }
 
-/// A bent valley with its top where all of Off is 0.
+/// A bent valley with its maximum where all Off are 0.
 inline float Rosenbrock(std::span<const Gene> genome) {
   double sum = 0.0;
   const auto x = [&](std::size_t i) { return 1.0 + 5.0 * Off(i, genome[i]); };
@@ -65,7 +65,7 @@ inline float Rosenbrock(std::span<const Gene> genome) {
   return static_cast<float>(-sum);
 }
 
-/// Like onemax: counts genes in the upper half of their range.
+/// Similar to onemax: counts genes in the upper half of their range.
 inline float CountHigh(std::span<const Gene> genome) {
   return static_cast<float>(std::ranges::count_if(genome, [](Gene gene) { return gene > kGeneMax / 2; }));
 }

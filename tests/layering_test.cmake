@@ -1,10 +1,11 @@
-# Arrows point one way: shell, web, examples -> core -> Eigen, and web -> shell/export, which needs no window. Fails on any other include, and on words in core that
-# would bring in threads, clocks, files, printing, exceptions or the platform's own mathematics.
+# Dependencies go one way: shell, web, examples -> core -> Eigen, and web -> shell/export, which needs no window. Fails
+# on any other include, and on words in core that would bring in threads, clocks, files, printing, exceptions or the
+# platform's own mathematics.
 #   cmake -DROOT=<repository> -P layering_test.cmake
 cmake_policy(VERSION 3.25)
 set(faults "")
 
-# Headers of the standard library that core has a use for; whatever is not here is not allowed.
+# Headers of the standard library that core may include. All others fail.
 set(standard algorithm array bit charconv cmath concepts cstddef cstdint cstdlib expected functional initializer_list limits memory numeric optional
     span string string_view utility vector variant tuple type_traits map)
 
@@ -36,7 +37,7 @@ check_includes(shell/export "core;shell/export")
 check_includes(web "core;shell/export")
 check_includes(examples "core")
 
-# std::sin and friends round differently from one library to the next; the rest does not belong in core at all.
+# std::sin and similar functions round differently in different libraries. The other words do not belong in core at all.
 set(forbidden
     "std::(sin|cos|tan|asin|acos|atan|atan2|exp|exp2|log|log2|log10|pow|hypot|cbrt|fma|sinh|cosh|tanh|erf)[^a-z_0-9]"
     "[^a-z_0-9:.](sinf?|cosf?|expf?|powf?|logf?|atan2f?)\\("
@@ -46,7 +47,7 @@ set(forbidden
 file(GLOB_RECURSE files ${ROOT}/core/*.h ${ROOT}/core/*.cpp)
 foreach(file IN LISTS files)
   file(READ ${file} text)
-  string(REGEX REPLACE "//[^\n]*" "" text "${text}")  # prose may name what code must not
+  string(REGEX REPLACE "//[^\n]*" "" text "${text}") # comments may name what code must not use
   file(RELATIVE_PATH name ${ROOT} ${file})
   foreach(pattern IN LISTS forbidden)
     if(text MATCHES "${pattern}")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A lesson of docs/lessons as its tests read it: what it says, what it opens, its goal; and what lessons
-// measure of motions.
+// A lesson of docs/lessons for its tests: its text, documents and goal. Also the measurements that lessons
+// mention.
 #pragma once
 
 #include <map>
@@ -14,17 +14,17 @@ namespace gaitsmith::test {
 
 struct Lesson {
   std::map<std::string, std::string> fields;               // of the front matter
-  std::string text;                                        // outside of fences, blanks made one
-  std::string whole;                                       // with what stands in them
-  std::vector<std::string> links;                          // to documents, as paths of the repository
-  std::map<std::string, std::vector<std::string>> fences;  // by their word
+  std::string text;                                        // outside of fences, white space collapsed
+  std::string whole;                                       // including the text in fences
+  std::vector<std::string> links;                          // to documents, as paths in the repository
+  std::map<std::string, std::vector<std::string>> fences;  // by the word after the fence
   int words = 0;
 };
 
-/// @param name of its file, without the ending
+/// @param name of its file, without the extension
 Lesson LessonOf(const std::string& name);
 
-/// The lesson has this sentence, or part of one, which the next checks are about.
+/// Checks that the lesson contains a sentence, or part of one, which the next checks are about.
 void Says(const Lesson& lesson, const std::string& words);
 
 /// A document of examples/, e.g. "lessons/2-stuck-horse".
@@ -32,23 +32,23 @@ Document Shipped(const std::string& path);
 
 Terms TermsOf(const Document& document);
 
-/// What the playground ticks (web/page/goal_conditions.js), for the whole motion.
+/// Whether the whole motion meets a goal of the playground (web/page/goal_conditions.js).
 bool Meets(const std::string& goal, const Document& document);
 
 struct Found {
-  Document document;  // with the controller found as its one clip
+  Document document;  // with the found controller as its only clip
   Outcome outcome;
 };
 
-/// What the page finds with the document's settings and these.
+/// The result of the page's search with the document's settings and these.
 Found FindWith(Document document, Algorithm algorithm, std::uint32_t seed, int evaluations);
 
-/// The first moment at which the root rod leans by more than a radian, or the end of the motion [s].
+/// The first time at which the root rod leans by more than one radian, or the end of the motion [s].
 double ToppledAt(const Motion& motion);
 
 bool StaysUp(const Document& document);
 
-/// As it is written in a lesson: rounded, with so many decimals.
+/// Rounded to a number of decimals, as in a lesson.
 double Rounded(float value, int decimals);
 
 }  // namespace gaitsmith::test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A second plant, for tests: two masses that slide on the ground, and a muscle between them. It shares
-// nothing with articulated figures but the concept of rollout/plant.h.
+// A second plant for tests: two masses that slide on the ground, with a muscle between them. It has nothing
+// in common with articulated figures except the concept of rollout/plant.h.
 //
 //   muscle    pulls and pushes both masses with the same force, so that its length approaches the target,
 //             l'' = (target - l) / tau^2 - 2 l' / tau
@@ -14,7 +14,7 @@
 
 namespace gaitsmith::test {
 
-/// Made from a figure of one rod: its length is the muscle's at rest, and a third of its mass lies at its
+/// Made from a figure of one rod. The rod's length is the muscle's rest length. A third of its mass is at its
 /// start, the rest at its end.
 struct MuscleBody {
   explicit MuscleBody(const Figure& figure)
@@ -32,7 +32,7 @@ struct MuscleState {
   using F = typename Lane<W>::F;
   typename Lane<W>::D distance_m{};      // of the centre of mass, since the start
   F velocity_mps{};                      // of the centre of mass
-  F length_m{}, rate_mps{}, change_m{};  // of the muscle; change: in the last step
+  F length_m{}, rate_mps{}, change_m{};  // of the muscle; change is that of the last step
   std::array<F, 2> normal{}, tangent{};  // impulses of the ground in the last step [N s]
   F slip_m{};                            // path of both masses
   F height{}, rise{};                    // always 0: masses never leave the ground
@@ -45,7 +45,7 @@ class MusclePair {
 
  public:
   static constexpr int kLanes = W;
-  static constexpr int kModel = 1000;  // no document can name it
+  static constexpr int kModel = 1000;  // not a model of documents
   using Body = MuscleBody;
   using State = MuscleState<W>;
   using LaneState = MuscleState<1>;
@@ -74,7 +74,7 @@ class MusclePair {
     for (std::size_t i = 0; i < 2; ++i) state_.normal[i] = L::Splat(one.normal[i][0]);
   }
 
-  /// Only along the ground.
+  /// Only along the ground, because masses never leave it.
   void Give(const Push& push) {
     state_.velocity_mps += L::Splat(push.impulse_x_ns / body_.Mass());
     if (push.endpoint == kCentreOfMass) return;

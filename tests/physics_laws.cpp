@@ -29,7 +29,7 @@ const std::array<LawLimit, kLaws> kLawLimits = {{
 
 namespace {
 
-/// Rounding of a sum of single-precision numbers, as a share of what was added.
+/// Rounding error of a sum of single-precision numbers, as a share of the summands.
 constexpr double kRounding = 4.8e-7;  // 2^-21
 
 struct Vector {
@@ -43,7 +43,7 @@ struct Vector {
 };
 Vector Wide(Motion::Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
-/// One motion on trial.
+/// Judges one motion.
 class Trial {
  public:
   Trial(const Document& document, const Motion& motion)
@@ -62,7 +62,7 @@ class Trial {
       JudgeStep();
     }
     offences_.judged = frame_;
-    // What is a rate is judged against a second at least: one bad step is no bad second.
+    // Rates are judged over at least one second, so that one bad step does not count as a bad second.
     const double seconds = std::max(1.0, (frame_ - 1) * step_s_);
     Offend(Law::kStillGain, still_gain_ / seconds);
     Offend(Law::kGroundGain, ground_gain_ / seconds);
@@ -101,7 +101,7 @@ class Trial {
       Offend(Law::kAboveGround, -(static_cast<double>(f.y_m) + place.y) / reach_m_);
       Offend(Law::kPush, -force.y * step_s_ / mass_kg_);
       const double most = static_cast<double>(document_.environment.friction) * force.y;
-      // Impulses below the least normal float have few digits left to keep a share with.
+      // Impulses below the least normal float have too few digits for a relative comparison.
       const double least = static_cast<double>(std::numeric_limits<float>::min()) / step_s_;
       Offend(Law::kCone, (std::abs(force.x) - most) / std::max(std::abs(force.x), least));
     }
@@ -169,17 +169,18 @@ class Trial {
       Offend(Law::kMoment, (missing - rounding) / (ground_sum * (reach_m_ + way_m)));
     }
 
-    // Rounding of heights far above the ground and of great speeds is no work of anybody.
+    // Rounding errors of great heights and speeds do not count as work.
     const double rounding_j = kRounding * mass_kg_ *
                               (Velocity(last).Dot(Velocity(last)) + Velocity(frame_).Dot(Velocity(frame_)) +
                                gravity.Length() * (std::abs(Middle(frame_).y) + reach_m_));
     if (ground_sum > 0.0) {
-      // At the mean of the velocities before and after: those after, less half of what the ground changed.
+      // The mean of the velocities before and after: the velocities after, less half of what the ground
+      // changed.
       const Vector kick = ground + gravity * (mass_kg_ * step_s_);
       const double turned = spin_after - spin_before - given_moment;
       const double taken = 0.5 * kick.Dot(kick) / mass_kg_ + 0.5 * turned * turned / MiddleInertia();
       const double slack = kRounding * ground_sum / step_s_ * (std::abs(Middle(frame_).y) + reach_m_);
-      // Angular momentum that no impulse on an endpoint gave is the ground's as well.
+      // Angular momentum without an impulse on an endpoint counts as the ground's too.
       const double spin = (motion_.At(frame_).turn_rad - motion_.At(last).turn_rad) / step_s_;
       const double astray = spin * (turned - ground_moment);
       const double gained = ground_work + astray + lift_j - taken - rounding_j - slack;
@@ -203,14 +204,15 @@ class Trial {
     still_gain_ += std::max(0.0, gained / Scale());
   }
 
-  /// How far the figure was lifted out of the ground in this step [m].
+  /// Distance that the figure was lifted out of the ground in this step [m].
   [[nodiscard]] double Lift() const {
     const auto gravity = static_cast<double>(document_.environment.gravity_mps2);
     if (gravity > 1e-3) {
       const double slope = std::cos(static_cast<double>(document_.environment.slope_rad));
       return static_cast<double>(motion_.At(frame_).lifting_work_j) / (mass_kg_ * gravity * slope);
     }
-    // Lifting does no work there, but is seen: all other ways are the velocity's.
+    // Without gravity lifting does no work, but it is visible: every other displacement comes from the
+    // velocity.
     const double lift = Middle(frame_).y - Middle(frame_ - 1).y -
                         static_cast<double>(motion_.At(frame_).velocity_y_mps) * step_s_;
     const double rounding = kRounding * (std::abs(Middle(frame_).y) + reach_m_) + 1e-3 * step_s_ * step_s_;
@@ -226,7 +228,7 @@ class Trial {
     return true;
   }
 
-  /// What a gain of energy is measured against: M g l and the energy with which the figure came [J].
+  /// The scale for a gain of energy: M g l plus the figure's energy before the step [J].
   [[nodiscard]] double Scale() const {
     const Vector velocity = Velocity(frame_ - 1);
     const double spin = frame_ < 2
@@ -235,14 +237,14 @@ class Trial {
     return unit_j_ + 0.5 * mass_kg_ * velocity.Dot(velocity) + 0.5 * MiddleInertia() * spin * spin;
   }
 
-  /// An endpoint as the root rod sees it, from the centre of mass [m].
+  /// An endpoint in the root frame, relative to the centre of mass [m].
   [[nodiscard]] Vector Seen(int frame, int endpoint) const {
     const double turn = motion_.At(frame).turn_rad;
     const Vector place = Wide(motion_.Endpoint(frame, endpoint));
     return {std::cos(turn) * place.x + std::sin(turn) * place.y,
             std::cos(turn) * place.y - std::sin(turn) * place.x};
   }
-  /// About the centre of mass, of the shape in the middle of the step [kg m^2].
+  /// Inertia about the centre of mass, of the shape in the middle of the step [kg m^2].
   [[nodiscard]] double MiddleInertia() const {
     double inertia = 0.0;
     for (int rod = 0; rod < motion_.Bones().rods; ++rod) {

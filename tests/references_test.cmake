@@ -1,5 +1,5 @@
-# Every citation in a comment, such as [Catto 2005] or [Stewart Trinkle 1996], has its entry in docs/references.bib, under
-# the first name and the year; a standard such as [RFC 4648] under its number.
+# Every citation in a comment, such as [Catto 2005] or [Stewart Trinkle 1996], has its entry in docs/references.bib,
+# under the first name and the year. A standard such as [RFC 4648] has it under its number.
 #   cmake -DROOT=<repository> -P references_test.cmake
 cmake_policy(VERSION 3.25)
 file(READ ${ROOT}/docs/references.bib bibliography)

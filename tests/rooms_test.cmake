@@ -1,6 +1,5 @@
-# The rooms inside shell/ and web/, and which may use which: every room names only rooms above it here, so there is no circle and
-# no arrow back up. Fails on an include or import that is not in these tables, on a file outside all rooms, and on a room
-# that does not exist.
+# The rooms in shell/ and web/, and which rooms each may use: only rooms before it here, so there are no cycles. Fails
+# on an include or import that is not in these tables, on a file outside all rooms, and on a room that does not exist.
 #   cmake -DROOT=<repository> -P rooms_test.cmake
 cmake_policy(VERSION 3.25)
 
@@ -35,7 +34,8 @@ set(web_rooms
     "page: browser languages app access search storage share"
     "book: page"
     "package: search")
-# What these rooms must never include, whatever stands between: the session's tests run without a window.
+# Rooms that must never include a window's libraries, not even indirectly, because the session's tests run without a
+# window.
 set(windowless embedded search study export words session command_line)
 
 set(faults "")
@@ -43,7 +43,7 @@ macro(fault text)
   string(APPEND faults "\n${text}")
 endmacro()
 
-# Calls found for each arrow of a file: the rooms it reaches.
+# Sets `result` to the room that contains a path, or to nothing.
 function(room_of path rooms result)
   set(${result} "" PARENT_SCOPE)
   foreach(room IN LISTS rooms)
@@ -75,12 +75,12 @@ foreach(top shell web)
   list(FILTER files EXCLUDE REGEX "node_modules/")
   foreach(file IN LISTS files)
     room_of(${file} "${names}" room)
-    if(room STREQUAL "" AND NOT file STREQUAL "engine.js") # at the root for programs outside, which know its address
+    if(room STREQUAL "" AND NOT file STREQUAL "engine.js") # at the root, because programs outside know its address
       fault("${top}/${file} lies in no room")
     endif()
     if(file MATCHES "\\.(js|mjs)$")
       file(READ ${ROOT}/${top}/${file} text)
-      string(REGEX REPLACE "/\\*[^*]*\\*+([^/*][^*]*\\*+)*/" "" text "${text}") # types in comments draw no arrow
+      string(REGEX REPLACE "/\\*[^*]*\\*+([^/*][^*]*\\*+)*/" "" text "${text}") # types in comments are not dependencies
       string(REGEX MATCHALL "(from|import|import\\() ?'\\.[^']*'" arrows "${text}")
     else()
       file(STRINGS ${ROOT}/${top}/${file} arrows REGEX "^[ \t]*#[ \t]*include")

@@ -16,7 +16,7 @@ namespace gaitsmith::test {
 namespace {
 const std::filesystem::path kRoot = GAITSMITH_SOURCE_DIR;
 
-/// The paths of a folder's documents inside the repository, sorted.
+/// The paths of a folder's documents in the repository, sorted.
 std::vector<std::string> DocumentsIn(const std::string& folder) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(kRoot / folder)) {

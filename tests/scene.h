@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Figures, controllers and documents that tests share. Scenes are the files of examples/: written once, used
-// everywhere.
+// Figures, controllers and documents that tests share. Scenes are the files of examples/, so that they are
+// written only once.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace gaitsmith::test {
 
-/// The whole file, by its path inside the repository.
+/// The content of a file, by its path in the repository.
 std::string ReadFile(const std::string& path);
 
 /// A figure of examples/figures, e.g. "mr-star-man".
@@ -25,23 +25,23 @@ Figure LyingRod();
 /// A figure with random limbs: 2 to 8 rods, lengths 0.3 to 1.2 m, masses 0.2 to 2 kg, any rest angles.
 Figure RandomFigure(std::uint64_t seed);
 
-/// A controller with one rule that cares about nothing: it drives every joint to one pose for ever.
+/// A controller with one rule that ignores all senses, so it drives every joint to one pose for ever.
 Controller HoldPose(const Figure& figure, const std::vector<float>& target_rad, float tau_s);
 
 /// A random bank of ten rules.
 Controller RandomController(const Figure& figure, const SenseSpec& senses, std::uint64_t seed);
 
-/// All golden documents of tests/golden/motions, sorted by name.
+/// The names of all golden documents of tests/golden/motions, sorted.
 std::vector<std::string> GoldenMotions();
 
 /// The documents of examples/, of its gallery and of its lessons, each sorted by name.
 std::vector<std::string> ShippedDocuments();
-/// Those of the gallery alone.
+/// Only the documents of the gallery.
 std::vector<std::string> GalleryDocuments();
-/// Those of the lessons alone.
+/// Only the documents of the lessons.
 std::vector<std::string> LessonDocuments();
 
-/// Search settings and problem of Mr. Star-Man's travel.
+/// Problem and search settings of Mr. Star-Man's travel.
 Document StarManTravel(SenseKind senses);
 
 /// Mr. Star-Man with two random controllers of physical senses: 2.3 s, then 3 s.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs a search, on physics or on a function in its place, and keeps what came of it.
+// Runs a search, on physics or on a test function, and keeps its results.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ struct Outcome {
   int told = 0;
 };
 
-/// @param score  of a list of genomes, the fitness of each
+/// @param score returns the fitness of each genome of a list
 template <class Scorer>
 Outcome RunInBatches(Search& search, int wanted, Scorer score) {
   Outcome outcome;
@@ -45,7 +45,7 @@ Outcome Run(Search& search, int wanted, Function function) {
   });
 }
 
-/// The search that a document asks for, with physics. @param document valid
+/// Runs the search of a document with physics. @param document must be valid
 inline Outcome RunSearchOf(const Document& document) {
   const auto search = MakeSearch(document.search, SpaceOf(document));
   const Evaluator evaluator(ProblemOf(document));

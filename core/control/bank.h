@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// W decoded stimulus-response banks side by side, and the choice of the active rule in every lane.
+// W decoded stimulus-response banks side by side, and the choice of the active rule in each lane.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ class Bank {
 
  public:
   /// @param genomes 1 to W of them, all of this shape; missing lanes repeat the last one
-  /// @param ports   shape.joints actuators
+  /// @param ports with shape.joints actuators
   /// @param step_s  time step, for the decay of responses
   Bank(const BankShape& shape, const SenseSpec& senses, std::span<const std::span<const Gene>> genomes,
        const Ports& ports, float step_s)
@@ -47,15 +47,15 @@ class Bank {
   [[nodiscard]] const SenseSpec& Senses() const { return senses_; }
   [[nodiscard]] int Rules() const { return shape_.rules; }
 
-  /// The rule whose stimulus holds the senses deepest; the present one where none holds them. Equal depths go
-  /// to the rule that comes first.
+  /// The rule whose stimulus contains the senses with the greatest depth. The present rule stays active if no
+  /// stimulus contains them. Of rules with equal depth the first one wins.
   [[nodiscard]] I Choose(const SenseVector<W>& senses, I present) const {
     I chosen = present;
     F least = L::Splat(kJustOutside);
     I number{};
     const Interval* interval = intervals_.data();
     for (std::size_t rule = 0; rule < static_cast<std::size_t>(shape_.rules); ++rule) {
-      F off{};  // how far the senses lie from the middle of the stimulus: 1 - depth
+      F off{};  // distance from the middle of the stimulus: 1 - depth
       for (const Interval* end = interval + intervals_of_[rule]; interval != end; ++interval) {
         const F sense = senses[interval->sense];
         off = L::Max(L::Abs(sense - interval->middle) * interval->inverse_half_width, off);
@@ -67,8 +67,8 @@ class Bank {
     return chosen;
   }
 
-  /// What Choose compares, number by number: tells (rule, sense, off) of every interval that this lane's
-  /// rules care about, in their order; off = |S - mid| / half-width, at most 1 inside.
+  /// The numbers that Choose compares. Calls back with (rule, sense, off) for every interval that this lane's
+  /// rules use, in order. off = |S - mid| / half-width, at most 1 inside the interval.
   template <class Told>
   void Measure(const SenseVector<W>& senses, int lane, Told told) const {
     const Interval* interval = intervals_.data();
@@ -82,15 +82,15 @@ class Bank {
     }
   }
 
-  /// The rules that a timer chooses at a phase: a function of that alone, so it is tabled; -1 where no
-  /// stimulus holds it and the present rule stays. Only for banks with a timer.
+  /// The rules that a timer chooses at a phase, from a table, because they depend on the phase alone. -1 if
+  /// no stimulus contains the phase, so that the present rule stays active. Only for banks with a timer.
   /// @param phase step within the period, [0, period_steps)
   [[nodiscard]] const I& ChoiceAt(int phase) const { return choice_at_[static_cast<std::size_t>(phase)]; }
 
-  /// Senses, and finds the rule that acts in every lane.
+  /// Reads the senses and chooses the active rule of each lane.
   /// @param steps   since the bank took over
-  /// @param senses  out: what the bank feels
-  /// @param present the rules that acted until now
+  /// @param senses  out: the senses that the bank reads
+  /// @param present the rules active so far
   [[nodiscard]] I Decide(const Readings<W>& readings, int steps, const I& present,
                          SenseVector<W>& senses) const {
     if (senses_.kind == SenseKind::kTimer) {
@@ -103,7 +103,7 @@ class Bank {
     return Choose(senses, present);
   }
 
-  /// What one lane's rule asks of its actuators.
+  /// Writes the response of one lane's rule to the targets.
   void Respond(int rule, int lane, ActuatorTargets<W>& targets) const {
     const auto r = static_cast<std::size_t>(rule);
     const auto joints = static_cast<std::size_t>(shape_.joints);
@@ -115,16 +115,16 @@ class Bank {
   }
 
  private:
-  /// The least number above 1: a stimulus holds what lies on its border.
+  /// The smallest float above 1, so that a stimulus includes its border.
   static constexpr float kJustOutside = 1.00000011920928955078125f;
 
   struct Interval {
     F middle;
-    F inverse_half_width;  // 0 in lanes that do not care: never the furthest off
+    F inverse_half_width;  // 0 in lanes that do not use this sense, so that it is never the largest distance
     std::size_t sense;
   };
 
-  /// As Choose, but rule by rule over the phases that it can hold, lane by lane.
+  /// Computes the same as Choose, lane by lane and rule by rule, over the phases that each rule can contain.
   void TableChoices() {
     const int period = senses_.period_steps;
     choice_at_.assign(static_cast<std::size_t>(period), I{} - 1);
@@ -133,14 +133,14 @@ class Bank {
       least.assign(least.size(), kJustOutside);
       const Interval* interval = intervals_.data();
       for (int rule = 0; rule < shape_.rules; ++rule) {
-        // No interval at all: no lane cares.
+        // Without an interval, no lane uses the timer.
         const bool stored = intervals_of_[static_cast<std::size_t>(rule)] > 0;
         const float middle = stored ? interval->middle[lane] : 0.0f;
         const float inverse = stored ? interval->inverse_half_width[lane] : 0.0f;
         if (stored) ++interval;
         int first = 0, end = period;
         if (inverse > 0.0f) {
-          // One phase more on either side than the interval holds, so that rounding here decides nothing.
+          // One phase more on either side than the interval contains, so that rounding here has no effect.
           first = std::max(0, static_cast<int>((middle - 1.0f / inverse) * static_cast<float>(period)) - 1);
           end =
               std::min(period, static_cast<int>((middle + 1.0f / inverse) * static_cast<float>(period)) + 2);
@@ -176,7 +176,7 @@ class Bank {
     Interval interval{F{}, F{}, static_cast<std::size_t>(sense)};
     bool any_cares = false;
     const auto [edge_low, edge_high] = EdgesOf(senses_.kind);
-    // Half a grid cell: a stimulus of one point is still a point that can be hit.
+    // Half a grid cell, so that a stimulus of a single point can still be matched.
     const float least_half_width = (edge_high - edge_low) * (0.5f / 65535.0f);
     for (int lane = 0; lane < W; ++lane) {
       const auto& genes = genomes[std::min(static_cast<std::size_t>(lane), genomes.size() - 1)];
@@ -195,9 +195,9 @@ class Bank {
   SenseSpec senses_;
   BankShape shape_;
   SenseReader<W> reader_;
-  std::vector<Interval> intervals_;  // of all rules in turn, only those that some lane cares about
+  std::vector<Interval> intervals_;  // of all rules in order, only those that some lane uses
   std::array<std::size_t, kMaxRules> intervals_of_{};
-  std::vector<I> choice_at_;    // (period_steps), with a timer
+  std::vector<I> choice_at_;    // (period_steps), only with a timer
   std::vector<F> targets_;      // [rad] (rules x joints)
   std::vector<F> decay_;        // (rules)
   std::vector<F> inverse_tau_;  // [1/s] (rules)

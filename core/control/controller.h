@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Controllers of either kind: banks of stimulus-response rules and sensor-actuator networks.
+// Controllers of both kinds: banks of stimulus-response rules and sensor-actuator networks.
 #pragma once
 
 #include <string>
@@ -16,10 +16,10 @@ enum class ControllerKind {
 /// Names on the command line and in documents.
 inline constexpr std::array<std::string_view, 2> kControllerKindNames = {"rules", "network"};
 
-/// Where each number of a controller stands in its genome, whatever its kind.
+/// The position of each number of a controller in its genome, for both kinds.
 class ControllerShape {
  public:
-  // NOLINTNEXTLINE(google-explicit-constructor): whoever has a bank's shape has this
+  // NOLINTNEXTLINE(google-explicit-constructor): a bank's shape is a controller's shape
   ControllerShape(const BankShape& bank) : bank_(bank), network_(1, {0, 0}) {}
 
   /// @param units rules of a bank or hidden nodes of a network, [1, kMaxRules]
@@ -27,15 +27,16 @@ class ControllerShape {
       : kind_(kind), bank_(units, senses, ports), network_(units, ports) {}
 
   [[nodiscard]] ControllerKind Kind() const { return kind_; }
-  [[nodiscard]] const BankShape& Bank() const { return bank_; }           // of rules
-  [[nodiscard]] const NetworkShape& Network() const { return network_; }  // of a network
+  [[nodiscard]] const BankShape& Bank() const { return bank_; }           // only for rules
+  [[nodiscard]] const NetworkShape& Network() const { return network_; }  // only for a network
   [[nodiscard]] std::size_t Genes() const { return Begin(Components()); }
 
-  /// What crossover exchanges as a whole and a mutation draws anew: a bank's rules, a network's nodes.
+  /// Number of components, which crossover exchanges as a whole and a mutation draws anew: a bank's rules, a
+  /// network's nodes.
   [[nodiscard]] int Components() const {
     return kind_ == ControllerKind::kNetwork ? network_.Nodes() : bank_.rules;
   }
-  /// The first gene of a component; of Components(), the number of all genes.
+  /// The first gene of a component. Begin(Components()) is the number of all genes.
   [[nodiscard]] std::size_t Begin(int component) const {
     if (kind_ == ControllerKind::kNetwork) return network_.Node(component);
     return static_cast<std::size_t>(component) * static_cast<std::size_t>(bank_.GenesPerRule());
@@ -47,12 +48,12 @@ class ControllerShape {
   NetworkShape network_;
 };
 
-/// A found (or drawn) controller, as a document holds it.
+/// A controller as a document holds it.
 struct Controller {
   std::string name;
   ControllerKind kind = ControllerKind::kRules;
-  SenseSpec senses;  // a network has the physical ones, and uses the range of tau alone
-  int rules = 0;     // or a network's hidden nodes
+  SenseSpec senses;  // a network has the physical senses and uses only the range of tau
+  int rules = 0;     // a bank's rules or a network's hidden nodes
   Genome genes;
 
   [[nodiscard]] ControllerShape Shape(const PortCount& ports) const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// W controllers of one shape side by side, decoded and ready to run. Whatever differs between kinds of
-// controllers while they run stands here, one overload for each kind.
+// W controllers of one shape side by side, decoded and ready to run. All differences between the kinds of
+// controllers at run time are here, one overload for each kind.
 #pragma once
 
 #include <bit>
@@ -15,16 +15,16 @@ namespace gaitsmith {
 template <int W>
 using Controllers = std::variant<Bank<W>, Network<W>>;
 
-/// What W controllers carry from step to step, whatever their kind.
+/// The state of W controllers between steps, for both kinds.
 template <int W>
 struct ControllerState {
   int steps = 0;               // since the controllers took over
-  typename Lane<W>::I rule{};  // that acts, of a bank
+  typename Lane<W>::I rule{};  // active rule of a bank
   SenseVector<W> senses{};     // of a bank
   NetworkState<W> network{};
 };
 
-/// @param ports of the plant that they drive
+/// @param ports of the plant that the controllers drive
 /// @param genomes 1 to W of them, all of this shape; missing lanes repeat the last one
 template <int W>
 [[nodiscard]] Controllers<W> DecodeControllers(const ControllerShape& shape, const SenseSpec& senses,
@@ -36,14 +36,14 @@ template <int W>
   return Bank<W>(shape.Bank(), senses, genomes, ports, step_s);
 }
 
-/// Takes over: the first rule acts, the timer stands at zero.
+/// Takes over: the first rule becomes active and the timer starts at zero.
 template <int W>
 void Begin(const Bank<W>& bank, ControllerState<W>& state, ActuatorTargets<W>& targets) {
   state.steps = 0;
   state.rule = typename Lane<W>::I{};
   for (int lane = 0; lane < W; ++lane) bank.Respond(0, lane, targets);
 }
-/// Takes over: all nodes are empty.
+/// Takes over: all nodes start empty.
 template <int W>
 void Begin(const Network<W>& network, ControllerState<W>& state, ActuatorTargets<W>& targets) {
   state.steps = 0;
@@ -51,7 +51,7 @@ void Begin(const Network<W>& network, ControllerState<W>& state, ActuatorTargets
   network.Begin(state.network, targets);
 }
 
-/// Answers the readings after a step. @param state its steps count this step
+/// Updates the targets from the readings after a step. @param state its steps include this step
 template <int W>
 [[gnu::noinline]] void Advance(const Bank<W>& bank, const Readings<W>& readings, ControllerState<W>& state,
                                ActuatorTargets<W>& targets) {
@@ -72,10 +72,10 @@ void Advance(const Network<W>& network, const Readings<W>& readings, ControllerS
                   {readings.impulse, static_cast<std::size_t>(shape.touches)}, state.network, targets);
 }
 
-/// What acts in a controller, for a person to see.
+/// The active parts of a controller, for display.
 struct Activity {
-  int rule;              // the active rule; of a network: hidden nodes that fire
-  std::uint64_t firing;  // bit i: input i of the network is 1; of a bank 0
+  int rule;              // the active rule; for a network the number of hidden nodes that fire
+  std::uint64_t firing;  // bit i: input i of the network is 1; 0 for a bank
 };
 [[nodiscard]] inline Activity ActivityOf(const Bank<1>&, const ControllerState<1>& state) {
   return {state.rule[0], 0};

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Sensor-actuator networks (SAN) [VanDePanne Fiume 1993], the other kind of controller: a few binary
-// sensors, hidden nodes and actuators, all connected by weights, and no state but delays. Design decision 21
-// says what we read into the sources.
+// Sensor-actuator networks (SAN) [VanDePanne Fiume 1993], the other kind of controller: a few binary sensors,
+// hidden nodes and actuators, all connected by weights, with no state but delays. Design decision 21 explains
+// how we read the sources.
 //
 //   touch sensor   1 while the ground pushes the endpoint
 //   angle sensor   1 while the joint's angle is above a threshold
-//   hidden node    charges while the weighted sum of its inputs is positive, else discharges, from empty to
-//                  full in its delay; its output turns to 1 when full and to 0 when empty
-//   actuator       charges alike; its charge itself places the joint's target between two angles
+//   hidden node    charges while the weighted sum of its inputs is positive, else discharges. A full charge
+//                  takes its delay. Its output turns to 1 when full and to 0 when empty
+//   actuator       charges in the same way. Its charge places the joint's target between two angles
 #pragma once
 
 #include <algorithm>
@@ -27,29 +27,29 @@ namespace gaitsmith {
 inline constexpr int kMaxHidden = kMaxRules;
 inline constexpr int kMaxNodes = kMaxHidden + kMaxActuators;
 inline constexpr int kMaxInputs = kMaxContacts + kMaxActuators + kMaxHidden;  // 64
-/// Weights lie in [-kMostWeight, kMostWeight].
+/// Weights are in [-kMostWeight, kMostWeight].
 inline constexpr float kMostWeight = 2.0f;
 
-/// Where each number of a network stands in its genome: node after node, hidden ones first; per node the
-/// weight of every input (touches, angles, hidden outputs), the delay, and for an actuator the threshold of
-/// its joint's sensor, both ends of its target and its time constant.
+/// The position of each number of a network in its genome: node after node, hidden nodes first. Each node has
+/// the weight of every input (touches, angles, hidden outputs) and its delay. An actuator also has the
+/// threshold of its joint's sensor, both ends of its target range and its time constant.
 struct NetworkShape {
   int hidden = 10;  // [1, kMaxHidden]
-  int touches = 0;  // endpoints
+  int touches = 0;  // number of endpoints
   int joints = 0;
 
   NetworkShape(int hidden_nodes, const PortCount& ports)
       : hidden(hidden_nodes), touches(ports.contacts), joints(ports.actuators) {}
 
   [[nodiscard]] int Inputs() const { return touches + joints + hidden; }
-  /// Row and column of a matrix with a row per node and a column per input.
+  /// Index into a matrix with a row per node and a column per input.
   [[nodiscard]] std::size_t Connection(int node, int input) const {
     const int at = node * Inputs() + input;
     return static_cast<std::size_t>(at);
   }
   [[nodiscard]] int Nodes() const { return hidden + joints; }
   [[nodiscard]] bool IsActuator(int node) const { return node >= hidden; }
-  /// The first gene of a node; of Nodes(), the number of all genes.
+  /// The first gene of a node. Node(Nodes()) is the number of all genes.
   [[nodiscard]] std::size_t Node(int node) const {
     const int actuators = std::max(0, node - hidden);
     const int before = node * (Inputs() + 1) + actuators * kActuatorGenes;
@@ -66,13 +66,13 @@ struct NetworkShape {
   [[nodiscard]] std::size_t Tau(int actuator) const { return Delay(actuator) + 4; }
 
  private:
-  static constexpr int kActuatorGenes = 4;  // more than a hidden node has
+  static constexpr int kActuatorGenes = 4;  // in addition to those of a hidden node
 };
 
-/// "touch 3", "angle 2", "node 7": inputs count from 1 like endpoints and joints.
+/// "touch 3", "angle 2", "node 7". Inputs count from 1 like endpoints and joints.
 [[nodiscard]] std::string InputName(const NetworkShape&, int input);
 
-/// What W networks carry from step to step.
+/// The state of W networks between steps.
 template <int W>
 struct NetworkState {
   using F = typename Lane<W>::F;
@@ -124,7 +124,7 @@ class Network {
     }
   }
 
-  /// All nodes empty and silent.
+  /// Empties all nodes and sets their outputs to 0.
   void Begin(NetworkState<W>& state, ActuatorTargets<W>& targets) const {
     state = {};
     for (std::size_t j = 0; j < threshold_.size(); ++j) {
@@ -134,7 +134,7 @@ class Network {
     }
   }
 
-  /// One step of all nodes at once: each goes by the outputs that the others had.
+  /// Advances all nodes by one step, each from the outputs of the previous step.
   /// @param angle_rad of each joint
   /// @param push      of the ground at each endpoint, any unit; only its sign counts
   void Advance(std::span<const F> angle_rad, std::span<const F> push, NetworkState<W>& state,

@@ -9,7 +9,7 @@ RuleChoice ChoiceOf(const Controller& controller, const PortCount& ports, std::s
                     int present) {
   const BankShape shape(controller.rules, controller.senses.kind, ports);
   const std::span<const Gene> genes(controller.genes);
-  // Neither targets nor the scales of readings matter here, nor does the step that responses decay in.
+  // The choice depends neither on targets, nor on the scales of readings, nor on the time step of responses.
   const Ports any = {.actuator_range = {static_cast<std::size_t>(shape.joints), {-1.0f, 1.0f}},
                      .contacts = ports.contacts};
   const Bank<1> bank(shape, controller.senses, std::span(&genes, 1), any, kStep);

@@ -10,7 +10,7 @@ BankShape ShapeOf(const Controller& controller, const PortCount& ports) {
   return {controller.rules, controller.senses.kind, ports};
 }
 
-// Where a rule's genes begin; of the number of rules, the end of all.
+// Where a rule's genes begin. For rule = controller.rules, the end of all genes.
 auto Begin(Controller& controller, const PortCount& ports, int rule) {
   return controller.genes.begin() + rule * ShapeOf(controller, ports).GenesPerRule();
 }

@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: MIT
-// One rule of a bank as a person reads and changes it. Every change lands on the genes' grid, and a rule that
-// is not named keeps every bit.
+// Reads and edits one rule of a bank in natural units. Every edit rounds to the genes' grid. Rules that are
+// not edited keep every bit.
 #pragma once
 
 #include "core/control/controller.h"
 
 namespace gaitsmith {
 
-/// What a rule wants of one sense, both ends normalised as the senses are.
+/// A rule's interval for one sense, normalised as the senses are.
 struct Stimulus {
   bool cares;
-  float low, high;  // of a sense that the rule does not care about: where intervals may end
+  float low, high;  // without care, the limits for ends of intervals
 };
 
-/// A rule of a bank in a document's hands. The controller is one of rules; it and the figure are not kept
-/// longer than this.
+/// Edits a rule of a bank in a document. The controller must be one of rules, and must outlive this object.
 class RuleEdit {
  public:
-  /// @param ports of the plant that the bank is for
+  /// @param ports of the plant that the bank drives
   RuleEdit(Controller& controller, const PortCount& ports, int rule)
       : controller_(controller), shape_(controller.rules, controller.senses.kind, ports), rule_(rule) {}
 
@@ -26,10 +25,11 @@ class RuleEdit {
   }
   void SetTau(float tau_s) { controller_.genes[shape_.Tau(rule_)] = EncodeTau(tau_s, controller_.senses); }
 
-  /// The ends, in order. An interval over the whole grid would mean that the rule does not care, so the
-  /// widest one stops a cell short of it.
+  /// Sets the ends of the interval, in any order. An interval over the whole grid would mean that the rule
+  /// ignores the sense, so the widest one stops one cell short of it.
   void SetInterval(int sense, float low, float high);
-  /// From caring to not: the interval is forgotten. From not to caring: the middle half of what can be felt.
+  /// Sets whether the rule uses the sense. Turning it off drops the interval. Turning it on starts with the
+  /// middle half of the range.
   void SetCares(int sense, bool cares);
 
  private:
@@ -43,10 +43,10 @@ class RuleEdit {
                              float max_rad);
 [[nodiscard]] float TauOf(const Controller&, const PortCount& ports, int rule);
 
-/// Puts a copy of the rule behind it. It loses every tie against the original, so by itself it changes
-/// nothing but the numbers of those that follow. @param controller with fewer than kMaxRules
+/// Inserts a copy of the rule after it. The copy loses every tie against the original, so the motion stays
+/// the same. Only the numbers of the rules after it change. @param controller with fewer than kMaxRules rules
 void CopyRule(Controller& controller, const PortCount& ports, int rule);
-/// @param controller with more than one rule
+/// @param controller with at least two rules
 void DeleteRule(Controller& controller, const PortCount& ports, int rule);
 
 }  // namespace gaitsmith

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Turns the readings of W plants into the senses of their controllers, as the table of senses says.
+// Turns the readings of W plants into their controllers' senses, as defined in the table of senses.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace gaitsmith {
 
-/// Normalised senses of W plants; SenseCount() of them are in use.
+/// Normalised senses of W plants. The first SenseCount() entries are in use.
 template <int W>
 using SenseVector = std::array<typename Lane<W>::F, kMaxSenses>;
 
@@ -21,17 +21,17 @@ class SenseReader {
   using F = typename L::F;
 
  public:
-  /// @param spec of physical senses
+  /// @param spec with physical senses
   SenseReader(const SenseSpec& spec, const Ports& ports, float step_s) : ports_(ports.Count()) {
     std::size_t at = 0;
     for (const SenseGroup& group : kPhysicalSenses) {
       for (int i = 0; i < CountOf(group.per, ports_); ++i, ++at) {
         const SenseRange range = group.range(spec, ports, static_cast<std::size_t>(i));
         float width = range.at_one - range.at_zero;
-        // The plant reports forces as impulses of a step.
+        // The plant reports forces as impulses over one step.
         if (group.quantity == SenseQuantity::kForce) width *= step_s;
         at_zero_[at] = L::Splat(range.at_zero);
-        // A locked joint always feels its least angle.
+        // The sense of a locked joint is always 0.
         per_unit_[at] = L::Splat(width > 0.0f ? 1.0f / width : 0.0f);
       }
     }
@@ -39,7 +39,7 @@ class SenseReader {
 
   void Read(const Readings<W>& readings, SenseVector<W>& senses) const {
     std::size_t at = 0;
-    // One loop for each row of the table, written out by the compiler.
+    // One loop for each row of the table, unrolled at compile time.
     [&]<std::size_t... Row>(std::index_sequence<Row...>) {
       (ReadGroup<Row>(readings, at, senses), ...);
     }(std::make_index_sequence<kPhysicalSenses.size()>());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The one table of senses: their order in the sense vector, names, units, ranges and mirror images. Whatever
-// counts, names, normalises or mirrors senses reads it.
+// The one table of senses: their order in the sense vector, names, units, ranges and mirror images. All code
+// that counts, names, normalises or mirrors senses reads it.
 #pragma once
 
 #include <array>
@@ -14,10 +14,11 @@ namespace gaitsmith {
 
 enum class SenseQuantity { kAngle, kForce, kHeight, kVelocity, kTime };
 
-/// Of what a plant has one sense each. A mirror image exchanges senses as it exchanges these.
+/// The part of the plant that has one such sense each. A mirror image exchanges senses together with these
+/// parts.
 enum class SensePer { kActuator, kContact, kBody };
 
-/// The readings that become 0 and 1.
+/// The readings that are normalised to 0 and 1.
 struct SenseRange {
   float at_zero, at_one;  // [rad], [N], [m], [m/s] or [s]
 };
@@ -26,15 +27,15 @@ struct SenseRange {
 struct SenseGroup {
   SenseQuantity quantity;
   std::string_view name;  // followed by the number, from 1, of the actuator or contact
-  std::string_view unit;  // of the range; of an actuator's position that of a joint
+  std::string_view unit;  // of the range; for an actuator's position the unit of a joint
   SensePer per;
-  bool reverses;  // in the mirror image of an actuator that turns the other way, s becomes 1 - s
-  bool clipped;   // at 1
+  bool reverses;  // in the mirror image, if the actuator turns the other way, s becomes 1 - s
+  bool clipped;   // clipped at 1
   SenseRange (*range)(const SenseSpec&, const Ports&, std::size_t index);
 };
 
 /// The physical senses [Fukunaga 1994, Table 1] in the order of the sense vector, each normalised to [0, 1].
-/// Forces are clipped, because impacts spike to 35 weights.
+/// Forces are clipped, because impacts reach peaks of 35 times the weight.
 inline constexpr std::array<SenseGroup, 4> kPhysicalSenses = {{
     {SenseQuantity::kAngle, "angle", "rad", SensePer::kActuator, true, false,
      [](const SenseSpec&, const Ports& ports, std::size_t index) {
@@ -68,19 +69,19 @@ inline constexpr std::array<SenseGroup, 1> kTimerSenses = {{
   return kPhysicalSenses;
 }
 
-/// Senses in a group.
+/// Number of senses in a group.
 [[nodiscard]] constexpr int CountOf(SensePer per, const PortCount& ports) {
   return per == SensePer::kActuator ? ports.actuators : per == SensePer::kContact ? ports.contacts : 1;
 }
 
-/// Values in the sense vector: 2 n + 2 physical ones of a figure of n rods, 1 timer.
+/// Number of values in the sense vector: 2 n + 2 physical ones for a figure of n rods, or 1 for a timer.
 [[nodiscard]] constexpr int SenseCount(SenseKind kind, const PortCount& ports) {
   int count = 0;
   for (const SenseGroup& group : SenseGroupsOf(kind)) count += CountOf(group.per, ports);
   return count;
 }
 
-/// Most values that a controller can sense.
+/// Maximum number of values in a sense vector.
 inline constexpr int kMaxSenses = SenseCount(SenseKind::kPhysical, {kMaxActuators, kMaxContacts});
 
 /// A sense's row of the table, and which actuator or contact it belongs to.
@@ -91,10 +92,10 @@ struct SensePlace {
 /// @param sense in [0, SenseCount())
 [[nodiscard]] SensePlace PlaceOf(SenseKind kind, const PortCount& ports, int sense);
 
-/// "angle 1", "force 3", "height", "rise", "timer". Joints and endpoints count from 1 as in the paper.
+/// "angle 1", "force 3", "height", "rise", "timer". Joints and endpoints count from 1, as in the paper.
 [[nodiscard]] std::string SenseName(SenseKind kind, const PortCount& ports, int sense);
 
-/// What a normalised sense is in units.
+/// Converts a normalised sense to physical units.
 struct SenseScale {
   SenseQuantity quantity;
   float at_zero, at_one;  // [rad], [N], [m], [m/s] or [s]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a controller can feel: the physical senses of Table 1 [Fukunaga 1994], or the timer of its
-// section 4.2.
+// What a controller can sense: the physical senses of Table 1 [Fukunaga 1994], or the timer of its section
+// 4.2.
 #pragma once
 
 #include "core/signal/ports.h"
@@ -9,38 +9,38 @@
 namespace gaitsmith {
 
 enum class SenseKind {
-  kPhysical,  // joint angles, contact forces at the endpoints, height and vertical velocity of the centre of
-              // mass
+  kPhysical,  // joint angles, forces at the endpoints, height and vertical velocity of the centre of mass
   kTimer,     // t' = t mod t_p, a wind-up toy
 };
 
-/// A controller's senses and the ranges that give its genes their meaning. sense_table.h has every sense with
-/// its range.
+/// A controller's senses, and the ranges that give its genes their meaning. sense_table.h lists every sense
+/// with its range.
 struct SenseSpec {
   SenseKind kind = SenseKind::kPhysical;
-  int period_steps = 100;  // t_p in whole steps, [2, kMaxSteps]; used by the timer
-  float tau_min_s =
-      0.15f;  // time constants of responses, log-uniform, [0.02, 10]; the least one is the master
-  float tau_max_s = 1.0f;      // knob of style: below 0.07 figures leap, above 0.2 they only shuffle
-  float force_weights = 2.0f;  // [0.1, 100]
-  float height_rods = 2.0f;    // [0.1, 100]
-  float velocity_mps = 3.0f;   // [0.1, 100]
+  int period_steps = 100;  // timer only: t_p in whole steps, [2, kMaxSteps]
+  // Time constants of responses are log-uniform in [tau_min_s, tau_max_s], both in [0.02, 10]. tau_min_s has
+  // the strongest effect on style: below 0.07 figures leap, above 0.2 they only shuffle.
+  float tau_min_s = 0.15f;
+  float tau_max_s = 1.0f;
+  float force_weights = 2.0f;  // force sensed as 1, in standard weights of the plant, [0.1, 100]
+  float height_rods = 2.0f;    // height sensed as 1, in longest rods, [0.1, 100]
+  float velocity_mps = 3.0f;   // vertical velocity sensed as 1, [0.1, 100]
 
   friend bool operator==(const SenseSpec&, const SenseSpec&) = default;
 };
 
-/// What a timer shows at a step of its period.
+/// A timer's normalised value at a step of its period.
 [[nodiscard]] inline float TimerSense(int phase, int period_steps) {
   return static_cast<float>(phase) / static_cast<float>(period_steps);
 }
 
-/// Physical stimulus intervals end within [kEdgeLow, kEdgeHigh] of the normalised sense: wider than [0, 1],
-/// because a foot in the air feels exactly 0 most of the time and an interval must be able to hold that well
-/// inside.
+/// Physical stimulus intervals end within [kEdgeLow, kEdgeHigh] of the normalised sense. This range is wider
+/// than [0, 1], because the sense of a foot in the air is exactly 0 most of the time, and an interval must be
+/// able to contain 0 well inside its borders.
 inline constexpr float kEdgeLow = -0.25f;
 inline constexpr float kEdgeHigh = 1.25f;
 
-/// Where the ends of stimulus intervals may lie.
+/// The limits for the ends of stimulus intervals.
 struct Edges {
   float low, high;
 };

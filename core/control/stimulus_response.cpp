@@ -9,7 +9,7 @@
 namespace gaitsmith {
 namespace {
 
-// In double precision, so that rounding here never costs a grid cell.
+// In double precision, so that rounding never shifts a gene by a grid cell.
 Gene Nearest(double share) {
   return static_cast<Gene>(std::lround(std::clamp(share, 0.0, 1.0) * static_cast<double>(kGeneMax)));
 }

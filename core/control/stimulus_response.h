@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Banked stimulus-response (BSR) controllers [Fukunaga 1994, section 2]: N rules, each a box in sense space
-// (stimulus), a target pose and a time constant (response). The rule whose box holds the senses deepest is
-// active:
-//   depth = min over the senses the rule cares about of 1 - |S - mid| / half-width
-// and if no box holds them, the last rule stays. Rules are stored as genes on a 16-bit grid from birth, so
-// that what is searched is exactly what is shared.
+// (stimulus), a target pose and a time constant (response). The active rule is the one whose box contains the
+// senses with the greatest depth:
+//   depth = min over the senses the rule uses of 1 - |S - mid| / half-width
+// If no box contains them, the active rule stays. Rules are stored as genes on a 16-bit grid from the start,
+// so that the search and shared documents use exactly the same values.
 #pragma once
 
 #include <cstdint>
@@ -23,9 +23,9 @@ using Genome = std::vector<Gene>;
 inline constexpr Gene kGeneMax = 65535;
 inline constexpr int kMaxRules = 32;
 
-/// Where each number of a bank stands in its genome. Per rule: low and high end of every sense's interval,
-/// the target angle of every joint, the time constant: 5 n + 4 + ... = 2 S + J + 1 genes. An interval over
-/// the whole grid (0 to kGeneMax) means the rule does not care about that sense.
+/// The position of each number of a bank in its genome. Each rule has the low and high end of every sense's
+/// interval, the target angle of every joint and the time constant: 2 S + J + 1 genes. An interval over the
+/// whole grid (0 to kGeneMax) means that the rule ignores this sense.
 struct BankShape {
   int rules = 10;  // [1, kMaxRules]
   int senses = 1;
@@ -54,20 +54,21 @@ struct BankShape {
   }
 };
 
-/// A gene as a number: low + (high - low) * gene / 65535, in single precision, in this order of operations.
+/// A gene as a number: low + (high - low) * gene / 65535, in single precision and in this order of
+/// operations.
 [[nodiscard]] inline float Decode(Gene gene, float low, float high) {
   return low + (high - low) * (static_cast<float>(gene) * (1.0f / 65535.0f));
 }
 
-/// The gene whose number lies nearest: Encode(Decode(g)) = g wherever the grid is wider than a float's
+/// The gene with the nearest number. Encode(Decode(g)) = g wherever the grid is wider than a float's
 /// rounding.
 /// @param value clamped to [low, high]; an empty range gives 0
 [[nodiscard]] Gene Encode(float value, float low, float high);
 
-/// The time constant of a gene [s]: log-uniform over the spec's range.
+/// The time constant of a gene [s], log-uniform over the spec's range.
 [[nodiscard]] float DecodeTau(Gene gene, const SenseSpec&);
 
-/// The gene whose time constant lies nearest, as a ratio. @param tau_s clamped to the spec's range
+/// The gene with the nearest time constant, as a ratio. @param tau_s clamped to the spec's range
 [[nodiscard]] Gene EncodeTau(float tau_s, const SenseSpec&);
 
 }  // namespace gaitsmith

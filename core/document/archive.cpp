@@ -34,7 +34,7 @@ void Archive::CheckReal(std::string_view name, float& value, float low, float hi
     return FailAt(name, ErrorCode::kOutOfRange,
                   "must be from " + RealText(low) + " to " + RealText(high) + ", is " + RealText(value));
   }
-  value += 0.0f;  // one zero, so that equal documents have equal bits
+  value += 0.0f;  // turns -0 into 0, so that equal documents have equal bits
 }
 
 void Archive::CheckInteger(std::string_view name, std::int64_t value, std::int64_t low, std::int64_t high) {
@@ -58,7 +58,7 @@ Result<void> CheckName(std::string_view text) {
     return Fail(ErrorCode::kTooMany, "",
                 "at most " + std::to_string(kMaxNameBytes) + " bytes, has " + std::to_string(text.size()));
   }
-  // Well-formed UTF-8 without control characters, so that any page can show it.
+  // Well-formed UTF-8 without control characters, so that any page can display it.
   for (std::size_t i = 0; i < text.size();) {
     const auto lead = static_cast<unsigned char>(text[i]);
     const int more = lead < 0x80   ? 0
@@ -117,7 +117,7 @@ Result<void> CheckKind(ControllerKind kind, const SenseSpec& senses, const std::
   return {};
 }
 
-/// What only some values of a search's settings allow.
+/// Checks the settings of a search that depend on each other.
 Result<void> CheckSearch(const Document& d) {
   const SearchSettings& search = d.search;
   if (search.start >= 0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all archives share: the path to the field at hand, the first fault found, and the checks of single
+// Base class of all archives: the path to the present field, the first fault found, and the checks of single
 // values.
 #pragma once
 
@@ -17,14 +17,14 @@ class Archive {
   [[nodiscard]] const std::optional<Error>& Fault() const { return error_; }
 
  protected:
-  /// Notes a fault at a field; only the first one counts.
+  /// Records a fault at a field. Only the first fault is kept.
   void FailAt(std::string_view name, ErrorCode code, std::string what);
 
   void Enter(std::string_view name);
   void EnterElement(std::size_t index);
   void Leave() { path_.pop_back(); }
 
-  /// The checks of a value, whoever brought it.
+  /// Checks of single values, shared by all archives.
   void CheckReal(std::string_view name, float& value, float low, float high);
   void CheckInteger(std::string_view name, std::int64_t value, std::int64_t low, std::int64_t high);
   void CheckModel(std::string_view name, std::int64_t model);
@@ -38,11 +38,11 @@ class Archive {
   std::optional<Error> error_;
 };
 
-/// Shortest text that reads back as the same float.
+/// The shortest text that reads back as the same float.
 [[nodiscard]] std::string RealText(float value);
 
-/// Everything that concerns more than one field: the figure is a tree, clips have controllers, pushes
-/// endpoints.
+/// Checks everything that concerns more than one field: the figure is a tree, and the controllers of clips
+/// and the endpoints of pushes exist.
 [[nodiscard]] Result<void> CheckReferences(const Document&);
 
 }  // namespace gaitsmith

@@ -17,15 +17,15 @@ namespace {
 constexpr std::size_t kHeaderBytes = 4;
 constexpr std::size_t kChecksumBytes = 4;
 constexpr int kModelBits = 5;
-// Of the index of a choice's name. Names are added without a new version: the 16th and later ones take 8 bits
-// more.
+// Bits of a choice's index. Names can be added without a new version: the 16th and later ones take 8 more
+// bits.
 constexpr int kChoiceBits = 4;
 
 class BinaryWriter : public Archive {
  public:
-  /// @param version fields of later ones are left out
+  /// @param version fields of later versions are left out
   explicit BinaryWriter(int version) : version_(version) {}
-  /// The oldest version that has every field written with a value of its own.
+  /// The oldest version that can hold every written field with a non-standard value.
   [[nodiscard]] int Needed() const { return needed_; }
 
   void Real(std::string_view, float& value, float, float, float standard) {
@@ -105,7 +105,7 @@ class BinaryWriter : public Archive {
   }
   BitWriter bits_;
   int version_;
-  int since_ = 1;  // version that brought the field at hand
+  int since_ = 1;  // version that added the present field
   int needed_ = 1;
 };
 
@@ -204,7 +204,7 @@ class BinaryReader : public Archive {
     }
     CheckLeft("rules");
   }
-  /// An older version does not have these fields: what is being read keeps their standard values.
+  /// An older version does not have these fields, so they keep their standard values.
   template <class Fields>
   void Since(int version, Fields fields) {
     if (version <= version_) fields();
@@ -296,7 +296,8 @@ Result<Document> DecodeBinary(std::span<const std::uint8_t> bytes) {
   if (!reader.Ok()) return std::unexpected(*reader.Fault());
   if (!reader.AtEnd()) return Fail(ErrorCode::kTrailing, "", "has more fields than this version knows");
   if (auto references = CheckReferences(document); !references) return std::unexpected(references.error());
-  // One document, one encoding: whatever else decodes to the same values was not written by an encoder.
+  // A document has exactly one encoding. Other bytes that decode to the same values did not come from an
+  // encoder.
   const auto again = EncodeBinary(document);
   if (again.size() != bytes.size() || !std::equal(again.begin(), again.end(), bytes.begin())) {
     return Fail(ErrorCode::kSyntax, "", "is not in its canonical encoding");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A document as few bytes: version (1 byte), length of the body (3, little-endian), body of packed bits,
+// A document in few bytes: version (1 byte), length of the body (3, little-endian), body of packed bits,
 // CRC-32 (4). docs/formats.md lists every field. The encoding is canonical: a document has exactly one.
 #pragma once
 
@@ -11,14 +11,13 @@
 
 namespace gaitsmith {
 
-/// The newest version there is. A document is written in the oldest one that has all its fields.
+/// The newest version. A document is written in the oldest version that has all its fields.
 inline constexpr std::uint8_t kBinaryVersion = 2;
 
-/// @param document valid
+/// @param document must be valid
 [[nodiscard]] std::vector<std::uint8_t> EncodeBinary(const Document& document);
 
-/// Every fault is found: a newer version, truncation, trailing bytes, a wrong checksum, a value out of its
-/// range.
+/// Reports every fault: a newer version, truncation, trailing bytes, a wrong checksum, a value out of range.
 [[nodiscard]] Result<Document> DecodeBinary(std::span<const std::uint8_t> bytes);
 
 /// CRC-32 of ISO-HDLC, as in zip and PNG.

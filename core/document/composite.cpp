@@ -10,7 +10,7 @@ namespace gaitsmith {
 
 namespace {
 
-// The least step of two lists, sorted by step, from where they differ; kMaxSteps: nowhere.
+// The first step at which two lists, sorted by step, differ. kMaxSteps if they are equal.
 template <class Item, class Same, class StepOf>
 int FirstDifference(const std::vector<Item>& a, const std::vector<Item>& b, Same same, StepOf step_of) {
   const auto [x, y] = std::mismatch(a.begin(), a.end(), b.begin(), b.end(), same);

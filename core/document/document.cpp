@@ -56,7 +56,7 @@ class Checker : public Archive {
 
 Result<void> Validate(const Document& document) {
   Checker checker;
-  Document copy = document;  // an archive may change what it walks; a check must not
+  Document copy = document;  // an archive may change the document, a check must not
   Describe(checker, copy);
   if (!checker.Ok()) return std::unexpected(*checker.Fault());
   return CheckReferences(document);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A document: everything a person made or found, and everything that fixes the bits of its motion. One
-// schema, three encodings: JSON in a file (json.h), bits in a link and in a worker message (binary.h,
+// A document: everything the user made or found, and everything that determines the bits of its motion. One
+// schema serves three encodings: JSON in a file (json.h), bits in a link and in a worker message (binary.h,
 // link.h).
 #pragma once
 
@@ -21,9 +21,9 @@ inline constexpr int kMaxClips = 256;
 inline constexpr int kMaxPushes = 256;
 inline constexpr int kMaxNameBytes = 80;
 
-/// What is shown and how; never changes a bit of the motion.
+/// Display settings. They never change a bit of the motion.
 struct View {
-  float speed = 1.0f;  // of playback, [0.01, 16]
+  float speed = 1.0f;  // playback speed, [0.01, 16]
   int panel = 1;       // 0 figure, 1 controller, 2 style, 3 search, 4 lab; [0, 15]
   bool trail = true;   // path of the centre of mass
   bool forces = true;  // contact forces
@@ -32,50 +32,50 @@ struct View {
 
 struct Document {
   std::string title;
-  int model =
-      1;  // version of the physical model, [1, kModelVersion]; a literal, for old documents keep theirs
+  /// Version of the physical model, [1, kModelVersion]. A literal, because old documents keep their model.
+  int model = 1;
   Figure figure;
   Environment environment;
   StartState start;
   std::vector<Push> pushes;  // sorted by step
   Task task;
-  SenseSpec senses;                              // for the next search; each controller has its own
-  int rules = 10;                                // likewise; or a network's hidden nodes
-  ControllerKind kind = ControllerKind::kRules;  // likewise
+  SenseSpec senses;  // for the next search; each controller has its own
+  int rules = 10;    // for the next search: a bank's rules or a network's hidden nodes
+  ControllerKind kind = ControllerKind::kRules;  // for the next search
   SearchSettings search;
   std::vector<Controller> controllers;
   std::vector<Clip> timeline;  // sorted by start, the first at 0
-  int duration_steps = 500;    // of the motion shown, [1, kMaxSteps]
+  int duration_steps = 500;    // of the displayed motion, [1, kMaxSteps]
   View view;
-  std::optional<std::uint64_t> hash;  // of the trajectory, as its maker saw it
+  std::optional<std::uint64_t> hash;  // of the trajectory, as the author's machine computed it
 };
 
-/// Whether a text can be a name or a title: at most kMaxNameBytes of well-formed UTF-8 without control
-/// characters. The error says what is wrong, not where.
+/// Checks whether a text can be a name or a title: at most kMaxNameBytes of well-formed UTF-8 without control
+/// characters. The error says what is wrong, but not where.
 [[nodiscard]] Result<void> CheckName(std::string_view text);
 
-/// Checks every number, name and reference. The first fault is returned: where and what.
+/// Checks every number, name and reference. Returns the first fault: where and what.
 [[nodiscard]] Result<void> Validate(const Document&);
 
-/// Who acts where in a document, as a motion takes it. @param document valid; must outlive the script
+/// The script of a document's motion. @param document must be valid and outlive the script
 [[nodiscard]] Script ScriptOf(const Document& document);
 
-/// The motion the document describes. @param document valid
+/// The motion that the document describes. @param document must be valid
 [[nodiscard]] Motion Simulate(const Document& document);
 
-/// The step at which a clip of the timeline ends: where the next one takes over, or with the motion. May lie
-/// before its start, in a document whose motion ends before that. @param clip an index of the timeline
+/// The step at which a clip of the timeline ends: the start of the next clip, or the end of the motion. May
+/// be before the clip's start if the motion ends earlier. @param clip an index of the timeline
 [[nodiscard]] int EndOf(const Document& document, std::size_t clip);
 
-/// What its search settings ask for.
+/// The problem defined by the search settings.
 [[nodiscard]] Problem ProblemOf(const Document&);
 [[nodiscard]] SearchSpace SpaceOf(const Document&);
 
-/// Whether a search of the document may begin with the controller.
+/// Whether a search of the document can begin with this controller.
 [[nodiscard]] bool SuitsSearch(const Document&, const Controller&);
 
-/// The problem in which a controller of the document, alone from the start, makes the motion shown; with
-/// exactly one clip its evaluation has the document's own trajectory hash.
+/// The problem in which one controller of the document, active from the start, makes the displayed motion.
+/// With exactly one clip its evaluation has the document's own trajectory hash.
 [[nodiscard]] Problem ReplayProblem(const Document&, const Controller&);
 
 /// 16 hexadecimal digits.

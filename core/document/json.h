@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A document as JSON, for files and for people. docs/formats.md explains every field.
+// A document as JSON, for files and for reading. docs/formats.md explains every field.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace gaitsmith {
 
-/// @param document valid
+/// @param document must be valid
 /// @return indented JSON with every field, ending in a newline; reads back as exactly the same document
 [[nodiscard]] std::string EncodeJson(const Document& document);
 
-/// Fields may be left out when they have a standard value; unknown or repeated fields are errors.
+/// Fields with a standard value may be left out. Unknown or repeated fields are errors.
 /// @param text at most 16 MiB
 [[nodiscard]] Result<Document> DecodeJson(std::string_view text);
 

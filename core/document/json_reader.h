@@ -117,7 +117,7 @@ class JsonReader : public Archive {
     const JsonValue* given = Get(list, JsonValue::Kind::kArray);
     if (!Ok()) return;
     if (ports.actuators < 0) return FailAt(list, ErrorCode::kStructure, "the figure has no rods");
-    const int outside = network ? ports.actuators : 0;  // nodes that are not hidden: the actuators
+    const int outside = network ? ports.actuators : 0;  // number of actuator nodes, which are not hidden
     const int least = 1 + outside;
     const int most = kMaxRules + outside;
     if (given == nullptr || std::cmp_less(given->items.size(), least) ||
@@ -187,7 +187,7 @@ class JsonReader : public Archive {
     if (!Whole(name, value, 0, kGeneMax) && Ok()) FailAt(name, ErrorCode::kMissing, "is missing");
     gene = static_cast<Gene>(value);
   }
-  /// Reads as many genes as there is room for. @return whether they were given
+  /// Reads genes.size() genes. @return whether they were present
   bool GeneList(std::string_view name, std::span<Gene> genes, bool required) {
     const JsonValue* given = Get(name, JsonValue::Kind::kArray);
     if (given == nullptr) {
@@ -242,7 +242,7 @@ class JsonReader : public Archive {
   }
 
   void Open(const JsonValue& object) { open_.push_back({&object, {}}); }
-  /// Every member must have been asked for: whatever is left over is a field that does not exist.
+  /// Every member must have been read. A member that was not read is an unknown field.
   void Close() {
     const Level level = std::move(open_.back());
     open_.pop_back();

@@ -33,8 +33,8 @@ const JsonValue* JsonValue::Find(std::string_view name) const {
 
 namespace {
 
-// Far beyond any document (64 controllers of 32 rules with 34 senses are under 200,000 values), and small
-// enough that text from a stranger costs neither minutes nor gigabytes.
+// Far above any document (64 controllers of 32 rules with 34 senses are under 200,000 values), but small
+// enough that untrusted text takes neither minutes nor gigabytes.
 constexpr int kMaxDepth = 32;
 constexpr int kMaxValues = 300'000;
 
@@ -164,7 +164,7 @@ class Parser {
       if (!Digits()) return Fault("expected a digit in the exponent");
     }
     value.text = std::string(text_.substr(first, at_ - first));
-    // strtod rounds correctly on every platform we build for; programs on core keep the "C" locale for
+    // strtod rounds correctly on every supported platform. Programs that use core keep the "C" locale for
     // numbers.
     value.number = std::strtod(value.text.c_str(), nullptr);
     if (!std::isfinite(value.number)) {

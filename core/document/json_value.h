@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A strict JSON reader [RFC 8259]. Ours, because core may use the standard library and Eigen only, and
-// because a person who writes a document by hand must be told line and column of what is wrong, without
-// exceptions.
+// A strict JSON reader [RFC 8259]. It is our own because core may only use the standard library and Eigen,
+// and because faults in handwritten documents must be reported with line and column, without exceptions.
 #pragma once
 
 #include <string>
@@ -17,7 +16,7 @@ struct JsonValue {
   Kind kind = Kind::kNull;
   bool boolean = false;
   double number = 0.0;
-  std::string text;                // of a string, or a number as it was written
+  std::string text;                // of a string, or of a number as written
   std::vector<std::string> names;  // of an object's members, unique and in order
   std::vector<JsonValue> items;    // of a list, or of an object's members
 
@@ -27,10 +26,10 @@ struct JsonValue {
   [[nodiscard]] const char* KindName() const;
 };
 
-/// More members than any object of a document has.
+/// Limit of members per object, above that of any object in a document.
 inline constexpr std::size_t kMostMembers = 64;
 
-/// @param most_members of one object: text from a stranger must cost no time
+/// @param most_members limit per object, so that untrusted text cannot waste time
 /// @return the value, or a syntax error whose `where` is "line 3, column 14"
 [[nodiscard]] Result<JsonValue> ParseJson(std::string_view text, std::size_t most_members = kMostMembers);
 

@@ -39,7 +39,7 @@ class JsonWriter : public Archive {
     Note(text.empty());
     Field(name, QuoteJson(text));
   }
-  /// Fields that came later are written only when one of them has a value of its own.
+  /// Later fields are written only if at least one of them has a non-standard value.
   template <class Fields>
   void Since(int, Fields fields) {
     const std::size_t size = out_.size();
@@ -147,7 +147,7 @@ class JsonWriter : public Archive {
   void Note(bool standard) { all_standard_ = all_standard_ && standard; }
 
   std::string out_;
-  bool all_standard_ = true;  // since the innermost Since began
+  bool all_standard_ = true;  // since the start of the innermost Since
   int depth_ = 0;
   bool first_ = true;
 };

@@ -9,11 +9,12 @@
 
 namespace gaitsmith {
 
-/// The hash of the document's trajectory travels along: its own, if it has one (so that a motion which
-/// differs from its maker's is never passed on as if it were the same), else computed. @param document valid
+/// Includes the hash of the document's trajectory. A hash in the document is kept, so that a motion that
+/// differs from its author's is not passed on as if it were the same. Otherwise the hash is computed. @param
+/// document must be valid
 [[nodiscard]] std::string EncodeLink(const Document& document);
 
-/// @param link a payload, or a whole address whose part after '#' is one; white space around it is ignored
+/// @param link a payload, or a whole address with a payload after '#'; surrounding white space is ignored
 [[nodiscard]] Result<Document> DecodeLink(std::string_view link);
 
 }  // namespace gaitsmith

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The one description of a document: its fields, their names, ranges and standard values. An archive walks it
-// to read, write or check; so JSON, links and validation can never disagree.
+// The only description of a document: its fields with names, ranges and standard values. An archive walks it
+// to read, write or check, so JSON, links and validation always agree.
 //
 // An archive has:
 //   Real(name, float&, low, high, standard)      Integer(name, int&, low, high, standard)
@@ -9,9 +9,9 @@
 //   Group(name, function)                        List(name, vector&, most, function(element))
 //   Hash(name, optional<uint64_t>&)              Genes(Controller&, ports)
 //   Since(version, function)
-// In JSON a field that equals its standard value may be left out; in a link it costs one bit. Since() holds
-// fields that came with a later version of the binary format: a document that leaves all of them at their
-// standard is written in the older version, with the very bytes it always had, and in JSON without them.
+// In JSON a field with its standard value may be left out. In a link it costs one bit. Since() contains
+// fields that a later version of the binary format added. If all of them have standard values, a link is
+// written in the older version with exactly the same bytes as before, and JSON leaves them out.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The spread of a population as JSON: the one place that names its numbers.
+// The spread of a population as JSON. The field names are defined only here.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@
 
 namespace gaitsmith {
 
-/// {"members":10,"least":…,"lowerQuartile":…,"median":…,"upperQuartile":…,"best":…}, each float exactly.
+/// {"members":10,"least":…,"lowerQuartile":…,"median":…,"upperQuartile":…,"best":…}, with exact floats.
 [[nodiscard]] std::string SpreadJson(const Spread&);
-/// @return nothing when a number is missing, or `members` is not a whole number of at least 2
+/// @return nothing if a number is missing, or `members` is not a whole number of at least 2
 [[nodiscard]] std::optional<Spread> SpreadFromJson(const JsonValue&);
 
 }  // namespace gaitsmith

@@ -16,7 +16,7 @@ Result<void> CheckClip(const Document& d, int clip) {
       "there is no clip " + std::to_string(clip) + ", there are " + std::to_string(d.timeline.size()));
 }
 
-// Puts clips one behind the other, if the limits allow.
+// Sets the timeline to clips one after another, if they fit the limits.
 Result<void> Put(Document& d, const std::vector<Stretch>& stretches) {
   if (stretches.empty()) return Fail(ErrorCode::kStructure, "", "a timeline needs at least one clip");
   if (stretches.size() > static_cast<std::size_t>(kMaxClips)) {
@@ -134,7 +134,7 @@ Result<void> InsertClips(Document& d, const std::vector<Stretch>& given, int ste
   const auto i = static_cast<std::size_t>(clip);
   const int before = step - d.timeline[i].start_step;
   const int behind = stretches[i].steps - before;
-  // What would be left too short to be a clip stays with its clip.
+  // A rest that is too short to be a clip stays with its clip.
   if (before < kShortestClip) {
     stretches.insert(stretches.begin() + clip, inserted.begin(), inserted.end());
   } else {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Editing a timeline: clips that are cut, moved and repeated. Lengths travel with their clips, so what comes
-// later moves along, unless said otherwise. Every edit either succeeds or changes nothing and says why.
+// Edits of a timeline: cut, move and repeat clips. Clips keep their lengths, so later clips move along,
+// except where noted. Every edit either succeeds or changes nothing and returns the reason.
 #pragma once
 
 #include <span>
@@ -9,47 +9,47 @@
 
 namespace gaitsmith {
 
-/// A clip lasts at least so long: short enough for a hop, long enough to take hold of.
+/// Shortest clip: short enough for a hop, long enough to grab.
 inline constexpr int kShortestClip = 20;  // steps
 
-/// A clip without its place.
+/// A clip without its start.
 struct Stretch {
   int controller;
   int steps;  // at least 1
 };
-/// One for each clip; a clip that lies behind the end of the motion counts as the shortest.
+/// One stretch for each clip. A clip after the end of the motion gets the shortest length.
 [[nodiscard]] std::vector<Stretch> StretchesOf(const Document&);
 
-/// The clip in charge at a step of the motion. @param document has a clip
+/// The active clip at a step of the motion. @param document has at least one clip
 [[nodiscard]] int ClipAt(const Document& document, int step);
 
-/// Moves the border before a clip, in [1, clips): the clips beside it share what they have; what comes later
-/// stays. The step is clamped to what leaves both kShortestClip.
+/// Moves the border before a clip in [1, clips). The two neighbours share their total length, and later clips
+/// stay. The step is clamped so that both last at least kShortestClip.
 [[nodiscard]] Result<void> MoveSwitch(Document&, int clip, int step);
-/// Sets how long a clip lasts, clamped to kShortestClip and above.
+/// Sets the length of a clip, clamped to at least kShortestClip.
 [[nodiscard]] Result<void> SetClipLength(Document&, int clip, int steps);
-/// Cuts the clip in charge at a step in two. Its controller begins anew after the cut: its first rule, its
-/// timer at zero.
+/// Cuts the active clip at a step in two. Its controller starts again after the cut, with its first rule and
+/// its timer at zero.
 [[nodiscard]] Result<void> SplitClip(Document&, int step);
 [[nodiscard]] Result<void> RemoveClip(Document&, int clip);
-/// A copy behind the clip itself.
+/// Inserts a copy after the clip.
 [[nodiscard]] Result<void> DuplicateClip(Document&, int clip);
-/// Takes a clip to the place `to`, counted among all clips.
+/// Moves a clip to index `to` among all clips.
 [[nodiscard]] Result<void> ReorderClip(Document&, int clip, int to);
-/// Clips that take over at a step, one after another; the one in charge there goes on behind them. At the end
-/// of the motion they are added to it.
+/// Inserts clips at a step, one after another. The clip active there continues after them. At the end of the
+/// motion they are appended.
 [[nodiscard]] Result<void> InsertClips(Document&, const std::vector<Stretch>& inserted, int step);
-/// The whole timeline so many times, [2, 100].
+/// Repeats the whole timeline. @param times [2, 100]
 [[nodiscard]] Result<void> LoopTimeline(Document&, int times);
-/// Gives a clip the mirror image of its controller, so that it goes the other way. Refused for a figure whose
-/// mirror image is another figure, and for a network.
+/// Replaces a clip's controller by its mirror image, so that the figure moves the other way. Fails for
+/// networks and for figures that are not their own mirror image.
 [[nodiscard]] Result<void> MirrorClip(Document&, int clip);
 
-/// Adds a controller and returns its index; one that is there already is not added again.
+/// Adds a controller and returns its index. An identical controller is not added again.
 [[nodiscard]] Result<int> AddController(Document&, const Controller&);
-/// Takes out controllers that neither a clip nor the search's settings name.
+/// Removes controllers that neither a clip nor the search settings use.
 void DropUnusedControllers(Document&);
-/// The same, but only of those that these clips used, before a change.
+/// Removes unused controllers, but only those that the clips of `before` (before a change) used.
 void DropUnusedControllers(Document&, std::span<const Clip> before);
 
 }  // namespace gaitsmith

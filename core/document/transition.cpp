@@ -12,7 +12,7 @@ namespace gaitsmith {
 
 namespace {
 
-/// What two states are compared by, one number after another, and what counts as a small difference of each.
+/// The numbers by which two states are compared, and the size of a small difference of each.
 class Features {
  public:
   explicit Features(const Motion& motion) : motion_(motion) {
@@ -49,7 +49,7 @@ Nearness NearnessOf(const Motion& motion, int frame, const Motion& usual) {
   const std::size_t count = features.Count();
   std::vector<float> here, there;
   features.Of(motion, frame, here);
-  // How much each number varies in the usual motion: its standard deviation.
+  // The standard deviation of each number in the usual motion.
   std::vector<double> mean(count, 0.0), square(count, 0.0);
   for (int at = 0; at < usual.Frames(); ++at) {
     features.Of(usual, at, there);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How well a controller takes over from another one: how near the figure is to where the controller usually
-// is, and what becomes of it from there.
+// How well a controller takes over from another one: how near the figure is to the controller's usual motion,
+// and how it moves from there.
 #pragma once
 
 #include "core/document/document.h"
@@ -8,39 +8,41 @@
 
 namespace gaitsmith {
 
-/// How far a state of a figure lies from a motion of the same figure.
+/// The distance of a figure's state from a motion of the same figure.
 struct Nearness {
-  float distance =
-      0.0f;  // 0: it is a state of that motion; about 1: every part is off by as much as it usually moves
-  int frame = 0;  // of the motion, the nearest one
+  /// 0: a state of that motion. About 1: every part is off by as much as it usually moves.
+  float distance = 0.0f;
+  int frame = 0;  // nearest frame of the motion
 };
-/// Compares joint angles and rates, turn, height and velocity of the centre of mass; where along the ground
-/// does not matter.
+/// Compares joint angles and rates, turn, height and velocity of the centre of mass, but not the position
+/// along the ground.
 /// @param frame of `motion` @param usual of the same figure, at least one frame
 [[nodiscard]] Nearness NearnessOf(const Motion& motion, int frame, const Motion& usual);
 
-/// The motion of a clip's controller alone from the document's start, without pushes, as long as the task
-/// says.
+/// The motion of one controller alone from the document's start, without pushes, for the duration of the
+/// task.
 [[nodiscard]] Motion UsualMotion(const Document&, int controller);
 
-/// A transition map has a moment every so many steps,
+/// Spacing of a transition map's moments [steps].
 inline constexpr int kMomentSpacing = 5;
-/// and watches a controller for as long as the task says, but no longer than this [steps].
+/// Each moment of a transition map is scored for the duration of the task, but for at most this [steps].
 inline constexpr int kLongestWatch = 1000;
 
-/// Steps at which a clip could take over while its neighbours keep theirs: multiples of kMomentSpacing,
-/// ascending. @return none for the first clip, and where there is no room to move
+/// Steps at which a clip could take over while its neighbours stay: multiples of kMomentSpacing, ascending.
+/// @return none for the first clip, or if there is no room to move
 [[nodiscard]] std::vector<int> TransitionSteps(const Document&, int clip);
-/// All that the transition map of a clip depends on, and nothing else: where the clip begins now is not part
-/// of it. @param clip has TransitionSteps @return a document whose search.in_place_of is the clip
+/// Everything that the transition map of a clip depends on, and nothing else. The clip's present start is not
+/// part of it.
+/// @param clip has TransitionSteps
+/// @return a document whose search.in_place_of is the clip
 [[nodiscard]] Document TransitionRequest(const Document&, int clip);
-/// Scored as the task says; but a controller that usually travels the other way, as a mirrored one, by how
-/// far it gets that way. @param request of TransitionRequest, or any document whose search.in_place_of has
-/// TransitionSteps
+/// Scores by the task. A controller that usually travels in the opposite direction of the task, such as a
+/// mirrored one, is scored in its own direction. @param request from TransitionRequest, or any document whose
+/// search.in_place_of has TransitionSteps
 [[nodiscard]] TransitionMap TransitionMapOf(const Document& request);
 
-/// What a score is worth beside the usual one: 1 as good, 0 worse by as much as the usual one is away from 0.
-/// Usual scores below 0 are measured alike. kVoidScore stays what it is.
+/// A score relative to the usual one: 1 if equal, 0 if lower by the absolute value of the usual one. Negative
+/// usual scores use the same scale. kVoidScore is returned unchanged.
 [[nodiscard]] float ShareOfUsual(float score, float usual);
 
 }  // namespace gaitsmith

@@ -12,7 +12,7 @@ struct Calibrated {
   std::array<float, kPaperTerms> physical, timer;
 };
 
-// Found with the problems of examples/problems by docs/studies/style.
+// Found by docs/studies/style with the problems of examples/problems.
 constexpr Calibrated kCalibrated[] = {
     {.figure = "Mr. Star-Man", .physical = {30.0f, 0.6f, 30.0f}, .timer = {30.0f, 0.45f, 30.0f}},
     {.figure = "Beryl Biped", .physical = {10.0f, 0.6f, 10.0f}, .timer = {10.0f, 0.6f, 10.0f}},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Packs numbers into as few bits as their range needs, and takes them out again. Least significant bit first.
+// Packs numbers into the fewest bits that their range needs, and unpacks them. The least significant bit
+// comes first.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +21,8 @@ class BitWriter {
       used_ = (used_ + 1) % 8;
     }
   }
-  /// An index into a table that may grow: `bits` while it is below 2^bits - 1; else all ones and 8 bits more.
+  /// An index into a table that may grow. An index below 2^bits - 1 takes `bits` bits. A larger one is
+  /// written as `bits` ones and its excess in 8 more bits.
   /// @param index [0, LongestTable(bits))
   void PutIndex(std::size_t index, int bits) {
     const std::size_t escape = (std::size_t{1} << bits) - 1;
@@ -31,14 +33,14 @@ class BitWriter {
 
  private:
   std::vector<std::uint8_t> bytes_;
-  int used_ = 0;  // bits of the last byte; 0 when it is full
+  int used_ = 0;  // bits used in the last byte, 0 when it is full
 };
 
 class BitReader {
  public:
   explicit BitReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
-  /// The next bits as a number; zeros past the end, which then is Overrun().
+  /// The next bits as a number. Past the end it reads zeros, and Overrun() becomes true.
   std::uint64_t Take(int bits) {
     std::uint64_t value = 0;
     for (int i = 0; i < bits; ++i, ++at_) {
@@ -50,14 +52,14 @@ class BitReader {
     }
     return value;
   }
-  /// As BitWriter::PutIndex has written it.
+  /// Reads an index that BitWriter::PutIndex wrote.
   std::size_t TakeIndex(int bits) {
     const std::size_t escape = (std::size_t{1} << bits) - 1;
     const auto index = static_cast<std::size_t>(Take(bits));
     return index < escape ? index : escape + static_cast<std::size_t>(Take(8));
   }
   [[nodiscard]] bool Overrun() const { return overrun_; }
-  /// All bytes were used, but for less than a byte of zeros.
+  /// True when every byte has been read and the unread bits of the last byte are zero.
   [[nodiscard]] bool AtEnd() {
     const std::size_t left = bytes_.size() * 8 - (overrun_ ? bytes_.size() * 8 : at_);
     return !overrun_ && left < 8 && Take(static_cast<int>(left)) == 0;
@@ -69,10 +71,10 @@ class BitReader {
   bool overrun_ = false;
 };
 
-/// Rows of the longest table whose indices PutIndex can write with so many bits.
+/// Rows of the longest table whose indices PutIndex can write with this number of bits.
 [[nodiscard]] constexpr std::size_t LongestTable(int bits) { return (std::size_t{1} << bits) - 1 + 256; }
 
-/// Bits needed to tell apart `count` values.
+/// Bits needed to distinguish `count` values.
 [[nodiscard]] constexpr int BitsFor(std::uint64_t count) {
   int bits = 0;
   while (bits < 64 && (std::uint64_t{1} << bits) < count) ++bits;

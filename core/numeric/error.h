@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What went wrong, where, in words. Core never throws and never prints; it returns one of these.
+// An error: what went wrong and where, in words. Core never throws and never prints. It returns an Error
+// instead.
 #pragma once
 
 #include <expected>
@@ -15,8 +16,8 @@ enum class ErrorCode {
   kUnknownName,     // a field, algorithm, figure... that does not exist
   kUnknownVersion,  // made by a newer Gaitsmith
   kTruncated,       // data ends too early
-  kTrailing,        // data goes on after its end
-  kChecksum,        // CRC-32 differs: the data was damaged on the way
+  kTrailing,        // data continues after its end
+  kChecksum,        // the CRC-32 differs: the data was damaged in transfer
   kSyntax,          // not JSON, not base64url, wrong type
   kTooMany,         // over a stated limit
   kStructure,       // a figure that is not a tree, a clip without its controller...
@@ -24,8 +25,8 @@ enum class ErrorCode {
 
 struct Error {
   ErrorCode code;
-  std::string where;  // path of the culprit, e.g. "figure.rods[2].length_m"
-  std::string what;   // one clear sentence part, e.g. "must be from 0.001 to 1000, is -1"
+  std::string where;  // path of the faulty value, e.g. "figure.rods[2].length_m"
+  std::string what;   // the rest of the sentence, e.g. "must be from 0.001 to 1000, is -1"
 
   /// "figure.rods[2].length_m: must be from 0.001 to 1000, is -1"
   [[nodiscard]] std::string Sentence() const { return where.empty() ? what : where + ": " + what; }

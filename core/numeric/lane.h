@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// W floats side by side, one per simulated figure. The compiler's own vector types: +, -, *, / and
-// comparisons act lane by lane and round each lane exactly as a single float would, so a batch of one and a
-// batch of any size give the same bits. Lanes never mix, except in Any().
+// W floats side by side, one per simulated figure. Lanes are the compiler's own vector types: +, -, *, / and
+// comparisons act lane by lane and round each lane exactly as a single float. A batch of one and a batch of
+// any size therefore give the same bits. Only Any() combines lanes.
 #pragma once
 
 #include <cstdint>
 
 namespace gaitsmith {
 
-/// The vector types of W lanes. Spelled out, because gcc 12 drops the attribute when its argument depends on
-/// W.
+/// The vector types of W lanes. The widths are listed one by one because gcc 12 drops the attribute when its
+/// argument depends on W.
 template <int W>
 struct LaneTypes;
 #define GAITSMITH_LANE_TYPES(W)                                   \
@@ -39,12 +39,12 @@ struct Lane {
   static F Select(I mask, F yes, F no) { return mask ? yes : no; }
   static I Select(I mask, I yes, I no) { return mask ? yes : no; }
 
-  /// a < b ? a : b, ties and signed zeros always resolved to b: the same on every machine.
+  /// a < b ? a : b. Ties and signed zeros give b, so the result is the same on every machine.
   static F Min(F a, F b) { return a < b ? a : b; }
   static F Max(F a, F b) { return a > b ? a : b; }
   static F Abs(F a) { return reinterpret_cast<F>(reinterpret_cast<I>(a) & 0x7fffffff); }
 
-  /// True when any lane of the mask (0 or -1) is set. Integer work, so its order cannot matter.
+  /// True when any lane of the mask (0 or -1) is set. This is integer work, so its order does not matter.
   static bool Any(I mask) {
 #if defined(__clang__)
     return __builtin_reduce_or(mask) != 0;
@@ -63,7 +63,7 @@ struct Lane {
 #endif
   }
 
-  /// One lane's number, read or written in place: lane need not be a constant.
+  /// Read or write one lane in place. The lane may be a variable.
   static float At(const F& a, int lane) { return reinterpret_cast<const float*>(&a)[lane]; }
   static std::int32_t At(const I& a, int lane) { return reinterpret_cast<const std::int32_t*>(&a)[lane]; }
   static void Put(F& a, int lane, float value) { reinterpret_cast<float*>(&a)[lane] = value; }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Counter-based random numbers: a stream is a function of its key alone, so proposal j of individual i is the
-// same whoever computes it, when, and how often. SplitMix64 of [Steele et al. 2014]; distributions are ours,
-// because those of the standard library differ from vendor to vendor.
+// Counter-based random numbers: a stream depends on its key alone. Proposal j of individual i is therefore
+// the same on any thread, at any time, however often it is computed. The generator is SplitMix64
+// [Steele et al. 2014]. The distributions are our own, because those of the standard library differ between
+// vendors.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +11,13 @@ namespace gaitsmith {
 
 class RandomStream {
  public:
-  /// A stream of its own for every (seed, individual, proposal).
+  /// A separate stream for every (seed, individual, proposal).
   RandomStream(std::uint64_t seed, std::uint64_t individual, std::uint64_t proposal)
       : state_(Mix(Mix(Mix(seed + kStride) + individual + kStride) + proposal + kStride)) {}
 
   std::uint64_t Next() { return Mix(state_ += kStride); }
 
-  /// Uniform integer in [0, bound), bound > 0, by Lemire's multiplication with rejection (no bias).
+  /// Uniform integer in [0, bound), bound > 0, by multiplication with rejection, free of bias [Lemire 2019].
   std::uint32_t Below(std::uint32_t bound) {
     const std::uint32_t reject_below = (0u - bound) % bound;
     for (;;) {
@@ -32,11 +33,11 @@ class RandomStream {
   /// Uniform in [0, 1), a multiple of 2^-53.
   double Uniform() { return static_cast<double>(Next() >> 11) * 0x1p-53; }
 
-  /// A point of the 16-bit gene grid, uniform.
+  /// A uniform point of the 16-bit gene grid.
   std::uint16_t Gene() { return static_cast<std::uint16_t>(Next() >> 48); }
 
-  /// Standard normal deviate, as the sum of twelve uniform ones (Irwin-Hall): mean 0, variance 1, at most 6
-  /// in magnitude, made by additions only.
+  /// Approximately standard normal: the sum of twelve uniform numbers (Irwin-Hall), with mean 0, variance 1
+  /// and magnitude at most 6. It uses additions only.
   double Normal() {
     double sum = -6.0;
     for (int i = 0; i < 12; ++i) sum += Uniform();

@@ -7,7 +7,7 @@ namespace gaitsmith {
 
 namespace {
 constexpr double kLn2High = 6.93147180369123816490e-01;  // ln 2 with 32 trailing zero bits
-constexpr double kLn2Low = 1.90821492927058770002e-10;   // the rest of it
+constexpr double kLn2Low = 1.90821492927058770002e-10;   // ln 2 - kLn2High
 constexpr int kExponentBias = 1023;
 constexpr int kMantissaBits = 52;
 
@@ -29,14 +29,14 @@ double Exp(double x) {
   const double scaled = x * 1.4426950408889634;
   const int k = static_cast<int>(scaled + (scaled < 0 ? -0.5 : 0.5));
   const double r = (x - k * kLn2High) - k * kLn2Low;
-  // Taylor series by Horner; 14 terms leave less than 1e-17.
+  // Taylor series by Horner's rule. The terms after the 14th sum to less than 1e-17.
   double sum = 1.0;
   for (int term = 14; term >= 1; --term) sum = 1.0 + sum * r / term;
   return sum * PowerOfTwo(k);
 }
 
 double Log(double x) {
-  // x = 2^k m with m in [sqrt(1/2), sqrt(2)); ln m = 2 artanh((m - 1) / (m + 1)).
+  // x = 2^k m with m in [sqrt(1/2), sqrt(2)), and ln m = 2 artanh((m - 1) / (m + 1)).
   const auto bits = std::bit_cast<std::uint64_t>(x);
   int k = static_cast<int>(bits >> kMantissaBits) - kExponentBias;
   double m = std::bit_cast<double>((bits & 0x000fffffffffffffULL) |

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Our own sin, cos, exp and log. Libraries differ in the last bit, and motions with contacts are chaotic: one
-// bit now is another motion in seconds. Built from + - * / and integer work only, these give the same bits on
-// every compiler, optimisation level and browser. Error bounds below are checked by
-// tests/core/scalar_math_test.
+// Our own sin, cos, exp and log. Libraries differ in the last bit, and motions with contacts are chaotic: a
+// difference of one bit becomes a different motion within seconds. These functions use only + - * / and
+// integer operations, so they give the same bits on every compiler, optimisation level and browser.
+// tests/core/scalar_math_test checks the error bounds below.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ namespace gaitsmith {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
-/// sin(x) and cos(x), x in radians. |x| <= 8192: absolute error below 1.2e-7. Outside, and for NaN or
-/// infinity, the result is meaningless but the call is harmless. Reduction after [Cody Waite 1980],
+/// sin(x) and cos(x), x in radians. For |x| <= 8192 the absolute error is below 1.2e-7. For larger x, NaN and
+/// infinity the result is meaningless but the call is safe. Argument reduction after [Cody Waite 1980],
 /// polynomials of [Moshier 1992] (single precision).
 template <int W>
 inline void SinCos(typename Lane<W>::F x, typename Lane<W>::F& sine, typename Lane<W>::F& cosine) {
@@ -22,7 +22,7 @@ inline void SinCos(typename Lane<W>::F x, typename Lane<W>::F& sine, typename La
   using I = typename Lane<W>::I;
   constexpr float kTwoOverPi = 0.636619772367581f;
   constexpr float kRound = 12582912.0f;  // 1.5 * 2^23: adding it leaves the nearest integer in the low bits
-  // pi/2 in three parts; the first two have trailing zero bits so that n * part is exact for |n| < 2^13.
+  // pi/2 in three parts. The first two have trailing zero bits, so that n * part is exact for |n| < 2^13.
   constexpr float kHalfPi1 = 1.5703125f;
   constexpr float kHalfPi2 = 4.837512969970703125e-4f;
   constexpr float kHalfPi3 = 7.549789948768648e-8f;
@@ -36,7 +36,7 @@ inline void SinCos(typename Lane<W>::F x, typename Lane<W>::F& sine, typename La
   const F c = ((2.443315711809948e-5f * z - 1.388731625493765e-3f) * z + 4.166664568298827e-2f) * z * z -
               0.5f * z + 1.0f;
 
-  // Quadrants 1 and 3 swap sine and cosine; sine is negative in 2 and 3, cosine in 1 and 2.
+  // Quadrants 1 and 3 swap sine and cosine. Sine is negative in quadrants 2 and 3, cosine in 1 and 2.
   const I swap = (quadrant & 1) != 0;
   const I sine_sign = (quadrant & 2) << 30;
   const I cosine_sign = ((quadrant + 1) & 2) << 30;
@@ -44,7 +44,8 @@ inline void SinCos(typename Lane<W>::F x, typename Lane<W>::F& sine, typename La
   cosine = reinterpret_cast<F>(reinterpret_cast<I>(swap ? s : c) ^ cosine_sign);
 }
 
-/// Turns a direction by a small angle [rad], by series: |angle| <= 0.5: absolute error below 2e-7.
+/// Turns a direction by a small angle [rad], using a series. For |angle| <= 0.5 the absolute error is below
+/// 2e-7.
 template <int W>
 inline void Turn(typename Lane<W>::F angle, typename Lane<W>::F& sine, typename Lane<W>::F& cosine) {
   using F = typename Lane<W>::F;
@@ -56,8 +57,7 @@ inline void Turn(typename Lane<W>::F angle, typename Lane<W>::F& sine, typename 
   sine = turned;
 }
 
-/// sin and cos of an angle that grows with every turn, in double precision [rad]: whole turns are taken off
-/// first.
+/// sin and cos of an accumulated angle in double precision [rad]. Whole turns are removed first.
 template <int W>
 inline void SinCosOfTurn(typename Lane<W>::D turn, typename Lane<W>::F& sine, typename Lane<W>::F& cosine) {
   constexpr double kRound = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to the nearest integer
@@ -70,13 +70,13 @@ struct SineCosine {
   float cosine;
 };
 
-/// The same function for one number.
+/// SinCos for one number.
 [[nodiscard]] SineCosine SinCos(float x_rad);
 
-/// e^x. |x| <= 700: relative error below 1e-15. Below -700 gives 0, above 700 gives e^700.
+/// e^x. For |x| <= 700 the relative error is below 1e-15. Below -700 the result is 0, above 700 it is e^700.
 [[nodiscard]] double Exp(double x);
 
-/// Natural logarithm, x in [1e-300, 1e300]: absolute error below 1e-14.
+/// Natural logarithm of x in [1e-300, 1e300]. The absolute error is below 1e-14.
 [[nodiscard]] double Log(double x);
 
 }  // namespace gaitsmith

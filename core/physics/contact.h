@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Contact of endpoints with the ground: inelastic, Coulomb friction, non-penetration, as one complementarity
-// problem on velocities per step [Stewart Trinkle 1996], solved exactly for one and for two endpoints. (More:
-// contact_sweeps.h.)
+// Contact of endpoints with the ground: inelastic, with Coulomb friction and without penetration. Each step
+// is one complementarity problem on velocities [Stewart Trinkle 1996]. This file solves it exactly for one
+// and two endpoints. contact_sweeps.h solves it for more.
 //
-// At this instant a figure is one rigid body: centre of mass at height H, velocity (v_x, v_y), spin omega.
-// The ground is flat, so all its forces act at height 0. For an endpoint that touches at x from the centre of
-// mass and moves with u by the changing shape alone,
+// At one instant a figure is one rigid body: centre of mass at height H, velocity (v_x, v_y), spin omega. The
+// ground is flat, so all its forces act at height 0. For an endpoint that touches at x from the centre of
+// mass, and that the changing shape alone moves with velocity u,
 //   normal    0 <= lambda  _|_  v_n >= 0         v_n = v_y + omega x + u_y + gap / h
 //   friction  |T| <= mu lambda, opposing v_t     v_t = v_x + omega H + u_x
-// gap / h lets an endpoint reach the ground within this step and no further, so nothing ever bounces.
+// The term gap / h lets an endpoint reach the ground within this step and no further, so nothing ever
+// bounces.
 #pragma once
 
 #include "core/numeric/lane.h"
@@ -17,13 +18,13 @@
 
 namespace gaitsmith {
 
-/// The impulse of the ground at one endpoint.
+/// The ground's impulse on one endpoint.
 template <int W>
 struct Impulse {
   typename Lane<W>::F normal, tangent;  // [N s]
 };
 
-/// W figures at one instant, each one rigid body, moving as it would without the ground.
+/// W figures at one instant, each as one rigid body that moves as it would without the ground.
 template <int W>
 struct Body {
   using F = typename Lane<W>::F;
@@ -46,7 +47,7 @@ struct Contact {
   F arm;             // x from the centre of mass, at mid-step [m]
   F drift_t;         // u_x [m/s]
   F drift_n;         // u_y + gap / h [m/s]
-  Impulse<W> force;  // the ground's
+  Impulse<W> force;  // impulse by the ground
 
   [[nodiscard]] F Approach(const Body<W>& body) const { return body.velocity_y + body.spin * arm + drift_n; }
   [[nodiscard]] F Slide(const Body<W>& body) const {
@@ -54,13 +55,14 @@ struct Contact {
   }
 };
 
-/// Velocity of an endpoint by a unit impulse there: a symmetric 2 x 2 matrix, normal (n) and tangent (t).
+/// The velocity that a unit impulse at an endpoint gives this endpoint: a symmetric 2 x 2 matrix, normal (n)
+/// and tangent (t).
 template <int W>
 struct Mobility {
   using F = typename Lane<W>::F;
   F nn, nt, tt;               // [1/kg]
-  F inverse_determinant;      // of the above [kg^2]; > 0
-  F right_per_n, left_per_n;  // stops an approach of 1 m/s while friction pushes right, left [kg]
+  F inverse_determinant;      // of the matrix above [kg^2], > 0
+  F right_per_n, left_per_n;  // stops an approach of 1 m/s while friction pushes right or left [kg]
 
   Mobility() = default;
   Mobility(const World& world, const Body<W>& body, F arm) {
@@ -69,7 +71,7 @@ struct Mobility {
     nn = world.inverse_mass + arm * turned;
     nt = body.height * turned;
     tt = world.inverse_mass + body.height * raised;
-    // nn tt - nt^2, in the form that cannot cancel.
+    // nn tt - nt^2, in a form without cancellation.
     inverse_determinant =
         1.0f / (world.inverse_mass * (world.inverse_mass + (arm * turned + body.height * raised)));
     right_per_n = 1.0f / (nn + world.friction * nt);
@@ -77,26 +79,27 @@ struct Mobility {
   }
 };
 
-/// The impulse that stops an endpoint altogether.
-/// @param b_n, b_t v_n and v_t without this impulse [m/s]
+/// The impulse that stops an endpoint in both directions.
 template <int W>
 Impulse<W> Stop(const Mobility<W>& m, typename Lane<W>::F b_n, typename Lane<W>::F b_t) {
   return {(m.nt * b_t - m.tt * b_n) * m.inverse_determinant,
           (m.nt * b_n - m.nn * b_t) * m.inverse_determinant};
 }
 
-/// Lanes in which an impulse pushes and lies in the friction cone.
+/// Lanes in which an impulse pushes away from the ground and lies in the friction cone.
 template <int W>
 typename Lane<W>::I InCone(const Impulse<W>& force, float friction) {
   return (force.normal > 0.0f) & (Lane<W>::Abs(force.tangent) <= friction * force.normal);
 }
 
-/// The impulse that alone satisfies contact and friction at one endpoint, exactly: nothing for an endpoint
-/// that would not reach the ground; stick (both velocities vanish) if that lies in the friction cone; else
-/// slip on the edge of the cone, to the side on which friction opposes it. One of the three always fits;
-/// where rounding denies all of them, at the very edge of the cone, the edge next to sticking is taken.
-/// In exact numbers the sign of stop's tangent alone tells right from left. In floats it is noise where a
-/// figure's radius of gyration is tiny against the arm, and the ground would pull: hence all the conditions.
+/// The impulse that alone satisfies contact and friction at one endpoint, exactly:
+/// - none for an endpoint that would not reach the ground
+/// - stick (both velocities vanish) if that impulse lies in the friction cone
+/// - else slip on the edge of the cone, to the side on which friction opposes the slip
+/// One of the three always fits. If rounding rejects all of them, at the very edge of the cone, the edge next
+/// to sticking is taken. In exact arithmetic the sign of stop's tangent alone decides between right and left.
+/// In floats this sign is noise when a figure's radius of gyration is tiny against the arm, and the ground
+/// would pull. That is why all the conditions are checked.
 /// @param b_n, b_t v_n and v_t without this impulse [m/s]
 template <int W>
 Impulse<W> SolveOne(const Mobility<W>& m, typename Lane<W>::F b_n, typename Lane<W>::F b_t, float friction) {
@@ -106,7 +109,7 @@ Impulse<W> SolveOne(const Mobility<W>& m, typename Lane<W>::F b_n, typename Lane
   const Impulse<W> stop = Stop<W>(m, b_n, b_t);
   const I sticks = InCone<W>(stop, friction);
 
-  // Friction +mu lambda pushes right, so the endpoint must slide left, and the other way round.
+  // Friction +mu lambda pushes right, so the endpoint must slide left. The mirror case is the same.
   const F right_n = -b_n * m.right_per_n;
   const F left_n = -b_n * m.left_per_n;
   const I can_right = m.right_per_n > 0.0f, can_left = m.left_per_n > 0.0f;
@@ -122,17 +125,18 @@ Impulse<W> SolveOne(const Mobility<W>& m, typename Lane<W>::F b_n, typename Lane
 }
 
 /// The impulses of two endpoints that both stay on the ground, exactly. Two points determine how the figure
-/// moves up and how it spins, so the sum N of the normal impulses and their moment with friction's are known;
-/// unknown is friction's sum T, on which both slides depend alike. Let `low` be the endpoint that drifts
-/// further left. There are five modes:
+/// moves up and how it spins. So the sum N of the normal impulses and the joint moment of normal impulses and
+/// friction are known. Unknown is the sum T of the friction impulses, and both slides depend on T in the same
+/// way. Let `low` be the endpoint that drifts further left, and `high` the other. There are five modes:
 ///   T = -mu N                     both slip right
 ///   T = T_low, which stops low    high slips right
 ///   T = mu (low_n - high_n)       low slips left, high right
 ///   T = T_high, which stops high  low slips left
 ///   T = mu N                      both slip left
-/// Friction's moment loads one of the two. So where they drift apart on a narrow stance either can stick, and
-/// the smaller T is taken: the one that stuck goes on sticking.
-/// @return the lanes in which this is the solution: both impulses push, and the endpoints are two
+/// The friction's moment loads one of the two. If they drift apart on a narrow stance, either can stick. Then
+/// the smaller |T| is taken, so that the endpoint that sticks continues to stick.
+/// @return the lanes in which this is the solution: both impulses push, and the endpoints are far enough
+/// apart
 template <int W>
 typename Lane<W>::I SolveBoth(const World& world, const Body<W>& body, Contact<W>& one, Contact<W>& two) {
   using L = Lane<W>;
@@ -177,17 +181,18 @@ typename Lane<W>::I SolveBoth(const World& world, const Body<W>& body, Contact<W
   return fits & (low_n >= 0.0f) & (high_n >= 0.0f) & (L::Abs(two.arm - one.arm) > kLeastStance);
 }
 
-/// One endpoint on its own.
+/// Solves one endpoint alone.
 template <int W>
 void SolveSingle(const World& world, const Body<W>& body, Contact<W>& contact) {
   const Mobility<W> mobility(world, body, contact.arm);
   contact.force = SolveOne<W>(mobility, contact.Approach(body), contact.Slide(body), world.friction);
 }
 
-/// Two endpoints: both if that pushes at both, else one alone if that keeps the other from the ground. There
-/// is one more way: friction can jam an endpoint that would not even approach; it is taken only where nothing
-/// else will do.
-/// @param has_two lanes that have a second contact; the others are solved as SolveSingle does, bit by bit
+/// Solves two endpoints: both together if both impulses push, else one alone if its impulse keeps the other
+/// from the ground. There is one more case: friction can jam an endpoint that would not even approach. This
+/// solution is used only if no other fits.
+/// @param has_two lanes that have a second contact. The other lanes are solved as SolveSingle does, with the
+/// same bits.
 template <int W>
 void SolvePair(const World& world, const Body<W>& body, Contact<W>& one, Contact<W>& two,
                const typename Lane<W>::I& has_two) {
@@ -215,8 +220,8 @@ void SolvePair(const World& world, const Body<W>& body, Contact<W>& one, Contact
   const Impulse<W> alone_two = SolveOne<W>(m_two, two.Approach(body), two.Slide(body), world.friction);
   const F two_then = approach_after(two, one.arm, alone_one);
   const F one_then = approach_after(one, two.arm, alone_two);
-  // Without a second contact nobody asks where it would go: thrown fast enough, even what is out of reach
-  // arrives.
+  // Lanes without a second contact skip the check of where it would go. At high speed even the placeholder
+  // that is out of reach would reach the ground.
   offer(alone_one, nothing, (two_then >= -kContactTolerance) | ~has_two);
   offer(nothing, alone_two, one_then >= -kContactTolerance);
   if (!L::Any(open)) return;
@@ -226,7 +231,7 @@ void SolvePair(const World& world, const Body<W>& body, Contact<W>& one, Contact
         InCone<W>(jam_one, world.friction) & (approach_after(two, one.arm, jam_one) >= -kContactTolerance));
   offer(nothing, jam_two,
         InCone<W>(jam_two, world.friction) & (approach_after(one, two.arm, jam_two) >= -kContactTolerance));
-  // Rounding denies all of them: the lesser fault.
+  // Rounding rejects every solution: take the one with the smaller error.
   offer(alone_one, nothing, two_then >= one_then);
   offer(nothing, alone_two, ~I{});
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Three and more endpoints on the ground at once: projected Gauss-Seidel with accumulated impulses
-// [Catto 2005], endpoint after endpoint, each solved exactly.
+// Three or more endpoints on the ground at once: projected Gauss-Seidel with accumulated impulses
+// [Catto 2005]. Each endpoint in turn is solved exactly.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@
 
 namespace gaitsmith {
 
-/// Starts from the impulses that the contacts carry. Sweeps go forward and backward in turn, so that neither
-/// end of a figure is favoured. A lane that a sweep has hardly moved is settled and left alone from then on:
-/// what it gets depends on nothing but itself.
-/// @param present lanes in which each contact takes part; in the others its impulse is 0 and stays so
+/// Starts from the impulses stored in the contacts. Sweeps alternate between forward and backward, so that
+/// neither end of a figure is favoured. A lane that a sweep hardly changes is settled and no longer updated.
+/// Its result therefore does not depend on the other lanes.
+/// @param present lanes in which each contact takes part. In the other lanes its impulse is 0 and stays 0.
 template <int W>
 void SolveMany(const World& world, Body<W> body, std::span<Contact<W>> contacts,
                std::span<const typename Lane<W>::I> present) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The world a figure moves in: ground, gravity, how it starts, and who pushes it.
+// The world a figure moves in: ground, gravity, start state and pushes.
 #pragma once
 
 #include <vector>
@@ -9,20 +9,20 @@
 
 namespace gaitsmith {
 
-/// The ground is the line y = 0 of a frame that is tilted with it, so a slope is only a tilted gravity:
-/// exact, and no height has to be subtracted from another one far away.
+/// The ground is the line y = 0 of a frame that tilts with it, so a slope is only a tilted gravity. This is
+/// exact and avoids subtracting two large heights far from the origin.
 struct Environment {
   float gravity_mps2 = kStandardGravity;  // [0, 100]
   float friction = 0.8f;                  // Coulomb coefficient, [0, 10]
   float slope_rad = 0.0f;                 // uphill to the right, [-0.6, 0.6]
-  float sway_rad = 0.0f;                  // rocks so far about its slope, either way, [0, 0.6]
+  float sway_rad = 0.0f;                  // amplitude of rocking about the slope, [0, 0.6]
   float sway_period_s = 4.0f;             // [0.5, 60]
 
   bool operator==(const Environment&) const = default;
 };
 
-/// How steep the ground is at a time from the start [s]. Like the deck of a ship far from its pivot: what
-/// rocks is the direction of gravity; that the ground itself is moved is left out.
+/// The ground's angle [rad] at a time from the start [s]. The ground rocks like the deck of a ship far from
+/// its pivot: only the direction of gravity changes. The acceleration of the ground itself is left out.
 [[nodiscard]] inline float GroundAngle(const Environment& environment, float time_s) {
   if (environment.sway_rad == 0.0f) return environment.slope_rad;
   const float turns = time_s / environment.sway_period_s;
@@ -30,7 +30,7 @@ struct Environment {
   return environment.slope_rad + environment.sway_rad * SinCos(2.0f * static_cast<float>(kPi) * part).sine;
 }
 
-/// The figure starts in its drawn pose, joints at rest, centre of mass at x = 0.
+/// The figure starts in its drawn pose with its joints at rest and its centre of mass at x = 0.
 struct StartState {
   float drop_height_m = 0.0f;   // of the lowest endpoint above ground, [0, 100]
   float velocity_x_mps = 0.0f;  // of the centre of mass, [-100, 100]
@@ -38,13 +38,13 @@ struct StartState {
   float spin_radps = 0.0f;      // of the whole figure, anticlockwise, [-40, 40]
 };
 
-/// Pushes on the centre of mass name no endpoint.
+/// Push::endpoint of a push on the centre of mass.
 inline constexpr int kCentreOfMass = -1;
 
 /// An impulse at one instant.
 struct Push {
-  int step = 0;                  // just before this step, [0, kMaxSteps)
-  int endpoint = kCentreOfMass;  // index of the endpoint it acts on
+  int step = 0;                  // the push acts just before this step, [0, kMaxSteps)
+  int endpoint = kCentreOfMass;  // index of the endpoint it acts on, or kCentreOfMass
   float impulse_x_ns = 0.0f;     // N s, [-1e6, 1e6]
   float impulse_y_ns = 0.0f;
 

@@ -28,7 +28,7 @@ Result<void> CheckTree(const Figure& figure) {
       return Fail(ErrorCode::kStructure, RodPath(rod, "parent"), "a rod cannot be its own parent");
     }
   }
-  // Walking up from any rod must end at the root within as many steps as there are rods.
+  // Walking up from any rod must reach the root in at most as many steps as there are rods.
   for (int rod = 0; rod < figure.Rods(); ++rod) {
     int at = rod;
     for (int steps = 0; at != kNoParent; ++steps) {

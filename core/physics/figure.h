@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A 2D articulated figure: a tree of rigid uniform rods [Fukunaga 1994, section 2]. n rods have n - 1 joint
-// angles and n + 1 endpoints, as Table 1 of the paper counts them.
+// angles and n + 1 endpoints, as counted in Table 1 of the paper.
 #pragma once
 
 #include <string>
@@ -13,17 +13,17 @@ namespace gaitsmith {
 
 enum class RodEnd { kStart, kEnd };
 
-/// Index of the root rod's (absent) parent.
+/// The parent index of the root rod, which has no parent.
 inline constexpr int kNoParent = -1;
 
 struct Rod {
-  float length_m = 1.0f;             // [0.001, 1000]
-  float mass_kg = 1.0f;              // [1e-6, 1e6], spread evenly along the rod
-  int parent = kNoParent;            // index of the rod it hangs on; kNoParent for exactly one rod, the root
+  float length_m = 1.0f;   // [0.001, 1000]
+  float mass_kg = 1.0f;    // [1e-6, 1e6], spread evenly along the rod
+  int parent = kNoParent;  // index of the rod it is attached to; kNoParent for exactly one rod, the root
   RodEnd parent_end = RodEnd::kEnd;  // the end of the parent where this rod starts
-  float rest_rad = 0.0f;  // drawn angle against the parent (root: against horizontal), anticlockwise
-  float min_rad = -1.0f;  // joint limits against rest_rad, [-pi, 0] and [0, pi];
-  float max_rad = 1.0f;   // the root has no joint and ignores them
+  float rest_rad = 0.0f;  // drawn angle relative to the parent (root: to the horizontal), anticlockwise
+  float min_rad = -1.0f;  // lower joint limit relative to rest_rad, [-pi, 0]; ignored for the root
+  float max_rad = 1.0f;   // upper joint limit relative to rest_rad, [0, pi]; ignored for the root
 
   bool operator==(const Rod&) const = default;
 };
@@ -37,13 +37,12 @@ struct Figure {
   [[nodiscard]] int Endpoints() const { return Rods() + 1; }
 };
 
-/// As many rods hang on the same ends, whatever their lengths, masses, angles and limits: controllers of one
-/// figure can drive the other.
+/// True if both trees have the same number of rods attached to the same ends, whatever their lengths, masses,
+/// angles and limits. Controllers of one figure can then drive the other.
 [[nodiscard]] bool SameTree(const Figure&, const Figure&);
 
 /// Checks that the rods form one tree and every number is in range.
-/// @return nothing, or the first fault: where it is ("rods[2].parent") and what is wrong, for a person to
-/// read.
+/// @return nothing, or the first fault: where it is ("rods[2].parent") and what is wrong, in readable words
 [[nodiscard]] Result<void> Validate(const Figure&);
 
 }  // namespace gaitsmith

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The first physical model, frozen: W articulated figures of one kind in one environment, whose joints follow
-// their targets whatever that takes. A plant as rollout/plant.h asks for.
+// The first physical model, frozen: W articulated figures of one kind in one environment. The joints follow
+// their targets with whatever torque that takes. Satisfies the concept Plant of rollout/plant.h.
 #pragma once
 
 #include <array>
@@ -78,8 +78,8 @@ class FigurePlant {
             .rise = &s.velocity_y};
   }
 
-  /// Not from the state's sine and cosine, whose squares add up to 1 but for rounding: a figure that has not
-  /// turned is upright to the bit.
+  /// Computed afresh, because the squares of the state's sine and cosine add up to 1 only within rounding. A
+  /// figure that has not turned is upright to the bit.
   [[nodiscard]] F Upright() const {
     F sine, cosine;
     SinCosOfTurn<W>(state_.turn_rad - static_cast<double>(skeleton_.start_angle_rad), sine, cosine);
@@ -163,7 +163,7 @@ class FigurePlant {
     s.height_m = s.start_height_m = s.greatest_height_m = L::Splat(start.drop_height_m) - lowest;
   }
 
-  /// The end of the step becomes the state; what was measured in it is added up.
+  /// Makes the end of the step the state, and adds up what was measured in the step.
   [[gnu::noinline]] void Conclude() {
     MotionState<W>& s = state_;
     const auto endpoints = static_cast<std::size_t>(skeleton_.endpoints);
@@ -171,11 +171,11 @@ class FigurePlant {
     s.velocity_y += s.ground.up * world_.inverse_mass;
     s.angular_momentum += s.ground.moment;
     s.distance_m += L::ToDouble(s.path_x);
-    // Turned anew from the start: a direction that is turned on and on would lose what is below its rounding,
-    // and a figure at rest would count turns that it does not make.
+    // The direction is computed from the accumulated turn. A direction turned step by step would lose what is
+    // below its rounding, and a figure at rest would count turns that it does not make.
     s.turn_rad += L::ToDouble(s.spin * world_.step_s);
     SinCosOfTurn<W>(s.turn_rad, s.sine, s.cosine);
-    // Whatever still ends below ground is lifted out, by position alone, without velocity.
+    // Lifts a figure that still ends below the ground, by position alone, without changing its velocity.
     F lowest = s.endpoint_height[0];
     for (std::size_t k = 1; k < endpoints; ++k) lowest = L::Min(s.endpoint_height[k], lowest);
     const F lift = L::Max(-lowest, F{});
@@ -183,7 +183,7 @@ class FigurePlant {
     s.lifting_work_j = lift * world_.weight_n;
     s.greatest_height_m = L::Max(s.greatest_height_m, s.height_m);
     s.slip_m += s.ground.slip_m;
-    // Written so that NaN trips the guards too.
+    // Written so that NaN also trips the guards.
     const F work = s.ground.normal_work_j + s.ground.friction_work_j + s.lifting_work_j;
     s.broken |= ~((lift <= kMaxPenetration) & (work <= world_.max_ground_work_j) &
                   (s.ground.given_energy_j + s.lifting_work_j <= world_.max_ground_work_j) &

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // A step as it would be without the ground. Controllers prescribe the joint angles, so at every instant a
-// figure is one rigid body of changing shape with three unknown motions. The state holds momentum, not
-// velocity: free flight then conserves linear and angular momentum exactly, whatever the joints do
+// figure is one rigid body of changing shape with three unknown velocities. The state holds momentum, not
+// velocity. Free flight therefore conserves linear and angular momentum exactly, whatever the joints do
 // (docs/physics.md derives every line).
 //
 //   L = J phi' + H      J(q) = sum m |r|^2 + m l^2 / 12      H(q, q') = sum m (r x u) + (m l^2 / 12) w
 //
-// J and H are taken at mid-step from the two poses around it: r = (r0 + r1) / 2, u = (r1 - r0) / h. One pose
-// per step thus serves both the dynamics (second order in flight) and the contacts, for which it is exact up
-// to the square of the angle turned in a step.
+// J and H are taken at mid-step from the poses before and after the step: r = (r0 + r1) / 2, u = (r1 - r0) /
+// h. One pose per step thus serves both the dynamics (second order in flight) and the contacts, for which it
+// is exact up to the square of the angle turned in a step.
 #pragma once
 
 #include "core/physics/joint_response.h"
@@ -17,12 +17,13 @@
 
 namespace gaitsmith {
 
-/// Where the figures are at the end of the step, given what the ground does as known by now.
+/// Places the figures at the end of the step, given the ground's effect as known so far.
 template <int W>
 void PlaceAtEnd(const Skeleton& skeleton, const World& world, MotionState<W>& s) {
   using L = Lane<W>;
   using F = typename L::F;
-  // Impulses change L directly; the spin follows from it, so that no rounding leaks from one into the other.
+  // Impulses change L directly, and the spin is derived from L, so that rounding errors do not accumulate in
+  // both.
   s.spin = (s.angular_momentum + s.ground.moment - s.shape.momentum) * s.inverse_inertia;
   const auto touched = s.ground.up > 0.0f;
   s.path_x =
@@ -38,7 +39,7 @@ void PlaceAtEnd(const Skeleton& skeleton, const World& world, MotionState<W>& s)
   }
 }
 
-/// Endpoints that would end the step near the ground or below it, as bits.
+/// Bit mask of the endpoints that would end the step near the ground or below it.
 template <int W>
 typename Lane<W>::I EndpointsNearGround(const Skeleton& skeleton, const MotionState<W>& s) {
   typename Lane<W>::I near{};
@@ -48,7 +49,7 @@ typename Lane<W>::I EndpointsNearGround(const Skeleton& skeleton, const MotionSt
   return near;
 }
 
-/// Gravity, joints and the path of a step without ground.
+/// Computes gravity, joints and the path of a step without the ground.
 template <int W>
 [[gnu::noinline]] void Fly(const Skeleton& skeleton, const World& world, const ActuatorTargets<W>& targets,
                            MotionState<W>& s) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ground's part of a step: which endpoints of each figure touch, what the ground does to them, and where
-// that leaves the figure.
+// The ground's part of a step: which endpoints of each figure touch, which impulses they get, and where that
+// leaves the figure.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace gaitsmith {
 
-/// W figures with up to Slots contacts each; which endpoint a contact is differs from figure to figure.
+/// W figures with up to Slots contacts each. The endpoint behind a contact can differ from figure to figure.
 template <int W, std::size_t Slots>
 class Touch {
   using L = Lane<W>;
@@ -22,7 +22,7 @@ class Touch {
   using I = typename L::I;
 
  public:
-  /// @param endpoints bits, of the lanes that count; 0 in the others
+  /// @param endpoints bit mask per lane, 0 in lanes that take no part
   Touch(const World& world, const MotionState<W>& s, const I& endpoints, std::size_t contacts)
       : world_(world), contacts_(contacts) {
     for (int lane = 0; lane < W; ++lane) {
@@ -33,7 +33,7 @@ class Touch {
         number_[c][static_cast<std::size_t>(lane)] = endpoint * W + static_cast<std::size_t>(lane);
       }
     }
-    // Forces act in the middle of the step, as far as it is known by now.
+    // Forces act in the middle of the step, at the positions known so far.
     body_ = {s.velocity_x,    s.velocity_y,     s.flight_spin, s.height_m + 0.5f * s.path_y,
              s.shape.inertia, s.inverse_inertia};
     F sine = s.sine, cosine = s.cosine;
@@ -45,10 +45,10 @@ class Touch {
       const F r_x = 0.5f * (x0 + x1), r_y = 0.5f * (y0 + y1);
       const F u_x = (x1 - x0) * world.inverse_step, u_y = (y1 - y0) * world.inverse_step;
       Contact<W>& contact = contact_[c];
-      // An arm of a contact that there is not may be infinite where all else is finite, and no force times
-      // that is not zero.
+      // The arm of an absent contact may be infinite, and zero force times infinity is not zero. Absent
+      // contacts therefore get arm 0.
       contact.arm = L::Select(present_[c], cosine * r_x - sine * r_y, F{});
-      // An endpoint that only lands in this step is not quite at height 0 at mid-step.
+      // An endpoint that lands during this step is not quite at height 0 at mid-step.
       const F above = body_.height + (sine * r_x + cosine * r_y);
       contact.drift_t = (cosine * u_x - sine * u_y) - s.spin * above;
       const F gap = s.height_m + (s.sine * x0 + s.cosine * y0);
@@ -63,8 +63,8 @@ class Touch {
     } else if constexpr (Slots == 2) {
       SolvePair<W>(world_, body_, contact_[0], contact_[1], present_[1]);
     } else {
-      // Where two feet are driven apart, friction climbs to the edge of its cone a step's worth a sweep: it
-      // starts where it was.
+      // If two feet are driven apart, friction climbs to the edge of its cone by one step's worth per sweep.
+      // So the sweeps start from the friction of the last step.
       for (std::size_t c = 0; c < contacts_; ++c) {
         contact_[c].force = {L::Select(present_[c], last_normal_[c], F{}),
                              L::Select(present_[c], Each(c, s.last_tangent), F{})};
@@ -73,7 +73,7 @@ class Touch {
     }
   }
 
-  /// Hands the impulses to the lanes that count.
+  /// Writes the impulses to the state in the given lanes.
   void Tell(const I& lanes, MotionState<W>& s) const {
     Body<W> body = body_;
     GroundEffect<W> effect;
@@ -113,10 +113,10 @@ class Touch {
   }
 
  private:
-  /// The drift of a contact that there is not [m/s].
+  /// The drift of an absent contact [m/s], so large that it never reaches the ground.
   static constexpr float kOutOfReach = 1e6f;
 
-  /// What an array over endpoints holds for each lane's own one.
+  /// Gathers each lane's own endpoint of a contact from an array over endpoints.
   [[nodiscard]] F Each(std::size_t contact, const std::array<F, kMaxEndpoints>& numbers) const {
     const auto* first = reinterpret_cast<const float*>(numbers.data());
     F all;
@@ -126,8 +126,8 @@ class Touch {
 
   const World& world_;
   std::size_t contacts_;
-  // Where each lane's endpoint stands in an array over endpoints, counted in floats; endpoint 0 where there
-  // is none.
+  // Index of each lane's endpoint in an array over endpoints, counted in floats. Absent contacts use endpoint
+  // 0.
   std::array<std::array<std::size_t, W>, Slots> number_;
   std::array<I, Slots> present_;
   Body<W> body_;
@@ -135,7 +135,8 @@ class Touch {
   std::array<F, Slots> last_normal_;
 };
 
-/// Solves the contacts of the lanes whose endpoints are given as bits.
+/// Solves the contacts of each lane.
+/// @param endpoints bit mask per lane of the endpoints that touch, 0 in lanes that take no part
 template <int W>
 void SolveTouching(const World& world, MotionState<W>& s, const typename Lane<W>::I& endpoints) {
   using I = typename Lane<W>::I;
@@ -160,10 +161,11 @@ void SolveTouching(const World& world, MotionState<W>& s, const typename Lane<W>
   touch.Tell(many, s);
 }
 
-/// The energy that the ground's impulses give in a step [J]: their work at the mean of the velocities before
-/// and after them, which is that after, less half of what they changed. Measured on the way that the
-/// endpoints go, not on the one that was foreseen: never above zero, were the contacts solved exactly. Only
-/// where much energy goes by (elsewhere, and that is most steps, not much can be given either).
+/// Measures the energy that the ground's impulses add in a step [J]: their work at the mean of the velocities
+/// before and after them. This equals the work at the velocities after them, less half of the velocity change
+/// they cause. It is measured along the endpoints' actual paths, not the predicted ones. If contacts were
+/// solved exactly, it would never be positive. It is computed only in lanes where much energy is exchanged.
+/// In most steps little is exchanged, so little can be gained.
 template <int W>
 void MeasureGivenEnergy(const Skeleton& skeleton, const World& world, MotionState<W>& s) {
   using L = Lane<W>;
@@ -172,8 +174,9 @@ void MeasureGivenEnergy(const Skeleton& skeleton, const World& world, MotionStat
   const F kick_y = s.ground.up + world.mass_kg * world.fall_y;
   const F changed = 0.5f * ((kick_x * kick_x + kick_y * kick_y) * world.inverse_mass +
                             s.ground.moment * s.ground.moment * s.inverse_inertia);
-  // What normal forces gave and friction took counts on its own, and so does friction on a lever that was
-  // foreseen in free fall: for a figure of a millimetre a step's fall is long.
+  // Work of normal forces and of friction are added as magnitudes, so that they cannot cancel. So is friction
+  // on the error of its lever, which was predicted in free fall: a figure of a millimetre falls far in a step
+  // compared with its size.
   const F lever = 0.5f * (s.flight_y - s.path_y);
   const F went_by = changed + L::Abs(s.ground.normal_work_j) + L::Abs(s.ground.friction_work_j) +
                     L::Abs(s.ground.along * s.spin * lever);
@@ -191,12 +194,12 @@ void MeasureGivenEnergy(const Skeleton& skeleton, const World& world, MotionStat
     const F arm_y = 0.5f * (y + s.endpoint_height[k] - s.path_y) - s.height_m;
     moment += s.normal[k] * (0.5f * (x + next_x)) - s.tangent[k] * arm_y;
   }
-  // Where the arms were foreseen wrongly, angular momentum comes with energy that no endpoint was given.
+  // If the arms were predicted wrongly, the angular momentum adds energy that no endpoint received.
   const F astray = s.spin * (s.ground.moment - moment);
   s.ground.given_energy_j = L::Select(much, (along + up) * world.inverse_step - changed + astray, F{});
 }
 
-/// Lets the figures that would end the step near the ground meet it.
+/// Applies the ground to the figures that would end the step near it.
 template <int W>
 [[gnu::noinline]] void MeetGround(const Skeleton& skeleton, const World& world, MotionState<W>& s) {
   using L = Lane<W>;
@@ -210,7 +213,7 @@ template <int W>
     const typename L::F guess = s.spin;
     PlaceAtEnd<W>(skeleton, world, s);
     if (round == kContactRounds) break;
-    // A landing may throw further endpoints against the ground, and turn the arms it was computed with.
+    // A landing may throw further endpoints against the ground, and turn the contact arms.
     const I touched = s.ground.up > 0.0f;
     const I near = known | (touched & EndpointsNearGround<W>(skeleton, s));
     const I turned = touched & (L::Abs(s.spin - guess) * world.step_s > kArmTurn);

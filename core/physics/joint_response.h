@@ -13,8 +13,8 @@ namespace gaitsmith {
 ///   theta'' = (target - theta) / tau^2 - 2 theta' / tau,
 /// in closed form: with e = theta - target and A = theta' + e / tau,
 ///   theta <- target + (e + A h) exp(-h / tau)      theta' <- (theta' - A h / tau) exp(-h / tau).
-/// A joint that reaches its limit stops there (a fast rule that hands over to a slow one would overshoot by
-/// several radians); the figure's momentum is untouched by that.
+/// A joint that reaches its limit stops there. Without limits it would overshoot by several radians when a
+/// fast rule hands over to a slow one. Stopping does not change the figure's momentum.
 /// @param angle, rate  of each joint [rad], [rad/s]; in and out
 /// @param turn         out: change of each angle in this step [rad]
 template <int W>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Everything about W figures side by side: what they carry from step to step, what is measured over their
-// motion, and the step in progress. Plain data; flight.h, ground.h and figure_plant.h work on it.
+// The state of W figures side by side: what carries over from step to step, what is measured over the motion,
+// and the step in progress. Plain data, used by flight.h, ground.h and figure_plant.h.
 #pragma once
 
 #include <array>
@@ -10,17 +10,17 @@
 
 namespace gaitsmith {
 
-/// What the ground did to W figures in a step.
+/// The ground's effect on W figures in one step.
 template <int W>
 struct GroundEffect {
   using F = typename Lane<W>::F;
   F along{}, up{};    // sum of impulses [N s]
   F moment{};         // about the centre of mass [N m s]
-  F slip_m{};         // way of endpoints that bear load now and did a step before
+  F slip_m{};         // path of endpoints that bear load in this step and in the step before
   F normal_work_j{};  // by normal forces
   F friction_work_j{};
-  F friction_gain_j{};  // of that, by contacts where it had the wrong sign
-  F given_energy_j{};   // by all, as the endpoints then really went: see MeasureGivenEnergy
+  F friction_gain_j{};  // the part by contacts where friction did positive work, which it never should
+  F given_energy_j{};   // by all impulses along the endpoints' actual paths: see MeasureGivenEnergy
 };
 
 template <int W>
@@ -30,15 +30,15 @@ struct MotionState {
   using I = typename L::I;
   using D = typename L::D;
 
-  // Carried from step to step. The state holds momentum, not spin: see flight.h.
+  // Carried over from step to step. The state holds momentum, not spin: see flight.h.
   D distance_m{};  // of the centre of mass along the ground
-  F height_m{};    // of the centre of mass above it
+  F height_m{};    // of the centre of mass above the ground
   F velocity_x{}, velocity_y{};
   F angular_momentum{};  // about the centre of mass [kg m^2/s]
   D turn_rad{};          // of the root rod, whole turns included
   F sine{}, cosine{};    // of turn_rad
   std::array<F, kMaxJoints> angle_rad{}, rate_radps{};
-  std::array<Pose<W>, 2> poses{};  // [now] as it is, the other one at the end of the step in progress
+  std::array<Pose<W>, 2> poses{};  // [now]: the present pose; the other one: at the end of the step
   int now = 0;
   std::array<F, kMaxEndpoints> last_normal{};  // impulses of the ground in the last step [N s]
   std::array<F, kMaxEndpoints> last_tangent{};
@@ -51,23 +51,23 @@ struct MotionState {
   std::array<F, kMaxJoints> joint_turn{};  // [rad]
   Shape<W> shape{};
   F inverse_inertia{};
-  F flight_x{}, flight_y{};      // way of the centre of mass if no ground is met [m]
-  F path_x{}, path_y{};          // and as known by now
-  F flight_spin{}, spin{};       // of the root rod, likewise [rad/s]
-  F next_sine{}, next_cosine{};  // at the end of the step, as known by now
+  F flight_x{}, flight_y{};      // displacement of the centre of mass without the ground [m]
+  F path_x{}, path_y{};          // displacement of the centre of mass as known so far [m]
+  F flight_spin{}, spin{};       // of the root rod, without the ground and as known so far [rad/s]
+  F next_sine{}, next_cosine{};  // of the root rod at the end of the step, as known so far
   std::array<F, kMaxEndpoints> endpoint_height{};
   std::array<F, kMaxEndpoints> normal{}, tangent{};  // impulses in this step [N s]
   GroundEffect<W> ground{};
   F lifting_work_j{};
-  F foreseen_spin{};  // with which the arms of the contacts were computed [rad/s]
+  F foreseen_spin{};  // predicted spin that the contact arms were computed with [rad/s]
 
   [[nodiscard]] const Pose<W>& PoseNow() const { return poses[static_cast<std::size_t>(now)]; }
   [[nodiscard]] const Pose<W>& NextPose() const { return poses[static_cast<std::size_t>(1 - now)]; }
   [[nodiscard]] Pose<W>& NextPose() { return poses[static_cast<std::size_t>(1 - now)]; }
 };
 
-/// Puts every lane where one figure is, its joint rates and what its endpoints bear included, and measures
-/// from there. What is void stays so.
+/// Copies one figure's state into every lane, with its joint rates and contact impulses. Measuring starts
+/// from there. A void motion stays void.
 template <int W>
 void SpreadState(const MotionState<1>& one, MotionState<W>& all) {
   using L = Lane<W>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where every part of W figures is, given their joint angles, and how that shape changes: seen from the root
-// rod, measured from the centre of mass.
+// Where every part of W figures is, given their joint angles, and how that shape changes. Positions are in
+// the root frame, relative to the centre of mass.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace gaitsmith {
 
-/// Root frame: the root rod points along +x. Positions are relative to the centre of mass of the whole
-/// figure.
+/// Positions in the root frame, in which the root rod points along +x, relative to the centre of mass of the
+/// whole figure.
 template <int W>
 struct Pose {
   using F = typename Lane<W>::F;
@@ -23,7 +23,7 @@ struct Pose {
 };
 
 /// Forward kinematics, parents first.
-/// @param angle_rad joint angles against rest, skeleton.joints of them
+/// @param angle_rad joint angles relative to rest, skeleton.joints of them
 template <int W>
 void PoseFigure(const Skeleton& skeleton, const std::array<typename Lane<W>::F, kMaxJoints>& angle_rad,
                 Pose<W>& pose) {
@@ -64,21 +64,21 @@ void PoseFigure(const Skeleton& skeleton, const std::array<typename Lane<W>::F, 
   }
 }
 
-/// The changing shape at mid-step, as the dynamics see it.
+/// The inertia and momentum of the changing shape at mid-step.
 template <int W>
 struct Shape {
   using F = typename Lane<W>::F;
   F inertia;   // J, about the centre of mass [kg m^2]
-  F momentum;  // H, angular momentum of the joints' motion alone, root held [kg m^2/s]
+  F momentum;  // H, angular momentum of the joints' motion with the root held still [kg m^2/s]
 };
 
-/// J and H from the poses around a step: r = (r0 + r1) / 2, u = (r1 - r0) / h.
+/// J and H from the poses before and after a step: r = (r0 + r1) / 2, u = (r1 - r0) / h.
 /// @param joint_turn change of each joint angle in the step [rad]
 template <int W>
 Shape<W> MeasureShape(const Skeleton& skeleton, const Pose<W>& before, const Pose<W>& after,
                       const std::array<typename Lane<W>::F, kMaxJoints>& joint_turn, float inverse_step) {
   using F = typename Lane<W>::F;
-  std::array<F, kMaxRods> turn;  // of each rod against the root in this step [rad]
+  std::array<F, kMaxRods> turn;  // turn of each rod relative to the root in this step [rad]
   turn[0] = F{};
   F inertia{}, swept{};
   for (std::size_t rod = 0; rod < static_cast<std::size_t>(skeleton.rods); ++rod) {

@@ -9,8 +9,8 @@ namespace gaitsmith {
 
 namespace {
 
-/// Endpoints as high as the highest but for this share of the longest rod count as equally high: what tells
-/// the ends of a symmetric figure apart would be rounding.
+/// Endpoints within this share of the longest rod below the highest one count as equally high. Otherwise
+/// rounding would decide between the ends of a symmetric figure.
 constexpr float kSameHeight = 1e-4f;
 
 int HighestEndpoint(const Skeleton& skeleton) {
@@ -32,7 +32,7 @@ int HighestEndpoint(const Skeleton& skeleton) {
 
 Skeleton::Skeleton(const Figure& figure)
     : rods(figure.Rods()), joints(figure.Joints()), endpoints(figure.Endpoints()) {
-  // Walk in rounds: a rod follows once its parent has; drawn order breaks ties.
+  // Number the rods in rounds: a rod gets its number once its parent has one. Ties go to the drawn order.
   std::array<int, kMaxRods> walked_index;
   walked_index.fill(-1);
   int walked = 0;

@@ -8,7 +8,7 @@ namespace gaitsmith {
 
 namespace {
 
-// Lengths, masses and limits may differ by this share, places by this share of the longest rod.
+// Tolerance of lengths and masses as a share, of limits in rad, of positions as a share of the longest rod.
 constexpr float kTolerance = 1e-3f;
 
 bool Near(float a, float b, float scale) {
@@ -34,7 +34,7 @@ std::unexpected<Error> Lopsided() {
   return Fail(ErrorCode::kStructure, "", "the figure is not its own mirror image as it is drawn");
 }
 
-// The endpoint that lies where the image of this one does; -1: none.
+// The endpoint at the mirror image of this one, or -1 if there is none.
 int ImageOfEndpoint(const Drawn& drawn, int endpoint) {
   const auto k = static_cast<std::size_t>(endpoint);
   for (int other = 0; other < drawn.skeleton.endpoints; ++other) {
@@ -45,7 +45,7 @@ int ImageOfEndpoint(const Drawn& drawn, int endpoint) {
   return -1;
 }
 
-// The rod between the images of a rod's ends, of the same length and mass; -1: none.
+// The rod of the same length and mass between the images of a rod's ends, or -1 if there is none.
 int ImageOfRod(const Skeleton& skeleton, const Symmetry& symmetry, int rod) {
   const Skeleton::Limb& limb = skeleton.limbs[static_cast<std::size_t>(rod)];
   const int start = symmetry.endpoint[static_cast<std::size_t>(limb.start)];
@@ -84,8 +84,8 @@ Result<Symmetry> SymmetryOf(const Figure& figure) {
     const Skeleton::Limb& limb = skeleton.limbs[j + 1];
     const int child = rod_image[j + 1];
     const int parent = rod_image[static_cast<std::size_t>(limb.parent)];
-    // Of two rods that hang on each other the image may have the other one for its parent; then the angle
-    // between them, turned round twice, keeps its sign.
+    // Of two joined rods the images may have swapped the roles of parent and child. The angle between them is
+    // then reversed twice and keeps its sign.
     const bool kept = skeleton.limbs[static_cast<std::size_t>(child)].parent == parent;
     const bool swapped = skeleton.limbs[static_cast<std::size_t>(parent)].parent == child;
     if (!kept && !swapped) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which parts of a figure are each other's mirror image.
+// Which parts of a figure mirror each other.
 #pragma once
 
 #include <array>
@@ -8,15 +8,16 @@
 
 namespace gaitsmith {
 
-/// Where the parts of a figure are in its mirror image, joints and endpoints in the skeleton's order.
+/// For each part of a figure, its counterpart in the mirror image. Joints and endpoints are in the skeleton's
+/// order.
 struct Symmetry {
-  std::array<int, kMaxJoints> joint{};      // the joint that does what this one did
-  std::array<bool, kMaxJoints> reversed{};  // and whether it turns the other way
+  std::array<int, kMaxJoints> joint{};      // the counterpart of this joint
+  std::array<bool, kMaxJoints> reversed{};  // whether the counterpart turns the other way
   std::array<int, kMaxEndpoints> endpoint{};
 };
 
-/// @param figure valid
-/// @return an error that says why, for a figure whose mirror image is another one
+/// @param figure must be valid (see Validate)
+/// @return an error with the reason if the figure is not its own mirror image
 [[nodiscard]] Result<Symmetry> SymmetryOf(const Figure& figure);
 
 }  // namespace gaitsmith

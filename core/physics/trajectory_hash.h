@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A 64-bit fingerprint of a motion: every position of every step, bit by bit. Two motions with the same hash
-// are the same motion; it travels in each link so that a page can tell when a replay differs.
+// A 64-bit fingerprint of a motion: every position of every step, bit by bit. Equal hashes mean equal
+// motions. Each link contains the hash, so that a page can detect a replay that differs.
 #pragma once
 
 #include <bit>
@@ -15,7 +15,7 @@ class TrajectoryHash {
   [[nodiscard]] std::uint64_t Value() const { return hash_; }
 
  private:
-  /// Processors differ in the bits of NaN; all of them count as one.
+  /// Processors differ in the bits of NaN. All NaNs count as this one.
   static constexpr std::uint64_t kNotANumber = 0x7ff8000000000000ULL;
 
   /// FNV-1a [Fowler Noll Vo 1991] over 64-bit words, with a shift that carries high bits down.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all figures of a simulation share: their environment and mass, as the numbers that a step needs.
+// What all figures of a simulation share: environment and mass, as the numbers that a step needs.
 #pragma once
 
 #include "core/numeric/scalar_math.h"
@@ -19,7 +19,7 @@ struct World {
     max_ground_work_j = kMaxGroundWork * mass_kg * kStandardGravity * skeleton.longest_rod_m;
   }
 
-  /// Gravity for ground of this slope. @return the slope's cosine
+  /// Sets gravity for ground of this slope. @return the slope's cosine
   float Tilt(float gravity_mps2, float slope_rad) {
     const SineCosine slope = SinCos(slope_rad);
     fall_x = -gravity_mps2 * slope.sine * step_s;
@@ -28,7 +28,7 @@ struct World {
   }
 
   float step_s, inverse_step;
-  float fall_x, fall_y;  // change of velocity by gravity in a step [m/s]
+  float fall_x, fall_y;  // change of velocity by gravity in one step [m/s]
   float weight_n;        // normal to the ground at its mean slope
   float friction;        // Coulomb coefficient
   float mass_kg, inverse_mass;

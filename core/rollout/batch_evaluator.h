@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scores a batch of genomes side by side, on the plant of one model. Evaluator picks the plant.
+// Scores a batch of genomes side by side, with the plant of one model. Evaluator chooses the plant.
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@ namespace gaitsmith {
 class BatchEvaluator {
  public:
   virtual ~BatchEvaluator() = default;
-  /// Most genomes of a batch.
+  /// Maximum number of genomes in a batch.
   [[nodiscard]] virtual std::size_t Lanes() const = 0;
-  /// @param genomes of the problem's shape, 1 to Lanes() @param results as many
+  /// @param genomes of the problem's shape, 1 to Lanes() of them @param results out: one for each genome
   virtual void Evaluate(std::span<const std::span<const Gene>> genomes,
                         std::span<Evaluation> results) const = 0;
 };
@@ -70,7 +70,7 @@ class PlantEvaluator final : public BatchEvaluator {
   typename PlantOf<W>::Body body_;
   Ports ports_;
   ControllerShape shape_;
-  std::vector<Moment<PlantOf, 1>> moments_;  // of the problem's beginnings
+  std::vector<Moment<PlantOf, 1>> moments_;  // one for each of the problem's beginnings
   bool with_hash_;
 };
 

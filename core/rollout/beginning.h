@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a beginning leaves the plant.
+// The state of the plant during and after a beginning.
 #pragma once
 
 #include <span>
@@ -9,9 +9,11 @@
 
 namespace gaitsmith {
 
-/// The moments of what a beginning does. @param problem its own beginnings do not matter @param body of the
-/// problem's figure @param steps since the start, ascending; the beginning goes on until the last of them
-/// @return one for each step
+/// Simulates a beginning and saves moments of it.
+/// @param problem its own beginnings are not used
+/// @param body of the problem's figure
+/// @param steps since the start, ascending; the beginning continues until the last of them
+/// @return one moment for each step
 template <template <int> class PlantOf>
 [[nodiscard]] std::vector<Moment<PlantOf, 1>> MomentsDuring(const Beginning& beginning,
                                                             const Problem& problem,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a motion was worth.
+// The score of a motion.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 namespace gaitsmith {
 
 struct Evaluation {
-  float fitness = kVoidScore;         // with several beginnings: the mean, void if one is
-  Terms terms;                        // means, too; further ones only where the task weighs them
-  std::uint64_t trajectory_hash = 0;  // only filled when asked for
+  float fitness = kVoidScore;  // the mean over the beginnings, void if one of them is void
+  Terms terms;                 // means over the beginnings; further terms only if the task weights them
+  std::uint64_t trajectory_hash = 0;  // only filled on request
 };
 
-/// Takes one more of several evaluations into their mean. @param before how many are in it
+/// Adds an evaluation to the mean of several. @param before number of evaluations already in the mean
 void AddToMean(Evaluation& mean, const Evaluation& next, int before);
 
 }  // namespace gaitsmith

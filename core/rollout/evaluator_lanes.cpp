@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Evaluators of every width, in a file of their own: a program that asks for none does not carry them.
+// Evaluators of every width. They are in a separate file so that a program that does not use them does not
+// link them.
 #include "core/rollout/batch_evaluator.h"
 #include "core/rollout/evaluator.h"
 #include "core/rollout/models.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What normalised senses of a figure are in units.
+// The scales that convert a figure's normalised senses to physical units.
 #pragma once
 
 #include "core/control/sense_table.h"

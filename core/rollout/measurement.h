@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What controllers are worth: a task's time of a rollout, measured.
+// Scores controllers: runs a rollout for the task's duration and measures it.
 #pragma once
 
 #include <optional>
@@ -11,15 +11,15 @@
 
 namespace gaitsmith {
 
-/// Runs a rollout for the task's duration.
+/// Runs a rollout for the task's duration and scores its first lanes.
 /// @param actuators of the plant
-/// @param results out: of the first lanes, without hashes
-/// @param hashes  of every lane, each step is added to them; none: hashes are not wanted
+/// @param results out: one for each of the first lanes, without hashes
+/// @param hashes  one for each lane; each step is added to them. Empty: no hashes
 template <template <int> class PlantOf, int W>
 void Measure(Rollout<PlantOf, W>& rollout, int actuators, const Task& task, std::span<Evaluation> results,
              std::span<TrajectoryHash> hashes = {}) {
   const PlantOf<W>& plant = rollout.PlantNow();
-  // Most searches weigh none of the further terms. They are not measured then.
+  // Most searches give the further terms no weight. Then they are not measured.
   const FurtherTerms weighted = WeightedFurtherTerms(task);
   std::optional<StyleMeter<PlantOf<W>>> meter;
   if (weighted != FurtherTerms{}) meter.emplace(plant, actuators, weighted, kStep);

@@ -7,17 +7,17 @@ namespace gaitsmith {
 
 namespace {
 
-// "Shuffle" and "Shuffle, mirrored" are each other's image.
+// The image of "Shuffle" is "Shuffle, mirrored", and the other way round.
 std::string NameOfImage(const std::string& name) {
   static const std::string kSuffix = ", mirrored";
-  constexpr std::size_t kRoom = 80;  // bytes that a name may have in a document
+  constexpr std::size_t kRoom = 80;  // maximum length of a name in a document, in bytes
   if (name.ends_with(kSuffix)) return name.substr(0, name.size() - kSuffix.size());
   return name.empty() || name.size() + kSuffix.size() > kRoom ? name : name + kSuffix;
 }
 
 Gene Opposite(Gene gene) { return static_cast<Gene>(kGeneMax - gene); }
 
-// Where a sense goes in the mirror image, and whether it is turned round there.
+// The counterpart of a sense in the mirror image, and whether its interval is reversed there.
 struct ImageOfSense {
   int sense;
   bool reversed;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The mirror image of a controller: what it does to the right, its image does to the left. Only a figure that
-// is its own mirror image as it is drawn (Mr. Star-Man, a worm, not a horse) can follow it.
+// The mirror image of a controller does to the left what the controller does to the right. Only a figure
+// whose drawing is its own mirror image (Mr. Star-Man or a worm, but not a horse) can follow it.
 #pragma once
 
 #include "core/control/controller.h"
@@ -8,8 +8,10 @@
 
 namespace gaitsmith {
 
-/// Its name says that it is mirrored. @param controller rules, for this figure
-/// @return an error for a network (its sensors cannot feel the opposite) or where SymmetryOf has one
+/// The name of the result says that it is mirrored.
+/// @param controller a controller of rules for this figure
+/// @return an error for a network, whose sensors cannot sense the opposite, and whenever SymmetryOf returns
+/// one
 [[nodiscard]] Result<Controller> MirrorImageOf(const Controller& controller, const Figure& figure);
 
 }  // namespace gaitsmith

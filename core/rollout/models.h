@@ -7,8 +7,8 @@
 
 namespace gaitsmith {
 
-/// Calls back with the plant of a model, as a template argument. Motions and evaluators do so once, when they
-/// are made: no step asks which model it is of.
+/// Calls back with the plant of a model as a template argument. Motions and evaluators do this once, when
+/// they are created, so that no step has to check the model.
 /// @param model [1, kModelVersion]
 /// @param call  a generic lambda, [&]<template <int> class PlantOf>() {…}
 template <class Call>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scores a controller from moments of a beginning, on the plant of one model. TransitionMap picks the plant.
+// Scores a controller from moments of a beginning, with the plant of one model. TransitionMap chooses the
+// plant.
 #pragma once
 
 #include <span>
@@ -13,16 +14,16 @@ namespace gaitsmith {
 class MomentScorer {
  public:
   virtual ~MomentScorer() = default;
-  /// What the task gives for the controller from a moment on. @param moment index of its step
+  /// The task's score of the controller from a moment on. @param moment index of its step
   [[nodiscard]] virtual float ScoreFrom(int moment) const = 0;
-  /// And from the problem's start, without pushes.
+  /// The task's score from the problem's start, without pushes.
   [[nodiscard]] virtual float UsualScore() const = 0;
 };
 
 template <template <int> class PlantOf>
 class PlantMomentScorer final : public MomentScorer {
  public:
-  /// Parameters as of TransitionMap.
+  /// Takes the same parameters as TransitionMap.
   PlantMomentScorer(const Problem& problem, const Genome& genome, std::span<const int> steps)
       : problem_(problem),
         body_(problem.figure),

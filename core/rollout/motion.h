@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A recorded motion: what a document's figure does, step by step, to be drawn, printed or hashed.
+// A recorded motion: what a document's figure does, step by step, for drawing, printing and hashing.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,14 @@ namespace gaitsmith {
 
 class MotionRecorder;
 
-/// All that fixes the bits of a motion: a scene and who acts in it.
+/// Everything that determines the bits of a motion: a scene and its controllers.
 struct Script {
   const Figure& figure;
   Environment environment;
   StartState start;
   std::span<const Push> pushes;             // sorted by step
   std::span<const Controller> controllers;  // for this figure; clips index into them
-  std::span<const Clip> clips;  // sorted by start_step, the first at 0; with none the drawn pose is held
+  std::span<const Clip> clips;  // sorted by start_step, the first at 0; if empty, the drawn pose is held
   int steps;                    // [0, kMaxSteps]
   float step_s = kStep;
   int model = 1;  // version of the physical model, [1, kModelVersion]
@@ -32,15 +32,15 @@ class Motion {
  public:
   /// Simulates a composite motion.
   explicit Motion(const Script&);
-  /// The same, where another motion of the same figure, ground and start is known: what they have in common
-  /// is taken from it, and only the rest is simulated. Not a bit differs. Nothing is taken from a motion of
-  /// another model.
-  /// @param parting all that acts before this step acts in both motions: clips, controllers and pushes
+  /// Simulates a composite motion, reusing a known motion of the same figure, ground and start. The common
+  /// part is copied from the known motion, and only the rest is simulated. The result has the same bits. A
+  /// known motion of another model is not reused.
+  /// @param parting everything that acts before this step acts in both motions: clips, controllers and pushes
   Motion(Motion known, int parting, const Script&);
-  /// With a plant that no document can name. @param recorder a PlantRecorder of it
+  /// With a plant that is not a model of documents. @param recorder a PlantRecorder of this plant
   Motion(std::unique_ptr<MotionRecorder> recorder, const Script&);
   Motion(Motion known, int parting, std::unique_ptr<MotionRecorder> recorder, const Script&);
-  /// Of the first model.
+  /// Simulates with the first model.
   Motion(const Figure& figure, const Environment& environment, const StartState& start,
          std::span<const Push> pushes, std::span<const Controller> controllers, std::span<const Clip> clips,
          int steps, float step_s = kStep);
@@ -48,16 +48,17 @@ class Motion {
   Motion& operator=(Motion&&) noexcept;
   ~Motion();
 
-  /// Everything about one instant; frame 0 is the start.
+  /// The motion at one instant. Frame 0 is the start.
   struct Frame : Snapshot {
-    int clip;              // which clip is in charge; -1 with none
-    int rule;              // its active rule; of a network: hidden nodes that fire
-    std::uint64_t firing;  // bit i: input i of its network is 1; of a bank 0
+    int clip;              // the active clip; -1 if there is none
+    int rule;              // the active rule; for a network the number of hidden nodes that fire
+    std::uint64_t firing;  // bit i: input i of the network is 1; 0 for a bank
   };
   struct Point {
     float x, y;
   };
-  /// What a recorder writes. Rows of `ports.contacts` endpoints, `ports.actuators` joints, `senses` senses.
+  /// What a recorder writes. Each row has `ports.contacts` endpoints, `ports.actuators` joints or `senses`
+  /// senses.
   struct Log {
     PortCount ports{0, 0};
     int senses = 0;
@@ -67,7 +68,7 @@ class Motion {
     std::vector<float> angles, rates, felt;  // (frames x actuators), (frames x actuators), (frames x senses)
     std::uint64_t hash = 0;
 
-    /// Forgets all but the first frames.
+    /// Keeps only the first `frame_count` frames.
     void Truncate(int frame_count);
   };
 
@@ -79,7 +80,7 @@ class Motion {
   [[nodiscard]] Point Endpoint(int frame, int endpoint) const {
     return log_.endpoints[Row(frame, log_.ports.contacts) + static_cast<std::size_t>(endpoint)];
   }
-  /// Contact force in the step that led here [N]: x along the ground, y away from it.
+  /// Contact force in the step that ended at this frame [N]: x along the ground, y away from it.
   [[nodiscard]] Point Force(int frame, int endpoint) const {
     return log_.forces[Row(frame, log_.ports.contacts) + static_cast<std::size_t>(endpoint)];
   }
@@ -89,7 +90,7 @@ class Motion {
   [[nodiscard]] float RateRadps(int frame, int joint) const {
     return log_.rates[Row(frame, log_.ports.actuators) + static_cast<std::size_t>(joint)];
   }
-  /// What the controller in charge feels, normalised; 0 for senses it does not have.
+  /// A sense of the active controller, normalised. 0 for senses that it does not have.
   [[nodiscard]] float Sense(int frame, int sense) const {
     return log_.felt[Row(frame, log_.senses) + static_cast<std::size_t>(sense)];
   }
@@ -105,7 +106,7 @@ class Motion {
   Skeleton skeleton_;
   float step_s_;
   Log log_;
-  std::unique_ptr<MotionRecorder> recorder_;  // knows states to go on from
+  std::unique_ptr<MotionRecorder> recorder_;  // holds states to resume from
 };
 
 }  // namespace gaitsmith

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Simulates a motion and writes down all of it, on the plant of one model. Motion picks the plant.
+// Simulates and records a motion, with the plant of one model. Motion chooses the plant.
 #pragma once
 
 #include <vector>
@@ -13,11 +13,11 @@ namespace gaitsmith {
 class MotionRecorder {
  public:
   virtual ~MotionRecorder() = default;
-  /// The version of the model: only its own recorder can go on from a checkpoint.
+  /// The version of the model. A checkpoint can only be resumed by a recorder of the same model.
   [[nodiscard]] virtual int Model() const = 0;
-  /// Forgets all checkpoints after a step. @return frames that come before the last one that is left
+  /// Removes all checkpoints after a step. @return number of frames before the last remaining checkpoint
   [[nodiscard]] virtual int Rewind(int step) = 0;
-  /// Simulates on from the last checkpoint, or from the start. @param log up to that checkpoint
+  /// Simulates from the last checkpoint, or from the start. @param log recorded up to that checkpoint
   virtual void Record(const Script&, Motion::Log& log) = 0;
 };
 
@@ -66,11 +66,11 @@ class PlantRecorder final : public MotionRecorder {
   }
 
  private:
-  static constexpr int kCheckpointSteps = 100;  // one a second
+  static constexpr int kCheckpointSteps = 100;  // one per second
 
-  /// A state to go on from.
+  /// A state to resume from.
   struct Checkpoint {
-    Moment<PlantOf, 1> moment;  // before a clip that begins here takes over
+    Moment<PlantOf, 1> moment;  // before a clip that starts at this step takes over
     typename StyleMeter<PlantOf<1>>::Sums sums;
     TrajectoryHash hash;
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a physical model has to offer, so that controllers can drive it and it can be scored, recorded, handed
-// over and hashed. core/physics/figure_plant.h is the first one.
+// The interface of a physical model. A model that satisfies it can be driven by controllers, scored,
+// recorded, handed over and hashed. core/physics/figure_plant.h is the first one.
 #pragma once
 
 #include <array>
@@ -18,31 +18,31 @@
 
 namespace gaitsmith {
 
-/// P simulates kLanes bodies side by side, one in each lane of the vector types of numeric/lane.h. No lane
-/// may influence another one, and a lane's bits must not depend on the number of lanes. Its types and
-/// members:
+/// P simulates kLanes bodies side by side, one in each lane of the vector types of numeric/lane.h. Lanes must
+/// not influence each other, and a lane's bits must not depend on the number of lanes. Its types and members:
 ///
-///   kLanes, kModel        number of lanes; the version of the physical model, >= 1, that documents name
-///   Body                  topology and constants, made from a valid figure; outlives its plants. How far
-///                         bodies may differ from lane to lane is the plant's own affair
-///   State                 everything that changes, of all lanes; LaneState: that of a plant of one lane
+///   kLanes, kModel        number of lanes; the version of the physical model in documents, >= 1
+///   Body                  topology and constants, made from a valid figure; outlives its plants. The plant
+///                         decides how far bodies may differ from lane to lane
+///   State, LaneState      everything that changes, of all lanes; of a plant of one lane
 ///   CountPorts, PortsOf   actuators and contacts: in [0, kMaxActuators] and [0, kMaxContacts]
 ///
-///   P(body, environment, start, step_s)   at rest in its drawn pose, or moving as the start says
-///   Save(), Restore()     saves and restores: what follows has the same bits
-///   BeginAt(state)        puts every lane where one body is, and measures distance, greatest height, slip
-///   and
-///                         turns from there. A body that broke physics stays broken
-///   Give(push)            an impulse [N s] between two steps
+///   P(body, environment, start, step_s)   in its drawn pose, at rest or moving as in start
+///   Save(), Restore()     saves and restores; the motion continues with the same bits
+///   BeginAt(state)        copies the state of one body into every lane, and measures distance, greatest
+///                         height, slip and turns from there. A body that broke physics stays broken
+///   Give(push)            applies an impulse [N s] between two steps
 ///   Step(step, targets)   advances by step_s [s]. step: number of the step since the start, from 0.
 ///                         targets: [rad] for joints, with time constants
-///   Read()                what controllers and style meters read, in physical units
-///   Upright()             cosine of the turn from the drawn pose, [-1, 1]; HeadHeight(): above ground [m]
+///   Read()                the readings for controllers and style meters, in physical units
+///   Upright()             cosine of the turn from the drawn pose, [-1, 1]
+///   HeadHeight()          height of the head above ground [m]
 ///   TermsOf(lane)         primary and paper's terms since the start, or since BeginAt
-///   AddTo(hash, lane)     the positions of the present step; whatever differs in them differs in the hash
-///   Observe(lane)         for recorded motions
-///   ContactPoint(i, lane) of contact i relative to the centre of mass [m], x along the ground, y away from
-///   it ContactForce(i, lane) of the ground in the last step [N], along the ground and away from it
+///   AddTo(hash, lane)     hashes the positions of the present step; different positions, different hash
+///   Observe(lane)         the snapshot for recorded motions
+///   ContactPoint(i, lane) position of contact i relative to the centre of mass [m], x along the ground,
+///                         y away from it
+///   ContactForce(i, lane) force of the ground in the last step [N], along the ground and away from it
 template <class P>
 concept Plant = requires(P plant, const P seen, const Figure& figure, const typename P::Body& body,
                          const Push& push, const ActuatorTargets<P::kLanes>& targets,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A motion-synthesis problem: everything that turns a genome into a score, but the genome.
+// A motion-synthesis problem: everything except the genome that determines a score.
 #pragma once
 
 #include <vector>
@@ -11,37 +11,37 @@
 
 namespace gaitsmith {
 
-/// A controller that takes over at a step. The whole state of the figure, joint rates included, carries
-/// across.
+/// A controller that takes over at a step. The whole state of the figure carries over, including joint rates.
 struct Clip {
   int controller = 0;  // index into a list of controllers
   int start_step = 0;
 };
 
-/// What the figure does before the controller that is scored takes over.
+/// What the figure does before the scored controller takes over.
 struct Beginning {
   std::vector<Controller> controllers;
-  std::vector<Clip> clips;  // sorted by start_step, the first at 0; with none it holds its drawn pose
+  std::vector<Clip> clips;  // sorted by start_step, the first at 0; if empty, the drawn pose is held
   int steps = 0;            // [0, kMaxSteps]
 };
 
 struct Problem {
-  Figure figure;  // valid
+  Figure figure;  // must be valid
   Environment environment;
   StartState start;
   std::vector<Push> pushes;  // sorted by step
   Task task;
   SenseSpec senses;
-  int rules = 10;  // or a network's hidden nodes, [1, kMaxRules]
+  int rules = 10;  // a bank's rules or a network's hidden nodes, [1, kMaxRules]
   ControllerKind kind = ControllerKind::kRules;
-  /// Where the controller takes over; none: at the start. With several it is scored from each of them, and
-  /// what counts is the mean: a robust controller [Fukunaga 1994, section 6].
+  /// Where the controller takes over. If empty, it starts the motion. With several beginnings the controller
+  /// is scored from each of them, and its score is the mean: this finds robust controllers [Fukunaga 1994,
+  /// section 6].
   std::vector<Beginning> beginnings = {};
-  int model = 1;  // version of the physical model, [1, kModelVersion]: which plant simulates
+  int model = 1;  // version of the physical model, which chooses the plant, [1, kModelVersion]
 
-  /// Of the controllers that are searched for.
+  /// The shape of the controllers that the search tries.
   [[nodiscard]] ControllerShape Shape() const;
-  /// The same for a plant that no model names.
+  /// The shape for a plant that is not a model of documents.
   [[nodiscard]] ControllerShape ShapeFor(const PortCount& ports) const {
     return {kind, rules, senses.kind, ports};
   }

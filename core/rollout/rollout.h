@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The one loop that simulates: W plants, each driven by its own controller, step by step. The evaluator,
-// motions, beginnings and transition maps all run it.
+// The only simulation loop: W plants, each driven by its own controller, step by step. The evaluator,
+// motions, beginnings and transition maps all use it.
 #pragma once
 
 #include <span>
@@ -13,14 +13,14 @@
 
 namespace gaitsmith {
 
-/// Decoded controllers that take over at a step. The whole state of the plant carries across.
+/// Decoded controllers that take over at a step. The whole state of the plant carries over.
 template <int W>
 struct Takeover {
   int step;
   Controllers<W> controllers;
 };
 
-/// A moment of a rollout, from which it can go on as if it had never been left.
+/// A saved moment of a rollout. Restoring it continues the rollout as if it had not been interrupted.
 template <template <int> class PlantOf, int W>
 struct Moment {
   typename PlantOf<W>::State plant;
@@ -30,7 +30,7 @@ struct Moment {
   std::size_t taken_over = 0;  // takeovers so far
 };
 
-/// What RunTo does at each step where nothing else is asked for.
+/// A callback for RunTo that does nothing.
 inline constexpr auto kNothing = [] {};
 
 template <template <int> class PlantOf, int W>
@@ -39,14 +39,15 @@ class Rollout {
  public:
   using P = PlantOf<W>;
 
-  /// @param body, pushes, takeovers must outlive the rollout. Pushes and takeovers are sorted by step; until
+  /// @param body, pushes, takeovers must outlive the rollout. Pushes and takeovers are sorted by step. Until
   /// the first takeover the plant holds its drawn pose
   Rollout(const typename P::Body& body, const Environment& environment, const StartState& start,
           std::span<const Push> pushes, std::span<const Takeover<W>> takeovers = {}, float step_s = kStep)
       : plant_(body, environment, start, step_s), pushes_(pushes), takeovers_(takeovers) {}
 
-  /// Lets other controllers take over now: their first rules become active, their timers start at zero, their
-  /// networks are empty. The motion goes on as it is. @param controllers must outlive their use
+  /// Lets controllers take over now: their first rules become active, their timers start at zero, their
+  /// networks are empty. The motion continues from its present state.
+  /// @param controllers must outlive their use
   void Follow(const Controllers<W>& controllers) {
     controllers_ = &controllers;
     std::visit([&](const auto& one) { Begin(one, control_, targets_); }, controllers);
@@ -66,8 +67,8 @@ class Rollout {
     controllers_ = taken_over_ == 0 ? nullptr : &takeovers_[taken_over_ - 1].controllers;
     SkipPushes();
   }
-  /// Every lane begins as one plant was at a moment, at rest or not, without its controller. What is measured
-  /// is measured from there.
+  /// Starts every lane from one plant's state at a moment, without its controller. The plant need not be at
+  /// rest. Measurements start from there.
   void BeginAt(const Moment<PlantOf, 1>& moment) {
     plant_.BeginAt(moment.plant);
     control_ = {};
@@ -77,7 +78,7 @@ class Rollout {
     SkipPushes();
   }
 
-  /// Lets everything take over that does so by the present step.
+  /// Applies all takeovers up to the present step.
   void TakeOver() {
     while (taken_over_ < takeovers_.size() && takeovers_[taken_over_].step <= step_) {
       Follow(takeovers_[taken_over_].controllers);
@@ -99,7 +100,7 @@ class Rollout {
   }
 
   /// Simulates until a step.
-  /// @param before is called before each step, and before a controller takes over at it
+  /// @param before is called before each step, before any controller takes over at it
   /// @param after  is called after each step
   template <class Before, class After>
   void RunTo(int end, Before before, After after) {
@@ -114,13 +115,13 @@ class Rollout {
   [[nodiscard]] const P& PlantNow() const { return plant_; }
   [[nodiscard]] int StepNow() const { return step_; }
   [[nodiscard]] const ControllerState<W>& Control() const { return control_; }
-  /// In charge now; null: none.
+  /// The active controllers, or null if there are none.
   [[nodiscard]] const Controllers<W>* InCharge() const { return controllers_; }
-  /// The takeover in charge; -1: none yet.
+  /// Index of the active takeover, or -1 before the first one.
   [[nodiscard]] int Clip() const { return static_cast<int>(taken_over_) - 1; }
 
  private:
-  /// Past those that were given before the present step.
+  /// Skips the pushes that were applied before the present step.
   void SkipPushes() {
     next_push_ = 0;
     while (next_push_ < pushes_.size() && pushes_[next_push_].step < step_) ++next_push_;
@@ -137,7 +138,7 @@ class Rollout {
   std::size_t taken_over_ = 0;
 };
 
-/// Clips, each with its controller decoded. @param controllers that the clips index into
+/// Decodes the controller of each clip. @param controllers the clips index into them
 [[nodiscard]] std::vector<Takeover<1>> DecodeClips(std::span<const Clip> clips,
                                                    std::span<const Controller> controllers,
                                                    const Ports& ports, float step_s);

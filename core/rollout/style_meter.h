@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Measures the further style terms of a plant from outside: it reads the plant after every step and changes
-// nothing. So no motion depends on what is measured of it, and a search that weighs none of these terms does
-// not pay for them. docs/style.md defines them.
+// Measures our own style terms of a plant. It only reads the plant after every step. So no motion depends on
+// what is measured, and a search that gives these terms no weight does not pay for them. docs/style.md
+// defines them.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ class StyleMeter {
   using D = typename L::D;
 
  public:
-  /// What has been summed up so far.
+  /// The sums so far.
   struct Sums {
     int steps = 0;
     std::array<F, kMaxActuators> rate_radps{};  // of each joint before the step
@@ -26,16 +26,17 @@ class StyleMeter {
   [[nodiscard]] const Sums& Save() const { return sums_; }
   void Restore(const Sums& sums) { sums_ = sums; }
 
-  /// @param plant that has not stepped yet; it must outlive the meter
-  /// @param actuators of the plant @param wanted terms to measure; the others stay 0
+  /// @param plant that has not stepped yet; must outlive the meter
+  /// @param actuators of the plant
+  /// @param wanted terms to measure; the others stay 0
   StyleMeter(const P& plant, int actuators, const FurtherTerms& wanted, float step_s)
       : plant_(plant), actuators_(static_cast<std::size_t>(actuators)), wanted_(wanted), step_s_(step_s) {
     const Readings<P::kLanes> now = plant.Read();
     for (std::size_t j = 0; j < actuators_; ++j) sums_.rate_radps[j] = now.rate[j];
   }
 
-  /// Call it after every step. A step's sum over the joints is single, the motion's sum double precision, so
-  /// that two minutes lose nothing.
+  /// Call after every step. The sum over the joints of one step is in single precision, the sum over the
+  /// motion in double, so that a motion of two minutes loses nothing.
   [[gnu::noinline]] void Add() {
     ++sums_.steps;
     const Readings<P::kLanes> now = plant_.Read();
@@ -56,7 +57,7 @@ class StyleMeter {
     if (Wants(StyleTerm::kHeadHeight)) sums_.head_m += L::ToDouble(plant_.HeadHeight());
   }
 
-  /// Puts what one figure has done so far into its terms. Before the first step a mean is the start's value.
+  /// Writes one lane's terms so far. Before the first step a mean is the value at the start.
   void Put(int lane, Terms& terms) const {
     const double steps = sums_.steps;
     const bool none = sums_.steps == 0;

@@ -30,7 +30,7 @@ float Fitness(const Task& task, const Terms& terms) {
   float fitness = Primary(task, terms);
   for (int term = 0; term < kStyleTerms; ++term) {
     const float weight = task.weights[static_cast<std::size_t>(term)];
-    if (term >= kPaperTerms && weight == 0.0f) continue;  // may not have been measured
+    if (term >= kPaperTerms && weight == 0.0f) continue;  // not measured
     fitness += weight * terms.Style(static_cast<StyleTerm>(term));
   }
   return std::isfinite(fitness) ? fitness : kVoidScore;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What counts as a good motion: a primary term plus weighted secondary terms (style) [Fukunaga 1994,
+// The definition of a good motion: a primary term plus weighted secondary terms (style) [Fukunaga 1994,
 // section 4.1].
 #pragma once
 
@@ -11,7 +11,7 @@
 namespace gaitsmith {
 
 enum class TaskKind {
-  kTravel,       // |distance| the centre of mass has moved, either way [m]
+  kTravel,       // |distance| moved by the centre of mass, in either direction [m]
   kTravelRight,  // distance to the right [m]
   kTravelLeft,   // distance to the left [m]
   kJump,         // greatest height of the centre of mass above its start [m]
@@ -19,7 +19,7 @@ enum class TaskKind {
 
 struct Task {
   TaskKind kind = TaskKind::kTravel;
-  int duration_steps = 500;  // T in whole steps, [1, kMaxSteps]; the paper's motions: 5 to 10 s
+  int duration_steps = 500;                     // T in whole steps, [1, kMaxSteps]; 5 to 10 s in the paper
   std::array<float, kStyleTerms> weights = {};  // of the secondary terms, [-1000, 1000]
 };
 
@@ -29,14 +29,14 @@ inline constexpr float kVoidScore = -1e9f;
 /// The primary term alone.
 [[nodiscard]] float Primary(const Task&, const Terms&);
 
-/// The further terms whose weights are not 0: what a search has to measure.
+/// The further terms with a weight other than 0. A search has to measure these.
 [[nodiscard]] FurtherTerms WeightedFurtherTerms(const Task&);
 
-/// Fitness: primary term + sum of weight * secondary term; kVoidScore for a motion that broke physics or
-/// whose fitness is not a number. Reads no further term whose weight is 0.
+/// The fitness: primary term + sum of weight * secondary term. kVoidScore for a motion that broke physics or
+/// whose fitness is not finite. Further terms with weight 0 are not read.
 [[nodiscard]] float Fitness(const Task&, const Terms&);
 
-/// "travel", "travel-right", "travel-left", "jump": names on the command line and in documents.
+/// Names on the command line and in documents.
 inline constexpr std::array<std::string_view, 4> kTaskNames = {"travel", "travel-right", "travel-left",
                                                                "jump"};
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a controller would do if it took over at other moments, while what goes before it goes on until then.
+// How a controller would score if it took over at other moments, while the clips before it continue until
+// then.
 #pragma once
 
 #include <memory>
@@ -10,34 +11,36 @@
 
 namespace gaitsmith {
 
-/// Moments have places: every 16th comes first, then those in the middle between them, and so on, so that a
-/// part of the map is soon a picture of the whole. @return for each place the index of a moment
+/// An order of moments from coarse to fine: every 16th first, then the moments halfway between those, and so
+/// on. An unfinished map therefore already covers the whole range.
+/// @return the index of a moment for each place in the order
 [[nodiscard]] std::vector<int> CoarseFirst(int count);
 
 class MomentScorer;
 
 class TransitionMap {
  public:
-  /// @param problem of the controller that takes over, with exactly one beginning, whose steps do not matter;
-  /// the task says how long it is watched @param genome of that controller
+  /// @param problem of the controller that takes over, with exactly one beginning. Its number of steps is not
+  /// used. The task gives the duration of each score
+  /// @param genome of that controller
   /// @param steps at which it could take over, ascending, each in [0, kMaxSteps]
   TransitionMap(const Problem& problem, const Genome& genome, std::span<const int> steps);
-  /// With a plant that no document can name: a PlantMomentScorer of it.
+  /// With a PlantMomentScorer, for a plant that is not a model of documents.
   TransitionMap(std::shared_ptr<const MomentScorer> scorer, int moments);
 
-  /// Moments.
+  /// Number of moments.
   [[nodiscard]] int Count() const { return static_cast<int>(order_.size()); }
-  /// Simulates. @param first,count places within Count()
-  /// @return of each what the task gives for what follows from there; kVoidScore where physics breaks.
-  /// It does not depend on how the places are dealt out
+  /// Simulates the moments at some places in the order.
+  /// @param first,count places within Count()
+  /// @return the task's score from each moment on; kVoidScore if the motion breaks physics. The result does
+  /// not depend on how places are divided into calls
   [[nodiscard]] std::vector<float> Scores(int first, int count) const;
-  /// What the controller reaches in that time from the problem's start, without pushes: what scores are
-  /// measured by.
+  /// The controller's score from the problem's start, without pushes. Other scores are compared with it.
   [[nodiscard]] float UsualScore() const { return usual_; }
 
  private:
   std::shared_ptr<const MomentScorer> scorer_;
-  std::vector<int> order_;  // of each place
+  std::vector<int> order_;  // moment at each place in the order
   float usual_;
 };
 

@@ -35,7 +35,7 @@ std::vector<Genome> BatchSearch::Ask(int wanted) {
 void BatchSearch::Tell(std::span<const Score> scores) {
   if (scores.empty()) return;
   for (Score score : scores) {
-    // NaN loses to everything, and no motion is infinitely good.
+    // NaN ranks below every other fitness, and no motion is infinitely good.
     if (!(score.fitness < std::numeric_limits<float>::infinity())) {
       score.fitness = -std::numeric_limits<float>::infinity();
     }
@@ -95,7 +95,7 @@ Result<void> BatchSearch::Load(BitReader& in) {
       in.Overrun() ? Fail(ErrorCode::kTruncated, "search", "the saved search ends too early")
       : good       ? Fail(ErrorCode::kTrailing, "search", "the saved search goes on after its end")
                    : Fail(ErrorCode::kOutOfRange, "search", "is not a state of this search");
-  // A refused state changes nothing.
+  // A refused state changes nothing: restore the state from before.
   BitReader back(before.Bytes());
   static_cast<void>(Read(back));
   return fault;

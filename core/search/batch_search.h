@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What searches share that go batch by batch: they name a batch of genomes, learn the scores of all of it,
-// and name the next: a generation, a pair of children, one step of a simplex. A batch is handed out in pieces
-// of any size, and what follows from it depends on the whole alone. The budget may end in the middle of a
-// batch.
+// Base class of searches that work in batches: they propose a batch of genomes, receive the scores of the
+// whole batch, and propose the next. A batch is a generation, a pair of children or one step of a simplex,
+// for example. Ask may hand out a batch in pieces of any size. The next batch depends only on the whole. The
+// budget may end in the middle of a batch.
 #pragma once
 
 #include "core/search/genome_bits.h"
@@ -28,15 +28,15 @@ class BatchSearch : public Search {
   BatchSearch(const SearchSettings& settings, const SearchSpace& space)
       : settings_(settings), space_(space) {}
 
-  /// The next batch, at least one genome: a function of the state that SaveState saves, and of nothing else.
+  /// The next batch, at least one genome. Depends only on the state that SaveState saves.
   [[nodiscard]] virtual std::vector<Genome> Propose() const = 0;
-  /// Scores of the whole batch, fitness a number or minus infinity.
+  /// Receives the scores of the whole batch. Each fitness is a number or minus infinity.
   virtual void Absorb(std::span<const Genome> batch, std::span<const Score> scores) = 0;
-  /// The part of a batch that the budget's end allowed. Nothing is proposed after it.
+  /// Receives the part of a batch that was scored before the budget ended. No batch is proposed after it.
   virtual void AbsorbRest(std::span<const Genome>, std::span<const Score>) {}
   virtual void SaveState(BitWriter&) const = 0;
-  /// @return false when it cannot be a state of this search; then it may have been taken in part. Whoever
-  /// reads past the end reads zeros and need not look out.
+  /// @return false if this cannot be a state of this search; it may then have been loaded in part. Reading
+  /// past the end gives zeros, so implementations need not check for it.
   [[nodiscard]] virtual bool LoadState(BitReader&) = 0;
 
   [[nodiscard]] const SearchSettings& Settings() const { return settings_; }
@@ -44,7 +44,7 @@ class BatchSearch : public Search {
   [[nodiscard]] Genome First(int individual) const {
     return FirstGenome(space_, settings_.variation, settings_.seed, individual);
   }
-  /// Random numbers of a child's own.
+  /// A separate random stream for each child.
   [[nodiscard]] RandomStream Stream(int individual, int generation) const {
     return {settings_.seed, static_cast<std::uint64_t>(individual), static_cast<std::uint64_t>(generation)};
   }
@@ -54,8 +54,8 @@ class BatchSearch : public Search {
 
   SearchSettings settings_;
   SearchSpace space_;
-  std::vector<Genome> batch_;  // empty before it is asked for
-  std::vector<Score> told_;    // of the batch, as far as known
+  std::vector<Genome> batch_;  // empty until the first Ask
+  std::vector<Score> told_;    // scores of the batch received so far
   int evaluations_ = 0;
   Genome best_;
   float best_fitness_ = -std::numeric_limits<float>::infinity();
@@ -71,13 +71,13 @@ struct Individual {
 [[nodiscard]] std::vector<float> FitnessOf(const std::vector<Individual>&);
 
 void PutPopulation(BitWriter&, const std::vector<Individual>&);
-/// @param most members at most. @return false when it cannot be a population
+/// @param most maximum number of members. @return false if this cannot be a population
 [[nodiscard]] bool TakePopulation(BitReader&, std::vector<Individual>&, std::size_t most, std::size_t genes);
 
 void PutReal(BitWriter&, double);
-/// @return false unless it is finite
+/// @return false unless the value is finite
 [[nodiscard]] bool TakeReal(BitReader&, double&);
-/// @return false unless it is in [0, most]
+/// @return false unless the count is in [0, most]
 [[nodiscard]] bool TakeCount(BitReader&, int& count, int most);
 
 }  // namespace gaitsmith

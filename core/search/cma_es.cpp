@@ -12,8 +12,8 @@ namespace gaitsmith {
 namespace {
 
 constexpr int kMostPopulation = 10000;
-constexpr double kLeastSpread = 0.5 / kGeneMax;  // half a step of the grid: all samples are one genome
-constexpr double kMostSpread = 10.0;             // ten cubes: nothing is sampled but corners
+constexpr double kLeastSpread = 0.5 / kGeneMax;  // half a grid step: all samples would be one genome
+constexpr double kMostSpread = 10.0;             // ten times the cube: all samples would be its corners
 
 double Square(double x) { return x * x; }
 
@@ -49,7 +49,7 @@ CmaEs::Rules CmaEs::RulesFor(int population) const {
   r.c_one = 2.0 / (Square(n + 1.3) + r.mass);
   r.c_mu = 2.0 * (r.mass - 2.0 + 1.0 / r.mass) / (Square(n + 2.0) + r.mass);
   if (!full_) {
-    // n variances are learnt faster than n^2 / 2 covariances [Ros Hansen 2008].
+    // n variances can be learnt faster than n^2 / 2 covariances [Ros Hansen 2008].
     r.c_one *= (n + 2.0) / 3.0;
     r.c_mu *= (n + 2.0) / 3.0;
   }
@@ -122,7 +122,7 @@ bool CmaEs::Factorise() {
 std::vector<Genome> CmaEs::Propose() const {
   std::vector<Genome> batch;
   if (origin_.empty()) {
-    // A given start is individual 0; later runs have others.
+    // A given start is individual 0 of the first run.
     for (int k = 0; k < Draws(); ++k) batch.push_back(First(run_ * Settings().cma.draws + k));
     return batch;
   }
@@ -153,7 +153,7 @@ void CmaEs::Adapt(std::span<const Genome> batch, std::span<const Score> scores) 
   const Rules& r = rules_;
   const std::size_t parents = r.weights.size();
 
-  // Steps of the better half, in units of sigma, and their weighted mean.
+  // Steps of the better half in units of sigma, and their weighted mean.
   std::vector<std::vector<double>> steps(parents);
   std::vector<double> mean_step(genes_, 0.0);
   for (std::size_t i = 0; i < parents; ++i) {
@@ -165,7 +165,7 @@ void CmaEs::Adapt(std::span<const Genome> batch, std::span<const Score> scores) 
   }
   for (std::size_t gene = 0; gene < genes_; ++gene) mean_[gene] += sigma_ * mean_step[gene];
 
-  // The step's path in the coordinates of the samples: solve A w = mean step.
+  // The path of steps in the coordinates of the samples: solve A w = mean step.
   std::vector<double> whitened = mean_step;
   double length = 0.0;
   const double keep = std::sqrt(r.c_sigma * (2.0 - r.c_sigma) * r.mass);
@@ -206,7 +206,7 @@ bool CmaEs::Stalled() const {
   for (std::size_t gene = 0; gene < genes_; ++gene) {
     widest = std::max(widest, sigma_ * std::sqrt(covariance_[At(gene, gene)]));
   }
-  // The patience of [Hansen 2016] for equal fitness: 10 + 30 n / lambda generations.
+  // Number of generations without improvement that are allowed [Hansen 2016]: 10 + 30 n / lambda.
   const double patience = 10.0 + 30.0 * static_cast<double>(genes_) / population_;
   return !(widest > kLeastSpread && widest < kMostSpread) || stale_ > patience;
 }
@@ -263,7 +263,7 @@ bool CmaEs::LoadState(BitReader& in) {
       if (!TakeReal(in, value)) return false;
     }
   }
-  if (in.Overrun()) return true;  // said by whoever reads on
+  if (in.Overrun()) return true;  // the caller reports the error
   return sigma_ > 0.0 && Factorise();
 }
 

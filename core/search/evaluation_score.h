@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a search is told of an evaluated motion. Here searches and physics meet; the rest of core/search knows
-// nothing of physics.
+// Converts an evaluation of a motion to a search's score. This is the only place where searches and physics
+// meet. The rest of core/search does not depend on physics.
 #pragma once
 
 #include "core/rollout/evaluator.h"
@@ -8,7 +8,8 @@
 
 namespace gaitsmith {
 
-/// Fitness holds every weighted term; beside it stand the paper's three, which MAP-Elites sorts by.
+/// The fitness includes every weighted term. The style contains the paper's three terms, which MAP-Elites
+/// uses.
 [[nodiscard]] inline Score ScoreOf(const Evaluation& evaluation) {
   return {evaluation.fitness,
           {evaluation.terms.max_cm_height_m, evaluation.terms.slip_sum_m, evaluation.terms.rotations}};

@@ -45,7 +45,7 @@ std::vector<Genome> GenerationalGa::Propose() const {
     batch.push_back(std::move(children.copy));
     batch.push_back(std::move(children.hybrid));
   }
-  batch.resize(size);  // of an odd population the last hybrid is not born
+  batch.resize(size);  // for an odd population the last hybrid is dropped
   return batch;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A genome and its fitness in the saved state of a search.
+// Writes and reads a genome and its fitness in the saved state of a search.
 #pragma once
 
 #include <bit>
@@ -16,7 +16,7 @@ inline void PutGenome(BitWriter& out, const Genome& genome, float fitness) {
   out.Put(std::bit_cast<std::uint32_t>(fitness), 32);
 }
 
-/// @return false when the fitness cannot be one: it is NaN or plus infinity
+/// @return false if the fitness is NaN or plus infinity
 [[nodiscard]] inline bool TakeGenome(BitReader& in, Genome& genome, float& fitness, std::size_t genes) {
   genome.assign(in.Take(1) != 0 ? genes : 0, 0);
   for (Gene& gene : genome) gene = static_cast<Gene>(in.Take(16));

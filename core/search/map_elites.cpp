@@ -85,7 +85,7 @@ bool MapElites::LoadState(BitReader& in) {
     for (float& value : elite.score.style) {
       value = std::bit_cast<float>(static_cast<std::uint32_t>(in.Take(32)));
     }
-    if (in.Overrun()) return true;  // said by whoever reads on
+    if (in.Overrun()) return true;  // the caller reports the error
     if (!elite.genome.empty() && CellOf(elite.score) != cell) return false;
   }
   return true;

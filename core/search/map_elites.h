@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// MAP-Elites [Mouret Clune 2015]: a grid over style, in every cell the fittest genome whose motion falls
-// there. The style is that of the paper's three secondary terms (Table 3), so that one search yields a suite
-// of motions: shuffles, hops and turns beside each other. Children are perturbed copies of elites drawn
-// alike.
+// MAP-Elites [Mouret Clune 2015]: a grid over style that keeps in each cell the fittest genome whose motion
+// has this style. The axes are the paper's three secondary terms (Table 3), so one search yields a suite of
+// motions: shuffles, hops and turns. Children are perturbed copies of elites, drawn with equal chance.
 #pragma once
 
 #include "core/search/batch_search.h"
@@ -14,11 +13,11 @@ class MapElites final : public BatchSearch {
   MapElites(const SearchSettings& settings, const SearchSpace& space);
 
   struct Elite {
-    Genome genome;  // empty: nobody yet
+    Genome genome;  // empty until a motion falls into this cell
     Score score;
   };
   [[nodiscard]] std::vector<float> PopulationFitness() const override;
-  /// bins^3 cells; the number of a cell is (height bin * bins + slip bin) * bins + rotations bin.
+  /// bins^3 cells. The index of a cell is (height bin * bins + slip bin) * bins + rotations bin.
   [[nodiscard]] const std::vector<Elite>& Cells() const { return cells_; }
 
  private:
@@ -27,7 +26,7 @@ class MapElites final : public BatchSearch {
   void AbsorbRest(std::span<const Genome> batch, std::span<const Score> scores) override;
   void SaveState(BitWriter&) const override;
   [[nodiscard]] bool LoadState(BitReader&) override;
-  /// @return Cells().size() for a style that is none
+  /// @return Cells().size() for a void motion or a style that is not finite
   [[nodiscard]] std::size_t CellOf(const Score&) const;
 
   std::vector<Elite> cells_;

@@ -26,7 +26,7 @@ std::vector<Genome> NelderMead::Edges(const Genome& start) const {
 Genome NelderMead::Beyond(double factor) const {
   const std::size_t genes = Space().shape.Genes();
   std::vector<double> point(genes);
-  // Sums of whole numbers are exact, whatever their order.
+  // Sums of integers are exact in any order.
   for (std::size_t i = 0; i + 1 < simplex_.size(); ++i) {
     for (std::size_t gene = 0; gene < genes; ++gene) point[gene] += simplex_[i].genome[gene];
   }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Downhill simplex method of [Nelder Mead 1965], as the paper used it [Fukunaga 1994, section 3; Press 1992]:
-// n + 1 genomes, of which the worst is reflected through the middle of the others (1), expanded (2),
-// contracted (1/2), or all shrink towards the best (1/2). Every vertex lies on the 16-bit grid. When the
-// simplex has shrunk to a point of it, a new one begins at the best, each edge to either side at random.
+// Downhill simplex method of [Nelder Mead 1965], as used in the paper [Fukunaga 1994, section 3; Press 1992].
+// The worst of n + 1 genomes is reflected through the middle of the others (factor 1), expanded (2) or
+// contracted (1/2), or all shrink towards the best (1/2). Every vertex is rounded to the 16-bit grid. When
+// the simplex has shrunk to one grid point, a new one begins at the best, with each edge to a random side.
 //
-// From a random genome it is a lesson; it refines what another search has found. One evaluation after
-// another, but for first simplices and shrinking.
+// It is meant to refine what another search has found. From a random genome it is only instructive. It
+// evaluates one genome at a time, except for new simplices and shrinking.
 #pragma once
 
 #include "core/search/batch_search.h"
@@ -25,16 +25,16 @@ class NelderMead final : public BatchSearch {
   void SaveState(BitWriter&) const override;
   [[nodiscard]] bool LoadState(BitReader&) override;
 
-  /// The vertices of a new simplex around this genome, without it.
+  /// The vertices of a new simplex around this genome, without the genome itself.
   [[nodiscard]] std::vector<Genome> Edges(const Genome& start) const;
-  /// middle + factor * (middle - worst), middle that of all vertices but the worst.
+  /// middle + factor * (middle - worst), where middle is the mean of all vertices except the worst.
   [[nodiscard]] Genome Beyond(double factor) const;
   void ReplaceWorst(Individual);
   void Shrink(std::span<const Genome> batch, std::span<const Score> scores);
   [[nodiscard]] bool Collapsed() const;
 
-  std::vector<Individual> simplex_;  // best first; one vertex at a new beginning, none at the first
-  Individual reflected_;             // while it is expanded or contracted
+  std::vector<Individual> simplex_;  // best first; one vertex at a restart, none at the start
+  Individual reflected_;             // set while it is expanded or contracted
   Move move_ = Move::kBegin;
   int beginnings_ = 0;
 };

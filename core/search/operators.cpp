@@ -7,8 +7,8 @@ namespace gaitsmith {
 
 namespace {
 
-/// Share of hits on a stimulus interval that redraw it, or whether it is cared about, instead of moving its
-/// ends.
+/// Share of mutations of a stimulus interval that redraw it, or whether its sense is used, instead of moving
+/// its ends.
 constexpr double kRedrawCare = 0.25;
 
 void DrawInterval(Gene& low, Gene& high, RandomStream& random) {
@@ -48,8 +48,8 @@ void CreepRule(std::span<Gene> genes, const BankShape& shape, int rule, const Se
     const bool hit_low = hit();
     const bool hit_high = hit();
     if (!hit_low && !hit_high) continue;
-    // Whether a rule cares about a sense is itself heritable: a hit redraws it now and then, in the
-    // proportion of the initial generation, so that banks do not drift into caring about everything.
+    // Whether a rule uses a sense is heritable too. Some mutations redraw it, with the probability of the
+    // initial generation, so that banks do not drift towards using every sense.
     if (senses.kind == SenseKind::kPhysical && random.Chance(kRedrawCare)) {
       const bool ignore = random.Chance(static_cast<double>(variation.dont_care));
       if (ignore) {
@@ -95,7 +95,7 @@ void CreepComponent(std::span<Gene> genes, const ControllerShape& shape, int com
   }
 }
 
-/// One pass over a controller, which may leave it as it is.
+/// Mutates a controller once. The result may equal the parent.
 void PerturbOnce(Genome& child, const ControllerShape& shape, const SenseSpec& senses,
                  const Variation& variation, RandomStream& random) {
   for (int component = 0; component < shape.Components(); ++component) {
@@ -182,7 +182,7 @@ Genome GenomeAt(std::span<const double> point, const ControllerShape& shape) {
   Genome genome;
   genome.reserve(point.size());
   for (const double x : point) {
-    // What is not a number becomes 0, like what is far below.
+    // NaN becomes 0, like any value below the range.
     const double within = x > 0.0 ? std::min(x, 1.0) : 0.0;
     const double nearest = within * kGeneMax + 0.5;  // rounded down
     genome.push_back(static_cast<Gene>(nearest));

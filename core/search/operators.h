@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How controllers are made and changed: the operators that all searches share [Fukunaga 1994, section 2;
-// Ngo 1993]. The paper describes them elsewhere, so these are our reading; design decisions 10 and 20 say
-// why. A bank's component is a rule, a network's a node: crossover exchanges whole ones, mutation perturbs
-// genes within.
+// The operators that all searches share to create and change controllers [Fukunaga 1994, section 2; Ngo
+// 1993]. The paper refers to other work for details, so these are our interpretation. Design decisions 10 and
+// 20 give the reasons. A bank's component is a rule, a network's component is a node. Crossover exchanges
+// whole components, mutation perturbs genes within them.
 #pragma once
 
 #include <array>
@@ -15,22 +15,22 @@
 
 namespace gaitsmith {
 
-/// How random banks are made and perturbed. The paper leaves both open; these decide whether rules ever
-/// switch.
+/// How random banks are created and perturbed. The paper leaves both open. These numbers determine whether
+/// rules ever switch.
 struct Variation {
-  float dont_care =
-      0.8f;  // chance that a rule ignores a physical sense, [0, 1]; with none ignored no rule ever fires
-  float gene_chance = 0.1f;  // chance that one gene of a perturbed bank creeps, (0, 1]
-  float creep = 0.1f;        // standard deviation of a creep, as a share of the gene's range, (0, 1]
-  float redraw = 0.05f;  // chance that a component of a perturbed controller is drawn anew instead, [0, 1]
+  /// Chance that a rule ignores a physical sense, [0, 1]. At 0 no rule ever matches.
+  float dont_care = 0.8f;
+  float gene_chance = 0.1f;  // chance that one gene of a perturbed bank changes, (0, 1]
+  float creep = 0.1f;        // standard deviation of a change, as a share of the gene's range, (0, 1]
+  float redraw = 0.05f;      // chance that a component is redrawn instead of perturbed, [0, 1]
 };
 
 /// Table 2 gives rates as the chance "with which a component of the genome will be subject to crossover or
-/// mutation each time a child is generated". That can be read in two ways, and the order of the algorithms
+/// mutation each time a child is generated". This can be read in two ways, and the ranking of the algorithms
 /// depends on it.
 enum class RateReading {
   kPerChild,      // the chance that the operator is applied to a child at all
-  kPerComponent,  // the chance of every rule to be crossed, of every gene to be perturbed
+  kPerComponent,  // the chance that each rule is crossed and each gene is perturbed
 };
 inline constexpr std::array<std::string_view, 2> kRateReadingNames = {"per-child", "per-component"};
 
@@ -44,35 +44,34 @@ struct Rates {
 struct SearchSpace {
   ControllerShape shape;
   SenseSpec senses;
-  Genome start = {};  // the first genome of every search: where refiners begin; empty: a random one
+  Genome start = {};  // first genome of every search, where refiners begin; empty: random
 };
 
 /// A new random controller.
 [[nodiscard]] Genome RandomGenome(const ControllerShape&, const SenseSpec&, const Variation&, RandomStream&);
 
-/// A perturbed copy; differs from its parent in at least one gene.
+/// A perturbed copy that differs from its parent in at least one gene.
 [[nodiscard]] Genome Perturb(std::span<const Gene> parent, const ControllerShape&, const SenseSpec&,
                              const Variation&, RandomStream&);
 
-/// Individual `individual` of a first generation: the given start for number 0, else a random bank of its
-/// own.
+/// A member of the first generation: the given start for individual 0, otherwise a random bank.
 [[nodiscard]] Genome FirstGenome(const SearchSpace&, const Variation&, std::uint32_t seed, int individual);
 
-/// Crossover: a copy of `second` with rules of `first` in their places. Per child: with chance
-/// `rates.crossover` every rule comes from either parent alike, otherwise none from `first`. Per component:
-/// every rule comes from `first` with that chance.
+/// Crossover: a copy of `second` with some components of `first`. Per child: with chance `rates.crossover`
+/// each component comes from either parent with equal chance, otherwise all come from `second`. Per
+/// component: each comes from `first` with chance `rates.crossover`.
 [[nodiscard]] Genome Cross(std::span<const Gene> first, std::span<const Gene> second, const ControllerShape&,
                            const Rates&, RandomStream&);
 
-/// Mutation. Per child: with chance `rates.mutation` the child is perturbed. Per component: every gene creeps
-/// with that chance, in place of Variation::gene_chance, and rules are drawn anew in proportion to it.
+/// Mutation. Per child: the child is perturbed with chance `rates.mutation`. Per component: every gene
+/// changes with this chance, which replaces Variation::gene_chance, and rules are redrawn in proportion.
 void Mutate(Genome& child, const SearchSpace&, const Variation&, const Rates&, RandomStream&);
 
-/// "One child is a copy of one parent, and the other is a true hybrid"; both are mutated
-/// [Fukunaga 1994, section 3].
+/// "One child is a copy of one parent, and the other is a true hybrid". Both are mutated [Fukunaga 1994,
+/// section 3].
 struct Offspring {
-  Genome copy;    // of the first parent
-  Genome hybrid;  // of both
+  Genome copy;    // copy of the first parent
+  Genome hybrid;  // hybrid of both parents
 };
 [[nodiscard]] Offspring Breed(std::span<const Gene> first, std::span<const Gene> second, const SearchSpace&,
                               const Variation&, const Rates&, RandomStream&);
@@ -80,8 +79,8 @@ struct Offspring {
 /// A genome as a point of the unit cube: gene / 65535.
 [[nodiscard]] std::vector<double> PointOf(std::span<const Gene> genome);
 
-/// The genome nearest to a point, for searches that work with real numbers: clamped to the cube, rounded to
-/// the 16-bit grid, and intervals whose ends have crossed turned round.
+/// The genome nearest to a point, for searches that work with real numbers: clamped to the cube and rounded
+/// to the 16-bit grid. The ends of inverted intervals are swapped.
 [[nodiscard]] Genome GenomeAt(std::span<const double> point, const ControllerShape&);
 
 }  // namespace gaitsmith

@@ -12,8 +12,8 @@ namespace gaitsmith {
 
 namespace {
 
-/// Perturbations of one parent that are named at a time at least, when more than one of each is wanted: their
-/// kind shares stimuli, which is quicker side by side.
+/// Least number of perturbations of one parent that are proposed together, if more than one per parent is
+/// wanted. They share many stimuli, so they simulate faster side by side.
 constexpr int kLeastAhead = 4;
 
 }  // namespace
@@ -29,7 +29,7 @@ int PopulationHillClimbing::Budget(int slot) const {
 }
 
 int PopulationHillClimbing::Horizon(int slot) const {
-  // Generation 0 is the random start; the reseeding numbered r follows generation r * interval.
+  // Generation 0 is the random start. Reseeding r follows generation r * interval.
   const std::int64_t next_reseed = (std::int64_t{reseedings_} + 1) * settings_.reseed_interval + 1;
   return static_cast<int>(std::min<std::int64_t>(next_reseed, Budget(slot)));
 }
@@ -42,7 +42,7 @@ Genome PopulationHillClimbing::Propose(int slot, int proposal) const {
 }
 
 std::vector<Genome> PopulationHillClimbing::Ask(int wanted) {
-  // The climbs that are furthest behind and wait for no score.
+  // The climbs that wait for no score, those with the fewest generations first.
   std::vector<std::size_t> free;
   for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
     const auto is_slot = [&](const Asked& asked) { return asked.slot == slot; };
@@ -57,7 +57,7 @@ std::vector<Genome> PopulationHillClimbing::Ask(int wanted) {
   for (const std::size_t slot : free) {
     if (static_cast<int>(genomes.size()) >= wanted) break;
     const int first = slots_[slot].generation;
-    // Nothing can be perturbed before the random start is known.
+    // Nothing can be perturbed before the random start is scored.
     const int count = first == 0 ? 1 : std::clamp(Horizon(static_cast<int>(slot)) - first, 0, ahead);
     if (count == 0) continue;
     ask.push_back({slot, count});
@@ -96,7 +96,7 @@ void PopulationHillClimbing::Tell(std::span<const Score> scores) {
 void PopulationHillClimbing::ReseedIfDue() {
   const int due = (reseedings_ + 1) * settings_.reseed_interval + 1;
   if (!std::ranges::all_of(slots_, [&](const Slot& s) { return s.generation == due; })) return;
-  // Rank by fitness; equals keep the order of their slots.
+  // Rank by fitness. Ties keep the order of their slots.
   std::vector<std::size_t> rank(slots_.size());
   std::iota(rank.begin(), rank.end(), std::size_t{0});
   std::ranges::sort(rank, [&](std::size_t a, std::size_t b) {
@@ -111,7 +111,7 @@ void PopulationHillClimbing::ReseedIfDue() {
 }
 
 int PopulationHillClimbing::Evaluations() const {
-  // The serial loop visits slot after slot, generation after generation: it has come as far as the first gap.
+  // The serial loop visits slot after slot, generation after generation, so it has reached the first gap.
   int first_gap = settings_.evaluations;
   for (int slot = 0; slot < Population(); ++slot) {
     const int done = slots_[static_cast<std::size_t>(slot)].generation;

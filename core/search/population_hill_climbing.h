@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Stochastic population hill climbing (SPHC) [Fukunaga 1994, Figure 5]: every individual climbs alone, and
-// every `reseed_interval` generations the better half replaces the worse.
+// Stochastic population hill climbing (SPHC) [Fukunaga 1994, Figure 5]: every individual climbs
+// independently, and every `reseed_interval` generations the better half replaces the worse half.
 //
 // An individual's climb is serial: its next proposal depends on whether the last one was accepted. To keep
 // lanes and workers busy it looks ahead: the next K perturbations of the same parent are evaluated side by
-// side, the first improvement in order is taken and what follows it is thrown away. Improvements are rare, so
-// little is wasted, and the result is exactly that of the serial loop, because proposal j of slot i depends
-// on (seed, i, j) and its parent alone, j counts consumed proposals only, and no look-ahead runs past a
-// reseeding or the budget.
+// side. The first improvement in order is accepted, and the proposals after it are discarded. Improvements
+// are rare, so little is wasted. The result is exactly that of the serial loop, because proposal j of slot i
+// depends only on (seed, i, j) and its parent, j counts only consumed proposals, and no look-ahead crosses a
+// reseeding or the end of the budget.
 #pragma once
 
 #include "core/search/progress_curve.h"
@@ -34,13 +34,13 @@ class PopulationHillClimbing final : public Search {
 
  private:
   struct Slot {
-    Genome genome;  // empty before its first evaluation
+    Genome genome;  // empty until its first evaluation
     float fitness;
-    int generation = 0;  // proposals consumed; its next one has this number (0: the random start)
+    int generation = 0;  // proposals consumed; also the number of the next one (0: the random start)
   };
 
   [[nodiscard]] int Population() const { return static_cast<int>(slots_.size()); }
-  /// Proposals slot i may consume in all, the random start included.
+  /// Number of proposals that slot i may consume, including the random start.
   [[nodiscard]] int Budget(int slot) const;
   /// Generation at which slot i must wait: the next reseeding or the end of its budget.
   [[nodiscard]] int Horizon(int slot) const;
@@ -51,12 +51,12 @@ class PopulationHillClimbing final : public Search {
   SearchSettings settings_;
   SearchSpace space_;
   std::vector<Slot> slots_;
-  /// Proposals asked of one slot, from its generation on.
+  /// Proposals requested from one slot, starting at its generation.
   struct Asked {
     std::size_t slot;
     int count;
   };
-  std::vector<std::vector<Asked>> asks_;  // not told yet, oldest first
+  std::vector<std::vector<Asked>> asks_;  // not yet scored, oldest first
   int reseedings_ = 0;
   ProgressCurve curve_;
 };

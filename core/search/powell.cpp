@@ -9,7 +9,7 @@ namespace gaitsmith {
 namespace {
 
 constexpr double kGrid = 1.0 / kGeneMax;
-constexpr std::size_t kMostTrials = 10;  // of a line
+constexpr std::size_t kMostTrials = 10;  // per line
 constexpr double kLeastStep = 16.0 * kGrid;
 constexpr double kGolden = 0.381966011250105;
 
@@ -18,17 +18,17 @@ constexpr double kGolden = 0.381966011250105;
 std::optional<double> Powell::NextTrial(std::span<const Trial> tried, double step, double low, double high) {
   if (tried.size() > kMostTrials) return std::nullopt;
   const Trial top = *std::ranges::max_element(tried, {}, &Trial::fitness);
-  std::optional<Trial> left, right;  // its neighbours
+  std::optional<Trial> left, right;  // the neighbours of top
   for (const Trial& one : tried) {
     if (one.at < top.at && (!left || one.at > left->at)) left = one;
     if (one.at > top.at && (!right || one.at < right->at)) right = one;
   }
-  // Not bracketed yet: further out, twice as far as the last step.
+  // Not bracketed yet: go further out by twice the last step.
   if (!right && top.at < high - kGrid)
     return std::min(high, top.at + (left ? 2.0 * (top.at - left->at) : step));
   if (!left && top.at > low + kGrid)
     return std::max(low, top.at - (right ? 2.0 * (right->at - top.at) : step));
-  // The top of a parabola through the three, unless it is no new point.
+  // The top of a parabola through the three points, unless it is not a new point.
   if (left && right) {
     const double a = top.at - left->at;
     const double b = right->at - top.at;
@@ -38,7 +38,7 @@ std::optional<double> Powell::NextTrial(std::span<const Trial> tried, double ste
         top.at + 0.5 * (b * b * rise_left - a * a * rise_right) / (b * rise_left + a * rise_right);
     if (at > left->at + kGrid && at < right->at - kGrid && std::abs(at - top.at) > kGrid) return at;
   }
-  // Else a golden section of the wider side.
+  // Otherwise a golden section of the wider side.
   const double to_left = left ? top.at - left->at : 0.0;
   const double to_right = right ? right->at - top.at : 0.0;
   const double wider = std::max(to_left, to_right) * kGolden;
@@ -81,7 +81,7 @@ std::vector<Genome> Powell::Propose() const {
     case Phase::kBeyond:
       break;
   }
-  // As far again as the sweep has come.
+  // As far again as the sweep has moved.
   std::vector<double> point = PointOf(here_.genome);
   const std::vector<double> start = PointOf(start_.genome);
   for (std::size_t gene = 0; gene < point.size(); ++gene) point[gene] += point[gene] - start[gene];
@@ -105,7 +105,7 @@ void Powell::BeginLine(std::size_t line) {
 
 void Powell::Advance() {
   while (phase_ == Phase::kSweep || phase_ == Phase::kExtraLine) {
-    // As far as the line stays within the cube.
+    // The range in which the line stays within the cube.
     double low = -1.0;
     double high = 1.0;
     const std::vector<double> point = PointOf(here_.genome);
@@ -154,8 +154,8 @@ void Powell::FinishSweep() {
 }
 
 void Powell::JudgeBeyond(float fitness) {
-  // Whether the direction of the largest gain has become too much like the sweep's own [Press 1992,
-  // section 10.5].
+  // Checks whether the direction of the largest gain has become too similar to the sweep's own direction
+  // [Press 1992, section 10.5].
   const auto before = static_cast<double>(start_.fitness);
   const auto now = static_cast<double>(here_.fitness);
   const auto beyond = static_cast<double>(fitness);
@@ -223,7 +223,7 @@ bool Powell::LoadState(BitReader& in) {
   any_trial_ = in.Take(1) != 0;
   bool good = line_ < genes && gainer_ < genes;
   for (double* value : {&step_, &gain_, &next_}) {
-    *value = std::bit_cast<double>(in.Take(64));  // a gain over nothing is infinite
+    *value = std::bit_cast<double>(in.Take(64));  // a gain over an unscored start is infinite
     good = good && !std::isnan(*value);
   }
   good = good && step_ >= kLeastStep && step_ <= 1.0 && std::abs(next_) <= 1.0;

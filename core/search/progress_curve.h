@@ -14,10 +14,10 @@ class ProgressCurve {
  public:
   [[nodiscard]] const std::vector<Search::CurvePoint>& Points() const { return points_; }
 
-  /// Notes a fitness that may be an improvement, at its place in the serial order.
+  /// Adds a fitness that may be an improvement, at its evaluation in the serial order.
   void Add(int evaluation, float fitness) { pending_.push_back({evaluation, fitness}); }
 
-  /// No more fitness will be added at or before this evaluation: settles the curve up to it.
+  /// Completes the curve up to an evaluation. No fitness may be added at or before it afterwards.
   void SettleTo(int evaluation) {
     const auto later = std::partition(pending_.begin(), pending_.end(),
                                       [&](const auto& point) { return point.evaluation <= evaluation; });

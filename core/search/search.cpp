@@ -32,7 +32,7 @@ std::unique_ptr<Search> MakeSearch(const SearchSettings& settings, const SearchS
     case Algorithm::kSsga:
       return std::make_unique<SteadyStateGa>(settings, space);
     case Algorithm::kShc: {
-      // Figure 4 is Figure 5 with one individual and nobody to reseed it.
+      // Figure 4 is Figure 5 with a single individual and no reseeding.
       SearchSettings alone = settings;
       alone.population = 1;
       return std::make_unique<PopulationHillClimbing>(alone, space);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Searches over genomes, as ask/tell: a search hands out genomes and is told their fitness, in the order it
-// asked. So one evaluator serves them all, and a search can pause, resume, be cancelled and be tested without
-// physics. What a finished search found depends on its settings alone: never on how many genomes are asked
-// for at a time, nor on who evaluates them. (On the way, the best may come from ahead of the serial order, so
-// a search that is stopped early can differ.)
+// Searches over genomes with an ask/tell interface: a search proposes genomes and receives their scores in
+// the same order. One evaluator therefore serves all searches, and a search can pause, resume, be cancelled
+// and be tested without physics. The result of a finished search depends only on its settings. It does not
+// depend on how many genomes are requested at a time, nor on where they are evaluated. During the search the
+// best may come from ahead of the serial order, so a search that is stopped early can give a different
+// result.
 #pragma once
 
 #include <array>
@@ -41,13 +42,13 @@ inline constexpr std::array<std::string_view, 11> kAlgorithmNames = {
 struct GeneticSettings {
   int population = 200;  // GGA, SSGA, [2, 10000]; Table 2: 200
   Rates rates;
-  float rank_bias = 1.5f;  // SSGA: the fittest is chosen so many times as often as the median, [1, 2]
+  float rank_bias = 1.5f;  // SSGA: how many times as often the fittest is chosen as the median, [1, 2]
 };
 
 /// Parameters of MPGA: one processor per cell of a square torus.
 struct TorusSettings {
-  int side = 64;        // cells, [2, 128]; the paper's Connection Machine: 64 x 64
-  int walk_steps = 10;  // of the random walk that looks for a mate, [1, 1000]
+  int side = 64;        // cells per side, [2, 128]; the paper's Connection Machine: 64 x 64
+  int walk_steps = 10;  // steps of the random walk to find a mate, [1, 1000]
 };
 
 /// Parameters of Nelder-Mead and Powell.
@@ -61,12 +62,12 @@ enum class Covariance {
   kSeparable,  // variances only
 };
 inline constexpr std::array<std::string_view, 3> kCovarianceNames = {"automatic", "full", "separable"};
-inline constexpr int kMostFullGenes = 128;  // of the automatic choice: Star-Man's timer banks have 70
-inline constexpr std::size_t kMostCovarianceGenes =
-    600;  // of a full covariance at all: 600^2 numbers are 3 MB
+inline constexpr int kMostFullGenes = 128;  // limit of the automatic choice; Star-Man's timer banks have 70
+/// Limit for any full covariance: 600^2 numbers are 3 MB.
+inline constexpr std::size_t kMostCovarianceGenes = 600;
 
 enum class CmaGenes {
-  kCared,  // those of intervals that the run's first genome ignores stay ignored
+  kCared,  // intervals that the run's first genome ignores stay ignored
   kAll,
 };
 inline constexpr std::array<std::string_view, 2> kCmaGenesNames = {"cared-for", "all"};
@@ -76,25 +77,25 @@ struct CmaSettings {
   Covariance covariance = Covariance::kAutomatic;
   int population = 0;   // lambda, 0 or [4, 10000]; 0: 4 + 3 ln(genes) [Hansen 2016]
   float step = 0.3f;    // first standard deviation, as a share of a gene's range, [0.001, 1]
-  float growth = 2.0f;  // of the population at every restart, [1, 10]; 2: IPOP [Auger Hansen 2005]
-  int draws = 50;       // random genomes of which the best begins a run, [1, 10000]
+  float growth = 2.0f;  // growth of the population at every restart, [1, 10]; 2: IPOP [Auger Hansen 2005]
+  int draws = 50;       // random genomes, the best of which begins a run, [1, 10000]
 };
 
 struct ElitesSettings {
-  int initial = 200;  // random genomes at first, [1, 100000]
-  int batch = 32;     // children named together, [1, 1000]; part of the algorithm, not of its speed
-  int bins = 8;       // of each of the three style terms, [1, 32]
-  // Where the last bin of each term ends, (0, 1000]; what lies beyond belongs to the last bin.
+  int initial = 200;  // random genomes in the first batch, [1, 100000]
+  int batch = 32;  // children proposed together, [1, 1000]; changes the result, unlike the number of workers
+  int bins = 8;    // bins per style term, [1, 32]
+  // Upper end of the last bin of each term, (0, 1000]. Larger values fall into the last bin.
   std::array<float, 3> most = {4.0f, 10.0f, 4.0f};  // height [m], slip [m], rotations
 };
 
 struct TwoStageSettings {
-  int random = 1000;  // of the first stage, [1, 1000000]
-  int kept = 5;       // ascents of the second, [1, 1000]
+  int random = 1000;  // random genomes of the first stage, [1, 1000000]
+  int kept = 5;       // ascents in the second stage, [1, 1000]
 };
 
 inline constexpr int kMaxHandovers = 64;
-/// A controller of the document that has been in charge from the start, and when it hands the figure over.
+/// A controller of the document that runs from the start, and the step at which it hands over the figure.
 struct Handover {
   int controller = 0;
   int step = 0;  // [0, kMaxSteps - 1]
@@ -107,11 +108,13 @@ struct SearchSettings {
   int population = 10;        // SPHC, [2, 1000]; Table 2: 10
   int reseed_interval = 200;  // SPHC: generations between reseedings, [1, 1 million]; Table 2: 200
   Variation variation;
-  int start = -1;  // controller of the document that the search begins with; -1: a random one
-  /// The clip in whose place the controller is scored, from the state in which the clips before it leave the
-  /// figure and for as long as it lasts; -1: from the start, as long as the task says.
+  int start = -1;  // controller of the document that the search starts with; -1: a random one
+  /// The clip that the controller replaces. The controller is scored from the state in which the clips before
+  /// it leave the figure, for the duration of the clip. -1: scored from the start, for the duration of the
+  /// task.
   int in_place_of = -1;
-  /// The controller is also scored from where these leave the figure; not together with in_place_of.
+  /// The controller is also scored from the states in which these leave the figure. Not together with
+  /// in_place_of.
   std::vector<Handover> handovers = {};
   GeneticSettings genetic;
   TorusSettings torus;
@@ -121,39 +124,39 @@ struct SearchSettings {
   TwoStageSettings two_stage;
 };
 
-/// What a search is told of a motion.
+/// The score of a motion that a search receives.
 struct Score {
   float fitness = 0.0f;
-  std::array<float, 3> style = {};  // the unweighted secondary terms, in the order of Table 3 (MAP-Elites)
+  std::array<float, 3> style = {};  // unweighted secondary terms in the order of Table 3, for MAP-Elites
 };
 
-/// Fitness at or below this belongs to no real motion (the evaluator's kVoidScore is -1e9): genetic
-/// algorithms that weigh differences must not measure from it.
+/// A fitness at or below this means that there is no real motion (the evaluator's kVoidScore is -1e9).
+/// Genetic algorithms that use differences of fitness must ignore it.
 inline constexpr float kNoMotion = -1e8f;
 
 class Search {
  public:
   virtual ~Search() = default;
 
-  /// The next genomes to evaluate: about `wanted` of them, as many as can be named ahead without knowing
-  /// their results; none once the budget is spent. Tell must follow before the next Ask.
+  /// The next genomes to evaluate: about `wanted` of them, fewer if later proposals depend on scores still
+  /// missing, and none once the budget is spent. Tell must follow before the next Ask.
   [[nodiscard]] virtual std::vector<Genome> Ask(int wanted) = 0;
 
-  /// Whether Ask may follow Ask before a Tell, so that those who evaluate need not wait for one another.
-  /// Tells then answer the asks in their order; an ask names nothing when all depends on what is not told
-  /// yet.
+  /// Whether several Asks may be open at once, so that evaluators need not wait for each other. Tells then
+  /// answer the Asks in order. Ask returns an empty batch while every proposal depends on scores that have
+  /// not arrived.
   [[nodiscard]] virtual bool AsksAhead() const { return false; }
 
-  /// Scores of the genomes of the oldest Ask not told yet, in its order. NaN loses to everything.
+  /// Passes the scores of the oldest open Ask, in its order. NaN ranks below every other fitness.
   virtual void Tell(std::span<const Score> scores) = 0;
-  /// The same without style, for searches that need none.
+  /// Passes fitness without style, for searches that do not use style.
   void Tell(std::span<const float> fitness);
 
-  /// Evaluations the serial algorithm would have made by now.
+  /// Number of evaluations that the serial algorithm would have made by now.
   [[nodiscard]] virtual int Evaluations() const = 0;
   [[nodiscard]] virtual bool Done() const = 0;
 
-  /// The best genome so far; empty before the first Tell.
+  /// The best genome so far. Empty before the first Tell.
   [[nodiscard]] virtual const Genome& BestGenome() const = 0;
   [[nodiscard]] virtual float BestFitness() const = 0;
 
@@ -164,18 +167,17 @@ class Search {
   };
   [[nodiscard]] virtual const std::vector<CurvePoint>& Curve() const = 0;
 
-  /// Fitness of those that the search has in hand now: its climbs, its population, its last generation, its
-  /// simplex, its elites. None where one follows another (RG&T), before the first generation is known, and
-  /// after a Load for a search whose saved state does without (CMA-ES, until its next generation). For
-  /// display; nothing follows from it.
+  /// Fitness of the present population, for display only: the climbs, the population, the last generation,
+  /// the simplex or the elites. Empty for RG&T, which has no population, and before the first generation is
+  /// scored. CMA-ES does not save it, so it is empty after a Load until the next generation.
   [[nodiscard]] virtual std::vector<float> PopulationFitness() const = 0;
 
-  /// The whole state between a Tell and an Ask; Load of it continues as if nothing had happened.
+  /// The whole state between a Tell and an Ask. A Load of it continues with the same result.
   virtual void Save(BitWriter&) const = 0;
   [[nodiscard]] virtual Result<void> Load(BitReader&) = 0;
 };
 
-/// @param settings valid, as of a valid document
+/// @param settings must be valid, as in a valid document
 [[nodiscard]] std::unique_ptr<Search> MakeSearch(const SearchSettings&, const SearchSpace&);
 
 }  // namespace gaitsmith

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the fitness of a population scatters, in a few numbers.
+// The distribution of a population's fitness in a few numbers.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 namespace gaitsmith {
 
 struct Spread {
-  std::int32_t members;  // that have a motion, at least 2
+  std::int32_t members;  // members with a real motion, at least 2
   float least, lower_quartile, median, upper_quartile, best;
 };
 
-/// Quantiles between two members are interpolated. Members without a motion (kNoMotion and below, NaN) do not
-/// count: one of them would bury all others.
-/// @return nothing for fewer than two that count
+/// Quantiles between two members are interpolated. Members without a real motion (kNoMotion and below, NaN)
+/// are left out, because a single one would hide the differences between the others.
+/// @return nothing if fewer than two members remain
 [[nodiscard]] std::optional<Spread> SpreadOf(std::vector<float> fitness);
 
 }  // namespace gaitsmith

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Steady-state genetic algorithm (SSGA) [Fukunaga 1994, Figure 3]: two parents chosen by rank have two
-// children, which are inserted into the ranked population; the two lowest ranks are deleted. The evaluations
-// of the first population count.
+// children, which are inserted into the ranked population. The two lowest ranks are deleted. The evaluations
+// of the first population count towards the budget.
 //
-// Linear rank selection [Whitley 1989]: of P ranks, best first, the one chosen is
+// Linear rank selection [Whitley 1989]: of P ranks, best first, the chosen rank is
 //   floor(P (b - sqrt(b^2 - 4 (b - 1) u)) / (2 (b - 1))),   u uniform in [0, 1)
-// so that the fittest has b times the chance of the median. Equals keep their order: older ones first.
+// so that the fittest has b times the chance of the median. Ties keep their order, older ones first.
 //
-// Every pair depends on the insertion of the one before, so that at most two genomes are asked at a time.
+// Every pair depends on the insertion of the previous pair, so that at most two genomes are proposed at a
+// time.
 #pragma once
 
 #include "core/search/batch_search.h"
@@ -26,11 +27,11 @@ class SteadyStateGa final : public BatchSearch {
   [[nodiscard]] bool LoadState(BitReader&) override;
   void Insert(const Genome&, float fitness);
 
-  std::vector<Individual> ranked_;  // best first; empty before the first population is known
-  int pair_ = 0;                    // iterations begun; 0: the first population
+  std::vector<Individual> ranked_;  // best first; empty until the first population is scored
+  int pair_ = 0;                    // iterations started; 0: the first population
 };
 
-/// Rank chosen by a uniform deviate. @param bias [1, 2]; 1: all alike. @param u [0, 1)
+/// Rank chosen by a uniform random number. @param bias [1, 2]; 1: equal chances. @param u [0, 1)
 [[nodiscard]] std::size_t LinearRank(std::size_t population, double bias, double u);
 
 }  // namespace gaitsmith

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Massively parallel genetic algorithm (MPGA) [Fukunaga 1994, Figure 1; Ngo 1993]: one genome on each
-// processor of a torus; in every generation each is crossed with a mate from nearby, mutated and replaced by
-// the child, all at once. The mate is the fittest met on a random walk, after [Collins Jefferson 1991], our
-// reading of "select mate genome from a nearby processor". The child is a hybrid that has its processor's own
-// genome as base.
+// Massively parallel genetic algorithm (MPGA) [Fukunaga 1994, Figure 1; Ngo 1993]: a torus with one genome on
+// each processor. In every generation each genome is crossed with a mate from nearby, mutated and replaced by
+// the child, all at once. The mate is the fittest genome found on a random walk, after
+// [Collins Jefferson 1991]. This is our interpretation of "select mate genome from a nearby processor". The
+// child is a hybrid based on its processor's own genome.
 #pragma once
 
 #include "core/search/batch_search.h"
@@ -21,10 +21,11 @@ class TorusGa final : public BatchSearch {
   void SaveState(BitWriter&) const override;
   [[nodiscard]] bool LoadState(BitReader&) override;
 
-  /// The fittest cell on a walk that begins beside `cell`; of equals the one met first.
+  /// The fittest cell on a random walk that starts next to `cell`. Of equally fit cells, the first one on the
+  /// walk.
   [[nodiscard]] std::size_t Mate(std::size_t cell, RandomStream& random) const;
 
-  std::vector<Individual> cells_;  // row after row; empty before the first generation is known
+  std::vector<Individual> cells_;  // row by row; empty until the first generation is scored
   int generation_ = 0;
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The search that sensor-actuator networks came with [VanDePanne Fiume 1993]: random generate-and-test
-// finds some controllers that do anything at all, then stochastic ascent refines the best of them, each on
-// its own.
+// The search from the paper on sensor-actuator networks [VanDePanne Fiume 1993]: random generate-and-test
+// finds some controllers that move at all, then stochastic ascent refines the best of them independently.
 #pragma once
 
 #include "core/search/batch_search.h"
@@ -19,7 +18,7 @@ class TwoStage final : public BatchSearch {
   void SaveState(BitWriter&) const override;
   [[nodiscard]] bool LoadState(BitReader&) override;
 
-  std::vector<Individual> kept_;  // empty in the first stage
+  std::vector<Individual> kept_;  // empty during the first stage
   int generation_ = 0;
 };
 

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-// What W plants report after a step, in physical units: all that controllers and style meters read.
+// What W plants report after a step, in physical units. Controllers and style meters read nothing else.
 #pragma once
 
 #include "core/numeric/lane.h"
 
 namespace gaitsmith {
 
-/// Pointers into the plant, valid until it steps again or is gone.
+/// Pointers into the plant, valid until it steps again or is destroyed.
 template <int W>
 struct Readings {
   using F = typename Lane<W>::F;
-  const F* position;  // of each actuator: angles of joints [rad]
-  const F* rate;      // [rad/s]
-  const F* change;    // of position in the last step [rad]; may differ from rate * h
-  const F* impulse;   // of the ground in the last step at each contact, away from the ground [N s], >= 0
+  const F* position;  // of each actuator, [rad] for joints
+  const F* rate;      // of each actuator [rad/s]
+  const F* change;    // change of position in the last step [rad]; may differ from rate * h
+  const F* impulse;   // of the ground on each contact in the last step, away from the ground [N s], >= 0
   const F* height;    // of the centre of mass above the ground [m]
-  const F* rise;      // its velocity away from the ground [m/s]
+  const F* rise;      // velocity of the centre of mass away from the ground [m/s]
 };
 
 }  // namespace gaitsmith

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Searches that are paid for breaking the laws of physics: over figures, grounds, starts, pushes and
-// controllers at once, with the project's own searchers. What they find is a bug to fix or a limit to state.
+// Searches that are rewarded for violating the laws of physics, over figures, grounds, starts, pushes and
+// controllers at once, with the project's own search algorithms. Each find is a bug to fix or a limit to
+// document.
 //   adversary --out FOLDER [--minutes M] [--shard K/N] [--seeds S] [--evaluations E]
-// Appends to FOLDER/found.csv (with shards found-K-of-N.csv), leaves out what such files have already, and
-// keeps the worst document of every law and world as FOLDER/LAW-WORLD.json. Prints the worst of each law at
+// Appends to FOLDER/found.csv (with shards found-K-of-N.csv), skips cases already in such files, and keeps
+// the worst document of every law and world as FOLDER/LAW-WORLD.json. Prints the worst case of each law at
 // the end.
 #include <chrono>
 #include <cmath>
@@ -24,7 +25,7 @@ namespace {
 using namespace gaitsmith;
 using namespace gaitsmith::test;
 
-/// A law to break, or one past the last: the same bits in every lane count.
+/// A law to violate, or one past the last: equal bits for every lane count.
 constexpr int kBits = kLaws;
 std::string NameOf(int law) {
   std::string name(law == kBits ? "bits" : kLawLimits[static_cast<std::size_t>(law)].name);
@@ -68,8 +69,8 @@ bool IsStill(int law) {
   return law == static_cast<int>(Law::kStillEnergy) || law == static_cast<int>(Law::kStillGain);
 }
 
-/// What the adversary is paid [of the law's unit]. Lanes differ in what is extreme: where nothing does yet,
-/// great speeds pay.
+/// The adversary's reward [in the law's unit]. For differing bits, extreme speeds are rewarded until a
+/// difference is found.
 double Pay(int law, const Document& document) {
   const Motion motion = Simulate(document);
   if (law < kLaws) return Judge(document, motion).of[static_cast<std::size_t>(law)].by;
@@ -128,7 +129,7 @@ bool Parse(int count, char** words, Options& options) {
          options.evaluations >= 4;
 }
 
-/// Adds the rows of a file of findings: what stands before the worst, and the worst.
+/// Adds the rows of a file of findings. The key is the text before the worst value.
 void Read(const std::filesystem::path& file, std::map<std::string, double>& rows) {
   std::ifstream in(file);
   for (std::string row; std::getline(in, row);) {
@@ -155,11 +156,11 @@ int main(int count, char** words) {
       options.shards == 1 ? ""
                           : "-" + std::to_string(options.shard) + "-of-" + std::to_string(options.shards);
   const std::filesystem::path file = options.out / ("found" + suffix + ".csv");
-  std::map<std::string, double> found;  // by all shards
+  std::map<std::string, double> found;  // findings of all shards
   for (const auto& entry : std::filesystem::directory_iterator(options.out)) {
     if (entry.path().extension() == ".csv") Read(entry.path(), found);
   }
-  std::map<std::string, double> worst;  // of each law and world
+  std::map<std::string, double> worst;  // worst value of each law and world
   const auto place = [](const std::string& key) { return key.substr(0, key.find(',', key.find(',') + 1)); };
   for (const auto& [key, by] : found) worst[place(key)] = std::max(worst[place(key)], by);
 
@@ -189,14 +190,14 @@ int main(int count, char** words) {
       limit = kLawLimits[static_cast<std::size_t>(one.law)];
       frame = Judge(finding.document, motion).of[static_cast<std::size_t>(one.law)].frame;
     } else if (by < 1.0) {
-      by = 0.0;  // speed was paid for, not a difference
+      by = 0.0;  // the reward was for speed, not for a difference
     }
     char cells[200];
     std::snprintf(cells, sizeof cells, "%d,%.9g,%g,%s,%d,",
                   one.law == kBits ? options.evaluations / 4 : options.evaluations, by, limit.most,
                   std::string(limit.unit).c_str(), frame);
     out << key << ',' << cells << HashText(motion.Hash()) << '\n'
-        << std::flush;  // each case counts if the rest is killed
+        << std::flush;  // finished cases are kept if the program is killed
     found[key] = by;
     const bool first = !worst.contains(place(key));
     double& most = worst[place(key)];

@@ -18,18 +18,18 @@ namespace {
 constexpr int kSteps = 150;
 constexpr int kRules = 3;
 
-/// Numbers from genes, one after another; after the last the first again.
+/// Reads numbers from genes, one after another, and starts again after the last.
 class Reader {
  public:
   explicit Reader(std::span<const Gene> genes) : genes_(genes) {}
 
   Gene Next() { return genes_[at_++ % genes_.size()]; }
-  /// A tenth of the genes at either end mean the end itself: extremes are reached.
+  /// The outer tenth of the gene's range on either side gives the limit itself, so that extremes are tried.
   float Between(float low, float high) {
     const float share = std::clamp(static_cast<float>(Next()) * (1.25f / 65535.0f) - 0.125f, 0.0f, 1.0f);
     return share >= 1.0f ? high : low + (high - low) * share;
   }
-  /// The same, where its order of magnitude is what matters.
+  /// The same on a logarithmic scale.
   float Magnitude(float low, float high) {
     const float power = Between(0.0f, 1.0f);
     const double from = Log(static_cast<double>(low)), to = Log(static_cast<double>(high));
@@ -63,7 +63,7 @@ Figure FigureOf(bool any, Reader& read) {
   return figure;
 }
 
-/// The figures that are shipped, read once.
+/// The shipped figures, read once.
 const std::vector<Figure>& ShippedFigures() {
   static const std::vector<Figure> kFigures = [] {
     std::vector<Figure> figures;
@@ -88,7 +88,7 @@ Push PushOf(bool any, const Figure& figure, Reader& read) {
   return push;
 }
 
-/// Everything but the controller.
+/// Sets everything except the controller.
 void SetScene(bool any, Reader& read, Document& d) {
   d.figure = FigureOf(any, read);
   d.environment.gravity_mps2 = any ? read.Between(0.0f, 100.0f) : read.Between(1.0f, 20.0f);
@@ -108,7 +108,7 @@ void SetScene(bool any, Reader& read, Document& d) {
 }  // namespace
 
 SearchSpace SpaceOfDocuments() {
-  // The genes of a network are plain numbers: no operator turns them round.
+  // The genes of a network are plain numbers, so no operator reorders them.
   int hidden = 1;
   while (NetworkShape(hidden, 8).Genes() < kDocumentGenes) ++hidden;
   return {{ControllerKind::kNetwork, hidden, SenseKind::kPhysical, 8}, {}, {}};
@@ -141,7 +141,7 @@ Document DocumentOf(World world, bool still, std::span<const Gene> genes) {
       for (int sense = 0; sense < bank.senses; ++sense) {
         Gene& low = controller.genes[bank.Low(rule, sense)];
         Gene& high = controller.genes[bank.High(rule, sense)];
-        // Of many senses most must be ignored, or no rule ever fires.
+        // Most of many senses must be ignored, or no rule ever matches.
         if (d.senses.kind == SenseKind::kPhysical && (low ^ high) % 5 != 0) {
           low = 0;
           high = kGeneMax;

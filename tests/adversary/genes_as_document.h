@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Genes read as a whole document: figure, ground, start, pushes and controller. So the project's own searches
-// can look for motions that break a law, over everything that a person can set.
+// Reads genes as a whole document: figure, ground, start, pushes and controller. The project's own searches
+// can therefore look for motions that violate a law, over everything that a user can set.
 #pragma once
 
 #include <span>
@@ -10,21 +10,21 @@
 
 namespace gaitsmith::test {
 
-/// Where the adversary may look.
+/// The range of documents that the adversary searches.
 enum class World {
-  kGait,      // a shipped figure on level ground: what searches meet every day; tau as hasty as it may be
-  kOrdinary,  // rods of 0.2 to 2 m and 0.2 to 5 kg, the ground's usual figures, tau from 0.07 s
-  kAny,       // the whole range that documents may ask for, extremes included
+  kGait,      // a shipped figure on level ground, the most common case of searches; tau down to its limit
+  kOrdinary,  // rods of 0.2 to 2 m and 0.2 to 5 kg, usual grounds, tau from 0.07 s
+  kAny,       // the whole range of documents, extremes included
 };
 inline constexpr std::array<std::string_view, 3> kWorldNames = {"gait", "ordinary", "any"};
 
-/// How many genes a document is made of; further ones are ignored.
+/// Number of genes that determine a document. Further ones are ignored.
 inline constexpr std::size_t kDocumentGenes = 500;
-/// A space of at least so many genes, of no meaning: for MakeSearch.
+/// A space with at least this number of genes, without meaning, for MakeSearch.
 [[nodiscard]] SearchSpace SpaceOfDocuments();
 
 /// @param still no controller: the figure holds its drawn pose
-/// @return a valid document with one clip, or none if still
+/// @return a valid document with one clip, or without clips if still
 [[nodiscard]] Document DocumentOf(World world, bool still, std::span<const Gene> genes);
 
 }  // namespace gaitsmith::test

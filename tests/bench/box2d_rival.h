@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The peers' scenario in Box2D 2.4, as its manual recommends: 60 steps a second, 8 velocity and 3 position
-// iterations. Whatever could only slow it down is left out: rods of a figure do not collide, nothing is
-// drawn, and the targets are found without searching.
+// The peers' scenario in Box2D 2.4, as its manual recommends: 60 steps per second, 8 velocity and 3 position
+// iterations. Everything that could only slow it down is left out: rods of a figure do not collide, nothing
+// is drawn, and the targets are given.
 #pragma once
 
 #include "tests/bench/workload.h"
@@ -10,7 +10,8 @@ namespace gaitsmith::bench {
 
 inline constexpr int kBox2dSteps = 600;
 
-/// One rollout in a new world. @return where its hub ends up [m], so that nothing can be left out as unused
+/// One rollout in a new world. @return the hub's final position [m], so that the compiler cannot remove the
+/// work
 [[nodiscard]] float RunInBox2d(const Workload& peers, int figure);
 
 }  // namespace gaitsmith::bench

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Measures the built page in Chromium:  node tests/bench/browser_bench.mjs [folder, default build/site]
-// Claims (c), (d), (f) and (g) of docs/performance.md. Writes build/bench-browser.json. Only one page is open at a time:
-// a visible one is drawn in software, which takes a core.
+// Measures the built page in Chromium: node tests/bench/browser_bench.mjs [folder, default build/site]
+// Claims (c), (d), (f) and (g) of docs/performance.md. Writes build/bench-browser.json. Only one page is open at a
+// time, because a visible page is drawn in software, which takes a core.
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { ROOT, serve, startChromium, stopAll } from '../browser/browsers.mjs';
@@ -13,13 +13,13 @@ import { bytesUntilFirstMotion, memory, openToFirstFrame } from './page_weight.m
 const OPENINGS = 5;
 const ROUNDS = 3;
 const FRAMES = 10;
-const LIMIT_MS = 15000; // the whole paper's search takes 5 s once the goal is met
+const LIMIT_MS = 15000; // when the goal is met, the paper's whole search takes 5 s
 const ALGORITHMS = ['sphc', 'rgt'];
 
 const figure = JSON.parse(await readFile(join(ROOT, 'examples/figures/mr-star-man.json'), 'utf8'));
 /** The paper's experiment: ten rules of physical senses, 10 s, 40,000 evaluations. */
 const PAPER = { figure, task: { duration_steps: 1000 }, search: { seed: 1, evaluations: 40000 } };
-/** Shorter, because a trace of it has to be read. */
+/** A shorter search, because its trace has to be read. */
 const TRACED = { ...PAPER, search: { seed: 1, evaluations: 10000 } };
 
 const address = await serve(process.argv[2] ?? join(ROOT, 'build/site'));
@@ -34,7 +34,7 @@ function typical(taken) {
   const sorted = [...taken].sort((a, b) => a.seconds / a.evaluations - b.seconds / b.evaluations);
   return { ...sorted[Math.floor(sorted.length / 2)], shortestSeconds: sorted[0].seconds };
 }
-/** Evaluations per second, of what was done. @param {import('./page_search.mjs').Taken} taken */
+/** Evaluations per second of the work done. @param {import('./page_search.mjs').Taken} taken */
 const pace = (taken) => taken.evaluations / taken.seconds;
 /** @type {{one: import('./page_search.mjs').Taken, two: import('./page_search.mjs').Taken, cores: number | null}[]} */
 const rounds = [];

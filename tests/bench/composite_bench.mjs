@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a change of a composite motion of 60 s costs in the page: a border that is moved, early and late, against
-// simulating all of it anew.
+// The cost of a change in a composite motion of 60 s in the page: moving a border, early and late, compared with
+// simulating the whole motion again.
 //   node tests/bench/composite_bench.mjs [folder of the site, default build/site]
 import { join } from 'node:path';
 import { PageDriver } from '../browser/page_driver.mjs';
@@ -20,7 +20,7 @@ try {
     const { gaitsmith } = window;
     const document = /** @type {any} */ (gaitsmith.document());
     const first = document.timeline[0];
-    /** A border somewhere else, or other ground. @param {number} clip @param {number} change */
+    /** Moves a border, or changes the ground. @param {number} clip @param {number} change */
     const composite = (clip, change) => ({ ...document, hash: undefined, duration_steps: 6000,
       environment: { ...document.environment, friction: clip === 0 ? 0.8 + 0.001 * change : 0.8 },
       timeline: Array.from({ length: 12 }, (_, i) => ({ ...first, start_step: 500 * i + (i > 0 && i === clip ? change : 0) })) });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How the cost of a motion grows with the figure's rods, with the controller's rules, and with the share of
-// senses that a rule cares about. cost_bench.mjs fits the slopes. Time is that of kGenomes motions of 5 s.
+// How the cost of a motion grows with the number of rods, the number of rules, and the share of senses that a
+// rule uses. cost_slopes.mjs fits the slopes. The time is that of kGenomes motions of 5 s.
 #include <benchmark/benchmark.h>
 
 #include "core/rollout/evaluator.h"
@@ -16,7 +16,7 @@ void Run(benchmark::State& state, const Document& document) {
   for (auto _ : state) benchmark::DoNotOptimize(evaluator.Evaluate(workload.genomes));
 }
 
-/// Rods of half a metre, so that chains of sixteen still find their feet.
+/// Rods of half a metre, so that chains of sixteen rods still reach the ground.
 Rod ShortRod(int parent, RodEnd end, float rest_rad) {
   return {.length_m = 0.5f, .parent = parent, .parent_end = end, .rest_rad = rest_rad};
 }

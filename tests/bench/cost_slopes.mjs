@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Slopes of cost_bench's figures, by least squares.
+// Slopes of cost_bench's results, by least squares.
 
 /** @typedef {{name: string, run_name: string, cpu_time: number, aggregate_name?: string}} Measured  by Google Benchmark */
 /** @typedef {{what: string, value: number, relation: '<=' | '', goal: number, unit: string, note?: string}} Slope */
@@ -16,7 +16,7 @@ function line(points) {
 
 /**
  * @param {Measured[]} measured
- * @returns {Slope[]} empty when cost_bench has not run
+ * @returns {Slope[]} empty if cost_bench has not run
  */
 export function costs(measured) {
   /** @param {string} family @returns {[number, number][]} parameter and time */

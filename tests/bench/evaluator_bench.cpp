@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Evaluations per second of one core, by senses, genomes and lanes, and what threads add. items_per_second
+// Evaluations per second of one core, by senses, genomes and lanes, and the gain by threads. items_per_second
 // counts simulated motions of Mr. Star-Man: ten rules, 5 s, 500 steps.
 #include <benchmark/benchmark.h>
 

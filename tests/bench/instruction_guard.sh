@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# Instructions that the evaluator takes per figure and step, counted by valgrind: the same on a busy machine as on an idle
-# one. Fails when a workload takes over 10 % more than tests/bench/instructions.txt says.
+# Counts the evaluator's instructions per figure and step with valgrind: the same on a busy machine as on an idle one.
+# Fails if a workload takes over 10 % more than in tests/bench/instructions.txt.
 #   tests/bench/instruction_guard.sh PROGRAM            PROGRAM: build/release/tests/bench/instructions
-#   tests/bench/instruction_guard.sh PROGRAM --renew    writes what is counted now
+#   tests/bench/instruction_guard.sh PROGRAM --renew    writes the present counts
 set -euo pipefail
 program=$1
 command -v valgrind >/dev/null || { echo "no valgrind here: instructions are not counted"; exit; }
 numbers=$(dirname "${BASH_SOURCE[0]}")/instructions.txt
 compiler="g++ $(g++ -dumpfullversion -dumpversion | cut -d. -f1) $(uname -m)"
 
-# The difference of two runs, so that loading, searching and tearing down do not count.
+# The difference of two runs, so that loading, searching and cleaning up do not count.
 counted() { # workload, times
   valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" "$1" "$2" 2>&1 |
     awk '/figure-steps/ { steps = $1 } /Collected/ { print $NF, steps }'

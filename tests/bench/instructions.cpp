@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A fixed amount of simulation, for counting instructions: instructions WORKLOAD TIMES scores a batch of the
-// shipped gait's perturbations ("gait"), or of random banks ("random", "timer"), so many times.
+// A fixed amount of simulation, for counting instructions. `instructions WORKLOAD TIMES` scores a batch of
+// perturbations of the shipped gait ("gait"), or of random banks ("random", "timer"), TIMES times.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -18,7 +18,7 @@ using namespace gaitsmith;
 constexpr int kSteps = 300;
 constexpr std::size_t kFigures = 16;
 
-/// A search under valgrind would take a minute, so the gait is one that was found before.
+/// The shipped gait, because a search under valgrind would take a minute.
 bench::Workload ShippedGait() {
   std::ifstream file(GAITSMITH_SOURCE_DIR "/examples/star-man-shuffle.json");
   Document document = DecodeJson(std::string(std::istreambuf_iterator<char>(file), {})).value();

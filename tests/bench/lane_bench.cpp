@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Lanes as the compiler's vectors against lanes as fixed Eigen arrays, on arithmetic like that of a contact
-// sweep: sums, products, a division, comparisons and selections. The same program natively and as WASM under
-// Node; prints nanoseconds per lane and sweep, and the ratio. Settles decision 12 of docs/design.md.
+// Compares lanes as the compiler's vectors with lanes as fixed Eigen arrays, on arithmetic like that of a
+// contact sweep: sums, products, a division, comparisons and selections. The same program runs natively and
+// as WASM under Node. Prints nanoseconds per lane and sweep, and the ratio. Basis of decision 12 in
+// docs/design.md.
 #include <Eigen/Core>
 #include <chrono>
 #include <cstdio>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the page's own thread does while it searches. How long a person waits for it also depends on who else wants
-// the processor, as two workers do where there are two cores; its own work does not.
+// The work of the page's main thread during a search. The user's waiting time also depends on other threads on the
+// processor, such as two workers on two cores. The thread's own work does not.
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -12,7 +12,7 @@ import { join } from 'node:path';
  * @param {import('../browser/browsers.mjs').Browser} browser @param {string} address  with the page's options
  * @param {object} document  with its search settings
  * @param {number} workers @param {number} settledMs
- * @returns {Promise<{wallMs: number, processorMs: number}>} each the largest: not always of the same task
+ * @returns {Promise<{wallMs: number, processorMs: number}>} the largest of each, which may be of different tasks
  */
 export async function longestTask(browser, address, document, workers, settledMs) {
   const folder = await mkdtemp(join(tmpdir(), 'gaitsmith-trace-'));

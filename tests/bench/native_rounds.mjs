@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The native program of rounds.cpp, which runs a round of simulation whenever it is asked to.
+// Runs the native program of rounds.cpp, which simulates a round per command.
 import { spawn } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
@@ -17,13 +17,13 @@ export class NativeRounds {
     this.child.once('error', (error) => { throw error; });
   }
 
-  /** @param {string} build  a folder of build/ @returns {NativeRounds | null} null: not built */
+  /** @param {string} build  a folder of build/ @returns {NativeRounds | null} null if not built */
   static of(build) {
     const program = join(ROOT, 'build', build, 'tests/bench/rounds');
     return existsSync(program) ? new NativeRounds(program) : null;
   }
 
-  /** @param {string} command @returns {Promise<string>} its answer */
+  /** @param {string} command @returns {Promise<string>} the program's answer */
   ask(command) {
     return new Promise((resolve) => {
       this.#waiting.push(resolve);

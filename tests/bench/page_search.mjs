@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: MIT
-// Whole searches in Chromium: by workers alone on an empty page, and as a visitor runs them, with the best motion
-// animating on the canvas.
+// Whole searches in Chromium: by workers alone on an empty page, and in the real page, with the best motion animated on
+// the canvas.
 
 /** @typedef {import('../browser/browsers.mjs').Browser} Browser */
 /** @typedef {import('../../web/search/messages.js').SearchReport} SearchReport */
 
 /**
- * What a search took.
+ * The cost of a search.
  * @typedef {object} Taken
- * @property {number} seconds     from the wish to the last report
- * @property {number} evaluations as the serial search counts them
- * @property {number} simulated   with what looking ahead threw away
- * @property {number} simulatedPerSecond  of workers that have started
- * @property {boolean} whole      false: it was stopped at the limit
+ * @property {number} seconds     from the request to the last report
+ * @property {number} evaluations counted as in the serial search
+ * @property {number} simulated   including discarded look-ahead
+ * @property {number} simulatedPerSecond  after the workers have started
+ * @property {boolean} whole      false if it was stopped at the limit
  */
 /**
- * framesPerSecond: that the browser offered; a page with ?fps= draws fewer.
+ * framesPerSecond: frames offered by the browser. A page with ?fps= draws fewer.
  * @typedef {Taken & {framesPerSecond: number, longestStallMs: number}} Visited
  */
 
-// A browser that has just opened a page is still busy with it, and a visitor looks before he searches.
+// A browser that has just opened a page is still busy with it, and a user looks before searching.
 export const SETTLED_MS = 2000;
 
 /**
- * On an empty page, so that nothing else runs. A search that lasts longer than the limit is stopped.
+ * Searches on an empty page, so that nothing else runs. A search that lasts longer than the limit is stopped.
  * @param {Browser} browser @param {string} address
  * @param {object} document  with its search settings
  * @param {number} workers @param {number} limitMs
@@ -57,7 +57,7 @@ export async function searchAlone(browser, address, document, workers, limitMs) 
       setTimeout(() => {
         performance.mark('bench-start');
         client.start(engine.documentFromText(text), count);
-        setTimeout(() => client.stop(), limit); // nothing, once it is done
+        setTimeout(() => client.stop(), limit); // no effect on a finished search
       }, settled);
     });
     const seconds = performance.measure('bench', 'bench-start').duration / 1000;
@@ -75,7 +75,7 @@ export async function searchAlone(browser, address, document, workers, limitMs) 
 }
 
 /**
- * In the real page, with the same limit.
+ * Searches in the real page, with the same limit.
  * @param {Browser} browser
  * @param {string} address  with the page's options
  * @param {object} document  with its search settings
@@ -95,7 +95,7 @@ export async function searchInPage(browser, address, document, workers, limitMs)
       if (running) requestAnimationFrame(frame);
     };
     requestAnimationFrame(frame);
-    // A message to oneself comes as soon as the thread is free; timers may be held back.
+    // A message from a thread to itself arrives as soon as the thread is free. Timers may be delayed.
     const { port1, port2 } = new MessageChannel();
     const pause = 4;
     port1.onmessage = () => {

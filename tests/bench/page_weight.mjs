@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What the page weighs: bytes and time until the first motion, and memory at work.
+// The size of the page: bytes and time until the first motion, and memory in use.
 import { gzipSync } from 'node:zlib';
 
 /** @typedef {import('../browser/browsers.mjs').Browser} Browser */
 
-/** Milliseconds from opening to the first frame that moves. @param {Browser} browser @param {string} address */
+/** Milliseconds from opening to the first moving frame. @param {Browser} browser @param {string} address */
 export async function openToFirstFrame(browser, address) {
   const page = await (await browser.createBrowserContext()).newPage();
   await page.goto(address);
@@ -16,7 +16,7 @@ export async function openToFirstFrame(browser, address) {
   return ms;
 }
 
-/** Every file that the page loads until its first frame, gzipped. @param {Browser} browser @param {string} address */
+/** Every file that the page loads before its first frame, gzipped. @param {Browser} browser @param {string} address */
 export async function bytesUntilFirstMotion(browser, address) {
   const page = await (await browser.createBrowserContext()).newPage();
   /** @type {Promise<[string, number, number]>[]} */
@@ -39,7 +39,7 @@ export async function bytesUntilFirstMotion(browser, address) {
 }
 
 /**
- * WebAssembly memory of the page's application after a search, and of an engine that plays both of a worker's roles, by
+ * WebAssembly memory of the page's application after a search, and of an engine in both roles of a worker, by
  * algorithm.
  * @param {Browser} browser @param {string} address @param {string[]} algorithms
  */
@@ -50,7 +50,7 @@ export async function memory(browser, address, algorithms) {
     WebAssembly.instantiateStreaming = async (...options) => {
       const result = await original(...options);
       for (const value of Object.values(result.instance.exports)) {
-        const kept = /** @type {any} */ (window); // the application's is the first
+        const kept = /** @type {any} */ (window); // the first memory is the application's
         if (value instanceof WebAssembly.Memory) kept.benchMemory ??= value;
       }
       return result;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sums up the files that the benchmarks left in build/: goal, figure, met or not. Prints a table and writes
-// build/bench-report.json. A benchmark that has not run leaves its rows out.
+// Summarises the files that the benchmarks wrote to build/: goal, result, met or not. Prints a table and writes
+// build/bench-report.json. Rows of benchmarks that have not run are left out.
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { ROOT } from '../browser/browsers.mjs';
@@ -84,7 +84,7 @@ if (browser) {
 const synthesize = load('synthesize');
 row('g', 'gaitsmith synthesize, resident', synthesize?.residentBytes && synthesize.residentBytes / 1024 / 1024, '<=', 50, ' MB');
 
-/** @param {string} name @returns {[string, number][]} medians, or single figures */
+/** @param {string} name @returns {[string, number][]} medians, or single results */
 const native = (name) => (load(name)?.benchmarks ?? [])
   .filter((/** @type {any} */ one) => (one.aggregate_name ?? 'median') === 'median')
   .map((/** @type {any} */ one) => [one.run_name, one.items_per_second ?? one.cpu_time]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Motions per second of one thread: Box2D, our native builds, our WASM under Node and in Chromium, in short rounds that
-// take turns and by processor time, so that whatever else the machine does meets all of them alike. Claims (a) and (b) of
-// docs/performance.md. Writes build/bench-rivals.json.
+// Motions per second of one thread: Box2D, our native builds, our WASM under Node and in Chromium. Measured in short
+// alternating rounds and by processor time, so that other load on the machine affects all of them equally. Claims (a)
+// and (b) of docs/performance.md. Writes build/bench-rivals.json.
 import { mkdirSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -12,7 +12,7 @@ import { NativeRounds } from './native_rounds.mjs';
 
 const ROUNDS = 7;
 const ROUND_MS = 250;
-const WARM_UP_MS = 600; // the compiler's second pass is over by then
+const WARM_UP_MS = 600; // the compiler's second pass has finished by then
 const WORKLOADS = ['peers', 'random', 'gait'];
 const SITE = join(ROOT, 'build/site');
 const FOLDER = join(ROOT, 'build/bench');
@@ -21,10 +21,10 @@ const FOLDER = join(ROOT, 'build/bench');
 /** @typedef {(workload: string, ms: number) => Promise<number>} Contestant  motions per second of processor time */
 
 /**
- * In the page or under Node: lets the engine work for about that time.
+ * In the page or under Node: runs the engine for about `ms`.
  * @param {string} engineAddress  engine.js
  * @param {Work} work @param {number} ms
- * @returns {Promise<number>} how many motions it simulated
+ * @returns {Promise<number>} number of simulated motions
  */
 async function evaluate(engineAddress, { document, genomes }, ms) {
   const { Engine } = /** @type {typeof import('../../web/search/engine.js')} */ (await import(engineAddress));
@@ -38,7 +38,7 @@ async function evaluate(engineAddress, { document, genomes }, ms) {
   return done;
 }
 
-/** @param {() => number | Promise<number>} seconds  spent so far @param {() => Promise<number>} work  returns motions */
+/** @param {() => number | Promise<number>} seconds  spent so far @param {() => Promise<number>} work  returns the number of motions */
 async function perSecondOf(seconds, work) {
   const before = await seconds();
   const done = await work();
@@ -116,7 +116,7 @@ for (const workload of WORKLOADS) {
   }
 }
 
-/** Medians of the quotients of neighbouring rounds. @param {string} workload @param {string} one @param {string[]} others */
+/** Medians of the ratios of neighbouring rounds. @param {string} workload @param {string} one @param {string[]} others */
 function ratio(workload, one, others) {
   const ours = rates[workload][one] ?? [];
   const theirs = others.map((name) => rates[workload][name] ?? []).filter((values) => values.length);
@@ -136,4 +136,4 @@ await keep('rivals', {
 });
 await browser?.close();
 stopAll();
-process.exit(0); // the native programs end with their input
+process.exit(0); // the native programs end when their input ends

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Runs short rounds of simulation on demand, so that rivals can be measured in turn within one run
-// (rival_bench.mjs). Reads commands, one a line; answers each with one line:
-//   about                     what was compiled, as JSON
-//   write FOLDER              every workload for those who are not C++: NAME.json and NAME.genes
-//   box2d MS                  rollouts per second of processor time of Box2D on the peers' scenario, over
-//   about MS WORKLOAD LANES MS         motions per second of the evaluator, likewise, on one thread
+// Runs short rounds of simulation on demand, so that alternatives can be measured in turn within one run
+// (rival_bench.mjs). Reads one command per line and answers each with one line:
+//   about                     the compiler and its flags, as JSON
+//   write FOLDER              writes every workload for programs in other languages: NAME.json and NAME.genes
+//   box2d MS                  rollouts per second of processor time of Box2D, peers' scenario, in about MS
+//   WORKLOAD LANES MS         motions per second of processor time of the evaluator, in about MS, one thread
 #include <algorithm>
 #include <ctime>
 #include <fstream>
@@ -23,10 +23,10 @@ namespace {
 
 using namespace gaitsmith;
 
-/// Processor time of this program [s]: on a busy machine the clock on the wall counts what others do.
+/// Processor time of this program [s]. On a busy machine wall-clock time includes other programs.
 double Spent() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Repeats work until the time is over. @param work returns how many motions it simulated
+/// Repeats work until the time is over. @param work returns the number of simulated motions
 template <class Work>
 double PerSecond(double ms, Work work) {
   const double start = Spent();
@@ -83,7 +83,7 @@ void Write(const std::string& folder) {
 }  // namespace
 
 int main() {
-  std::cout << std::unitbuf;  // whoever asked waits for the line
+  std::cout << std::unitbuf;  // the caller waits for each line
   std::string line;
   while (std::getline(std::cin, line)) {
     std::istringstream words(line);

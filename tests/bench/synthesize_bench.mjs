@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command line's search: seconds and the most memory it held (Linux only). Claim (g) of docs/performance.md. Writes
+// The command line's search: seconds and peak memory (Linux only). Claim (g) of docs/performance.md. Writes
 // build/bench-synthesize.json.
 import { spawn } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
@@ -9,7 +9,7 @@ import { ROOT } from '../browser/browsers.mjs';
 import { keep } from './machine.mjs';
 
 const EVALUATIONS = 8000;
-const LOOK_MS = 10; // the high-water mark never falls, so the last look counts
+const LOOK_MS = 10; // the high-water mark never falls, so the last sample counts
 
 const started = performance.now();
 const child = spawn(join(ROOT, 'build/release/shell/gaitsmith'),

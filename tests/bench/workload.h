@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the benchmarks simulate: a document and genomes for it, the same bits in every program and run.
+// The workloads of the benchmarks: a document and genomes for it, the same bits in every program and run.
 #pragma once
 
 #include <string_view>
@@ -20,27 +20,27 @@ inline constexpr int kGenomes = 64;
 /// Mr. Star-Man with an empty controller, 5 s, ten rules.
 [[nodiscard]] Document StarMan(SenseKind);
 
-/// Genomes as a search starts with.
+/// Random genomes, as at the start of a search.
 [[nodiscard]] Workload RandomGenomes(const Document&);
 
-/// Genomes as a search ends with: perturbations of what a short one found. An evolved gait meets the ground
-/// otherwise than a random bank does.
+/// Perturbations of the result of a short search, as at the end of a search. An evolved gait has other
+/// contacts than a random bank.
 [[nodiscard]] Workload Gaits(const Document&);
 
-// The scenario on which other engines were measured: Mr. Star-Man's joints follow targets that change every
-// half second, with a time constant of 0.1 s, on flat ground of friction 1, for 10 s. Every figure has
-// targets of its own, so that no lane is a copy of another.
+// The scenario for comparison with other engines: Mr. Star-Man's joints follow targets that change every half
+// second, with a time constant of 0.1 s, on flat ground of friction 1, for 10 s. Every figure has different
+// targets, so that no lane is a copy of another.
 inline constexpr int kPeerSteps = 1000;
 inline constexpr int kPeerTargets = 20;
 inline constexpr float kPeerTauS = 0.1f;
 inline constexpr float kPeerFriction = 1.0f;
 [[nodiscard]] Workload Peers();
 
-/// Angle that a joint of one of Peers() is driven to during an interval, against its rest angle [rad].
+/// Target angle of a joint of one of Peers() during an interval, relative to its rest angle [rad].
 [[nodiscard]] float PeerTarget(const Workload& peers, int figure, int interval, int joint);
 
-/// By name: "random", "gait", "timer" (random), "timer-gait", "peers". Made when first asked for, then kept:
-/// gaits take a search.
+/// A workload by name: "random", "gait", "timer" (random), "timer-gait", "peers". Created at the first call
+/// and then kept, because gaits take a search.
 [[nodiscard]] const Workload& WorkloadOf(std::string_view name);
 inline constexpr std::string_view kWorkloads[] = {"random", "gait", "timer", "timer-gait", "peers"};
 

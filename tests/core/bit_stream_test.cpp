@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers packed into bits come back, and a table may outgrow its usual number of bits.
+// Numbers packed into bits are read back, and a table may outgrow its usual number of bits.
 #include "core/numeric/bit_stream.h"
 
 #include <catch_amalgamated.hpp>
@@ -14,7 +14,7 @@ TEST_CASE("bit stream: an index of a table of any length comes back, short ones 
   for (std::size_t index = 0; index < rows; ++index) {
     BitWriter out;
     out.PutIndex(index, bits);
-    out.Put(0x2d, 6);  // what follows is not touched
+    out.Put(0x2d, 6);  // later bits are not changed
     BitReader in(out.Bytes());
     REQUIRE(in.TakeIndex(bits) == index);
     REQUIRE(in.Take(6) == 0x2d);

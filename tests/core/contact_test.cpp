@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contact solver against the conditions it claims to satisfy, over random instants: any stance, height,
+// Checks the contact solver against the conditions it must satisfy, at random instants: any stance, height,
 // inertia, friction, velocities and drifts.
 #include <catch_amalgamated.hpp>
 #include <cmath>
@@ -44,7 +44,7 @@ Instant RandomInstant(std::uint64_t seed) {
   return instant;
 }
 
-/// The worst offence against any condition, as a velocity [m/s].
+/// The largest violation of any condition, as a velocity [m/s].
 double OffenceOf(const Instant& instant, int contacts) {
   Body<1> after = instant.body;
   for (int i = 0; i < contacts; ++i) {
@@ -52,7 +52,7 @@ double OffenceOf(const Instant& instant, int contacts) {
     after.Push(instant.world, c.arm, c.force);
   }
   double worst = 0.0;
-  // What is no number offends most.
+  // NaN is the largest violation.
   const auto offends = [&](double by) { worst = std::isnan(by) ? 1e9 : std::max(worst, by); };
   for (int i = 0; i < contacts; ++i) {
     const Contact<1>& c = instant.contact[static_cast<std::size_t>(i)];
@@ -62,11 +62,11 @@ double OffenceOf(const Instant& instant, int contacts) {
     const double approach = static_cast<double>(c.Approach(after)[0]);
     const double slide = static_cast<double>(c.Slide(after)[0]);
     const double most = static_cast<double>(instant.world.friction) * normal;
-    offends(-normal);                     // pushes
-    offends(-approach);                   // stays above
-    offends(std::min(normal, approach));  // either, not both
-    offends(std::abs(tangent) - most);    // in the cone
-    // Inside the cone it sticks; on an edge it slides the other way.
+    offends(-normal);                     // it pushes
+    offends(-approach);                   // it stays above the ground
+    offends(std::min(normal, approach));  // one of them is 0
+    offends(std::abs(tangent) - most);    // it is in the friction cone
+    // Inside the cone it sticks. On an edge it slides the other way.
     offends(std::min(std::max(slide, 0.0), tangent + most));
     offends(std::min(std::max(-slide, 0.0), most - tangent));
   }

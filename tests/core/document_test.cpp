@@ -14,7 +14,7 @@ namespace gaitsmith::test {
 
 namespace {
 
-/// A document that uses every field with a value of its own.
+/// A document with a non-standard value in every field.
 Document Everything(SenseKind kind) {
   Document d = StarManTravel(kind);
   d.title = "Tumble \"two\" \\ π";
@@ -79,7 +79,7 @@ TEST_CASE("document: links of ten-rule Star-Man controllers are short", "[docume
       REQUIRE(EncodeLink(d).size() <= (kind == SenseKind::kPhysical ? 900u : 400u));
     }
   }
-  // The longest there can be: every rule cares about everything.
+  // The longest possible document: every rule uses every sense.
   Document d = StarManTravel(SenseKind::kPhysical);
   d.controllers = {RandomController(d.figure, d.senses, 1)};
   for (Gene& gene : d.controllers[0].genes) gene = 12345;
@@ -104,7 +104,7 @@ TEST_CASE("link: every truncation and every changed character is refused", "[doc
       if (changed[at] == c) continue;
       changed[at] = c;
       CAPTURE(at, c);
-      // White space around a link is forgiven, but then it is one character short.
+      // White space around a link is ignored, but then the link is one character short.
       REQUIRE(!DecodeLink(changed));
     }
   }
@@ -131,7 +131,7 @@ TEST_CASE("binary: every flipped bit is refused", "[document]") {
 
 TEST_CASE("binary: values out of range are refused even when the checksum is right", "[document]") {
   Document d = StarManTravel(SenseKind::kTimer);
-  d.environment.friction = 99.0f;  // an encoder does not check, so this makes a well-formed lie
+  d.environment.friction = 99.0f;  // the encoder does not check, so this is well-formed but invalid
   const auto decoded = DecodeBinary(EncodeBinary(d));
   REQUIRE(!decoded);
   REQUIRE(decoded.error().Sentence() == "environment.friction: must be from 0 to 10, is 99");
@@ -142,7 +142,7 @@ TEST_CASE("binary: values out of range are refused even when the checksum is rig
 }
 
 TEST_CASE("document: a link made before version 2 decodes and encodes to the same characters", "[document]") {
-  // Written by a Gaitsmith that knew version 1 only.
+  // Written by a Gaitsmith with version 1 only.
   constexpr std::string_view kLink =
       "AVMAACHSFkZWBiKWB2JXJjeX9uYGEjOgu3srAIMzMzM_"
       "AADGJQAMHgAAAMSBAQBM4XrsMVAwS5OboxuXABCSAcDUgamDOIG7gD4YgMEBm1OfZEsppCsNEtKOyA";
@@ -227,7 +227,8 @@ TEST_CASE("document: algorithms alone need no new version; version 2 with nothin
     REQUIRE(bytes[0] == 1);
     d.search.evaluations = 4096;
     REQUIRE(DecodeBinary(EncodeBinary(d))->search.algorithm == d.search.algorithm);
-    // The same body under the newer number, with a right checksum, is another spelling of the same document.
+    // The same body with the newer version number and a valid checksum is a second encoding of the same
+    // document.
     auto other = bytes;
     other[0] = 2;
     other.resize(other.size() - 4);

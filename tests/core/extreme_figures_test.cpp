@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Figures at the ends of what documents may ask for, in worlds at their ends: every law, the same bits twice
-// and in every lane count. Whether such a motion is void is its own affair; nothing else about it is.
+// Figures at the limits of documents, in worlds at their limits. Every law holds, and the bits are the same
+// in two runs and for every number of lanes. Such a motion may be void, but must be correct otherwise.
 #include <catch_amalgamated.hpp>
 #include <string>
 
@@ -14,7 +14,7 @@ namespace {
 constexpr int kSteps = 150;
 constexpr float kPiRad = 3.1415927f;
 
-/// Rods one after another.
+/// A chain of rods.
 Figure Chain(const char* name, int rods, float rest_rad) {
   Figure figure{name, {}};
   for (int i = 0; i < rods; ++i) {
@@ -74,7 +74,7 @@ const std::vector<Beginning>& Beginnings() {
   return kBeginnings;
 }
 
-/// The hastiest rules that a document may ask for.
+/// The fastest rules that a document can contain.
 Controller Hasty(const Figure& figure, SenseKind kind) {
   SenseSpec senses;
   senses.kind = kind;
@@ -84,7 +84,7 @@ Controller Hasty(const Figure& figure, SenseKind kind) {
   return RandomController(figure, senses, 3);
 }
 
-/// @return frames before a guard trips
+/// @return number of frames before a guard trips
 int Try(const Document& document) {
   REQUIRE(Validate(document));
   const Motion motion = Simulate(document);
@@ -134,7 +134,7 @@ TEST_CASE("extremes: figures keep the laws and their bits, whatever world they a
       }
     }
   }
-  // The laws must have had something to judge.
+  // Enough motions must be valid, or the laws would judge nothing.
   CAPTURE(motions);
   CHECK(sound > motions / 3);
 }

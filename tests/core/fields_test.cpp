@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Pins: every field of a document, its range and what it is when left out. In a link a number takes as many
-// bits as its range needs, and one that is standard takes one: a range that moves breaks every link. To bless
-// anew (only by a numbered decision in docs/design.md):
+// Pins: every field of a document, its range and its standard value. In a link a number takes the bits that
+// its range needs, and a standard value takes one bit, so a changed range breaks every link. To bless again
+// (only by a numbered decision in docs/design.md):
 //   tests/golden/bless build/release/shell/gaitsmith build/dev/tests/gaitsmith_tests
 #include <catch_amalgamated.hpp>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace gaitsmith::test {
 
 namespace {
 
-/// An archive that tells what there is, a field a line.
+/// An archive that lists the fields, one per line.
 class FieldTable {
  public:
   void Real(std::string_view name, float&, float low, float high, float standard) {

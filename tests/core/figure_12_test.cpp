@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The shipped composite of the paper's Figure 12: each part does what its name says, and not a bit of it
-// changes.
+// The shipped composite of the paper's Figure 12. Each part does what its name says, and its bits never
+// change.
 #include <algorithm>
 #include <catch_amalgamated.hpp>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 struct Part {
   std::string name;
   double travel_m = 0.0, turns = 0.0;
-  double rise_m = 0.0;     // of the centre of mass above where it took over
+  double rise_m = 0.0;     // rise of the centre of mass above its height at the takeover
   int longest_flight = 0;  // steps in a row without contact
 };
 
@@ -49,7 +49,7 @@ TEST_CASE("figure 12: shuffles right, cartwheels left, jumps, shuffles") {
   const Part cartwheel = Measured(*document, motion, 1);
   CHECK(cartwheel.name == "Cartwheel");
   CHECK(cartwheel.travel_m < -2.0);
-  CHECK(cartwheel.turns > 0.9);  // anticlockwise is to the left
+  CHECK(cartwheel.turns > 0.9);  // a cartwheel to the left turns anticlockwise
   CHECK(cartwheel.turns < 1.1);
   const Part jump = Measured(*document, motion, 2);
   CHECK(jump.name == "Jump");

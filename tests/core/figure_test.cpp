@@ -60,7 +60,7 @@ TEST_CASE("figure: the order in which rods are listed does not matter to the wal
   Figure figure = ShippedFigure("beryl-biped");
   Figure turned;
   turned.name = figure.name;
-  // The root last, children before their parents.
+  // The root comes last, children before their parents.
   for (int i = figure.Rods() - 1; i >= 0; --i) {
     Rod rod = figure.rods[static_cast<std::size_t>(i)];
     if (rod.parent != kNoParent) rod.parent = figure.Rods() - 1 - rod.parent;

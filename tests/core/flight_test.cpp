@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Laws of free flight: what no ground touches.
+// Laws of free flight, without contact with the ground.
 #include <algorithm>
 #include <catch_amalgamated.hpp>
 #include <cmath>
@@ -16,8 +16,7 @@ struct Momentum {
   double linear_x, linear_y, angular;
 };
 
-/// Momenta at a frame from positions alone: endpoints differentiated in time by a sixth-order central
-/// difference.
+/// Momenta at a frame from positions alone: a sixth-order central difference in time of the endpoints.
 Momentum FromPositions(const Motion& motion, int frame) {
   constexpr double kWeights[] = {0.75, -0.15, 1.0 / 60.0};
   const Skeleton& bones = motion.Bones();
@@ -67,15 +66,15 @@ StartState Thrown(float spin) {
 }  // namespace
 
 TEST_CASE("flight: momentum recomputed from positions stays, whatever the joints do", "[physics][flight]") {
-  // Gravity off, so that ten seconds of flight stay in the air; it exerts no moment about the centre of mass
-  // anyway.
+  // Gravity is off, so that the figure stays in the air for ten seconds. It exerts no moment about the centre
+  // of mass anyway.
   Environment weightless;
   weightless.gravity_mps2 = 0.0f;
   for (const char* name : {"mr-star-man", "beryl-biped", "horse"}) {
     const Figure figure = ShippedFigure(name);
     const float spin = GENERATE(-4.3f, 0.9f, 7.1f);
     CAPTURE(name, spin);
-    // Two poses in turn, slow enough that differences in time resolve the joints' motion.
+    // Alternates two poses slowly enough that differences in time resolve the joints' motion.
     std::vector<float> one(static_cast<std::size_t>(figure.Joints())), other(one.size());
     for (std::size_t j = 0; j < one.size(); ++j) {
       one[j] = 0.8f - 0.3f * static_cast<float>(j % 3);
@@ -86,7 +85,7 @@ TEST_CASE("flight: momentum recomputed from positions stays, whatever the joints
     const Motion motion(figure, weightless, Thrown(spin), {}, controllers, clips, 1000);
     const Momentum first = FromPositions(motion, 237);
     const double scale = std::max(std::abs(first.angular), std::abs(static_cast<double>(spin)) * 0.5);
-    // Compared where the joints have come to rest, so that the differences' own error does not count.
+    // Compared at frames where the joints are at rest, so that the error of the differences does not count.
     for (const int frame : {487, 687, 988}) {
       CAPTURE(frame);
       const Momentum now = FromPositions(motion, frame);
@@ -139,9 +138,9 @@ TEST_CASE("flight: a figure turns itself in mid-air as an independent integratio
     error[halving] = std::abs(motion.At(steps).turn_rad - motion.At(0).turn_rad - exact);
   }
   CAPTURE(tau, exact, error[0], error[1], error[2]);
-  REQUIRE(std::abs(exact) > 0.02);  // it does turn
+  REQUIRE(std::abs(exact) > 0.02);  // the figure does turn
   REQUIRE(error[0] < 2e-3 * std::abs(exact) + 1e-5);
-  // Second order: halving the step quarters the error, until single precision shows.
+  // Second order: halving the step quarters the error, down to the limit of single precision.
   if (error[1] > 1e-5) REQUIRE(error[0] / error[1] > 3.4);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The gallery is worth a visit: docs/gallery.md and examples/gallery hold the same motions, of many figures,
-// each with a title of its own, with its hash, and with something to see.
+// docs/gallery.md and examples/gallery contain the same motions: of many figures, each with a different
+// title, with its hash and with visible movement.
 #include <algorithm>
 #include <catch_amalgamated.hpp>
 #include <cmath>
@@ -20,7 +20,7 @@ struct Entry {
   std::string title, path;
 };
 
-/// The entries of docs/gallery.md, each of four lines: heading, film strip, none, what to look for.
+/// The entries of docs/gallery.md. Each has four lines: heading, film strip, empty line, what to look for.
 std::vector<Entry> EntriesOfBook() {
   std::istringstream book(ReadFile("docs/gallery.md"));
   std::vector<Entry> entries;
@@ -90,7 +90,7 @@ TEST_CASE("gallery: many figures, titles that differ, a hash and a motion in eac
       }
     }
     CHECK(way_m > 2.0);
-    // It has not come to rest: it still bends, or rolls on.
+    // The figure is not at rest: it still bends or rolls.
     CHECK((bent_rad > 0.5 || std::abs(motion.At(end).x_m - motion.At(last_second).x_m) > 1.0));
   }
   CHECK(figures.size() >= 12);

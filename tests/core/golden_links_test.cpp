@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Pins: the links of tests/golden/links, one file for each version of the binary form: each opens, shows the
-// motion that it always showed, and is written again with the very same characters, straight from the link
-// and by way of JSON. Does not pin: which documents a version can hold (document_test.cpp). To bless anew:
-// never; links that people have sent cannot be taken back. Lines may be added to the newest version's file:
+// Pins: the links of tests/golden/links, one file for each version of the binary form. Each link opens, shows
+// the same motion as always, and is encoded again with exactly the same characters, both directly and through
+// JSON. Does not pin: which documents a version can hold (document_test.cpp). To bless again: never, because
+// shared links cannot be recalled. Lines may be added to the newest version's file:
 //   gaitsmith hash DOC && gaitsmith link encode DOC
 // Has caught: nothing yet.
 #include <algorithm>
@@ -23,11 +23,11 @@ namespace {
 constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 
 struct GoldenLink {
-  std::string name;  // the comment above it
+  std::string name;  // the comment line before it
   std::string hash, payload;
 };
 
-/// The lines of a file: the hash and the payload each, under a comment that names them.
+/// The links of a file. Each line has a hash and a payload, after a comment line with the name.
 std::vector<GoldenLink> LinksOf(int version) {
   std::istringstream file(ReadFile("tests/golden/links/version-" + std::to_string(version) + ".txt"));
   std::vector<GoldenLink> links;
@@ -46,7 +46,7 @@ std::vector<GoldenLink> LinksOf(int version) {
   return links;
 }
 
-/// The first byte of a payload, without the decoder that is tested.
+/// The first byte of a payload, read without the decoder under test.
 int VersionOf(const std::string& payload) {
   return static_cast<int>((kAlphabet.find(payload.at(0)) << 2u) | (kAlphabet.find(payload.at(1)) >> 4u));
 }
@@ -81,9 +81,9 @@ TEST_CASE("golden links: every link of version 2 opens with its motion", "[golde
 
 TEST_CASE("golden links: no link that was changed in one byte or cut short opens", "[golden][links]") {
 #ifdef NDEBUG
-  constexpr std::size_t kStep = 1;  // also in WASM: tests/browser/share_scenarios.mjs
+  constexpr std::size_t kStep = 1;  // WASM tests every character too: tests/browser/share_scenarios.mjs
 #else
-  constexpr std::size_t kStep = 7;  // of places: all take sanitizers minutes
+  constexpr std::size_t kStep = 7;  // every 7th character: all would take minutes with sanitizers
 #endif
   for (const int version : {1, 2}) {
     for (const GoldenLink& link : LinksOf(version)) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Pins: what every search finds, on the way and at its end, with the settings of tests and with others, over
-// banks of rules and a network. Who has a document has its search; the same seed must find the same motion
-// for ever. The functions add and multiply, nothing else: the same bits everywhere. To bless anew (only by a
-// numbered decision in docs/design.md):
+// Pins: what every search finds, on the way and at its end, with the settings of tests and with others, for
+// banks of rules and a network. A document contains its search, so the same seed must find the same motion
+// for ever. The functions only add and multiply, so their bits are the same everywhere. To bless again (only
+// by a numbered decision in docs/design.md):
 //   tests/golden/bless build/release/shell/gaitsmith build/dev/tests/gaitsmith_tests
 #include <catch_amalgamated.hpp>
 #include <cstdio>
@@ -17,7 +17,7 @@ namespace gaitsmith::test {
 
 namespace {
 
-/// With none of the numbers of known_functions.h, and the other choice of each.
+/// Every number and every choice differs from those of known_functions.h.
 SearchSettings OtherSettings(Algorithm algorithm) {
   SearchSettings settings;
   settings.algorithm = algorithm;
@@ -41,7 +41,7 @@ SearchSettings OtherSettings(Algorithm algorithm) {
   return settings;
 }
 
-/// Fitness, and a style that spreads over the bins.
+/// Fitness, and a style that covers the bins.
 std::vector<Score> ScoresOf(const std::vector<Genome>& genomes, float (*function)(std::span<const Gene>)) {
   std::vector<Score> scores;
   for (const Genome& genome : genomes) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Pins: the trajectory hash of every document in tests/golden/motions, in examples/, in its gallery and its
 // lessons, and the scores of forty searches. The same file runs natively with gcc and clang, at several
-// optimisation levels, under sanitizers and as WASM under Node. Does not pin: what the motions look like. To
-// bless anew (only by a numbered decision in docs/design.md):
+// optimisation levels, under sanitizers and as WASM under Node. Does not pin: how the motions look. To bless
+// again (only by a numbered decision in docs/design.md):
 //   tests/golden/bless build/release/shell/gaitsmith build/dev/tests/gaitsmith_tests
 // Has caught: nothing yet.
 #include <algorithm>
@@ -29,7 +29,7 @@ TEST_CASE("golden: every motion keeps its hash, in every lane", "[golden][determ
         document->controllers[static_cast<std::size_t>(document->timeline[0].controller)];
     const Problem problem = ReplayProblem(*document, controller);
     for (const int lanes : Evaluator::kLaneCounts) {
-      // Among strangers, so that a lane which listens to its neighbours would show.
+      // Next to other genomes, so that any influence between lanes would show.
       std::vector<Genome> genomes(static_cast<std::size_t>(lanes), controller.genes);
       for (std::size_t lane = 0; lane < genomes.size(); lane += 2) {
         if (lane + 1 == genomes.size()) break;

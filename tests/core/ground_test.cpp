@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Laws of contact: what the ground may and may not do.
+// Laws of contact with the ground.
 #include <algorithm>
 #include <catch_amalgamated.hpp>
 #include <cmath>
@@ -29,7 +29,7 @@ TEST_CASE("ground: a sliding rod stops after v^2 / 2 mu g", "[physics][ground]")
     REQUIRE(error[halving] <= static_cast<double>(speed * h));
     REQUIRE(std::abs(motion.At(motion.Frames() - 1).velocity_x_mps) < 1e-6f);
   }
-  // First order with contact: half the step, half the error (or none to speak of).
+  // First order with contact: half the step gives half the error, unless the error is tiny.
   REQUIRE((error[1] < 0.65 * error[0] || error[1] < 1e-4));
 }
 
@@ -85,7 +85,7 @@ TEST_CASE("ground: rest stays rest for a minute", "[physics][ground]") {
   for (const char* name : {"mr-star-man", "beryl-biped", "horse", "five-rod-fred"}) {
     CAPTURE(name);
     Figure figure = ShippedFigure(name);
-    // Whatever does not stand falls first; rest is judged from then on.
+    // A figure that cannot stand falls first. Rest is judged after that.
     const Motion motion(figure, Environment{}, StartState{}, {}, {}, {}, 9000);
     const auto& settled = motion.At(3000);
     const auto& later = motion.At(9000);
@@ -142,7 +142,7 @@ TEST_CASE("ground: a frozen figure never gains energy, over 1000 random drops", 
   }
   CAPTURE(worst);
   REQUIRE(worst <= 1e-3);
-  // As core/physics/constants.h says of kContactSweeps.
+  // The limit in the comment of kContactSweeps (core/physics/constants.h).
   CAPTURE(largest_lift_m);
   REQUIRE(largest_lift_m < 3.2e-3);
 }
@@ -154,7 +154,8 @@ TEST_CASE("ground: friction works against motion, but for 1e-4 of its work", "[p
     const Motion motion(figure, Environment{}, StartState{}, {},
                         std::vector{RandomController(figure, {}, seed)}, std::vector<Clip>{{0, 0}}, 1000);
     for (int i = 1; i < motion.Frames(); ++i) {
-      // Contact by contact: one foot's wrong work must not hide behind another's right work.
+      // Contact by contact, so that one foot's positive friction work cannot be hidden by another's negative
+      // work.
       const double gain = static_cast<double>(motion.At(i).friction_gain_j);
       wrong += gain;
       right += static_cast<double>(motion.At(i).friction_work_j) - gain;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Controllers that are scored from where others leave the figure.
+// Controllers scored from the states in which others leave the figure.
 #include <array>
 #include <catch_amalgamated.hpp>
 #include <cmath>
@@ -63,7 +63,7 @@ TEST_CASE("handover: who takes over from a void motion is void", "[evaluator]") 
 TEST_CASE("handover: with several, the mean counts", "[evaluator]") {
   Document d = TwoClips();
   d.search.handovers = {{.controller = 1, .step = 140}, {.controller = 0, .step = 333}};
-  d.task.weights.fill(0.01f);  // a term that weighs nothing is not measured
+  d.task.weights.fill(0.01f);  // a term with weight 0 is not measured
   REQUIRE(Validate(d));
   const Problem all = ProblemOf(d);
   REQUIRE(all.beginnings.size() == 3);

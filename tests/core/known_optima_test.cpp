@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every search comes near known optima within a budget.
+// Every search gets close to known optima within a budget.
 
 #include "tests/known_functions.h"
 #include "tests/search_run.h"
@@ -12,9 +12,10 @@ TEST_CASE("searches find known optima within their budgets", "[search]") {
     float (*function)(std::span<const Gene>);
     const SearchSpace* space;
     int evaluations;
-    float at_least;  // for each of the seeds 1 to 3
+    float at_least;  // least fitness for each of the seeds 1 to 3
   };
-  // Bounds are set from what was measured with these seeds: they guard against decay, they prove no rate.
+  // The bounds come from measurements with these seeds. They guard against decay and prove no rate of
+  // convergence.
   const Expectation expectations[] = {
       {Algorithm::kCmaEs, Sphere, &kSmall, 2500, -1e-6f},
       {Algorithm::kCmaEs, Ellipsoid, &kSmall, 6000, -1e-4f},

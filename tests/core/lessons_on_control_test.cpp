@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The lessons about rules, senses, timers and timelines say nothing that their experiments do not show: each
-// number in them is measured here, in the documents that they link to. And each goal is within reach.
+// Every number in the lessons about rules, senses, timers and timelines is measured here, in the documents
+// that the lessons link to. Every goal can be reached.
 #include <algorithm>
 #include <catch_amalgamated.hpp>
 #include <cmath>
@@ -56,7 +56,7 @@ TEST_CASE("lessons: what a rule is", "[lessons]") {
   Says(lesson,
        "It waits until the tip of the foot presses on the ground with more than half of the kangaroo's "
        "weight.");
-  // The sense of the toe's force: after the angles, the seventh endpoint, in units of force_weights.
+  // Index of the toe's force sense: the seventh endpoint, after the angles.
   const int toe = (rods - 1) + 6;
   const Stimulus kick = StimulusOf(kangaroo.controllers[0], rods, 2, toe);
   CHECK(kick.cares);
@@ -130,7 +130,7 @@ TEST_CASE("lessons: timer or senses", "[lessons]") {
   CHECK_FALSE(Meets(goal, alone));
   int moments = 0;
   for (int step = 300; step < 400; step += 2) moments += Meets(goal, pushed(timer, step, -10.0f)) ? 1 : 0;
-  CHECK(moments >= 15);  // of fifty: who tries a few moments finds one
+  CHECK(moments >= 15);  // of fifty, so a reader who tries a few moments finds one
 }
 
 TEST_CASE("lessons: wind-up toys", "[lessons]") {
@@ -190,7 +190,7 @@ TEST_CASE("lessons: wind-up toys", "[lessons]") {
 TEST_CASE("lessons: chaining", "[lessons]") {
   const Lesson lesson = LessonOf("7-chaining");
   const std::string& goal = lesson.fields.at("goal");
-  // What each part of Figure 12 does is checked in figure_12_test.cpp.
+  // figure_12_test.cpp checks what each part of Figure 12 does.
   const Document figure = Shipped("figure-12");
   Says(lesson, "There are three sets of rules, each found alone");
   CHECK(figure.controllers.size() == 3);
@@ -230,7 +230,7 @@ TEST_CASE("lessons: chaining", "[lessons]") {
   CHECK(moments == 45);
   CHECK(good == 12);
 
-  // "The button goes to the best place." Of equals the one that is known first.
+  // "The button goes to the best place." Of equally good places, the one scored first.
   const std::vector<int> steps = TransitionSteps(legs, 1);
   const TransitionMap map = TransitionMapOf(TransitionRequest(legs, 1));
   const std::vector<float> scores = map.Scores(0, map.Count());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The lessons about searches and styles say nothing that their experiments do not show: each number in them
-// is measured here, with the searches that their buttons start. And each goal is within reach.
+// Every number in the lessons about searches and styles is measured here, with the searches that the lessons'
+// buttons start. Every goal can be reached.
 #include <algorithm>
 #include <catch_amalgamated.hpp>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace gaitsmith::test {
 
 namespace {
 
-/// Best after so many evaluations.
+/// The best fitness after a number of evaluations.
 float BestAfter(const Outcome& outcome, int evaluations) {
   float best = kVoidScore;
   for (const auto& point : outcome.curve) {
@@ -82,7 +82,7 @@ TEST_CASE("lessons: style", "[lessons]") {
   Says(lesson, "Mr. Star-Man gets nearly 7 m in 10 s");
   CHECK(Rounded(std::abs(TermsOf(plain).travel_m), 0) == 7);
   const auto usual = UsualWeights(plain);
-  // Tenths of the usual weight, as the slider counts.
+  // In tenths of the usual weight, like the slider.
   const auto wished = [&](StyleTerm term, int tenths) {
     Document document = plain;
     const auto index = static_cast<std::size_t>(term);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Every lesson has its parts and opens documents that are valid; its goal is not met when it opens. What
-// lessons say is measured in lessons_on_control_test.cpp and lessons_on_search_test.cpp, and what a page
-// makes of the text in tests/web.
+// Every lesson has its parts and opens valid documents, and its goal is not met when it opens.
+// lessons_on_control_test.cpp and lessons_on_search_test.cpp measure the numbers in lessons. tests/web checks
+// how a page displays the text.
 #include <algorithm>
 #include <catch_amalgamated.hpp>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A moment that is saved and restored goes on as if the motion had never been left: what scrubbing, chaining
-// and the transition maps stand on.
+// A motion continues from a saved and restored moment without any difference. Scrubbing, chaining and
+// transition maps rely on this.
 #include <catch_amalgamated.hpp>
 
 #include "core/document/json.h"
@@ -14,7 +14,7 @@ namespace {
 
 using FigureRollout = Rollout<FigurePlant, 1>;
 
-/// A document's motion, step by step.
+/// Plays a document's motion step by step.
 class Player {
  public:
   explicit Player(const Document& document)
@@ -25,7 +25,7 @@ class Player {
   [[nodiscard]] FigureRollout Begin() const {
     return {bones_, document_.environment, document_.start, document_.pushes, takeovers_};
   }
-  /// @return the bits of where the step leads
+  /// @return hash of the positions after the step
   static std::uint64_t Step(FigureRollout& rollout) {
     TrajectoryHash hash;
     rollout.RunTo(rollout.StepNow() + 1, kNothing, [&] { rollout.PlantNow().AddTo(hash, 0); });
@@ -42,7 +42,7 @@ class Player {
 
 TEST_CASE("moment: restored after any step of a motion dense with contacts, it goes on bit by bit",
           "[physics][moment]") {
-  // Feet on the ground in most steps: with pushes on a slope, with a network, with a change of clips.
+  // Feet on the ground in most steps: with pushes on a slope, with a network, and with a change of clips.
   const char* name = GENERATE("horse-slope-pushed", "star-man-network", "star-man-composite");
   CAPTURE(name);
   const auto document = DecodeJson(ReadFile("tests/golden/motions/" + std::string(name) + ".json"));
@@ -56,7 +56,7 @@ TEST_CASE("moment: restored after any step of a motion dense with contacts, it g
 
   constexpr int kAhead = 40;
   int touching = 0;
-  FigureRollout going = player.Begin();  // itself restored after every step
+  FigureRollout going = player.Begin();  // restored after every step
   for (int step = 0; step < steps; ++step) {
     CAPTURE(step);
     REQUIRE(Player::Step(going) == bits[static_cast<std::size_t>(step)]);

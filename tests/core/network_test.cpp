@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sensor-actuator networks against what their sources say of them, by hand-made networks whose behaviour is
-// known.
+// Checks sensor-actuator networks against their sources, with handmade networks whose behaviour is known.
 #include "core/control/network.h"
 
 #include <catch_amalgamated.hpp>
@@ -16,7 +15,7 @@ namespace {
 
 constexpr int kRods = 3;
 
-/// One hidden node, no weights, all delays and time constants of the given gene, targets from least to
+/// One hidden node, no weights, all delays and time constants from the given gene, targets from least to
 /// greatest.
 Genome Quiet(const NetworkShape& shape, Gene delay) {
   Genome genes(shape.Genes(), 32767);  // weights: just below 0
@@ -31,7 +30,7 @@ Genome Quiet(const NetworkShape& shape, Gene delay) {
   return genes;
 }
 
-/// One network on its own, fed by hand.
+/// One network alone, with inputs set by the test.
 struct Bench {
   NetworkShape shape{1, kRods};
   SenseSpec senses;
@@ -74,7 +73,7 @@ TEST_CASE(
     bench.Advance(network, {-2.0f, -2.0f}, {1.0f, 1.0f, 0.0f, 1.0f});
     if (off == 0 && output() == 0.0f) off = step;
   }
-  // The sum of so many shares of a charge may round to just below 1.
+  // The sum of the charges per step may round to just below 1.
   CHECK((on == kDelaySteps || on == kDelaySteps + 1));
   CHECK((off == kDelaySteps || off == kDelaySteps + 1));
 }
@@ -85,7 +84,7 @@ TEST_CASE("network: a short touch does not turn a node, for it must fill up firs
   const Network<1> network = bench.Build();
   network.Begin(bench.state, bench.targets);
   for (int step = 0; step < 200; ++step) {
-    // On for ten steps of every twenty: charges and discharges alike, and never fills.
+    // On for ten steps of every twenty: it charges as much as it discharges, and is never full.
     bench.Advance(network, {-2.0f, -2.0f}, {step % 20 < 10 ? 1.0f : 0.0f, 0.0f, 0.0f, 0.0f});
     REQUIRE(bench.state.input[static_cast<std::size_t>(bench.shape.Inputs()) - 1][0] == 0.0f);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What searches are made of: wheels, ranks, operators, line searches, cells.
+// The parts of searches: wheels, ranks, operators, line searches, cells.
 #include "core/search/generational_ga.h"
 #include "core/search/map_elites.h"
 #include "core/search/powell.h"
@@ -63,7 +63,7 @@ TEST_CASE("operators: rates mean what they say, in both readings", "[search]") {
     CHECK_THAT(hybrids / double{kTimes}, Catch::Matchers::WithinAbs(per_child ? 0.6 : 1.0, 0.03));
     CHECK_THAT(rules_of_a / (10.0 * kTimes), Catch::Matchers::WithinAbs(per_child ? 0.3 : 0.6, 0.03));
     CHECK_THAT(changed / double{kTimes}, Catch::Matchers::WithinAbs(per_child ? 0.1 : 1.0, 0.03));
-    // Rates of nothing change nothing.
+    // Rates of 0 change nothing.
     const Rates none{.mutation = 0.0f, .crossover = 0.0f, .reading = reading};
     const Offspring children = Breed(a, b, space, Variation{}, none, random);
     CHECK(children.copy == a);
@@ -99,10 +99,10 @@ TEST_CASE("Powell: a line search finds the top of a parabola at once, and stays 
 }
 
 TEST_CASE("MAP-Elites: every cell holds the fittest of its style", "[search]") {
-  SearchSettings settings = Settings(Algorithm::kMapElites, 2000);  // its end cuts a batch
+  SearchSettings settings = Settings(Algorithm::kMapElites, 2000);  // the budget ends within a batch
   settings.elites.bins = 4;
   MapElites search(settings, kTiny);
-  // Style: three genes on their way to the ends of the grid and beyond.
+  // Style: three genes, scaled to the ends of the grid and beyond.
   const auto score = [](const Genome& genome) {
     return Score{Sphere(genome),
                  {4.4f * genome[0] / 65535.0f, 10.0f * genome[1] / 65535.0f, 4.0f * genome[2] / 65535.0f}};
@@ -129,7 +129,7 @@ TEST_CASE("MAP-Elites: every cell holds the fittest of its style", "[search]") {
     REQUIRE(elite.genome.empty() == !best.contains(cell));
     if (!elite.genome.empty()) REQUIRE(elite.score.fitness == best[cell]);
   }
-  // Motions without a style are in no cell, but the best of them is still the best.
+  // Motions without a style fall into no cell, but the best of them is still the best.
   MapElites without(settings, kTiny);
   while (!without.Done()) {
     std::vector<Score> scores;

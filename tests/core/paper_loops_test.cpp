@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The paper's loops, word for word, against our searches.
+// Compares our searches with the paper's loops, transcribed literally.
 #include <map>
 
 #include "tests/known_functions.h"
@@ -9,7 +9,7 @@ namespace gaitsmith::test {
 
 namespace {
 
-/// Notes evaluations as the paper's loops make them, one after the other.
+/// Records evaluations as the paper's loops make them, one after another.
 struct Log {
   Outcome outcome;
   int evaluations = 0;
@@ -36,7 +36,7 @@ Genome Random(const SearchSettings& settings, std::uint64_t individual) {
   return RandomGenome(kSmall.shape, kSmall.senses, settings.variation, random);
 }
 
-/// Figure 2, word for word.
+/// Figure 2, transcribed literally.
 Outcome SerialGga(const SearchSettings& settings) {
   Log log;
   const auto size = static_cast<std::size_t>(settings.genetic.population);
@@ -76,7 +76,7 @@ Outcome SerialGga(const SearchSettings& settings) {
   }
 }
 
-/// Figure 3, word for word.
+/// Figure 3, transcribed literally.
 Outcome SerialSsga(const SearchSettings& settings) {
   Log log;
   const auto size = static_cast<std::size_t>(settings.genetic.population);
@@ -114,7 +114,7 @@ Outcome SerialSsga(const SearchSettings& settings) {
   }
 }
 
-/// Figure 4, word for word.
+/// Figure 4, transcribed literally.
 Outcome SerialShc(const SearchSettings& settings) {
   Log log;
   Genome genome = Random(settings, 0);
@@ -131,7 +131,7 @@ Outcome SerialShc(const SearchSettings& settings) {
   return log.outcome;
 }
 
-/// Figure 1 with mates found on walks.
+/// Figure 1, with mates found on random walks.
 Outcome SerialMpga(const SearchSettings& settings) {
   Log log;
   const int side = settings.torus.side;
@@ -165,7 +165,7 @@ Outcome SerialMpga(const SearchSettings& settings) {
   }
 }
 
-/// van de Panne and Fiume's two stages.
+/// The two stages of van de Panne and Fiume.
 Outcome SerialTwoStage(const SearchSettings& settings) {
   Log log;
   std::vector<Member> drawn;
@@ -174,7 +174,7 @@ Outcome SerialTwoStage(const SearchSettings& settings) {
     drawn.push_back({genome, log.Evaluate(genome)});
     if (log.evaluations == settings.evaluations) return log.outcome;
   }
-  // Insertion keeps equals in the order in which they were drawn.
+  // Insertion keeps equally fit members in the order in which they were drawn.
   for (std::size_t i = 1; i < drawn.size(); ++i) {
     for (std::size_t at = i; at > 0 && drawn[at].fitness > drawn[at - 1].fitness; --at) {
       std::swap(drawn[at], drawn[at - 1]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The laws of physics_laws.h over the motions that are shipped and over random ones; what the adversary found
-// (tests/adversary), one case each; and that the judge sees an offence where there is one.
+// Checks the laws of physics_laws.h on the shipped motions, on random ones, and on what the adversary found
+// (tests/adversary), one case each. Also checks that the judge detects violations.
 #include "tests/physics_laws.h"
 
 #include <catch_amalgamated.hpp>
@@ -28,7 +28,7 @@ void RequireLawful(const Document& document, const Motion& motion) {
                           << offences.of[i].frame << " of " << document.title);
 }
 
-/// A find keeps its bits: it was made before it was understood, and links to it may exist.
+/// A find keeps its bits: it was made before its fault was understood, and links to it may exist.
 Motion Replay(const Document& find) {
   Motion motion = Simulate(find);
   REQUIRE(find.hash);
@@ -75,7 +75,7 @@ TEST_CASE("laws: the judge sees what the ground did not do", "[physics][laws]") 
   document.duration_steps = 50;
   const Motion motion = Simulate(document);
   RequireLawful(document, motion);
-  // The same motion, told of another world.
+  // The same motion, judged in a different world.
   Document ice = document;
   ice.environment.friction = 0.1f;
   CHECK(Judge(ice, motion).Against(Law::kCone).by > 0.5);
@@ -90,7 +90,7 @@ TEST_CASE("laws: the judge sees what the ground did not do", "[physics][laws]") 
 }
 
 TEST_CASE("find: a figure that spins apart has the same bits in every lane count", "[physics][laws][find]") {
-  // Thrown beyond all measure, a lane with one contact was answered by the second that it does not have.
+  // In an extreme throw, a lane with one contact was affected by the second contact that it does not have.
   const Document find = Read("tests/adversary/finds/spun-apart.json");
   const Motion motion = Replay(find);
   CHECK(motion.TermsAt(motion.Frames() - 1).broke_physics);
@@ -98,8 +98,8 @@ TEST_CASE("find: a figure that spins apart has the same bits in every lane count
 }
 
 TEST_CASE("find: a blow to one end of a lying rod that throws it sideways is void", "[physics][laws][find]") {
-  // The blow foresees a turn of 3 rad in the step. The contact was solved on arms turned by half of that, by
-  // a series that holds to 0.5: struck straight down, the rod went sideways at 87 m/s.
+  // The blow predicts a turn of 3 rad in the step. The contact was solved with arms turned by half of that,
+  // by a series that is accurate up to 0.5. Struck straight down, the rod moved sideways at 87 m/s.
   const Document find = Read("tests/adversary/finds/blow-to-one-end.json");
   const Motion motion = Replay(find);
   CHECK_FALSE(motion.TermsAt(76).broke_physics);
@@ -108,16 +108,16 @@ TEST_CASE("find: a blow to one end of a lying rod that throws it sideways is voi
 
 TEST_CASE("find: a long rod that sweeps into the ground and is shot away by it is void",
           "[physics][laws][find]") {
-  // Its end comes from 366 m above ground within one step. Friction acts at the ground, but its slide was
-  // that of the end on its way: 349 M g l, which the contact solver took for none.
+  // The rod's end comes from 366 m above ground within one step. Friction acts at the ground, but its slide
+  // was taken from the end's path: a gain of 349 M g l, which the contact solver computed as none.
   const Document find = Read("tests/adversary/finds/long-rod-sweeps-in.json");
   const Motion motion = Replay(find);
   CHECK(motion.TermsAt(3).broke_physics);
 }
 
 TEST_CASE("find: light rods on a heavy ball that the ground throws are void", "[physics][laws][find]") {
-  // Impulses that change little of the motion of a thousand tonnes move rods of grams by much: normal forces
-  // gave what friction seemed to take, 2.5 M g l in one step.
+  // Impulses that barely change the motion of a thousand tonnes move rods of grams by much. The gain by
+  // normal forces, 2.5 M g l in one step, was hidden by an apparent loss by friction.
   const Document find = Read("tests/adversary/finds/light-rods-on-a-heavy-ball.json");
   const Motion motion = Replay(find);
   CHECK(motion.TermsAt(1).broke_physics);
@@ -125,8 +125,7 @@ TEST_CASE("find: light rods on a heavy ball that the ground throws are void", "[
 
 TEST_CASE("find: a figure of millimetres that friction turns while it falls further than it is long is void",
           "[physics][laws][find]") {
-  // Friction's lever was foreseen where free fall would have taken the figure, 5 mm lower than it came to be:
-  // 1.3 M g l.
+  // Friction's lever was predicted in free fall, 5 mm lower than the figure really was: a gain of 1.3 M g l.
   const Document find = Read("tests/adversary/finds/lever-of-a-long-fall.json");
   const Motion motion = Replay(find);
   CHECK(motion.TermsAt(3).broke_physics);
@@ -134,14 +133,14 @@ TEST_CASE("find: a figure of millimetres that friction turns while it falls furt
 
 TEST_CASE("find: the ground does not pull at the end of a long rod on a small ball",
           "[physics][laws][find]") {
-  // 39 t within 1.5 mm, and a rod of 49 m that weighs next to nothing: which way friction would have to push
-  // to stop its end is noise, and with the edge of the cone chosen by it alone the ground pulled.
+  // 39 t within 1.5 mm, and a rod of 49 m that weighs almost nothing. The sign of the friction that would
+  // stop its end is noise. When this sign alone chose the edge of the cone, the ground pulled.
   Replay(Read("tests/adversary/finds/small-ball-on-a-long-rod.json"));
 }
 
 TEST_CASE("find: forces next to nothing keep the cone as well as their few digits can",
           "[physics][laws][find]") {
-  // Where there is next to no gravity, impulses of 1e-41 N s, which floats tell apart in steps of 1e-45.
+  // With almost no gravity, impulses of 1e-41 N s, which floats resolve in steps of 1e-45.
   Replay(Read("tests/adversary/finds/next-to-no-force.json"));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The seam between controllers and plants: a second plant obeys its own laws, and runs through evaluators,
-// motions, beginnings, transition maps and searches, none of which knows it. And a document's model goes
-// wherever its motion is simulated.
+// The interface between controllers and plants. A second plant obeys its own laws, and runs through
+// evaluators, motions, beginnings, transition maps and searches without special code. A document's model is
+// used wherever its motion is simulated.
 #include <algorithm>
 #include <array>
 #include <catch_amalgamated.hpp>
@@ -72,7 +72,7 @@ Evaluator EvaluatorOf(const Problem& problem) {
   return Evaluator(std::make_shared<PlantEvaluator<MusclePair, W>>(problem, true));
 }
 
-/// Everything that two motions show, bit by bit.
+/// Compares everything in two motions, bit by bit.
 bool Same(const Motion& a, const Motion& b) {
   if (a.Hash() != b.Hash() || a.Frames() != b.Frames()) return false;
   for (int i = 0; i < a.Frames(); ++i) {
@@ -106,7 +106,7 @@ TEST_CASE("plant: a muscle without friction leaves the pair's momentum alone", "
   float least = motion.AngleRad(0, 0), most = least;
   for (int i = 0; i < motion.Frames(); ++i) {
     REQUIRE(motion.At(i).velocity_x_mps == 0.7f);
-    // The centre of mass lies between the masses, where their moments cancel.
+    // The centre of mass is between the masses, where their moments cancel.
     const double start = static_cast<double>(motion.Endpoint(i, 0).x);
     const double end = static_cast<double>(motion.Endpoint(i, 1).x);
     REQUIRE(std::abs(start / 3.0 + end * (2.0 / 3.0)) < 1e-6);
@@ -128,7 +128,7 @@ TEST_CASE("plant: what rests stays at rest, and what slides stops where friction
   }
   problem.start.velocity_x_mps = 2.0f;
   const Motion sliding(Recorder(), ScriptOf(problem, {}, {}, 300));
-  // v^2 / (2 mu g) = 0.2551 m, less half a step of the way.
+  // v^2 / (2 mu g) = 0.2551 m, within half a step's path.
   CHECK(std::abs(sliding.At(300).x_m - 4.0 / (2.0 * 0.8 * 9.8)) < 0.5 * 0.01 * 2.0 + 1e-3);
   CHECK(std::abs(sliding.At(300).velocity_x_mps) < 1e-6f);
   // A force inside the friction cone of each mass moves neither.
@@ -189,7 +189,7 @@ TEST_CASE("plant: a controller that takes over goes on as the composite motion d
   CHECK(std::abs(static_cast<double>(found[0].terms.travel_m) - way) < 1e-6);
   CHECK(std::abs(way) > 1e-3);
 
-  // A moment of it, restored, goes on with the same bits.
+  // A restored moment of the motion continues with the same bits.
   const MuscleBody body(problem.figure);
   const auto takeovers = DecodeClips(clips, controllers, MusclePair<1>::PortsOf(body), kStep);
   const auto begin = [&] {
@@ -243,7 +243,7 @@ TEST_CASE("plant: a motion that goes on from another one's checkpoints has the b
     CAPTURE(parting);
     CHECK(Same(Motion(Motion(Recorder(), before), parting, Recorder(), after), fresh));
   }
-  // What lies before the parting is taken over: a later one keeps what the first clips did.
+  // The part before the parting step is reused: a parting that is too late keeps the motion of the old clips.
   CHECK_FALSE(Same(Motion(Motion(Recorder(), before), 400, Recorder(), after), fresh));
 }
 
@@ -302,7 +302,7 @@ TEST_CASE("plant: a search finds a crawler", "[plant]") {
 
 TEST_CASE("model: it goes wherever a document's motion is simulated", "[plant][document]") {
   Document d = TwoClips();
-  d.model = 7;  // as a later Gaitsmith may write it
+  d.model = 7;  // a model that only a later Gaitsmith has
   CHECK(ProblemOf(d).model == 7);
   CHECK(ReplayProblem(d, d.controllers[0]).model == 7);
   CHECK(ScriptOf(d).model == 7);

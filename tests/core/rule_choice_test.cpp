@@ -12,7 +12,7 @@ namespace gaitsmith::test {
 
 namespace {
 
-/// The law as it is written down, in double precision, without the bank.
+/// The depth by its definition, in double precision, without the bank.
 double DepthByHand(const Controller& c, const BankShape& shape, int rule, const std::vector<float>& senses) {
   const double low_edge = c.senses.kind == SenseKind::kTimer ? 0.0 : -0.25;
   const double width = c.senses.kind == SenseKind::kTimer ? 1.0 : 1.5;
@@ -50,7 +50,7 @@ TEST_CASE("choice: depths, winner and runner-up are those of the law by hand", "
       depth[static_cast<std::size_t>(rule)] = DepthByHand(controller, shape, rule, senses);
     const auto at = [&](int rule) { return depth[static_cast<std::size_t>(rule)]; };
     const auto best = static_cast<int>(std::ranges::max_element(depth) - depth.begin());
-    // What rounding may decide is not asked.
+    // Cases that depend on rounding are skipped.
     std::vector<double> sorted = depth;
     std::ranges::sort(sorted);
     if (std::abs(at(best)) < 1e-5 || sorted[9] - sorted[8] < 1e-5) continue;

@@ -103,7 +103,7 @@ TEST_CASE("rule edit: an interval drawn to both ends is still cared about; only 
     CHECK(anew.cares);
     CHECK(std::abs(anew.high - anew.low - 0.5f * (high - low)) < 1e-4f);
     const Genome kept = controller.genes;
-    edit.SetCares(0, true);  // again: nothing
+    edit.SetCares(0, true);  // a second time: no change
     CHECK(controller.genes == kept);
   }
 }
@@ -128,7 +128,7 @@ TEST_CASE("rule edit: a copy alone changes no motion; deleting the copy brings t
       CHECK(controller.rules == before.rules);
       CHECK(controller.genes == before.genes);
     }
-    // The first rule begins, so without it the motion is another one.
+    // The first rule starts the motion, so without it the motion differs.
     DeleteRule(controller, document.figure.Rods(), 0);
     CHECK(Validate(document));
     CHECK(Simulate(document).Hash() != hash);

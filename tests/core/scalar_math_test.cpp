@@ -102,7 +102,7 @@ TEST_CASE("random stream: a function of its key alone", "[numeric]") {
     REQUIRE(value == b.Next());
     REQUIRE(value != other.Next());
   }
-  // What must never change: every shared search starts from these.
+  // These numbers must never change: every shared search starts from them.
   RandomStream pinned(1, 2, 3);
   REQUIRE(pinned.Next() == 0x214d4c07ecfeaac5ULL);
 }

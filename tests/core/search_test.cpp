@@ -20,7 +20,7 @@ const SearchSpace kSpace{BankShape(3, SenseKind::kTimer, 4), [] {
                            return senses;
                          }()};
 
-/// A smooth function with its top at one genome, so that searches can be tested without physics.
+/// A smooth function with its maximum at one genome, so that searches can be tested without physics.
 float Hill(std::span<const Gene> genome) {
   double distance = 0.0;
   for (std::size_t i = 0; i < genome.size(); ++i) {
@@ -39,7 +39,7 @@ SearchSettings BriefSettings(Algorithm algorithm, int evaluations) {
   return settings;
 }
 
-/// Figure 5 of the paper, word for word: one genome at a time, nothing ahead.
+/// Figure 5 of the paper, transcribed literally: one genome at a time, without look-ahead.
 Outcome SerialSphc(const SearchSettings& settings) {
   struct Individual {
     Genome genome;
@@ -199,12 +199,12 @@ TEST_CASE("search: a damaged state is refused", "[search]") {
     longer.push_back(1);
     BitReader trailing(longer);
     REQUIRE(!search->Load(trailing));
-    // The first number counts reseedings or evaluations: neither can be this large.
+    // The first number counts reseedings or evaluations. Neither can be this large.
     auto impossible = saved.Bytes();
     impossible[3] = 0x7f;
     BitReader beyond(impossible);
     REQUIRE(!search->Load(beyond));
-    // A refused state changes nothing: the search goes on as it was.
+    // A refused state changes nothing: the search continues as before.
     BitWriter after;
     search->Save(after);
     REQUIRE(after.Bytes() == saved.Bytes());
@@ -212,7 +212,7 @@ TEST_CASE("search: a damaged state is refused", "[search]") {
 }
 
 TEST_CASE("SPHC: a state that has reseeded more often than its budget lets it is refused", "[search]") {
-  const SearchSettings settings = BriefSettings(Algorithm::kSphc, 900);  // of 90 generations: 4 reseedings
+  const SearchSettings settings = BriefSettings(Algorithm::kSphc, 900);  // 90 generations: 4 reseedings
   const auto search = MakeSearch(settings, kSpace);
   Run(*search, 50, Hill);
   BitWriter saved;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every search keeps to.
+// Properties that every search must have.
 
 #include "tests/known_functions.h"
 #include "tests/search_run.h"
@@ -46,14 +46,14 @@ TEST_CASE("every search: saved and loaded at any point, it goes on as if nothing
   std::vector<SearchSettings> all;
   for (const Algorithm algorithm : kAll) all.push_back(Settings(algorithm, 1200));
   all.push_back(Settings(Algorithm::kPowell, 1200));
-  all.back().refine.step = 1.0f;  // as far as steps go
+  all.back().refine.step = 1.0f;  // the largest step
   for (const SearchSettings& settings : all) {
     CAPTURE(Name(settings.algorithm));
     const auto whole = MakeSearch(settings, kSmall);
     const Outcome uninterrupted = Run(*whole, 50, Rosenbrock);
     auto search = MakeSearch(settings, kSmall);
     RandomStream random(3, static_cast<std::uint64_t>(settings.algorithm), 0);
-    bool saves = true;  // also before the first is asked for, and after it
+    bool saves = true;  // also before the first Ask, and after it
     while (true) {
       if (saves) {
         BitWriter saved;
@@ -106,7 +106,7 @@ TEST_CASE("every search: a damaged state is refused, or at least does no harm", 
     BitReader trailing(longer);
     REQUIRE(!search->Load(trailing));
     REQUIRE(unchanged());
-    // Whatever changed bits make of it, a search that accepts them has them all, and comes to its end.
+    // If a search accepts damaged bits, the result is a complete search that reaches its end.
     const auto accepts_or_refuses = [&](const std::vector<std::uint8_t>& damaged) {
       const auto other = MakeSearch(settings, kTiny);
       BitReader reader(damaged);
@@ -123,7 +123,7 @@ TEST_CASE("every search: a damaged state is refused, or at least does no harm", 
       accepts_or_refuses(flipped);
     }
     for (std::size_t at = 0; at + 8 <= saved.Bytes().size(); at += 8 + at / 40) {
-      auto numbers = saved.Bytes();  // into which NaN and huge counts are written
+      auto numbers = saved.Bytes();  // NaN and huge counts are written into these bytes
       std::fill_n(numbers.begin() + static_cast<std::ptrdiff_t>(at), 8, std::uint8_t{0xff});
       accepts_or_refuses(numbers);
     }
@@ -153,7 +153,7 @@ TEST_CASE("every search: NaN loses to everything, and so do motions that broke p
       const Outcome outcome =
           Run(*search, 30, [&](const Genome& genome) { return ++asked % 3 == 1 ? bad : Sphere(genome); });
       REQUIRE(outcome.fitness == Sphere(outcome.best));
-      // Nothing but bad ones is still a search with an end.
+      // A search with only bad scores still ends.
       const auto hopeless = MakeSearch(Settings(algorithm, 800), kSmall);
       REQUIRE(!(Run(*hopeless, 30, [&](const Genome&) { return bad; }).fitness > -1e9f));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The spread of a population: its numbers, whose they are, and that looking at it changes no search.
+// The spread of a population: its numbers, its members, and that reading it does not change a search.
 #include "core/search/spread.h"
 
 #include "core/search/map_elites.h"
@@ -76,7 +76,7 @@ TEST_CASE("every search: its population is as large as it should be, and no bett
   };
   for (const Algorithm algorithm : kAll) {
     CAPTURE(Name(algorithm));
-    // A simplex that has collapsed begins anew at one vertex.
+    // A collapsed simplex starts again at one vertex.
     const SearchSettings settings = Settings(algorithm, algorithm == Algorithm::kNelderMead ? 100 : 2000);
     const auto search = MakeSearch(settings, kSmall);
     CHECK(search->PopulationFitness().empty());
@@ -89,7 +89,7 @@ TEST_CASE("every search: its population is as large as it should be, and no bett
       CHECK(fitness.size() == members(algorithm, settings));
     }
     for (const float value : fitness) CHECK(value <= outcome.fitness);
-    // Where the best lives on, it is one of them.
+    // If the algorithm keeps the best, the best is a member.
     const bool keeps_best = algorithm != Algorithm::kRandomSearch && algorithm != Algorithm::kGga &&
                             algorithm != Algorithm::kMpga && algorithm != Algorithm::kCmaEs &&
                             algorithm != Algorithm::kPowell && algorithm != Algorithm::kNelderMead;

@@ -45,7 +45,7 @@ TEST_CASE("rules: the deepest stimulus wins, ties go to the first, and the last 
   CHECK(bank.Choose(10000.0f / 65535.0f, 2) == 0);  // the middle of rule 0, the border of rule 1
   CHECK(bank.Choose(20000.0f / 65535.0f, 0) == 1);  // the middle of rules 1 and 2
   CHECK(bank.Choose(15000.0f / 65535.0f, 2) <= 1);  // equally deep in all
-  CHECK(bank.Choose(0.9f, 2) == 2);                 // in none: the present rule stays
+  CHECK(bank.Choose(0.9f, 2) == 2);                 // in none of them: the present rule stays
   CHECK(bank.Choose(0.9f, 1) == 1);
 }
 
@@ -61,7 +61,7 @@ TEST_CASE("timer: the table of choices says what the rules themselves say, at ev
       RandomStream random(seed, 0, 0);
       Genome genes = RandomGenome(shape, senses, Variation{}, random);
       if (seed % 3 == 0) genes[shape.High(4, 0)] = genes[shape.Low(4, 0)];  // a point
-      if (seed % 4 == 0) {                                                  // a rule that does not care
+      if (seed % 4 == 0) {                                                  // a rule that ignores the sense
         genes[shape.Low(7, 0)] = 0;
         genes[shape.High(7, 0)] = kGeneMax;
       }
@@ -77,7 +77,7 @@ TEST_CASE("timer: the table of choices says what the rules themselves say, at ev
 }
 
 TEST_CASE("rules: a sense a rule does not care about never counts", "[control]") {
-  // Rule 0 cares about nothing: always exactly as deep as can be.
+  // Rule 0 ignores the sense, so its depth is always the greatest possible.
   const TimerBank bank({{0, kGeneMax}, {0, 30000}});
   CHECK(bank.Choose(0.1f, 1) == 0);
   CHECK(bank.Choose(0.99f, 1) == 0);
@@ -117,7 +117,7 @@ TEST_CASE("variation: children differ from their parents, keep order and care in
     }
     genome = child;
   }
-  // Unselected drift keeps the share of senses that rules care about near that of the first generation.
+  // Drift without selection keeps the share of senses that rules use near that of the first generation.
   CHECK(static_cast<double>(cares) / total == Catch::Approx(0.2).margin(0.05));
 }
 
@@ -175,7 +175,7 @@ TEST_CASE("lanes: a batch of one and a batch of any size give the same bits, for
           REQUIRE(together[i].terms.slip_sum_m == alone[i].terms.slip_sum_m);
         }
       }
-      // And the recorded motion is the evaluated one.
+      // The recorded motion equals the evaluated one.
       const Motion motion(
           document.figure, {}, {}, document.pushes,
           std::vector{Controller{"", ControllerKind::kRules, document.senses, 10, genomes[3]}},

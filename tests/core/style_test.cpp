@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The further style terms: closed forms, the same in the evaluator and in the recorded motion, and what a
-// search does with their weights.
+// Our own style terms: compared with closed forms, equal in the evaluator and in the recorded motion, and
+// effective in searches.
 #include <algorithm>
 #include <catch_amalgamated.hpp>
 #include <cmath>
@@ -26,7 +26,7 @@ float Style(const Terms& terms, std::size_t term) { return terms.Style(static_ca
 
 Terms Last(const Motion& motion) { return motion.TermsAt(motion.Frames() - 1); }
 
-/// A rod and, from its end, another one whose joint may turn by a radian either way.
+/// A rod with a second rod at its end, whose joint may turn by one radian in both directions.
 Figure TwoRods(float first_rad, float second_rad) {
   Rod first, second;
   first.rest_rad = first_rad;
@@ -39,7 +39,7 @@ Figure TwoRods(float first_rad, float second_rad) {
 
 TEST_CASE("style: a resting figure makes no effort, is upright, smooth, and holds its head still",
           "[task][style]") {
-  // A rod that lies flat, and one that stands on it at its end: 0.8 m high.
+  // A flat rod with an upright rod at its end: 0.8 m high.
   Rod flat, mast;
   flat.length_m = 2.0f;
   mast.parent = 0;
@@ -73,7 +73,7 @@ TEST_CASE("style: thrown and spinning in the air, upright is the mean of cos(wt)
     for (int step = 1; step <= kSteps; ++step) {
       const double t = step * 0.01, turn = static_cast<double>(spin) * t;
       upright += std::cos(turn);
-      // The head turns about the centre of mass, which falls.
+      // The head turns about the falling centre of mass.
       head_m += static_cast<double>(motion.At(0).y_m) + 3.0 * t - 0.5 * 9.8 * t * t +
                 std::sin(turn) * static_cast<double>(head.x) + std::cos(turn) * static_cast<double>(head.y);
     }
@@ -91,7 +91,7 @@ TEST_CASE("style: while it hangs upside down, upright falls", "[task][style]") {
   start.drop_height_m = 100.0f;
   start.spin_radps = 3.1415927f;
   const Motion motion(TwoRods(0.3f, 0.0f), Environment{}, start, {}, {}, {}, 300);
-  // In the second from 0.5 s to 1.5 s it hangs upside down: the mean of cos there is -2/pi.
+  // Between 0.5 s and 1.5 s the figure hangs upside down: the mean of cos there is -2/pi.
   const double until = 50.0 * static_cast<double>(motion.TermsAt(50).upright);
   const double after = 150.0 * static_cast<double>(motion.TermsAt(150).upright);
   CHECK((after - until) / 100.0 == Catch::Approx(-2.0 / kPi).margin(1e-3));
@@ -106,13 +106,13 @@ TEST_CASE("style: effort and smoothness of a joint that is driven to a pose", "[
   const double target = -1.0 + 2.0 * hold.genes[BankShape(1, SenseKind::kPhysical, 2).Target(0, 0)] / 65535.0;
   const Motion motion(figure, Environment{}, start, {}, std::vector{hold}, std::vector<Clip>{{0, 0}}, 300);
   const Terms terms = Last(motion);
-  // Critically damped from rest it arrives without turning back: its travel is the way there.
+  // Critically damped from rest, the joint arrives without turning back: its travel is the distance.
   CHECK(terms.effort_rad == Catch::Approx(target).margin(1e-4));
-  // Its rate rises to target / (e tau) once and comes back: twice that much change in 3 s. A peak between
-  // two steps is missed by less than its curvature over half a step.
+  // Its rate rises to target / (e tau) once and returns to 0: twice this change in 3 s. Sampling misses a
+  // peak between two steps by less than its curvature over half a step.
   const double peak = target / (std::exp(1.0) * static_cast<double>(tau));
   CHECK(terms.smoothness_radps2 == Catch::Approx(-2.0 * peak / 3.0).epsilon(2e-3));
-  // What the recorded angles and rates say, step by step.
+  // The same terms from the recorded angles and rates, step by step.
   double effort = 0.0, change = 0.0;
   for (int i = 1; i < motion.Frames(); ++i) {
     effort +=
@@ -153,7 +153,8 @@ TEST_CASE("style: every frame of every golden is what its recording says", "[tas
 
 TEST_CASE("style: the terms of the goldens have the same bits on every machine",
           "[task][style][golden][determinism]") {
-  // A search that weighs a term finds the same motion everywhere only if the term is the same everywhere.
+  // A search that weights a term finds the same motion on every machine only if the term has the same bits on
+  // every machine.
   TrajectoryHash hash;
   for (const std::string& name : GoldenMotions()) {
     const Motion motion = Simulate(DecodeJson(ReadFile(name)).value());
@@ -166,7 +167,7 @@ TEST_CASE("style: the terms of the goldens have the same bits on every machine",
 
 TEST_CASE("style: the head is the highest endpoint as drawn, of equals the first", "[figure][style]") {
   CHECK(Skeleton(LyingRod()).head == 0);
-  // A V: both arms end at the same height, but for rounding.
+  // A V: both arms end at the same height, up to rounding.
   Rod left, right;
   left.rest_rad = 2.0f;
   right.parent = 0;
@@ -175,7 +176,7 @@ TEST_CASE("style: the head is the highest endpoint as drawn, of equals the first
   CHECK(Skeleton({"V", {left, right}}).head == 1);
   right.length_m = 1.01f;
   CHECK(Skeleton({"V", {left, right}}).head == 2);
-  // Drawn upside down, its point is the head.
+  // Drawn upside down, its tip is the head.
   left.rest_rad = -1.0f;
   CHECK(Skeleton({"V", {left, right}}).head == 0);
   CHECK(Skeleton(ShippedFigure("mr-star-man")).head == 1);
@@ -294,14 +295,14 @@ TEST_CASE("style: further weights travel in JSON and links, and cost a version o
     REQUIRE(from_binary->task.weights == d.task.weights);
     const std::string own = EncodeJson(d);
     REQUIRE(own.find("\"" + name + "\": -0.125") != std::string::npos);
-    REQUIRE(own.size() < json.size() + 60);  // one line more: the other further weights stay out
+    REQUIRE(own.size() < json.size() + 60);  // one more line: the other terms stay out
     const auto from_json = DecodeJson(own);
     REQUIRE(from_json);
     REQUIRE(EncodeBinary(*from_json) == bytes);
     const auto from_link = DecodeLink(EncodeLink(d));
     REQUIRE(from_link);
     REQUIRE(EncodeJson(*from_link) == own);
-    // Back at 0 it is the document of version 1, byte for byte.
+    // With the weight back at 0 the document is version 1 again, byte for byte.
     d.task.weights[term] = 0.0f;
     REQUIRE(EncodeBinary(d) == EncodeBinary(plain));
     REQUIRE(EncodeJson(d) == json);
@@ -335,7 +336,7 @@ TEST_CASE("style: a search asked for more of a term finds more of it, for less f
   const auto found = [](std::uint32_t seed, std::size_t term, float weight) {
     Document d = StarManTravel(SenseKind::kTimer);
     d.task.duration_steps = 200;
-    // It lands turning, so that staying upright takes doing.
+    // The figure lands turning, so that staying upright takes effort.
     d.start = {.drop_height_m = 1.0f, .spin_radps = 5.0f};
     d.search.seed = seed;
     d.search.evaluations = 400;

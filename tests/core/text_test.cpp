@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texts of documents: every character as itself and by its escape, and whatever is none is refused.
+// Texts of documents: every character is accepted as itself and as an escape, and invalid text is refused.
 #include <catch_amalgamated.hpp>
 #include <cstdint>
 #include <cstdio>
@@ -11,7 +11,7 @@ namespace gaitsmith::test {
 
 namespace {
 
-/// UTF-8 as RFC 3629 has it, in so many bytes.
+/// Encodes a character as UTF-8 (RFC 3629) with a given number of bytes.
 std::string InBytes(std::uint32_t code, int bytes) {
   if (bytes == 1) return {static_cast<char>(code)};
   std::string text;
@@ -25,7 +25,7 @@ std::string Utf8(std::uint32_t code) {
   return InBytes(code, code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4);
 }
 
-/// \\uXXXX, as one or a pair.
+/// \\uXXXX, as one unit or as a pair.
 std::string Escape(std::uint32_t code) {
   char text[16];
   if (code < 0x10000) {
@@ -41,7 +41,7 @@ Result<Document> Titled(const std::string& title) {
   return DecodeJson("{\"title\": \"" + title + "\", \"figure\": {\"rods\": [{}, {\"parent\": 0}]}}");
 }
 
-/// Whether it is refused, and what is wrong with it is said.
+/// Whether the title is refused with a reason.
 bool IsRefused(const std::string& title) {
   const auto document = Titled(title);
   return !document && !document.error().Sentence().empty();
@@ -71,7 +71,7 @@ TEST_CASE("text: every character that can be printed is itself, written or escap
 }
 
 TEST_CASE("text: what is no character is refused", "[document]") {
-  // Control characters, also the short escapes of some.
+  // Control characters, including the short escapes of some.
   for (std::uint32_t code = 0; code < 0x20; ++code) {
     CAPTURE(code);
     CHECK(IsRefused(Utf8(code)));
@@ -83,7 +83,7 @@ TEST_CASE("text: what is no character is refused", "[document]") {
     CAPTURE(escape);
     CHECK(IsRefused(escape));
   }
-  // Halves of pairs, written, escaped, turned round, or with something else behind.
+  // Halves of surrogate pairs: as bytes, escaped, in reverse order, or followed by other text.
   for (const std::uint32_t half : {0xd800u, 0xdbffu, 0xdc00u, 0xdfffu}) {
     CAPTURE(half);
     CHECK(IsRefused(InBytes(half, 3)));
@@ -93,7 +93,7 @@ TEST_CASE("text: what is no character is refused", "[document]") {
   }
   CHECK(IsRefused(Escape(0xdc00) + Escape(0xd800)));
   CHECK(IsRefused(Escape(0xd800) + Escape(0xd800)));
-  // Beyond the last character, in more bytes than are needed, in too few, in none.
+  // Above the last character, with too many bytes, with too few, with none.
   CHECK(IsRefused(InBytes(0x110000, 4)));
   CHECK(IsRefused(InBytes(0x140000, 4)));
   for (const auto& [code, bytes] : {std::pair(0x2fu, 2), std::pair(0x7fu, 2), std::pair(0x2fu, 3),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cutting and joining clips, and the composite motions that follow from it.
+// Cutting and joining clips, and the resulting composite motions.
 #include "core/document/timeline_edit.h"
 
 #include <catch_amalgamated.hpp>
@@ -13,7 +13,7 @@
 namespace gaitsmith::test {
 namespace {
 
-// Three clips of two seconds, a and b and a.
+// Three clips of two seconds with the controllers a, b, a.
 Document ThreeClips(SenseKind kind = SenseKind::kTimer) {
   Document d = StarManTravel(kind);
   d.controllers = {RandomController(d.figure, d.senses, 3), RandomController(d.figure, d.senses, 4)};
@@ -103,7 +103,8 @@ TEST_CASE("timeline: splitting and inserting", "[timeline]") {
 
 TEST_CASE("timeline: an insert cuts a clip where both parts are long enough, and else goes before or behind",
           "[timeline]") {
-  // A step in the middle clip, from 200 to 400, and where its cut and what is inserted begin then.
+  // Each case: a step in the middle clip (200 to 400), and the starts of the clips after a cut and an
+  // insertion there.
   const std::vector<std::pair<int, std::vector<int>>> cases = {
       {200 + kShortestClip - 1, {0, 200, 300, 500}},
       {200 + kShortestClip, {0, 200, 200 + kShortestClip, 300 + kShortestClip, 500}},
@@ -134,9 +135,9 @@ TEST_CASE("timeline: a clip behind the end is brought in by an edit", "[timeline
   CHECK(Starts(d) == std::vector{0, 300, 350, 410});
   CHECK(d.duration_steps == 410 + kShortestClip);
   d = ThreeClips();
-  d.duration_steps = d.timeline[2].start_step;  // begins with the end
+  d.duration_steps = d.timeline[2].start_step;  // the last clip starts at the end
   CHECK(StretchesOf(d)[2].steps == kShortestClip);
-  // Too short for what a border must leave: it stays.
+  // Too short for two shortest clips, so the border stays.
   d = ThreeClips();
   d.timeline = {{.controller = 0, .start_step = 0},
                 {.controller = 1, .start_step = 85},
@@ -161,7 +162,7 @@ TEST_CASE("timeline: what goes over a limit changes nothing", "[timeline]") {
     c.name = std::to_string(i);
     REQUIRE(AddController(d, c));
   }
-  CHECK(AddController(d, d.controllers[0]) == 0);  // known already
+  CHECK(AddController(d, d.controllers[0]) == 0);  // already in the document
   Controller more = d.controllers[0];
   more.name = "more";
   CHECK_FALSE(AddController(d, more));
@@ -265,7 +266,7 @@ TEST_CASE("mirror image: a symmetric figure goes the other way", "[timeline][phy
   for (const SenseKind kind : {SenseKind::kTimer, SenseKind::kPhysical}) {
     Document d = ThreeClips(kind);
     d.timeline.resize(1);
-    d.duration_steps = 60;  // rounding grows: later the two may part
+    d.duration_steps = 60;  // rounding errors grow: a longer motion may differ
     const Motion there = Simulate(d);
     REQUIRE(MirrorClip(d, 0));
     CHECK(d.controllers.size() == 3);
@@ -286,7 +287,7 @@ TEST_CASE("mirror image: which figures have one", "[timeline]") {
   for (int i = 0; i < 4; ++i) chain.rods.push_back({.parent = i - 1, .min_rad = -1.0f, .max_rad = 0.5f});
   const auto symmetry = SymmetryOf(chain);
   REQUIRE(symmetry);
-  // A chain that lies flat is turned round: the first joint does what the last one did, in the same sense.
+  // A flat chain is reversed: the first joint takes the role of the last one, in the same direction.
   CHECK(symmetry->joint[0] == 2);
   CHECK_FALSE(symmetry->reversed[0]);
   CHECK(symmetry->endpoint[0] == 4);

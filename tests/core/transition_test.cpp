@@ -21,7 +21,7 @@ TEST_CASE("transition: a state of the usual motion is near it", "[timeline]") {
   const Motion composite = Simulate(d);
   const Nearness at_switch = NearnessOf(composite, 230, usual);
   CHECK(at_switch.distance > 0.05f);
-  // Where along the ground does not matter, nor do whole turns.
+  // Neither the position along the ground nor whole turns matter.
   Document moved = d;
   moved.timeline = {{.controller = 1, .start_step = 0}};
   CHECK(NearnessOf(Simulate(moved), 77, usual).distance == 0.0f);
@@ -31,7 +31,7 @@ TEST_CASE("transition: how near a state is, told by other means", "[timeline]") 
   const Document d = TwoClips();
   const Motion usual = UsualMotion(d, 1), motion = Simulate(d);
   const int joints = usual.Bones().joints;
-  // Joint angles and rates, sine and cosine of the turn, height, velocity; what counts as little of each.
+  // Joint angles and rates, sine and cosine of the turn, height, velocity, and a small difference of each.
   const auto state_of = [&](const Motion& of, int frame) {
     std::vector<double> state;
     state.reserve(2 * static_cast<std::size_t>(joints) + 5);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What messages make workers do: any calls of the engine's border (web/search/engine.cpp) in any order, with any
-// documents, genomes, scores and saved states, whole, damaged or made up. Each is done or refused with a
-// sentence; what it answers is finite and inside its own memory. Bytes: the document, then calls and what
-// they bring.
+// Simulates messages to workers: any calls of the engine's interface (web/search/engine.cpp) in any order,
+// with any documents, genomes, scores and saved states, valid, damaged or invented. Each call succeeds or
+// fails with a message. Its results are finite and in the engine's own memory. Input bytes: the document,
+// then calls with their data.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -14,13 +14,13 @@
 #include "core/document/json_value.h"
 #include "core/rollout/evaluator.h"
 #include "core/search/search.h"
-#include "web/search/engine.cpp"  // NOLINT: the border has no header, only a declaration for JavaScript
+#include "web/search/engine.cpp"  // NOLINT: the interface has no header, only a declaration for JavaScript
 
 namespace {
 
 using namespace gaitsmith;
 
-// What is left of the fuzzer's bytes; zeros when it is at its end.
+// The fuzzer's remaining bytes, then zeros.
 class Bytes {
  public:
   Bytes(const std::uint8_t* data, std::size_t size) : rest_(data, size) {}
@@ -74,7 +74,7 @@ std::size_t Bring(std::vector<std::uint8_t> what) {
   return what.size();
 }
 
-// One byte in some is changed.
+// Passes data with one byte changed in some cases.
 std::size_t BringDamaged(Bytes& bytes, std::vector<std::uint8_t> what) {
   const std::uint8_t damage = bytes.Next();
   if (damage % 8 == 1 && !what.empty()) what[(damage * 256u + bytes.Next()) % what.size()] ^= bytes.Next();
@@ -96,7 +96,7 @@ void Opened(std::unique_ptr<Role, void (*)(Role*)>& role, Open open, std::size_t
 
 void Tell(Bytes& bytes, SearchRole* search, std::size_t asked) {
   const std::size_t numbers = (bytes.Next() % 2 == 0 ? 4 : 1) * asked + (bytes.Next() % 16 == 1 ? 1 : 0);
-  // Whatever is no number, or too large a one, may come.
+  // NaN and very large numbers are possible too.
   std::vector<std::uint8_t> scores = bytes.Take(std::min<std::size_t>(bytes.Next(), 4 * numbers));
   while (scores.size() < 4 * numbers)
     scores.push_back(static_cast<std::uint8_t>(scores.size() % 4 == 3 ? 63 : 0));
@@ -142,7 +142,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (!searching) break;
         const std::size_t count = gs_search_ask(searching.get(), bytes.Signed());
         const Gene* genomes = gs_search_genomes(searching.get());
-        unsigned sum = 0;  // what was named can be read
+        unsigned sum = 0;  // the whole result is readable
         for (std::size_t i = 0; i < count * gs_search_genes(searching.get()); ++i) sum += genomes[i];
         if (sum == 0xffffffffu) std::abort();
         if (count > 0) asked.push_back(count);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any text: the JSON decoder answers with a document or an error, and what it accepts survives every encoding
+// Any text: the JSON decoder returns a document or an error, and an accepted document survives every encoding
 // unchanged.
 #include <cstdlib>
 #include <string_view>
@@ -21,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto reread = DecodeJson(json);
   if (!reread || EncodeJson(*reread) != json) std::abort();
   Document hashed = *document;
-  hashed.hash = hashed.hash.value_or(1);  // a link has one; to find it takes a simulation
+  hashed.hash = hashed.hash.value_or(1);  // links need a hash, and computing it takes a simulation
   const auto linked = DecodeLink(EncodeLink(hashed));
   if (!linked || EncodeJson(*linked) != EncodeJson(hashed)) std::abort();
   return 0;

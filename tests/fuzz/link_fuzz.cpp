@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Any bytes as a link and as a body with a right checksum (which a fuzzer would hardly guess): an error, or a
-// document whose encoding is those very bytes.
+// Any bytes as a link, and as a body with a valid checksum (which a fuzzer would hardly guess): an error, or
+// a document whose encoding has exactly these bytes.
 #include <cstdlib>
 #include <string_view>
 #include <vector>

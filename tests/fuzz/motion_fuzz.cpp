@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Figure x controller x start x ground x pushes, whatever they are: the motion keeps the laws of physics
-// until a guard makes it void, and has the same bits twice and in every lane count. Bytes: one that says
-// whether the figure follows a controller, then genes of 16 bits.
+// Any figure, controller, start, ground and pushes: the motion keeps the laws of physics until a guard makes
+// it void, and has the same bits in two runs and for every lane count. Input bytes: one that selects whether
+// the figure has a controller, then genes of 16 bits.
 #include <cstdio>
 #include <cstdlib>
 #include <vector>

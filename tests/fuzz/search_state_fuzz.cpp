@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The saved state of any search, whole, damaged or made up, as a worker's checkpoint comes back: an error, or
-// a search that goes on within its rules. What was not damaged goes on as if nothing had happened. Bytes: the
-// search, how far it went before it was saved, then pairs of a place and what is changed there; an odd one
-// out cuts the state off.
+// The saved state of any search, valid, damaged or invented, such as a worker's checkpoint: an error, or a
+// search that continues within its rules. An undamaged state continues without any difference. Input bytes:
+// the search, its progress before it was saved, then pairs of a position and a change. A single last byte
+// truncates the state.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -33,7 +33,7 @@ Document SmallProblem(const std::uint8_t* head) {
   return d;
 }
 
-// A landscape instead of a simulation: some have no motion.
+// A test function instead of a simulation. Some genomes have no motion.
 Score ScoreOf(const Genome& genome) {
   std::uint32_t sum = 2166136261u;
   for (const Gene gene : genome) sum = (sum ^ gene) * 16777619u;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a person types after a command, and what a page's address asks for: numbers within their ranges,
-// options that are known, panels and locks that exist, or a sentence that says what is wrong. Words are
-// parted by spaces.
+// Command-line arguments and address parameters: numbers within their ranges, known options, existing panels
+// and locks, or an error message. Words are separated by spaces.
 #include <cmath>
 #include <cstdlib>
 #include <string_view>

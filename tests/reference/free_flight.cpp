@@ -58,7 +58,7 @@ double FreeFlight::Turn(const Angles& target, double tau_s, double momentum, dou
     const Shape shape = ShapeAt(angle, rate);
     return (momentum - shape.momentum) / shape.inertia;
   };
-  // The right-hand side depends on time alone, so Runge-Kutta is Simpson's rule.
+  // The right-hand side depends only on time, so Runge-Kutta equals Simpson's rule.
   const int steps = static_cast<int>(std::lround(seconds / 1e-4));
   const double h = seconds / steps;
   double turn = 0.0;

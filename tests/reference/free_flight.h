@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An independent model of a figure in the air, in double precision, by other means than core's: world
+// An independent model of a figure in the air, in double precision and by other methods than core's: world
 // positions of rods from absolute angles, momentum by summing over rods, time by fourth-order Runge-Kutta
 // with a hundredth of core's step.
 #pragma once
@@ -18,11 +18,11 @@ class FreeFlight {
 
   struct Shape {
     double inertia;   // about the centre of mass [kg m^2]
-    double momentum;  // angular momentum of the joints' motion alone, root held [kg m^2/s]
+    double momentum;  // angular momentum of the joints' motion with the root held still [kg m^2/s]
   };
   [[nodiscard]] Shape ShapeAt(const Angles& angle, const Angles& rate) const;
 
-  /// Turn of the root after `seconds`, joints going from rest at 0 towards `target` as critically damped
+  /// Turn of the root after `seconds`. The joints move from rest at 0 towards `target` as critically damped
   /// springs.
   [[nodiscard]] double Turn(const Angles& target, double tau_s, double momentum, double seconds) const;
 
