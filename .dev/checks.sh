@@ -14,6 +14,11 @@ check_types() {
   web/node_modules/.bin/tsc --project web/tsconfig.json
 }
 
+check_scripts_and_styles() {
+  web/node_modules/.bin/eslint --config web/eslint.config.js web tests
+  (cd web && node_modules/.bin/stylelint '**/*.css')
+}
+
 # The repository must not contain names of package registries or of folders on the developer's machine.
 check_leaks() {
   local found
@@ -25,6 +30,7 @@ check_leaks() {
 lint() {
   say "clang-format"; check_format
   say "tsc"; check_types
+  say "eslint and stylelint"; check_scripts_and_styles
   say "leaks"; check_leaks
   say "clang-tidy"; cmake --workflow --preset tidy
   say "lint is clean"
@@ -186,6 +192,7 @@ test_quickly() {
   begin_stages
   stage format check_format
   stage types check_types
+  stage "scripts and styles" check_scripts_and_styles
   stage "tests (gcc)" cmake --workflow --preset tests
   stage "tests (WASM)" cmake --workflow --preset wasm
   stage site build_site

@@ -126,7 +126,7 @@ Result<void> CheckSearch(const Document& d) {
                   "there is no controller " + std::to_string(search.start) + ", the document has " +
                       std::to_string(d.controllers.size()));
     }
-    if (!SuitsSearch(d, d.controllers[static_cast<std::size_t>(search.start)])) {
+    if (!FitsSearch(d, d.controllers[static_cast<std::size_t>(search.start)])) {
       return Fail(
           ErrorCode::kStructure, "search.start",
           "must be a controller of the kind, the senses and the number of rules that are searched for");

@@ -98,7 +98,7 @@ int EndOf(const Document& d, std::size_t clip) {
   return clip + 1 < d.timeline.size() ? d.timeline[clip + 1].start_step : d.duration_steps;
 }
 
-bool SuitsSearch(const Document& d, const Controller& controller) {
+bool FitsSearch(const Document& d, const Controller& controller) {
   return controller.kind == d.kind && controller.senses == d.senses && controller.rules == d.rules;
 }
 

@@ -72,7 +72,7 @@ struct Document {
 [[nodiscard]] SearchSpace SpaceOf(const Document&);
 
 /// Whether a search of the document can begin with this controller.
-[[nodiscard]] bool SuitsSearch(const Document&, const Controller&);
+[[nodiscard]] bool FitsSearch(const Document&, const Controller&);
 
 /// The problem in which one controller of the document, active from the start, makes the displayed motion.
 /// With exactly one clip its evaluation has the document's own trajectory hash.

@@ -37,7 +37,7 @@ Document SearchRun::ShortClimb() const {
 
 bool SearchRun::TryStyle() {
   const Controller* shown = workspace_.ShownController();
-  if (shown == nullptr || !SuitsSearch(workspace_.Doc(), *shown)) {
+  if (shown == nullptr || !FitsSearch(workspace_.Doc(), *shown)) {
     workspace_.Say(Tr("There is no motion to begin with: press Synthesize."));
     return false;
   }

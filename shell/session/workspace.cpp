@@ -71,7 +71,7 @@ std::optional<Document> Workspace::Edited(const Edit& edit) {
   // A start that has gone, or does not fit other senses, is no start any more.
   if (int& start = next.search.start; start >= 0) {
     const auto index = static_cast<std::size_t>(start);
-    const bool fits = index < next.controllers.size() && SuitsSearch(next, next.controllers[index]);
+    const bool fits = index < next.controllers.size() && FitsSearch(next, next.controllers[index]);
     if (!fits) start = -1;
   }
   if (const auto valid = Validate(next); !valid) {

@@ -41,5 +41,5 @@ try {
   }, CHANGES);
   for (const [name, spent] of Object.entries(times)) console.log(`${name}: ${median(spent).toFixed(1)} ms, at most ${Math.max(...spent).toFixed(1)} ms`);
 } finally {
-  await stopAll();
+  stopAll();
 }

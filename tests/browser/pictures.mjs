@@ -96,5 +96,5 @@ if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
     for (const [, name] of text.matchAll(/\(pictures\/(.+?\.png)\)/g)) await copyFile(join(FOLDER, name), join(ROOT, 'docs/pictures', name));
   }
   await browser.close();
-  await stopAll();
+  stopAll();
 }

@@ -56,7 +56,7 @@ async function shareDialog({ browser, address }) {
   await around.setContent(lines);
   await around.waitForFunction(() => /** @type {any} */ (document.querySelector('iframe')?.contentWindow)?.gaitsmith, { timeout: 30000 });
   const inside = await around.evaluate(async () => {
-    const { gaitsmith } = /** @type {Window} */ (document.querySelector('iframe')?.contentWindow);
+    const { gaitsmith } = /** @type {HTMLIFrameElement & {contentWindow: Window}} */ (document.querySelector('iframe')).contentWindow;
     await gaitsmith.ready;
     const before = gaitsmith.hash();
     gaitsmith.run('panel/Figure');

@@ -43,7 +43,7 @@ export class Links {
   /** @param {Page} page @param {number} line @param {string} href @returns {Promise<Link>} */
   async resolve(page, line, href) {
     if (/^(https?:|mailto:)/.test(href)) return { href };
-    const [, path, query = '', anchor] = /^([^?#]*)(?:\?([^#]*))?(?:#(.*))?$/.exec(href) ?? [, href];
+    const [path, query = '', anchor] = /^([^?#]*)(?:\?([^#]*))?(?:#(.*))?$/.exec(href)?.slice(1) ?? [href];
     const file = path ? this.file(page, path) : page.source;
     const other = this.pages.get(file);
     if (other) {

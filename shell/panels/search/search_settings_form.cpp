@@ -57,7 +57,7 @@ void DrawAll(Ui& ui, Session& session, const std::vector<const SearchParameter*>
 void DrawStart(Ui& ui, Session& session) {
   const Document& d = session.Doc();
   const Controller* shown = session.Timeline().ShownController();
-  if (shown == nullptr || !SuitsSearch(d, *shown)) return;
+  if (shown == nullptr || !FitsSearch(d, *shown)) return;
   bool on = d.search.start >= 0;
   if (ui.Switch("search/start-here", Tr("Start from the shown motion"), on)) {
     session.Set([&](Document& next) {

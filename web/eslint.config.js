@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// What scripts are checked for beside their types. ./dev lint runs it.
+import eslint from '@eslint/js';
+import tseslint from 'typescript-eslint';
+
+const web = import.meta.dirname;
+
+export default tseslint.config(
+  { ignores: ['**/node_modules/', 'web/package/example.js', 'build/'] },
+  eslint.configs.recommended,
+  tseslint.configs.base,
+  {
+    languageOptions: { parserOptions: { project: './tsconfig.json', tsconfigRootDir: web } },
+    rules: {
+      'no-undef': 'off', // the types' own check knows better
+      'no-unused-vars': ['error', { argsIgnorePattern: '^_', varsIgnorePattern: '^_', caughtErrors: 'none' }],
+      'no-empty': ['error', { allowEmptyCatch: true }],
+      'prefer-const': 'error',
+      'no-var': 'error',
+      eqeqeq: 'error',
+      'no-implicit-coercion': 'off',
+      'object-shorthand': 'error',
+      '@typescript-eslint/await-thenable': 'error',
+      '@typescript-eslint/no-floating-promises': ['error', { allowForKnownSafeCalls: [{ from: 'package', package: 'node:test', name: ['test', 'before', 'after', 'describe', 'it'] }] }],
+      '@typescript-eslint/no-misused-promises': ['error', { checksVoidReturn: { arguments: false, attributes: false, properties: false } }],
+      '@typescript-eslint/no-unnecessary-type-assertion': 'off',
+      '@typescript-eslint/prefer-promise-reject-errors': 'error',
+      '@typescript-eslint/only-throw-error': 'error',
+      '@typescript-eslint/switch-exhaustiveness-check': 'off',
+    },
+  },
+);
