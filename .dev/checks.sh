@@ -15,8 +15,8 @@ check_types() {
 }
 
 check_scripts_and_styles() {
-  web/node_modules/.bin/eslint --config web/eslint.config.js web tests
-  (cd web && node_modules/.bin/stylelint '**/*.css')
+  web/node_modules/.bin/eslint --config web/build/eslint.config.js web tests
+  (cd web && node_modules/.bin/stylelint --config build/stylelint.config.js '**/*.css')
 }
 
 # The repository must not contain names of package registries or of folders on the developer's machine.

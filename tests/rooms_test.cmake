@@ -9,9 +9,10 @@ set(shell_rooms
     "search:"
     "study:"
     "export:"
-    "command_line: embedded search study export"
     "words:"
     "session: embedded search study words"
+    "catalogue: export words session"
+    "command_line: embedded search study export catalogue"
     "widgets: embedded export words"
     "stage: words session widgets"
     "timeline: words session widgets stage"
@@ -21,22 +22,23 @@ set(shell_rooms
     "panels/search: words session widgets stage timeline"
     "panels/lab: words session widgets stage"
     "app: words session widgets stage timeline panels/figure panels/controller panels/style panels/search panels/lab"
-    "host: embedded search words session widgets stage timeline app")
+    "host: embedded search catalogue words session widgets stage timeline app")
 set(web_rooms
     "build:"
     "browser:"
+    "catalogue:"
     "languages: browser"
     "app: browser languages"
     "access: browser languages app"
-    "search: browser languages app access"
+    "search: browser catalogue languages app access"
     "storage: browser languages app access"
-    "share: browser languages app search"
-    "page: browser languages app access search storage share"
+    "share: browser catalogue languages app search"
+    "page: browser catalogue languages app access search storage share"
     "book: page"
     "package: search")
 # Rooms that must never include a window's libraries, not even indirectly, because the session's tests run without a
 # window.
-set(windowless embedded search study export words session command_line)
+set(windowless embedded search study export words session catalogue command_line)
 
 set(faults "")
 macro(fault text)

@@ -155,11 +155,7 @@ Result<void> CheckSearch(const Document& d) {
                       std::to_string(d.controllers.size()));
     }
   }
-  const int side = search.torus.side;
-  const bool genetic = search.algorithm == Algorithm::kGga || search.algorithm == Algorithm::kSsga;
-  const int population = genetic                                ? search.genetic.population
-                         : search.algorithm == Algorithm::kMpga ? side * side
-                                                                : 0;
+  const int population = PopulationOf(search);
   if (search.evaluations < population) {
     return Fail(ErrorCode::kOutOfRange, "search.evaluations",
                 "must be at least the population, " + std::to_string(population) + ", is " +

@@ -267,4 +267,8 @@ bool CmaEs::LoadState(BitReader& in) {
   return sigma_ > 0.0 && Factorise();
 }
 
+std::unique_ptr<Search> MakeCmaEs(const SearchSettings& settings, const SearchSpace& space) {
+  return std::make_unique<CmaEs>(settings, space);
+}
+
 }  // namespace gaitsmith

@@ -67,4 +67,8 @@ bool GenerationalGa::LoadState(BitReader& in) {
          population_.size() == (generation_ > 0 ? size : 0);
 }
 
+std::unique_ptr<Search> MakeGga(const SearchSettings& settings, const SearchSpace& space) {
+  return std::make_unique<GenerationalGa>(settings, space);
+}
+
 }  // namespace gaitsmith

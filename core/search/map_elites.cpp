@@ -91,4 +91,8 @@ bool MapElites::LoadState(BitReader& in) {
   return true;
 }
 
+std::unique_ptr<Search> MakeMapElites(const SearchSettings& settings, const SearchSpace& space) {
+  return std::make_unique<MapElites>(settings, space);
+}
+
 }  // namespace gaitsmith

@@ -151,4 +151,8 @@ bool NelderMead::LoadState(BitReader& in) {
          std::ranges::is_sorted(simplex_, std::ranges::greater{}, &Individual::fitness);
 }
 
+std::unique_ptr<Search> MakeNelderMead(const SearchSettings& settings, const SearchSpace& space) {
+  return std::make_unique<NelderMead>(settings, space);
+}
+
 }  // namespace gaitsmith

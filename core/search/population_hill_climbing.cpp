@@ -171,4 +171,15 @@ Result<void> PopulationHillClimbing::Load(BitReader& in) {
   return {};
 }
 
+std::unique_ptr<Search> MakeSphc(const SearchSettings& settings, const SearchSpace& space) {
+  return std::make_unique<PopulationHillClimbing>(settings, space);
+}
+
+std::unique_ptr<Search> MakeShc(const SearchSettings& settings, const SearchSpace& space) {
+  // Figure 4 is Figure 5 with one individual and nobody to reseed it.
+  SearchSettings alone = settings;
+  alone.population = 1;
+  return std::make_unique<PopulationHillClimbing>(alone, space);
+}
+
 }  // namespace gaitsmith

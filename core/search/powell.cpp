@@ -253,4 +253,8 @@ bool Powell::LoadState(BitReader& in) {
   return good;
 }
 
+std::unique_ptr<Search> MakePowell(const SearchSettings& settings, const SearchSpace& space) {
+  return std::make_unique<Powell>(settings, space);
+}
+
 }  // namespace gaitsmith

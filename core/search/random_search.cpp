@@ -58,4 +58,8 @@ Result<void> RandomSearch::Load(BitReader& in) {
   return {};
 }
 
+std::unique_ptr<Search> MakeRandomSearch(const SearchSettings& settings, const SearchSpace& space) {
+  return std::make_unique<RandomSearch>(settings, space);
+}
+
 }  // namespace gaitsmith

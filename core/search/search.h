@@ -33,11 +33,6 @@ enum class Algorithm {
   kMapElites,     // the best motion of every style
   kTwoStage,      // random generate and test, then ascents from the best
 };
-/// Names on the command line and in documents.
-inline constexpr std::array<std::string_view, 11> kAlgorithmNames = {
-    "rgt",         "sphc",   "gga",    "ssga",       "shc",      "mpga",
-    "nelder-mead", "powell", "cma-es", "map-elites", "two-stage"};
-
 /// Parameters of GGA and SSGA, and the rates of MPGA.
 struct GeneticSettings {
   int population = 200;  // GGA, SSGA, [2, 10000]; Table 2: 200
@@ -177,7 +172,83 @@ class Search {
   [[nodiscard]] virtual Result<void> Load(BitReader&) = 0;
 };
 
+/// Groups of settings. A bit of each says whether an algorithm reads it.
+namespace settings_group {
+inline constexpr unsigned kClimbs = 1;       // population, reseed_interval
+inline constexpr unsigned kPopulation = 2;   // genetic.population
+inline constexpr unsigned kRates = 4;        // genetic.rates
+inline constexpr unsigned kRankBias = 8;     // genetic.rank_bias
+inline constexpr unsigned kTorus = 16;       // torus
+inline constexpr unsigned kRefine = 32;      // refine
+inline constexpr unsigned kCma = 64;         // cma
+inline constexpr unsigned kElites = 128;     // elites
+inline constexpr unsigned kStages = 256;     // two_stage
+inline constexpr unsigned kVariation = 512;  // of variation what perturbs; all draw at random
+}  // namespace settings_group
+
 /// @param settings must be valid, as in a valid document
-[[nodiscard]] std::unique_ptr<Search> MakeSearch(const SearchSettings&, const SearchSpace&);
+using SearchMaker = std::unique_ptr<Search>(const SearchSettings&, const SearchSpace&);
+// Each is defined beside its algorithm.
+SearchMaker MakeRandomSearch, MakeSphc, MakeGga, MakeSsga, MakeShc, MakeMpga, MakeNelderMead, MakePowell,
+    MakeCmaEs, MakeMapElites, MakeTwoStage;
+
+/// An algorithm as documents, the command line and the pages know it.
+struct AlgorithmRow {
+  Algorithm algorithm;
+  std::string_view name;
+  unsigned groups;   // of settings that it reads
+  bool refines_one;  // works from one genome onwards, so that giving it one makes sense
+  int (*population)(const SearchSettings&);  // that the budget must hold; 0: none
+  SearchMaker* make;
+};
+
+/// The one table of algorithms. A new one goes to the end: binary documents hold its place.
+inline constexpr auto kAlgorithms = [] {
+  using namespace settings_group;
+  using enum Algorithm;
+  using S = const SearchSettings&;
+  constexpr auto kNone = [](S) { return 0; };
+  constexpr auto kOfParents = [](S s) { return s.genetic.population; };
+  constexpr auto kOfCells = [](S s) { return s.torus.side * s.torus.side; };
+  return std::to_array<AlgorithmRow>({
+      {kRandomSearch, "rgt", 0, false, kNone, MakeRandomSearch},
+      {kSphc, "sphc", kClimbs | kVariation, false, kNone, MakeSphc},
+      {kGga, "gga", kPopulation | kRates | kVariation, false, kOfParents, MakeGga},
+      {kSsga, "ssga", kPopulation | kRates | kRankBias | kVariation, false, kOfParents, MakeSsga},
+      {kShc, "shc", kVariation, true, kNone, MakeShc},
+      {kMpga, "mpga", kTorus | kRates | kVariation, false, kOfCells, MakeMpga},
+      {kNelderMead, "nelder-mead", kRefine, true, kNone, MakeNelderMead},
+      {kPowell, "powell", kRefine, true, kNone, MakePowell},
+      {kCmaEs, "cma-es", kCma, true, kNone, MakeCmaEs},
+      {kMapElites, "map-elites", kElites | kVariation, false, kNone, MakeMapElites},
+      {kTwoStage, "two-stage", kStages | kVariation, false, kNone, MakeTwoStage},
+  });
+}();
+static_assert([] {
+  for (std::size_t i = 0; i < kAlgorithms.size(); ++i) {
+    if (kAlgorithms[i].algorithm != static_cast<Algorithm>(i)) return false;
+  }
+  return true;
+}());
+
+/// One column of the table. A program that reads no more than a column does not link the algorithms.
+template <class T>
+[[nodiscard]] consteval std::array<T, kAlgorithms.size()> AlgorithmColumn(T AlgorithmRow::* column) {
+  std::array<T, kAlgorithms.size()> values{};
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = kAlgorithms[i].*column;
+  return values;
+}
+/// Names on the command line and in documents.
+inline constexpr auto kAlgorithmNames = AlgorithmColumn(&AlgorithmRow::name);
+inline constexpr auto kAlgorithmGroups = AlgorithmColumn(&AlgorithmRow::groups);
+inline constexpr auto kRefinesOne = AlgorithmColumn(&AlgorithmRow::refines_one);
+inline constexpr auto kPopulations = AlgorithmColumn(&AlgorithmRow::population);
+
+/// How many evaluations the first population alone takes; 0 where the algorithm has none.
+[[nodiscard]] inline int PopulationOf(const SearchSettings& settings) {
+  return kPopulations[static_cast<std::size_t>(settings.algorithm)](settings);
+}
+
+[[nodiscard]] SearchMaker MakeSearch;
 
 }  // namespace gaitsmith

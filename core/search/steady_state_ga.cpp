@@ -52,4 +52,8 @@ bool SteadyStateGa::LoadState(BitReader& in) {
          std::ranges::is_sorted(ranked_, std::ranges::greater{}, &Individual::fitness);
 }
 
+std::unique_ptr<Search> MakeSsga(const SearchSettings& settings, const SearchSpace& space) {
+  return std::make_unique<SteadyStateGa>(settings, space);
+}
+
 }  // namespace gaitsmith

@@ -66,4 +66,8 @@ bool TorusGa::LoadState(BitReader& in) {
          cells_.size() == (generation_ > 0 ? size : 0);
 }
 
+std::unique_ptr<Search> MakeMpga(const SearchSettings& settings, const SearchSpace& space) {
+  return std::make_unique<TorusGa>(settings, space);
+}
+
 }  // namespace gaitsmith

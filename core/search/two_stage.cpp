@@ -49,4 +49,8 @@ bool TwoStage::LoadState(BitReader& in) {
          kept_.size() == (generation_ > 0 ? size : 0);
 }
 
+std::unique_ptr<Search> MakeTwoStage(const SearchSettings& settings, const SearchSpace& space) {
+  return std::make_unique<TwoStage>(settings, space);
+}
+
 }  // namespace gaitsmith

@@ -17,19 +17,6 @@
 #include "shell/words/language.h"
 
 namespace gaitsmith::shell {
-namespace {
-
-/// Of the first `panels`, those that are shown.
-std::vector<int> ShownPanels(const Arrangement& layout, int panels) {
-  std::vector<int> shown;
-  for (int panel = 0; panel < panels; ++panel) {
-    if (layout.Shows(panel)) shown.push_back(panel);
-  }
-  return shown;
-}
-
-}  // namespace
-
 bool App::Advance(double seconds) {
   // After a pause of the whole page (a hidden tab) the motion goes on from where it was.
   const double step = std::min(seconds, 0.1);
@@ -39,21 +26,28 @@ bool App::Advance(double seconds) {
   return session_.Player().Advance(step) || improved;
 }
 
+std::vector<int> App::ShownTabs() {
+  std::vector<int> shown;
+  for (int panel = 0; panel < static_cast<int>(kPanels.size()); ++panel) {
+    const bool tab = phone_ || kPanels[static_cast<std::size_t>(panel)].tab_on_desk;
+    if (tab && session_.Layout().Shows(panel)) shown.push_back(panel);
+  }
+  return shown;
+}
+
 int App::DrawTabs(Ui& ui, const ImRect& rect, const std::vector<int>& shown) {
   std::vector<const char*> names;
   names.reserve(shown.size());
-  for (const int panel : shown) names.push_back(kPanels[static_cast<std::size_t>(panel)]);
-  // The nearest one to what the document wishes.
-  const int wished = session_.Doc().view.panel;
-  const auto nearest =
-      std::ranges::min_element(shown, {}, [&](int panel) { return std::abs(panel - wished); });
-  auto tab = static_cast<int>(nearest - shown.begin());
-  if (ui.Tabs("panels", rect, Tr("Panels"), names, tab)) ChoosePanel(shown[static_cast<std::size_t>(tab)]);
-  return shown[static_cast<std::size_t>(tab)];
-}
-
-void App::ChoosePanel(int panel) {
-  session_.SetView([&](View& view) { view.panel = panel; });
+  for (const int panel : shown) names.push_back(kPanels[static_cast<std::size_t>(panel)].label);
+  const int open = NearestPanel(kPanels, shown, session_.Doc().view.panel);
+  auto tab = static_cast<int>(std::ranges::find(shown, open) - shown.begin());
+  const bool chosen = ui.Tabs("panels", rect, Tr("Panels"), names, tab);
+  const int panel = shown[static_cast<std::size_t>(tab)];
+  if (chosen) {
+    const int number = kPanels[static_cast<std::size_t>(panel)].Number();
+    session_.SetView([number](View& view) { view.panel = number; });
+  }
+  return panel;
 }
 
 void App::Draw() {
@@ -82,8 +76,8 @@ void App::Draw() {
 }
 
 void App::DrawDesk(Ui& ui, const ImRect& whole) {
-  const std::vector<int> shown = ShownPanels(session_.Layout(), kDeskPanels);
-  const bool timeline = session_.Layout().Shows(kTimelinePanel);
+  const std::vector<int> shown = ShownTabs();
+  const bool timeline = session_.Layout().Shows(PlaceOf(Panel::kTimeline));
   const float panel_x = shown.empty() ? whole.Max.x : whole.Max.x - kPanelWidth;
   const float timeline_y = !timeline ? whole.Max.y
                                      : whole.Max.y - kTimelineHeight - TransitionStripHeight(session_) -
@@ -115,7 +109,7 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
   const float tab_height = 44.0f;
   const float transport = 50.0f;
   // The stage keeps the upper part; short canvases give the panel what it needs first.
-  const std::vector<int> shown = ShownPanels(session_.Layout(), static_cast<int>(kPanels.size()));
+  const std::vector<int> shown = ShownTabs();
   const float sheet = std::clamp(0.33f * whole.GetHeight(), 190.0f, 420.0f);
   const float tabs_y = shown.empty() && !stage_.world.open ? whole.Max.y : whole.Max.y - sheet - tab_height;
   DrawStage(ui, session_, stage_, {whole.Min, {whole.Max.x, tabs_y - transport}});
@@ -132,8 +126,8 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
     DrawWorld(ui, rest);  // the stage has no room for it
   } else if (panel < 0) {
     return;
-  } else if (panel == kTimelinePanel) {
-    const PartScope part = ui.Part("panel", "tabpanel", Tr(kPanels[kTimelinePanel]));
+  } else if (panel == PlaceOf(Panel::kTimeline)) {
+    const PartScope part = ui.Part("panel", "tabpanel", Tr(kPanels[static_cast<std::size_t>(panel)].label));
     DrawTimeline(ui, session_, rest);
   } else {
     DrawPanel(ui, rest, panel);
@@ -143,7 +137,8 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
 void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
   ImGui::SetCursorScreenPos(rect.Min);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPanelPadding, 14.0f});
-  const char* name = kPanels[static_cast<std::size_t>(panel)];
+  const PanelRow& row = kPanels[static_cast<std::size_t>(panel)];
+  const char* name = row.label;
   const PartScope part = ui.Part("panel", "tabpanel", Tr(name));
   const std::string id = "panel/" + std::string(name);
   ImGui::BeginChild(id.c_str(), rect.GetSize(), ImGuiChildFlags_AlwaysUseWindowPadding,
@@ -156,22 +151,24 @@ void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
   const bool locked = session_.Layout().LocksPanel(panel);
   if (locked) ui.LockNote();
   ui.Lock(locked);
-  switch (panel) {
-    case 0:
+  switch (row.panel) {
+    case Panel::kFigure:
       DrawFigurePanel(ui, session_, figure_panel_);
       break;
-    case 1:
+    case Panel::kController:
       DrawControllerPanel(ui, session_, controller_panel_);
       break;
-    case 2:
+    case Panel::kStyle:
       DrawStylePanel(ui, session_);
       break;
-    case 4:
+    case Panel::kLab:
       DrawLabPanel(ui, session_);
       break;
-    default:
+    case Panel::kSearch:
       DrawSearchPanel(ui, session_, search_panel_);
       if (search_panel_.list.strips.Waiting()) window_.RequestOneFrame();
+      break;
+    case Panel::kTimeline:  // has a place of its own
       break;
   }
   ui.Lock(false);

@@ -40,12 +40,13 @@ class App {
  private:
   void DrawDesk(Ui&, const ImRect& whole);
   void DrawPhone(Ui&, const ImRect& whole);
-  /// @param shown at least one panel. @return the chosen one
+  /// @param shown at least one panel, as places in kPanels. @return the chosen one
   int DrawTabs(Ui&, const ImRect&, const std::vector<int>& shown);
   void DrawPanel(Ui&, const ImRect&, int panel);
   void DrawWorld(Ui&, const ImRect&);
   bool TakeFingers(const SDL_Event&);
-  void ChoosePanel(int panel);
+  /// The tabs, as places in kPanels: on a phone all shown panels, on a desk those that have a tab there.
+  [[nodiscard]] std::vector<int> ShownTabs();
 
   Host& host_;
   Window& window_;

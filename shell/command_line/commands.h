@@ -38,6 +38,7 @@ using Outcome = std::expected<void, Refusal>;
 [[nodiscard]] Outcome ValidateCommand(Words words);
 [[nodiscard]] Outcome MeasureCommand(Words words);
 [[nodiscard]] Outcome LinkCommand(Words words);
+[[nodiscard]] Outcome CatalogueCommand(Words words);
 
 /// What `compare --summary` prints of a file of results.
 [[nodiscard]] Outcome Summarize(const std::string& path);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // gaitsmith export: a document's motion as a picture, a scene or numbers, for other programs.
+#include <algorithm>
 #include <cstdio>
+#include <span>
+#include <vector>
 
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"
-#include "shell/export/film_strip.h"
-#include "shell/export/skeleton_gltf.h"
-#include "shell/export/trajectory_csv.h"
+#include "shell/export/exporters.h"
 
 namespace gaitsmith::shell {
 
@@ -35,29 +36,36 @@ Result<FilmStripOptions> StripOptions(const Arguments& arguments, double duratio
   return FilmStripOptions{.poses = static_cast<int>(*poses), .from_s = *from, .to_s = *to};
 }
 
+/// "--svg: say where; or --gltf, or --csv"
+Outcome NoFile() {
+  std::string what = "say where";
+  for (const ExporterRow& row : std::span(kExporters).subspan(1))
+    what.append(what.ends_with("where") ? ";" : ",").append(" or --").append(row.id);
+  return Fail(ErrorCode::kMissing, "--" + std::string(kExporters[0].id), what);
+}
+
 }  // namespace
 
 Outcome ExportCommand(Words words) {
-  static constexpr std::string_view kOptions[] = {"svg", "gltf", "csv", "poses", "from", "to"};
-  const auto arguments = Arguments::Parse(words, kOptions);
+  std::vector<std::string_view> options = {"poses", "from", "to"};
+  for (const ExporterRow& row : kExporters) options.push_back(row.id);
+  const auto arguments = Arguments::Parse(words, options);
   if (!arguments) return std::unexpected(arguments.error());
   if (arguments->Positional().size() != 1)
     return Fail(ErrorCode::kMissing, "DOC", "give exactly one document");
-  if (!arguments->Has("svg") && !arguments->Has("gltf") && !arguments->Has("csv"))
-    return Fail(ErrorCode::kMissing, "--svg", "say where; or --gltf, or --csv");
+  if (std::ranges::none_of(kExporters, [&](const ExporterRow& row) { return arguments->Has(row.id); }))
+    return NoFile();
   const auto document = ReadDocument(arguments->Positional()[0]);
   if (!document) return std::unexpected(document.error());
   const auto strip = StripOptions(*arguments, document->duration_steps * 0.01);
   if (!strip) return std::unexpected(strip.error());
 
   const Motion motion = Simulate(*document);
-  const auto write = [&](std::string_view option, auto make) -> Result<void> {
-    return arguments->Has(option) ? WriteText(arguments->Last(option), make()) : Result<void>{};
-  };
-  auto done = write("svg", [&] { return FilmStripSvg(*document, motion, *strip); });
-  if (done) done = write("gltf", [&] { return SkeletonGltf(*document, motion); });
-  if (done) done = write("csv", [&] { return TrajectoryCsv(*document, motion); });
-  if (!done) return std::unexpected(done.error());
+  for (const ExporterRow& row : kExporters) {
+    if (!arguments->Has(row.id)) continue;
+    const auto done = WriteText(arguments->Last(row.id), row.make(*document, motion, *strip));
+    if (!done) return std::unexpected(done.error());
+  }
   return {};
 }
 

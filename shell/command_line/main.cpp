@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shell/command_line/commands.h"
+#include "shell/export/exporters.h"
 
 namespace {
 
@@ -15,13 +16,12 @@ using gaitsmith::shell::Words;
 struct Command {
   std::string_view name;
   gaitsmith::shell::Outcome (*run)(Words);
-  const char* usage;
+  const char* usage;  // "{exporters}" stands for an option of each
 };
 
-constexpr std::array<Command, 11> kCommands = {{
+constexpr auto kCommands = std::to_array<Command>({
     {"simulate", gaitsmith::shell::SimulateCommand, "simulate DOC --csv OUT"},
-    {"export", gaitsmith::shell::ExportCommand,
-     "export DOC --svg OUT | --gltf OUT | --csv OUT [--poses N] [--from S] [--to S]"},
+    {"export", gaitsmith::shell::ExportCommand, "export DOC {exporters} [--poses N] [--from S] [--to S]"},
     {"synthesize", gaitsmith::shell::SynthesizeCommand,
      "synthesize --figure F --task T --sense physical|timer=SECONDS --weight TERM=W\n"
      "             --search ALG --evaluations N --seed S --out DOC [--curve CSV] [--threads K]\n"
@@ -47,11 +47,28 @@ constexpr std::array<Command, 11> kCommands = {{
     {"validate", gaitsmith::shell::ValidateCommand, "validate DOC"},
     {"measure", gaitsmith::shell::MeasureCommand, "measure DOC"},
     {"link", gaitsmith::shell::LinkCommand, "link encode DOC | link decode LINK [--out DOC]"},
-}};
+    {"catalogue", gaitsmith::shell::CatalogueCommand, "catalogue"},
+});
+
+/// "--svg OUT | --gltf OUT | --csv OUT"
+std::string ExporterOptions() {
+  std::string options;
+  for (const gaitsmith::shell::ExporterRow& row : gaitsmith::shell::kExporters)
+    options.append(options.empty() ? "--" : " | --").append(row.id).append(" OUT");
+  return options;
+}
+
+std::string UsageOf(const Command& command) {
+  constexpr std::string_view kPlace = "{exporters}";
+  std::string usage = command.usage;  // "{exporters}" stands for an option of each
+  const std::size_t at = usage.find(kPlace);
+  if (at != std::string::npos) usage.replace(at, kPlace.size(), ExporterOptions());
+  return usage;  // "{exporters}" stands for an option of each
+}
 
 int Usage(std::FILE* out) {
   std::fputs("gaitsmith finds motions of 2D articulated figures and plays them.\n\nusage:\n", out);
-  for (const Command& command : kCommands) std::fprintf(out, "  gaitsmith %s\n", command.usage);
+  for (const Command& command : kCommands) std::fprintf(out, "  gaitsmith %s\n", UsageOf(command).c_str());
   std::fputs(
       "\nDOC is a file of JSON, a file that holds a link, a shipped example, or - for standard input.\n",
       out);
@@ -69,7 +86,7 @@ int main(int count, char** words) {
   for (const Command& command : kCommands) {
     if (command.name != given[0]) continue;
     if (std::ranges::any_of(given, IsHelp)) {
-      std::printf("usage:\n  gaitsmith %s\n", command.usage);
+      std::printf("usage:\n  gaitsmith %s\n", UsageOf(command).c_str());
       return 0;
     }
     const auto done = command.run(Words(given).subspan(1));

@@ -9,9 +9,6 @@
 namespace gaitsmith::shell {
 namespace {
 
-constexpr std::array<const char*, kPanels.size()> kPanelNames = {"figure", "controller", "style",
-                                                                 "search", "lab",        "timeline"};
-
 // Sets the flags that a list names, and no others.
 template <std::size_t N>
 std::optional<std::string_view> Choose(std::string_view list, const std::array<const char*, N>& names,
@@ -53,14 +50,12 @@ static_assert(std::size(kLockedParts) == kLockedPartNames.size());
 }  // namespace
 
 bool Arrangement::LocksPanel(int panel) const {
-  const std::string_view name = kPanelNames[static_cast<std::size_t>(panel)];
-  const auto part = std::ranges::find(kLockedPartNames, name);
-  return name != "search" && name != "timeline" && part != kLockedPartNames.end() &&
-         locked[static_cast<std::size_t>(part - kLockedPartNames.begin())];
+  const auto part = std::ranges::find(kLockedPartNames, kPanels[static_cast<std::size_t>(panel)].lock);
+  return part != kLockedPartNames.end() && locked[static_cast<std::size_t>(part - kLockedPartNames.begin())];
 }
 
 std::optional<std::string_view> ShowPanels(std::string_view list, Arrangement& arrangement) {
-  return Choose(list, kPanelNames, arrangement.shown);
+  return Choose(list, kPanelIds, arrangement.shown);
 }
 
 std::optional<std::string_view> LockParts(std::string_view list, Arrangement& arrangement) {

@@ -12,7 +12,7 @@
 
 namespace gaitsmith::shell {
 
-/// What can be locked: the panels, in their order, but for the lab, which changes nothing; and the world.
+/// What can be locked. The lab changes nothing.
 enum class LockedPart { kFigure, kController, kStyle, kSearch, kTimeline, kWorld };
 inline constexpr std::array<const char*, 6> kLockedPartNames = {"figure", "controller", "style",
                                                                 "search", "timeline",   "world"};
@@ -22,6 +22,7 @@ struct Arrangement {
   std::array<bool, kLockedPartNames.size()> locked = {};  // in the order of LockedPart
 
   Arrangement() { shown.fill(true); }
+  /// @param panel its place in kPanels
   [[nodiscard]] bool Shows(int panel) const { return shown[static_cast<std::size_t>(panel)]; }
   [[nodiscard]] bool Locks(LockedPart part) const { return locked[static_cast<std::size_t>(part)]; }
   /// Nothing can be changed on this panel. Of the Search panel only the settings are locked: it searches. The

@@ -161,14 +161,17 @@ void AddTimeline(std::vector<Command>& list, Session& session) {
 }
 
 void AddPanels(std::vector<Command>& list, Session& session, bool phone) {
-  for (int i = 0; i < (phone ? static_cast<int>(kPanels.size()) : kDeskPanels); ++i) {
-    if (!session.Layout().Shows(i)) continue;
-    const char* name = kPanels[static_cast<std::size_t>(i)];
+  for (int i = 0; i < static_cast<int>(kPanels.size()); ++i) {
+    const PanelRow& panel = kPanels[static_cast<std::size_t>(i)];
+    if (!(phone || panel.tab_on_desk) || !session.Layout().Shows(i)) continue;
+    const char* name = panel.label;
     list.push_back({.id = std::string("panel/") + name,
                     .group = TrLater("Panels"),
                     .title = Tr("{1} panel", Tr(name)),
                     .keys = {std::to_string(i + 1)},
-                    .run = [&session, i] { session.SetView([i](View& view) { view.panel = i; }); }});
+                    .run = [&session, number = panel.Number()] {
+                      session.SetView([number](View& view) { view.panel = number; });
+                    }});
   }
 }
 

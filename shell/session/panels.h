@@ -1,17 +1,81 @@
 // SPDX-License-Identifier: MIT
-// The panels in the order of View::panel. On a phone the timeline is the last of them.
+// The one table of panels. Arrangements, tabs, commands and the catalogue read it.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
 
 #include "shell/words/language.h"
 
 namespace gaitsmith::shell {
 
-inline constexpr std::array<const char*, 6> kPanels = {TrLater("Figure"), TrLater("Controller"),
-                                                       TrLater("Style"),  TrLater("Search"),
-                                                       TrLater("Lab"),    TrLater("Timeline")};
-inline constexpr int kDeskPanels = 5;
-inline constexpr int kTimelinePanel = 5;
+/// The values are the numbers in documents and links (View::panel). They never change: a new panel takes the
+/// next free number, wherever it stands in the table.
+enum class Panel { kFigure = 0, kController = 1, kStyle = 2, kSearch = 3, kLab = 4, kTimeline = 5 };
+/// The greatest number that a document can hold.
+inline constexpr int kMostPanelNumber = 15;
+
+struct PanelRow {
+  Panel panel;
+  const char* id;         // in addresses and lessons
+  const char* label;      // on its tab, to be translated
+  bool tab_on_desk;       // otherwise it is a tab on phones only
+  std::string_view lock;  // the locked part that closes the whole panel, or empty
+
+  [[nodiscard]] constexpr int Number() const { return static_cast<int>(panel); }
+};
+
+/// In the order of the tabs. The timeline has a place of its own on a desk. Of the Search panel only the
+/// settings are locked, of the timeline only what changes clips.
+inline constexpr auto kPanels = std::to_array<PanelRow>({
+    {Panel::kFigure, "figure", TrLater("Figure"), true, "figure"},
+    {Panel::kController, "controller", TrLater("Controller"), true, "controller"},
+    {Panel::kStyle, "style", TrLater("Style"), true, "style"},
+    {Panel::kSearch, "search", TrLater("Search"), true, ""},
+    {Panel::kLab, "lab", TrLater("Lab"), true, ""},
+    {Panel::kTimeline, "timeline", TrLater("Timeline"), false, ""},
+});
+
+inline constexpr std::array<const char*, kPanels.size()> kPanelIds = [] {
+  std::array<const char*, kPanels.size()> ids{};
+  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = kPanels[i].id;
+  return ids;
+}();
+
+/// Whether each row has a number of its own that a document can hold.
+[[nodiscard]] constexpr bool HasOwnNumbers(std::span<const PanelRow> panels) {
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    if (panels[i].Number() < 0 || panels[i].Number() > kMostPanelNumber) return false;
+    for (std::size_t k = 0; k < i; ++k) {
+      if (panels[k].panel == panels[i].panel) return false;
+    }
+  }
+  return true;
+}
+static_assert(HasOwnNumbers(kPanels));
+
+/// Where a panel stands in the table.
+[[nodiscard]] constexpr int PlaceOf(Panel panel) {
+  return static_cast<int>(std::ranges::find(kPanels, panel, &PanelRow::panel) - kPanels.begin());
+}
+
+/// Which of the panels that are shown a document wishes for: the one with its number, or else with the
+/// nearest number, of two the lower.
+/// @param shown places in the table, at least one @param number of a document's view @return one of `shown`
+[[nodiscard]] constexpr int NearestPanel(std::span<const PanelRow> panels, std::span<const int> shown,
+                                         int number) {
+  int nearest = shown[0];
+  const auto rank = [&](int place) {
+    const int own = panels[static_cast<std::size_t>(place)].Number();
+    return own <= number ? 2 * (number - own) : 2 * (own - number) + 1;
+  };
+  for (const int place : shown) {
+    if (rank(place) < rank(nearest)) nearest = place;
+  }
+  return nearest;
+}
 
 }  // namespace gaitsmith::shell

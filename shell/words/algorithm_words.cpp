@@ -28,7 +28,7 @@ const std::array<AlgorithmWords, kAlgorithmNames.size()>& AlgorithmTexts() {
        TrLater("Samples around a mean and learns which directions pay. Quick with a timer.")},
       {"MAP-Elites", TrLater("MAP-Elites: a suite of styles"),
        TrLater("Keeps the best for every height, slip and turn: many motions from one search.")},
-      {"Two-stage", TrLater("Two-stage: random, then climbing"),
+      {TrLater("Two-stage"), TrLater("Two-stage: random, then climbing"),
        TrLater("Draws many at random, then climbs from the best: how networks were first found.")},
   }};
   return kTexts;
@@ -38,9 +38,6 @@ const AlgorithmWords& WordsOf(Algorithm algorithm) {
   return AlgorithmTexts()[static_cast<std::size_t>(algorithm)];
 }
 
-bool RefinesOne(Algorithm algorithm) {
-  return algorithm == Algorithm::kShc || algorithm == Algorithm::kNelderMead ||
-         algorithm == Algorithm::kPowell || algorithm == Algorithm::kCmaEs;
-}
+bool RefinesOne(Algorithm algorithm) { return kRefinesOne[static_cast<std::size_t>(algorithm)]; }
 
 }  // namespace gaitsmith::shell

@@ -10,7 +10,7 @@
 namespace gaitsmith::shell {
 
 struct AlgorithmWords {
-  std::string name;   // "SPHC"
+  std::string name;   // "SPHC"; the page translates it
   const char* title;  // "SPHC: hill climbing, reseeded", to be translated
   const char* line;   // one sentence, to be translated
 };

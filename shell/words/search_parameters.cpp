@@ -15,107 +15,100 @@ constexpr std::array<const char*, 3> kCovariances = {TrLater("Automatic"), TrLat
                                                      TrLater("Variances only")};
 
 struct Row {
-  std::vector<Algorithm> algorithms;
+  unsigned group;  // of settings, or 0: all algorithms read it
   SearchParameter parameter;
 };
 
-constexpr auto kSphc = Algorithm::kSphc;
-constexpr auto kGga = Algorithm::kGga;
-constexpr auto kSsga = Algorithm::kSsga;
-constexpr auto kMpga = Algorithm::kMpga;
-constexpr auto kCma = Algorithm::kCmaEs;
-constexpr auto kElites = Algorithm::kMapElites;
-constexpr auto kTwoStage = Algorithm::kTwoStage;
-
 const std::vector<Row>& Own() {
   using S = SearchSettings;
+  using namespace settings_group;
   static const std::vector<Row> kRows = {
-      {{kSphc},
+      {kClimbs,
        {"search/population", TrLater("Population"), TrLater("So many climb side by side."),
         WholeParameter{2, 1000, 1, [](S& s) -> int& { return s.population; }}}},
-      {{kSphc},
+      {kClimbs,
        {"search/reseed", TrLater("Reseed every (generations)"),
         TrLater("Then the better half replaces the worse."),
         WholeParameter{1, 1'000'000, 10, [](S& s) -> int& { return s.reseed_interval; }}}},
-      {{kGga, kSsga},
+      {kPopulation,
        {"search/genetic-population", TrLater("Population"),
         TrLater("Controllers that mate with one another."),
         WholeParameter{2, 10'000, 10, [](S& s) -> int& { return s.genetic.population; }}}},
-      {{kMpga},
+      {kTorus,
        {"search/side", TrLater("Side of the torus"), TrLater("Cells along it; the population is its square."),
         WholeParameter{2, 128, 1, [](S& s) -> int& { return s.torus.side; }}}},
-      {{kMpga},
+      {kTorus,
        {"search/walk", TrLater("Walk to a mate (steps)"),
         TrLater("The fittest that is met on the way is the mate."),
         WholeParameter{1, 1000, 1, [](S& s) -> int& { return s.torus.walk_steps; }}}},
-      {{kGga, kSsga, kMpga},
+      {kRates,
        {"search/mutation", TrLater("Mutation rate"),
         TrLater("Chance that a child, or a gene of it, is perturbed."),
         RealParameter{0.0, 1.0, 0.01, false, [](S& s) -> float& { return s.genetic.rates.mutation; }}}},
-      {{kGga, kSsga, kMpga},
+      {kRates,
        {"search/crossover", TrLater("Crossover rate"),
         TrLater("Chance that a child, or a rule of it, is of both parents."),
         RealParameter{0.0, 1.0, 0.01, false, [](S& s) -> float& { return s.genetic.rates.crossover; }}}},
-      {{kGga, kSsga, kMpga},
+      {kRates,
        {"search/rates", TrLater("Rates count"), TrLater("For a child as a whole, or for each rule and gene."),
         ChoiceParameter{kReadings, [](const S& s) { return static_cast<int>(s.genetic.rates.reading); },
                         [](S& s, int i) { s.genetic.rates.reading = static_cast<RateReading>(i); }}}},
-      {{kSsga},
+      {kRankBias,
        {"search/rank-bias", TrLater("Rank bias"),
         TrLater("The fittest mates so many times as often as the median."),
         RealParameter{1.0, 2.0, 0.01, false, [](S& s) -> float& { return s.genetic.rank_bias; }}}},
-      {{Algorithm::kNelderMead, Algorithm::kPowell},
+      {kRefine,
        {"search/refine-step", TrLater("First step"), TrLater("Along each gene, as a share of its range."),
         RealParameter{0.001, 1.0, 0.001, true, [](S& s) -> float& { return s.refine.step; }}}},
-      {{kCma},
+      {kCma,
        {"search/step", TrLater("First deviation"),
         TrLater("How far the first samples scatter, as a share of a gene's range."),
         RealParameter{0.001, 1.0, 0.001, true, [](S& s) -> float& { return s.cma.step; }}}},
-      {{kCma},
+      {kCma,
        {"search/cma-population", TrLater("Samples (0: by genes)"),
         TrLater("Of each generation; 0: 4 + 3 ln genes."),
         WholeParameter{0, 10'000, 1, [](S& s) -> int& { return s.cma.population; }}}},
-      {{kCma},
+      {kCma,
        {"search/growth", TrLater("Growth at a restart"),
         TrLater("A search that stalls begins anew with more samples."),
         RealParameter{1.0, 10.0, 0.1, false, [](S& s) -> float& { return s.cma.growth; }}}},
-      {{kCma},
+      {kCma,
        {"search/draws", TrLater("Random at first"), TrLater("Every run begins at the best of so many."),
         WholeParameter{1, 10'000, 10, [](S& s) -> int& { return s.cma.draws; }}}},
-      {{kCma},
+      {kCma,
        {"search/cma-genes", TrLater("Genes"),
         TrLater("All, or those of the senses that its first controller heeds."),
         ChoiceParameter{kCmaGenes, [](const S& s) { return static_cast<int>(s.cma.genes); },
                         [](S& s, int i) { s.cma.genes = static_cast<CmaGenes>(i); }}}},
-      {{kCma},
+      {kCma,
        {"search/covariance", TrLater("Covariance"),
         TrLater("Automatic: full up to 128 genes, which costs time."),
         ChoiceParameter{kCovariances, [](const S& s) { return static_cast<int>(s.cma.covariance); },
                         [](S& s, int i) { s.cma.covariance = static_cast<Covariance>(i); }}}},
-      {{kElites},
+      {kElites,
        {"search/initial", TrLater("Random at first"), TrLater("The first to be sorted into the grid."),
         WholeParameter{1, 100'000, 10, [](S& s) -> int& { return s.elites.initial; }}}},
-      {{kElites},
+      {kElites,
        {"search/batch", TrLater("Children at a time"),
         TrLater("So many are named before the grid is looked at again."),
         WholeParameter{1, 1000, 1, [](S& s) -> int& { return s.elites.batch; }}}},
-      {{kElites},
+      {kElites,
        {"search/bins", TrLater("Bins of each style term"),
         TrLater("The grid has their cube: one motion in each cell."),
         WholeParameter{1, 32, 1, [](S& s) -> int& { return s.elites.bins; }}}},
-      {{kElites},
+      {kElites,
        {"search/most-height", TrLater("Greatest height (m)"), TrLater("Where the last bin of height ends."),
         RealParameter{0.1, 1000.0, 0.1, true, [](S& s) -> float& { return s.elites.most[0]; }}}},
-      {{kElites},
+      {kElites,
        {"search/most-slip", TrLater("Greatest slip (m)"), TrLater("Where the last bin of slip ends."),
         RealParameter{0.1, 1000.0, 0.1, true, [](S& s) -> float& { return s.elites.most[1]; }}}},
-      {{kElites},
+      {kElites,
        {"search/most-rotations", TrLater("Most rotations"), TrLater("Where the last bin of turns ends."),
         RealParameter{0.1, 1000.0, 0.1, true, [](S& s) -> float& { return s.elites.most[2]; }}}},
-      {{kTwoStage},
+      {kStages,
        {"search/random", TrLater("Random at first"), TrLater("Of the first stage."),
         WholeParameter{1, 1'000'000, 100, [](S& s) -> int& { return s.two_stage.random; }}}},
-      {{kTwoStage},
+      {kStages,
        {"search/kept", TrLater("Of which climb"), TrLater("The best of them, each on its own."),
         WholeParameter{1, 1000, 1, [](S& s) -> int& { return s.two_stage.kept; }}}},
   };
@@ -124,21 +117,21 @@ const std::vector<Row>& Own() {
 
 const std::vector<Row>& Shared() {
   using S = SearchSettings;
-  using enum Algorithm;
+  using namespace settings_group;
   static const std::vector<Row> kRows = {
-      {{kRandomSearch, kSphc, kGga, kSsga, kShc, kMpga, kNelderMead, kPowell, kCmaEs, kMapElites, kTwoStage},
+      {0,
        {"search/dont-care", TrLater("Ignored senses"),
         TrLater("Chance that a random rule ignores a physical sense."),
         RealParameter{0.0, 1.0, 0.01, false, [](S& s) -> float& { return s.variation.dont_care; }}}},
-      {{kSphc, kGga, kSsga, kShc, kMpga, kMapElites, kTwoStage},
+      {kVariation,
        {"search/gene-chance", TrLater("Changed genes"),
         TrLater("Chance that a gene of a perturbed controller creeps."),
         RealParameter{0.001, 1.0, 0.001, true, [](S& s) -> float& { return s.variation.gene_chance; }}}},
-      {{kSphc, kGga, kSsga, kShc, kMpga, kMapElites, kTwoStage},
+      {kVariation,
        {"search/creep", TrLater("Creep"),
         TrLater("Standard deviation of that change, as a share of the gene's range."),
         RealParameter{0.001, 1.0, 0.001, true, [](S& s) -> float& { return s.variation.creep; }}}},
-      {{kSphc, kGga, kSsga, kShc, kMpga, kMapElites, kTwoStage},
+      {kVariation,
        {"search/redraw", TrLater("Redrawn rules"),
         TrLater("Chance that a rule or node of it is drawn anew instead."),
         RealParameter{0.0, 1.0, 0.01, false, [](S& s) -> float& { return s.variation.redraw; }}}},
@@ -147,10 +140,10 @@ const std::vector<Row>& Shared() {
 }
 
 std::vector<const SearchParameter*> Of(const std::vector<Row>& rows, Algorithm algorithm) {
+  const unsigned groups = kAlgorithmGroups[static_cast<std::size_t>(algorithm)];
   std::vector<const SearchParameter*> parameters;
   for (const Row& row : rows) {
-    if (std::ranges::find(row.algorithms, algorithm) != row.algorithms.end())
-      parameters.push_back(&row.parameter);
+    if (row.group == 0 || (groups & row.group) != 0) parameters.push_back(&row.parameter);
   }
   return parameters;
 }
@@ -161,10 +154,7 @@ std::vector<const SearchParameter*> ParametersOf(Algorithm algorithm) { return O
 std::vector<const SearchParameter*> VariationOf(Algorithm algorithm) { return Of(Shared(), algorithm); }
 
 void Suit(SearchSettings& search) {
-  const bool genetic = search.algorithm == kGga || search.algorithm == kSsga;
-  if (genetic) search.evaluations = std::max(search.evaluations, search.genetic.population);
-  if (search.algorithm == kMpga)
-    search.evaluations = std::max(search.evaluations, search.torus.side * search.torus.side);
+  search.evaluations = std::max(search.evaluations, PopulationOf(search));
   // Between none of its own and four there is nothing: one step down from four is none, one up from none
   // four.
   int& samples = search.cma.population;

@@ -5,7 +5,6 @@ import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { TERMS } from '../../web/page/goal_conditions.js';
 import { ROOT } from './browsers.mjs';
 import { PageDriver } from './page_driver.mjs';
 
@@ -205,7 +204,9 @@ async function goalsOfLessons({ browser, address }) {
   }
   assert.ok(goals >= 7);
   const measured = await page.page.evaluate(() => window.gaitsmith.measures());
-  for (const term of TERMS) assert.ok(term in measured, term);
+  /** @type {typeof import('../../web/catalogue/catalogue.js')} */
+  const { terms } = await page.page.evaluate(async (path) => ({ ...await import(path) }), new URL('catalogue/catalogue.js', address).href);
+  for (const term of ['distance', 'travel', ...terms.map(({ name }) => name)]) assert.ok(term in measured, term);
   await page.close();
 }
 

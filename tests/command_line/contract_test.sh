@@ -49,6 +49,14 @@ same "$(head -1 motion.csv | cut -d, -f1-9)" "t,x,y,vx,vy,phi,L,rule,theta_1" "C
 same "$(wc -l <motion.csv)" 1002 "rows of a 10 s motion"
 same "$(awk -F, '{print NF}' motion.csv | sort -u | wc -l)" 1 "columns in every row"
 
+# Names that other programs may ask for.
+"$gaitsmith" catalogue >catalogue.json || fault "catalogue"
+same "$(sed -n 's/^  "\([a-z_]*\)": \[$/\1/p' catalogue.json | tr '\n' ' ')" \
+  "algorithms tasks terms senses sense_kinds controller_kinds panels locks exporters " "tables of the catalogue"
+same "$(sed -n 's/.*"name": "\([a-z]*\)".*"number": \([0-9]*\).*/\1 \2/p' catalogue.json | tr '\n' ' ')" \
+  "figure 0 controller 1 style 2 search 3 lab 4 timeline 5 " "numbers of panels in links"
+refuses 'all: catalogue takes no words' "$gaitsmith" catalogue all
+
 # Every term of a motion in one row.
 "$gaitsmith" measure "$golden" >measured.csv || fault "measure"
 same "$(head -1 measured.csv)" "travel,max_cm_height,slip_sum,rotations,effort,upright,smoothness,head_height,fitness,hash" "header"

@@ -64,7 +64,7 @@ test('export: Khronos finds nothing in a glTF scene', async () => {
   for (const [name, document] of documents) {
     for (const change of [{}, { title: '"\\\u00e4', environment: { slope_rad: 0.2 }, duration_steps: 1, pushes: [] }]) {
       const motion = motionOf({ ...document, ...change });
-      const { issues, info } = await validateString(motion.gltf());
+      const { issues, info } = await validateString(motion.file('gltf'));
       assert.deepEqual(issues.messages, [], name);
       assert.equal(info.animationCount, 1);
       assert.equal(info.drawCallCount, motion.starts.length);
@@ -75,7 +75,7 @@ test('export: Khronos finds nothing in a glTF scene', async () => {
 
 test('export: numbers have a row for each frame, and the film is told the same', () => {
   const motion = motionOf(documents.get('there-and-back.json'));
-  const [header, ...rows] = motion.csv().trimEnd().split('\n').map((line) => line.split(','));
+  const [header, ...rows] = motion.file('csv').trimEnd().split('\n').map((line) => line.split(','));
   assert.equal(rows.length, motion.frames);
   const nodes = header.indexOf('node0_x');
   rows.forEach((row, i) => {

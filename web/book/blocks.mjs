@@ -12,10 +12,13 @@ const CHOICE = /^\(([ x])\)\s+(.+?)\s*(?:\|\s*(.+))?$/;
 const CALLS = ['open', 'synthesize', 'stop', 'pause', 'resume', 'lab', 'undo', 'redo', 'run', 'arrange'];
 const TICK = '<svg class="tick" viewBox="0 0 20 20" aria-hidden="true"><circle cx="10" cy="10" r="8.5"/><path d="M6 10.4l2.8 2.8L14.2 7.4"/></svg>';
 
-/** What is wrong with the conditions of a goal; empty: nothing. @param {string} conditions */
-export function faultOfGoal(conditions) {
+/**
+ * What is wrong with the conditions of a goal; empty: nothing.
+ * @param {string} conditions @param {import('./links.mjs').Playground} playground
+ */
+export function faultOfGoal(conditions, { terms }) {
   try {
-    parseGoal(conditions);
+    parseGoal(conditions, terms);
     return '';
   } catch (error) {
     return /** @type {Error} */ (error).message;
@@ -25,7 +28,7 @@ export function faultOfGoal(conditions) {
 /** @type {Block} */
 async function goal(markdown, page, content, line) {
   const [conditions = '', ...words] = content.trim().split('\n');
-  const fault = faultOfGoal(conditions);
+  const fault = faultOfGoal(conditions, markdown.links.playground);
   if (fault) markdown.faults.add(page.source, line + 1, fault);
   if (words.length === 0) markdown.faults.add(page.source, line, 'a goal needs a line with its words');
   return `<section class="goal"${attributes({ 'data-goal': conditions.trim() })} aria-label="Goal">

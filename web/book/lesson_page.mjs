@@ -22,7 +22,7 @@ export async function lessonPage(page, { html, sentence }, all, links) {
   const { opens } = open ? await links.resolve(page, open.line, open.value) : { opens: undefined };
   if (open && !opens) links.faults.add(page.source, open.line, '"open" names a document of examples');
   const goal = fields.get('goal');
-  const fault = goal && faultOfGoal(goal.value);
+  const fault = goal && faultOfGoal(goal.value, links.playground);
   if (fault) links.faults.add(page.source, goal.line, fault);
   /** @type {[string, string][]} */
   const query = [['lang', 'en']];

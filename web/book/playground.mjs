@@ -17,15 +17,17 @@ export class Playground {
   /** By path. @type {Map<string, Opened>} */
   #opened = new Map();
 
-  /** @param {Engine} engine */
-  constructor(engine) {
+  /** @param {Engine} engine @param {typeof import('../catalogue/catalogue.js').terms} terms */
+  constructor(engine, terms) {
     this.engine = engine;
+    this.terms = terms;
   }
 
   /** @param {string} site  the built one */
   static async load(site) {
     const { Engine } = await import(pathToFileURL(join(site, 'search/engine.js')).href);
-    return new Playground(await Engine.load());
+    const { terms } = await import(pathToFileURL(join(site, 'catalogue/catalogue.js')).href);
+    return new Playground(await Engine.load(), terms);
   }
 
   /** What stands after # in a link. Throws core's sentence. @param {string} path */

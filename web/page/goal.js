@@ -3,6 +3,7 @@
 // and ticks what is reached.
 import { announce } from '../browser/announcer.js';
 import { element } from '../browser/dom.js';
+import { terms } from '../catalogue/catalogue.js';
 import { SENSES, isMet, parseGoal } from './goal_conditions.js';
 import { fixed, tr } from '../languages/language.js';
 
@@ -23,7 +24,7 @@ export class GoalBar {
     this.app = app;
     this.told = told;
     this.text = text;
-    this.conditions = parseGoal(text);
+    this.conditions = parseGoal(text, terms);
   }
 
   show() {

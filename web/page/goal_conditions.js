@@ -7,19 +7,25 @@ import { tr } from '../languages/language.js';
 /** @typedef {'>=' | '<=' | '>' | '<' | '='} Relation */
 /** @typedef {{name: string, relation: Relation, wanted: number | string}} Condition  wanted: a text of the sense alone */
 
-export const TERMS = ['distance', 'travel', 'max_cm_height', 'slip_sum', 'rotations', 'effort', 'upright', 'smoothness', 'head_height'];
+/** Of the centre of mass, either way and to the right. */
+const WAYS = ['distance', 'travel'];
 export const SENSES = { physical: 'physical senses', timer: 'timer', network: 'network' };
 const MOST = 6;
 
-/** @param {string} text @returns {Condition[]} throws an Error that says what is wrong */
-export function parseGoal(text) {
+/**
+ * @param {string} text
+ * @param {readonly {readonly name: string}[]} terms  of the catalogue, which only the built site has
+ * @returns {Condition[]} throws an Error that says what is wrong
+ */
+export function parseGoal(text, terms) {
+  const numbers = [...WAYS, ...terms.map(({ name }) => name), 'rules'];
   const parts = text.split(',').map((part) => part.trim()).filter((part) => part !== '');
   if (parts.length === 0 || parts.length > MOST) throw new Error(tr('goal: give one to {1} conditions, with commas between them', MOST));
   return parts.map((part) => {
     const [, name, relation, value] = /^([a-z_]+)\s*(>=|<=|>|<|=)\s*(\S+)$/.exec(part) ?? [];
     const number = Number(value);
     const known = name === 'sense' ? relation === '=' && Object.hasOwn(SENSES, value)
-      : (TERMS.includes(name) || name === 'rules') && Number.isFinite(number);
+      : numbers.includes(name) && Number.isFinite(number);
     if (!known) throw new Error(tr('goal: “{1}” is no condition, such as distance >= 8 or sense = physical', part));
     return { name, relation: /** @type {Relation} */ (relation), wanted: name === 'sense' ? value : number };
   });

@@ -9,6 +9,7 @@
 //   their count. That area is free again when the function returns.
 // - What comes out is a pointer that stays valid until the next call on the same object.
 // - A function that can fail returns null or false, and gs_error() then is {"code","where","what"} as JSON.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -26,9 +27,7 @@
 #include "core/document/transition.h"
 #include "core/search/evaluation_score.h"
 #include "core/search/spread.h"
-#include "shell/export/film_strip.h"
-#include "shell/export/skeleton_gltf.h"
-#include "shell/export/trajectory_csv.h"
+#include "shell/export/exporters.h"
 
 #define GS_EXPORT extern "C" __attribute__((used, visibility("default")))
 
@@ -341,10 +340,14 @@ GS_EXPORT const char* gs_motion_film_strip(MotionRole* role, std::size_t words_s
   }
   return Keep(role, shell::FilmStripSvg(role->document, role->motion, options));
 }
-GS_EXPORT const char* gs_motion_gltf(MotionRole* role) {
-  return Keep(role, shell::SkeletonGltf(role->document, role->motion));
-}
-GS_EXPORT const char* gs_motion_csv(MotionRole* role) {
-  return Keep(role, shell::TrajectoryCsv(role->document, role->motion));
+/// A file that needs no words. @param id_size of an exporter's id in the input area
+GS_EXPORT const char* gs_motion_file(MotionRole* role, std::size_t id_size) {
+  const std::string_view id(reinterpret_cast<const char*>(input.data()), id_size);
+  const auto row = std::ranges::find(shell::kExporters, id, &shell::ExporterRow::id);
+  if (row == shell::kExporters.end()) {
+    Note({ErrorCode::kUnknownName, "", "there is no such export"});
+    return nullptr;
+  }
+  return Keep(role, row->make(role->document, role->motion, {}));
 }
 GS_EXPORT std::size_t gs_motion_text_size(const MotionRole* role) { return role->text.size(); }

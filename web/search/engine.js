@@ -261,8 +261,11 @@ export class RecordedMotion {
     const size = this.engine.put(new TextEncoder().encode(words.map((word) => `${word}\0`).join('')));
     return this.#text(this.engine.module._gs_motion_film_strip(this.handle, size, poses));
   }
-  gltf() { return this.#text(this.engine.module._gs_motion_gltf(this.handle)); }
-  csv() { return this.#text(this.engine.module._gs_motion_csv(this.handle)); }
+  /** Its text. @param {string} name  of shell/export/exporters.h, such as 'csv' */
+  file(name) {
+    const size = this.engine.put(new TextEncoder().encode(name));
+    return this.#text(this.engine.module._gs_motion_file(this.handle, size));
+  }
 
   close() { this.engine.module._gs_motion_close(this.handle); }
 

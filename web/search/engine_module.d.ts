@@ -76,8 +76,8 @@ export interface EngineModule {
   _gs_motion_numbers(role: Pointer): Pointer;
   /** @param words_size of FilmStripWords in the input area, a 0 after each */
   _gs_motion_film_strip(role: Pointer, wordsSize: number, poses: number): Pointer;
-  _gs_motion_gltf(role: Pointer): Pointer;
-  _gs_motion_csv(role: Pointer): Pointer;
+  /** A file that needs no words. @param id_size of an exporter's id in the input area */
+  _gs_motion_file(role: Pointer, idSize: number): Pointer;
   _gs_motion_text_size(role: Pointer): number;
 
   readonly HEAPU8: Uint8Array;

@@ -4,14 +4,11 @@
 import { NO_REPORT } from '../app/no_report.js';
 import { compiledEngine, createWorker, hasWorkers } from './compiled_engine.js';
 import { banner } from '../browser/dom.js';
-import { tr, trLater, trSentence } from '../languages/language.js';
+import { algorithms } from '../catalogue/catalogue.js';
+import { tr, trSentence } from '../languages/language.js';
 
 /** @typedef {import('../app/app.js').App} App */
 /** @typedef {import('./messages.js').SearchReport} SearchReport */
-
-const ALGORITHMS = /** @type {Record<string, string>} */ ({ rgt: 'RG&T', sphc: 'SPHC', gga: 'GGA', ssga: 'SSGA', shc: 'SHC',
-  mpga: 'MPGA', 'nelder-mead': 'Nelder–Mead', powell: 'Powell', 'cma-es': 'CMA-ES', 'map-elites': 'MAP-Elites',
-  'two-stage': trLater('Two-stage') });
 
 // Each holds some memory, and a search is not certain.
 const MOST_STANDING_BY = 4;
@@ -205,7 +202,7 @@ function wordsOf(app) {
   const { task, search } = app.document();
   const styled = Object.values(task?.weights ?? {}).some((weight) => weight !== 0);
   const algorithm = search?.algorithm ?? 'sphc';
-  const name = () => tr(ALGORITHMS[algorithm] ?? algorithm);
+  const name = () => tr(algorithms.find(({ name: known }) => known === algorithm)?.label ?? algorithm);
   return {
     doing: (/** @type {boolean} */ paused) => (paused ? tr('Paused: searching with {1}', name()) : tr('Searching with {1}', name())),
     unit: styled ? '' : ' m', // every goal alone is a length

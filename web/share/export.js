@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The dialog that makes files of the motion for other programs, and the files. Loaded when somebody wants one.
 import { element, offerFile, onClick, toast } from '../browser/dom.js';
+import { exporters } from '../catalogue/catalogue.js';
 import { Engine } from '../search/engine.js';
 import { fixed, tr, trSentence } from '../languages/language.js';
 import { fileName } from './sharing.js';
@@ -20,14 +21,13 @@ import { fileName } from './sharing.js';
 
 const PNG_SCALE = 2;
 
-/** @type {Record<string, Format>} */
+/** Files that C++ makes are what it says of them; a strip gets its words here. @type {Record<string, Format>} */
 export const FORMATS = {
+  ...Object.fromEntries(exporters.map(({ name, ending, type }) => [name, { ending, type, make: async ({ motion }) => motion.file(name) }])),
   svg: { ending: 'svg', type: 'image/svg+xml', make: async (order) => strip(order) },
   png: { ending: 'png', type: 'image/png', make: (order) => painted(strip(order)) },
   gif: { ending: 'gif', type: 'image/gif', make: async (order) => (await import('./export_film.js')).gif(order) },
   webm: { ending: 'webm', type: 'video/webm', make: async (order) => (await import('./export_film.js')).webm(order) },
-  gltf: { ending: 'gltf', type: 'model/gltf+json', make: async ({ motion }) => motion.gltf() },
-  csv: { ending: 'csv', type: 'text/csv', make: async ({ motion }) => motion.csv() },
 };
 
 /** @param {Order} order */

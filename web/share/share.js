@@ -2,7 +2,8 @@
 // The Share dialog: the link with its picture for cameras (a QR code), and the lines that put the playground with this
 // motion into another page.
 import { element, onClick, setText } from '../browser/dom.js';
-import { grouped, tr } from '../languages/language.js';
+import { panels } from '../catalogue/catalogue.js';
+import { followLanguage, grouped, tr } from '../languages/language.js';
 
 /** @typedef {import('../app/app.js').App} App */
 /** @typedef {import('./address.js').Address} Address */
@@ -20,6 +21,15 @@ export function openShare(app, address) {
   dialog.open();
 }
 
+/** A ticked one, which follows the language. @param {typeof panels[number]} panel */
+function checkbox({ name, label }) {
+  const words = document.createTextNode('');
+  followLanguage(() => { words.data = ` ${tr(label)}`; });
+  const box = document.createElement('label');
+  box.append(Object.assign(document.createElement('input'), { type: 'checkbox', value: name, defaultChecked: true }), words);
+  return box;
+}
+
 class ShareDialog {
   #dialog = element('share-dialog', HTMLDialogElement);
   #link = element('share-link', HTMLTextAreaElement);
@@ -34,6 +44,7 @@ class ShareDialog {
   constructor(app, address) {
     this.app = app;
     this.address = address;
+    for (const panel of panels) this.#panels.append(checkbox(panel));
     this.#panels.addEventListener('change', () => this.#write());
     for (const field of [this.#lock, this.#height]) field.addEventListener('input', () => this.#write());
     for (const field of [this.#link, this.#snippet]) field.addEventListener('focus', () => field.select());

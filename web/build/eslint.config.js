@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What scripts are checked for beside their types. ./dev lint runs it.
+import { fileURLToPath } from 'node:url';
 import eslint from '@eslint/js';
 import tseslint from 'typescript-eslint';
 
-const web = import.meta.dirname;
+const web = fileURLToPath(new URL('../', import.meta.url));
 
 export default tseslint.config(
   { ignores: ['**/node_modules/', 'web/package/example.js', 'build/'] },

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The catalogue as text: it is JSON, it has every row of every table, and the page's module is a part of it.
+// Does not pin: the rows themselves, which their tables say.
+#include "shell/catalogue/catalogue.h"
+
+#include <catch_amalgamated.hpp>
+#include <fstream>
+#include <iterator>
+
+#include "core/document/json_value.h"
+#include "core/rollout/task.h"
+#include "core/search/search.h"
+#include "shell/export/exporters.h"
+#include "shell/session/panels.h"
+
+namespace gaitsmith::shell::test {
+namespace {
+
+std::vector<std::string> NamesIn(const JsonValue& catalogue, std::string_view table) {
+  std::vector<std::string> names;
+  const JsonValue* rows = catalogue.Find(table);
+  REQUIRE(rows != nullptr);
+  for (const JsonValue& row : rows->items)
+    names.push_back(row.kind == JsonValue::Kind::kString ? row.text : row.Find("name")->text);
+  return names;
+}
+
+template <class Table, class Member>
+std::vector<std::string> Names(const Table& table, Member member) {
+  std::vector<std::string> names;
+  for (const auto& row : table) names.emplace_back(row.*member);
+  return names;
+}
+
+std::string Text(const std::string& page) {
+  std::ifstream file(std::string(GAITSMITH_SOURCE_DIR "/docs/") + page);
+  REQUIRE(file);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+TEST_CASE("catalogue: every row of every table is in it, in its order", "[catalogue]") {
+  const auto catalogue = ParseJson(CatalogueJson());
+  REQUIRE(catalogue);
+  CHECK(NamesIn(*catalogue, "algorithms") == Names(kAlgorithms, &AlgorithmRow::name));
+  CHECK(NamesIn(*catalogue, "terms") == Names(kStyleTable, &StyleTermRow::name));
+  CHECK(NamesIn(*catalogue, "panels") == Names(kPanels, &PanelRow::id));
+  CHECK(NamesIn(*catalogue, "exporters") == Names(kExporters, &ExporterRow::id));
+  CHECK(NamesIn(*catalogue, "tasks") == std::vector<std::string>(kTaskNames.begin(), kTaskNames.end()));
+  CHECK(NamesIn(*catalogue, "senses") ==
+        std::vector<std::string>{"angle", "force", "height", "rise", "timer"});
+  CHECK(catalogue->Find("panels")->items.back().Find("number")->number == 5.0);
+}
+
+TEST_CASE("catalogue: the page's module has a list for each table that it reads", "[catalogue]") {
+  const std::string module = CatalogueModule();
+  CHECK(module.contains("\nexport const algorithms=[{\"name\":\"rgt\",\"label\":\"RG&T\"},"));
+  CHECK(module.contains("\nexport const terms=[{\"name\":\"max_cm_height\"},"));
+  CHECK(module.contains("{\"name\":\"csv\",\"ending\":\"csv\",\"type\":\"text/csv\"}];\n"));
+}
+
+TEST_CASE("catalogue: one page of docs explains each name of a table, in a row of its own", "[catalogue]") {
+  const auto explains = [](const char* page, const auto& names) {
+    const std::string text = Text(page);
+    for (const std::string_view name : names) {
+      CAPTURE(page, name);
+      CHECK(text.contains("\n| `" + std::string(name) + "` |"));
+    }
+  };
+  explains("search.md", kAlgorithmNames);
+  explains("style.md", kTaskNames);
+  explains("style.md", kStyleTermNames);
+}
+
+TEST_CASE("catalogue: a panel's name in addresses is its tab's in lower case, as docs/embedding.md says",
+          "[catalogue]") {
+  for (const PanelRow& row : kPanels) {
+    std::string label = row.label;
+    label[0] = static_cast<char>(label[0] - 'A' + 'a');
+    CHECK(row.id == label);
+  }
+}
+
+}  // namespace gaitsmith::shell::test

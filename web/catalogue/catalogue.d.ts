@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// What the page reads of the tables in C++. The build writes catalogue.js into the site (shell/catalogue/catalogue.h);
+// `gaitsmith catalogue` prints the tables as a whole.
+
+/** Searches, in the order of the panel. label: short, in English, as tr() takes it. */
+export const algorithms: readonly { readonly name: string; readonly label: string }[];
+/** Secondary terms, by their names in documents, in their order. */
+export const terms: readonly { readonly name: string }[];
+/** In the order of the tabs. label: in English, as tr() takes it. */
+export const panels: readonly { readonly name: string; readonly label: string }[];
+/** Files that C++ makes of a motion. type: MIME. */
+export const exporters: readonly { readonly name: string; readonly ending: string; readonly type: string }[];
