@@ -7,7 +7,7 @@ const GROUPS = [
   { title: 'For teachers', id: 'for-teachers', names: ['teachers', 'writing-lessons'] },
   { title: 'The playground', id: 'the-playground', names: ['animation', 'style', 'accessibility'] },
   { title: 'The engine', id: 'the-engine', names: ['physics', 'search', 'determinism', 'reliability', 'performance'] },
-  { title: 'For engineers', id: 'for-engineers', names: ['engineers', 'embedding', 'command-line', 'formats', 'design'] },
+  { title: 'For engineers', id: 'for-engineers', names: ['engineers', 'embedding', 'command-line', 'formats', 'architecture', 'design'] },
 ];
 
 export const LESSONS = { title: 'Lessons', id: 'lessons' };
