@@ -11,7 +11,7 @@ import { exportedFunctions, MODULES, typesOf } from '../../web/build/border.mjs'
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), '../..');
 const WEB = process.env.GAITSMITH_WEB ?? join(ROOT, 'build/wasm/web');
 /** Where each module is built. @type {Record<string, string>} */
-const BUILT = { EngineModule: join(WEB, 'search/engine_module.js'), AppModule: join(WEB, '../shell/app_module.js') };
+const BUILT = { EngineExports: join(WEB, 'search/engine_module.js'), AppExports: join(WEB, '../shell/app_module.js') };
 
 test('border: exports are found with their types and comments', () => {
   const source = `

@@ -2,7 +2,7 @@
 // The types of the two WebAssembly modules, made from the C++ sources that export the functions: what stands there is written
 // nowhere else. tests/web/border.test.mjs compares them with what the compiled modules export.
 //
-//   node web/build/border.mjs            writes search/engine_module.d.ts and app/app_module.d.ts
+//   node web/build/border.mjs            writes search/engine_exports.d.ts and app/app_exports.d.ts
 //   node web/build/border.mjs --check    fails when they are not what the sources say
 import { readFile, writeFile } from 'node:fs/promises';
 import { join, relative } from 'node:path';
@@ -12,10 +12,10 @@ const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 
 /** @typedef {{name: string, result: string, parameters: {name: string, type: string}[], comment: string[]}} ExportedFunction */
 
-/** A module: the C++ sources that export its functions, how an export is marked there, and the types around them, written by hand. */
+/** A module: the C++ sources that export its functions, how an export is marked there, and the interface that is written of them. */
 export const MODULES = [
-  { sources: ['web/search/engine.cpp'], mark: 'GS_EXPORT', name: 'EngineModule', types: 'web/search/engine_module.d.ts', around: 'web/search/engine_module.frame.d.ts' },
-  { sources: ['shell/host/page.cpp', 'shell/host/page_typeface.cpp'], mark: 'EMSCRIPTEN_KEEPALIVE', name: 'AppModule', types: 'web/app/app_module.d.ts', around: 'web/app/app_module.frame.d.ts' },
+  { sources: ['web/search/engine.cpp'], mark: 'GS_EXPORT', name: 'EngineExports', types: 'web/search/engine_exports.d.ts' },
+  { sources: ['shell/host/page.cpp', 'shell/host/page_typeface.cpp'], mark: 'EMSCRIPTEN_KEEPALIVE', name: 'AppExports', types: 'web/app/app_exports.d.ts' },
 ];
 
 /** @param {string} type  of C++, without a name */
@@ -51,14 +51,18 @@ function declaration({ name, result, parameters, comment }) {
 }
 
 /** @param {typeof MODULES[number]} module @returns {Promise<string>} the text of its types */
-export async function typesOf({ sources, mark, name, around }) {
+export async function typesOf({ sources, mark, name }) {
   const texts = await Promise.all(sources.map((source) => readFile(join(ROOT, source), 'utf8')));
   const functions = texts.flatMap((text) => exportedFunctions(text, mark));
-  const frame = await readFile(join(ROOT, around), 'utf8');
-  const place = `export interface ${name} {\n`;
-  if (!frame.includes(place)) throw new Error(`border: ${around} has no interface ${name}`);
-  return `// Written by web/build/border.mjs from ${sources.join(', ')} and ${around}: change those.\n`
-    + frame.replace(place, () => `${place}${functions.map(declaration).join('')}\n`);
+  return `// SPDX-License-Identifier: MIT
+// Written by web/build/border.mjs from ${sources.join(' and ')}: change those.
+
+/** An address in the module's memory; 0 is null. */
+export type Pointer = number;
+
+export interface ${name} {
+${functions.map(declaration).join('')}}
+`;
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {

@@ -23,7 +23,7 @@ try {
   if (!version) throw new Error('pack: CMakeLists.txt has no version');
   const { name, ...description } = JSON.parse(await readFile(join(HERE, 'package.json'), 'utf8'));
   await writeFile(join(folder, 'package.json'), `${JSON.stringify({ name, version, ...description }, null, 2)}\n`);
-  await copyFile(join(WEB, 'search/engine_module.d.ts'), join(folder, 'engine_module.d.ts'));
+  for (const name of ['engine_module.d.ts', 'engine_exports.d.ts']) await copyFile(join(WEB, 'search', name), join(folder, name));
 
   const source = join(WEB, 'search/engine.js');
   const program = ts.createProgram([source], {
