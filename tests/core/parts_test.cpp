@@ -49,7 +49,7 @@ class Changer {
   void Hash(std::string_view name, std::optional<std::uint64_t>& hash) {
     if (Turn(name)) hash = hash.value_or(0) + 1;
   }
-  void Genes(Controller& controller, int) {
+  void Genes(Controller& controller, const PortCount&) {
     if (Turn("rules")) ++controller.rules;
     if (Turn("genes")) ++controller.genes.back();
   }

@@ -162,7 +162,7 @@ TEST_CASE("plant: every number of lanes has the bits of one, and those of the re
           REQUIRE(many[i].fitness == one[i].fitness);
         }
       }
-      for (std::uint64_t seed = 0; seed < genomes.size(); ++seed) {
+      for (std::size_t seed = 0; seed < genomes.size(); ++seed) {
         const std::array controllers = {CrawlerOf(problem, seed)};
         const std::array clips = {Clip{}};
         const Motion motion(Recorder(), ScriptOf(problem, controllers, clips, 400));
