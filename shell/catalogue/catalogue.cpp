@@ -74,6 +74,7 @@ struct Table {
 template <class Names>
 std::vector<Row> NamesOf(const Names& names) {
   std::vector<Row> rows;
+  rows.reserve(names.size());
   for (const auto& name : names) rows.push_back(Row::Name(name));
   return rows;
 }
@@ -125,6 +126,7 @@ std::vector<Row> Senses() {
 
 std::vector<Row> Panels() {
   std::vector<Row> rows;
+  rows.reserve(kPanels.size());
   for (const PanelRow& row : kPanels) {
     rows.push_back(Row()
                        .With("name", row.id)
@@ -137,6 +139,7 @@ std::vector<Row> Panels() {
 
 std::vector<Row> Exporters() {
   std::vector<Row> rows;
+  rows.reserve(std::size(kExporters));
   for (const ExporterRow& row : kExporters)
     rows.push_back(Row().With("name", row.id).With("ending", row.ending).With("type", row.type));
   return rows;

@@ -131,6 +131,8 @@ async function givenUp({ browser }) {
 /** @param {Visit} visit */
 async function refusedWorkers({ browser, address }) {
   const page = await PageDriver.open(browser, address, { before: countWorkers });
+  // A slow machine would else hire them when the fault is over.
+  await page.until('workers that stand by', () => /** @type {any} */ (window).testWorkers.length > 0);
   const before = await workOf(page);
   const error = await page.call('search', async () => {
     const Kept = window.Worker;

@@ -108,6 +108,7 @@ async function lessonInTheAddress({ browser, address }) {
   const page = await PageDriver.open(browser, `${address}?panels=style,search&lock=style,world&goal=distance>=1,rotations>=500`);
   const ids = await page.call('commands', () => window.gaitsmith.commands().map(({ id }) => id));
   assert.deepEqual(ids.filter((id) => id.startsWith('panel/')), ['panel/Style', 'panel/Search']);
+  await page.until('the goal', () => document.querySelector('#goal li.met') !== null, 10000);
   assert.equal(await page.text('#goal li.met'), ' Distance ≥ 1 m (now 18.33 m)');
   await page.call('events', () => {
     const seen = /** @type {object[]} */ ([]);
@@ -116,7 +117,7 @@ async function lessonInTheAddress({ browser, address }) {
     return true;
   });
   await page.call('goal', () => window.gaitsmith.arrange({ goal: 'distance >= 1, sense = physical' }).then(() => true));
-  assert.equal(await page.call('reached', () => document.querySelector('#goal')?.classList.contains('met')), true);
+  await page.until('the goal reached', () => document.querySelector('#goal')?.classList.contains('met') === true, 10000);
   await page.until('its event', () => /** @type {any} */ (window).testGoals.at(-1)?.met === true);
 
   // Also while nothing moves.

@@ -10,7 +10,7 @@ namespace gaitsmith::shell::test {
 
 namespace {
 
-Document Problem() {
+Document LabProblem() {
   Document document;
   document.title = "Mr. Star-Man · travel, seed 5";
   document.figure = gaitsmith::test::ShippedFigure("mr-star-man");
@@ -30,7 +30,7 @@ LabSettings TwoAlgorithms() {
 TEST_CASE("lab: algorithms take turns, so that their curves grow together", "[shell][lab]") {
   Lab lab;
   lab.settings = TwoAlgorithms();
-  REQUIRE(lab.Begin(Problem()));
+  REQUIRE(lab.Begin(LabProblem()));
   REQUIRE(lab.Total() == 6);
   const std::vector<Search::CurvePoint> curve = {{1, 0.5f}};
   for (int i = 0; i < 6; ++i) {
@@ -51,7 +51,7 @@ TEST_CASE("lab: medians and quartiles are those of the curves at each count", "[
   Lab lab;
   lab.settings = TwoAlgorithms();
   lab.settings.chosen[static_cast<std::size_t>(Algorithm::kSphc)] = false;
-  REQUIRE(lab.Begin(Problem()));
+  REQUIRE(lab.Begin(LabProblem()));
   // One point every 4 evaluations. The second trial has no motion before evaluation 101.
   lab.Finish(std::vector<Search::CurvePoint>{{1, 1.0f}, {200, 3.0f}});
   lab.Finish(std::vector<Search::CurvePoint>{{1, kVoidScore}, {101, 2.0f}});
@@ -71,7 +71,7 @@ TEST_CASE("lab: medians and quartiles are those of the curves at each count", "[
 TEST_CASE("lab: its file is one that compare reads, also before the end", "[shell][lab]") {
   Lab lab;
   lab.settings = TwoAlgorithms();
-  REQUIRE(lab.Begin(Problem()));
+  REQUIRE(lab.Begin(LabProblem()));
   lab.Finish(std::vector<Search::CurvePoint>{{1, 0.25f}});
   lab.Finish(std::vector<Search::CurvePoint>{{2, 0.5f}});
   lab.Finish(std::vector<Search::CurvePoint>{{3, 0.75f}});
@@ -87,23 +87,23 @@ TEST_CASE("lab: its file is one that compare reads, also before the end", "[shel
 TEST_CASE("lab: refuses what an algorithm cannot work with, and keeps what it had", "[shell][lab]") {
   Lab lab;
   lab.settings = TwoAlgorithms();
-  REQUIRE(lab.Begin(Problem()));
+  REQUIRE(lab.Begin(LabProblem()));
   lab.Finish(std::vector<Search::CurvePoint>{{1, 0.25f}});
   lab.End(LabState::kStopped);
   const std::string before = lab.Csv();
 
   lab.settings.chosen[static_cast<std::size_t>(Algorithm::kMpga)] = true;  // its torus has 4,096 cells
-  const auto crowded = lab.Begin(Problem());
+  const auto crowded = lab.Begin(LabProblem());
   REQUIRE_FALSE(crowded);
   CHECK(crowded.error().where == "mpga: search.evaluations");
   lab.settings.chosen.fill(false);
-  CHECK_FALSE(lab.Begin(Problem()));
+  CHECK_FALSE(lab.Begin(LabProblem()));
   lab.settings = TwoAlgorithms();
   lab.settings.trials = kMostLabTrials + 1;
-  CHECK_FALSE(lab.Begin(Problem()));
+  CHECK_FALSE(lab.Begin(LabProblem()));
   lab.settings.trials = 2;
   lab.settings.first_seed = 0xffffffffu;
-  CHECK_FALSE(lab.Begin(Problem()));
+  CHECK_FALSE(lab.Begin(LabProblem()));
 
   CHECK(lab.State() == LabState::kStopped);
   CHECK(lab.Csv() == before);
@@ -111,7 +111,7 @@ TEST_CASE("lab: refuses what an algorithm cannot work with, and keeps what it ha
 
 TEST_CASE("lab: the problem keeps senses, task and kind of controller, not the document's search",
           "[shell][lab]") {
-  Document document = Problem();
+  Document document = LabProblem();
   document.kind = ControllerKind::kNetwork;
   document.rules = 7;
   document.task.kind = TaskKind::kJump;
