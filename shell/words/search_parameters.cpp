@@ -165,8 +165,7 @@ void Suit(SearchSettings& search) {
   if (genetic) search.evaluations = std::max(search.evaluations, search.genetic.population);
   if (search.algorithm == kMpga)
     search.evaluations = std::max(search.evaluations, search.torus.side * search.torus.side);
-  // Between none of its own and four there is nothing: one step down from four is none, one up from none
-  // four.
+  // The least population is 4. Below it the slider means "automatic".
   int& samples = search.cma.population;
   if (samples > 0 && samples < 4) samples = samples == 3 ? 0 : 4;
 }
