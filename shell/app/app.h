@@ -19,19 +19,19 @@ class App {
  public:
   App(Host& host, Window& window) : host_(host), window_(window), session_(host) {}
 
-  /// Moves playback and search on. @return true when a new frame is due
+  /// Advances playback and the search. @return true if a new frame is due
   bool Advance(double seconds);
   void Draw();
 
-  /// Keys that the application itself takes. @return true when the interface must not see the event
+  /// Handles the application's own keys. @return true if the interface must not get the event
   bool Take(const SDL_Event& event);
 
-  /// Everything that can be done without a control: the table's commands, then the shelf's.
+  /// All commands: those of the table, then the shelf's.
   [[nodiscard]] std::vector<Command> Commands();
-  /// @return false: there is no such command, or it is not possible now
+  /// @return false: there is no such command, or it is unavailable
   bool Run(std::string_view id);
-  /// A key went down. @param name as in Command::keys. @param on_canvas the canvas has the keyboard, so that
-  /// its controls come first. @return true when a command took it
+  /// Handles a key that went down. @param name as in Command::keys. @param on_canvas the canvas has the
+  /// focus, so that its controls come first. @return true if a command handled it
   bool Key(std::string_view name, bool on_canvas, bool repeated);
 
   [[nodiscard]] Session& State() { return session_; }

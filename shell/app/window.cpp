@@ -35,7 +35,7 @@ void ChooseContext() {
 }  // namespace
 
 std::unique_ptr<Window> Window::Open(const Options& options) {
-  // Without this SDL listens to the whole page and no other field on it could be typed into.
+  // Without this SDL takes the keys of the whole page, and other fields on the page could not be typed into.
   SDL_SetHint(SDL_HINT_EMSCRIPTEN_KEYBOARD_ELEMENT, "#canvas");
   if (SDL_Init(SDL_INIT_VIDEO) != 0) return nullptr;
   ChooseContext();
@@ -52,7 +52,7 @@ std::unique_ptr<Window> Window::Open(const Options& options) {
     return nullptr;
   }
 #if !defined(__EMSCRIPTEN__)
-  SDL_GL_SetSwapInterval(1);  // a page's frames are paced by its browser
+  SDL_GL_SetSwapInterval(1);  // in a page the browser sets the pace of frames
 #endif
   return std::unique_ptr<Window>(new Window(window, context, options.scale));
 }
@@ -70,8 +70,8 @@ Window::Window(SDL_Window* window, SDL_GLContext context, float scale)
   ImGui_ImplSDL2_InitForOpenGL(window_, context_);
   ImGui_ImplOpenGL3_Init(kShaderVersion);
   RasteriseType(Density());
-  ImGui_ImplOpenGL3_CreateDeviceObjects();  // else the backend does it at the first frame, and builds the
-                                            // type again
+  ImGui_ImplOpenGL3_CreateDeviceObjects();  // otherwise the backend does it at the first frame and builds the
+                                            // fonts a second time
   ImGui::GetIO().Fonts->ClearTexData();
 }
 
@@ -92,7 +92,7 @@ float Window::Density() const {
   return points > 0 ? scale_ * static_cast<float>(pixels) / static_cast<float>(points) : scale_;
 }
 
-// Rasterises the type anew when the window moved to another display or the browser's zoom changed.
+// Rasterises the fonts again after the window moved to another display or the browser's zoom changed.
 void Window::FollowDensity() {
   const float density = Density();
   if (std::abs(density - theme_.density) < 0.004f) return;
@@ -148,7 +148,7 @@ void Window::Handle(SDL_Event event) {
       if (event.motion.which != SDL_TOUCH_MOUSEID) theme_.touch = false;
       break;
     case SDL_MOUSEWHEEL:
-      // The backend divides by 100 in browsers, which SDL does itself since 2.30.
+      // In browsers the backend divides by 100, which SDL does itself since 2.30.
       ImGui::GetIO().AddMouseWheelEvent(-event.wheel.preciseX, event.wheel.preciseY);
       return;
     case SDL_FINGERDOWN:
@@ -175,7 +175,7 @@ void Window::DrawBackdrop() {
   glEnable(GL_SCISSOR_TEST);
   // Dear ImGui's lowest point; the canvas may have a pixel more at the top.
   const int drawn_height = static_cast<int>(ImGui::GetIO().DisplaySize.y * theme_.density);
-  // The pixels whose centres lie inside, as for a rectangle that is drawn.
+  // The pixels whose centres are inside, as for a drawn rectangle.
   const auto pixels = [this](float points) {
     return static_cast<int>(std::ceil(points * theme_.density - 0.5f));
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The window (in a browser: the canvas), its OpenGL context and Dear ImGui's context. Draws a frame only when
-// asked to or when an event came, and keeps type and lines sharp as the device's pixel ratio changes.
+// The window (in a browser: the canvas) with its OpenGL context and Dear ImGui's context. Draws a frame only
+// on request or after an event, and keeps text and lines sharp when the device's pixel ratio changes.
 #pragma once
 
 #include <SDL.h>
@@ -25,25 +25,25 @@ class Window {
     float scale = 1.0f;  // further enlargement, for displays whose system does not report one
   };
 
-  /// @return nothing when there is no display or no OpenGL; SDL_GetError() says why
+  /// @return nothing if there is no display or no OpenGL; SDL_GetError() has the reason
   [[nodiscard]] static std::unique_ptr<Window> Open(const Options&);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  /// Sees every event first; true keeps it from the interface.
+  /// Receives every event first; returning true hides the event from the interface.
   using EventFilter = std::function<bool(const SDL_Event&)>;
 
-  /// Takes all waiting events; waits up to this long for the first one. @return false when the user closes
+  /// Handles all waiting events; waits up to this long for the first one. @return false if the user closes
   /// the window
   bool TakeEvents(int wait_ms, const EventFilter& filter);
 
-  /// True for a few frames after an event: Dear ImGui needs a second one to settle.
+  /// True for several frames after an event: Dear ImGui needs a second frame to settle.
   [[nodiscard]] bool NeedsFrame() const { return frames_due_ > 0; }
-  /// The same, but only for frames that answer somebody, whose first must not come late.
+  /// As NeedsFrame, but only for frames that answer a person's input, the first of which must not be late.
   [[nodiscard]] bool OwesAnswer() const { return frames_due_ > 1; }
   void RequestFrame() { frames_due_ = 3; }
-  /// The same when something is shown that no event came for.
+  /// Requests a frame for a change without an event.
   void RequestOneFrame() { frames_due_ = std::max(frames_due_, 1); }
 
   void Draw(const std::function<void()>& contents);
@@ -52,13 +52,12 @@ class Window {
   /// Enlarges everything, in (0, 8].
   void SetScale(float scale);
   void SetTitle(const std::string& title) { SDL_SetWindowTitle(window_, title.c_str()); }
-  /// In a browser: the canvas has this size on the page now [CSS pixels]; also call it when only the density
-  /// changed.
+  /// In a browser: sets the canvas's size on the page [CSS pixels]. Call it also if only the density changed.
   void SetSize(int width, int height);
 
   [[nodiscard]] Theme& Look() { return theme_; }
   [[nodiscard]] WidgetRegistry& Registry() { return registry_; }
-  /// What the contents put behind themselves; the rest of the window has the colour of panels.
+  /// Rectangles behind the contents. The rest of the window has the colour of panels.
   [[nodiscard]] Backdrop& Behind() { return backdrop_; }
 
  private:

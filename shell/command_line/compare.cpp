@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// gaitsmith compare: tries searches on problems, each with many seeds, and writes what every trial found and
-// how it came there (Figure 6 of the paper).
+// gaitsmith compare: runs searches on problems, each with many seeds, and writes the result and the progress
+// of every trial (Figure 6 of the paper).
 #include <filesystem>
 
 #include "shell/command_line/study_options.h"
@@ -11,8 +11,8 @@ namespace gaitsmith::shell {
 
 namespace {
 
-/// Both outputs must be files, and neither may be the other, nor the other's file of the moment before it is
-/// renamed.
+/// Both outputs must be files. Neither may be the other, or the temporary file that the other is renamed
+/// from.
 Result<void> CheckPaths(const std::string& out, const std::string& curves) {
   const auto canonical = [](const std::string& path) {
     std::error_code fault;

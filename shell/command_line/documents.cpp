@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The commands that look at one document: hash, validate, link.
+// The commands that inspect one document: hash, validate, link.
 #include <algorithm>
 #include <cstdio>
 
@@ -14,15 +14,15 @@ namespace gaitsmith::shell {
 
 namespace {
 
-/// The one document a command was given.
+/// The document named in the command's arguments.
 Result<Document> TheDocument(const Arguments& arguments) {
   if (arguments.Positional().size() != 1)
     return Fail(ErrorCode::kMissing, "DOC", "give exactly one document");
   return ReadDocument(arguments.Positional()[0]);
 }
 
-/// The same motion by the searchers' evaluator, in each of its lanes in turn, strangers simulated in the
-/// others.
+/// Simulates the motion with the searches' evaluator, in each lane in turn, with other motions in the other
+/// lanes.
 Result<void> HashInLanes(const Document& document, int lanes) {
   if (std::ranges::none_of(Evaluator::kLaneCounts, [&](int count) { return count == lanes; })) {
     return Fail(ErrorCode::kOutOfRange, "--lanes", "must be 1, 2, 4, 8 or 16");

@@ -10,7 +10,7 @@ namespace gaitsmith::shell {
 namespace {
 
 std::atomic<bool> interrupted = false;
-static_assert(std::atomic<bool>::is_always_lock_free);  // or a signal handler must not touch it
+static_assert(std::atomic<bool>::is_always_lock_free);  // required in a signal handler
 
 void Note(int) { interrupted = true; }
 

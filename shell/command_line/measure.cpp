@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// gaitsmith measure: every term of a document's motion, and what they are worth together.
+// gaitsmith measure: every term of a document's motion, and the score.
 #include <cstdio>
 
 #include "shell/command_line/arguments.h"

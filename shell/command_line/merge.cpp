@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// gaitsmith merge: the shards of a study as one file.
+// gaitsmith merge: joins the shards of a study into one file.
 #include <cstdio>
 #include <filesystem>
 
@@ -63,7 +63,7 @@ Result<StudyFile> MergeFiles(const std::vector<std::string>& paths) {
   return merged;
 }
 
-/// A shard given as --out by mistake must not lose what it alone holds.
+/// If a shard is given as --out by mistake, trials that only it contains must not be lost.
 Result<void> CheckNothingLost(const std::string& out, const StudyFile& merged) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(out, ignored)) return {};

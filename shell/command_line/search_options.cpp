@@ -12,7 +12,7 @@ namespace gaitsmith::shell {
 
 namespace {
 
-/// Walks the settings and changes the field of one name.
+/// Visits the settings and changes the field with a given name.
 class OptionArchive : public Archive {
  public:
   OptionArchive(std::string name, std::string value) : name_(std::move(name)), value_(std::move(value)) {}
@@ -47,7 +47,7 @@ class OptionArchive : public Archive {
     for (const std::string_view option : names) known += (known.empty() ? "" : ", ") + std::string(option);
     FailAt(name, ErrorCode::kUnknownName, "\"" + value_ + "\" is not known; choose from " + known);
   }
-  void Natural(std::string_view, std::uint32_t&, std::uint32_t) {}  // the seed has an option of its own
+  void Natural(std::string_view, std::uint32_t&, std::uint32_t) {}  // the seed has its own option
   template <class Fields>
   void Group(std::string_view name, Fields fields) {
     prefix_ = std::string(name) + ".";
@@ -55,7 +55,7 @@ class OptionArchive : public Archive {
     prefix_.clear();
   }
   template <class Item, class Fields>
-  void List(std::string_view, std::vector<Item>&, int, Fields) {}  // no option can hold one
+  void List(std::string_view, std::vector<Item>&, int, Fields) {}  // options cannot hold lists
   template <class Fields>
   void Since(int, Fields fields) {
     fields();
@@ -63,7 +63,7 @@ class OptionArchive : public Archive {
 
  private:
   bool IsMeant(std::string_view name) {
-    // These have options of their own.
+    // These have their own options.
     if (prefix_.empty() &&
         (name == "algorithm" || name == "evaluations" || name == "start" || name == "in_place_of"))
       return false;

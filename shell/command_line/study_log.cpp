@@ -44,11 +44,11 @@ Result<StudyLog> StudyLog::Open(const std::string& path, const StudyPlan& plan, 
   }
   log.descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (log.descriptor_ < 0) return std::unexpected(log.Fault("cannot be written"));
-  // Some network file systems have no locks; there the lock is done without.
+  // Some network file systems have no locks. There the file is used without a lock.
   if (::flock(log.descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     return Fail(ErrorCode::kStructure, path, "is being written by another run; give each a file of its own");
   }
-  // Another run may have put its finished file in the place of the one just opened.
+  // Another run may have replaced the file just opened by its finished file.
   struct stat opened{};
   if (::stat(path.c_str(), &there) != 0 || ::fstat(log.descriptor_, &opened) != 0 ||
       there.st_ino != opened.st_ino || there.st_dev != opened.st_dev) {
@@ -59,7 +59,7 @@ Result<StudyLog> StudyLog::Open(const std::string& path, const StudyPlan& plan, 
   if (!text) return std::unexpected(text.error());
   log.created_ = !exists && text->empty();
   const std::string heading = Heading(plan, table);
-  if (heading.starts_with(*text)) return log;  // killed before the heading was whole
+  if (heading.starts_with(*text)) return log;  // the writer was killed before the heading was complete
   const auto found = ParseHeading(*text);
   if (!found) return Fail(found.error().code, path + ":1", found.error().what);
   if (found->plan.fingerprint != plan.fingerprint) {

@@ -45,7 +45,7 @@ Result<SearchSettings> ReadSearch(const std::string& label) {
   return settings;
 }
 
-/// What the options made of a problem, and every search on it.
+/// Checks a problem, as changed by the options, with every search.
 Result<void> CheckProblem(const Study& study, std::size_t problem, const char* option) {
   const std::string where = std::string(option) + " " + study.plan.problems[problem];
   const auto fault = [&](const std::string& place, const Error& error) {
@@ -110,7 +110,7 @@ std::expected<Study, Refusal> ReadStudy(const Arguments& arguments) {
     const std::string label = std::filesystem::path(path).stem().string();
     auto document = ReadDocument(path);
     if (!document) return std::unexpected(Refusal(document.error()));
-    // Before the figure loses its name, which usual weights go by.
+    // Do this before the figure loses its name, which the usual weights depend on.
     if (auto set = SetProblemOptions(arguments, *document); !set) return WrongCall(set.error());
     if (auto added = AddProblem(label, OnlyProblem(*document), "--problem", study); !added) {
       return WrongCall(added.error());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// gaitsmith suite: fills a grid of different controllers, every style of every task with all senses, and
-// keeps each with its motion.
+// gaitsmith suite: searches for a grid of different controllers, every style of every task with all senses,
+// and stores each with its motion.
 #include "shell/command_line/suite_options.h"
 #include "shell/command_line/suite_report.h"
 #include "shell/command_line/trial_crew.h"
@@ -10,7 +10,7 @@ namespace gaitsmith::shell {
 
 namespace {
 
-/// What is asked of a suite that was run: nothing else may be asked with it.
+/// Reports on a finished suite. Other options are refused.
 Outcome Report(const Arguments& arguments, std::size_t words) {
   if (arguments.Has("list")) {
     if (words <= 2) return ListSuite(arguments.Last("list"));

@@ -24,7 +24,7 @@ Result<Style> ReadStyle(const std::string& text) {
   const std::string where = "--style " + text;
   const std::size_t equals = text.find('=');
   Style style{.text = text, .name = text.substr(0, equals), .weights = {}};
-  // A dot parts a label, and labels become the names of files.
+  // A dot separates the parts of a label, and labels become file names.
   if (!IsLabel(style.name) || style.name.find_first_of("./\\:") != std::string::npos) {
     return Fail(
         ErrorCode::kSyntax, where,
@@ -55,7 +55,7 @@ Result<std::vector<Style>> ReadStyles(const Arguments& arguments) {
   return styles;
 }
 
-/// What all trials have in common, without a controller.
+/// The settings that all trials share, without a controller.
 std::expected<Document, Refusal> ReadCommon(const Arguments& arguments) {
   if (arguments.Has("problem") == arguments.Has("figure")) {
     return WrongCall(
@@ -68,7 +68,7 @@ std::expected<Document, Refusal> ReadCommon(const Arguments& arguments) {
   if (arguments.Has("problem")) {
     auto read = ReadDocument(arguments.Last("problem"));
     if (!read) return std::unexpected(Refusal(read.error()));
-    read->search.start = -1;  // its controller would fit one of the senses at most
+    read->search.start = -1;  // a controller to start from fits at most one of the senses
     name = read->figure.name;
     common = OnlyProblem(*read);
   } else {
@@ -78,7 +78,7 @@ std::expected<Document, Refusal> ReadCommon(const Arguments& arguments) {
     common.figure = *figure;
   }
   common.figure.name = name;
-  common.task.weights = {};  // styles say them
+  common.task.weights = {};  // styles set the weights
   if (auto set = SetProblemOptions(arguments, common); !set) return WrongCall(set.error());
   const auto rules = arguments.Integer("rules", 1, kMaxRules, common.rules);
   if (!rules) return WrongCall(rules.error());
@@ -114,7 +114,7 @@ Result<void> AddTasks(const Arguments& arguments, const std::vector<Style>& styl
 std::expected<Study, Refusal> ReadSuite(const Arguments& arguments) {
   Study study;
   if (auto read = ReadSeeds(arguments, "seeds", study.plan); !read) return WrongCall(read.error());
-  // With two, a label and a seed would not say which motion is meant.
+  // With two searches a label and a seed would not identify a motion.
   if (arguments.All("search").size() > 1) {
     return WrongCall({ErrorCode::kStructure, "--search", "can be given once"});
   }

@@ -39,7 +39,7 @@ Result<StudyFile> ReadMotions(const std::string& path) {
   return file;
 }
 
-/// By label, then score, the best first; of equals the first seed.
+/// By label, then by score with the best first, then by seed.
 std::vector<Found> Sorted(const StudyFile& file) {
   std::vector<Found> all;
   for (const auto& [index, rows] : file.trials) {
@@ -94,7 +94,7 @@ Outcome ExtractSuite(const std::string& path, const std::string& folder, Extract
   for (const Found& found : Sorted(*file)) {
     if (which == Extracted::kBest && found.label == last) continue;
     last = found.label;
-    // The file may come from anywhere.
+    // Untrusted: the file may come from anywhere.
     if (found.label.find_first_of("/\\") != std::string::npos) {
       return Fail(ErrorCode::kStructure, path, "\"" + found.label + "\" cannot be the name of a file");
     }

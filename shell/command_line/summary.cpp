@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// gaitsmith compare --summary: how good each search was on each problem, and which differences between
-// searches are more than luck.
+// gaitsmith compare --summary: how well each search did on each problem, and which differences between
+// searches are significant.
 #include <cstdio>
 
 #include "shell/command_line/commands.h"

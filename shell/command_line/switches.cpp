@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// gaitsmith switches: how well controllers take over from one another, at any moment.
+// gaitsmith switches: how well controllers take over from each other at any moment.
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
@@ -17,14 +17,14 @@ namespace gaitsmith::shell {
 
 namespace {
 
-/// A controller in the surroundings of its document, and what it is worth there from the start.
+/// A controller in the surroundings of its document, and its score there from the start.
 struct Contestant {
   std::string label;
-  Problem problem;  // as long as it is watched, without pushes
+  Problem problem;  // with the observed duration, without pushes
   Controller controller;
   int duration_steps;  // of the document's task
   float usual = 0.0f;
-  bool holds = false;  // physics, from the start
+  bool holds = false;  // does not break physics from the start
 };
 
 struct Switch {
@@ -79,7 +79,7 @@ Evaluation EvaluateOne(const Problem& problem, const Controller& controller) {
   return Evaluator(problem, 1, false).Evaluate(std::span(&controller.genes, 1))[0];
 }
 
-/// Runs a task for each index, several at a time.
+/// Runs a job for each index, several in parallel.
 template <class Job>
 void ForEach(std::size_t count, int threads, const Job& job) {
   std::atomic<std::size_t> next = 0;
@@ -91,8 +91,8 @@ void ForEach(std::size_t count, int threads, const Job& job) {
   work();
 }
 
-/// Every ordered pair at every time: from, to, step. The first one is in charge for at most as long as its
-/// task lasts.
+/// Every ordered pair at every time: from, to, step. The first controller is active for at most the duration
+/// of its task.
 std::vector<Switch> Planned(const std::vector<Contestant>& all, int times) {
   constexpr int kFirst = 100;  // steps
   std::vector<Switch> switches;
@@ -130,7 +130,7 @@ std::string SwitchesCsv(const std::vector<Switch>& switches, const std::vector<C
   return csv;
 }
 
-/// The share of switches that succeed, by what the two controllers sense.
+/// The share of successful switches, by the kinds of the two controllers.
 std::string SummaryOf(const std::vector<Switch>& switches, const std::vector<Contestant>& all) {
   constexpr std::string_view kClasses[] = {"physical", "timer", "network"};
   std::string text = "from_class,to_class,switches,successes,rate\n";
@@ -170,7 +170,7 @@ Outcome SwitchesCommand(Words words) {
   if (!times) return WrongCall(times.error());
   const auto threads = arguments->Integer("threads", 1, 256, Cores());
   if (!threads) return WrongCall(threads.error());
-  int length = 0;  // each task's own
+  int length = 0;  // duration of each task
   if (arguments->Has("length")) {
     const auto steps = WholeSteps(arguments->Last("length"), "--length", 1);
     if (!steps) return WrongCall(steps.error());

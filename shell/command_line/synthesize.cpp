@@ -18,7 +18,7 @@ namespace gaitsmith::shell {
 
 namespace {
 
-/// A bar on standard error, drawn at most ten times a second, and only for a person who watches.
+/// A progress bar on standard error, drawn at most ten times a second, and only on a terminal.
 class ProgressBar {
  public:
   void Draw(const SearchProgress& progress) {

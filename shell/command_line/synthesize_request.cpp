@@ -12,7 +12,7 @@ namespace gaitsmith::shell {
 
 namespace {
 
-/// Lets the document's search begin with one of its controllers, and look for one like it.
+/// Makes the document's search start from one of its controllers, and search for one of its kind.
 void StartFrom(int controller, Document& document) {
   const Controller& start = document.controllers[static_cast<std::size_t>(controller)];
   document.senses = start.senses;
@@ -22,7 +22,7 @@ void StartFrom(int controller, Document& document) {
   document.search.start = controller;
 }
 
-/// Refuses options that leave nothing to choose.
+/// Refuses options that contradict the chosen mode.
 Result<void> CheckAbsent(const Arguments& arguments, std::initializer_list<const char*> options,
                          const std::string& why) {
   for (const char* option : options) {
@@ -31,7 +31,7 @@ Result<void> CheckAbsent(const Arguments& arguments, std::initializer_list<const
   return {};
 }
 
-/// A document's problem with the controller that it begins with, for a search to start from.
+/// Reads a document's problem with the controller to start from.
 Result<Document> ReadStart(const Arguments& arguments) {
   if (auto fine = CheckAbsent(arguments, {"figure", "sense", "rules", "controller"},
                               "cannot be given with --from: the controller fits its own");
@@ -50,7 +50,7 @@ Result<Document> ReadStart(const Arguments& arguments) {
   return document;
 }
 
-/// A document's problem, to be searched from a random controller.
+/// Reads a document's problem, for a search from random controllers.
 Result<Document> ReadProblem(const Arguments& arguments) {
   if (auto fine = CheckAbsent(arguments, {"figure", "from"}, "cannot be given with --problem"); !fine) {
     return std::unexpected(fine.error());
@@ -64,7 +64,7 @@ Result<Document> ReadProblem(const Arguments& arguments) {
   return document;
 }
 
-/// A new document about a figure.
+/// Creates a new document for a figure.
 Result<Document> ReadNew(const Arguments& arguments) {
   const auto figure = ReadFigure(arguments.Last("figure", "mr-star-man"));
   if (!figure) return std::unexpected(figure.error());
@@ -74,7 +74,7 @@ Result<Document> ReadNew(const Arguments& arguments) {
   return document;
 }
 
-/// A whole document, to be searched for the controller of one clip.
+/// Reads a whole document, for a search for the controller of one clip.
 Result<Document> ReadRepair(const Arguments& arguments) {
   if (auto fine =
           CheckAbsent(arguments, {"figure", "problem", "from", "handover"}, "cannot be given with --repair");
@@ -108,7 +108,8 @@ Result<Document> ReadRepair(const Arguments& arguments) {
   return document;
 }
 
-/// Adds the states in which other controllers leave the figure, from which the one found must go on.
+/// Adds the states in which other controllers leave the figure, from which the found controller must
+/// continue.
 Result<void> AddHandovers(const Arguments& arguments, Document& document) {
   for (const std::string& text : arguments.All("handover")) {
     const std::string where = "--handover " + text;
@@ -178,7 +179,7 @@ Result<void> PutFound(const Controller& found, int own, Document& document) {
   if (repaired >= 0) {
     const auto clip = static_cast<std::size_t>(repaired);
     const int before = document.timeline[clip].controller;
-    // Where nothing better was found the clip keeps its controller, name and all.
+    // If the search found no improvement, the clip keeps its controller and its name.
     if (document.controllers[static_cast<std::size_t>(before)].genes != found.genes) {
       const auto added = AddController(document, found);
       if (!added) return std::unexpected(added.error());

@@ -11,7 +11,7 @@ namespace gaitsmith::shell {
 
 namespace {
 
-/// Genomes asked for at a time: two registers full; with more, climbs that improve throw more away.
+/// Genomes per ask: enough for two registers. With more, climbs that improve waste more.
 constexpr int kAskedTogether = Evaluator::kDefaultLanes * 2;
 
 }  // namespace

@@ -21,7 +21,7 @@ if(GERMAN)
   set(german "{reinterpret_cast<const char*>(kGerman), sizeof kGerman}")
 endif()
 
-# JSON is text: raw strings in pieces, since compilers limit the length of one.
+# JSON as raw strings, in pieces, since compilers limit the length of one.
 function(append_examples table)
   file(GLOB files ${ARGN})
   list(SORT files)

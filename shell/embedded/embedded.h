@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files that travel inside the program, written as arrays by embed.cmake: the typeface, the shipped documents
-// and another language.
+// Files embedded into the program as arrays, written by embed.cmake: the typeface, the shipped documents and
+// a translation.
 #pragma once
 
 #include <span>
@@ -13,17 +13,17 @@ namespace gaitsmith::shell {
 
 /// A document, figure or problem of examples/.
 struct Example {
-  std::string_view name;  // the file's name without folder and ending, e.g. "star-man-shuffle"
+  std::string_view name;  // the file's name without folder and extension, e.g. "star-man-shuffle"
   std::string_view json;
 };
 [[nodiscard]] std::span<const Example> ExampleDocuments();
 [[nodiscard]] std::span<const Example> ExampleFigures();
-/// Documents without a controller: a figure, a task and senses that go well together.
+/// Documents without a controller: a figure, a task and suitable senses.
 [[nodiscard]] std::span<const Example> ExampleProblems();
-/// Ready motions, those of docs/gallery.md and of docs/lessons; empty in the page, which is light.
+/// The motions of docs/gallery.md and of docs/lessons. Empty in the page, to keep it small.
 [[nodiscard]] std::span<const Example> ExampleGallery();
 
-/// languages/de.json; empty in the page, which fetches it.
+/// languages/de.json. Empty in the page, which downloads it.
 [[nodiscard]] std::string_view GermanTable();
 
 }  // namespace gaitsmith::shell

@@ -17,12 +17,13 @@ namespace gaitsmith::shell {
 namespace {
 
 constexpr unsigned kStripInk = 0x1d2733;
-constexpr double kLegendRow = 24.0;   // [px]
-constexpr double kLetterWidth = 6.8;  // of the legend, roughly, where no letter can be measured [px]
-constexpr double kTickInset = 4.0;    // of marks and their labels from the edge of their ground [px]
+constexpr double kLegendRow = 24.0;  // [px]
+constexpr double kLetterWidth =
+    6.8;  // approximate width of a letter in the legend, since text cannot be measured here [px]
+constexpr double kTickInset = 4.0;  // of marks and their labels from the edge of the ground [px]
 constexpr double kTickRow = 19.0, kLetterRow = 45.0, kTimeRow = 67.0;  // baselines below the ground [px]
 
-/// A number with so many decimals; what rounds to nothing has no sign.
+/// A number with this many decimals. Values that round to zero have no minus sign.
 std::string Decimal(double value, int decimals) {
   char text[48];
   std::snprintf(text, sizeof text, "%.*f", decimals, value);
@@ -35,7 +36,7 @@ std::string Decimal(double value, int decimals) {
 /// A coordinate.
 std::string Px(double value) { return Decimal(value, 1); }
 
-/// A name as text of a document, never as its markup.
+/// Escapes a name for XML.
 std::string Escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -56,7 +57,7 @@ std::string Escaped(std::string_view text) {
         out += "&apos;";
         break;
       default:
-        // XML has no way to write most control characters.
+        // XML does not allow most control characters.
         if (static_cast<unsigned char>(c) >= 0x20) out += c;
     }
   }
@@ -69,7 +70,7 @@ std::string Hex(unsigned colour) {
   return text;
 }
 
-/// A pattern with its places {1} to {9} filled in.
+/// A pattern with {1} to {9} filled in.
 std::string Filled(std::string_view pattern, std::initializer_list<std::string> inserts) {
   std::string out;
   for (std::size_t i = 0; i < pattern.size(); ++i) {
@@ -122,9 +123,9 @@ class StripDrawing {
     return clip < 0 ? -1 : document_.timeline[static_cast<std::size_t>(clip)].controller;
   }
   [[nodiscard]] double Seconds(std::size_t pose) const {
-    return layout_.frames[pose] * 0.01;  // of StepS as it is written, not as a float has it
+    return layout_.frames[pose] * 0.01;  // the decimal value of StepS, which a float only approximates
   }
-  /// As a person reads it.
+  /// A number in the reader's language.
   [[nodiscard]] std::string Number(double value, int decimals) const {
     std::string text = Decimal(value, decimals);
     if (text[0] == '-') text.replace(0, 1, "−");
@@ -136,7 +137,7 @@ class StripDrawing {
   [[nodiscard]] double X(const StripCell& cell, double x_m) const {
     return cell.x + (x_m - cell.left_m) * layout_.scale;
   }
-  /// Rods lie on the ground with their edge.
+  /// The lower edge of rods touches the ground.
   [[nodiscard]] double Y(const StripCell& cell, double y_m) const {
     return cell.ground_y - 0.5 * layout_.rod_px - y_m * layout_.scale;
   }
@@ -175,7 +176,7 @@ class StripDrawing {
             Px(right) + "\" stroke=\"#5b6672\" stroke-width=\"1.5\" fill=\"none\"/>\n";
   }
 
-  /// @param spacing that tells how many decimals differ
+  /// @param spacing between marks; decides the number of decimals
   [[nodiscard]] std::string Metres(double value, double spacing) const {
     return Number(value, spacing < 0.095 ? 2 : spacing < 0.95 ? 1 : 0) + " m";
   }
@@ -197,14 +198,15 @@ class StripDrawing {
       Line(x, cell.ground_y, x, cell.ground_y + 6.0, R"(stroke="#8a929b")");
       const std::string label = Metres(mark * layout_.tick_m, layout_.tick_m);
       const double half = kTickInset + 3.2 * static_cast<double>(label.size());
-      if (x - half < cell.x || x + half > cell.x + cell.width) continue;  // cut, it would be misread
+      if (x - half < cell.x || x + half > cell.x + cell.width)
+        continue;  // a label that is cut off could be misread
       Text(x, cell.ground_y + kTickRow, R"(text-anchor="middle" font-size="11" fill="#5b6672")", label);
     }
     out_ += "<path d=\"M" + Px(cell.x) + " " + Px(cell.ground_y) + "H" + right +
             "\" stroke=\"#5b6672\" stroke-width=\"1.5\"/>\n";
   }
 
-  /// The way of the centre of mass since the pose before.
+  /// The path of the centre of mass since the pose before.
   void Trail(std::size_t pose) {
     const StripCell& cell = layout_.CellOf(pose);
     std::string path;
@@ -212,7 +214,7 @@ class StripDrawing {
       const double x = CentreX(cell, frame);
       const double y = Y(cell, static_cast<double>(motion_.At(frame).y_m));
       if (x < cell.x + 4.0 || x > cell.x + cell.width - 4.0 || y < cell.y + 4.0) {
-        path.clear();  // it comes in from beside
+        path.clear();  // the path enters from the side
         continue;
       }
       path += (path.empty() ? "M" : "L") + Px(x) + " " + Px(y);
@@ -255,7 +257,7 @@ class StripDrawing {
         out_ += "<circle cx=\"" + Px(at[0]) + "\" cy=\"" + Px(at[1]) + "\" r=\"" + Px(radius) + "\" fill=\"" +
                 colour + "\"/>\n";
       };
-      if (meeting >= 3) disc(0.76 * width, "#1d2733");  // a hub: a disc set into the rods
+      if (meeting >= 3) disc(0.76 * width, "#1d2733");  // a hub: a disc in the rods
       disc((meeting >= 3 ? 0.46 : 0.3) * width, "#ffffff");
     }
     out_ += "</g>\n";
@@ -280,7 +282,7 @@ class StripDrawing {
   [[nodiscard]] std::string NameOf(int controller) const {
     return document_.controllers[static_cast<std::size_t>(controller)].name;
   }
-  /// Where a controller's name stands; it goes to the next row where it would not fit.
+  /// Places the controllers' names, wrapping to the next row where needed.
   template <class Use>
   double EachName(Use use) const {
     double x = kStripMargin, row = 0.0;
@@ -311,7 +313,7 @@ class StripDrawing {
   const Motion& motion_;
   const FilmStripWords& words_;
   const StripLayout layout_;
-  std::vector<int> controllers_;  // those in charge, where there are several
+  std::vector<int> controllers_;  // the active controllers, if there are several
   std::string out_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where everything on a film strip stands: which instants are shown, on which piece of ground, how large.
+// The layout of a film strip: which instants are shown, on which piece of ground, at which size.
 #pragma once
 
 #include <vector>
@@ -8,21 +8,21 @@
 
 namespace gaitsmith::shell {
 
-/// What a pose takes up, rods' thickness included [m].
+/// The extent of a pose, including the thickness of rods [m].
 struct PoseBounds {
   double left, right, bottom, top;
 };
 
 /// A piece of ground on the picture.
 struct StripCell {
-  double x, y, width, height;  // its frame [px]; height ends where the captions do
+  double x, y, width, height;  // frame of the cell [px]; the height includes the captions
   double ground_y;             // [px]
-  double left_m;               // what lies at its left edge
+  double left_m;               // ground coordinate at its left edge
 };
 
 struct StripLayout {
   std::vector<int> frames;       // of the motion
-  std::vector<StripCell> cells;  // one for each of them, or one for all
+  std::vector<StripCell> cells;  // one per pose, or one for all
   double scale;                  // [px/m]
   double rod_px;                 // thickness of the rods
   double tick_m;                 // between marks on the ground
@@ -33,12 +33,12 @@ struct StripLayout {
 };
 
 inline constexpr double kStripMargin = 32.0;   // [px]
-inline constexpr double kStripHeader = 88.0;   // height of title and scale [px]
+inline constexpr double kStripHeader = 88.0;   // height of the title and the scale [px]
 inline constexpr double kStripCaption = 74.0;  // below the ground: marks, letter, time [px]
 
 [[nodiscard]] StripLayout LayOutStrip(const Motion& motion, const FilmStripOptions& options);
 
-/// The length of 1, 2 or 5 times a power of ten metres that is at least so long on the picture [m].
+/// The shortest length of 1, 2 or 5 times a power of ten metres that covers at least this many pixels [m].
 [[nodiscard]] double RoundLength(double scale, double least_px);
 
 }  // namespace gaitsmith::shell

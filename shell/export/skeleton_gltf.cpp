@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The scene's JSON and its one buffer, which stands in it as base64.
+// The scene's JSON, with its buffer embedded as base64.
 #include "shell/export/skeleton_gltf.h"
 
 #include <algorithm>
@@ -16,9 +16,9 @@ namespace gaitsmith::shell {
 namespace {
 
 constexpr int kStepsPerKey = 2;
-constexpr double kRadiusShare = 0.08;  // of the rods, against their mean length
-// A capsule: a ball of so many circles from pole to pole, its halves drawn apart along x.
-constexpr int kRings = 8;  // an even number, poles left out
+constexpr double kRadiusShare = 0.08;  // of the rods, relative to their mean length
+// A capsule: a ball of this many circles from pole to pole, with its halves moved apart along x.
+constexpr int kRings = 8;  // an even number, without the poles
 constexpr int kSides = 12;
 constexpr int kVertices = kRings * kSides + 2;
 
@@ -33,7 +33,7 @@ std::string Real(double value) {
 /// A point of the unit ball.
 struct BallPoint {
   std::array<float, 3> at;
-  bool far;  // of the half that the rod's end has
+  bool far;  // on the half at the rod's end
 };
 
 std::vector<BallPoint> Ball() {
@@ -84,7 +84,7 @@ std::string Base64(const std::vector<std::uint8_t>& bytes) {
   return text;
 }
 
-/// Collects numbers and describes them; every list of numbers is an accessor with a view of its own.
+/// Collects lists of numbers. Every list becomes an accessor with a view of its own.
 class GltfBuffer {
  public:
   /// @param type "SCALAR", "VEC3" or "VEC4" @param width numbers of each element
@@ -145,8 +145,8 @@ class GltfBuffer {
   int accessor_count_ = 0;
 };
 
-/// Half of an angle as a quaternion about z. Angles do not jump, so neither do the quaternions: a whole turn
-/// changes the sign, and two are the same again.
+/// Rotation by an angle about z as a quaternion. A quaternion holds half the angle: a whole turn changes its
+/// sign, and two turns give the same one. Since angles do not jump, neither do quaternions.
 std::array<float, 4> AboutZ(double angle_rad) {
   constexpr double kTwoTurns = 4.0 * kPi;
   const double whole = static_cast<double>(static_cast<long long>(angle_rad / kTwoTurns));
@@ -204,7 +204,7 @@ class SkeletonScene {
     return nodes;
   }
 
-  /// Where a rod hangs on its parent, which lies along x from its own start.
+  /// A rod's joint on its parent, in coordinates of the parent, which lies along x from its start.
   [[nodiscard]] std::array<float, 3> JointAt(int rod) const {
     const int parent = Limb(rod).parent;
     return {Limb(rod).start == parent + 1 ? Limb(parent).length_m : 0.0f, 0.0f, 0.0f};

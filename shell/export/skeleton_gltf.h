@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A motion as a glTF 2.0 scene: the figure's rods as nodes, its joints turned by an animation. Blender and
-// Godot open it as it is.
+// A motion as a glTF 2.0 scene: rods as nodes, turned by an animation. Blender and Godot open it.
 #pragma once
 
 #include <string>
@@ -9,9 +8,8 @@
 
 namespace gaitsmith::shell {
 
-/// Metres, y upwards, the ground the plane y = 0, tilted as a whole where it slopes (how it sways is left
-/// out). Node 0 is the scene's, the others the rods in walking order: each lies along its own x, from its
-/// start.
+/// Metres, y upwards. The ground is the plane y = 0, tilted with the slope but without its sway. Node 0 is
+/// the scene. The others are the rods in walking order, each along its own x from its start.
 /// @param motion of the document
 [[nodiscard]] std::string SkeletonGltf(const Document& document, const Motion& motion);
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-extern "C" {  // host_web.library.js
+extern "C" {  // see page.library.js
 void gs_fence_frame();
 bool gs_frame_is_drawn();
 void gs_forget_fence();
@@ -16,25 +16,25 @@ void FramePace::Measure(double now_ms) {
   if (!measuring_) return;
   ++looks_;
   const double cost_ms = now_ms - begun_ms_;
-  // A lost context signals nothing, and a page where nothing moves does not look.
+  // A lost context never signals the fence, and a page without movement does not check it.
   constexpr double kGivenUpMs = 1000.0;
   if (!gs_frame_is_drawn() && cost_ms < kGivenUpMs) return;
   gs_forget_fence();
   measuring_ = false;
   if (looks_ > 1 && cost_ms >= kGivenUpMs) return;
-  // Ready by the display's next frame is as quick as can be seen.
+  // A frame that is ready by the display's next frame counts as instant.
   constexpr double kNewest = 0.25;
   cost_ms_ += kNewest * ((looks_ > 1 ? cost_ms : 0.0) - cost_ms_);
 }
 
 bool FramePace::Due(double now_ms, bool searching) {
   Measure(now_ms);
-  // One frame that came late is no slow machine.
+  // A single late frame does not count as a slow machine.
   constexpr double kSlowMs = 20.0;
   constexpr double kShare = 0.15;  // of the time may go into drawing, but
   constexpr double kRarestMs = 200.0;
   const double sparing_ms = searching && cost_ms_ > kSlowMs ? std::min(cost_ms_ / kShare, kRarestMs) : 0.0;
-  constexpr double kEarlyMs = 2.0;  // the browser's frames come a little unevenly
+  constexpr double kEarlyMs = 2.0;  // tolerance for uneven frames of the browser
   return now_ms - drawn_ms_ >= std::max(limit_ms_, sparing_ms) - kEarlyMs;
 }
 

@@ -29,7 +29,7 @@ struct Arguments {
   std::string document;
   PaletteName palette = PaletteName::kLight;
   int panel = -1;
-  std::string language;  // empty: as the environment has it
+  std::string language;  // empty: from the environment
   Window::Options window;
 };
 
@@ -85,16 +85,16 @@ bool Parse(int count, char** words, Arguments& arguments) {
   return true;
 }
 
-// The first that is set decides, as for every program.
+// The first variable that is set decides, as usual for programs.
 std::string LanguageOfEnvironment() {
   for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
-    const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): there is one thread yet
+    const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): there is only one thread so far
     if (value != nullptr && *value != '\0') return value;
   }
   return {};
 }
 
-// A key as a command names it.
+// A key's name in the table of commands.
 std::string NameOf(const SDL_Keysym& key) {
   std::string name;
   switch (key.sym) {
@@ -136,7 +136,7 @@ class Desktop {
     if (file) text.assign(std::istreambuf_iterator<char>(file), {});
     if (const auto opened = app_.State().Open(text); !opened)
       return Tell(Tr("Cannot open: {1}", TrError(opened.error())));
-    // A file that holds a link stays a link; what is saved later gets a file of its own.
+    // A file that holds a link is not overwritten: saving creates a new file.
     const auto first = text.find_first_not_of(" \t\r\n");
     const bool document = file && first != std::string::npos && text[first] == '{';
     path_ = document ? what : "";
@@ -185,7 +185,7 @@ class Desktop {
     Tell(Tr(file.good() ? "Saved as {1}." : "Cannot write {1}.", path));
     return true;
   }
-  // gaitsmith.json, gaitsmith-2.json...: whatever would not overwrite anything.
+  // gaitsmith.json, gaitsmith-2.json...: the first name that is free.
   static std::string FreePath() {
     std::string path = "gaitsmith.json";
     std::error_code fault;
@@ -231,14 +231,14 @@ int Run(int count, char** words) {
   auto before = std::chrono::steady_clock::now();
   const Window::EventFilter filter = [&](const SDL_Event& event) { return desktop.Take(event); };
   bool due = true;
-  // Sleeps until something happens, unless a motion plays; looks after a search ten times a second.
+  // Sleeps until an event unless a motion plays; checks a search ten times a second.
   while (window->TakeEvents(due ? 0 : 100, filter)) {
     const auto now = std::chrono::steady_clock::now();
     due = desktop.Advance(std::chrono::duration<double>(now - before).count());
     before = now;
     due = window->NeedsFrame() || due;
     if (due) window->Draw([&] { desktop.Application().Draw(); });
-    // Displays without vertical synchronisation must not spin.
+    // Limits the frame rate of displays without vertical synchronisation.
     const auto spent = std::chrono::steady_clock::now() - now;
     if (due && spent < std::chrono::milliseconds(12)) SDL_Delay(4);
   }

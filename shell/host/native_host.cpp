@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One searching thread, which brings its own crew, and one for the transition map.
+// A search thread, which starts its own helpers, and a thread for the transition map.
 #include "shell/host/native_host.h"
 
 #include <algorithm>
@@ -66,13 +66,13 @@ void NativeHost::ResumeSearch() {
 void NativeHost::StopSearch() {
   if (control_) control_->Cancel();
   if (searcher_.joinable()) searcher_.join();
-  control_.reset();  // its last report is still to be taken
+  control_.reset();  // its last report is not taken yet
 }
 
 void NativeHost::StartTransitionMap(const Document& request, int generation) {
   StopTransitionMap();
   mapper_ = std::jthread([this, request, generation](const std::stop_token& stop) {
-    constexpr int kPart = 16;  // moments, about a hundredth of a second
+    constexpr int kPart = 16;  // moments per part, about a hundredth of a second
     const TransitionMap map = TransitionMapOf(request);
     for (int first = 0; first < map.Count() && !stop.stop_requested(); first += kPart) {
       TransitionPart part{.generation = generation,
@@ -86,7 +86,7 @@ void NativeHost::StartTransitionMap(const Document& request, int generation) {
 }
 
 void NativeHost::StopTransitionMap() {
-  mapper_ = {};  // asks it to stop, and waits
+  mapper_ = {};  // requests a stop and waits for it
   const std::lock_guard lock(mutex_);
   transitions_.clear();
 }

@@ -28,13 +28,13 @@ class NativeHost final : public Host {
   void StartTransitionMap(const Document& request, int generation) override;
   void StopTransitionMap() override;
   void Status(const std::string& sentence) override { status_ = sentence; }
-  /// Into the working directory; never over another file.
+  /// Saves into the working directory, without overwriting a file.
   void SaveText(const std::string& name, const std::string& text) override;
   void DocumentChanged(const std::string& title) override { title_ = title; }
 
-  /// The newest report since the last call, if there is one.
+  /// The newest report since the last call, if any.
   [[nodiscard]] std::optional<SearchProgress> TakeProgress();
-  /// What has become known of the transition map since the last call.
+  /// Parts of the transition map that arrived since the last call.
   [[nodiscard]] std::vector<TransitionPart> TakeTransitions();
   /// "Mr. Star-Man — Gaitsmith", for the window's frame.
   [[nodiscard]] std::string WindowTitle() const;

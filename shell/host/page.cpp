@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The page as a host: the bridge between the canvas and the DOM, and with web_host.h the only file that knows
-// Emscripten.
+// The page as a host: the bridge between the canvas and the DOM, and besides page_host.h the only file that
+// depends on Emscripten.
 //
 // The page calls the gs_ functions below (text is UTF-8; returned text is valid until the next call) and
-// provides, as Module.page, the functions that web_host.h calls and host_web.library.js forwards to.
+// provides, as Module.page, the functions that page_host.h declares and page.library.js forwards to.
 #include <emscripten/emscripten.h>
 #include <emscripten/html5.h>
 
@@ -27,22 +27,22 @@
 namespace gaitsmith::shell {
 namespace {
 
-// Everything that lives as long as the page.
+// State with the lifetime of the page.
 struct Page {
   std::unique_ptr<Window> window;
   WebHost host;
   std::unique_ptr<App> app;
   std::string reply;
-  std::string mirrored;  // as told last
+  std::string mirrored;  // as last returned
   double before_ms = 0.0;
   FramePace pace;
-  bool moved = false;  // since the last frame that was drawn
+  bool moved = false;  // since the last drawn frame
   double width = 0.0;
   double height = 0.0;
   double density = 0.0;
 };
 
-// The C functions that the page calls have no other way to reach it.
+// A global, because the C functions that the page calls take no object.
 Page& ThePage() {
   static Page page;
   return page;
@@ -50,7 +50,7 @@ Page& ThePage() {
 
 Session& TheSession() { return ThePage().app->State(); }
 
-// Asked for often: nothing is drawn anew for it.
+// A reply to a frequent query, which causes no new frame.
 const char* QuietReply(std::string text) {
   ThePage().reply = std::move(text);
   return ThePage().reply.c_str();
@@ -61,7 +61,7 @@ const char* Reply(std::string text) {
   return QuietReply(std::move(text));
 }
 
-// Locks are for a person's hands, not for scripts.
+// Runs a script's action: locks apply to a person's edits, not to scripts.
 template <class Deed>
 void WithoutLocks(Deed deed) {
   Arrangement& locks = TheSession().Layout();
@@ -70,7 +70,7 @@ void WithoutLocks(Deed deed) {
   locks = kept;
 }
 
-// The canvas is as large as the page's style makes it; SDL hears only of the whole window's changes.
+// The page's style sets the canvas's size. SDL only receives size changes of the whole window.
 void FollowCanvas(Page& page) {
   double width = 0.0;
   double height = 0.0;
@@ -83,7 +83,7 @@ void FollowCanvas(Page& page) {
   page.window->SetSize(static_cast<int>(std::lround(width)), static_cast<int>(std::lround(height)));
 }
 
-// @return 0: it is not on the canvas, or cannot be used now
+// @return 0: it is not on the canvas, or unavailable now
 int Request(WidgetRequest request) {
   WidgetRegistry& registry = ThePage().window->Registry();
   const Widget* widget = registry.Find(request.id);
@@ -101,11 +101,12 @@ void Tick(void* argument) {
   const double now_ms = emscripten_get_now();
   page.moved |= page.app->Advance((now_ms - page.before_ms) / 1000.0);
   page.before_ms = now_ms;
-  // A search's new best was simulated. Drawing it as well would hold the page up for as long again.
+  // A search's new best was simulated in this step. Drawing it as well would block the page for as long
+  // again.
   constexpr double kLongMs = 6.0;
   if (emscripten_get_now() - now_ms > kLongMs) return;
   if (!page.moved && !page.window->NeedsFrame()) return;
-  // Whoever moves the pointer or types is not made to wait for a search.
+  // A search must not delay the reaction to a person's pointer or keys.
   Session& session = page.app->State();
   const bool searching =
       (session.Search().Running() || session.Lab().Running()) && !page.window->OwesAnswer();
@@ -123,11 +124,11 @@ using namespace gaitsmith::shell;  // NOLINT
 
 extern "C" {
 
-/// 0: there is no canvas that WebGL draws on, and none of the other functions may be called.
+/// @return 0: WebGL cannot draw on the canvas, and no other function may be called
 EMSCRIPTEN_KEEPALIVE int gs_running() { return ThePage().app ? 1 : 0; }
 
-/// Opens JSON, a link or the payload of one. @return an empty text, or a sentence that says what is wrong and
-/// where
+/// Opens JSON, a link or the payload of a link. @return an empty text, or a sentence with the error and its
+/// place
 EMSCRIPTEN_KEEPALIVE const char* gs_open(const char* text, int bytes) {
   const auto opened = TheSession().Open({text, static_cast<std::size_t>(bytes)});
   return Reply(opened ? "" : TrError(opened.error()));
@@ -136,18 +137,18 @@ EMSCRIPTEN_KEEPALIVE const char* gs_open(const char* text, int bytes) {
 EMSCRIPTEN_KEEPALIVE const char* gs_document_json() { return Reply(EncodeJson(TheSession().WithHash())); }
 /// The payload of a link, without an address.
 EMSCRIPTEN_KEEPALIVE const char* gs_link() {
-  // With the hash at hand, for the motion would be simulated for it.
+  // With the known hash, to avoid simulating the motion again.
   const Document& document = TheSession().Doc();
   return Reply(EncodeLink(document.hash ? document : TheSession().WithHash()));
 }
-/// 16 hexadecimal digits of the shown motion.
+/// The hash of the shown motion, 16 hexadecimal digits.
 EMSCRIPTEN_KEEPALIVE const char* gs_hash() { return Reply(HashText(TheSession().Player().Shown().Hash())); }
 EMSCRIPTEN_KEEPALIVE const char* gs_title() { return Reply(TrTitle(TheSession().Doc().title)); }
 
 /// Every visible widget of the last frame, as a JSON list.
 EMSCRIPTEN_KEEPALIVE const char* gs_widgets() { return QuietReply(ThePage().window->Registry().Json()); }
 
-/// Everything on the canvas, in and out of sight, as WidgetRegistry::MirrorJson; empty: as at the last call.
+/// All widgets, in and out of sight, as WidgetRegistry::MirrorJson; empty: unchanged since the last call.
 EMSCRIPTEN_KEEPALIVE const char* gs_mirror() {
   std::string now = ThePage().window->Registry().MirrorJson();
   if (now == ThePage().mirrored) return "";
@@ -158,26 +159,26 @@ EMSCRIPTEN_KEEPALIVE const char* gs_mirror() {
 // What is asked of a widget happens in the next frame. @return 0: it is not on the canvas, or cannot be used
 // now.
 // @param again  more of what was asked before, as a key that is held: no step of its own for Undo
-/// As by a click.
+/// Activates a widget, as a click does.
 EMSCRIPTEN_KEEPALIVE int gs_activate(const char* id) {
   return Request({.id = id, .kind = WidgetRequest::Kind::kPress});
 }
-/// As by arrow keys.
+/// Steps a widget's value, as arrow keys do.
 EMSCRIPTEN_KEEPALIVE int gs_step(const char* id, int steps, int again) {
   return Request({.id = id,
                   .kind = WidgetRequest::Kind::kStep,
                   .number = static_cast<double>(steps),
                   .begins = again == 0});
 }
-/// @param value  as of WidgetRange
+/// @param value  in WidgetRange
 EMSCRIPTEN_KEEPALIVE int gs_set_value(const char* id, double value, int again) {
   return Request({.id = id, .kind = WidgetRequest::Kind::kSet, .number = value, .begins = again == 0});
 }
-/// @param ring  it shows that it has the keyboard
+/// @param ring  show the focus ring
 EMSCRIPTEN_KEEPALIVE int gs_focus(const char* id, int ring) {
   return Request({.id = id, .kind = WidgetRequest::Kind::kFocus, .ring = ring != 0, .begins = false});
 }
-/// The keyboard is elsewhere on the page: nothing on the canvas shows a ring.
+/// The focus is elsewhere on the page: hides the focus ring on the canvas.
 EMSCRIPTEN_KEEPALIVE void gs_unfocus() {
   ImGui::GetCurrentContext()->NavDisableHighlight = true;
   ThePage().window->RequestFrame();
@@ -190,7 +191,7 @@ EMSCRIPTEN_KEEPALIVE int gs_dismiss() {
   return 1;
 }
 
-/// The moment on the stage in words, short or in full.
+/// Describes the shown moment in words, short or in full.
 EMSCRIPTEN_KEEPALIVE const char* gs_moment() { return QuietReply(MomentWords(TheSession())); }
 EMSCRIPTEN_KEEPALIVE const char* gs_description() { return QuietReply(DescriptionOf(TheSession())); }
 EMSCRIPTEN_KEEPALIVE int gs_playing() { return TheSession().Player().Playing() ? 1 : 0; }
@@ -202,9 +203,8 @@ EMSCRIPTEN_KEEPALIVE void gs_set_theme(int palette, double scale) {
   window.SetScale(static_cast<float>(std::clamp(scale, 0.5, 4.0)));
 }
 
-/// Everything is said in another language from now on. @param table of shell/languages, as JSON; empty:
-/// English
-/// @return 0: it is no such table, and nothing has changed
+/// Sets the language of all texts. @param table of shell/languages, as JSON; empty: English
+/// @return 0: it is not such a table, and nothing has changed
 EMSCRIPTEN_KEEPALIVE int gs_set_language(const char* table) {
   if (!SpeakLanguage(table)) return 0;
   Page& page = ThePage();
@@ -214,7 +214,7 @@ EMSCRIPTEN_KEEPALIVE int gs_set_language(const char* table) {
   return 1;
 }
 
-/// Draws no more often than this; 0: as often as the display does.
+/// Sets the greatest frame rate; 0: that of the display.
 EMSCRIPTEN_KEEPALIVE void gs_set_frame_rate(double per_second) { ThePage().pace.Limit(per_second); }
 
 EMSCRIPTEN_KEEPALIVE void gs_play(int playing) {
@@ -232,14 +232,14 @@ EMSCRIPTEN_KEEPALIVE void gs_redo() {
   TheSession().Redo();
   ThePage().window->RequestFrame();
 }
-/// What is open now is where Undo ends.
+/// Makes the open document the last one that Undo reaches.
 EMSCRIPTEN_KEEPALIVE void gs_forget_past() { TheSession().ForgetPast(); }
 
-/// What can be done without a control, as CommandsJson.
+/// The commands, as CommandsJson.
 EMSCRIPTEN_KEEPALIVE const char* gs_commands() { return Reply(CommandsJson(ThePage().app->Commands())); }
-/// @return 0: no such command, or not possible now
+/// @return 0: there is no such command, or it is unavailable
 EMSCRIPTEN_KEEPALIVE int gs_run(const char* id) { return ThePage().app->Run(id) ? 1 : 0; }
-/// A key went down. @param name as in Command::keys. @return 1 when a command took it
+/// Handles a key that went down. @param name as in Command::keys. @return 1 if a command handled it
 EMSCRIPTEN_KEEPALIVE int gs_key(const char* name, int on_canvas, int repeated) {
   return ThePage().app->Key(name, on_canvas != 0, repeated != 0) ? 1 : 0;
 }
@@ -265,7 +265,7 @@ EMSCRIPTEN_KEEPALIVE const char* gs_synthesize(const char* options) {
   return Reply("");
 }
 
-/// Adds a search to the queue, with these options in place of the document's own. @param options JSON object
+/// Adds a search to the queue, with these options instead of the document's. @param options JSON object
 /// @return an empty text or a sentence
 EMSCRIPTEN_KEEPALIVE const char* gs_enqueue(const char* options) {
   Session& session = TheSession();
@@ -279,9 +279,9 @@ EMSCRIPTEN_KEEPALIVE const char* gs_enqueue(const char* options) {
   session.Search().SetWorkers(workers);
   return Reply(session.Queue().Add(wanted) ? "" : session.Notice());
 }
-/// What waits, as QueueJson.
+/// The waiting searches, as QueueJson.
 EMSCRIPTEN_KEEPALIVE const char* gs_queue() { return QuietReply(QueueJson(TheSession().Queue().List())); }
-/// What was found, the newest first, as FoundJson.
+/// The results, newest first, as FoundJson.
 EMSCRIPTEN_KEEPALIVE const char* gs_found() {
   return QuietReply(FoundJson(TheSession().Results().Motions()));
 }
@@ -293,7 +293,7 @@ EMSCRIPTEN_KEEPALIVE int gs_show_found(const char* id) {
   WithoutLocks([&] { shown = TheSession().ShowFound(id); });
   return shown ? 1 : 0;
 }
-/// @param options JSON object: id, name. @return an empty text, or why not
+/// @param options JSON object: id, name. @return an empty text, or the error
 EMSCRIPTEN_KEEPALIVE const char* gs_rename_found(const char* options) {
   const auto parsed = ParseJson(options);
   if (!parsed) return Reply(TrError(parsed.error()));
@@ -304,21 +304,21 @@ EMSCRIPTEN_KEEPALIVE const char* gs_rename_found(const char* options) {
   return Reply(texts ? TheSession().Results().Motions().Rename(id->text, name->text)
                      : Tr("id and name must be texts"));
 }
-/// A found motion of an earlier visit. @return its id; empty: the text is none
+/// Restores a found motion of an earlier visit. @return its id; empty: the text is invalid
 EMSCRIPTEN_KEEPALIVE const char* gs_restore_found(const char* text) {
   return Reply(TheSession().Results().Motions().Restore(text));
 }
 
-/// What is shown and locked. @param options JSON object. @return an empty text, or a sentence
+/// Sets the shown panels and the locks. @param options JSON object. @return an empty text, or a sentence
 EMSCRIPTEN_KEEPALIVE const char* gs_arrange(const char* options) {
   const auto parsed = ParseJson(options);
   return Reply(parsed ? ApplyArrangement(*parsed, TheSession().Layout()) : TrError(parsed.error()));
 }
-/// The motion shown in numbers, as MeasuresJson.
+/// The numbers of the shown motion, as MeasuresJson.
 EMSCRIPTEN_KEEPALIVE const char* gs_measures() { return QuietReply(MeasuresJson(TheSession())); }
 
-/// Starts the lab; one that runs is stopped first. @param options JSON object
-/// @return an empty text, or a sentence, and then nothing has changed
+/// Starts the lab, after stopping a running one. @param options JSON object
+/// @return an empty text, or a sentence, with nothing changed
 EMSCRIPTEN_KEEPALIVE const char* gs_lab(const char* options) {
   const auto parsed = ParseJson(options);
   if (!parsed) return Reply(TrError(parsed.error()));
@@ -327,9 +327,9 @@ EMSCRIPTEN_KEEPALIVE const char* gs_lab(const char* options) {
   const auto started = TheSession().Lab().Start(settings);
   return Reply(started ? "" : TrError(started.error()));
 }
-/// The lab's curves so far, as a file.
+/// The lab's curves so far, as the text of a file.
 EMSCRIPTEN_KEEPALIVE const char* gs_lab_csv() { return Reply(TheSession().Lab().Trials().Csv()); }
-/// As of LabState.
+/// A LabState.
 EMSCRIPTEN_KEEPALIVE int gs_lab_state() { return static_cast<int>(TheSession().Lab().Trials().State()); }
 
 EMSCRIPTEN_KEEPALIVE void gs_pause() { TheSession().Search().Pause(); }
@@ -339,8 +339,8 @@ EMSCRIPTEN_KEEPALIVE void gs_stop() {
   ThePage().window->RequestFrame();
 }
 
-/// How far the search is, as DecodeProgress takes it. @return an empty text, or what is wrong with the
-/// report, which then changes nothing
+/// Reports the progress of a search in the format of DecodeProgress. @return an empty text, or the error in
+/// the report, which is then ignored
 EMSCRIPTEN_KEEPALIVE const char* gs_search_progress(const char* report, const std::uint8_t* bytes,
                                                     int count) {
   auto progress = DecodeProgress(report, {bytes, static_cast<std::size_t>(std::max(count, 0))});
@@ -351,14 +351,14 @@ EMSCRIPTEN_KEEPALIVE const char* gs_search_progress(const char* report, const st
   return QuietReply("");
 }
 
-/// A part of a transition map: scores of places from `first` on, and the score that is usual.
+/// Reports a part of a transition map: the scores of places from `first` on, and the usual score.
 EMSCRIPTEN_KEEPALIVE void gs_transitions_mapped(int generation, int first, const float* scores, int count,
                                                 float usual) {
   TheSession().Timeline().Transitions().OnScores(
       {.generation = generation, .first = first, .usual = usual, .scores = {scores, scores + count}});
   ThePage().window->RequestOneFrame();
 }
-/// Nothing more comes of the map of this generation.
+/// Reports that no more parts of this generation's map will arrive.
 EMSCRIPTEN_KEEPALIVE void gs_transitions_failed(int generation) {
   TheSession().Timeline().Transitions().OnFailed(generation);
   ThePage().window->RequestOneFrame();
@@ -368,7 +368,7 @@ EMSCRIPTEN_KEEPALIVE void gs_transitions_failed(int generation) {
 
 int main() {
   Page& page = ThePage();
-  // SDL takes the canvas' style as the master of its size only when it differs from what was asked for.
+  // SDL lets the canvas's style decide its size only if that differs from the requested size.
   page.window = Window::Open({.width = 16, .height = 16});
   if (!page.window) return 1;
   page.app = std::make_unique<App>(page.host, *page.window);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What scripts on the page are told of queue and results (docs/embedding.md), as JSON lists.
+// Answers to scripts on the page about queue, results and motion (docs/embedding.md), as JSON.
 #pragma once
 
 #include <string>
@@ -10,16 +10,16 @@
 
 namespace gaitsmith::shell {
 
-/// The next one first: {"title", "algorithm", "seed", "evaluations"}.
+/// The next search first: {"title", "algorithm", "seed", "evaluations"}.
 [[nodiscard]] std::string QueueJson(const SearchQueue&);
 /// The newest first: {"id", "title", "origin", "score", "algorithm", "seed", "evaluations", "kept", "when",
-/// "hash", "link"}; "score" is null where there is none, "link" a payload.
+/// "hash", "link"}; "score" is null if there is none, "link" is a payload.
 [[nodiscard]] std::string FoundJson(const FoundMotions&);
 
-/// The whole motion in numbers: {"terms": [{"name", "label", "unit", "decimals", "value"}], "sense", "rules",
-/// "broke"}. The terms are "distance", which is |travel|, "travel", and those of Table 3 and docs/style.md;
-/// "sense" is "physical", "timer", "network" or, without a controller, empty; "broke" says that physics did,
-/// and then nothing counts.
+/// The numbers of the whole motion: {"terms": [{"name", "label", "unit", "decimals", "value"}], "sense",
+/// "rules", "broke"}. The terms are "distance", which is |travel|, "travel", and those of Table 3 and
+/// docs/style.md. "sense" is "physical", "timer", "network" or, without a controller, empty. "broke" is true
+/// if the motion broke physics, and then no term is valid.
 [[nodiscard]] std::string MeasuresJson(const Session&);
 
 }  // namespace gaitsmith::shell

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What scripts on the page may ask for (docs/embedding.md), as JSON objects.
+// Options that scripts on the page may pass (docs/embedding.md), as JSON objects.
 #pragma once
 
 #include <string>
@@ -17,12 +17,13 @@ namespace gaitsmith::shell {
 [[nodiscard]] std::string ApplySearchOptions(const JsonValue& options, Document& document, int& workers);
 
 /// Options of the lab, each optional: {"algorithms": ["sphc", "rgt"], "trials": 10, "evaluations": 4000,
-/// "firstSeed": 1}. Ranges are the lab's to check.
+/// "firstSeed": 1}. The lab checks their ranges.
 /// @return an empty text, or a sentence
 [[nodiscard]] std::string ApplyLabOptions(const JsonValue& options, LabSettings& settings);
 
-/// What a lesson shows and locks, each optional: {"panels": "style,search", "lock": "figure"}.
-/// @return an empty text, or a sentence; then nothing has changed
+/// The panels that a lesson shows and the parts that it locks, each optional: {"panels": "style,search",
+/// "lock": "figure"}.
+/// @return an empty text, or a sentence, with nothing changed
 [[nodiscard]] std::string ApplyArrangement(const JsonValue& options, Arrangement& arrangement);
 
 }  // namespace gaitsmith::shell

@@ -23,7 +23,7 @@ double SecondsSince(Clock::time_point start) {
 class Crew {
  public:
   Crew(const Problem& problem, int threads) : evaluator_(problem), start_(threads), finish_(threads) {
-    // The calling thread is one of them.
+    // The calling thread is one of the threads.
     for (int i = 1; i < threads; ++i) {
       helpers_.emplace_back([this] {
         for (;;) {
@@ -53,7 +53,8 @@ class Crew {
   }
 
  private:
-  // Takes a few genomes at a time, as many as are simulated side by side, until none is left.
+  // Evaluates pieces of the batch until none is left. A piece is the number of genomes that are simulated
+  // side by side.
   void TakePieces() {
     constexpr std::size_t kPiece = Evaluator::kDefaultLanes;
     for (std::size_t at = next_.fetch_add(kPiece); at < genomes_->size(); at = next_.fetch_add(kPiece)) {
@@ -68,8 +69,9 @@ class Crew {
   std::atomic<std::size_t> next_ = 0;
   const std::vector<Genome>* genomes_ = nullptr;
   std::vector<Score> scores_;
-  bool leaving_ = false;               // written before start_ is passed
-  std::vector<std::jthread> helpers_;  // last, so that they are joined before what they use goes
+  bool leaving_ = false;  // written before start_ is passed
+  std::vector<std::jthread>
+      helpers_;  // last, so that the threads are joined before the members they use are destroyed
 };
 
 }  // namespace
@@ -126,8 +128,7 @@ SearchProgress RunParallelSearch(const Problem& problem, const SearchSettings& s
     progress.spread = SpreadOf(search->PopulationFitness());
   };
 
-  // Five rounds of lanes for each thread: enough to keep all busy, little to throw away when a climb
-  // improves.
+  // Five rounds of lanes for each thread: enough work for all, and little waste when a climb improves.
   const int wanted = threads * Evaluator::kDefaultLanes * 5;
   while (!search->Done()) {
     if (control.Paused() && !control.Cancelled()) {

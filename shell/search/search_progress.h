@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a search has come: what a page's worker, the desktop's threads and the command line all report.
+// The progress of a search, as reported by a page's worker, the desktop's threads and the command line.
 #pragma once
 
 #include <array>
@@ -30,8 +30,8 @@ struct SearchProgress {
   float best_fitness = kVoidScore;
   std::vector<Search::CurvePoint> curve = {};
   Genome best_genome = {};               // empty: as in the last report, or none yet
-  std::optional<Spread> spread = {};     // of the population now
-  std::vector<std::uint8_t> saved = {};  // of the whole search (Search::Save); in the last report only
+  std::optional<Spread> spread = {};     // of the present population
+  std::vector<std::uint8_t> saved = {};  // state of the whole search (Search::Save), only in the last report
 };
 
 }  // namespace gaitsmith::shell

@@ -9,7 +9,7 @@
 namespace gaitsmith::shell {
 namespace {
 
-// Sets the flags that a list names, and no others.
+// Sets the flags that a list names and clears all others.
 template <std::size_t N>
 std::optional<std::string_view> Choose(std::string_view list, const std::array<const char*, N>& names,
                                        std::array<bool, N>& flags) {
@@ -30,13 +30,14 @@ std::optional<std::string_view> Choose(std::string_view list, const std::array<c
   return std::nullopt;
 }
 
-/// A controller that stays is another one. Which of them there are is the timeline's concern.
+/// Ignores kept controllers: the timeline decides which controllers exist.
 bool RulesDiffer(const Document& before, const Document& after) {
   return before.controllers.size() == after.controllers.size() &&
          !std::ranges::equal(before.controllers, after.controllers, SameBehaviour);
 }
 
-// What each lock holds. Controllers, whose length the figure decides, are looked at by their behaviour alone.
+// The document parts behind each lock. Controllers are compared by behaviour alone, since the figure decides
+// their length.
 constexpr Parts kLockedParts[] = {
     Part::kFigure,
     Part::kSought,

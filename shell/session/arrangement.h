@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How much of the application is there: which panels are shown, and which parts of a document can be changed
-// by hand. A lesson shows what it speaks of and locks what it builds on.
+// Which panels are shown, and which parts of a document can be changed by hand. A lesson shows only the
+// panels that it explains and locks the parts that it builds on.
 #pragma once
 
 #include <array>
@@ -25,19 +25,20 @@ struct Arrangement {
   /// @param panel its place in kPanels
   [[nodiscard]] bool Shows(int panel) const { return shown[static_cast<std::size_t>(panel)]; }
   [[nodiscard]] bool Locks(LockedPart part) const { return locked[static_cast<std::size_t>(part)]; }
-  /// Nothing can be changed on this panel. Of the Search panel only the settings are locked: it searches. The
-  /// timeline's clips can be pressed to be looked at; what would change them says that they are locked.
+  /// True if nothing can be changed on this panel. On the Search panel only the settings are locked, and a
+  /// search can still run. On the timeline clips can still be selected, and the controls that would change
+  /// clips report the lock.
   [[nodiscard]] bool LocksPanel(int panel) const;
 };
 
-/// The panels of a list such as "style,search": only these are shown. "all" is each of them, "none" none.
-/// @return the word that names no panel, or nothing when all is well; then the arrangement has changed
+/// Shows only the panels of a list such as "style,search". "all" shows every panel, "none" hides all.
+/// @return the first word that names no panel, with nothing changed; nullopt on success
 [[nodiscard]] std::optional<std::string_view> ShowPanels(std::string_view list, Arrangement&);
-/// The parts of a list such as "figure,world": only these are locked. "none" is none of them.
+/// Locks only the parts of a list such as "figure,world". "none" locks nothing.
 /// @return as ShowPanels
 [[nodiscard]] std::optional<std::string_view> LockParts(std::string_view list, Arrangement&);
 
-/// A locked part that differs between the two.
+/// A locked part that differs between the two documents.
 [[nodiscard]] std::optional<LockedPart> LockedDifference(const Arrangement&, const Document& before,
                                                          const Document& after);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a person may do without pointing at a control, and the keys for it: one table, which drives the
-// keyboard here and in the page, and fills the page's sheet of keys and its list of commands.
+// Commands that need no pointer, and their keys. One table drives the keyboard in the shell and in the page,
+// and fills the page's sheet of keys and its command palette.
 #pragma once
 
 #include <functional>
@@ -16,22 +16,22 @@ struct Command {
   std::string id;     // stable, e.g. "motion/play"
   std::string group;  // "Motion"
   std::string title;  // "Play or pause"
-  /// As browsers name them: "Space", ",", "Home", "s", "Ctrl+Shift+z". Ctrl stands for ⌘, too.
+  /// Keys by their names in browsers: "Space", ",", "Home", "s", "Ctrl+Shift+z". Ctrl also stands for ⌘.
   std::vector<std::string> keys = {};
-  std::string why_not = {};  // not possible now, and why; empty: it is
-  bool repeats = false;      // while the key is held
+  std::string why_not = {};  // the reason why it is unavailable; empty: available
+  bool repeats = false;      // repeats while the key is held
   std::function<void()> run = {};
 };
 
-/// @param phone  the timeline is one of the panels
+/// @param phone  whether the timeline is one of the panels
 [[nodiscard]] std::vector<Command> CommandsOf(Session&, bool phone);
-/// Shipped examples, tasks and figures, each with the command that brings it.
+/// Shipped examples, tasks and figures, each with the command that opens it.
 [[nodiscard]] std::vector<Command> ShelfOf(Session&);
 
 /// A list of {id, group, title, keys, whyNot}.
 [[nodiscard]] std::string CommandsJson(const std::vector<Command>&);
 
-/// A key that a focused control may want for itself: the space bar, arrows, Home, End.
+/// Whether a focused control may need the key: space bar, arrows, Home, End.
 [[nodiscard]] bool BelongsToControls(std::string_view key);
 
 }  // namespace gaitsmith::shell

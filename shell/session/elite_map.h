@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What MAP-Elites has found, as a map of styles: for each height, slip and number of turns the best motion
+// The result of MAP-Elites as a map of styles: the best motion for each height, slip and number of turns
 // [Mouret Clune 2015].
 #pragma once
 
@@ -16,28 +16,28 @@ namespace gaitsmith::shell {
 class EliteMap {
  public:
   /// @param searched the document that was searched. @param state of its search (Search::Save)
-  /// @return nothing: that is no state of a MAP-Elites search of the document
+  /// @return nothing if the state is not from a MAP-Elites search of the document
   [[nodiscard]] static std::optional<EliteMap> Of(const Document& searched,
                                                   std::span<const std::uint8_t> state);
 
   [[nodiscard]] const Figure& Whose() const { return searched_.figure; }
-  /// What was searched for, and how.
+  /// The search's problem and algorithm.
   [[nodiscard]] std::string Title() const;
   [[nodiscard]] const ElitesSettings& Settings() const { return searched_.search.elites; }
-  /// Of each axis.
+  /// Bins of each axis.
   [[nodiscard]] int Bins() const { return bins_; }
-  /// Motions in all cells, and in those with so many turns.
+  /// Number of motions in all cells, and in the cells with this number of turns.
   [[nodiscard]] int Count() const;
   [[nodiscard]] int Count(int turns) const;
-  /// Null: nobody is there. @param height, slip, turns  bins, [0, Bins())
+  /// The motion of a cell; null if the cell is empty. @param height, slip, turns  bins, [0, Bins())
   [[nodiscard]] const MapElites::Elite* At(int height, int slip, int turns) const;
-  /// Where the bins of an axis begin and end; the last one has no end. @param axis 0 height [m], 1 slip [m],
-  /// 2 turns
+  /// The range of a bin, as text; the last bin has no upper end. @param axis 0 height [m], 1 slip [m], 2
+  /// turns
   [[nodiscard]] std::string RangeText(int axis, int bin) const;
   /// The least and the greatest fitness on the map.
   [[nodiscard]] float Least() const { return least_; }
   [[nodiscard]] float Best() const { return best_; }
-  /// The motion there, as a document of its own; there is one.
+  /// The motion of a cell that is not empty, as a document of its own.
   [[nodiscard]] Document MotionAt(int height, int slip, int turns) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The list. Its entries as text are in found_text.cpp.
+// The list. Text encoding of entries is in found_text.cpp.
 #include "shell/session/found_motions.h"
 
 #include <algorithm>
@@ -61,7 +61,7 @@ std::string FoundMotions::Add(FoundMotion motion, const std::string& in_place_of
     entries_.erase(old);
     if (on_change) on_change(in_place_of, "");
   }
-  // A clock that was set back must not bury what is new.
+  // New entries stay newest even if the machine's clock was set back.
   if (!entries_.empty()) entry.motion.when_s = std::max(entry.motion.when_s, entries_.back().motion.when_s);
   entry.bytes = EncodeFound(entry.motion).size();
   if (!MakeRoom(entry.bytes)) return {};
@@ -131,7 +131,7 @@ const FoundMotions::Entry* FoundMotions::Find(std::string_view id) const {
 
 namespace {
 
-/// How much a motion has of what an order asks for.
+/// A motion's value of the quantity that an order sorts by.
 float Amount(FoundMotions::Order order, const FoundMotion& motion) {
   if (!motion.Moves() || motion.terms.broke_physics) return kVoidScore;
   switch (order) {
@@ -156,7 +156,7 @@ std::vector<const FoundMotions::Entry*> FoundMotions::Sorted(Order order) const 
   sorted.reserve(entries_.size());
   for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) sorted.push_back(&*entry);
   if (order == Order::kNewest) return sorted;
-  // Of equals the newer one first: the entries lie in one array, the newest last.
+  // Equal motions are sorted newest first: entries_ holds the newest last.
   std::ranges::sort(sorted, std::ranges::greater{},
                     [order](const Entry* entry) { return std::pair(Amount(order, entry->motion), entry); });
   return sorted;

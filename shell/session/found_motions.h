@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Motions that searches have found and a person has kept: each a document of its own, with what is known of
-// it. Bounded; where room is short the oldest ones that nobody has kept go. What is stored of them, and
-// where, is not its concern: it says which entries have changed.
+// Motions that searches have found or a person has saved, each a document of its own with its measured
+// values. The list is bounded: when it is full, the oldest unsaved motions are removed first. It does not
+// store anything itself, but reports which entries have changed.
 #pragma once
 
 #include <functional>
@@ -14,47 +14,40 @@
 
 namespace gaitsmith::shell {
 
-enum class Origin {
-  kDone,
-  kStopped,
-  kFailed,
-  kByHand
-};  // of a search that ended so; or kept as it was shown
+enum class Origin { kDone, kStopped, kFailed, kByHand };  // how the search ended; kByHand: saved as shown
 
 /// "done", "stopped", "failed", "by-hand"
 [[nodiscard]] std::string_view NameOf(Origin);
 
 struct FoundMotion {
-  Document document =
-      {};  // with its trajectory's hash; without a controller: a search that failed with nothing
+  Document document = {};  // with its trajectory's hash; no controller if the search found nothing
   Origin origin = Origin::kDone;
-  int evaluations = 0;    // that the search had made; 0: kept by hand
+  int evaluations = 0;    // made by the search; 0: saved by hand
   Terms terms = {};       // of the whole motion
   double when_s = 0.0;    // since 1970, on this machine's clock
-  bool kept = false;      // a person wants it to stay
-  std::string name = {};  // that a person gave it, at most kMaxNameBytes; empty: none
+  bool kept = false;      // saved by a person: never removed to make room
+  std::string name = {};  // given by a person, at most kMaxNameBytes; may be empty
 
   [[nodiscard]] bool Moves() const { return !document.timeline.empty(); }
-  /// kVoidScore where nothing moves.
+  /// kVoidScore if there is no motion.
   [[nodiscard]] float Score() const;
 };
 
-/// An id that follows from the document alone, whatever the names in it, so that the same motion of the same
-/// search has it wherever and whenever it is found: 16 hexadecimal digits.
+/// An id computed from the document alone, names excluded: the same motion of the same search has the same id
+/// wherever and whenever it is found. 16 hexadecimal digits.
 [[nodiscard]] std::string FoundId(const Document&);
 
-/// A document of one controller, alone from the start, as a search has found it: its own problem and settings
-/// with it, its title and its hash.
+/// A document with a single controller, as a search found it, with the problem, settings, title and hash.
 /// @param searched valid. @param genes of its controllers
 [[nodiscard]] Document FoundDocument(const Document& searched, Genome genes);
-/// What is known of it by looking at it: simulates it once.
+/// Simulates the document once to measure it.
 [[nodiscard]] FoundMotion Measured(Document document, Origin origin, int evaluations);
 
 class FoundMotions {
  public:
   struct Limits {
     std::size_t motions = 100;
-    std::size_t bytes = 200'000;  // as text
+    std::size_t bytes = 200'000;  // all entries as text
   };
   struct Entry {
     std::string id;
@@ -66,19 +59,18 @@ class FoundMotions {
   FoundMotions() = default;
   explicit FoundMotions(const Limits& limits) : limits_(limits) {}
 
-  /// Told of every entry that is new or has changed, with its text, and with an empty text of every one that
-  /// went.
+  /// Called with the text of every new or changed entry, and with an empty text for every removed entry.
   std::function<void(const std::string& id, const std::string& text)> on_change;
 
-  /// The newest from now on. One that is there already is replaced, and stays kept if it was.
-  /// @param in_place_of  an entry that this one makes superfluous, unless it is kept
-  /// @return its id; empty: what is kept leaves no room for it, and all is as it was
+  /// Adds a motion as the newest. An equal entry is replaced, and stays saved if it was.
+  /// @param in_place_of  an entry that the new one replaces, unless it is saved
+  /// @return its id; empty if saved entries leave no room, and then nothing has changed
   std::string Add(FoundMotion motion, const std::string& in_place_of = "");
-  /// What was stored before, under its own time. Tells nobody, unless it has no room. @return its
-  /// id; empty: not of ours
+  /// Adds a stored entry under its own time. Calls on_change only if there is no room for it. @return its id;
+  /// empty: the text is not a valid entry
   std::string Restore(std::string_view text);
   void Remove(const std::string& id);
-  /// The entry that Remove took away last comes back. @return false: there is none, or no room
+  /// Restores the entry that Remove removed last. @return false: there is none, or no room
   bool BringBack();
   [[nodiscard]] const Entry* Removed() const { return removed_ ? &*removed_ : nullptr; }
   /// @return false: there is no such entry
@@ -87,26 +79,27 @@ class FoundMotions {
   [[nodiscard]] bool Empty() const { return entries_.empty(); }
   [[nodiscard]] std::size_t Count() const { return entries_.size(); }
   [[nodiscard]] const Entry* Find(std::string_view id) const;
-  /// A name is given, or taken away where it is empty. @return why not; empty: it is done
+  /// Gives an entry a name; an empty name removes it. @return the error; empty on success
   [[nodiscard]] std::string Rename(const std::string& id, const std::string& name);
-  /// Those first that have most of what the order says; equals: the newer first.
+  /// Entries with the greatest value of the order first; of equal ones the newer first.
   [[nodiscard]] std::vector<const Entry*> Sorted(Order) const;
-  /// The best of those with this document's figure and task; of all when there is none. Null: nothing moves.
+  /// The best motion with this document's figure and task; the best of all if there is none. Null if the list
+  /// holds no motion.
   [[nodiscard]] const Entry* Best(const Document& like) const;
 
  private:
-  /// Lets old ones go until another of so many bytes fits (0: until these do). @return false: what is kept
-  /// leaves no room, and nothing has gone
+  /// Removes the oldest entries until `bytes` more fit; 0 only enforces the limits. @return false: saved
+  /// entries leave no room, and nothing was removed
   bool MakeRoom(std::size_t bytes);
   void Tell(const Entry&) const;
 
   Limits limits_;
-  std::vector<Entry> entries_;  // by time, the oldest first
+  std::vector<Entry> entries_;  // by time, oldest first
   std::optional<Entry> removed_;
 };
 
-/// An entry as JSON: {"link", "origin", "evaluations", "when", "kept", "terms"}, and "name" where it has one.
-/// Reading it gives the same bits.
+/// An entry as JSON: {"link", "origin", "evaluations", "when", "kept", "terms"}, and "name" if it has one.
+/// Decoding restores the same bits.
 [[nodiscard]] std::string EncodeFound(const FoundMotion&);
 [[nodiscard]] Result<FoundMotion> DecodeFound(std::string_view text);
 

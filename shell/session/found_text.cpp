@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A found motion as text, for whoever stores it.
+// Found motions as text, for the host's storage.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -14,7 +14,7 @@ namespace {
 // In the order of Origin.
 constexpr std::array<std::string_view, 4> kOriginNames = {"done", "stopped", "failed", "by-hand"};
 
-// The terms in the order of the text: the two that are no style terms, then the table.
+// Calls `use` on the terms in the order of the text: the two that are not style terms, then the style table.
 template <class T, class Use>
 void ForEachTerm(T& terms, Use use) {
   use(terms.travel_m);
@@ -22,7 +22,7 @@ void ForEachTerm(T& terms, Use use) {
   for (const StyleTermRow& row : kStyleTable) use(terms.*row.value);
 }
 
-// Numbers in the text: now, and at least, since terms are only ever added behind.
+// Number of terms in the text. Older texts may have fewer, since new terms are only appended.
 constexpr std::size_t kKnownTerms = 2 + kStyleTable.size();
 constexpr std::size_t kFewestTerms = 2 + kPaperTerms;
 
@@ -41,7 +41,7 @@ std::unexpected<Error> Bad(const char* where) {
 std::string_view NameOf(Origin origin) { return kOriginNames[static_cast<std::size_t>(origin)]; }
 
 std::string EncodeFound(const FoundMotion& found) {
-  // The terms of a motion that broke physics may be no numbers, and count for nothing.
+  // The terms of a motion that broke physics may be NaN or infinite, and are not used.
   std::string terms = found.terms.broke_physics ? "null" : "";
   if (terms.empty()) {
     ForEachTerm(found.terms, [&](float value) {
@@ -96,7 +96,7 @@ Result<FoundMotion> DecodeFound(std::string_view text) {
                        });
   if (!numbers || values.size() < kFewestTerms || values.size() > kKnownTerms) return Bad("terms");
   if (values.size() < kKnownTerms) {
-    // Kept before the last terms came: they are measured now.
+    // Stored before the last terms were added: measure them now.
     if (found.Moves()) found.terms = Measured(found.document, found.origin, found.evaluations).terms;
     return found;
   }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A second motion of the figure, which the shown one is compared with: behind it or beside it, in time with
-// it.
+// A second motion of the figure for comparison, behind or beside the shown motion and in time with it.
 #pragma once
 
 #include <optional>
@@ -16,37 +15,37 @@ class Ghost {
   enum class Kind {
     kNone,
     kEarlier,     // as it was before the last search
-    kAsOpened,    // without what was done to the world
-    kController,  // another controller of the document, alone
-    kFound,       // a found motion, by its controllers
+    kAsOpened,    // the motion without the edits of the world
+    kController,  // another controller of the document, on its own
+    kFound,       // the controllers of a found motion
   };
-  /// What it may be the motion of.
+  /// The documents that the ghost can take its motion from.
   struct Documents {
     const Document& shown;
     const Document& earlier;
     const Document& as_opened;
   };
-  /// Simulates it in the shown world, but for kAsOpened. Where its rods hang on another tree, or there is no
-  /// such controller, it stands for nothing.
+  /// Simulates the motion in the shown world; kAsOpened uses its own world. The ghost is empty if the
+  /// skeletons differ or the controller does not exist.
   /// @param kind  not kFound
   /// @param controller  of the document, for kController
   void StandFor(Kind kind, int controller, const Documents&);
-  /// @param id  among the found motions, which may lose it: this keeps it
+  /// @param id  of a found motion; the ghost keeps a copy, so the motion may be removed from the results
   void StandFor(const std::string& id, const Document& found, const Documents&);
-  /// The same once more, after any of the documents has changed.
+  /// Simulates the same motion again, after a change of any of the documents.
   void Load(const Documents&);
 
   [[nodiscard]] Kind StandsFor() const { return kind_; }
   [[nodiscard]] std::optional<int> ControllerIndex() const;
-  /// Empty unless it is a found motion.
+  /// Empty unless the ghost is a found motion.
   [[nodiscard]] std::string FoundId() const { return kind_ == Kind::kFound ? found_id_ : std::string(); }
   /// "without your changes", "timer 3.00 s". @param shown  the open document
   [[nodiscard]] std::string Words(const Document& shown) const;
-  /// Null: it stands for nothing.
+  /// Null if there is no second motion.
   [[nodiscard]] const Playback* Player() const { return kind_ == Kind::kNone ? nullptr : &player_; }
   void Seek(double time_s);
 
-  /// Where it is drawn, when there is one.
+  /// Whether it is drawn beside the shown motion.
   void PutBeside(bool beside) { beside_ = beside; }
   [[nodiscard]] bool Beside() const { return beside_ && kind_ != Kind::kNone; }
 

@@ -25,14 +25,14 @@ void History::Keep(const Document& before, int occasion) {
   occasion_ = occasion;
   future_.clear();
   Bytes bytes = Packed(before);
-  if (!past_.empty() && past_.back() == bytes) return;  // the step before this one changed nothing
+  if (!past_.empty() && past_.back() == bytes) return;  // the previous step changed nothing
   past_bytes_ += bytes.size();
   past_.push_back(std::move(bytes));
   Forget();
 }
 
 void History::Forget() {
-  // The last step stays, however large: there is always one to take back.
+  // The last step stays however large it is, so that one step can always be undone.
   while (past_.size() > limits_.steps || (past_.size() > 1 && past_bytes_ > limits_.bytes)) {
     past_bytes_ -= past_.front().size();
     past_.pop_front();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The past and the future of a document, for Undo and Redo: bounded in steps and in bytes, the oldest going
-// first. What is shown and how (the view) is no part of it.
+// Past and future of a document, for Undo and Redo: bounded in steps and in bytes; the oldest step is removed
+// first. The view is not part of it.
 #pragma once
 
 #include <cstddef>
@@ -17,22 +17,22 @@ class History {
  public:
   struct Limits {
     std::size_t steps = 200;
-    std::size_t bytes = std::size_t{4} << 20;  // of the past; a document takes some hundreds
+    std::size_t bytes = std::size_t{4} << 20;  // limit of the past; a document takes a few hundred bytes
   };
 
   History() = default;
   explicit History(const Limits& limits) : limits_(limits) {}
 
-  /// Begins a step: the document as it was before. What was undone is forgotten.
-  /// @param occasion  what the step belongs to, not 0: a drag, a search. All that follows one another on the
-  /// same occasion is one step
+  /// Begins a step with the document as it was before, and forgets the undone steps.
+  /// @param occasion  what causes the change, not 0: a drag, a search. Consecutive changes of the same
+  /// occasion are one step
   void Keep(const Document& before, int occasion);
 
   [[nodiscard]] bool CanUndo(const Document& present) const;
   [[nodiscard]] bool CanRedo() const { return !future_.empty(); }
 
-  /// The document one step back, with the present view; nothing when there is none. Steps that changed
-  /// nothing are passed over.
+  /// The document one step back, with the present view; nothing at the first step. Steps without a change are
+  /// skipped.
   [[nodiscard]] std::optional<Document> Back(const Document& present);
   [[nodiscard]] std::optional<Document> Forward(const Document& present);
 
@@ -48,7 +48,7 @@ class History {
   std::deque<Bytes> past_;  // the newest last
   std::vector<Bytes> future_;
   std::size_t past_bytes_ = 0;
-  int occasion_ = 0;  // of the newest step; 0: none that could go on
+  int occasion_ = 0;  // of the newest step; 0: the next change begins a new step
 };
 
 }  // namespace gaitsmith::shell

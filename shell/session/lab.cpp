@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kPoints = 100;  // as of `compare --points`
 
-/// The study of these settings, or the first thing that speaks against it.
+/// The study of these settings, or the first error in them.
 Result<Study> StudyOf(const LabSettings& settings, const Document& document) {
   if (settings.trials < kFewestLabTrials || settings.trials > kMostLabTrials) {
     return Fail(ErrorCode::kOutOfRange, "trials",

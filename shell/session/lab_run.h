@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The lab at work: many searches for the open document's problem, of which only the curves are kept. The host
-// runs its trials one after another, and the shown motion stays. It and the search exclude each other.
+// Runs the lab: many searches for the open document's problem, of which only the curves are kept. The host
+// runs the trials one after another, and the shown motion stays. The lab and a search never run at the same
+// time.
 #pragma once
 
 #include "shell/search/search_progress.h"
@@ -19,9 +20,9 @@ class LabRun {
   [[nodiscard]] const Lab& Trials() const { return trials_; }
   [[nodiscard]] bool Running() const { return trials_.Running(); }
 
-  /// Runs the lab with these settings; one that runs is stopped first. Refused while a search runs.
+  /// Runs the lab with these settings, after stopping a running one. Refused while a search runs.
   [[nodiscard]] Result<void> Start(const LabSettings&);
-  /// The same with the settings on the panel, and the notice says what speaks against it.
+  /// Runs the lab with the settings on the panel; the notice explains a refusal.
   void Start();
   void Stop();
   void OnProgress(const SearchProgress&);

@@ -22,8 +22,8 @@ std::string WayWords(float travel_m) {
 }
 
 std::string ContactWords(const Motion& motion, int frame) {
-  if (frame == 0) return "";       // forces are of the step before
-  constexpr float kLeast = 0.02f;  // of the weight: what the stage draws as an arrow
+  if (frame == 0) return "";       // the recorded forces are those of the step before
+  constexpr float kLeast = 0.02f;  // share of the weight from which the stage draws an arrow
   const float weight = motion.Bones().mass_kg * kStandardGravity;
   std::vector<std::string> touching;
   for (int k = 0; k < motion.Bones().endpoints; ++k) {
@@ -37,7 +37,7 @@ std::string ContactWords(const Motion& motion, int frame) {
   return " " + Tr("Endpoints {1} and {2} touch the ground.", words, touching.back());
 }
 
-// The clip in charge, and its controller.
+// The controller that drives a frame; null without a clip.
 const Controller* InCharge(const Session& session, int frame) {
   const Document& d = session.Doc();
   const int clip = session.Player().Shown().At(frame).clip;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The moment on the stage in plain words, for whoever does not see it.
+// The shown moment in plain words, for people who cannot see the stage.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace gaitsmith::shell {
 
-/// "Paused at 2.31 s, 1.84 m to the right. Rule 3 acts." Short enough to be said at every step.
+/// "Paused at 2.31 s, 1.84 m to the right. Rule 3 acts." Short enough to be announced at every step.
 [[nodiscard]] std::string MomentWords(const Session&);
-/// Who is there and how far it came, what touches the ground, which rule acts and why, and what it is worth.
+/// Describes the figure, its distance, its ground contacts, the active rule with its reason, and the score.
 [[nodiscard]] std::string DescriptionOf(const Session&);
 
 }  // namespace gaitsmith::shell

@@ -11,7 +11,7 @@
 namespace gaitsmith::shell {
 namespace {
 
-// For this figure and task, controlled in the wanted way.
+// Whether a found motion has this figure and task and the wanted control mode.
 bool FitsComparison(const FoundMotion& found, const Document& wanted) {
   if (!found.Moves()) return false;
   const Document& d = found.document;
@@ -87,7 +87,7 @@ std::optional<Controller> MotionComparison::ComparedController() const {
 }
 
 void MotionComparison::FindAgain(const Controller& controller) {
-  // Where the document has it no longer, the index is one too many, and the ghost stands for nothing.
+  // If the document has lost the controller, the index is past the end and the ghost is empty.
   Document searched = workspace_.Doc();
   const auto index = AddController(searched, controller);
   ghost_.StandFor(Ghost::Kind::kController, index.value_or(-1), Documents());

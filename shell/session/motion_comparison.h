@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the shown motion is compared with, behind it as a ghost or beside it: a second motion in the same
-// world, with the same pushes, but for the one in the world as it was opened.
+// The motion that the shown one is compared with, as a ghost behind it or beside it. It has the same world
+// and pushes, except for the comparison with the world as it was opened.
 #pragma once
 
 #include <optional>
@@ -23,33 +23,33 @@ class MotionComparison {
 
   /// The other motion, if there is one.
   [[nodiscard]] const Ghost& Other() const { return ghost_; }
-  /// Empty: there is none.
+  /// Empty if there is no other motion.
   [[nodiscard]] std::string Words() const { return ghost_.Words(workspace_.Doc()); }
 
   /// @param kind  not kFound
   /// @param controller  of the document, for Ghost::Kind::kController
   void Choose(Ghost::Kind kind, int controller = -1);
-  /// @return false: there is no such motion, or its figure is another tree of rods
+  /// @return false: there is no such motion, or its figure has another skeleton
   bool ChooseFound(const std::string& id);
   void PutBeside(bool beside);
   void Stop();
 
-  /// Beside the shown motion the best one that was found in the other control mode, for the same figure and
-  /// task. When there is none, a search for one begins, or waits in the queue.
+  /// Compares the shown motion with the best one found in the other control mode for the same figure and
+  /// task. If there is none, starts or queues a search for one.
   void CompareControlModes();
-  /// The search that CompareControlModes has ordered runs or waits.
+  /// Whether the search of CompareControlModes runs or waits.
   [[nodiscard]] bool Awaits() const;
-  /// Puts a found motion beside the shown one, if it is what CompareControlModes has ordered.
+  /// Compares the shown motion with a found motion if CompareControlModes requested it.
   /// @param id  among the results, or empty
   void ShowIfOrdered(const std::string& id);
 
-  /// The other motion goes to the moment that is shown.
+  /// Moves the other motion to the shown moment.
   void KeepInTime() { ghost_.Seek(workspace_.Player().TimeS()); }
-  /// After each new motion.
+  /// Call after each new motion.
   void Follow() { ghost_.Load(Documents()); }
-  /// The controller that stands alone beside the shown motion; nothing: something else does.
+  /// The controller whose motion is compared; nothing unless the ghost is a controller of the document.
   [[nodiscard]] std::optional<Controller> ComparedController() const;
-  /// The controller may have moved up in the document's list.
+  /// Finds the compared controller again after the document's list has changed.
   void FindAgain(const Controller&);
 
  private:
@@ -63,7 +63,7 @@ class MotionComparison {
   QueueRun& queue_;
   const ResultStore& results_;
   Ghost ghost_;
-  std::optional<Document> ordered_;  // the search whose motion is to stand beside
+  std::optional<Document> ordered_;  // the search whose motion is to be compared
 };
 
 }  // namespace gaitsmith::shell

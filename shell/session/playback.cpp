@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Time, interpolation, and the choice of the poses that stand behind the figure.
+// Time, interpolation, and the choice of the poses drawn behind the figure.
 #include "shell/session/playback.h"
 
 #include <algorithm>
@@ -48,7 +48,7 @@ namespace {
 
 struct Between {
   int frame;
-  float share;  // of the next frame
+  float share;  // share of the next frame
 };
 
 Between At(const Motion& motion, double time_s) {
@@ -91,7 +91,8 @@ double Playback::CameraXAt(double time_s) const {
 }
 
 void Playback::Measure() {
-  // A motion that explodes must neither shrink its figure to nothing nor take infinite numbers to the stage.
+  // Limits [m] that keep a motion that explodes from shrinking the figure to nothing or passing infinities to
+  // the stage.
   constexpr float kFarthest = 1000.0f;
   constexpr float kMostReaches = 50.0f;
   reach_m_ = 0.05f;
@@ -132,7 +133,7 @@ void Playback::FindContacts() {
   }
 }
 
-// Free ground between two poses; negative where their limbs would cross.
+// Free ground between two poses [m]; negative where their limbs would overlap.
 float Playback::GapM(int frame, int other) const {
   const auto moved = static_cast<float>(motion_->At(other).x_m - motion_->At(frame).x_m);
   const float side = moved < 0.0f ? -1.0f : 1.0f;
@@ -144,8 +145,8 @@ float Playback::GapM(int frame, int other) const {
   return side * moved - leading - trailing;
 }
 
-// A pose is kept where it stands clear of the one before, and in any case after the width of both; a figure
-// on the spot keeps only its first.
+// Keeps a pose if it is clear of the pose before, and at the latest when the centre has moved by both widths.
+// A figure on the spot keeps only its first pose.
 void Playback::ChoosePoses() {
   pose_frames_.assign(1, 0);
   for (int frame = 1; frame < motion_->Frames(); ++frame) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A document's motion being shown: where in time it is, how fast it runs, and what drawing it needs along the
-// way. The motion itself is core's; nothing here computes physics.
+// Playback of a document's motion: time, speed, and what the drawing needs. The motion comes from core;
+// nothing here computes physics.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace gaitsmith::shell {
 
-/// A stretch of time in which one rule of one clip was active.
+/// A time range in which one rule of one clip was active.
 struct RuleRun {
   int start_frame;
   int end_frame;
@@ -18,7 +18,7 @@ struct RuleRun {
   int rule;
 };
 
-/// A stretch of time in which something of the figure bears on the ground.
+/// A time range in which part of the figure bears on the ground.
 struct Contact {
   int start_frame;
   int end_frame;
@@ -26,14 +26,14 @@ struct Contact {
 
 class Playback {
  public:
-  /// Simulates the document; keeps the time where it is, or starts over.
+  /// Simulates the document; keeps the present time or starts over.
   void Load(const Document& document, bool start_over);
 
   /// @return true when the picture changed
   bool Advance(double seconds);
   void Play(bool playing) { playing_ = playing; }
   void Seek(double time_s);
-  /// Moves by whole frames and pauses.
+  /// Moves by whole frames and pauses playback.
   void Step(int frames);
 
   [[nodiscard]] bool Loaded() const { return motion_ != nullptr; }
@@ -46,24 +46,24 @@ class Playback {
 
   double speed = 1.0;
 
-  /// A point of the figure: along the ground in double precision, height above it.
+  /// A point of the figure: the position along the ground in double precision, and the height.
   struct Point {
     double x_m;
     float y_m;
   };
-  /// Endpoints at this time, between frames by straight interpolation.
+  /// Endpoints at this time, interpolated linearly between frames.
   [[nodiscard]] std::vector<Point> EndpointsAt(double time_s) const;
   [[nodiscard]] Point CentreAt(double time_s) const;
-  /// The centre of mass, smoothed over a second: what a steady camera follows.
+  /// The centre of mass, smoothed over a second, for a steady camera.
   [[nodiscard]] double CameraXAt(double time_s) const;
 
   [[nodiscard]] float ReachM() const {
     return reach_m_;
-  }  // farthest any endpoint gets from the centre of mass
-  [[nodiscard]] float HeightM() const { return height_m_; }  // highest any endpoint gets
+  }  // greatest distance of an endpoint from the centre of mass
+  [[nodiscard]] float HeightM() const { return height_m_; }  // greatest height of an endpoint
   [[nodiscard]] const std::vector<RuleRun>& Runs() const { return runs_; }
   [[nodiscard]] const std::vector<Contact>& Contacts() const { return contacts_; }
-  /// Frames whose poses stand apart enough to be drawn side by side: A, B, C...
+  /// Frames whose poses are far enough apart to be drawn side by side: A, B, C...
   [[nodiscard]] const std::vector<int>& PoseFrames() const { return pose_frames_; }
 
  private:
@@ -75,7 +75,7 @@ class Playback {
   void SmoothCamera();
 
   std::unique_ptr<Motion> motion_;
-  Document shown_;  // what it is the motion of
+  Document shown_;  // the document of the motion
   double time_s_ = 0.0;
   bool playing_ = true;
   float reach_m_ = 1.0f;

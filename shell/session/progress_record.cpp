@@ -15,14 +15,14 @@ std::unexpected<Error> Bad(const char* where, const char* what) {
   return std::unexpected(Error{ErrorCode::kStructure, where, what});
 }
 
-/// A number of the record, or nothing.
+/// A number of the record, or nothing if it is missing.
 std::optional<double> NumberIn(const JsonValue& record, std::string_view name) {
   const JsonValue* value = record.Find(name);
   if (value == nullptr || value->kind != JsonValue::Kind::kNumber) return std::nullopt;
   return value->number;
 }
 
-/// A whole number from 0 to the largest int, or nothing.
+/// A whole number from 0 to INT_MAX, or nothing.
 std::optional<int> CountIn(const JsonValue& record, std::string_view name) {
   const auto number = NumberIn(record, name);
   if (!number || !(*number >= 0.0 && *number <= std::numeric_limits<int>::max())) return std::nullopt;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a search is, as the page's workers report it: one record of named numbers, and the bytes that go
-// with it.
+// A search's progress as the page's workers report it: a record of named numbers, and bytes.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +12,12 @@
 namespace gaitsmith::shell {
 
 /// @param json  an object: "state" (of kSearchStateNames), "evaluations" and "budget" (whole numbers), "rate"
-/// (evaluations per
-///   second), "secondsLeft", "bestFitness" (null: none yet), "spread" (of core/document/spread_json.h, or
-///   null), and how long the parts of `bytes` are: "curveBytes", "genomeBytes", "savedBytes"
-/// @param bytes  the curve as core stores it (Search::CurvePoint), the best genome (16 bits a gene; no bytes:
-/// as in the last
-///   report) and the state of the search (Search::Save), one after another, nothing else
-/// @return the progress without its number of workers; an error names the field that is wrong
+/// (evaluations per second), "secondsLeft", "bestFitness" (null: none yet), "spread" (of
+/// core/document/spread_json.h, or null), and the lengths of the parts of `bytes`: "curveBytes",
+/// "genomeBytes", "savedBytes"
+/// @param bytes  exactly these parts in order: the curve as core stores it (Search::CurvePoint), the best
+/// genome (16 bits a gene; empty: as in the last report) and the state of the search (Search::Save)
+/// @return the progress without its number of workers; an error names the wrong field
 [[nodiscard]] Result<SearchProgress> DecodeProgress(std::string_view json,
                                                     std::span<const std::uint8_t> bytes);
 

@@ -38,7 +38,7 @@ void QueueRun::AddSuite(const SuiteChoice& choice) {
   const std::vector<Document> suite = SuiteOf(workspace_.Doc(), choice);
   int added = 0;
   for (const Document& one : suite) added += list_.Add(one) ? 1 : 0;
-  if (!Busy()) RunNext();  // which clears the status line
+  if (!Busy()) RunNext();  // clears the status line
   const std::string count = std::to_string(suite.size());
   workspace_.TheHost().Status(
       added < static_cast<int>(suite.size())

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The queue at work: searches with their own problems, which begin one after another when the search before
-// them is done or has failed. One that a person stops leaves the others waiting for Run. They leave the stage
-// alone, unless the open document asks for just that search. What they find goes to the results.
+// Runs the queue: searches with their own problems, each started when the one before is done or has failed.
+// After a person stops a search, the others wait for Run. Motions of the queue are shown only if the open
+// document has the same search. All results go to the result list.
 #pragma once
 
 #include <string>
@@ -17,33 +17,34 @@ namespace gaitsmith::shell {
 
 class QueueRun {
  public:
-  /// @param lab  excludes searches while it runs
+  /// @param lab  no search can run while the lab runs
   QueueRun(Workspace& workspace, const Lab& lab, SearchRun& search, ResultStore& results)
       : workspace_(workspace), lab_(lab), search_(search), results_(results) {}
 
-  /// The searches that wait.
+  /// The waiting searches.
   [[nodiscard]] SearchQueue& List() { return list_; }
   [[nodiscard]] const SearchQueue& List() const { return list_; }
 
-  /// Puts a document's search behind all that wait. @param document valid. @return false, with a sentence: no
-  /// room
+  /// Adds a document's search to the end of the queue. @param document valid. @return false, with a sentence:
+  /// no room
   bool Add(const Document& document);
-  /// The search of the open document, with further seeds that neither run nor wait yet. @return how many
+  /// Queues the open document's search with further seeds, skipping seeds that run or wait already. @return
+  /// the number of searches added
   int AddSeeds(int count);
-  /// Queues the suite's searches, and lets them run.
+  /// Queues the suite's searches and starts the queue.
   void AddSuite(const SuiteChoice&);
-  /// The search that found a motion once more: the same seed, settings and problem. It begins at once where
-  /// nothing runs. @return false: there is no such motion, no search has found it, or there is no room
+  /// Repeats the search that found a motion, with the same seed, settings and problem. Starts at once if
+  /// nothing runs. @return false: there is no such motion, it is not from a search, or there is no room
   bool Repeat(const std::string& id);
 
-  /// A search or the lab runs.
+  /// Whether a search or the lab runs.
   [[nodiscard]] bool Busy() const { return search_.Running() || lab_.Running(); }
-  /// Begins with the first that waits; then the others follow by themselves. Refused, with a sentence, while
-  /// a search or the lab runs.
+  /// Starts the first waiting search; the others follow automatically. Refused, with a sentence, while a
+  /// search or the lab runs.
   bool Run();
-  /// Begins the next one, unless something runs.
+  /// Starts the next search unless something runs.
   void RunNext();
-  /// Once a frame: begins the next one after a search was stopped because its document went away.
+  /// Call once a frame: starts the next search after one was stopped because its document was replaced.
   void Resume();
 
  private:

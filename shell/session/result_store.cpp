@@ -21,7 +21,7 @@ std::optional<std::string> ResultStore::AddFound(const Document& searched, const
   const bool failed = at_end.state == SearchState::kFailed;
   const bool any = !at_end.best_genome.empty() && at_end.best_fitness > kVoidScore;
   if (!any && !failed) return std::nullopt;
-  if (searched.search.in_place_of >= 0) return std::nullopt;  // it belongs to its composite alone
+  if (searched.search.in_place_of >= 0) return std::nullopt;  // the result belongs to its composite alone
   Document document = any ? FoundDocument(searched, at_end.best_genome) : SearchOf(searched);
   if (!any) document.title = SearchName(document);
   FoundMotion motion = Measured(std::move(document),
@@ -46,7 +46,7 @@ bool ResultStore::KeepShown() {
   motion.kept = true;
   motion.when_s = workspace_.TheHost().NowS();
   const std::string id = FoundId(motion.document);
-  // What a search has found is known better than what is seen.
+  // A motion of the results is saved as found, since its entry records more than the shown motion.
   const bool there = motions_.Keep(id, true);
   if (!there && motions_.Add(std::move(motion)).empty()) {
     workspace_.Say(Tr("Not kept: there is no room for more than what is kept. Delete something first."));
@@ -57,7 +57,7 @@ bool ResultStore::KeepShown() {
 }
 
 bool ResultStore::IsShown(const FoundMotions::Entry& entry) const {
-  // The cheap question first: this is asked at every frame.
+  // The cheap test first: this runs at every frame.
   const std::uint64_t shown = workspace_.Player().Shown().Hash();
   return entry.motion.document.hash == shown && entry.id == FoundId(workspace_.WithHash());
 }

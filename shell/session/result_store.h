@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The results: found motions, noted as searches end, or kept by hand from what is open.
+// The results: motions added when searches end, or saved by hand from the open document.
 #pragma once
 
 #include <optional>
@@ -13,25 +13,25 @@ namespace gaitsmith::shell {
 
 class ResultStore {
  public:
-  /// The host stores what changes.
+  /// Passes each change to the host for storage.
   explicit ResultStore(Workspace&);
 
   [[nodiscard]] FoundMotions& Motions() { return motions_; }
   [[nodiscard]] const FoundMotions& Motions() const { return motions_; }
 
-  /// Keeps the shown motion. Refused, with a sentence: there is none, or no room.
+  /// Saves the shown motion to the results. Refused, with a sentence, if there is none or no room.
   bool KeepShown();
-  /// Whether a found motion is what is open now.
+  /// Whether a found motion is the open document's motion.
   [[nodiscard]] bool IsShown(const FoundMotions::Entry&) const;
-  /// Notes what a search has found when it ends.
-  /// @param in_place_of  what was noted of the same search before, or empty
-  /// @return its id, empty where there is no room; nothing: there is nothing to note
+  /// Adds the result of a search when the search ends.
+  /// @param in_place_of  the earlier result of the same search, or empty
+  /// @return its id, empty if there is no room; nothing if there is no result to add
   std::optional<std::string> AddFound(const Document& searched, const SearchProgress& at_end,
                                       const std::string& in_place_of);
 
   /// Whether AskName can be answered.
   [[nodiscard]] bool CanAskName() const { return workspace_.TheHost().CanAskName(); }
-  /// The person is asked for the name of a found motion.
+  /// Asks the person for the name of a found motion.
   void AskName(const std::string& id) const;
 
  private:

@@ -10,7 +10,7 @@ namespace gaitsmith::shell {
 
 namespace {
 
-// What no search depends on, and what SearchOf makes anew of the rest.
+// Parts that do not affect a search, and parts that SearchOf creates anew.
 constexpr Parts kOutsideSearch = {Part::kTitle,       Part::kSearchStart, Part::kTakeover, Part::kTimeline,
                                   Part::kControllers, Part::kDuration,    Part::kView,     Part::kHash};
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Searches that wait for their turn. Each has its whole problem with it, so that nothing which is changed
-// meanwhile changes it. Who runs them is not its concern.
+// Waiting searches. Each holds a copy of its whole problem, so later edits do not change it. QueueRun runs
+// them.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,13 @@
 
 namespace gaitsmith::shell {
 
-/// A document without all that its search does not depend on: two documents of the same search are equal bit
-/// for bit. The controller that it begins with, if any, is the only one that stays.
+/// A copy reduced to what its search depends on, so that documents with the same search are equal bit for
+/// bit. Keeps only the controller to start from, if any.
 [[nodiscard]] Document SearchOf(const Document&);
-/// Whether two documents' searches find the same.
+/// Whether two documents' searches find the same motion.
 [[nodiscard]] bool SameSearch(const Document&, const Document&);
 
-/// What "five seeds" queues.
+/// Number of searches that "five seeds" queues.
 inline constexpr int kQueuedSeeds = 5;
 
 class SearchQueue {
@@ -25,26 +25,26 @@ class SearchQueue {
   static constexpr std::size_t kMost = 50;
 
   struct Entry {
-    int number;  // its own, for as long as it waits; from 1
+    int number;  // unique among waiting searches; from 1
     Document document;
   };
 
   [[nodiscard]] const std::vector<Entry>& Waiting() const { return waiting_; }
   [[nodiscard]] bool Full() const { return waiting_.size() >= kMost; }
 
-  /// Behind all others. @param document valid. @return false: there is no more room
+  /// Adds a document at the end. @param document valid. @return false: the queue is full
   bool Add(const Document& document);
-  /// Numbers that are not waiting any more are passed over.
+  /// Ignores numbers that no longer wait.
   void Remove(int number);
-  /// Before the one that stands before it.
+  /// Swaps a search with the one before it.
   void MoveUp(int number);
   void Clear();
-  /// What was removed or cleared last comes back to where it was, as far as there is room.
+  /// Restores the searches removed or cleared last to their places, as far as there is room.
   void BringBack();
-  /// How many that would be.
+  /// Number of searches that BringBack would restore.
   [[nodiscard]] std::size_t Removed() const { return removed_.size(); }
 
-  /// The next one leaves the queue.
+  /// Removes and returns the next search.
   [[nodiscard]] std::optional<Document> TakeFirst();
 
  private:
@@ -55,11 +55,11 @@ class SearchQueue {
 
   std::vector<Entry> waiting_;  // the next one first
   std::vector<Gone> removed_;   // by place
-  int numbers_ = 0;             // given so far
+  int numbers_ = 0;             // last number assigned
 };
 
-/// Seeds for further searches of this document: `count` of them, upwards from its own, leaving out those
-/// whose search is among `others`. Fewer when there are no more.
+/// Seeds for `count` further searches of this document, counting up from its own and skipping those whose
+/// search is among `others`. May be fewer at the end of the range.
 [[nodiscard]] std::vector<std::uint32_t> FreeSeeds(const Document&, std::span<const Document> others,
                                                    int count);
 

@@ -16,14 +16,14 @@
 namespace gaitsmith::shell {
 namespace {
 
-constexpr double kAtOnceS = 1e9;  // longer than any motion has to stay on the screen
+constexpr double kAtOnceS = 1e9;  // longer than any motion stays on the screen
 
 }  // namespace
 
 SearchRun::SearchRun(Workspace& workspace, const Lab& lab, ResultStore& results)
     : workspace_(workspace), lab_(lab), results_(results), workers_(workspace.TheHost().MaxWorkers()) {}
 
-// The settings of the real search stay as they are.
+// Only for this search: the document keeps its own search settings.
 Document SearchRun::ShortClimb() const {
   Document wanted = workspace_.Doc();
   const auto clip = static_cast<std::size_t>(workspace_.SelectedClip());
@@ -129,17 +129,17 @@ void SearchRun::Forget() {
 }
 
 void SearchRun::ForgetProgress() {
-  if (RunsQueued()) return;  // it goes on behind another document
+  if (RunsQueued()) return;  // the queue's search goes on behind another document
   progress_ = {};
   spread_.Begin(1);
 }
 
 void SearchRun::OnProgress(SearchProgress progress) {
-  if (!job_) return;  // of a search that was stopped before its document went away
+  if (!job_) return;  // a report of a search whose document was replaced
   const bool ended = progress.state == SearchState::kDone || progress.state == SearchState::kStopped ||
                      progress.state == SearchState::kFailed;
   if (progress.state == SearchState::kFailed) {
-    // A failed search reports no numbers. Those of its last report hold.
+    // A failed search reports no numbers: keep those of its last report.
     progress = progress_;
     progress.state = SearchState::kFailed;
   }
@@ -160,11 +160,11 @@ void SearchRun::OnProgress(SearchProgress progress) {
   Forget();
   if (!first_end) return;
   ReportEnd(of_queue);
-  // At once rather than with the next frame: a tab that is not seen has none.
+  // Report at once, not with the next frame: a hidden tab has no frames.
   if (progress_.state != SearchState::kStopped) followers_.ended();
 }
 
-// The title of a search of the queue, or empty.
+// @param of_queue the title of a search of the queue, or empty
 void SearchRun::ReportEnd(const std::string& of_queue) {
   if (progress_.state == SearchState::kFailed) {
     workspace_.Say(of_queue.empty() ? Tr("The search failed.") : Tr("{1}: the search failed.", of_queue));
@@ -177,7 +177,7 @@ void SearchRun::ReportEnd(const std::string& of_queue) {
                                  Fixed(progress_.best_fitness, 2), Grouped(progress_.evaluations)));
 }
 
-// At the end of a search, and once more when a stopped one reports how far it came in the end.
+// Called at the end of a search, and again when a stopped search makes its final report.
 void SearchRun::NoteFound() {
   if (!job_) return;
   const auto id = results_.AddFound(job_->document, progress_, job_->found);
@@ -186,7 +186,7 @@ void SearchRun::NoteFound() {
   followers_.found(*id);
 }
 
-// A search of the queue improves the open document only where that asks for the very same search.
+// A search of the queue improves the open document only if the document's own search is the same.
 bool SearchRun::BelongsOnStage() const {
   if (!job_) return false;
   if (job_->source == Source::kDocument) return true;
@@ -208,12 +208,12 @@ bool SearchRun::IsDisturbedBy(const Document& next) const {
     return d.controllers[static_cast<std::size_t>(d.timeline[clip].controller)].genes;
   };
   if (genes(next) != genes(now)) return true;
-  // A repair is scored from where the clip took over and for as long as it lasted.
+  // A repair is scored from where the clip took over, for the length of the clip.
   return job_->document.search.in_place_of >= 0 && PartingStep(next, now) < EndOf(now, clip);
 }
 
 bool SearchRun::ShowImprovement(double seconds) {
-  // A new motion every frame would show none of them.
+  // Shortest time between improvements on the screen [s]: a new motion every frame would be unreadable.
   constexpr double kShortestShow = 0.8;
   shown_for_s_ += seconds;
   if (improvement_.empty() || shown_for_s_ < kShortestShow || !job_) return false;
@@ -230,7 +230,8 @@ bool SearchRun::ShowImprovement(double seconds) {
   return true;
 }
 
-// Gives the searched clip this controller. Other clips keep theirs, and controllers without a clip go.
+// Gives the searched clip this controller. Other clips keep theirs, and controllers without a clip are
+// removed.
 void SearchRun::ShowController(Controller controller) {
   const bool first = workspace_.Doc().timeline.empty();
   auto next = workspace_.Edited([&](Document& d) {
@@ -240,7 +241,7 @@ void SearchRun::ShowController(Controller controller) {
     const int clip = std::clamp(job_->clip, 0, static_cast<int>(d.timeline.size()) - 1);
     const int old = std::exchange(d.timeline[static_cast<std::size_t>(clip)].controller, added);
     if (d.timeline.size() == 1) d.duration_steps = job_->document.task.duration_steps;
-    // A search that began with what is replaced begins with what replaces it.
+    // If the replaced controller was the start of the search, its replacement becomes the start.
     const bool replaced =
         std::ranges::none_of(d.timeline, [&](const Clip& c) { return c.controller == old; });
     if (d.search.start == old && replaced) d.search.start = added;
@@ -252,7 +253,7 @@ void SearchRun::ShowController(Controller controller) {
   workspace_.Remember(job_->occasion);
   next->hash.reset();
   workspace_.Show(std::move(*next), false);
-  // What was found in the middle of a drag must not be lost by undoing the drag.
+  // Undoing a drag must not lose what was found during the drag.
   workspace_.BeginGesture();
   if (first) workspace_.Player().Seek(0.0);
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The search that runs: what it looks for, how far it has come, what it has found, and how its best motion
-// takes the place of the one on the stage.
+// The running search: its problem, its progress, its results, and how its best motion replaces the shown one.
 #pragma once
 
 #include <functional>
@@ -21,72 +20,75 @@ class SearchRun {
  public:
   /// Evaluations of the short climbs that TryStyle and ImproveClip run.
   static constexpr int kTryEvaluations = 4000;
-  /// Whose search it is.
+  /// Where a search comes from.
   enum class Source { kDocument, kQueue };
 
-  /// @param lab  excludes a search while it runs
+  /// @param lab  no search can run while the lab runs
   SearchRun(Workspace&, const Lab& lab, ResultStore&);
 
   struct Followers {
-    /// A search has ended; what it found has this id among the results.
+    /// Called when a search has ended, with the id of its result.
     std::function<void(const std::string& id)> found;
-    /// A search has ended by itself: the next one may begin.
+    /// Called when a search has ended by itself, so that the next one may start.
     std::function<void()> ended;
   };
   void SetFollowers(Followers followers) { followers_ = std::move(followers); }
 
   /// The open document's own search.
   void Synthesize() { Begin(workspace_.Doc()); }
-  /// A short climb from the shown motion, in the style that is set. @return whether it runs
+  /// Runs a short climb from the shown motion, in the chosen style. @return whether it runs
   bool TryStyle();
-  /// A short climb that makes the selected clip's controller better from where the clip before it leaves the
-  /// figure. Refused, with a sentence, unless CanImproveClip.
+  /// Runs a short climb that improves the selected clip's controller from the state in which the clip before
+  /// it leaves the figure. Refused, with a sentence, unless CanImproveClip.
   void ImproveClip();
   [[nodiscard]] bool CanImproveClip() const;
-  /// Stops what runs. Refused, with a sentence, while the lab runs. @param wanted valid
+  /// Stops the running search and starts this one. Refused, with a sentence, while the lab runs. @param
+  /// wanted valid
   void Begin(Document wanted, Source source = Source::kDocument);
   void Pause();
   void Resume();
-  /// Keeps what was found. There is a search that runs.
+  /// Stops the running search and keeps its result.
   void Stop();
-  /// The document goes away: its search ends for good. One of the queue goes on, off the stage.
+  /// Ends the document's search for good before the document is replaced. A search of the queue goes on, but
+  /// is no longer shown.
   void Abandon();
-  /// After an edit that leads to `next` the document's own search would look for something else than what is
-  /// there.
+  /// Whether an edit that leads to `next` changes the problem of the document's own search.
   [[nodiscard]] bool IsDisturbedBy(const Document& next) const;
-  /// What it still reports belongs to a document that is no longer here.
+  /// Ignores further reports: they belong to a document that was replaced.
   void Forget();
-  /// The numbers of the last search, which belong to another document.
+  /// Clears the numbers of the last search, which belong to another document.
   void ForgetProgress();
 
   void OnProgress(SearchProgress);
-  /// Shows the best motion found so far, when the last one has been on the screen for a moment.
-  /// @param seconds since the last call @return true if it did
+  /// Shows the best motion found so far if the previous one was visible long enough.
+  /// @param seconds since the last call @return whether it showed one
   bool ShowImprovement(double seconds);
 
   [[nodiscard]] bool Running() const {
     return progress_.state == SearchState::kRunning || progress_.state == SearchState::kPaused;
   }
-  /// What runs came from the queue: stopping, undoing and opening in the open document do not concern it.
+  /// Whether the running search came from the queue. Stopping, undoing or opening in the open document does
+  /// not affect such a search.
   [[nodiscard]] bool RunsQueued() const { return Running() && job_ && job_->source == Source::kQueue; }
-  /// What the running search looks for; null: none runs.
+  /// The document of the running search; null if none runs.
   [[nodiscard]] const Document* Searched() const { return Running() && job_ ? &job_->document : nullptr; }
-  /// Whether the search that runs began with this clip selected.
+  /// Whether the running search started with this clip selected.
   [[nodiscard]] bool Improves(int clip) const { return Running() && job_ && job_->clip == clip; }
-  /// What it finds is shown.
+  /// Whether improvements of the search are shown.
   [[nodiscard]] bool BelongsOnStage() const;
-  /// Its own search has found nothing so far, and the document is as it was when that began.
+  /// Whether the document's own search has found nothing so far and the document is unchanged since it
+  /// started.
   [[nodiscard]] bool HasChangedNothing() const;
-  /// A search was stopped because its document went away, and since then nothing has taken its place.
+  /// Whether a search was stopped because its document was replaced, and no other has started since.
   [[nodiscard]] bool WasInterrupted() const { return interrupted_; }
   void ClearInterruption() { interrupted_ = false; }
 
   [[nodiscard]] const SearchProgress& Progress() const { return progress_; }
-  /// Whose it is, in one line: "Mr. Star-Man · travel, SPHC, seed 3"; of the queue with a word that says so.
+  /// The search in one line: "Mr. Star-Man · travel, SPHC, seed 3"; a search of the queue is marked as such.
   [[nodiscard]] const std::string& Title() const { return title_; }
-  /// How the population of the present or last search scattered.
+  /// The course of the population's spread in the present or last search.
   [[nodiscard]] const SpreadCurve& PopulationSpread() const { return spread_; }
-  /// The map of styles that the last MAP-Elites search has left.
+  /// The map of styles of the last MAP-Elites search.
   [[nodiscard]] const std::optional<EliteMap>& Elites() const { return elites_; }
   /// The document as it was before the last search that was shown.
   [[nodiscard]] const Document& Before() const { return before_; }
@@ -100,10 +102,10 @@ class SearchRun {
   struct Job {
     Document document;  // as it was when the search began
     Source source = Source::kDocument;
-    int clip = 0;            // that it improves
-    int occasion = 0;        // all that it finds is one step of Undo
-    bool off_stage = false;  // of the queue, and what it finds is no longer wanted on the stage
-    std::string found = {};  // its id among the results; empty: not there
+    int clip = 0;            // the clip that it improves
+    int occasion = 0;        // all its improvements are one step of Undo
+    bool off_stage = false;  // from the queue, and its improvements are no longer shown
+    std::string found = {};  // id of its result; empty: none yet
   };
   [[nodiscard]] Document ShortClimb() const;
   void ShowController(Controller);
@@ -115,7 +117,7 @@ class SearchRun {
   ResultStore& results_;
   Followers followers_;
   int workers_;
-  std::optional<Job> job_;  // empty: what is reported is nobody's
+  std::optional<Job> job_;  // empty: reports are ignored
   SearchProgress progress_;
   std::string title_;
   SpreadCurve spread_;

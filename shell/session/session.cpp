@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How one document takes the place of another. Undoing is in session_history.cpp.
+// Replacing one document by another. Undo is in session_history.cpp.
 #include "shell/session/session.h"
 
 #include <utility>
@@ -13,7 +13,7 @@
 namespace gaitsmith::shell {
 namespace {
 
-// Takes away what was made for another figure.
+// Removes what was made for another figure.
 void Strip(Document& document) {
   document.controllers.clear();
   document.timeline.clear();
@@ -96,7 +96,7 @@ bool Session::ReplaceFigure(const Figure& figure) {
   const auto next = workspace_.Edited(edit);
   if (!next || workspace_.Refuses(Layout(), *next)) return false;
   if (DifferingParts(*next, Doc()).Empty()) return true;
-  search_.Abandon();  // it looks for motions of the figure as it was
+  search_.Abandon();  // the search is for the figure before the change
   const bool loses = !fits && !Doc().controllers.empty();
   const bool changed = Change(edit);
   if (changed && loses) {
@@ -109,7 +109,7 @@ bool Session::ReplaceFigure(const Figure& figure) {
 
 void Session::ChooseFigure(int index) {
   const Figure& figure = shipped_.Figures()[static_cast<std::size_t>(index)];
-  // A shipped motion of this figure is better than one that stands still.
+  // Prefer a shipped motion of this figure to a figure that stands still.
   if (auto document = shipped_.MotionOf(figure)) {
     if (!Replace(std::move(*document))) return;
     workspace_.Say(Tr("{1} with a shipped motion. Undo brings the last figure back.", TrTitle(figure.name)));
@@ -149,8 +149,8 @@ bool Session::ShowFound(const std::string& id) {
       document.controllers[static_cast<std::size_t>(document.timeline[0].controller)].name = name;
   }
   const bool moves = entry->motion.Moves();
-  if (!Replace(document, true)) return true;  // it says why
-  if (DiffersFromMaker()) return true;        // the stage says so
+  if (!Replace(document, true)) return true;  // Replace explains the refusal
+  if (DiffersFromMaker()) return true;        // the stage reports it
   workspace_.Say(Tr(moves ? "{1}. Undo brings back what was here."
                           : "{1}: this search failed. Undo brings back what was here.",
                     TrTitle(Doc().title)));

@@ -28,7 +28,7 @@ class Session {
  public:
   explicit Session(Host& host);
 
-  // The parts.
+  // Parts of the session.
   [[nodiscard]] TimelineEditor& Timeline() { return timeline_; }
   [[nodiscard]] const TimelineEditor& Timeline() const { return timeline_; }
   [[nodiscard]] WorldEditor& World() { return world_; }
@@ -43,70 +43,71 @@ class Session {
   [[nodiscard]] const ShippedDocuments& Shipped() const { return shipped_; }
   [[nodiscard]] Playback& Player() { return workspace_.Player(); }
   [[nodiscard]] const Playback& Player() const { return workspace_.Player(); }
-  /// What is shown, and what a person cannot change by hand: searches, scripts and opened documents can.
+  /// Visible panels and locked parts. Locks restrict a person's edits, not searches, scripts or opened
+  /// documents.
   [[nodiscard]] Arrangement& Layout() { return workspace_.Layout(); }
-  /// The last thing the reader should know, or empty.
+  /// The latest sentence for the reader, or empty.
   [[nodiscard]] std::string& Notice() { return workspace_.Notice(); }
 
   // The open document.
   [[nodiscard]] const Document& Doc() const { return workspace_.Doc(); }
-  /// With the present motion's hash, as it is saved and shared.
+  /// The document with the present motion's hash, as it is saved and shared.
   [[nodiscard]] Document WithHash() const { return workspace_.WithHash(); }
-  /// The document says what its maker saw, and the motion here is another one.
+  /// Whether the motion here differs from the one that the document's maker saw.
   [[nodiscard]] bool DiffersFromMaker() const { return workspace_.DiffersFromMaker(); }
 
-  // Changing it.
+  // Edits.
   using Edit = Workspace::Edit;
   /// Changes something that the motion depends on. An invalid result is refused with a sentence for the
   /// reader.
   bool Change(const Edit& edit) { return workspace_.Change(edit); }
   /// Changes settings of the next search, which the motion does not depend on.
   bool Set(const Edit& edit) { return workspace_.Set(edit); }
-  /// Changes what is shown and how, which Undo leaves alone.
+  /// Changes the view, which Undo ignores.
   void SetView(const std::function<void(View&)>& edit) { workspace_.SetView(edit); }
-  /// Another figure: controllers that do not fit are dropped, with a sentence that says so.
+  /// Changes the figure: controllers that do not fit are removed, with a sentence that says so.
   bool ReplaceFigure(const Figure& figure);
 
   // History.
-  /// The person (or a script) begins to do something new: a press, a key. The first change after it keeps the
-  /// document as it was for Undo, so that a whole drag is undone at once.
+  /// Call when a person (or a script) begins an action: a click, a drag, a key. The first change after it
+  /// saves the document for Undo, so that a whole drag is one step.
   void BeginGesture() { workspace_.BeginGesture(); }
   [[nodiscard]] bool CanUndo() const { return workspace_.CanUndo(); }
   [[nodiscard]] bool CanRedo() const { return workspace_.CanRedo(); }
   void Undo();
   void Redo();
-  /// What is open now is where Undo ends.
+  /// Makes the open document the last one that Undo reaches.
   void ForgetPast();
 
-  // Another document, which Undo takes back.
-  /// The text is JSON, or a link, or the payload of one.
+  // Other documents. Undo restores the one before.
+  /// @param text JSON, or a link, or the payload of a link
   [[nodiscard]] Result<void> Open(std::string_view text);
-  /// The standard figure, standing still.
+  /// Opens the standard figure, standing still.
   void New();
-  /// A figure or a problem that is shipped. @param index of Shipped()
+  /// Opens a shipped figure or problem. @param index of Shipped()
   void ChooseFigure(int index);
   void ChooseProblem(int index);
-  /// A shipped motion to look at.
+  /// Opens a shipped motion.
   void ChooseExample(const Document& example);
-  /// A result, as it was found. @return false: there is no such motion
+  /// Opens a result as it was found. @return false: there is no such motion
   bool ShowFound(const std::string& id);
-  /// A motion of the map of styles.
+  /// Opens a motion of the map of styles.
   void ShowElite(Document motion);
 
-  // What runs.
-  /// A short climb from the shown motion, in the style that is set; the ghost is what it was before.
+  // Searches.
+  /// Runs a short climb from the shown motion in the chosen style, with the earlier motion as ghost.
   void TryStyle();
-  /// Ends the search, or the lab. The queue goes on waiting.
+  /// Ends the search or the lab. Queued searches keep waiting.
   void Stop();
-  /// The host reports here, of a search or of a trial of the lab.
+  /// Called by the host with the progress of a search or of a lab trial.
   void OnSearchProgress(SearchProgress progress);
 
  private:
-  /// Another document in the place of this one, which Undo takes back. @return false, with a sentence: it is
-  /// locked
-  /// @param same_problem  it is another motion of the open problem, and so no edit of its controllers by hand
+  /// Replaces the document, for Undo to restore. @return false, with a sentence: a part is locked
+  /// @param same_problem  it is another motion of the open problem, so its controllers do not count as edited
+  /// by hand
   bool Replace(Document document, bool same_problem = false);
-  /// @param words a pattern for what is done
+  /// @param words a pattern that names what is done
   void Return(const Document& document, const char* words);
 
   Workspace workspace_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A session's past and future: Undo and Redo, which can be taken back themselves.
+// Undo and Redo of a session, and what each step changed.
 #include <utility>
 
 #include "core/document/parts.h"
@@ -11,8 +11,7 @@ namespace {
 
 constexpr const char* kFigureWords = TrLater("the figure");
 
-// What a step changed, in a few words. The first of these that differs is what a person did; the rest
-// follows.
+// What a step changed, in a few words. The first difference is the person's edit; later ones follow from it.
 const char* ChangeWords(const Document& a, const Document& b) {
   const Parts changed = DifferingParts(a, b);
   const bool clips = changed.HasAny({Part::kTimeline, Part::kDuration});
@@ -28,7 +27,7 @@ const char* ChangeWords(const Document& a, const Document& b) {
 }  // namespace
 
 void Session::Undo() {
-  // A search that has found nothing yet is all there is to take back.
+  // If a search has found nothing yet, Undo only stops the search.
   const bool only_search = search_.HasChangedNothing();
   search_.Abandon();
   if (only_search) return workspace_.Say(Tr("The search is stopped; the motion is as it was."));
@@ -40,7 +39,7 @@ void Session::Undo() {
 }
 
 void Session::Redo() {
-  // What the search found last is a step of its own, and then nothing is left to redo.
+  // The search's last improvement is a step of its own and leaves nothing to redo.
   if (CanRedo()) search_.Abandon();
   if (const auto after = workspace_.TakeForward()) {
     Return(*after, TrLater("Done again: {1}."));

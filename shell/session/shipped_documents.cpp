@@ -10,7 +10,7 @@
 namespace gaitsmith::shell {
 namespace {
 
-// The same figure may come with several examples, so names decide.
+// Several examples may have the same figure: list each name once.
 std::vector<Figure> ShippedFigures() {
   std::vector<Figure> figures;
   const auto add = [&](const Figure& figure) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What comes with the program: figures, problems, and motions to look at.
+// Documents that come with the program: figures, problems and motions.
 #pragma once
 
 #include <optional>
@@ -16,13 +16,13 @@ class ShippedDocuments {
  public:
   ShippedDocuments();
   [[nodiscard]] const std::vector<Figure>& Figures() const { return figures_; }
-  /// Each a figure with a task and senses that go well together.
+  /// Figures, each with a task and suitable senses.
   [[nodiscard]] const std::vector<Document>& Problems() const { return problems_; }
-  /// What a first visitor sees: the standard figure shuffles.
+  /// The motion for a first visit: the standard figure shuffles.
   [[nodiscard]] Document FirstMotion() const;
-  /// The standard figure, standing still, with the senses that it learns most with: those of its problem.
+  /// The standard figure, standing still, with the senses of its problem, with which it learns most.
   [[nodiscard]] Document FirstProblem() const;
-  /// A document in which the figure of this name moves; nothing: none is shipped.
+  /// A shipped document in which the figure of this name moves, if any.
   [[nodiscard]] std::optional<Document> MotionOf(const Figure&) const;
 
  private:

@@ -12,7 +12,8 @@ void SpreadCurve::Begin(int budget) {
 
 void SpreadCurve::Add(int evaluation, const Spread& spread) {
   while (!points_.empty() && points_.back().evaluation >= evaluation) points_.pop_back();
-  // The newest point is where the search is; the one before it must keep its distance from those before.
+  // The newest point is the search's present state. The point before it must keep its distance from earlier
+  // points.
   const int distance = (budget_ + kMostPoints - 1) / kMostPoints;
   const std::size_t count = points_.size();
   if (count > 1 && points_[count - 1].evaluation - points_[count - 2].evaluation < distance)

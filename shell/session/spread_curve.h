@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a search's population scattered on its way: a few hundred samples of what its reports say. They come
-// when reports come, so two runs of one search have different samples of the same course.
+// The spread of a search's population over time, as a few hundred samples. Samples are taken when reports
+// arrive, so two runs of one search sample the same course at different points.
 #pragma once
 
 #include <vector>
@@ -18,10 +18,10 @@ class SpreadCurve {
     Spread spread;
   };
 
-  /// Forgets all. @param budget of the search that begins, evaluations
+  /// Clears the curve. @param budget of the new search, in evaluations
   void Begin(int budget);
-  /// A sample. Of those too close together only the last one stays. A search may go back to a checkpoint:
-  /// what came after it is told again.
+  /// Adds a sample; of samples too close together only the last stays. After a search returns to a
+  /// checkpoint, its samples from there on arrive again.
   void Add(int evaluation, const Spread& spread);
   /// In the order of evaluations, at most kMostPoints + 2.
   [[nodiscard]] const std::vector<Point>& Points() const { return points_; }

@@ -15,7 +15,7 @@ int SuiteChoice::Searches() const {
 
 std::vector<Document> SuiteOf(const Document& document, const SuiteChoice& choice) {
   Document base = SearchOf(document);
-  base.search.start = -1;  // its controller would fit one of the combinations at most
+  base.search.start = -1;  // a controller to start from fits at most one combination
   base.controllers.clear();
   std::vector<Document> suite;
   suite.reserve(static_cast<std::size_t>(choice.Searches()));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A suite: one search for each combination of senses, goal and style, so that different motions stand beside
-// each other to be chained.
+// A suite: one search for each combination of senses, goal and style, to find different motions that can be
+// chained.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace gaitsmith::shell {
 
-/// A style as one secondary term, in usual weights of the figure (UsualWeights).
+/// A style with one secondary term, in usual weights of the figure (UsualWeights).
 struct SuiteStyle {
   const char* name;  // to be translated
   StyleTerm term;
@@ -36,8 +36,8 @@ struct SuiteChoice {
   [[nodiscard]] int Searches() const;
 };
 
-/// The searches, by senses, then goal, then style. All else is as in the document: figure, surroundings,
-/// duration, search settings; a network, which has physical senses, gives way to rules under a timer.
+/// The searches, sorted by senses, then goal, then style. Figure, surroundings, duration and search settings
+/// are the document's. A network has physical senses, so for a timer it is replaced by rules.
 [[nodiscard]] std::vector<Document> SuiteOf(const Document&, const SuiteChoice&);
 
 }  // namespace gaitsmith::shell

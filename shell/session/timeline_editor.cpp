@@ -18,7 +18,7 @@ void MarkEdited(std::string& words) {
   words = Shortened(words, kMaxNameBytes - kEdited.size()) + std::string(kEdited);
 }
 
-/// What an edit that gives nothing back leaves selected.
+/// The clip to select after an edit that returns no clip.
 Result<int> Then(const Result<void>& done, int selected) {
   if (!done) return std::unexpected(done.error());
   return selected;
@@ -31,7 +31,7 @@ bool TimelineEditor::ChangeController(const std::function<void(Controller&)>& ed
   const ControllerKind kind = ShownController()->kind;
   const SenseKind senses = ShownController()->senses.kind;
   if (search_.Improves(Selected())) search_.Abandon();
-  // The end of a search shows its best, which may be of another kind than what the hand is at.
+  // The end of a search shows its best controller, which may be of another kind than the edited one.
   if (ShownController()->kind != kind || ShownController()->senses.kind != senses) return false;
   return workspace_.Change([&](Document& d) {
     const Clip& clip = d.timeline[static_cast<std::size_t>(Selected())];
@@ -40,7 +40,7 @@ bool TimelineEditor::ChangeController(const std::function<void(Controller&)>& ed
     edit(controller);
     if (controller.rules == before.rules && controller.genes == before.genes) return;
     if (d.kind == controller.kind && d.rules == before.rules) d.rules = controller.rules;
-    // A title that a search wrote names the seed that finds this controller, which it no longer does.
+    // A title written by a search names the seed that finds this controller, which is no longer true.
     const auto seed = before.name.rfind(", seed ");
     if (seed != std::string::npos && d.title.ends_with(before.name.substr(seed))) MarkEdited(d.title);
     MarkEdited(controller.name);
@@ -50,7 +50,7 @@ bool TimelineEditor::ChangeController(const std::function<void(Controller&)>& ed
 void TimelineEditor::Edit(const std::function<Result<int>(Document&)>& edit) {
   Document next = workspace_.Doc();
   auto selected = edit(next);
-  // A search that it disturbs ends, and what that found last is edited with the rest.
+  // Ends a search that the edit disturbs; the search's last result is part of what is edited.
   if (selected && search_.IsDisturbedBy(next)) {
     search_.Abandon();
     next = workspace_.Doc();
@@ -112,7 +112,8 @@ void TimelineEditor::MirrorClip() {
 void TimelineEditor::ReorderClip(int to) {
   const int last = static_cast<int>(workspace_.Doc().timeline.size()) - 1;
   if (to < 0 || to > last || to == Selected()) return;
-  if (search_.Running() && !search_.RunsQueued()) search_.Abandon();  // its clip may be another one then
+  if (search_.Running() && !search_.RunsQueued())
+    search_.Abandon();  // its clip may be another one afterwards
   Edit([&](Document& d) { return Then(gaitsmith::ReorderClip(d, Selected(), to), to); });
 }
 
@@ -123,7 +124,7 @@ void TimelineEditor::Repeat() {
 bool TimelineEditor::InsertFound(const std::string& id, std::optional<int> wanted) {
   const FoundMotions::Entry* entry = results_.Motions().Find(id);
   if (entry == nullptr || !entry->motion.Moves()) return false;
-  // A search that the edit ends changes the results.
+  // A copy: a search that the edit ends changes the results.
   const Document other = entry->motion.document;
   const std::string name = entry->motion.name;
   if (!SameTree(other.figure, workspace_.Doc().figure)) {
@@ -132,14 +133,14 @@ bool TimelineEditor::InsertFound(const std::string& id, std::optional<int> wante
     return false;
   }
   const auto before = workspace_.Doc().timeline.size();
-  // A motion that is shown to its end goes on with what is added.
+  // If the motion was played to its end, playback continues into the new clip.
   const int frame = workspace_.Player().Frame();
   const int step = wanted ? *wanted
                    : frame >= workspace_.Player().Shown().Frames() - kShortestClip
                        ? workspace_.Doc().duration_steps
                        : frame;
   Edit([&](Document& d) -> Result<int> {
-    std::vector<Stretch> inserted = StretchesOf(other);  // what was kept may be a composite itself
+    std::vector<Stretch> inserted = StretchesOf(other);  // a saved motion may be a composite itself
     for (Stretch& stretch : inserted) {
       Controller controller = other.controllers[static_cast<std::size_t>(stretch.controller)];
       if (!name.empty() && inserted.size() == 1) controller.name = name;

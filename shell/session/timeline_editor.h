@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The timeline: the clips that are chained into one motion, the selected one of them, and its controller.
-// What cannot be done is said, and changes nothing. Lengths travel with their clips.
+// Edits of the timeline: the clips chained into one motion, the selected clip, and its controller. An
+// impossible edit changes nothing and reports why. A clip keeps its length when it is moved.
 #pragma once
 
 #include <functional>
@@ -26,54 +26,54 @@ class TimelineEditor {
         results_(results),
         transitions_(workspace, search) {}
 
-  /// One clip is selected: its controller is shown, and a search replaces it.
+  /// The selected clip. Its controller is shown, and a search replaces it.
   [[nodiscard]] int Selected() const { return workspace_.SelectedClip(); }
   /// @param clip any number: the nearest clip is selected
   void Select(int clip) { workspace_.SelectClip(clip); }
-  /// Null: there is no motion.
+  /// Null if there is no motion.
   [[nodiscard]] const Controller* ShownController() const { return workspace_.ShownController(); }
-  /// Changes the shown controller in place, by hand: its name says so from then on, a search that would
-  /// replace it ends, and settings of the next search that were this controller's number of rules stay so.
+  /// Edits the shown controller by hand. Its name records the edit, a search that would replace it ends, and
+  /// search settings that equal its number of rules follow it.
   bool ChangeController(const std::function<void(Controller&)>& edit);
 
-  /// The selected clip once more, at the end.
+  /// Appends a copy of the selected clip.
   void AddClip();
   void RemoveClip();
   /// Moves the border before a clip; clips behind it stay where they are. @param start_step [0, kMaxSteps)
   void MoveClip(int clip, int start_step);
   /// @param steps at least kShortestClip
   void SetClipLength(int clip, int steps);
-  /// Cuts the clip in charge at the moment that is shown.
+  /// Splits the clip that plays at the shown moment.
   void SplitClip();
   void DuplicateClip();
-  /// The selected clip goes the other way.
+  /// Mirrors the selected clip, so that it goes the other way.
   void MirrorClip();
-  /// The selected clip goes to this place among all.
+  /// @param to the new place of the selected clip
   void ReorderClip(int to);
-  /// The whole timeline once more behind itself.
+  /// Appends a copy of the whole timeline.
   void Repeat();
-  /// A found motion takes over at the moment that is shown, all its clips.
-  /// @param step  or there instead
+  /// Inserts all clips of a found motion at the shown moment.
+  /// @param step  where to insert instead
   /// @return false: there is no such motion, or it does not fit
   bool InsertFound(const std::string& id, std::optional<int> step = {});
-  /// A short search makes the selected clip's controller better.
+  /// Improves the selected clip's controller by a short search.
   void RepairClip() { search_.ImproveClip(); }
   [[nodiscard]] bool CanRepair() const { return search_.CanImproveClip(); }
-  /// Task, senses and length of the motion belong together while there is only one clip.
+  /// Sets the length of the motion, task and senses together while there is only one clip.
   /// @param steps [1, kMaxSteps]
   void SetDuration(int steps);
 
-  /// Where the selected clip takes over, and where it could.
+  /// Where the selected clip takes over, and where it could take over.
   [[nodiscard]] TransitionRun& Transitions() { return transitions_; }
   [[nodiscard]] const TransitionRun& Transitions() const { return transitions_; }
-  /// The selected clip takes over at the best moment of its map. Refused, with a sentence, while WhyNoSnap
-  /// has one.
+  /// Moves the start of the selected clip to the best moment of its map. Refused, with the sentence of
+  /// WhyNoSnap, if that has one.
   void SnapToBest();
-  /// @return translated; empty: it is possible
+  /// @return translated; empty if SnapToBest is possible
   [[nodiscard]] const char* WhyNoSnap() const;
 
  private:
-  /// An edit of the timeline; the clip it returns is selected then.
+  /// Edits the timeline and selects the clip that the edit returns.
   void Edit(const std::function<Result<int>(Document&)>& edit);
 
   Workspace& workspace_;

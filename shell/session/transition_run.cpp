@@ -33,7 +33,7 @@ void TransitionRun::Follow() {
 }
 
 void TransitionRun::Advance(double seconds) {
-  constexpr double kSettledS = 0.2;  // a slider that is dragged changes every frame
+  constexpr double kSettledS = 0.2;  // a dragged slider changes every frame
   unchanged_for_s_ += seconds;
   if (!scores_.Waits() || unchanged_for_s_ < kSettledS) return;
   if (search_.Running() && search_.BelongsOnStage()) return;

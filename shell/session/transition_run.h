@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How well the selected clip takes over: where it does now, and, as a map that the host works out, where it
-// could. The map begins anew, a moment after the last change, when something else than the clip's own
-// beginning has changed, and waits while a search changes the motion.
+// How well the selected clip takes over: at its present start and, as a map that the host computes, at other
+// moments. The map restarts shortly after a change of anything but the clip's own start, and pauses while a
+// search changes the motion.
 #pragma once
 
 #include <cstdint>
@@ -18,14 +18,15 @@ class TransitionRun {
  public:
   TransitionRun(Workspace& workspace, const SearchRun& search) : workspace_(workspace), search_(search) {}
 
-  /// How near the figure is to the usual motion of the selected clip's controller when that takes over;
-  /// nothing for the first clip.
+  /// How near the figure, at the takeover, is to the usual motion of the selected clip's controller; nothing
+  /// for the first clip.
   [[nodiscard]] std::optional<Nearness> NearnessAtHandover();
   [[nodiscard]] const TransitionScores& Scores() const { return scores_; }
 
-  /// After each change of the document or of the selection: another map is begun, and the old one forgotten.
+  /// Call after each change of the document or the selection: forgets the old map and starts a new one if
+  /// needed.
   void Follow();
-  /// Once a frame. @param seconds since the last one
+  /// Call once a frame. @param seconds since the last call
   void Advance(double seconds);
   void OnScores(const TransitionPart& part) { scores_.Take(part); }
   void OnFailed(int generation);
@@ -40,8 +41,8 @@ class TransitionRun {
   Workspace& workspace_;
   const SearchRun& search_;
   TransitionScores scores_;
-  double unchanged_for_s_ = 0.0;  // the map that is wanted
-  KnownNearness nearness_;        // what was worked out last
+  double unchanged_for_s_ = 0.0;  // age of the last change [s]
+  KnownNearness nearness_;        // the last result
 };
 
 }  // namespace gaitsmith::shell

@@ -50,7 +50,7 @@ bool TransitionScores::Take(const TransitionPart& part) {
     const float score = part.scores[i];
     share = std::isfinite(score) ? ShareOfUsual(score, part.usual) : kVoidScore;
     ++known_;
-    if (*share <= kVoidScore) continue;  // nobody wants to go there
+    if (*share <= kVoidScore) continue;  // broke physics: not a moment to choose
     const auto best = Share(best_);
     if (!best || *share > *best || (*share == *best && index < best_)) best_ = index;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The transition map of the selected clip, as far as it is known: how well the clip would do if it took over
-// at other moments.
+// The known part of the selected clip's transition map: how well the clip would do if it took over at other
+// moments.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace gaitsmith::shell {
 
-/// What a host has worked out of a map.
+/// A part of a map, computed by the host.
 struct TransitionPart {
   int generation = 0;
   int first = 0;  // place of the first score, as of TransitionMap::Scores
@@ -21,19 +21,19 @@ struct TransitionPart {
 
 class TransitionScores {
  public:
-  /// There is a map to be worked out, of which nothing is known yet. @param clip has TransitionSteps
+  /// Starts an empty map. @param clip has TransitionSteps
   void Begin(const Document&, int clip);
-  /// There is none.
+  /// Removes the map.
   void Clear();
-  /// Whether it is the map that the clip of the document has. @param clip any number
+  /// Whether this is the map of the document's clip. @param clip any number
   [[nodiscard]] bool IsOf(const Document&, int clip) const;
 
-  /// The host works at it from now on. @return the generation by which its answers are known
+  /// Call when the host starts to compute the map. @return the generation that marks its answers
   int Start();
   [[nodiscard]] const Document& Request() const { return request_; }
-  /// @return false: it belongs to another map, or to none
+  /// Adds a part. @return false: it belongs to another map
   bool Take(const TransitionPart&);
-  /// Nothing more will become known. @return false: that is said of another map
+  /// No more parts will arrive. @return false: the failure is of another map
   bool Fail(int generation);
 
   [[nodiscard]] bool Any() const { return !steps_.empty(); }
@@ -43,11 +43,12 @@ class TransitionScores {
   [[nodiscard]] int Known() const { return known_; }
   /// Steps at which the clip could take over, ascending, kMomentSpacing apart.
   [[nodiscard]] const std::vector<int>& Steps() const { return steps_; }
-  /// Of the usual score, as of ShareOfUsual; nothing where it is not known yet. @param index of Steps()
+  /// The share of the usual score, as of ShareOfUsual; nothing if it is not known yet. @param index of
+  /// Steps()
   [[nodiscard]] std::optional<float> Share(int index) const;
-  /// Index of the greatest share, the first of several; -1: nothing is known.
+  /// Index of the greatest share, the first of several; -1: none is known.
   [[nodiscard]] int Best() const { return best_; }
-  /// Index of the moment nearest to a step. @param step any; there are moments
+  /// Index of the moment nearest to a step. Steps() must not be empty. @param step any
   [[nodiscard]] int Nearest(int step) const;
 
  private:

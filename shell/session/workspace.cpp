@@ -56,7 +56,7 @@ void Workspace::Say(std::string sentence) {
 
 void Workspace::Show(Document document, bool opened) {
   document_ = std::move(document);
-  // Where a search takes over is chosen anew with each one, and so it is nothing to open or to keep.
+  // Each search chooses its takeover anew, so the takeover is neither opened nor saved.
   CopyParts(Document{}, Part::kTakeover, document_);
   selected_clip_ = std::min(selected_clip_, LastClip(document_));
   player_.Load(document_, opened);
@@ -68,7 +68,7 @@ void Workspace::Show(Document document, bool opened) {
 std::optional<Document> Workspace::Edited(const Edit& edit) {
   Document next = document_;
   edit(next);
-  // A start that has gone, or does not fit other senses, is no start any more.
+  // Clears the start if its controller is gone or does not fit the senses.
   if (int& start = next.search.start; start >= 0) {
     const auto index = static_cast<std::size_t>(start);
     const bool fits = index < next.controllers.size() && FitsSearch(next, next.controllers[index]);

@@ -32,7 +32,7 @@ void WorldEditor::RemovePush(std::size_t index) {
 }
 
 bool WorldEditor::Changed() const {
-  // Member by member: this is asked at every frame.
+  // Compared member by member: this runs at every frame.
   const Document& shown = workspace_.Doc();
   return shown.environment != as_opened_.environment || shown.pushes != as_opened_.pushes;
 }
@@ -43,7 +43,7 @@ void WorldEditor::Reset() {
 
 void WorldEditor::Follow(bool opened) {
   const Document& shown = workspace_.Doc();
-  // What was done to the world of another figure has no meaning for this one.
+  // Edits of another figure's world do not apply to this one.
   if (opened || !SameTree(as_opened_.figure, shown.figure)) as_opened_ = shown;
 }
 

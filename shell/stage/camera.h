@@ -13,11 +13,12 @@ struct Camera {
   float scale = 88.0f;        // points per metre
   ImVec2 origin{0.0f, 0.0f};  // the stage's left edge on the ground line
   float pivot = 0.0f;         // distance from the left edge around which a slope turns the picture [points]
-  float sine = 0.0f;          // of the slope, uphill to the right
+  float sine = 0.0f;          // sine of the slope's angle, uphill to the right
   float cosine = 1.0f;
 
-  /// Positions differ from left_m in double precision, so that nothing trembles a kilometre away. What is
-  /// astronomically far, or not a number, comes out far off the stage, where it may be drawn without harm.
+  /// Differences from left_m are computed in double precision, so that the picture does not tremble a
+  /// kilometre away. Positions that are very far away or NaN are placed far off the stage, where drawing them
+  /// does no harm.
   [[nodiscard]] ImVec2 ToScreen(double x_m, float y_m) const {
     const float along = static_cast<float>(x_m - left_m) * scale - pivot;
     const float above = y_m * scale;

@@ -65,7 +65,7 @@ std::vector<ImVec2> PoseOf(const Skeleton& skeleton, std::span<const float> angl
     angles[joint] = Lane<1>::Splat(angle_rad[joint]);
   Pose<1> pose;
   PoseFigure<1>(skeleton, angles, pose);
-  // PoseFigure lays the root rod along x; turn the whole as it was drawn.
+  // PoseFigure lays the root rod along x; turn the figure back to its drawn direction.
   const SineCosine turn = SinCos(skeleton.start_angle_rad);
   std::vector<ImVec2> points;
   for (std::size_t k = 0; k < static_cast<std::size_t>(skeleton.endpoints); ++k) {

@@ -13,7 +13,7 @@ namespace gaitsmith::shell {
 
 struct FigureInk {
   ImU32 rods;
-  ImU32 joints = 0;  // 0: no joints are marked
+  ImU32 joints = 0;  // 0: joints are not marked
   float width;       // of the rods [points]
 };
 

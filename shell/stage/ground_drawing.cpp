@@ -10,7 +10,8 @@ namespace gaitsmith::shell {
 
 namespace {
 
-constexpr int kTicksInReach = 120;  // on the stage and as far again to either side, where a slope shows them
+constexpr int kTicksInReach =
+    120;  // for the stage and its width again on either side, which a slope may show
 
 }  // namespace
 
@@ -31,8 +32,8 @@ void DrawGround(Ui& ui, const ImRect& rect, const Camera& camera) {
     list->AddConvexPolyFilled(corners, 4, p.ground);
   }
 
-  // A tick every metre, or every 2, 5, 10... where they would crowd. Counted from the first, since a metre
-  // may be too little to change a number.
+  // A tick every metre, or every 2, 5, 10... where ticks would be crowded. Counted from the first tick, since
+  // far away one metre may be less than the precision of a number.
   const auto label_of = [](double metres) {
     return (metres < 0.0 ? "−" : "") + Fixed(std::abs(metres), 0) + " m";
   };
@@ -50,7 +51,7 @@ void DrawGround(Ui& ui, const ImRect& rect, const Camera& camera) {
     list->AddLine(at, foot, p.second_ink);
     const ImVec2 text(at.x + 19.0f * camera.sine, at.y + 19.0f * camera.cosine);
     const std::string label = label_of(metres);
-    // Cut at the edge, "−1 m" would read "1 m".
+    // A label that is cut off could be misread: "−1 m" as "1 m".
     const float half = 0.5f * ui.Letters().Width(Type::kSmall, label) + 2.0f;
     if (text.x - half < rect.Min.x || text.x + half > rect.Max.x) continue;
     ui.Letters().Draw(list, Type::kSmall, text, p.second_ink, label, Align::kCentre);

@@ -7,7 +7,7 @@
 
 namespace gaitsmith::shell {
 
-/// @param stage the part of the canvas that shows it
+/// @param stage the part of the canvas that shows the ground
 void DrawGround(Ui&, const ImRect& stage, const Camera&);
 
 }  // namespace gaitsmith::shell

@@ -9,8 +9,8 @@
 namespace gaitsmith::shell {
 namespace {
 
-constexpr int kPoses = 61;       // kept of each motion
-constexpr int kDrawn = 6;        // of them, side by side
+constexpr int kPoses = 61;       // stored for each motion
+constexpr int kDrawn = 6;        // poses drawn side by side
 constexpr float kGround = 4.0f;  // of the ground, at the lower edge [points]
 
 MotionStrip StripOf(const Document& document) {
@@ -23,7 +23,7 @@ MotionStrip StripOf(const Document& document) {
   strip.poses.reserve(kPoses);
   for (int i = 0; i < kPoses; ++i) {
     const int frame = last * i / (kPoses - 1);
-    // A motion that broke physics ends where it does.
+    // Ends the strip where a motion broke physics.
     if (!std::isfinite(motion.At(frame).y_m) || !std::isfinite(motion.Endpoint(frame, 0).x)) break;
     std::vector<ImVec2> points;
     points.reserve(static_cast<std::size_t>(bones.endpoints));
@@ -60,7 +60,7 @@ void DrawMotionStrip(const Ui& ui, const MotionStrip& strip, const ImRect& rect,
   const float scale = std::min(1.5f * place / std::max(strip.extent.GetWidth(), 0.1f),
                                (ground - rect.Min.y - 5.0f) / std::max(strip.extent.Max.y, 0.1f));
   const FigureInk ink{.rods = p.ink, .width = std::clamp(RodWidth(strip.bones, scale), 1.5f, 3.5f)};
-  // Time runs the way the figure goes.
+  // Poses are placed in the direction of travel.
   const auto draw = [&](float at, const FigureInk& with) {
     const auto pose = static_cast<std::size_t>(std::lround(at * static_cast<float>(strip.poses.size() - 1)));
     const float way = strip.leftward ? 1.0f - at : at;

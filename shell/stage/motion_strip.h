@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Small moving pictures of motions, for lists: a few poses as in a film strip, and the figure itself walking
-// along them.
+// Small moving pictures of motions, for lists: a few poses as in a film strip, with the figure walking along
+// them.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@
 
 namespace gaitsmith::shell {
 
-/// A motion, thinned out: poses at equal distances in time from the start to the end.
+/// A motion reduced to poses at equal intervals from start to end.
 struct MotionStrip {
   Skeleton bones;
   std::vector<std::vector<ImVec2>> poses;  // endpoints about the centre of mass, which is at x = 0; y from
@@ -21,24 +21,24 @@ struct MotionStrip {
   bool leftward = false;
 };
 
-/// Those that were drawn lately, by name. Making one takes a simulation, so there is one a frame at most.
+/// A cache of recently drawn strips, by name. Each needs a simulation, so at most one is made per frame.
 class MotionStrips {
  public:
   void BeginFrame() { made_ = waiting_ = false; }
-  /// One was asked for and is not there yet.
+  /// Whether a requested strip is not ready yet.
   [[nodiscard]] bool Waiting() const { return waiting_; }
-  /// @return null: not yet, ask again in the next frame
+  /// @return null: not ready, ask again in the next frame
   [[nodiscard]] const MotionStrip* Of(const std::string& name, const Document& document);
 
  private:
   static constexpr std::size_t kMost = 120;
 
   std::map<std::string, MotionStrip, std::less<>> strips_;
-  bool made_ = false;  // in this frame
+  bool made_ = false;  // whether one was made in this frame
   bool waiting_ = false;
 };
 
-/// @param share of the motion that the walking figure has done, in [0, 1]; below 0: it is not drawn
+/// @param share of the motion that the walking figure has done, in [0, 1]; below 0: no figure is drawn
 void DrawMotionStrip(const Ui&, const MotionStrip&, const ImRect&, float share);
 
 }  // namespace gaitsmith::shell

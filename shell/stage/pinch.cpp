@@ -30,7 +30,7 @@ Pinch::Change Pinch::TakeChange() {
   if (fingers_.size() != 2) return change;
   Finger& a = fingers_[0];
   Finger& b = fingers_[1];
-  // Fingers closer than this are one, and a tremor between them would be an explosion.
+  // Closer fingers do not pinch, since a tremor between them would change the scale too much [points].
   constexpr float kApart = 24.0f;
   const float before = std::hypot(a.before.x - b.before.x, a.before.y - b.before.y);
   const float now = std::hypot(a.at.x - b.at.x, a.at.y - b.at.y);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two fingers on the stage: together they move the picture, apart they enlarge it.
+// Two fingers on the stage: moving both moves the picture, spreading them enlarges it.
 #pragma once
 
 #include <SDL_events.h>
@@ -12,20 +12,21 @@ namespace gaitsmith::shell {
 
 class Pinch {
  public:
-  /// Fingers count when they come down here [points]; elsewhere they are one finger's business.
+  /// Fingers count if they touch down in this area [points]. Elsewhere a single finger acts.
   ImRect area;
 
-  /// @param size of the canvas [points]. @return true when a second finger has just made a pinch of it, so
-  /// that whatever the first one had begun must end
+  /// @param size of the canvas [points]. @return true if a second finger has just started a pinch, so that
+  /// the first finger's action must end
   bool Take(const SDL_TouchFingerEvent&, ImVec2 size);
-  /// From the second finger's coming until the last one has left: what remains of a pinch is no tap.
+  /// From the second finger's touch until the last finger is lifted, so that the rest of a pinch is not taken
+  /// for a tap.
   [[nodiscard]] bool Holds() const { return holds_; }
 
   struct Change {
-    float zoom = 1.0f;    // how many times as far apart
+    float zoom = 1.0f;    // ratio of the distances between the fingers
     ImVec2 from{}, to{};  // the middle between the fingers
   };
-  /// What the fingers have done since they were last asked; nothing unless there are two.
+  /// The fingers' movement since the last call; nothing unless there are two.
   [[nodiscard]] Change TakeChange();
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pushing the figure by hand: pull an arrow out of a joint or tip, let go, and the impulse acts at that
-// moment.
+// Pushing the figure by hand: drag an arrow out of a joint or tip and release it. The impulse acts at the
+// shown moment.
 #pragma once
 
 #include <span>
@@ -12,16 +12,16 @@
 namespace gaitsmith::shell {
 
 struct PushGesture {
-  int endpoint = kNobody;  // that the arrow starts from
-  bool drawn = false;      // far enough from it to be an arrow
+  int endpoint = kNobody;  // the endpoint at which the arrow starts
+  bool drawn = false;      // the pointer is far enough away to draw an arrow
   bool was_playing = false;
 
   static constexpr int kNobody = -1;
 };
 
-/// Takes part in the stage's touch and draws the arrow. Time stands still while it is drawn.
+/// Handles the stage's touch and draws the arrow. Playback pauses meanwhile.
 /// @param endpoints canvas positions
-/// @return true while the pointer belongs to the figure
+/// @return true while the pointer acts on the figure
 bool PushByHand(Ui&, Session&, PushGesture&, const Touch& stage, const Camera&,
                 std::span<const ImVec2> endpoints);
 

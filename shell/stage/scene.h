@@ -12,10 +12,10 @@
 
 namespace gaitsmith::shell {
 
-/// Where a person looks.
+/// The part of the world that the camera shows.
 struct Gaze {
   float zoom = 1.0f;
-  double pan_m = 0.0;  // of the camera away from the figure
+  double pan_m = 0.0;  // offset of the camera from the figure
 };
 
 struct Scene {
@@ -27,12 +27,12 @@ struct Scene {
   Camera camera;
 };
 
-/// The figure keeps its size on the stage; where it goes, the camera follows a little later than it.
-/// @param rect that the figure keeps in. @param ground_y on the canvas
+/// Keeps the figure's size on the stage constant. The camera follows the figure with a small delay.
+/// @param rect in which the figure stays. @param ground_y on the canvas
 [[nodiscard]] Camera AimCamera(const Playback&, const Environment&, const Gaze&, const ImRect& rect,
                                float ground_y);
 
-/// @return where the figure's endpoints are on the canvas
+/// @return the canvas positions of the figure's endpoints
 std::vector<ImVec2> DrawScene(const Scene&);
 
 }  // namespace gaitsmith::shell

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The stage's layout, its numbers, and what hands do on it.
+// The stage's layout, its numbers, and gestures on it.
 #include "shell/stage/stage.h"
 
 #include <algorithm>
@@ -16,9 +16,9 @@ namespace {
 
 constexpr float kLeastZoom = 0.1f;
 constexpr float kMostZoom = 6.0f;
-constexpr float kCornerRoom = 114.0f;  // that the numbers leave to the button in the corner
+constexpr float kCornerRoom = 114.0f;  // width reserved for the button in the corner
 
-// Stays as long as what it says is true, and is told to whoever cannot see it.
+// A note that stays as long as it is true and is announced by screen readers.
 void DrawNote(const Scene& s, ImVec2 at, const std::string& sentence) {
   const float width =
       std::min(s.ui.Letters().Width(Type::kNote, sentence), s.rect.GetWidth() - 2.0f * (at.x - s.rect.Min.x));
@@ -29,8 +29,8 @@ void DrawNote(const Scene& s, ImVec2 at, const std::string& sentence) {
   s.ui.Letters().DrawElided(s.list, Type::kNote, at, width + 1.0f, s.ui.Ink().bad, sentence);
 }
 
-/// @param name of what decides, where two are to be told apart
-/// @param clear width of the second line, which a button in the corner may reach down to [points]
+/// @param name of the control mode, if two motions are compared
+/// @param clear width of the second line, which a button in the corner may cover [points]
 void DrawNumbers(const Scene& s, const std::string& name, float clear) {
   const Palette& p = s.ui.Ink();
   const Fonts& letters = s.ui.Letters();
@@ -75,9 +75,9 @@ void Zoom(StageState& state, const Touch& touch) {
   if (std::abs(state.gaze.zoom - 1.0f) < 0.02f) state.gaze.zoom = 1.0f;
 }
 
-// What lies between the fingers stays there. Whatever one finger had begun is over.
-/// @param area of the whole stage. @param rect that the figure keeps in; another of its width may stand
-/// beside
+// Zooms about the point between the fingers, and cancels what one finger had begun.
+/// @param area of the whole stage. @param rect in which the figure stays; another of the same width may stand
+/// beside it
 void TakePinch(Session& session, StageState& state, const ImRect& area, const ImRect& rect, float ground_y) {
   state.pinch.area = area;
   if (!state.pinch.Holds()) return;
@@ -95,7 +95,7 @@ void TakePinch(Session& session, StageState& state, const ImRect& area, const Im
   state.gaze.pan_m += held_m - metres(change.to.x);
 }
 
-// @return true when a drag has moved the picture, until it ends
+// @return true from when a drag has moved the picture until the drag ends
 bool Pan(StageState& state, const Touch& touch, float scale) {
   const bool panned = state.panning;
   if (!touch.held) {
@@ -116,7 +116,7 @@ void DrawFollowButton(Ui& ui, StageState& state, const ImRect& rect) {
   state.gaze.pan_m = 0.0;
 }
 
-// The other motion, in the right half of the stage.
+// Draws the other motion in the right half of the stage.
 void DrawBeside(Ui& ui, Session& session, const StageState& state, const ImRect& half, const ImRect& free,
                 float ground_y) {
   const Playback& other = *session.Comparison().Other().Player();
@@ -144,7 +144,7 @@ void DrawBeside(Ui& ui, Session& session, const StageState& state, const ImRect&
 void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, float covered) {
   const PartScope part = ui.Part("stage", "region", Tr("Stage"));
   const Terms& terms = session.Player().TermsNow();
-  ImGui::SetNextItemAllowOverlap();  // its buttons lie on it
+  ImGui::SetNextItemAllowOverlap();  // the stage's buttons lie on it
   const Touch touch = ui.Area(
       "stage", rect, Grab::kPress,
       {.label = Tr("Stage: {1}", TrTitle(session.Doc().figure.name)),

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The stage: the figure on its ruled ground, where it has been, what the ground does to it, and how far it
-// got.
+// The stage: the figure on its ruled ground, its past poses, the ground's forces, and the distance travelled.
 #pragma once
 
 #include "shell/session/session.h"
@@ -12,7 +11,7 @@
 
 namespace gaitsmith::shell {
 
-/// What the stage remembers between frames: where a person looks, and what they hold.
+/// The stage's state between frames: the view, and the gesture in progress.
 struct StageState {
   Gaze gaze;
   bool panning = false;
@@ -21,7 +20,7 @@ struct StageState {
   WorldCardState world;
 };
 
-/// @param covered of its right side by a card, which the figure keeps out of [points]
+/// @param covered width of its right side that a card covers; the figure stays out of it [points]
 void DrawStage(Ui&, Session&, StageState&, const ImRect&, float covered = 0.0f);
 
 }  // namespace gaitsmith::shell

@@ -99,9 +99,9 @@ void DrawPushes(Ui& ui, Session& session, WorldCardState& state) {
   }
 }
 
-// What searches have found for these rods, the newest first.
+// Found motions of figures with the same rods, newest first.
 std::vector<const FoundMotions::Entry*> ComparableMotions(const Session& session) {
-  constexpr std::size_t kMost = 12;  // a list that a phone can show
+  constexpr std::size_t kMost = 12;  // length of a list that fits on a phone
   std::vector<const FoundMotions::Entry*> motions;
   for (const FoundMotions::Entry* entry : session.Results().Motions().Sorted(FoundMotions::Order::kNewest)) {
     if (motions.size() == kMost) break;
@@ -118,7 +118,7 @@ struct GhostChoice {
   std::string found_id;
 };
 
-// @param chosen  set to the index of the present one
+// @param chosen  receives the index of the present choice
 std::vector<GhostChoice> GhostChoices(const Session& session, int& chosen) {
   using enum Ghost::Kind;
   std::vector<GhostChoice> choices = {
@@ -146,7 +146,7 @@ std::vector<GhostChoice> GhostChoices(const Session& session, int& chosen) {
            c.found_id == ghost.FoundId();
   });
   chosen = static_cast<int>(now - choices.begin());
-  if (now == choices.end())  // it has left the results meanwhile
+  if (now == choices.end())  // the motion was removed from the results
     choices.push_back({.words = session.Comparison().Words(), .kind = kFound, .found_id = ghost.FoundId()});
   return choices;
 }

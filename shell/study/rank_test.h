@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether one sample tends to be greater than another, by ranks alone: searches' results are skewed, and only
-// their order has a meaning.
+// Compares two samples by ranks, for skewed results of searches, where only the order has a meaning.
 #pragma once
 
 #include <span>
@@ -9,19 +8,19 @@
 namespace gaitsmith::shell {
 
 struct RankComparison {
-  double u;    // Mann-Whitney: pairs in which the first is greater, ties counted half; [0, n m]
-  double a12;  // Vargha-Delaney: the share u / (n m) of all pairs; 0.5 when neither tends to be greater
+  double u;  // Mann-Whitney: number of pairs in which the first value is greater, ties counted half; [0, n m]
+  double a12;  // Vargha-Delaney: the share u / (n m) of all pairs; 0.5 if neither sample tends to be greater
   double p;  // two-sided, by the normal approximation, corrected for ties and continuity; 1 if all are equal
 };
 
 /// [Mann Whitney 1947], [Vargha Delaney 2000] @param first, second not empty, no NaN
 [[nodiscard]] RankComparison CompareRanks(std::span<const double> first, std::span<const double> second);
 
-/// The p values of one family of comparisons, each made as large as testing them all together demands, in the
-/// order given [Holm 1979].
+/// The p values of one family of comparisons, in the order given, corrected for testing all of them together
+/// [Holm 1979].
 [[nodiscard]] std::vector<double> HolmAdjusted(std::span<const double> p);
 
-/// The value below which a share of the sample lies, interpolated between neighbours; 0.5 is the median.
+/// The value below which this share of the sample lies, interpolated between neighbours; 0.5 is the median.
 /// @param sample not empty, no NaN  @param share [0, 1]
 [[nodiscard]] double Quantile(std::span<const double> sample, double share);
 

@@ -10,7 +10,7 @@ namespace gaitsmith::shell {
 
 namespace {
 
-/// FNV-1a [Fowler Noll Vo 1991] over fields that cannot run into each other.
+/// FNV-1a [Fowler Noll Vo 1991] over fields with unambiguous limits.
 class Fingerprint {
  public:
   void Add(std::span<const std::uint8_t> bytes) {
@@ -65,7 +65,7 @@ Document TrialDocument(const Study& study, std::size_t problem, std::size_t sear
 std::string FingerprintOf(const Study& study) {
   const StudyPlan& plan = study.plan;
   Fingerprint print;
-  print.Add("gaitsmith study 1");  // another number when rows come to mean something else
+  print.Add("gaitsmith study 1");  // change the number if the meaning of rows changes
   for (const int number : {kModelVersion, plan.trials, plan.points}) {
     print.AddNumber(static_cast<std::uint64_t>(number));
   }

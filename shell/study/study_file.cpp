@@ -24,13 +24,13 @@ constexpr std::size_t FieldsOf(StudyTable table) {
 }
 
 std::string Number(double value) {
-  if (value != value) return "nan";  // of a motion that broke physics; some libraries print its sign
+  if (value != value) return "nan";  // of a motion that broke physics; some libraries print the sign of a NaN
   char text[32];
   std::snprintf(text, sizeof text, "%.9g", value);
   return text;
 }
 
-/// Of text that begins with one. (Emscripten's std::from_chars knows whole numbers only.)
+/// Parses a text that begins with a number. (Emscripten's std::from_chars supports whole numbers only.)
 double Real(std::string_view text) { return std::strtod(std::string(text).c_str(), nullptr); }
 
 /// "problem,search,seed,"
@@ -40,12 +40,12 @@ std::string TrialText(const StudyPlan& plan, std::size_t index) {
          ",";
 }
 
-/// Reads the rows of one file, one after another. The curve of a trial stands together, in order.
+/// Reads the rows of a file in order. The curve of a trial is contiguous and in order.
 class RowReader {
  public:
   explicit RowReader(const StudyFile& file) : file_(file) {}
 
-  /// What is wrong with a row, or nothing.
+  /// @return the error in a row, or nothing
   std::string Read(std::string_view row) {
     Cut(row);
     if (const std::size_t fields = FieldsOf(file_.table); count_ != fields) {
@@ -80,7 +80,7 @@ class RowReader {
     const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
     return fault == std::errc{} && end == text.data() + text.size();
   }
-  /// Only what we write ourselves: a number that was changed or shortened on its way is damage.
+  /// Accepts only the notation that we write: another notation is a sign of damage.
   static bool IsNumber(std::string_view text, double& value) {
     value = Real(text);
     return Number(value) == text;
@@ -91,7 +91,7 @@ class RowReader {
     if (!Whole(fields_[3], evaluations) || evaluations != file_.plan.evaluations) {
       return "must have " + std::to_string(file_.plan.evaluations) + " evaluations";
     }
-    double value = 0.0;  // a motion that broke physics may have terms that are no numbers, but has a score
+    double value = 0.0;  // a motion that broke physics may have NaN terms, but has a score
     for (std::size_t i = 4; i < kResultFields - 1; ++i) {
       if (!IsNumber(fields_[i], value) || (i == 4 && !std::isfinite(value)))
         return "has a damaged number, \"" + std::string(fields_[i]) + "\"";
@@ -102,7 +102,7 @@ class RowReader {
     }
     return "";
   }
-  /// That the link holds the motion of this very row.
+  /// Checks that the link holds the motion of this row.
   std::string CheckLink() const {
     const auto document = DecodeLink(fields_[kMotionFields - 1]);
     if (!document) return "its link is damaged: " + document.error().Sentence();
@@ -116,7 +116,8 @@ class RowReader {
     const StudyPlan& plan = file_.plan;
     int evaluations = 0;
     if (!Whole(fields_[3], evaluations)) return "its evaluation is not a number";
-    // The first rows of a curve may be missing, where nothing had a score yet; then each follows the last.
+    // The first points of a curve may be missing, if no motion had a score yet. After that, points are
+    // consecutive.
     int point = points_;
     while (points_ == 0 && point + 1 < plan.points && plan.EvaluationsAt(point) < evaluations) ++point;
     if (plan.EvaluationsAt(point) != evaluations) {
@@ -135,7 +136,7 @@ class RowReader {
   const StudyFile& file_;
   std::array<std::string_view, kMotionFields> fields_;
   std::size_t count_ = 0, trial_ = 0;
-  int points_ = 0;  // of the curve that is being read; 0 between curves
+  int points_ = 0;  // of the curve being read; 0 between curves
   double best_ = 0.0;
 };
 

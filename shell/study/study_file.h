@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One file of a study as text: rows of finished trials, whoever ran them and in whatever order.
+// One file of a study as text: rows of finished trials, from any machine and in any order.
 #pragma once
 
 #include <map>
@@ -11,33 +11,33 @@
 
 namespace gaitsmith::shell {
 
-/// What a trial found.
+/// The result of a trial.
 struct TrialResult {
-  float best;          // fitness
+  float best;          // fitness of the best motion
   Terms terms;         // of the best motion
-  GroundUse ground;    // likewise
-  std::uint64_t hash;  // of its trajectory
+  GroundUse ground;    // of the best motion
+  std::uint64_t hash;  // hash of its trajectory
   std::span<const Search::CurvePoint> curve;
-  std::string link = {};  // of the motion's document; of kMotions alone
+  std::string link = {};  // link to the motion's document; only in kMotions
 };
-/// The trial's rows in one of the files. Points of the curve before any score have none.
+/// The trial's rows in one of the files. Points of the curve before the first score have no row.
 [[nodiscard]] std::string RowsOf(const StudyPlan&, StudyTable, std::size_t trial, const TrialResult&);
 
-/// The best so far at each point of the plan: a step function.
-/// @param before what stands at points before any score
+/// The best so far at each point of the plan, as a step function.
+/// @param before value of points before the first score
 [[nodiscard]] std::vector<float> BestAtPoints(const StudyPlan&, std::span<const Search::CurvePoint> curve,
                                               float before);
 
-/// One field of a row that was checked, counted from 0 as the heading names them; the line's end is none.
+/// One field of a checked row, counted from 0 as in the heading, without the line's end.
 [[nodiscard]] std::string_view FieldOf(std::string_view row, int field);
 
-/// The fitness in a row of results or motions that was checked.
+/// The fitness in a checked row of results or motions.
 [[nodiscard]] double BestIn(std::string_view row);
 
 /// How a file may end.
 enum class Ending {
   kWhole,  // with a finished trial
-  kTorn,   // anywhere: whoever wrote it may have been killed, or goes on writing
+  kTorn,   // anywhere: the writer may have been killed, or may still be writing
 };
 
 struct StudyFile {
@@ -45,15 +45,15 @@ struct StudyFile {
   StudyTable table;
   struct Rows {
     std::string text;
-    std::size_t line;  // of the first, from 1
+    std::size_t line;  // line number of the first row, from 1
   };
   std::map<std::size_t, Rows> trials = {};  // by canonical index
-  std::size_t whole_bytes = 0;              // read until the end of the last finished trial
+  std::size_t whole_bytes = 0;              // end of the last finished trial
 
-  /// Every row is checked. @param path for the error, which names file and line
+  /// Checks every row. @param path for the error, which names file and line
   [[nodiscard]] static Result<StudyFile> Parse(std::string_view text, const std::string& path, Ending);
 
-  /// Heading and rows in canonical order: the same bytes for the same trials.
+  /// Heading and rows in canonical order. The same trials give the same bytes.
   [[nodiscard]] std::string Text() const;
 };
 

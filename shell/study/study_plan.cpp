@@ -114,7 +114,8 @@ Result<ReadHeading> ParseHeading(std::string_view text) {
   plan.trials = static_cast<int>(
       std::min<std::size_t>(total / (plan.problems.size() * plan.searches.size()), kMostTrials + 1));
   const auto table = static_cast<StudyTable>(kind - kTableNames.begin());
-  // Written again it must be the same: that also finds wrong words, a wrong total and other columns.
+  // Writing the plan again must give the same text. This also detects wrong words, a wrong total and other
+  // columns.
   if (!Holds(plan) || !text.starts_with(Heading(plan, table))) return damaged;
   return ReadHeading{.plan = std::move(plan), .table = table};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a study tries: every search on every problem, with so many seeds. The first line of each of its files
-// says so, which is all that it takes to continue, merge or judge a file.
+// The plan of a study: every search on every problem, with a number of seeds. The first line of each of its
+// files holds the plan, which is enough to continue, merge or judge a file.
 #pragma once
 
 #include <cstdint>
@@ -13,25 +13,25 @@
 
 namespace gaitsmith::shell {
 
-inline constexpr int kMostTrials = 1'000'000;  // of one search on one problem
+inline constexpr int kMostTrials = 1'000'000;  // limit for one search on one problem
 inline constexpr int kMostPoints = 100'000;
 inline constexpr int kMostEvaluations = 100'000'000;
 
-/// Which of a study's files.
+/// The kinds of files of a study.
 enum class StudyTable {
-  kResults,  // a row for each trial: what its best motion is worth
-  kCurves,   // rows for each trial: the best so far after so many evaluations
+  kResults,  // a row for each trial: the score of its best motion
+  kCurves,   // rows for each trial: the best score so far at several evaluation counts
   kMotions,  // a row for each trial: its result, and the motion itself as a link
 };
 /// "results"
 [[nodiscard]] std::string_view NameOf(StudyTable);
 
 struct StudyPlan {
-  std::string fingerprint;                      // 16 hexadecimal digits: everything that decides the results
-  std::uint32_t first_seed = 1;                 // the others follow
-  int trials = 1;                               // of each search on each problem, [1, kMostTrials]
-  int evaluations = 1;                          // of each trial, [1, kMostEvaluations]
-  int points = 1;                               // of a curve, [1, evaluations], at most kMostPoints
+  std::string fingerprint;       // 16 hexadecimal digits computed from everything that affects the results
+  std::uint32_t first_seed = 1;  // of the first trial; the others count up from it
+  int trials = 1;                // of each search on each problem, [1, kMostTrials]
+  int evaluations = 1;           // of each trial, [1, kMostEvaluations]
+  int points = 1;                // of a curve, [1, evaluations], at most kMostPoints
   std::vector<std::string> problems, searches;  // labels, as of IsLabel, no two the same
 
   struct Trial {
@@ -41,15 +41,15 @@ struct StudyPlan {
   [[nodiscard]] std::size_t Total() const;
   /// Trials in canonical order: by problem, search, seed. @param index below Total()
   [[nodiscard]] Trial At(std::size_t index) const;
-  /// The index of a trial; nothing if it is not of this study.
+  /// The index of a trial; nothing if the trial is not in this study.
   [[nodiscard]] std::optional<std::size_t> Find(std::string_view problem, std::string_view search,
                                                 std::uint32_t seed) const;
-  /// How many evaluations a point of the curve stands for, ascending to all of them.
+  /// The number of evaluations at a point of the curve; the last point is the whole budget.
   /// @param point [0, points)
   [[nodiscard]] int EvaluationsAt(int point) const;
 };
 
-/// Whether a label can stand in a CSV and in a heading: not empty, no blank, comma, quote or control
+/// Whether a label is valid in a CSV and in a heading: not empty, no blank, comma, quote or control
 /// character.
 [[nodiscard]] bool IsLabel(std::string_view);
 
@@ -60,7 +60,7 @@ struct ReadHeading {
   StudyPlan plan;
   StudyTable table;
 };
-/// @param text begins with the two lines; the error's `where` is left empty
+/// @param text begins with the two lines. The error's `where` is left empty
 [[nodiscard]] Result<ReadHeading> ParseHeading(std::string_view text);
 
 }  // namespace gaitsmith::shell

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A found motion that is dragged from its card to the timeline.
+// Dragging a found motion from its card to the timeline.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace gaitsmith::shell {
 
-/// After the area that is drawn last: it may be dragged away.
-/// @param name  what the pointer carries meanwhile
+/// Call after the area drawn last, to make it draggable.
+/// @param name  shown at the pointer during the drag
 void OfferFound(const Ui&, const std::string& id, const std::string& name);
 
-/// Takes it where it is let go over the clips: it is inserted there, or at the moment
-/// shown, the border or the half second nearby.
+/// Inserts a motion dropped over the clips at the pointer, or at a nearby shown moment, border or half
+/// second.
 /// @param band of all clips, from the start of the motion to its end
 void TakeFound(const Ui&, Session&, const ImRect& band);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The timeline: which controller is in charge when. Clips are selected with a click; the border between two
-// is dragged.
+// The timeline: which controller is active when. Click a clip to select it; drag the border between two clips
+// to move it.
 #pragma once
 
 #include "shell/session/session.h"
@@ -10,7 +10,7 @@ namespace gaitsmith::shell {
 
 void DrawTimeline(Ui&, Session&, const ImRect&);
 
-/// A few words over a place of the timeline. @param within from left to right @param bottom the words'
+/// A short text above a place on the timeline. @param within from left to right @param bottom of the text
 /// [points]
 void DrawBubble(const Ui&, float x, const ImRect& within, float bottom, const std::string& words);
 

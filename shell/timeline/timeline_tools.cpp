@@ -12,10 +12,10 @@ namespace {
 struct Tool {
   const char* id;
   const char* label;
-  const char* heard;  // in full
+  const char* heard;  // the label in full
   bool enabled;
   void (TimelineEditor::*use)();
-  int spare;  // where there is no room for all, those with the greatest number go first
+  int spare;  // order in which tools are left out if there is no room: greatest number first
 };
 
 std::vector<Tool> ToolsOf(const Session& session) {
@@ -50,7 +50,7 @@ float WidthOf(const Ui& ui, const Tool& tool) {
   return ui.Letters().Width(Type::kBody, Tr(tool.label)) + (ui.Look().touch ? 28.0f : 18.0f);
 }
 
-/// Places for tools in rows of this width, one below another, from (0, 0) on.
+/// Positions of tools in rows of this width, from (0, 0) downwards.
 std::vector<ImRect> RowsOf(const Ui& ui, const std::vector<Tool>& tools, float width) {
   constexpr float kGap = 8.0f;
   const float height = ui.Look().ControlHeight();
@@ -65,7 +65,7 @@ std::vector<ImRect> RowsOf(const Ui& ui, const std::vector<Tool>& tools, float w
   return places;
 }
 
-/// Places for tools in one row, from (0, 0) on.
+/// Positions of tools in one row, from (0, 0).
 std::vector<ImRect> RowOf(const Ui& ui, const std::vector<Tool>& tools, float height) {
   std::vector<ImRect> places;
   float x = 0.0f;
@@ -90,7 +90,7 @@ float DrawTimelineTools(Ui& ui, Session& session, const ImRect& row, float below
   };
   const ImVec2 room = in_row ? row.GetSize() : ImVec2(row.Max.x - first, bottom - below);
   std::vector<ImRect> places = places_of();
-  // The palette has all of them.
+  // The command palette always has all of them.
   while (tools.size() > 1 && (places.back().Max.x > room.x || places.back().Max.y > room.y)) {
     tools.erase(std::ranges::max_element(tools, {}, &Tool::spare));
     places = places_of();

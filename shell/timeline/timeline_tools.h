@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What can be done with the clips of the timeline, as buttons.
+// Buttons for actions on the timeline's clips.
 #pragma once
 
 #include "shell/session/session.h"
@@ -7,9 +7,9 @@
 
 namespace gaitsmith::shell {
 
-/// @param row   of the heading, what is left of it
-/// @param below where rows of their own may begin, if the row is too short
-/// @return where the tools in the row begin; its right end, if they are below
+/// @param row   free part of the heading's row
+/// @param below top of additional rows, if that row is too short
+/// @return the left end of the tools in the row; the row's right end if they are below
 float DrawTimelineTools(Ui&, Session&, const ImRect& row, float below);
 
 }  // namespace gaitsmith::shell

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Height and colour say the same, and the colour is one hue from pale to strong: no eye has to tell two hues
-// apart.
+// Height and colour show the same value, and the colour is a single hue from pale to strong, so that the
+// strip is readable without telling hues apart.
 #include "shell/timeline/transition_strip.h"
 
 #include <algorithm>
@@ -17,9 +17,9 @@ constexpr float kStripHeight = 22.0f;
 constexpr float kAbove = 4.0f;  // room between clips and strip
 constexpr float kStepS = kStep;
 
-/// Where steps and shares are drawn.
+/// Maps steps and shares to the canvas.
 struct Strip {
-  ImRect rect;  // of the whole motion
+  ImRect rect;  // area of the whole motion
   float steps;
   [[nodiscard]] float XOf(float step) const {
     return rect.Min.x + std::clamp(step / steps, 0.0f, 1.0f) * rect.GetWidth();
@@ -27,7 +27,7 @@ struct Strip {
   [[nodiscard]] float YOf(float share) const {
     return rect.Max.y - 1.0f - std::clamp(share, 0.0f, 1.0f) * (rect.GetHeight() - 5.0f);
   }
-  /// From half way to the moment before to half way to the next one.
+  /// From halfway to the moment before to halfway to the next moment.
   [[nodiscard]] ImRect CellOf(int step) const {
     constexpr float kHalf = 0.5f * kMomentSpacing;
     const auto middle = static_cast<float>(step);
@@ -37,7 +37,7 @@ struct Strip {
 
 std::string SecondsOf(int step) { return Fixed(static_cast<float>(step) * kStepS, 2); }
 
-/// A usual score near 0 makes shares that mean nothing any more.
+/// If the usual score is near 0, shares are too large to mean anything.
 int PercentOf(float share) { return static_cast<int>(std::lround(100.0f * std::clamp(share, 0.0f, 9.99f))); }
 
 std::string TransitionWords(const Session& session) {
@@ -57,14 +57,14 @@ std::string TransitionWords(const Session& session) {
   return Tr("best at {1} s: {2} % of its usual score; now {3} %", when, percent, now);
 }
 
-/// What is not known, over moments that lie beside one another.
+/// Hatching over moments whose score is not known yet.
 void DrawHatch(const Ui& ui, const ImRect& area) {
   constexpr float kSpacing = 6.0f;
   ImDrawList* list = ui.Canvas();
   list->PushClipRect(area.Min, area.Max, true);
   const float height = area.GetHeight();
   const ImU32 colour = Mix(ui.Ink().soft, ui.Ink().second_ink, 0.4f);
-  // Places of the lines do not depend on the area, so that neighbours go together.
+  // The lines' positions do not depend on the area, so that neighbouring areas match.
   for (float x = std::floor((area.Min.x - height) / kSpacing) * kSpacing; x < area.Max.x; x += kSpacing)
     list->AddLine({x, area.Max.y}, {x + height, area.Min.y}, colour);
   list->PopClipRect();
@@ -83,7 +83,7 @@ void DrawShares(const Ui& ui, const TransitionScores& map, const Strip& strip) {
       DrawHatch(ui, cell);
       continue;
     }
-    cell.Min.x = ui.Look().Snap(cell.Min.x);  // no seams
+    cell.Min.x = ui.Look().Snap(cell.Min.x);  // avoids seams
     cell.Max.x = ui.Look().Snap(cell.Max.x);
     const float top = strip.YOf(*share);
     const ImU32 fill = Mix(p.soft, p.accent, 0.25f + 0.65f * std::clamp(*share, 0.0f, 1.0f));
@@ -92,7 +92,7 @@ void DrawShares(const Ui& ui, const TransitionScores& map, const Strip& strip) {
   }
 }
 
-/// A line where the clip takes over now, a dot where it would do best: the playhead is a wedge.
+/// A line where the clip takes over now, and a dot at the best moment. (The playhead is a wedge.)
 void DrawMarks(const Ui& ui, const Session& session, const Strip& strip) {
   const TransitionScores& map = session.Timeline().Transitions().Scores();
   const Palette& p = ui.Ink();
@@ -112,7 +112,7 @@ void DrawMarks(const Ui& ui, const Session& session, const Strip& strip) {
 }  // namespace
 
 float TransitionStripHeight(const Session& session) {
-  // Its room is there before it is, so that nothing moves under the pointer that selects a clip.
+  // Room for the strip is reserved before it appears, so that nothing moves under the pointer.
   return session.Doc().timeline.size() > 1 ? kAbove + kStripHeight : 0.0f;
 }
 

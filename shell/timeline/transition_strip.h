@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The transition map under the clips: over time, how well the selected clip would do if it took over there.
+// The transition map under the clips: how well the selected clip would do if it took over at each time.
 #pragma once
 
 #include "shell/session/session.h"
@@ -7,10 +7,10 @@
 
 namespace gaitsmith::shell {
 
-/// What the timeline is higher by for it; 0: there is nothing to show.
+/// Height that the strip adds to the timeline; 0 if there is no strip.
 [[nodiscard]] float TransitionStripHeight(const Session&);
 
-/// @param clips all of them: the whole motion from left to right. The strip stands below
+/// @param clips area of all clips, the whole motion from left to right. The strip is below
 void DrawTransitionStrip(Ui&, const Session&, const ImRect& clips);
 
 }  // namespace gaitsmith::shell

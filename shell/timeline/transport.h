@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Play, step, scrub and speed, with the strip that shows which rule was active when.
+// Play, step, scrub and speed, with a strip that shows the active rule over time.
 #pragma once
 
 #include "shell/session/session.h"

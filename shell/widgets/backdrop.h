@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Large plain rectangles behind everything else. Clearing a part of the window costs next to nothing; a
-// rectangle drawn by Dear ImGui is textured and blended pixel by pixel, which is most of a frame where
-// graphics are software.
+// Large plain rectangles behind everything else. Clearing a part of the window costs almost nothing. A
+// rectangle drawn by Dear ImGui is textured and blended pixel by pixel, which takes most of a frame with
+// software graphics.
 #pragma once
 
 #include <imgui_internal.h>
@@ -18,7 +18,8 @@ class Backdrop {
   };
 
   void Clear() { areas_.clear(); }
-  /// In this frame. Later areas lie over earlier ones, and whatever Dear ImGui draws over all of them.
+  /// For this frame only. Later areas cover earlier ones, and everything drawn by Dear ImGui covers all
+  /// areas.
   void Fill(const ImRect& rect, ImU32 colour) { areas_.push_back({rect, colour}); }
   [[nodiscard]] const std::vector<Area>& Areas() const { return areas_; }
 

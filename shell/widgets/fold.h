@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A section of a panel that folds away under its heading.
+// A collapsible section of a panel.
 #pragma once
 
 #include <string_view>
@@ -8,9 +8,9 @@
 
 namespace gaitsmith::shell {
 
-/// The heading: a press opens or closes the section; the caller draws it while it is open.
-/// @param note  what stands at the right, e.g. how much is in it
-/// @return whether it is open
+/// Draws the heading. Click it to open or close the section. The caller draws the open section.
+/// @param note  text at the right, e.g. the number of entries
+/// @return whether the section is open
 bool DrawFold(Ui&, std::string_view id, std::string_view title, std::string_view note, bool& open);
 
 }  // namespace gaitsmith::shell

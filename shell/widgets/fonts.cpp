@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rasterising Inter and setting lines of it.
+// Rasterises Inter and draws lines of text.
 #include "shell/widgets/fonts.h"
 
 #include <imgui_internal.h>
@@ -12,8 +12,8 @@
 namespace gaitsmith::shell {
 namespace {
 
-// Dear ImGui measures a font by ascent - descent, designers by the em. For Inter the first is 1.21 of the
-// second.
+// Dear ImGui measures a font by ascent - descent, designers by the em. For Inter the former is 1.21 of the
+// latter.
 constexpr float kHeightPerEm = 1.2102f;
 constexpr float kCapitalHeightPerEm = 0.727f;
 
@@ -30,7 +30,7 @@ constexpr ImWchar kRanges[] = {0x20,   0x7e,   0xa0,   0xff,   0x394,  0x394,  0
                                0x3c9,  0x3c9,  0x2013, 0x2014, 0x2018, 0x2019, 0x201c, 0x201e, 0x2026,
                                0x2026, 0x2190, 0x2193, 0x2212, 0x2212, 0x2264, 0x2265, 0};
 
-// The largest type sets one number and its unit; all the rest of its letters would be a fifth of the atlas.
+// The largest type is used for one number and its unit. Its other letters would take a fifth of the atlas.
 constexpr ImWchar kNumberRanges[] = {0x20, 0x7e, 0x2212, 0x2212, 0};
 
 // Gives all ten digits one width, each centred in it, so that counting numbers do not jitter.
@@ -72,7 +72,7 @@ void Fonts::Build(float density) {
     config.OversampleH = density < 1.75f ? 3 : 2;
     config.OversampleV = 1;
     config.GlyphRanges = i == static_cast<std::size_t>(Type::kNumber) ? kNumberRanges : kRanges;
-    // The atlas only reads the bytes; its interface merely lacks the const.
+    // The atlas only reads the bytes, although its interface lacks the const.
     fonts_[i] =
         atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(bytes.data()), static_cast<int>(bytes.size()),
                                    kFaces[i].em * kHeightPerEm, &config);

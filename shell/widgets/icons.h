@@ -19,7 +19,7 @@ enum class Icon {
   kChevronUp,
   kCheck,
   kStop,
-  kBookmark,  // outlined, and full for what is kept
+  kBookmark,  // an outline, and filled for saved motions
   kBookmarkFull,
   kPencil
 };

@@ -14,7 +14,7 @@ namespace {
 std::string Short(double value, double spacing) {
   const double size = std::abs(value);
   const double unit = size >= 1e6 ? 1e6 : size >= 1e4 ? 1e3 : 1.0;
-  // As many digits as the spacing has, so that equal steps read as equal.
+  // As many decimals as the spacing has, so that all labels have the same number.
   int digits = 0;
   for (double step = spacing / unit; digits < 2 && std::abs(step - std::round(step)) > 1e-6; step *= 10.0)
     ++digits;
@@ -85,7 +85,7 @@ void DrawPlot(Ui& ui, std::string_view id, std::string_view label, const ImRect&
            static_cast<float>((y - extent.low) / (extent.high - extent.low)) * field.GetHeight();
   };
 
-  // Rules and their numbers.
+  // Grid lines and their numbers.
   for (const double tick : ticks) {
     const float y = y_of(tick);
     ui.HorizontalLine(field.Min.x, field.Max.x, y);
@@ -93,7 +93,7 @@ void DrawPlot(Ui& ui, std::string_view id, std::string_view label, const ImRect&
                  Short(tick, spacing) + std::string(axes.y_unit), Align::kRight);
   }
   const std::vector<double> x_ticks = NiceTicks(0.0, axes.x_end);
-  // From the right, since the last one carries the unit and may leave no room for the one before it.
+  // From the right, since the last label carries the unit and may leave no room for the one before.
   float free = rect.Max.x;
   for (std::size_t i = x_ticks.size(); i-- > 0;) {
     const bool last = i + 1 == x_ticks.size();
@@ -115,7 +115,7 @@ void DrawPlot(Ui& ui, std::string_view id, std::string_view label, const ImRect&
     }
   }
 
-  // Each improvement is a step: nothing was better in between.
+  // Drawn as steps: the best score is constant between improvements.
   for (const PlotSeries& one : series) {
     if (one.points.empty()) continue;
     list->PathLineTo({x_of(one.points.front().x), y_of(one.points.front().y)});
@@ -123,7 +123,7 @@ void DrawPlot(Ui& ui, std::string_view id, std::string_view label, const ImRect&
     for (std::size_t i = 1; i < one.points.size(); ++i) {
       const float x = x_of(one.points[i].x);
       const bool rises = one.points[i].y != one.points[i - 1].y;
-      // Steps closer than half a point cannot be told apart.
+      // Skip steps closer than half a point.
       if ((!rises || x - drawn_x < 0.5f) && i + 1 < one.points.size()) continue;
       drawn_x = x;
       list->PathLineTo({x, y_of(one.points[i - 1].y)});

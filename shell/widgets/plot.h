@@ -15,7 +15,7 @@ struct PlotPoint {
   double y;
 };
 
-/// How far values scatter; holds until the next one.
+/// Spread of values, constant until the next entry.
 struct PlotSpread {
   double x;
   double low;
@@ -24,22 +24,22 @@ struct PlotSpread {
 
 struct PlotSeries {
   std::string_view name;
-  std::span<const PlotPoint> points;  // x ascending; each y holds until the next point
+  std::span<const PlotPoint> points;  // x ascending; each y is constant until the next point
   ImU32 colour;
   std::span<const PlotSpread> spread = {};  // a band behind the lines, x ascending
-  bool thin = false;                        // a background to the others: a fine line without an end
+  bool thin = false;                        // a fine background line without a mark at its end
 };
 
 struct PlotAxes {
   double x_end = 1.0;        // from 0
   std::string_view x_label;  // e.g. "evaluations"
-  std::string_view y_unit;   // behind each tick, e.g. " m"
+  std::string_view y_unit;   // follows each tick's number, e.g. " m"
 };
 
 /// Three or four round numbers within [low, high], low < high.
 [[nodiscard]] std::vector<double> NiceTicks(double low, double high);
 
-/// @param summary what a screen reader is told, e.g. "best 5.31 after 13,600 evaluations"
+/// @param summary text for screen readers, e.g. "best 5.31 after 13,600 evaluations"
 void DrawPlot(Ui&, std::string_view id, std::string_view label, const ImRect&, const PlotAxes&,
               std::span<const PlotSeries>, std::string_view summary);
 

@@ -82,7 +82,7 @@ const Palette& PaletteOf(PaletteName name) {
 
 ImU32 RuleColour(int rule, bool dark) {
   const ImU32 colour = Rgb(RuleColourHex(rule));
-  // The deep ones would sink into a dark panel; all rise together, so that their distances stay.
+  // Dark colours would be invisible on a dark panel. All are lightened alike, which keeps their distances.
   return dark ? Mix(colour, IM_COL32_WHITE, 0.24f) : colour;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The look in numbers: colours of the themes, the ten rule colours, sizes, and Dear ImGui's own style
-// made to match.
+// The appearance in numbers: colours of the themes, the ten rule colours, sizes, and a matching style for
+// Dear ImGui.
 #pragma once
 
 #include <imgui.h>
@@ -24,8 +24,8 @@ struct Palette {
   bool dark = false;
 };
 
-/// The strong ones have the contrast that projectors and tired eyes need: every colour of text and line at
-/// least 7 : 1 and 4.5 : 1 against what it stands on.
+/// The strong palettes have the contrast that projectors and tired eyes need: at least 7 : 1 for text and 4.5
+/// : 1 for lines against their background.
 enum class PaletteName { kLight, kDark, kStrongLight, kStrongDark };
 [[nodiscard]] const Palette& PaletteOf(PaletteName);
 
@@ -39,7 +39,7 @@ enum class PaletteName { kLight, kDark, kStrongLight, kStrongDark };
 /// The same colour, at this opacity in [0, 1].
 [[nodiscard]] ImU32 Fade(ImU32 colour, float opacity);
 
-/// Everything a widget needs to know about how to look. One per window; rebuilt parts are replaced in place.
+/// Everything that widgets need to know about their appearance. One per window, updated in place.
 struct Theme {
   Palette palette = PaletteOf(PaletteName::kLight);
   Fonts fonts;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The registry as JSON: for scripts what is in sight, for the page's mirror everything.
+// The registry as JSON: visible widgets for scripts, all widgets for the page's mirror.
 #include <cstdio>
 
 #include "core/document/json_value.h"
@@ -16,7 +16,7 @@ void AppendFlag(std::string& json, const char* name, std::optional<bool> flag) {
   json += *flag ? "\":true" : "\":false";
 }
 
-// Open at its end, for more members.
+// Without the closing brace, so that members can be added.
 std::string WidgetMembers(const Widget& widget, float scale) {
   std::string json = "{\"id\":" + QuoteJson(widget.id) + ",\"label\":" + QuoteJson(widget.label) +
                      ",\"role\":" + QuoteJson(widget.role) + ",\"value\":" + QuoteJson(widget.value) +

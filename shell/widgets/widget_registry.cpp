@@ -7,13 +7,13 @@
 namespace gaitsmith::shell {
 namespace {
 
-// Scroll bars, notes and texts are there to be seen or read; the Tab key passes over them.
+// Scroll bars, notes and texts are not reached by the Tab key.
 bool Stops(const Widget& widget) {
   return !widget.state.disabled && widget.role != "scrollbar" && widget.role != "note" &&
          widget.role != "heading" && widget.role != "paragraph";
 }
 
-// Whatever is scrolled away lies on the edge that it went over, so that nothing of it stands outside.
+// A widget that is scrolled out of sight gets a rectangle on the edge of the visible part.
 void ClipToSight(Widget& widget, const ImRect& sight) {
   const ImRect whole = widget.rect;
   widget.rect.ClipWithFull(sight);
@@ -47,7 +47,7 @@ void WidgetRegistry::BeginFrame() {
 void WidgetRegistry::EndFrame() {
   const ImGuiContext& g = *ImGui::GetCurrentContext();
   keyboard_ = !g.NavDisableHighlight;
-  // It may have changed hands while the frame was drawn, and only one has it.
+  // The focus may have moved while the frame was drawn, and only one widget has it.
   for (std::size_t i = 0; i < widgets_.size(); ++i) {
     if (ids_[i] != 0) widgets_[i].state.focused = ids_[i] == g.NavId;
   }
@@ -62,7 +62,7 @@ void WidgetRegistry::Describe(ImGuiID id, Widget widget) {
   widget.rect = found->second;
   widget.part = part_;
   ClipToSight(widget, ImGui::GetCurrentWindowRead()->ClipRect);
-  if (!ids_.empty() && ids_.back() == id) {  // it has become something else within the frame
+  if (!ids_.empty() && ids_.back() == id) {  // the widget has changed within the frame
     widgets_.back() = std::move(widget);
     return;
   }
@@ -110,7 +110,7 @@ void ImGuiTestEngineHook_ItemAdd(ImGuiContext* context, ImGuiID id, const ImRect
   static_cast<gaitsmith::shell::WidgetRegistry*>(context->TestEngine)->OnItem(id, box);
 }
 
-// Names, states and log lines come from our own widgets, which know more than Dear ImGui does.
+// Names, states and log lines come from our own widgets, which have more information than Dear ImGui.
 void ImGuiTestEngineHook_ItemInfo(ImGuiContext*, ImGuiID, const char*, ImGuiItemStatusFlags) {}
 void ImGuiTestEngineHook_Log(ImGuiContext*, const char*, ...) {}
 const char* ImGuiTestEngine_FindItemDebugLabel(ImGuiContext*, ImGuiID) { return nullptr; }

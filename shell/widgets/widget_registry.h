@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is on the canvas right now, for tests, scripts and assistive tools: every visible widget with
-// identity, role, value, state and rectangle. Rectangles come from Dear ImGui's test-engine hooks, meaning
-// from our widgets.
+// The widgets on the canvas, for tests, scripts and assistive tools: identity, role, value, state and
+// rectangle of each. Rectangles come from Dear ImGui's test-engine hooks, everything else from our widgets.
 #pragma once
 
 #include <imgui.h>
@@ -27,17 +26,17 @@ struct WidgetState {
   std::optional<bool> expanded = {};  // comboboxes
 };
 
-/// The numbers that a slider or a field can stand at.
+/// The range of a slider or a number field.
 struct WidgetRange {
   double low = 0.0;
   double high = 0.0;
-  double step = 0.0;  // 0: of no fixed size
+  double step = 0.0;  // 0: no fixed step
   double now = 0.0;
 };
 
 struct Widget {
   std::string id = {};     // stable and unique, e.g. "search/start"
-  std::string label = {};  // as a person reads it
+  std::string label = {};  // text for people
   std::string role =
       {};  // an ARIA role: button, radio, slider, switch, tab, combobox, option, spinbutton, img...
   std::string value = {};  // as shown, e.g. "0.80 s"
@@ -48,7 +47,7 @@ struct Widget {
   int part = -1;         // of WidgetRegistry::Parts
 };
 
-/// A named part of the canvas, maybe within another: a panel, a group of options.
+/// A named part of the canvas: a panel, a group of options. May be inside another part.
 struct WidgetPart {
   std::string id = {};
   std::string label = {};
@@ -61,32 +60,32 @@ class WidgetRegistry {
   /// Makes Dear ImGui's current context report to this registry.
   void Attach();
 
-  /// CSS pixels for a point of the canvas.
+  /// @param scale CSS pixels per point of the canvas
   void SetScale(float scale) { scale_ = scale; }
 
   void BeginFrame();
-  /// From the hooks: an item was laid out.
+  /// Called by the hooks when an item was laid out.
   void OnItem(ImGuiID, const ImRect&);
-  /// From our widgets, after the item: what it is.
+  /// Called by our widgets after the item, to describe it.
   void Describe(ImGuiID, Widget);
-  /// Text that stands on the canvas: a "heading" or a "paragraph".
+  /// Describes text on the canvas: a "heading" or a "paragraph".
   void DescribeText(std::string_view role, std::string_view text, const ImRect&);
-  /// What is described until LeavePart belongs together.
+  /// Widgets described until LeavePart belong to this part.
   void EnterPart(WidgetPart);
   void LeavePart();
   void EndFrame();
 
-  /// In the order of drawing, which is the order of the Tab key; with those that are scrolled out of sight.
+  /// In the order of drawing, which is the order of the Tab key, including widgets scrolled out of sight.
   [[nodiscard]] const std::vector<Widget>& Widgets() const { return widgets_; }
   [[nodiscard]] const std::vector<WidgetPart>& Parts() const { return parts_; }
-  /// Null: it was not drawn in the last frame.
+  /// Null if it was not drawn in the last frame.
   [[nodiscard]] const Widget* Find(std::string_view id) const;
-  /// Whether the Tab key has somewhere to go from the focused widget, scrolled out of sight or not.
+  /// Whether the Tab key has a next widget after the focused one, visible or not.
   [[nodiscard]] bool StopsBeyondFocus(bool back) const;
 
   /// The widgets in sight, without texts. Rectangles in CSS pixels.
   [[nodiscard]] std::string Json() const;
-  /// Everything, for the page's mirror of the canvas: {keyboard, waiting, parts, widgets}.
+  /// Everything, for the page's mirror: {keyboard, waiting, parts, widgets}.
   [[nodiscard]] std::string MirrorJson() const;
 
   [[nodiscard]] WidgetRequests& Requests() { return requests_; }
@@ -96,15 +95,15 @@ class WidgetRegistry {
   std::unordered_map<ImGuiID, ImRect> rects_;
   std::vector<Widget> widgets_;
   float scale_ = 1.0f;
-  std::vector<ImGuiID> ids_;  // of widgets_; 0: of a text
+  std::vector<ImGuiID> ids_;  // ids of widgets_; 0: a text
   std::vector<WidgetPart> parts_;
-  int part_ = -1;          // that is being drawn
-  int texts_ = 0;          // so far
-  bool keyboard_ = false;  // what has the keyboard shows it
+  int part_ = -1;          // the part being drawn
+  int texts_ = 0;          // number of texts in this frame
+  bool keyboard_ = false;  // whether the focused widget shows its focus ring
   WidgetRequests requests_;
 };
 
-/// A part of the canvas for as long as it lives.
+/// Marks a part of the canvas during the object's lifetime.
 class PartScope {
  public:
   PartScope(WidgetRegistry& registry, WidgetPart part) : registry_(registry) {

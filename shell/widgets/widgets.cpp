@@ -11,7 +11,7 @@
 namespace gaitsmith::shell {
 namespace {
 
-// In a window's storage, by the key of a widget: a finger is on it, and nobody knows yet what it wants.
+// Key in a window's storage, for a widget that a finger touches while its intention is unclear.
 constexpr ImGuiID kFingerKey = 0x66696e67;
 constexpr int kFingerWaits = 1;
 
@@ -82,7 +82,7 @@ Touch Ui::Area(std::string_view id, const ImRect& rect, Grab grab, Widget descri
   Touch touch;
   touch.id = window->GetID(id.data(), id.data() + id.size());
   const WidgetRequest* asked = registry_.Requests().DueFor(id);
-  // First the keyboard: whoever has it is drawn even where it is scrolled out of sight.
+  // Focus first: the focused widget is drawn even if it is scrolled out of sight.
   if (asked != nullptr) TakeKeyboard(rect, touch.id, asked->ring);
   touch.visible = ImGui::ItemAdd(rect, touch.id, nullptr, enabled ? 0 : ImGuiItemFlags_Disabled);
   if (touch.visible && enabled && grab != Grab::kNothing) {
@@ -97,7 +97,7 @@ Touch Ui::Area(std::string_view id, const ImRect& rect, Grab grab, Widget descri
     if (grab != Grab::kDrag && touch.hovered && !theme_.touch) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   }
 
-  // With the keyboard here, left and right change the value instead of moving on.
+  // While focused, left and right change the value instead of moving the focus.
   if (grab == Grab::kArrows && enabled && g.NavId == touch.id && g.NavMoveSubmitted &&
       (g.NavMoveDir == ImGuiDir_Left || g.NavMoveDir == ImGuiDir_Right)) {
     touch.steps = (g.NavMoveDir == ImGuiDir_Left ? -1 : 1) * (g.IO.KeyShift ? 10 : 1);
@@ -124,7 +124,7 @@ void Ui::AwaitFinger(Touch& touch, bool was_held) const {
   const ImGuiID key = touch.id + kFingerKey;
   if (touch.began) storage->SetInt(key, kFingerWaits);
   if (storage->GetInt(key) != kFingerWaits) return;
-  if (!touch.held && !was_held) return storage->SetInt(key, 0);  // it went on to scroll
+  if (!touch.held && !was_held) return storage->SetInt(key, 0);  // the finger went on to scroll
   const ImVec2 moved = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0f);
   const bool sideways = touch.held && std::abs(moved.x) >= 6.0f && std::abs(moved.x) >= std::abs(moved.y);
   const bool lifted = !touch.held && was_held;
@@ -136,12 +136,12 @@ void Ui::AwaitFinger(Touch& touch, bool was_held) const {
 void Ui::TakeKeyboard(const ImRect& rect, ImGuiID id, bool ring) const {
   ImGuiContext& g = *ImGui::GetCurrentContext();
   ImGuiWindow* window = ImGui::GetCurrentWindow();
-  if (g.ActiveId != 0 && g.ActiveId != id) ImGui::ClearActiveID();  // a number that was being typed
+  if (g.ActiveId != 0 && g.ActiveId != id) ImGui::ClearActiveID();  // a number being typed
   if (g.NavWindow != window) ImGui::FocusWindow(window);            // closes a list over it
   ImGui::SetFocusID(id, window);
   window->NavRectRel[ImGuiNavLayer_Main] = ImGui::WindowRectAbsToRel(window, rect);
   g.NavDisableHighlight = !ring;
-  if (ring) g.NavDisableMouseHover = true;  // a pointer that merely rests somewhere does not count any more
+  if (ring) g.NavDisableMouseHover = true;  // ignore a pointer that does not move
   if ((window->Flags & ImGuiWindowFlags_ChildWindow) != 0)
     ImGui::ScrollToRectEx(window, rect, ImGuiScrollFlags_KeepVisibleEdgeY | ImGuiScrollFlags_NoScrollParent);
 }
@@ -164,7 +164,7 @@ void Ui::DrawFocus(const Touch& touch, const ImRect& rect, float radius) const {
   ImDrawList* list = Canvas();
   ImRect ring = rect;
   ring.Expand(2.5f);
-  // The ring may stand outside its row, but never outside the canvas.
+  // The ring may extend outside its row, but not outside the canvas.
   ImRect whole(ImGui::GetCurrentWindowRead()->ClipRect);
   ring.ClipWith(whole);
   list->AddRect(ring.Min, ring.Max, Ink().accent, radius + 2.5f, 0, 2.0f);
@@ -188,7 +188,7 @@ void Ui::VerticalLine(float x, float top, float bottom) const {
       {left, top}, {left + std::max(1.0f, std::floor(theme_.density)) / theme_.density, bottom}, Ink().line);
 }
 
-// Draws a button's ground and returns the colour of what stands on it.
+// Draws a button's background and returns the colour of its label.
 ImU32 Ui::ButtonInk(ButtonLook look, const ImRect& rect, const Touch& touch, bool enabled) const {
   const Palette& p = Ink();
   const float lift = touch.held ? 0.16f : touch.hovered ? 0.08f : 0.0f;

@@ -10,7 +10,7 @@
 namespace gaitsmith::shell {
 namespace {
 
-// A number as it is typed: digits, a sign, a point or a comma. @return false: not a number yet
+// Parses a typed number: digits, a sign, a point or a comma. @return false: not a number yet
 bool Parse(const char* text, double& number) {
   std::string plain(text);
   std::replace(plain.begin(), plain.end(), ',', '.');
@@ -21,7 +21,7 @@ bool Parse(const char* text, double& number) {
   return true;
 }
 
-// As many decimals as the numbers on the slider's grid have.
+// The number of decimals of the slider's grid.
 int DecimalsOf(const SliderRange& range) {
   int decimals = 0;
   for (double step = range.step; decimals < 6 && std::abs(step - std::round(step)) > 1e-9; step *= 10.0)
@@ -31,7 +31,7 @@ int DecimalsOf(const SliderRange& range) {
 
 constexpr float kTrack = 4.0f;  // height
 constexpr float kFieldWidth = 84.0f;
-// In a window's storage, by the key of a slider: its value when typing began.
+// Key in a window's storage for a slider's value before typing.
 constexpr ImGuiID kBeforeKey = 0x6265666f;
 
 }  // namespace
@@ -50,7 +50,7 @@ void Ui::TypedValue(std::string_view id, std::string_view label, const ImRect& f
                               .state = {.focused = true},
                               .range = WidgetRange{range.low, range.high, 0.0, value}});
   ImGuiStorage* storage = ImGui::GetStateStorage();
-  if (!ImGui::TempInputIsActive(widget)) {  // opens, whoever asked for it
+  if (!ImGui::TempInputIsActive(widget)) {  // opens the field, whatever requested it
     ImGuiContext& g = *ImGui::GetCurrentContext();
     storage->SetFloat(widget + kBeforeKey, static_cast<float>(value));
     g.NavActivateId = widget;
@@ -59,7 +59,7 @@ void Ui::TypedValue(std::string_view id, std::string_view label, const ImRect& f
   const ImVec2 cursor = ImGui::GetCursorScreenPos();
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {6.0f, 0.5f * (field.GetHeight() - ImGui::GetFontSize())});
   ImGui::PushClipRect(field.Min, field.Max,
-                      true);  // cuts off the label that Dear ImGui writes behind a field
+                      true);  // cuts off the label that Dear ImGui writes after a field
   const bool edited =
       ImGui::TempInputText(field, widget, name.c_str(), text, sizeof text,
                            ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CharsDecimal);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The searches as people read them.
+// Names and descriptions of the searches.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ struct AlgorithmWords {
 [[nodiscard]] const std::array<AlgorithmWords, kAlgorithmNames.size()>& AlgorithmTexts();
 [[nodiscard]] const AlgorithmWords& WordsOf(Algorithm);
 
-/// Whether a search works from one genome onwards, so that giving it one makes sense.
+/// Whether a search starts from a single genome, so that it can start from a given controller.
 [[nodiscard]] bool RefinesOne(Algorithm);
 
 }  // namespace gaitsmith::shell

@@ -11,7 +11,7 @@ double PeriodS(const SenseSpec& senses) {
   return static_cast<double>(static_cast<float>(senses.period_steps) * kStep);
 }
 
-// For its number of rules or nodes, and the timer's period.
+// The pattern to fill with the number of rules or nodes, and the timer's period.
 const char* ControllerPattern(ControllerKind kind, const SenseSpec& senses, int rules) {
   const bool one = rules == 1;
   if (kind == ControllerKind::kNetwork) {

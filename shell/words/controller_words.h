@@ -10,11 +10,11 @@ namespace gaitsmith::shell {
 
 /// "10 rules with physical senses", "10 rules with timer 0.80 s", "a network of 10 hidden nodes".
 [[nodiscard]] std::string ControllerWords(ControllerKind, const SenseSpec&, int rules);
-/// The same in English, whatever the language: names of documents go into their files and links.
+/// As ControllerWords, but always in English: names of documents are stored in files and links.
 [[nodiscard]] std::string ControllerName(ControllerKind, const SenseSpec&, int rules);
 /// What the task rewards, e.g. "travel".
 [[nodiscard]] std::string TaskWords(TaskKind);
-/// The same in English, whatever the language.
+/// As TaskWords, but always in English.
 [[nodiscard]] const char* TaskName(TaskKind);
 
 }  // namespace gaitsmith::shell

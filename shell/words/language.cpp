@@ -17,9 +17,9 @@ using Table = std::map<std::string, std::string, std::less<>>;
 struct Language {
   std::string decimal_mark = ".";
   std::string group_mark = ",";
-  Table words;   // of the shell
-  Table errors;  // of core
-  Table titles;  // of documents
+  Table words;   // texts of the shell
+  Table errors;  // errors of core
+  Table titles;  // titles of documents
 };
 
 Language& Spoken() {
@@ -29,7 +29,7 @@ Language& Spoken() {
 
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
-// The end of the number or quoted part that begins here; `at` itself: none does.
+// The end of the number or quoted part that begins at `at`; `at` itself if none does.
 std::size_t EndOfInsert(std::string_view text, std::size_t at) {
   if (text[at] == '"') {
     const std::size_t end = text.find('"', at + 1);
@@ -106,7 +106,7 @@ std::string TitlePart(std::string_view english) {
   return std::string(english);
 }
 
-// Adds a member of the table file, which may be left out. @return false: it holds something else than words
+// Adds an optional member of the table file. @return false: the member is not a table of texts
 bool Take(const JsonValue* member, Table& table) {
   if (member == nullptr) return true;
   if (member->kind != JsonValue::Kind::kObject) return false;
@@ -178,7 +178,7 @@ std::string TrTitle(std::string_view title) {
     const std::size_t end = std::min({comma, dot, title.size()});
     const std::string_view mark = end == title.size() ? "" : end == dot ? kDot : kComma;
     const std::string_view part = title.substr(at, end - at);
-    // What comes first is a name.
+    // The first part is a name.
     const auto name = at == 0 ? Spoken().titles.find(part) : Spoken().titles.end();
     text += name != Spoken().titles.end() ? name->second : at == 0 ? std::string(part) : TitlePart(part);
     text += mark;

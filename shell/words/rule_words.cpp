@@ -11,7 +11,7 @@
 namespace gaitsmith::shell {
 namespace {
 
-// How far a sense lies outside of a rule's interval: "0.04 m above its interval".
+// By how much a sense misses a rule's interval: "0.04 m above its interval".
 std::string MissWords(const RuleMoment& moment, int rule, int sense) {
   const SenseScale scale = ScaleOf(moment.controller.senses, moment.bones, sense);
   const Stimulus stimulus = StimulusOf(moment.controller, moment.bones.rods, rule, sense);
@@ -65,7 +65,7 @@ std::optional<RuleMoment> MomentOf(const Controller& controller, const Motion& m
   const int count = SenseCount(controller.senses.kind, motion.Bones().rods);
   RuleMoment moment{controller, motion.Bones(), {}, {}, frame == 0};
   for (int sense = 0; sense < count; ++sense) moment.senses.push_back(motion.Sense(frame, sense));
-  // A controller that takes over begins with its first rule.
+  // A controller that takes over starts with its first rule.
   const bool goes_on = frame > 0 && motion.At(frame - 1).clip == clip;
   moment.choice =
       ChoiceOf(controller, motion.Bones().rods, moment.senses, goes_on ? motion.At(frame - 1).rule : 0);

@@ -153,10 +153,9 @@ std::vector<const SearchParameter*> Of(const std::vector<Row>& rows, Algorithm a
 std::vector<const SearchParameter*> ParametersOf(Algorithm algorithm) { return Of(Own(), algorithm); }
 std::vector<const SearchParameter*> VariationOf(Algorithm algorithm) { return Of(Shared(), algorithm); }
 
-void Suit(SearchSettings& search) {
+void Fit(SearchSettings& search) {
   search.evaluations = std::max(search.evaluations, PopulationOf(search));
-  // Between none of its own and four there is nothing: one step down from four is none, one up from none
-  // four.
+  // The least population is 4. Below it the slider means "automatic".
   int& samples = search.cma.population;
   if (samples > 0 && samples < 4) samples = samples == 3 ? 0 : 4;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every parameter of every search: its name, what it does in one line, what it may be. The panel is made from
-// this table, and a test compares it with what documents hold.
+// Every parameter of every search: its name, a line that explains it, and its range. The panel is built from
+// this table, and a test compares the table with the document format.
 #pragma once
 
 #include <span>
@@ -21,7 +21,7 @@ struct RealParameter {
   bool logarithmic;
   float& (*field)(SearchSettings&);
 };
-/// One of a few.
+/// A parameter with a few options.
 struct ChoiceParameter {
   std::span<const char* const> options;  // to be translated, as are label and line
   int (*get)(const SearchSettings&);
@@ -35,14 +35,14 @@ struct SearchParameter {
   std::variant<WholeParameter, RealParameter, ChoiceParameter> kind;
 };
 
-/// What this algorithm alone is told, in the order of the panel. What all are told (budget, seed, start) is
-/// not among them.
+/// The parameters of this algorithm alone, in the order of the panel. Excludes the parameters of all searches
+/// (budget, seed, start).
 [[nodiscard]] std::vector<const SearchParameter*> ParametersOf(Algorithm);
-/// How it draws controllers at random and perturbs them: the operators that searches share.
+/// The operators that draw and change controllers at random, shared by several searches.
 [[nodiscard]] std::vector<const SearchParameter*> VariationOf(Algorithm);
 
-/// The nearest settings that are valid: a first population must fit into the budget, CMA-ES has no population
-/// of less than four.
-void Suit(SearchSettings&);
+/// Changes the settings to the nearest valid ones: a first population must fit into the budget, and a
+/// population of CMA-ES is at least 4.
+void Fit(SearchSettings&);
 
 }  // namespace gaitsmith::shell

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a search looks for and how, as lists, titles and the status line say it.
+// What a search looks for and how, for lists, titles and the status line.
 #pragma once
 
 #include <string>
@@ -10,16 +10,16 @@ namespace gaitsmith::shell {
 
 /// "Mr. Star-Man · travel", "Mr. Star-Man · jump, more rotations"
 [[nodiscard]] std::string SearchTitle(const Document&);
-/// The same in English, whatever the language, for documents and scripts.
+/// As SearchTitle, but always in English, for documents and scripts.
 [[nodiscard]] std::string SearchName(const Document&);
 /// "SPHC · seed 3 · 40,000 evaluations"
 [[nodiscard]] std::string SearchLine(const Document&);
-/// What decides, in a word or two: "timer 0.80 s", "physical", "network".
+/// The control mode in a word or two: "timer 0.80 s", "physical", "network".
 [[nodiscard]] std::string ControlModeWords(ControllerKind, const SenseSpec&);
 /// "1 search waits", "12 searches wait"
 [[nodiscard]] std::string WaitingWords(std::size_t count);
-/// Of what it finds: "Mr. Star-Man · travel, 10 rules with physical senses, seed 3", no longer than a title
-/// may be. In English, whatever the language, as documents keep it; TrTitle translates it.
+/// The title of a found motion: "Mr. Star-Man · travel, 10 rules with physical senses, seed 3", at most as
+/// long as a title may be. Always in English, as stored in documents; TrTitle translates it.
 /// @param figure  its name
 [[nodiscard]] std::string FoundTitle(const std::string& figure, const Document&);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The terms of a score as people read them: names, units, one line of explanation, and the whole sum as text.
+// The terms of a score in words: names, units, a line of explanation, and the whole sum as text.
 #pragma once
 
 #include <array>
@@ -10,31 +10,31 @@
 namespace gaitsmith::shell {
 
 struct TermWords {
-  const char* id;     // of its slider, e.g. "style/slip"; the other words are to be translated
+  const char* id;     // id of its slider, e.g. "style/slip"; the other texts are to be translated
   const char* label;  // "Slip"
   const char* word;   // "slip", within a sentence
   const char* line;   // what it measures, in a few words
   const char* unit;   // "m", or empty for a plain number
-  const char* per;    // "per m": what its weight is counted by
-  int decimals;       // of the measured value
+  const char* per;    // "per m": unit of its weight
+  int decimals;       // for the measured value
 };
 
 /// In the order of StyleTerm.
 [[nodiscard]] const std::array<TermWords, kStyleTerms>& TermTexts();
 
-/// A number with so many decimals, with fewer when it is large: it must fit into a column.
+/// A number with this many decimals, or fewer if it is large, to fit into a column.
 [[nodiscard]] std::string AmountText(float amount, int decimals);
 /// "20.86 m"
 [[nodiscard]] std::string ValueText(const TermWords&, float value);
-/// A weight with as many decimals as it needs and a column can hold, one at least: "-0.05".
+/// A weight with at least one decimal, and as many as it needs and a column can hold: "-0.05".
 [[nodiscard]] std::string WeightText(float weight);
 /// "Travel to the right": the primary term.
 [[nodiscard]] std::string PrimaryLabel(TaskKind);
-/// What the primary term measures, in a sentence.
+/// One sentence about what the primary term measures.
 [[nodiscard]] std::string PrimaryLine(TaskKind);
 
-/// The score as a sum, for whoever hears it: "Score 28.76: travel 18.33 m; slip 20.86 m times 0.5
-/// adds 10.43. Not weighed: height 0.97 m, ...".
+/// The score as a sum in words, for screen readers: "Score 28.76: travel 18.33 m; slip 20.86 m times 0.5 adds
+/// 10.43. Not weighed: height 0.97 m, ...".
 [[nodiscard]] std::string ScoreWords(const Task&, const Terms&);
 
 }  // namespace gaitsmith::shell

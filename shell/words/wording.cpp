@@ -12,7 +12,7 @@ namespace gaitsmith::shell {
 std::string PlainFixed(double value, int decimals) {
   char text[64];
   std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  // A rounded "-0.0" would only puzzle.
+  // Drop the sign of a rounded "-0.0".
   bool zero = text[0] == '-';
   for (const char* c = text + 1; zero && *c != '\0'; ++c) zero = *c == '0' || *c == '.';
   return zero ? text + 1 : text;

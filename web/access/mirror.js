@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The canvas's second body: an element of the page for everything on it, where it is seen, for assistive tools and for
-// the keyboard. Pointer and touch go through it to the canvas. What it is told to do it asks of the application, which
-// answers with what changed.
+// The page's mirror of the canvas: for each widget an element at the same place, for assistive tools and for the
+// keyboard. Pointer and touch go through it to the canvas. Actions on an element become requests to the application,
+// which returns the changes.
 import { MirrorKeys } from './mirror_keys.js';
 import { fixedText, numberOf } from '../languages/language.js';
 import { element } from '../browser/dom.js';
@@ -12,7 +12,7 @@ import { ROVING, controlledPart, isBesideNumber, fits, isMirrored, nodeFor, node
 /** @typedef {import('../app/app.js').MirrorWidget} MirrorWidget */
 /** @typedef {{node: HTMLElement, widget: MirrorWidget}} Reflection */
 
-// Nobody hears or reads faster; whatever the person does is answered at the next frame.
+// Limit for changes without an action, since reading is no faster. A person's own action is answered at the next frame.
 const EVERY_MS = 250;
 // For so long a change of what has the keyboard counts as the person's own.
 const OWN_MS = 1500;
@@ -44,7 +44,7 @@ export class Mirror {
     this.#root.addEventListener('change', (event) => this.#changed(event));
     this.#root.addEventListener('focusin', (event) => this.#focused(event));
     this.#root.addEventListener('focusout', (event) => {
-      // A field that is left unchanged says so by no other event.
+      // No other event reports that a field was left unchanged.
       const left = this.at(event.target);
       if (left?.node.classList.contains('typing')) this.commit(left);
       if (this.contains(event.relatedTarget)) return;
@@ -107,7 +107,7 @@ export class Mirror {
     const panel = this.#panel;
     this.#arrange(told.parts, told.widgets.filter(isMirrored));
     if (active && !active.node.isConnected) {
-      // Another panel came: its tab says which.
+      // Another panel is shown: its tab names it.
       const tab = panel === this.#panel ? undefined
         : this.all.find(({ widget }) => widget.role === 'tab' && widget.state.selected);
       if (tab) this.focus(tab);
@@ -238,7 +238,7 @@ export class Mirror {
   /** The page's focus came to it: on the canvas the keyboard does, too. @param {Reflection} reflection */
   #came({ node, widget }) {
     this.#here = widget.id;
-    this.#waiting = true; // what was told last does not know of it
+    this.#waiting = true; // the last record does not include it
     this.app.focus(widget.id, node.matches(':focus-visible'));
     this.#updateSoon();
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One widget of the canvas as an element of the page: the plainest native one that has the role, kept equal to what the
-// application tells of it.
+// One widget of the canvas as an element of the page: the simplest native element with the role, kept equal to the
+// application's widget.
 
 /** @typedef {import('../app/app.js').MirrorWidget} MirrorWidget */
 /** @typedef {import('../app/app.js').MirrorPart} MirrorPart */

@@ -8,7 +8,7 @@ import { followLanguage } from '../languages/language.js';
 /** @typedef {import('../app/app.js').App} App */
 
 const LOOK_EVERY_MS = 250;
-// Steps by a held key are told when it is let go.
+// Steps by a held key are announced when it is released.
 const REST_MS = 500;
 
 export class Narrator {
@@ -43,7 +43,7 @@ export class Narrator {
     if (performance.now() - this.#sinceMs < REST_MS || moment === this.#told) return;
     const before = this.#told;
     this.#told = moment;
-    // An edit changes how far it came; that is for whoever asks.
+    // An edit changes the distance, which is announced only on request.
     if (timeOf(before) !== timeOf(moment)) announce(this.#unheard(before, moment));
   }
 

@@ -5,103 +5,102 @@
 export type Pointer = number;
 
 export interface AppExports {
-  /** 0: there is no canvas that WebGL draws on, and none of the other functions may be called. */
+  /** @return 0: WebGL cannot draw on the canvas, and no other function may be called */
   _gs_running(): number;
   /**
-   * Opens JSON, a link or the payload of one. @return an empty text, or a sentence that says what is wrong and
-   * where
+   * Opens JSON, a link or the payload of a link. @return an empty text, or a sentence with the error and its
+   * place
    */
   _gs_open(text: Pointer, bytes: number): Pointer;
   _gs_document_json(): Pointer;
   /** The payload of a link, without an address. */
   _gs_link(): Pointer;
-  /** 16 hexadecimal digits of the shown motion. */
+  /** The hash of the shown motion, 16 hexadecimal digits. */
   _gs_hash(): Pointer;
   _gs_title(): Pointer;
   /** Every visible widget of the last frame, as a JSON list. */
   _gs_widgets(): Pointer;
-  /** Everything on the canvas, in and out of sight, as WidgetRegistry::MirrorJson; empty: as at the last call. */
+  /** All widgets, in and out of sight, as WidgetRegistry::MirrorJson; empty: unchanged since the last call. */
   _gs_mirror(): Pointer;
-  /** As by a click. */
+  /** Activates a widget, as a click does. */
   _gs_activate(id: Pointer): number;
-  /** As by arrow keys. */
+  /** Steps a widget's value, as arrow keys do. */
   _gs_step(id: Pointer, steps: number, again: number): number;
-  /** @param value  as of WidgetRange */
+  /** @param value  in WidgetRange */
   _gs_set_value(id: Pointer, value: number, again: number): number;
-  /** @param ring  it shows that it has the keyboard */
+  /** @param ring  show the focus ring */
   _gs_focus(id: Pointer, ring: number): number;
-  /** The keyboard is elsewhere on the page: nothing on the canvas shows a ring. */
+  /** The focus is elsewhere on the page: hides the focus ring on the canvas. */
   _gs_unfocus(): void;
   /** Closes an open list. @return 0: there is none */
   _gs_dismiss(): number;
-  /** The moment on the stage in words, short or in full. */
+  /** Describes the shown moment in words, short or in full. */
   _gs_moment(): Pointer;
   _gs_description(): Pointer;
   _gs_playing(): number;
   /** @param palette a PaletteName */
   _gs_set_theme(palette: number, scale: number): void;
   /**
-   * Everything is said in another language from now on. @param table of shell/languages, as JSON; empty:
-   * English
-   * @return 0: it is no such table, and nothing has changed
+   * Sets the language of all texts. @param table of shell/languages, as JSON; empty: English
+   * @return 0: it is not such a table, and nothing has changed
    */
   _gs_set_language(table: Pointer): number;
-  /** Draws no more often than this; 0: as often as the display does. */
+  /** Sets the greatest frame rate; 0: that of the display. */
   _gs_set_frame_rate(perSecond: number): void;
   _gs_play(playing: number): void;
   _gs_can_undo(): number;
   _gs_undo(): void;
   _gs_can_redo(): number;
   _gs_redo(): void;
-  /** What is open now is where Undo ends. */
+  /** Makes the open document the last one that Undo reaches. */
   _gs_forget_past(): void;
-  /** What can be done without a control, as CommandsJson. */
+  /** The commands, as CommandsJson. */
   _gs_commands(): Pointer;
-  /** @return 0: no such command, or not possible now */
+  /** @return 0: there is no such command, or it is unavailable */
   _gs_run(id: Pointer): number;
-  /** A key went down. @param name as in Command::keys. @return 1 when a command took it */
+  /** Handles a key that went down. @param name as in Command::keys. @return 1 if a command handled it */
   _gs_key(name: Pointer, onCanvas: number, repeated: number): number;
   /** @param options JSON object or empty text. @return an empty text or a sentence */
   _gs_synthesize(options: Pointer): Pointer;
   /**
-   * Adds a search to the queue, with these options in place of the document's own. @param options JSON object
+   * Adds a search to the queue, with these options instead of the document's. @param options JSON object
    * @return an empty text or a sentence
    */
   _gs_enqueue(options: Pointer): Pointer;
-  /** What waits, as QueueJson. */
+  /** The waiting searches, as QueueJson. */
   _gs_queue(): Pointer;
-  /** What was found, the newest first, as FoundJson. */
+  /** The results, newest first, as FoundJson. */
   _gs_found(): Pointer;
   /** @return 0: there is no such result */
   _gs_show_found(id: Pointer): number;
-  /** @param options JSON object: id, name. @return an empty text, or why not */
+  /** @param options JSON object: id, name. @return an empty text, or the error */
   _gs_rename_found(options: Pointer): Pointer;
-  /** A found motion of an earlier visit. @return its id; empty: the text is none */
+  /** Restores a found motion of an earlier visit. @return its id; empty: the text is invalid */
   _gs_restore_found(text: Pointer): Pointer;
-  /** What is shown and locked. @param options JSON object. @return an empty text, or a sentence */
+  /** Sets the shown panels and the locks. @param options JSON object. @return an empty text, or a sentence */
   _gs_arrange(options: Pointer): Pointer;
-  /** The motion shown in numbers, as MeasuresJson. */
+  /** The numbers of the shown motion, as MeasuresJson. */
   _gs_measures(): Pointer;
   /**
-   * Starts the lab; one that runs is stopped first. @param options JSON object
-   * @return an empty text, or a sentence, and then nothing has changed
+   * Starts the lab, after stopping a running one. @param options JSON object
+   * @return an empty text, or a sentence, with nothing changed
    */
   _gs_lab(options: Pointer): Pointer;
-  /** The lab's curves so far, as a file. */
+  /** The lab's curves so far, as the text of a file. */
   _gs_lab_csv(): Pointer;
-  /** As of LabState. */
+  /** A LabState. */
   _gs_lab_state(): number;
   _gs_pause(): void;
   _gs_resume(): void;
   _gs_stop(): void;
   /**
-   * How far the search is, as DecodeProgress takes it. @return an empty text, or what is wrong with the
-   * report, which then changes nothing
+   * Reports the progress of a search in the format of DecodeProgress. @return an empty text, or the error in
+   * the report, which is then ignored
    */
   _gs_search_progress(report: Pointer, bytes: Pointer, count: number): Pointer;
-  /** A part of a transition map: scores of places from `first` on, and the score that is usual. */
+  /** Reports a part of a transition map: the scores of places from `first` on, and the usual score. */
   _gs_transitions_mapped(generation: number, first: number, scores: Pointer, count: number, usual: number): void;
-  /** Nothing more comes of the map of this generation. */
+  /** Reports that no more parts of this generation's map will arrive. */
   _gs_transitions_failed(generation: number): void;
   /** A TrueType file. */
   _gs_typeface(semibold: number): Pointer;

@@ -43,7 +43,7 @@ export class Gaitsmith extends EventTarget {
 
   constructor() {
     super();
-    this.ready.catch(() => {}); // the page itself tells the reader
+    this.ready.catch(() => {}); // the page itself shows the error
   }
 
   /**

@@ -57,7 +57,7 @@ export class HistoryButtons {
   /** @param {App} app */
   constructor(app) {
     this.app = app;
-    // The application says in the status line when there is nothing to do.
+    // If there is nothing to do, the application shows that in the status line.
     onClick('undo', () => app.undo());
     onClick('redo', () => app.redo());
     followLanguage(() => this.update());

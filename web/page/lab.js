@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The lab as the page knows it: the application plans its trials and asks for one after another, the workers of
-// searches run them, and whoever began the lab by script gets its rows.
+// The page's side of the lab: the application plans the trials and requests one after another, the search workers run
+// them, and a script that started the lab receives the rows.
 
 /** @typedef {import('../app/app.js').App} App */
 /** @typedef {import('../app/app.js').LabOptions} LabOptions */
@@ -31,7 +31,7 @@ export class Lab {
     return new Promise((resolve, reject) => { this.#end = { resolve, reject }; });
   }
 
-  /** The application says that the run is over. */
+  /** Called by the application when the run is over. */
   ended() {
     const end = this.#end;
     this.#end = null;

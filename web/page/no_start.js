@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one script that is no module: it says why those cannot be loaded, where a browser refuses them.
+// The only script that is not a module: it reports the reason if a browser refuses to load modules.
 document.addEventListener('error', (event) => {
   const failed = event.target;
   const ours = failed instanceof HTMLScriptElement && failed.type === 'module';

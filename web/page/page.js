@@ -102,7 +102,7 @@ async function start() {
       firstFrame: () => {
         element('loading').hidden = true;
         performance.mark('gaitsmith-first-frame');
-        // Nobody needs them sooner.
+        // Not needed sooner.
         if (parts) parts.kept.restore(parts.app);
         // Now the line is free.
         setTimeout(() => parts?.searches.standBy(), 1000);

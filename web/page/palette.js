@@ -29,7 +29,7 @@ export class Palette {
       const row = event.target instanceof Element && event.target.closest('li');
       if (row) this.#run([...this.#list.children].indexOf(row));
     });
-    // A press on the list must not take the keyboard out of the field.
+    // Clicking the list must not take the focus from the field.
     this.#list.addEventListener('mousedown', (event) => event.preventDefault());
     closeOnBackdrop(this.#dialog);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the page looks: as the system does, until the person says otherwise.
+// The page's theme: the system's until the person chooses another.
 import { element } from '../browser/dom.js';
 import { followLanguage, tr, trLater } from '../languages/language.js';
 import { remember, remembered } from '../browser/storage.js';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Six steps round the playground for whoever opens it for the first time. It covers nothing that it speaks of, holds
-// nobody up, and is done with at any press of Escape.
+// A tour of the playground in six steps for a first visit. It covers nothing that it describes, blocks nothing, and
+// ends with Escape.
 import { element, onClick, setText } from '../browser/dom.js';
 import { followLanguage, tr, trLater } from '../languages/language.js';
 
@@ -47,7 +47,7 @@ export class Tour {
       this.end();
     });
     addEventListener('resize', () => this.#place());
-    // Panels scroll and change their length while it speaks of something in them.
+    // Panels scroll and change their length while the tour points into them.
     setInterval(() => this.#place(), 250);
     followLanguage(() => this.#write());
   }

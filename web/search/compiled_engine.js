@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The engine's code, loaded and compiled once for all workers, and the workers.
+// The engine's code, loaded and compiled once for all workers, and the creation of workers.
 import { compiledModule } from '../browser/compiled_module.js';
 import { scriptAddress } from '../browser/trusted.js';
 
-/** A frame without an origin of its own (sandbox without allow-same-origin) gets no workers. */
+/** Frames without an origin of their own (sandbox without allow-same-origin) cannot have workers. */
 export const hasWorkers = self.origin !== 'null';
 
 /** @type {Promise<WebAssembly.Module> | null} */
 let compiled = null;
-/** What stands in for workers, once it is loaded. @type {typeof import('./page_worker.js').PageWorker | null} */
+/** The replacement for workers, once it is loaded. @type {typeof import('./page_worker.js').PageWorker | null} */
 let PageWorker = null;
 
-/** Before it there are no workers. Rejected when it cannot be loaded; then the next call tries again. */
+/** Await this before createWorker(). Rejected if loading fails; the next call tries again. */
 export function compiledEngine() {
   compiled ??= load();
   compiled.catch(() => { compiled = null; });

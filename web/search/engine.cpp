@@ -71,7 +71,7 @@ void Note(const Error& error) {
                R"(,"what":)" + QuoteJson(error.what) + "}";
 }
 
-/// The document that lies in the input area, or nothing and a noted error.
+/// The document in the input area, or nothing and a noted error.
 std::optional<Document> TakeDocument(std::size_t size) {
   auto document = DecodeBinary(std::span(input).first(size));
   if (document) return std::move(*document);
@@ -89,8 +89,8 @@ struct SearchRole {
   std::unique_ptr<Search> search;
   int budget;
   std::size_t genes;
-  std::vector<std::size_t> asked;  // genomes of each ask that is not told yet, oldest first
-  std::vector<Gene> genomes;       // of the last ask, one after another (asked * genes)
+  std::vector<std::size_t> asked;  // number of genomes of each ask without scores, oldest first
+  std::vector<Gene> genomes;       // genomes of the last ask, one after another (asked * genes)
   std::string spread = {};         // as JSON
   std::vector<std::uint8_t> saved;
 };
@@ -104,7 +104,7 @@ struct MotionRole {
   Document document;
   Motion motion;
   std::vector<int> starts = {};     // of each rod: the endpoint where it begins
-  std::vector<float> numbers = {};  // of all frames, one after another
+  std::vector<float> numbers = {};  // all frames, one after another
   std::string text = {};
 };
 
@@ -151,8 +151,8 @@ GS_EXPORT void gs_evaluator_close(EvaluatorRole* role) { delete role; }
 GS_EXPORT std::size_t gs_evaluator_genes(const EvaluatorRole* role) { return role->genes; }
 
 /// Scores `count` genomes that lie one after another in the input area, 16 bits a gene.
-/// @return `count` scores of four floats: fitness, greatest height, slip, rotations; null when the input is
-/// too short
+/// @return `count` scores of four floats: fitness, greatest height, slip, rotations; null if the input is too
+/// short
 static_assert(sizeof(Score) == 4 * sizeof(float));
 GS_EXPORT const Score* gs_evaluator_run(EvaluatorRole* role, std::size_t count) {
   if (input.size() / sizeof(Gene) / role->genes < count) {
@@ -187,8 +187,9 @@ GS_EXPORT void gs_search_close(SearchRole* role) { delete role; }
 GS_EXPORT std::size_t gs_search_genes(const SearchRole* role) { return role->genes; }
 GS_EXPORT int gs_search_budget(const SearchRole* role) { return role->budget; }
 
-/// @return how many genomes to score next; gs_search_genomes() are they. 0 when nothing can be named before
-/// an ask is told; only some searches name genomes then (gs_search_asks_ahead)
+/// @return the number of genomes to score next, which gs_search_genomes() returns. 0 while every proposal
+/// depends on scores that have not arrived; only some searches can propose genomes before then
+/// (gs_search_asks_ahead)
 GS_EXPORT std::size_t gs_search_ask(SearchRole* role, int wanted) {
   role->genomes.clear();
   if (!role->asked.empty() && !role->search->AsksAhead()) return 0;
@@ -202,9 +203,9 @@ GS_EXPORT std::size_t gs_search_ask(SearchRole* role, int wanted) {
 GS_EXPORT bool gs_search_asks_ahead(const SearchRole* role) { return role->search->AsksAhead(); }
 GS_EXPORT const Gene* gs_search_genomes(const SearchRole* role) { return role->genomes.data(); }
 
-/// Takes a score for each genome of the last ask, in its order, from the input area: four floats as
-/// gs_evaluator_run returns them, or the fitness alone for searches that need no more. Each ask is answered
-/// once.
+/// Takes a score for each genome of the oldest ask without scores, in its order, from the input area: four
+/// floats as gs_evaluator_run returns them, or the fitness alone for searches that need no more. Call once
+/// for each ask.
 /// @param count floats
 GS_EXPORT bool gs_search_tell(SearchRole* role, std::size_t count) {
   if (role->asked.empty()) {
@@ -240,8 +241,8 @@ static_assert(sizeof(Search::CurvePoint) == 8);
 GS_EXPORT std::size_t gs_search_curve_length(const SearchRole* role) { return role->search->Curve().size(); }
 GS_EXPORT const void* gs_search_curve(const SearchRole* role) { return role->search->Curve().data(); }
 
-/// The spread of the population's fitness as JSON (core/document/spread_json.h), ending with a 0; null where
-/// there is none.
+/// The spread of the population's fitness as JSON (core/document/spread_json.h), ending with a 0 byte; null
+/// if there is none.
 GS_EXPORT const char* gs_search_spread(SearchRole* role) {
   const auto spread = SpreadOf(role->search->PopulationFitness());
   if (!spread) return nullptr;
@@ -249,7 +250,7 @@ GS_EXPORT const char* gs_search_spread(SearchRole* role) {
   return role->spread.c_str();
 }
 
-/// The whole state of the search, between a tell and an ask.
+/// The whole state of the search. Call between a tell and an ask.
 GS_EXPORT const std::uint8_t* gs_search_save(SearchRole* role) {
   BitWriter out;
   role->search->Save(out);
@@ -258,8 +259,8 @@ GS_EXPORT const std::uint8_t* gs_search_save(SearchRole* role) {
 }
 GS_EXPORT std::size_t gs_search_saved_size(const SearchRole* role) { return role->saved.size(); }
 
-/// Continues from a saved state in the input area, which must come from the same document. What was asked
-/// before is asked no more.
+/// Continues from a saved state in the input area, which must come from the same document. Earlier asks are
+/// forgotten.
 GS_EXPORT bool gs_search_load(SearchRole* role, std::size_t size) {
   role->asked.clear();
   BitReader in(std::span(input).first(size));
@@ -268,7 +269,7 @@ GS_EXPORT bool gs_search_load(SearchRole* role, std::size_t size) {
   return loaded.has_value();
 }
 
-// A transition map, of the document's search.in_place_of.
+// The transition map of the clip in the document's search.in_place_of.
 GS_EXPORT MapRole* gs_map_open(std::size_t size) {
   const auto document = TakeDocument(size);
   if (!document) return nullptr;
@@ -281,7 +282,7 @@ GS_EXPORT MapRole* gs_map_open(std::size_t size) {
 GS_EXPORT void gs_map_close(MapRole* role) { delete role; }
 GS_EXPORT int gs_map_count(const MapRole* role) { return role->map.Count(); }
 GS_EXPORT float gs_map_usual_score(const MapRole* role) { return role->map.UsualScore(); }
-/// @return `count` scores, in the map's order; null when it has no such places
+/// @return `count` scores, in the map's order; null if the map has no such places
 GS_EXPORT const float* gs_map_run(MapRole* role, int first, int count) {
   if (first < 0 || count < 1 || count > role->map.Count() || first > role->map.Count() - count) {
     Note({ErrorCode::kOutOfRange, "places", "are not in the map"});
@@ -291,7 +292,7 @@ GS_EXPORT const float* gs_map_run(MapRole* role, int first, int count) {
   return role->scores.data();
 }
 
-// A motion, to be drawn and exported.
+// A motion, for drawing and export.
 GS_EXPORT MotionRole* gs_motion_open(std::size_t size) {
   auto document = TakeDocument(size);
   if (!document) return nullptr;
@@ -318,13 +319,13 @@ GS_EXPORT MotionRole* gs_motion_open(std::size_t size) {
 GS_EXPORT void gs_motion_close(MotionRole* role) { delete role; }
 GS_EXPORT int gs_motion_frames(const MotionRole* role) { return role->motion.Frames(); }
 GS_EXPORT int gs_motion_rods(const MotionRole* role) { return role->motion.Bones().rods; }
-/// Of each rod the endpoint where it begins; rod i ends at endpoint i + 1.
+/// For each rod the endpoint at its start; rod i ends at endpoint i + 1.
 GS_EXPORT const int* gs_motion_starts(const MotionRole* role) { return role->starts.data(); }
-/// Of each frame: which controller is in charge (-1: none), the centre of mass, every endpoint [m].
+/// For each frame: the active controller (-1: none), the centre of mass, every endpoint [m].
 GS_EXPORT const float* gs_motion_numbers(const MotionRole* role) { return role->numbers.data(); }
 
-// Files of it, gs_motion_text_size() bytes.
-/// @param words_size of FilmStripWords in the input area, a 0 after each
+// Exported files, gs_motion_text_size() bytes.
+/// @param words_size bytes of FilmStripWords in the input area, with a 0 byte after each
 GS_EXPORT const char* gs_motion_film_strip(MotionRole* role, std::size_t words_size, int poses) {
   shell::FilmStripOptions options{.poses = poses};
   const std::string_view words(reinterpret_cast<const char*>(input.data()), words_size);

@@ -4,14 +4,14 @@
 import createEngine from './engine_module.js';
 
 /** @typedef {import('./engine_module.js').EngineModule} EngineModule */
-/** @typedef {{code: string, where: string, what: string}} Fault  What core found wrong, and where. */
+/** @typedef {{code: string, where: string, what: string}} Fault  An error of core and its place. */
 
 /**
- * Fitness of a population: of its members that have a motion, at least two.
+ * The fitness of a population's members that have a motion, if there are at least two.
  * @typedef {{members: number, least: number, lowerQuartile: number, median: number, upperQuartile: number, best: number}} Spread
  */
 
-/** A fault of core as an exception; its message is core's own sentence. */
+/** An error of core as an exception, with core's sentence as its message. */
 export class EngineError extends Error {
   /** @param {Fault} fault */
   constructor(fault) {
@@ -28,7 +28,8 @@ export class Engine {
   }
 
   /**
-   * @param {WebAssembly.Module} [compiled]  compiled before, e.g. by the page; else engine_module.wasm is fetched
+   * @param {WebAssembly.Module} [compiled]  a module compiled before, e.g. by the page; else engine_module.wasm is
+   * fetched
    * @returns {Promise<Engine>}
    */
   static async load(compiled) {
@@ -36,7 +37,7 @@ export class Engine {
     return new Engine(await new Promise((resolve, reject) => {
       createEngine({
         instantiateWasm(imports, receive) {
-          // Emscripten waits for `receive` and would wait forever, e.g. when there is no memory left.
+          // Report the error ourselves: Emscripten waits for `receive` forever if there is no memory left, for example.
           WebAssembly.instantiate(compiled, imports).then((instance) => receive(instance, compiled)).catch(reject);
           return {};
         },
@@ -48,7 +49,7 @@ export class Engine {
   get memoryBytes() { return this.module.HEAPU8.length; }
 
   /**
-   * The binary form of a document, as evaluators and searches take it.
+   * The binary form of a document, which evaluators and searches need.
    * @param {string} text  JSON, or a link
    */
   documentFromText(text) {
@@ -77,7 +78,7 @@ export class Engine {
     return new RecordedMotion(this, this.orThrow(this.module._gs_motion_open(this.put(document))));
   }
 
-  // For the classes below.
+  // Helpers for the classes below.
 
   /**
    * Copies a typed array into the engine's input area.
@@ -85,7 +86,7 @@ export class Engine {
    * @returns {number} its size in bytes
    */
   put(data) {
-    const at = this.module._gs_input(data.byteLength); // may grow the memory: take HEAPU8 after it
+    const at = this.module._gs_input(data.byteLength); // may grow the memory: read HEAPU8 afterwards
     this.module.HEAPU8.set(new Uint8Array(data.buffer, data.byteOffset, data.byteLength), at);
     return data.byteLength;
   }
@@ -95,13 +96,13 @@ export class Engine {
     return this.module.HEAPU8.slice(at, at + size);
   }
 
-  /** @param {number} result  null or false means that it failed */
+  /** @param {number} result  null or false after a failure */
   orThrow(result) {
     if (result) return result;
     throw new EngineError(JSON.parse(this.textAt(this.module._gs_error())));
   }
 
-  /** A text that ends with a 0. @param {number} at */
+  /** A text that ends with a 0 byte. @param {number} at */
   textAt(at) {
     const heap = this.module.HEAPU8;
     return new TextDecoder().decode(heap.subarray(at, heap.indexOf(0, at)));
@@ -117,7 +118,7 @@ export class Evaluator {
   constructor(engine, handle) {
     this.engine = engine;
     this.handle = handle;
-    /** Genes of one genome. */
+    /** Number of genes in a genome. */
     this.genes = engine.module._gs_evaluator_genes(handle);
   }
 
@@ -141,23 +142,24 @@ export class Evaluator {
   close() { this.engine.module._gs_evaluator_close(this.handle); }
 }
 
-/** Decides which genomes to score next, and remembers the best. */
+/** Decides which genomes to score next and keeps the best. */
 export class Search {
   /** @param {Engine} engine @param {number} handle */
   constructor(engine, handle) {
     this.engine = engine;
     this.handle = handle;
-    /** Genes of one genome. */
+    /** Number of genes in a genome. */
     this.genes = engine.module._gs_search_genes(handle);
-    /** Evaluations in all. */
+    /** Total number of evaluations. */
     this.budget = engine.module._gs_search_budget(handle);
-    /** Whether asks may follow one another before the first is told. */
+    /** Whether ask may be called again before tell has returned the scores of the first ask. */
     this.asksAhead = engine.module._gs_search_asks_ahead(handle) !== 0;
   }
 
   /**
-   * @param {number} wanted  about how many genomes
-   * @returns {Uint16Array} genomes, one after another; none when all depends on asks that are not told yet
+   * @param {number} wanted  approximate number of genomes
+   * @returns {Uint16Array} genomes, one after another; empty while every proposal depends on scores that have not
+   * arrived
    */
   ask(wanted) {
     const count = this.engine.module._gs_search_ask(this.handle, wanted);
@@ -165,8 +167,9 @@ export class Search {
   }
 
   /**
-   * Once for each ask, in their order.
-   * @param {Float32Array} scores  of each genome of the oldest ask not told yet: SCORE_LENGTH numbers, or its fitness alone
+   * Call once for each ask, in the same order.
+   * @param {Float32Array} scores  of each genome of the oldest ask without scores: SCORE_LENGTH numbers, or its fitness
+   * alone
    */
   tell(scores) {
     this.engine.put(scores);
@@ -183,7 +186,7 @@ export class Search {
     return this.#genesAt(at, at ? 1 : 0);
   }
 
-  /** Points of the best-so-far curve. */
+  /** Number of points in the best-so-far curve. */
   get curveLength() { return this.engine.module._gs_search_curve_length(this.handle); }
 
   /** The curve as core stores it: per point an int32 (evaluation) and a float32 (best). */
@@ -191,13 +194,13 @@ export class Search {
     return this.engine.bytesAt(this.engine.module._gs_search_curve(this.handle), 8 * this.curveLength);
   }
 
-  /** How the fitness of the population scatters now. @returns {Spread | null} null where there is none */
+  /** The spread of the population's fitness now. @returns {Spread | null} null if there is none */
   get spread() {
     const at = this.engine.module._gs_search_spread(this.handle);
     return at ? JSON.parse(this.engine.textAt(at)) : null;
   }
 
-  /** The whole state, to continue later or elsewhere. Only between a tell and an ask. */
+  /** The whole state, to continue later or elsewhere. Call only between a tell and an ask. */
   save() {
     const at = this.engine.module._gs_search_save(this.handle);
     return this.engine.bytesAt(at, this.engine.module._gs_search_saved_size(this.handle));
@@ -222,13 +225,13 @@ export class TransitionMap {
   constructor(engine, handle) {
     this.engine = engine;
     this.handle = handle;
-    /** Moments. */
+    /** Number of moments. */
     this.count = engine.module._gs_map_count(handle);
-    /** What scores are measured by. */
+    /** The score that a moment's score is compared with. */
     this.usual = engine.module._gs_map_usual_score(handle);
   }
 
-  /** In the map's order, coarse first. @param {number} first @param {number} count @returns {Float32Array} */
+  /** Scores in the map's order, coarse first. @param {number} first @param {number} count @returns {Float32Array} */
   scores(first, count) {
     const at = this.engine.orThrow(this.engine.module._gs_map_run(this.handle, first, count));
     return new Float32Array(this.engine.bytesAt(at, 4 * count).buffer);
@@ -237,7 +240,7 @@ export class TransitionMap {
   close() { this.engine.module._gs_map_close(this.handle); }
 }
 
-/** What a document's figure does: to be drawn, and as files for other programs. */
+/** The motion of a document's figure, for drawing and as files for other programs. */
 export class RecordedMotion {
   /** @param {Engine} engine @param {number} handle */
   constructor(engine, handle) {
@@ -246,13 +249,16 @@ export class RecordedMotion {
     const { module } = engine;
     this.frames = module._gs_motion_frames(handle);
     const rods = module._gs_motion_rods(handle);
-    /** Of each rod the endpoint where it begins; rod i ends at endpoint i + 1. */
+    /** For each rod the endpoint at its start; rod i ends at endpoint i + 1. */
     this.starts = new Int32Array(engine.bytesAt(module._gs_motion_starts(handle), 4 * rods).buffer);
     this.endpoints = rods + 1;
-    /** Numbers of one frame: controller in charge (-1: none), x and y of the centre of mass, of every endpoint [m]. */
+    /**
+     * Length of a frame: the active controller (-1: none), then x and y of the centre of mass and of every endpoint
+     * [m].
+     */
     this.stride = 3 + 2 * this.endpoints;
     const at = module._gs_motion_numbers(handle);
-    /** Of all frames, one after another. */
+    /** All frames, one after another. */
     this.numbers = new Float32Array(engine.bytesAt(at, 4 * this.stride * this.frames).buffer);
   }
 

@@ -15,8 +15,8 @@ export interface EngineExports {
   _gs_evaluator_genes(role: Pointer): number;
   /**
    * Scores `count` genomes that lie one after another in the input area, 16 bits a gene.
-   * @return `count` scores of four floats: fitness, greatest height, slip, rotations; null when the input is
-   * too short
+   * @return `count` scores of four floats: fitness, greatest height, slip, rotations; null if the input is too
+   * short
    */
   _gs_evaluator_run(role: Pointer, count: number): Pointer;
   _gs_search_open(size: number): Pointer;
@@ -24,16 +24,17 @@ export interface EngineExports {
   _gs_search_genes(role: Pointer): number;
   _gs_search_budget(role: Pointer): number;
   /**
-   * @return how many genomes to score next; gs_search_genomes() are they. 0 when nothing can be named before
-   * an ask is told; only some searches name genomes then (gs_search_asks_ahead)
+   * @return the number of genomes to score next, which gs_search_genomes() returns. 0 while every proposal
+   * depends on scores that have not arrived; only some searches can propose genomes before then
+   * (gs_search_asks_ahead)
    */
   _gs_search_ask(role: Pointer, wanted: number): number;
   _gs_search_asks_ahead(role: Pointer): number;
   _gs_search_genomes(role: Pointer): Pointer;
   /**
-   * Takes a score for each genome of the last ask, in its order, from the input area: four floats as
-   * gs_evaluator_run returns them, or the fitness alone for searches that need no more. Each ask is answered
-   * once.
+   * Takes a score for each genome of the oldest ask without scores, in its order, from the input area: four
+   * floats as gs_evaluator_run returns them, or the fitness alone for searches that need no more. Call once
+   * for each ask.
    * @param count floats
    */
   _gs_search_tell(role: Pointer, count: number): number;
@@ -46,33 +47,33 @@ export interface EngineExports {
   _gs_search_curve_length(role: Pointer): number;
   _gs_search_curve(role: Pointer): Pointer;
   /**
-   * The spread of the population's fitness as JSON (core/document/spread_json.h), ending with a 0; null where
-   * there is none.
+   * The spread of the population's fitness as JSON (core/document/spread_json.h), ending with a 0 byte; null
+   * if there is none.
    */
   _gs_search_spread(role: Pointer): Pointer;
-  /** The whole state of the search, between a tell and an ask. */
+  /** The whole state of the search. Call between a tell and an ask. */
   _gs_search_save(role: Pointer): Pointer;
   _gs_search_saved_size(role: Pointer): number;
   /**
-   * Continues from a saved state in the input area, which must come from the same document. What was asked
-   * before is asked no more.
+   * Continues from a saved state in the input area, which must come from the same document. Earlier asks are
+   * forgotten.
    */
   _gs_search_load(role: Pointer, size: number): number;
   _gs_map_open(size: number): Pointer;
   _gs_map_close(role: Pointer): void;
   _gs_map_count(role: Pointer): number;
   _gs_map_usual_score(role: Pointer): number;
-  /** @return `count` scores, in the map's order; null when it has no such places */
+  /** @return `count` scores, in the map's order; null if the map has no such places */
   _gs_map_run(role: Pointer, first: number, count: number): Pointer;
   _gs_motion_open(size: number): Pointer;
   _gs_motion_close(role: Pointer): void;
   _gs_motion_frames(role: Pointer): number;
   _gs_motion_rods(role: Pointer): number;
-  /** Of each rod the endpoint where it begins; rod i ends at endpoint i + 1. */
+  /** For each rod the endpoint at its start; rod i ends at endpoint i + 1. */
   _gs_motion_starts(role: Pointer): Pointer;
-  /** Of each frame: which controller is in charge (-1: none), the centre of mass, every endpoint [m]. */
+  /** For each frame: the active controller (-1: none), the centre of mass, every endpoint [m]. */
   _gs_motion_numbers(role: Pointer): Pointer;
-  /** @param words_size of FilmStripWords in the input area, a 0 after each */
+  /** @param words_size bytes of FilmStripWords in the input area, with a 0 byte after each */
   _gs_motion_film_strip(role: Pointer, wordsSize: number, poses: number): Pointer;
   /** A file that needs no words. @param id_size of an exporter's id in the input area */
   _gs_motion_file(role: Pointer, idSize: number): Pointer;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Types of engine_module.js, the module that Emscripten makes of engine.cpp. Pointers and sizes are numbers into
-// the module's memory; engine.cpp says what each function does and how long its result lives.
+// Types of engine_module.js, which Emscripten builds from engine.cpp. Pointers and sizes are numbers in the module's
+// memory. engine.cpp documents each function and how long its result is valid.
 
 import type { EngineExports, Pointer } from './engine_exports.js';
 
@@ -11,7 +11,7 @@ export interface EngineModule extends EngineExports {
 }
 
 export interface EngineOptions {
-  /** Instantiates a module that was compiled elsewhere instead of fetching engine_module.wasm. */
+  /** Instantiates a module that is already compiled, instead of fetching engine_module.wasm. */
   instantiateWasm?(
     imports: WebAssembly.Imports,
     receive: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void,

@@ -17,92 +17,105 @@
 
 // ---- page → new worker ----
 
-/** Load what any role needs, and wait for one. No reply. @typedef {{type: 'stand-by', engine: WebAssembly.Module}} StandBy */
-
 /**
- * Be the coordinator: run the document's search. Reply: 'ready', then CoordinatorToPage messages; 'failed' if
- * core refuses the document.
- * @typedef {object} Coordinate
- * @property {'coordinate'} type
- * @property {number} run                 not 0, another one for every role of this kind that the page gives out
- * @property {WebAssembly.Module} engine  compiled once, by the page
- * @property {Uint8Array} document        core/document/binary.h
- * @property {Uint8Array | null} state    of a checkpoint to continue from
- * @property {number} workers             evaluators to reckon with: sets the size of a batch, not the result
+ * Load what every role needs, and wait for a role. No reply.
+ * @typedef {{type: 'stand-by', engine: WebAssembly.Module}} StandBy
  */
 
 /**
- * Be an evaluator: score what arrives at `port`. Reply: 'ready'; 'failed' if core refuses the document.
+ * Be the coordinator: run the document's search. Reply: 'ready', then CoordinatorToPage messages; 'failed' if core
+ * refuses the document.
+ * @typedef {object} Coordinate
+ * @property {'coordinate'} type
+ * @property {number} run                 not 0; unique among the roles of this kind that the page assigns
+ * @property {WebAssembly.Module} engine  compiled once, by the page
+ * @property {Uint8Array} document        core/document/binary.h
+ * @property {Uint8Array | null} state    of a checkpoint to continue from
+ * @property {number} workers             expected number of evaluators: sets the size of a batch, not the result
+ */
+
+/**
+ * Be an evaluator: score genomes that arrive at `port`. Reply: 'ready'; 'failed' if core refuses the document.
  * @typedef {object} Evaluate
  * @property {'evaluate'} type
  * @property {number} run                 that of the coordinator
  * @property {WebAssembly.Module} engine
  * @property {Uint8Array} document
- * @property {MessagePort} port           transferred; its other end goes to the coordinator
+ * @property {MessagePort} port           transferred; the coordinator gets the other end
  */
 
 /**
- * Be the mapper: score every moment at which the clip that the document's search names could take over. Reply: 'ready',
- * then 'mapped' until all are told; 'failed' if core refuses the document. Another role ends it.
+ * Be the mapper: score every moment at which the clip named by the document's search could take over. Reply: 'ready',
+ * then 'mapped' until all scores are sent; 'failed' if core refuses the document. A new role ends this one.
  * @typedef {object} MapTransitions
  * @property {'map-transitions'} type
  * @property {WebAssembly.Module} engine
  * @property {Uint8Array} document
- * @property {number} generation          of the map, for its replies: those of another one are outdated
+ * @property {number} generation          of the map, repeated in its replies; replies of other generations are outdated
  */
 
-/** The first message to every worker, and later ones when a search is done. @typedef {StandBy | Coordinate | Evaluate | MapTransitions} Role */
+/**
+ * The first message to every worker. More may follow when a search is done.
+ * @typedef {StandBy | Coordinate | Evaluate | MapTransitions} Role
+ */
 
 // ---- page → coordinator ----
 
 /**
- * Another evaluator stands ready at `port` (transferred). No reply.
+ * A new evaluator is ready at `port` (transferred). No reply.
  * @typedef {{type: 'add-evaluator', evaluator: number, port: MessagePort}} AddEvaluator
  */
-/** That evaluator is dead: what it was doing must be done again. No reply. @typedef {{type: 'remove-evaluator', evaluator: number}} RemoveEvaluator */
-/** Hand out no more work. Reply: 'progress' with state 'paused'. @typedef {{type: 'pause'}} Pause */
-/** Go on. Reply: 'progress' with state 'running'. @typedef {{type: 'resume'}} Resume */
-/** End here. Reply: 'finished' with state 'stopped'. @typedef {{type: 'stop'}} Stop */
+/**
+ * An evaluator has died: score its genomes again. No reply.
+ * @typedef {{type: 'remove-evaluator', evaluator: number}} RemoveEvaluator
+ */
+/** Send out no more work. Reply: 'progress' with state 'paused'. @typedef {{type: 'pause'}} Pause */
+/** Continue. Reply: 'progress' with state 'running'. @typedef {{type: 'resume'}} Resume */
+/** Stop the search. Reply: 'finished' with state 'stopped'. @typedef {{type: 'stop'}} Stop */
 
 /** @typedef {AddEvaluator | RemoveEvaluator | Pause | Resume | Stop} Wish */
 /** @typedef {Wish & {run: number}} PageToCoordinator */
 
 // ---- any worker → page ----
 
-/** Its scripts are here; the first message of every worker. @typedef {{type: 'loaded'}} Loaded */
-/** The role is taken. @typedef {{type: 'ready'}} Ready */
-/** Core refused what it was given; another worker would fail alike. @typedef {{type: 'failed', fault: Fault}} Failed */
+/** The worker's scripts are loaded. The first message of every worker. @typedef {{type: 'loaded'}} Loaded */
+/** The worker has started its role. @typedef {{type: 'ready'}} Ready */
+/**
+ * Core refused the data; another worker would fail in the same way. @typedef {{type: 'failed', fault: Fault}} Failed
+ */
 
 // ---- coordinator → page ----
 
 /**
- * How far a search is.
+ * The progress of a search.
  * @typedef {object} SearchReport
  * @property {'running' | 'paused' | 'done' | 'stopped'} state
  * @property {number} evaluations    of the serial algorithm
  * @property {number} budget
- * @property {number} simulated      motions simulated by these workers, those looked ahead in vain included
- * @property {number} rate           evaluations per second of the last seconds; 0 when not known yet
- * @property {number} secondsLeft    0 when not known yet
+ * @property {number} simulated      motions simulated by these workers, including look-ahead that was not used
+ * @property {number} rate           evaluations per second over the last seconds; 0 while unknown
+ * @property {number} secondsLeft    0 while unknown
  * @property {number} bestFitness
- * @property {Uint16Array | null} bestGenome  null when it is that of the last report
- * @property {Uint8Array | null} curve        as core stores it; null when it is that of the last report
- * @property {Spread | null} spread           of the population now; null when there is none
- * @property {Uint8Array | null} saved        the state of the whole search, at its end; else null
+ * @property {Uint16Array | null} bestGenome  null: as in the last report
+ * @property {Uint8Array | null} curve        as core stores it; null: as in the last report
+ * @property {Spread | null} spread           of the population now; null if there is none
+ * @property {Uint8Array | null} saved        the state of the whole search at its end; else null
  */
 
 /**
- * At most 30 a second, at least one in a second; with the evaluators that have work from here.
+ * Sent at most 30 times a second and at least once a second. `evaluators` lists those that have work from this
+ * coordinator.
  * @typedef {{type: 'progress', report: SearchReport, evaluators: number[]}} Progress
  */
-/** The last message of a search; its report has everything. @typedef {{type: 'finished', report: SearchReport}} Finished */
 /**
- * The whole state of the search, about once a second: a new coordinator continues from it.
+ * The last message of a search, with a complete report. @typedef {{type: 'finished', report: SearchReport}} Finished
+ */
+/**
+ * The whole state of the search, about once a second, from which a new coordinator can continue.
  * @typedef {{type: 'checkpoint', state: Uint8Array, evaluations: number}} Checkpoint
  */
 /**
- * An evaluator gave no answer for too long; its work has been taken back. Reply: 'add-evaluator' with its
- * replacement.
+ * An evaluator has not answered for too long, and its work was taken back. Reply: 'add-evaluator' with its replacement.
  * @typedef {{type: 'silent', evaluator: number}} Silent
  */
 
@@ -120,7 +133,7 @@
  * @property {number} count          moments of the whole map
  * @property {number} first          place of the first score in the map's order, coarse first
  * @property {Float32Array} scores
- * @property {number} usual          what the controller reaches from the start
+ * @property {number} usual          the controller's score from the start
  */
 /** @typedef {Ready | Failed | Mapped} OfMapper */
 /** @typedef {Loaded | OfMapper} MapperToPage */
@@ -128,7 +141,7 @@
 // ---- coordinator ↔ evaluator ----
 
 /**
- * Score these genomes, which lie one after another (transferred). Reply: 'scored' with the same slice.
+ * Score these genomes, one after another in the array (transferred). Reply: 'scored' with the same slice.
  * @typedef {{type: 'score', slice: number, genomes: Uint16Array}} Score
  */
 /** SCORE_LENGTH numbers for each genome. @typedef {{type: 'scored', slice: number, scores: Float32Array}} Scored */
@@ -137,8 +150,8 @@
 /** @typedef {Scored} EvaluatorToCoordinator */
 
 /**
- * For the default branch of a switch over a message's type: tsc rejects a branch that is forgotten, and a
- * message from a newer page is an error rather than silence.
+ * For the default branch of a switch over a message's type: tsc rejects a missing branch, and an unknown message from a
+ * newer page throws an error.
  * @param {never} message
  * @returns {never}
  */

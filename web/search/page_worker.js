@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What stands in for a Worker where the browser gives the page none, such as in a frame without an origin: the same roles
-// in the page itself, in slices so short that it goes on drawing.
+// Replaces a Worker where the browser allows none, such as in a frame without an origin. It plays the same roles in the
+// page itself, in slices so short that the page keeps drawing.
 import { WorkerRoles } from './worker_roles.js';
 
 const SLICE_MS = 8;
@@ -27,6 +27,6 @@ export class PageWorker {
     this.#roles.end();
   }
 
-  /** Never at once, as between threads. @param {() => void} action */
+  /** Asynchronous, as between threads. @param {() => void} action */
   #later(action) { setTimeout(() => { if (this.#open) action(); }); }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The page's side of a search: starts one coordinator and N evaluators, and replaces those that die. A dead
-// evaluator costs its slice, which is scored again; a dead coordinator costs what it did since its last
-// checkpoint. Neither changes the result. A search that is being stopped is not worth replacing anyone: it ends with
-// what is known. A message that is lost looks like a death, or like a wish that was not heard, and is mended alike.
+// The page's side of a search: starts one coordinator and N evaluators, and replaces those that die. If an evaluator
+// dies, its slice is scored again. If the coordinator dies, a new one continues from the last checkpoint. Neither
+// changes the result. If a worker dies while the search is being stopped, the search ends with the latest results. A
+// lost message looks like a dead worker or a request without an answer, and is handled in the same way.
 import { EngineError } from './engine.js';
 import { grouped, tr, trLater } from '../languages/language.js';
 import { NO_REPORT } from '../app/no_report.js';
@@ -16,44 +16,48 @@ import { unreachable } from './messages.js';
 /** @typedef {import('./messages.js').SearchReport} SearchReport */
 
 /**
- * What the client tells.
+ * Receives the client's events.
  * @typedef {object} SearchListener
- * @property {(report: SearchReport) => void} progress  at most about 30 times a second; the last one has state
- *     'done' or 'stopped'
+ * @property {(report: SearchReport) => void} progress  at most about 30 times a second; the last one has state 'done'
+ * or 'stopped'
  * @property {(sentence: string) => void} incident      a worker died and was replaced
  * @property {(error: Error) => void} failed            the search is over without a result
  */
 
-/** @typedef {{worker: Worker, ready: boolean, waitedMs: number}} Evaluator  waitedMs: since it was last known to be well */
+/**
+ * @typedef {{worker: Worker, ready: boolean, waitedMs: number}} Evaluator  waitedMs: time since its last sign of life
+ */
 /**
  * @typedef {object} Crew  the workers of one search
  * @property {number} run
  * @property {Worker} coordinator
  * @property {boolean} coordinatorReady
- * @property {boolean} paused     as the coordinator said last
+ * @property {boolean} paused     by the coordinator's last report
  * @property {number} silentMs
  * @property {Map<number, Evaluator>} evaluators
  * @property {boolean} sound  none of them has died
  */
 
 const TICK_MS = 1000;
-// The coordinator reports about twice a second, and whose work it hands out.
+// The coordinator reports at least once a second and lists the evaluators that have work.
 const SILENCE_MS = 5000;
-// Scripts may come over a slow line; once they are there, it takes an engine and a document.
+// Scripts may load over a slow line. After that a worker needs an engine and a document.
 const LOAD_MS = 30000;
 const BEGIN_MS = 10000;
 // A coordinator that has not ended its search by then hangs.
 const STOP_MS = 2000;
-// More deaths than this without an evaluation in between are no accident.
+// More deaths than this without an evaluation in between are not an accident.
 const MOST_DEATHS = 8;
-// Workers without a search are kept for the next one: they have their scripts and an engine. Not for ever, since each
-// holds some memory.
+// Workers without a search keep their scripts and engine for the next one. They are ended after this time, since each
+// uses memory.
 const REST_MS = 5 * 60000;
 
 export class SearchClient {
   /** @type {Crew | null} */
   #crew = null;
-  /** Without a search: new ones, or those of the last search if it was done and nobody died. @type {Worker[]} */
+  /**
+   * Workers without a search: new ones, or those of the last search if it was done and no worker died. @type {Worker[]}
+   */
   #rested = [];
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #rest;
@@ -61,9 +65,9 @@ export class SearchClient {
   #document = new Uint8Array();
   #workers = 1;
   #paused = false;
-  /** Runs from the wish to stop until the coordinator has done so. @type {ReturnType<typeof setTimeout> | null} */
+  /** Runs from the request to stop until the coordinator has stopped. @type {ReturnType<typeof setTimeout> | null} */
   #stopping = null;
-  /** The last report, completed with what those before it said. @type {SearchReport} */
+  /** The last report, completed from earlier reports. @type {SearchReport} */
   #known = NO_REPORT;
   /** @type {{state: Uint8Array, evaluations: number} | null} */
   #checkpoint = null;
@@ -71,14 +75,14 @@ export class SearchClient {
   #evaluations = 0;
   #evaluatorNumber = 0;
   #runs = 0;
-  /** Workers whose scripts are there. @type {WeakSet<Worker>} */
+  /** Workers whose scripts are loaded. @type {WeakSet<Worker>} */
   #loaded = new WeakSet();
   /** @type {ReturnType<typeof setInterval> | undefined} */
   #watch;
 
   /**
    * @param {object} options
-   * @param {WebAssembly.Module} options.engine  compiled engine_module.wasm; every worker gets it ready to run
+   * @param {WebAssembly.Module} options.engine  compiled engine_module.wasm; sent to every worker
    * @param {() => Worker} options.createWorker  of worker.js
    * @param {SearchListener} options.listener
    */
@@ -89,7 +93,7 @@ export class SearchClient {
   }
 
   /**
-   * Has workers load what they need before a search is wished for, so that it begins at once.
+   * Lets workers load what they need before a search is requested, so that it starts at once.
    * @param {number} workers  evaluators
    */
   standBy(workers) {
@@ -102,7 +106,7 @@ export class SearchClient {
   get searching() { return this.#crew !== null; }
 
   /**
-   * Runs the document's search; one that runs is dropped.
+   * Runs the document's search and drops a running one.
    * @param {Uint8Array} document  binary form
    * @param {number} workers       evaluators, at least 1
    */
@@ -118,7 +122,7 @@ export class SearchClient {
     try {
       this.#hire();
     } catch (error) {
-      this.#dismiss(); // the browser gives no more workers
+      this.#dismiss(); // the browser allows no more workers
       throw error;
     }
   }
@@ -135,20 +139,20 @@ export class SearchClient {
     this.#send({ type: 'resume' });
   }
 
-  /** The last report comes with state 'stopped', also from a crew that hangs or dies now. */
+  /** The last report has state 'stopped', even if the workers hang or die now. */
   stop() {
     if (!this.#crew || this.#stopping !== null) return;
     this.#stopping = setTimeout(() => this.#stopped(), STOP_MS);
     this.#send({ type: 'stop' });
   }
 
-  /** Ends all workers at once. @returns {SearchReport} what is known of their search, as of one that was stopped */
+  /** Ends all workers at once. @returns {SearchReport} the latest report of their search, with state 'stopped' */
   close() {
     this.#sendHome();
     return this.drop();
   }
 
-  /** Ends a search that runs, and its workers, at once. @returns {SearchReport} as of close() */
+  /** Ends the running search and its workers at once. @returns {SearchReport} as of close() */
   drop() {
     const known = this.#crew ? this.#known : NO_REPORT;
     this.#dismiss();
@@ -184,17 +188,17 @@ export class SearchClient {
     coordinator.postMessage(role);
     if (this.#paused) this.#send({ type: 'pause' });
     for (let i = 0; i < this.#workers; i++) this.#addEvaluator(crew);
-    this.#sendHome(); // those that are too many
+    this.#sendHome(); // ends surplus workers
     this.#watch = setInterval(() => this.#tick(crew), TICK_MS);
   }
 
   #worker() { return this.#rested.shift() ?? this.createWorker(); }
 
-  /** After a search that is done. @param {Crew} crew */
+  /** Keeps the workers of a search that is done. @param {Crew} crew */
   #letRest(crew) {
     const evaluators = [...crew.evaluators.values()];
     if (crew.sound && evaluators.every(({ ready }) => ready)) {
-      this.#crew = null; // so that they are not ended
+      this.#crew = null; // keeps the workers from being ended
       this.#rests([crew.coordinator, ...evaluators.map(({ worker }) => worker)]);
     }
     this.#dismiss();
@@ -241,7 +245,7 @@ export class SearchClient {
       if (crew !== this.#crew || data.run !== crew.run) return;
       switch (data.type) {
         case 'ready':
-          if (entry.ready) return; // told twice: the port is gone already
+          if (entry.ready) return; // a repeated message: the port was already sent
           entry.ready = true;
           entry.waitedMs = 0;
           this.#send({ type: 'add-evaluator', evaluator, port: port2 }, [port2]);
@@ -303,11 +307,11 @@ export class SearchClient {
     }
   }
 
-  // Deaths.
+  // Dead workers.
 
   /** @param {Crew} crew */
   #tick(crew) {
-    // Ticks are counted rather than a clock read: after a laptop's sleep nobody is late.
+    // Counts ticks instead of reading a clock, so that a sleeping laptop makes no worker late.
     crew.silentMs += TICK_MS;
     if (crew.silentMs > this.#patienceMs(crew.coordinator, crew.coordinatorReady)) {
       this.#coordinatorDied();
@@ -315,7 +319,7 @@ export class SearchClient {
     }
     if (crew.coordinatorReady && crew.paused !== this.#paused) this.#send({ type: this.#paused ? 'pause' : 'resume' });
     for (const [evaluator, entry] of [...crew.evaluators]) {
-      if (entry.ready && !crew.coordinatorReady) continue; // nobody could know it yet
+      if (entry.ready && !crew.coordinatorReady) continue; // the coordinator cannot know this evaluator yet
       if ((entry.waitedMs += TICK_MS) > this.#patienceMs(entry.worker, entry.ready)) this.#replace(crew, evaluator);
     }
   }
@@ -326,7 +330,7 @@ export class SearchClient {
   /** @param {Crew} crew @param {number} evaluator @param {string} [reason] */
   #replace(crew, evaluator, reason) {
     const entry = crew.evaluators.get(evaluator);
-    if (!entry) return; // told twice: by its error and by its silence
+    if (!entry) return; // already replaced: an error and a silence may report the same death
     entry.worker.terminate();
     crew.evaluators.delete(evaluator);
     crew.sound = false;
@@ -362,7 +366,7 @@ export class SearchClient {
   /** Ends a search whose coordinator cannot report its end. */
   #stopped() { this.listener.progress(this.drop()); }
 
-  /** @param {string} [reason]  as the browser tells it; each tells it in another way */
+  /** @param {string} [reason]  the browser's message; it differs between browsers */
   #survives(reason = '') {
     if (++this.#deaths <= MOST_DEATHS) return true;
     this.#fail(new Error(/memory|\bOOM\b/i.test(reason) ? trLater('there is not enough memory for this search; it was given up')

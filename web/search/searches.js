@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Searches as the page knows them: the application asks for one, workers run it, and application, status line and
-// listeners hear how far it is.
+// The page's searches: the application requests a search, workers run it, and its progress goes to the application, the
+// status line and listeners.
 import { NO_REPORT } from '../app/no_report.js';
 import { compiledEngine, createWorker, hasWorkers } from './compiled_engine.js';
 import { banner } from '../browser/dom.js';
@@ -15,29 +15,35 @@ const MOST_STANDING_BY = 4;
 
 /** @typedef {import('./search_client.js').SearchClient} SearchClient */
 /** @typedef {import('../access/status_line.js').SearchWords} SearchWords */
-/** A trial of the lab: how it is told, and how many come before and are in all. @typedef {{words: string, finished: number, total: number}} Trial */
+/**
+ * A trial of the lab: its title, the number of trials before it, and the total.
+ * @typedef {{words: string, finished: number, total: number}} Trial
+ */
 /** @typedef {{resolve: (report: SearchReport) => void, reject: (error: Error) => void}} End */
 
-/** Tells its listeners 'progress' (a SearchReport), 'done' ({report, queued}: whether it came from the queue) and 'error' (an Error). */
+/**
+ * Events: 'progress' (a SearchReport), 'done' ({report, queued}: whether it came from the queue) and 'error' (an
+ * Error).
+ */
 export class Searches extends EventTarget {
   /** @type {Promise<SearchClient> | null} */
   #prepared = null;
   /** @type {SearchClient | null} */
   #client = null;
-  #run = 0; // counts starts: what a slow start finds out may be outdated
-  /** As core stores it. @type {Uint8Array} */
+  #run = 0; // counts starts, to detect results of an outdated start
+  /** In core's format. @type {Uint8Array} */
   #curve = new Uint8Array(0);
   /** @type {SearchWords} */
   #words = { doing: () => '', unit: '', workers: 1 };
-  /** What runs is a trial of the lab. @type {Trial | null} */
+  /** The running search, if it is a trial of the lab. @type {Trial | null} */
   #trial = null;
-  /** What runs came from the queue. */
+  /** Whether the running search came from the queue. */
   #queued = false;
-  #labOver = false; // its last trial may still report
-  /** What to do once the workers exist. @type {('pause' | 'resume' | 'stop')[]} */
+  #labOver = false; // the lab has ended, but its last trial may still report
+  /** Requests to send once the workers exist. @type {('pause' | 'resume' | 'stop')[]} */
   #later = [];
   searching = false;
-  /** How the search started last ends: done, stopped, or replaced by another. @type {Promise<SearchReport>} */
+  /** Settles when the last search is done, stopped, or replaced by another. @type {Promise<SearchReport>} */
   ended = Promise.resolve(NO_REPORT);
   /** @type {End | null} */
   #end = null;
@@ -49,7 +55,7 @@ export class Searches extends EventTarget {
     this.statusLine = statusLine;
   }
 
-  /** What only a search needs: the engine, compiled once for all workers, and the client that looks after them. */
+  /** What only a search needs: the engine, compiled once for all workers, and the client that manages them. */
   #prepare() {
     this.#prepared ??= Promise.all([compiledEngine(), import('./search_client.js')]).then(([engine, { SearchClient }]) => new SearchClient({
       engine,
@@ -60,28 +66,28 @@ export class Searches extends EventTarget {
         failed: (error) => this.#fail(error),
       },
     }));
-    this.#prepared.catch(() => { this.#prepared = null; }); // try again next time
+    this.#prepared.catch(() => { this.#prepared = null; }); // lets the next call try again
     return this.#prepared;
   }
 
-  /** Loads all that the first search will need, while nothing else is to be done. A failure is that search's to tell. */
+  /** Loads what the first search needs while the page is idle. A failure is reported by that search. */
   async standBy() {
     const client = await this.#prepare().catch(() => null);
     if (!this.searching && hasWorkers) client?.standBy(Math.min(navigator.hardwareConcurrency || 2, MOST_STANDING_BY));
   }
 
-  /** Of the document on the page, which changes as it improves. */
+  /** Whether a search improves the document on the page. */
   get improving() { return this.searching && this.#trial === null && !this.#queued; }
 
   /**
    * @param {Uint8Array} document @param {number} workers
-   * @param {{trial?: Trial, queued?: string}} [as]  of the lab; or of the queue, and what it is
+   * @param {{trial?: Trial, queued?: string}} [as]  a trial of the lab, or the title of a queued search
    */
   async start(document, workers, { trial, queued } = {}) {
     const run = ++this.#run;
     this.#end?.resolve(this.#client?.drop() ?? { ...NO_REPORT, state: 'stopped' });
     this.ended = new Promise((resolve, reject) => { this.#end = { resolve, reject }; });
-    this.ended.catch(() => {}); // the banner tells, even if nobody waits
+    this.ended.catch(() => {}); // the banner shows the error even if no caller awaits this
     this.searching = true;
     this.#later = [];
     this.#curve = new Uint8Array(0);
@@ -109,13 +115,13 @@ export class Searches extends EventTarget {
     }
   }
 
-  /** The application wants no more trials. */
+  /** The application has no more trials. */
   labEnded() {
     this.#labOver = true;
     this.statusLine.clear();
   }
 
-  /** The application takes no more reports. @param {Error} error */
+  /** The application accepts no more reports. @param {Error} error */
   abandon(error) {
     this.#run++;
     this.#client?.close();
@@ -148,7 +154,7 @@ export class Searches extends EventTarget {
       this.#end = null;
     }
     try {
-      this.app.searchProgress({ ...report, curve: this.#curve }); // at the end of one the next of lab or queue begins in here
+      this.app.searchProgress({ ...report, curve: this.#curve }); // at the end of a search, the application starts the next of lab or queue in this call
     } catch (error) {
       this.#client?.drop();
       this.#end = end;
@@ -173,7 +179,7 @@ export class Searches extends EventTarget {
       : tr('The search failed: {1}. What it had found is kept; you can start it again.', fault);
     this.searching = false;
     this.#end = null;
-    this.app.searchFailed(); // the next of the queue may begin in here
+    this.app.searchFailed(); // the application may start the next search of the queue in this call
     if (!this.searching) this.statusLine.clear();
     banner(told);
     end?.reject(error);
@@ -182,7 +188,7 @@ export class Searches extends EventTarget {
 }
 
 /**
- * A trial's report as one of the whole lab. Its best is nobody's: the next trial begins anew.
+ * A trial's report as a report of the whole lab, without a best genome, since each trial starts anew.
  * @param {SearchReport} report @param {Trial} trial
  */
 function ofAll(report, { finished, total }) {
@@ -205,6 +211,6 @@ function wordsOf(app) {
   const name = () => tr(algorithms.find(({ name: known }) => known === algorithm)?.label ?? algorithm);
   return {
     doing: (/** @type {boolean} */ paused) => (paused ? tr('Paused: searching with {1}', name()) : tr('Searching with {1}', name())),
-    unit: styled ? '' : ' m', // every goal alone is a length
+    unit: styled ? '' : ' m', // every goal is a length if no style term is added
   };
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The page's side of transition maps: one worker of their own, so that no search waits for them. The application asks
-// for one map at a time and knows its generation; what a worker says of an earlier one is outdated.
+// The page's side of transition maps, with a worker of their own, so that no search waits for them. The application
+// requests one map at a time and knows its generation. Answers of earlier generations are outdated.
 import { unreachable } from './messages.js';
 
 /** @typedef {import('./messages.js').MapperToPage} MapperToPage */
@@ -13,13 +13,13 @@ import { unreachable } from './messages.js';
  * @property {(generation: number) => void} failed  its worker died or went silent, or core refused the document
  */
 
-// Scripts may come over a slow line.
+// Scripts may load over a slow line.
 const START_MS = 30000;
 // A part takes a tenth of a second.
 const SILENCE_MS = 10000;
-// Silence is counted in ticks: a machine that was asleep has had one of them.
+// Silence is counted in ticks, so that a machine's sleep counts as one tick.
 const TICK_MS = 1000;
-// The worker is kept for the next map, for as long as those of searches.
+// How long the worker is kept for the next map, as for workers of searches.
 const REST_MS = 5 * 60000;
 
 export class TransitionMaps {
@@ -27,11 +27,11 @@ export class TransitionMaps {
   #worker = null;
   /** @type {WebAssembly.Module | null} */
   #compiled = null;
-  #generation = 0; // wanted; 0: none
+  #generation = 0; // of the requested map; 0: none
   /** @type {Role | null} */
   #wanted = null;
-  #told = 0; // moments of it, without a gap
-  #again = false; // it is told a second time
+  #told = 0; // number of moments received without a gap
+  #again = false; // the map was requested again
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #watch;
 
@@ -48,7 +48,7 @@ export class TransitionMaps {
   }
 
   /**
-   * Works out a map; one that is under way is given up.
+   * Computes a map and abandons an unfinished one.
    * @param {Uint8Array} document  binary form, whose search names the clip
    * @param {number} generation    not 0
    */
@@ -73,7 +73,7 @@ export class TransitionMaps {
     if (this.#wanted) this.#worker?.postMessage(this.#wanted);
   }
 
-  /** Nobody wants the map any more. */
+  /** Abandons the requested map. */
   stop() {
     if (this.#generation === 0) return;
     if (this.#compiled) this.#worker?.postMessage(/** @type {Role} */ ({ type: 'stand-by', engine: this.#compiled }));
@@ -131,7 +131,7 @@ export class TransitionMaps {
     }
   }
 
-  /** The last part has come. If one before it was lost, all are told once more. @param {number} count  of moments */
+  /** Handles the last part. If an earlier part was lost, requests all parts again. @param {number} count  of moments */
   #end(count) {
     if (this.#told >= count) this.#rest();
     else if (this.#again) setTimeout(() => this.#fail());

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The coordinator's role: runs the search's ask/tell loop, deals each batch out to the evaluators in slices,
-// and puts the scores back in order. Evaluators have a second slice at hand when they end the first, of a second
-// batch if the search can name one before it is told of the first: so they do not wait for the coordinator. What is asked, and what a score leads to, core decides; so the result is
-// the same for any number of evaluators, and for any of them dying on the way.
+// The coordinator's role: runs the search's ask/tell loop, sends each batch to the evaluators in slices, and puts the
+// scores back in order. An evaluator that ends a slice already has the next one, so it does not wait for the
+// coordinator. The next slice may come from a second batch if the search can name one before it has the scores of the
+// first. Core alone decides what to ask and how a score is used, so the result is the same for any number of
+// evaluators, even if some die.
 import { SCORE_LENGTH } from './engine.js';
 import { unreachable } from './messages.js';
 
@@ -12,58 +13,66 @@ import { unreachable } from './messages.js';
 /** @typedef {import('./messages.js').CoordinatorToEvaluator} CoordinatorToEvaluator */
 /** @typedef {import('./messages.js').SearchReport} SearchReport */
 
-/** @typedef {{first: number, count: number}} Span  of a batch's genomes */
+/** @typedef {{first: number, count: number}} Span  a range of a batch's genomes */
 /** @typedef {Span & {id: number, batch: Batch}} Slice */
-/** @typedef {{genomes: Uint16Array, scores: Float32Array, waiting: Slice[], missing: number}} Batch  missing: slices */
 /**
- * @typedef {object} Hand  an evaluator, seen from here
+ * @typedef {{genomes: Uint16Array, scores: Float32Array, waiting: Slice[], missing: number}} Batch  missing: slices
+ * without scores
+ */
+/**
+ * @typedef {object} Hand  an evaluator, as the coordinator sees it
  * @property {MessagePort} port
- * @property {Slice[]} slices        what it has, in the order of its work
- * @property {number} startedMs      when it began with the first
- * @property {number} waitedMs       how long it has been at it, counted in ticks: a sleeping machine does not count
+ * @property {Slice[]} slices        its work, in order
+ * @property {number} startedMs      when it began the first slice
+ * @property {number} waitedMs       time since then, counted in ticks: a machine's sleep does not count
  */
 
-// The engine simulates so many side by side: a slice that is no multiple of it leaves some empty.
+// Number of motions that the engine simulates side by side. A slice that is not a multiple leaves lanes empty.
 const LANES = 4;
-// Genomes per evaluator and batch. Larger batches lose less time between them, but a search that looks ahead throws
-// more away, above all at its beginning, when every fourth guess is an improvement. So the size follows the waste,
-// measured over some batches; it never changes the result.
+// Genomes per evaluator and batch. Larger batches lose less time between batches, but a search that looks ahead wastes
+// more, above all at its beginning, when every fourth guess is an improvement. So the size follows the waste, measured
+// over several batches. It never changes the result.
 const BATCH_SIZES = [LANES, 2 * LANES, 3 * LANES, 5 * LANES, 10 * LANES];
 const FIRST_BATCH_SIZE = 2;
-const MOST_BATCHES = 2; // under way
+const MOST_BATCHES = 2; // batches that may wait for scores at once
 const SLICES_AT_HAND = 2;
 const BATCHES_PER_MEASURE = 16;
-// Simulated ÷ counted. Measured over the first 20,000 of a population of ten: 1.07 with 40 a batch, 1.17 with 80.
+// Simulated ÷ counted. Measured over the first 20,000 evaluations of a population of ten: 1.07 with 40 a batch, 1.17
+// with 80.
 const MUCH_WASTE = 1.12;
 const LITTLE_WASTE = 1.04;
-// A slice should take no longer, so that pause and stop are seen soon.
+// Longest time for a slice, so that pause and stop take effect soon.
 const LONGEST_SLICE_MS = 100;
 const TICK_MS = 500;
-// An evaluator is given up after this long, or after this many times its usual time if that is longer.
+// An evaluator is replaced after this long without an answer, or after this many times its usual time if that is
+// longer.
 const SILENCE_MS = 5000;
 const SILENCE_RATIO = 50;
 const PROGRESS_MS = 34; // at most 30 reports a second
 const CHECKPOINT_MS = 900; // at least one a second
 const RATE_WINDOW_MS = 3000;
-// The spread of thousands takes a millisecond or two: a fiftieth of the time at most.
+// The spread of thousands takes a millisecond or two. Computing it takes at most a fiftieth of the time.
 const SPREAD_REST = 50;
 
-/** A clock that was set back must not hold anything up. @param {number} ms  earlier, by that clock */
+/**
+ * Infinite after the clock was set back, so that nothing waits for the clock. @param {number} ms  an earlier time of
+ * that clock
+ */
 const since = (ms) => (performance.now() < ms ? Infinity : performance.now() - ms);
 
 export class Coordinator {
   /** @type {Map<number, Hand>} */
   #hands = new Map();
-  /** Under way, oldest first. @type {Batch[]} */
+  /** Batches without all scores, oldest first. @type {Batch[]} */
   #batches = [];
   #lastSlice = 0;
 
   /** @type {SearchReport['state']} */
   #state = 'running';
   #simulated = 0;
-  #batchSize = FIRST_BATCH_SIZE; // of BATCH_SIZES
-  #measure = { batches: 0, simulated: 0, evaluations: 0 }; // since the batch size was last considered
-  #genomeMs = 0; // what one genome takes an evaluator, smoothed
+  #batchSize = FIRST_BATCH_SIZE; // index into BATCH_SIZES
+  #measure = { batches: 0, simulated: 0, evaluations: 0 }; // counts since the last choice of the batch size
+  #genomeMs = 0; // an evaluator's time for one genome, smoothed
   /** Recent progress, for the rate. @type {{ms: number, evaluations: number}[]} */
   #pace = [];
   #progressMs = -Infinity;
@@ -79,8 +88,8 @@ export class Coordinator {
    * @param {import('./engine.js').Engine} engine
    * @param {import('./messages.js').Coordinate} role
    * @param {(message: OfCoordinator, transfer?: Transferable[]) => void} post
-   * @param {(error: unknown) => void} die  then it is let go
-   * @param {number} [longestMs]  that a slice should take
+   * @param {(error: unknown) => void} die  ends the role after an error
+   * @param {number} [longestMs]  longest time for a slice
    */
   constructor(engine, { document, state, workers }, post, die, longestMs = LONGEST_SLICE_MS) {
     this.longestMs = longestMs;
@@ -119,19 +128,19 @@ export class Coordinator {
 
   /** @param {number} evaluator @param {MessagePort} port */
   #add(evaluator, port) {
-    if (this.#hands.has(evaluator)) return; // told twice: its work is under way
+    if (this.#hands.has(evaluator)) return; // a repeated message: it already has work
     /** @type {Hand} */
     const hand = { port, slices: [], startedMs: 0, waitedMs: 0 };
     this.#hands.set(evaluator, hand);
     /** @param {MessageEvent<EvaluatorToCoordinator>} event */
     port.onmessage = ({ data }) => this.#attempt(() => this.#take(hand, data));
-    // Where browsers tell that the other end has died, there is no need to wait for its silence.
+    // Some browsers report that the other end has died, so there is no need to wait for its silence.
     port.addEventListener('close', () => {
       this.#attempt(() => { if (this.#hands.get(evaluator) === hand) this.#giveUp(evaluator); });
     });
   }
 
-  /** What is done between messages to the role. @param {() => void} action */
+  /** Runs an action between messages to the role. @param {() => void} action */
   #attempt(action) {
     try {
       action();
@@ -145,7 +154,7 @@ export class Coordinator {
     const hand = this.#hands.get(evaluator);
     this.#hands.delete(evaluator);
     if (!hand) return;
-    // What it sent before may still be on its way, and must not count beside what another one makes of it.
+    // Its answers may still arrive. They must not count, since another evaluator scores the same slices.
     for (const slice of hand.slices.splice(0)) slice.batch.waiting.unshift(slice);
     hangUp(hand);
   }
@@ -157,7 +166,7 @@ export class Coordinator {
     this.#deal();
   }
 
-  /** Gives every evaluator work until it has enough at hand, those with the least first. */
+  /** Gives every evaluator work until it has enough, those with the least first. */
   #deal() {
     for (let level = 0; level < SLICES_AT_HAND; level++) {
       for (const hand of this.#hands.values()) {
@@ -182,13 +191,18 @@ export class Coordinator {
     hand.waitedMs = 0;
   }
 
-  /** @returns {Slice | undefined} of the oldest batch that has one; of a new one if the search can name it */
+  /**
+   * @returns {Slice | undefined} a slice of the oldest batch that has one, or of a new batch if the search can name it
+   */
   #next() {
     const batch = this.#batches.find(({ waiting }) => waiting.length > 0) ?? this.#ask();
     return batch?.waiting.shift();
   }
 
-  /** @returns {Batch | null} null at the end of the search, and when all depends on what is under way */
+  /**
+   * @returns {Batch | null} null at the end of the search, or while every proposal depends on scores that have not
+   * arrived
+   */
   #ask() {
     const underWay = this.#batches.length;
     if (underWay > 0 && (underWay >= MOST_BATCHES || !this.search.asksAhead)) return null;
@@ -212,9 +226,9 @@ export class Coordinator {
   /** @param {Hand} hand @param {EvaluatorToCoordinator} result */
   #take(hand, { slice: id, scores }) {
     const slice = hand.slices[0];
-    if (slice?.id !== id) return; // it was taken from a hand that seemed dead
+    if (slice?.id !== id) return; // the slice was taken back from an evaluator that seemed dead
     hand.slices.shift();
-    // Ticks know better than a clock that jumps.
+    // Limited by ticks, since the clock may jump.
     const ms = Math.min(since(hand.startedMs), hand.waitedMs + TICK_MS) / slice.count;
     this.#begin(hand);
     this.#genomeMs = this.#genomeMs > 0 ? 0.8 * this.#genomeMs + 0.2 * ms : ms;
@@ -259,7 +273,7 @@ export class Coordinator {
       const usualMs = this.#genomeMs * hand.slices[0].count;
       if (hand.waitedMs > Math.max(SILENCE_MS, SILENCE_RATIO * usualMs)) this.#giveUp(evaluator);
     }
-    // The page takes a silent coordinator for a dead one.
+    // Without reports the page would replace the coordinator.
     if (since(this.#progressMs) >= TICK_MS) this.#report();
   }
 
@@ -275,7 +289,7 @@ export class Coordinator {
     this.post({ type: 'finished', report: this.#summary(true) });
   }
 
-  /** Hears nobody any more, wherever it is. */
+  /** Stops receiving messages. */
   letGo() {
     clearInterval(this.ticker);
     for (const hand of this.#hands.values()) hangUp(hand);
@@ -284,7 +298,7 @@ export class Coordinator {
 
   free() { this.search.close(); }
 
-  /** Not older than fifty times what it takes to find it. @param {boolean} anew */
+  /** At most fifty times as old as the time it takes to compute. @param {boolean} anew */
   #spreadNow(anew) {
     if (anew || since(this.#spreadMs) >= this.#spreadRestMs) {
       this.#spreadMs = performance.now();
@@ -322,14 +336,14 @@ export class Coordinator {
   }
 }
 
-/** Between two in one page a message that was sent before still comes. @param {Hand} hand */
+/** Closing is not enough: between two ends in one page a message sent before still arrives. @param {Hand} hand */
 function hangUp({ port }) {
   port.onmessage = null;
   port.close();
 }
 
 /**
- * Cuts `count` things into slices of at most `most`, as even as whole lanes allow.
+ * Cuts `count` genomes into slices of at most `most`, as evenly as whole lanes allow.
  * @param {number} count @param {number} most
  * @returns {Span[]}
  */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The evaluator's role: scores genomes as they arrive, and knows nothing of the search they belong to.
+// The evaluator's role: scores genomes as they arrive, without knowing their search.
 
 /** @typedef {import('./messages.js').CoordinatorToEvaluator} CoordinatorToEvaluator */
 /** @typedef {import('./messages.js').EvaluatorToCoordinator} EvaluatorToCoordinator */
@@ -7,7 +7,7 @@
 /**
  * @param {import('./engine.js').Engine} engine
  * @param {import('./messages.js').Evaluate} role
- * @param {(error: unknown) => void} die  then it is let go
+ * @param {(error: unknown) => void} die  ends the role after an error
  * @returns {import('./worker_roles.js').Holdings}
  */
 export function startEvaluator(engine, { document, port }, die) {
@@ -27,7 +27,7 @@ export function startEvaluator(engine, { document, port }, die) {
   };
   return {
     letGo: () => {
-      port.onmessage = null; // between two in one page a message that was sent before still comes
+      port.onmessage = null; // between two ends in one page a message sent before still arrives
       port.close();
     },
     free: () => evaluator.close(),

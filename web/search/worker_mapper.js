@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The mapper's role: scores the moments at which a clip could take over, part by part, and tells each part.
+// The mapper's role: scores the moments at which a clip could take over, and sends the scores part by part.
 
 /** @typedef {import('./messages.js').OfMapper} OfMapper */
 
-// A part is told after this long, or sooner: the first ones are a coarse picture of the whole.
+// A part is sent at the latest after this time. The first parts are a coarse picture of the whole.
 const PART_MS = 100;
-const STRIDE = 4; // moments between two looks at the clock
+const STRIDE = 4; // moments between two readings of the clock
 
 /**
  * @param {import('./engine.js').Engine} engine
  * @param {import('./messages.js').MapTransitions} role
  * @param {(message: OfMapper, transfer?: Transferable[]) => void} post
- * @param {(error: unknown) => void} die  then it is let go
- * @param {number} [partMs]  after which a part is told
+ * @param {(error: unknown) => void} die  ends the role after an error
+ * @param {number} [partMs]  time after which a part is sent
  * @returns {import('./worker_roles.js').Holdings}
  */
 export function startMapper(engine, { document, generation }, post, die, partMs = PART_MS) {
@@ -36,7 +36,7 @@ export function startMapper(engine, { document, generation }, post, die, partMs 
     }
     const scores = Float32Array.from(known);
     post({ type: 'mapped', generation, count, first, scores, usual }, [scores.buffer]);
-    if (next < count) timer = setTimeout(part); // messages come in between
+    if (next < count) timer = setTimeout(part); // lets messages in between parts
   };
   let timer = setTimeout(part);
   return { letGo: () => clearTimeout(timer), free: () => map.close() };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a worker does: a message says whether it coordinates a search, evaluates for one or maps transitions; when that is
-// done, the next role may follow. It runs in a worker (worker.js) or, where there are none, in the page (page_worker.js).
+// The roles of a worker. A message decides whether it coordinates a search, evaluates for one or maps transitions. When
+// that is done, another role may follow. The roles run in a worker (worker.js) or, where there are none, in the page
+// (page_worker.js).
 import { Coordinator } from './worker_coordinator.js';
 import { Engine, EngineError } from './engine.js';
 import { startEvaluator } from './worker_evaluator.js';
@@ -11,7 +12,10 @@ import { unreachable } from './messages.js';
 /** @typedef {import('./messages.js').PageToCoordinator} PageToCoordinator */
 /** @typedef {import('./messages.js').OfCoordinator} OfCoordinator */
 /** @typedef {import('./messages.js').OfMapper} OfMapper */
-/** @typedef {{letGo: () => void, free: () => void}} Holdings  letGo: hears nobody any more; free: what it has of the engine */
+/**
+ * @typedef {{letGo: () => void, free: () => void}} Holdings  letGo: stops receiving messages; free: frees its objects
+ * in the engine
+ */
 /** @typedef {(message: (import('./messages.js').Loaded | OfCoordinator | OfMapper) & {run?: number}, transfer?: Transferable[]) => void} Post */
 
 export class WorkerRoles {
@@ -22,14 +26,14 @@ export class WorkerRoles {
   /** @type {Holdings | null} */
   #holdings = null;
   #before = Promise.resolve();
-  #run = 0; // of the search that the role belongs to; 0: none
-  // Then it says and hears nothing more: it may have stopped half way through a change of the search.
+  #run = 0; // of the role's search; 0: none
+  // Then it neither sends nor receives: an error may have left the search half changed.
   #dead = false;
 
   /**
    * @param {Post} post
    * @param {(error: unknown) => void} die
-   * @param {{longestMs?: number}} [pace]  of what is done between two messages
+   * @param {{longestMs?: number}} [pace]  longest time of the work between two messages
    */
   constructor(post, die, { longestMs } = {}) {
     /** @type {Post} */
@@ -42,10 +46,13 @@ export class WorkerRoles {
     this.longestMs = longestMs;
   }
 
-  /** Says that it is here. */
+  /** Reports that the scripts are loaded. */
   begin() { this.post({ type: 'loaded' }); }
 
-  /** Messages wait for the role that one before them began, and keep their order. @param {Role | PageToCoordinator} message */
+  /**
+   * Messages wait until the role of an earlier message has started, and keep their order.
+   * @param {Role | PageToCoordinator} message
+   */
   hear(message) {
     const isRole = ['stand-by', 'coordinate', 'evaluate', 'map-transitions'].includes(message.type);
     this.#before = this.#before
@@ -56,7 +63,7 @@ export class WorkerRoles {
       .catch(this.die);
   }
 
-  /** No role follows, not even one that is on its way. */
+  /** No role follows, not even one whose message is on its way. */
   end() {
     this.leave();
     this.#before = this.#before.then(() => this.leave(), () => {});
@@ -66,18 +73,18 @@ export class WorkerRoles {
     const holdings = this.#holdings;
     this.#holdings = this.#coordinator = null;
     holdings?.letGo();
-    if (!this.#dead) holdings?.free(); // an engine that trapped is asked nothing more; it goes as a whole
+    if (!this.#dead) holdings?.free(); // do not call an engine that trapped; it is discarded as a whole
   }
 
   /** @param {PageToCoordinator} message */
   #receive(message) {
-    if (message.run === this.#run) this.#coordinator?.receive(message); // else it comes too late
+    if (message.run === this.#run) this.#coordinator?.receive(message); // else the message is for an earlier run
   }
 
   /** @param {Role} message */
   async #take(message) {
     const run = 'run' in message ? message.run : 0;
-    if (run > 0 && run === this.#run) return; // it came twice
+    if (run > 0 && run === this.#run) return; // the message came twice
     this.#run = run;
     /** @type {Post} */
     const post = run > 0 ? (said, transfer) => this.post({ ...said, run }, transfer) : this.post;

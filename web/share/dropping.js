@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A file or a link dropped on the page. While it hangs over the page a hint says what will happen.
+// A file or a link dropped on the page. A hint during the drag shows what will happen.
 import { banner, element } from '../browser/dom.js';
 import { textOf } from './sharing.js';
 import { sentence } from './address.js';

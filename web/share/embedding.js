@@ -61,7 +61,7 @@ export function startEmbedding(gaitsmith) {
       if (origin !== null) post({ event, detail: cloneable(detail) }, origin);
     });
   }
-  // Whoever is around may know that there is somebody to talk to; nothing else is told unasked.
+  // Any page around this one may learn that it is ready. Everything else is sent only as an answer.
   gaitsmith.ready.then(() => post({ event: 'ready' }, '*'), () => {});
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The dialog that makes files of the motion for other programs, and the files. Loaded when somebody wants one.
+// The dialog that exports the motion as files for other programs. Loaded on first use.
 import { element, offerFile, onClick, toast } from '../browser/dom.js';
 import { exporters } from '../catalogue/catalogue.js';
 import { Engine } from '../search/engine.js';
@@ -137,7 +137,7 @@ class ExportDialog {
     }
   }
 
-  /** Kept: whoever wants one file may want another. */
+  /** Kept for further exports. */
   #load() {
     this.#engine ??= Engine.load();
     this.#engine.catch(() => { this.#engine = null; }); // try again next time

@@ -84,7 +84,7 @@ export class Autosave {
     this.statusLine.say(tr('This browser does not let the page keep your work: save it, or copy its link, before you leave.'));
   }
 
-  /** Keeps nothing more: what the application says from now on is not to be trusted. */
+  /** Stops storing: after this the application's data is not trusted. */
   end() {
     clearTimeout(this.#timer);
     this.#begun = false;

@@ -6,7 +6,7 @@ import { element, onClick, setText } from '../browser/dom.js';
 import { tr } from '../languages/language.js';
 import { scriptAddress } from '../browser/trusted.js';
 
-const LOOK_EVERY_MS = 3600e3; // somebody may leave the page open for weeks
+const LOOK_EVERY_MS = 3600e3; // the page may stay open for weeks
 
 /** The version that waits to take over. @type {ServiceWorker | null} */
 let waiting = null;
@@ -27,7 +27,7 @@ export async function startOffline({ leave }) {
 function follow(registration, leave) {
   const offer = () => {
     waiting = registration.waiting;
-    // Without one in charge it is the first, and waits for nobody.
+    // Without an active worker it is the first version, and does not wait.
     if (!waiting || !registration.active) return;
     element('update').hidden = false;
     setText(element('update-text'), tr('A new version of Gaitsmith is here.'));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Senses, period, number of rules, and the rule cards or the network: a learner can read why the figure does
-// what it does.
+// Senses, period, number of rules, and the rule cards or the network.
 #include "shell/panels/controller/controller_panel.h"
 
 #include <algorithm>
@@ -17,7 +16,8 @@
 namespace gaitsmith::shell {
 namespace {
 
-// How a timer compares with the length of the motion: below it the motion repeats, above it never does.
+// Compares a timer's period with the motion's length: with a shorter period the motion repeats, with a longer
+// one it does not.
 const char* PeriodWords(int period_steps, int duration_steps) {
   const float ratio = static_cast<float>(period_steps) / static_cast<float>(duration_steps);
   if (ratio < 0.1f) return Tr("far below the motion's length: it repeats like a wind-up toy");
@@ -45,14 +45,14 @@ void DrawSettings(Ui& ui, Session& session) {
   if (kind == 0) {
     const float seconds = static_cast<float>(senses.period_steps) * kStep;
     double period = static_cast<double>(seconds);
-    // From far below the motion's length to above it, however long it is.
+    // From far below the motion's length to above it.
     const double length = static_cast<double>(session.Doc().task.duration_steps) * static_cast<double>(kStep);
     const double longest = std::min(std::max(30.0, 1.5 * length), kMaxSteps * static_cast<double>(kStep));
     if (ui.Slider("controller/period", Tr("Period"), period,
                   {.low = 0.1, .high = longest, .step = 0.01, .logarithmic = true},
                   Fixed(seconds, 2) + " s")) {
       const int steps = static_cast<int>(std::lround(period * 100.0));
-      // A timer controller on the stage follows at once: the same rules, wound faster or slower.
+      // A timer controller on the stage follows at once, with the same rules at another speed.
       const Controller* shown = session.Timeline().ShownController();
       const bool live = shown != nullptr && shown->senses.kind == SenseKind::kTimer;
       const auto edit = [&](Document& d) {
@@ -88,9 +88,9 @@ void DrawSettings(Ui& ui, Session& session) {
   }
 }
 
-// The cards, two in a row; the editor of an open one follows its row.
+// The cards, two in a row. The editor of an open card follows its row.
 void DrawRules(Ui& ui, Session& session, ControllerPanelState& state) {
-  // A copy: an edit replaces the shown one while the rest is still being drawn.
+  // A copy, since an edit replaces the controller while the rest is being drawn.
   const Controller controller = *session.Timeline().ShownController();
   if (state.editor.rule >= controller.rules) state.editor = {};
   const ImRect why = RuleWhyRow(ui);
@@ -120,8 +120,8 @@ void DrawRules(Ui& ui, Session& session, ControllerPanelState& state) {
     }
     DrawRuleEditor(ui, session, controller, state.editor);
   }
-  // Last, when it is known what the pointer and the keyboard are at: a paused page draws no frame more.
-  // And of the controller as it is by now.
+  // Drawn last, when the state of pointer and keyboard is known, since a paused page draws no further frame.
+  // Uses the controller as it is after edits.
   DrawRuleWhy(ui, why, session, *session.Timeline().ShownController(), state.why);
 }
 

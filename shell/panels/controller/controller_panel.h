@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The Controller panel: what the figure senses, its rules as cards, and the one of them that is being
-// changed.
+// The Controller panel: the figure's senses, its rules as cards, and the editor of one rule.
 #pragma once
 
 #include "shell/panels/controller/rule_editor.h"
@@ -8,7 +7,7 @@
 
 namespace gaitsmith::shell {
 
-/// What the panel remembers between frames.
+/// The panel's state between frames.
 struct ControllerPanelState {
   RuleWhyState why;
   RuleEditorState editor;

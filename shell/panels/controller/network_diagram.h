@@ -7,7 +7,7 @@
 
 namespace gaitsmith::shell {
 
-/// Takes its own row of the panel. @param controller a network, of the selected clip
+/// Draws the diagram in a row of its own. @param controller a network, of the selected clip
 void DrawNetwork(Ui& ui, const Session& session, const Controller& controller);
 
 }  // namespace gaitsmith::shell

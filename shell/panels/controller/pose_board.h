@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A rule's target pose, to be bent by its limbs. Each limb turns about its joint, within its limits.
+// A rule's target pose, edited by dragging limbs. Each limb turns about its joint, within its limits.
 #pragma once
 
 #include "shell/panels/controller/rule_editor.h"
@@ -12,8 +12,8 @@ struct PoseEdit {
 };
 
 /// @param angles   the target, one for each joint
-/// @param present  what the joints are now, drawn pale behind it; may be empty
-/// @return the limb's new angle, while one is dragged
+/// @param present  present angles of the joints, drawn pale behind it; may be empty
+/// @return the limb's new angle during a drag
 [[nodiscard]] std::optional<PoseEdit> DrawPoseBoard(Ui&, const Skeleton&, const std::vector<float>& angles,
                                                     const std::vector<float>& present, RuleEditorState&);
 

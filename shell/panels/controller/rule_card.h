@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A rule as a card: its target pose, its time constant as a clock, and a bar for each sense that it heeds
-// with the present value in it.
+// A rule as a card: its target pose, its time constant as a clock, and for each sense that it uses a bar with
+// the present value.
 #pragma once
 
 #include "shell/session/session.h"
@@ -13,11 +13,11 @@ inline constexpr float kCardHeight = 88.0f;
 /// The pose a rule pulls the joints to, one angle for each joint.
 [[nodiscard]] std::vector<float> TargetPose(const Controller&, const Skeleton&, int rule);
 
-/// Share of a bar at which a normalised sense stands. Physical intervals may end a quarter outside of [0, 1];
-/// the bar shows all of it.
+/// The place of a normalised sense on its bar, as a share. Physical intervals may extend a quarter outside of
+/// [0, 1], and the bar shows that part too.
 [[nodiscard]] float ShareOnBar(const SenseSpec&, float sense);
 
-/// An interval on its bar and, in [0, 1], the present value; below 0 none is drawn.
+/// An interval on its bar and the present value in [0, 1]; a value below 0 is not drawn.
 struct StimulusBar {
   float low, high, value;
 
@@ -25,10 +25,10 @@ struct StimulusBar {
 };
 void DrawStimulusBar(Ui&, const ImRect&, const StimulusBar&, ImU32 colour);
 
-/// A clock of one second, of which this many seconds have run.
+/// A clock of one second, filled up to this number of seconds.
 void DrawClock(Ui&, ImVec2 centre, float radius, float seconds, ImU32 colour);
 
-/// @param open its editor is open
+/// @param open whether its editor is open
 [[nodiscard]] Touch DrawRuleCard(Ui&, const Session&, const Controller&, int rule, bool open, const ImRect&);
 
 }  // namespace gaitsmith::shell

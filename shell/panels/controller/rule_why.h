@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The box that says why a rule acts or does not: a sentence, and the senses it heeds with the present values.
+// The box that explains why a rule is active or not: a sentence, and the senses it uses with the present
+// values.
 #pragma once
 
 #include "shell/session/session.h"
@@ -7,17 +8,17 @@
 
 namespace gaitsmith::shell {
 
-/// Which rule is explained, and when.
+/// The explained rule and moment.
 struct RuleWhyState {
-  int pointed_at = -1;  // by the pointer or the keyboard; -1: the active one
-  int frame = 0;        // explained; while the motion plays it changes slowly enough to be read
+  int pointed_at = -1;  // rule under the pointer or the focus; -1: the active rule
+  int frame = 0;        // the explained frame; while the motion plays it changes slowly enough for reading
   double since_s = 0.0;
-  std::uint64_t hash = 0;  // of the motion that the frame is of
+  std::uint64_t hash = 0;  // hash of that frame's motion
 };
 
-/// Its room, always of the same height, so that the cards below it do not jump.
+/// The box's row, always of the same height, so that the cards below do not jump.
 [[nodiscard]] ImRect RuleWhyRow(Ui&);
-/// @param controller the shown one, of rules
+/// @param controller the shown one, with rules
 void DrawRuleWhy(Ui&, const ImRect& box, const Session&, const Controller& controller, RuleWhyState&);
 
 }  // namespace gaitsmith::shell

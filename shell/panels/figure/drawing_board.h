@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The board on which a figure is drawn: its endpoints and rods are dragged, rods grow from it.
+// The board for drawing a figure: drag endpoints and rods, and add rods.
 #pragma once
 
 #include "shell/session/session.h"
@@ -9,24 +9,23 @@ namespace gaitsmith::shell {
 
 enum class DrawingTool { kMove, kGrow };
 
-/// What the board remembers between frames.
+/// The board's state between frames.
 struct DrawingBoardState {
   DrawingTool tool = DrawingTool::kMove;
-  bool snap = false;     // to angles and lengths that are easily said
-  int rod = 0;           // the selected one, as Figure::rods counts
-  int endpoint = kNone;  // the one being dragged, as the skeleton counts
-  int turning = kNone;   // the limb being dragged by its rod, as the skeleton counts
-  // While something is dragged the picture must not run away under the pointer: the endpoint `still` stays
-  // where it is.
+  bool snap = false;     // to round angles and lengths
+  int rod = 0;           // the selected rod, index in Figure::rods
+  int endpoint = kNone;  // the dragged endpoint, index in the skeleton
+  int turning = kNone;   // the limb whose rod is dragged, index in the skeleton
+  // The view is fixed during a drag: the endpoint `still` stays where it is.
   int still = kNone;
-  float grip_rad = 0.0f;      // from the dragged rod's direction to where it is held
+  float grip_rad = 0.0f;      // angle from the dragged rod to the point where the drag began
   float scale = 0.0f;         // [points per metre]
   ImVec2 anchor{0.0f, 0.0f};  // canvas position of the endpoint that stays
 
   static constexpr int kNone = -1;
 };
 
-/// What is drawn by hand is called.
+/// The name of figures drawn by hand.
 inline constexpr const char* kOwnFigure = "My figure";
 
 void DrawDrawingBoard(Ui&, Session&, DrawingBoardState&);

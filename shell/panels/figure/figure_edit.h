@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What drawing does to a figure: an endpoint moved, a rod grown, taken away or copied, all of it mirrored.
-// Nothing here validates; core does.
+// Edits of a figure: moving an endpoint, adding, removing or copying a rod, mirroring the whole. Core
+// validates the result.
 #pragma once
 
 #include <imgui.h>
@@ -18,36 +18,37 @@ struct DrawnFigure {
   std::span<const ImVec2> points;
 };
 
-/// Turns and stretches the rod that ends there. The rods that hang on it keep their direction and come along.
+/// Turns and stretches the rod that ends at this endpoint. The rods attached to it keep their direction and
+/// move with it.
 [[nodiscard]] Figure WithEndpointAt(const DrawnFigure&, int endpoint, ImVec2 target);
 
-/// Turns this rod and all that hang on it about the joint where it begins. @param direction_rad of the rod,
+/// Turns this rod and everything attached about the joint where it begins. @param direction_rad of the rod,
 /// anticlockwise from the right
 [[nodiscard]] Figure WithLimbTurned(const DrawnFigure&, int limb, float direction_rad);
 
-/// To the next 15°.
+/// The nearest multiple of 15°.
 [[nodiscard]] float SnappedAngle(float radians);
-/// `to`, in a snapped direction and a whole number of 5 cm from `from`, at least one.
+/// `to`, moved to a snapped direction and a whole multiple of 5 cm from `from`, at least one.
 [[nodiscard]] ImVec2 Snapped(ImVec2 from, ImVec2 to);
 
-/// One upright rod to begin with.
+/// A figure of one upright rod, to start a drawing.
 [[nodiscard]] Figure SingleRod();
 
-/// A new rod from this endpoint; as heavy per metre as the figure's average.
+/// Adds a rod from this endpoint, with the figure's average mass per metre.
 [[nodiscard]] Figure WithRodFrom(const DrawnFigure&, int endpoint, ImVec2 target);
 
-/// The same without a hand: from the far end of this rod, as long as it, in a direction where there is room.
+/// Adds a rod without a pointer: at the far end of this rod, with the same length, in a free direction.
 /// @param rod index in Figure::rods
 [[nodiscard]] Figure WithRodGrown(const Figure&, int rod);
 
-/// Without this rod and all that hang on it. @param rod index in Figure::rods, not the root
+/// Removes this rod and everything attached. @param rod index in Figure::rods, not the root
 [[nodiscard]] Figure WithoutRod(const Figure&, int rod);
 
-/// The rod and all that hang on it once more, mirrored about their parent: a left leg makes a right one.
-/// Turned on a little where another rod stands there already. @param rod index in Figure::rods, not the root
+/// Copies a rod and everything attached, mirrored about the parent, so that a left leg gives a right one. The
+/// copy is turned further if another rod is there already. @param rod index in Figure::rods, not the root
 [[nodiscard]] Figure WithLimbCopied(const Figure&, int rod);
 
-/// Left and right exchanged, joint limits too.
+/// Exchanges left and right, including joint limits.
 [[nodiscard]] Figure Mirrored(const Figure&);
 
 }  // namespace gaitsmith::shell

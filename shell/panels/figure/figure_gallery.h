@@ -7,9 +7,9 @@
 
 namespace gaitsmith::shell {
 
-/// @param open  all of them, or only the first row and a button that opens the rest
-/// @param chosen index of the present figure; -1: a drawing of one's own
-/// @return the figure that was pressed
+/// @param open  whether all figures are shown, or only the first row and a button for the rest
+/// @param chosen index of the present figure; -1: drawn by hand
+/// @return the clicked figure
 [[nodiscard]] std::optional<int> DrawFigureGallery(Ui&, const std::vector<Figure>&, int chosen, bool& open);
 
 }  // namespace gaitsmith::shell

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A found motion as a card: it moves, says its name, its terms and where it came from, and what can be done
-// with it.
+// A found motion as a card: a moving picture, its name, terms and origin, and buttons.
 #pragma once
 
 #include <string>
@@ -13,12 +12,12 @@ namespace gaitsmith::shell {
 
 enum class FoundWish { kNothing, kShow, kInsert, kKeep, kRename, kAgain, kDelete };
 
-/// The name a person gave it, else what it was searched for.
+/// The name given by a person, else the title of its search.
 [[nodiscard]] std::string CardName(const FoundMotion&);
-/// The same and what decides, in a sentence.
+/// The name and the control mode, in a sentence.
 [[nodiscard]] std::string SceneText(const FoundMotion&);
 
-/// A press shows the motion; dragged to the timeline it is inserted there.
+/// Click the card to view the motion; drag it to the timeline to insert the motion there.
 FoundWish DrawFoundCard(Ui&, const Session&, const FoundMotions::Entry&, MotionStrips&);
 
 }  // namespace gaitsmith::shell

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The found motions in the Search panel, as cards: sorted, and those that are asked for.
+// The found motions in the Search panel as cards, sorted and filtered.
 #pragma once
 
 #include "shell/panels/search/found_card.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The queue in the Search panel: what waits, in which order, and what may be done to it.
+// The queue in the Search panel: the waiting searches in order, with buttons.
 #pragma once
 
 #include "shell/session/session.h"

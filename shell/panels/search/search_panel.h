@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The Search panel: how far the search has come, how to look for a better motion, what waits, what was found.
+// The Search panel: progress, settings, the queue and the results.
 #pragma once
 
 #include "shell/panels/search/found_list.h"
@@ -7,7 +7,7 @@
 
 namespace gaitsmith::shell {
 
-/// Which sections are open, and what is chosen in them.
+/// The open sections and their choices.
 struct SearchPanelState {
   bool settings = true;
   bool variation = false;

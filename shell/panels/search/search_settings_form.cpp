@@ -17,7 +17,7 @@ namespace {
 void Change(Session& session, const std::function<void(SearchSettings&)>& edit) {
   session.Set([&](Document& d) {
     edit(d.search);
-    Suit(d.search);
+    Fit(d.search);
   });
 }
 

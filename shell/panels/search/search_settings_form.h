@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The settings of the next search: algorithm, budget, seed, and what that algorithm can be told besides.
+// The settings of the next search: algorithm, budget, seed, and the algorithm's own parameters.
 #pragma once
 
 #include "shell/session/session.h"
@@ -7,7 +7,7 @@
 
 namespace gaitsmith::shell {
 
-/// @param variation  whether the section of the shared operators is open
+/// @param variation  whether the section of shared operators is open
 void DrawSearchSettings(Ui&, Session&, bool& variation);
 
 }  // namespace gaitsmith::shell

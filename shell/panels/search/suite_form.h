@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// "Make a suite" in the Search panel: what it is made of, and the button that queues its searches.
+// "Make a suite" in the Search panel: the choice of its searches, and the button that queues them.
 #pragma once
 
 #include "shell/session/session.h"

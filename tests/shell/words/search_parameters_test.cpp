@@ -128,16 +128,16 @@ TEST_CASE("parameters: whatever is set suits its search", "[shell][parameters]")
       CAPTURE(kAlgorithmNames[i], parameter->id);
       if (const auto* whole = std::get_if<WholeParameter>(&parameter->kind))
         whole->field(document.search) = whole->high;
-      Suit(document.search);
+      Fit(document.search);
       CHECK(Validate(document));
     }
   }
   SearchSettings cma;
   cma.cma.population = 1;  // one up from none
-  Suit(cma);
+  Fit(cma);
   CHECK(cma.cma.population == 4);
   cma.cma.population = 3;  // one down from four
-  Suit(cma);
+  Fit(cma);
   CHECK(cma.cma.population == 0);
 }
 
