@@ -49,7 +49,7 @@ async function asTheBrowser({ browser, address }) {
 
   const guest = await PageDriver.open(browser, address);
   assert.deepEqual(await spoken(guest), ENGLISH);
-  const tables = await guest.call('tables', () => performance.getEntriesByType('resource').filter(({ name }) => name.includes('languages/')).length);
+  const tables = await guest.call('tables', () => performance.getEntriesByType('resource').filter(({ name }) => /\/languages\/\w+\.json$/.test(name)).length);
   assert.equal(tables, 0, 'no English visitor loads another language');
   await guest.close();
   const asked = await PageDriver.open(browser, `${address}?lang=de`);

@@ -16,6 +16,7 @@ export default {
     // The palettes are read by programs and people side by side: all six digits.
     'color-hex-length': null,
     // Names of typefaces keep their capitals, and Safari still wants its prefix.
+    'function-url-quotes': 'never',
     'value-keyword-case': ['lower', { ignoreKeywords: [/^[A-Z]/] }],
     'property-no-vendor-prefix': null,
   },
