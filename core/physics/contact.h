@@ -96,6 +96,7 @@ typename Lane<W>::I InCone(const Impulse<W>& force, float friction) {
 /// - none for an endpoint that would not reach the ground
 /// - stick (both velocities vanish) if that impulse lies in the friction cone
 /// - else slip on the edge of the cone, to the side on which friction opposes the slip
+///
 /// One of the three always fits. If rounding rejects all of them, at the very edge of the cone, the edge next
 /// to sticking is taken. In exact arithmetic the sign of stop's tangent alone decides between right and left.
 /// In floats this sign is noise when a figure's radius of gyration is tiny against the arm, and the ground
