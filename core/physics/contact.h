@@ -126,7 +126,7 @@ Impulse<W> SolveOne(const Mobility<W>& m, typename Lane<W>::F b_n, typename Lane
 }
 
 /// The impulses of two endpoints that both stay on the ground, exactly. Two points determine how the figure
-/// moves up and how it spins. So the sum N of the normal impulses and the joint moment of normal impulses and
+/// moves up and how it spins. So the sum N of the normal impulses and the total moment of normal impulses and
 /// friction are known. Unknown is the sum T of the friction impulses, and both slides depend on T in the same
 /// way. Let `low` be the endpoint that drifts further left, and `high` the other. There are five modes:
 ///   T = -mu N                     both slip right
