@@ -9,7 +9,8 @@
 namespace gaitsmith {
 
 enum class SenseKind {
-  kPhysical,  // joint angles, forces at the endpoints, height and vertical velocity of the centre of mass
+  kPhysical,  // joint angles, contact forces at the endpoints, height and vertical velocity of the centre of
+              // mass
   kTimer,     // t' = t mod t_p, a wind-up toy
 };
 

@@ -96,6 +96,7 @@ typename Lane<W>::I InCone(const Impulse<W>& force, float friction) {
 /// - none for an endpoint that would not reach the ground
 /// - stick (both velocities vanish) if that impulse lies in the friction cone
 /// - else slip on the edge of the cone, to the side on which friction opposes the slip
+///
 /// One of the three always fits. If rounding rejects all of them, at the very edge of the cone, the edge next
 /// to sticking is taken. In exact arithmetic the sign of stop's tangent alone decides between right and left.
 /// In floats this sign is noise when a figure's radius of gyration is tiny against the arm, and the ground
@@ -125,7 +126,7 @@ Impulse<W> SolveOne(const Mobility<W>& m, typename Lane<W>::F b_n, typename Lane
 }
 
 /// The impulses of two endpoints that both stay on the ground, exactly. Two points determine how the figure
-/// moves up and how it spins. So the sum N of the normal impulses and the joint moment of normal impulses and
+/// moves up and how it spins. So the sum N of the normal impulses and the total moment of normal impulses and
 /// friction are known. Unknown is the sum T of the friction impulses, and both slides depend on T in the same
 /// way. Let `low` be the endpoint that drifts further left, and `high` the other. There are five modes:
 ///   T = -mu N                     both slip right

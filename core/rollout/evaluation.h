@@ -9,7 +9,7 @@
 namespace gaitsmith {
 
 struct Evaluation {
-  float fitness = kVoidScore;  // the mean over the beginnings, void if one of them is void
+  float fitness = kVoidScore;  // with several beginnings: the mean, void if one is void
   Terms terms;                 // means over the beginnings; further terms only if the task weights them
   std::uint64_t trajectory_hash = 0;  // only filled on request
 };

@@ -30,7 +30,7 @@ class Evaluator {
   /// With a PlantEvaluator, for a plant that is not a model of documents.
   explicit Evaluator(std::shared_ptr<const BatchEvaluator> batch) : batch_(std::move(batch)) {}
 
-  /// @param genomes any number of genomes, each with Problem::Shape().Genes() genes
+  /// @param genomes any number of them, each with Problem::Shape().Genes() genes
   /// @return an evaluation for each, in order
   [[nodiscard]] std::vector<Evaluation> Evaluate(std::span<const std::span<const Gene>> genomes) const;
   [[nodiscard]] std::vector<Evaluation> Evaluate(std::span<const Genome> genomes) const;

@@ -266,7 +266,7 @@ if (!SITE) {
     assert.doesNotMatch(evaluator.text, /problem_|EvaluateWidth|lane_width/);
     // A comment that goes on below itself; one above several members; two members of one declaration; a constant.
     assert.match(page('control/senses').text, /kPhysical\s+joint angles, contact forces at the endpoints, height and vertical velocity of the centre of mass/);
-    assert.match(page('physics/terms').text, /The further terms; 0 where nobody asked for them\. See docs\/style\.md\.\s+float effort_rad/);
+    assert.match(page('physics/terms').text, /Our own terms, 0 unless they were requested\. See docs\/style\.md\.\s+float effort_rad/);
     assert.match(page('rollout/motion').getElementById('motion-point-y').parentNode.text, /float x, y/);
     assert.equal(page('search/batch_search').getElementById('batchsearch-tell').nextElementSibling.text, 'virtual void Tell(std::span<const Score> scores) final');
     assert.match(page('physics/figure').getElementById('knoparent').text, /constexpr int kNoParent = -1/);
