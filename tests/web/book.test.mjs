@@ -260,7 +260,7 @@ if (!SITE) {
     assert.match(declared.text, /std::vector<Evaluation> Evaluate\(std::span<const Genome> genomes\) const/);
     assert.match(declared.innerHTML, /<var>genomes<\/var>/);
     assert.match(declared.innerHTML, /<a href="\.\.\/\.\.\/\.\.\/reference\/core\/rollout\/evaluation\.html#evaluation">Evaluation<\/a>.*<a href="\.\.\/\.\.\/\.\.\/reference\/core\/control\/stimulus_response\.html#genome">Genome<\/a>/s);
-    assert.match(parameters.text, /genomes any number of genomes, each with Problem::Shape\(\)\.Genes\(\) genes/);
+    assert.match(parameters.text, /genomes any number of them, each with Problem::Shape\(\)\.Genes\(\) genes/);
     assert.match(returned.text, /Returns an evaluation for each, in order/);
     assert.match(page('rollout/evaluation').getElementById('evaluation-fitness').text, /float fitness = kVoidScore\s+with several beginnings: the mean, void if one is/);
     assert.doesNotMatch(evaluator.text, /problem_|EvaluateWidth|lane_width/);
