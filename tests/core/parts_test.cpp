@@ -112,7 +112,7 @@ Document Full() {
 
 // By the JSON key, or by the path where a group is of two parts.
 const std::map<std::string, Part>& ExpectedParts() {
-  static const std::map<std::string, Part> parts = {
+  static const std::map<std::string, Part> kParts = {
       {"title", Part::kTitle},
       {"model", Part::kModel},
       {"figure", Part::kFigure},
@@ -134,7 +134,7 @@ const std::map<std::string, Part>& ExpectedParts() {
       {"view", Part::kView},
       {"hash", Part::kHash},
   };
-  return parts;
+  return kParts;
 }
 
 // Null: the table above does not know the field.

@@ -20,6 +20,7 @@ std::vector<std::string> NamesIn(const JsonValue& catalogue, std::string_view ta
   std::vector<std::string> names;
   const JsonValue* rows = catalogue.Find(table);
   REQUIRE(rows != nullptr);
+  names.reserve(rows->items.size());
   for (const JsonValue& row : rows->items)
     names.push_back(row.kind == JsonValue::Kind::kString ? row.text : row.Find("name")->text);
   return names;
@@ -28,6 +29,7 @@ std::vector<std::string> NamesIn(const JsonValue& catalogue, std::string_view ta
 template <class Table, class Member>
 std::vector<std::string> Names(const Table& table, Member member) {
   std::vector<std::string> names;
+  names.reserve(std::size(table));
   for (const auto& row : table) names.emplace_back(row.*member);
   return names;
 }
