@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/document/spread_json.h"
 
+#include <charconv>
 #include <limits>
 #include <string_view>
-
-#include "core/document/archive.h"
 
 namespace gaitsmith {
 namespace {
@@ -19,11 +18,18 @@ constexpr Field kFields[] = {{"least", &Spread::least},
                              {"upperQuartile", &Spread::upper_quartile},
                              {"best", &Spread::best}};
 
+// As a double, so that a reader with doubles alone has exactly the float's value.
+std::string Exactly(float value) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, static_cast<double>(value));
+  return {text, end.ptr};
+}
+
 }  // namespace
 
 std::string SpreadJson(const Spread& spread) {
   std::string json = "{\"members\":" + std::to_string(spread.members);
-  for (const auto& [name, value] : kFields) json += "," + QuoteJson(name) + ":" + RealText(spread.*value);
+  for (const auto& [name, value] : kFields) json += "," + QuoteJson(name) + ":" + Exactly(spread.*value);
   return json + "}";
 }
 
