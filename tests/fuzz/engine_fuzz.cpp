@@ -184,7 +184,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const std::size_t words = Bring(bytes.Take(bytes.Next()));
         const char* text = gs_motion_film_strip(showing.get(), words, bytes.Signed());
         if (text == nullptr) Refused();
-        if (gs_motion_gltf(showing.get()) == nullptr || gs_motion_csv(showing.get()) == nullptr) std::abort();
+        for (const shell::ExporterRow& row : shell::kExporters) {
+          if (gs_motion_file(showing.get(), Bring({row.id.begin(), row.id.end()})) == nullptr) std::abort();
+        }
         break;
       }
       default: {
