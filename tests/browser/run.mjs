@@ -15,22 +15,16 @@ import { nativeHash } from './native.mjs';
 let passed = 0;
 let failed = 0;
 
-/**
- * @param {string} name @param {() => Promise<void>} body
- * @param {{again?: boolean}} [options]  again: a failure does not count yet, since the scenario is tried once more
- * @returns {Promise<boolean>} whether it passed
- */
-async function check(name, body, { again = false } = {}) {
+/** @param {string} name @param {() => Promise<void>} body */
+async function check(name, body) {
   const start = performance.now();
   try {
     await body();
     passed++;
     console.log(`ok      ${name} (${((performance.now() - start) / 1000).toFixed(1)} s)`);
-    return true;
   } catch (error) {
-    if (!again) failed++;
-    console.log(`${again ? 'again  ' : 'FAILED '} ${name}\n        ${error instanceof Error ? error.message.replaceAll('\n', '\n        ') : error}`);
-    return false;
+    failed++;
+    console.log(`FAILED  ${name}\n        ${error instanceof Error ? error.message.replaceAll('\n', '\n        ') : error}`);
   }
 }
 
@@ -83,16 +77,7 @@ async function drive(name, start) {
   }
   console.log(`${name}: ${await browser.version()}`);
   const visit = /** @type {import('./scenarios.mjs').Visit} */ ({ name, browser, site, address, found: {}, link: '', figures: {} });
-  // Two browsers and a compiler share the processors, and a scenario may wait in vain for its turn: each that has a page of its own
-  // gets a second try when the others are done. The log keeps both.
-  const once = new Set(MAIN_SCENARIOS);
-  const later = [];
-  for (const scenario of scenarios.filter(([text, , only = name]) => text.includes(wanted) && only === name)) {
-    const [claim, body] = scenario;
-    const again = !once.has(scenario);
-    if (!await check(`${name}: ${claim}`, () => body(visit), { again }) && again) later.push(scenario);
-  }
-  for (const [claim, body] of later) await check(`${name}: ${claim}, at the second try`, () => body(visit));
+  for (const [claim, body] of scenarios.filter(([text, , only = name]) => text.includes(wanted) && only === name)) await check(`${name}: ${claim}`, () => body(visit));
   await check(`${name}: golden motions and links have their pinned hashes`, async () => {
     const page = await PageDriver.open(browser, address);
     visit.figures['golden motions'] = await checkGoldens(page);
