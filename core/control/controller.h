@@ -13,8 +13,24 @@ enum class ControllerKind {
   kRules,    // banked stimulus-response rules: stimulus_response.h
   kNetwork,  // a sensor-actuator network: network.h
 };
-/// Names on the command line and in documents.
-inline constexpr std::array<std::string_view, 2> kControllerKindNames = {"rules", "network"};
+struct ControllerKindRow {
+  ControllerKind kind;
+  std::string_view name;        // on the command line and in documents
+  std::string_view components;  // the list of them in a document
+  std::string_view count_note;  // after the numbers of components that are allowed, in an error
+};
+inline constexpr std::array<ControllerKindRow, 2> kControllerKinds = {{
+    {ControllerKind::kRules, "rules", "rules", ""},
+    {ControllerKind::kNetwork, "network", "nodes", ": hidden nodes, then one for each joint"},
+}};
+inline constexpr auto kControllerKindNames = [] {
+  std::array<std::string_view, kControllerKinds.size()> names;
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = kControllerKinds[i].name;
+  return names;
+}();
+[[nodiscard]] constexpr const ControllerKindRow& RowOf(ControllerKind kind) {
+  return kControllerKinds[static_cast<std::size_t>(kind)];
+}
 
 /// The position of each number of a controller in its genome, for both kinds.
 class ControllerShape {
@@ -35,6 +51,20 @@ class ControllerShape {
   /// network's nodes.
   [[nodiscard]] int Components() const {
     return kind_ == ControllerKind::kNetwork ? network_.Nodes() : bank_.rules;
+  }
+  /// The genes of a component by what they mean.
+  [[nodiscard]] GeneGroups GroupsOf(int component) const {
+    return kind_ == ControllerKind::kNetwork ? network_.GroupsOf(component) : bank_.GroupsOf(component);
+  }
+  /// Calls back with the index of the low end of every interval. The high end is the next gene.
+  template <class Visit>
+  void ForEachInterval(Visit visit) const {
+    for (int component = 0; component < Components(); ++component) {
+      for (const GeneGroup& group : GroupsOf(component)) {
+        if (group.role != GeneRole::kIntervals) continue;
+        for (std::size_t at = group.first; at < group.first + group.count; at += 2) visit(at);
+      }
+    }
   }
   /// The first gene of a component. Begin(Components()) is the number of all genes.
   [[nodiscard]] std::size_t Begin(int component) const {

@@ -64,6 +64,16 @@ struct NetworkShape {
   [[nodiscard]] std::size_t TargetEmpty(int actuator) const { return Delay(actuator) + 2; }
   [[nodiscard]] std::size_t TargetFull(int actuator) const { return Delay(actuator) + 3; }
   [[nodiscard]] std::size_t Tau(int actuator) const { return Delay(actuator) + 4; }
+  [[nodiscard]] GeneGroups GroupsOf(int node) const {
+    GeneGroups groups(Node(node));
+    groups.Add("weights", GeneRole::kList, Inputs()).Add("delay", GeneRole::kNumber, 1);
+    if (IsActuator(node)) {
+      groups.Add("threshold", GeneRole::kNumber, 1)
+          .Add("targets", GeneRole::kList, 2)
+          .Add("tau", GeneRole::kNumber, 1);
+    }
+    return groups;
+  }
 
  private:
   static constexpr int kActuatorGenes = 4;  // in addition to those of a hidden node

@@ -7,25 +7,19 @@
 // so that the search and shared documents use exactly the same values.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <string>
-#include <vector>
 
+#include "core/control/gene_groups.h"
 #include "core/control/sense_table.h"
 #include "core/numeric/random.h"
 
 namespace gaitsmith {
 
-using Gene = std::uint16_t;
-using Genome = std::vector<Gene>;
-
-inline constexpr Gene kGeneMax = 65535;
 inline constexpr int kMaxRules = 32;
 
 /// The position of each number of a bank in its genome. Each rule has the low and high end of every sense's
-/// interval, the target angle of every joint and the time constant: 2 S + J + 1 genes. An interval over the
-/// whole grid (0 to kGeneMax) means that the rule ignores this sense.
+/// interval, the target angle of every joint and the time constant: 2 S + J + 1 genes.
 struct BankShape {
   int rules = 10;  // [1, kMaxRules]
   int senses = 1;
@@ -44,7 +38,13 @@ struct BankShape {
   [[nodiscard]] std::size_t Tau(int rule) const { return At(rule, 2 * senses + joints); }
 
   [[nodiscard]] bool Cares(std::span<const Gene> genes, int rule, int sense) const {
-    return genes[Low(rule, sense)] != 0 || genes[High(rule, sense)] != kGeneMax;
+    return gaitsmith::Cares(genes[Low(rule, sense)], genes[High(rule, sense)]);
+  }
+  [[nodiscard]] GeneGroups GroupsOf(int rule) const {
+    return GeneGroups(At(rule, 0))
+        .Add("when", GeneRole::kIntervals, 2 * senses)
+        .Add("pose", GeneRole::kList, joints)
+        .Add("tau", GeneRole::kNumber, 1);
   }
 
  private:

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <tuple>
 
 #include "core/document/archive.h"
 #include "core/document/schema.h"
@@ -20,6 +19,7 @@ constexpr int kModelBits = 5;
 // Bits of a choice's index. Names can be added without a new version: the 16th and later ones take 8 more
 // bits.
 constexpr int kChoiceBits = 4;
+static_assert(kMostChoices == LongestTable(kChoiceBits));
 
 class BinaryWriter : public Archive {
  public:
@@ -28,84 +28,76 @@ class BinaryWriter : public Archive {
   /// The oldest version that can hold every written field with a non-standard value.
   [[nodiscard]] int Needed() const { return needed_; }
 
-  void Real(std::string_view, float& value, float, float, float standard) {
+  void Real(std::string_view, float& value, float, float, float standard) override {
     if (Standard(value == standard)) return;
     bits_.Put(std::bit_cast<std::uint32_t>(value), 32);
   }
-  void Integer(std::string_view, int& value, int low, int high, int standard) {
+  void Integer(std::string_view, int& value, int low, int high, int standard) override {
     if (Standard(value == standard)) return;
     bits_.Put(static_cast<std::uint64_t>(std::int64_t{value} - low), IntegerBits(low, high));
   }
-  void Model(std::string_view, int& model) { bits_.Put(static_cast<std::uint64_t>(model), kModelBits); }
-  void Natural(std::string_view, std::uint32_t& value, std::uint32_t standard) {
+  void Model(std::string_view, int& model) override {
+    bits_.Put(static_cast<std::uint64_t>(model), kModelBits);
+  }
+  void Natural(std::string_view, std::uint32_t& value, std::uint32_t standard) override {
     if (Standard(value == standard)) return;
     bits_.Put(value, 32);
   }
-  void Flag(std::string_view, bool& value, bool standard) { Standard(value == standard, value); }
-  template <class Fields>
-  void Since(int version, Fields fields) {
-    if (version > version_) return;
-    const int outside = since_;
-    since_ = version;
-    fields();
-    since_ = outside;
-  }
-  template <class Enum, class Names>
-  void Choice(std::string_view, Enum& value, const Names& names, Enum standard) {
-    static_assert(std::tuple_size_v<Names> <= LongestTable(kChoiceBits));
-    static_cast<void>(names);
-    if (!Standard(value == standard)) bits_.PutIndex(static_cast<std::size_t>(value), kChoiceBits);
-  }
-  void Text(std::string_view, std::string& text) {
+  void Flag(std::string_view, bool& value, bool standard) override { Standard(value == standard, value); }
+  void Text(std::string_view, std::string& text) override {
     bits_.Put(text.size(), 7);
     for (const char c : text) bits_.Put(static_cast<unsigned char>(c), 8);
   }
-  template <class Fields>
-  void Group(std::string_view, Fields fields) {
-    fields();
-  }
-  template <class Item, class Fields>
-  void List(std::string_view, std::vector<Item>& list, int most, Fields fields) {
-    if (Standard(list.empty())) return;
-    bits_.Put(list.size(), BitsFor(static_cast<std::uint64_t>(most) + 1));
-    for (Item& item : list) fields(item);
-  }
-  void Hash(std::string_view, std::optional<std::uint64_t>& hash) {
+  void Hash(std::string_view, std::optional<std::uint64_t>& hash) override {
     if (!Standard(!hash)) bits_.Put(*hash, 64);
   }
-  void Genes(Controller& controller, const PortCount& ports) {
+  void Genes(Controller& controller, const PortCount& ports) override {
     bits_.Put(static_cast<std::uint64_t>(controller.rules - 1), BitsFor(kMaxRules));
-    if (controller.kind == ControllerKind::kNetwork) {
-      for (const Gene gene : controller.genes) bits_.Put(gene, 16);
-      return;
-    }
-    const BankShape shape(controller.rules, controller.senses.kind, ports);
-    for (int rule = 0; rule < shape.rules; ++rule) {
-      for (int sense = 0; sense < shape.senses; ++sense) {
-        if (Standard(!shape.Cares(controller.genes, rule, sense))) continue;
-        bits_.Put(controller.genes[shape.Low(rule, sense)], 16);
-        bits_.Put(controller.genes[shape.High(rule, sense)], 16);
+    const ControllerShape shape = controller.Shape(ports);
+    for (int component = 0; component < shape.Components(); ++component) {
+      for (const GeneGroup& group : shape.GroupsOf(component)) {
+        const std::span<const Gene> genes = group.Of(controller.genes);
+        if (group.role != GeneRole::kIntervals) {
+          for (const Gene gene : genes) bits_.Put(gene, 16);
+          continue;
+        }
+        for (std::size_t i = 0; i < genes.size(); i += 2) {
+          if (Standard(!Cares(genes[i], genes[i + 1]))) continue;
+          bits_.Put(genes[i], 16);
+          bits_.Put(genes[i + 1], 16);
+        }
       }
-      for (int joint = 0; joint < shape.joints; ++joint)
-        bits_.Put(controller.genes[shape.Target(rule, joint)], 16);
-      bits_.Put(controller.genes[shape.Tau(rule)], 16);
     }
   }
   [[nodiscard]] const std::vector<std::uint8_t>& Body() const { return bits_.Bytes(); }
 
  private:
+  void Index(std::string_view, int& index, std::span<const std::string_view>, int standard) override {
+    if (!Standard(index == standard)) bits_.PutIndex(static_cast<std::size_t>(index), kChoiceBits);
+  }
+  bool BeginSince(int version) override {
+    if (version > version_) return false;
+    since_.push_back(version);
+    return true;
+  }
+  void EndSince() override { since_.pop_back(); }
+  bool BeginList(std::string_view, std::size_t& size, int most) override {
+    if (Standard(size == 0)) return false;
+    bits_.Put(size, BitsFor(static_cast<std::uint64_t>(most) + 1));
+    return true;
+  }
   static int IntegerBits(int low, int high) {
     return BitsFor(static_cast<std::uint64_t>(std::int64_t{high} - low) + 1);
   }
   bool Standard(bool is_standard) { return Standard(is_standard, !is_standard); }
   bool Standard(bool is_standard, bool bit) {
     bits_.Put(bit ? 1 : 0, 1);
-    if (!is_standard) needed_ = std::max(needed_, since_);
+    if (!is_standard) needed_ = std::max(needed_, since_.back());
     return is_standard;
   }
   BitWriter bits_;
   int version_;
-  int since_ = 1;  // version that added the present field
+  std::vector<int> since_ = {1};  // last: version that added the present field
   int needed_ = 1;
 };
 
@@ -113,13 +105,13 @@ class BinaryReader : public Archive {
  public:
   BinaryReader(std::span<const std::uint8_t> body, int version) : bits_(body), version_(version) {}
 
-  void Real(std::string_view name, float& value, float low, float high, float standard) {
+  void Real(std::string_view name, float& value, float low, float high, float standard) override {
     value = standard;
     if (!Given(name)) return;
     value = std::bit_cast<float>(static_cast<std::uint32_t>(bits_.Take(32)));
     CheckReal(name, value, low, high);
   }
-  void Integer(std::string_view name, int& value, int low, int high, int standard) {
+  void Integer(std::string_view name, int& value, int low, int high, int standard) override {
     value = standard;
     if (!Given(name)) return;
     const auto above = bits_.Take(BitsFor(static_cast<std::uint64_t>(std::int64_t{high} - low) + 1));
@@ -127,91 +119,87 @@ class BinaryReader : public Archive {
     CheckInteger(name, wide, low, high);
     if (Ok()) value = static_cast<int>(wide);
   }
-  void Model(std::string_view name, int& model) {
+  void Model(std::string_view name, int& model) override {
     model = static_cast<int>(bits_.Take(kModelBits));
     CheckLeft(name);
     CheckModel(name, model);
   }
-  void Natural(std::string_view name, std::uint32_t& value, std::uint32_t standard) {
+  void Natural(std::string_view name, std::uint32_t& value, std::uint32_t standard) override {
     value = Given(name) ? static_cast<std::uint32_t>(bits_.Take(32)) : standard;
   }
-  void Flag(std::string_view name, bool& value, bool) { value = Given(name); }
-  template <class Enum, class Names>
-  void Choice(std::string_view name, Enum& value, const Names& names, Enum standard) {
-    value = standard;
-    if (!Given(name)) return;
-    const auto index = static_cast<std::int64_t>(bits_.TakeIndex(kChoiceBits));
-    CheckInteger(name, index, 0, static_cast<std::int64_t>(names.size()) - 1);
-    CheckLeft(name);
-    if (Ok()) value = static_cast<Enum>(index);
-  }
-  void Text(std::string_view name, std::string& text) {
+  void Flag(std::string_view name, bool& value, bool) override { value = Given(name); }
+  void Text(std::string_view name, std::string& text) override {
     const auto size = static_cast<std::size_t>(bits_.Take(7));
     text.clear();
     for (std::size_t i = 0; i < size; ++i) text.push_back(static_cast<char>(bits_.Take(8)));
     CheckLeft(name);
     CheckText(name, text);
   }
-  template <class Fields>
-  void Group(std::string_view name, Fields fields) {
-    if (!Ok()) return;
-    Enter(name);
-    fields();
-    Leave();
-  }
-  template <class Item, class Fields>
-  void List(std::string_view name, std::vector<Item>& list, int most, Fields fields) {
-    list.clear();
-    if (!Given(name)) return;
-    const auto count = static_cast<std::size_t>(bits_.Take(BitsFor(static_cast<std::uint64_t>(most) + 1)));
-    CheckCount(name, count, static_cast<std::size_t>(most));
-    CheckLeft(name);
-    Enter(name);
-    for (std::size_t i = 0; i < count && Ok(); ++i) {
-      EnterElement(i);
-      fields(list.emplace_back());
-      Leave();
-    }
-    Leave();
-  }
-  void Hash(std::string_view name, std::optional<std::uint64_t>& hash) {
+  void Hash(std::string_view name, std::optional<std::uint64_t>& hash) override {
     hash.reset();
     if (Given(name)) hash = bits_.Take(64);
     CheckLeft(name);
   }
-  void Genes(Controller& controller, const PortCount& ports) {
+  void Genes(Controller& controller, const PortCount& ports) override {
     controller.rules = static_cast<int>(bits_.Take(BitsFor(kMaxRules))) + 1;
     if (!Ok() || ports.actuators < 0) return FailAt("rules", ErrorCode::kStructure, "the figure has no rods");
-    const BankShape shape(controller.rules, controller.senses.kind, ports);
-    controller.genes.assign(controller.Shape(ports).Genes(), 0);
-    if (controller.kind == ControllerKind::kNetwork) {
-      for (Gene& gene : controller.genes) gene = static_cast<Gene>(bits_.Take(16));
-      return CheckLeft("nodes");
-    }
-    for (int rule = 0; rule < shape.rules; ++rule) {
-      for (int sense = 0; sense < shape.senses; ++sense) {
-        Gene& low = controller.genes[shape.Low(rule, sense)];
-        Gene& high = controller.genes[shape.High(rule, sense)];
-        const bool cares = bits_.Take(1) != 0;
-        low = cares ? static_cast<Gene>(bits_.Take(16)) : Gene{0};
-        high = cares ? static_cast<Gene>(bits_.Take(16)) : kGeneMax;
-        if (low > high) return FailAt("rules", ErrorCode::kOutOfRange, "an interval ends before it begins");
+    const ControllerShape shape = controller.Shape(ports);
+    const std::string_view list = RowOf(controller.kind).components;
+    controller.genes.assign(shape.Genes(), 0);
+    for (int component = 0; component < shape.Components(); ++component) {
+      for (const GeneGroup& group : shape.GroupsOf(component)) {
+        const std::span<Gene> genes = group.Of(controller.genes);
+        if (group.role != GeneRole::kIntervals) {
+          for (Gene& gene : genes) gene = static_cast<Gene>(bits_.Take(16));
+          continue;
+        }
+        for (std::size_t i = 0; i < genes.size(); i += 2) {
+          const bool cares = bits_.Take(1) != 0;
+          genes[i] = cares ? static_cast<Gene>(bits_.Take(16)) : Gene{0};
+          genes[i + 1] = cares ? static_cast<Gene>(bits_.Take(16)) : kGeneMax;
+          if (genes[i] > genes[i + 1])
+            return FailAt(list, ErrorCode::kOutOfRange, "an interval ends before it begins");
+        }
       }
-      for (int joint = 0; joint < shape.joints; ++joint) {
-        controller.genes[shape.Target(rule, joint)] = static_cast<Gene>(bits_.Take(16));
-      }
-      controller.genes[shape.Tau(rule)] = static_cast<Gene>(bits_.Take(16));
     }
-    CheckLeft("rules");
-  }
-  /// An older version does not have these fields, so they keep their standard values.
-  template <class Fields>
-  void Since(int version, Fields fields) {
-    if (version <= version_) fields();
+    CheckLeft(list);
   }
   [[nodiscard]] bool AtEnd() { return bits_.AtEnd(); }
 
  private:
+  void Index(std::string_view name, int& index, std::span<const std::string_view> names,
+             int standard) override {
+    index = standard;
+    if (!Given(name)) return;
+    const auto given = static_cast<std::int64_t>(bits_.TakeIndex(kChoiceBits));
+    CheckInteger(name, given, 0, static_cast<std::int64_t>(names.size()) - 1);
+    CheckLeft(name);
+    if (Ok()) index = static_cast<int>(given);
+  }
+  /// An older version does not have these fields, so they keep their standard values.
+  bool BeginSince(int version) override { return version <= version_; }
+  bool BeginGroup(std::string_view name) override {
+    if (!Ok()) return false;
+    Enter(name);
+    return true;
+  }
+  void EndGroup() override { Leave(); }
+  [[nodiscard]] bool Reads() const override { return true; }
+  bool BeginList(std::string_view name, std::size_t& size, int most) override {
+    if (Given(name)) {
+      size = static_cast<std::size_t>(bits_.Take(BitsFor(static_cast<std::uint64_t>(most) + 1)));
+      CheckCount(name, size, static_cast<std::size_t>(most));
+      CheckLeft(name);
+    }
+    Enter(name);
+    return true;
+  }
+  bool BeginItem(std::size_t index) override {
+    EnterElement(index);
+    return true;
+  }
+  void EndItem() override { Leave(); }
+  void EndList() override { Leave(); }
   bool Given(std::string_view name) {
     if (!Ok()) return false;
     const bool given = bits_.Take(1) != 0;

@@ -11,45 +11,38 @@ namespace {
 /// Walks a document and only checks it.
 class Checker : public Archive {
  public:
-  void Real(std::string_view name, float& value, float low, float high, float) {
+  void Real(std::string_view name, float& value, float low, float high, float) override {
     CheckReal(name, value, low, high);
   }
-  void Integer(std::string_view name, int& value, int low, int high, int) {
+  void Integer(std::string_view name, int& value, int low, int high, int) override {
     CheckInteger(name, value, low, high);
   }
-  void Model(std::string_view name, int& model) { CheckModel(name, model); }
-  void Natural(std::string_view, std::uint32_t&, std::uint32_t) {}
-  void Flag(std::string_view, bool&, bool) {}
-  template <class Enum, class Names>
-  void Choice(std::string_view name, Enum& value, const Names& names, Enum) {
-    CheckInteger(name, static_cast<int>(value), 0, static_cast<int>(names.size()) - 1);
-  }
-  void Text(std::string_view name, std::string& text) { CheckText(name, text); }
-  template <class Fields>
-  void Group(std::string_view name, Fields fields) {
-    Enter(name);
-    fields();
-    Leave();
-  }
-  template <class Item, class Fields>
-  void List(std::string_view name, std::vector<Item>& list, int most, Fields fields) {
-    CheckCount(name, list.size(), static_cast<std::size_t>(most));
-    Enter(name);
-    for (std::size_t i = 0; i < list.size() && Ok(); ++i) {
-      EnterElement(i);
-      fields(list[i]);
-      Leave();
-    }
-    Leave();
-  }
-  void Hash(std::string_view, std::optional<std::uint64_t>&) {}
-  template <class Fields>
-  void Since(int, Fields fields) {
-    fields();
-  }
-  void Genes(Controller& controller, const PortCount&) {
+  void Model(std::string_view name, int& model) override { CheckModel(name, model); }
+  void Text(std::string_view name, std::string& text) override { CheckText(name, text); }
+  void Genes(Controller& controller, const PortCount&) override {
     CheckInteger("rules", controller.rules, 1, kMaxRules);
   }
+
+ private:
+  void Index(std::string_view name, int& index, std::span<const std::string_view> names, int) override {
+    CheckInteger(name, index, 0, static_cast<int>(names.size()) - 1);
+  }
+  bool BeginGroup(std::string_view name) override {
+    Enter(name);
+    return true;
+  }
+  void EndGroup() override { Leave(); }
+  bool BeginList(std::string_view name, std::size_t& size, int most) override {
+    CheckCount(name, size, static_cast<std::size_t>(most));
+    Enter(name);
+    return true;
+  }
+  bool BeginItem(std::size_t index) override {
+    EnterElement(index);
+    return true;
+  }
+  void EndItem() override { Leave(); }
+  void EndList() override { Leave(); }
 };
 
 }  // namespace

@@ -9,7 +9,9 @@ namespace gaitsmith {
 std::string EncodeJson(const Document& document) {
   JsonWriter writer;
   Document copy = document;
-  return writer.Whole([&] { Describe(writer, copy); });
+  writer.Begin();
+  Describe(writer, copy);
+  return writer.Finish();
 }
 
 Result<Document> DecodeJson(std::string_view text) {

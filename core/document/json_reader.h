@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -17,7 +18,7 @@ class JsonReader : public Archive {
  public:
   explicit JsonReader(const JsonValue& root) { Open(root); }
 
-  void Real(std::string_view name, float& value, float low, float high, float standard) {
+  void Real(std::string_view name, float& value, float low, float high, float standard) override {
     value = standard;
     const JsonValue* given = Get(name, JsonValue::Kind::kNumber);
     if (given == nullptr) return;
@@ -25,79 +26,34 @@ class JsonReader : public Archive {
     value = static_cast<float>(given->number);
     CheckReal(name, value, low, high);
   }
-  void Integer(std::string_view name, int& value, int low, int high, int standard) {
+  void Integer(std::string_view name, int& value, int low, int high, int standard) override {
     value = standard;
     std::int64_t wide = 0;
     if (Whole(name, wide, low, high)) value = static_cast<int>(wide);
   }
-  void Model(std::string_view name, int& model) {
+  void Model(std::string_view name, int& model) override {
     std::int64_t wide = 1;
     Whole(name, wide, 0, 1'000'000);
     if (Ok()) CheckModel(name, wide);
     if (Ok()) model = static_cast<int>(wide);
   }
-  void Natural(std::string_view name, std::uint32_t& value, std::uint32_t standard) {
+  void Natural(std::string_view name, std::uint32_t& value, std::uint32_t standard) override {
     value = standard;
     std::int64_t wide = 0;
     if (Whole(name, wide, 0, 0xffffffff)) value = static_cast<std::uint32_t>(wide);
   }
-  void Flag(std::string_view name, bool& value, bool standard) {
+  void Flag(std::string_view name, bool& value, bool standard) override {
     const JsonValue* given = Get(name, JsonValue::Kind::kBool);
     value = given == nullptr ? standard : given->boolean;
   }
-  template <class Enum, class Names>
-  void Choice(std::string_view name, Enum& value, const Names& names, Enum standard) {
-    value = standard;
-    const JsonValue* given = Get(name, JsonValue::Kind::kString);
-    if (given == nullptr) return;
-    const auto found = std::ranges::find(names, given->text);
-    if (found == names.end()) {
-      std::string known;
-      for (const std::string_view option : names) known += (known.empty() ? "" : ", ") + std::string(option);
-      return FailAt(name, ErrorCode::kUnknownName,
-                    "\"" + given->text + "\" is not known; choose from " + known);
-    }
-    value = static_cast<Enum>(found - names.begin());
-  }
-  void Text(std::string_view name, std::string& text) {
+  void Text(std::string_view name, std::string& text) override {
     text.clear();
     const JsonValue* given = Get(name, JsonValue::Kind::kString);
     if (given == nullptr) return;
     text = given->text;
     CheckText(name, text);
   }
-  template <class Fields>
-  void Group(std::string_view name, Fields fields) {
-    static const JsonValue kEmpty = OfKind(JsonValue::Kind::kObject);
-    const JsonValue* given = Get(name, JsonValue::Kind::kObject);
-    if (!Ok()) return;
-    Enter(name);
-    Open(given == nullptr ? kEmpty : *given);
-    fields();
-    Close();
-    Leave();
-  }
-  template <class Item, class Fields>
-  void List(std::string_view name, std::vector<Item>& list, int most, Fields fields) {
-    list.clear();
-    const JsonValue* given = Get(name, JsonValue::Kind::kArray);
-    if (given == nullptr) return;
-    CheckCount(name, given->items.size(), static_cast<std::size_t>(most));
-    Enter(name);
-    for (std::size_t i = 0; i < given->items.size() && Ok(); ++i) {
-      EnterElement(i);
-      if (given->items[i].kind != JsonValue::Kind::kObject) {
-        FailAt("", ErrorCode::kSyntax, std::string("must be an object, is ") + given->items[i].KindName());
-      } else {
-        Open(given->items[i]);
-        fields(list.emplace_back());
-        Close();
-      }
-      Leave();
-    }
-    Leave();
-  }
-  void Hash(std::string_view name, std::optional<std::uint64_t>& hash) {
+  void Hash(std::string_view name, std::optional<std::uint64_t>& hash) override {
     hash.reset();
     const JsonValue* given = Get(name, JsonValue::Kind::kString);
     if (given == nullptr) return;
@@ -111,20 +67,20 @@ class JsonReader : public Archive {
     if (!good) return FailAt(name, ErrorCode::kSyntax, "must be 16 hexadecimal digits");
     hash = value;
   }
-  void Genes(Controller& controller, const PortCount& ports) {
-    const bool network = controller.kind == ControllerKind::kNetwork;
-    const std::string_view list = network ? "nodes" : "rules";
+  void Genes(Controller& controller, const PortCount& ports) override {
+    const std::string_view list = RowOf(controller.kind).components;
     const JsonValue* given = Get(list, JsonValue::Kind::kArray);
     if (!Ok()) return;
     if (ports.actuators < 0) return FailAt(list, ErrorCode::kStructure, "the figure has no rods");
-    const int outside = network ? ports.actuators : 0;  // number of actuator nodes, which are not hidden
+    // Components besides those that people choose the number of: a network's actuators.
+    const int outside = ControllerShape(controller.kind, 1, controller.senses.kind, ports).Components() - 1;
     const int least = 1 + outside;
     const int most = kMaxRules + outside;
     if (given == nullptr || std::cmp_less(given->items.size(), least) ||
         std::cmp_greater(given->items.size(), most)) {
       return FailAt(list, ErrorCode::kOutOfRange,
                     "there must be " + std::to_string(least) + " to " + std::to_string(most) +
-                        (network ? ": hidden nodes, then one for each joint" : ""));
+                        std::string(RowOf(controller.kind).count_note));
     }
     controller.rules = static_cast<int>(given->items.size()) - outside;
     const ControllerShape shape = controller.Shape(ports);
@@ -137,51 +93,89 @@ class JsonReader : public Archive {
         FailAt("", ErrorCode::kSyntax, std::string("must be an object, is ") + item.KindName());
       } else {
         Open(item);
-        if (network) {
-          Node(controller, shape.Network(), static_cast<int>(i));
-        } else {
-          Rule(controller, shape.Bank(), ports, static_cast<int>(i));
-        }
+        for (const GeneGroup& group : shape.GroupsOf(static_cast<int>(i)))
+          Component(group, controller, ports);
         Close();
       }
       Leave();
     }
     Leave();
   }
-  template <class Fields>
-  void Since(int, Fields fields) {
-    fields();
-  }
   void Finish() { Close(); }
 
  private:
-  void Rule(Controller& controller, const BankShape& shape, const PortCount& ports, int rule) {
-    for (int sense = 0; sense < shape.senses; ++sense) controller.genes[shape.High(rule, sense)] = kGeneMax;
-    Group("when", [&] {
-      for (int sense = 0; sense < shape.senses; ++sense) {
-        const std::string name = SenseName(controller.senses.kind, ports, sense);
+  void Index(std::string_view name, int& index, std::span<const std::string_view> names,
+             int standard) override {
+    index = standard;
+    const JsonValue* given = Get(name, JsonValue::Kind::kString);
+    if (given == nullptr) return;
+    const auto found = std::ranges::find(names, given->text);
+    if (found == names.end()) {
+      std::string known;
+      for (const std::string_view option : names) known += (known.empty() ? "" : ", ") + std::string(option);
+      return FailAt(name, ErrorCode::kUnknownName,
+                    "\"" + given->text + "\" is not known; choose from " + known);
+    }
+    index = static_cast<int>(found - names.begin());
+  }
+  bool BeginGroup(std::string_view name) override {
+    const JsonValue* given = Get(name, JsonValue::Kind::kObject);
+    if (!Ok()) return false;
+    Enter(name);
+    Open(given == nullptr ? Nothing() : *given);
+    return true;
+  }
+  void EndGroup() override {
+    Close();
+    Leave();
+  }
+  [[nodiscard]] bool Reads() const override { return true; }
+  bool BeginList(std::string_view name, std::size_t& size, int most) override {
+    const JsonValue* given = Get(name, JsonValue::Kind::kArray);
+    size = given == nullptr ? 0 : given->items.size();
+    CheckCount(name, size, static_cast<std::size_t>(most));
+    Enter(name);
+    Open(given == nullptr ? Nothing() : *given);
+    return true;
+  }
+  bool BeginItem(std::size_t index) override {
+    EnterElement(index);
+    const JsonValue& item = open_.back().object->items[index];
+    if (item.kind == JsonValue::Kind::kObject) {
+      Open(item);
+      return true;
+    }
+    FailAt("", ErrorCode::kSyntax, std::string("must be an object, is ") + item.KindName());
+    Leave();
+    return false;
+  }
+  void EndItem() override {
+    Close();
+    Leave();
+  }
+  void EndList() override {
+    open_.pop_back();
+    Leave();
+  }
+  void Component(const GeneGroup& group, Controller& controller, const PortCount& ports) {
+    const std::span<Gene> genes = group.Of(controller.genes);
+    if (group.role == GeneRole::kNumber) return OneGene(group.name, genes.front());
+    if (group.role == GeneRole::kList) {
+      GeneList(group.name, genes, true);
+      return;
+    }
+    for (std::size_t i = 1; i < genes.size(); i += 2) genes[i] = kGeneMax;
+    Group(group.name, [&] {
+      for (std::size_t i = 0; i < genes.size(); i += 2) {
+        const std::string name = SenseName(controller.senses.kind, ports, static_cast<int>(i / 2));
         Gene interval[2] = {0, kGeneMax};
         if (!GeneList(name, interval, false)) continue;
         if (interval[0] > interval[1]) return FailAt(name, ErrorCode::kOutOfRange, "ends before it begins");
-        controller.genes[shape.Low(rule, sense)] = interval[0];
-        controller.genes[shape.High(rule, sense)] = interval[1];
+        std::ranges::copy(interval, &genes[i]);
       }
     });
-    GeneList("pose", GenesAt(controller, shape.Target(rule, 0), shape.joints), true);
-    OneGene("tau", controller.genes[shape.Tau(rule)]);
-  }
-  void Node(Controller& controller, const NetworkShape& shape, int node) {
-    GeneList("weights", GenesAt(controller, shape.Weight(node, 0), shape.Inputs()), true);
-    OneGene("delay", controller.genes[shape.Delay(node)]);
-    if (!shape.IsActuator(node)) return;
-    OneGene("threshold", controller.genes[shape.Threshold(node)]);
-    GeneList("targets", GenesAt(controller, shape.TargetEmpty(node), 2), true);
-    OneGene("tau", controller.genes[shape.Tau(node)]);
   }
 
-  static std::span<Gene> GenesAt(Controller& controller, std::size_t first, int count) {
-    return std::span(controller.genes).subspan(first, static_cast<std::size_t>(count));
-  }
   void OneGene(std::string_view name, Gene& gene) {
     std::int64_t value = 0;
     if (!Whole(name, value, 0, kGeneMax) && Ok()) FailAt(name, ErrorCode::kMissing, "is missing");
@@ -235,6 +229,10 @@ class JsonReader : public Archive {
     return nullptr;
   }
 
+  static const JsonValue& Nothing() {
+    static const JsonValue kNothing = OfKind(JsonValue::Kind::kObject);
+    return kNothing;
+  }
   static JsonValue OfKind(JsonValue::Kind kind) {
     JsonValue value;
     value.kind = kind;

@@ -51,157 +51,107 @@ const Place* PlaceOf(std::string_view name, std::string_view field) {
   return found;
 }
 
-// An archive that gives a visitor the fields of the parts that it wants, each with its part.
-template <class Visitor>
-class PartArchive {
+// The values of each part, in the order of its fields. Equal where both encodings would be.
+using Values = std::array<std::vector<std::uint64_t>, kPartCount>;
+
+// Takes the values of the wanted parts out of a document, or puts them into one.
+class PartArchive : public Archive {
  public:
-  explicit PartArchive(Visitor& visitor) : visitor_(visitor) {}
+  PartArchive(Parts wanted, Values& values, bool filling)
+      : wanted_(wanted), values_(values), filling_(filling) {}
 
-  void Real(std::string_view name, float& value, float, float, float standard) {
-    Field(name, value, standard);
-  }
-  void Integer(std::string_view name, int& value, int, int, int standard) { Field(name, value, standard); }
-  void Model(std::string_view name, int& model) { Field(name, model, 0); }
-  void Natural(std::string_view name, std::uint32_t& value, std::uint32_t standard) {
-    Field(name, value, standard);
-  }
-  void Flag(std::string_view name, bool& value, bool standard) { Field(name, value, standard); }
-  template <class Enum, class Names>
-  void Choice(std::string_view name, Enum& value, const Names&, Enum standard) {
-    Field(name, value, standard);
-  }
-  void Text(std::string_view name, std::string& text) { Field(name, text, std::string()); }
-  void Hash(std::string_view name, std::optional<std::uint64_t>& hash) {
-    Field(name, hash, std::optional<std::uint64_t>());
-  }
-  void Genes(Controller& controller, const PortCount&) { visitor_.Genes(*part_, controller); }
-  template <class Fields>
-  void Since(int, Fields fields) {
-    fields();
-  }
-  template <class Fields>
-  void Group(std::string_view name, Fields fields) {
-    if (depth_++ == 0) group_ = name;
-    fields();
-    --depth_;
-  }
-  template <class Item, class Fields>
-  void List(std::string_view name, std::vector<Item>& list, int, Fields fields) {
-    if (part_ != nullptr) return visitor_.List(*part_, list, fields);
-    const Place* place = Find(name);
-    if (place == nullptr || !visitor_.wanted.HasAny(place->part)) return;
-    part_ = &place->part;
-    visitor_.List(*part_, list, fields);
-    part_ = nullptr;
-  }
-
- private:
-  [[nodiscard]] const Place* Find(std::string_view name) const {
-    if (depth_ == 0) return PlaceOf(name, "");
-    return PlaceOf(group_, depth_ == 1 ? name : "");
-  }
-  template <class Value>
-  void Field(std::string_view name, Value& value, const Value& standard) {
-    if (part_ != nullptr) return visitor_.Field(*part_, value, standard);
-    const Place* place = Find(name);
-    if (place != nullptr && visitor_.wanted.HasAny(place->part)) visitor_.Field(place->part, value, standard);
-  }
-
-  Visitor& visitor_;
-  std::string_view group_;  // the outermost one
-  int depth_ = 0;
-  const Part* part_ = nullptr;  // of the list that is walked
-};
-
-// Each part's values, as bits: equal where both encodings would be.
-class Contents {
- public:
-  explicit Contents(Parts parts) : wanted(parts) {}
-  Parts wanted;
-
-  template <class Value>
-  void Field(Part part, const Value& value, const Value&) {
-    Put(part, static_cast<std::uint64_t>(value));
-  }
-  void Field(Part part, float value, float standard) {
+  void Real(std::string_view name, float& value, float, float, float standard) override {
     // -0 is not written where the standard is 0.
-    Put(part, std::bit_cast<std::uint32_t>(value == standard ? standard : value));
+    const float written = value == standard ? standard : value;
+    if (!Enters(name)) return;
+    value = std::bit_cast<float>(static_cast<std::uint32_t>(Pass(std::bit_cast<std::uint32_t>(written))));
   }
-  void Field(Part part, const std::string& text, const std::string&) {
-    Put(part, text.size());
-    for (const char c : text) Put(part, static_cast<unsigned char>(c));
+  void Integer(std::string_view name, int& value, int, int, int) override { Whole(name, value); }
+  void Model(std::string_view name, int& model) override { Whole(name, model); }
+  void Natural(std::string_view name, std::uint32_t& value, std::uint32_t) override { Whole(name, value); }
+  void Flag(std::string_view name, bool& value, bool) override { Whole(name, value); }
+  void Text(std::string_view name, std::string& text) override {
+    if (!Enters(name)) return;
+    text.resize(PassSize(text.size()));
+    for (char& c : text) c = static_cast<char>(Pass(static_cast<unsigned char>(c)));
   }
-  void Field(Part part, const std::optional<std::uint64_t>& hash, const std::optional<std::uint64_t>&) {
-    Put(part, hash.has_value() ? 1 : 0);
-    Put(part, hash.value_or(0));
+  void Hash(std::string_view name, std::optional<std::uint64_t>& hash) override {
+    if (!Enters(name)) return;
+    const bool given = Pass(hash.has_value() ? 1 : 0) != 0;
+    const std::uint64_t value = Pass(hash.value_or(0));
+    hash = given ? std::optional(value) : std::nullopt;
   }
-  template <class Item, class Fields>
-  void List(Part part, std::vector<Item>& list, Fields fields) {
-    Put(part, list.size());
-    for (Item& item : list) fields(item);
-  }
-  void Genes(Part part, const Controller& controller) {
-    Put(part, static_cast<std::uint64_t>(controller.rules));
-    Put(part, controller.genes.size());
-    for (const Gene gene : controller.genes) Put(part, gene);
-  }
-  [[nodiscard]] const std::vector<std::uint64_t>& Of(Part part) const {
-    return bits_[static_cast<std::size_t>(part)];
+  void Genes(Controller& controller, const PortCount&) override {
+    controller.rules = static_cast<int>(Pass(static_cast<std::uint64_t>(controller.rules)));
+    controller.genes.resize(PassSize(controller.genes.size()));
+    for (Gene& gene : controller.genes) gene = static_cast<Gene>(Pass(gene));
   }
 
  private:
-  void Put(Part part, std::uint64_t value) { bits_[static_cast<std::size_t>(part)].push_back(value); }
+  void Index(std::string_view name, int& index, std::span<const std::string_view>, int) override {
+    Whole(name, index);
+  }
+  bool BeginGroup(std::string_view name) override {
+    if (depth_++ == 0) group_ = name;
+    return true;
+  }
+  void EndGroup() override { --depth_; }
+  [[nodiscard]] bool Reads() const override { return filling_; }
+  bool BeginList(std::string_view name, std::size_t& size, int) override {
+    if (lists_ == 0 && !Enters(name)) return false;
+    ++lists_;
+    size = PassSize(size);
+    return true;
+  }
+  void EndList() override { --lists_; }
 
-  std::array<std::vector<std::uint64_t>, kPartCount> bits_;
+  // Whether a field is wanted. Its part is then the present one; that of a list is that of all inside it.
+  bool Enters(std::string_view name) {
+    if (lists_ > 0) return true;
+    const Place* place =
+        depth_ == 0 ? PlaceOf(name, "") : PlaceOf(group_, depth_ == 1 ? name : std::string_view());
+    if (place == nullptr || !wanted_.HasAny(place->part)) return false;
+    part_ = static_cast<std::size_t>(place->part);
+    return true;
+  }
+  template <class Value>
+  void Whole(std::string_view name, Value& value) {
+    if (Enters(name)) value = static_cast<Value>(Pass(static_cast<std::uint64_t>(value)));
+  }
+  std::uint64_t Pass(std::uint64_t value) {
+    if (filling_) return values_[part_][next_[part_]++];
+    values_[part_].push_back(value);
+    return value;
+  }
+
+  std::size_t PassSize(std::size_t size) { return static_cast<std::size_t>(Pass(size)); }
+
+  Parts wanted_;
+  Values& values_;
+  bool filling_;
+  std::array<std::size_t, kPartCount> next_{};  // value to put in
+  std::string_view group_;                      // the outermost one
+  int depth_ = 0;
+  int lists_ = 0;  // around the present field
+  std::size_t part_ = 0;
 };
 
-// Where the fields of some parts are.
-class Addresses {
- public:
-  struct Address {
-    void* at;
-    void (*copy)(const void* from, void* to);
-  };
-  explicit Addresses(Parts parts) : wanted(parts) {}
-  Parts wanted;
-
-  template <class Value>
-  void Field(Part, Value& value, const Value&) {
-    Add(value);
-  }
-  template <class Item, class Fields>
-  void List(Part, std::vector<Item>& list, Fields) {
-    Add(list);  // as a whole
-  }
-  void Genes(Part, Controller&) {}
-  [[nodiscard]] const std::vector<Address>& All() const { return all_; }
-
- private:
-  template <class Value>
-  void Add(Value& value) {
-    all_.push_back({&value, [](const void* from, void* to) {
-                      *static_cast<Value*>(to) = *static_cast<const Value*>(from);
-                    }});
-  }
-  std::vector<Address> all_;
-};
-
-template <class Visitor>
-Visitor Walk(Document& document, Visitor visitor) {
-  PartArchive<Visitor> archive(visitor);
-  Describe(archive, document);
-  return visitor;
+Values ValuesOf(const Document& document, Parts wanted) {
+  Values values;
+  Document copy = document;  // an archive may change what it walks
+  PartArchive archive(wanted, values, false);
+  Describe(archive, copy);
+  return values;
 }
 
 }  // namespace
 
 Parts DifferingParts(const Document& a, const Document& b, Parts among) {
-  Document x = a, y = b;  // an archive may change what it walks
-  const Contents in_x = Walk(x, Contents(among)), in_y = Walk(y, Contents(among));
+  const Values in_a = ValuesOf(a, among), in_b = ValuesOf(b, among);
   Parts differing({});
   for (int i = 0; i < kPartCount; ++i) {
-    const auto part = static_cast<Part>(i);
-    if (in_x.Of(part) != in_y.Of(part)) differing = {differing, part};
+    if (in_a[static_cast<std::size_t>(i)] != in_b[static_cast<std::size_t>(i)])
+      differing = {differing, static_cast<Part>(i)};
   }
   return differing;
 }
@@ -211,10 +161,9 @@ bool SameParts(const Document& a, const Document& b, Parts parts) {
 }
 
 void CopyParts(const Document& from, Parts parts, Document& to) {
-  Document source = from;
-  const Addresses there = Walk(source, Addresses(parts)), here = Walk(to, Addresses(parts));
-  for (std::size_t i = 0; i < there.All().size(); ++i)
-    there.All()[i].copy(there.All()[i].at, here.All()[i].at);
+  Values values = ValuesOf(from, parts);
+  PartArchive archive(parts, values, true);
+  Describe(archive, to);
 }
 
 bool SameBehaviour(const Controller& a, const Controller& b) {

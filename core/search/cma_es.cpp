@@ -65,14 +65,9 @@ std::size_t CmaEs::At(std::size_t row, std::size_t column) const {
 
 void CmaEs::BeginAt(const Genome& origin, int population) {
   std::vector<bool> ignored(origin.size());
-  if (Settings().cma.genes == CmaGenes::kCared && Space().shape.Kind() == ControllerKind::kRules) {
-    const BankShape& bank = Space().shape.Bank();
-    for (int rule = 0; rule < bank.rules; ++rule) {
-      for (int sense = 0; sense < bank.senses; ++sense) {
-        const bool gate = !bank.Cares(origin, rule, sense);
-        ignored[bank.Low(rule, sense)] = ignored[bank.High(rule, sense)] = gate;
-      }
-    }
+  if (Settings().cma.genes == CmaGenes::kCared) {
+    Space().shape.ForEachInterval(
+        [&](std::size_t low) { ignored[low] = ignored[low + 1] = !Cares(origin[low], origin[low + 1]); });
   }
   free_.clear();
   for (std::size_t gene = 0; gene < origin.size(); ++gene) {

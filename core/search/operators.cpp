@@ -17,20 +17,15 @@ void DrawInterval(Gene& low, Gene& high, RandomStream& random) {
   if (low > high) std::swap(low, high);
 }
 
-void DrawRule(std::span<Gene> genes, const BankShape& shape, int rule, const SenseSpec& senses,
-              const Variation& variation, RandomStream& random) {
-  for (int sense = 0; sense < shape.senses; ++sense) {
-    Gene& low = genes[shape.Low(rule, sense)];
-    Gene& high = genes[shape.High(rule, sense)];
-    if (senses.kind == SenseKind::kPhysical && random.Chance(static_cast<double>(variation.dont_care))) {
-      low = 0;
-      high = kGeneMax;
-    } else {
-      DrawInterval(low, high, random);
-    }
+/// Draws whether a sense is used, then the interval.
+void DrawStimulus(Gene& low, Gene& high, const SenseSpec& senses, const Variation& variation,
+                  RandomStream& random) {
+  if (senses.kind == SenseKind::kPhysical && random.Chance(static_cast<double>(variation.dont_care))) {
+    low = 0;
+    high = kGeneMax;
+  } else {
+    DrawInterval(low, high, random);
   }
-  for (int joint = 0; joint < shape.joints; ++joint) genes[shape.Target(rule, joint)] = random.Gene();
-  genes[shape.Tau(rule)] = random.Gene();
 }
 
 Gene Creep(Gene gene, const Variation& variation, RandomStream& random) {
@@ -38,59 +33,48 @@ Gene Creep(Gene gene, const Variation& variation, RandomStream& random) {
   return static_cast<Gene>(std::clamp(moved + 0.5, 0.0, static_cast<double>(kGeneMax)));
 }
 
-void CreepRule(std::span<Gene> genes, const BankShape& shape, int rule, const SenseSpec& senses,
-               const Variation& variation, RandomStream& random) {
+void CreepStimulus(Gene& low, Gene& high, const SenseSpec& senses, const Variation& variation,
+                   RandomStream& random) {
   const auto hit = [&] { return random.Chance(static_cast<double>(variation.gene_chance)); };
-  for (int sense = 0; sense < shape.senses; ++sense) {
-    Gene& low = genes[shape.Low(rule, sense)];
-    Gene& high = genes[shape.High(rule, sense)];
-    const bool cares = low != 0 || high != kGeneMax;
-    const bool hit_low = hit();
-    const bool hit_high = hit();
-    if (!hit_low && !hit_high) continue;
-    // Whether a rule uses a sense is heritable too. Some mutations redraw it, with the probability of the
-    // initial generation, so that banks do not drift towards using every sense.
-    if (senses.kind == SenseKind::kPhysical && random.Chance(kRedrawCare)) {
-      const bool ignore = random.Chance(static_cast<double>(variation.dont_care));
-      if (ignore) {
-        low = 0;
-        high = kGeneMax;
-      } else {
-        DrawInterval(low, high, random);
-      }
+  const bool cares = Cares(low, high);
+  const bool hit_low = hit();
+  const bool hit_high = hit();
+  if (!hit_low && !hit_high) return;
+  // Whether a rule uses a sense is heritable too. Some mutations redraw it, with the probability of the
+  // initial generation, so that banks do not drift towards using every sense.
+  if (senses.kind == SenseKind::kPhysical && random.Chance(kRedrawCare)) {
+    return DrawStimulus(low, high, senses, variation, random);
+  }
+  if (!cares) return;
+  if (hit_low) low = Creep(low, variation, random);
+  if (hit_high) high = Creep(high, variation, random);
+  if (low > high) std::swap(low, high);
+}
+
+void DrawComponent(Genome& genes, const ControllerShape& shape, int component, const SenseSpec& senses,
+                   const Variation& variation, RandomStream& random) {
+  for (const GeneGroup& group : shape.GroupsOf(component)) {
+    const std::span<Gene> drawn = group.Of(genes);
+    if (group.role == GeneRole::kIntervals) {
+      for (std::size_t i = 0; i < drawn.size(); i += 2)
+        DrawStimulus(drawn[i], drawn[i + 1], senses, variation, random);
+    } else {
+      for (Gene& gene : drawn) gene = random.Gene();
+    }
+  }
+}
+
+void CreepComponent(Genome& genes, const ControllerShape& shape, int component, const SenseSpec& senses,
+                    const Variation& variation, RandomStream& random) {
+  for (const GeneGroup& group : shape.GroupsOf(component)) {
+    const std::span<Gene> moved = group.Of(genes);
+    if (group.role == GeneRole::kIntervals) {
+      for (std::size_t i = 0; i < moved.size(); i += 2)
+        CreepStimulus(moved[i], moved[i + 1], senses, variation, random);
       continue;
     }
-    if (!cares) continue;
-    if (hit_low) low = Creep(low, variation, random);
-    if (hit_high) high = Creep(high, variation, random);
-    if (low > high) std::swap(low, high);
-  }
-  for (int joint = 0; joint < shape.joints; ++joint) {
-    Gene& target = genes[shape.Target(rule, joint)];
-    if (hit()) target = Creep(target, variation, random);
-  }
-  Gene& tau = genes[shape.Tau(rule)];
-  if (hit()) tau = Creep(tau, variation, random);
-}
-
-void DrawComponent(std::span<Gene> genes, const ControllerShape& shape, int component,
-                   const SenseSpec& senses, const Variation& variation, RandomStream& random) {
-  if (shape.Kind() == ControllerKind::kRules) {
-    return DrawRule(genes, shape.Bank(), component, senses, variation, random);
-  }
-  for (std::size_t at = shape.Begin(component); at < shape.Begin(component + 1); ++at) {
-    genes[at] = random.Gene();
-  }
-}
-
-void CreepComponent(std::span<Gene> genes, const ControllerShape& shape, int component,
-                    const SenseSpec& senses, const Variation& variation, RandomStream& random) {
-  if (shape.Kind() == ControllerKind::kRules) {
-    return CreepRule(genes, shape.Bank(), component, senses, variation, random);
-  }
-  for (std::size_t at = shape.Begin(component); at < shape.Begin(component + 1); ++at) {
-    if (random.Chance(static_cast<double>(variation.gene_chance))) {
-      genes[at] = Creep(genes[at], variation, random);
+    for (Gene& gene : moved) {
+      if (random.Chance(static_cast<double>(variation.gene_chance))) gene = Creep(gene, variation, random);
     }
   }
 }
@@ -187,15 +171,9 @@ Genome GenomeAt(std::span<const double> point, const ControllerShape& shape) {
     const double nearest = within * kGeneMax + 0.5;  // rounded down
     genome.push_back(static_cast<Gene>(nearest));
   }
-  if (shape.Kind() != ControllerKind::kRules) return genome;
-  const BankShape& bank = shape.Bank();
-  for (int rule = 0; rule < bank.rules; ++rule) {
-    for (int sense = 0; sense < bank.senses; ++sense) {
-      Gene& low = genome[bank.Low(rule, sense)];
-      Gene& high = genome[bank.High(rule, sense)];
-      if (low > high) std::swap(low, high);
-    }
-  }
+  shape.ForEachInterval([&](std::size_t low) {
+    if (genome[low] > genome[low + 1]) std::swap(genome[low], genome[low + 1]);
+  });
   return genome;
 }
 

@@ -12,21 +12,22 @@ namespace gaitsmith::shell {
 
 namespace {
 
-/// Visits the settings and changes the field with a given name.
+/// Visits the settings and changes the field with a given name. The seed, a natural number, has its own
+/// option.
 class OptionArchive : public Archive {
  public:
   OptionArchive(std::string name, std::string value) : name_(std::move(name)), value_(std::move(value)) {}
   [[nodiscard]] bool Found() const { return found_; }
   [[nodiscard]] const std::string& Names() const { return names_; }
 
-  void Real(std::string_view name, float& field, float low, float high, float) {
+  void Real(std::string_view name, float& field, float low, float high, float) override {
     if (!IsMeant(name)) return;
     const auto number = ParseNumber(value_, "");
     if (!number) return FailAt(name, number.error().code, number.error().what);
     field = static_cast<float>(std::clamp(*number, -1e30, 1e30));
     CheckReal(name, field, low, high);
   }
-  void Integer(std::string_view name, int& field, int low, int high, int) {
+  void Integer(std::string_view name, int& field, int low, int high, int) override {
     if (!IsMeant(name)) return;
     const auto number = ParseNumber(value_, "");
     if (!number || *number != std::floor(*number) || std::abs(*number) > 9e15) {
@@ -35,33 +36,25 @@ class OptionArchive : public Archive {
     CheckInteger(name, static_cast<std::int64_t>(*number), low, high);
     if (Ok()) field = static_cast<int>(*number);
   }
-  template <class Enum, class Names>
-  void Choice(std::string_view name, Enum& field, const Names& names, Enum) {
+
+ private:
+  void Index(std::string_view name, int& index, std::span<const std::string_view> names, int) override {
     if (!IsMeant(name)) return;
     const auto found = std::ranges::find(names, value_);
     if (found != names.end()) {
-      field = static_cast<Enum>(found - names.begin());
+      index = static_cast<int>(found - names.begin());
       return;
     }
     std::string known;
     for (const std::string_view option : names) known += (known.empty() ? "" : ", ") + std::string(option);
     FailAt(name, ErrorCode::kUnknownName, "\"" + value_ + "\" is not known; choose from " + known);
   }
-  void Natural(std::string_view, std::uint32_t&, std::uint32_t) {}  // the seed has its own option
-  template <class Fields>
-  void Group(std::string_view name, Fields fields) {
+  bool BeginGroup(std::string_view name) override {
     prefix_ = std::string(name) + ".";
-    fields();
-    prefix_.clear();
+    return true;
   }
-  template <class Item, class Fields>
-  void List(std::string_view, std::vector<Item>&, int, Fields) {}  // options cannot hold lists
-  template <class Fields>
-  void Since(int, Fields fields) {
-    fields();
-  }
-
- private:
+  void EndGroup() override { prefix_.clear(); }
+  bool BeginList(std::string_view, std::size_t&, int) override { return false; }  // no option holds a list
   bool IsMeant(std::string_view name) {
     // These have their own options.
     if (prefix_.empty() &&

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <limits>
 #include <sstream>
+#include <vector>
 
 #include "core/document/archive.h"
 #include "core/document/json.h"
@@ -19,65 +20,58 @@ namespace gaitsmith::test {
 namespace {
 
 /// An archive that lists the fields, one per line.
-class FieldTable {
+class FieldTable : public Archive {
  public:
-  void Real(std::string_view name, float&, float low, float high, float standard) {
+  void Real(std::string_view name, float&, float low, float high, float standard) override {
     Line(name) << "real " << RealText(low) << " to " << RealText(high) << ", standard " << RealText(standard);
   }
-  void Integer(std::string_view name, int&, int low, int high, int standard) {
+  void Integer(std::string_view name, int&, int low, int high, int standard) override {
     Line(name) << "integer " << low << " to " << high << ", standard " << standard;
   }
-  void Natural(std::string_view name, std::uint32_t&, std::uint32_t standard) {
+  void Natural(std::string_view name, std::uint32_t&, std::uint32_t standard) override {
     Line(name) << "natural, standard " << standard;
   }
-  void Flag(std::string_view name, bool&, bool standard) {
+  void Flag(std::string_view name, bool&, bool standard) override {
     Line(name) << "flag, standard " << (standard ? "true" : "false");
   }
-  template <class Enum, class Names>
-  void Choice(std::string_view name, Enum&, const Names& names, Enum standard) {
-    std::ostringstream& line = Line(name);
-    line << "choice of";
-    for (const std::string_view choice : names) line << ' ' << choice;
-    line << ", standard " << names[static_cast<std::size_t>(standard)];
-  }
-  void Text(std::string_view name, std::string&) { Line(name) << "text"; }
-  void Model(std::string_view name, int&) { Line(name) << "model"; }
-  void Hash(std::string_view name, std::optional<std::uint64_t>&) { Line(name) << "hash"; }
-  void Genes(Controller&, const PortCount&) { Line("genes") << "genes"; }
-  template <class Fields>
-  void Group(std::string_view name, Fields fields) {
-    Inside(std::string(name) + ".", fields);
-  }
-  template <class Item, class Fields>
-  void List(std::string_view name, std::vector<Item>&, int most, Fields fields) {
-    Line(name) << "list of at most " << most;
-    Item item;
-    Inside(std::string(name) + "[].", [&] { fields(item); });
-  }
-  template <class Fields>
-  void Since(int version, Fields fields) {
-    version_ = version;
-    fields();
-    version_ = 1;
-  }
+  void Text(std::string_view name, std::string&) override { Line(name) << "text"; }
+  void Model(std::string_view name, int&) override { Line(name) << "model"; }
+  void Hash(std::string_view name, std::optional<std::uint64_t>&) override { Line(name) << "hash"; }
+  void Genes(Controller&, const PortCount&) override { Line("genes") << "genes"; }
 
   [[nodiscard]] std::string Table() const { return out_.str() + "\n"; }
 
  private:
   std::ostringstream& Line(std::string_view name) {
-    out_ << (out_.view().empty() ? "" : "\n") << 'v' << version_ << ' ' << path_ << name << ": ";
+    out_ << (out_.view().empty() ? "" : "\n") << 'v' << version_ << ' ' << paths_.back() << name << ": ";
     return out_;
   }
-  template <class Fields>
-  void Inside(const std::string& step, Fields fields) {
-    const std::string before = path_;
-    path_ += step;
-    fields();
-    path_ = before;
+  void Index(std::string_view name, int&, std::span<const std::string_view> names, int standard) override {
+    std::ostringstream& line = Line(name);
+    line << "choice of";
+    for (const std::string_view choice : names) line << ' ' << choice;
+    line << ", standard " << names[static_cast<std::size_t>(standard)];
+  }
+  bool BeginGroup(std::string_view name) override { return Inside(std::string(name) + "."); }
+  void EndGroup() override { paths_.pop_back(); }
+  bool BeginList(std::string_view name, std::size_t& size, int most) override {
+    Line(name) << "list of at most " << most;
+    size = 1;
+    return Inside(std::string(name) + "[].");
+  }
+  void EndList() override { paths_.pop_back(); }
+  bool BeginSince(int version) override {
+    version_ = version;
+    return true;
+  }
+  void EndSince() override { version_ = 1; }
+  bool Inside(const std::string& step) {
+    paths_.push_back(paths_.back() + step);
+    return true;
   }
 
   std::ostringstream out_;
-  std::string path_;
+  std::vector<std::string> paths_ = {""};
   int version_ = 1;
 };
 

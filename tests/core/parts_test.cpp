@@ -19,61 +19,53 @@ namespace gaitsmith {
 namespace {
 
 // Walks a document as the encodings do, notes the path of each field and changes one of them.
-class Changer {
+class Changer : public Archive {
  public:
   explicit Changer(int wanted) : wanted_(wanted) {}
   [[nodiscard]] const std::vector<std::string>& Paths() const { return paths_; }
 
-  void Real(std::string_view name, float& value, float, float, float) {
+  void Real(std::string_view name, float& value, float, float, float) override {
     if (Turn(name)) value += 0.125f;
   }
-  void Integer(std::string_view name, int& value, int, int, int) {
+  void Integer(std::string_view name, int& value, int, int, int) override {
     if (Turn(name)) ++value;
   }
-  void Model(std::string_view name, int& model) {
+  void Model(std::string_view name, int& model) override {
     if (Turn(name)) ++model;
   }
-  void Natural(std::string_view name, std::uint32_t& value, std::uint32_t) {
+  void Natural(std::string_view name, std::uint32_t& value, std::uint32_t) override {
     if (Turn(name)) ++value;
   }
-  void Flag(std::string_view name, bool& value, bool) {
+  void Flag(std::string_view name, bool& value, bool) override {
     if (Turn(name)) value = !value;
   }
-  template <class Enum, class Names>
-  void Choice(std::string_view name, Enum& value, const Names&, Enum) {
-    if (Turn(name)) value = static_cast<Enum>(static_cast<int>(value) == 0 ? 1 : 0);
-  }
-  void Text(std::string_view name, std::string& text) {
+  void Text(std::string_view name, std::string& text) override {
     if (Turn(name)) text += "x";
   }
-  void Hash(std::string_view name, std::optional<std::uint64_t>& hash) {
+  void Hash(std::string_view name, std::optional<std::uint64_t>& hash) override {
     if (Turn(name)) hash = hash.value_or(0) + 1;
   }
-  void Genes(Controller& controller, const PortCount&) {
+  void Genes(Controller& controller, const PortCount&) override {
     if (Turn("rules")) ++controller.rules;
     if (Turn("genes")) ++controller.genes.back();
   }
-  template <class Fields>
-  void Since(int, Fields fields) {
-    fields();
-  }
-  template <class Fields>
-  void Group(std::string_view name, Fields fields) {
-    groups_.emplace_back(name);
-    fields();
-    groups_.pop_back();
-  }
-  template <class Item, class Fields>
-  void List(std::string_view name, std::vector<Item>& list, int, Fields fields) {
-    INFO(name);
-    REQUIRE_FALSE(list.empty());  // or its fields are not looked at
-    groups_.emplace_back(name);
-    for (Item& item : list) fields(item);
-    groups_.pop_back();
-    if (Turn(name)) list.pop_back();
-  }
 
  private:
+  void Index(std::string_view name, int& index, std::span<const std::string_view>, int) override {
+    if (Turn(name)) index = index == 0 ? 1 : 0;
+  }
+  bool BeginGroup(std::string_view name) override {
+    groups_.emplace_back(name);
+    return true;
+  }
+  void EndGroup() override { groups_.pop_back(); }
+  bool BeginList(std::string_view name, std::size_t& size, int) override {
+    INFO(name);
+    REQUIRE(size > 0);  // or its fields are not looked at
+    if (Turn(name)) --size;
+    return BeginGroup(name);
+  }
+  void EndList() override { groups_.pop_back(); }
   bool Turn(std::string_view name) {
     std::string path;
     for (const std::string& group : groups_) path += group + "/";
