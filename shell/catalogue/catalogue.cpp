@@ -13,6 +13,7 @@
 #include "core/control/sense_table.h"
 #include "core/document/json_value.h"
 #include "core/document/schema.h"
+#include "shell/embedded/embedded.h"
 #include "shell/export/exporters.h"
 #include "shell/session/arrangement.h"
 #include "shell/session/panels.h"
@@ -145,6 +146,13 @@ std::vector<Row> Exporters() {
   return rows;
 }
 
+std::vector<Row> LanguageRows() {
+  std::vector<Row> rows;
+  for (const Language& language : Languages())
+    rows.push_back(Row().With("code", language.code).With("name", language.name));
+  return rows;
+}
+
 std::vector<Table> Tables() {
   return {
       {"algorithms", 2, Algorithms()},
@@ -156,6 +164,7 @@ std::vector<Table> Tables() {
       {"panels", 2, Panels()},
       {"locks", 0, NamesOf(kLockedPartNames)},
       {"exporters", 3, Exporters()},
+      {"languages", 2, LanguageRows()},
   };
 }
 

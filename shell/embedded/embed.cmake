@@ -1,5 +1,6 @@
 # Writes files as arrays into one C++ source, the definitions of shell/embedded/embedded.h:
-#   cmake -DOUTPUT=... -DFONTS=<folder> -DEXAMPLES=<folder> [-DGERMAN=<file>] [-DGALLERY=ON] -P embed.cmake
+#   cmake -DOUTPUT=... -DFONTS=<folder> -DEXAMPLES=<folder> -DLANGUAGES=<folder> [-DWINDOW=ON] -P embed.cmake
+# WINDOW: with the gallery and the languages' tables, which the page downloads.
 # Documents are *.json of the examples folder itself; figures and problems those of its folders of these
 # names; the gallery holds those of the lessons, too.
 set(text "// Written by shell/embedded/embed.cmake.\n#include \"shell/embedded/embedded.h\"\n\n#include <array>\n\nnamespace gaitsmith::shell {\nnamespace {\n\n")
@@ -15,11 +16,21 @@ endfunction()
 append_array(kInterRegular "${FONTS}/inter-regular.ttf")
 append_array(kInterSemiBold "${FONTS}/inter-semibold.ttf")
 
-set(german "{}")
-if(GERMAN)
-  append_array(kGerman "${GERMAN}")
-  set(german "{reinterpret_cast<const char*>(kGerman), sizeof kGerman}")
-endif()
+# English is the language of the sources and has no table.
+set(languages "    {\"en\", \"English\", {}},\n")
+file(GLOB tables ${LANGUAGES}/*.json)
+list(SORT tables)
+foreach(file IN LISTS tables)
+  get_filename_component(code "${file}" NAME_WE)
+  file(READ "${file}" json)
+  string(JSON name GET "${json}" name)
+  set(table "{}")
+  if(WINDOW)
+    append_array("kTable_${code}" "${file}")
+    set(table "{reinterpret_cast<const char*>(kTable_${code}), sizeof kTable_${code}}")
+  endif()
+  string(APPEND languages "    {\"${code}\", \"${name}\", ${table}},\n")
+endforeach()
 
 # JSON as raw strings, in pieces, since compilers limit the length of one.
 function(append_examples table)
@@ -47,7 +58,7 @@ append_examples(kDocuments "${EXAMPLES}/*.json")
 append_examples(kFigures "${EXAMPLES}/figures/*.json")
 append_examples(kProblems "${EXAMPLES}/problems/*.json")
 set(gallery "{}")
-if(GALLERY)
+if(WINDOW)
   append_examples(kGallery "${EXAMPLES}/gallery/*.json" "${EXAMPLES}/lessons/*.json")
   set(gallery "kGallery")
 endif()
@@ -59,7 +70,10 @@ std::span<const Example> ExampleDocuments() { return kDocuments; }
 std::span<const Example> ExampleFigures() { return kFigures; }
 std::span<const Example> ExampleProblems() { return kProblems; }
 std::span<const Example> ExampleGallery() { return ${gallery}; }
-std::string_view GermanTable() { return ${german}; }
+std::span<const Language> Languages() {
+  static const auto kLanguages = std::to_array<Language>({\n${languages}  });
+  return kLanguages;
+}
 
 }  // namespace gaitsmith::shell\n")
 file(WRITE "${OUTPUT}" "${text}")

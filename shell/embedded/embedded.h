@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files embedded into the program as arrays, written by embed.cmake: the typeface, the shipped documents and
-// a translation.
+// the translations.
 #pragma once
 
 #include <span>
@@ -23,7 +23,13 @@ struct Example {
 /// The motions of docs/gallery.md and of docs/lessons. Empty in the page, to keep it small.
 [[nodiscard]] std::span<const Example> ExampleGallery();
 
-/// languages/de.json. Empty in the page, which downloads it.
-[[nodiscard]] std::string_view GermanTable();
+/// A language that the texts are in.
+struct Language {
+  std::string_view code;  // "de": the name of its table in shell/words/languages
+  std::string_view name;  // in the language itself
+  std::string_view json;  // the table; empty for English, and in the page, which downloads it
+};
+/// English first, then in the order of the codes.
+[[nodiscard]] std::span<const Language> Languages();
 
 }  // namespace gaitsmith::shell

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Prints the catalogue as the page's module. The page's build runs it under Node.
+// Prints the catalogue as a JavaScript module. The page's build runs this program under Node.
 #include <cstdio>
 
 #include "shell/catalogue/catalogue.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Measuring frames without waiting for them.
+// Measures the drawing time of frames with GPU fences, without blocking.
 #include "shell/host/frame_pace.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ void FramePace::Measure(double now_ms) {
   if (!measuring_) return;
   ++looks_;
   const double cost_ms = now_ms - begun_ms_;
-  // A lost context never signals the fence, and a page without movement does not check it.
+  // A lost context never signals the fence, and an idle page does not poll it.
   constexpr double kGivenUpMs = 1000.0;
   if (!gs_frame_is_drawn() && cost_ms < kGivenUpMs) return;
   gs_forget_fence();
@@ -31,10 +31,10 @@ bool FramePace::Due(double now_ms, bool searching) {
   Measure(now_ms);
   // A single late frame does not count as a slow machine.
   constexpr double kSlowMs = 20.0;
-  constexpr double kShare = 0.15;  // of the time may go into drawing, but
-  constexpr double kRarestMs = 200.0;
+  constexpr double kShare = 0.15;      // greatest share of time spent drawing
+  constexpr double kRarestMs = 200.0;  // greatest interval between frames
   const double sparing_ms = searching && cost_ms_ > kSlowMs ? std::min(cost_ms_ / kShare, kRarestMs) : 0.0;
-  constexpr double kEarlyMs = 2.0;  // tolerance for uneven frames of the browser
+  constexpr double kEarlyMs = 2.0;  // tolerance for the browser's uneven frame times
   return now_ms - drawn_ms_ >= std::max(limit_ms_, sparing_ms) - kEarlyMs;
 }
 

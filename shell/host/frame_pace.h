@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// How often the page's canvas is drawn. With software graphics, drawing takes processor time that a search
-// needs, so slow frames become rarer while a search runs.
+// The frame rate of the page's canvas. Software rendering takes processor time from a search, so slow frames
+// are drawn less often while one runs.
 #pragma once
 
 namespace gaitsmith::shell {
 
 class FramePace {
  public:
-  /// Sets the greatest frame rate, with or without a search; 0: that of the display.
+  /// Limits the frame rate [1/s], with or without a search; 0: that of the display.
   void Limit(double per_second) { limit_ms_ = per_second > 0.0 ? 1000.0 / per_second : 0.0; }
 
-  /// Call at every frame of the display with something to draw. @return whether to draw it
+  /// Call at every display frame when there is something to draw. @return whether to draw it
   bool Due(double now_ms, bool searching);
   /// Call after a frame was handed to the browser.
   void Drawn(double now_ms);
@@ -20,8 +20,8 @@ class FramePace {
 
   double limit_ms_ = 0.0;
   double drawn_ms_ = 0.0;
-  double cost_ms_ = 0.0;    // recent time from handing over a frame until it is drawn
-  bool measuring_ = false;  // a frame with a fence behind it is being measured
+  double cost_ms_ = 0.0;    // smoothed time from handing over a frame until it is drawn
+  bool measuring_ = false;  // the fence of a frame is pending
   double begun_ms_ = 0.0;
   int looks_ = 0;
 };

@@ -2,9 +2,10 @@
 // The desktop window:
 //   gaitsmith-window [document.json | link] [--theme light|dark|projector|contrast] [--size 1280x720]
 //   [--scale 1.5] [--panel 0..5] [--language de|en]
-// Without --language it speaks that of the environment (LC_ALL, LC_MESSAGES or LANG) if it knows it, else
-// English. A file dropped on the window is opened; Ctrl+S saves beside it, Ctrl+C copies a link. Other keys
-// are the commands' (commands.cpp).
+// Without --language it uses that of the environment (LC_ALL, LC_MESSAGES or LANG) if there is a translation,
+// else English. Dropping a file on the window opens it. Ctrl+S saves to that file, Ctrl+C copies a link.
+// Other keys are in commands.cpp.
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cstdio>
@@ -14,6 +15,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <string_view>
 
 #include "core/document/json.h"
 #include "core/document/link.h"
@@ -32,6 +34,13 @@ struct Arguments {
   std::string language;  // empty: from the environment
   Window::Options window;
 };
+
+/// @param tag "de", or as in the environment, "de_AT.UTF-8" @return null: no translation
+const Language* FindLanguage(std::string_view tag) {
+  const auto code = tag.substr(0, tag.find_first_of("-_.@"));
+  const auto found = std::ranges::find(Languages(), code, &Language::code);
+  return found == Languages().end() ? nullptr : &*found;
+}
 
 float Number(const char* text) {
   float value = 0.0f;
@@ -74,7 +83,7 @@ bool Parse(int count, char** words, Arguments& arguments) {
       ++i;
     } else if (word == "--language") {
       arguments.language = next;
-      if (arguments.language != "de" && arguments.language != "en") return false;
+      if (FindLanguage(arguments.language) == nullptr) return false;
       ++i;
     } else if (word.starts_with("--") || !arguments.document.empty()) {
       return false;
@@ -85,16 +94,16 @@ bool Parse(int count, char** words, Arguments& arguments) {
   return true;
 }
 
-// The first variable that is set decides, as usual for programs.
+// The first non-empty variable decides, as in POSIX.
 std::string LanguageOfEnvironment() {
   for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
-    const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): there is only one thread so far
+    const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): no other thread yet
     if (value != nullptr && *value != '\0') return value;
   }
   return {};
 }
 
-// A key's name in the table of commands.
+// A key's name as in Command::keys.
 std::string NameOf(const SDL_Keysym& key) {
   std::string name;
   switch (key.sym) {
@@ -185,7 +194,7 @@ class Desktop {
     Tell(Tr(file.good() ? "Saved as {1}." : "Cannot write {1}.", path));
     return true;
   }
-  // gaitsmith.json, gaitsmith-2.json...: the first name that is free.
+  // The first free name of gaitsmith.json, gaitsmith-2.json, …
   static std::string FreePath() {
     std::string path = "gaitsmith.json";
     std::error_code fault;
@@ -210,13 +219,14 @@ int Run(int count, char** words) {
   if (!Parse(count, words, arguments)) {
     std::fputs(
         "usage: gaitsmith-window [document.json | link] [--theme light|dark|projector|contrast] [--size WxH] "
-        "[--scale S] [--panel N] [--language de|en]\n",
+        "[--scale S] [--panel N] [--language CODE]\n",
         stderr);
     return 2;
   }
   const std::string language = arguments.language.empty() ? LanguageOfEnvironment() : arguments.language;
-  if (language.starts_with("de") && !SpeakLanguage(GermanTable()))
-    std::fputs("gaitsmith-window: the German table is broken\n", stderr);
+  const Language* spoken = FindLanguage(language);
+  if (spoken != nullptr && !SpeakLanguage(spoken->json))
+    std::fprintf(stderr, "gaitsmith-window: the table of %s is broken\n", std::string(spoken->name).c_str());
   const auto window = Window::Open(arguments.window);
   if (!window) {
     std::fprintf(stderr, "gaitsmith-window: %s\n", SDL_GetError());
@@ -231,7 +241,7 @@ int Run(int count, char** words) {
   auto before = std::chrono::steady_clock::now();
   const Window::EventFilter filter = [&](const SDL_Event& event) { return desktop.Take(event); };
   bool due = true;
-  // Sleeps until an event unless a motion plays; checks a search ten times a second.
+  // Sleeps until an event unless a motion plays. Polls a search ten times a second.
   while (window->TakeEvents(due ? 0 : 100, filter)) {
     const auto now = std::chrono::steady_clock::now();
     due = desktop.Advance(std::chrono::duration<double>(now - before).count());

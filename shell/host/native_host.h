@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The desktop as a host: searches run on threads of this process.
+// The desktop host: searches run on threads of this process.
 #pragma once
 
 #include <memory>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The page as a host: the bridge between the canvas and the DOM, and besides page_host.h the only file that
-// depends on Emscripten.
+// The bridge between the canvas and the page.
 //
-// The page calls the gs_ functions below (text is UTF-8; returned text is valid until the next call) and
-// provides, as Module.page, the functions that page_host.h declares and page.library.js forwards to.
+// The page calls the gs_ functions below. Text is UTF-8, and returned text is valid until the next call. The
+// page provides, as Module.page, the functions that page_host.h declares and page.library.js forwards.
 #include <emscripten/emscripten.h>
 #include <emscripten/html5.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "core/document/json.h"
@@ -33,7 +33,7 @@ struct Page {
   WebHost host;
   std::unique_ptr<App> app;
   std::string reply;
-  std::string mirrored;  // as last returned
+  std::string mirrored;  // the last non-empty result of gs_mirror
   double before_ms = 0.0;
   FramePace pace;
   bool moved = false;  // since the last drawn frame
@@ -50,7 +50,7 @@ Page& ThePage() {
 
 Session& TheSession() { return ThePage().app->State(); }
 
-// A reply to a frequent query, which causes no new frame.
+// Replies to a frequent query, without requesting a frame.
 const char* QuietReply(std::string text) {
   ThePage().reply = std::move(text);
   return ThePage().reply.c_str();
@@ -61,7 +61,7 @@ const char* Reply(std::string text) {
   return QuietReply(std::move(text));
 }
 
-// Runs a script's action: locks apply to a person's edits, not to scripts.
+// Runs a script's action. Locks apply only to a person's edits.
 template <class Deed>
 void WithoutLocks(Deed deed) {
   Arrangement& locks = TheSession().Layout();
@@ -70,7 +70,7 @@ void WithoutLocks(Deed deed) {
   locks = kept;
 }
 
-// The page's style sets the canvas's size. SDL only receives size changes of the whole window.
+// CSS sets the canvas's size, but SDL is only notified of size changes of the browser window.
 void FollowCanvas(Page& page) {
   double width = 0.0;
   double height = 0.0;
@@ -83,7 +83,7 @@ void FollowCanvas(Page& page) {
   page.window->SetSize(static_cast<int>(std::lround(width)), static_cast<int>(std::lround(height)));
 }
 
-// @return 0: it is not on the canvas, or unavailable now
+// @return 0: the widget is not on the canvas, or disabled
 int Request(WidgetRequest request) {
   WidgetRegistry& registry = ThePage().window->Registry();
   const Widget* widget = registry.Find(request.id);
@@ -101,12 +101,11 @@ void Tick(void* argument) {
   const double now_ms = emscripten_get_now();
   page.moved |= page.app->Advance((now_ms - page.before_ms) / 1000.0);
   page.before_ms = now_ms;
-  // A search's new best was simulated in this step. Drawing it as well would block the page for as long
-  // again.
+  // A step this long has simulated a search's new best. Drawing in the same step would double the delay.
   constexpr double kLongMs = 6.0;
   if (emscripten_get_now() - now_ms > kLongMs) return;
   if (!page.moved && !page.window->NeedsFrame()) return;
-  // A search must not delay the reaction to a person's pointer or keys.
+  // A search must not delay the response to input.
   Session& session = page.app->State();
   const bool searching =
       (session.Search().Running() || session.Lab().Running()) && !page.window->OwesAnswer();
@@ -124,11 +123,11 @@ using namespace gaitsmith::shell;  // NOLINT
 
 extern "C" {
 
-/// @return 0: WebGL cannot draw on the canvas, and no other function may be called
+/// @return 0: WebGL is unavailable, and no other function may be called
 EMSCRIPTEN_KEEPALIVE int gs_running() { return ThePage().app ? 1 : 0; }
 
 /// Opens JSON, a link or the payload of a link. @return an empty text, or a sentence with the error and its
-/// place
+/// location
 EMSCRIPTEN_KEEPALIVE const char* gs_open(const char* text, int bytes) {
   const auto opened = TheSession().Open({text, static_cast<std::size_t>(bytes)});
   return Reply(opened ? "" : TrError(opened.error()));
@@ -137,7 +136,7 @@ EMSCRIPTEN_KEEPALIVE const char* gs_open(const char* text, int bytes) {
 EMSCRIPTEN_KEEPALIVE const char* gs_document_json() { return Reply(EncodeJson(TheSession().WithHash())); }
 /// The payload of a link, without an address.
 EMSCRIPTEN_KEEPALIVE const char* gs_link() {
-  // With the known hash, to avoid simulating the motion again.
+  // Uses the known hash, to avoid simulating the motion again.
   const Document& document = TheSession().Doc();
   return Reply(EncodeLink(document.hash ? document : TheSession().WithHash()));
 }
@@ -148,7 +147,8 @@ EMSCRIPTEN_KEEPALIVE const char* gs_title() { return Reply(TrTitle(TheSession().
 /// Every visible widget of the last frame, as a JSON list.
 EMSCRIPTEN_KEEPALIVE const char* gs_widgets() { return QuietReply(ThePage().window->Registry().Json()); }
 
-/// All widgets, in and out of sight, as WidgetRegistry::MirrorJson; empty: unchanged since the last call.
+/// All widgets, including those out of view, as WidgetRegistry::MirrorJson; empty: unchanged since the last
+/// call.
 EMSCRIPTEN_KEEPALIVE const char* gs_mirror() {
   std::string now = ThePage().window->Registry().MirrorJson();
   if (now == ThePage().mirrored) return "";
@@ -156,9 +156,9 @@ EMSCRIPTEN_KEEPALIVE const char* gs_mirror() {
   return ThePage().mirrored.c_str();
 }
 
-// What is asked of a widget happens in the next frame. @return 0: it is not on the canvas, or cannot be used
-// now.
-// @param again  more of what was asked before, as a key that is held: no step of its own for Undo
+// Requests to widgets. The widget handles a request in the next frame.
+// @return 0: the widget is not on the canvas, or disabled
+// @param again  continues the last request, as a held key does, so that Undo takes both as one step
 /// Activates a widget, as a click does.
 EMSCRIPTEN_KEEPALIVE int gs_activate(const char* id) {
   return Request({.id = id, .kind = WidgetRequest::Kind::kPress});
@@ -196,10 +196,11 @@ EMSCRIPTEN_KEEPALIVE const char* gs_moment() { return QuietReply(MomentWords(The
 EMSCRIPTEN_KEEPALIVE const char* gs_description() { return QuietReply(DescriptionOf(TheSession())); }
 EMSCRIPTEN_KEEPALIVE int gs_playing() { return TheSession().Player().Playing() ? 1 : 0; }
 
-/// @param palette a PaletteName
-EMSCRIPTEN_KEEPALIVE void gs_set_theme(int palette, double scale) {
+/// @param palette of kPaletteNames; another name keeps the present one @param scale of texts and controls
+EMSCRIPTEN_KEEPALIVE void gs_set_theme(const char* palette, double scale) {
   Window& window = *ThePage().window;
-  window.SetPalette(static_cast<PaletteName>(std::clamp(palette, 0, 3)));
+  const auto name = std::ranges::find(kPaletteNames, std::string_view(palette));
+  if (name != kPaletteNames.end()) window.SetPalette(static_cast<PaletteName>(name - kPaletteNames.begin()));
   window.SetScale(static_cast<float>(std::clamp(scale, 0.5, 4.0)));
 }
 
@@ -239,7 +240,7 @@ EMSCRIPTEN_KEEPALIVE void gs_forget_past() { TheSession().ForgetPast(); }
 EMSCRIPTEN_KEEPALIVE const char* gs_commands() { return Reply(CommandsJson(ThePage().app->Commands())); }
 /// @return 0: there is no such command, or it is unavailable
 EMSCRIPTEN_KEEPALIVE int gs_run(const char* id) { return ThePage().app->Run(id) ? 1 : 0; }
-/// Handles a key that went down. @param name as in Command::keys. @return 1 if a command handled it
+/// Handles a key press. @param name as in Command::keys. @return 1 if a command handled it
 EMSCRIPTEN_KEEPALIVE int gs_key(const char* name, int on_canvas, int repeated) {
   return ThePage().app->Key(name, on_canvas != 0, repeated != 0) ? 1 : 0;
 }
@@ -265,7 +266,7 @@ EMSCRIPTEN_KEEPALIVE const char* gs_synthesize(const char* options) {
   return Reply("");
 }
 
-/// Adds a search to the queue, with these options instead of the document's. @param options JSON object
+/// Adds a search to the queue. @param options JSON object, overrides the document's settings
 /// @return an empty text or a sentence
 EMSCRIPTEN_KEEPALIVE const char* gs_enqueue(const char* options) {
   Session& session = TheSession();
@@ -329,8 +330,10 @@ EMSCRIPTEN_KEEPALIVE const char* gs_lab(const char* options) {
 }
 /// The lab's curves so far, as the text of a file.
 EMSCRIPTEN_KEEPALIVE const char* gs_lab_csv() { return Reply(TheSession().Lab().Trials().Csv()); }
-/// A LabState.
-EMSCRIPTEN_KEEPALIVE int gs_lab_state() { return static_cast<int>(TheSession().Lab().Trials().State()); }
+/// One of kLabStateNames.
+EMSCRIPTEN_KEEPALIVE const char* gs_lab_state() {
+  return kLabStateNames[static_cast<std::size_t>(TheSession().Lab().Trials().State())];
+}
 
 EMSCRIPTEN_KEEPALIVE void gs_pause() { TheSession().Search().Pause(); }
 EMSCRIPTEN_KEEPALIVE void gs_resume() { TheSession().Search().Resume(); }
@@ -351,7 +354,7 @@ EMSCRIPTEN_KEEPALIVE const char* gs_search_progress(const char* report, const st
   return QuietReply("");
 }
 
-/// Reports a part of a transition map: the scores of places from `first` on, and the usual score.
+/// Reports a part of a transition map: scores from place `first` on, and the usual score.
 EMSCRIPTEN_KEEPALIVE void gs_transitions_mapped(int generation, int first, const float* scores, int count,
                                                 float usual) {
   TheSession().Timeline().Transitions().OnScores(
@@ -368,7 +371,7 @@ EMSCRIPTEN_KEEPALIVE void gs_transitions_failed(int generation) {
 
 int main() {
   Page& page = ThePage();
-  // SDL lets the canvas's style decide its size only if that differs from the requested size.
+  // SDL leaves the canvas's size to CSS only if the CSS size differs from the requested one.
   page.window = Window::Open({.width = 16, .height = 16});
   if (!page.window) return 1;
   page.app = std::make_unique<App>(page.host, *page.window);

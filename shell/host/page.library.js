@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the application calls on the page, as an Emscripten library: each function forwards to Module.page, an
-// object the page passes to createApp({canvas, page}). Functions the page leaves out do nothing. And the fence behind a frame.
+// The functions of the page that the application calls, as an Emscripten library. Each forwards to Module.page, the
+// object that the page passes to createApp({canvas, page}). Functions that the page omits do nothing.
 addToLibrary({
   $callPage: (name, ...args) => Module['page']?.[name]?.(...args),
 
@@ -47,14 +47,14 @@ addToLibrary({
   gs_page_first_frame__deps: ['$callPage'],
   gs_page_first_frame: () => { callPage('firstFrame'); },
 
-  // Without help from the page the canvas just lets go of the keyboard.
+  // If the page does not handle this, the canvas only loses the focus.
   gs_page_leave_canvas__deps: ['$callPage'],
   gs_page_leave_canvas: (direction) => {
     if (Module['page']?.['leaveCanvas']) callPage('leaveCanvas', direction);
     else Module['canvas'].blur();
   },
 
-  // Emscripten's own fences get a new number each, and its tables a place for every number that there ever was.
+  // GPU fences for frame_pace.cpp. Not Emscripten's: its table of fences grows with every fence ever created.
   $frameFence: 'null',
   gs_fence_frame__deps: ['$frameFence'],
   gs_fence_frame: () => { frameFence = GLctx.fenceSync(GLctx.SYNC_GPU_COMMANDS_COMPLETE, 0); }, // null in a lost context

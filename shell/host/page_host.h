@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the application needs from the page. page.cpp is the other direction.
+// The functions of the page that the application calls. page.cpp has the opposite direction.
 #pragma once
 
 #include <emscripten/emscripten.h>
@@ -13,7 +13,7 @@
 #include "shell/words/language.h"
 
 extern "C" {
-// implemented in page.library.js
+// Implemented in page.library.js.
 int gs_page_max_workers();
 void gs_page_start_search(const std::uint8_t* document, std::size_t bytes, int workers);
 void gs_page_start_trial(const std::uint8_t* document, std::size_t bytes, int workers, const char* words,

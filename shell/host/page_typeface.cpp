@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page uses the canvas's typeface, so that it is downloaded only once.
+// Gives the page the canvas's typeface, so that it is downloaded only once.
 #include <emscripten.h>
 
 #include "shell/embedded/embedded.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Answers to scripts on the page about queue, results and motion (docs/embedding.md), as JSON.
+// JSON for scripts on the page about queue, results and motion (docs/embedding.md).
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace gaitsmith::shell {
 
-/// The next search first: {"title", "algorithm", "seed", "evaluations"}.
+/// A list, the next search first: {"title", "algorithm", "seed", "evaluations"}.
 [[nodiscard]] std::string QueueJson(const SearchQueue&);
-/// The newest first: {"id", "title", "origin", "score", "algorithm", "seed", "evaluations", "kept", "when",
-/// "hash", "link"}; "score" is null if there is none, "link" is a payload.
+/// A list, the newest first: {"id", "title", "origin", "score", "algorithm", "seed", "evaluations", "kept",
+/// "when", "hash", "link"}; "score" is null if there is none, "link" is a payload.
 [[nodiscard]] std::string FoundJson(const FoundMotions&);
 
 /// The numbers of the whole motion: {"terms": [{"name", "label", "unit", "decimals", "value"}], "sense",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Options that scripts on the page may pass (docs/embedding.md), as JSON objects.
+// Parses the options that scripts on the page pass as JSON objects (docs/embedding.md).
 #pragma once
 
 #include <string>

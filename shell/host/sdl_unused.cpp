@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Stands in for parts of SDL that a canvas drawn by WebGL never runs: blitting between surfaces, the 2D
-// renderer, sound, game controllers, sensors, gestures. SDL's always-linked files call them, so without this
-// 250 KB of them would be downloaded. The linker takes an archive's file only for a name that nobody has
-// defined yet; being weak, these definitions give way, without an error, where another SDL needs one of those
-// files after all.
+// Stubs for parts of SDL that a WebGL canvas never uses: surface blitting, the 2D renderer, sound, game
+// controllers, sensors and gestures. SDL's core files reference them, which would add 250 KB to the download.
+// The linker takes a file from the archive only to resolve an undefined symbol, so these stubs keep those
+// files out. The definitions are weak, so they do not conflict if another version of SDL links such a file
+// anyway.
 #include <SDL.h>
 
 #define GS_UNUSED extern "C" __attribute__((weak))
 
-// It knows every function of WebGL by name and would keep the JavaScript of all; SDL asks it only for
-// functions that it can do without.
+// The real one refers to every WebGL function and would link the JavaScript of all. SDL looks up only
+// optional functions with it.
 GS_UNUSED void* eglGetProcAddress(const char* /*name*/) { return nullptr; }
 
 // Surfaces.
@@ -56,7 +56,7 @@ GS_UNUSED int SDL_RenderSetViewport(SDL_Renderer* /*renderer*/, const SDL_Rect* 
 GS_UNUSED int SDL_AudioInit(const char* /*driver*/) { return -1; }
 GS_UNUSED void SDL_AudioQuit() {}
 
-// Game controllers. The last three are for Dear ImGui, which asks only when it is told to listen to one.
+// Game controllers. Dear ImGui calls the last three, and only if gamepad navigation is enabled.
 GS_UNUSED int SDL_GameControllerInit() { return -1; }
 GS_UNUSED void SDL_GameControllerQuit() {}
 GS_UNUSED int SDL_JoystickInit() { return -1; }

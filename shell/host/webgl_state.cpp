@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What Dear ImGui's renderer is told when it asks for WebGL's state. It does so at every frame, to put back
-// what it changes; but nobody else draws here, and a browser that is asked for state waits until its graphics
-// process has caught up: up to 30 ms a frame where graphics are software. So the questions never reach it. It
-// also makes a vertex array for every frame, and Emscripten's tables keep a place for each that there ever
-// was. So it gets the same one again.
+// Replacements for WebGL calls of Dear ImGui's renderer. In each frame it reads the WebGL state, in order to
+// restore it later. This blocks until the browser's GPU process has caught up, up to 30 ms per frame with
+// software rendering. Nothing else draws on the canvas, so constants suffice. The renderer also creates a
+// vertex array per frame, and Emscripten's table grows with every one ever created, so it gets the same one
+// each time.
 #include <GLES3/gl3.h>
 
 // The backend's functions, renamed in .dev/libraries.cmake.
@@ -28,14 +28,14 @@ extern "C" void gaitsmith_webgl_state(GLenum what, GLint* value) {
       *value = GL_FUNC_ADD;
       return;
     default:
-      *value = 0;  // nothing is bound, and GL_ZERO
+      *value = 0;  // no object bound, or GL_ZERO
   }
 }
 
 extern "C" void gaitsmith_webgl_vertex_array(GLsizei, GLuint* array) {
-  static GLuint kept = 0;
-  if (kept == 0) glGenVertexArrays(1, &kept);
-  *array = kept;
+  static GLuint shared = 0;
+  if (shared == 0) glGenVertexArrays(1, &shared);
+  *array = shared;
 }
 
 extern "C" void gaitsmith_webgl_keep(GLsizei, const GLuint*) {}

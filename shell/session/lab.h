@@ -32,6 +32,8 @@ struct LabSettings {
 };
 
 enum class LabState { kIdle, kRunning, kDone, kStopped, kFailed };
+/// As the page's scripts get them.
+inline constexpr std::array<const char*, 5> kLabStateNames = {"idle", "running", "done", "stopped", "failed"};
 
 /// Results of all finished trials of one algorithm.
 struct LabSeries {
@@ -61,7 +63,7 @@ class Lab {
   /// algorithm.
   [[nodiscard]] int Finished() const { return finished_; }
   [[nodiscard]] int Total() const { return static_cast<int>(study_.plan.Total()); }
-  /// Of each trial.
+  /// Budget of each trial.
   [[nodiscard]] int Evaluations() const { return study_.plan.evaluations; }
 
   struct Trial {
@@ -98,7 +100,7 @@ class Lab {
   std::map<std::size_t, StudyFile::Rows> rows_;  // by canonical index
 };
 
-/// A file name for a document: letters and digits of its title, in lower case.
+/// A file name from a document's title: its letters and digits, in lower case.
 [[nodiscard]] std::string LabelOf(const std::string& title);
 
 }  // namespace gaitsmith::shell

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The appearance in numbers: colours of the themes, the ten rule colours, sizes, and a matching style for
-// Dear ImGui.
+// Appearance: colours of the themes, the ten rule colours, sizes, and a matching style for Dear ImGui.
 #pragma once
 
 #include <imgui.h>
+
+#include <array>
+#include <string_view>
 
 #include "shell/widgets/fonts.h"
 
@@ -20,36 +22,37 @@ struct Palette {
   ImU32 accent_ink;  // text on the accent
   ImU32 good;
   ImU32 bad;
-  ImU32 ground;  // laid over the paper below the ground line
+  ImU32 ground;  // overlay on the paper below the ground line
   bool dark = false;
 };
 
-/// The strong palettes have the contrast that projectors and tired eyes need: at least 7 : 1 for text and 4.5
-/// : 1 for lines against their background.
+/// The strong palettes, for projectors and low vision, have a contrast of at least 7 : 1 for text and 4.5 : 1
+/// for lines against their background.
 enum class PaletteName { kLight, kDark, kStrongLight, kStrongDark };
+inline constexpr std::array<std::string_view, 4> kPaletteNames = {"light", "dark", "strong-light",
+                                                                  "strong-dark"};
 [[nodiscard]] const Palette& PaletteOf(PaletteName);
 
-/// Colour of a rule (or controller), counted from 0; repeats after ten. Chosen near the design's ten so that
-/// any two stay at least 22 apart in CIE Lab for protanopes, deuteranopes and tritanopes [Machado 2009] (the
-/// design's: 4.5).
+/// Colour of a rule or controller, counted from 0. Repeats after ten. Any two differ by at least 22 in CIE
+/// Lab for protanopes, deuteranopes and tritanopes [Machado 2009].
 [[nodiscard]] ImU32 RuleColour(int rule, bool dark);
 
-/// `from` with this share of `to` laid over it, share in [0, 1]; opaque.
+/// Blends `from` and `to` linearly, share of `to` in [0, 1]; opaque.
 [[nodiscard]] ImU32 Mix(ImU32 from, ImU32 to, float share);
 /// The same colour, at this opacity in [0, 1].
 [[nodiscard]] ImU32 Fade(ImU32 colour, float opacity);
 
-/// Everything that widgets need to know about their appearance. One per window, updated in place.
+/// The appearance of all widgets. One per window, updated in place.
 struct Theme {
   Palette palette = PaletteOf(PaletteName::kLight);
   Fonts fonts;
-  bool touch = false;    // fingers: every target at least 36 px high
+  bool touch = false;    // touch screen: targets at least 36 px high
   float density = 1.0f;  // device pixels per point
 
   [[nodiscard]] ImU32 Rule(int rule) const { return RuleColour(rule, palette.dark); }
   /// Height of buttons, fields and sliders' hit areas [points].
   [[nodiscard]] float ControlHeight() const { return touch ? 38.0f : 30.0f; }
-  /// Moves a coordinate to the nearest device pixel, so that one-pixel lines stay one pixel.
+  /// Rounds a coordinate to a device pixel, so that one-pixel lines stay one pixel wide.
   [[nodiscard]] float Snap(float points) const;
 };
 

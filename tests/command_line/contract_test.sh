@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The contract of docs/command-line.md, seen from a script:   contract_test.sh <gaitsmith> <repository>
+# Tests docs/command-line.md with the program:   contract_test.sh <gaitsmith> <repository>
 set -uo pipefail
 gaitsmith=$(realpath "$1") root=$(realpath "$2") failed=0
 scratch=$(mktemp -d)
@@ -28,7 +28,7 @@ for document in "$root"/tests/golden/motions/*.json; do
 done
 "$gaitsmith" validate "$golden" >/dev/null || fault "a golden is not valid"
 
-# Documents come and go by file, link and standard streams without a changed byte.
+# Documents survive files, links and standard streams byte for byte.
 "$gaitsmith" link encode "$golden" >link.txt || fault "link encode"
 "$gaitsmith" link decode "$(cat link.txt)" >decoded.json || fault "link decode"
 cmp -s decoded.json "$golden" || fault "JSON -> link -> JSON changed the document"
@@ -43,21 +43,21 @@ done
 [ -z "$(basename -a "$root"/examples/*.json "$root"/examples/{problems,gallery,lessons}/*.json | sort | uniq -d)" ] ||
   fault "a motion of the gallery or of a lesson has the name of another example"
 
-# One row a step, the start included, every column named.
+# One row per step, including the start, with named columns.
 "$gaitsmith" simulate "$golden" --csv motion.csv || fault "simulate"
 same "$(head -1 motion.csv | cut -d, -f1-9)" "t,x,y,vx,vy,phi,L,rule,theta_1" "CSV header"
 same "$(wc -l <motion.csv)" 1002 "rows of a 10 s motion"
 same "$(awk -F, '{print NF}' motion.csv | sort -u | wc -l)" 1 "columns in every row"
 
-# Names that other programs may ask for.
+# Names that other programs may use.
 "$gaitsmith" catalogue >catalogue.json || fault "catalogue"
 same "$(sed -n 's/^  "\([a-z_]*\)": \[$/\1/p' catalogue.json | tr '\n' ' ')" \
-  "algorithms tasks terms senses sense_kinds controller_kinds panels locks exporters " "tables of the catalogue"
+  "algorithms tasks terms senses sense_kinds controller_kinds panels locks exporters languages " "tables of the catalogue"
 same "$(sed -n 's/.*"name": "\([a-z]*\)".*"number": \([0-9]*\).*/\1 \2/p' catalogue.json | tr '\n' ' ')" \
   "figure 0 controller 1 style 2 search 3 lab 4 timeline 5 " "numbers of panels in links"
 refuses 'all: catalogue takes no words' "$gaitsmith" catalogue all
 
-# Every term of a motion in one row.
+# All terms of a motion, in one row.
 "$gaitsmith" measure "$golden" >measured.csv || fault "measure"
 same "$(head -1 measured.csv)" "travel,max_cm_height,slip_sum,rotations,effort,upright,smoothness,head_height,fitness,hash" "header"
 same "$(wc -l <measured.csv)" 2 "rows of measure"
@@ -67,7 +67,7 @@ column() { "$gaitsmith" measure "$2" | sed -n 2p | cut -d, -f"$1"; }
 same "$(column 6 star-man-shuffle)" "$("$gaitsmith" link encode star-man-shuffle | "$gaitsmith" measure - | sed -n 2p | cut -d, -f6)" \
   "upright of a link"
 
-# A weight changes what a search finds and what it is worth.
+# A weight changes the result of a search and its score.
 weigh() { "$gaitsmith" synthesize --figure inchworm --sense timer=0.8 --search rgt --evaluations 200 --seed 4 --out "$1" "${@:2}"; }
 weigh plain.json
 weigh lazy.json --weight effort=-1 --weight head_height=0.5
@@ -77,7 +77,7 @@ awk -v lazy="$(column 5 lazy.json)" -v plain="$(column 5 plain.json)" 'BEGIN { e
 awk -F, 'NR == 2 { d = ($1 < 0 ? -$1 : $1) - $5 + 0.5 * $8 - $9; exit !(d * d < 1e-8) }' <("$gaitsmith" measure lazy.json) ||
   fault "fitness is not the sum of its terms"
 
-# The same document for any number of threads.
+# The number of threads does not change the document.
 find() { "$gaitsmith" synthesize --figure inchworm --task travel --sense timer=0.8 --weight slip_sum=0.5 --search "$1" \
   --evaluations 300 --seed 9 --out "$2" --curve curve.csv --threads "$3" --search-option torus.side=8; }
 for search in rgt sphc gga ssga shc mpga nelder-mead powell cma-es map-elites two-stage; do
@@ -90,14 +90,14 @@ same "$(head -1 curve.csv)" "evaluation,best" "curve header"
 "$gaitsmith" validate one.json >/dev/null || fault "a found document is not valid"
 "$gaitsmith" synthesize --figure "$root/examples/figures/hopper.json" --task jump --search rgt --evaluations 20 --out - \
   2>/dev/null | "$gaitsmith" validate - >/dev/null || fault "synthesize | validate"
-# A refiner starts from what was found, and the new document says from where.
+# A search can start from an earlier result, and the new document records this.
 "$gaitsmith" synthesize --from one.json --search powell --evaluations 50 --search-option refine.step=0.05 --out refined.json \
   --curve refined.csv || fault "synthesize --from"
 "$gaitsmith" validate refined.json >/dev/null || fault "a refined document is not valid"
 same "$(sed -n 2p refined.csv)" "1,$(tail -1 curve.csv | cut -d, -f2)" "fitness that a refiner starts from"
 same "$(grep -c '"start": 0' refined.json)" 1 "start in a refined document"
 
-# A problem by name, as compare takes it: the same motion as that of its first seed.
+# A problem by name, as in compare: the motion equals that of compare's first seed.
 "$gaitsmith" synthesize --problem hopper-jump --weight rotations=1 --search shc --evaluations 40 --seed 3 --out hopper.json || fault "a problem"
 "$gaitsmith" compare --problem hopper-jump --weight rotations=1 --search shc --evaluations 40 --trials 1 --first-seed 3 --points 1 \
   --out hopper.csv --curves hopper-curve.csv
@@ -111,7 +111,7 @@ refuses '--figure: cannot be given with --problem' "$gaitsmith" synthesize --pro
 "$gaitsmith" synthesize --problem star-man-travel --sense timer=3 --weight slip_sum=usual --search shc --evaluations 8 --seed 3 --out usual.json
 same "$(grep '"slip_sum"' usual.json | tr -d ' ,')" '"slip_sum":0.45' "the usual weight"
 
-# A study: the same bytes for any number of threads, cut into shards, and continued after whatever happened.
+# A study has the same bytes for any number of threads or shards, and after interruptions.
 study() { "$gaitsmith" compare --problem one.json --problem refined.json --search powell \
   --search ssga:genetic.population=8:genetic.rates=per-component --trials 2 --first-seed 9 --evaluations 60 --points 7 "$@"; }
 study --threads 1 --out results.csv --curves curves.csv || fault "compare"
@@ -121,7 +121,7 @@ same "$(sed -n 2p results.csv)" "problem,search,seed,evaluations,best,travel,max
 same "$(sed -n 2p curves.csv)" "problem,search,seed,evaluation,best" "columns of curves"
 same "$(wc -l <results.csv) $(wc -l <curves.csv)" "10 58" "rows of a study"
 same "$(sed -n '3,9s/^one,powell,9,\([0-9]*\),.*/\1/p' curves.csv | tr '\n' ' ')" "8 17 25 34 42 51 60 " "points of a curve"
-# A trial is the very search that synthesize makes, begun with the controller that search.start names.
+# A trial equals a search of synthesize, and starts from the controller of search.start.
 "$gaitsmith" synthesize --from one.json --search powell --evaluations 60 --seed 9 --out trial.json
 same "$(grep '^refined,powell,9,' results.csv | cut -d, -f12)" "$("$gaitsmith" hash trial.json)" "hash of a trial"
 for i in 1 2 3; do study --shard $i/3 --out shard$i.csv --curves curve$i.csv || fault "shard $i/3"; done
@@ -130,12 +130,12 @@ cmp -s merged.csv results.csv || fault "merged shards are not the whole"
 "$gaitsmith" merge --complete --out - curve2.csv curve3.csv curve1.csv curve1.csv | cmp -s - curves.csv || fault "merged curves"
 "$gaitsmith" merge --out part.csv shard1.csv shard3.csv 2>err || fault "merge of some"
 same "$(cat err)" "gaitsmith merge: 3 of 8 trials are missing" "warning about missing trials"
-# One process a shard, several at a time.
+# One process per shard, several in parallel.
 export -f study; export gaitsmith
 seq 3 | xargs -P 2 -I{} bash -c 'study --threads 1 --shard {}/3 --out many{}.csv --curves manyc{}.csv'
 "$gaitsmith" merge --complete --out - many?.csv | cmp -s - results.csv || fault "shards side by side"
 
-# The line of docs/command-line.md for GNU parallel, word for word but for the number of shards.
+# The command in docs/command-line.md for GNU parallel, except for the number of shards.
 if command -v parallel >/dev/null; then
   line=$(sed -n 's/^    \(parallel gaitsmith compare .*\)/\1/p' "$root/docs/command-line.md")
   joined=$(sed -n 's/^    \(gaitsmith merge --complete --out results.csv r\*.csv\) .*/\1/p' "$root/docs/command-line.md")
@@ -145,7 +145,7 @@ if command -v parallel >/dev/null; then
       --trials 2 --first-seed 9 --evaluations 60 --points 7" && eval "${line//64/3}" 2>err && eval "$joined") || fault "GNU parallel: $(cat spread/err)"
   cmp -s spread/results.csv results.csv || fault "GNU parallel found something else"
 fi
-# Killed at any byte: what is whole is kept, the rest runs again.
+# Truncated at any byte: complete trials are kept, and the others run again.
 for bytes in 0 40 250 700 -1; do
   for file in results curves; do head -c $bytes $file.csv >torn-$file.csv; done
   study --out torn-results.csv --curves torn-curves.csv || fault "continued at $bytes"
@@ -162,7 +162,7 @@ grep -q 'of 4000 trials are left' err || fault "a stopped study said '$(cat err)
 same "$("$gaitsmith" compare --summary results.csv | grep -c ,)" 8 "rows of a summary"
 same "$("$gaitsmith" compare --summary results.csv | sed -n 7p)" "problem,search_a,search_b,median_a,median_b,A12,p_holm" "pairs of a summary"
 
-# A suite: the rows of a study with their motions, as resumable.
+# A suite is a study with the motions, and can be resumed like one.
 suite() { "$gaitsmith" suite --figure hopper --sense physical --sense timer=0.8 --task travel --task jump --style plain=slip_sum:0 \
   --style shuffle=slip_sum:usual,max_cm_height:-0.5 --search sphc --seeds 2 --first-seed 4 --evaluations 40 --rules 6 "$@"; }
 suite --threads 1 --out suite.csv || fault "suite"
@@ -181,7 +181,7 @@ for _ in $(seq 400); do [ "$(wc -l 2>/dev/null <stopped-suite.csv || echo 0)" -l
 kill -TERM $!; wait $! && fault "a stopped suite exits with 0"
 grep -q 'of 4000 trials are left' err || fault "a stopped suite said '$(cat err)'"
 same "$(sed -n '3s/,.*//p' stopped-suite.csv)" "physical.jump.plain" "what a suite of a problem is without --sense, --task and --style"
-# Each row's motion is the document that synthesize makes, and carries its figure's name.
+# Each row's motion equals the document of synthesize, with the figure's name.
 "$gaitsmith" suite --extract suite.csv --out-dir all || fault "suite --extract"
 "$gaitsmith" suite --extract suite.csv --best --out-dir best || fault "suite --extract --best"
 same "$(ls all | wc -l) $(ls best | wc -l)" "16 8" "documents of a suite"
@@ -195,8 +195,8 @@ same "$(head -1 list.txt | tr -s ' ')" "label seed score travel height slip rota
 sed 1d list.txt | LC_ALL=C sort -c -k1,1 -k3,3gr || fault "a list is not sorted"
 for line in $(sed 1d list.txt | awk '!seen[$1]++ { print $1 "-" $2 ".json" }'); do [ -e "best/$line" ] || fault "$line is not among the best"; done
 
-# A clip that is repaired where it stands; all else stays.
-# way <document>: how far clip 2 of there-and-back goes to the right
+# Repairing a clip changes nothing else.
+# way <document>: distance that clip 2 of there-and-back moves to the right
 way() { "$gaitsmith" simulate "$1" --csv - | awk -F, 'NR == 335 { x = $2 } NR == 702 { print $2 - x }'; }
 repair() { "$gaitsmith" synthesize --repair "$1" --clip 2 --evaluations "$2" --out "$3" --curve repair.csv --threads "${4:-2}"; }
 repair there-and-back 300 repaired.json || fault "synthesize --repair"
@@ -212,7 +212,7 @@ repair repaired.json 1 again.json || fault "a repair that finds nothing"
 same "$(tail -1 repair.csv)" "1,$best" "what a repair begins with"
 same "$("$gaitsmith" hash again.json)" "$("$gaitsmith" hash repaired.json)" "a repair that finds nothing keeps the motion"
 
-# A controller that takes over well: the document is a plain one.
+# A search with --handover yields an ordinary document.
 handed() { "$gaitsmith" synthesize --figure mr-star-man --evaluations 60 --seed 2 --out "$@"; }
 handed handed.json --handover star-man-shuffle@2 --handover star-man-shuffle@3.5 --threads 1 || fault "synthesize --handover"
 handed handed2.json --handover star-man-shuffle@2 --handover star-man-shuffle@3.5 --threads 2
@@ -224,7 +224,7 @@ cmp -s handed.json unhanded.json && fault "handovers change nothing"
 "$gaitsmith" synthesize --from star-man-shuffle --handover star-man-shuffle@2 --evaluations 20 --out handed.json || fault "--from --handover"
 same "$("$gaitsmith" validate handed.json | cut -d, -f3)" " 2 controllers" "--from with --handover"
 
-# Every switch between controllers.
+# All switches between controllers.
 "$gaitsmith" switches --times 4 --threads 1 --summary --out switches.csv best/p*.json best/timer=0.8.jump.plain-*.json >rates.csv || fault "switches"
 "$gaitsmith" switches --times 4 --threads 2 --out switches2.csv best/p*.json best/timer=0.8.jump.plain-*.json
 cmp -s switches.csv switches2.csv || fault "two threads made other switches"
@@ -237,7 +237,7 @@ awk -F, 'NR > 1 { least = $5 > 0 ? $5 / 2 : $5 * 1.5; if ($6 != ($4 >= least)) e
 jump=$(ls best/physical.jump.plain-*.json)
 same "$(grep -m1 ",$(basename "$jump" .json)," switches.csv | cut -d, -f5)" "$("$gaitsmith" measure "$jump" | sed -n 2p | cut -d, -f9)" "the usual"
 
-# Bad input: one clear sentence, and nothing is harmed.
+# Invalid input: one clear sentence, and files are unchanged.
 echo keep >precious.json
 refuses 'there is no figure "mr-moon"' "$gaitsmith" synthesize --figure mr-moon --out precious.json
 refuses '"fly" is not known; choose from travel' "$gaitsmith" synthesize --task fly --out precious.json
@@ -260,7 +260,7 @@ refuses '--search-option torus.side: must be a whole number, is ""' "$gaitsmith"
 refuses 'must be at least the population, 200, is 100' "$gaitsmith" synthesize --search gga --evaluations 100 --out precious.json
 refuses '--figure: cannot be given with --from' "$gaitsmith" synthesize --from one.json --figure hopper --out precious.json
 refuses '--out: say where' "$gaitsmith" synthesize
-# wrong <status> <words> <command...>: refused with this very status
+# wrong <status> <words> <command...>: refused with exactly this exit status
 wrong() { refuses "${@:2}"; "${@:3}" >/dev/null 2>&1; same $? "$1" "exit status of: ${*:3}"; }
 to=(--out results.csv --curves curves.csv)
 cp results.csv results-before.csv; cp curves.csv curves-before.csv

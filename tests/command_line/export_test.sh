@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# gaitsmith export as docs/command-line.md has it, seen from a script:   export_test.sh <gaitsmith> <repository>
+# Tests gaitsmith export as in docs/command-line.md:   export_test.sh <gaitsmith> <repository>
 set -uo pipefail
 gaitsmith=$(realpath "$1") root=$(realpath "$2") failed=0
 scratch=$(mktemp -d)
@@ -28,7 +28,7 @@ for count in 3 12 26; do
 done
 "$gaitsmith" export star-man-shuffle --svg part.svg --poses 3 --from 1 --to 2.5 || fault "a part of a motion"
 same "$(grep -oE '>[0-9.]+ s<' part.svg | tr -d '\n')" ">1.00 s<>1.75 s<>2.50 s<" "times of a part"
-# A link is a document, too.
+# A link is a document too.
 same "$("$gaitsmith" link encode star-man-shuffle | "$gaitsmith" export - --svg - | md5sum)" \
   "$("$gaitsmith" export star-man-shuffle --svg - | md5sum)" "export of a link"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The application in the canvas, for the page: text and numbers in and out of its memory.
+// The page's interface to the application in the canvas. Copies text and numbers to and from its memory.
 import { NO_REPORT } from './no_report.js';
 import { trLater } from '../languages/language.js';
 
@@ -7,7 +7,7 @@ import { trLater } from '../languages/language.js';
 /** @typedef {import('../search/messages.js').SearchReport} SearchReport */
 
 /**
- * What is on the canvas: a widget that a person can see and use now.
+ * A visible widget of the canvas.
  * @typedef {object} Widget
  * @property {string} id     stable, e.g. "search/start"
  * @property {string} label
@@ -18,7 +18,7 @@ import { trLater } from '../languages/language.js';
  */
 
 /**
- * Options of a search; what is left out stays as the document has it.
+ * Options of a search. Those that are left out come from the document.
  * @typedef {object} SynthesizeOptions
  * @property {string} [algorithm]   rgt, sphc, gga, ssga, shc, mpga, nelder-mead, powell, cma-es, map-elites or two-stage
  * @property {'timer' | 'physical' | 'network'} [sense]
@@ -29,7 +29,7 @@ import { trLater } from '../languages/language.js';
  */
 
 /**
- * Options of the lab; what is left out stays as the Lab panel has it.
+ * Options of the lab. Those that are left out come from the Lab panel.
  * @typedef {object} LabOptions
  * @property {string[]} [algorithms]  as of SynthesizeOptions
  * @property {number} [trials]        of each algorithm, 2 to 50
@@ -37,49 +37,43 @@ import { trLater } from '../languages/language.js';
  * @property {number} [firstSeed]
  */
 
-/** A search that waits. @typedef {{title: string, algorithm: string, seed: number, evaluations: number}} QueuedSearch */
+/** A waiting search. @typedef {{title: string, algorithm: string, seed: number, evaluations: number}} QueuedSearch */
 /**
- * A result of a search, or what a person has kept.
+ * A result of a search, or a saved motion.
  * @typedef {object} FoundMotion
  * @property {string} id
  * @property {string} title
- * @property {'done' | 'stopped' | 'failed' | 'by-hand'} origin  how its search ended; or kept as it was shown
- * @property {number | null} score   null: nothing moves, or physics broke
+ * @property {'done' | 'stopped' | 'failed' | 'by-hand'} origin  how its search ended; by-hand: saved by a person
+ * @property {number | null} score   null: nothing moves, or the simulation failed
  * @property {string} algorithm
  * @property {number} seed
- * @property {number} evaluations    that were made
- * @property {boolean} kept          it does not make way for new ones
+ * @property {number} evaluations    of its search
+ * @property {boolean} kept          whether it is never removed to make room
  * @property {number} when           seconds since 1970
  * @property {string} hash           of its trajectory
  * @property {string} link           payload of its document
  */
 
-/** What a document says about its search, as far as the page shows it. @typedef {{algorithm?: string}} SearchJson */
+/** The part of a document's search that the page reads. @typedef {{algorithm?: string}} SearchJson */
 /**
- * A document as JSON (docs/formats.md), as far as the page itself reads it.
+ * A document as JSON (docs/formats.md): the parts that the page reads.
  * @typedef {{title?: string, figure: {name?: string, rods?: object[]}, kind?: string, senses?: {kind?: string}, search?: SearchJson,
  *   environment?: {slope_rad?: number}, pushes?: {endpoint: number, impulse_x_ns: number, impulse_y_ns: number}[],
  *   task?: {kind?: string, weights?: Record<string, number>}}} DocumentJson
  */
 
 /**
- * The numbers that a slider or a field can stand at. step 0: of no fixed size.
+ * The values of a slider or a field. step 0: any value.
  * @typedef {{low: number, high: number, step: number, now: number}} WidgetRange
  */
-/** A widget for the mirror, which has those out of sight and texts ("heading", "paragraph"), too. @typedef {Widget & {range?: WidgetRange, part: number}} MirrorWidget */
-/** A named part of the canvas; parent: index of the one it is in, or -1. @typedef {{id: string, label: string, role: string, parent: number}} MirrorPart */
-/** keyboard: what has it shows it; waiting: something asked for is still to be done. @typedef {{keyboard: boolean, waiting: boolean, parts: MirrorPart[], widgets: MirrorWidget[]}} MirrorState */
+/** A widget for the mirror, perhaps out of sight, or a text ("heading", "paragraph"). @typedef {Widget & {range?: WidgetRange, part: number}} MirrorWidget */
+/** A named part of the canvas. parent: index of the enclosing part, or -1. @typedef {{id: string, label: string, role: string, parent: number}} MirrorPart */
+/** keyboard: whether the focus ring is shown; waiting: a request to a widget is not done yet. @typedef {{keyboard: boolean, waiting: boolean, parts: MirrorPart[], widgets: MirrorWidget[]}} MirrorState */
 
-/** One number of a motion. @typedef {{name: string, label: string, unit: string, decimals: number, value: number | null}} Measure */
-/** The whole motion in numbers; sense: of the controller shown, or empty; broke: physics did. @typedef {{terms: Measure[], sense: string, rules: number, broke: boolean}} Measures */
+/** A measure of a motion. @typedef {{name: string, label: string, unit: string, decimals: number, value: number | null}} Measure */
+/** The measures of the shown motion. sense: the controller's, or empty; broke: the simulation failed. @typedef {{terms: Measure[], sense: string, rules: number, broke: boolean}} Measures */
 
-/** Of shell/session/commands.h. @typedef {{id: string, group: string, title: string, whyNot: string, keys: string[]}} CanvasCommand */
-
-// PaletteName in shell/widgets/theme.h.
-const PALETTES = ['light', 'dark', 'strong-light', 'strong-dark'];
-
-// LabState in shell/session/lab.h.
-const LAB_STATES = /** @type {const} */ (['idle', 'running', 'done', 'stopped', 'failed']);
+/** A command of shell/session/commands.h. @typedef {{id: string, group: string, title: string, whyNot: string, keys: string[]}} CanvasCommand */
 
 export class App {
   /** @param {AppModule} module */
@@ -87,12 +81,12 @@ export class App {
     this.module = module;
   }
 
-  /** Whether it found WebGL. If not, nothing else may be called. */
+  /** Whether the browser has WebGL. If not, no other method may be called. */
   running() { return this.module._gs_running() !== 0; }
 
   /**
    * @param {string} text  JSON, a link, or the payload of one
-   * @returns {string} empty, or core's sentence about what is wrong and where; then nothing has changed
+   * @returns {string} empty, or core's sentence about the error and its place, with nothing changed
    */
   open(text) {
     return this.#with(text, (at, bytes) => this.#text(this.module._gs_open(at, bytes)));
@@ -102,44 +96,44 @@ export class App {
   documentText() { return this.#text(this.module._gs_document_json()); }
   /** @returns {DocumentJson} */
   document() { return JSON.parse(this.documentText()); }
-  /** The payload of a link: what stands after '#'. */
+  /** The payload of the document's link: the part after '#'. */
   link() { return this.#text(this.module._gs_link()); }
-  /** Of the shown motion's trajectory: 16 hexadecimal digits. */
+  /** The hash of the shown motion's trajectory: 16 hexadecimal digits. */
   hash() { return this.#text(this.module._gs_hash()); }
   title() { return this.#text(this.module._gs_title()); }
 
-  /** Visible widgets, their rectangles relative to the canvas. @returns {Widget[]} */
+  /** The visible widgets, with rectangles relative to the canvas. @returns {Widget[]} */
   widgets() { return JSON.parse(this.#text(this.module._gs_widgets())); }
 
-  /** Everything on the canvas, in the order of drawing. @returns {MirrorState | null} null: as at the last call */
+  /** All widgets and parts, in drawing order. @returns {MirrorState | null} null: unchanged since the last call */
   mirror() {
     const text = this.#text(this.module._gs_mirror());
     return text ? JSON.parse(text) : null;
   }
 
-  // What is asked of a widget it does in the next frame. False: it is not on the canvas, or cannot be used now.
-  // `again`: more of what was asked before, as a key that is held; no step of its own for Undo.
+  // Requests to a widget, which happen in the next frame. They return false if the widget is not on the canvas or is
+  // disabled. `again`: repeated by a held key, so that it adds no step to Undo.
 
-  /** As by a click. @param {string} id */
+  /** Like a click. @param {string} id */
   activate(id) { return this.#with(id, (at) => this.module._gs_activate(at)) !== 0; }
-  /** As by arrow keys. @param {string} id @param {number} steps @param {boolean} again */
+  /** Like arrow keys. @param {string} id @param {number} steps @param {boolean} again */
   step(id, steps, again) { return this.#with(id, (at) => this.module._gs_step(at, steps, again ? 1 : 0)) !== 0; }
-  /** @param {string} id @param {number} value  as of WidgetRange @param {boolean} again */
+  /** @param {string} id @param {number} value  in its WidgetRange @param {boolean} again */
   setValue(id, value, again) { return this.#with(id, (at) => this.module._gs_set_value(at, value, again ? 1 : 0)) !== 0; }
-  /** @param {string} id @param {boolean} ring  it shows that it has the keyboard */
+  /** @param {string} id @param {boolean} ring  whether to show the focus ring */
   focus(id, ring) { return this.#with(id, (at) => this.module._gs_focus(at, ring ? 1 : 0)) !== 0; }
-  /** The keyboard is elsewhere on the page. */
+  /** Call when the focus moves to another part of the page. */
   unfocus() { this.module._gs_unfocus(); }
-  /** Closes an open list. */
+  /** Closes an open list. Returns false if there is none. */
   dismiss() { return this.module._gs_dismiss() !== 0; }
 
-  /** The moment on the stage, for instance "Paused at 2.31 s, 1.84 m to the right. Rule 3 acts." */
+  /** The shown moment in words, such as "Paused at 2.31 s, 1.84 m to the right. Rule 3 acts." */
   moment() { return this.#text(this.module._gs_moment()); }
-  /** The same in full: what touches the ground, why the rule acts, what it is worth. */
+  /** The shown moment in full: also ground contacts, why the rule acts, and the score. */
   description() { return this.#text(this.module._gs_description()); }
   playing() { return this.module._gs_playing() !== 0; }
 
-  /** The canvas's typeface for the rest of the page: loaded once, drawn twice. */
+  /** Uses the canvas's typeface for the rest of the page, so that it is downloaded only once. */
   lendTypeface() {
     for (const [semibold, weight] of [[0, '400'], [1, '600']]) {
       const at = this.module._gs_typeface(Number(semibold));
@@ -149,10 +143,10 @@ export class App {
   }
 
   /** @param {import('../page/theme.js').Look} look */
-  setTheme({ palette, scale }) { this.module._gs_set_theme(PALETTES.indexOf(palette), scale); }
-  /** @param {string} table  JSON of languages/*.json; empty: English @returns {boolean} false: it is none, and nothing has changed */
+  setTheme({ palette, scale }) { this.#with(palette, (at) => this.module._gs_set_theme(at, scale)); }
+  /** @param {string} table  JSON of languages/*.json; empty: English @returns {boolean} false: it is invalid, and nothing has changed */
   setLanguage(table) { return this.#with(table, (at) => this.module._gs_set_language(at)) !== 0; }
-  /** @param {number} perSecond  at most so many frames are drawn; 0: as many as the display shows */
+  /** @param {number} perSecond  maximum frame rate; 0: the display's */
   setFrameRate(perSecond) { this.module._gs_set_frame_rate(perSecond); }
   /** @param {boolean} playing */
   play(playing) { this.module._gs_play(playing ? 1 : 0); }
@@ -160,63 +154,66 @@ export class App {
   canRedo() { return this.module._gs_can_redo() !== 0; }
   undo() { this.module._gs_undo(); }
   redo() { this.module._gs_redo(); }
-  /** What is open now is where Undo ends. */
+  /** Removes all steps of Undo. */
   forgetPast() { this.module._gs_forget_past(); }
 
-  /** What can be done without a control. @returns {CanvasCommand[]} */
+  /** @returns {CanvasCommand[]} */
   commands() { return JSON.parse(this.#text(this.module._gs_commands())); }
-  /** @param {string} id @returns {boolean} false: there is no such command, or it is not possible now */
+  /** @param {string} id @returns {boolean} false: there is no such command, or it is unavailable */
   run(id) { return this.#with(id, (at) => this.module._gs_run(at)) !== 0; }
   /**
-   * A key went down.
-   * @param {string} name  as of keyName @param {boolean} onCanvas  its controls come first @param {boolean} repeated
-   * @returns {boolean} whether a command took it
+   * Handles a key that went down.
+   * @param {string} name  as from keyName
+   * @param {boolean} onCanvas  whether the canvas has the focus, so that its controls come first
+   * @param {boolean} repeated
+   * @returns {boolean} whether a command handled it
    */
   key(name, onCanvas, repeated) {
     return this.#with(name, (at) => this.module._gs_key(at, onCanvas ? 1 : 0, repeated ? 1 : 0)) !== 0;
   }
-  /** What is shown and locked. @param {{panels?: string, lock?: string}} options @returns {string} empty, or a sentence; then nothing has changed */
+  /** Sets the shown panels and the locks. @param {{panels?: string, lock?: string}} options @returns {string} empty, or a sentence, with nothing changed */
   arrange(options) { return this.#with(JSON.stringify(options), (at) => this.#text(this.module._gs_arrange(at))); }
-  /** The motion shown in numbers. @returns {Measures} */
+  /** @returns {Measures} */
   measures() { return JSON.parse(this.#text(this.module._gs_measures())); }
   /** Whether a text field on the canvas is open. */
   typing() { return this.widgets().some(({ role }) => role === 'textbox'); }
 
-  /** @param {SynthesizeOptions} options @returns {string} empty, or a sentence; then nothing has started */
+  /** @param {SynthesizeOptions} options @returns {string} empty, or a sentence, with no search started */
   synthesize(options) {
     return this.#with(JSON.stringify(options), (at) => this.#text(this.module._gs_synthesize(at)));
   }
 
-  /** @param {SynthesizeOptions} options @returns {string} empty, or a sentence; then nothing waits more than before */
+  /** @param {SynthesizeOptions} options @returns {string} empty, or a sentence, with nothing added */
   enqueue(options) {
     return this.#with(JSON.stringify(options), (at) => this.#text(this.module._gs_enqueue(at)));
   }
-  /** What waits, the next one first. @returns {QueuedSearch[]} */
+  /** The waiting searches, next one first. @returns {QueuedSearch[]} */
   queue() { return JSON.parse(this.#text(this.module._gs_queue())); }
-  /** What was found and kept, the newest first. @returns {FoundMotion[]} */
+  /** The results, newest first. @returns {FoundMotion[]} */
   found() { return JSON.parse(this.#text(this.module._gs_found())); }
   /** @param {string} id @returns {boolean} false: there is no such result */
   showFound(id) { return this.#with(id, (at) => this.module._gs_show_found(at)) !== 0; }
-  /** @param {string} id @param {string} name  empty: none @returns {string} empty, or why not */
+  /** @param {string} id @param {string} name  empty: removes the name @returns {string} empty, or the error */
   renameFound(id, name) {
     return this.#with(JSON.stringify({ id, name }), (at) => this.#text(this.module._gs_rename_found(at)));
   }
-  /** A found motion of an earlier visit. @param {string} text @returns {string} its id; empty: it is none */
+  /** Restores a result of an earlier visit. @param {string} text @returns {string} its id; empty: the text is invalid */
   restoreFound(text) { return this.#with(text, (at) => this.#text(this.module._gs_restore_found(at))); }
 
-  /** @param {LabOptions} options @returns {string} empty, or a sentence; then nothing has changed */
+  /** @param {LabOptions} options @returns {string} empty, or a sentence, with nothing changed */
   lab(options) {
     return this.#with(JSON.stringify(options), (at) => this.#text(this.module._gs_lab(at)));
   }
-  labState() { return LAB_STATES[this.module._gs_lab_state()]; }
-  /** The curves of the trials that are finished, as a file. */
+  /** @returns {string} 'idle', 'running', 'done', 'stopped' or 'failed' */
+  labState() { return this.#text(this.module._gs_lab_state()); }
+  /** The curves of the finished trials, as CSV. */
   labCsv() { return this.#text(this.module._gs_lab_csv()); }
 
   pause() { this.module._gs_pause(); }
   resume() { this.module._gs_resume(); }
   stop() { this.module._gs_stop(); }
 
-  /** Nothing came of the search. */
+  /** Reports that the search failed. */
   searchFailed() {
     this.searchProgress({ ...NO_REPORT, state: 'failed' });
   }
@@ -241,7 +238,7 @@ export class App {
     }
   }
 
-  /** A part of a transition map. @param {import('../search/messages.js').Mapped} part */
+  /** Reports a part of a transition map. @param {import('../search/messages.js').Mapped} part */
   transitionsMapped({ generation, first, scores, usual }) {
     const at = this.#room(scores.byteLength);
     this.module.HEAPU8.set(new Uint8Array(scores.buffer, scores.byteOffset, scores.byteLength), at);
@@ -249,17 +246,17 @@ export class App {
     this.module._free(at);
   }
 
-  /** Nothing more comes of the map. @param {number} generation */
+  /** Reports that no more parts of this map will arrive. @param {number} generation */
   transitionsFailed(generation) { this.module._gs_transitions_failed(generation); }
 
-  /** Throws where there is no memory left: then nothing has changed. @param {number} bytes */
+  /** Throws if there is no memory left, before anything has changed. @param {number} bytes */
   #room(bytes) { return roomAt(this.module._malloc(bytes)); }
 
   /** @param {number} at */
   #text(at) { return this.module.UTF8ToString(at); }
 
   /**
-   * Lends the module a text.
+   * Copies a text into the module's memory for one call.
    * @template T
    * @param {string} text
    * @param {(at: number, bytes: number) => T} use
@@ -274,7 +271,7 @@ export class App {
   }
 }
 
-/** @param {number} at  of memory that was asked for */
+/** @param {number} at  address of allocated memory; 0: the allocation failed */
 function roomAt(at) {
   if (at === 0) throw new RangeError(trLater('there is not enough memory left in this page'));
   return at;

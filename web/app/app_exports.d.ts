@@ -5,11 +5,11 @@
 export type Pointer = number;
 
 export interface AppExports {
-  /** @return 0: WebGL cannot draw on the canvas, and no other function may be called */
+  /** @return 0: WebGL is unavailable, and no other function may be called */
   _gs_running(): number;
   /**
    * Opens JSON, a link or the payload of a link. @return an empty text, or a sentence with the error and its
-   * place
+   * location
    */
   _gs_open(text: Pointer, bytes: number): Pointer;
   _gs_document_json(): Pointer;
@@ -20,7 +20,10 @@ export interface AppExports {
   _gs_title(): Pointer;
   /** Every visible widget of the last frame, as a JSON list. */
   _gs_widgets(): Pointer;
-  /** All widgets, in and out of sight, as WidgetRegistry::MirrorJson; empty: unchanged since the last call. */
+  /**
+   * All widgets, including those out of view, as WidgetRegistry::MirrorJson; empty: unchanged since the last
+   * call.
+   */
   _gs_mirror(): Pointer;
   /** Activates a widget, as a click does. */
   _gs_activate(id: Pointer): number;
@@ -38,8 +41,8 @@ export interface AppExports {
   _gs_moment(): Pointer;
   _gs_description(): Pointer;
   _gs_playing(): number;
-  /** @param palette a PaletteName */
-  _gs_set_theme(palette: number, scale: number): void;
+  /** @param palette of kPaletteNames; another name keeps the present one @param scale of texts and controls */
+  _gs_set_theme(palette: Pointer, scale: number): void;
   /**
    * Sets the language of all texts. @param table of shell/languages, as JSON; empty: English
    * @return 0: it is not such a table, and nothing has changed
@@ -58,12 +61,12 @@ export interface AppExports {
   _gs_commands(): Pointer;
   /** @return 0: there is no such command, or it is unavailable */
   _gs_run(id: Pointer): number;
-  /** Handles a key that went down. @param name as in Command::keys. @return 1 if a command handled it */
+  /** Handles a key press. @param name as in Command::keys. @return 1 if a command handled it */
   _gs_key(name: Pointer, onCanvas: number, repeated: number): number;
   /** @param options JSON object or empty text. @return an empty text or a sentence */
   _gs_synthesize(options: Pointer): Pointer;
   /**
-   * Adds a search to the queue, with these options instead of the document's. @param options JSON object
+   * Adds a search to the queue. @param options JSON object, overrides the document's settings
    * @return an empty text or a sentence
    */
   _gs_enqueue(options: Pointer): Pointer;
@@ -88,8 +91,8 @@ export interface AppExports {
   _gs_lab(options: Pointer): Pointer;
   /** The lab's curves so far, as the text of a file. */
   _gs_lab_csv(): Pointer;
-  /** A LabState. */
-  _gs_lab_state(): number;
+  /** One of kLabStateNames. */
+  _gs_lab_state(): Pointer;
   _gs_pause(): void;
   _gs_resume(): void;
   _gs_stop(): void;
@@ -98,7 +101,7 @@ export interface AppExports {
    * the report, which is then ignored
    */
   _gs_search_progress(report: Pointer, bytes: Pointer, count: number): Pointer;
-  /** Reports a part of a transition map: the scores of places from `first` on, and the usual score. */
+  /** Reports a part of a transition map: scores from place `first` on, and the usual score. */
   _gs_transitions_mapped(generation: number, first: number, scores: Pointer, count: number, usual: number): void;
   /** Reports that no more parts of this generation's map will arrive. */
   _gs_transitions_failed(generation: number): void;

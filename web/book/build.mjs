@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Makes the book: docs/ as pages beside the playground.
+// Builds the book: docs/ as pages beside the playground.
 //
 //   node web/book/build.mjs <folder of the built site>
 //
-// Needs the site's engine, which opens the documents that pages link to. What is wrong with a page is said with its place.
+// Needs the site's engine, which opens the documents that pages link to. Prints errors of pages with file and line.
 import { execFile } from 'node:child_process';
 import { copyFile, mkdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
@@ -42,7 +42,7 @@ async function put(file, contents) {
   await writeFile(file, contents);
 }
 
-/** All pages, rendered and without a fault. @param {string} site */
+/** Renders all pages. Throws if a page has an error. @param {string} site */
 async function read(site) {
   const faults = new Faults();
   const pages = await readPages(ROOT, faults);
@@ -69,14 +69,14 @@ async function compose(pages, rendered, links, reference) {
   const entries = groups.map((group) => ({ ...group, pages: /** @type {import('./index_page.mjs').Entry[]} */ (group.pages.map((page) => ({ ...page, title: of(page).title, sentence: of(page).sentence }))) }));
   if (reference) entries.find(({ id }) => id === 'for-engineers')?.pages.splice(1, 0, { ...REFERENCE, name: 'reference' });
   const sheets = [indexPage(entries), ...reference?.sheets ?? []];
-  for (const { title, pages: some } of groups) {
-    for (const page of some) sheets.push(page.lesson ? await lessonPage(/** @type {LessonPage} */ (page), of(page), lessons, links) : textPage(page, of(page), title));
+  for (const { title, pages: groupPages } of groups) {
+    for (const page of groupPages) sheets.push(page.lesson ? await lessonPage(/** @type {LessonPage} */ (page), of(page), lessons, links) : textPage(page, of(page), title));
   }
   return sheets;
 }
 
-/** Where the header leads from a page. @param {Sheet} sheet @param {Sheet[]} sheets @returns {import('./template.mjs').Way[]} */
-function ways({ address, kind }, sheets) {
+/** The links in a page's header. @param {Sheet} sheet @param {Sheet[]} sheets @returns {import('./template.mjs').HeaderLink[]} */
+function headerLinks({ address, kind }, sheets) {
   const has = (/** @type {string} */ one) => sheets.some((sheet) => sheet.address === one);
   const here = (/** @type {string} */ one) => (address === one ? /** @type {const} */ ('page') : undefined);
   return [
@@ -95,7 +95,7 @@ async function build(site) {
   const { sheets, rendered, links, reference } = await read(site);
   await rm(book, { recursive: true, force: true });
   const texts = await Promise.all(sheets.map(async (sheet) => {
-    const html = htmlPage(sheet, ways(sheet, sheets));
+    const html = htmlPage(sheet, headerLinks(sheet, sheets));
     await put(join(book, sheet.address), html);
     return html;
   }));
@@ -109,8 +109,8 @@ async function build(site) {
   for (const [file, address] of links.images) await put(join(book, address), await readFile(join(ROOT, file)));
   await put(join(book, 'tokens.css'), await tokens(join(ROOT, 'web/page/style.css')));
   for (const file of STYLES) await copyFile(join(HERE, file), join(book, file));
-  await promisify(execFile)(process.execPath, [join(ROOT, 'web/build/strip.mjs'), book, HERE, ...SCRIPTS.map((file) => join(HERE, file))]);
-  // With its comments: it is for others to read and to copy.
+  await promisify(execFile)(process.execPath, [join(ROOT, 'web/build/minify.mjs'), book, HERE, ...SCRIPTS.map((file) => join(HERE, file))]);
+  // With comments, because others read and copy this file.
   await copyFile(join(HERE, 'player.js'), join(site, 'player.js'));
   const minisearch = join(dirname(createRequire(import.meta.url).resolve('minisearch')), '../..');
   await copyFile(join(minisearch, 'dist/es/index.js'), join(book, 'minisearch.js'));

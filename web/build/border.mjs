@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The types of the two WebAssembly modules, made from the C++ sources that export the functions: what stands there is written
-// nowhere else. tests/web/border.test.mjs compares them with what the compiled modules export.
+// Writes the types of the two WebAssembly modules from the C++ sources of their exported functions.
+// tests/web/border.test.mjs compares them with the exports of the compiled modules.
 //
 //   node web/build/border.mjs            writes search/engine_exports.d.ts and app/app_exports.d.ts
-//   node web/build/border.mjs --check    fails when they are not what the sources say
+//   node web/build/border.mjs --check    fails if they are out of date
 import { readFile, writeFile } from 'node:fs/promises';
 import { join, relative } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
@@ -12,7 +12,7 @@ const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 
 /** @typedef {{name: string, result: string, parameters: {name: string, type: string}[], comment: string[]}} ExportedFunction */
 
-/** A module: the C++ sources that export its functions, how an export is marked there, and the interface that is written of them. */
+/** Modules: the C++ sources of the exported functions, the mark of an export, and the written interface and its file. */
 export const MODULES = [
   { sources: ['web/search/engine.cpp'], mark: 'GS_EXPORT', name: 'EngineExports', types: 'web/search/engine_exports.d.ts' },
   { sources: ['shell/host/page.cpp', 'shell/host/page_typeface.cpp'], mark: 'EMSCRIPTEN_KEEPALIVE', name: 'AppExports', types: 'web/app/app_exports.d.ts' },
@@ -46,8 +46,8 @@ export function exportedFunctions(source, mark) {
 
 /** @param {ExportedFunction} exported */
 function declaration({ name, result, parameters, comment }) {
-  const said = comment.length === 0 ? '' : comment.length === 1 ? `  /** ${comment[0]} */\n` : `  /**\n${comment.map((line) => `   * ${line}\n`).join('')}   */\n`;
-  return `${said}  _${name}(${parameters.map((each) => `${each.name}: ${each.type}`).join(', ')}): ${result};\n`;
+  const documentation = comment.length === 0 ? '' : comment.length === 1 ? `  /** ${comment[0]} */\n` : `  /**\n${comment.map((line) => `   * ${line}\n`).join('')}   */\n`;
+  return `${documentation}  _${name}(${parameters.map((each) => `${each.name}: ${each.type}`).join(', ')}): ${result};\n`;
 }
 
 /** @param {typeof MODULES[number]} module @returns {Promise<string>} the text of its types */

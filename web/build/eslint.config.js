@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What scripts are checked for beside their types. ./dev lint runs it.
+// Checks of the scripts, beside their types. ./dev lint runs them.
 import { fileURLToPath } from 'node:url';
 import eslint from '@eslint/js';
 import tseslint from 'typescript-eslint';
@@ -13,7 +13,7 @@ export default tseslint.config(
   {
     languageOptions: { parserOptions: { project: './tsconfig.json', tsconfigRootDir: web } },
     rules: {
-      'no-undef': 'off', // the types' own check knows better
+      'no-undef': 'off', // tsc checks this
       'no-unused-vars': ['error', { argsIgnorePattern: '^_', varsIgnorePattern: '^_', caughtErrors: 'none' }],
       'no-empty': ['error', { allowEmptyCatch: true }],
       'prefer-const': 'error',

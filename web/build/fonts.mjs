@@ -1,9 +1,9 @@
-// Cuts the Inter typeface down to the characters Gaitsmith shows.
+// Reduces the Inter typeface to the characters that Gaitsmith shows.
 //
 //   node web/build/fonts.mjs [folder, default build/fonts]
 //
-// Writes inter-{regular,semibold}.ttf, TrueType outlines, since Dear ImGui's stb_truetype reads no WOFF2; the page takes
-// them from the application. Characters that Inter lacks are reported, not drawn from elsewhere.
+// Writes inter-{regular,semibold}.ttf with TrueType outlines, because Dear ImGui's stb_truetype cannot read WOFF2. The
+// page takes them from the application. Prints the characters that Inter lacks.
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { dirname, join } from 'node:path';
@@ -13,8 +13,8 @@ const FACES = { regular: 'Inter-Regular', semibold: 'Inter-SemiBold' };
 const GREEK = 'τθφωμΔπΣ';
 const PUNCTUATION = '“”„‘’–—…·';
 const SYMBOLS = '×÷±≤≥≪≫→←↔↑↓−°²³⟲✓▶';
-// Dear ImGui draws one glyph per character, without kerning, and so the page does. What it needs besides are digits of one
-// width for numbers that count. Inter's other forms of letters and its kerning are two thirds of its bytes.
+// Dear ImGui draws one glyph per character, without kerning, and the page matches it. Only digits of equal width are
+// needed, for changing numbers. Inter's other letter forms and its kerning are two thirds of its bytes.
 const CUT = { noHinting: true, keepFeatures: ['tnum'], dropTables: ['GDEF', 'GPOS'] };
 const SOFT_HYPHEN = 0xad;
 const CHARACTERS = printableLatin1() + GREEK + PUNCTUATION + SYMBOLS;

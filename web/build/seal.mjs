@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The last step of a site: which files it has and what they hold, for its service worker, and its public address, if it is
-// known, for the previews that chat programs make of links.
+// The last step of building a site. Writes the site's files and their hashes into the service worker, and the public
+// address, if there is one, into the pages, for link previews in chat programs.
 //
 //   node web/build/seal.mjs <folder> [address, e.g. https://example.org/gaitsmith/]
 import { createHash } from 'node:crypto';
@@ -17,7 +17,7 @@ const names = (await readdir(folder, { recursive: true, withFileTypes: true }))
   .filter((name) => name !== 'service_worker.js')
   .sort();
 
-// Programs that read og:image want a whole address; without one they are left with a relative one, which some understand.
+// Programs that read og:image expect an absolute address. Some also understand a relative one.
 for (const name of names.filter((each) => each.endsWith('.html'))) {
   const path = join(folder, name);
   const text = await readFile(path, 'utf8');
@@ -34,7 +34,7 @@ for (const name of names) {
   hashes[name] = `sha256-${createHash('sha256').update(bytes).digest('base64')}`;
   all.update(`${name}\n${hashes[name]}\n`);
 }
-// The book, its pictures and the packages are kept as they are read.
+// The service worker stores the book, its pictures and the packages only when they are first read.
 const page = names.filter((name) => !/^(book|package)\//.test(name) && !/(^|\/)(LICENSE|preview\.png)$/.test(name) && !name.endsWith('.txt'));
 const site = { version: all.digest('hex').slice(0, 16), page, hashes };
 const script = await readFile(new URL('../storage/service_worker.js', import.meta.url), 'utf8');

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Serves a folder on this machine:  node web/build/serve.mjs [folder, default build/site] [port, default 8080]
-// Prints the address. A taken port is left alone and a free one chosen; port 0 chooses one too. In the place of the service
-// worker there is one that goes away again, for a page that is being worked on must never come out of a cache; with
-// --offline as the last word the site's own is served.
+// Prints the address. If the port is taken or 0, uses a free one. Replaces the service worker by one that unregisters
+// itself, so that a page under development never comes from a cache. With --offline as the last argument it serves the
+// site's own service worker.
 import { createReadStream } from 'node:fs';
 import { stat } from 'node:fs/promises';
 import { createServer } from 'node:http';
@@ -33,7 +33,6 @@ const server = createServer(async (request, response) => {
     return;
   }
   const type = TYPES[/** @type {keyof typeof TYPES} */ (extname(file))] ?? 'application/octet-stream';
-  // Always fresh: a page that is being worked on must never come out of a cache.
   response.writeHead(200, { 'content-type': type, 'content-length': found.size, 'cache-control': 'no-cache' });
   createReadStream(file).pipe(response);
 });

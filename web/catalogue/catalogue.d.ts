@@ -10,3 +10,5 @@ export const terms: readonly { readonly name: string }[];
 export const panels: readonly { readonly name: string; readonly label: string }[];
 /** Files that C++ makes of a motion. type: MIME. */
 export const exporters: readonly { readonly name: string; readonly ending: string; readonly type: string }[];
+/** English first. name: in the language itself. */
+export const languages: readonly { readonly code: string; readonly name: string }[];

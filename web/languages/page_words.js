@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The words that index.html itself has, in the language spoken, and the list in the header where one is chosen. What
-// changes while the page is used is written by whoever changes it.
+// Translates the texts of index.html, and sets up the list of languages in the header. Scripts that change a text
+// translate it themselves.
 import { element } from '../browser/dom.js';
-import { LANGUAGES, chooseLanguage, followLanguage, language, tr } from './language.js';
+import { followLanguage, language, tr } from './language.js';
+import { LANGUAGES, chooseLanguage } from './language_choice.js';
 
 const ATTRIBUTES = ['aria-label', 'title', 'placeholder'];
 const FOREIGN = '[translate=no], noscript, svg';
 
-/** Before anything else writes on the page. */
+/** Call before any script changes a text. */
 export function startPageWords() {
   const list = element('language', HTMLSelectElement);
   const words = wordsOf(document.body);
@@ -23,7 +24,7 @@ export function startPageWords() {
   });
 }
 
-/** What writes each of them anew. @param {HTMLElement} root @returns {(() => void)[]} */
+/** Functions that translate one text each. @param {HTMLElement} root @returns {(() => void)[]} */
 function wordsOf(root) {
   /** @type {(() => void)[]} */
   const words = [];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page: starts the application in the canvas and connects it with address, workers, header and footer.
+// Starts the application in the canvas and connects it with address, workers, header and footer.
 import { Address } from '../share/address.js';
 import { App } from '../app/app.js';
 import { Arrangement } from './arrangement.js';
@@ -23,7 +23,8 @@ import { compiledEngine, createWorker } from '../search/compiled_engine.js';
 import { compiledModule } from '../browser/compiled_module.js';
 import { guardKeys } from '../access/keys.js';
 import { startDropping } from '../share/dropping.js';
-import { LANGUAGES, chooseLanguage, followLanguage, startLanguage, tr, trLater, trSentence } from '../languages/language.js';
+import { followLanguage, tr, trLater, trSentence } from '../languages/language.js';
+import { LANGUAGES, chooseLanguage, startLanguage } from '../languages/language_choice.js';
 import { startPageWords } from '../languages/page_words.js';
 import { startOffline } from '../storage/offline.js';
 import { startSharing } from '../share/sharing.js';
@@ -40,8 +41,8 @@ let commands = null;
 startPageWords();
 startTheme();
 const statusLine = new StatusLine();
-const spoken = startLanguage((sentence) => statusLine.say(sentence));
-guardKeys((event) => commands !== null && (commands.mirror.keys.passing(event) || commands.take(event)));
+const languageReady = startLanguage((sentence) => statusLine.say(sentence));
+guardKeys((event) => commands !== null && (commands.mirror.keys.intercept(event) || commands.handle(event)));
 startHeader();
 start().catch((error) => {
   element('loading').hidden = true;
@@ -52,35 +53,35 @@ start().catch((error) => {
 
 async function start() {
   setTimeout(() => { element('loading-hint').hidden = false; }, HINT_AFTER_MS);
-  /** @type {{app: App, searches: Searches, transitions: TransitionMaps, lab: Lab, arrangement: Arrangement, address: Address, autosave: Autosave, kept: KeptResults, naming: Naming, buttons: HistoryButtons, commands: Commands, canvas: HTMLCanvasElement} | null} */
+  /** @type {{app: App, searches: Searches, transitions: TransitionMaps, lab: Lab, arrangement: Arrangement, address: Address, autosave: Autosave, results: KeptResults, naming: Naming, buttons: HistoryButtons, commands: Commands, canvas: HTMLCanvasElement} | null} */
   let parts = null;
 
-  // A trap leaves the application's memory as it happened to be: nothing of it is kept from then on.
-  const stopped = (/** @type {Error} */ error) => {
+  // A trap may have left the application's data inconsistent, so none of it is saved from now on.
+  const crashed = (/** @type {Error} */ error) => {
     parts?.autosave.end();
     parts?.address.end();
     parts?.searches.abandon(error);
     banner(tr('Gaitsmith stopped working. Your last state is in the address: reload to go on.'), { reload: true });
   };
-  addEventListener('error', ({ error }) => { if (error instanceof WebAssembly.RuntimeError) stopped(error); });
-  addEventListener('unhandledrejection', ({ reason }) => { if (reason instanceof WebAssembly.RuntimeError) stopped(reason); });
+  addEventListener('error', ({ error }) => { if (error instanceof WebAssembly.RuntimeError) crashed(error); });
+  addEventListener('unhandledrejection', ({ reason }) => { if (reason instanceof WebAssembly.RuntimeError) crashed(reason); });
 
-  // The language comes while the application does; its first frame is to have both.
-  const [{ default: createApp }, code] = await Promise.all([import('../app/app_module.js'), compiledModule(new URL('../app/app_module.wasm', import.meta.url)), spoken]);
+  // Load language and application in parallel. The first frame needs both.
+  const [{ default: createApp }, code] = await Promise.all([import('../app/app_module.js'), compiledModule(new URL('../app/app_module.wasm', import.meta.url)), languageReady]);
   const module = await createApp({
     canvas,
     instantiateWasm: (imports, receive) => {
       void WebAssembly.instantiate(code, imports).then((instance) => receive(instance, code));
       return {};
     },
-    onAbort: () => stopped(new Error('aborted')),
+    onAbort: () => crashed(new Error('aborted')),
     page: {
       maxWorkers: () => navigator.hardwareConcurrency || 2,
       startSearch: (document, workers) => void parts?.searches.start(document, workers),
       startTrial: (document, workers, trial) => void parts?.searches.start(document, workers, { trial }),
-      startQueued: (document, workers, words) => void parts?.searches.start(document, workers, { queued: words }),
+      startQueued: (document, workers, title) => void parts?.searches.start(document, workers, { queued: title }),
       askName: (id, name, usual) => parts?.naming.ask(id, name, usual),
-      storeFound: (id, text) => parts?.kept.store(id, text),
+      storeFound: (id, text) => parts?.results.store(id, text),
       labEnded: () => {
         parts?.searches.labEnded();
         parts?.lab.ended();
@@ -102,13 +103,12 @@ async function start() {
       firstFrame: () => {
         element('loading').hidden = true;
         performance.mark('gaitsmith-first-frame');
-        // Not needed sooner.
-        if (parts) parts.kept.restore(parts.app);
-        // Now the line is free.
+        // The first frame does not need these, so they must not delay it.
+        if (parts) parts.results.restore(parts.app);
         setTimeout(() => parts?.searches.standBy(), 1000);
         gaitsmith.firstFrame();
       },
-      leaveCanvas: () => canvas.blur(), // Tab does not get so far
+      leaveCanvas: () => canvas.blur(), // not for the Tab key, which MirrorKeys handles
     },
   });
 
@@ -131,7 +131,7 @@ async function start() {
   autosave.begin();
   showTitle(app.title());
   commands = new Commands(app, new Mirror(app, canvas));
-  parts = { app, searches, transitions, lab: new Lab(app), arrangement: new Arrangement(app, gaitsmith), address, autosave, kept: new KeptResults(statusLine), naming: new Naming(app), buttons: new HistoryButtons(app), commands, canvas };
+  parts = { app, searches, transitions, lab: new Lab(app), arrangement: new Arrangement(app, gaitsmith), address, autosave, results: new KeptResults(statusLine), naming: new Naming(app), buttons: new HistoryButtons(app), commands, canvas };
   gaitsmith.begin(parts);
   parts.arrangement.begin();
   gaitsmith.fps = Number(new URLSearchParams(location.search).get('fps'));
@@ -155,11 +155,11 @@ async function start() {
   }
   const guide = new Guide(app, canvas, statusLine);
   addCommands(commands, { address, autosave, palette: new Palette(commands), help: new HelpSheet(commands), guide });
-  // Who has been sent to something special is not shown around.
+  // No tour if a lesson or a link has set up the page.
   if (!/[?&](goal|panels|lock)=/.test(location.search)) void gaitsmith.ready.then(() => guide.offer());
   statusLine.welcome(tr('Press Synthesize to search for a better motion'));
 
-  // SDL cancels every touch, and browsers warn of it where a busy page is asked too late to be able to.
+  // SDL cancels every touch. Browsers log a warning if it is too late to cancel one, as on a busy page.
   for (const type of ['touchstart', 'touchmove', 'touchend']) {
     canvas.addEventListener(type, (event) => { if (!event.cancelable) event.preventDefault = () => {}; }, { capture: true });
   }
@@ -177,7 +177,7 @@ function showTitle(title) {
   document.title = title ? `${title} — Gaitsmith` : 'Gaitsmith';
 }
 
-/** The dialog and all that makes files are loaded for those who want some. @param {App} app @param {StatusLine} statusLine */
+/** The dialog and the exporters are loaded on first use. @param {App} app @param {StatusLine} statusLine */
 async function openExport(app, statusLine) {
   try {
     (await import('../share/export.js')).openExport(app);
@@ -195,7 +195,7 @@ async function openShare(app, address, statusLine) {
   }
 }
 
-/** What the page itself can do; the application adds its own. @param {Commands} commands @param {{address: Address, autosave: Autosave, palette: Palette, help: HelpSheet, guide: Guide}} parts */
+/** Adds the page's own commands. @param {Commands} commands @param {{address: Address, autosave: Autosave, palette: Palette, help: HelpSheet, guide: Guide}} parts */
 function addCommands(commands, { address, autosave, palette, help, guide }) {
   const click = Commands.click;
   commands.add([
@@ -209,15 +209,15 @@ function addCommands(commands, { address, autosave, palette, help, guide }) {
     { id: 'help/keys', group: 'Help', title: trLater('All keys'), keys: ['?', 'F1'], run: () => help.open() },
     { id: 'help/tour', group: 'Help', title: trLater('Tour of the playground'), keys: [], run: () => void guide.start() },
   ]);
-  commands.addShelf(() => autosave.commands());
-  commands.addShelf(() => Object.entries(THEMES).map(([theme, name]) => (
+  commands.addSource(() => autosave.commands());
+  commands.addSource(() => Object.entries(THEMES).map(([theme, name]) => (
     { id: `view/theme/${theme}`, group: 'View', title: tr('Theme: {1}', tr(name)), keys: [], run: () => chooseTheme(theme) })));
-  commands.addShelf(() => Object.entries(LANGUAGES).map(([code, name]) => (
+  commands.addSource(() => Object.entries(LANGUAGES).map(([code, name]) => (
     { id: `view/language/${code}`, group: 'View', title: tr('Language: {1}', name), keys: [], run: () => void chooseLanguage(code) })));
   onClick('new', () => commands.app.run('document/new'));
   onClick('home', (event) => {
-    if (event.ctrlKey || event.metaKey || event.shiftKey) return; // another tab, another window
-    if (embedded) { // there is more room in a tab of its own
+    if (event.ctrlKey || event.metaKey || event.shiftKey) return; // opens a new tab or window
+    if (embedded) { // opens the document in a new tab, where there is more room
       element('home', HTMLAnchorElement).href = address.link().replace(/\?[^#]*/, '');
       return;
     }
