@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: MIT
-// The engine at the address that programs outside this site import; it lives in search/.
+// The address from which programs outside this site import the engine.
 export * from './search/engine.js';

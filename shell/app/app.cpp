@@ -18,7 +18,7 @@
 
 namespace gaitsmith::shell {
 bool App::Advance(double seconds) {
-  // After a pause of the whole page (a hidden tab) the motion continues from where it was.
+  // After the page was suspended (a hidden tab), the motion continues where it stopped.
   const double step = std::min(seconds, 0.1);
   session_.Queue().Resume();
   session_.Timeline().Transitions().Advance(step);
@@ -108,7 +108,7 @@ void App::DrawWorld(Ui& ui, const ImRect& rect) {
 void App::DrawPhone(Ui& ui, const ImRect& whole) {
   const float tab_height = 44.0f;
   const float transport = 50.0f;
-  // The stage keeps the upper part. On short canvases the panel gets the height it needs first.
+  // The stage is above the panel. On short canvases the panel's height takes precedence.
   const std::vector<int> shown = ShownTabs();
   const float sheet = std::clamp(0.33f * whole.GetHeight(), 190.0f, 420.0f);
   const float tabs_y = shown.empty() && !stage_.world.open ? whole.Max.y : whole.Max.y - sheet - tab_height;
@@ -123,7 +123,7 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
   panel_before_ = panel;
   const ImRect rest({whole.Min.x, tabs.Max.y}, whole.Max);
   if (stage_.world.open) {
-    DrawWorld(ui, rest);  // the stage has no room for it
+    DrawWorld(ui, rest);  // the stage is too small for the card
   } else if (panel < 0) {
     return;
   } else if (panel == PlaceOf(Panel::kTimeline)) {
@@ -168,7 +168,7 @@ void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
       DrawSearchPanel(ui, session_, search_panel_);
       if (search_panel_.list.strips.Waiting()) window_.RequestOneFrame();
       break;
-    case Panel::kTimeline:  // has a place of its own
+    case Panel::kTimeline:  // drawn elsewhere
       break;
   }
   ui.Lock(false);
@@ -200,7 +200,7 @@ bool App::Run(std::string_view id) {
 }
 
 bool App::Key(std::string_view name, bool on_canvas, bool repeated) {
-  if (ImGui::GetIO().MouseDown[0]) return false;  // keep what is being dragged
+  if (ImGui::GetIO().MouseDown[0]) return false;  // do not disturb a drag
   if (on_canvas && (ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0))
     return false;
   const std::string_view coming = window_.Registry().Requests().Last();
@@ -225,7 +225,7 @@ bool App::Key(std::string_view name, bool on_canvas, bool repeated) {
   return false;
 }
 
-// SDL turns the first finger into a mouse, which must be released when a second finger comes.
+// SDL emulates a mouse for the first finger, which must be released when a second finger touches.
 bool App::TakeFingers(const SDL_Event& event) {
   if (event.type == SDL_FINGERDOWN || event.type == SDL_FINGERMOTION || event.type == SDL_FINGERUP) {
     if (stage_.pinch.Take(event.tfinger, ImGui::GetIO().DisplaySize)) {
@@ -241,7 +241,7 @@ bool App::TakeFingers(const SDL_Event& event) {
 }
 
 bool App::Take(const SDL_Event& event) {
-  // A repeating key, and the keys of a number being typed, continue the gesture.
+  // Key repeats, and keys in a text field, continue the gesture.
   const bool key_down = event.type == SDL_KEYDOWN;
   const bool fresh_key = key_down && event.key.repeat == 0 && !ImGui::GetIO().WantTextInput;
   if (fresh_key || event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_FINGERDOWN) session_.BeginGesture();
@@ -253,7 +253,7 @@ bool App::Take(const SDL_Event& event) {
   const auto& widgets = window_.Registry().Widgets();
   const auto focused = std::ranges::find_if(widgets, [](const Widget& w) { return w.state.focused; });
 
-  // The Tab key visits each widget of the canvas once and then leaves the canvas. Escape leaves it at once.
+  // The Tab key visits each widget of the canvas once and then leaves the canvas. Escape leaves immediately.
   if (key.sym == SDLK_ESCAPE) {
     host_.LeaveCanvas(0);
     return true;

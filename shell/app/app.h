@@ -30,8 +30,8 @@ class App {
   [[nodiscard]] std::vector<Command> Commands();
   /// @return false: there is no such command, or it is unavailable
   bool Run(std::string_view id);
-  /// Handles a key that went down. @param name as in Command::keys. @param on_canvas the canvas has the
-  /// focus, so that its controls come first. @return true if a command handled it
+  /// Handles a key press. @param name as in Command::keys. @param on_canvas the canvas has the focus, so that
+  /// its focused control takes precedence. @return true if a command handled it
   bool Key(std::string_view name, bool on_canvas, bool repeated);
 
   [[nodiscard]] Session& State() { return session_; }
@@ -40,12 +40,12 @@ class App {
  private:
   void DrawDesk(Ui&, const ImRect& whole);
   void DrawPhone(Ui&, const ImRect& whole);
-  /// @param shown at least one panel, as places in kPanels. @return the chosen one
+  /// @param shown at least one panel, as indices in kPanels. @return the chosen one
   int DrawTabs(Ui&, const ImRect&, const std::vector<int>& shown);
   void DrawPanel(Ui&, const ImRect&, int panel);
   void DrawWorld(Ui&, const ImRect&);
   bool TakeFingers(const SDL_Event&);
-  /// The tabs, as places in kPanels: on a phone all shown panels, on a desk those that have a tab there.
+  /// The tabs, as indices in kPanels: on a phone all shown panels, on a desk those with a tab there.
   [[nodiscard]] std::vector<int> ShownTabs();
 
   Host& host_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// SDL2 and OpenGL (ES 3 in the browser, where it is WebGL 2) around Dear ImGui.
+// Dear ImGui on SDL2 and OpenGL (in the browser: OpenGL ES 3, that is WebGL 2).
 #include "shell/app/window.h"
 
 #include <imgui_impl_opengl3.h>
@@ -35,7 +35,7 @@ void ChooseContext() {
 }  // namespace
 
 std::unique_ptr<Window> Window::Open(const Options& options) {
-  // Without this SDL takes the keys of the whole page, and other fields on the page could not be typed into.
+  // Without this SDL captures the keys of the whole page, which disables its text fields.
   SDL_SetHint(SDL_HINT_EMSCRIPTEN_KEYBOARD_ELEMENT, "#canvas");
   if (SDL_Init(SDL_INIT_VIDEO) != 0) return nullptr;
   ChooseContext();
@@ -70,8 +70,8 @@ Window::Window(SDL_Window* window, SDL_GLContext context, float scale)
   ImGui_ImplSDL2_InitForOpenGL(window_, context_);
   ImGui_ImplOpenGL3_Init(kShaderVersion);
   RasteriseType(Density());
-  ImGui_ImplOpenGL3_CreateDeviceObjects();  // otherwise the backend does it at the first frame and builds the
-                                            // fonts a second time
+  ImGui_ImplOpenGL3_CreateDeviceObjects();  // otherwise the first frame would build the
+                                            // fonts again
   ImGui::GetIO().Fonts->ClearTexData();
 }
 
@@ -92,7 +92,7 @@ float Window::Density() const {
   return points > 0 ? scale_ * static_cast<float>(pixels) / static_cast<float>(points) : scale_;
 }
 
-// Rasterises the fonts again after the window moved to another display or the browser's zoom changed.
+// Rasterises the fonts again after a change of display or of the browser's zoom.
 void Window::FollowDensity() {
   const float density = Density();
   if (std::abs(density - theme_.density) < 0.004f) return;
@@ -173,9 +173,9 @@ void Window::DrawBackdrop() {
   glDisable(GL_SCISSOR_TEST);
   clear(theme_.palette.panel);
   glEnable(GL_SCISSOR_TEST);
-  // Dear ImGui's lowest point; the canvas may have a pixel more at the top.
+  // Heights are from Dear ImGui's lowest point, since the canvas may be a pixel higher.
   const int drawn_height = static_cast<int>(ImGui::GetIO().DisplaySize.y * theme_.density);
-  // The pixels whose centres are inside, as for a drawn rectangle.
+  // Covers the pixels whose centres are inside, like rasterisation.
   const auto pixels = [this](float points) {
     return static_cast<int>(std::ceil(points * theme_.density - 0.5f));
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The window (in a browser: the canvas) with its OpenGL context and Dear ImGui's context. Draws a frame only
-// on request or after an event, and keeps text and lines sharp when the device's pixel ratio changes.
+// The window (in a browser: the canvas) with the contexts of OpenGL and Dear ImGui. Frames are drawn only on
+// request or after an event. Text and lines stay sharp when the device's pixel ratio changes.
 #pragma once
 
 #include <SDL.h>
@@ -22,7 +22,7 @@ class Window {
     std::string title = "Gaitsmith";
     int width = 1280;  // [points]
     int height = 720;
-    float scale = 1.0f;  // further enlargement, for displays whose system does not report one
+    float scale = 1.0f;  // enlargement, for displays whose system reports no pixel ratio
   };
 
   /// @return nothing if there is no display or no OpenGL; SDL_GetError() has the reason
@@ -34,13 +34,13 @@ class Window {
   /// Receives every event first; returning true hides the event from the interface.
   using EventFilter = std::function<bool(const SDL_Event&)>;
 
-  /// Handles all waiting events; waits up to this long for the first one. @return false if the user closes
-  /// the window
+  /// Handles all pending events, after waiting up to `wait_ms` for the first one. @return false if the user
+  /// closed the window
   bool TakeEvents(int wait_ms, const EventFilter& filter);
 
   /// True for several frames after an event: Dear ImGui needs a second frame to settle.
   [[nodiscard]] bool NeedsFrame() const { return frames_due_ > 0; }
-  /// As NeedsFrame, but only for frames that answer a person's input, the first of which must not be late.
+  /// Whether one of the first two frames after an event is due. They show the response and must not be late.
   [[nodiscard]] bool OwesAnswer() const { return frames_due_ > 1; }
   void RequestFrame() { frames_due_ = 3; }
   /// Requests a frame for a change without an event.
@@ -57,7 +57,7 @@ class Window {
 
   [[nodiscard]] Theme& Look() { return theme_; }
   [[nodiscard]] WidgetRegistry& Registry() { return registry_; }
-  /// Rectangles behind the contents. The rest of the window has the colour of panels.
+  /// Rectangles behind the contents. The rest of the window has the panels' colour.
   [[nodiscard]] Backdrop& Behind() { return backdrop_; }
 
  private:

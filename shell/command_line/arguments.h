@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words after a command: options with values, and what is left.
+// Parses the words after a command: options with their values, and positional arguments.
 #pragma once
 
 #include <map>
@@ -14,13 +14,13 @@ namespace gaitsmith::shell {
 
 class Arguments {
  public:
-  /// @param known options this command has, without dashes, that take a value
-  /// @param flags those that take none
+  /// @param known the command's options that take a value, without dashes
+  /// @param flags options without a value
   [[nodiscard]] static Result<Arguments> Parse(std::span<const std::string_view> words,
                                                std::span<const std::string_view> known,
                                                std::span<const std::string_view> flags = {});
 
-  /// Of a command that takes options alone.
+  /// For a command without positional arguments.
   [[nodiscard]] static Result<Arguments> ParseOptions(std::span<const std::string_view> words,
                                                       std::span<const std::string_view> known);
 
@@ -30,7 +30,7 @@ class Arguments {
   [[nodiscard]] bool Has(std::string_view option) const { return !All(option).empty(); }
   /// The last value given for an option, or a fallback.
   [[nodiscard]] std::string Last(std::string_view option, std::string_view fallback = "") const;
-  /// A whole number in a range; the fallback when the option is absent.
+  /// A whole number in [low, high]; the fallback if the option is absent.
   [[nodiscard]] Result<long long> Integer(std::string_view option, long long low, long long high,
                                           long long fallback) const;
 
@@ -39,11 +39,11 @@ class Arguments {
   std::map<std::string, std::vector<std::string>, std::less<>> options_;
 };
 
-/// The place of a name among those that are known, or a sentence that lists them.
+/// The index of a name, or an error that lists the known names. @param where for the error
 [[nodiscard]] Result<int> IndexOf(std::span<const std::string_view> names, std::string_view name,
                                   std::string_view where);
 
-/// The whole text as a number, or what is wrong with it.
+/// The whole text as a number. @param what for the error
 [[nodiscard]] Result<double> ParseNumber(std::string_view text, std::string_view what);
 
 }  // namespace gaitsmith::shell

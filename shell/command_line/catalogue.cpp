@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// gaitsmith catalogue: the names that documents, links and the command line know, as JSON.
+// gaitsmith catalogue: the names used in documents, in links and on the command line, as JSON.
 #include "shell/catalogue/catalogue.h"
 
 #include "shell/command_line/commands.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The commands of `gaitsmith`; docs/command-line.md is the contract. Each takes its words and returns why it
-// refused.
+// The commands of `gaitsmith`, as specified in docs/command-line.md. Each takes the words after its name.
 #pragma once
 
 #include <span>
@@ -13,16 +12,16 @@ namespace gaitsmith::shell {
 
 using Words = std::span<const std::string_view>;
 
-/// Why a command refused, and the exit status that tells scripts.
+/// Why a command failed, with its exit status.
 struct Refusal {
   Refusal(Error fault, int exit_status = 1)  // implicit: most refusals are just an error
       : error(std::move(fault)), status(exit_status) {}
   Error error;
-  int status;  // 1, or 2 for a wrong call
+  int status;  // 1, or 2 for a usage error
 };
 using Outcome = std::expected<void, Refusal>;
 
-/// The call itself is wrong: no file could make it right.
+/// A usage error: the call is wrong whatever the files contain.
 [[nodiscard]] inline std::unexpected<Refusal> WrongCall(Error error) {
   return std::unexpected(Refusal(std::move(error), 2));
 }
@@ -40,7 +39,7 @@ using Outcome = std::expected<void, Refusal>;
 [[nodiscard]] Outcome LinkCommand(Words words);
 [[nodiscard]] Outcome CatalogueCommand(Words words);
 
-/// What `compare --summary` prints of a file of results.
+/// Implements `compare --summary` for a file of results.
 [[nodiscard]] Outcome Summarize(const std::string& path);
 
 }  // namespace gaitsmith::shell

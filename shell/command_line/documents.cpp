@@ -21,8 +21,8 @@ Result<Document> TheDocument(const Arguments& arguments) {
   return ReadDocument(arguments.Positional()[0]);
 }
 
-/// Simulates the motion with the searches' evaluator, in each lane in turn, with other motions in the other
-/// lanes.
+/// Simulates the motion with the searches' SIMD evaluator, in each lane in turn, with other motions in the
+/// other lanes.
 Result<void> HashInLanes(const Document& document, int lanes) {
   if (std::ranges::none_of(Evaluator::kLaneCounts, [&](int count) { return count == lanes; })) {
     return Fail(ErrorCode::kOutOfRange, "--lanes", "must be 1, 2, 4, 8 or 16");

@@ -36,7 +36,7 @@ Result<FilmStripOptions> StripOptions(const Arguments& arguments, double duratio
   return FilmStripOptions{.poses = static_cast<int>(*poses), .from_s = *from, .to_s = *to};
 }
 
-/// "--svg: say where; or --gltf, or --csv"
+/// The error if no output file is given.
 Outcome NoFile() {
   std::string what = "say where";
   for (const ExporterRow& row : std::span(kExporters).subspan(1))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Text in and out of files, with "-" for standard input and output, and documents and figures found by name.
+// Reads and writes text files, with "-" for standard input and output, and finds documents and figures by
+// name.
 #pragma once
 
 #include <string>
@@ -9,14 +10,13 @@
 namespace gaitsmith::shell {
 
 [[nodiscard]] Result<std::string> ReadText(const std::string& path);
-/// Writes to a neighbouring file first and renames it, so that a failure leaves an older file as it was.
+/// Writes to a temporary file in the same folder and renames it, so that a failure keeps the old file intact.
 [[nodiscard]] Result<void> WriteText(const std::string& path, const std::string& text);
 
-/// A document from a file of JSON, a link, or the name of a shipped example, problem or motion of the
-/// gallery.
+/// Reads a document from a JSON file, a link, or the name of a shipped example, problem or gallery motion.
 [[nodiscard]] Result<Document> ReadDocument(const std::string& path);
 
-/// The controller that a document's motion begins with. @param document has one
+/// The controller that a document's motion begins with. @param document has a controller
 [[nodiscard]] const Controller& FirstControllerOf(const Document& document);
 
 /// A figure by the name of its file in examples/figures ("mr-star-man") or by path.

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Ctrl-C and kill as a request to stop at a good moment.
+// SIGINT (Ctrl-C) and SIGTERM as a request to stop cleanly.
 #pragma once
 
 namespace gaitsmith::shell {
 
-/// From now on the first SIGINT or SIGTERM only asks to stop; a second one ends the program.
+/// Installs handlers: the first signal only requests a stop, the second one ends the program.
 void CatchInterruption();
 
-/// Whether one has come. From any thread.
+/// Whether a stop was requested. Callable from any thread.
 [[nodiscard]] bool Interrupted();
 
 }  // namespace gaitsmith::shell

@@ -16,7 +16,7 @@ using gaitsmith::shell::Words;
 struct Command {
   std::string_view name;
   gaitsmith::shell::Outcome (*run)(Words);
-  const char* usage;  // "{exporters}" stands for an option of each
+  const char* usage;  // "{exporters}" is replaced by ExporterOptions()
 };
 
 constexpr auto kCommands = std::to_array<Command>({
@@ -60,10 +60,10 @@ std::string ExporterOptions() {
 
 std::string UsageOf(const Command& command) {
   constexpr std::string_view kPlace = "{exporters}";
-  std::string usage = command.usage;  // "{exporters}" stands for an option of each
+  std::string usage = command.usage;
   const std::size_t at = usage.find(kPlace);
   if (at != std::string::npos) usage.replace(at, kPlace.size(), ExporterOptions());
-  return usage;  // "{exporters}" stands for an option of each
+  return usage;
 }
 
 int Usage(std::FILE* out) {

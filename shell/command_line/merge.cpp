@@ -40,7 +40,7 @@ Result<void> CheckSameTable(const StudyFile& first, const std::string& first_pat
 Result<StudyFile> MergeFiles(const std::vector<std::string>& paths) {
   auto merged = ReadStudyFile(paths[0]);
   if (!merged) return merged;
-  std::map<std::size_t, const std::string*> sources;  // of each trial
+  std::map<std::size_t, const std::string*> sources;  // file of each trial, for error messages
   for (const auto& [index, rows] : merged->trials) sources[index] = &paths[0];
   for (std::size_t i = 1; i < paths.size(); ++i) {
     auto file = ReadStudyFile(paths[i]);
@@ -63,7 +63,7 @@ Result<StudyFile> MergeFiles(const std::vector<std::string>& paths) {
   return merged;
 }
 
-/// If a shard is given as --out by mistake, trials that only it contains must not be lost.
+/// Guards against a shard given as --out by mistake: overwriting it must not lose trials.
 Result<void> CheckNothingLost(const std::string& out, const StudyFile& merged) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(out, ignored)) return {};

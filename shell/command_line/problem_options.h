@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a command's options change about a problem: how long, with which senses and controller, in which
-// style.
+// The command-line options that change a problem: duration, senses, controller and style.
 #pragma once
 
 #include "core/document/document.h"
@@ -8,22 +7,22 @@
 
 namespace gaitsmith::shell {
 
-/// "physical" or "timer=SECONDS", as --sense takes it.
+/// Parses the value of --sense: "physical" or "timer=SECONDS".
 [[nodiscard]] Result<void> SetSense(const std::string& text, SenseSpec&);
-/// The text that says so.
+/// The inverse of SetSense.
 [[nodiscard]] std::string SenseText(const SenseSpec&);
 
-/// The weight of one style term: a number, or "usual" for the one calibrated for the document's figure and
-/// senses. @param where for the error, if it is no number
+/// Sets the weight of one style term: a number, or "usual" for the weight calibrated for the document's
+/// figure and senses. @param where for the error, if the weight is not a number
 [[nodiscard]] Result<void> SetWeight(const std::string& term, const std::string& weight, Document&,
                                      const std::string& option, const std::string& where);
 
-/// A time that is given in seconds. @param least, most [steps]
+/// Converts seconds to steps. @param least, most the valid range [steps]
 [[nodiscard]] Result<int> WholeSteps(const std::string& seconds, const std::string& where, int least,
                                      int most = kMaxSteps);
 
-/// Sets what --duration, --sense, --controller and --weight name and leaves the rest. Numbers that fit their
-/// options but no document are for Validate to find.
+/// Applies --duration, --sense, --controller and --weight, as far as given. Checks each option by itself;
+/// Validate checks the document.
 [[nodiscard]] Result<void> SetProblemOptions(const Arguments&, Document&);
 
 }  // namespace gaitsmith::shell

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parameters of a search by their names in documents, for --search-option.
+// Search parameters by their names in documents, for --search-option.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace gaitsmith::shell {
 
-/// Sets one parameter. @param option NAME=VALUE, the name as in a document's `search` without `search.`, e.g.
-/// "genetic.population=100"
+/// Sets one parameter. @param option NAME=VALUE, with the parameter's path below the document's `search`,
+/// such as "genetic.population=100"
 [[nodiscard]] Result<void> SetSearchOption(const std::string& option, SearchSettings&);
 
 }  // namespace gaitsmith::shell

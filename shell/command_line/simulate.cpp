@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// gaitsmith simulate: a document's motion as CSV, one row a step.
+// gaitsmith simulate: a document's motion as CSV, one row per step.
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"

@@ -44,11 +44,11 @@ Result<StudyLog> StudyLog::Open(const std::string& path, const StudyPlan& plan, 
   }
   log.descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (log.descriptor_ < 0) return std::unexpected(log.Fault("cannot be written"));
-  // Some network file systems have no locks. There the file is used without a lock.
+  // Some network file systems do not support locks. On these, continue without one.
   if (::flock(log.descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     return Fail(ErrorCode::kStructure, path, "is being written by another run; give each a file of its own");
   }
-  // Another run may have replaced the file just opened by its finished file.
+  // Another run may have renamed its finished file over the one just opened.
   struct stat opened{};
   if (::stat(path.c_str(), &there) != 0 || ::fstat(log.descriptor_, &opened) != 0 ||
       there.st_ino != opened.st_ino || there.st_dev != opened.st_dev) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A study's file on disk while its trials run: each is appended as it finishes, so that whoever kills the
-// program loses only trials under way, and the same command continues.
+// A study's file on disk while its trials run. Each trial is appended as it finishes, so killing the program
+// loses only unfinished trials, and the same command resumes the study.
 #pragma once
 
 #include "shell/study/study_file.h"
@@ -9,23 +9,23 @@ namespace gaitsmith::shell {
 
 class StudyLog {
  public:
-  /// Opens or creates the file for this process alone and reads the trials in it; changes nothing yet.
-  /// Refused: a file of another study or of none, a damaged row, a file that another process writes.
+  /// Opens or creates the file, locks it for this process, and reads its trials. Writes nothing yet.
+  /// Refuses a file that is not of this study, has a damaged row, or is being written by another process.
   [[nodiscard]] static Result<StudyLog> Open(const std::string& path, const StudyPlan&, StudyTable);
   StudyLog(StudyLog&&) noexcept;
   StudyLog& operator=(StudyLog&&) = delete;
-  /// An empty file that was created and not begun goes again.
+  /// Deletes a file that Open created if Begin was not called.
   ~StudyLog();
 
   [[nodiscard]] StudyTable Table() const { return file_.table; }
   [[nodiscard]] bool Has(std::size_t trial) const { return file_.trials.contains(trial); }
-  /// Writes the heading, or drops a torn end.
+  /// Writes the heading of a new file, or truncates an incomplete last row.
   [[nodiscard]] Result<void> Begin();
-  /// Whether a trial that is there has these very rows, so that one half of a trial can be trusted.
+  /// Checks that rows of the trial already in the file equal `rows`. A trial runs again if any file lacks it.
   [[nodiscard]] Result<void> Confirm(std::size_t trial, const std::string& rows) const;
-  /// Appends a finished trial that is not there yet.
+  /// Appends a finished trial that the file lacks.
   [[nodiscard]] Result<void> Add(std::size_t trial, const std::string& rows);
-  /// Rewrites the file in canonical order, at once or not at all.
+  /// Rewrites the file in canonical order, atomically.
   [[nodiscard]] Result<void> Finish();
 
  private:
@@ -35,7 +35,7 @@ class StudyLog {
 
   std::string path_;
   StudyFile file_;
-  std::size_t lines_ = 0;  // on the disk
+  std::size_t lines_ = 0;  // number of lines on disk
   int descriptor_ = -1;
   bool created_ = false;
 };

@@ -24,7 +24,7 @@ Result<void> CheckLabel(const std::vector<std::string>& labels, const std::strin
   return {};
 }
 
-/// "ssga:genetic.rates=per-component"
+/// Parses a label such as "ssga:genetic.rates=per-component".
 Result<SearchSettings> ReadSearch(const std::string& label) {
   const std::string where = "--search " + label;
   std::size_t colon = std::min(label.find(':'), label.size());
@@ -110,7 +110,7 @@ std::expected<Study, Refusal> ReadStudy(const Arguments& arguments) {
     const std::string label = std::filesystem::path(path).stem().string();
     auto document = ReadDocument(path);
     if (!document) return std::unexpected(Refusal(document.error()));
-    // Do this before the figure loses its name, which the usual weights depend on.
+    // Must precede removing the figure's name, which the usual weights depend on.
     if (auto set = SetProblemOptions(arguments, *document); !set) return WrongCall(set.error());
     if (auto added = AddProblem(label, OnlyProblem(*document), "--problem", study); !added) {
       return WrongCall(added.error());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The study that `gaitsmith compare` was called for, and what `suite` reads likewise.
+// Builds the study of `gaitsmith compare` from its options. `suite` shares parts of it.
 #pragma once
 
 #include "shell/command_line/arguments.h"
@@ -8,17 +8,16 @@
 
 namespace gaitsmith::shell {
 
-/// A search by its label, such as "ssga:genetic.rates=per-component"; the plan's evaluations are set already.
+/// Adds a search by its label, such as "ssga:genetic.rates=per-component". Set the plan's evaluations first.
 [[nodiscard]] Result<void> AddSearch(const std::string& label, Study&);
-/// A problem whose label is new. The figure's name and the title stay, if they matter.
-/// @param option for the error
+/// Adds a problem with a unique label, and keeps its title and figure name. @param option for the error
 [[nodiscard]] Result<void> AddProblem(const std::string& label, Document problem, const char* option, Study&);
 
-/// --first-seed and --evaluations. @param seeds the option that says how many of them
+/// Reads --first-seed, --evaluations and the number of seeds. @param seeds the option with that number
 [[nodiscard]] Result<void> ReadSeeds(const Arguments&, const char* seeds, StudyPlan&);
 
-/// From --problem, --search, --trials, --first-seed, --evaluations, --points and what changes the problems.
-/// Every search on every problem is valid.
+/// Reads --problem, --search, --trials, --first-seed, --evaluations, --points and the options that change
+/// problems. In the result every search is valid on every problem.
 [[nodiscard]] std::expected<Study, Refusal> ReadStudy(const Arguments&);
 
 }  // namespace gaitsmith::shell

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// gaitsmith suite: searches for a grid of different controllers, every style of every task with all senses,
-// and stores each with its motion.
+// gaitsmith suite: searches for a controller for every combination of senses, task and style, and stores each
+// with its motion.
 #include "shell/command_line/suite_options.h"
 #include "shell/command_line/suite_report.h"
 #include "shell/command_line/trial_crew.h"

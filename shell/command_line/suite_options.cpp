@@ -11,7 +11,7 @@ namespace gaitsmith::shell {
 
 namespace {
 
-/// "shuffle=slip_sum:usual,max_cm_height:-0.5"
+/// A value of --style, such as "shuffle=slip_sum:usual,max_cm_height:-0.5".
 struct Style {
   struct Weight {
     std::string term, value;
@@ -68,7 +68,7 @@ std::expected<Document, Refusal> ReadCommon(const Arguments& arguments) {
   if (arguments.Has("problem")) {
     auto read = ReadDocument(arguments.Last("problem"));
     if (!read) return std::unexpected(Refusal(read.error()));
-    read->search.start = -1;  // a controller to start from fits at most one of the senses
+    read->search.start = -1;  // a start controller fits at most one of the senses
     name = read->figure.name;
     common = OnlyProblem(*read);
   } else {
@@ -114,7 +114,7 @@ Result<void> AddTasks(const Arguments& arguments, const std::vector<Style>& styl
 std::expected<Study, Refusal> ReadSuite(const Arguments& arguments) {
   Study study;
   if (auto read = ReadSeeds(arguments, "seeds", study.plan); !read) return WrongCall(read.error());
-  // With two searches a label and a seed would not identify a motion.
+  // With two searches, label and seed would not identify a motion.
   if (arguments.All("search").size() > 1) {
     return WrongCall({ErrorCode::kStructure, "--search", "can be given once"});
   }

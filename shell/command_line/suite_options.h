@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The study that `gaitsmith suite` was called for: every style of every task with all senses.
+// Builds the study of `gaitsmith suite` from its options: every combination of senses, task and style.
 #pragma once
 
 #include "shell/command_line/arguments.h"
@@ -8,8 +8,8 @@
 
 namespace gaitsmith::shell {
 
-/// From --problem or --figure, --sense, --task, --style, --search, --seeds and what changes the problems.
-/// Each problem is labelled SENSE.TASK.STYLE and keeps its figure's name; every trial is valid.
+/// Reads --problem or --figure, --sense, --task, --style, --search, --seeds and the options that change
+/// problems. Each problem is labelled SENSE.TASK.STYLE and keeps its figure's name. Every trial is valid.
 [[nodiscard]] std::expected<Study, Refusal> ReadSuite(const Arguments&);
 
 }  // namespace gaitsmith::shell

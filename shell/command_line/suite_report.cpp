@@ -94,7 +94,7 @@ Outcome ExtractSuite(const std::string& path, const std::string& folder, Extract
   for (const Found& found : Sorted(*file)) {
     if (which == Extracted::kBest && found.label == last) continue;
     last = found.label;
-    // Untrusted: the file may come from anywhere.
+    // The file is untrusted: a label must not write outside the folder.
     if (found.label.find_first_of("/\\") != std::string::npos) {
       return Fail(ErrorCode::kStructure, path, "\"" + found.label + "\" cannot be the name of a file");
     }

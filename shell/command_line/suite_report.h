@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is in a file that `gaitsmith suite` wrote, finished or not.
+// Reports on a file that `gaitsmith suite` wrote, complete or not.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace gaitsmith::shell {
 
-/// Prints a table for people: by label, the best first.
+/// Prints a readable table, sorted by label, then best first.
 [[nodiscard]] Outcome ListSuite(const std::string& path);
 
 enum class Extracted {
   kAll,
-  kBest,  // of each label
+  kBest,  // the best of each label
 };
-/// Writes documents as LABEL-SEED.json into a folder, which is made if need be.
+/// Writes documents as LABEL-SEED.json into a folder, which is created if needed.
 [[nodiscard]] Outcome ExtractSuite(const std::string& path, const std::string& folder, Extracted which);
 
 }  // namespace gaitsmith::shell

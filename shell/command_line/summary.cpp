@@ -12,7 +12,7 @@ namespace gaitsmith::shell {
 
 namespace {
 
-/// The column `best` of the finished trials of each search on one problem.
+/// The column `best` of the finished trials on one problem, for each search.
 std::vector<std::vector<double>> Samples(const StudyFile& file, std::size_t problem) {
   std::vector<std::vector<double>> samples(file.plan.searches.size());
   for (const auto& [index, rows] : file.trials) {
@@ -38,7 +38,7 @@ std::string Quartiles(const std::string& start, const std::vector<double>& sampl
               {Quantile(sample, 0.5), Quantile(sample, 0.25), Quantile(sample, 0.75)});
 }
 
-/// Every pair of searches on one problem: one family of tests.
+/// Compares every pair of searches on one problem, as one family of tests.
 std::string Pairs(const StudyPlan& plan, const std::string& problem,
                   const std::vector<std::vector<double>>& samples) {
   struct Pair {

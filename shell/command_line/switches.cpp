@@ -17,14 +17,14 @@ namespace gaitsmith::shell {
 
 namespace {
 
-/// A controller in the surroundings of its document, and its score there from the start.
+/// A controller with its document's problem, and its score there without a switch.
 struct Contestant {
   std::string label;
   Problem problem;  // with the observed duration, without pushes
   Controller controller;
   int duration_steps;  // of the document's task
   float usual = 0.0f;
-  bool holds = false;  // does not break physics from the start
+  bool holds = false;  // does not break physics when run from the start
 };
 
 struct Switch {

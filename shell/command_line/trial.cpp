@@ -11,7 +11,7 @@ namespace gaitsmith::shell {
 
 namespace {
 
-/// Genomes per ask: enough for two registers. With more, climbs that improve waste more.
+/// Genomes per ask: enough to fill the lanes twice. After an improvement, the rest of a batch may be wasted.
 constexpr int kAskedTogether = Evaluator::kDefaultLanes * 2;
 
 }  // namespace

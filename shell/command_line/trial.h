@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One trial of a study, on the thread that calls.
+// One trial of a study.
 #pragma once
 
 #include <atomic>
@@ -9,12 +9,12 @@
 
 namespace gaitsmith::shell {
 
-/// Runs a trial on the calling thread, to its end. The result depends on the study alone.
+/// Runs a trial on the calling thread. The result depends only on the study and the trial.
 /// @param trial index below plan.Total()
-/// @param tables whose rows are wanted
-/// @param evaluations counts on while the trial runs
-/// @param stop  asked often; true gives the trial up
-/// @return its rows in each of the tables; nothing if it was given up
+/// @param tables the tables to return rows for
+/// @param evaluations increased while the trial runs
+/// @param stop  polled often; true aborts the trial
+/// @return the trial's rows for each table; nothing if it was aborted
 [[nodiscard]] std::optional<std::vector<std::string>> RunTrial(const Study&, std::size_t trial,
                                                                std::span<const StudyTable> tables,
                                                                std::atomic<std::int64_t>& evaluations,

@@ -19,7 +19,7 @@ namespace gaitsmith::shell {
 
 namespace {
 
-/// Threads that run one trial after another.
+/// Worker threads that each run one trial after another.
 class TrialCrew {
  public:
   TrialCrew(const Study& study, std::vector<std::size_t> trials, std::vector<StudyLog>& logs)
@@ -27,8 +27,7 @@ class TrialCrew {
     for (const StudyLog& log : logs_) tables_.push_back(log.Table());
   }
 
-  /// Runs all trials, or those that finish before an interruption. Left() then returns the number of the
-  /// others.
+  /// Runs all trials, or until an interruption. Left() then returns the number of unfinished trials.
   [[nodiscard]] Result<void> Run(int threads) {
     std::unique_lock lock(mutex_);
     std::vector<std::jthread> workers;
@@ -60,8 +59,8 @@ class TrialCrew {
   void Keep(std::size_t trial, const std::vector<std::string>& rows) {
     Result<void> kept;
     for (std::size_t i = 0; i < logs_.size() && kept; ++i) kept = logs_[i].Confirm(trial, rows[i]);
-    // The last log first: a trial counts when every file has it, and curves take longer to write than
-    // results.
+    // Last log first: it holds the curves, which take longest to write, and a trial is complete only when
+    // every file has it.
     for (std::size_t i = logs_.size(); i-- > 0 && kept;) kept = logs_[i].Add(trial, rows[i]);
     if (kept) {
       ++finished_;
@@ -82,7 +81,7 @@ class TrialCrew {
   const Study& study_;
   const std::vector<std::size_t> trials_;  // canonical indices
   std::vector<StudyLog>& logs_;
-  std::vector<StudyTable> tables_;  // of the logs
+  std::vector<StudyTable> tables_;  // one per log
   std::mutex mutex_;                // guards all members below except the atomics
   std::condition_variable left_off_;
   std::size_t next_ = 0, finished_ = 0, working_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The trials of a study on several threads, kept in files as they finish: what `compare` and `suite` share.
+// Runs the trials of a study on several threads and stores them as they finish, for `compare` and `suite`.
 #pragma once
 
 #include <span>
@@ -11,9 +11,9 @@
 namespace gaitsmith::shell {
 
 struct Shard {
-  std::size_t first = 0, of = 1;  // every of-th trial, from the first on
+  std::size_t first = 0, of = 1;  // trials first, first + of, first + 2 of, …
 };
-/// --shard: "2/8", from 1/n to n/n.
+/// Reads --shard: I/N with I in [1, N], such as "2/8".
 [[nodiscard]] Result<Shard> ReadShard(const Arguments&);
 
 /// One of the files that a run writes.
@@ -22,9 +22,9 @@ struct StudyOutput {
   StudyTable table;
 };
 
-/// Runs the shard's trials that not all files have yet, and puts the files in order. After an interruption
-/// the error says how many trials are left.
-/// @param threads at least 1; changes the time alone
+/// Runs the shard's trials that any of the files lacks, and sorts the files. After an interruption the error
+/// contains the number of trials left.
+/// @param threads at least 1; does not affect the results
 [[nodiscard]] Result<void> RunTrials(const Study&, std::span<const StudyOutput>, const Shard&, int threads);
 
 }  // namespace gaitsmith::shell

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The one table of files that a motion becomes. The command line, the page's engine and the catalogue read
-// it. The page makes pictures and films of these by itself (web/share/export.js).
+// The table of export formats for motions, which the command line, the page's engine and the catalogue read.
+// The page itself makes pictures and films from the exported files (web/share/export.js).
 #pragma once
 
 #include <array>
@@ -14,14 +14,14 @@
 namespace gaitsmith::shell {
 
 struct ExporterRow {
-  std::string_view id;      // of the command line's option and of the page's choice
-  std::string_view ending;  // of the file's name
+  std::string_view id;      // the command line's option and the page's choice
+  std::string_view ending;  // file name extension
   std::string_view type;    // MIME type
-  /// @param strip only film strips read it
+  /// @param strip used only by film strips
   std::string (*make)(const Document&, const Motion&, const FilmStripOptions& strip);
 };
 
-/// In the order in which the command line names and writes them.
+/// In the order in which the command line lists and writes them.
 inline constexpr auto kExporters = std::to_array<ExporterRow>({
     {"svg", "svg", "image/svg+xml", FilmStripSvg},
     {"gltf", "gltf", "model/gltf+json",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A film strip as SVG. Numbers have fixed decimals, so the same motion gives the same bytes everywhere.
+// A film strip as SVG. Numbers have fixed decimals, so the same motion yields the same bytes everywhere.
 #include "shell/export/film_strip.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ constexpr unsigned kStripInk = 0x1d2733;
 constexpr double kLegendRow = 24.0;  // [px]
 constexpr double kLetterWidth =
     6.8;  // approximate width of a letter in the legend, since text cannot be measured here [px]
-constexpr double kTickInset = 4.0;  // of marks and their labels from the edge of the ground [px]
+constexpr double kTickInset = 4.0;  // distance of marks and labels from the edge of the ground [px]
 constexpr double kTickRow = 19.0, kLetterRow = 45.0, kTimeRow = 67.0;  // baselines below the ground [px]
 
 /// A number with this many decimals. Values that round to zero have no minus sign.
@@ -70,7 +70,7 @@ std::string Hex(unsigned colour) {
   return text;
 }
 
-/// A pattern with {1} to {9} filled in.
+/// Fills in {1} to {9}.
 std::string Filled(std::string_view pattern, std::initializer_list<std::string> inserts) {
   std::string out;
   for (std::size_t i = 0; i < pattern.size(); ++i) {
@@ -206,7 +206,7 @@ class StripDrawing {
             "\" stroke=\"#5b6672\" stroke-width=\"1.5\"/>\n";
   }
 
-  /// The path of the centre of mass since the pose before.
+  /// The path of the centre of mass since the previous pose.
   void Trail(std::size_t pose) {
     const StripCell& cell = layout_.CellOf(pose);
     std::string path;

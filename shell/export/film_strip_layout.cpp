@@ -16,11 +16,11 @@ constexpr double kCellGap = 10.0;
 constexpr double kCellPadding = 9.0;
 constexpr double kHeadroom = 16.0;          // above the highest pose [px]
 constexpr double kTallestSharedPx = 330.0;  // height of the tallest pose on a common ground [px]
-constexpr double kTallestOwnPx = 210.0;     // height of the tallest pose on a ground of its own [px]
-constexpr double kSmallestSharedPx = 84.0;  // smaller poses get grounds of their own
+constexpr double kTallestOwnPx = 210.0;     // height of the tallest pose on separate grounds [px]
+constexpr double kSmallestSharedPx = 84.0;  // poses below this height get separate grounds [px]
 constexpr double kRodShare = 0.16;          // thickness of rods relative to their mean length
 constexpr double kLeastGapShare = 0.06;     // between neighbours, as a share of a pose's width
-constexpr double kLeastTickPx = 58.0;       // room for the label of a mark
+constexpr double kLeastTickPx = 58.0;       // space for the label of a mark [px]
 
 std::vector<int> FramesOf(const Motion& motion, const FilmStripOptions& options) {
   const int last = motion.Frames() - 1;
@@ -50,7 +50,7 @@ PoseBounds BoundsOf(const Motion& motion, int frame, double half_rod_m) {
   return bounds;
 }
 
-/// Whether each pose is clear of the one before and all go in one direction.
+/// Whether no pose overlaps the previous one, and all move in one direction.
 bool StandApart(const std::vector<PoseBounds>& poses) {
   const double way = poses.back().left > poses.front().left ? 1.0 : -1.0;
   for (std::size_t i = 1; i < poses.size(); ++i) {
@@ -87,7 +87,7 @@ StripLayout LayOutStrip(const Motion& motion, const FilmStripOptions& options) {
     tall = std::max(tall, poses.back().top - poses.back().bottom);
     top = std::max(top, poses.back().top);
   }
-  top = std::max(top + 0.5 * rod_m, 1e-6);  // the edge of the feet, not their middle, stands on the ground
+  top = std::max(top + 0.5 * rod_m, 1e-6);  // the rods' edge, not their axis, touches the ground
 
   const auto [least, most] = std::minmax(poses.front().left, poses.back().left);
   const double span = most - least + widest;

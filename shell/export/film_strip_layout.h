@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The layout of a film strip: which instants are shown, on which piece of ground, at which size.
+// The layout of a film strip: its frames, their pieces of ground, and the scale.
 #pragma once
 
 #include <vector>
@@ -21,12 +21,12 @@ struct StripCell {
 };
 
 struct StripLayout {
-  std::vector<int> frames;       // of the motion
+  std::vector<int> frames;       // frame of each pose
   std::vector<StripCell> cells;  // one per pose, or one for all
   double scale;                  // [px/m]
-  double rod_px;                 // thickness of the rods
-  double tick_m;                 // between marks on the ground
-  double width, height;          // of the picture [px]
+  double rod_px;                 // thickness of the rods [px]
+  double tick_m;                 // distance between marks on the ground [m]
+  double width, height;          // size of the picture [px]
   bool own_ground;               // each pose has its own cell
 
   [[nodiscard]] const StripCell& CellOf(std::size_t pose) const { return cells[own_ground ? pose : 0]; }

@@ -16,9 +16,9 @@ namespace gaitsmith::shell {
 namespace {
 
 constexpr int kStepsPerKey = 2;
-constexpr double kRadiusShare = 0.08;  // of the rods, relative to their mean length
-// A capsule: a ball of this many circles from pole to pole, with its halves moved apart along x.
-constexpr int kRings = 8;  // an even number, without the poles
+constexpr double kRadiusShare = 0.08;  // radius of the rods, relative to their mean length
+// A capsule is a sphere with its halves moved apart along x.
+constexpr int kRings = 8;  // circles of latitude, even, without the poles
 constexpr int kSides = 12;
 constexpr int kVertices = kRings * kSides + 2;
 
@@ -30,16 +30,16 @@ std::string Real(double value) {
   return text;
 }
 
-/// A point of the unit ball.
+/// A point of the unit sphere.
 struct BallPoint {
   std::array<float, 3> at;
-  bool far;  // on the half at the rod's end
+  bool far;  // on the half at the rod's far end
 };
 
 std::vector<BallPoint> Ball() {
   std::vector<BallPoint> points = {{{-1.0f, 0.0f, 0.0f}, false}};
   for (int ring = 0; ring < kRings; ++ring) {
-    // Both rings in the middle are the equator: the cylinder lies between them.
+    // The two middle rings are both the equator, with the cylinder between them.
     const bool far = 2 * ring >= kRings;
     const int latitude = far ? ring : ring + 1;
     const SineCosine up = SinCos(static_cast<float>(kPi * latitude / kRings));
@@ -84,7 +84,7 @@ std::string Base64(const std::vector<std::uint8_t>& bytes) {
   return text;
 }
 
-/// Collects lists of numbers. Every list becomes an accessor with a view of its own.
+/// Collects lists of numbers. Each list becomes an accessor with a separate buffer view.
 class GltfBuffer {
  public:
   /// @param type "SCALAR", "VEC3" or "VEC4" @param width numbers of each element
@@ -118,7 +118,7 @@ class GltfBuffer {
       bytes_.push_back(static_cast<std::uint8_t>(number));
       bytes_.push_back(static_cast<std::uint8_t>(number >> 8));
     }
-    while (bytes_.size() % 4 != 0) bytes_.push_back(0);  // floats follow
+    while (bytes_.size() % 4 != 0) bytes_.push_back(0);  // floats must be aligned to 4 bytes
     return Describe(offset, kUnsignedShort, numbers.size(), "SCALAR", 34963, "", 2 * numbers.size());
   }
   [[nodiscard]] std::string Json() const {
@@ -145,8 +145,8 @@ class GltfBuffer {
   int accessor_count_ = 0;
 };
 
-/// Rotation by an angle about z as a quaternion. A quaternion holds half the angle: a whole turn changes its
-/// sign, and two turns give the same one. Since angles do not jump, neither do quaternions.
+/// The quaternion of a rotation about z. Quaternions are periodic in two turns, so a continuous angle beyond
+/// one turn yields continuous quaternions.
 std::array<float, 4> AboutZ(double angle_rad) {
   constexpr double kTwoTurns = 4.0 * kPi;
   const double whole = static_cast<double>(static_cast<long long>(angle_rad / kTwoTurns));

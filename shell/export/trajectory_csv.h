@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A motion as numbers: one row per step, including the start. docs/command-line.md documents the columns.
+// A motion as CSV: one row per step, including the start. docs/command-line.md documents the columns.
 #pragma once
 
 #include <string>

@@ -16,9 +16,9 @@ struct Command {
   std::string id;     // stable, e.g. "motion/play"
   std::string group;  // "Motion"
   std::string title;  // "Play or pause"
-  /// Keys by their names in browsers: "Space", ",", "Home", "s", "Ctrl+Shift+z". Ctrl also stands for ⌘.
+  /// Keys by their names in browsers: "Space", ",", "Home", "s", "Ctrl+Shift+z". Ctrl also means ⌘.
   std::vector<std::string> keys = {};
-  std::string why_not = {};  // the reason why it is unavailable; empty: available
+  std::string why_not = {};  // why it is unavailable; empty: available
   bool repeats = false;      // repeats while the key is held
   std::function<void()> run = {};
 };

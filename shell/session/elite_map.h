@@ -37,7 +37,7 @@ class EliteMap {
   /// The least and the greatest fitness on the map.
   [[nodiscard]] float Least() const { return least_; }
   [[nodiscard]] float Best() const { return best_; }
-  /// The motion of a cell that is not empty, as a document of its own.
+  /// The motion of a non-empty cell as a document.
   [[nodiscard]] Document MotionAt(int height, int slip, int turns) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Motions that searches have found or a person has saved, each a document of its own with its measured
+// Motions that searches have found or a person has saved, each as a document with its measured
 // values. The list is bounded: when it is full, the oldest unsaved motions are removed first. It does not
 // store anything itself, but reports which entries have changed.
 #pragma once
@@ -70,7 +70,7 @@ class FoundMotions {
   /// empty: the text is not a valid entry
   std::string Restore(std::string_view text);
   void Remove(const std::string& id);
-  /// Restores the entry that Remove removed last. @return false: there is none, or no room
+  /// Restores the entry that Remove removed last. @return false: no such entry, or no room
   bool BringBack();
   [[nodiscard]] const Entry* Removed() const { return removed_ ? &*removed_ : nullptr; }
   /// @return false: there is no such entry

@@ -16,7 +16,7 @@ class Ghost {
     kNone,
     kEarlier,     // as it was before the last search
     kAsOpened,    // the motion without the edits of the world
-    kController,  // another controller of the document, on its own
+    kController,  // another controller of the document, alone
     kFound,       // the controllers of a found motion
   };
   /// The documents that the ghost can take its motion from.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Past and future of a document, for Undo and Redo: bounded in steps and in bytes; the oldest step is removed
-// first. The view is not part of it.
+// Past and future of a document, for Undo and Redo. Bounded in steps and in bytes: the oldest step is removed
+// first. Excludes the view.
 #pragma once
 
 #include <cstddef>
@@ -23,9 +23,9 @@ class History {
   History() = default;
   explicit History(const Limits& limits) : limits_(limits) {}
 
-  /// Begins a step with the document as it was before, and forgets the undone steps.
-  /// @param occasion  what causes the change, not 0: a drag, a search. Consecutive changes of the same
-  /// occasion are one step
+  /// Begins a step with the document before a change, and forgets the undone steps.
+  /// @param occasion  identifies the cause of the change, such as a drag or a search; not 0. Consecutive
+  /// changes with the same occasion are one step
   void Keep(const Document& before, int occasion);
 
   [[nodiscard]] bool CanUndo(const Document& present) const;

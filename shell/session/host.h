@@ -40,15 +40,15 @@ class Host {
   virtual void ResumeSearch() = 0;
   virtual void StopSearch() = 0;
 
-  /// Computes a transition map beside anything else that runs, and abandons an unfinished one. Parts arrive
-  /// through TransitionRun::OnScores, with the same generation.
+  /// Computes a transition map in the background, after abandoning an unfinished one. Parts arrive through
+  /// TransitionRun::OnScores, with the same generation.
   /// @param request of TransitionRequest
   virtual void StartTransitionMap(const Document& request, int generation) = 0;
   virtual void StopTransitionMap() = 0;
 
   /// Shows one sentence in the status line, which screen readers announce.
   virtual void Status(const std::string& sentence) = 0;
-  /// Saves a file for the reader.
+  /// Saves a file for the user.
   virtual void SaveText(const std::string& name, const std::string& text) = 0;
   virtual void DocumentChanged(const std::string& title) = 0;
   /// Stores the text of a new or changed found motion for the next visit. An empty text removes it.
@@ -59,7 +59,7 @@ class Host {
   /// @param name  its present name, or empty. @param usual  what is shown if the name is empty
   virtual void AskName(const std::string& /*id*/, const std::string& /*name*/, const std::string& /*usual*/) {
   }
-  /// This machine's clock, since 1970 [s]; 0 if there is none.
+  /// This machine's clock, since 1970 [s]; 0: no clock.
   [[nodiscard]] virtual double NowS() const { return 0.0; }
   /// Called when the first frame is on the screen.
   virtual void FirstFrame() {}

@@ -11,7 +11,7 @@ namespace gaitsmith::shell {
 
 namespace {
 
-constexpr int kPoints = 100;  // as of `compare --points`
+constexpr int kPoints = 100;  // the default of `compare --points`
 
 /// The study of these settings, or the first error in them.
 Result<Study> StudyOf(const LabSettings& settings, const Document& document) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Runs the lab: many searches for the open document's problem, of which only the curves are kept. The host
-// runs the trials one after another, and the shown motion stays. The lab and a search never run at the same
-// time.
+// Runs the lab: many searches for the open document's problem. Only their curves are kept, and the shown
+// motion does not change. The host runs the trials one after another. The lab and a search never run at the
+// same time.
 #pragma once
 
 #include "shell/search/search_progress.h"
@@ -15,7 +15,7 @@ class LabRun {
  public:
   LabRun(Workspace& workspace, SearchRun& search) : workspace_(workspace), search_(search) {}
 
-  /// The settings of the next run, and what the trials have shown so far.
+  /// The settings of the next run, and the results so far.
   [[nodiscard]] Lab& Trials() { return trials_; }
   [[nodiscard]] const Lab& Trials() const { return trials_; }
   [[nodiscard]] bool Running() const { return trials_.Running(); }

@@ -37,7 +37,7 @@ std::string ContactWords(const Motion& motion, int frame) {
   return " " + Tr("Endpoints {1} and {2} touch the ground.", words, touching.back());
 }
 
-// The controller that drives a frame; null without a clip.
+// The controller that is active at a frame; null without a clip.
 const Controller* InCharge(const Session& session, int frame) {
   const Document& d = session.Doc();
   const int clip = session.Player().Shown().At(frame).clip;

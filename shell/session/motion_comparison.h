@@ -35,9 +35,9 @@ class MotionComparison {
   void Stop();
 
   /// Compares the shown motion with the best one found in the other control mode for the same figure and
-  /// task. If there is none, starts or queues a search for one.
+  /// task. If there is no such motion, starts or queues a search for it.
   void CompareControlModes();
-  /// Whether the search of CompareControlModes runs or waits.
+  /// Whether the search that CompareControlModes requested is running or queued.
   [[nodiscard]] bool Awaits() const;
   /// Compares the shown motion with a found motion if CompareControlModes requested it.
   /// @param id  among the results, or empty
@@ -63,7 +63,7 @@ class MotionComparison {
   QueueRun& queue_;
   const ResultStore& results_;
   Ghost ghost_;
-  std::optional<Document> ordered_;  // the search whose motion is to be compared
+  std::optional<Document> ordered_;  // the requested search
 };
 
 }  // namespace gaitsmith::shell

@@ -12,24 +12,24 @@
 
 namespace gaitsmith::shell {
 
-/// The values are the numbers in documents and links (View::panel). They never change: a new panel takes the
-/// next free number, wherever it stands in the table.
+/// Stored in documents and links (View::panel), so values never change. A new panel gets the next free
+/// number, whatever its position in the table.
 enum class Panel { kFigure = 0, kController = 1, kStyle = 2, kSearch = 3, kLab = 4, kTimeline = 5 };
-/// The greatest number that a document can hold.
+/// The greatest panel number that a document can hold.
 inline constexpr int kMostPanelNumber = 15;
 
 struct PanelRow {
   Panel panel;
   const char* id;         // in addresses and lessons
   const char* label;      // on its tab, to be translated
-  bool tab_on_desk;       // otherwise it is a tab on phones only
+  bool tab_on_desk;       // false: a tab only on phones
   std::string_view lock;  // the locked part that closes the whole panel, or empty
 
   [[nodiscard]] constexpr int Number() const { return static_cast<int>(panel); }
 };
 
-/// In the order of the tabs. The timeline has a place of its own on a desk. Of the Search panel only the
-/// settings are locked, of the timeline only what changes clips.
+/// In the order of the tabs. On a desk the timeline is not a tab. A lock of the Search panel covers only its
+/// settings, and a lock of the timeline only changes of clips.
 inline constexpr auto kPanels = std::to_array<PanelRow>({
     {Panel::kFigure, "figure", TrLater("Figure"), true, "figure"},
     {Panel::kController, "controller", TrLater("Controller"), true, "controller"},
@@ -45,7 +45,7 @@ inline constexpr std::array<const char*, kPanels.size()> kPanelIds = [] {
   return ids;
 }();
 
-/// Whether each row has a number of its own that a document can hold.
+/// Whether all rows have distinct numbers that a document can hold.
 [[nodiscard]] constexpr bool HasOwnNumbers(std::span<const PanelRow> panels) {
   for (std::size_t i = 0; i < panels.size(); ++i) {
     if (panels[i].Number() < 0 || panels[i].Number() > kMostPanelNumber) return false;
@@ -57,14 +57,13 @@ inline constexpr std::array<const char*, kPanels.size()> kPanelIds = [] {
 }
 static_assert(HasOwnNumbers(kPanels));
 
-/// Where a panel stands in the table.
+/// A panel's index in the table.
 [[nodiscard]] constexpr int PlaceOf(Panel panel) {
   return static_cast<int>(std::ranges::find(kPanels, panel, &PanelRow::panel) - kPanels.begin());
 }
 
-/// Which of the panels that are shown a document wishes for: the one with its number, or else with the
-/// nearest number, of two the lower.
-/// @param shown places in the table, at least one @param number of a document's view @return one of `shown`
+/// The visible panel that a document selects: the one with the nearest number, the lower of two equally near.
+/// @param shown indices in the table, at least one @param number of a document's view @return one of `shown`
 [[nodiscard]] constexpr int NearestPanel(std::span<const PanelRow> panels, std::span<const int> shown,
                                          int number) {
   int nearest = shown[0];

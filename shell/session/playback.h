@@ -18,7 +18,7 @@ struct RuleRun {
   int rule;
 };
 
-/// A time range in which part of the figure bears on the ground.
+/// A time range in which the figure touches the ground.
 struct Contact {
   int start_frame;
   int end_frame;
@@ -26,7 +26,7 @@ struct Contact {
 
 class Playback {
  public:
-  /// Simulates the document; keeps the present time or starts over.
+  /// Simulates the document. Keeps the present time unless `start_over`.
   void Load(const Document& document, bool start_over);
 
   /// @return true when the picture changed
@@ -59,7 +59,7 @@ class Playback {
 
   [[nodiscard]] float ReachM() const {
     return reach_m_;
-  }  // greatest distance of an endpoint from the centre of mass
+  }  // greatest distance between an endpoint and the centre of mass
   [[nodiscard]] float HeightM() const { return height_m_; }  // greatest height of an endpoint
   [[nodiscard]] const std::vector<RuleRun>& Runs() const { return runs_; }
   [[nodiscard]] const std::vector<Contact>& Contacts() const { return contacts_; }

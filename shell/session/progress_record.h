@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A search's progress as the page's workers report it: a record of named numbers, and bytes.
+// Decodes a search's progress as the page's workers report it: JSON, and bytes.
 #pragma once
 
 #include <cstdint>

@@ -19,7 +19,7 @@ class ResultStore {
   [[nodiscard]] FoundMotions& Motions() { return motions_; }
   [[nodiscard]] const FoundMotions& Motions() const { return motions_; }
 
-  /// Saves the shown motion to the results. Refused, with a sentence, if there is none or no room.
+  /// Saves the shown motion to the results. Refused, with a sentence, if there is no motion or no room.
   bool KeepShown();
   /// Whether a found motion is the open document's motion.
   [[nodiscard]] bool IsShown(const FoundMotions::Entry&) const;

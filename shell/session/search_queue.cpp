@@ -10,7 +10,7 @@ namespace gaitsmith::shell {
 
 namespace {
 
-// Parts that do not affect a search, and parts that SearchOf creates anew.
+// Parts that do not affect a search, and parts that SearchOf recreates.
 constexpr Parts kOutsideSearch = {Part::kTitle,       Part::kSearchStart, Part::kTakeover, Part::kTimeline,
                                   Part::kControllers, Part::kDuration,    Part::kView,     Part::kHash};
 

@@ -129,7 +129,7 @@ void SearchRun::Forget() {
 }
 
 void SearchRun::ForgetProgress() {
-  if (RunsQueued()) return;  // the queue's search goes on behind another document
+  if (RunsQueued()) return;  // the queue's search continues in the background
   progress_ = {};
   spread_.Begin(1);
 }
@@ -253,7 +253,7 @@ void SearchRun::ShowController(Controller controller) {
   workspace_.Remember(job_->occasion);
   next->hash.reset();
   workspace_.Show(std::move(*next), false);
-  // Undoing a drag must not lose what was found during the drag.
+  // Undoing a drag must not lose what the search found during the drag.
   workspace_.BeginGesture();
   if (first) workspace_.Player().Seek(0.0);
 }

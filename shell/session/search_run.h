@@ -34,7 +34,7 @@ class SearchRun {
   };
   void SetFollowers(Followers followers) { followers_ = std::move(followers); }
 
-  /// The open document's own search.
+  /// Starts the open document's own search.
   void Synthesize() { Begin(workspace_.Doc()); }
   /// Runs a short climb from the shown motion, in the chosen style. @return whether it runs
   bool TryStyle();
@@ -49,8 +49,8 @@ class SearchRun {
   void Resume();
   /// Stops the running search and keeps its result.
   void Stop();
-  /// Ends the document's search for good before the document is replaced. A search of the queue goes on, but
-  /// is no longer shown.
+  /// Ends the document's search before the document is replaced. A search of the queue continues, but is no
+  /// longer shown.
   void Abandon();
   /// Whether an edit that leads to `next` changes the problem of the document's own search.
   [[nodiscard]] bool IsDisturbedBy(const Document& next) const;
@@ -86,14 +86,14 @@ class SearchRun {
   [[nodiscard]] const SearchProgress& Progress() const { return progress_; }
   /// The search in one line: "Mr. Star-Man · travel, SPHC, seed 3"; a search of the queue is marked as such.
   [[nodiscard]] const std::string& Title() const { return title_; }
-  /// The course of the population's spread in the present or last search.
+  /// The population's spread over the present or last search.
   [[nodiscard]] const SpreadCurve& PopulationSpread() const { return spread_; }
   /// The map of styles of the last MAP-Elites search.
   [[nodiscard]] const std::optional<EliteMap>& Elites() const { return elites_; }
   /// The document as it was before the last search that was shown.
   [[nodiscard]] const Document& Before() const { return before_; }
 
-  /// Threads or workers of the next search, [1, MaxWorkers()].
+  /// Number of threads or workers of the next search, [1, MaxWorkers()].
   [[nodiscard]] int Workers() const { return workers_; }
   void SetWorkers(int workers) { workers_ = workers; }
   [[nodiscard]] int MaxWorkers() const { return workspace_.TheHost().MaxWorkers(); }
@@ -102,9 +102,9 @@ class SearchRun {
   struct Job {
     Document document;  // as it was when the search began
     Source source = Source::kDocument;
-    int clip = 0;            // the clip that it improves
+    int clip = 0;            // the clip that the search improves
     int occasion = 0;        // all its improvements are one step of Undo
-    bool off_stage = false;  // from the queue, and its improvements are no longer shown
+    bool off_stage = false;  // a search of the queue whose improvements are no longer shown
     std::string found = {};  // id of its result; empty: none yet
   };
   [[nodiscard]] Document ShortClimb() const;

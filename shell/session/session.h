@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A session: the open document, its history, and how another document takes its place. What else is done with
-// it has a part of its own, which owns its state: the timeline, the world, the comparison, the search, the
-// queue, the results and the lab.
+// A session: the open document, its history, and replacing it by another document. Each other concern is a
+// part that owns its state: timeline, world, comparison, search, queue, results and lab.
 //
-// Data flows one way. All parts read and change the document through the workspace; a part knows those before
-// it in this list, and none after it: workspace, results, search, lab, queue, world, comparison, timeline.
-// Only the session, which knows them all, leads back what one of the first causes in one of the last.
+// Dependencies go one way. All parts read and change the document through the workspace, and each part knows
+// only those before it in this list: workspace, results, search, lab, queue, world, comparison, timeline. The
+// session knows all parts and forwards events from earlier parts to later ones.
 #pragma once
 
 #include <functional>
@@ -79,7 +78,7 @@ class Session {
   /// Makes the open document the last one that Undo reaches.
   void ForgetPast();
 
-  // Other documents. Undo restores the one before.
+  // Opening other documents. Undo restores the previous one.
   /// @param text JSON, or a link, or the payload of a link
   [[nodiscard]] Result<void> Open(std::string_view text);
   /// Opens the standard figure, standing still.
@@ -103,11 +102,11 @@ class Session {
   void OnSearchProgress(SearchProgress progress);
 
  private:
-  /// Replaces the document, for Undo to restore. @return false, with a sentence: a part is locked
-  /// @param same_problem  it is another motion of the open problem, so its controllers do not count as edited
-  /// by hand
+  /// Replaces the document. Undo restores it. @return false, with a sentence: a part is locked
+  /// @param same_problem  another motion of the open problem, whose controllers do not count as edited by
+  /// hand
   bool Replace(Document document, bool same_problem = false);
-  /// @param words a pattern that names what is done
+  /// @param words a pattern for the sentence that names the action
   void Return(const Document& document, const char* words);
 
   Workspace workspace_;

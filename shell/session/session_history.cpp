@@ -39,7 +39,7 @@ void Session::Undo() {
 }
 
 void Session::Redo() {
-  // The search's last improvement is a step of its own and leaves nothing to redo.
+  // The search's last improvement is a separate step and leaves nothing to redo.
   if (CanRedo()) search_.Abandon();
   if (const auto after = workspace_.TakeForward()) {
     Return(*after, TrLater("Done again: {1}."));

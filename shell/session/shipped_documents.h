@@ -20,7 +20,7 @@ class ShippedDocuments {
   [[nodiscard]] const std::vector<Document>& Problems() const { return problems_; }
   /// The motion for a first visit: the standard figure shuffles.
   [[nodiscard]] Document FirstMotion() const;
-  /// The standard figure, standing still, with the senses of its problem, with which it learns most.
+  /// The standard figure, standing still, with the senses that let it learn most.
   [[nodiscard]] Document FirstProblem() const;
   /// A shipped document in which the figure of this name moves, if any.
   [[nodiscard]] std::optional<Document> MotionOf(const Figure&) const;

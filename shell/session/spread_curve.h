@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The spread of a search's population over time, as a few hundred samples. Samples are taken when reports
-// arrive, so two runs of one search sample the same course at different points.
+// arrive, so two runs of one search sample the same data at different points.
 #pragma once
 
 #include <vector>

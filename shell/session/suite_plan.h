@@ -15,7 +15,7 @@ namespace gaitsmith::shell {
 struct SuiteStyle {
   const char* name;  // to be translated
   StyleTerm term;
-  float units;  // 0: no term counts
+  float units;  // 0: no secondary term
 };
 inline constexpr std::array<SuiteStyle, 5> kSuiteStyles = {{
     {TrLater("Plain"), StyleTerm::kSlipSum, 0.0f},

@@ -46,9 +46,9 @@ class TimelineEditor {
   /// Splits the clip that plays at the shown moment.
   void SplitClip();
   void DuplicateClip();
-  /// Mirrors the selected clip, so that it goes the other way.
+  /// Mirrors the selected clip, so that it moves in the other direction.
   void MirrorClip();
-  /// @param to the new place of the selected clip
+  /// @param to the new index of the selected clip
   void ReorderClip(int to);
   /// Appends a copy of the whole timeline.
   void Repeat();
@@ -66,8 +66,8 @@ class TimelineEditor {
   /// Where the selected clip takes over, and where it could take over.
   [[nodiscard]] TransitionRun& Transitions() { return transitions_; }
   [[nodiscard]] const TransitionRun& Transitions() const { return transitions_; }
-  /// Moves the start of the selected clip to the best moment of its map. Refused, with the sentence of
-  /// WhyNoSnap, if that has one.
+  /// Moves the start of the selected clip to the best moment of its map. Refused with the sentence of
+  /// WhyNoSnap, if that is not empty.
   void SnapToBest();
   /// @return translated; empty if SnapToBest is possible
   [[nodiscard]] const char* WhyNoSnap() const;

@@ -18,8 +18,8 @@ class TransitionRun {
  public:
   TransitionRun(Workspace& workspace, const SearchRun& search) : workspace_(workspace), search_(search) {}
 
-  /// How near the figure, at the takeover, is to the usual motion of the selected clip's controller; nothing
-  /// for the first clip.
+  /// How near the figure's state at the takeover is to the usual motion of the selected clip's controller;
+  /// nothing for the first clip.
   [[nodiscard]] std::optional<Nearness> NearnessAtHandover();
   [[nodiscard]] const TransitionScores& Scores() const { return scores_; }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The known part of the selected clip's transition map: how well the clip would do if it took over at other
-// moments.
+// The known part of the selected clip's transition map: the scores if the clip took over at other moments.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +13,7 @@ namespace gaitsmith::shell {
 /// A part of a map, computed by the host.
 struct TransitionPart {
   int generation = 0;
-  int first = 0;  // place of the first score, as of TransitionMap::Scores
+  int first = 0;  // place of the first score in the order of TransitionMap::Scores
   float usual = 0.0f;
   std::vector<float> scores;
 };
@@ -43,10 +42,9 @@ class TransitionScores {
   [[nodiscard]] int Known() const { return known_; }
   /// Steps at which the clip could take over, ascending, kMomentSpacing apart.
   [[nodiscard]] const std::vector<int>& Steps() const { return steps_; }
-  /// The share of the usual score, as of ShareOfUsual; nothing if it is not known yet. @param index of
-  /// Steps()
+  /// The share of the usual score (ShareOfUsual); nothing if it is not known yet. @param index of Steps()
   [[nodiscard]] std::optional<float> Share(int index) const;
-  /// Index of the greatest share, the first of several; -1: none is known.
+  /// Index of the greatest share, the first of equal ones; -1: none is known.
   [[nodiscard]] int Best() const { return best_; }
   /// Index of the moment nearest to a step. Steps() must not be empty. @param step any
   [[nodiscard]] int Nearest(int step) const;

@@ -56,7 +56,7 @@ void Workspace::Say(std::string sentence) {
 
 void Workspace::Show(Document document, bool opened) {
   document_ = std::move(document);
-  // Each search chooses its takeover anew, so the takeover is neither opened nor saved.
+  // Each search chooses its own takeover, so the takeover is neither opened nor saved.
   CopyParts(Document{}, Part::kTakeover, document_);
   selected_clip_ = std::min(selected_clip_, LastClip(document_));
   player_.Load(document_, opened);

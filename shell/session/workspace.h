@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The open document: its validity, edits, history, playback and selected clip. The parts of a session share
-// it through this interface alone and depend on each other in one direction only.
+// the document only through this interface.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@ class Workspace {
   using Edit = std::function<void(Document&)>;
 
   explicit Workspace(Host& host) : host_(host) {}
-  // not copied: the parts of a session refer to it
+  // The parts of a session hold references to it.
   Workspace(const Workspace&) = delete;
   Workspace& operator=(const Workspace&) = delete;
 
@@ -32,7 +32,7 @@ class Workspace {
   void SetFollowers(Followers followers) { followers_ = std::move(followers); }
 
   [[nodiscard]] Host& TheHost() const { return host_; }
-  /// The valid document. Its hash is its maker's until something changes that the motion depends on.
+  /// The document, always valid. It keeps its maker's hash until an edit changes the motion.
   [[nodiscard]] const Document& Doc() const { return document_; }
   /// The document with the present motion's hash.
   [[nodiscard]] Document WithHash() const;
@@ -54,7 +54,7 @@ class Workspace {
   void SetView(const std::function<void(View&)>&);
   /// The document after an edit; nothing, and a sentence for the reader, if it would be invalid.
   [[nodiscard]] std::optional<Document> Edited(const Edit&);
-  /// Whether a lock forbids replacing the document by another; if so, shows a sentence.
+  /// Whether a lock forbids replacing the document by `next`. If so, shows a sentence.
   [[nodiscard]] bool Refuses(const Arrangement& locks, const Document& next);
   /// Replaces the document and simulates it. The caller updates the history.
   /// @param opened  playback starts over, and resetting the world returns to this document's world

@@ -13,8 +13,8 @@ class WorldEditor {
  public:
   explicit WorldEditor(Workspace& workspace) : workspace_(workspace) {}
 
-  /// Adds an impulse on an endpoint (or kCentreOfMass) at the shown moment [N s], along the ground and away
-  /// from it. @return false, with a sentence, if there are too many pushes
+  /// Adds an impulse on an endpoint (or kCentreOfMass) at the shown moment: its components along the ground
+  /// and away from it [N s]. @return false, with a sentence, if there are too many pushes
   bool Push(int endpoint, float impulse_x_ns, float impulse_y_ns);
   /// @param index of the document's pushes
   void RemovePush(std::size_t index);

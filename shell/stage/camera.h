@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From metres on the ground to points on the canvas. The ground is the x axis of a frame that a slope tilts.
+// Maps ground coordinates [m] to canvas points. The ground is the x axis of a frame that a slope tilts.
 #pragma once
 
 #include <imgui.h>
@@ -12,13 +12,12 @@ struct Camera {
   double left_m = 0.0;        // ground coordinate at the stage's left edge, at zero slope
   float scale = 88.0f;        // points per metre
   ImVec2 origin{0.0f, 0.0f};  // the stage's left edge on the ground line
-  float pivot = 0.0f;         // distance from the left edge around which a slope turns the picture [points]
+  float pivot = 0.0f;         // centre of the slope's rotation, from the left edge [points]
   float sine = 0.0f;          // sine of the slope's angle, uphill to the right
   float cosine = 1.0f;
 
-  /// Differences from left_m are computed in double precision, so that the picture does not tremble a
-  /// kilometre away. Positions that are very far away or NaN are placed far off the stage, where drawing them
-  /// does no harm.
+  /// Subtracts left_m in double precision, so that the picture does not jitter a kilometre from the origin.
+  /// Clamps very distant and NaN positions to a point far off the stage, where drawing is harmless.
   [[nodiscard]] ImVec2 ToScreen(double x_m, float y_m) const {
     const float along = static_cast<float>(x_m - left_m) * scale - pivot;
     const float above = y_m * scale;
@@ -29,7 +28,7 @@ struct Camera {
  private:
   static float Bounded(float points) {
     constexpr float kFar = 1e6f;
-    return std::fmax(-kFar, std::fmin(points, kFar));  // fmin prefers kFar to a NaN
+    return std::fmax(-kFar, std::fmin(points, kFar));  // fmin returns kFar for a NaN
   }
 };
 

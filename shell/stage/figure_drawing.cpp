@@ -50,7 +50,7 @@ void DrawFigure(ImDrawList* list, const Skeleton& skeleton, std::span<const ImVe
   if (ink.joints == 0) return;
   for (std::size_t k = 0; k < static_cast<std::size_t>(skeleton.endpoints); ++k) {
     if (rods_at[k] >= 3) {
-      // A hub: a disc set into the rods.
+      // A hub, where three or more rods meet.
       list->AddCircleFilled(endpoints[k], 0.76f * ink.width, ink.rods);
       list->AddCircleFilled(endpoints[k], 0.48f * ink.width, ink.joints);
     } else {
@@ -65,7 +65,7 @@ std::vector<ImVec2> PoseOf(const Skeleton& skeleton, std::span<const float> angl
     angles[joint] = Lane<1>::Splat(angle_rad[joint]);
   Pose<1> pose;
   PoseFigure<1>(skeleton, angles, pose);
-  // PoseFigure lays the root rod along x; turn the figure back to its drawn direction.
+  // PoseFigure lays the root rod along x. Rotate the figure back to its drawn direction.
   const SineCosine turn = SinCos(skeleton.start_angle_rad);
   std::vector<ImVec2> points;
   for (std::size_t k = 0; k < static_cast<std::size_t>(skeleton.endpoints); ++k) {

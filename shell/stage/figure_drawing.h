@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A figure as rounded rods with soft joints: on the stage, on rule cards, in the figure editor.
+// Draws a figure as rounded rods with marked joints, for the stage, the rule cards and the figure editor.
 #pragma once
 
 #include <imgui.h>
@@ -20,17 +20,17 @@ struct FigureInk {
 /// @param endpoints canvas positions in the skeleton's order
 void DrawFigure(ImDrawList*, const Skeleton&, std::span<const ImVec2> endpoints, const FigureInk&);
 
-/// A thick line with round ends, without the seams that a line and two circles leave.
+/// A thick line with round ends, as one shape: a line and two circles would show seams.
 void DrawCapsule(ImDrawList*, ImVec2 from, ImVec2 to, float width, ImU32 colour);
 
-/// An arrow with a light edge around it, so that it reads in front of the figure.
+/// An arrow with an outline, so that it stands out from the figure.
 void DrawArrow(ImDrawList*, ImVec2 from, ImVec2 to, ImU32 colour, ImU32 edge);
 
-/// The figure's endpoints in metres about its centre of mass, y upwards, for these joint angles
-/// (skeleton.joints, or none for the drawn pose).
+/// The figure's endpoints relative to its centre of mass [m], y upwards, for these joint angles: one per
+/// joint, or none for the rest pose.
 [[nodiscard]] std::vector<ImVec2> PoseOf(const Skeleton&, std::span<const float> angle_rad);
 
-/// Anticlockwise from the right, y upwards [rad].
+/// The direction of a vector, counterclockwise from the right, y upwards [rad].
 [[nodiscard]] float Direction(ImVec2 from, ImVec2 to);
 
 /// Rod thickness that suits a figure drawn at this scale [points].

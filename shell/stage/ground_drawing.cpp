@@ -10,8 +10,7 @@ namespace gaitsmith::shell {
 
 namespace {
 
-constexpr int kTicksInReach =
-    120;  // for the stage and its width again on either side, which a slope may show
+constexpr int kTicksInReach = 120;  // on three stage widths: a tilted stage may show ground on either side
 
 }  // namespace
 
@@ -32,8 +31,8 @@ void DrawGround(Ui& ui, const ImRect& rect, const Camera& camera) {
     list->AddConvexPolyFilled(corners, 4, p.ground);
   }
 
-  // A tick every metre, or every 2, 5, 10... where ticks would be crowded. Counted from the first tick, since
-  // far away one metre may be less than the precision of a number.
+  // A tick every metre, or every 2, 5, 10 … metres if ticks would be crowded. The loop counts ticks, since
+  // far away one metre may be less than the floating-point precision.
   const auto label_of = [](double metres) {
     return (metres < 0.0 ? "−" : "") + Fixed(std::abs(metres), 0) + " m";
   };

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kPoses = 61;       // stored for each motion
 constexpr int kDrawn = 6;        // poses drawn side by side
-constexpr float kGround = 4.0f;  // of the ground, at the lower edge [points]
+constexpr float kGround = 4.0f;  // height of the ground at the lower edge [points]
 
 MotionStrip StripOf(const Document& document) {
   const Motion motion = Simulate(document);
@@ -23,7 +23,7 @@ MotionStrip StripOf(const Document& document) {
   strip.poses.reserve(kPoses);
   for (int i = 0; i < kPoses; ++i) {
     const int frame = last * i / (kPoses - 1);
-    // Ends the strip where a motion broke physics.
+    // Ends the strip where the motion broke physics.
     if (!std::isfinite(motion.At(frame).y_m) || !std::isfinite(motion.Endpoint(frame, 0).x)) break;
     std::vector<ImVec2> points;
     points.reserve(static_cast<std::size_t>(bones.endpoints));

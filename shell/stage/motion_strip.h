@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small moving pictures of motions, for lists: a few poses as in a film strip, with the figure walking along
+// Small animated pictures of motions for lists: a few poses as in a film strip, and the figure moving along
 // them.
 #pragma once
 
@@ -15,9 +15,8 @@ namespace gaitsmith::shell {
 /// A motion reduced to poses at equal intervals from start to end.
 struct MotionStrip {
   Skeleton bones;
-  std::vector<std::vector<ImVec2>> poses;  // endpoints about the centre of mass, which is at x = 0; y from
-                                           // the ground up [m]
-  ImRect extent;                           // of all poses
+  std::vector<std::vector<ImVec2>> poses;  // endpoints [m]: x from the centre of mass, y from the ground
+  ImRect extent;                           // bounds of all poses [m]
   bool leftward = false;
 };
 
@@ -38,7 +37,7 @@ class MotionStrips {
   bool waiting_ = false;
 };
 
-/// @param share of the motion that the walking figure has done, in [0, 1]; below 0: no figure is drawn
+/// @param share progress of the moving figure, [0, 1]; below 0: no figure is drawn
 void DrawMotionStrip(const Ui&, const MotionStrip&, const ImRect&, float share);
 
 }  // namespace gaitsmith::shell

@@ -30,7 +30,7 @@ Pinch::Change Pinch::TakeChange() {
   if (fingers_.size() != 2) return change;
   Finger& a = fingers_[0];
   Finger& b = fingers_[1];
-  // Closer fingers do not pinch, since a tremor between them would change the scale too much [points].
+  // Least distance of a pinch [points]: between closer fingers small tremors would change the scale too much.
   constexpr float kApart = 24.0f;
   const float before = std::hypot(a.before.x - b.before.x, a.before.y - b.before.y);
   const float now = std::hypot(a.at.x - b.at.x, a.at.y - b.at.y);

@@ -12,19 +12,19 @@ namespace gaitsmith::shell {
 
 class Pinch {
  public:
-  /// Fingers count if they touch down in this area [points]. Elsewhere a single finger acts.
+  /// Only fingers that touch down in this area belong to a pinch [points].
   ImRect area;
 
-  /// @param size of the canvas [points]. @return true if a second finger has just started a pinch, so that
-  /// the first finger's action must end
+  /// @param size of the canvas [points]. @return true if a second finger has just started a pinch, which
+  /// cancels the first finger's action
   bool Take(const SDL_TouchFingerEvent&, ImVec2 size);
-  /// From the second finger's touch until the last finger is lifted, so that the rest of a pinch is not taken
-  /// for a tap.
+  /// True from the second finger's touch until the last finger is lifted, so that the end of a pinch does not
+  /// count as a tap.
   [[nodiscard]] bool Holds() const { return holds_; }
 
   struct Change {
     float zoom = 1.0f;    // ratio of the distances between the fingers
-    ImVec2 from{}, to{};  // the middle between the fingers
+    ImVec2 from{}, to{};  // midpoint between the fingers, before and after
   };
   /// The fingers' movement since the last call; nothing unless there are two.
   [[nodiscard]] Change TakeChange();

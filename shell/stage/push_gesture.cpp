@@ -9,15 +9,15 @@
 namespace gaitsmith::shell {
 namespace {
 
-// Speed that an arrow gives the whole figure, per metre of the arrow's length.
-constexpr float kSpeedPerMetre = 3.0f;  // [1/s]
+// Change of the centre of mass's velocity per length of the arrow [1/s].
+constexpr float kSpeedPerMetre = 3.0f;
 
 struct Impulse {
   float x_ns, y_ns;
   [[nodiscard]] float Size() const { return std::hypot(x_ns, y_ns); }
 };
 
-/// The components along the ground and away from it.
+/// The impulse's components along the ground and away from it [N s].
 Impulse ImpulseOf(ImVec2 from, ImVec2 to, const Camera& camera, float mass_kg) {
   const float x = (to.x - from.x) / camera.scale;
   const float y = (to.y - from.y) / camera.scale;
@@ -46,7 +46,7 @@ bool PushByHand(Ui& ui, Session& session, PushGesture& gesture, const Touch& sta
     gesture = {.endpoint = Nearest(endpoints, pointer, reach), .was_playing = session.Player().Playing()};
   }
   if (gesture.endpoint == PushGesture::kNobody) {
-    // Marks the endpoint that can be dragged with a ring.
+    // A ring marks the endpoint that can be dragged.
     const int near = stage.hovered && !stage.held ? Nearest(endpoints, pointer, reach) : PushGesture::kNobody;
     if (near != PushGesture::kNobody && !ui.Look().touch)
       ui.Canvas()->AddCircle(endpoints[static_cast<std::size_t>(near)], 11.0f, ui.Ink().accent, 0, 2.0f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pushing the figure by hand: drag an arrow out of a joint or tip and release it. The impulse acts at the
+// Pushing the figure by hand: drag an arrow out of a joint or tip and release it. Adds an impulse at the
 // shown moment.
 #pragma once
 
@@ -13,13 +13,13 @@ namespace gaitsmith::shell {
 
 struct PushGesture {
   int endpoint = kNobody;  // the endpoint at which the arrow starts
-  bool drawn = false;      // the pointer is far enough away to draw an arrow
+  bool drawn = false;      // the pointer has moved far enough to draw an arrow
   bool was_playing = false;
 
   static constexpr int kNobody = -1;
 };
 
-/// Handles the stage's touch and draws the arrow. Playback pauses meanwhile.
+/// Handles the stage's input and draws the arrow. Pauses playback during the drag.
 /// @param endpoints canvas positions
 /// @return true while the pointer acts on the figure
 bool PushByHand(Ui&, Session&, PushGesture&, const Touch& stage, const Camera&,

@@ -32,7 +32,7 @@ ImU32 ActiveColour(const Scene& s) {
   return frame.clip < 0 ? s.ui.Ink().second_ink : s.ui.Look().Rule(frame.rule);
 }
 
-// Draws a letter below the centre of mass on the screen. On a slope this differs from its ground coordinate.
+// Draws a letter vertically below the centre of mass on the screen, also on a slope.
 void DrawLetter(const Scene& s, double x_m, float y_m, ImU32 colour, int index) {
   const double foot_m = x_m - static_cast<double>(y_m * s.camera.sine / s.camera.cosine);
   const ImVec2 at = s.camera.ToScreen(foot_m, 0.0f);
@@ -54,7 +54,7 @@ Past DrawPast(const Scene& s) {
   for (int i = 0; i < static_cast<int>(s.player.PoseFrames().size()); ++i) {
     const int frame = s.player.PoseFrames()[static_cast<std::size_t>(i)];
     if (frame >= s.player.Frame()) break;
-    // Avoids drawing the figure over its own past poses when it comes back.
+    // A figure that comes back must not cover its own past poses.
     if (std::abs(motion.At(frame).x_m - now_x) > 1.3 * static_cast<double>(s.player.ReachM()))
       past.push_back(i);
   }
@@ -74,7 +74,7 @@ Past DrawPast(const Scene& s) {
   return {oldest * static_cast<double>(motion.StepS()), past.back() + 1};
 }
 
-// The path of the centre of mass as dots at equal distances, if the distances are large enough to see.
+// The path of the centre of mass as dots at equal distances, if it is long enough to see.
 void DrawTrail(const Scene& s, double from_s) {
   constexpr float kSpacing = 7.0f;
   const Motion& motion = s.player.Shown();
@@ -86,7 +86,7 @@ void DrawTrail(const Scene& s, double from_s) {
        --frame) {
     const ImVec2 point = s.camera.ToScreen(motion.At(frame).x_m, motion.At(frame).y_m);
     float length = std::hypot(point.x - before.x, point.y - before.y);
-    // Between two frames the path crossed the whole stage: too fast to be seen.
+    // The path crossed the whole stage between two frames: too fast to see.
     if (length > diagonal) {
       before = point;
       due = kSpacing;
@@ -104,7 +104,7 @@ void DrawTrail(const Scene& s, double from_s) {
   }
 }
 
-// Another motion at the same time, as an outline in another colour, to distinguish it from past poses.
+// The other motion at the same time, in another colour than the past poses.
 void DrawGhost(const Scene& s) {
   const Playback* ghost = s.session.Comparison().Other().Player();
   if (ghost == nullptr) return;
@@ -147,7 +147,7 @@ Camera AimCamera(const Playback& player, const Environment& world, const Gaze& g
   camera.scale =
       gaze.zoom * std::min(radius / reach, std::max(20.0f, room) / std::max(player.HeightM(), 0.1f));
 
-  // The side that the figure comes from gets more of the stage, for its past poses.
+  // Leave more space behind the figure, for its past poses.
   const double width_m = static_cast<double>(rect.GetWidth() / camera.scale);
   const double margin_m = 1.35 * static_cast<double>(reach);
   const auto finite = [](double metres) { return std::isfinite(metres) ? metres : 0.0; };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A motion at one moment on the canvas, back to front: ground, past poses, trail, figure, forces.
+// Draws a motion at one moment, from back to front: ground, past poses, trail, figure, forces.
 #pragma once
 
 #include <imgui.h>
@@ -21,14 +21,14 @@ struct Gaze {
 struct Scene {
   Ui& ui;
   const Session& session;
-  const Playback& player;  // the shown motion, or the one beside it
+  const Playback& player;  // the shown motion, or the one compared with it
   ImDrawList* list;
   ImRect rect;
   Camera camera;
 };
 
-/// Keeps the figure's size on the stage constant. The camera follows the figure with a small delay.
-/// @param rect in which the figure stays. @param ground_y on the canvas
+/// The camera follows the figure smoothly, at a constant scale.
+/// @param rect that the figure must stay in. @param ground_y of the ground line on the canvas [points]
 [[nodiscard]] Camera AimCamera(const Playback&, const Environment&, const Gaze&, const ImRect& rect,
                                float ground_y);
 

@@ -18,7 +18,7 @@ constexpr float kLeastZoom = 0.1f;
 constexpr float kMostZoom = 6.0f;
 constexpr float kCornerRoom = 114.0f;  // width reserved for the button in the corner
 
-// A note that stays as long as it is true and is announced by screen readers.
+// A note about the motion, announced by screen readers.
 void DrawNote(const Scene& s, ImVec2 at, const std::string& sentence) {
   const float width =
       std::min(s.ui.Letters().Width(Type::kNote, sentence), s.rect.GetWidth() - 2.0f * (at.x - s.rect.Min.x));
@@ -75,9 +75,9 @@ void Zoom(StageState& state, const Touch& touch) {
   if (std::abs(state.gaze.zoom - 1.0f) < 0.02f) state.gaze.zoom = 1.0f;
 }
 
-// Zooms about the point between the fingers, and cancels what one finger had begun.
-/// @param area of the whole stage. @param rect in which the figure stays; another of the same width may stand
-/// beside it
+// Zooms about the point between the fingers, and cancels a gesture of one finger.
+/// @param area of the whole stage. @param rect of the figure. When motions are compared, a rectangle of the
+/// same width is beside it
 void TakePinch(Session& session, StageState& state, const ImRect& area, const ImRect& rect, float ground_y) {
   state.pinch.area = area;
   if (!state.pinch.Holds()) return;
@@ -95,7 +95,7 @@ void TakePinch(Session& session, StageState& state, const ImRect& area, const Im
   state.gaze.pan_m += held_m - metres(change.to.x);
 }
 
-// @return true from when a drag has moved the picture until the drag ends
+// @return true once a drag has moved the picture, until the drag ends
 bool Pan(StageState& state, const Touch& touch, float scale) {
   const bool panned = state.panning;
   if (!touch.held) {
@@ -144,7 +144,7 @@ void DrawBeside(Ui& ui, Session& session, const StageState& state, const ImRect&
 void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, float covered) {
   const PartScope part = ui.Part("stage", "region", Tr("Stage"));
   const Terms& terms = session.Player().TermsNow();
-  ImGui::SetNextItemAllowOverlap();  // the stage's buttons lie on it
+  ImGui::SetNextItemAllowOverlap();  // the stage's buttons lie on top of it
   const Touch touch = ui.Area(
       "stage", rect, Grab::kPress,
       {.label = Tr("Stage: {1}", TrTitle(session.Doc().figure.name)),

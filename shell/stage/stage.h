@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The stage: the figure on its ruled ground, its past poses, the ground's forces, and the distance travelled.
+// The stage: the figure on the ground with its ruler, past poses, contact forces, and the distance travelled.
 #pragma once
 
 #include "shell/session/session.h"
@@ -20,7 +20,7 @@ struct StageState {
   WorldCardState world;
 };
 
-/// @param covered width of its right side that a card covers; the figure stays out of it [points]
+/// @param covered width at the right that a card covers [points]; the figure stays left of it
 void DrawStage(Ui&, Session&, StageState&, const ImRect&, float covered = 0.0f);
 
 }  // namespace gaitsmith::shell

@@ -101,7 +101,7 @@ void DrawPushes(Ui& ui, Session& session, WorldCardState& state) {
 
 // Found motions of figures with the same rods, newest first.
 std::vector<const FoundMotions::Entry*> ComparableMotions(const Session& session) {
-  constexpr std::size_t kMost = 12;  // length of a list that fits on a phone
+  constexpr std::size_t kMost = 12;  // fits on a phone
   std::vector<const FoundMotions::Entry*> motions;
   for (const FoundMotions::Entry* entry : session.Results().Motions().Sorted(FoundMotions::Order::kNewest)) {
     if (motions.size() == kMost) break;

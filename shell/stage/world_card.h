@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A card on the stage: ground and gravity, pushes of a given strength, and the motion to compare with.
+// A card on the stage with the settings of ground, gravity, pushes and the compared motion.
 #pragma once
 
 #include "shell/session/session.h"
@@ -10,15 +10,15 @@ namespace gaitsmith::shell {
 /// The card's state between frames.
 struct WorldCardState {
   bool open = false;
-  float height = 510.0f;  // of its contents [points]
-  int endpoint = 0;       // target of the next push: 0 the centre of mass, then the endpoints
+  float height = 510.0f;  // height of the contents [points]
+  int endpoint = 0;       // target of the next push; 0: the centre of mass, k: endpoint k - 1
   double strength_ns = 5.0;
-  double direction_deg = 0.0;  // anticlockwise from the right along the ground
+  double direction_deg = 0.0;  // counterclockwise from the right along the ground
 };
 
 /// The button in the stage's corner.
 void DrawWorldButton(Ui&, WorldCardState&, const ImRect& stage);
-/// The card's rectangle on a stage that has room for it.
+/// The card's rectangle on a sufficiently large stage.
 [[nodiscard]] ImRect WorldCardOn(const ImRect& stage, const WorldCardState&);
 void DrawWorldCard(Ui&, Session&, WorldCardState&, const ImRect& card);
 

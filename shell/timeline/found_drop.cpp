@@ -10,8 +10,8 @@ namespace {
 constexpr const char* kPayload = "found motion";
 constexpr float kNearPixels = 9.0f;
 
-/// The step to insert at: the shown moment, a border of clips or a half second if one is near, else the
-/// pointer's step.
+/// The step at which to insert: the nearby shown moment, border or half second if any, else the pointer's
+/// step.
 int StepMeant(const Session& session, const ImRect& band, float x) {
   const Document& d = session.Doc();
   const auto steps = static_cast<float>(std::max(1, d.duration_steps));
@@ -32,7 +32,7 @@ int StepMeant(const Session& session, const ImRect& band, float x) {
 }  // namespace
 
 void OfferFound(const Ui& ui, const std::string& id, const std::string& name) {
-  // With a finger dragging scrolls the list; the card's + inserts instead.
+  // A finger scrolls the list instead of dragging. The + button on the card inserts the motion.
   if (ui.Look().touch || ImGui::GetIO().MouseSource == ImGuiMouseSource_TouchScreen) return;
   if (!ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceNoPreviewTooltip)) return;
   ImGui::SetDragDropPayload(kPayload, id.c_str(), id.size() + 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clips, switch points and the ruler under them. Buttons for the selected clip are in timeline_tools.cpp.
+// Clips, their borders and the ruler. Buttons for the selected clip are in timeline_tools.cpp.
 #include "shell/timeline/timeline.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace gaitsmith::shell {
 namespace {
 
 struct Band {
-  ImRect rect;  // of all clips
+  ImRect rect;  // area of all clips
   float steps;
   float XOf(int step) const { return rect.Min.x + static_cast<float>(step) / steps * rect.GetWidth(); }
   int StepAt(float x) const {
@@ -36,7 +36,7 @@ std::string NameOf(const Document& d, int controller) {
   return c.name.empty() ? Tr("Controller {1}", std::to_string(controller + 1)) : TrTitle(c.name);
 }
 
-/// The place in the order of clips to which a dragged clip would move.
+/// The index to which a dragged clip would move.
 int PlaceAt(const Document& d, const Band& band, std::size_t dragged, float x) {
   int place = 0;
   for (std::size_t i = 0; i < d.timeline.size(); ++i) {
@@ -46,7 +46,7 @@ int PlaceAt(const Document& d, const Band& band, std::size_t dragged, float x) {
   return place;
 }
 
-/// Marks that place with a bar between clips.
+/// Marks the target index with a bar between clips.
 void DrawPlace(const Ui& ui, const Document& d, const Band& band, std::size_t dragged, int place) {
   auto before = static_cast<std::size_t>(place);
   if (before >= dragged) ++before;  // the dragged clip leaves its old place
@@ -74,14 +74,14 @@ void DrawClip(Ui& ui, Session& session, const Band& band, std::size_t index) {
   const Clip& clip = d.timeline[index];
   const Controller& controller = d.controllers[static_cast<std::size_t>(clip.controller)];
   const bool selected = session.Timeline().Selected() == static_cast<int>(index);
-  constexpr float kGap = 4.0f;  // for the border
+  constexpr float kGap = 4.0f;  // between clips
   const ImRect rect({band.XOf(clip.start_step), band.rect.Min.y},
                     {band.XOf(EndOf(d, index)) - kGap, band.rect.Max.y});
   const std::string name = NameOf(d, clip.controller);
   const std::string length = SecondsWords(EndOf(d, index) - clip.start_step);
   const std::string words = ControllerWords(controller.kind, controller.senses, controller.rules);
   const int colour_of = clip.controller;
-  ImGui::PushItemFlag(ImGuiItemFlags_AllowOverlap, true);  // borders, drawn later, are harder to hit
+  ImGui::PushItemFlag(ImGuiItemFlags_AllowOverlap, true);  // borders are small and drawn later
   const Touch touch = ui.Area("timeline/clip/" + std::to_string(index), rect, Grab::kDrag,
                               {.label = name,
                                .role = "option",
@@ -110,7 +110,7 @@ void DrawClip(Ui& ui, Session& session, const Band& band, std::size_t index) {
   DragClip(ui, session, band, index, touch);
 }
 
-/// The nearest step that pointers snap to, if one is close: the shown moment, or a whole or half second.
+/// Snaps a step to the shown moment or a multiple of half a second, if one is near.
 int Snapped(const Session& session, const Band& band, int step) {
   const float steps_per_pixel = band.steps / band.rect.GetWidth();
   const auto near = [&](int target) {
@@ -121,7 +121,7 @@ int Snapped(const Session& session, const Band& band, int step) {
   return near(half_second) ? half_second : step;
 }
 
-/// Handles dragging a border and stepping it by key. @return the requested step, or `at`
+/// Handles a border's drag and keys. @return the requested step, or `at`
 int DragBorder(Ui& ui, const Session& session, const Band& band, const std::string& id, Widget description,
                int at) {
   constexpr auto kStepS = static_cast<double>(kStep);
@@ -154,8 +154,8 @@ void DrawSwitchPoint(Ui& ui, Session& session, const Band& band, std::size_t ind
   if (wanted != start) session.Timeline().MoveClip(static_cast<int>(index), wanted);
 }
 
-/// The end of the motion: the last clip's length. The band always shows the whole motion, so a drag changes
-/// the length by the distance dragged, not to the pointer's place.
+/// The end of the motion, which sets the last clip's length. The band always shows the whole motion, so the
+/// end cannot follow the pointer. A drag changes the length by the distance dragged.
 void DrawEnd(Ui& ui, Session& session, const Band& band) {
   const Document& d = session.Doc();
   const std::size_t last = d.timeline.size() - 1;
@@ -167,7 +167,7 @@ void DrawEnd(Ui& ui, Session& session, const Band& band) {
   if (wanted == end) return;
   if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
     if (!was_dragged) return;
-    // Keeps the rest of a fraction of a step.
+    // Carries fractions of a step over to the next frame.
     ImGuiStorage* storage = ImGui::GetStateStorage();
     const ImGuiID key = ImGui::GetID("timeline/end/pull");
     const float rest = ImGui::IsMouseClicked(ImGuiMouseButton_Left) ? 0.0f : storage->GetFloat(key);
@@ -191,7 +191,7 @@ void DrawRuler(Ui& ui, const Session& session, const Band& band) {
     const float x = std::clamp(x_of(tick), band.rect.Min.x + half, band.rect.Max.x - half);
     ui.Letters().Draw(ui.Canvas(), Type::kSmall, {x, y}, ui.Ink().second_ink, text, Align::kCentre);
   }
-  // The playhead is faint over the clips' names and clear at their lower edge.
+  // The playhead is faint over the clips' names and solid at their lower edge.
   const float x = ui.Look().Snap(x_of(session.Player().TimeS()));
   const float bottom = band.rect.Max.y;
   ui.Canvas()->AddRectFilled({x - 0.5f, band.rect.Min.y + 1.0f}, {x + 0.5f, bottom - 1.0f},
@@ -200,9 +200,9 @@ void DrawRuler(Ui& ui, const Session& session, const Band& band) {
                                  ui.Ink().ink);
 }
 
-// A hint about available actions; for a clip that takes over, how good its moment is.
+// A hint about available actions or, for a clip that takes over, the quality of the transition.
 std::string HintOf(Session& session) {
-  // Mean deviation of the state, as a share of its usual variation.
+  // Mean deviation of the state in units of its usual variation.
   constexpr float kNear = 0.5f, kFar = 1.0f;
   const std::size_t clips = session.Doc().timeline.size();
   if (clips == 0) return Tr("empty until a search finds a controller");
@@ -242,7 +242,7 @@ void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
                   .steps = static_cast<float>(std::max(1, session.Doc().duration_steps))};
   ui.Letters().Draw(ui.Canvas(), Type::kStrong, {left, row}, p.ink, Tr("Timeline"));
   const float hint_x = left + ui.Letters().Width(Type::kStrong, Tr("Timeline")) + 8.0f;
-  // Tools go into the heading's row if they fit, else into rows of their own under the ruler.
+  // Tools are in the heading's row if they fit, else in rows below the ruler.
   const float below = band.rect.Max.y + TransitionStripHeight(session) + 24.0f;
   const float tools_x = DrawTimelineTools(ui, session, {{hint_x, row - half}, {right, row + half}}, below);
   const std::string hint = HintOf(session);
@@ -256,7 +256,7 @@ void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
     ui.Canvas()->AddRectFilled(band.rect.Min, band.rect.Max, p.soft, 8.0f);
     return TakeFound(ui, session, band.rect);
   }
-  // Drawing may remove clips, so read the count again in each round.
+  // Drawing may remove clips, so read the count again in each iteration.
   {
     const PartScope clips = ui.Part("timeline/clips", "listbox", Tr("Clips"));
     for (std::size_t i = 0; i < session.Doc().timeline.size(); ++i) DrawClip(ui, session, band, i);

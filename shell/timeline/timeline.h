@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The timeline: which controller is active when. Click a clip to select it; drag the border between two clips
-// to move it.
+// The timeline: which controller is active when. Click a clip to select it, and drag a border between two
+// clips to move the switch.
 #pragma once
 
 #include "shell/session/session.h"
@@ -10,7 +10,7 @@ namespace gaitsmith::shell {
 
 void DrawTimeline(Ui&, Session&, const ImRect&);
 
-/// A short text above a place on the timeline. @param within from left to right @param bottom of the text
+/// A short text above the timeline. @param x its centre, kept inside `within` @param bottom its lower edge
 /// [points]
 void DrawBubble(const Ui&, float x, const ImRect& within, float bottom, const std::string& words);
 

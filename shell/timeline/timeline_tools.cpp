@@ -15,7 +15,7 @@ struct Tool {
   const char* heard;  // the label in full
   bool enabled;
   void (TimelineEditor::*use)();
-  int spare;  // order in which tools are left out if there is no room: greatest number first
+  int spare;  // tools with the greatest number are left out first if space is short
 };
 
 std::vector<Tool> ToolsOf(const Session& session) {
@@ -90,7 +90,7 @@ float DrawTimelineTools(Ui& ui, Session& session, const ImRect& row, float below
   };
   const ImVec2 room = in_row ? row.GetSize() : ImVec2(row.Max.x - first, bottom - below);
   std::vector<ImRect> places = places_of();
-  // The command palette always has all of them.
+  // Tools left out here remain in the command palette.
   while (tools.size() > 1 && (places.back().Max.x > room.x || places.back().Max.y > room.y)) {
     tools.erase(std::ranges::max_element(tools, {}, &Tool::spare));
     places = places_of();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Height and colour show the same value, and the colour is a single hue from pale to strong, so that the
-// strip is readable without telling hues apart.
+// Height and colour both show the score. The colour is a single hue from pale to strong, readable for people
+// who cannot distinguish hues.
 #include "shell/timeline/transition_strip.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace gaitsmith::shell {
 namespace {
 
 constexpr float kStripHeight = 22.0f;
-constexpr float kAbove = 4.0f;  // room between clips and strip
+constexpr float kAbove = 4.0f;  // gap between clips and strip
 constexpr float kStepS = kStep;
 
 /// Maps steps and shares to the canvas.
@@ -27,7 +27,7 @@ struct Strip {
   [[nodiscard]] float YOf(float share) const {
     return rect.Max.y - 1.0f - std::clamp(share, 0.0f, 1.0f) * (rect.GetHeight() - 5.0f);
   }
-  /// From halfway to the moment before to halfway to the next moment.
+  /// Extends halfway to the previous and the next moment.
   [[nodiscard]] ImRect CellOf(int step) const {
     constexpr float kHalf = 0.5f * kMomentSpacing;
     const auto middle = static_cast<float>(step);
@@ -37,7 +37,7 @@ struct Strip {
 
 std::string SecondsOf(int step) { return Fixed(static_cast<float>(step) * kStepS, 2); }
 
-/// If the usual score is near 0, shares are too large to mean anything.
+/// Clamps the share: near a usual score of 0, shares are meaninglessly large.
 int PercentOf(float share) { return static_cast<int>(std::lround(100.0f * std::clamp(share, 0.0f, 9.99f))); }
 
 std::string TransitionWords(const Session& session) {
@@ -92,7 +92,7 @@ void DrawShares(const Ui& ui, const TransitionScores& map, const Strip& strip) {
   }
 }
 
-/// A line where the clip takes over now, and a dot at the best moment. (The playhead is a wedge.)
+/// A line at the clip's present start and a dot at the best moment.
 void DrawMarks(const Ui& ui, const Session& session, const Strip& strip) {
   const TransitionScores& map = session.Timeline().Transitions().Scores();
   const Palette& p = ui.Ink();
@@ -112,7 +112,7 @@ void DrawMarks(const Ui& ui, const Session& session, const Strip& strip) {
 }  // namespace
 
 float TransitionStripHeight(const Session& session) {
-  // Room for the strip is reserved before it appears, so that nothing moves under the pointer.
+  // Reserve the space before the strip appears, so that nothing moves under the pointer.
   return session.Doc().timeline.size() > 1 ? kAbove + kStripHeight : 0.0f;
 }
 

@@ -10,7 +10,7 @@ namespace gaitsmith::shell {
 /// Height that the strip adds to the timeline; 0 if there is no strip.
 [[nodiscard]] float TransitionStripHeight(const Session&);
 
-/// @param clips area of all clips, the whole motion from left to right. The strip is below
+/// @param clips area of all clips, covering the whole motion. The strip is below it
 void DrawTransitionStrip(Ui&, const Session&, const ImRect& clips);
 
 }  // namespace gaitsmith::shell

@@ -51,7 +51,7 @@ void DrawStrip(Ui& ui, Session& session, const ImRect& rect) {
     list->AddRectFilled({left, top}, {right, top + 8.0f}, ui.Look().Rule(run.rule),
                         right - left > 5.0f ? 2.0f : 0.0f);
   }
-  // Under the rules: dark while the figure touches the ground, light in flight.
+  // A bar below the rules: dark while the figure touches the ground, light in flight.
   list->AddRectFilled({rect.Min.x, top + 12.5f}, {rect.Max.x, top + 15.5f}, p.line, 1.5f);
   for (const Contact& contact : player.Contacts()) {
     list->AddRectFilled({x_of(contact.start_frame), top + 12.5f}, {x_of(contact.end_frame), top + 15.5f},
@@ -90,7 +90,7 @@ void DrawTransport(Ui& ui, Session& session, const ImRect& rect) {
   if (ui.IconButton("transport/step", box(36.0f), Icon::kStepForward, Tr("One step forward"))) player.Step(1);
   x += 10.0f;
 
-  // The longest time sets the width, so that nothing moves while the time counts.
+  // The longest time sets the width, so that the layout does not change during playback.
   const std::string total = Fixed(player.DurationS(), 2);
   const float time_width = letters.Width(Type::kBody, total + " s");
   letters.Draw(ui.Canvas(), Type::kBody, {x + time_width, y}, p.second_ink, Fixed(player.TimeS(), 2) + " s",

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Large plain rectangles behind everything else. Clearing a part of the window costs almost nothing. A
-// rectangle drawn by Dear ImGui is textured and blended pixel by pixel, which takes most of a frame with
-// software graphics.
+// Large opaque rectangles behind everything else, drawn by clearing. Clearing costs almost nothing, whereas
+// Dear ImGui's textured, blended rectangles would take most of the frame time with software rendering.
 #pragma once
 
 #include <imgui_internal.h>
@@ -18,8 +17,7 @@ class Backdrop {
   };
 
   void Clear() { areas_.clear(); }
-  /// For this frame only. Later areas cover earlier ones, and everything drawn by Dear ImGui covers all
-  /// areas.
+  /// Fills an area in this frame. Later areas cover earlier ones, and Dear ImGui's drawing covers all areas.
   void Fill(const ImRect& rect, ImU32 colour) { areas_.push_back({rect, colour}); }
   [[nodiscard]] const std::vector<Area>& Areas() const { return areas_; }
 

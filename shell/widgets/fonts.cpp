@@ -12,8 +12,7 @@
 namespace gaitsmith::shell {
 namespace {
 
-// Dear ImGui measures a font by ascent - descent, designers by the em. For Inter the former is 1.21 of the
-// latter.
+// Dear ImGui sizes fonts by ascent − descent, designers by the em. For Inter this is the ratio.
 constexpr float kHeightPerEm = 1.2102f;
 constexpr float kCapitalHeightPerEm = 0.727f;
 
@@ -24,16 +23,16 @@ struct Face {
 constexpr std::array<Face, kTypes> kFaces = {
     {{11.0f, false}, {12.0f, false}, {13.0f, false}, {13.0f, true}, {15.0f, true}, {22.0f, true}}};
 
-// The characters the interface uses; documents' names fall back to '?' beyond Latin-1.
+// The characters that the interface uses. Others are drawn as '?', also in documents' names.
 constexpr ImWchar kRanges[] = {0x20,   0x7e,   0xa0,   0xff,   0x394,  0x394,  0x3a3,  0x3a3,  0x3b8,
                                0x3b8,  0x3bc,  0x3bc,  0x3c0,  0x3c0,  0x3c4,  0x3c4,  0x3c6,  0x3c6,
                                0x3c9,  0x3c9,  0x2013, 0x2014, 0x2018, 0x2019, 0x201c, 0x201e, 0x2026,
                                0x2026, 0x2190, 0x2193, 0x2212, 0x2212, 0x2264, 0x2265, 0};
 
-// The largest type is used for one number and its unit. Its other letters would take a fifth of the atlas.
+// The largest type is only used for a number and its unit. Other letters would take a fifth of the atlas.
 constexpr ImWchar kNumberRanges[] = {0x20, 0x7e, 0x2212, 0x2212, 0};
 
-// Gives all ten digits one width, each centred in it, so that counting numbers do not jitter.
+// Gives all ten digits the same width, so that changing numbers do not jitter.
 void MakeTabular(ImFont* font) {
   float width = 0.0f;
   for (ImFontGlyph& glyph : font->Glyphs) {
@@ -49,7 +48,7 @@ void MakeTabular(ImFont* font) {
   font->BuildLookupTable();
 }
 
-// Reads one character of UTF-8 and moves `at` behind it.
+// Decodes one UTF-8 character and moves `at` past it.
 unsigned NextCharacter(std::string_view text, std::size_t& at) {
   unsigned character = 0;
   const int length = ImTextCharFromUtf8(&character, text.data() + at, text.data() + text.size());
@@ -72,7 +71,7 @@ void Fonts::Build(float density) {
     config.OversampleH = density < 1.75f ? 3 : 2;
     config.OversampleV = 1;
     config.GlyphRanges = i == static_cast<std::size_t>(Type::kNumber) ? kNumberRanges : kRanges;
-    // The atlas only reads the bytes, although its interface lacks the const.
+    // The atlas only reads the bytes, although its interface lacks const.
     fonts_[i] =
         atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(bytes.data()), static_cast<int>(bytes.size()),
                                    kFaces[i].em * kHeightPerEm, &config);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Type: Inter in the few sizes the design uses, rasterised for the device's own pixels, and text drawing that
-// keeps every baseline on a device pixel so that letters are sharp at any pixel ratio and browser zoom.
+// Text in Inter, rasterised for the device's pixel ratio. Baselines are aligned to device pixels, so that
+// letters are sharp at any pixel ratio and browser zoom.
 #pragma once
 
 #include <imgui.h>
@@ -16,7 +16,7 @@ enum class Type {
   kBody,     // 13 px
   kStrong,   // 13 px semibold
   kHeading,  // 15 px semibold
-  kNumber,   // 22 px semibold: the one number that matters
+  kNumber,   // 22 px semibold: the main number
 };
 inline constexpr int kTypes = 6;
 
@@ -24,21 +24,21 @@ enum class Align { kLeft, kCentre, kRight };
 
 class Fonts {
  public:
-  /// Rasterises all sizes into Dear ImGui's atlas. The renderer's texture must be made anew afterwards.
+  /// Rasterises all sizes into Dear ImGui's atlas. The caller must then recreate the renderer's texture.
   /// @param density device pixels per point, > 0
   void Build(float density);
 
   /// Width of one line [points].
   [[nodiscard]] float Width(Type, std::string_view text) const;
 
-  /// Draws one line whose capitals are centred on y.
+  /// Draws one line with its capitals vertically centred on y.
   void Draw(ImDrawList*, Type, ImVec2 position, ImU32 colour, std::string_view text,
             Align = Align::kLeft) const;
 
   /// Draws one line, shortened with an ellipsis to this width.
   void DrawElided(ImDrawList*, Type, ImVec2 position, float width, ImU32 colour, std::string_view text) const;
 
-  /// Bytes of `text` that fit into this width, broken between words; 0 only for empty text.
+  /// The number of bytes of `text` that fit into this width, broken between words; 0 only for empty text.
   [[nodiscard]] std::size_t FitLine(Type, std::string_view text, float width) const;
 
   /// Distance between the lines of a paragraph [points].

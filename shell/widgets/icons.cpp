@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes of the pictograms, in a square from -1 to 1.
+// Shapes of the icons, in the square [-1, 1]².
 #include "shell/widgets/icons.h"
 
 #include <array>

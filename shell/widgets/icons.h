@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The few pictograms, drawn as shapes so that they are sharp everywhere and need no icon font.
+// Icons, drawn as shapes, so that they are sharp at any scale without an icon font.
 #pragma once
 
 #include <imgui.h>
@@ -24,7 +24,7 @@ enum class Icon {
   kPencil
 };
 
-/// @param size edge of the square it fills [points]; 14 suits 13 px type
+/// @param size edge of the icon's square [points]; 14 suits 13 px type
 void DrawIcon(ImDrawList*, Icon, ImVec2 centre, float size, ImU32 colour);
 
 }  // namespace gaitsmith::shell

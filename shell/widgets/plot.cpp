@@ -10,11 +10,11 @@
 namespace gaitsmith::shell {
 namespace {
 
-// "0", "10k", "2.5M": tick labels must stay short.
+// A short tick label: "0", "10k", "2.5M".
 std::string Short(double value, double spacing) {
   const double size = std::abs(value);
   const double unit = size >= 1e6 ? 1e6 : size >= 1e4 ? 1e3 : 1.0;
-  // As many decimals as the spacing has, so that all labels have the same number.
+  // The decimals of the spacing, so that all labels have the same number of decimals.
   int digits = 0;
   for (double step = spacing / unit; digits < 2 && std::abs(step - std::round(step)) > 1e-6; step *= 10.0)
     ++digits;
@@ -85,7 +85,6 @@ void DrawPlot(Ui& ui, std::string_view id, std::string_view label, const ImRect&
            static_cast<float>((y - extent.low) / (extent.high - extent.low)) * field.GetHeight();
   };
 
-  // Grid lines and their numbers.
   for (const double tick : ticks) {
     const float y = y_of(tick);
     ui.HorizontalLine(field.Min.x, field.Max.x, y);
@@ -93,7 +92,7 @@ void DrawPlot(Ui& ui, std::string_view id, std::string_view label, const ImRect&
                  Short(tick, spacing) + std::string(axes.y_unit), Align::kRight);
   }
   const std::vector<double> x_ticks = NiceTicks(0.0, axes.x_end);
-  // From the right, since the last label carries the unit and may leave no room for the one before.
+  // From the right, since the last label has the unit and may leave no room for the previous one.
   float free = rect.Max.x;
   for (std::size_t i = x_ticks.size(); i-- > 0;) {
     const bool last = i + 1 == x_ticks.size();
@@ -106,7 +105,7 @@ void DrawPlot(Ui& ui, std::string_view id, std::string_view label, const ImRect&
     letters.Draw(list, Type::kSmall, {x, field.Max.y + 12.0f}, p.second_ink, text, Align::kCentre);
   }
 
-  // Bands lie behind all lines. Each value stands from its x to the next one's.
+  // Bands lie behind all lines. Each value holds until the next one's x.
   for (const PlotSeries& one : series) {
     for (std::size_t i = 0; i + 1 < one.spread.size(); ++i) {
       const PlotSpread& here = one.spread[i];
@@ -123,7 +122,7 @@ void DrawPlot(Ui& ui, std::string_view id, std::string_view label, const ImRect&
     for (std::size_t i = 1; i < one.points.size(); ++i) {
       const float x = x_of(one.points[i].x);
       const bool rises = one.points[i].y != one.points[i - 1].y;
-      // Skip steps closer than half a point.
+      // Skip steps less than half a canvas point wide.
       if ((!rises || x - drawn_x < 0.5f) && i + 1 < one.points.size()) continue;
       drawn_x = x;
       list->PathLineTo({x, y_of(one.points[i - 1].y)});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A small curve plot: axes with a few round ticks, best-so-far steps, several series.
+// A small plot of several step curves on axes with a few round ticks.
 #pragma once
 
 #include <span>
@@ -31,7 +31,7 @@ struct PlotSeries {
 };
 
 struct PlotAxes {
-  double x_end = 1.0;        // from 0
+  double x_end = 1.0;        // the x axis is [0, x_end]
   std::string_view x_label;  // e.g. "evaluations"
   std::string_view y_unit;   // follows each tick's number, e.g. " m"
 };

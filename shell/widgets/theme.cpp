@@ -82,7 +82,7 @@ const Palette& PaletteOf(PaletteName name) {
 
 ImU32 RuleColour(int rule, bool dark) {
   const ImU32 colour = Rgb(RuleColourHex(rule));
-  // Dark colours would be invisible on a dark panel. All are lightened alike, which keeps their distances.
+  // Lighten all colours equally on a dark panel, to keep them visible and distinguishable.
   return dark ? Mix(colour, IM_COL32_WHITE, 0.24f) : colour;
 }
 
@@ -116,7 +116,7 @@ void ApplyStyle(const Theme& theme) {
   style.ScrollbarSize = 10.0f;
   style.ScrollbarRounding = 5.0f;
   style.DisabledAlpha = 0.45f;
-  // Finer than the default: rods and rings are large smooth shapes here.
+  // Finer than the default, since rods and rings are large smooth shapes.
   style.CircleTessellationMaxError = 0.12f / theme.density;
   style.CurveTessellationTol = 0.5f / theme.density;
 

@@ -16,7 +16,7 @@ void AppendFlag(std::string& json, const char* name, std::optional<bool> flag) {
   json += *flag ? "\":true" : "\":false";
 }
 
-// Without the closing brace, so that members can be added.
+// Without the closing brace, so that the caller can append members.
 std::string WidgetMembers(const Widget& widget, float scale) {
   std::string json = "{\"id\":" + QuoteJson(widget.id) + ",\"label\":" + QuoteJson(widget.label) +
                      ",\"role\":" + QuoteJson(widget.role) + ",\"value\":" + QuoteJson(widget.value) +

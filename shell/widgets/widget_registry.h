@@ -36,18 +36,18 @@ struct WidgetRange {
 
 struct Widget {
   std::string id = {};     // stable and unique, e.g. "search/start"
-  std::string label = {};  // text for people
+  std::string label = {};  // human-readable name
   std::string role =
       {};  // an ARIA role: button, radio, slider, switch, tab, combobox, option, spinbutton, img...
   std::string value = {};  // as shown, e.g. "0.80 s"
   WidgetState state = {};
   std::optional<WidgetRange> range = {};
-  ImRect rect = {};      // the visible part, in points of the canvas; else the nearest edge to it
-  bool in_sight = true;  // false: scrolled away
-  int part = -1;         // of WidgetRegistry::Parts
+  ImRect rect = {};      // the visible part, else the nearest edge of the visible area [points]
+  bool in_sight = true;  // false: scrolled out of view
+  int part = -1;         // index in WidgetRegistry::Parts; -1: none
 };
 
-/// A named part of the canvas: a panel, a group of options. May be inside another part.
+/// A named part of the canvas, such as a panel or a group of options. Parts may be nested.
 struct WidgetPart {
   std::string id = {};
   std::string label = {};
@@ -64,7 +64,7 @@ class WidgetRegistry {
   void SetScale(float scale) { scale_ = scale; }
 
   void BeginFrame();
-  /// Called by the hooks when an item was laid out.
+  /// Called by the hooks for each item that is laid out.
   void OnItem(ImGuiID, const ImRect&);
   /// Called by our widgets after the item, to describe it.
   void Describe(ImGuiID, Widget);
@@ -75,15 +75,15 @@ class WidgetRegistry {
   void LeavePart();
   void EndFrame();
 
-  /// In the order of drawing, which is the order of the Tab key, including widgets scrolled out of sight.
+  /// In drawing order, which is the order of the Tab key. Includes widgets scrolled out of view.
   [[nodiscard]] const std::vector<Widget>& Widgets() const { return widgets_; }
   [[nodiscard]] const std::vector<WidgetPart>& Parts() const { return parts_; }
-  /// Null if it was not drawn in the last frame.
+  /// Null if the widget was not drawn in the last frame.
   [[nodiscard]] const Widget* Find(std::string_view id) const;
-  /// Whether the Tab key has a next widget after the focused one, visible or not.
+  /// Whether the Tab key can move from the focused widget to another one, visible or not.
   [[nodiscard]] bool StopsBeyondFocus(bool back) const;
 
-  /// The widgets in sight, without texts. Rectangles in CSS pixels.
+  /// The visible widgets, without texts. Rectangles are in CSS pixels.
   [[nodiscard]] std::string Json() const;
   /// Everything, for the page's mirror: {keyboard, waiting, parts, widgets}.
   [[nodiscard]] std::string MirrorJson() const;
@@ -95,7 +95,7 @@ class WidgetRegistry {
   std::unordered_map<ImGuiID, ImRect> rects_;
   std::vector<Widget> widgets_;
   float scale_ = 1.0f;
-  std::vector<ImGuiID> ids_;  // ids of widgets_; 0: a text
+  std::vector<ImGuiID> ids_;  // of widgets_, in the same order; 0: a text
   std::vector<WidgetPart> parts_;
   int part_ = -1;          // the part being drawn
   int texts_ = 0;          // number of texts in this frame

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A request to a widget that does not come from a pointer: from a screen reader, a script, or a key of the
-// page. The widget handles it when it is drawn next, as if it had been clicked or stepped. One request is
-// handled per frame, in order.
+// Requests to widgets from a screen reader, a script, or a key on the page. A widget handles a request when
+// it is next drawn, as if it had been clicked or stepped. One request is handled per frame, in order.
 #pragma once
 
 #include <deque>
@@ -12,10 +11,10 @@ namespace gaitsmith::shell {
 
 struct WidgetRequest {
   enum class Kind {
-    kFocus,  // focuses the widget and scrolls it into sight
+    kFocus,  // focuses the widget and scrolls it into view
     kPress,
     kStep,  // by this many steps, as with arrow keys
-    kSet,   // to this number of WidgetRange
+    kSet,   // to this number in WidgetRange
   };
 
   std::string id;
@@ -27,8 +26,8 @@ struct WidgetRequest {
 
 class WidgetRequests {
  public:
-  /// Steps add up. A number replaces a waiting one for the same widget. Any request replaces a waiting
-  /// request for focus alone, since every request focuses its widget.
+  /// Consecutive steps add up, and a number replaces a pending one for the same widget. Every request
+  /// replaces a pending kFocus, since all requests focus their widget.
   void Add(WidgetRequest);
 
   void BeginFrame();
@@ -36,12 +35,12 @@ class WidgetRequests {
   [[nodiscard]] const WidgetRequest* Due() const { return due_.id.empty() ? nullptr : &due_; }
   /// The frame's request if it is for this widget, or null.
   [[nodiscard]] const WidgetRequest* DueFor(std::string_view id) const;
-  /// The request was handled, or its widget no longer exists.
+  /// Drops the frame's request, handled or not.
   void EndFrame() { due_ = {}; }
 
   /// Whether requests are waiting.
   [[nodiscard]] bool Waiting() const { return !waiting_.empty(); }
-  /// The widget that will be focused after all requests; empty: the focus stays.
+  /// The widget that all pending requests will leave focused; empty: no change.
   [[nodiscard]] std::string_view Last() const {
     return waiting_.empty() ? std::string_view() : waiting_.back().id;
   }

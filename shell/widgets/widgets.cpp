@@ -11,7 +11,7 @@
 namespace gaitsmith::shell {
 namespace {
 
-// Key in a window's storage, for a widget that a finger touches while its intention is unclear.
+// Key in a window's storage for a touch that may become a drag or a scroll.
 constexpr ImGuiID kFingerKey = 0x66696e67;
 constexpr int kFingerWaits = 1;
 
@@ -82,7 +82,7 @@ Touch Ui::Area(std::string_view id, const ImRect& rect, Grab grab, Widget descri
   Touch touch;
   touch.id = window->GetID(id.data(), id.data() + id.size());
   const WidgetRequest* asked = registry_.Requests().DueFor(id);
-  // Focus first: the focused widget is drawn even if it is scrolled out of sight.
+  // Focus first: Dear ImGui draws the focused widget even if it is scrolled out of view.
   if (asked != nullptr) TakeKeyboard(rect, touch.id, asked->ring);
   touch.visible = ImGui::ItemAdd(rect, touch.id, nullptr, enabled ? 0 : ImGuiItemFlags_Disabled);
   if (touch.visible && enabled && grab != Grab::kNothing) {
@@ -124,7 +124,7 @@ void Ui::AwaitFinger(Touch& touch, bool was_held) const {
   const ImGuiID key = touch.id + kFingerKey;
   if (touch.began) storage->SetInt(key, kFingerWaits);
   if (storage->GetInt(key) != kFingerWaits) return;
-  if (!touch.held && !was_held) return storage->SetInt(key, 0);  // the finger went on to scroll
+  if (!touch.held && !was_held) return storage->SetInt(key, 0);  // the touch became a scroll
   const ImVec2 moved = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0f);
   const bool sideways = touch.held && std::abs(moved.x) >= 6.0f && std::abs(moved.x) >= std::abs(moved.y);
   const bool lifted = !touch.held && was_held;
@@ -136,7 +136,7 @@ void Ui::AwaitFinger(Touch& touch, bool was_held) const {
 void Ui::TakeKeyboard(const ImRect& rect, ImGuiID id, bool ring) const {
   ImGuiContext& g = *ImGui::GetCurrentContext();
   ImGuiWindow* window = ImGui::GetCurrentWindow();
-  if (g.ActiveId != 0 && g.ActiveId != id) ImGui::ClearActiveID();  // a number being typed
+  if (g.ActiveId != 0 && g.ActiveId != id) ImGui::ClearActiveID();  // ends typing in a field
   if (g.NavWindow != window) ImGui::FocusWindow(window);            // closes a list over it
   ImGui::SetFocusID(id, window);
   window->NavRectRel[ImGuiNavLayer_Main] = ImGui::WindowRectAbsToRel(window, rect);

@@ -25,7 +25,7 @@ enum class ButtonLook { kPlain, kOutlined, kPrimary };
 enum class Grab {
   kNothing,  // none: text that assistive tools read
   kPress,    // a click, Enter or the space bar
-  kDrag,     // reports `held` from the moment the pointer goes down
+  kDrag,     // reports `held` as soon as the pointer goes down
   kArrows,   // kDrag, and the left and right arrow keys (10 steps with Shift)
 };
 
@@ -35,14 +35,14 @@ struct Touch {
   bool visible = false;
   bool hovered = false;
   bool held = false;
-  bool began = false;                 // held now, but not in the frame before
-  bool pressed = false;               // clicked or activated by key
+  bool began = false;                 // held now, but not in the previous frame
+  bool pressed = false;               // clicked, or activated by key
   bool focused = false;               // has the focus, and the keyboard is in use
   int steps = 0;                      // arrow keys: left negative
   std::optional<double> wanted = {};  // a number requested by a script or a screen reader
 };
 
-/// An interval in [0, 1] of its track, drawn in its colour.
+/// An interval within [0, 1] on a slider's track.
 struct SliderInterval {
   float low, high;
   std::string low_text, high_text;  // the ends, as text
@@ -60,7 +60,7 @@ class Ui {
   /// The current window's draw list, set to anti-alias over one device pixel.
   [[nodiscard]] ImDrawList* Canvas() const;
 
-  /// For large areas behind everything. The window itself has the colour of panels.
+  /// For large areas behind everything. The rest of the window has the panels' colour.
   [[nodiscard]] Backdrop& Behind() { return backdrop_; }
 
   /// While locked, widgets can be read and unfolded, but change nothing.
@@ -75,29 +75,28 @@ class Ui {
   void Heading(std::string_view text) const;
   void Paragraph(std::string_view text, Type type = Type::kBody) const;
   void Paragraph(std::string_view text, ImU32 colour, Type type = Type::kBody) const;
-  /// A caption left, a value right.
+  /// Draws a caption at the left and a value at the right.
   void Fact(std::string_view label, std::string_view value) const;
 
-  // Widgets. `id` is stable and unique; `label` is the text for people and screen readers.
-  /// @param heard  the full label for screen readers, if the place implies a part of it; empty: the label
+  // Widgets. `id` is stable and unique. `label` is the visible text and the name for screen readers.
+  /// @param heard  the name for screen readers if the visible label is shortened; empty: the label
   bool Button(std::string_view id, const ImRect&, std::string_view label, ButtonLook = ButtonLook::kOutlined,
               bool enabled = true, std::string_view heard = {});
   bool IconButton(std::string_view id, const ImRect&, Icon, std::string_view label,
                   ButtonLook = ButtonLook::kPlain, bool enabled = true);
-  /// A few options side by side, translated here. The label is for screen readers. @return true if `selected`
-  /// changed
+  /// A few options side by side, which this function translates. The label is for screen readers. @return
+  /// true if `selected` changed
   bool Segmented(std::string_view id, const ImRect&, std::string_view label,
                  std::span<const char* const> options, int& selected);
-  /// Label and value above a thin track, in rows of its own. Click the value or press Enter to type it.
+  /// Label and value above a thin track, on new rows. Click the value or press Enter to type it.
   /// @return true if `value` changed
   bool Slider(std::string_view id, std::string_view label, double& value, const SliderRange&,
               std::string_view value_text);
   /// As Slider, in one row.
   bool LineSlider(std::string_view id, std::string_view label, double& value, const SliderRange&,
                   std::string_view value_text, ImU32 colour);
-  /// Two ends that never cross, each by pointer and by key, as widgets `id`/low and `id`/high; a row of its
-  /// own.
-  /// @return true when an end changed
+  /// A slider with two ends that never cross, the widgets `id`/low and `id`/high, on a new row.
+  /// @return true if an end changed
   bool IntervalSlider(std::string_view id, std::string_view label, SliderInterval&, ImU32 colour);
   /// A whole number with buttons for a step down and up. Click the number to type it.
   bool Number(std::string_view id, std::string_view label, int& value, int low, int high, int step = 1);
@@ -105,7 +104,7 @@ class Ui {
   /// @param other text shown if no entry is selected (-1)
   bool Combo(std::string_view id, std::string_view label, std::span<const std::string> options, int& selected,
              std::string_view other = "");
-  /// @param names translated here
+  /// @param names  this function translates them
   bool Tabs(std::string_view id, const ImRect&, std::string_view label, std::span<const char* const> names,
             int& selected);
 
@@ -121,7 +120,7 @@ class Ui {
 
   /// Registers text that the caller draws, for screen readers.
   void Tell(std::string_view text, const ImRect&) const;
-  /// Groups everything drawn during the result's lifetime under this name. @param role as of WidgetPart
+  /// Groups everything drawn during the result's lifetime under this name. @param role as in WidgetPart
   [[nodiscard]] PartScope Part(std::string_view id, std::string_view role, std::string_view label) {
     return {registry_, {.id = std::string(id), .label = std::string(label), .role = std::string(role)}};
   }
@@ -133,23 +132,23 @@ class Ui {
 
  private:
   void TakeKeyboard(const ImRect&, ImGuiID, bool ring) const;
-  /// A finger on a slider may be about to scroll. It counts once it moves sideways, or when it is lifted in
-  /// place.
+  /// A touch on a slider may begin a scroll. It acts on the slider only when it moves sideways, or is lifted
+  /// in place.
   void AwaitFinger(Touch&, bool was_held) const;
   ImU32 ButtonInk(ButtonLook, const ImRect&, const Touch&, bool enabled) const;
   void DrawKnob(ImVec2 centre, const Touch&, ImU32 colour) const;
 
   struct SliderPlaces {
     ImRect row;     // the whole row
-    ImRect track;   // of the knob
-    ImRect reach;   // the part that takes the pointer, without the number
+    ImRect track;   // where the knob moves
+    ImRect reach;   // the area that reacts to the pointer, without the number
     ImRect number;  // beside the label or the track
     ImU32 colour;
   };
   bool Slide(std::string_view id, std::string_view label, double& value, const SliderRange&,
              std::string_view value_text, const SliderPlaces&);
   /// Replaces a number by Dear ImGui's text field, from a request until Enter, Escape or a click elsewhere.
-  /// The value follows the text while that is a number.
+  /// The value follows the text whenever it is a valid number.
   void TypedValue(std::string_view id, std::string_view label, const ImRect& field, double& value,
                   const SliderRange&);
 

@@ -104,7 +104,7 @@ bool Ui::Tabs(std::string_view id, const ImRect& rect, std::string_view label,
   ImDrawList* list = Canvas();
   HorizontalLine(rect.Min.x, rect.Max.x, rect.Max.y - 1.0f);
   float x = rect.Min.x + 8.0f;
-  // Narrow phones get smaller gaps between the names.
+  // On narrow phones the gaps between names are smaller.
   float letters = 0.0f;
   for (const char* name : names) letters += Letters().Width(Type::kStrong, Tr(name));
   const float spare = (rect.GetWidth() - 16.0f - letters) / static_cast<float>(names.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A slider with two ends, for an interval.
+// A slider for an interval, with two ends.
 #include <algorithm>
 
 #include "shell/widgets/widgets.h"
@@ -10,8 +10,8 @@ namespace {
 
 constexpr float kKeyStep = 0.01f;  // as a share of the track
 
-// The knob's position during a drag. It keeps its distance from the pointer, so that it does not jump at the
-// start.
+// The knob's position during a drag. Its offset from the pointer is constant, so that it does not jump at
+// first.
 float HeldAt(const Touch& touch, float knob_x) {
   ImGuiStorage* storage = ImGui::GetStateStorage();
   const float pointer = ImGui::GetIO().MousePos.x;
@@ -39,7 +39,7 @@ bool Ui::IntervalSlider(std::string_view id, std::string_view label, SliderInter
   const float right = row.Max.x - kKnobRadius;
   const auto x_of = [&](float share) { return left + share * (right - left); };
 
-  // Each end reacts to the space on its own side, so that both can be dragged even where they coincide.
+  // Each end reacts on its outer side, so that both can be dragged even if they coincide.
   const float reach = theme_.touch ? 22.0f : 13.0f;
   const float low_x = x_of(interval.low), high_x = x_of(interval.high);
   const float between = 0.5f * (low_x + high_x);

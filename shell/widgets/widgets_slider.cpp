@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sliders of one value, in two rows or one. The number beside the track can be typed.
+// Sliders for one value, in one or two rows, with a number that can be typed.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -29,7 +29,7 @@ int DecimalsOf(const SliderRange& range) {
   return decimals;
 }
 
-constexpr float kTrack = 4.0f;  // height
+constexpr float kTrack = 4.0f;  // height of the track
 constexpr float kFieldWidth = 84.0f;
 // Key in a window's storage for a slider's value before typing.
 constexpr ImGuiID kBeforeKey = 0x6265666f;
@@ -59,7 +59,7 @@ void Ui::TypedValue(std::string_view id, std::string_view label, const ImRect& f
   const ImVec2 cursor = ImGui::GetCursorScreenPos();
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {6.0f, 0.5f * (field.GetHeight() - ImGui::GetFontSize())});
   ImGui::PushClipRect(field.Min, field.Max,
-                      true);  // cuts off the label that Dear ImGui writes after a field
+                      true);  // hides the label that Dear ImGui draws after a field
   const bool edited =
       ImGui::TempInputText(field, widget, name.c_str(), text, sizeof text,
                            ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CharsDecimal);
@@ -68,7 +68,7 @@ void Ui::TypedValue(std::string_view id, std::string_view label, const ImRect& f
   ImGui::SetCursorScreenPos(cursor);
   Canvas()->AddRect(field.Min, field.Max, Ink().accent, 3.0f, 0, 2.0f);
   if (double number = 0.0; edited && Parse(text, number)) value = range.Nearest(number);
-  // The field would put back what it showed, which need not be all of the number.
+  // On Escape the field restores its own text, which is rounded. Restore the value from before typing.
   if (ImGui::IsKeyPressed(ImGuiKey_Escape, false))
     value = static_cast<double>(storage->GetFloat(widget + kBeforeKey));
 }
@@ -114,7 +114,7 @@ bool Ui::Slide(std::string_view id, std::string_view label, double& value, const
     if (!touch.visible) return false;
   }
 
-  // The knob's centre travels inside the track's ends.
+  // The knob's centre stays inside the track's rounded ends.
   const float left = at.track.Min.x + kKnobRadius;
   const float right = at.track.Max.x - kKnobRadius;
   const ImVec2 down = ImGui::GetIO().MouseClickedPos[0];
@@ -131,7 +131,7 @@ bool Ui::Slide(std::string_view id, std::string_view label, double& value, const
   Letters().Draw(list, Type::kBody, {at.row.Min.x, at.number.GetCenter().y}, Ink().ink, label);
   list->AddRectFilled({at.track.Min.x, y - 0.5f * kTrack}, {at.track.Max.x, y + 0.5f * kTrack}, Ink().soft,
                       2.0f);
-  // A range across zero is filled from zero, so that "none" looks like none.
+  // A range across zero is filled from zero, so that the value 0 shows no fill.
   const float x = x_of(value), zero = range.low < 0.0 && range.high > 0.0 ? x_of(0.0) : at.track.Min.x;
   list->AddRectFilled({std::min(zero, x), y - 0.5f * kTrack}, {std::max(zero, x), y + 0.5f * kTrack},
                       at.colour, 2.0f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Widgets that hold a whole number or a yes or no.
+// Widgets for a whole number, and for yes or no.
 #include <algorithm>
 #include <cmath>
 
@@ -42,7 +42,7 @@ bool Ui::Number(std::string_view id, std::string_view label, int& value, int low
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                         {10.0f, 0.5f * (field.GetHeight() - ImGui::GetFontSize())});
     ImGui::PushClipRect(field.Min, field.Max,
-                        true);  // cuts off the label that Dear ImGui writes behind a field
+                        true);  // hides the label that Dear ImGui draws after a field
     ImGui::TempInputScalar(field, field_id, name.c_str(), ImGuiDataType_S32, &value, "%d", &low, &high);
     ImGui::PopClipRect();
     ImGui::PopStyleVar();

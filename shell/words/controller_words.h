@@ -10,7 +10,7 @@ namespace gaitsmith::shell {
 
 /// "10 rules with physical senses", "10 rules with timer 0.80 s", "a network of 10 hidden nodes".
 [[nodiscard]] std::string ControllerWords(ControllerKind, const SenseSpec&, int rules);
-/// As ControllerWords, but always in English: names of documents are stored in files and links.
+/// As ControllerWords, but always in English, as stored in files and links.
 [[nodiscard]] std::string ControllerName(ControllerKind, const SenseSpec&, int rules);
 /// What the task rewards, e.g. "travel".
 [[nodiscard]] std::string TaskWords(TaskKind);

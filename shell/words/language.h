@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Translation of all texts. English texts stand in the code and are the keys of the other languages: each
-// languages/*.json is one table of translations. tests/web/language.test.mjs checks that the tables are
-// complete and have no unused entries.
+// Translation of all texts. The English texts in the code are the keys: each languages/*.json is one table of
+// translations. tests/web/language.test.mjs checks that the tables are complete and have no unused entries.
 #pragma once
 
 #include <initializer_list>
@@ -14,17 +13,16 @@ namespace gaitsmith::shell {
 
 /// Sets the language of all texts from now on.
 /// @param json a table of shell/languages; empty: English
-/// @return an error, with nothing changed, if it is not a table
+/// @return an error if it is not such a table; then the language is unchanged
 Result<void> SpeakLanguage(std::string_view json);
 
-/// The text in the present language, valid until the next SpeakLanguage. @param english a literal, or the
-/// same text
+/// The text in the present language, valid until the next SpeakLanguage. @param english a key of the tables
 [[nodiscard]] const char* Tr(const char* english);
 
-/// Marks a literal that goes through Tr later, for instance in a table.
+/// Marks a literal that is passed to Tr later, for instance in a table.
 constexpr const char* TrLater(const char* english) { return english; }
 
-/// The text that replaces {1}, {2} and so on.
+/// The text that replaces {1}, {2}, …
 struct Insert {
   Insert(const char* words) : text(words) {}
   Insert(std::string_view words) : text(words) {}
@@ -35,7 +33,7 @@ struct Insert {
 
 [[nodiscard]] std::string Fill(std::string_view pattern, std::initializer_list<Insert> inserts);
 
-/// Tr("{1} of {2}", 3, 7): translates whole sentences, since the order of their parts differs between
+/// Translates a whole sentence and fills it in: Tr("{1} of {2}", 3, 7). The order of parts differs between
 /// languages.
 template <class... Inserts>
   requires(sizeof...(Inserts) > 0)
@@ -43,13 +41,13 @@ template <class... Inserts>
   return Fill(Tr(english), {Insert(inserts)...});
 }
 
-/// Translates a sentence made elsewhere, for instance by core's decoders. In the table its numbers and
-/// "quoted" parts are {1}, {2}... Unchanged if the table has no entry.
+/// Translates a complete sentence, for instance from core's decoders. The table has {1}, {2}, … in place of
+/// numbers and "quoted" parts. Returns the sentence unchanged if the table has no entry.
 [[nodiscard]] std::string TrSentence(std::string_view english);
 /// Translates the name of a document or a controller if it is a shipped one or written by a search: "Mr.
 /// Star-Man · travel, 10 rules with physical senses, seed 3". The stored name stays English.
 [[nodiscard]] std::string TrTitle(std::string_view title);
-/// Translates an error. Its place stays as the document names it.
+/// Translates an error, but not its location.
 [[nodiscard]] std::string TrError(const Error&);
 
 /// The separators of decimals and of thousands.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Explains in words and units which rule was chosen at a moment, and why. Core makes the choice.
+// Explains in words which rule was chosen at a moment, and why. Core makes the choice.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ struct RuleMoment {
   const Skeleton& bones;
   std::vector<float> senses;  // normalised
   RuleChoice choice;
-  bool begins;  // first step: no senses yet, so the bank starts with its first rule
+  bool begins;  // first step: no senses yet, so the first rule is active
 };
 
 /// @return nothing if another clip is active or its controller has no rules

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every parameter of every search: its name, a line that explains it, and its range. The panel is built from
-// this table, and a test compares the table with the document format.
+// The table of all search parameters, with name, explanation and range. The panel is built from it, and a
+// test compares it with the document format.
 #pragma once
 
 #include <span>
@@ -29,19 +29,19 @@ struct ChoiceParameter {
 };
 
 struct SearchParameter {
-  std::string_view id;  // of its widget, e.g. "search/population"
-  const char* label;    // with its unit, if it has one
-  const char* line;     // what it does
+  std::string_view id;  // id of its widget, e.g. "search/population"
+  const char* label;    // with the unit, if any
+  const char* line;     // explanation
   std::variant<WholeParameter, RealParameter, ChoiceParameter> kind;
 };
 
-/// The parameters of this algorithm alone, in the order of the panel. Excludes the parameters of all searches
+/// The parameters specific to this algorithm, in the order of the panel. Excludes those of all searches
 /// (budget, seed, start).
 [[nodiscard]] std::vector<const SearchParameter*> ParametersOf(Algorithm);
-/// The operators that draw and change controllers at random, shared by several searches.
+/// The parameters of random initialisation and mutation, shared by several searches.
 [[nodiscard]] std::vector<const SearchParameter*> VariationOf(Algorithm);
 
-/// Changes the settings to the nearest valid ones: a first population must fit into the budget, and a
+/// Changes the settings to the nearest valid ones: the first population fits into the budget, and a
 /// population of CMA-ES is at least 4.
 void Fit(SearchSettings&);
 

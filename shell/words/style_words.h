@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The terms of a score in words: names, units, a line of explanation, and the whole sum as text.
+// The terms of a score in words: names, units, explanations, and the whole sum as text.
 #pragma once
 
 #include <array>
@@ -15,18 +15,18 @@ struct TermWords {
   const char* word;   // "slip", within a sentence
   const char* line;   // what it measures, in a few words
   const char* unit;   // "m", or empty for a plain number
-  const char* per;    // "per m": unit of its weight
-  int decimals;       // for the measured value
+  const char* per;    // unit of the weight: "per m"
+  int decimals;       // of the measured value
 };
 
 /// In the order of StyleTerm.
 [[nodiscard]] const std::array<TermWords, kStyleTerms>& TermTexts();
 
-/// A number with this many decimals, or fewer if it is large, to fit into a column.
+/// A number with at most this many decimals: large numbers have fewer, to fit into a column.
 [[nodiscard]] std::string AmountText(float amount, int decimals);
 /// "20.86 m"
 [[nodiscard]] std::string ValueText(const TermWords&, float value);
-/// A weight with at least one decimal, and as many as it needs and a column can hold: "-0.05".
+/// A weight with at least one decimal, more if needed and if they fit into a column: "-0.05".
 [[nodiscard]] std::string WeightText(float weight);
 /// "Travel to the right": the primary term.
 [[nodiscard]] std::string PrimaryLabel(TaskKind);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers and names as text. (Our compilers' standard library has no std::format yet.)
+// Numbers and names as text. The standard libraries of the supported compilers lack std::format.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace gaitsmith::shell {
 
-/// With a decimal point in every language, for stored text.
+/// Always with a decimal point, for stored text.
 [[nodiscard]] std::string PlainFixed(double value, int decimals);
 [[nodiscard]] std::string Fixed(double value, int decimals);
 [[nodiscard]] std::string Fixed(float value, int decimals);
@@ -15,7 +15,7 @@ namespace gaitsmith::shell {
 [[nodiscard]] std::string Grouped(long long value);
 /// "2 s", "1 min 20 s", "3 h"
 [[nodiscard]] std::string Duration(double seconds);
-/// The text in at most this many bytes of UTF-8, at least 3; an ellipsis replaces what is cut off.
+/// The text in at most `bytes` bytes of UTF-8, with an ellipsis if it was cut. @param bytes at least 3
 [[nodiscard]] std::string Shortened(const std::string& text, std::size_t bytes);
 
 }  // namespace gaitsmith::shell

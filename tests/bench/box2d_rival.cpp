@@ -11,7 +11,7 @@ namespace gaitsmith::bench {
 namespace {
 
 constexpr float kHalfThicknessM = 0.02f;
-constexpr float kStrongNm = 1000.0f;  // strong enough that a prescribed joint never gives way
+constexpr float kStrongNm = 1000.0f;  // motor torque [N m], enough that prescribed joints never yield
 constexpr int kStepsPerTarget = kBox2dSteps / kPeerTargets;
 constexpr std::size_t kPeerRods = 5;
 
@@ -48,7 +48,7 @@ float RunInBox2d(const Workload& peers, int figure) {
   ground.friction = kPeerFriction;
   world.CreateBody(&still)->CreateFixture(&ground);
 
-  // The lowest rods point down and outward by a fifth of a turn. The figure starts standing on them.
+  // The lowest rods point down and outward, 1/5 turn apart. The figure starts standing on them.
   float deepest = 0.0f;
   for (std::size_t i = 1; i < rods.size(); ++i) {
     deepest = std::min(deepest, rods[i].length_m * std::sin(rods[0].rest_rad + rods[i].rest_rad));

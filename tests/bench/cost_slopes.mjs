@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Slopes of cost_bench's results, by least squares.
+// Least-squares slopes of cost_bench's results.
 
 /** @typedef {{name: string, run_name: string, cpu_time: number, aggregate_name?: string}} Measured  by Google Benchmark */
 /** @typedef {{what: string, value: number, relation: '<=' | '', goal: number, unit: string, note?: string}} Slope */

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Counts the evaluator's instructions per figure and step with valgrind: the same on a busy machine as on an idle one.
+# Counts the evaluator's instructions per figure and step with valgrind, independent of the machine's load.
 # Fails if a workload takes over 10 % more than in tests/bench/instructions.txt.
 #   tests/bench/instruction_guard.sh PROGRAM            PROGRAM: build/release/tests/bench/instructions
 #   tests/bench/instruction_guard.sh PROGRAM --renew    writes the present counts
@@ -9,7 +9,7 @@ command -v valgrind >/dev/null || { echo "no valgrind here: instructions are not
 numbers=$(dirname "${BASH_SOURCE[0]}")/instructions.txt
 compiler="g++ $(g++ -dumpfullversion -dumpversion | cut -d. -f1) $(uname -m)"
 
-# The difference of two runs, so that loading, searching and cleaning up do not count.
+# The difference of two runs excludes loading, searching and cleaning up.
 counted() { # workload, times
   valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" "$1" "$2" 2>&1 |
     awk '/figure-steps/ { steps = $1 } /Collected/ { print $NF, steps }'

@@ -18,7 +18,7 @@ using namespace gaitsmith;
 constexpr int kSteps = 300;
 constexpr std::size_t kFigures = 16;
 
-/// The shipped gait, because a search under valgrind would take a minute.
+/// A shipped gait, because a search under valgrind would take a minute.
 bench::Workload ShippedGait() {
   std::ifstream file(GAITSMITH_SOURCE_DIR "/examples/star-man-shuffle.json");
   Document document = DecodeJson(std::string(std::istreambuf_iterator<char>(file), {})).value();

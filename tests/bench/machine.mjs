@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The machine and the builds of a measurement. Without them results mean nothing.
+// The machine and the builds of a measurement, which results depend on.
 import { execFileSync, spawn } from 'node:child_process';
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus, loadavg } from 'node:os';
@@ -25,7 +25,7 @@ function compilerOf(build) {
 
 const LOOK_MS = 500;
 
-/** Cores used by other programs, before and after a benchmark. A load average would still include our own build. */
+/** Cores used by other programs, before and after a benchmark. A load average would include a recent build. */
 async function busyCores() {
   const spent = () => cpus().reduce((sum, { times }) => {
     const all = Object.values(times).reduce((total, time) => total + time, 0);
@@ -61,8 +61,8 @@ export async function keep(name, figures) {
 }
 
 /**
- * Speed of two independent programs on two cores, over that of one: the upper limit for two workers at present.
- * @returns {Promise<number | null>} 2 if neither slows the other; null if the command line is not built
+ * Speed of two independent programs on two cores relative to one: the present upper limit for two workers.
+ * @returns {Promise<number | null>} 2 if neither slows down the other; null if the command line is not built
  */
 export async function twoCoresOverOne() {
   const program = join(ROOT, 'build/release/shell/gaitsmith');

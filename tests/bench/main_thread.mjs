@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The work of the page's main thread during a search. The user's waiting time also depends on other threads on the
-// processor, such as two workers on two cores. The thread's own work does not.
+// The work of the page's main thread during a search. Measures its processor time too, because waiting time also
+// depends on other threads, such as two workers on two cores.
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -8,11 +8,11 @@ import { join } from 'node:path';
 /** @typedef {{name: string, cat: string, ph: string, pid: number, tid: number, ts: number, dur?: number, tdur?: number, args?: any}} TraceEvent */
 
 /**
- * The longest task of the page's main thread during a search, by the browser's own trace.
+ * The longest task of the page's main thread during a search, from the browser's trace.
  * @param {import('../browser/browsers.mjs').Browser} browser @param {string} address  with the page's options
  * @param {object} document  with its search settings
  * @param {number} workers @param {number} settledMs
- * @returns {Promise<{wallMs: number, processorMs: number}>} the largest of each, which may be of different tasks
+ * @returns {Promise<{wallMs: number, processorMs: number}>} the largest of each, possibly of different tasks
  */
 export async function longestTask(browser, address, document, workers, settledMs) {
   const folder = await mkdtemp(join(tmpdir(), 'gaitsmith-trace-'));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs the native program of rounds.cpp, which simulates a round per command.
+// Runs the native program rounds.cpp, which simulates one round per command.
 import { spawn } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';

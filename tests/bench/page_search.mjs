@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole searches in Chromium: by workers alone on an empty page, and in the real page, with the best motion animated on
-// the canvas.
+// Complete searches in Chromium: by workers on an empty page, and in the real page with the best motion animated.
 
 /** @typedef {import('../browser/browsers.mjs').Browser} Browser */
 /** @typedef {import('../../web/search/messages.js').SearchReport} SearchReport */
@@ -12,18 +11,18 @@
  * @property {number} evaluations counted as in the serial search
  * @property {number} simulated   including discarded look-ahead
  * @property {number} simulatedPerSecond  after the workers have started
- * @property {boolean} whole      false if it was stopped at the limit
+ * @property {boolean} whole      false: stopped at the limit
  */
 /**
  * framesPerSecond: frames offered by the browser. A page with ?fps= draws fewer.
  * @typedef {Taken & {framesPerSecond: number, longestStallMs: number}} Visited
  */
 
-// A browser that has just opened a page is still busy with it, and a user looks before searching.
+// Wait before searching: a browser that has just opened a page is still busy, and a user would look first.
 export const SETTLED_MS = 2000;
 
 /**
- * Searches on an empty page, so that nothing else runs. A search that lasts longer than the limit is stopped.
+ * Searches on an empty page, where nothing else runs. Stops a search at the limit.
  * @param {Browser} browser @param {string} address
  * @param {object} document  with its search settings
  * @param {number} workers @param {number} limitMs
@@ -95,7 +94,7 @@ export async function searchInPage(browser, address, document, workers, limitMs)
       if (running) requestAnimationFrame(frame);
     };
     requestAnimationFrame(frame);
-    // A message from a thread to itself arrives as soon as the thread is free. Timers may be delayed.
+    // A message from a thread to itself arrives when the thread is free. Browsers may delay timers.
     const { port1, port2 } = new MessageChannel();
     const pause = 4;
     port1.onmessage = () => {

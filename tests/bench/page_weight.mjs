@@ -39,8 +39,8 @@ export async function bytesUntilFirstMotion(browser, address) {
 }
 
 /**
- * WebAssembly memory of the page's application after a search, and of an engine in both roles of a worker, by
- * algorithm.
+ * WebAssembly memory by algorithm: of the page's application after a search, and of an engine in both roles of a
+ * worker.
  * @param {Browser} browser @param {string} address @param {string[]} algorithms
  */
 export async function memory(browser, address, algorithms) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Summarises the files that the benchmarks wrote to build/: goal, result, met or not. Prints a table and writes
-// build/bench-report.json. Rows of benchmarks that have not run are left out.
+// Summarises the benchmarks' files in build/: goal, result, and whether it is met. Prints a table and writes
+// build/bench-report.json. Omits benchmarks that have not run.
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { ROOT } from '../browser/browsers.mjs';

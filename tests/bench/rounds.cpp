@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs short rounds of simulation on demand, so that alternatives can be measured in turn within one run
-// (rival_bench.mjs). Reads one command per line and answers each with one line:
+// Runs short rounds of simulation on demand, so that rival_bench.mjs can measure alternatives in turn within
+// one run. Reads one command per line and answers each with one line:
 //   about                     the compiler and its flags, as JSON
 //   write FOLDER              writes every workload for programs in other languages: NAME.json and NAME.genes
 //   box2d MS                  rollouts per second of processor time of Box2D, peers' scenario, in about MS
@@ -23,10 +23,10 @@ namespace {
 
 using namespace gaitsmith;
 
-/// Processor time of this program [s]. On a busy machine wall-clock time includes other programs.
+/// Processor time of this program [s], which excludes other programs on a busy machine.
 double Spent() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Repeats work until the time is over. @param work returns the number of simulated motions
+/// Repeats work until the time is up. @param work returns the number of simulated motions
 template <class Work>
 double PerSecond(double ms, Work work) {
   const double start = Spent();

@@ -9,7 +9,7 @@ import { ROOT } from '../browser/browsers.mjs';
 import { keep } from './machine.mjs';
 
 const EVALUATIONS = 8000;
-const LOOK_MS = 10; // the high-water mark never falls, so the last sample counts
+const LOOK_MS = 10; // polling interval; the high-water mark never falls, so the last sample counts
 
 const started = performance.now();
 const child = spawn(join(ROOT, 'build/release/shell/gaitsmith'),

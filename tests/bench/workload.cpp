@@ -13,7 +13,7 @@ namespace gaitsmith::bench {
 
 namespace {
 
-constexpr int kSearchEvaluations = 3000;  // enough for a shuffle, less than a second
+constexpr int kSearchEvaluations = 3000;  // enough to find a shuffle, in less than a second
 
 Gene Share(int part, int whole) { return static_cast<Gene>(part * int{kGeneMax} / whole); }
 

@@ -23,8 +23,8 @@ inline constexpr int kGenomes = 64;
 /// Random genomes, as at the start of a search.
 [[nodiscard]] Workload RandomGenomes(const Document&);
 
-/// Perturbations of the result of a short search, as at the end of a search. An evolved gait has other
-/// contacts than a random bank.
+/// Perturbations of the result of a short search, as at the end of a search. Contacts differ from those of
+/// random genomes.
 [[nodiscard]] Workload Gaits(const Document&);
 
 // The scenario for comparison with other engines: Mr. Star-Man's joints follow targets that change every half
@@ -39,8 +39,8 @@ inline constexpr float kPeerFriction = 1.0f;
 /// Target angle of a joint of one of Peers() during an interval, relative to its rest angle [rad].
 [[nodiscard]] float PeerTarget(const Workload& peers, int figure, int interval, int joint);
 
-/// A workload by name: "random", "gait", "timer" (random), "timer-gait", "peers". Created at the first call
-/// and then kept, because gaits take a search.
+/// A workload by name: "random", "gait", "timer" (random), "timer-gait", "peers". Cached after the first
+/// call, because gaits require a search.
 [[nodiscard]] const Workload& WorkloadOf(std::string_view name);
 inline constexpr std::string_view kWorkloads[] = {"random", "gait", "timer", "timer-gait", "peers"};
 

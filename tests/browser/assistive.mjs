@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A page as assistive tools use it: by roles and names, without pointer and keys.
+// Uses a page like assistive tools: by roles and names, without pointer and keys.
 import assert from 'node:assert/strict';
 import { sleep } from './page_driver.mjs';
 
 /** @typedef {import('./page_driver.mjs').PageDriver} PageDriver */
 
 /**
- * The element with this role and name, once it is there: as Chromium's accessibility tree has it; Firefox takes seconds
- * to build its own for each question, so there it is sought by what the page says.
+ * Waits for the element with this role and name in Chromium's accessibility tree. In Firefox, which takes seconds to
+ * build its tree for each query, looks at the page's attributes instead.
  * @param {PageDriver} page @param {string} role @param {string} name
  */
 export async function byRole(page, role, name) {
@@ -28,13 +28,13 @@ function seek(role, name) {
     (node.getAttribute('aria-label') ?? node.textContent) === name) ?? null;
 }
 
-/** As an assistive tool presses it: no pointer, no keys. @param {PageDriver} page @param {string} role @param {string} name */
+/** Presses an element like an assistive tool. @param {PageDriver} page @param {string} role @param {string} name */
 export async function activate(page, role, name) {
   await (await byRole(page, role, name)).evaluate((node) => /** @type {HTMLElement} */ (node).click());
   await settle(page);
 }
 
-/** As an assistive tool sets it. @param {PageDriver} page @param {string} role @param {string} name @param {string} value */
+/** Sets a value like an assistive tool. @param {PageDriver} page @param {string} role @param {string} name @param {string} value */
 export async function setValue(page, role, name, value) {
   await (await byRole(page, role, name)).evaluate((node, text) => {
     const input = /** @type {HTMLInputElement} */ (node);
@@ -45,7 +45,7 @@ export async function setValue(page, role, name, value) {
   await settle(page);
 }
 
-/** Until the canvas has drawn what was asked and the mirror has it. @param {PageDriver} page */
+/** Waits until the canvas has drawn the change and the mirror shows it. @param {PageDriver} page */
 export async function settle(page) {
   await page.frames(5);
   await sleep(300);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What axe, the accessibility checker, has to say about the page in its various states: nothing. In Chromium only, since
-// it looks at the page's elements, which are the same everywhere.
+// axe, the accessibility checker, finds no errors in the page's various states. Only in Chromium, because axe looks at
+// the page's elements, which are the same in all browsers.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -11,24 +11,24 @@ import { PageDriver } from './page_driver.mjs';
 
 const axe = () => readFile(join(ROOT, 'web/node_modules/axe-core/axe.min.js'), 'utf8');
 
-/** One line for each rule that is broken, with the elements that break it. @param {PageDriver} page @returns {Promise<string[]>} */
+/** One line per violated rule, with its elements. @param {PageDriver} page @returns {Promise<string[]>} */
 const violations = (page) => page.call('axe', `axe.run({ resultTypes: ['violations'] }).then(({ violations }) => violations.map(
   ({ id, impact, nodes }) => [impact, id, ...nodes.slice(0, 4).map(({ html }) => html.slice(0, 160))].join(' | ')))`);
 
-/** Clicks a widget's element as soon as it is there: on a slow machine a panel takes its time. @param {PageDriver} page @param {string} id */
-async function press(page, id) {
+/** Waits for a widget's element and clicks it. @param {PageDriver} page @param {string} id */
+async function pressWidget(page, id) {
   const node = await page.page.waitForSelector(`#mirror [data-id="${id}"]`, { timeout: 20000 });
   await node?.evaluate((found) => { /** @type {HTMLElement} */ (found).click(); });
 }
 
 /** @param {Visit} visit */
-async function nothingToComplainOf({ browser, address, figures }) {
+async function noViolations({ browser, address, figures }) {
   const source = await axe();
   const page = await PageDriver.open(browser, address);
   /** @type {string[]} */
   const seen = [];
   let looks = 0;
-  const look = async (/** @type {string} */ where) => {
+  const checkPage = async (/** @type {string} */ where) => {
     await page.frames(6);
     looks++;
     seen.push(...(await violations(page)).map((line) => `${where}: ${line}`));
@@ -40,44 +40,44 @@ async function nothingToComplainOf({ browser, address, figures }) {
       await page.reload();
       await page.page.evaluate(source);
       const place = (/** @type {string} */ what) => `${what}, ${width} by ${height}, ${theme}`;
-      await look(place('at rest'));
-      // A rule that is broken on purpose is found, or the rest would say nothing.
+      await checkPage(place('at rest'));
+      // Make sure that axe works: it finds an intentional violation.
       if (looks === 1) {
         await page.call('break', () => { document.querySelector('html')?.removeAttribute('lang'); });
-        await look('broken on purpose');
+        await checkPage('broken on purpose');
         assert.ok(seen.splice(0).some((line) => line.includes('html-has-lang')), 'axe does not see what is wrong');
         await page.reload();
         await page.page.evaluate(source);
       }
       for (const panel of ['Figure', 'Controller', 'Style', 'Search', 'Lab', ...(width < 700 ? ['Timeline'] : [])]) {
-        await press(page, `panels/${['Figure', 'Controller', 'Style', 'Search', 'Lab', 'Timeline'].indexOf(panel)}`);
+        await pressWidget(page, `panels/${['Figure', 'Controller', 'Style', 'Search', 'Lab', 'Timeline'].indexOf(panel)}`);
         await page.frames(6);
-        if (panel === 'Controller') await press(page, 'controller/rule/1');
-        if (panel === 'Search') await press(page, 'search/algorithm');
-        await look(place(`the ${panel} panel`));
+        if (panel === 'Controller') await pressWidget(page, 'controller/rule/1');
+        if (panel === 'Search') await pressWidget(page, 'search/algorithm');
+        await checkPage(place(`the ${panel} panel`));
         if (panel === 'Search') {
           await page.page.focus('[data-id="search/algorithm/0"]').catch(() => {});
           await page.press('Escape');
         }
       }
-      await press(page, 'world/open');
-      await look(place('the World card'));
+      await pressWidget(page, 'world/open');
+      await checkPage(place('the World card'));
       for (const [key, what] of [['Control+k', 'the palette'], ['F1', 'the sheet of keys'], ['Control+o', 'the dialog that opens']]) {
         await page.page.focus('canvas');
         await page.press(key);
         assert.ok(await page.call('dialog', () => document.querySelector('dialog[open]') !== null), `${what} does not open`);
-        await look(place(what));
+        await checkPage(place(what));
         await page.press('Escape');
       }
       await page.call('export', () => window.gaitsmith.run('document/export'));
       await page.until('the dialog that exports', () => document.querySelector('#export-dialog')?.hasAttribute('open') ?? false);
-      await look(place('the dialog that exports'));
+      await checkPage(place('the dialog that exports'));
       await page.press('Escape');
       await page.page.evaluate(() => { location.hash = '#AZ4'; });
-      await look(place('an error'));
+      await checkPage(place('an error'));
       await page.clickElement('#banner-close');
       await page.page.focus('#describe');
-      await look(place('the motion in words'));
+      await checkPage(place('the motion in words'));
     }
   }
   figures['states that axe looked at'] = looks;
@@ -87,5 +87,5 @@ async function nothingToComplainOf({ browser, address, figures }) {
 
 /** @type {[string, (visit: Visit) => Promise<void>, string?][]} */
 export const AXE_SCENARIOS = [
-  ['axe finds nothing wrong with the page, its panels, dialogs and sizes', nothingToComplainOf, 'Chromium'],
+  ['axe finds nothing wrong with the page, its panels, dialogs and sizes', noViolations, 'Chromium'],
 ];

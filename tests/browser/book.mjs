@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The book in Chromium:  node tests/browser/book.mjs [folder, default build/site]
-// A lesson talks to a playground that only takes down what it is asked; the search; axe; what fits on a phone. Leaves pictures
-// in build/screenshots/book.
+// Tests lessons with a fake playground that records its calls, the search, axe, and the layout on a phone. Writes
+// pictures to build/screenshots/book.
 import assert from 'node:assert/strict';
 import { mkdir, readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -14,7 +14,7 @@ const PICTURES = join(ROOT, 'build/screenshots/book');
 const SIZES = [[1280, 720], [1920, 1080], [390, 844]];
 const PATIENCE = { timeout: 10000 };
 
-/** Stands in for the playground. */
+/** A fake playground. */
 const FAKE = `<!doctype html><html lang="en"><title>Fake</title><p>The playground stands here.</p><script>
 window.asked = [];
 addEventListener('message', ({ source, origin, data: { gaitsmith, id, call, args } }) => {
@@ -59,7 +59,7 @@ async function check(name, body) {
   await context.close();
 }
 
-/** What the playground was asked, but for greetings. @param {Page} page @returns {Promise<any[][]>} */
+/** The calls of the playground, without 'hello'. @param {Page} page @returns {Promise<any[][]>} */
 async function asked(page) {
   const all = await page.frames()[1].evaluate(() => /** @type {any} */ (window).asked);
   return all.filter((/** @type {any[]} */ [call]) => call !== 'hello');
@@ -69,16 +69,16 @@ async function asked(page) {
 const tell = (page, event, detail) => page.frames()[1].evaluate((name, what) => /** @type {any} */ (window).tell(name, what), event, detail);
 
 /** @param {Page} page @param {string} selector @param {string} words */
-const says = (page, selector, words) => page.waitForFunction((where, what) => document.querySelector(where)?.textContent?.includes(what), PATIENCE, selector, words);
+const waitForText = (page, selector, words) => page.waitForFunction((where, what) => document.querySelector(where)?.textContent?.includes(what), PATIENCE, selector, words);
 
-/** Goes to the first lesson that has so many different things of a kind. @param {Page} page @param {string} selector @param {string} attribute @returns {Promise<string>} its address */
-async function goToLessonWith(page, selector, attribute, least = 1) {
+/** Goes to the first lesson with at least `min` different values of the attribute. @param {Page} page @param {string} selector @param {string} attribute @returns {Promise<string>} its address */
+async function goToLessonWith(page, selector, attribute, min = 1) {
   for (const name of lessons) {
     await page.goto(`${address}book/${name}`);
     const there = await page.$$eval(selector, (nodes, what) => new Set(nodes.map((node) => node.getAttribute(what))).size, attribute);
-    if (there >= least) return page.url();
+    if (there >= min) return page.url();
   }
-  assert.fail(`no lesson has ${least} ${selector}`);
+  assert.fail(`no lesson has ${min} ${selector}`);
 }
 
 if (lessons.length > 0) {
@@ -99,13 +99,13 @@ if (lessons.length > 0) {
     await page.goto(lesson);
     const goal = await page.$eval('.goal', (node) => node.getAttribute('data-goal') ?? '');
     await page.click('.goal button');
-    await says(page, '.goal .state', 'watches');
+    await waitForText(page, '.goal .state', 'watches');
     assert.ok((await asked(page)).some(([call, what]) => call === 'arrange' && what.goal === goal));
     await tell(page, 'goal', { goal: 'rotations >= 99', met: true });
     await tell(page, 'goal', { goal, met: false, measures: {} });
     assert.equal(await page.$('.goal.met'), null);
     await tell(page, 'goal', { goal, met: true, measures: {} });
-    await says(page, '.goal.met .state', 'Reached');
+    await waitForText(page, '.goal.met .state', 'Reached');
     await page.click('#done');
     await page.reload();
     await page.waitForSelector('.goal.met', PATIENCE);
@@ -133,7 +133,7 @@ if (lessons.length > 0) {
     const button = /** @type {NonNullable<Awaited<ReturnType<Page['$']>>>} */ (await page.waitForSelector('button[data-call=synthesize]:not([disabled])', PATIENCE));
     await button.evaluate((node) => /** @type {HTMLElement} */ (node).classList.add('pressed'));
     await button.click();
-    await says(page, '.do:has(.pressed) .state', 'this figure cannot move');
+    await waitForText(page, '.do:has(.pressed) .state', 'this figure cannot move');
   });
 
   await check('book: without scripts a lesson can be read, and its links lead to the playground', async (page) => {
@@ -169,7 +169,7 @@ for (const theme of ['light', 'dark', 'projector', 'contrast']) {
     const found = [];
     await page.goto(`${address}book/index.html`);
     await page.evaluate((name) => localStorage.setItem('gaitsmith-theme', name), theme);
-    // Words and pictures are the same in every theme; colours are seen on one page of each kind.
+    // Only colours differ between themes, so for the other themes one page of each kind is enough.
     for (const file of ['light', 'dark'].includes(theme) ? files : files.filter((name) => [lessons[0], 'index.html', 'gallery.html', 'formats.html'].includes(name))) {
       await page.goto(`${address}book/${file}`);
       await page.evaluate(axe);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Starts what the browser tests need: the page's server, Chromium (headless) and Firefox (in a virtual display, since
-// without one it has no WebGL), each with a new profile.
+// Starts the page's server, Chromium (headless) and Firefox (in a virtual display, because it has no WebGL without
+// one), each with a new profile.
 import { spawn } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -15,13 +15,13 @@ export const ROOT = join(dirname(fileURLToPath(import.meta.url)), '../..');
 /** @type {import('../../web/node_modules/puppeteer-core/lib/types.d.ts').PuppeteerNode} */
 const puppeteer = createRequire(join(ROOT, 'web/package.json'))('puppeteer-core');
 
-/** The tests' own children, ended by stopAll(). @type {import('node:child_process').ChildProcess[]} */
+/** Child processes, ended by stopAll(). @type {import('node:child_process').ChildProcess[]} */
 const children = [];
 
 /**
  * Starts a program and waits for the first line it prints.
  * @param {string} program @param {string[]} options @param {import('node:child_process').StdioOptions} stdio
- * @param {number} channel  of stdio, where the line comes
+ * @param {number} channel  of stdio, where the line arrives
  * @returns {Promise<string>}
  */
 function firstLine(program, options, stdio, channel) {
@@ -50,7 +50,7 @@ export function stopAll() {
 /** @param {string[]} paths */
 const firstOf = (...paths) => paths.find((path) => path && existsSync(path));
 
-/** Chromium's flags: quiet, offline but for the page, and with a software WebGL, which it else refuses silently. */
+/** No background traffic, and WebGL in software, which Chromium does not offer without a flag. */
 const CHROMIUM_FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
   '--disable-component-update', '--disable-sync', '--use-gl=angle', '--use-angle=swiftshader',
   '--enable-unsafe-swiftshader'];

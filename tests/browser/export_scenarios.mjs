@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The dialog that exports: by mouse and by keyboard, every format, and what stops a film. Each opens pages of its own.
+// The export dialog: by mouse and by keyboard, every format, and cancelling a video. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
 import { PageDriver } from './page_driver.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
 
-/** Keeps the files that the page offers instead of having the browser save them. */
-function keepFiles() {
+/** Runs in the page before its scripts: records the offered files, so that the browser does not save them. */
+function recordFiles() {
   const offered = /** @type {{name: string, blob: Promise<Blob>}[]} */ ([]);
   Object.assign(window, { testOffered: offered });
   const click = HTMLAnchorElement.prototype.click;
@@ -25,7 +25,7 @@ function keepFiles() {
 
 /** A short motion. @param {Visit} visit */
 async function openShort({ browser, address }) {
-  const page = await PageDriver.open(browser, address, { before: keepFiles });
+  const page = await PageDriver.open(browser, address, { before: recordFiles });
   await page.call('shorten', () => window.gaitsmith.open({ ...window.gaitsmith.document(), hash: undefined, title: 'A short one', duration_steps: 60 }));
   return page;
 }
@@ -33,7 +33,7 @@ async function openShort({ browser, address }) {
 /** @param {PageDriver} page */
 const dialogIsOpen = (page) => page.call('dialog', () => document.querySelector('#export-dialog')?.hasAttribute('open') ?? false);
 
-/** As a command of the palette does. @param {PageDriver} page */
+/** Opens the dialog with its command. @param {PageDriver} page */
 async function open(page) {
   await page.call('open', () => window.gaitsmith.run('document/export'));
   await page.until('the dialog', () => document.querySelector('#export-dialog')?.hasAttribute('open') ?? false);
@@ -45,7 +45,7 @@ async function untilOffered(page, count) {
   assert.equal(await page.text('#export-error'), '');
 }
 
-/** The last file: name, type, size, its beginning, and what the browser makes of it. @param {PageDriver} page */
+/** The last file: name, type, size, first bytes, and what the browser reads from it. @param {PageDriver} page */
 const lastFile = (page) => page.call('file', async () => {
   const { name, blob: promised } = /** @type {any} */ (window).testOffered.at(-1);
   const blob = /** @type {Blob} */ (await promised);
@@ -55,7 +55,7 @@ const lastFile = (page) => page.call('file', async () => {
     name, type: blob.type, size: bytes.length, width: image?.width ?? 0, height: image?.height ?? 0,
     begin: String.fromCharCode(...bytes.subarray(0, 6)),
     text: /svg|csv|gltf/.test(blob.type) ? new TextDecoder().decode(bytes) : '',
-    // Of a GIF: the blocks that each frame has one of.
+    // In a GIF, each frame has one such block.
     frames: blob.type === 'image/gif' ? bytes.filter((byte, i) => byte === 0x21 && bytes[i + 1] === 0xf9 && bytes[i + 2] === 4).length : 0,
   };
 });
@@ -117,7 +117,7 @@ async function byKeyboard(visit) {
   await page.press('Enter');
   await untilOffered(page, 1);
   assert.equal((await lastFile(page)).text.match(/class="pose"/g)?.length, 5);
-  // A number of poses that there cannot be is refused; one that nobody asks for is no obstacle.
+  // An invalid number of poses is refused, but only if the format uses it.
   await open(page);
   await page.call('poses', () => { /** @type {HTMLInputElement} */ (document.querySelector('#export-poses')).value = '99'; });
   await page.clickElement('#export-go');

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Workers that die, hang, trap or have no memory, and a page that does: a search ends right or the page says why, the best
-// is kept, and the document is as it was.
+// Workers, and a page, that die, hang, trap or run out of memory. A search ends correctly or the page reports why, the
+// best motion is kept, and the document does not change.
 import assert from 'node:assert/strict';
 import { countWorkers, expectFaults, liveWorkers, openFaulty } from './faulty_site.mjs';
 import { PageDriver } from './page_driver.mjs';
@@ -8,9 +8,9 @@ import { PageDriver } from './page_driver.mjs';
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
 /** @typedef {import('./worker_faults.mjs').Fault} Fault */
 
-/** The motion and the whole document but its view and how to search, which Undo leaves alone. @param {PageDriver} page @returns {Promise<string>} */
+/** The motion and the document, without its view and its search, which Undo does not change. @param {PageDriver} page @returns {Promise<string>} */
 const workOf = (page) => page.call('work', () => JSON.stringify([window.gaitsmith.hash(), { ...window.gaitsmith.document(), view: null, search: null }]));
-/** @param {string} now @param {string} before @param {string} what  both are too long to be printed */
+/** Does not print the texts, which are long. @param {string} now @param {string} before @param {string} what */
 const same = (now, before, what) => assert.ok(now === before, `${what}: another document`);
 
 const SEARCH = { seed: 9, evaluations: 4000, sense: /** @type {const} */ ('physical'), workers: 2 };
@@ -24,15 +24,15 @@ const search = (page, options = {}) => page.call('search', `(async () => {
   }
 })()`);
 
-/** Of all sentences that the status line shows. @param {PageDriver} page */
-const listen = (page) => page.page.evaluate(() => {
-  const said = /** @type {string[]} */ ([]);
+/** Records all sentences of the status line. @param {PageDriver} page */
+const recordStatus = (page) => page.page.evaluate(() => {
+  const messages = /** @type {string[]} */ ([]);
   const status = /** @type {Element} */ (document.querySelector('#status'));
-  new MutationObserver(() => said.push(status.textContent ?? '')).observe(status, { childList: true, characterData: true, subtree: true });
-  Object.assign(window, { testSaid: said });
+  new MutationObserver(() => messages.push(status.textContent ?? '')).observe(status, { childList: true, characterData: true, subtree: true });
+  Object.assign(window, { testSaid: messages });
 });
-/** @param {PageDriver} page @returns {Promise<string>} since the last time */
-const said = (page) => page.call('said', () => /** @type {any} */ (window).testSaid.splice(0).join('\n'));
+/** @param {PageDriver} page @returns {Promise<string>} the sentences since the last call */
+const messages = (page) => page.call('said', () => /** @type {any} */ (window).testSaid.splice(0).join('\n'));
 
 /** @param {Partial<Fault> & Pick<Fault, 'act' | 'nth'>} fault */
 const inBatch = (fault) => /** @type {Fault} */ ({ id: `${fault.act} ${fault.nth}`, place: 'to-port', type: 'scored', ...fault });
@@ -44,14 +44,14 @@ const ACCIDENTS = [
   ['all die at once', [], [/coordinator of the search stopped/]],
 ];
 
-/** All workers at its first progress, seen in the page: the search is over sooner than a test can look. @param {PageDriver} page */
+/** Kills all workers at the first progress. In the page, because the search may end before a test can react. @param {PageDriver} page */
 const killAll = (page) => page.page.evaluate(() => {
-  const doomed = /** @type {any} */ (window).testWorkers;
+  const workers = /** @type {any} */ (window).testWorkers;
   let dead = false;
   window.gaitsmith.on('progress', ({ detail }) => {
     if (dead || detail.evaluations === 0) return;
     dead = true;
-    for (const worker of doomed) worker.terminate();
+    for (const worker of workers) worker.terminate();
   });
 });
 
@@ -61,21 +61,21 @@ async function survived({ browser, name }) {
   const before = await workOf(page);
   const { hash } = await search(page);
   const after = await workOf(page);
-  await listen(page);
+  await recordStatus(page);
   for (const [what, faults, sentences] of ACCIDENTS) {
     await page.page.evaluate(() => { window.gaitsmith.undo(); });
     same(await workOf(page), before, `${what}: Undo`);
     await expectFaults(page, faults);
-    await said(page);
+    await messages(page);
     if (faults.length === 0) await killAll(page);
     assert.equal(JSON.stringify(await search(page)), JSON.stringify({ hash, error: '' }), what);
     same(await workOf(page), after, `${what}: the document`);
-    const words = await said(page);
+    const words = await messages(page);
     for (const sentence of sentences) assert.match(words, sentence, what);
     assert.ok(await page.call('met', () => /** @type {any} */ (window).testFaults.length === 0), `${what}: did not happen`);
     assert.ok(await liveWorkers(page) <= 3, `${what}: workers are left`);
   }
-  if (name === 'Chromium') assert.deepEqual(page.complaints, []); // the other one tells of what workers throw
+  if (name === 'Chromium') assert.deepEqual(page.complaints, []); // Firefox also reports errors in workers
   await page.close();
 }
 
@@ -101,13 +101,13 @@ async function givenUp({ browser }) {
   assert.match(await page.text('#banner-text'), /^The search failed: the search workers keep stopping.*What it had found is kept; you can start it again\.$/);
   assert.equal(await liveWorkers(page), 0);
   assert.ok(await workOf(page) !== before, 'what was found is kept');
-  const [kept, shown, best] = await page.call('best', () => [window.gaitsmith.results()[0], window.gaitsmith.hash(), Math.max(.../** @type {any} */ (window).testBests)]);
-  assert.deepEqual([kept.origin, kept.hash], ['failed', shown]);
-  assert.ok(Math.abs((kept.score ?? 0) - best) < 1e-5, `${kept.score} is kept of ${best}`);
+  const [result, shown, best] = await page.call('best', () => [window.gaitsmith.results()[0], window.gaitsmith.hash(), Math.max(.../** @type {any} */ (window).testBests)]);
+  assert.deepEqual([result.origin, result.hash], ['failed', shown]);
+  assert.ok(Math.abs((result.score ?? 0) - best) < 1e-5, `${result.score} is kept of ${best}`);
   assert.equal(await page.call('undo', () => window.gaitsmith.undo()), true);
   same(await workOf(page), before, 'after all');
 
-  // A search that needs more memory than there is, from the beginning and in vain.
+  // A search that always runs out of memory.
   await page.clickElement('#banner-close');
   await expectFaults(page, [{ id: 'memory', place: 'start', act: 'no-memory', always: true }]);
   await page.page.evaluate(() => {
@@ -131,14 +131,14 @@ async function givenUp({ browser }) {
 /** @param {Visit} visit */
 async function refusedWorkers({ browser, address }) {
   const page = await PageDriver.open(browser, address, { before: countWorkers });
-  // A slow machine would else hire them when the fault is over.
+  // Otherwise a slow machine could create them after the fault.
   await page.until('workers that stand by', () => /** @type {any} */ (window).testWorkers.length > 0);
   const before = await workOf(page);
   const error = await page.call('search', async () => {
-    const Kept = window.Worker;
+    const RealWorker = window.Worker;
     let left = 1;
     for (const worker of /** @type {any} */ (window).testWorkers) worker.onerror?.(new ErrorEvent('error'));
-    window.Worker = class extends Kept {
+    window.Worker = class extends RealWorker {
       /** @param {string | URL} url @param {WorkerOptions} [options] */
       constructor(url, options) {
         if (left-- === 0) throw new DOMException('no more workers', 'QuotaExceededError');
@@ -146,7 +146,7 @@ async function refusedWorkers({ browser, address }) {
       }
     };
     const end = await window.gaitsmith.synthesize({ evaluations: 500, workers: 2 }).then(() => '', String);
-    window.Worker = Kept;
+    window.Worker = RealWorker;
     return end;
   });
   assert.match(error, /no more workers/);
@@ -165,17 +165,17 @@ async function pageMemory({ browser, address }) {
   const faults = await page.call('open', () => {
     const { grow } = WebAssembly.Memory.prototype;
     WebAssembly.Memory.prototype.grow = () => { throw new RangeError('WebAssembly.Memory.grow(): out of memory'); };
-    const told = /** @type {string[]} */ ([]);
+    const outcomes = /** @type {string[]} */ ([]);
     for (const text of [`{"title": "${'a'.repeat(200e6)}"}`]) {
       try {
         window.gaitsmith.open(text);
-        told.push('opened');
+        outcomes.push('opened');
       } catch (error) {
-        told.push(String(error));
+        outcomes.push(String(error));
       }
     }
     WebAssembly.Memory.prototype.grow = grow;
-    return told;
+    return outcomes;
   });
   assert.match(faults[0], /not enough memory left in this page/);
   same(await workOf(page), before, 'after all');
@@ -184,19 +184,19 @@ async function pageMemory({ browser, address }) {
   await page.close();
 }
 
-/** The application's own code traps, as it would by a fault of ours. @param {Visit} visit */
+/** The application traps, as it would because of a bug. @param {Visit} visit */
 async function pageTraps({ browser, address }) {
   const page = await PageDriver.open(browser, address, { before: () => {
     const live = new Set();
-    const Kept = window.Worker;
+    const RealWorker = window.Worker;
     const trap = new Uint8Array([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 1, 4, 1, 0x60, 0, 0, 3, 2, 1, 0, 7, 5, 1, 1, 0x74, 0, 0, 0xa, 5, 1, 3, 0, 0, 0xb]);
     const { instantiate } = WebAssembly;
-    Object.assign(window, { testTrap: false, testLive: live, Worker: class extends Kept {
+    Object.assign(window, { testTrap: false, testLive: live, Worker: class extends RealWorker {
       /** @param {string | URL} url @param {WorkerOptions} [options] */
       constructor(url, options) { super(url, options); live.add(this); }
       terminate() { live.delete(this); super.terminate(); }
     } });
-    // Its first call of the browser after the trap is set does not come back.
+    // The first call from WebAssembly to the browser after testTrap is set traps.
     /** @type {any} */ (WebAssembly).instantiate = (/** @type {WebAssembly.Module} */ code, /** @type {any} */ imports) => {
       for (const part of Object.values(imports)) {
         for (const [name, body] of Object.entries(part)) {

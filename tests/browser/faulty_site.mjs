@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The built site, with workers that can be told to fail: the page's own scripts are untouched.
+// The built site with workers that fail on request. The page's scripts are unchanged.
 import { rmSync } from 'node:fs';
 import { cp, mkdtemp, readFile, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
@@ -15,7 +15,7 @@ import { PlainServer } from './plain_server.mjs';
 /** @type {Promise<PlainServer> | null} */
 let server = null;
 
-/** A host with such a site, the same one until the tests end. @param {string} [site] */
+/** A server with such a site, shared by all tests. @param {string} [site] */
 export function faultySite(site = process.argv[2] ?? join(ROOT, 'build/site')) {
   server ??= start(site);
   return server;
@@ -36,30 +36,30 @@ async function start(site) {
   return host;
 }
 
-/** Opens it. @param {import('./browsers.mjs').Browser} browser @param {{before?: () => void}} [options] */
+/** Opens the site. @param {import('./browsers.mjs').Browser} browser @param {{before?: () => void}} [options] */
 export async function openFaulty(browser, { before } = {}) {
   const address = (await faultySite()).address();
   const page = await PageDriver.open(browser, address, { before: before ?? countWorkers });
   return page;
 }
 
-/** New workers of the page meet these faults. @param {PageDriver} page @param {Fault[]} faults */
+/** Makes these faults happen in new workers of the page. @param {PageDriver} page @param {Fault[]} faults */
 export const expectFaults = (page, faults) => page.page.evaluate((list) => {
   Object.assign(window, { testFaults: list });
-  // Those that stand by have no faults.
+  // End idle workers, which were created without faults.
   for (const worker of /** @type {any} */ (window).testWorkers) worker.onerror?.(new ErrorEvent('error', { message: 'sent home by a test' }));
 }, faults);
 
-/** Workers that live. @param {PageDriver} page @returns {Promise<number>} */
+/** The number of live workers. @param {PageDriver} page @returns {Promise<number>} */
 export const liveWorkers = (page) => page.call('workers', () => /** @type {any} */ (window).testLive.size);
 
-/** Runs in the page before its scripts: new workers get the faults that are expected, and those that live are known. */
+/** Runs in the page before its scripts: passes the expected faults to new workers and records live workers. */
 export function countWorkers() {
   const live = new Set();
-  const Kept = window.Worker;
-  const told = new BroadcastChannel('faults');
+  const RealWorker = window.Worker;
+  const channel = new BroadcastChannel('faults');
   Object.assign(window, { testLive: live, testFaults: [], testMet: 0,
-    Worker: class extends Kept {
+    Worker: class extends RealWorker {
       /** @param {string | URL} url @param {WorkerOptions} [options] */
       constructor(url, options) {
         const { testFaults } = /** @type {any} */ (window);
@@ -71,7 +71,7 @@ export function countWorkers() {
         super.terminate();
       }
     } });
-  told.onmessage = ({ data }) => {
+  channel.onmessage = ({ data }) => {
     if (data.jumpMs) return;
     const state = /** @type {any} */ (window);
     state.testMet++;

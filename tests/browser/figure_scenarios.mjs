@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// The drawing board: a rod made longer, a limb copied and deleted, a figure mirrored. Each opens a page of its own.
+// The drawing board: a rod made longer, a limb copied and deleted, a figure mirrored. Each scenario opens its own page.
 import assert from 'node:assert/strict';
-import { Mouse } from './hands.mjs';
+import { Mouse } from './pointers.mjs';
 import { PageDriver } from './page_driver.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
 
-/** A page with the board on its panel. @param {Visit} visit */
+/** Opens a page with the board. @param {Visit} visit */
 async function drawing({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   await page.click('panels/0');
   await page.frames(6);
-  const hand = new Mouse(page);
-  const board = await hand.find('figure/board');
+  const pointer = new Mouse(page);
+  const board = await pointer.find('figure/board');
   assert.ok(board);
-  return { page, hand, board: board.rect };
+  return { page, pointer, board: board.rect };
 }
 
 /** @param {PageDriver} page */
@@ -25,18 +25,18 @@ async function undo(page) {
 
 /** @param {Visit} visit */
 async function lengthens(visit) {
-  const { page, hand, board } = await drawing(visit);
+  const { page, pointer, board } = await drawing(visit);
   const before = await page.hash();
-  // The head rod goes up from the hub, in the middle of the board; choosing it changes nothing.
+  // The head rod points up from the hub, in the middle of the board. Selecting it changes nothing.
   for (const up of [10, 25, 40]) {
-    if (await hand.find('figure/length')) break;
-    await hand.tap({ x: board.x + board.width / 2, y: board.y + board.height / 2 - up });
+    if (await pointer.find('figure/length')) break;
+    await pointer.tap({ x: board.x + board.width / 2, y: board.y + board.height / 2 - up });
   }
   assert.equal(await page.hash(), before);
-  await hand.scrollTo('figure/length', 30);
-  const length = (await hand.find('figure/length'))?.rect;
+  await pointer.scrollTo('figure/length', 30);
+  const length = (await pointer.find('figure/length'))?.rect;
   assert.ok(length, 'a chosen rod shows its length');
-  await hand.tap({ x: length.x + 0.8 * length.width, y: length.y + 0.75 * length.height });
+  await pointer.tap({ x: length.x + 0.8 * length.width, y: length.y + 0.75 * length.height });
   assert.notEqual(await page.hash(), before);
   await undo(page);
   assert.equal(await page.hash(), before);
@@ -46,20 +46,20 @@ async function lengthens(visit) {
 
 /** @param {Visit} visit */
 async function copiesAndMirrors(visit) {
-  const { page, hand } = await drawing(visit);
+  const { page, pointer } = await drawing(visit);
   const rods = () => page.call('rods', () => window.gaitsmith.document().figure.rods?.length);
   const before = await page.hash();
   assert.equal(await rods(), 5);
-  await hand.press('figure/rod/more'); // the root cannot be copied, the second rod can
-  await hand.press('figure/copy');
+  await pointer.press('figure/rod/more'); // the root cannot be copied, the second rod can
+  await pointer.press('figure/copy');
   assert.equal(await rods(), 6);
-  await hand.press('figure/delete'); // the copy, which is the selected one now
+  await pointer.press('figure/delete'); // the copy, which is selected now
   assert.equal(await rods(), 5);
   await undo(page);
   await undo(page);
   assert.equal(await page.hash(), before, 'as it was, controllers and all');
 
-  await hand.press('figure/mirror');
+  await pointer.press('figure/mirror');
   assert.notEqual(await page.hash(), before);
   await undo(page);
   assert.equal(await page.hash(), before);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a finger on a phone means: it sets, or it scrolls. Each opens a page of its own.
+// A finger on a slider sets a value or scrolls, depending on its direction. Each scenario opens its own page.
 import assert from 'node:assert/strict';
-import { Fingers } from './hands.mjs';
+import { Fingers } from './pointers.mjs';
 import { PageDriver } from './page_driver.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
@@ -11,27 +11,27 @@ async function setsOrScrolls({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   await page.page.setViewport({ width: 390, height: 844, deviceScaleFactor: 2, hasTouch: true, isMobile: true }).catch(() => page.page.setViewport({ width: 390, height: 844 }));
   await page.frames(10);
-  const hand = new Fingers(page);
-  await hand.press('panels/1');
+  const pointer = new Fingers(page);
+  await pointer.press('panels/1');
   const rules = () => page.call('rules', () => /** @type {{rules?: number}} */ (window.gaitsmith.document()).rules ?? 10);
   const slider = async () => {
-    await hand.scrollTo('controller/rules', 40);
-    const rect = (await hand.find('controller/rules'))?.rect;
+    await pointer.scrollTo('controller/rules', 40);
+    const rect = (await pointer.find('controller/rules'))?.rect;
     assert.ok(rect);
     return { rect, track: rect.y + rect.height - 13, at: (/** @type {number} */ share) => rect.x + share * rect.width };
   };
   const before = await rules();
   const { rect, track, at } = await slider();
-  await hand.drag({ x: at(0.2), y: track }, { x: at(0.2) + 4, y: track - 90 });
+  await pointer.drag({ x: at(0.2), y: track }, { x: at(0.2) + 4, y: track - 90 });
   assert.equal(await rules(), before, 'a finger that goes up scrolls');
-  assert.notDeepEqual((await hand.find('controller/rules'))?.rect.y, rect.y, 'the panel has moved');
+  assert.notDeepEqual((await pointer.find('controller/rules'))?.rect.y, rect.y, 'the panel has moved');
 
   let now = await slider();
-  await hand.drag({ x: now.at(0.5), y: now.track }, { x: now.at(0.8), y: now.track + 4 });
+  await pointer.drag({ x: now.at(0.5), y: now.track }, { x: now.at(0.8), y: now.track + 4 });
   const sideways = await rules();
   assert.ok(sideways > before, `a finger that goes sideways sets: ${sideways}`);
   now = await slider();
-  await hand.tap({ x: now.at(0.1), y: now.track });
+  await pointer.tap({ x: now.at(0.1), y: now.track });
   assert.ok(await rules() < before, 'so does one that is lifted where it came down');
   assert.deepEqual(page.complaints, []);
   await page.close();

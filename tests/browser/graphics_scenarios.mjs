@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What drawing takes of WebGL, in a page of its own.
+// The use of WebGL by the page.
 import assert from 'node:assert/strict';
 import { PageDriver } from './page_driver.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
 
-/** Runs in the page before its scripts: counts what WebGL is asked to make and to let go. */
+/** Runs in the page before its scripts: counts created and deleted WebGL objects. */
 function counted() {
   const tally = Object.assign(window, { testMade: 0, testFences: 0, testDraws: 0 });
   /** @type {any} */
@@ -23,7 +23,7 @@ function counted() {
 }
 
 /**
- * Emscripten never gives a number of WebGL's objects back: an object a frame is memory for ever.
+ * Frames create no WebGL objects. Emscripten's tables never shrink, so one object per frame would be a memory leak.
  * @param {Visit} visit
  */
 async function framesMakeNothing({ browser, address }) {
@@ -32,7 +32,7 @@ async function framesMakeNothing({ browser, address }) {
     const { testMade, testFences, testDraws } = /** @type {any} */ (window);
     return { made: testMade, fences: testFences, draws: testDraws };
   });
-  await page.frames(10); // typefaces and programs are made with the first ones
+  await page.frames(10); // the first frames create typefaces and programs
   const before = await tally();
   assert.ok(before.made > 0);
   await page.frames(60);

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Undo, Redo, New, and what may be dropped on the page. Each opens pages of its own.
+// Undo, Redo, New, and files dropped on the page. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
 import { PageDriver } from './page_driver.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
 
-/** What Undo must bring back: the motion and the whole document but its view. @param {PageDriver} page @returns {Promise<string>} */
+/** The state that Undo must restore: the motion and the document without its view. @param {PageDriver} page @returns {Promise<string>} */
 export function stateOf(page) {
   return page.call('state', () => JSON.stringify([window.gaitsmith.hash(), { ...window.gaitsmith.document(), view: null }]));
 }
 
 /** @param {PageDriver} page @param {string} id  of a button */
-const told = (page, id) => page.page.evaluate((selector) => {
+const buttonState = (page, id) => page.page.evaluate((selector) => {
   const button = /** @type {HTMLElement} */ (document.querySelector(selector));
   return { off: button.getAttribute('aria-disabled') === 'true', title: button.title };
 }, id);
@@ -20,7 +20,7 @@ const told = (page, id) => page.page.evaluate((selector) => {
 async function threeEdits({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   const states = [await stateOf(page)];
-  assert.deepEqual(await told(page, '#undo'), { off: true, title: 'Nothing to undo' });
+  assert.deepEqual(await buttonState(page, '#undo'), { off: true, title: 'Nothing to undo' });
 
   // A whole drag of a slider is one step.
   await page.click('panels/2');
@@ -38,12 +38,12 @@ async function threeEdits({ browser, address }) {
   await page.page.mouse.up();
   await page.frames();
   states.push(await stateOf(page));
-  // A click on a button is another; looking at other panels is none.
+  // A click on a button is another step. Looking at other panels is not.
   await page.click('panels/3');
   await page.click('search/seed/more');
   states.push(await stateOf(page));
   await page.click('panels/1');
-  // And so is opening something.
+  // Opening a document is a step.
   await page.call('open', () => {
     const document = window.gaitsmith.document();
     window.gaitsmith.open({ ...document, hash: undefined, environment: { friction: 0.2 } });
@@ -51,7 +51,7 @@ async function threeEdits({ browser, address }) {
   states.push(await stateOf(page));
   assert.equal(new Set(states).size, 4, 'an edit changed nothing');
 
-  // Back by key from the stage, by button, and by script.
+  // Undo with a key on the stage, with the button, and by script.
   await page.page.focus('canvas');
   await page.press('Control+z');
   assert.equal(await stateOf(page), states[2]);
@@ -59,17 +59,17 @@ async function threeEdits({ browser, address }) {
   assert.equal(await stateOf(page), states[1]);
   assert.equal(await page.call('undo', () => window.gaitsmith.undo()), true);
   assert.equal(await stateOf(page), states[0]);
-  assert.deepEqual(await told(page, '#undo'), { off: true, title: 'Nothing to undo' });
+  assert.deepEqual(await buttonState(page, '#undo'), { off: true, title: 'Nothing to undo' });
   assert.equal(await page.call('undo', () => window.gaitsmith.canUndo() || window.gaitsmith.undo()), false);
   assert.match(await page.status(), /nothing to undo/);
-  // And forth again.
+  // Redo.
   await page.press('Control+Shift+Z');
   assert.equal(await stateOf(page), states[1]);
   await page.clickElement('#redo');
   assert.equal(await stateOf(page), states[2]);
   await page.press('Control+y');
   assert.equal(await stateOf(page), states[3]);
-  assert.deepEqual(await told(page, '#redo'), { off: true, title: 'Nothing to redo' });
+  assert.deepEqual(await buttonState(page, '#redo'), { off: true, title: 'Nothing to redo' });
   assert.equal(await page.call('redo', () => window.gaitsmith.canRedo() || window.gaitsmith.redo()), false);
   assert.deepEqual(page.complaints, []);
   await page.close();
@@ -104,9 +104,9 @@ async function newAsksNothing({ browser, address }) {
 }
 
 /**
- * Drags files over the page and lets go of them there.
+ * Drags files over the page and drops them.
  * @param {PageDriver} page @param {{name: string, text?: string, bytes?: number[]}[]} files
- * @returns {Promise<boolean>} whether the hint was to be seen
+ * @returns {Promise<boolean>} whether the hint was visible
  */
 async function drop(page, files) {
   const hinted = await page.page.evaluate((list) => {

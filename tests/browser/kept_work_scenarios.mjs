@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Work that is kept in the browser, between visits and tabs. Each opens profiles of its own.
+// Work that the browser stores between visits and tabs. Each scenario opens its own profiles.
 import assert from 'node:assert/strict';
 import { stateOf } from './history_scenarios.mjs';
 import { PageDriver, sleep } from './page_driver.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
 
-/** Does something that is worth keeping. @param {PageDriver} page @param {string} title */
+/** Changes the document. @param {PageDriver} page @param {string} title */
 const work = (page, title) => page.page.evaluate((name) => {
   const document = window.gaitsmith.document();
   window.gaitsmith.open({ ...document, hash: undefined, title: name, environment: { friction: 0.1 + name.length / 100 } });
@@ -15,16 +15,16 @@ const work = (page, title) => page.page.evaluate((name) => {
 /** @param {PageDriver} page @returns {Promise<string>} */
 const title = (page) => page.call('title', () => window.gaitsmith.document().title ?? '');
 
-/** Whether the line about the last work is to be seen. @param {PageDriver} page */
+/** Whether the line about the last work is visible. @param {PageDriver} page */
 const offered = (page) => page.call('line', () => !document.querySelector('#kept')?.hasAttribute('hidden'));
 
-/** How many works are kept after the page was told that it is left. @param {PageDriver} page @returns {Promise<number>} */
+/** Sends 'pagehide' to the page. @param {PageDriver} page @returns {Promise<number>} the number of stored works */
 const leave = (page) => page.call('leave', () => {
   dispatchEvent(new Event('pagehide'));
   return Object.keys(localStorage).filter((key) => key.startsWith('gaitsmith-work/')).length;
 });
 
-/** Goes away as a person does, so that the page hears of it. @param {PageDriver} page @param {string} address */
+/** Leaves the page like a person, so that it receives 'pagehide'. @param {PageDriver} page @param {string} address */
 const leaveFor = (page, address) => page.arrive(() => page.page.goto(address));
 
 /** @param {Visit} visit */
@@ -38,12 +38,12 @@ async function reloadRestores({ browser, address }) {
   await page.reload();
   await work(page, 'Before the reload');
   const state = await stateOf(page);
-  await page.reload(); // at once: neither address nor storage had time on their own
+  await page.reload(); // at once, before the timers of address and storage
   assert.equal(await stateOf(page), state);
   assert.equal(await leave(page), 1, 'a reload goes on with the same work');
   assert.equal(await page.call('undo', () => window.gaitsmith.canUndo()), false);
   await page.page.goto('about:blank');
-  // Another tab, with the bare address, as after a crash or a closed tab.
+  // Another tab, with the plain address, as after a crash or a closed tab.
   const next = await PageDriver.open(browser, address, { beside: page });
   assert.equal(await stateOf(next), state);
   assert.match(await next.status(), /^Your last work is back: Before the reload/);
@@ -57,8 +57,8 @@ async function reloadMidSearch({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   const before = await page.hash();
   await page.call('search', () => {
-    const kept = Object.assign(window, { testBests: 0 });
-    window.gaitsmith.on('progress', ({ detail }) => { kept.testBests += detail.bestGenome ? 1 : 0; });
+    const state = Object.assign(window, { testBests: 0 });
+    window.gaitsmith.on('progress', ({ detail }) => { state.testBests += detail.bestGenome ? 1 : 0; });
     void window.gaitsmith.synthesize({ seed: 4, evaluations: 1000000, sense: 'physical', workers: 1 });
   });
   await page.until('a better motion', () => /** @type {any} */ (window).testBests > 0 && window.gaitsmith.canUndo());
@@ -96,7 +96,7 @@ async function linkWins({ browser, address }) {
   await other.press('Control+z');
   assert.equal(await title(other), 'A linked motion');
 
-  // Dismissed, it stays away, and stays kept. Who only looks at a link loses nothing by it.
+  // If the offer is dismissed, it does not appear again, but the work is still stored. Looking at a link loses nothing.
   const third = await PageDriver.open(browser, link, { beside: mine });
   assert.equal(await offered(third), true);
   await third.clickElement('#kept-close');
@@ -144,7 +144,7 @@ async function forbidden({ browser, address }) {
   await page.until('a sentence', () => /does not let the page keep your work/.test(document.querySelector('#status')?.textContent ?? ''), 5000);
   await work(page, 'Nor this one');
   assert.match(await page.status(), /^Opened Nor this one/);
-  await sleep(2600); // longer than it waits before it keeps something
+  await sleep(2600); // longer than the page waits before it stores
   assert.match(await page.status(), /^Opened Nor this one/, 'said twice');
   await page.page.focus('#save');
   await page.press('Control+z');
@@ -187,7 +187,7 @@ async function tabKilled({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   await work(page, 'Before the crash');
   const state = await stateOf(page);
-  await sleep(2600); // it is kept by itself, for nobody says goodbye
+  await sleep(2600); // the timer stores it, because a crash sends no event
   void page.page.goto('chrome://crash').catch(() => {});
   await sleep(1000);
   const next = await PageDriver.open(browser, address, { beside: page });
@@ -225,6 +225,6 @@ export const KEPT_WORK_SCENARIOS = [
   ['where storage is forbidden, it is said once, and all else works', forbidden],
   ['where storage is full, it is said', full],
   ['inside another page nothing is kept', embedded],
-  ['a tab that is killed loses nothing', tabKilled, 'Chromium'], // the other one lets nobody kill a tab
+  ['a tab that is killed loses nothing', tabKilled, 'Chromium'], // Firefox has no way to kill a tab
   ['where the graphics are lost the page says so, and a reload goes on', graphicsLost],
 ];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lab as a person and as a script use it. Each opens pages of its own.
+// The lab, used by a person and by a script. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
 import { PageDriver } from './page_driver.mjs';
 import { nativeCurves } from './native.mjs';
@@ -28,8 +28,8 @@ async function byClicks({ browser, address, figures }) {
       return make(blob);
     };
   });
-  // The panel's least evaluations are 500, so a script asks; the panel keeps what it asked for.
-  await page.page.evaluate((wish) => window.gaitsmith.lab(wish), options);
+  // The panel allows no fewer than 500 evaluations, so a script starts the lab. The panel keeps the script's options.
+  await page.page.evaluate((request) => window.gaitsmith.lab(request), options);
   assert.match(await page.status(), /^Lab done: 4 of 4 trials/);
   assert.equal((await page.widgets()).find(({ id }) => id === 'panels/4')?.state.selected, true);
   await page.frames(6);
@@ -38,7 +38,7 @@ async function byClicks({ browser, address, figures }) {
       /^SPHC, 2 trials: median \d+\.\d\d, quartiles .*; SSGA, 2 trials: median .*400 evaluations$/, id);
   }
 
-  // Again by a click, after the first seed went up by one and down again.
+  // A second run by a click, after changing the first seed up and down again.
   const stage = (await page.widgets()).find(({ id }) => id === 'stage')?.rect ?? { x: 0, y: 0, width: 0, height: 0 };
   await page.page.mouse.move(stage.x + stage.width + 100, stage.y + 200);
   await page.page.mouse.wheel({ deltaY: 2000 });
@@ -70,9 +70,9 @@ async function byScript({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   const told = await page.call('lab', async () => {
     const { gaitsmith } = window;
-    const fault = (/** @type {Promise<unknown>} */ wish) => wish.then(() => 'nothing', (error) => String(error.message));
-    const heard = /** @type {string[]} */ ([]);
-    for (const type of /** @type {const} */ (['progress', 'done', 'error'])) gaitsmith.on(type, () => heard.push(type));
+    const fault = (/** @type {Promise<unknown>} */ request) => request.then(() => 'nothing', (error) => String(error.message));
+    const events = /** @type {string[]} */ ([]);
+    for (const type of /** @type {const} */ (['progress', 'done', 'error'])) gaitsmith.on(type, () => events.push(type));
     const unknown = await fault(gaitsmith.lab({ algorithms: ['anneal'] }));
     const crowded = await fault(gaitsmith.lab({ algorithms: ['mpga'], evaluations: 400 }));
     const long = gaitsmith.lab({ algorithms: ['rgt'], trials: 3, evaluations: 1000000 });
@@ -82,7 +82,7 @@ async function byScript({ browser, address }) {
     const stopped = gaitsmith.lab({ evaluations: 1000000 });
     gaitsmith.stop();
     results.push({ state: (await stopped).state, rows: 0 });
-    const quiet = heard.length;
+    const quiet = events.length;
     const search = gaitsmith.synthesize({ evaluations: 1000000, seed: 2 });
     const searching = await fault(gaitsmith.lab());
     gaitsmith.stop();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The language of the page: who gets which, how another is chosen, and that nothing of it is left in English.
+// The language of the page: the default, choosing another one, and that no text stays in English.
 import assert from 'node:assert/strict';
 import { mkdir } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -11,7 +11,7 @@ import { stateOf } from './history_scenarios.mjs';
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
 
 /** @param {PageDriver} page */
-const spoken = (page) => page.call('language', () => {
+const shownLanguage = (page) => page.call('language', () => {
   const list = document.querySelector('#language');
   return { code: document.documentElement.lang, chosen: list instanceof HTMLSelectElement ? list.value : '',
     save: document.querySelector('#save')?.textContent, menu: document.querySelector('#more')?.textContent,
@@ -20,7 +20,7 @@ const spoken = (page) => page.call('language', () => {
 const ENGLISH = { code: 'en', chosen: 'en', save: 'Save', menu: 'Menu', theme: 'Theme' };
 const GERMAN = { code: 'de', chosen: 'de', save: 'Speichern', menu: 'Menü', theme: 'Darstellung' };
 
-/** Runs before the page's own scripts: the browser of somebody who reads German. */
+/** Runs in the page before its scripts: makes the browser prefer German. */
 function germanBrowser() {
   Object.defineProperty(navigator, 'languages', { get: () => ['de-DE', 'de', 'en'] });
 }
@@ -30,30 +30,30 @@ async function chooseInHeader(page, code, expected) {
   await page.page.select('#language', code);
   await page.until(code, `document.documentElement.lang === '${code}'`, 10000);
   await page.frames(4);
-  assert.deepEqual(await spoken(page), expected);
+  assert.deepEqual(await shownLanguage(page), expected);
 }
 
 /** @param {Visit} visit */
 async function asTheBrowser({ browser, address }) {
   const page = await PageDriver.open(browser, address, { before: germanBrowser, newcomer: true });
-  assert.deepEqual(await spoken(page), GERMAN);
+  assert.deepEqual(await shownLanguage(page), GERMAN);
   await page.until('the tour', () => !document.querySelector('#tour')?.hasAttribute('hidden'), 10000);
   assert.deepEqual([await page.text('#tour-title'), await page.text('#tour-next')], ['Das hat niemand animiert', 'Weiter']);
-  // What is open changes, too.
+  // An open dialog changes, too.
   await chooseInHeader(page, 'en', ENGLISH);
   assert.deepEqual([await page.text('#tour-title'), await page.text('#tour-next')], ['No one animated this', 'Next']);
   await page.reload();
-  assert.deepEqual(await spoken(page), ENGLISH, 'what is chosen is remembered');
+  assert.deepEqual(await shownLanguage(page), ENGLISH, 'what is chosen is remembered');
   assert.deepEqual(page.complaints, []);
   await page.close();
 
   const guest = await PageDriver.open(browser, address);
-  assert.deepEqual(await spoken(guest), ENGLISH);
+  assert.deepEqual(await shownLanguage(guest), ENGLISH);
   const tables = await guest.call('tables', () => performance.getEntriesByType('resource').filter(({ name }) => /\/languages\/\w+\.json$/.test(name)).length);
   assert.equal(tables, 0, 'no English visitor loads another language');
   await guest.close();
   const asked = await PageDriver.open(browser, `${address}?lang=de`);
-  assert.deepEqual(await spoken(asked), GERMAN);
+  assert.deepEqual(await shownLanguage(asked), GERMAN);
   assert.deepEqual([...guest.complaints, ...asked.complaints], []);
   await asked.close();
 }
@@ -80,7 +80,7 @@ async function chosen({ browser, address }) {
     await page.page.keyboard.type(words);
     await page.press('Enter');
     await page.until('the other language', `document.documentElement.lang === '${expected.code}'`, 10000);
-    assert.deepEqual(await spoken(page), expected);
+    assert.deepEqual(await shownLanguage(page), expected);
     assert.equal(await page.call('focus', () => document.activeElement?.id), 'canvas');
   }
   assert.equal(await stateOf(page), before);
@@ -98,10 +98,10 @@ async function chosen({ browser, address }) {
 /** @param {Visit} visit */
 async function unreachable({ browser, address }) {
   const page = await PageDriver.open(browser, `${address}?lang=de`, { before: () => {
-    const fetchAsEver = window.fetch;
-    window.fetch = (...request) => (String(request[0]).includes('/languages/') ? Promise.reject(new TypeError('no line')) : fetchAsEver(...request));
+    const originalFetch = window.fetch;
+    window.fetch = (...request) => (String(request[0]).includes('/languages/') ? Promise.reject(new TypeError('no line')) : originalFetch(...request));
   } });
-  assert.deepEqual(await spoken(page), ENGLISH);
+  assert.deepEqual(await shownLanguage(page), ENGLISH);
   assert.equal(await page.status(), 'Deutsch could not be loaded; the page stays in English.');
   assert.deepEqual(page.complaints, []);
   await page.close();
@@ -112,10 +112,10 @@ async function nothingLeft({ browser, address, figures }) {
   const page = await PageDriver.open(browser, address, { before: speakPseudo });
   const run = (/** @type {string} */ id) => page.page.evaluate((name) => window.gaitsmith.run(name), id);
   const leftOf = await untranslated();
-  /** Each once, and when it was seen. @type {Map<string, string>} */
+  /** Untranslated texts, and where each was first seen. @type {Map<string, string>} */
   const left = new Map();
   let read = 0;
-  const look = async (/** @type {string} */ what) => {
+  const checkPage = async (/** @type {string} */ what) => {
     await page.frames(6);
     await page.call('mirror', () => new Promise((resolve) => { setTimeout(() => resolve(true), 350); }));
     for (const [where, text] of await wordsOn(page)) {
@@ -127,7 +127,7 @@ async function nothingLeft({ browser, address, figures }) {
   await page.page.select('#language', 'de');
   await page.until('the language', () => document.documentElement.lang === 'de', 10000);
   assert.equal(await page.text('#save'), '«Save»');
-  await wordsOn(page); // what was said before
+  await wordsOn(page); // discards earlier messages
   await page.page.evaluate(() => {
     Object.defineProperty(navigator, 'clipboard', { value: { writeText: () => Promise.reject(new Error('not here')) } });
   });
@@ -135,16 +135,16 @@ async function nothingLeft({ browser, address, figures }) {
   for (const panel of ['Figure', 'Controller', 'Style', 'Search', 'Lab']) {
     await run(`panel/${panel}`);
     if (panel === 'Controller') await page.click('controller/rule/1');
-    await look(`the ${panel} panel`);
+    await checkPage(`the ${panel} panel`);
     if (panel === 'Search') {
       await page.click('search/algorithm');
-      await look('the algorithms');
+      await checkPage('the algorithms');
       await page.press('Escape');
     }
   }
   await run('view/world');
   await page.click('world/open');
-  await look('the World card');
+  await checkPage('the World card');
   await page.click('world/open');
 
   for (const [key, what] of [['Control+k', 'the palette'], ['F1', 'the sheet of keys'], ['Control+o', 'the dialog that opens']]) {
@@ -152,47 +152,47 @@ async function nothingLeft({ browser, address, figures }) {
     await page.press(key);
     assert.ok(await page.call('dialog', () => document.querySelector('dialog[open]') !== null), `${what} does not open`);
     if (key === 'Control+o') await page.clickElement('#open-go'); // with nothing to open
-    await look(what);
+    await checkPage(what);
     if (key === 'Control+k') {
       await page.page.keyboard.type('!!!');
-      await look('the empty palette');
+      await checkPage('the empty palette');
     }
     await page.press('Escape');
   }
   await page.clickElement('#copy-link');
-  await look('the link to copy');
+  await checkPage('the link to copy');
   await page.press('Escape');
   await page.page.evaluate(() => { location.hash = '#AZ4'; });
-  await look('a damaged link');
+  await checkPage('a damaged link');
   await page.clickElement('#banner-close');
   await run('motion/end');
-  await look('the end, paused');
+  await checkPage('the end, paused');
 
   await page.page.evaluate(() => void window.gaitsmith.synthesize({ evaluations: 60000, seed: 5 }).catch(() => {}));
   await page.until('a rate', () => Boolean(document.querySelector('#rate')?.textContent), 30000);
-  await look('a search');
+  await checkPage('a search');
   await page.page.evaluate(() => window.gaitsmith.pause());
-  await look('a search, paused');
+  await checkPage('a search, paused');
   await page.page.evaluate(() => { window.gaitsmith.enqueue({ seed: 77 }); });
-  await look('the queue');
+  await checkPage('the queue');
   await page.page.evaluate(() => window.gaitsmith.stop());
-  await look('a search, stopped');
+  await checkPage('a search, stopped');
   await page.page.evaluate(() => void window.gaitsmith.lab({ algorithms: ['rgt', 'sphc'], trials: 2, evaluations: 400 }).catch(() => {}));
   await run('panel/Lab');
-  await look('the lab');
+  await checkPage('the lab');
   await page.page.evaluate(() => window.gaitsmith.stop());
 
   await run('help/tour');
   for (let step = 1; step <= 6; step++) {
     await page.until('the card', () => !document.querySelector('#tour')?.hasAttribute('hidden'), 5000);
-    await look(`step ${step} of the tour`);
+    await checkPage(`step ${step} of the tour`);
     await page.press('Enter');
   }
   if (/chrome/i.test(await browser.version())) {
     await page.page.setViewport({ width: 390, height: 844, deviceScaleFactor: 1 });
     await page.frames(4);
     await run('panel/Timeline');
-    await look('the timeline of a phone');
+    await checkPage('the timeline of a phone');
   }
   figures['texts read in another language'] = read;
   assert.ok(left.size === 0, [...left.values()].join('\n'));
@@ -211,7 +211,7 @@ async function longerWords({ browser, address }) {
     await page.frames(6);
     if (width < 900) await page.clickElement('#more');
     const faults = await page.call('header', () => {
-      // The title of the document gives way; nothing else does.
+      // Only the document's title may be shortened.
       const all = [...document.querySelectorAll('header :is(button, a, select)')].filter((node) => node.getClientRects().length > 0);
       const box = (/** @type {Element} */ node) => node.getBoundingClientRect();
       const apart = (/** @type {DOMRect} */ a, /** @type {DOMRect} */ b) =>
@@ -235,5 +235,5 @@ export const LANGUAGE_SCENARIOS = [
   ['a language is chosen in the header and by the palette, and the work stays as it was', chosen],
   ['a language that cannot be loaded leaves the page in English, and it says so', unreachable],
   ['in another language nothing is left in English', nothingLeft],
-  ['in German nothing of the header is cut off', longerWords, 'Chromium'], // Firefox's window cannot be made so small
+  ['in German nothing of the header is cut off', longerWords, 'Chromium'], // Firefox's window cannot be this small
 ];

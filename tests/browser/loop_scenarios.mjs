@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The whole loop - a figure, senses, a search, watching, editing, a push, and back - for those who do not point: by roles
-// and names, and by keyboard alone. Each opens a page of its own.
+// The whole loop - a figure, senses, a search, watching, editing, a push, and back - without pointing: by roles and
+// names, and only with the keyboard. Each scenario opens its own page.
 import assert from 'node:assert/strict';
 import { activate, active, byRole, scrubbed, setValue, settle } from './assistive.mjs';
 import { PageDriver } from './page_driver.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
 
-/** The document's parts that the loops below look at. @param {PageDriver} page */
+/** The parts of the document that the scenarios check. @param {PageDriver} page */
 const documentOf = (page) => page.call('document', () => {
   const { figure, senses, search, pushes = [], timeline = [] } = /** @type {any} */ (window.gaitsmith.document());
   return { figure: figure.name, senses: senses?.kind, seed: search?.seed, evaluations: search?.evaluations, pushes: pushes.length, clips: timeline.length };
@@ -67,7 +67,7 @@ async function loopByRoles({ browser, address }) {
   const off = await poses();
   await activate(page, 'switch', 'Past poses');
   assert.notEqual(await poses(), off ?? (await poses()));
-  // What is grey does nothing.
+  // A disabled button does nothing.
   const remove = await byRole(page, 'button', 'Remove the selected clip');
   await remove.evaluate((node) => /** @type {HTMLElement} */ (node).click());
   await settle(page);
@@ -76,7 +76,7 @@ async function loopByRoles({ browser, address }) {
   await page.close();
 }
 
-/** Presses Tab until something has the keyboard. @param {PageDriver} page @param {string} id @param {string} [key] */
+/** Presses Tab until a widget has the focus. @param {PageDriver} page @param {string} id @param {string} [key] */
 async function tabTo(page, id, key = 'Tab') {
   for (let i = 0; i < 60; i++) {
     if (await active(page) === id) return settle(page);
@@ -96,7 +96,7 @@ async function loopByKeyboard({ browser, address }) {
   await page.press('Enter');
   await settle(page);
   await page.press('Tab');
-  // The figures are one stop; arrows go through them, and only the space bar takes one.
+  // The figures are one stop. Arrows move between them, and only the space bar chooses one.
   const figure = (await documentOf(page)).figure;
   await page.press('ArrowRight');
   assert.equal((await documentOf(page)).figure, figure);
@@ -138,8 +138,8 @@ async function loopByKeyboard({ browser, address }) {
   await page.press('Enter');
   await searchDone(page);
   await settle(page);
-  const heir = await active(page);
-  assert.match(heir, /^search\//, `the keyboard is lost to ${heir} when a button goes`);
+  const successor = await active(page);
+  assert.match(successor, /^search\//, `the keyboard is lost to ${successor} when a button goes`);
 
   await tabTo(page, 'transport/scrub', 'Shift+Tab');
   await page.press(' '); // plays or pauses

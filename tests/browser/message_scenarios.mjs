@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Messages between page, coordinator and evaluators that are lost or come twice, each kind in each direction. The page's own
-// client runs many searches at a time, each of which meets one such fault.
+// Lost and repeated messages between page, coordinator and evaluators, each kind in each direction. The page's client
+// runs many searches at a time, each with one such fault.
 import assert from 'node:assert/strict';
 import { faultySite } from './faulty_site.mjs';
 import { PageDriver } from './page_driver.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
 /** @typedef {import('./worker_faults.mjs').Fault} Fault */
-/** How: what is done with a search on its way; end: how it ends if not as ever. @typedef {{faults: Fault[], how?: string, end?: string}} Case */
+/** how: an action during the search; end: its end, if not the usual one. @typedef {{faults: Fault[], how?: string, end?: string}} Case */
 
 const AT_A_TIME = 12;
 
@@ -43,7 +43,7 @@ const CASES = (/** @type {const} */ (['lose', 'double'])).flatMap((act) => KINDS
 }));
 
 /**
- * Runs in the page: one search with its faults. @param {Case} wish @param {string} document  as bytes in base64
+ * Runs in the page: one search with its faults. @param {Case} testCase @param {string} document  as bytes in base64
  * @returns {Promise<{found: string, met: number, live: number, incidents: number, ms: number}>}
  */
 async function searchWith({ faults, how = '' }, document) {
@@ -82,7 +82,7 @@ async function searchWith({ faults, how = '' }, document) {
         progress: (/** @type {any} */ report) => {
           if (report.state === 'paused' && how === 'pause') setTimeout(() => client.resume(), 200);
           if (report.state === 'done' || report.state === 'stopped') {
-            setTimeout(() => { client.close(); resolve(end(report)); }, 300); // what comes twice has come
+            setTimeout(() => { client.close(); resolve(end(report)); }, 300); // time for a repeated message
           } else if (report.evaluations > 300 && !meddled) {
             meddled = true;
             if (how === 'pause') client.pause();
@@ -106,7 +106,7 @@ async function searchWith({ faults, how = '' }, document) {
 /** @param {Visit} visit */
 async function eachMessage({ browser, name, figures }) {
   const page = await PageDriver.open(browser, (await faultySite()).address());
-  // The state of a search is told once a second: only some have to last as long.
+  // Checkpoints come once a second, so only their tests need a long search.
   const [short, long, endless] = await page.call('documents', async () => {
     const [{ Engine }, { compiledEngine }] = await Promise.all(['search/engine.js', 'search/compiled_engine.js'].map((name) => import(new URL(name, location.href).href)));
     const engine = await Engine.load(await compiledEngine());
@@ -116,25 +116,25 @@ async function eachMessage({ browser, name, figures }) {
     });
   });
   const documentOf = (/** @type {Case} */ { faults }) => (faults[0].type === 'stop' ? endless : faults[0].type === 'checkpoint' ? long : short);
-  const run = (/** @type {Case} */ wish) => page.page.evaluate(searchWith, wish, documentOf(wish));
+  const run = (/** @type {Case} */ testCase) => page.page.evaluate(searchWith, testCase, documentOf(testCase));
   const undisturbed = new Map();
   for (const document of [short, long]) undisturbed.set(document, (await page.page.evaluate(searchWith, { faults: [] }, document)).found);
   assert.match(undisturbed.get(long), /^\["done",8000,/);
 
-  const waiting = [...CASES]; // those that take longest come first
+  const waiting = [...CASES]; // the longest first
   const wrong = /** @type {string[]} */ ([]);
   const times = /** @type {[number, string][]} */ ([]);
   await Promise.all(Array.from({ length: AT_A_TIME }, async () => {
-    for (let wish = waiting.shift(); wish; wish = waiting.shift()) {
-      const { id } = wish.faults[0];
+    for (let testCase = waiting.shift(); testCase; testCase = waiting.shift()) {
+      const { id } = testCase.faults[0];
       let timer;
       const late = new Promise((_, reject) => { timer = setTimeout(() => reject(new Error('has no end')), 60000); });
       try {
-        const result = /** @type {any} */ (await Promise.race([run(wish), late]));
+        const result = /** @type {any} */ (await Promise.race([run(testCase), late]));
         times.push([result.ms, id]);
-        const should = wish.end === 'stopped' ? 'stopped' : wish.end === 'failed' ? 'failed: checksum' : undisturbed.get(documentOf(wish));
+        const should = testCase.end === 'stopped' ? 'stopped' : testCase.end === 'failed' ? 'failed: checksum' : undisturbed.get(documentOf(testCase));
         if (result.found !== should) wrong.push(`${id}: ended as ${result.found.slice(0, 60)}`);
-        if (result.met < wish.faults.length) wrong.push(`${id}: did not happen`);
+        if (result.met < testCase.faults.length) wrong.push(`${id}: did not happen`);
         if (result.live > 0) wrong.push(`${id}: ${result.live} workers are left`);
       } catch (error) {
         wrong.push(`${id}: ${error}`);
@@ -146,7 +146,7 @@ async function eachMessage({ browser, name, figures }) {
   assert.deepEqual(wrong, []);
   times.sort(([a], [b]) => b - a);
   figures['messages lost or doubled'] = `${CASES.length}, at most ${(times[0][0] / 1000).toFixed(1)} s (${times[0][1].trim()})`;
-  if (name === 'Chromium') assert.deepEqual(page.complaints, []); // the other one tells of every worker that is ended
+  if (name === 'Chromium') assert.deepEqual(page.complaints, []); // Firefox reports every ended worker
   await page.close();
 }
 

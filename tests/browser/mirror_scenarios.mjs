@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The mirror of the canvas: that it is complete, that the keyboard has one order, and what is said. Each opens pages of
-// its own.
+// The mirror of the canvas: it is complete, the Tab key has a consistent order, and announcements are right. Each
+// scenario opens its own pages.
 import assert from 'node:assert/strict';
 import { activate, active, scrubbed, settle } from './assistive.mjs';
 import { PageDriver, sleep } from './page_driver.mjs';
@@ -8,10 +8,10 @@ import { PageDriver, sleep } from './page_driver.mjs';
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
 /** @typedef {import('../../web/app/app.js').Widget} Widget */
 
-/** Has the keyboard on the canvas, and shows it. @param {PageDriver} page @returns {Promise<string | undefined>} */
+/** The widget with a focus ring on the canvas. @param {PageDriver} page @returns {Promise<string | undefined>} */
 const focusedWidget = async (page) => (await page.widgets()).find(({ state }) => state.focused)?.id;
 
-/** What the page has in the mirror, as widgets() would say it. @param {PageDriver} page */
+/** The mirror's elements, in the format of widgets(). @param {PageDriver} page */
 const mirrored = (page) => page.call('mirror', () => [...document.querySelectorAll('#mirror [data-id]')].map((node) => {
   const input = node instanceof HTMLInputElement ? node : null;
   const implicit = { BUTTON: 'button', INPUT: 'slider', H2: 'heading', P: 'paragraph' }[node.tagName] ?? '';
@@ -63,7 +63,7 @@ async function equal({ browser, address, name }) {
   const page = await PageDriver.open(browser, address, { plays: true });
   await page.page.focus('canvas');
   await page.press(' ');
-  const phone = name === 'Chromium'; // Firefox's window cannot be made so small
+  const phone = name === 'Chromium'; // Firefox's window cannot be this small
   for (const size of [{ width: 1280, height: 720 }, ...(phone ? [{ width: 390, height: 844 }] : [])]) {
     await page.page.setViewport(size);
     for (const panel of ['Figure', 'Controller', 'Style', 'Search', 'Lab', ...(size.width < 700 ? ['Timeline'] : [])]) {
@@ -97,7 +97,7 @@ async function oneOrder({ browser, address }) {
     forwards.push(await active(page));
     const id = forwards[i];
     if (id === 'describe') break;
-    // The same on the canvas, and in sight.
+    // The canvas has the same focus, in sight.
     await page.frames(3);
     assert.equal(await focusedWidget(page), id);
   }
@@ -111,7 +111,7 @@ async function oneOrder({ browser, address }) {
   }
   assert.deepEqual(backwards, [...forwards.slice(0, -1).reverse(), 'copy-link']);
 
-  // From a click on the canvas the Tab key goes on; Escape and Tab leave.
+  // After a click on the canvas, Tab continues from there. Escape and Tab leave.
   await page.click('transport/step');
   await page.press('Tab');
   assert.equal(await active(page), 'transport/scrub');
@@ -119,7 +119,7 @@ async function oneOrder({ browser, address }) {
   assert.equal(await active(page), 'body');
   await page.press('Tab');
   assert.equal(await active(page), 'describe');
-  // Without the keyboard there, nothing on the canvas shows a ring.
+  // Without the focus, the canvas shows no ring.
   await page.page.focus('#describe');
   await page.frames(4);
   const plain = await page.stage();
@@ -132,15 +132,15 @@ async function oneOrder({ browser, address }) {
 
 /** @param {Visit} visit */
 async function saidInWords({ browser, address }) {
-  const page = await PageDriver.open(browser, address, { before: noteSaid, plays: true });
-  const said = () => page.call('said', () => /** @type {string[]} */ (/** @type {any} */ (window).testSaid));
+  const page = await PageDriver.open(browser, address, { before: recordAnnouncements, plays: true });
+  const announcements = () => page.call('said', () => /** @type {string[]} */ (/** @type {any} */ (window).testSaid));
   const description = () => page.text('#description');
   await sleep(2500);
-  assert.deepEqual(await said(), [], 'a motion that plays is not talked about');
+  assert.deepEqual(await announcements(), [], 'a motion that plays is not talked about');
   await page.page.focus('[data-id=stage]');
   await page.press(' ');
   await sleep(1500);
-  assert.match((await said()).join(), /^Paused at [\d.]+ s, [\d.]+ m to the (right|left)\. Rule \d+ acts\.$/);
+  assert.match((await announcements()).join(), /^Paused at [\d.]+ s, [\d.]+ m to the (right|left)\. Rule \d+ acts\.$/);
   const before = await description();
   assert.match(before, /^Mr\. Star-Man has travelled [\d.]+ m to the (right|left) after [\d.]+ s of [\d.]+ s\. .* the ground\. Rule \d+ (acts|stays)/);
   assert.match(before, / Score /);
@@ -149,14 +149,14 @@ async function saidInWords({ browser, address }) {
   await page.press('.', 4);
   await sleep(1500);
   assert.notEqual(await description(), before);
-  // Four steps, and not a sentence for each; where frames are slow, one for the way and one for where it ends.
-  const steps = (await said()).length - 1;
-  assert.ok(steps >= 1 && steps <= 2, `${await said()}`);
+  // Four steps have one announcement. With slow frames there may be one more on the way.
+  const steps = (await announcements()).length - 1;
+  assert.ok(steps >= 1 && steps <= 2, `${await announcements()}`);
   const start = Date.now();
   await page.page.evaluate(() => { void window.gaitsmith.synthesize({ evaluations: 20000, seed: 5 }); });
   await page.until('the end', () => /^Search done/.test(document.querySelector('#status')?.textContent ?? ''));
   await sleep(2000);
-  const search = (await said()).slice(1 + steps).filter((sentence) => !sentence.startsWith('Paused at'));
+  const search = (await announcements()).slice(1 + steps).filter((sentence) => !sentence.startsWith('Paused at'));
   assert.match(search[0], /^Searching with /);
   assert.match(search[search.length - 1], /^Search done: best [\d.]+( m)? after 20,000 evaluations\.?$/);
   assert.ok(search.length <= 3 + (Date.now() - start) / 9000, `a running commentary: ${search.join(' / ')}`);
@@ -164,21 +164,21 @@ async function saidInWords({ browser, address }) {
   await page.close();
 }
 
-/** Runs in the page before its scripts: notes what its live region says. */
-function noteSaid() {
-  const said = /** @type {string[]} */ ([]);
-  Object.assign(window, { testSaid: said });
+/** Runs in the page before its scripts: records the texts of the live region. */
+function recordAnnouncements() {
+  const announcements = /** @type {string[]} */ ([]);
+  Object.assign(window, { testSaid: announcements });
   addEventListener('DOMContentLoaded', () => {
     const region = /** @type {Element} */ (document.querySelector('#spoken'));
     new MutationObserver((changes) => {
-      for (const { addedNodes } of changes) for (const node of addedNodes) said.push(node.textContent ?? '');
+      for (const { addedNodes } of changes) for (const node of addedNodes) announcements.push(node.textContent ?? '');
     }).observe(region, { childList: true });
   });
 }
 
 /** @param {Visit} visit */
 async function stillness({ browser, address, name }) {
-  if (name === 'Firefox') return; // takes no such wish from a test
+  if (name === 'Firefox') return; // a test cannot set this preference there
   const page = await PageDriver.open(browser, address, { plays: true });
   await page.page.emulateMediaFeatures([{ name: 'prefers-reduced-motion', value: 'reduce' }]);
   await page.reload();
@@ -188,7 +188,7 @@ async function stillness({ browser, address, name }) {
   assert.equal(await scrubbed(page), time);
   assert.ok(time < 0.3, `${time}`);
   assert.equal(await page.call('transition', () => getComputedStyle(/** @type {Element} */ (document.querySelector('#toast'))).transitionDuration), '0s');
-  // Whoever asks for it gets it.
+  // The person can still start it.
   await activate(page, 'button', 'Play');
   await sleep(400);
   assert.ok(await scrubbed(page) > time);
@@ -209,7 +209,7 @@ async function cheap({ browser, address, figures }) {
   await page.close();
 }
 
-/** Runs in the page before its scripts: times what the quarter-second timers do. */
+/** Runs in the page before its scripts: measures the timers of a quarter second. */
 function timeMirror() {
   const times = /** @type {number[]} */ ([]);
   const { setInterval: plain } = window;

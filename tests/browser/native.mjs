@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command line's opinion of a document, to compare browsers with.
+// Results of the command line, to compare with those of browsers.
 import { spawn } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
@@ -21,7 +21,7 @@ async function gaitsmith(words, input = '') {
 
 /**
  * @param {string} text   a document
- * @param {string} label  the problem's in the file
+ * @param {string} label  the problem's name in the file
  * @param {{algorithms: string[], trials: number, evaluations: number, firstSeed: number}} options
  * @returns {Promise<string | null>} the file of curves that `gaitsmith compare` writes; null as below
  */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The built site on a plain static host: under a path of its own, without a network, with a new version, in frames that
-// may do little, without storage.
+// The built site on a simple static host: in a subfolder, without a network, with a new version, in frames with few
+// permissions, without storage.
 import assert from 'node:assert/strict';
 import { cp, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
@@ -15,7 +15,7 @@ import { PlainServer } from './plain_server.mjs';
 
 const run = promisify(execFile);
 
-/** A host with a copy of the site. @param {Visit} visit @param {(server: PlainServer) => Promise<void>} body */
+/** Runs a test on a host with a copy of the site. @param {Visit} visit @param {(server: PlainServer) => Promise<void>} body */
 async function onHost(visit, body) {
   const folder = await mkdtemp(join(tmpdir(), 'site-'));
   await cp(visit.site, folder, { recursive: true });
@@ -29,13 +29,13 @@ async function onHost(visit, body) {
   }
 }
 
-/** The whole page is kept, by a worker of its own and not by one of a folder above. @param {PageDriver} page */
-const kept = (page) => page.until('the service worker', `(async () => {
+/** Waits until the page's own service worker, not one of a parent folder, has stored the whole page. @param {PageDriver} page */
+const untilStored = (page) => page.until('the service worker', `(async () => {
   const registration = await navigator.serviceWorker.getRegistration();
   return registration?.scope === new URL('.', location.href).href && registration.active?.state === 'activated';
 })()`);
 
-/** A search of the page comes to its end and moves something. @param {PageDriver} page */
+/** Runs a search, which must find a motion. @param {PageDriver} page */
 const searches = (page) => page.call('search', async () => {
   const { hash, report } = await window.gaitsmith.synthesize({ seed: 3, evaluations: 2000, algorithm: 'sphc' });
   return { hash, state: report.state };
@@ -48,13 +48,13 @@ async function subPathAndOffline(visit) {
     const page = await PageDriver.open(browser, server.address());
     const { hash, state } = await searches(page);
     assert.equal(state, 'done');
-    await kept(page);
-    assert.ok(server.asked.every((path) => path.startsWith(server.path)), `asked outside: ${server.asked.find((path) => !path.startsWith(server.path))}`);
+    await untilStored(page);
+    assert.ok(server.requested.every((path) => path.startsWith(server.path)), `asked outside: ${server.requested.find((path) => !path.startsWith(server.path))}`);
     assert.deepEqual(page.complaints, []);
     const link = await page.link();
 
     server.away = true;
-    server.asked = [];
+    server.requested = [];
     await page.reload();
     assert.equal((await searches(page)).hash, hash, 'the same search finds the same without a network');
     const lesson = await page.page.browserContext().newPage();
@@ -64,7 +64,7 @@ async function subPathAndOffline(visit) {
     await lesson.reload();
     await lesson.waitForFunction(() => /** @type {any} */ (document.querySelector('iframe')?.contentWindow)?.gaitsmith, { timeout: 30000 });
     await lesson.close();
-    // What is loaded only when it is wanted is there, too.
+    // Parts that are loaded on first use are stored, too.
     await page.page.evaluate(() => void window.gaitsmith.run('document/export'));
     await page.until('the export dialog', () => document.querySelector('#export-dialog')?.hasAttribute('open') ?? false);
     const other = await PageDriver.open(browser, link, { beside: page });
@@ -80,8 +80,8 @@ async function prettyHost(visit) {
     server.pretty = true;
     const page = await PageDriver.open(browser, server.address());
     const hash = await page.hash();
-    await kept(page);
-    await page.reload(); // in the worker's charge
+    await untilStored(page);
+    await page.reload(); // now through the service worker
     assert.equal(await page.hash(), hash);
     await page.page.goto(`${server.address()}book/gallery.html`);
     await page.page.reload();
@@ -96,9 +96,9 @@ async function twoCopies(visit) {
   await onHost(visit, async (server) => {
     await cp(visit.site, join(server.folder, 'older'), { recursive: true });
     const page = await PageDriver.open(browser, server.address());
-    await kept(page);
+    await untilStored(page);
     const other = await PageDriver.open(browser, `${server.address()}older/`, { beside: page });
-    await kept(other);
+    await untilStored(other);
     server.away = true;
     for (const driver of [page, other]) {
       await driver.page.bringToFront();
@@ -113,8 +113,8 @@ async function update(visit) {
   const { browser } = visit;
   await onHost(visit, async (server) => {
     const page = await PageDriver.open(browser, server.address());
-    await kept(page);
-    await page.reload(); // now it is the kept one
+    await untilStored(page);
+    await page.reload(); // now through the service worker
     const hash = await page.hash();
 
     // A new version: one script and one page differ.
@@ -148,10 +148,10 @@ async function halfAVersion(visit) {
   const { browser } = visit;
   await onHost(visit, async (server) => {
     const page = await PageDriver.open(browser, server.address());
-    await kept(page);
+    await untilStored(page);
     await page.reload();
-    const asked = server.asked.filter((path) => path.endsWith('/naming.js')).length;
-    // Half an upload: the list is new, a file is not what it says.
+    const before = server.requested.filter((path) => path.endsWith('/naming.js')).length;
+    // An incomplete upload: the service worker is new, but a file does not match its hash.
     await writeFile(join(server.folder, 'page/naming.js'), 'window.testNew = "whole";\n');
     await run(process.execPath, [join(ROOT, 'web/build/seal.mjs'), server.folder]);
     await writeFile(join(server.folder, 'page/naming.js'), 'window.testNew = "half";\n');
@@ -163,8 +163,8 @@ async function halfAVersion(visit) {
       return `${registration.waiting?.state ?? 'none waits'}, ${coming?.state ?? 'none came'}`;
     });
     assert.match(state, /none waits, (redundant|none came)/);
-    assert.ok(server.asked.filter((path) => path.endsWith('/naming.js')).length > asked, 'the new version was looked at');
-    page.complaints.length = 0; // the browser names the file that does not match
+    assert.ok(server.requested.filter((path) => path.endsWith('/naming.js')).length > before, 'the new version was looked at');
+    page.complaints.length = 0; // the browser reports the mismatch
     await page.reload();
     assert.equal(await page.call('old', () => /** @type {any} */ (window).testNew), undefined);
     assert.deepEqual(page.complaints, []);
@@ -172,7 +172,7 @@ async function halfAVersion(visit) {
   });
 }
 
-/** The frame's own answer to a message, as a page of another origin gets it. */
+/** A page of another origin that embeds the site and sends messages to it. */
 const ASKS = `<!doctype html><title>Around</title><body><script>
   const waiting = new Map(); let last = 0; window.events = []; window.answered = [];
   addEventListener('message', ({ data, origin }) => {
@@ -226,13 +226,13 @@ async function foreignFrame(visit) {
     assert.match((await ask('arrange', { panels: 'kitchen' })).error, /kitchen/);
     assert.match((await ask('arrange', { goal: 'distance >= far' })).error, /distance >= far/);
     assert.ok(Object.keys((await ask('measures')).result).includes('rotations'));
-    // Copy link copies, or shows the link to be copied by hand.
+    // Copy link copies the link, or shows it to be copied by hand.
     const inside = page.frames().find((frame) => frame.url().startsWith(server.address()));
     assert.ok(inside);
     await (await inside.$('#copy-link'))?.click();
     await inside.waitForFunction(() => document.querySelector('#toast')?.classList.contains('shown') || document.querySelector('#link-dialog')?.hasAttribute('open'), { timeout: 10000 });
-    // Who is not around the page is not heard.
-    const heard = await page.evaluate(async () => {
+    // Messages from other pages than the embedding one are ignored.
+    const received = await page.evaluate(async () => {
       const stranger = document.createElement('iframe');
       document.body.append(stranger);
       const target = document.querySelector('iframe')?.contentWindow;
@@ -240,8 +240,8 @@ async function foreignFrame(visit) {
       await new Promise((resolve) => setTimeout(resolve, 500));
       return [Boolean(target), /** @type {any} */ (window).answered.includes(99999)];
     });
-    assert.deepEqual(heard, [true, false]);
-    await ask('hello'); // later than the stranger's
+    assert.deepEqual(received, [true, false]);
+    await ask('hello'); // after the stranger's message
     assert.equal(await page.evaluate(() => /** @type {any} */ (window).answered.includes(99999)), false);
     assert.equal((await ask('hash')).result, result.hash);
     await close();
@@ -268,7 +268,7 @@ async function narrowFrame(visit) {
     const { result, error } = await ask('synthesize', { seed: 3, evaluations: 400, algorithm: 'sphc' });
     assert.equal(error, undefined);
     assert.equal(result.report.state, 'done', 'without workers it searches in the page');
-    for (let round = 0; round < 5; round++) { // what it may hear of the other's work is a matter of luck
+    for (let round = 0; round < 5; round++) { // interference would depend on timing
       await page.evaluate('events = []');
       void ask('synthesize', { seed: 4, evaluations: 1e6, algorithm: 'sphc' }).catch(() => {});
       await until('its progress', `events.includes('progress')`);
@@ -326,9 +326,9 @@ async function packagedEngine(visit) {
     const page = await context.newPage();
     await page.goto(`${server.address()}example.html`);
     await page.waitForFunction(() => /moved/.test(document.body.textContent ?? ''), { timeout: 30000 });
-    const said = await page.evaluate(() => document.body.textContent?.trim());
+    const text = await page.evaluate(() => document.body.textContent?.trim());
     const { stdout } = await run(process.execPath, [join(folder, 'package/example.js')]);
-    assert.equal(said, stdout.trim(), 'a page finds what Node finds');
+    assert.equal(text, stdout.trim(), 'a page finds what Node finds');
   } finally {
     await context.close();
     server.close();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What happens around a page in the middle of a search: graphics that go, a tab that sleeps, clocks that jump, other tabs,
-// storage that is full or emptied, a new version.
+// Events during a search: lost graphics, a frozen tab, jumping clocks, other tabs, storage that is full or cleared, a
+// new version.
 import assert from 'node:assert/strict';
 import { cp, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { execFile } from 'node:child_process';
@@ -18,7 +18,7 @@ import { PlainServer } from './plain_server.mjs';
 const SITE = process.argv[2] ?? join(ROOT, 'build/site');
 const SEARCH = { seed: 9, evaluations: 8000, sense: 'physical', workers: 2 };
 
-/** Begins a search; its end is told by ended(). @param {PageDriver} page @param {object} [options] */
+/** Starts a search and waits for its middle. ended() waits for its end. @param {PageDriver} page @param {object} [options] */
 async function begin(page, options = {}) {
   await page.page.evaluate((wish) => {
     const state = Object.assign(window, { testEnd: '', testEvaluations: 0 });
@@ -29,13 +29,13 @@ async function begin(page, options = {}) {
   assert.equal(await page.call('end', () => /** @type {any} */ (window).testEnd), '', 'too soon at its end for this test');
 }
 
-/** @param {PageDriver} page @returns {Promise<string>} the hash of what was found */
+/** @param {PageDriver} page @returns {Promise<string>} the hash of the found motion */
 async function ended(page) {
   await page.until('the end', () => /** @type {any} */ (window).testEnd !== '');
   return page.call('end', () => /** @type {any} */ (window).testEnd);
 }
 
-/** What the search finds where nothing happens. @type {Promise<string> | null} */
+/** The result of an undisturbed search. @type {Promise<string> | null} */
 let undisturbed = null;
 /** @param {Visit} visit */
 function expected({ browser, address }) {
@@ -74,7 +74,7 @@ async function graphicsLost(visit) {
   await page.close();
 }
 
-/** @param {PageDriver} page @param {number} ms  from now on all clocks of page and workers are so much ahead */
+/** Sets all clocks of page and workers ahead. @param {PageDriver} page @param {number} ms */
 const jump = (page, ms) => page.page.evaluate((jumpMs) => {
   for (const clock of [Date, performance]) {
     const now = clock.now.bind(clock);
@@ -92,7 +92,7 @@ async function clocks(visit) {
     await jump(page, 3600e3 * hours);
     assert.equal(await ended(page), hash, `${hours} h`);
     assert.match(await page.status(), /^Search done/);
-    // Pausing and going on need clocks, too.
+    // Pause and resume use clocks, too.
     await begin(page, { evaluations: 12000 });
     await page.call('pause', () => { window.gaitsmith.pause(); });
     await page.until('a pause', () => /^Paused/.test(document.querySelector('#status')?.textContent ?? ''), 10000);
@@ -110,21 +110,21 @@ async function clocks(visit) {
 async function frozen(visit) {
   const hash = await expected(visit);
   const page = await openFaulty(visit.browser);
-  const said = () => page.call('said', () => /** @type {any} */ (window).testSaid.join('\n'));
+  const statusLines = () => page.call('said', () => /** @type {any} */ (window).testSaid.join('\n'));
   await begin(page, { evaluations: 20000 });
   await page.page.evaluate(() => {
-    const heard = /** @type {string[]} */ ([]);
+    const lines = /** @type {string[]} */ ([]);
     const status = /** @type {Element} */ (document.querySelector('#status'));
-    new MutationObserver(() => heard.push(status.textContent ?? '')).observe(status, { childList: true, characterData: true, subtree: true });
-    Object.assign(window, { testSaid: heard });
+    new MutationObserver(() => lines.push(status.textContent ?? '')).observe(status, { childList: true, characterData: true, subtree: true });
+    Object.assign(window, { testSaid: lines });
   });
   const session = await page.page.createCDPSession();
   await session.send('Page.setWebLifecycleState', { state: 'frozen' });
-  await sleep(6500); // longer than any silence that a search bears
+  await sleep(6500); // longer than any timeout of a search
   await session.send('Page.setWebLifecycleState', { state: 'active' });
   await jump(page, 3600e3);
   await ended(page);
-  assert.doesNotMatch(await said(), /stopped/, 'nobody is taken for dead');
+  assert.doesNotMatch(await statusLines(), /stopped/, 'nobody is taken for dead');
   await begin(page);
   assert.equal(await ended(page), hash, 'and searches find what they found');
   assert.deepEqual(page.complaints, []);
@@ -141,7 +141,7 @@ async function twoTabs(visit) {
   await begin(one);
   const [first, second] = [await ended(one), await ended(two)];
   assert.equal(first, hash);
-  // What the browser keeps goes in the middle of the next one, as when somebody clears it.
+  // The storage is cleared during the next search, as a person could do.
   await begin(one, { seed: 10 });
   await two.page.evaluate(() => { localStorage.clear(); });
   const third = await ended(one);
@@ -189,7 +189,7 @@ async function storageFills(visit) {
   await page.close();
 }
 
-/** The site's own copy in the browser finds no room. @param {Visit} visit */
+/** The browser has no room to store the site. @param {Visit} visit */
 async function quota(visit) {
   const hash = await expected(visit);
   await onCopy(async (server) => {
@@ -235,7 +235,7 @@ async function newVersion(visit) {
   await onCopy(async (server) => {
     const page = await PageDriver.open(visit.browser, server.address());
     await page.until('the service worker', `(async () => (await navigator.serviceWorker.ready).active?.state === 'activated')()`);
-    await page.reload(); // now it is the kept one
+    await page.reload(); // now through the service worker
     for (const script of ['search/worker.js', 'page/naming.js']) {
       const path = join(server.folder, script);
       await writeFile(path, `${await readFile(path, 'utf8')}\nself.testNew = true;\n`);
@@ -248,13 +248,13 @@ async function newVersion(visit) {
     await ended(page);
     assert.match(await page.status(), /^Search done/, 'a new version stops no search');
 
-    // Asked for in the middle of a search, it takes over what was found.
+    // An update during a search keeps the best motion.
     await begin(page, { seed: 12, evaluations: 1000000 });
     const before = await page.call('undo', () => window.gaitsmith.canUndo());
     assert.equal(before, true);
     await page.call('pause', () => { window.gaitsmith.pause(); });
     await page.until('a pause', () => /^Paused/.test(document.querySelector('#status')?.textContent ?? ''), 10000);
-    // The last improvement has come to the stage when nothing changes any more.
+    // Wait for the last improvement: until the state no longer changes.
     let best = '';
     for (let turn = 0, now = await stateOf(page); now !== best; turn++, now = await stateOf(page)) {
       assert.ok(turn < 20, 'the document never rests');
@@ -274,9 +274,9 @@ async function newVersion(visit) {
 export const OUTAGE_SCENARIOS = [
   ['graphics lost in the middle of a search: it ends right, and a reload has what it found', graphicsLost],
   ['clocks that jump by hours change nothing in a search, running or paused', clocks],
-  ['a tab frozen in the middle of a search goes on when it thaws', frozen, 'Chromium'], // only this one can be told to
+  ['a tab frozen in the middle of a search goes on when it thaws', frozen, 'Chromium'], // the only one that can be frozen by a test
   ['two tabs search at a time, and storage is emptied meanwhile: each keeps its own', twoTabs],
   ['storage that fills in the middle of a search is told, and the address has the work', storageFills],
-  ['where there is no room for a copy of the site, it works without one', quota, 'Chromium'], // only this one can be told to
+  ['where there is no room for a copy of the site, it works without one', quota, 'Chromium'], // the only one with a quota for tests
   ['a new version that comes in the middle of a search waits, and takes over what was found', newVersion],
 ];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One page under test: opens it, notes everything it complains about, and uses it as a person does.
+// A page under test: opens it, records its errors, and uses it like a person.
 import assert from 'node:assert/strict';
 
 /** @typedef {import('./browsers.mjs').Browser} Browser */
@@ -13,7 +13,7 @@ export const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 export class PageDriver {
   /** Console errors, failed requests, requests to other hosts. @type {string[]} */
   complaints = [];
-  /** Whether the motion plays on after the page has come. */
+  /** Whether the motion plays after the page has loaded. */
   plays = false;
 
   /** @param {Page} page */
@@ -22,12 +22,12 @@ export class PageDriver {
   }
 
   /**
-   * Opens an address in a fresh profile (a context of its own: no cookies, storage or cache of others), or in another
-   * tab of the profile of a page that is open.
+   * Opens an address in a new profile (an isolated context with empty cookies, storage and cache), or in another tab of
+   * an open page's profile.
    * @param {Browser} browser @param {string} address
-   * @param {{beside?: PageDriver, before?: () => void, newcomer?: boolean, plays?: boolean}} [options]  before: runs in the page
-   * before its own scripts; newcomer: is offered the tour; plays: the motion plays on, else it is paused at once, since drawing it
-   * takes most of a processor where graphics are software
+   * @param {{beside?: PageDriver, before?: () => void, newcomer?: boolean, plays?: boolean}} [options]  before: runs in
+   * the page before its scripts; newcomer: gets the tour; plays: the motion plays, else it is paused at once, because
+   * drawing it with software graphics needs most of a processor
    */
   static async open(browser, address, { beside, before, newcomer = false, plays = false } = {}) {
     const context = beside ? beside.page.browserContext() : await browser.createBrowserContext();
@@ -41,7 +41,7 @@ export class PageDriver {
       }
     });
     page.on('pageerror', (error) => complaints.push(`uncaught: ${error}`));
-    // A page that is left takes back what it has asked for.
+    // Leaving a page cancels its requests.
     page.on('requestfailed', (request) => {
       if (!/ABORTED/i.test(request.failure()?.errorText ?? '')) complaints.push(`request failed: ${request.url()}`);
     });
@@ -53,7 +53,7 @@ export class PageDriver {
       const url = new URL(request.url());
       if (/^(https?|wss?):$/.test(url.protocol) && url.host !== host) complaints.push(`request to another host: ${url}`);
     });
-    await page.evaluateOnNewDocument(keepWorkers);
+    await page.evaluateOnNewDocument(recordWorkers);
     if (!newcomer) await page.evaluateOnNewDocument(declineTour);
     if (before) await page.evaluateOnNewDocument(before);
     await driver.arrive(() => page.goto(address));
@@ -63,8 +63,8 @@ export class PageDriver {
   async reload() { await this.arrive(() => this.page.reload()); }
 
   /**
-   * Goes to a page of the playground and waits until it is ready. A browser may say that it has arrived while scripts
-   * are still answered by the page before, or by none: so that one is marked, and answers without a page do not count.
+   * Goes to a page of the playground and waits until it is ready. After navigation, a browser may still evaluate
+   * scripts in the old page, or in none. So the old page is marked, and failed evaluations are repeated.
    * @param {() => Promise<unknown>} leave
    */
   async arrive(leave) {
@@ -77,12 +77,12 @@ export class PageDriver {
       assert.ok(Date.now() - start < PATIENCE_MS, 'the page has not come');
     }
     await this.call('ready', () => window.gaitsmith.ready.then(() => true));
-    // A person's hand is not as quick as to come before it.
+    // A person is slower than the mirror.
     await this.until('the mirror', () => document.querySelector('#mirror [id^=on-canvas]') !== null);
     if (!this.plays) await this.play(false);
   }
 
-  /** The motion plays, or is paused. Without its button on the canvas it stays as it is. @param {boolean} playing */
+  /** Plays or pauses the motion, if the canvas shows the button. @param {boolean} playing */
   async play(playing) {
     const label = (await this.widgets()).find(({ id }) => id === 'transport/play')?.label;
     if (label && (label === 'Play') === playing) await this.page.evaluate(() => window.gaitsmith.run('motion/play'));
@@ -96,7 +96,7 @@ export class PageDriver {
   async close() { await this.page.browserContext().close(); }
 
   /**
-   * Evaluates in the page, with a limit.
+   * Evaluates in the page, with a time limit.
    * @template T
    * @param {string} what @param {(() => T | Promise<T>) | string} body
    */
@@ -112,7 +112,7 @@ export class PageDriver {
     }
   }
 
-  /** Waits until the page says so. @param {string} what @param {(() => boolean) | string} condition @param {number} [limit] */
+  /** Waits until a condition in the page holds. @param {string} what @param {(() => boolean) | string} condition @param {number} [limit] */
   async until(what, condition, limit = PATIENCE_MS) {
     for (const start = Date.now(); Date.now() - start < limit; await sleep(50)) {
       if (await this.page.evaluate(condition)) return;
@@ -128,8 +128,7 @@ export class PageDriver {
   widgets() { return this.page.evaluate(() => window.gaitsmith.widgets()); }
 
   /**
-   * Waits until the page has had some frames more: on a slow machine a frame can take longer than any pause that
-   * a test would dare to write.
+   * Waits for some frames of the page. A fixed pause would be too short on a slow machine.
    */
   frames(count = 3) {
     return this.call('frames', `new Promise((resolve) => {
@@ -139,7 +138,7 @@ export class PageDriver {
     })`);
   }
 
-  /** Clicks a widget of the canvas with the mouse, once it has come to rest. @param {string} id */
+  /** Clicks a widget of the canvas with the mouse, when it no longer moves. @param {string} id */
   async click(id) {
     let last = '';
     for (const start = Date.now(); ; await this.frames()) {
@@ -153,7 +152,7 @@ export class PageDriver {
     }
   }
 
-  /** Slowly: the canvas hovers in one frame, presses in the next and releases in a third. @param {number} x @param {number} y */
+  /** Clicks slowly: the canvas hovers in one frame, presses in the next and releases in a third. @param {number} x @param {number} y */
   async clickAt(x, y) {
     await this.page.mouse.move(x, y);
     await this.frames();
@@ -164,7 +163,7 @@ export class PageDriver {
     await sleep(50);
   }
 
-  /** Presses keys together, the last one as often as asked for. @param {string} keys  like Control+Shift+z */
+  /** Presses keys together, the last one `times` times. @param {string} keys  such as Control+Shift+z */
   async press(keys, times = 1) {
     const all = /** @type {import('../../web/node_modules/puppeteer-core/lib/types.d.ts').KeyInput[]} */ (keys.split('+'));
     const last = all.pop();
@@ -189,7 +188,7 @@ export class PageDriver {
   }
 
   /**
-   * What the stage looks like: the spread of its pixels' brightness, and a sum that differs between pictures.
+   * Measures the picture of the stage: the spread of its pixels' brightness, and a checksum.
    * @returns {Promise<{spread: number, sum: number}>}
    */
   async stage() {
@@ -214,22 +213,22 @@ export class PageDriver {
     }, png);
   }
 
-  /** The page's workers in the order of their birth: coordinator first. @param {number} which */
+  /** Terminates one of the page's workers. @param {number} which  in order of creation, coordinator first */
   terminateWorker(which) {
     return this.page.evaluate((index) => /** @type {any} */ (window).testWorkers.at(index).terminate(), which);
   }
 }
 
-/** Runs in the page before its scripts: keeps every Worker that it makes, to terminate one later. */
-function keepWorkers() {
-  const kept = /** @type {Worker[]} */ ([]);
+/** Runs in the page before its scripts: records every Worker, to terminate one later. */
+function recordWorkers() {
+  const workers = /** @type {Worker[]} */ ([]);
   Object.assign(window, {
-    testWorkers: kept,
+    testWorkers: workers,
     Worker: class extends Worker {
       /** @param {string | URL} url @param {WorkerOptions} [options] */
       constructor(url, options) {
         super(url, options);
-        kept.push(this);
+        workers.push(this);
       }
     },
   });
@@ -239,6 +238,6 @@ function declineTour() {
   try {
     localStorage.setItem('gaitsmith-tour', 'offered');
   } catch {
-    // Where storage is forbidden it is not offered.
+    // Without storage the tour is not offered.
   }
 }

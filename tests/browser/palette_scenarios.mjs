@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Keys, the sheet that lists them, the palette, and the header where there is little room. Each opens pages of its own.
+// Keys, the list of keys, the palette, and the header on narrow screens. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
-import { Mouse } from './hands.mjs';
+import { Mouse } from './pointers.mjs';
 import { PageDriver } from './page_driver.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
 
-/** The palette as assistive tools find it. @param {PageDriver} page */
+/** The palette as assistive tools see it. @param {PageDriver} page */
 const palette = (page) => page.call('palette', () => {
   const input = document.activeElement;
   const list = document.getElementById(input?.getAttribute('aria-controls') ?? '');
@@ -42,13 +42,13 @@ async function byKeyboard({ browser, address }) {
   assert.deepEqual(all.off, ['Pause the search, or go on', 'Run the queue', 'Clear the queue',
     'Show the best result for this figure and task', 'Bring back the deleted result', 'Move the selected clip earlier', 'Move the selected clip later',
     'Repair the selected clip: search from where it takes over', 'Snap to best: the selected clip takes over where that does best', 'Remove the selected clip', 'Undo', 'Redo']);
-  // Round the end and back; the one that is chosen is always to be seen.
+  // Past the end and back. The selected row is always visible.
   await page.press('ArrowUp');
   const last = await palette(page);
   assert.deepEqual([last.selected, last.chosen, last.seen], [all.titles.length - 1, all.titles.length - 1, true]);
   await page.press('ArrowDown', 3);
   assert.equal((await palette(page)).chosen, 2);
-  // What is not possible does nothing.
+  // An unavailable command does nothing.
   await page.page.keyboard.type('undo');
   assert.equal((await palette(page)).titles[0], 'Undo');
   await page.press('Enter');
@@ -73,7 +73,7 @@ async function byKeyboard({ browser, address }) {
   await page.page.keyboard.type('undo');
   await page.press('Enter');
   assert.equal(await page.call('title', () => window.gaitsmith.document().title), 'Mr. Star-Man shuffles');
-  // A command that opens a dialog of its own.
+  // A command that opens a dialog.
   await page.press('Control+k');
   await page.page.keyboard.type('open link');
   await page.press('Enter');
@@ -121,8 +121,8 @@ async function keysWork({ browser, address }) {
   await page.press('s');
   await page.until('its end', () => /^Search stopped/.test(document.querySelector('#status')?.textContent ?? ''), 20000);
 
-  // A number that is being typed gets its digits.
-  await new Mouse(page).press('search/seed'); // the curve has pushed it down
+  // Digits go to an open number field.
+  await new Mouse(page).press('search/seed'); // below the curve now
   await page.page.keyboard.type('21');
   await page.press('Enter');
   await page.frames();
@@ -147,7 +147,7 @@ async function sheet({ browser, address }) {
   const caps = await page.call('caps', () => [...document.querySelectorAll('#help kbd')].map((cap) => cap.textContent ?? ''));
   assert.equal(new Set(caps).size, caps.length, `a key stands for two things: ${caps}`);
   for (const cap of ['Space', 'S', '1', '5', 'Home', '?', 'T']) assert.ok(caps.includes(cap), `no ${cap}`);
-  // Single keys can be turned off, for good.
+  // Single keys can be turned off, also for later visits.
   await page.clickElement('#help-single');
   await page.press('Escape');
   await page.page.focus('canvas');
@@ -173,7 +173,7 @@ async function sheet({ browser, address }) {
 
 /** @param {Visit} visit */
 async function narrow({ browser, address, name }) {
-  if (name === 'Firefox') return; // its window cannot be made so small
+  if (name === 'Firefox') return; // its window cannot be this small
   const page = await PageDriver.open(browser, address);
   for (const width of [390, 320]) {
     await page.page.setViewport({ width, height: 700, deviceScaleFactor: 2 });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Pictures of the page to look at, in build/screenshots: each panel in each theme on three screens.
+// Takes pictures of the page, in build/screenshots: each panel in each theme on three screens.
 //   node tests/browser/pictures.mjs [words of the pictures to take, default all]
-//   node tests/browser/pictures.mjs docs    those that docs/pictures.md shows, into docs/pictures; and the preview of links
+//   node tests/browser/pictures.mjs docs    the pictures of docs/pictures.md, in docs/pictures, and the link preview
 import assert from 'node:assert/strict';
 import { copyFile, mkdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -30,7 +30,7 @@ export async function takePictures(browser, address, wanted = '') {
       const document = JSON.parse(text);
       window.gaitsmith.open({ ...document, search: { ...document.search, evaluations: 400 } });
     }, example);
-    // A moment in the middle, and standing still: a picture that moves shows nothing of a change.
+    // Paused in the middle, because moving pictures cannot be compared.
     await page.evaluate(() => {
       window.gaitsmith.run('motion/start');
       for (let frame = 0; frame < 310; frame++) window.gaitsmith.run('motion/forward');
@@ -41,7 +41,7 @@ export async function takePictures(browser, address, wanted = '') {
         const name = `${screen}-${theme}-${panel}`;
         if (!name.includes(wanted) || (panel === 'timeline' && screen !== 'phone')) continue;
         await run(COMMANDS.get(panel) ?? `panel/${panel[0].toUpperCase()}${panel.slice(1)}`);
-        // The first time, a short search finds what stands beside.
+        // At first a short search must find the motion to compare with.
         if (panel === 'beside') await driver.until('another motion beside', () =>
           window.gaitsmith.commands().some(({ title }) => title === 'Stop comparing side by side'));
         await driver.frames(4);
@@ -50,7 +50,7 @@ export async function takePictures(browser, address, wanted = '') {
         count++;
       }
     }
-    // Last, since it changes the motion: a composite, made with the editor.
+    // Last, because it changes the motion: a composite, made with the editor.
     for (const id of ['timeline/add', 'timeline/mirror', 'timeline/add', 'timeline/split', 'timeline/duplicate']) await run(id);
     for (const theme of THEMES) {
       const name = `${screen}-${theme}-chained`;
@@ -69,7 +69,7 @@ export async function takePictures(browser, address, wanted = '') {
   return count;
 }
 
-/** What chat programs show of a link: a figure that has come a long way. @param {import('./browsers.mjs').Browser} browser @param {string} address */
+/** Takes the picture that chat programs show for a link: a figure that has moved far. @param {import('./browsers.mjs').Browser} browser @param {string} address */
 async function takePreview(browser, address) {
   const driver = await PageDriver.open(browser, `${address}?panels=none`);
   await driver.page.setViewport({ width: 1200, height: 630 });

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A static host as plain as they come: a folder under a path of its own, types for .html, .js and .css alone, and no header
-// that anybody would have to set up.
+// A minimal static host: a folder under a path, content types only for .html, .js and .css, and no other headers.
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
@@ -8,18 +7,18 @@ import { extname, join, normalize } from 'node:path';
 const TYPES = /** @type {Record<string, string>} */ ({ '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css' });
 
 export class PlainServer {
-  /** Paths that were asked for. @type {string[]} */
-  asked = [];
-  /** Pages that are in no folder, by their paths. @type {Record<string, string>} */
+  /** The requested paths. @type {string[]} */
+  requested = [];
+  /** Additional pages, by path. @type {Record<string, string>} */
   pages = {};
-  /** The network has gone. */
+  /** Whether the network is down. */
   away = false;
-  /** As some hosts do: .../index.html is sent on to .../, and page.html to page. */
+  /** Whether to redirect .../index.html to .../, and page.html to page, as some hosts do. */
   pretty = false;
-  /** Further headers. @type {Record<string, string>} */
+  /** Additional headers. @type {Record<string, string>} */
   headers = {};
 
-  /** @param {string} folder @param {string} path  under which it is found, such as /some/where/ */
+  /** @param {string} folder @param {string} path  such as /some/where/ */
   constructor(folder, path) {
     this.folder = folder;
     this.path = path;
@@ -43,7 +42,7 @@ export class PlainServer {
   /** @param {import('node:http').IncomingMessage} request @param {import('node:http').ServerResponse} response */
   async #answer(request, response) {
     const path = (request.url ?? '/').split(/[?#]/)[0];
-    this.asked.push(path);
+    this.requested.push(path);
     if (this.away) {
       response.destroy();
       return;

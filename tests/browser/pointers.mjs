@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The ways of a person to point: with a mouse, or with fingers.
+// Ways to point: with a mouse, or with fingers.
 import assert from 'node:assert/strict';
 
 /** @typedef {import('./page_driver.mjs').PageDriver} PageDriver */
 /** @typedef {{x: number, y: number}} Point */
 
-/** What both can do. */
-class Hand {
+/** The common interface. */
+class Pointer {
   /** @param {PageDriver} page */
   constructor(page) { this.page = page; }
 
@@ -21,7 +21,7 @@ class Hand {
     return { x: x + width / 2, y: y + height / 2 };
   }
 
-  /** @param {string} id  as it stands, or scrolled to */
+  /** Clicks or taps a widget, after scrolling to it. @param {string} id */
   async press(id) {
     await this.scrollTo(id);
     await this.tap(await this.centre(id));
@@ -31,13 +31,13 @@ class Hand {
   async tap(_at) { throw new Error('a hand of a kind'); }
   /** @param {Point} _from @param {Point} _to @returns {Promise<void>} */
   async drag(_from, _to) { throw new Error('a hand of a kind'); }
-  /** One turn of the panel. @param {boolean} _down @returns {Promise<void>} */
+  /** Scrolls the panel by one step. @param {boolean} _down @returns {Promise<void>} */
   async scroll(_down) { throw new Error('a hand of a kind'); }
 
-  /** Where the scroll bar stands, if there is one. */
+  /** The position of the scroll bar, if there is one. */
   async #scrolled() { return (await this.page.widgets()).find(({ role }) => role === 'scrollbar')?.rect.y; }
 
-  /** Until the widget is wholly to be seen: first down, then up. @param {string} id @param {number} [height] */
+  /** Scrolls, first down, then up, until the widget is completely visible. @param {string} id @param {number} [height] */
   async scrollTo(id, height = 17) {
     for (const down of [true, false]) {
       for (let turn = 0; turn < 24; turn++) {
@@ -51,7 +51,7 @@ class Hand {
   }
 }
 
-export class Mouse extends Hand {
+export class Mouse extends Pointer {
   name = 'mouse';
 
   /** @param {Point} at */
@@ -75,13 +75,13 @@ export class Mouse extends Hand {
   /** @param {boolean} down */
   async scroll(down) {
     const stage = (await this.find('stage'))?.rect ?? { x: 0, y: 0, width: 0, height: 0 };
-    await this.page.page.mouse.move(stage.x + stage.width + 8, stage.y + 300); // beside whatever can be dragged
+    await this.page.page.mouse.move(stage.x + stage.width + 8, stage.y + 300); // beside everything that can be dragged
     await this.page.page.mouse.wheel({ deltaY: down ? 120 : -120 });
     await this.page.frames();
   }
 }
 
-export class Fingers extends Hand {
+export class Fingers extends Pointer {
   name = 'fingers';
 
   /** @param {Point} at */
@@ -104,7 +104,7 @@ export class Fingers extends Hand {
     await this.page.frames(6);
   }
 
-  /** Two fingers from one pair of places to another. @param {[Point, Point]} from @param {[Point, Point]} to */
+  /** Moves two fingers. @param {[Point, Point]} from @param {[Point, Point]} to */
   async pinch(from, to) {
     const screen = this.page.page.touchscreen;
     const touches = [];

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
-// A language in which every translated word stands between « and »: what a page shows outside of them was forgotten.
+// A test language with every translated text between « and ». Text outside of them was not translated.
 import { readFile, readdir } from 'node:fs/promises';
 import { join } from 'node:path';
 import { ROOT } from './browsers.mjs';
 
 /** @typedef {import('./page_driver.mjs').PageDriver} PageDriver */
 
-// The same in every language. Documents and figures have their names, too; those are read from examples/.
+// Names are the same in every language. Names of documents and figures are read from examples/.
 const NAMES = ['Gaitsmith', 'English', 'Deutsch', 'RG&T', 'SPHC', 'GGA', 'SSGA', 'SHC', 'MPGA', 'Nelder–Mead', 'Powell', 'CMA-ES', 'MAP-Elites'];
 const UNITS = ['N s', 'rad/s²', 'rad/s', 'rad', 'm/s', 'kg', 'ms', 'min', 'MB', 'm', 's', 'h', 'N'];
-// A letter alone is a key, or the letter of a pose; F1 is a key, "x", "y" and Greek letters are quantities.
+// Single letters are keys, letters of poses, or quantities. F1 is a key.
 const SIGNS = /(?<![\p{L}\d])(\p{L}|F\d+)(?![\p{L}\d])/gu;
 
-/** A document's title stays as it was made. @type {string[]} */
+/** Elements with data that is not translated. @type {string[]} */
 export const DATA = ['#title'];
 
-/** Runs before the page's own scripts: what comes as German is that language; what is said in passing is kept. */
+/** Runs in the page before its scripts: replaces German by the test language, and records short messages. */
 export function speakPseudo() {
-  const fetchAsEver = window.fetch;
+  const originalFetch = window.fetch;
   window.fetch = async (...request) => {
-    const response = await fetchAsEver(...request);
+    const response = await originalFetch(...request);
     if (!response.url.endsWith('/languages/de.json')) return response;
     const table = await response.json();
     for (const words of [table.words, table.errors, table.titles]) {
@@ -29,17 +29,17 @@ export function speakPseudo() {
     }
     return new Response(JSON.stringify(table));
   };
-  const said = /** @type {[string, string][]} */ ([]);
-  Object.assign(window, { testPassing: said });
+  const messages = /** @type {[string, string][]} */ ([]);
+  Object.assign(window, { testPassing: messages });
   addEventListener('DOMContentLoaded', () => {
     for (const id of ['#spoken', '#status', '#toast', '#banner-text', '#count', '#rate', '#best', '#left']) {
       const node = document.querySelector(id);
-      if (node) new MutationObserver(() => { if (node.textContent) said.push([id, node.textContent]); }).observe(node, { childList: true, subtree: true });
+      if (node) new MutationObserver(() => { if (node.textContent) messages.push([id, node.textContent]); }).observe(node, { childList: true, subtree: true });
     }
   });
 }
 
-/** Everything that can be read or heard on the page now, or was said in passing; and which of DATA it is in. @param {PageDriver} page @returns {Promise<[string, string][]>} */
+/** All visible texts, labels and recorded messages, with the matching entry of DATA. @param {PageDriver} page @returns {Promise<[string, string][]>} */
 export const wordsOn = (page) => page.page.evaluate(() => {
   const attributes = ['aria-label', 'aria-description', 'aria-valuetext', 'aria-roledescription', 'title', 'placeholder', 'alt'];
   /** @type {[string, string][]} */
@@ -54,7 +54,7 @@ export const wordsOn = (page) => page.page.evaluate(() => {
   return [...words, ...(/** @type {any} */ (window).testPassing.splice(0))];
 });
 
-/** Titles and figures of the documents that the page comes with: data, not words. @returns {Promise<string[]>} */
+/** Titles and figures of the examples, which are not translated. @returns {Promise<string[]>} */
 async function shippedNames() {
   const names = new Set();
   for (const folder of ['examples', 'examples/figures', 'examples/problems']) {
@@ -66,7 +66,7 @@ async function shippedNames() {
   return [...names];
 }
 
-/** What takes out of a text all that need not be translated. @returns {Promise<(text: string) => string>} */
+/** A function that removes the translated and the untranslatable parts of a text. @returns {Promise<(text: string) => string>} */
 export async function untranslated() {
   const escape = (/** @type {string} */ text) => text.replace(/[.*+?^${}()|[\]\\]/g, '\\$&');
   const longestFirst = [...NAMES, ...await shippedNames(), ...UNITS].sort((a, b) => b.length - a.length).map(escape);

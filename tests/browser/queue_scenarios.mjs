@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Searches in a queue, their results, and what of them outlives a reload. Each opens pages of its own.
+// The queue of searches, their results, and what survives a reload. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
 import { PageDriver, sleep } from './page_driver.mjs';
 import { stateOf } from './history_scenarios.mjs';
@@ -18,7 +18,7 @@ const results = (page) => page.call('results', () => window.gaitsmith.results())
 const untilResults = (page, count) => page.until(`${count} results`, `window.gaitsmith.results().length >= ${count}`);
 
 /**
- * Opens a page with the Search panel, whose settings are folded so that queue and results are to be seen.
+ * Opens a page with the Search panel, with folded settings so that queue and results are visible.
  * @param {import('./browsers.mjs').Browser} browser @param {string} address @param {Parameters<typeof PageDriver.open>[2]} [options]
  */
 async function openPanel(browser, address, options) {
@@ -32,7 +32,7 @@ async function openPanel(browser, address, options) {
   return page;
 }
 
-/** Scrolls the panel to its end, where the results are. @param {PageDriver} page */
+/** Scrolls the panel to the results at its end. @param {PageDriver} page */
 async function toEnd(page) {
   const tab = (await widget(page, 'panels/3'))?.rect ?? { x: 0, y: 0 };
   await page.page.mouse.move(tab.x + 20, tab.y + 300);
@@ -40,14 +40,14 @@ async function toEnd(page) {
   await page.frames(4);
 }
 
-/** What the queue is to look for: problems of figures of their own. */
+/** The problems of the queue, with different figures. */
 const PROBLEMS = /** @type {const} */ ([
   { name: 'First', length: 0.5, seed: 5, algorithm: 'sphc' },
   { name: 'Second', length: 0.4, seed: 6, algorithm: 'shc' },
   { name: 'Third', length: 0.3, seed: 7, algorithm: 'gga' },
 ]);
 
-/** Puts the three problems into the queue, by clicks, and goes back to the document that was there. @param {PageDriver} page @param {number} evaluations */
+/** Queues the three problems by clicks, and returns to the first document. @param {PageDriver} page @param {number} evaluations */
 async function queueThree(page, evaluations = EVALUATIONS) {
   const before = await page.call('before', () => JSON.stringify(window.gaitsmith.document()));
   for (const problem of PROBLEMS) {
@@ -86,7 +86,7 @@ async function runsThrough({ browser, address }) {
 
   await toEnd(page);
 
-  // Shown, it is what the same search finds by itself, and the command line replays it.
+  // A shown result is the same as that of the same search outside the queue, and of the command line.
   const found = (await results(page)).find(({ seed }) => seed === 5);
   assert.ok(found && found.origin === 'done' && found.evaluations === EVALUATIONS);
   const entry = await widget(page, `found/${found.id}`);
@@ -121,14 +121,14 @@ async function stopped({ browser, address }) {
   await page.call('run', () => { window.gaitsmith.runQueue(); });
   await page.until('a beginning', () => /Queue: First · travel, SPHC/.test(document.querySelector('#status')?.textContent ?? ''));
   await page.until('progress', () => /^[1-9]/.test(document.querySelector('#count')?.textContent ?? ''));
-  // Opening something else does not concern it.
+  // Opening another document does not affect the queue.
   await page.call('new', () => { document.querySelector('#new')?.dispatchEvent(new MouseEvent('click', { bubbles: true })); });
   await page.frames();
   assert.ok(await widget(page, 'search/stop'), 'New ended a search of the queue');
   await sleep(300);
   await page.click('search/stop');
   await page.until('a result', () => window.gaitsmith.results().length === 1);
-  await sleep(700); // time for another one to begin, if it did
+  await sleep(700); // time for another search to start by mistake
   const [result] = await results(page);
   assert.equal(result.origin, 'stopped');
   assert.match(result.title, /^First/);
@@ -158,7 +158,7 @@ async function afterReload({ browser, address }) {
   await toEnd(page);
   await page.click(`found/${first.id}/keep`);
   await page.click(`found/${second.id}/delete`);
-  await page.press('k'); // the motion on the stage is the third one's
+  await page.press('k'); // saves the third result, which is on the stage
   const before = await results(page);
   assert.deepEqual(before.map(({ seed, kept }) => [seed, kept]), [[3, true], [1, true]]);
   await page.reload();
@@ -166,7 +166,7 @@ async function afterReload({ browser, address }) {
   assert.ok(await page.page.evaluate((id) => window.gaitsmith.showResult(id), first.id));
   assert.equal(await page.hash(), first.hash);
 
-  // Another tab has them, too, and what it finds is not lost by what the first one does then.
+  // Another tab has the results, too. Its own results survive changes in the first tab.
   const other = await PageDriver.open(browser, address, { beside: page });
   assert.equal((await results(other)).length, 2);
   await other.call('search', () => window.gaitsmith.synthesize({ seed: 9, evaluations: 400, algorithm: 'rgt' }));
@@ -184,7 +184,7 @@ async function afterReload({ browser, address }) {
   await page.close();
 }
 
-/** As in a tab that is not seen, no frame is drawn any more. @param {Visit} visit */
+/** The queue runs without frames, as in a hidden tab. @param {Visit} visit */
 async function unseen({ browser, address }) {
   const page = await openPanel(browser, address);
   await queueThree(page);
@@ -200,11 +200,11 @@ async function unseen({ browser, address }) {
 /** @param {Visit} visit */
 async function oneFails({ browser, address }) {
   const page = await openPanel(browser, address, {
-    // The first coordinator of the queue refuses its work, as core would.
+    // The first coordinator of the queue fails, as if core had refused the document.
     before: () => {
       Object.assign(window, { testFailing: false });
-      const Kept = Worker;
-      window.Worker = class extends Kept {
+      const RealWorker = Worker;
+      window.Worker = class extends RealWorker {
         /** @param {any} message @param {any} [transfer] */
         postMessage(message, transfer) {
           const state = /** @type {any} */ (window);
@@ -231,9 +231,9 @@ async function oneFails({ browser, address }) {
 /** @param {Visit} visit */
 async function byScript({ browser, address }) {
   const page = await PageDriver.open(browser, address);
-  const told = await page.call('queue', async () => {
+  const outcome = await page.call('queue', async () => {
     const { gaitsmith } = window;
-    const fault = (/** @type {() => unknown} */ wish) => { try { wish(); return ''; } catch (error) { return String(error); } };
+    const fault = (/** @type {() => unknown} */ request) => { try { request(); return ''; } catch (error) { return String(error); } };
     const ends = /** @type {{hash: string, link: string, evaluations: number}[]} */ ([]);
     const all = new Promise((resolve) => gaitsmith.on('done', ({ detail: { report, hash, link } }) => {
       if (ends.push({ hash, link, evaluations: report.evaluations }) === 3) resolve(true);
@@ -252,18 +252,18 @@ async function byScript({ browser, address }) {
     const kept = gaitsmith.keep();
     return { idle, unknown, waiting, full, own: hash, stage, after: gaitsmith.hash(), ends, results: gaitsmith.results(), kept };
   });
-  assert.equal(told.idle, false);
-  assert.match(told.unknown, /algorithm/);
-  assert.match(told.full, /queue is full: 50/);
-  assert.deepEqual(told.waiting.map(({ seed, algorithm }) => [seed, algorithm]), [[2, 'rgt'], [3, 'sphc']]);
-  // The search of one's own is on the stage; those of the queue are among the results, and each is told with its own link.
-  assert.equal(told.stage, told.own);
-  assert.equal(told.after, told.own);
-  assert.deepEqual(told.results.map(({ seed }) => seed), [3, 2, 1]);
-  assert.deepEqual(told.ends.map(({ hash }) => hash), told.results.map(({ hash }) => hash).reverse());
-  assert.deepEqual(told.ends.slice(1).map(({ link }) => link), told.results.slice(0, 2).map(({ link }) => link).reverse());
-  assert.deepEqual(told.ends.map(({ evaluations }) => evaluations), [300, 300, 300]);
-  assert.equal(told.kept, true);
+  assert.equal(outcome.idle, false);
+  assert.match(outcome.unknown, /algorithm/);
+  assert.match(outcome.full, /queue is full: 50/);
+  assert.deepEqual(outcome.waiting.map(({ seed, algorithm }) => [seed, algorithm]), [[2, 'rgt'], [3, 'sphc']]);
+  // The document's own search is on the stage. Those of the queue are in the results, and each event has its own link.
+  assert.equal(outcome.stage, outcome.own);
+  assert.equal(outcome.after, outcome.own);
+  assert.deepEqual(outcome.results.map(({ seed }) => seed), [3, 2, 1]);
+  assert.deepEqual(outcome.ends.map(({ hash }) => hash), outcome.results.map(({ hash }) => hash).reverse());
+  assert.deepEqual(outcome.ends.slice(1).map(({ link }) => link), outcome.results.slice(0, 2).map(({ link }) => link).reverse());
+  assert.deepEqual(outcome.ends.map(({ evaluations }) => evaluations), [300, 300, 300]);
+  assert.equal(outcome.kept, true);
   assert.deepEqual(page.complaints, []);
   await page.close();
 }
@@ -271,13 +271,13 @@ async function byScript({ browser, address }) {
 /** @param {Visit} visit */
 async function spread({ browser, address }) {
   const page = await openPanel(browser, address);
-  const heard = await page.call('search', async () => {
+  const messages = await page.call('search', async () => {
     const spreads = /** @type {any[]} */ ([]);
     window.gaitsmith.on('progress', ({ detail }) => spreads.push(detail.spread));
     await window.gaitsmith.synthesize({ seed: 4, evaluations: 3000, algorithm: 'sphc' });
     return spreads;
   });
-  const last = heard[heard.length - 1];
+  const last = messages[messages.length - 1];
   assert.equal(last.members, 10);
   assert.ok(last.least <= last.lowerQuartile && last.lowerQuartile <= last.median && last.median <= last.upperQuartile && last.upperQuartile <= last.best);
   await page.frames(6);
@@ -297,14 +297,14 @@ async function forbidden({ browser, address }) {
       }
     },
   });
-  const said = await page.call('search', async () => {
-    const heard = /** @type {string[]} */ ([]);
+  const messages = await page.call('search', async () => {
+    const messages = /** @type {string[]} */ ([]);
     const status = /** @type {Element} */ (document.querySelector('#status'));
-    new MutationObserver(() => heard.push(status.textContent ?? '')).observe(status, { childList: true, characterData: true, subtree: true });
+    new MutationObserver(() => messages.push(status.textContent ?? '')).observe(status, { childList: true, characterData: true, subtree: true });
     for (const seed of [1, 2]) await window.gaitsmith.synthesize({ seed, evaluations: 200, algorithm: 'rgt' });
-    return heard;
+    return messages;
   });
-  assert.equal(said.filter((sentence) => /no room for more results/.test(sentence)).length, 1);
+  assert.equal(messages.filter((sentence) => /no room for more results/.test(sentence)).length, 1);
   assert.equal((await results(page)).length, 2);
   assert.deepEqual(page.complaints, []);
   await page.close();

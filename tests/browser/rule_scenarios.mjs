@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The rules of a controller, read and changed by hand, and the gallery of figures. Each opens pages of its own.
+// The rules of a controller, read and changed by hand, and the gallery of figures. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
-import { Mouse } from './hands.mjs';
+import { Mouse } from './pointers.mjs';
 import { PageDriver } from './page_driver.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
@@ -17,12 +17,12 @@ async function undo(page) {
   await page.frames();
 }
 
-/** What the tests look at. @typedef {{figure: {name: string, rods: unknown[]}, controllers?: {name: string, rules: unknown[]}[]}} Contents */
+/** The parts of a document that the tests check. @typedef {{figure: {name: string, rods: unknown[]}, controllers?: {name: string, rules: unknown[]}[]}} Contents */
 
 /** @param {PageDriver} page @returns {Promise<Contents>} */
 const document = (page) => page.call('document', () => /** @type {any} */ (window.gaitsmith.document()));
 
-/** The number of the rule that acts now and cares about something, and of a sense it cares about. @param {PageDriver} page */
+/** The number of the active rule, which must use a sense, and the number of such a sense. @param {PageDriver} page */
 async function activeRule(page) {
   for (let step = 0; step < 40; step++) {
     const card = (await page.widgets()).find(({ id, state, value }) => id.startsWith('controller/rule/') && state.selected && !value.includes('no sense'));
@@ -46,13 +46,13 @@ async function byMouse({ browser, address }) {
   assert.equal((await widget(page, card.id))?.state.expanded, true);
   assert.equal(await page.hash(), before, 'opening a rule changes nothing');
 
-  // A whole drag is one step back.
-  const hand = new Mouse(page);
-  const right = (/** @type {import('./hands.mjs').Point} */ { x, y }, /** @type {number} */ by) => hand.drag({ x, y }, { x: x + by, y });
-  await hand.scrollTo('rule-edit/tau', 24);
+  // A whole drag is one step of Undo.
+  const pointer = new Mouse(page);
+  const right = (/** @type {import('./pointers.mjs').Point} */ { x, y }, /** @type {number} */ by) => pointer.drag({ x, y }, { x: x + by, y });
+  await pointer.scrollTo('rule-edit/tau', 24);
   const low = (await page.widgets()).find(({ id }) => /^rule-edit\/sense\/\d+\/low$/.test(id));
   assert.ok(low, 'an active rule has an interval');
-  await right(await hand.centre(low.id), 60);
+  await right(await pointer.centre(low.id), 60);
   assert.notEqual((await widget(page, low.id))?.value, low.value);
   const changed = await page.hash();
   assert.notEqual(changed, before);
@@ -67,17 +67,17 @@ async function byMouse({ browser, address }) {
   assert.ok(pose, 'the pose is on the panel');
   const middle = { x: pose.rect.x + pose.rect.width / 2, y: pose.rect.y + pose.rect.height / 2 };
   const genes = async () => JSON.stringify((await document(page)).controllers?.[0]);
-  const kept = await genes();
-  // Limbs are taken hold of to all sides of the hub, until one is hit.
-  for (let angle = 0.1; angle < 6.3 && await genes() === kept; angle += 0.4) {
+  const unchanged = await genes();
+  // Try directions around the hub until a drag hits a limb.
+  for (let angle = 0.1; angle < 6.3 && await genes() === unchanged; angle += 0.4) {
     await right({ x: middle.x + 32 * Math.cos(angle), y: middle.y + 32 * Math.sin(angle) }, 24);
   }
-  assert.notEqual(await genes(), kept, 'no limb could be turned');
+  assert.notEqual(await genes(), unchanged, 'no limb could be turned');
   await undo(page);
-  assert.equal(await genes(), kept);
+  assert.equal(await genes(), unchanged);
   assert.equal(await page.hash(), before);
 
-  // A copy changes no motion; without its first rule it is another.
+  // A copy does not change the motion. Deleting the copied rule does.
   const count = async () => (await document(page)).controllers?.[0].rules.length;
   const rules = await count() ?? 0;
   await page.page.mouse.move(middle.x, middle.y);
@@ -114,7 +114,7 @@ async function byKeyboard({ browser, address }) {
   await tabTo(page, (id) => id === 'transport/play');
   await page.press('Enter');
   await page.frames(6);
-  // The tabs are one stop, within which arrows move.
+  // The tabs are one stop, and arrows move between them.
   await tabTo(page, (id) => id === 'panels/3');
   await page.press('ArrowLeft', 2);
   await page.press('Enter');

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Drives the built page in Chromium and Firefox:  node tests/browser/run.mjs [folder, default build/site] [words of the scenarios to run, default all;
-// or --main: a whole visit and no more]
-// BROWSER=chromium or BROWSER=firefox drives one of them alone.
-// Leaves pictures of it in build/screenshots. Prints what passed and fails if anything did not.
+// Tests the built page in Chromium and Firefox:
+//   node tests/browser/run.mjs [folder, default build/site] [words of the scenarios to run, default all; --main: MAIN_SCENARIOS]
+// BROWSER=chromium or BROWSER=firefox selects one browser.
+// Writes pictures to build/screenshots. Prints each result and fails if a scenario fails.
 import assert from 'node:assert/strict';
 import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -28,7 +28,7 @@ async function check(name, body) {
   }
 }
 
-/** Every golden document has the same hash here and natively. @param {PageDriver} page @returns {Promise<number>} how many */
+/** Every golden document has the same hash in the browser and natively. @param {PageDriver} page @returns {Promise<number>} their number */
 async function checkGoldens(page) {
   const folder = join(ROOT, 'tests/golden/motions');
   const files = (await readdir(folder).catch(() => /** @type {string[]} */ ([]))).filter((file) => file.endsWith('.json'));
@@ -45,7 +45,7 @@ async function checkGoldens(page) {
   return files.length;
 }
 
-/** Links that were sent long ago open with the motion that they had. @param {PageDriver} page @returns {Promise<number>} how many */
+/** Old links still open with the same motion. @param {PageDriver} page @returns {Promise<number>} their number */
 async function checkGoldenLinks(page) {
   let count = 0;
   for (const version of [1, 2]) {
@@ -68,7 +68,7 @@ const whole = !main && wanted === '';
 const scenarios = main ? MAIN_SCENARIOS : SCENARIOS;
 const site = process.argv[2] ?? join(ROOT, 'build/site');
 const address = await serve(site);
-/** Everything that one browser shows. @param {string} name @param {() => Promise<import('./browsers.mjs').Browser | null>} start */
+/** Runs all scenarios in one browser. @param {string} name @param {() => Promise<import('./browsers.mjs').Browser | null>} start */
 async function drive(name, start) {
   const browser = await start();
   if (!browser) {
@@ -93,9 +93,9 @@ async function drive(name, start) {
 const BROWSERS = /** @type {const} */ ({ Chromium: startChromium, Firefox: startFirefox });
 const chosen = Object.entries(BROWSERS).filter(([name]) => [name.toLowerCase(), ''].includes(process.env.BROWSER ?? ''));
 assert.ok(chosen.length > 0, `BROWSER is chromium or firefox, not ${process.env.BROWSER}`);
-// Both at once: they wait more than they compute.
+// In parallel, because browsers wait more than they compute.
 const [first, ...others] = (await Promise.all(chosen.map(([name, start]) => drive(name, start)))).filter((visit) => visit !== null);
-for (const visit of whole && first ? others : []) { // what they found comes from other scenarios
+for (const visit of whole && first ? others : []) { // needs the results of all scenarios
   await check(`${visit.name} and ${first.name} find the same motions and open each other's links`, async () => {
     assert.deepEqual(visit.found, first.found);
     const page = await PageDriver.open(visit.browser, first.link);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What must work in every browser. Each scenario is an observation a user could make; they share one page and build on
-// each other, as a visit does.
+// Scenarios for every browser. Each is an observation that a user could make. They share one page and build on each
+// other, like a visit.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -37,10 +37,10 @@ import { nativeHash } from './native.mjs';
 
 /** @typedef {import('./browsers.mjs').Browser} Browser */
 /**
- * @typedef {object} Visit  what one browser's scenarios share
+ * @typedef {object} Visit  shared by the scenarios of a browser
  * @property {string} name
  * @property {Browser} browser
- * @property {string} site      the folder that is served
+ * @property {string} site      the served folder
  * @property {string} address
  * @property {PageDriver} page
  * @property {Record<string, string>} found  hashes that every browser must agree on
@@ -48,10 +48,10 @@ import { nativeHash } from './native.mjs';
  * @property {Record<string, number | string>} figures  measured
  */
 
-/** The searches of these tests are short: what they claim does not depend on length. */
+/** Short searches, because the claims do not depend on length. */
 const EVALUATIONS = 8000;
 
-/** What is claimed, how it is seen, and the only browser that can show it, if it is one. @typedef {[string, (visit: Visit) => Promise<void>, string?]} Scenario */
+/** A claim, its test, and the only browser that can run it, if there is just one. @typedef {[string, (visit: Visit) => Promise<void>, string?]} Scenario */
 /** A whole visit in a few minutes. @type {Scenario[]} */
 export const MAIN_SCENARIOS = [
   ['opens without a complaint, and draws', async (visit) => {
@@ -120,7 +120,7 @@ export const MAIN_SCENARIOS = [
       await page.clickElement('#link-dialog button');
     } else {
       assert.equal(await page.call('toast', () => document.querySelector('#toast')?.textContent), 'Link copied');
-      // Read the clipboard as a person does: paste it into a text box.
+      // Read the clipboard like a person: paste it into a text box.
       await page.page.evaluate(() => addEventListener('paste', (event) =>
         Object.assign(window, { testPasted: event.clipboardData?.getData('text/plain') }), { capture: true, once: true }));
       await page.clickElement('#open');
@@ -234,7 +234,7 @@ export const MAIN_SCENARIOS = [
     await fresh.page.mouse.move(stage.x + stage.width + 100, stage.y + 200);
     await fresh.page.mouse.wheel({ deltaY: 2000 });
     await fresh.frames();
-    await fresh.click('style/effort'); // in the middle of its track, where the weight is 0
+    await fresh.click('style/effort'); // the middle of its track, weight 0
     await fresh.page.keyboard.press('ArrowLeft', { delay: 60 });
     await fresh.frames();
     await fresh.page.keyboard.press('ArrowLeft', { delay: 60 });
@@ -255,7 +255,7 @@ export const MAIN_SCENARIOS = [
 
 ];
 
-/** All of them. @type {Scenario[]} */
+/** @type {Scenario[]} */
 export const SCENARIOS = [
   ...MAIN_SCENARIOS,
   ...LAB_SCENARIOS,
@@ -338,17 +338,17 @@ export const SCENARIOS = [
 ];
 
 /**
- * Terminates a worker at a third of a search of two; the hash must be that of the undisturbed search.
+ * Terminates a worker after a third of a search with two evaluators. The hash must be that of the undisturbed search.
  * @param {Visit} visit @param {number} which  of [coordinator, evaluator, evaluator], from the end
  * @param {RegExp} sentence
  */
 async function dieOnTheWay({ page, found }, which, sentence) {
   const hash = page.page.evaluate(async (evaluations) => {
     const { gaitsmith } = window;
-    const said = /** @type {string[]} */ ([]);
+    const lines = /** @type {string[]} */ ([]);
     const status = /** @type {Element} */ (document.querySelector('#status'));
-    new MutationObserver(() => said.push(status.textContent ?? '')).observe(status, { childList: true });
-    Object.assign(window, { testSaid: said, testEvaluations: 0 });
+    new MutationObserver(() => lines.push(status.textContent ?? '')).observe(status, { childList: true });
+    Object.assign(window, { testSaid: lines, testEvaluations: 0 });
     gaitsmith.on('progress', ({ detail }) => Object.assign(window, { testEvaluations: detail.evaluations }));
     return (await gaitsmith.synthesize({ seed: 9, evaluations, sense: 'physical', workers: 2 })).hash;
   }, EVALUATIONS);
@@ -358,16 +358,16 @@ async function dieOnTheWay({ page, found }, which, sentence) {
   assert.match((await page.call('said', () => /** @type {any} */ (window).testSaid)).join('\n'), sentence);
 }
 
-/** Begins to watch for pauses of the page's thread. @param {PageDriver} page */
+/** Starts measuring pauses of the page's thread. @param {PageDriver} page */
 async function watchFrames(page) {
   await page.page.evaluate(() => {
     let last = performance.now();
     Object.assign(window, { testLongest: 0 });
     const look = () => {
       const now = performance.now();
-      const kept = /** @type {any} */ (window);
-      if (kept.testLongest === undefined) return;
-      kept.testLongest = Math.max(kept.testLongest, now - last);
+      const state = /** @type {any} */ (window);
+      if (state.testLongest === undefined) return;
+      state.testLongest = Math.max(state.testLongest, now - last);
       last = now;
       requestAnimationFrame(look);
     };
@@ -378,9 +378,9 @@ async function watchFrames(page) {
 /** @param {PageDriver} page @returns {Promise<number>} ms */
 function longestFrame(page) {
   return page.call('frames', () => {
-    const kept = /** @type {any} */ (window);
-    const longest = Math.round(kept.testLongest);
-    kept.testLongest = undefined;
+    const state = /** @type {any} */ (window);
+    const longest = Math.round(state.testLongest);
+    state.testLongest = undefined;
     return longest;
   });
 }

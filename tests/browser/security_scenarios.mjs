@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texts that strangers write never become markup or scripts, and documents that mean harm are refused like any other that is
-// wrong.
+// Texts from strangers never become markup or scripts, and malicious documents are refused like other invalid ones.
 import assert from 'node:assert/strict';
 import { PageDriver } from './page_driver.mjs';
 
@@ -8,7 +7,7 @@ import { PageDriver } from './page_driver.mjs';
 
 const EVIL = '<img src=x onerror="window.testOwned=1">{1}</title>';
 
-/** What of it has come to life. @param {PageDriver} page */
+/** Signs that injected markup or scripts took effect. @param {PageDriver} page */
 const owned = (page) => page.call('owned', () => [
   /** @type {any} */ (window).testOwned ?? 0, document.querySelectorAll('img, iframe, object, embed').length,
   Object.keys(Object.prototype).length, document.querySelectorAll('script').length,
@@ -39,7 +38,7 @@ async function hostileTexts({ browser, address }) {
   }
   await page.page.evaluate(() => window.gaitsmith.run('panel/Search'));
   await page.frames();
-  await page.reload(); // the work is kept, and offered again by its title
+  await page.reload(); // the stored work is offered by its title
   assert.deepEqual(await owned(page), before);
   await page.close();
 }
@@ -78,7 +77,7 @@ async function onlyOwnScripts({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   const tried = await page.call('scripts', async () => {
     const tries = /** @type {Record<string, () => unknown>} */ ({
-      // In a page whose policy knows Trusted Types a text is no address of a script.
+      // With Trusted Types a plain text is not accepted as a script's address.
       worker: () => new Worker('search/worker.js'),
       markup: () => { document.createElement('p').innerHTML = '<b>x</b>'; },
       policy: () => /** @type {any} */ (window).trustedTypes.createPolicy('another', {}),

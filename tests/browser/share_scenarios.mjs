@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sharing: the dialog's link, its code for cameras and its lines for another page; links that cannot be opened; and what a
-// lesson asks of the page in its address.
+// Sharing: the dialog's link, its QR code and its HTML for embedding, links that cannot be opened, and a lesson's
+// options in the address.
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { readdir, readFile } from 'node:fs/promises';
@@ -15,7 +15,7 @@ const jsQR = createRequire(join(ROOT, 'web/package.json'))('jsqr');
 /** @param {PageDriver} page @param {string} selector @returns {Promise<string>} */
 const valueOf = (page, selector) => page.page.evaluate((where) => /** @type {HTMLTextAreaElement} */ (document.querySelector(where)).value, selector);
 
-/** What a camera would read. @param {PageDriver} page */
+/** Reads the QR code like a camera. @param {PageDriver} page */
 async function read(page) {
   const { pixels, size } = await page.call('code', async () => {
     const svg = /** @type {SVGElement} */ (document.querySelector('#share-code svg')).cloneNode(true);
@@ -50,11 +50,11 @@ async function shareDialog({ browser, address }) {
   await page.clickElement('#share-lock');
   const lines = await valueOf(page, '#share-snippet');
   await page.press('Escape');
-  const around = await page.page.browserContext().newPage();
-  await around.goto(new URL('page/no_start.js', address).href); // a page of the same host, and nothing on it
-  await around.setContent(lines);
-  await around.waitForFunction(() => /** @type {any} */ (document.querySelector('iframe')?.contentWindow)?.gaitsmith, { timeout: 30000 });
-  const inside = await around.evaluate(async () => {
+  const embeddingPage = await page.page.browserContext().newPage();
+  await embeddingPage.goto(new URL('page/no_start.js', address).href); // a page of the same host, and nothing on it
+  await embeddingPage.setContent(lines);
+  await embeddingPage.waitForFunction(() => /** @type {any} */ (document.querySelector('iframe')?.contentWindow)?.gaitsmith, { timeout: 30000 });
+  const inside = await embeddingPage.evaluate(async () => {
     const { gaitsmith } = /** @type {HTMLIFrameElement & {contentWindow: Window}} */ (document.querySelector('iframe')).contentWindow;
     await gaitsmith.ready;
     const before = gaitsmith.hash();
@@ -68,7 +68,7 @@ async function shareDialog({ browser, address }) {
   assert.deepEqual([inside.before, inside.after, inside.lab, inside.style], [hash, hash, false, true]);
   assert.equal(inside.title, await page.text('#title'));
 
-  // A link that no camera could read has no code, and the dialog says why.
+  // A link that is too long has no code, and the dialog says why.
   const long = await readFile(join(ROOT, 'examples/figure-12.json'), 'utf8');
   await page.page.evaluate((text) => window.gaitsmith.open(text), long);
   await page.page.evaluate(() => window.gaitsmith.run('document/share'));
@@ -120,7 +120,7 @@ async function lessonInTheAddress({ browser, address }) {
   await page.until('the goal reached', () => document.querySelector('#goal')?.classList.contains('met') === true, 10000);
   await page.until('its event', () => /** @type {any} */ (window).testGoals.at(-1)?.met === true);
 
-  // Also while nothing moves.
+  // Also while the motion is paused.
   await page.page.evaluate(() => { if (document.body) window.gaitsmith.run('motion/end'); });
   await page.frames();
   await page.call('all panels', () => window.gaitsmith.arrange({ panels: 'all' }).then(() => true));
@@ -145,7 +145,7 @@ async function lessonInTheAddress({ browser, address }) {
   await wrong.close();
 }
 
-/** Every link that people may have, with each other character at each place, and cut at each. @param {Visit} visit */
+/** Shipped links with every other character at every place, and cut at every place. @param {Visit} visit */
 async function damagedLinks({ name, browser, address, figures }) {
   const page = await PageDriver.open(browser, address);
   const links = (await Promise.all([1, 2].map((version) => readFile(join(ROOT, `tests/golden/links/version-${version}.txt`), 'utf8'))))
@@ -182,7 +182,7 @@ async function damagedLinks({ name, browser, address, figures }) {
   await page.close();
 }
 
-/** Each goal of a lesson can be read, everything that it asks for is measured, and what the lesson opens does not meet it. @param {Visit} visit */
+/** Each goal of a lesson is valid, uses only existing measures, and is not already met by the lesson's document. @param {Visit} visit */
 async function goalsOfLessons({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   const folder = join(ROOT, 'docs/lessons');

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Searches and edits without an end, in Chromium:  node tests/browser/soak.mjs [seconds, default 1800] [folder, default
-// build/site] [--write file]. Every so often the page comes back to the same document, and is weighed. Fails when the page's own
-// objects, its WebAssembly memory or its workers grow by more than a hundredth between the second and the last quarter (three in
-// a run below 20 minutes), the whole heap by more than a tenth, when work or frames take twice as long, when workers are left, or
-// when the browser complains of anything.
+// Repeats searches and edits for a long time, in Chromium:
+//   node tests/browser/soak.mjs [seconds, default 1800] [folder, default build/site] [--write file]
+// Regularly returns to the same document and measures the page. Fails if the page's own objects, its WebAssembly memory
+// or its workers grow by more than 1 % between the second and the last quarter (3 % in a run below 20 minutes), if the
+// whole heap grows by more than 10 %, if work or frames take twice as long, if workers are left, or if the browser
+// reports an error.
 import { writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { ROOT, startChromium } from './browsers.mjs';
@@ -17,18 +18,18 @@ const folder = !process.argv[3] || process.argv[3].startsWith('--') ? join(ROOT,
 const file = process.argv.includes('--write') ? process.argv[process.argv.indexOf('--write') + 1] : '';
 const LINE_MS = 30000;
 const WORKERS = 2;
-const MOST_RESULTS = 100; // that the page keeps
-const MOST_GROWTH = seconds < 1200 ? 1.03 : 1.01; // a short run still meets what it had not used before
-// The whole heap also has the browser's machine code, which it makes, improves and drops as it likes, for as long as it likes: the
-// page's scripts and its 2.5 MB of WebAssembly are compiled piece by piece as they are used.
-const MOST_WITH_CODE = 1.1;
+const MAX_RESULTS = 100; // the page's limit
+const MAX_GROWTH = seconds < 1200 ? 1.03 : 1.01; // in a short run some features are used for the first time
+// The whole heap also contains machine code. The browser compiles, optimizes and drops it at any time, as parts of the
+// scripts and of the 2.5 MB of WebAssembly are used.
+const MAX_GROWTH_WITH_CODE = 1.1;
 const OWN = new Set(['array', 'string', 'concatenated string', 'sliced string', 'object', 'object shape', 'closure', 'regexp', 'number', 'symbol', 'bigint']);
-const MOST_SLOWING = 2;
-const EDITS = 6; // between two weighings
+const MAX_SLOWDOWN = 2;
+const EDITS = 6; // between two measurements
 
 const browser = await startChromium();
 if (!browser) throw new Error('Chromium is not installed (./dev setup browsers)');
-const site = await faultySite(folder); // its workers tell of their memory
+const site = await faultySite(folder); // its workers report their memory
 const page = await PageDriver.open(browser, site.address(), { before: soaked, plays: true });
 const session = await page.page.createCDPSession();
 const home = await page.call('home', () => JSON.stringify({ ...window.gaitsmith.document(), hash: undefined,
@@ -43,8 +44,8 @@ function soaked() {
     state.testMemory ??= Object.values((made.instance ?? made).exports).find((part) => part instanceof WebAssembly.Memory);
     return made;
   };
-  const Kept = window.Worker;
-  window.Worker = class extends Kept {
+  const RealWorker = window.Worker;
+  window.Worker = class extends RealWorker {
     /** @param {string | URL} url @param {WorkerOptions} [options] */
     constructor(url, options) {
       super(url, options);
@@ -56,13 +57,13 @@ function soaked() {
     }
   };
   let last = performance.now();
-  const look = () => {
+  const measureFrame = () => {
     const now = performance.now();
     state.testFrames.push(now - last);
     last = now;
-    requestAnimationFrame(look);
+    requestAnimationFrame(measureFrame);
   };
-  requestAnimationFrame(look);
+  requestAnimationFrame(measureFrame);
 }
 
 /** @param {number[]} numbers */
@@ -71,7 +72,7 @@ function median(numbers) {
   return sorted.length === 0 ? NaN : (sorted[(sorted.length - 1) >> 1] + sorted[sorted.length >> 1]) / 2;
 }
 
-/** The machine's own pace, which others share. @returns {number} ms of a fixed piece of work */
+/** The machine's speed, which depends on other programs. @returns {number} ms for a fixed amount of work */
 function pace() {
   const start = performance.now();
   let sum = 0;
@@ -79,10 +80,10 @@ function pace() {
   return performance.now() - start + (sum === 1 ? 1 : 0);
 }
 
-/** Where a widget is, if it is on the canvas. @param {string} id */
+/** A widget's rectangle, if it is on the canvas. @param {string} id */
 const place = async (id) => (await page.widgets()).find((widget) => widget.id === id)?.rect;
 
-/** A drag of half a slider's length. @param {string} id */
+/** Drags along half a slider. @param {string} id */
 async function drag(id) {
   const rect = await place(id);
   if (!rect) return;
@@ -97,7 +98,7 @@ async function drag(id) {
   await page.frames(2);
 }
 
-/** What the page's own objects take: what a snapshot has beside the browser's code and its own parts, and what its buffers hold. @returns {Promise<number>} bytes */
+/** The size of the page's own objects in a heap snapshot, with buffers, without code and the browser's own objects. @returns {Promise<number>} bytes */
 async function objects() {
   const chunks = /** @type {string[]} */ ([]);
   const take = (/** @type {{chunk: string}} */ { chunk }) => { chunks.push(chunk); };
@@ -111,8 +112,8 @@ async function objects() {
   return bytes;
 }
 
-/** What a person does while a search runs, and between two. @type {(() => Promise<unknown>)[]} */
-const DOINGS = [
+/** A person's actions during and between searches. @type {(() => Promise<unknown>)[]} */
+const ACTIONS = [
   async () => { await page.click('panels/2'); await drag('style/effort'); await drag('style/upright'); },
   async () => { await page.click('panels/1'); await page.click('controller/rule/1'); await drag('rule-edit/tau'); },
   async () => { await page.press('Control+z', 2); await page.press('Control+Shift+z'); },
@@ -121,10 +122,10 @@ const DOINGS = [
   async () => { await page.click('panels/3'); await page.press('Control+k'); await page.page.keyboard.type('theme'); await page.press('Escape'); },
 ];
 
-/** @param {object} wish @returns {Promise<number>} evaluations per second */
-const search = (wish) => page.call('search', `(async () => {
+/** @param {object} options @returns {Promise<number>} evaluations per second */
+const search = (options) => page.call('search', `(async () => {
   const start = performance.now();
-  const { report } = await window.gaitsmith.synthesize(${JSON.stringify({ workers: WORKERS, ...wish })});
+  const { report } = await window.gaitsmith.synthesize(${JSON.stringify({ workers: WORKERS, ...options })});
   return report.evaluations / (performance.now() - start) * 1000;
 })()`);
 
@@ -132,23 +133,23 @@ const search = (wish) => page.call('search', `(async () => {
 async function work(round) {
   const algorithm = ['sphc', 'gga', 'rgt', 'cma-es', 'map-elites', 'shc'][round % 6];
   const searching = search({ algorithm, seed: round, evaluations: 6000, sense: round % 2 ? 'timer' : 'physical' });
-  for (let i = 0; i < EDITS; i++) await DOINGS[(round + i) % DOINGS.length]();
+  for (let i = 0; i < EDITS; i++) await ACTIONS[(round + i) % ACTIONS.length]();
   if (round % 3 === 0) await page.call('stop', () => { window.gaitsmith.stop(); });
   await searching;
-  if (round % 4 === 0) { // with workers of their own, which are sent home
+  if (round % 4 === 0) { // with a worker that dies
     await page.terminateWorker(-1);
     await search({ algorithm, seed: round, evaluations: 1500, workers: WORKERS + 1 });
   }
 }
 
-/** Back to the same document, the same search, and a page at rest. @returns {Promise<Sample>} */
+/** Returns to the same document, runs the same search, and measures the page at rest. @returns {Promise<Sample>} */
 async function weigh() {
   await page.page.evaluate((text) => {
     window.gaitsmith.open(text);
     const state = /** @type {any} */ (window);
     state.testFrames.length = 0;
-    const born = state.testWorkers; // a list of the test, which must not keep those that are gone
-    born.splice(0, Infinity, ...born.filter((/** @type {Worker} */ worker) => state.testLive.has(worker)));
+    const created = state.testWorkers; // the test's own list must not keep dead workers
+    created.splice(0, Infinity, ...created.filter((/** @type {Worker} */ worker) => state.testLive.has(worker)));
   }, home);
   await page.click('panels/3');
   const slow = pace();
@@ -156,16 +157,16 @@ async function weigh() {
   const frames = await page.call('frames', () => /** @type {any} */ (window).testFrames.splice(0));
   await page.page.evaluate((text) => { window.gaitsmith.open(text); }, home);
   await page.frames(10);
-  await sleep(600); // what waits for the document to rest has been done
+  await sleep(600); // for timers that wait until the document rests
   const heapOf = async (/** @type {any} */ to) => {
     await to.send('HeapProfiler.enable');
     for (let i = 0; i < 2; i++) await to.send('HeapProfiler.collectGarbage');
     const { usedSize, backingStorageSize } = await to.send('Runtime.getHeapUsage');
     return usedSize + backingStorageSize;
   };
-  const crew = page.page.workers();
-  const sizes = await Promise.all(crew.map((worker) => worker.evaluate(() => /** @type {any} */ (self).testMemory?.buffer.byteLength ?? 0)));
-  const heaps = await Promise.all(crew.map((worker) => heapOf(worker.client)));
+  const pageWorkers = page.page.workers();
+  const sizes = await Promise.all(pageWorkers.map((worker) => worker.evaluate(() => /** @type {any} */ (self).testMemory?.buffer.byteLength ?? 0)));
+  const heaps = await Promise.all(pageWorkers.map((worker) => heapOf(worker.client)));
   return {
     'page heap, bytes': await heapOf(session),
     'page objects, bytes': await objects(),
@@ -176,18 +177,18 @@ async function weigh() {
     'frame, ms': median(frames),
     'machine, ms': slow,
     workers: await liveWorkers(page),
-    threads: crew.length,
+    threads: pageWorkers.length,
   };
 }
 
 /** @param {Sample} sample */
-const told = (sample) => Object.entries(sample).map(([name, value]) => (name.endsWith(', bytes')
+const formatted = (sample) => Object.entries(sample).map(([name, value]) => (name.endsWith(', bytes')
   ? `${name.replace(', bytes', '')} ${(value / 2 ** 20).toFixed(2)} MB` : `${name} ${value < 100 ? value.toFixed(1) : Math.round(value)}`)).join(', ');
 
-// What the page keeps a limited number of is full before anything is compared.
+// Fill the limited lists before the first measurement.
 let round = 1;
 const full = Date.now();
-for (; round <= MOST_RESULTS + 20; round++) await search({ algorithm: 'rgt', seed: round, evaluations: 40 });
+for (; round <= MAX_RESULTS + 20; round++) await search({ algorithm: 'rgt', seed: round, evaluations: 40 });
 await work(0);
 await weigh();
 console.log(`warm after ${Math.round((Date.now() - full) / 1000)} s, with ${await page.call('results', () => window.gaitsmith.results().length)} results`);
@@ -199,7 +200,7 @@ for (let line = start + LINE_MS; Date.now() - start < seconds * 1000; round++) {
   await work(round);
   samples.push(await weigh());
   if (Date.now() < line) continue;
-  console.log(`${String(Math.round((Date.now() - start) / 1000)).padStart(5)} s, round ${samples.length}: ${told(samples[samples.length - 1])}`);
+  console.log(`${String(Math.round((Date.now() - start) / 1000)).padStart(5)} s, round ${samples.length}: ${formatted(samples[samples.length - 1])}`);
   line += LINE_MS * Math.max(1, Math.ceil((Date.now() - line) / LINE_MS));
 }
 
@@ -214,15 +215,15 @@ for (const name of Object.keys(samples[0] ?? {})) {
   const [before, after] = [of(second, name), of(last, name)];
   const ratio = after / before;
   lines.push(`${name.padEnd(20)} ${before.toFixed(1).padStart(12)} ${after.toFixed(1).padStart(12)}  × ${ratio.toFixed(4)}`);
-  const most = name === 'page heap, bytes' ? MOST_WITH_CODE : MOST_GROWTH;
-  if (name.endsWith('bytes') && !(ratio <= most)) wrong.push(`${name}: grew to ${ratio.toFixed(4)} times what it was`);
-  // Others use the machine, too: what is slower only as it is, or only beside its pace, is not ours.
-  if (name === 'evaluations/s' && Math.max(ratio, ratio * machine) < 1 / MOST_SLOWING) wrong.push(`searches became slower: × ${ratio.toFixed(2)}, the machine × ${(1 / machine).toFixed(2)}`);
-  if (name === 'frame, ms' && Math.min(ratio, ratio / machine) > MOST_SLOWING) wrong.push(`frames became slower: × ${ratio.toFixed(2)}, the machine × ${machine.toFixed(2)}`);
+  const limit = name === 'page heap, bytes' ? MAX_GROWTH_WITH_CODE : MAX_GROWTH;
+  if (name.endsWith('bytes') && !(ratio <= limit)) wrong.push(`${name}: grew to ${ratio.toFixed(4)} times what it was`);
+  // Other programs also use the machine, so the slowdown must show both in absolute terms and relative to its speed.
+  if (name === 'evaluations/s' && Math.max(ratio, ratio * machine) < 1 / MAX_SLOWDOWN) wrong.push(`searches became slower: × ${ratio.toFixed(2)}, the machine × ${(1 / machine).toFixed(2)}`);
+  if (name === 'frame, ms' && Math.min(ratio, ratio / machine) > MAX_SLOWDOWN) wrong.push(`frames became slower: × ${ratio.toFixed(2)}, the machine × ${machine.toFixed(2)}`);
 }
-const most = Math.max(...samples.map(({ workers, threads }) => Math.max(workers, threads)));
+const limit = Math.max(...samples.map(({ workers, threads }) => Math.max(workers, threads)));
 if (samples.length < 8) wrong.push(`only ${samples.length} rounds: give it more time`);
-if (most > WORKERS + 1) wrong.push(`${most} workers live at rest`);
+if (limit > WORKERS + 1) wrong.push(`${limit} workers live at rest`);
 if (samples.some(({ workers }) => workers < WORKERS)) wrong.push('workers are missing at rest');
 for (const complaint of page.complaints) wrong.push(complaint);
 lines.push(...wrong.map((text) => `FAILED  ${text}`), wrong.length === 0 ? 'passed' : `${wrong.length} failed`);

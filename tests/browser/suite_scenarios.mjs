@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A suite of motions, and the paper's Figure 12 made of one: by mouse, and by keys and assistive tools alone. Each opens a
-// page of its own.
+// A suite of motions, and the paper's Figure 12 made from one: by mouse, and only by keys and assistive tools. Each
+// scenario opens its own page.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { activate, setValue } from './assistive.mjs';
 import { ROOT } from './browsers.mjs';
-import { Mouse } from './hands.mjs';
+import { Mouse } from './pointers.mjs';
 import { PageDriver } from './page_driver.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
@@ -16,17 +16,17 @@ import { PageDriver } from './page_driver.mjs';
 const results = (page) => page.call('results', () => window.gaitsmith.results());
 /** @param {PageDriver} page @param {number} count */
 const untilResults = (page, count) => page.until(`${count} results`, `window.gaitsmith.results().length >= ${count}`, 120000);
-/** The cards from the top. @param {PageDriver} page */
+/** The results' ids, in the order of their cards. @param {PageDriver} page */
 const cards = async (page) => (await page.widgets()).filter(({ id }) => /^found\/[0-9a-f]{16}$/.test(id)).map(({ id }) => id.slice(6));
 /** @param {PageDriver} page @param {string} name */
 const cardOf = async (page, name) => (await page.widgets()).find(({ id, label }) => /^found\/[0-9a-f]{16}$/.test(id) && label.startsWith(`Show ${name}, `))?.id ?? assert.fail(`no card of ${name}`);
-/** Starts of the clips, and the end. @param {PageDriver} page @returns {Promise<number[]>} */
+/** The starts of the clips, and the end. @param {PageDriver} page @returns {Promise<number[]>} */
 const borders = (page) => page.call('borders', () => {
   const { timeline, duration_steps: end } = /** @type {any} */ (window.gaitsmith.document());
   return [...timeline.map((/** @type {any} */ clip) => clip.start_step ?? 0), end];
 });
 
-/** Types it into the dialog that is open. @param {PageDriver} page @param {string} name */
+/** Types a name into the dialog. @param {PageDriver} page @param {string} name */
 async function typeName(page, name) {
   await page.until('the dialog', () => /** @type {HTMLDialogElement} */ (document.querySelector('#name-dialog')).open);
   await page.page.keyboard.type(name);
@@ -36,29 +36,29 @@ async function typeName(page, name) {
 /** @param {Visit} visit */
 async function suite({ browser, address }) {
   const page = await PageDriver.open(browser, address);
-  await page.page.setViewport({ width: 1280, height: 1500 }); // all cards in sight
-  const hand = new Mouse(page);
+  await page.page.setViewport({ width: 1280, height: 1500 }); // makes all cards visible
+  const pointer = new Mouse(page);
   await page.call('short searches', () => {
     const document = window.gaitsmith.document();
     window.gaitsmith.open({ ...document, hash: undefined, search: { seed: 3, evaluations: 300 } });
   });
   await page.click('panels/3');
   await page.click('search/settings');
-  await hand.press('suite');
-  // All goals and two styles are chosen; the jump is not wanted.
-  await hand.press('suite/task/2');
-  await hand.press('suite/make');
+  await pointer.press('suite');
+  // All goals and two styles are selected at first. Deselect the jump.
+  await pointer.press('suite/task/2');
+  await pointer.press('suite/make');
   await untilResults(page, 4);
   await page.click('suite');
   const found = await results(page);
   assert.equal(found.length, 4);
   assert.equal(new Set(found.map(({ hash }) => hash)).size, 4, 'different motions');
-  await hand.scrollTo(`found/${found[0].id}`, 60);
+  await pointer.scrollTo(`found/${found[0].id}`, 60);
   assert.match((await page.widgets()).find(({ id }) => id === `found/${found[0].id}`)?.label ?? '', /^Show Mr\. Star-Man · travel to the left, more rotations, 10 rules/);
 
-  // One gets a name, and is kept; a name that is too long is refused, and the dialog says why.
+  // Name one and save it. A name that is too long is refused with a reason.
   const [first] = await cards(page);
-  await hand.press(`found/${first}/rename`);
+  await pointer.press(`found/${first}/rename`);
   await typeName(page, 'Ä'.repeat(41));
   await page.until('a reason', () => /at most 80 bytes/.test(document.querySelector('#name-error')?.textContent ?? ''));
   await page.press('Control+a');
@@ -66,9 +66,9 @@ async function suite({ browser, address }) {
   await page.until('no dialog', () => !(/** @type {HTMLDialogElement} */ (document.querySelector('#name-dialog')).open));
   await page.frames(4);
   assert.equal(await cardOf(page, 'Leftward wheel'), `found/${first}`);
-  await hand.press(`found/${first}/keep`);
+  await pointer.press(`found/${first}/keep`);
 
-  // Sorted by turns, the most first; only what is kept.
+  // Sorted by turns, most first. Then only the saved ones.
   await page.click('found/order');
   await page.click('found/order/3');
   await page.frames(4);
@@ -81,11 +81,11 @@ async function suite({ browser, address }) {
   await page.frames(4);
   assert.deepEqual(await cards(page), [first]);
 
-  // Shown, it has its name; made again, it is the same motion.
+  // The shown result has its name. Repeating its search finds the same motion.
   await page.click(`found/${first}`);
   assert.equal((await page.text('#title')), 'Leftward wheel');
   const hash = await page.hash();
-  await hand.press(`found/${first}/again`);
+  await pointer.press(`found/${first}/again`);
   await page.until('the end', () => window.gaitsmith.queue().length === 0 && /Search done/.test(document.querySelector('#status')?.textContent ?? ''));
   const again = await results(page);
   assert.equal(again.length, 4, 'what is found again is the same');
@@ -103,9 +103,9 @@ const PARTS = /** @type {const} */ ([
   { name: 'Jump', task: { kind: 'jump', duration_steps: 200 }, tau: 0.12, seed: 5, evaluations: 4000 },
 ]);
 
-/** Searches for the three motions, and gives them their names. @param {PageDriver} page */
+/** Searches for the three motions and names them. @param {PageDriver} page */
 async function findParts(page) {
-  const hand = new Mouse(page);
+  const pointer = new Mouse(page);
   const problem = JSON.parse(await readFile(join(ROOT, 'examples/problems/star-man-travel.json'), 'utf8'));
   for (const { task, tau, seed, evaluations } of PARTS) {
     const wanted = { ...problem, hash: undefined, task, view: { panel: 3 }, senses: { ...problem.senses, tau_min_s: tau }, search: { seed, evaluations } };
@@ -114,18 +114,18 @@ async function findParts(page) {
     await page.click('queue/add');
   }
   await page.click('search/settings');
-  await hand.press('queue/run');
+  await pointer.press('queue/run');
   await untilResults(page, 3);
   await page.frames(4);
   for (const { name, seed } of PARTS) {
     const { id } = (await results(page)).find((one) => one.seed === seed) ?? assert.fail(name);
-    await hand.press(`found/${id}/rename`);
+    await pointer.press(`found/${id}/rename`);
     await typeName(page, name);
     await page.frames(4);
   }
 }
 
-/** The moment shown, to the step, by mouse. @param {PageDriver} page @param {number} step */
+/** Shows a moment, to the step, by mouse. @param {PageDriver} page @param {number} step */
 async function seek(page, step) {
   const scrub = (await page.widgets()).find(({ id }) => id === 'transport/scrub') ?? assert.fail('no scrub bar');
   const [, end] = [0, (await borders(page)).at(-1) ?? 1];
@@ -138,30 +138,30 @@ async function seek(page, step) {
 
 const FIGURE_12 = [0, 260, 690, 850, 1100];
 
-/** Drags the border before a clip to the moment shown. @param {PageDriver} page @param {number} clip @param {number} step */
+/** Drags the border before a clip to the shown moment. @param {PageDriver} page @param {number} clip @param {number} step */
 async function moveBorder(page, clip, step) {
-  const hand = new Mouse(page);
+  const pointer = new Mouse(page);
   await seek(page, step);
   const rects = (await page.widgets()).filter(({ id }) => id.startsWith('timeline/clip/')).map(({ rect }) => rect);
   const all = await borders(page);
   const perStep = (rects[rects.length - 1].x + rects[rects.length - 1].width - rects[0].x) / (all.at(-1) ?? 1);
-  const border = await hand.centre(`timeline/switch/${clip}`);
-  await hand.drag(border, { x: border.x + (step - all[clip]) * perStep, y: border.y });
+  const border = await pointer.centre(`timeline/switch/${clip}`);
+  await pointer.drag(border, { x: border.x + (step - all[clip]) * perStep, y: border.y });
 }
 
 /** @param {PageDriver} page */
 async function byMouse(page) {
-  const hand = new Mouse(page);
+  const pointer = new Mouse(page);
   const drop = async (/** @type {string} */ name, /** @type {number} */ step) => {
     await seek(page, step);
     const card = await cardOf(page, name);
-    await hand.scrollTo(card, 80);
+    await pointer.scrollTo(card, 80);
     const clips = (await page.widgets()).filter(({ id }) => id.startsWith('timeline/clip/')).map(({ rect }) => rect);
     const [left, right] = [clips[0].x, clips[clips.length - 1].x + clips[clips.length - 1].width];
-    await hand.drag(await hand.centre(card), { x: left + (step / ((await borders(page)).at(-1) ?? 1)) * (right - left), y: clips[0].y + 24 });
+    await pointer.drag(await pointer.centre(card), { x: left + (step / ((await borders(page)).at(-1) ?? 1)) * (right - left), y: clips[0].y + 24 });
   };
   const shuffle = await cardOf(page, 'Shuffle');
-  await hand.press(shuffle);
+  await pointer.press(shuffle);
   await drop('Cartwheel', 260);
   assert.deepEqual(await borders(page), [0, 260, 660, 900]);
   await moveBorder(page, 2, 690);
@@ -215,8 +215,8 @@ async function longLink({ browser, address }) {
     }, document);
     await page.clickElement('#copy-link');
     await page.frames();
-    // Where the browser does not copy by itself, it is copied by hand from a box that says the same.
-    const said = await page.call('dialogs', () => {
+    // If the browser forbids copying, a dialog with the link has the same sentence.
+    const shown = await page.call('dialogs', () => {
       const of = (/** @type {string} */ dialog, /** @type {string} */ words) => (/** @type {HTMLDialogElement} */ (document.querySelector(dialog)).open
         ? document.querySelector(words)?.textContent ?? '' : '');
       const boxed = /** @type {HTMLDialogElement} */ (document.querySelector('#link-dialog'));
@@ -225,14 +225,14 @@ async function longLink({ browser, address }) {
       boxed.close();
       return { text, byHand };
     });
-    return { length, said: said.text, byHand: said.byHand };
+    return { length, shown: shown.text, byHand: shown.byHand };
   };
   const short = await copy(example);
-  assert.ok(short.length <= 1900 && short.said === '', `four clips, ${short.length} characters: ${short.said}`);
+  assert.ok(short.length <= 1900 && short.shown === '', `four clips, ${short.length} characters: ${short.shown}`);
   const others = example.controllers.map((/** @type {any} */ one) => ({ ...one, rules: [...one.rules].reverse() }));
   const long = await copy({ ...example, hash: undefined, controllers: [...example.controllers, ...others] });
   assert.ok(long.length > 1900);
-  assert.ok(long.said.includes(long.length.toLocaleString('en')), long.said);
+  assert.ok(long.shown.includes(long.length.toLocaleString('en')), long.shown);
   if (long.byHand) return page.close();
   await page.clickElement('#long-link-save');
   assert.equal(await page.call('closed', () => /** @type {HTMLDialogElement} */ (document.querySelector('#long-link-dialog')).open), false);

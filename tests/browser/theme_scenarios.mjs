@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the page looks, and that what is looked at is where it is clicked. Each opens a page of its own.
+// Themes: colours, and that enlarged widgets are clicked where they are drawn. Each scenario opens its own page.
 import assert from 'node:assert/strict';
 import { PageDriver } from './page_driver.mjs';
 
@@ -15,7 +15,7 @@ const LOOKS = {
 };
 
 /** @param {PageDriver} page */
-const look = (page) => page.call('look', () => {
+const appearance = (page) => page.call('look', () => {
   const { theme, scale } = document.documentElement.dataset;
   const list = document.querySelector('#theme');
   return { palette: theme, scale, chosen: list instanceof HTMLSelectElement ? list.value : '' };
@@ -28,8 +28,8 @@ async function chosen({ browser, address }) {
   for (const [theme, { palette, scale }] of Object.entries(LOOKS)) {
     await page.page.select('#theme', theme);
     await page.frames(6);
-    assert.deepEqual(await look(page), { palette, scale, chosen: theme });
-    // What a theme draws larger is clicked where it then stands, and the mirror lies over it.
+    assert.deepEqual(await appearance(page), { palette, scale, chosen: theme });
+    // Enlarged widgets can be clicked, and the mirror matches them.
     for (const panel of ['panels/0', 'panels/2']) {
       await page.click(panel);
       const widget = (await page.widgets()).find(({ id }) => id === panel);
@@ -48,36 +48,36 @@ async function chosen({ browser, address }) {
   assert.ok(sums.get('dark') !== sums.get('light'), 'the canvas follows');
   await page.page.select('#theme', 'projector');
   await page.reload();
-  assert.deepEqual(await look(page), { ...LOOKS.projector, chosen: 'projector' }, 'remembered');
+  assert.deepEqual(await appearance(page), { ...LOOKS.projector, chosen: 'projector' }, 'remembered');
   assert.deepEqual(page.complaints, []);
   await page.close();
 }
 
-/** Runs before the page's own scripts: the system's wishes, which no browser lets a test change in full. */
-function wishfulSystem() {
-  const wishes = { dark: false, contrast: false };
+/** Runs in the page before its scripts: fakes the system's preferences, because browsers let tests change only some. */
+function fakePreferences() {
+  const preferences = { dark: false, contrast: false };
   const queries = /** @type {EventTarget[]} */ ([]);
   const real = window.matchMedia.bind(window);
   window.matchMedia = (query) => {
-    const wish = /color-scheme: dark/.test(query) ? 'dark' : /prefers-contrast: more/.test(query) ? 'contrast' : null;
-    if (!wish) return real(query);
-    const answer = Object.defineProperty(new EventTarget(), 'matches', { get: () => wishes[wish] });
+    const preference = /color-scheme: dark/.test(query) ? 'dark' : /prefers-contrast: more/.test(query) ? 'contrast' : null;
+    if (!preference) return real(query);
+    const answer = Object.defineProperty(new EventTarget(), 'matches', { get: () => preferences[preference] });
     queries.push(answer);
     return /** @type {MediaQueryList} */ (answer);
   };
-  Object.assign(window, { testWish: (/** @type {object} */ wish) => {
-    Object.assign(wishes, wish);
+  Object.assign(window, { testWish: (/** @type {object} */ preference) => {
+    Object.assign(preferences, preference);
     for (const query of queries) query.dispatchEvent(new Event('change'));
   } });
 }
 
 /** @param {Visit} visit */
 async function asTheSystem({ browser, address }) {
-  const page = await PageDriver.open(browser, address, { before: wishfulSystem });
-  for (const [wish, palette] of /** @type {const} */ ([['{}', 'light'], ['{ dark: true }', 'dark'],
+  const page = await PageDriver.open(browser, address, { before: fakePreferences });
+  for (const [preference, palette] of /** @type {const} */ ([['{}', 'light'], ['{ dark: true }', 'dark'],
     ['{ contrast: true }', 'strong-dark'], ['{ dark: false }', 'strong-light'], ['{ contrast: false }', 'light']])) {
-    await page.call('wish', `window.testWish(${wish})`);
-    assert.deepEqual(await look(page), { palette, scale: 'normal', chosen: 'system' }, wish);
+    await page.call('wish', `window.testWish(${preference})`);
+    assert.deepEqual(await appearance(page), { palette, scale: 'normal', chosen: 'system' }, preference);
   }
   assert.deepEqual(page.complaints, []);
   await page.close();

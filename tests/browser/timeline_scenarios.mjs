@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: MIT
-// Motions chained by hand: by mouse, and by keyboard and assistive tools alone. Each opens a page of its own.
+// Motions chained by hand: by mouse, and only by keyboard and assistive tools. Each scenario opens its own page.
 import assert from 'node:assert/strict';
 import { activate, setValue, settle } from './assistive.mjs';
-import { Mouse } from './hands.mjs';
+import { Mouse } from './pointers.mjs';
 import { nativeHash } from './native.mjs';
 import { PageDriver } from './page_driver.mjs';
 import { stateOf } from './history_scenarios.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
 
-/** Starts of the clips, in steps, and the end. @param {PageDriver} page @returns {Promise<number[]>} */
+/** The starts of the clips, in steps, and the end. @param {PageDriver} page @returns {Promise<number[]>} */
 const borders = (page) => page.call('borders', () => {
   const { timeline, duration_steps: end } = /** @type {any} */ (window.gaitsmith.document());
   return [...timeline.map((/** @type {any} */ clip) => clip.start_step ?? 0), end];
 });
-/** Their controllers. @param {PageDriver} page @returns {Promise<number[]>} */
+/** The controllers of the clips. @param {PageDriver} page @returns {Promise<number[]>} */
 const order = (page) => page.call('order', () =>
   /** @type {any} */ (window.gaitsmith.document()).timeline.map((/** @type {any} */ clip) => clip.controller ?? 0));
 
-/** Undoes all, and nothing is left of it. @param {PageDriver} page @param {string} before @param {number} most */
-async function backTo(page, before, most) {
-  for (let step = 0; step < most && await page.call('undo', () => window.gaitsmith.commands().some(({ id, whyNot }) =>
+/** Undoes all changes and compares the state. @param {PageDriver} page @param {string} before @param {number} maxSteps */
+async function backTo(page, before, maxSteps) {
+  for (let step = 0; step < maxSteps && await page.call('undo', () => window.gaitsmith.commands().some(({ id, whyNot }) =>
     id === 'document/undo' && !whyNot)); step++) {
     await page.press('Control+z');
   }
   assert.equal(await stateOf(page), before);
 }
 
-/** What is shown is what the command line makes of it. @param {PageDriver} page */
+/** The shown motion is the same in the command line. @param {PageDriver} page */
 async function sameNatively(page) {
   const text = await page.call('document', () => JSON.stringify(window.gaitsmith.document()));
   const native = await nativeHash(text);
@@ -37,7 +37,7 @@ async function sameNatively(page) {
 /** @param {Visit} visit */
 async function byMouse({ browser, address }) {
   const page = await PageDriver.open(browser, address);
-  const hand = new Mouse(page);
+  const pointer = new Mouse(page);
   const before = await stateOf(page);
   const [, length] = await borders(page);
 
@@ -45,26 +45,26 @@ async function byMouse({ browser, address }) {
   await page.click('timeline/mirror');
   assert.deepEqual([await borders(page), await order(page)], [[0, length, 2 * length], [0, 1]]);
 
-  // The border between them, halfway to the left: it snaps to a half second.
-  const border = await hand.centre('timeline/switch/1');
-  const first = await hand.centre('timeline/clip/0');
-  await hand.drag(border, { x: first.x, y: border.y });
+  // Drag the border between the clips halfway to the left. It snaps to a half second.
+  const border = await pointer.centre('timeline/switch/1');
+  const first = await pointer.centre('timeline/clip/0');
+  await pointer.drag(border, { x: first.x, y: border.y });
   const [, moved, end] = await borders(page);
   assert.ok(moved > 0.4 * length && moved < 0.6 * length, `the border went to ${moved}`);
   assert.equal(end, 2 * length);
 
-  // The second clip goes before the first; each keeps its length.
-  const shortened = await hand.centre('timeline/clip/0');
-  await hand.drag(await hand.centre('timeline/clip/1'), { x: shortened.x - 30, y: shortened.y });
+  // Drag the second clip before the first. Each keeps its length.
+  const shortened = await pointer.centre('timeline/clip/0');
+  await pointer.drag(await pointer.centre('timeline/clip/1'), { x: shortened.x - 30, y: shortened.y });
   assert.deepEqual([await borders(page), await order(page)], [[0, end - moved, end], [1, 0]]);
 
-  // The end of the motion is pulled, to and fro.
-  const edge = await hand.centre('timeline/end');
-  await hand.drag(edge, { x: edge.x - 60, y: edge.y });
+  // Drag the end of the motion there and back.
+  const edge = await pointer.centre('timeline/end');
+  await pointer.drag(edge, { x: edge.x - 60, y: edge.y });
   const shorter = (await borders(page))[2];
   assert.ok(shorter < end - 20, `from ${end} to ${shorter}`);
 
-  // Time is set in the middle of the first clip, which is split there.
+  // Split the first clip in its middle.
   const scrub = (await page.widgets()).find(({ id }) => id === 'transport/scrub')?.rect ?? assert.fail('no scrub bar');
   await page.clickAt(scrub.x + 0.3 * scrub.width, scrub.y + scrub.height / 2);
   await page.click('timeline/split');
@@ -89,7 +89,7 @@ async function byKeys({ browser, address }) {
   await page.press('[');
   await page.press(']');
   assert.deepEqual([await borders(page), await order(page)], [[0, length, 2 * length], [0, 1]]);
-  // As a screen reader's user: the border is a slider of the page.
+  // Like a user of a screen reader: the border is a slider of the page.
   await setValue(page, 'slider', 'Switch point before clip 2', '2.5');
   assert.deepEqual(await borders(page), [0, 250, 2 * length]);
   await activate(page, 'option', 'Shuffle');
@@ -108,17 +108,17 @@ async function byKeys({ browser, address }) {
 /** @param {Visit} visit */
 async function withResults({ browser, address }) {
   const page = await PageDriver.open(browser, address);
-  const hand = new Mouse(page);
+  const pointer = new Mouse(page);
   await page.call('a short search', () => window.gaitsmith.synthesize({ algorithm: 'sphc', evaluations: 400, sense: 'timer', seed: 4 }));
   await page.call('back', () => window.gaitsmith.run('document/undo'));
   await page.click('panels/3');
   const id = (await page.call('results', () => window.gaitsmith.results()))[0].id;
   await page.call('time', () => { window.gaitsmith.run('motion/end'); });
-  await hand.press(`found/${id}/insert`);
+  await pointer.press(`found/${id}/insert`);
   const [, length, end] = await borders(page);
   assert.ok(end > length);
   assert.deepEqual(await order(page), [0, 1]);
-  // It is repaired: searched again from where it takes over.
+  // Repair the clip: search from the state at its takeover.
   const spoiled = await page.call('hash', () => window.gaitsmith.hash());
   await page.click('timeline/repair');
   await page.until('the end of the repair', () => /^Search (done|stopped)/.test(document.querySelector('#status')?.textContent ?? ''));
@@ -129,7 +129,7 @@ async function withResults({ browser, address }) {
   await page.close();
 }
 
-/** The map of the clip's transitions is complete. @param {PageDriver} page */
+/** Waits until the clip's transition map is complete. @param {PageDriver} page */
 const mapped = (page) => page.until('the transition map', () => window.gaitsmith.widgets().some(({ id, value }) =>
   id === 'timeline/transitions' && value.startsWith('best at')));
 
@@ -155,7 +155,7 @@ async function snapsToBest({ browser, address, name, figures }) {
   await activate(page, 'button', 'Snap to best: the selected clip takes over where that does best');
   assert.deepEqual(await borders(page), [0, Math.round(best), 2 * length]);
   await sameNatively(page);
-  // A change of what comes before begins it anew; without a clip that takes over there is none.
+  // An earlier change restarts the map. Without a clip that takes over there is no map.
   await page.call('world', () => { window.gaitsmith.run('document/undo'); });
   await page.click('timeline/clip/0');
   await page.until('the end of the strip', () => !window.gaitsmith.widgets().some(({ id }) => id === 'timeline/transitions'));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The tour of the playground that a first visit is offered. Each opens pages of its own.
+// The tour of the playground on a first visit. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
 import { PageDriver } from './page_driver.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
 
 /** @param {PageDriver} page */
-const look = (page) => page.call('tour', () => {
+const tourState = (page) => page.call('tour', () => {
   const box = (/** @type {string} */ id) => {
     const node = document.querySelector(id);
     const { left, top, right, bottom } = node?.getBoundingClientRect() ?? new DOMRect();
@@ -26,21 +26,21 @@ async function sixSteps({ browser, address }) {
     for (let step = 1; step <= 6; step++) {
       await page.frames(8);
       await page.until('the card is in its place', () => !document.querySelector('#tour')?.hasAttribute('hidden'), 5000);
-      const { card, mark, count, title } = await look(page);
+      const { card, mark, count, title } = await tourState(page);
       assert.equal(count, `${step} of 6`);
       titles.add(title);
       assert.ok(card.left >= 0 && card.top >= 0 && card.right <= width && card.bottom <= height, `step ${step} leaves the window`);
       assert.ok(mark.shown && mark.right > mark.left, `step ${step} speaks of nothing`);
       const apart = card.right <= mark.left || card.left >= mark.right || card.bottom <= mark.top || card.top >= mark.bottom;
       assert.ok(step === 1 || apart, `step ${step} covers what it speaks of, on ${width} by ${height}`);
-      await page.press('Enter'); // "Next" has the keyboard
+      await page.press('Enter'); // "Next" has the focus
     }
     assert.equal(titles.size, 6);
-    assert.equal((await look(page)).card.shown, false, 'done');
+    assert.equal((await tourState(page)).card.shown, false, 'done');
   }
   await page.reload();
   await page.frames(8);
-  assert.equal((await look(page)).card.shown, false, 'once is enough');
+  assert.equal((await tourState(page)).card.shown, false, 'once is enough');
   assert.deepEqual(page.complaints, []);
   await page.close();
 }
@@ -50,13 +50,13 @@ async function skipped({ browser, address }) {
   const page = await PageDriver.open(browser, address, { newcomer: true });
   await page.until('the tour', () => !document.querySelector('#tour')?.hasAttribute('hidden'), 10000);
   await page.press('Escape');
-  assert.equal((await look(page)).card.shown, false);
+  assert.equal((await tourState(page)).card.shown, false);
   const link = await page.link();
   await page.close();
-  // Whoever follows a link came for what it shows.
+  // A visit through a link has no tour.
   const guest = await PageDriver.open(browser, link, { newcomer: true });
   await guest.frames(8);
-  assert.equal((await look(guest)).card.shown, false);
+  assert.equal((await tourState(guest)).card.shown, false);
   assert.deepEqual([...page.complaints, ...guest.complaints], []);
   await guest.close();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Numbers beside sliders are typed: by click and by Enter; what is out of range goes to its end, what is no number and
-// what is given up changes nothing. Each opens a page of its own.
+// Typing the numbers of sliders, after a click or Enter. Numbers out of range become the nearest valid one. Invalid or
+// cancelled input changes nothing.
 import assert from 'node:assert/strict';
 import { setValue, settle } from './assistive.mjs';
 import { PageDriver } from './page_driver.mjs';
@@ -16,13 +16,13 @@ const shown = async (page) => {
   return { role: widget?.role, value: Number.parseFloat(widget?.value ?? ''), seconds };
 };
 
-/** Dear ImGui takes one key a frame. @param {PageDriver} page @param {string} role */
+/** Waits for the role, because Dear ImGui handles one key per frame. @param {PageDriver} page @param {string} role */
 async function becomes(page, role) {
   for (let wait = 0; wait < 60 && (await shown(page)).role !== role; wait++) await page.frames();
   assert.equal((await shown(page)).role, role);
 }
 
-/** Opens the field by a click on the number. @param {PageDriver} page */
+/** Opens the field with a click on the number. @param {PageDriver} page */
 async function open(page) {
   const { rect } = (await page.widgets()).find(({ id }) => id === SLIDER) ?? assert.fail(`no ${SLIDER}`);
   await page.clickAt(rect.x + rect.width - 12, rect.y + 8);
@@ -52,7 +52,7 @@ async function typed({ browser, address }) {
   await type(page, '9', 'Escape');
   assert.deepEqual(await shown(page), { role: 'slider', value: 6, seconds: 6 }, 'after Escape');
 
-  // By keys alone: Enter opens the field, and an arrow afterwards steps the slider.
+  // Only with keys: Enter opens the field, and afterwards an arrow steps the slider.
   await setValue(page, 'slider', 'Duration', '6.5');
   await page.page.focus('#on-canvas-style-duration');
   await page.press('Enter');
@@ -63,7 +63,7 @@ async function typed({ browser, address }) {
   assert.deepEqual(field, { type: 'text', role: 'spinbutton', value: '6.5', label: 'Duration' });
   await type(page, '7', 'Escape');
   assert.equal((await shown(page)).seconds, 6.5);
-  // Who goes on without a key has a slider again.
+  // Leaving the field without a change restores the slider.
   await page.press('Enter');
   await page.press('Tab');
   await settle(page);

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
-// A whole walk as a newcomer takes it: a figure drawn from one rod, a motion found for it, pushed, its rule changed, all
-// of it undone and done again. By mouse on a desk, by fingers on a phone.
+// A newcomer's whole visit: draws a figure from one rod, finds a motion for it, pushes it, changes a rule, undoes and
+// redoes everything. By mouse on a desktop, by fingers on a phone.
 import assert from 'node:assert/strict';
-import { Fingers, Mouse } from './hands.mjs';
+import { Fingers, Mouse } from './pointers.mjs';
 import { PageDriver } from './page_driver.mjs';
 
 /** @typedef {import('./scenarios.mjs').Visit} Visit */
-/** @typedef {import('./hands.mjs').Point} Point */
+/** @typedef {import('./pointers.mjs').Point} Point */
 /** @typedef {{length_m: number, parent?: number, parent_end?: string, rest_rad?: number}} DrawnRod */
 
 /**
- * Where the ends of the rods are on the board, which shows the figure in its middle: the root's start, then each rod's end.
+ * The positions of the rods' ends on the board, which shows the figure in its middle: the root's start, then each rod's
+ * end.
  * @param {DrawnRod[]} rods  each after its parent, all on ends @param {{x: number, y: number, width: number, height: number}} board
  */
 function onBoard(rods, board) {
@@ -32,62 +33,62 @@ function onBoard(rods, board) {
   }));
 }
 
-/** @param {Mouse | Fingers} hand */
-async function walk(hand) {
-  const { page } = hand;
+/** @param {Mouse | Fingers} pointer */
+async function walk(pointer) {
+  const { page } = pointer;
   const rods = () => page.call('rods', () => /** @type {any} */ (window.gaitsmith.document()).figure.rods);
   const controllers = () => page.call('controllers', () => /** @type {any} */ (window.gaitsmith.document()).controllers ?? []);
   const enabled = (/** @type {string} */ id) => page.page.$eval(id, (button) => button.getAttribute('aria-disabled') !== 'true');
   const first = await page.hash();
 
   // Draw.
-  await hand.press('panels/0');
-  await hand.press('figure/fresh');
+  await pointer.press('panels/0');
+  await pointer.press('figure/fresh');
   assert.equal((await rods()).length, 1);
   for (const right of [70, -60]) {
-    await hand.scrollTo('figure/board', 180);
-    const board = (await hand.find('figure/board'))?.rect;
+    await pointer.scrollTo('figure/board', 180);
+    const board = (await pointer.find('figure/board'))?.rect;
     assert.ok(board);
-    // What is seen of it may be less than all of it: its middle is where the whole board's is.
-    const whole = board.height >= 267 ? board : await fitted(hand, board);
+    // The board may be partly hidden. The figure is in the middle of the whole board.
+    const whole = board.height >= 267 ? board : await fitted(pointer, board);
     const from = onBoard(await rods(), whole).find(({ y }) => y > board.y + 15 && y < board.y + board.height - 15);
     assert.ok(from, 'an end of a rod is to be seen');
-    await hand.drag(from, { x: from.x + right, y: board.y + board.height / 2 });
+    await pointer.drag(from, { x: from.x + right, y: board.y + board.height / 2 });
   }
   assert.equal((await rods()).length, 3, 'a figure of three rods');
   assert.deepEqual(await controllers(), []);
 
-  // Search, until there is something to look at.
-  await hand.press('panels/3');
-  await hand.press('search/start');
+  // Search until there is a motion.
+  await pointer.press('panels/3');
+  await pointer.press('search/start');
   await page.until('a motion of it', () => (/** @type {any} */ (window.gaitsmith.document()).controllers ?? []).length > 0);
-  const stop = await hand.find('search/stop');
-  if (stop && !stop.state.disabled) await hand.press('search/stop');
+  const stop = await pointer.find('search/stop');
+  if (stop && !stop.state.disabled) await pointer.press('search/stop');
   await page.frames(10);
   const found = await page.hash();
   assert.equal((await controllers()).length, 1);
 
   // Push.
-  await hand.press('world/open');
-  await hand.press('world/push');
+  await pointer.press('world/open');
+  await pointer.press('world/push');
   assert.notEqual(await page.hash(), found);
-  await hand.press('world/open');
+  await pointer.press('world/open');
   const pushed = await page.hash();
 
-  // Change a rule: take away one that acts.
-  await hand.press('panels/1');
+  // Change a rule: delete an active one.
+  await pointer.press('panels/1');
   await page.frames(6);
   for (let turn = 0; turn < 4 && await page.hash() === pushed; turn++) {
-    await hand.scrollTo('controller/why');
-    const [, acting] = /Rule (\d+) /.exec((await hand.find('controller/why'))?.label ?? '') ?? [];
+    await pointer.scrollTo('controller/why');
+    const [, acting] = /Rule (\d+) /.exec((await pointer.find('controller/why'))?.label ?? '') ?? [];
     assert.ok(acting, 'it says which rule acts');
-    await hand.press(`controller/rule/${acting}`);
-    await hand.press('rule-edit/delete');
+    await pointer.press(`controller/rule/${acting}`);
+    await pointer.press('rule-edit/delete');
   }
   assert.notEqual(await page.hash(), pushed, 'a motion that needs none of its rules');
   const last = await page.hash();
 
-  // All the way back, and forth.
+  // Undo and redo everything.
   let steps = 0;
   for (; await enabled('#undo') && steps < 40; steps++) {
     await page.clickElement('#undo');
@@ -104,9 +105,9 @@ async function walk(hand) {
   assert.deepEqual(page.complaints, []);
 }
 
-/** The whole board, when the lower part of it is cut off by the panel. @param {Mouse | Fingers} hand @param {{x: number, y: number, width: number, height: number}} board */
-async function fitted(hand, board) {
-  const tabs = await hand.find('panels/0');
+/** The whole board's rectangle, if the panel cuts off its lower part. @param {Mouse | Fingers} pointer @param {{x: number, y: number, width: number, height: number}} board */
+async function fitted(pointer, board) {
+  const tabs = await pointer.find('panels/0');
   const top = (tabs?.rect.y ?? 0) + (tabs?.rect.height ?? 0);
   return board.y > top + 1 ? { ...board, height: 268 } : { ...board, y: board.y + board.height - 268, height: 268 };
 }
@@ -123,21 +124,21 @@ async function byFingers({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   await page.page.setViewport({ width: 390, height: 844, deviceScaleFactor: 2, hasTouch: true, isMobile: true }).catch(() => page.page.setViewport({ width: 390, height: 844 }));
   await page.frames(10);
-  const hand = new Fingers(page);
-  // Two fingers part on the stage: the picture grows, the motion is as it was, and nothing has been pushed.
-  const stage = (await hand.find('stage'))?.rect;
+  const pointer = new Fingers(page);
+  // Spreading two fingers on the stage enlarges the picture. It does not change the motion or push the figure.
+  const stage = (await pointer.find('stage'))?.rect;
   assert.ok(stage);
   const middle = { x: stage.x + stage.width / 2, y: stage.y + stage.height / 2 };
   const hash = await page.hash();
-  const playing = (await hand.find('transport/play'))?.label;
-  await hand.pinch([{ x: middle.x - 30, y: middle.y }, { x: middle.x + 30, y: middle.y }],
+  const playing = (await pointer.find('transport/play'))?.label;
+  await pointer.pinch([{ x: middle.x - 30, y: middle.y }, { x: middle.x + 30, y: middle.y }],
     [{ x: middle.x - 90, y: middle.y }, { x: middle.x + 90, y: middle.y }]);
-  assert.ok(await hand.find('stage/follow'), 'the picture is another one');
+  assert.ok(await pointer.find('stage/follow'), 'the picture is another one');
   assert.equal(await page.hash(), hash);
-  assert.equal((await hand.find('transport/play'))?.label, playing, 'a pinch is no tap');
-  await hand.press('stage/follow');
-  assert.equal(await hand.find('stage/follow'), undefined);
-  await walk(hand);
+  assert.equal((await pointer.find('transport/play'))?.label, playing, 'a pinch is no tap');
+  await pointer.press('stage/follow');
+  assert.equal(await pointer.find('stage/follow'), undefined);
+  await walk(pointer);
   await page.close();
 }
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Runs in a worker before its own script (faulty_site.mjs puts it there): makes the faults happen that the worker's name
-// asks for, once each, among all workers of that name.
+// Runs in a worker before its own script (faulty_site.mjs inserts it). Makes the faults in the worker's name happen,
+// each once among all workers with that name.
 
 /**
  * @typedef {object} Fault
  * @property {string} id
- * @property {'from-page' | 'to-page' | 'to-port' | 'start'} place  where a message passes this worker; start: at once
+ * @property {'from-page' | 'to-page' | 'to-port' | 'start'} place  direction of the message; start: at once
  * @property {string} [type]   of the message
- * @property {'coordinate' | 'evaluate'} [role]  of this worker; any, if left out
- * @property {number} [nth]    such message, from 1
+ * @property {'coordinate' | 'evaluate'} [role]  of the worker; default: any
+ * @property {number} [nth]    counts such messages, from 1
  * @property {'lose' | 'double' | 'hang' | 'die' | 'trap' | 'no-memory'} act
- * @property {boolean} [always]  again and again, in every worker
+ * @property {boolean} [always]  repeatedly, in every worker
  */
 
 const scope = /** @type {any} */ (self);
@@ -20,7 +20,7 @@ const counts = /** @type {Record<string, number>} */ ({});
 const others = new BroadcastChannel('faults');
 let role = '';
 let trapping = false;
-let aheadMs = 0; // of the real time
+let aheadMs = 0; // relative to the real time
 
 others.onmessage = (/** @type {MessageEvent} */ { data }) => {
   if (data.jumpMs) aheadMs += data.jumpMs;
@@ -45,12 +45,12 @@ function due(place, message) {
 }
 
 /** @param {Fault['act'] | ''} act @param {() => void} pass */
-function meet(act, pass) {
+function applyFault(act, pass) {
   if (act === 'lose') return;
   if (act === 'hang') for (;;);
   if (act === 'die') return scope.close();
   if (act === 'trap') trapping = true;
-  if (act === 'no-memory') forgetMemory();
+  if (act === 'no-memory') blockMemoryGrowth();
   pass();
   if (act === 'double') pass();
 }
@@ -62,7 +62,7 @@ scope.addEventListener('message', (/** @type {MessageEvent} */ event) => {
   const act = due('from-page', event.data);
   if (!act) return;
   event.stopImmediatePropagation();
-  meet(act, () => {
+  applyFault(act, () => {
     const copy = new MessageEvent('message', { data: event.data });
     ours.add(copy);
     scope.dispatchEvent(copy);
@@ -73,12 +73,12 @@ for (const [place, sender] of /** @type {[Fault['place'], any][]} */ ([['to-page
   const post = sender.postMessage;
   sender.postMessage = function postMessage(/** @type {any} */ message, /** @type {any} */ transfer) {
     const act = due(place, message);
-    // What is sent twice cannot be handed over.
-    meet(act, () => post.call(this, message, act === 'double' ? {} : transfer));
+    // Without transfer if it is sent twice, because data can be transferred only once.
+    applyFault(act, () => post.call(this, message, act === 'double' ? {} : transfer));
   };
 }
 
-// The engine's functions, of which the next one called can be made to trap as its own code would.
+// A module that traps. It makes the next call of an engine function trap, like the engine's own code.
 const TRAP = new Uint8Array([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 1, 4, 1, 0x60, 0, 0, 3, 2, 1, 0, 7, 5, 1, 1, 0x74, 0, 0, 0xa, 5, 1, 3, 0, 0, 0xb]);
 const instantiate = WebAssembly.instantiate;
 /** @type {any} */ (WebAssembly).instantiate = async (/** @type {WebAssembly.Module} */ code, /** @type {any} */ imports) => {
@@ -91,8 +91,8 @@ const instantiate = WebAssembly.instantiate;
     }])) };
 };
 
-/** No memory of this worker grows any more. */
-function forgetMemory() {
+/** Makes every growth of this worker's memory fail. */
+function blockMemoryGrowth() {
   WebAssembly.Memory.prototype.grow = () => { throw new RangeError('WebAssembly.Memory.grow(): out of memory'); };
 }
-if (faults.some(({ place, act }) => place === 'start' && act === 'no-memory')) forgetMemory();
+if (faults.some(({ place, act }) => place === 'start' && act === 'no-memory')) blockMemoryGrowth();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person does to the world of a figure, by number and by hand. Each opens pages of its own.
+// Changes of a figure's world, by number and by hand. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
 import { PageDriver } from './page_driver.mjs';
 
@@ -28,8 +28,8 @@ async function byNumber({ browser, address }) {
   await page.click('world/remove/0');
   assert.equal(await page.hash(), calm, 'without the push, the motion it was');
 
-  await page.page.mouse.move(10, 300); // away from the wheel's way
-  await page.click('world/slope'); // the middle of its track: level
+  await page.page.mouse.move(10, 300); // away from the panel
+  await page.click('world/slope'); // the middle of its track is level
   for (let k = 0; k < 4; k++) {
     await page.page.keyboard.press('ArrowRight', { delay: 60 });
     await page.frames();
@@ -55,12 +55,13 @@ async function byNumber({ browser, address }) {
 /** @param {Visit} visit */
 async function byHand({ browser, address }) {
   const page = await PageDriver.open(browser, address);
-  await page.click('transport/scrub'); // somewhere in the middle
-  await page.click('transport/step'); // and at rest
+  await page.click('transport/scrub'); // the middle
+  await page.click('transport/step'); // pauses
   const calm = await page.hash();
   const stage = (await widget(page, 'stage'))?.rect ?? { x: 0, y: 0, width: 0, height: 0 };
   const ground = stage.y + stage.height - Math.min(130, Math.max(62, 0.178 * stage.height));
-  // A foot stands somewhere on the ground, in the right half since he has come from the left: whoever misses it moves the picture instead, and comes back.
+  // The figure came from the left, so a foot is on the ground in the right half. A drag that misses it only moves the
+  // picture and is reverted.
   for (let x = stage.x + 0.5 * stage.width; x < stage.x + 0.9 * stage.width; x += 30) {
     await page.page.mouse.move(x, ground - 6);
     await page.frames();
@@ -83,7 +84,7 @@ async function byHand({ browser, address }) {
   await page.frames();
   assert.equal((await pushes(page)).length, 0);
   assert.equal(await page.hash(), calm);
-  // A still click on the stage plays, and the wheel brings it nearer.
+  // A click without movement plays, and the wheel zooms in.
   await page.page.mouse.move(stage.x + 200, stage.y + 120);
   await page.page.mouse.wheel({ deltaY: -300 });
   await page.frames();
@@ -125,7 +126,7 @@ async function sideBySide({ browser, address }) {
   await page.click('panels/1');
   await page.frames();
   const before = await page.hash();
-  await page.click('transport/step'); // at rest the stage is described
+  await page.click('transport/step'); // the description is up to date while paused
   const described = () => page.text('#description');
   await page.click('controller/compare');
   await page.until('a timer beside the senses', () =>

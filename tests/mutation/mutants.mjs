@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Small faults that a programmer could have made in core: the places for them, and a fair draw among them.
+// Mutation testing of core: finds possible mutants, and orders them pseudo-randomly.
 import { createHash } from 'node:crypto';
 
-/** @typedef {{file: string, line: number, column: number, kind: string, before: string, after: string}} Mutant  before: what stands there */
+/** @typedef {{file: string, line: number, column: number, kind: string, before: string, after: string}} Mutant  before: the original text */
 
-/** What a fault of each kind looks like: the text that it replaces, and by what. @type {[kind: string, pattern: RegExp, (found: string) => string][]} */
+/** Mutation operators: the pattern of the original text, and its replacement. @type {[kind: string, pattern: RegExp, (found: string) => string][]} */
 const KINDS = [
   ['relation', /(?<= )(?:<=|>=|<|>|==|!=)(?= )/g, (found) => /** @type {Record<string, string>} */ ({ '<': '<=', '<=': '<', '>': '>=', '>=': '>', '==': '!=', '!=': '==' })[found]],
   ['sum', /(?<= )[+-](?= )/g, (found) => (found === '+' ? '-' : '+')],
@@ -18,7 +18,7 @@ const KINDS = [
   ['left out', /^ {2,}(?!return\b|const\b|auto\b|using\b|static|break|continue|if\b|for\b|case\b|default|else\b|while\b|switch|\[\[)[\w:.>\-[\]()+]+ ?(?:[-+*|&]?= .+|\(.*\));$/g, (found) => `${/^ */.exec(found)?.[0]};`],
 ];
 
-/** Lines whose faults are none of motion's, or no faults: words of errors, checks for the compiler, includes. */
+/** Lines without mutants that affect motions: error texts, compile-time checks, includes. */
 const NOT_CODE = /^\s*(?:\/\/|\/\*|\*|#|static_assert|template|using|namespace|\[\[gnu|inline constexpr std::array<(?:const char|std::string_view))|Fail\(/;
 
 /** @param {string} file @param {string} text @returns {Mutant[]} */
@@ -33,7 +33,7 @@ export function mutantsOf(file, text) {
   });
 }
 
-/** The text with the fault in it. @param {string} text @param {Mutant} mutant */
+/** Applies a mutant. @param {string} text @param {Mutant} mutant */
 export function withFault(text, { line, column, before, after }) {
   const lines = text.split('\n');
   const whole = lines[line - 1];
@@ -42,16 +42,16 @@ export function withFault(text, { line, column, before, after }) {
   return lines.join('\n');
 }
 
-const DRAW = 1; // another number draws others
+const DRAW = 1; // seed of the order
 
 /**
- * The order in which they are tried: drawn, and told by what the places are, so that a change elsewhere does not deal anew.
+ * The order in which mutants are tried, by a hash of each mutant's line, so that changes elsewhere do not affect it.
  * @param {Mutant[]} all @param {(file: string) => string} textOf
  * @returns {{name: string, mutant: Mutant}[]} name: eight hexadecimal digits
  */
 export function drawn(all, textOf) {
   /** @type {Map<string, number>} */
-  const seen = new Map(); // the same fault of the same line, for a second time in its file
+  const seen = new Map(); // counts equal mutants of equal lines in a file
   return all.map((mutant) => {
     const place = `${DRAW} ${mutant.file} ${mutant.kind} ${mutant.column} ${textOf(mutant.file).split('\n')[mutant.line - 1]}`;
     const nth = (seen.get(place) ?? 0) + 1;

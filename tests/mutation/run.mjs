@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How many small faults in core the tests find:  node tests/mutation/run.mjs [--shard 1/2] [--count 200] [--again]
-// Works on a copy of the sources in build/mutation, and keeps a line for each fault in docs/studies/mutation/shard-K-of-N.csv;
-// what stands there already is not tried again, but with --again what survived. A fault that does not compile is none: the next
-// in the draw takes its place.
+// Mutation testing of core:  node tests/mutation/run.mjs [--shard 1/2] [--count 200] [--again]
+// Works on a copy of the sources in build/mutation, and writes a row per mutant to docs/studies/mutation/shard-K-of-N.csv.
+// Skips mutants that are in the file already; with --again, repeats those that survived. Mutants that do not compile do not
+// count.
 import { execFileSync, spawnSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -16,16 +16,16 @@ const [shard, shards] = values.shard.split('/').map(Number);
 const count = Number(values.count);
 if (!(shards >= 1 && shard >= 1 && shard <= shards && count >= 1)) throw new Error('usage: node tests/mutation/run.mjs [--shard K/N] [--count M] [--again]');
 
-/** @typedef {{copy: string, folder: string, unity: boolean}} Build  of a copy of its own, so that a header's fault is no news to the other */
+/** @typedef {{copy: string, folder: string, unity: boolean}} Build  each has its own copy, so that mutants of headers do not rebuild the other */
 const build = (/** @type {string} */ name, unity = false) => ({ copy: join(ROOT, `build/mutation/${shard}-${name}`), folder: join(ROOT, `build/mutation/${shard}-${name}/build`), unity });
-// A header touches everything: several files are compiled as one then.
+// A header affects all files, so mutants of headers use a unity build.
 const BUILDS = { sources: build('sources'), headers: build('headers', true) };
 const RESULTS = join(ROOT, `docs/studies/mutation/shard-${shard}-of-${shards}.csv`);
 const HEADER = 'fault,file,line,kind,before,after,result,seconds';
-// The quick tests first; a fault that these do not find meets all others.
+// The quick tests first. Mutants that survive them get all others.
 const ROUNDS = [['~[lessons]~[links]~[golden]'], ['[golden],[links],[lessons]']];
 const NONE = 'does not compile';
-const PATIENCE_S = 240; // the whole takes a quarter of it
+const PATIENCE_S = 240; // four times the duration of all tests
 
 /** @param {string[]} words */
 const git = (...words) => execFileSync('git', words, { cwd: ROOT, encoding: 'utf8' });
@@ -63,15 +63,15 @@ for (const where of Object.values(BUILDS)) {
   if (configured.status !== 0 || !built(where)) throw new Error(`the sources themselves do not build: ${configured.stderr}`);
   if (judged(where) !== 'survived') throw new Error('the sources themselves do not pass');
 }
-// As they are in the copies: the sources themselves may change meanwhile.
+// Read from the copies, since the sources may change during the run.
 const core = new Map(files.filter((file) => /^core\/.*\.(h|cpp)$/.test(file)).map((file) => [file, readFileSync(join(BUILDS.sources.copy, file), 'utf8')]));
 const textOf = (/** @type {string} */ file) => /** @type {string} */ (core.get(file));
 const all = [...core].flatMap(([file, text]) => mutantsOf(file, text));
 const draw = drawn(all, textOf).filter(({ name }) => parseInt(name, 16) % shards === shard - 1);
 console.error(`${all.length} places for a fault in core, ${draw.length} of them of shard ${shard} of ${shards}`);
-/** What is known of a fault: its line, and the result in it. @type {Map<string, {line: string, result: string}>} */
+/** The results so far: the row of each mutant, and the result in it. @type {Map<string, {line: string, result: string}>} */
 const known = new Map();
-const places = new Set(draw.map(({ name }) => name)); // a fault whose place is no more is forgotten
+const places = new Set(draw.map(({ name }) => name)); // rows of mutants that no longer exist are removed
 if (existsSync(RESULTS)) {
   for (const line of readFileSync(RESULTS, 'utf8').trim().split('\n').slice(1)) {
     const [name, ...rest] = line.split(',');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every file and folder that docs/architecture.md, CONTRIBUTING.md and README.md name is there.
+// Every file and folder that docs/architecture.md, CONTRIBUTING.md and README.md name exists.
 import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
@@ -16,10 +16,10 @@ function pathsIn(text) {
   return spans.filter((path) => /^\.?[a-z_]+\/[\w./-]*$|^[A-Z_]+\.md$|^LICENSE$/.test(path));
 }
 
-for (const [page, least] of /** @type {const} */ ([['docs/architecture.md', 40], ['CONTRIBUTING.md', 5], ['README.md', 8]])) {
+for (const [page, min] of /** @type {const} */ ([['docs/architecture.md', 40], ['CONTRIBUTING.md', 5], ['README.md', 8]])) {
   test(`architecture: ${page} names only what is there`, async () => {
     const paths = pathsIn(await readFile(join(ROOT, page), 'utf8'));
-    assert.ok(paths.length >= least, `only ${paths.length} paths found`);
+    assert.ok(paths.length >= min, `only ${paths.length} paths found`);
     // Built files are not in the repository.
     const missing = paths.filter((path) => !path.startsWith('build/') && !existsSync(join(ROOT, path)) && !existsSync(join(ROOT, 'docs', path)));
     assert.deepEqual(missing, []);

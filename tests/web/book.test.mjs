@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The book: its rules, and, where a built site is given, every page of it.
+// The book: its rules, and, with a built site, every page.
 //
 //   node --test tests/web/book.test.mjs                                  the rules
 //   GAITSMITH_SITE=build/site node --test tests/web/book.test.mjs        and the pages
@@ -60,7 +60,7 @@ test('reference: comments behind members are seen, also where they go on below, 
   assert.deepEqual([...notes(header)], [[10, 'Of both.']]);
 });
 
-/** The faults of one lesson's body, and its HTML. @param {string} body @param {Map<string, string>} [reference] */
+/** The errors in a lesson's body, and its HTML. @param {string} body @param {Map<string, string>} [reference] */
 async function lessonOf(body, reference) {
   const root = await mkdtemp(join(tmpdir(), 'book-'));
   await mkdir(join(root, 'docs/lessons'), { recursive: true });
@@ -117,15 +117,15 @@ test('book: blocks of lessons', async () => {
 
 test('player: asks, is answered, is told, and minds who speaks', async () => {
   /** @type {((event: any) => void) | undefined} */
-  let hear;
+  let onMessage;
   /** @type {any[]} */
   const posted = [];
   const contentWindow = { postMessage: (/** @type {any} */ message, /** @type {string} */ origin) => posted.push({ ...message, origin }) };
-  Object.assign(globalThis, { addEventListener: (/** @type {string} */ _, /** @type {any} */ listener) => { hear = listener; }, location: { href: 'https://school.example/page.html' } });
+  Object.assign(globalThis, { addEventListener: (/** @type {string} */ _, /** @type {any} */ listener) => { onMessage = listener; }, location: { href: 'https://school.example/page.html' } });
   const frame = Object.assign(new EventTarget(), { contentWindow, src: 'https://play.example/index.html' });
   const { Player } = await import('../../web/book/player.js');
   const player = new Player(/** @type {any} */ (frame));
-  const say = (/** @type {any} */ data, source = contentWindow, origin = 'https://play.example') => hear?.({ data: { gaitsmith: 1, ...data }, source, origin });
+  const say = (/** @type {any} */ data, source = contentWindow, origin = 'https://play.example') => onMessage?.({ data: { gaitsmith: 1, ...data }, source, origin });
   const [hello] = posted;
   assert.deepEqual([hello.call, hello.origin], ['hello', '*']);
   const asked = player.call('open', 'AbC');
@@ -139,10 +139,10 @@ test('player: asks, is answered, is told, and minds who speaks', async () => {
   say({ id: open.id, error: 'no such figure' });
   await assert.rejects(asked, /no such figure/);
   /** @type {any} */
-  let told;
-  player.addEventListener('goal', (event) => { told = /** @type {any} */ (event).detail; });
+  let received;
+  player.addEventListener('goal', (event) => { received = /** @type {any} */ (event).detail; });
   say({ event: 'goal', detail: { met: true } });
-  assert.deepEqual(told, { met: true });
+  assert.deepEqual(received, { met: true });
   const lost = player.call('hash');
   await new Promise(setImmediate);
   say({ event: 'ready' });
@@ -219,7 +219,7 @@ if (!SITE) {
     const validator = new HtmlValidate({ root: true, extends: ['html-validate:recommended'], rules: {
       'doctype-style': ['error', { style: 'lowercase' }],
       'empty-heading': 'off', 'unique-landmark': 'off', // scripts write the title and the tour
-      'prefer-native-element': 'off', // a combobox over a list, a drawn progress bar and dialogs have no native form that does what they do
+      'prefer-native-element': 'off', // no native element replaces a combobox over a list or the drawn progress bar
     } });
     for (const file of [join(SITE, 'index.html'), join(ROOT, 'web/package/example.html')]) {
       const { results } = validator.validateStringSync(await readFile(file, 'utf8'));
@@ -264,7 +264,7 @@ if (!SITE) {
     assert.match(returned.text, /Returns an evaluation for each, in order/);
     assert.match(page('rollout/evaluation').getElementById('evaluation-fitness').text, /float fitness = kVoidScore\s+with several beginnings: the mean, void if one is/);
     assert.doesNotMatch(evaluator.text, /problem_|EvaluateWidth|lane_width/);
-    // A comment that goes on below itself; one above several members; two members of one declaration; a constant.
+    // A comment on two lines, a comment above several members, a declaration of two members, and a constant.
     assert.match(page('control/senses').text, /kPhysical\s+joint angles, contact forces at the endpoints, height and vertical velocity of the centre of mass/);
     assert.match(page('physics/terms').text, /Our own terms, 0 unless they were requested\. See docs\/style\.md\.\s+float effort_rad/);
     assert.match(page('rollout/motion').getElementById('motion-point-y').parentNode.text, /float x, y/);

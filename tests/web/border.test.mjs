@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The C interface of both WebAssembly modules: what C++ exports, what the types say and what the compiled modules have is the same.
+// The C interface of both WebAssembly modules is the same in C++, in the types and in the compiled modules.
 import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What docs/dependencies.md says of npm packages is what is installed: every one of them, its version, its licence.
+// docs/dependencies.md lists all installed npm packages with their versions and licences.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
@@ -14,17 +14,17 @@ test('dependencies: the page names every npm package with its version and licenc
   const [shipped, others] = text.split('## To build').map((part) => [...part.matchAll(/^\| `([^`]+)` \| ([^|]+) \| ([^|]+) \| npm/gm)]
     .map(([, name, version, licence]) => [name, version.trim(), licence.trim()]).sort());
   const { devDependencies, dependencies } = await json('package.json');
-  for (const [told, pinned] of [[shipped, dependencies], [others, devDependencies]]) {
+  for (const [documented, pinned] of [[shipped, dependencies], [others, devDependencies]]) {
     const real = await Promise.all(Object.keys(pinned).map(async (name) => {
       const { version, license } = await json(`node_modules/${name}/package.json`);
       assert.equal(version, pinned[name], `${name} is pinned`);
       return [name, version, license];
     }));
-    assert.deepEqual(told, real.sort());
+    assert.deepEqual(documented, real.sort());
   }
 });
 
-// So that `npm audit --omit=dev` speaks of what is shipped, and that is all there is of it.
+// So that `npm audit --omit=dev` checks exactly the shipped packages.
 test('dependencies: what is shipped from npm brings nothing else along', async () => {
   const { packages } = await json('package-lock.json');
   const shipped = Object.entries(packages).filter(([folder, { dev }]) => folder !== '' && !dev).map(([folder]) => folder.slice('node_modules/'.length));

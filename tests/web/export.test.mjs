@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exported files as programs read them that are not ours: an XML parser, Khronos' validator of glTF, a decoder of GIF.
+// Reads exported files with independent programs: an XML parser, Khronos' glTF validator, a GIF decoder.
 import assert from 'node:assert/strict';
 import { readdir, readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
@@ -87,7 +87,7 @@ test('export: numbers have a row for each frame, and the film is told the same',
   motion.close();
 });
 
-/** A canvas that takes all drawing and whose pixels say how often they were asked for. */
+/** A canvas that ignores all drawing, and whose pixels count how often they were read. */
 function blankCanvas() {
   let asked = 0;
   const canvas = { width: 0, height: 0, getContext: () => context };
@@ -109,8 +109,8 @@ test('export: a GIF has a frame for every 40 ms, says how far it is, and stops w
   /** @type {number[]} */
   const shares = [];
   const cancel = new AbortController();
-  const order = { motion, title: 'A title', poses: 8, signal: cancel.signal, told: (/** @type {number} */ share) => { shares.push(share); } };
-  const bytes = await gif(order);
+  const job = { motion, title: 'A title', poses: 8, signal: cancel.signal, onProgress: (/** @type {number} */ share) => { shares.push(share); } };
+  const bytes = await gif(job);
   const film = new GifReader(bytes);
   assert.deepEqual([film.width, film.height, film.numFrames(), film.loopCount()], [640, 360, 13, 0]);
   for (let i = 0; i < 13; i++) assert.equal(film.frameInfo(i).delay, i < 12 ? 4 : 100);
@@ -119,6 +119,6 @@ test('export: a GIF has a frame for every 40 ms, says how far it is, and stops w
   assert.deepEqual([...pixels.subarray(4 * 640 * 359, 4 * 640 * 359 + 4)], [255, 255, 255, 255]);
   assert.equal(shares.length, 13);
   assert.ok(shares.every((share, i) => share >= 0 && share < 1 && (i === 0 || share > shares[i - 1])));
-  await assert.rejects(gif({ ...order, told: () => { cancel.abort(); } }), { name: 'AbortError' });
+  await assert.rejects(gif({ ...job, onProgress: () => { cancel.abort(); } }), { name: 'AbortError' });
   motion.close();
 });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tables of shell/words/languages against the sources: every text that goes through Tr or tr is there, with the same
-// places to fill in, and nothing is there that nobody says.
+// Compares the tables of shell/words/languages with the sources. They have every text that is passed to Tr or tr, with
+// the same inserts, and no unused text.
 import assert from 'node:assert/strict';
 import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -11,8 +11,7 @@ const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 const TABLES = join(ROOT, 'shell/words/languages');
 
 /**
- * words: of shell and page, by their English; errors: core's sentences; titles: shipped documents, and what searches
- * call theirs.
+ * words: texts of shell and page; errors: core's sentences; titles: of examples and of searches. By English text.
  * @typedef {{name: string, decimal_mark: string, group_mark: string, words: Record<string, string>,
  *   errors: Record<string, string>, titles: Record<string, string>}} Table
  */
@@ -46,8 +45,8 @@ function tokens(source, quotes) {
 }
 
 /**
- * All literals in the first arguments of these functions; neighbours are one.
- * @param {string} source @param {string[]} functions @param {string} quotes  that begin a literal
+ * All literals in the first arguments of these functions. Adjacent literals are joined.
+ * @param {string} source @param {string[]} functions @param {string} quotes  characters that start a literal
  */
 function literals(source, functions, quotes) {
   const found = [];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The engine's npm package as another project gets it: installed from its archive, its example run by Node and by a
-// browser's page (tests/browser), its types used by TypeScript.
+// The engine's npm package in another project: installed from its archive, its example run by Node and in a browser
+// (tests/browser), its types used by TypeScript.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
@@ -27,14 +27,14 @@ test('package: it installs without a network, its example runs, and its types ho
     const example = (await readFile(join(packed, 'example.js'), 'utf8')).replace("'./engine.js'", "'gaitsmith-engine'");
     assert.ok(example.trim().split('\n').length <= 11);
     await writeFile(join(folder, 'example.ts'), `${example}\nconst wrong: string = search.done;\nengine.search('a text');\n`);
-    let told = '';
+    let output = '';
     try {
       run(process.execPath, join(WEB, 'node_modules/typescript/bin/tsc'), '--noEmit', '--strict', '--module', 'nodenext', '--target', 'es2022', '--lib', 'es2022,dom', '--skipLibCheck', 'example.ts');
     } catch (error) {
-      told = /** @type {any} */ (error).stdout;
+      output = /** @type {any} */ (error).stdout;
     }
-    const faults = told.trim().split('\n').filter((line) => /error TS/.test(line));
-    assert.equal(faults.length, 2, told); // the two that are wrong
+    const faults = output.trim().split('\n').filter((line) => /error TS/.test(line));
+    assert.equal(faults.length, 2, output); // the two intended errors
     assert.match(faults[0], /boolean.* is not assignable to type 'string'/);
     assert.match(faults[1], /'string' is not assignable to parameter of type 'Uint8Array/);
   } finally {

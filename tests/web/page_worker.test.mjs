@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Searches where the page has no workers: all roles in one thread, in which what a port was sent before it was closed may
-// still come, as in Firefox.
+// Searches without workers: all roles in one thread. Messages may still arrive at a port that was closed after they
+// were sent, as in Firefox.
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { assertSame, engine, fromWeb, newClient, problem, run } from './search_run.mjs';
@@ -10,7 +10,7 @@ import { assertSame, engine, fromWeb, newClient, problem, run } from './search_r
 
 /** @type {() => PageWorker} */
 let createWorker;
-/** What the roles run on; spoilt in tests. @type {typeof import('../../web/search/engine.js')} */
+/** The engine's script. Tests make its methods fail. @type {typeof import('../../web/search/engine.js')} */
 let engineScript;
 
 class LatePort {
@@ -43,7 +43,7 @@ class LateChannel {
   }
 }
 
-/** What is searched in it, is searched in the page. @template T @param {() => Promise<T>} body @returns {Promise<T>} */
+/** Runs searches as in a page, with late messages. @template T @param {() => Promise<T>} body @returns {Promise<T>} */
 async function inPage(body) {
   const Usual = globalThis.MessageChannel;
   /** @type {any} */ (globalThis).MessageChannel = LateChannel;
@@ -63,15 +63,15 @@ test('it finds what workers find', async () => {
 });
 
 /**
- * Watches what is asked of the engine, and says what came to a part of it that was freed, had trapped or was doomed.
+ * Records calls to parts of the engine that were freed or have trapped, or were marked by doomSearches().
  * @param {import('node:test').TestContext} t
- * @param {(call: string, times: number) => boolean} [traps]  whether this one does
+ * @param {(call: string, times: number) => boolean} [traps]  whether this call traps
  */
 function watch(t, traps = () => false) {
   /** @type {string[]} */
   const late = [];
   const searches = new Set();
-  const over = new WeakSet();
+  const ended = new WeakSet();
   /** @type {Record<string, number>} */
   const times = {};
   for (const [role, calls] of /** @type {const} */ ([['Evaluator', ['score']], ['Search', ['ask', 'tell', 'save']], ['TransitionMap', ['scores']]])) {
@@ -81,29 +81,29 @@ function watch(t, traps = () => false) {
       t.after(() => { prototype[call] = whole; });
       prototype[call] = function watched(/** @type {any[]} */ ...args) {
         const name = `${role}.${call}`;
-        if (over.has(this)) late.push(name);
+        if (ended.has(this)) late.push(name);
         if (role === 'Search') searches.add(this);
-        if (call === 'close') over.add(this);
+        if (call === 'close') ended.add(this);
         times[name] = (times[name] ?? 0) + 1;
         if (traps(name, times[name])) {
-          over.add(this);
+          ended.add(this);
           throw new WebAssembly.RuntimeError('unreachable');
         }
         return whole.apply(this, args);
       };
     }
   }
-  return { late, doomSearches: () => searches.forEach((search) => over.add(search)) };
+  return { late, doomSearches: () => searches.forEach((search) => ended.add(search)) };
 }
 
 test('a search that takes the place of another hears nothing of its work', async (t) => {
   const [long, short] = [problem({ evaluations: 1e6, seed: 4 }), problem({ evaluations: 400 })];
   /** @type {(report: SearchReport) => void} */
-  let hear = () => {};
-  const client = newClient({ progress: (report) => hear(report), incident: assert.fail, failed: assert.fail }, createWorker);
-  /** Resolved with the first report that is meant. @param {Uint8Array} document @param {(report: SearchReport) => boolean} meant @returns {Promise<SearchReport>} */
-  const search = (document, meant) => new Promise((resolve) => {
-    hear = (report) => { if (meant(report)) resolve(report); };
+  let onReport = () => {};
+  const client = newClient({ progress: (report) => onReport(report), incident: assert.fail, failed: assert.fail }, createWorker);
+  /** Resolved with the first matching report. @param {Uint8Array} document @param {(report: SearchReport) => boolean} matches @returns {Promise<SearchReport>} */
+  const search = (document, matches) => new Promise((resolve) => {
+    onReport = (report) => { if (matches(report)) resolve(report); };
     client.start(document, 2);
   });
   const usual = await run(short, 1);
@@ -118,18 +118,18 @@ test('a search that takes the place of another hears nothing of its work', async
   assert.deepEqual(late, []);
 });
 
-/** What traps, once, and what is said of it. @type {[string, string, RegExp][]} */
+/** A role, its call that traps once, and the expected sentence. @type {[string, string, RegExp][]} */
 const TRAPS = [
   ['an evaluator', 'Evaluator.score', /another one took over/],
   ['the coordinator', 'Search.tell', /continues from evaluation/],
 ];
-for (const [who, call, said] of TRAPS) {
-  test(`${who} that traps is replaced, and the page does not take itself for the one that trapped`, async (t) => {
+for (const [role, call, sentence] of TRAPS) {
+  test(`${role} that traps is replaced, and the page does not take itself for the one that trapped`, async (t) => {
     const document = problem({ evaluations: 1000 });
     const usual = await run(document, 1);
     const { late } = watch(t, (name, times) => name === call && times === 20);
     const dying = await inPage(() => run(document, 2, undefined, { createWorker }));
-    assert.match(dying.incidents.join(), said);
+    assert.match(dying.incidents.join(), sentence);
     assert.equal(dying.incidents.length, 1);
     assertSame(dying, usual);
     assert.deepEqual(late, []);
@@ -140,11 +140,11 @@ test('a coordinator that traps at a message asks nothing more of the engine, wha
   const document = problem({ evaluations: 4000 });
   const usual = await run(document, 1);
   const { late, doomSearches } = watch(t);
-  let [poisoned, next] = [0, 0]; // next: where the next coordinator stands in the crew
-  const dying = await inPage(() => run(document, 2, (_, report, crew) => {
-    if (poisoned >= 3 || report.evaluations < 500 || next >= crew.length) return;
-    crew[next].postMessage({ run: ++poisoned, get type() { doomSearches(); return 'poison'; } });
-    next = crew.length;
+  let [poisoned, next] = [0, 0]; // next: index of the next coordinator in the team
+  const dying = await inPage(() => run(document, 2, (_, report, team) => {
+    if (poisoned >= 3 || report.evaluations < 500 || next >= team.length) return;
+    team[next].postMessage({ run: ++poisoned, get type() { doomSearches(); return 'poison'; } });
+    next = team.length;
   }, { createWorker }));
   assert.equal(dying.incidents.length, 3);
   assertSame(dying, usual);
@@ -165,7 +165,7 @@ test('a coordinator that was let go hears none of its ports; one that traps at i
   port.postMessage = (message) => sent.push(message);
   gone.receive({ type: 'add-evaluator', evaluator: 1, port });
   assert.ok(sent.length > 0);
-  gone.letGo();
+  gone.disconnect();
   gone.free();
   for (const { slice, genomes } of sent) port.onmessage?.({ data: { slice, scores: evaluator.score(genomes) } });
   assert.deepEqual(late, []);
@@ -175,5 +175,5 @@ test('a coordinator that was let go hears none of its ports; one that traps at i
   const trap = new WebAssembly.RuntimeError('unreachable');
   Object.defineProperty(trapped.search, 'evaluations', { get: () => { throw trap; } });
   assert.equal(await new Promise((resolve) => { die = resolve; }), trap);
-  trapped.letGo();
+  trapped.disconnect();
 });

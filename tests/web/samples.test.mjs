@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The code that the documentation shows: each sample in JavaScript is checked against the types of what it uses, each in C++
-// is compiled with core. Does not pin: what they print.
+// The code samples of the documentation: JavaScript is checked against types, C++ is compiled with core. Their output
+// is not checked.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
@@ -12,13 +12,13 @@ import ts from '../../web/node_modules/typescript/lib/typescript.js';
 
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), '../..');
 
-/** What stands around a sample in the text. */
+/** Declarations that samples may use. */
 const AROUND = `
   declare var gaitsmith: import('WEB/api.js').Gaitsmith;
   declare var frame: HTMLIFrameElement & { contentWindow: Window };
   declare var jsonOrLink: string;
   interface Window { gaitsmith: import('WEB/api.js').Gaitsmith }
-  // Pages know what their elements and events are.
+  // Samples may use any element and event.
   interface Document { getElementById(id: string): any; querySelector(what: string): any }
   interface EventTarget { addEventListener(type: string, listener: (event: any) => void): void }
 `;
@@ -33,7 +33,7 @@ async function samples() {
   const found = [];
   for (const file of files) {
     const text = await readFile(file, 'utf8');
-    // A sample that shows a sample has longer fences.
+    // A sample that contains a sample has longer fences.
     for (const match of text.matchAll(/^(`{3,})(js|cpp|html)\n(.*?)^\1$/gms)) {
       const line = text.slice(0, match.index).split('\n').length;
       found.push({ where: `${relative(ROOT, file)}:${line}`, language: match[2], code: match[3] });
@@ -52,7 +52,7 @@ test('samples: JavaScript in the documentation fits the types', async () => {
   const web = join(ROOT, 'web');
   const files = new Map(scripts.map(({ code }, i) => [
     join(web, `sample_${i}.js`),
-    // A module, so that samples do not share their names; the site has player.js in its own folder.
+    // A module, so that samples do not share names. The site has player.js in its root folder.
     `${code.replace("'./player.js'", "'./book/player.js'")}\nexport {};\n`,
   ]));
   files.set(join(web, 'samples.d.ts'), AROUND.replaceAll('WEB', './page'));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Searches through the page's own client and workers, under Node: the result is the same bits for any number
-// of workers, and whoever dies on the way. Pins nothing: every claim compares two runs.
+// Searches with the page's client and workers, under Node: the result has the same bits for any number of workers, and
+// if workers die. There are no expected values, every claim compares two runs.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { assertSame, engine, fromWeb, newClient, newWorker, problem, run } from './search_run.mjs';
@@ -39,7 +39,7 @@ test('reports tell how the population scatters, and random search has none', asy
   assert.equal(last.spread?.members, 12);
   assert.equal(last.spread?.best, last.bestFitness);
   for (const { spread } of reports) {
-    if (!spread) continue; // before two of them have been scored
+    if (!spread) continue; // fewer than two members are scored
     const { least, lowerQuartile, median, upperQuartile, best } = spread;
     assert.deepEqual([least, lowerQuartile, median, upperQuartile, best].sort((a, b) => a - b),
       [least, lowerQuartile, median, upperQuartile, best]);
@@ -56,41 +56,40 @@ test('the best genome scores what the search says', async () => {
 test('workers that stood by, or whose search is done, run the next one, of another problem, as new ones would', async () => {
   const [first, second] = [problem({ evaluations: 500 }), problem({ evaluations: 1500, seed: 11, algorithm: 'rgt' })];
   /** @type {NodeWorker[]} */
-  const crew = [];
+  const team = [];
   /** @type {(report: SearchReport) => void} */
-  let hear = () => {};
-  const client = newClient({ progress: (report) => hear(report), incident: assert.fail, failed: assert.fail },
-    () => crew[crew.push(newWorker()) - 1]);
+  let onReport = () => {};
+  const client = newClient({ progress: (report) => onReport(report), incident: assert.fail, failed: assert.fail },
+    () => team[team.push(newWorker()) - 1]);
   /** @param {Uint8Array} document @param {number} workers @returns {Promise<Run>} */
   const search = (document, workers) => new Promise((resolve) => {
-    hear = (last) => {
+    onReport = (last) => {
       if (last.state === 'done') resolve({ reports: [], incidents: [], last, genome: last.bestGenome ?? new Uint16Array() });
     };
     client.start(document, workers);
   });
   client.standBy(2);
-  client.standBy(2); // again: nothing new
-  assert.equal(crew.length, 3);
+  client.standBy(2); // a second time, which creates no workers
+  assert.equal(team.length, 3);
   await search(first, 2); // at once, while they still load
   assertSame(await search(second, 2), await run(second, 1));
-  assert.equal(crew.length, 3);
+  assert.equal(team.length, 3);
   assertSame(await search(first, 1), await run(first, 1));
-  assert.equal(crew.length, 3);
+  assert.equal(team.length, 3);
   assertSame(await search(second, 3), await run(second, 1));
-  assert.equal(crew.length, 5);
+  assert.equal(team.length, 5);
 });
 
 /**
- * Runs with two workers and terminates one of the crew halfway, as a browser does that is
- * short of memory: without a word. The coordinator is the first of the crew.
- * @param {Uint8Array} document @param {number} victim
+ * Runs with two evaluators and terminates a worker halfway, without any event, like a browser that is short of memory.
+ * @param {Uint8Array} document @param {number} victim  index; 0: the coordinator
  */
 function runWithDeath(document, victim) {
   let killed = false;
-  return run(document, 2, (_, report, crew) => {
+  return run(document, 2, (_, report, team) => {
     if (killed || report.evaluations < 4000) return;
     killed = true;
-    crew[victim].terminate();
+    team[victim].terminate();
   });
 }
 
@@ -111,17 +110,17 @@ test('a coordinator that dies is replaced, and the search continues from its che
 test('an exception in the coordinator ends it, so that it is replaced', async () => {
   const document = problem({ evaluations: 2000 });
   let poisoned = false;
-  const dying = await run(document, 2, (_, report, crew) => {
+  const dying = await run(document, 2, (_, report, team) => {
     if (poisoned || report.evaluations < 500) return;
     poisoned = true;
-    crew[0].postMessage({ type: 'poison', run: 1 });
+    team[0].postMessage({ type: 'poison', run: 1 });
   });
   assert.match(dying.incidents.join(), /continues from evaluation/);
   assertSame(dying, await run(document, 1));
 });
 
 test('an engine that cannot be instantiated is an error, not a silence', async () => {
-  // Imports x.y, which nobody has.
+  // Imports x.y, which does not exist.
   const wanting = new WebAssembly.Module(new Uint8Array([
     0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 1, 4, 1, 0x60, 0, 0, 2, 7, 1, 1, 0x78, 1, 0x79, 0, 0]));
   const { Engine } = await fromWeb('search/engine.js');
@@ -151,7 +150,7 @@ test('what an evaluator sent before it was given up does not count beside what a
       for (const { slice, genomes } of port.sent.splice(0)) port.onmessage?.({ data: { slice, scores: evaluator.score(genomes) } });
     }
   }
-  coordinator.letGo();
+  coordinator.disconnect();
   coordinator.free();
   evaluator.close();
   assertSame({ last, genome: last.bestGenome, reports: [], incidents: [] }, await run(document, 1));
@@ -209,13 +208,13 @@ for (const [how, die] of /** @type {[string, (coordinator: NodeWorker) => void][
     let asked = 0;
     /** @type {NodeWorker[]} */
     let workers = [];
-    const stopped = await run(problem({ evaluations: 1e6 }), 2, (client, report, crew) => {
+    const stopped = await run(problem({ evaluations: 1e6 }), 2, (client, report, team) => {
       if (report.evaluations < 500 || asked) return;
       asked = performance.now();
-      workers = crew;
-      crew[0].onmessage = null;
+      workers = team;
+      team[0].onmessage = null;
       client.stop();
-      die(crew[0]);
+      die(team[0]);
     });
     assert.equal(stopped.last.state, 'stopped');
     assert.ok(performance.now() - asked < 4000);

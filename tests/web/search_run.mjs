@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A search through the page's own client, under Node, from its beginning to its end; for the tests.
+// Runs complete searches with the page's client, under Node, for the tests.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -31,7 +31,7 @@ export function problem(settings, others = {}) {
 }
 
 /**
- * A client of worker threads, or of other stand-ins for workers.
+ * A client with worker threads, or other replacements for workers.
  * @param {import('../../web/search/search_client.js').SearchListener} listener
  * @param {() => any} [createWorker]
  * @param {WebAssembly.Module} [module]
@@ -48,14 +48,14 @@ export function newClient(listener, createWorker = newWorker, module = compiled)
  * @template [W=NodeWorker]
  * @param {Uint8Array} document
  * @param {number} workers
- * @param {(client: SearchClient, report: SearchReport, crew: W[]) => void} [meddle]  called at every report
+ * @param {(client: SearchClient, report: SearchReport, team: W[]) => void} [meddle]  called at every report
  * @param {{module?: WebAssembly.Module, createWorker?: () => W}} [options]
  * @returns {Promise<Run>}
  */
 export function run(document, workers, meddle, { module = compiled, createWorker = /** @type {() => any} */ (newWorker) } = {}) {
   return new Promise((resolve, reject) => {
     /** @type {W[]} */
-    const crew = [];
+    const team = [];
     /** @type {SearchReport[]} */
     const reports = [];
     /** @type {string[]} */
@@ -66,12 +66,12 @@ export function run(document, workers, meddle, { module = compiled, createWorker
         if (report.state === 'done' || report.state === 'stopped') {
           resolve({ reports, incidents, last: report, genome: report.bestGenome ?? new Uint16Array() });
         } else {
-          meddle?.(client, report, crew);
+          meddle?.(client, report, team);
         }
       },
       incident: (sentence) => incidents.push(sentence),
       failed: reject,
-    }, () => crew[crew.push(createWorker()) - 1], module);
+    }, () => team[team.push(createWorker()) - 1], module);
     client.start(document, workers);
   });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Transition maps through the page's own client and worker, under Node.
+// Transition maps with the page's client and worker, under Node.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -36,7 +36,7 @@ const request = (clip) => {
   return engine.documentFromText(JSON.stringify({ ...composite, hash: undefined, senses, rules: rules.length, search: { in_place_of: clip } }));
 };
 
-/** A client and what it told. @param {() => any} [createWorker] */
+/** A client that records its events. @param {() => any} [createWorker] */
 function client(createWorker = () => new NodeWorker(join(WEB, 'search/worker.js'))) {
   /** @type {Mapped[]} */
   const parts = [];
@@ -45,7 +45,7 @@ function client(createWorker = () => new NodeWorker(join(WEB, 'search/worker.js'
   /** @type {NodeWorker[]} */
   const workers = [];
   /** @type {() => void} */
-  let told = () => {};
+  let onUpdate = () => {};
   const maps = new TransitionMaps({
     engine: () => Promise.resolve(compiled),
     createWorker: () => {
@@ -53,14 +53,14 @@ function client(createWorker = () => new NodeWorker(join(WEB, 'search/worker.js'
       return /** @type {any} */ (workers[workers.length - 1]);
     },
     listener: {
-      mapped: (part) => { parts.push(part); told(); },
-      failed: (generation) => { failures.push(generation); told(); },
+      mapped: (part) => { parts.push(part); onUpdate(); },
+      failed: (generation) => { failures.push(generation); onUpdate(); },
     },
   });
   /** @param {() => boolean} condition */
   const until = (condition) => new Promise((resolve) => {
-    told = () => { if (condition()) resolve(true); };
-    told();
+    onUpdate = () => { if (condition()) resolve(true); };
+    onUpdate();
   });
   const complete = () => parts.some(({ first, scores, count }) => first + scores.length === count);
   return { maps, parts, failures, workers, until, complete };
@@ -77,7 +77,7 @@ test('transition maps: parts make the whole map, in order', async () => {
   assert.throws(() => map.scores(map.count, 1), /not in the map/);
   map.close();
   assert.deepEqual(failures, []);
-  maps.close(); // else it rests for minutes
+  maps.close(); // otherwise the idle worker keeps the test running
 });
 
 test('transition maps: what is replaced or stopped is not told of', async () => {
@@ -93,7 +93,7 @@ test('transition maps: what is replaced or stopped is not told of', async () => 
   await maps.start(request(1), 4);
   await until(() => parts.slice(before).some(({ first, scores, count }) => first + scores.length === count));
   assert.ok(parts.slice(before).every(({ generation }) => generation === 4));
-  maps.close(); // else it rests for minutes
+  maps.close(); // otherwise the idle worker keeps the test running
 });
 
 test('transition maps: a worker that dies, or refuses, is told of once; the next map gets another one', async () => {
@@ -108,7 +108,7 @@ test('transition maps: a worker that dies, or refuses, is told of once; the next
   await maps.start(request(1), 3);
   await until(complete);
   assert.ok(parts.every(({ generation }) => generation === 3));
-  maps.close(); // else it rests for minutes
+  maps.close(); // otherwise the idle worker keeps the test running
 });
 
 test('transition maps: in the page, where it has no workers, a trap between two messages is one failure; the next map is whole', async (t) => {
@@ -148,8 +148,8 @@ test('transition maps: where a part is lost all are told again; where one is los
       listener: { mapped: ({ first }) => firsts.push(first), failed: (generation) => failures.push(generation) },
     });
     await maps.start(new Uint8Array(), 5);
-    for (let told = 0; told < asked.length; told++) {
-      const parts = told < losses ? [0, 8] : [0, 4, 8]; // of twelve moments
+    for (let answered = 0; answered < asked.length; answered++) {
+      const parts = answered < losses ? [0, 8] : [0, 4, 8]; // of twelve moments
       for (const first of parts) worker.onmessage({ data: { type: 'mapped', generation: 5, count: 12, first, scores: new Float32Array(4), usual: 1 } });
       await new Promise((resolve) => setTimeout(resolve));
     }

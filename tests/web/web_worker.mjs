@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The browser's module Worker on Node's worker threads, as far as the page's workers use it: the tests run the
-// very worker.js that the page runs.
+// The parts of the browser's module Worker that the page uses, with Node's worker threads. So the tests run the page's
+// own worker.js.
 import { fileURLToPath } from 'node:url';
 import { isMainThread, parentPort, Worker as Thread, workerData } from 'node:worker_threads';
 
-/** A stand-in for the browser's Worker. */
+/** Replaces the browser's Worker. */
 export class NodeWorker {
   /** @type {((event: {data: any}) => void) | null} */
   onmessage = null;
@@ -27,12 +27,12 @@ export class NodeWorker {
 // In the thread: the worker's global scope, then the worker's script.
 if (!isMainThread && parentPort && workerData?.script) {
   const port = parentPort;
-  // In a browser a rejected promise does not end the worker and is no 'error' event on the page; Node's would be.
+  // In a browser, a rejected promise does not end the worker or cause an 'error' event on the page. In Node it would.
   process.on('unhandledRejection', () => {});
   /** @type {any[]} */
   const early = [];
-  const keep = (/** @type {any} */ data) => early.push(data);
-  port.on('message', keep);
+  const buffer = (/** @type {any} */ data) => early.push(data);
+  port.on('message', buffer);
   const scope = Object.assign(globalThis, {
     self: globalThis,
     postMessage: (/** @type {any} */ message, /** @type {any} */ options) =>
@@ -43,6 +43,6 @@ if (!isMainThread && parentPort && workerData?.script) {
     },
   });
   await import(workerData.script);
-  port.off('message', keep);
+  port.off('message', buffer);
   void scope;
 }

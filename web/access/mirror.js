@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The page's mirror of the canvas: for each widget an element at the same place, for assistive tools and for the
-// keyboard. Pointer and touch go through it to the canvas. Actions on an element become requests to the application,
-// which returns the changes.
+// The page's mirror of the canvas: for each widget an element at the same place, for assistive tools and the keyboard.
+// Pointer and touch go through it to the canvas. Actions on an element become requests to the application. The next
+// update() shows their effect.
 import { MirrorKeys } from './mirror_keys.js';
 import { fixedText, numberOf } from '../languages/language.js';
 import { element } from '../browser/dom.js';
@@ -12,27 +12,27 @@ import { ROVING, controlledPart, isBesideNumber, fits, isMirrored, nodeFor, node
 /** @typedef {import('../app/app.js').MirrorWidget} MirrorWidget */
 /** @typedef {{node: HTMLElement, widget: MirrorWidget}} Reflection */
 
-// Limit for changes without an action, since reading is no faster. A person's own action is answered at the next frame.
-const EVERY_MS = 250;
-// For so long a change of what has the keyboard counts as the person's own.
-const OWN_MS = 1500;
-// What comes so near to where something went has its place, though a line of text may have shifted it. [CSS pixels]
+// Update interval. A screen reader cannot read faster. After a person's action the mirror updates at the next frame.
+const UPDATE_MS = 250;
+// For this long after an action, changes of the focused element count as the person's.
+const ACTION_MS = 1500;
+// A new widget within this distance of a removed one replaces it. Text lines may shift widgets a little. [CSS pixels]
 const NEAR = 60;
 
 export class Mirror {
   #root = element('mirror');
-  /** In the order of drawing. @type {Map<string, Reflection>} */
+  /** In drawing order. @type {Map<string, Reflection>} */
   #reflections = new Map();
   /** @type {Map<string | undefined, HTMLElement>} */
   #parts = new Map();
   #keyboard = false;
   #waiting = false;
-  /** Keys that are down on the canvas. @type {Set<string>} */
-  #held = new Set();
-  /** The widget whose element the page's focus was last seen on. @type {string | undefined} */
-  #here;
-  #soon = false;
-  #actedMs = -OWN_MS;
+  /** Keys held on the canvas. @type {Set<string>} */
+  #keysDown = new Set();
+  /** The widget whose element last had the page's focus. @type {string | undefined} */
+  #focusedId;
+  #updatePlanned = false;
+  #actedMs = -ACTION_MS;
 
   /** @param {App} app @param {HTMLCanvasElement} canvas */
   constructor(app, canvas) {
@@ -44,23 +44,23 @@ export class Mirror {
     this.#root.addEventListener('change', (event) => this.#changed(event));
     this.#root.addEventListener('focusin', (event) => this.#focused(event));
     this.#root.addEventListener('focusout', (event) => {
-      // No other event reports that a field was left unchanged.
+      // No other event occurs if a field is left unchanged.
       const left = this.at(event.target);
       if (left?.node.classList.contains('typing')) this.commit(left);
       if (this.contains(event.relatedTarget)) return;
-      this.#here = undefined;
+      this.#focusedId = undefined;
       if (event.relatedTarget !== canvas) app.unfocus();
     });
-    this.#root.addEventListener('keydown', (event) => this.keys.take(event));
-    canvas.addEventListener('keydown', ({ code }) => this.#held.add(code));
+    this.#root.addEventListener('keydown', (event) => this.keys.handle(event));
+    canvas.addEventListener('keydown', ({ code }) => this.#keysDown.add(code));
     canvas.addEventListener('keyup', ({ code }) => {
-      this.#held.delete(code);
+      this.#keysDown.delete(code);
       this.#updateSoon();
     });
-    canvas.addEventListener('blur', () => this.#held.clear());
-    // A browser that scrolled it to something out of sight would shift it against the canvas.
+    canvas.addEventListener('blur', () => this.#keysDown.clear());
+    // A browser may scroll to an element out of sight. That would shift the mirror against the canvas.
     this.#root.addEventListener('scroll', () => this.#root.scrollTo(0, 0));
-    setInterval(() => { if (!document.hidden) this.update(); }, EVERY_MS);
+    setInterval(() => { if (!document.hidden) this.update(); }, UPDATE_MS);
     this.update();
   }
 
@@ -73,7 +73,7 @@ export class Mirror {
     return id ? this.#reflections.get(id) : undefined;
   }
 
-  /** What has the keyboard, whether the page's focus is here or on the canvas. @returns {Reflection | undefined} */
+  /** The focused widget, whether the page's focus is on the mirror or on the canvas. @returns {Reflection | undefined} */
   get current() {
     return this.at(document.activeElement) ?? this.all.find(({ widget }) => widget.state.focused);
   }
@@ -81,37 +81,37 @@ export class Mirror {
   get #panel() { return this.#parts.get('panel')?.getAttribute('aria-label'); }
   /** @returns {Reflection[]} */
   get all() { return [...this.#reflections.values()]; }
-  /** Where the Tab key stops. @returns {Reflection[]} */
+  /** The stops of the Tab key. @returns {Reflection[]} */
   get stops() { return this.all.filter(({ node }) => node.tabIndex === 0); }
-  /** The others of its group; empty: it is in none that the arrows move in. @param {Reflection} reflection @returns {Reflection[]} */
+  /** The group in which arrows move from this widget. @param {Reflection} reflection @returns {Reflection[]} empty: there is none */
   group({ node }) {
     const parent = node.parentElement;
     return ROVING.has(parent?.getAttribute('role') ?? '')
       ? this.all.filter(({ node: other, widget }) => other.parentElement === parent && takesKeyboard(widget)) : [];
   }
 
-  /** The person did something to the canvas: the answer is shown as soon as it is there. */
+  /** Call after a person's action on the canvas, to update soon. */
   acted() {
     this.#actedMs = performance.now();
     this.#updateSoon();
   }
 
-  /** Reads the canvas, and changes what differs. */
+  /** Makes the elements equal to the canvas's widgets. */
   update() {
-    const told = this.app.mirror();
-    if (!told) return this.#follow();
-    this.#keyboard = told.keyboard;
-    this.#waiting = told.waiting;
+    const state = this.app.mirror();
+    if (!state) return this.#follow();
+    this.#keyboard = state.keyboard;
+    this.#waiting = state.waiting;
     const active = this.at(document.activeElement);
     const before = this.stops;
     const panel = this.#panel;
-    this.#arrange(told.parts, told.widgets.filter(isMirrored));
+    this.#arrange(state.parts, state.widgets.filter(isMirrored));
     if (active && !active.node.isConnected) {
-      // Another panel is shown: its tab names it.
+      // If another panel was opened, focus its tab, which has its name.
       const tab = panel === this.#panel ? undefined
         : this.all.find(({ widget }) => widget.role === 'tab' && widget.state.selected);
       if (tab) this.focus(tab);
-      else this.#comeFrom(active, before);
+      else this.#restoreFocus(active, before);
     }
     this.#rove();
     this.#follow();
@@ -119,18 +119,18 @@ export class Mirror {
   }
 
   #updateSoon() {
-    if (this.#soon) return;
-    this.#soon = true;
-    // The application draws in the next frame, maybe after this is called.
+    if (this.#updatePlanned) return;
+    this.#updatePlanned = true;
+    // Two frames, because the application may draw the first one after the first callback.
     requestAnimationFrame(() => requestAnimationFrame(() => {
-      this.#soon = false;
+      this.#updatePlanned = false;
       this.update();
     }));
   }
 
   /** @param {MirrorPart[]} parts @param {MirrorWidget[]} widgets */
   #arrange(parts, widgets) {
-    const own = performance.now() - this.#actedMs < OWN_MS || !this.app.playing();
+    const byPerson = performance.now() - this.#actedMs < ACTION_MS || !this.app.playing();
     /** @type {Map<HTMLElement, HTMLElement[]>} */
     const children = new Map([[this.#root, []]]);
     /** @type {Map<string | undefined, HTMLElement>} */
@@ -152,7 +152,7 @@ export class Mirror {
     for (const widget of widgets) {
       const known = this.#reflections.get(widget.id);
       const node = known && fits(known.node, known.widget, widget.role) ? known.node : nodeFor(widget);
-      update(node, widget, own || node !== document.activeElement);
+      update(node, widget, byPerson || node !== document.activeElement);
       children.get(nodeOf(widget.part))?.push(node);
       reflections.set(widget.id, { node, widget });
     }
@@ -164,7 +164,7 @@ export class Mirror {
     this.#parts = partNodes;
   }
 
-  /** A group has one stop: what has the keyboard, else what is chosen, else the first. */
+  /** Gives each group one stop: the focused element, else the selected one, else the first. */
   #rove() {
     for (const { node, widget } of this.#reflections.values()) {
       if (!takesKeyboard(widget) || isBesideNumber(widget)) {
@@ -179,41 +179,44 @@ export class Mirror {
     }
   }
 
-  /** Where the application moved the keyboard to by itself, the page's focus goes, too. */
+  /** If the application has moved its focus by itself, moves the page's focus to the same widget. */
   #follow() {
     if (this.#waiting || !this.#keyboard) return;
     const here = this.at(document.activeElement);
     if (!here && document.activeElement !== this.canvas) return;
-    // Who takes the keyboard from the canvas while a key is down leaves it down there for ever.
-    if (this.#held.size > 0) return;
-    // A window that is not in front gets no events when its focus moves.
-    if (here && here.widget.id !== this.#here) return this.#came(here);
+    // If the canvas loses the focus while a key is held, SDL never receives its release.
+    if (this.#keysDown.size > 0) return;
+    // A window in the background receives no focus events.
+    if (here && here.widget.id !== this.#focusedId) return this.#focusMoved(here);
     const there = this.all.find(({ widget }) => widget.state.focused);
-    // A number that is typed into the canvas is typed there.
+    // A text field that is open on the canvas receives its keys there.
     if (!there || there === here || there.widget.role === 'textbox' || !takesKeyboard(there.widget)) return;
-    this.#here = there.widget.id;
+    this.#focusedId = there.widget.id;
     this.focus(there);
   }
 
-  /** What had the keyboard is gone: what stands in its place gets it, or what stood before it. @param {Reflection} gone @param {Reflection[]} before */
-  #comeFrom({ widget: { id, rect } }, before) {
+  /**
+   * After the focused element was removed, focuses a new widget at its place, or the previous stop.
+   * @param {Reflection} removed @param {Reflection[]} before  the stops before the removal
+   */
+  #restoreFocus({ widget: { id, rect } }, before) {
     const x = rect.x + Math.min(8, rect.width / 2);
     const y = rect.y + rect.height / 2;
     const known = new Set(before.map(({ widget }) => widget.id));
     const after = this.all.filter(({ widget }) => takesKeyboard(widget));
     const far = (/** @type {Reflection} */ { widget }) => distance(widget.rect, x, y);
-    const heir = after.filter((one) => !known.has(one.widget.id) && far(one) < NEAR).sort((a, b) => far(a) - far(b))[0]
+    const successor = after.filter((one) => !known.has(one.widget.id) && far(one) < NEAR).sort((a, b) => far(a) - far(b))[0]
       ?? before.slice(0, before.findIndex(({ widget }) => widget.id === id)).reverse()
         .map(({ widget }) => this.#reflections.get(widget.id)).find((one) => one && takesKeyboard(one.widget)) ?? after[0];
-    if (!heir) return;
-    const chosen = this.group(heir).find(({ widget: { state } }) => state.selected || state.checked);
-    this.focus(known.has(heir.widget.id) && chosen ? chosen : heir);
+    if (!successor) return;
+    const chosen = this.group(successor).find(({ widget: { state } }) => state.selected || state.checked);
+    this.focus(known.has(successor.widget.id) && chosen ? chosen : successor);
   }
 
   /** @param {Reflection} reflection */
   focus({ node }) { node.focus({ preventScroll: true }); }
 
-  /** The Tab key on the canvas: on from what it is at. @param {number} direction @returns {boolean} false: nothing more there */
+  /** Moves the focus to the next stop after the focused widget. @param {number} direction @returns {boolean} false: there are no more stops */
   enter(direction) {
     this.update();
     const { stops, current } = this;
@@ -232,13 +235,13 @@ export class Mirror {
     const { node, widget } = reflection;
     if (node instanceof HTMLInputElement && node.type === 'text') node.select();
     this.#rove();
-    if (widget.id !== this.#here) this.#came(reflection);
+    if (widget.id !== this.#focusedId) this.#focusMoved(reflection);
   }
 
-  /** The page's focus came to it: on the canvas the keyboard does, too. @param {Reflection} reflection */
-  #came({ node, widget }) {
-    this.#here = widget.id;
-    this.#waiting = true; // the last record does not include it
+  /** Moves the application's focus to the widget that has received the page's focus. @param {Reflection} reflection */
+  #focusMoved({ node, widget }) {
+    this.#focusedId = widget.id;
+    this.#waiting = true; // the last state does not include this change
     this.app.focus(widget.id, node.matches(':focus-visible'));
     this.#updateSoon();
   }
@@ -264,7 +267,7 @@ export class Mirror {
     else this.commit(reflection);
   }
 
-  /** The number of a slider is typed, in its place. @param {Reflection} reflection */
+  /** Replaces a slider by a text field for its number. @param {Reflection} reflection */
   type({ node, widget }) {
     if (!(node instanceof HTMLInputElement) || !widget.range || widget.state.disabled) return;
     node.type = 'text';
@@ -276,15 +279,15 @@ export class Mirror {
     node.select();
   }
 
-  /** @param {Reflection} reflection @param {number} value @param {boolean} [again]  a key that is held */
+  /** @param {Reflection} reflection @param {number} value @param {boolean} [again]  repeated by a held key */
   set({ widget }, value, again = false) {
     if (widget.state.disabled || !Number.isFinite(value)) return;
     this.app.setValue(widget.id, value, again);
     this.acted();
   }
 
-  /** Ends the typing of a number. @param {Reflection} reflection @param {boolean} [keep]  false: as it was before */
-  commit({ node, widget }, keep = true) {
+  /** Ends the typing of a number. @param {Reflection} reflection @param {boolean} [apply]  false: restores the old number */
+  commit({ node, widget }, apply = true) {
     if (!(node instanceof HTMLInputElement)) return;
     const value = numberOf(node.value);
     node.classList.remove('typing');
@@ -293,19 +296,20 @@ export class Mirror {
       node.type = 'range';
       update(node, widget, true);
     }
-    if (keep && Number.isFinite(value)) this.set({ node, widget }, value);
+    if (apply && Number.isFinite(value)) this.set({ node, widget }, value);
     else if (widget.role !== 'slider') node.value = widget.value;
   }
 }
 
 /**
- * Makes these the children, in this order, without moving those that are in order: what is moved loses the keyboard.
+ * Makes these the children, in this order. Does not move children that are already in order, because a moved element
+ * loses the focus.
  * @param {HTMLElement} parent @param {HTMLElement[]} wanted
  */
 function placeChildren(parent, wanted) {
-  const keep = new Set(wanted);
+  const wantedSet = new Set(wanted);
   for (const child of [...parent.children]) {
-    if (child instanceof HTMLElement && !keep.has(child)) child.remove();
+    if (child instanceof HTMLElement && !wantedSet.has(child)) child.remove();
   }
   let at = parent.firstElementChild;
   for (const node of wanted) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Keys on the mirror of the canvas. Commands have come first (keys.js); Enter and the space bar press buttons by
-// themselves.
+// Keys on the mirror of the canvas, after the commands (keys.js). The browser itself handles Enter and Space on
+// buttons.
 import { isNumber } from './mirror_nodes.js';
 
 /** @typedef {import('./mirror.js').Mirror} Mirror */
@@ -9,48 +9,48 @@ import { isNumber } from './mirror_nodes.js';
 const PAGE = 10; // steps
 /** @type {Record<string, [number, number]>} */
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
-/** Steps of a value: up is more. @type {Record<string, number>} */
+/** Steps of a value. @type {Record<string, number>} */
 const STEPS = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -PAGE, PageUp: PAGE };
 
 export class MirrorKeys {
-  /** Escape left the mirror: the next Tab goes on behind it. */
-  #left = false;
+  /** Whether Escape has just left the mirror. The next Tab then continues after it. */
+  #escaped = false;
 
   /** @param {Mirror} mirror */
   constructor(mirror) {
     this.mirror = mirror;
   }
 
-  /** Whether a widget wants this key before any command. @param {EventTarget | null} target @param {string} name  as of keyName */
+  /** Whether a widget needs this key, so that no command may handle it. @param {EventTarget | null} target @param {string} name  as from keyName */
   wants(target, name) {
     const reflection = this.mirror.at(target);
     if (!reflection || !(isNumber(reflection.widget.role) || isTyping(reflection))) return false;
     return isTyping(reflection) ? !/^(Ctrl|F\d)/.test(name) : /^[\d.-]$|^Backspace$|^Delete$/.test(name);
   }
 
-  /** A key on its way anywhere, before all others. @param {KeyboardEvent} event @returns {boolean} whether it is done with */
-  passing(event) {
-    const left = this.#left;
-    this.#left = false;
+  /** Called for every key, before all other handlers. @param {KeyboardEvent} event @returns {boolean} whether it was handled */
+  intercept(event) {
+    const escaped = this.#escaped;
+    this.#escaped = false;
     if (event.key !== 'Tab' || event.ctrlKey || event.altKey || event.metaKey) return false;
     const direction = event.shiftKey ? -1 : 1;
     const onCanvas = event.target === this.mirror.canvas;
-    if (!onCanvas && !(left && event.target === document.body)) return false;
+    if (!onCanvas && !(escaped && event.target === document.body)) return false;
     if (!onCanvas || !this.mirror.enter(direction)) leave(this.mirror.canvas, direction);
     return true;
   }
 
   /** @param {KeyboardEvent} event  on the mirror */
-  take(event) {
+  handle(event) {
     const reflection = this.mirror.at(event.target);
     if (!reflection || event.altKey || event.ctrlKey || event.metaKey || event.isComposing) return;
-    if (!this.#take(reflection, event)) return;
+    if (!this.#handle(reflection, event)) return;
     event.preventDefault();
     event.stopPropagation();
   }
 
   /** @param {Reflection} reflection @param {KeyboardEvent} event @returns {boolean} */
-  #take(reflection, event) {
+  #handle(reflection, event) {
     const { widget, node } = reflection;
     if (event.key === 'Escape') return this.#escape(reflection);
     if (isNumber(widget.role) && this.#number(reflection, event)) return true;
@@ -76,7 +76,7 @@ export class MirrorKeys {
       this.mirror.acted();
     } else {
       reflection.node.blur();
-      this.#left = true;
+      this.#escaped = true;
     }
     return true;
   }
@@ -108,7 +108,7 @@ export class MirrorKeys {
     return true;
   }
 
-  /** Within a group to the next, else to the nearest that way. @param {Reflection} from @param {string} key @returns {boolean} */
+  /** Moves the focus: in a group to the next widget, else to the nearest one in that direction. @param {Reflection} from @param {string} key @returns {boolean} */
   #move(from, key) {
     const group = this.mirror.group(from);
     const at = group.findIndex(({ node }) => node === from.node);
@@ -133,20 +133,20 @@ function nearest(from, stops, [right, down]) {
   const middle = (/** @type {Reflection} */ { widget: { rect } }) => [rect.x + rect.width / 2, rect.y + rect.height / 2];
   const [x, y] = middle(from);
   let best;
-  let least = Infinity;
+  let minDistance = Infinity;
   for (const stop of stops) {
     if (stop.node === from.node) continue;
     const [sx, sy] = middle(stop);
     const along = (sx - x) * right + (sy - y) * down;
     const aside = Math.abs((sx - x) * down) + Math.abs((sy - y) * right);
     const distance = along + 3 * aside;
-    if (along > 1 && distance < least) [best, least] = [stop, distance];
+    if (along > 1 && distance < minDistance) [best, minDistance] = [stop, distance];
   }
   return best;
 }
 
 /**
- * Moves the keyboard from the canvas and its mirror to their neighbour in the page.
+ * Moves the focus from the canvas and its mirror to the next element of the page.
  * @param {HTMLCanvasElement} canvas @param {number} direction  1 forwards, -1 backwards
  */
 function leave(canvas, direction) {

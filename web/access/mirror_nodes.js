@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: MIT
-// One widget of the canvas as an element of the page: the simplest native element with the role, kept equal to the
-// application's widget.
+// One widget of the canvas as an element of the page: the simplest native element with the role. It is kept equal to
+// the application's widget.
 
 /** @typedef {import('../app/app.js').MirrorWidget} MirrorWidget */
 /** @typedef {import('../app/app.js').MirrorPart} MirrorPart */
 
-/** Of groups with one stop for the Tab key, within which arrows move. */
+/** Roles of groups that have one stop for the Tab key and in which arrows move. */
 export const ROVING = new Set(['tablist', 'radiogroup', 'listbox']);
 
 const BUTTONS = new Set(['button', 'switch', 'tab', 'radio', 'option', 'combobox']);
-// Of a slider's number while it is typed. [CSS pixels]
+// Size of the text field for a slider's number. [CSS pixels]
 const TYPED_WIDTH = 84;
 const TYPED_HEIGHT = 22;
 const NATIVE = new Set(['button', 'slider']);
 
-/** Where the element of a widget or part is found. @param {string} id */
+/** The id of the element for a widget or part. @param {string} id */
 export const domId = (id) => `on-canvas-${id.replaceAll(/[^\w-]/g, '-')}`;
 
-/** A scroll bar is a picture of where one is: focus and reading scroll by themselves. @param {MirrorWidget} widget */
+/** Scroll bars are not mirrored, because focus and reading scroll by themselves. @param {MirrorWidget} widget */
 export const isMirrored = (widget) => widget.role !== 'scrollbar';
 
-/** A field that takes digits. @param {string} role */
+/** Whether digits can be typed into it. @param {string} role */
 export const isNumber = (role) => role === 'spinbutton' || role === 'textbox';
 
 /**
- * Whether the element can go on as a widget of this role. What is typed on the canvas was a number or a slider before, and
- * will be one again.
+ * Whether the element can be reused for this role. A number or a slider is a text field while a value is typed on the
+ * canvas.
  * @param {HTMLElement} node @param {MirrorWidget} before @param {string} role
  */
 export function fits(node, before, role) {
@@ -34,12 +34,12 @@ export function fits(node, before, role) {
   return node.type === 'range' ? role === 'slider' || role === 'textbox' : isNumber(role);
 }
 
-/** Whether the keyboard may come to it. @param {MirrorWidget} widget */
+/** Whether it can have the focus. @param {MirrorWidget} widget */
 export function takesKeyboard({ id, role, state }) {
   return !state.disabled && (BUTTONS.has(role) || role === 'slider' || isNumber(role) || id === 'stage');
 }
 
-/** The buttons beside a number: arrows on the number itself do the same, so that the Tab key passes over them. @param {MirrorWidget} widget */
+/** Whether it is a button beside a number. Tab skips these, because arrow keys on the number do the same. @param {MirrorWidget} widget */
 export const isBesideNumber = ({ id, role }) => role === 'button' && /\/(less|more)$/.test(id);
 
 /** @param {MirrorWidget} widget @returns {HTMLElement} */
@@ -71,16 +71,16 @@ export function nodeForPart({ id, role }) {
   return node;
 }
 
-/** An attribute, written only when it differs. @param {Element} node @param {string} name @param {string | undefined} value  undefined: none */
+/** Sets an attribute only if it differs. @param {Element} node @param {string} name @param {string | undefined} value  undefined: none */
 export function setAttribute(node, name, value) {
   if (value === undefined) node.removeAttribute(name);
   else if (node.getAttribute(name) !== value) node.setAttribute(name, value);
 }
 
 /**
- * Makes the element say what the widget says.
+ * Makes the element equal to the widget.
  * @param {HTMLElement} node @param {MirrorWidget} widget
- * @param {boolean} withValue  false: leaves its value, which a screen reader would read out at every change
+ * @param {boolean} withValue  false: keeps the old value, because a screen reader would announce every change
  */
 export function update(node, widget, withValue) {
   const { role, label, value, state, rect } = widget;
@@ -90,7 +90,7 @@ export function update(node, widget, withValue) {
   style.width = `${rect.width}px`;
   style.height = `${rect.height}px`;
   if (role === 'slider' && node.classList.contains('typing')) {
-    // As wide as a number, where the slider shows its own.
+    // As wide as a number, at the place of the slider's number.
     style.left = `${rect.x + Math.max(0, rect.width - TYPED_WIDTH)}px`;
     style.width = `${Math.min(rect.width, TYPED_WIDTH)}px`;
     style.height = `${Math.min(rect.height, TYPED_HEIGHT)}px`;
@@ -109,13 +109,13 @@ export function update(node, widget, withValue) {
     if (role === 'combobox') setText(node, value);
   } else {
     setText(node, role === 'note' && value ? `${label}: ${value}` : label);
-    // "on" and "off" are said by the role.
+    // Other roles express "on" and "off" themselves.
     if (role === 'button' || role === 'option') setAttribute(node, 'aria-description', value || undefined);
   }
   if (role === 'combobox') setAttribute(node, 'aria-haspopup', 'listbox');
 }
 
-/** The part that it opens or shows. @param {MirrorWidget} widget @returns {string | undefined} */
+/** The part that the widget opens or shows. @param {MirrorWidget} widget @returns {string | undefined} */
 export function controlledPart({ id, role, state }) {
   if (role === 'combobox' && state.expanded) return `${id}/list`;
   return role === 'tab' && state.selected ? 'panel' : undefined;

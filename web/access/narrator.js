@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Tells the motion in words: its description, kept up to date while the motion is paused and whenever asked for, and a
-// short sentence when it is paused or stepped. Never while it plays, for that would not end.
+// Describes the motion in words. The description is up to date while the motion is paused, and on request. A short
+// sentence is announced when the motion is paused or stepped, but not while it plays, because that would never end.
 import { announce } from '../browser/announcer.js';
 import { element, onClick, setText } from '../browser/dom.js';
 import { followLanguage } from '../languages/language.js';
 
 /** @typedef {import('../app/app.js').App} App */
 
-const LOOK_EVERY_MS = 250;
+const UPDATE_MS = 250;
 // Steps by a held key are announced when it is released.
 const REST_MS = 500;
 
 export class Narrator {
   #description = element('description');
-  #told = '';
-  #seen = '';
+  #announced = '';
+  #lastMoment = '';
   #sinceMs = 0;
 
   /** @param {App} app */
@@ -24,31 +24,31 @@ export class Narrator {
       this.#describe();
       announce(this.#description.textContent ?? '');
     });
-    setInterval(() => { if (!document.hidden) this.#look(); }, LOOK_EVERY_MS);
+    setInterval(() => { if (!document.hidden) this.#update(); }, UPDATE_MS);
     followLanguage(() => this.#describe());
   }
 
-  #look() {
+  #update() {
     if (this.app.playing()) {
-      this.#told = '';
-      this.#seen = '';
+      this.#announced = '';
+      this.#lastMoment = '';
       return;
     }
     const moment = this.app.moment();
-    if (moment !== this.#seen) {
-      this.#seen = moment;
+    if (moment !== this.#lastMoment) {
+      this.#lastMoment = moment;
       this.#sinceMs = performance.now();
     }
-    this.#describe(); // what stands beside may change while the moment does not
-    if (performance.now() - this.#sinceMs < REST_MS || moment === this.#told) return;
-    const before = this.#told;
-    this.#told = moment;
+    this.#describe(); // may change although the moment does not
+    if (performance.now() - this.#sinceMs < REST_MS || moment === this.#announced) return;
+    const before = this.#announced;
+    this.#announced = moment;
     // An edit changes the distance, which is announced only on request.
-    if (timeOf(before) !== timeOf(moment)) announce(this.#unheard(before, moment));
+    if (timeOf(before) !== timeOf(moment)) announce(this.#newWords(before, moment));
   }
 
-  /** A slider says its own value, the time. @param {string} before @param {string} moment */
-  #unheard(before, moment) {
+  /** Omits the time on the time slider, which announces its own value. @param {string} before @param {string} moment */
+  #newWords(before, moment) {
     if (document.activeElement?.getAttribute('data-id') !== 'transport/scrub') return moment;
     return ruleOf(before) === ruleOf(moment) ? '' : ruleOf(moment);
   }
@@ -56,7 +56,7 @@ export class Narrator {
   #describe() { setText(this.#description, this.app.description()); }
 }
 
-// In other languages, too, the time comes first, and the rule has a sentence of its own.
+// In every language the time comes first, and the rule has its own sentence.
 
 /** "Paused at 2.31 s" @param {string} moment */
 const timeOf = (moment) => moment.split(', ')[0];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The blocks that only lessons have: a goal to reach, a question with answers to choose from, something the playground does.
+// The blocks that only lessons have: a goal, a quiz question, and a button that controls the playground.
 import { parseGoal } from '../page/goal_conditions.js';
 import { attributes, escaped } from './html.mjs';
 
@@ -8,12 +8,12 @@ import { attributes, escaped } from './html.mjs';
 /** @typedef {(markdown: Markdown, page: Page, content: string, line: number) => Promise<string>} Block */
 
 const CHOICE = /^\(([ x])\)\s+(.+?)\s*(?:\|\s*(.+))?$/;
-/** What a button may ask of the playground (docs/embedding.md). */
+/** The calls that a button may make (docs/embedding.md). */
 const CALLS = ['open', 'synthesize', 'stop', 'pause', 'resume', 'lab', 'undo', 'redo', 'run', 'arrange'];
 const TICK = '<svg class="tick" viewBox="0 0 20 20" aria-hidden="true"><circle cx="10" cy="10" r="8.5"/><path d="M6 10.4l2.8 2.8L14.2 7.4"/></svg>';
 
 /**
- * What is wrong with the conditions of a goal; empty: nothing.
+ * The error in the conditions of a goal, or an empty string.
  * @param {string} conditions @param {import('./links.mjs').Playground} playground
  */
 export function faultOfGoal(conditions, { terms }) {
@@ -67,23 +67,23 @@ ${choices.map(({ words, right, why }) => `<li><span class="answer">${words}</spa
 }
 
 /** @type {Block} */
-async function doing(markdown, page, content, line) {
+async function action(markdown, page, content, line) {
   /** @type {{call?: string, args?: any[], label?: string}} */
-  let what = {};
+  let given = {};
   try {
-    what = JSON.parse(content);
+    given = JSON.parse(content);
   } catch {
     markdown.faults.add(page.source, line + 1, 'what to do is written as JSON');
   }
-  const { call = '', args = [], label = '' } = what;
+  const { call = '', args = [], label = '' } = given;
   if (!CALLS.includes(call)) markdown.faults.add(page.source, line + 1, `"call" is one of ${CALLS.join(', ')}`);
   if (!Array.isArray(args)) markdown.faults.add(page.source, line + 1, '"args" is a list');
   if (typeof label !== 'string' || label === '') markdown.faults.add(page.source, line + 1, '"label" says what stands on the button');
-  const meant = call === 'open' && /\.json$/.test(String(args[0]))
+  const resolvedArgs = call === 'open' && /\.json$/.test(String(args[0]))
     ? [(await markdown.links.resolve(page, line + 1, args[0])).opens?.payload] : args;
-  return `<p class="do"><button type="button" class="primary"${attributes({ 'data-call': call, 'data-args': JSON.stringify(meant) })} disabled>${escaped(String(label))}</button> <span class="state" role="status"></span></p>
+  return `<p class="do"><button type="button" class="primary"${attributes({ 'data-call': call, 'data-args': JSON.stringify(resolvedArgs) })} disabled>${escaped(String(label))}</button> <span class="state" role="status"></span></p>
 `;
 }
 
-/** By the word after the fence. @type {Record<string, Block>} */
-export const BLOCKS = { goal, quiz, do: doing };
+/** Blocks by the word after the fence. @type {Record<string, Block>} */
+export const BLOCKS = { goal, quiz, do: action };

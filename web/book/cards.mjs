@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cards: a heading that is nothing but a link to a document, a picture, and words, as the gallery has them. Those that follow
-// one another stand side by side. The whole card is one link: its heading's.
+// Cards, as in the gallery: a heading that consists of a link to a document, a picture and text. Consecutive cards are
+// shown side by side. The whole card is one link, that of its heading.
 import Token from 'markdown-it/lib/token.mjs';
 
 /** @param {string} content @returns {Token} */

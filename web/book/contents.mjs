@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How the book is divided. Lessons come first and divide themselves.
+// The groups of the book's pages. Lessons come first.
 
-/** Names of files in docs/. Those that are in no group stand in the last one. @type {{title: string, id: string, names: string[]}[]} */
+/** Names of files in docs/. Files without a group are in the last one. @type {{title: string, id: string, names: string[]}[]} */
 const GROUPS = [
   { title: 'Gallery', id: 'gallery', names: ['gallery', 'pictures'] },
   { title: 'For teachers', id: 'for-teachers', names: ['teachers', 'writing-lessons'] },

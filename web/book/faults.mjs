@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with the book's sources: gathered, so that one build names everything.
+// The errors in the book's sources, collected so that one build reports all of them.
 
 export class Faults {
   /** @type {string[]} */

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The search of the book, in the page: its index is fetched when somebody looks for something.
+// The search of the book. Its index is fetched on first use.
 import MiniSearch from './minisearch.js';
 
 /** @typedef {{href: string, title: string, heading: string, text: string, terms: string[]}} Found */
 
-const MOST = 20;
+const MAX_RESULTS = 20;
 const REST_MS = 120;
-const AROUND = 70; // characters of text before what was found
+const TEXT_BEFORE = 70; // characters before the first found word
 const SNIPPET = 180;
-const REFERENCE_COUNTS = 0.3; // it has a place for every function: the pages that explain come first
+const REFERENCE_WEIGHT = 0.3; // the reference has an entry for every function, but pages that explain should come first
 
 const form = /** @type {HTMLFormElement} */ (document.getElementById('find'));
 const input = /** @type {HTMLInputElement} */ (document.getElementById('find-words'));
@@ -30,10 +30,10 @@ function load() {
   return index;
 }
 
-/** The text about the first word that was found, with all of them marked. @param {Found} found */
+/** The text around the first found word, with all found words marked. @param {Found} found */
 function snippet({ text, terms }) {
   const words = new RegExp(`(${terms.map((term) => term.replace(/[\\^$.*+?()[\]{}|/]/g, '\\$&')).join('|')})`, 'giu');
-  const at = Math.max(0, text.search(words) - AROUND);
+  const at = Math.max(0, text.search(words) - TEXT_BEFORE);
   const from = at === 0 ? 0 : text.indexOf(' ', at) + 1;
   const part = `${from > 0 ? '… ' : ''}${text.slice(from, from + SNIPPET)}${from + SNIPPET < text.length ? ' …' : ''}`;
   const line = document.createElement('p');
@@ -44,8 +44,8 @@ function snippet({ text, terms }) {
   return line;
 }
 
-/** A name that is no word, such as MakeSearch, is looked for in the reference. @param {number} _ @param {string} term @param {any} found */
-const boostDocument = (_, term, { href, heading }) => (!href.startsWith('reference/') || (/[a-z][A-Z]/.test(heading) && heading.toLowerCase() === term) ? 1 : REFERENCE_COUNTS);
+/** Full weight for the reference if the term is a name in it, such as MakeSearch. @param {number} _ @param {string} term @param {any} found */
+const boostDocument = (_, term, { href, heading }) => (!href.startsWith('reference/') || (/[a-z][A-Z]/.test(heading) && heading.toLowerCase() === term) ? 1 : REFERENCE_WEIGHT);
 
 /** @param {Found} found */
 function item(found) {
@@ -64,12 +64,12 @@ async function find() {
   try {
     /** @type {Found[]} */
     const found = words === '' ? [] : (await load()).search(words, { prefix: true, fuzzy: (/** @type {string} */ term) => (term.length > 5 ? 0.2 : false), combineWith: 'AND', boost: { title: 4, heading: 3 }, boostDocument });
-    if (words !== input.value.trim()) return; // typed on meanwhile
-    list.replaceChildren(...found.slice(0, MOST).map(item));
+    if (words !== input.value.trim()) return; // the input has changed meanwhile
+    list.replaceChildren(...found.slice(0, MAX_RESULTS).map(item));
     list.hidden = found.length === 0;
     groups.hidden = words !== '';
     count.textContent = words === '' ? '' : found.length === 0 ? 'Nothing has these words.'
-      : found.length > MOST ? `The best ${MOST} of ${found.length} places` : found.length === 1 ? 'One place' : `${found.length} places`;
+      : found.length > MAX_RESULTS ? `The best ${MAX_RESULTS} of ${found.length} places` : found.length === 1 ? 'One place' : `${found.length} places`;
     history.replaceState(null, '', words === '' ? location.pathname + location.hash : `?q=${encodeURIComponent(words)}`);
   } catch {
     count.textContent = 'The search could not be loaded.';
@@ -99,8 +99,8 @@ addEventListener('keydown', (event) => {
   event.preventDefault();
 });
 
-const asked = new URLSearchParams(location.search).get('q');
-if (asked) {
-  input.value = asked;
+const initialQuery = new URLSearchParams(location.search).get('q');
+if (initialQuery) {
+  input.value = initialQuery;
   void find();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lines `key: value` between two lines of three hyphens with which a lesson begins.
+// Front matter: the lines `key: value` between two lines of three hyphens at the start of a lesson.
 
 /** @typedef {import('./faults.mjs').Faults} Faults */
 /** @typedef {{value: string, line: number}} Field */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text as part of HTML.
+// Escapes text for HTML.
 
 /** @type {Record<string, string>} */
 const ENTITIES = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' };
@@ -7,6 +7,6 @@ const ENTITIES = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' };
 /** @param {string} text */
 export const escaped = (text) => text.replace(/[&<>"]/g, (character) => ENTITIES[character]);
 
-/** Attributes, each with a space before it; those without a value are left out. @param {Record<string, string | undefined>} values */
+/** Attributes, each after a space. Undefined values are left out. @param {Record<string, string | undefined>} values */
 export const attributes = (values) => Object.entries(values)
   .map(([name, value]) => (value === undefined ? '' : ` ${name}="${escaped(value)}"`)).join('');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The book's first page: what there is, and the search.
+// The book's first page: the list of pages, and the search.
 import { attributes, escaped } from './html.mjs';
 
 /** @typedef {{address: string, name: string, title: string, sentence: string, lesson?: import('./pages.mjs').Lesson}} Entry */

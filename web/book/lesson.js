@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A lesson's page: its links open documents in the playground beside the text, its goals are watched there, its buttons do
-// something there.
+// A lesson's page. Its links open documents in the playground beside the text, its buttons control the playground, and
+// the playground checks its goals.
 import { Player } from './player.js';
-import { keepProgress, progressOf } from './progress.js';
+import { storeProgress, progressOf } from './progress.js';
 import { startQuizzes } from './quiz.js';
 
 const GOAL_STATES = { '': '', set: 'The playground watches for it.', met: 'Reached.' };
@@ -15,17 +15,17 @@ const done = /** @type {HTMLInputElement} */ (document.getElementById('done'));
 const links = /** @type {HTMLAnchorElement[]} */ ([...document.querySelectorAll('a[data-open]')]);
 const goals = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('.goal')]);
 const player = new Player(frame);
-/** The goal that the playground watches for. */
+/** The goal that the playground checks. */
 let watched = frame.dataset.goal;
-/** The panels that it shows where there is room for them. */
+/** The panels that the playground shows if there is room. */
 let panels = frame.dataset.panels ?? 'all';
-// As in lesson.css: half a small screen has room for the stage alone.
+// As in lesson.css: half a small screen has room only for the stage.
 const small = matchMedia('(max-width: 56em)');
 
-/** The page's sentence about what it asked of the playground. @param {unknown} error */
+/** The sentence for a failed call. @param {unknown} error */
 const sentence = (error) => `That did not work: ${error instanceof Error ? error.message : error}`;
 
-/** Which link the playground has followed. @param {string | undefined} payload */
+/** Marks the link whose document is open in the playground. @param {string | undefined} payload */
 function markOpen(payload) {
   for (const link of links) {
     if (link.dataset.open === payload) link.setAttribute('aria-current', 'true');
@@ -40,16 +40,16 @@ function showPlayground(shown) {
   fold.textContent = shown ? 'Hide the playground' : 'Show the playground';
 }
 
-/** @param {{panels?: string, lock?: string, goal?: string}} wanted  what is undefined stays as it is */
+/** @param {{panels?: string, lock?: string, goal?: string}} wanted  undefined values change nothing */
 function arrange(wanted) {
   panels = wanted.panels ?? panels;
   watched = wanted.goal ?? watched;
   const room = !small.matches || document.body.classList.contains('enlarged');
-  const now = Object.entries({ ...wanted, panels: room ? panels : 'none' }).filter(([, value]) => value !== undefined);
-  return player.call('arrange', Object.fromEntries(now));
+  const options = Object.entries({ ...wanted, panels: room ? panels : 'none' }).filter(([, value]) => value !== undefined);
+  return player.call('arrange', Object.fromEntries(options));
 }
 
-/** The room for panels has changed. */
+/** Call when the room for panels has changed. */
 const arrangePanels = () => arrange({}).catch(() => {});
 
 /** @param {HTMLAnchorElement} link */
@@ -61,7 +61,7 @@ async function follow(link) {
     if (shown ?? lock ?? goal) await arrange({ panels: shown, lock, goal });
     markOpen(link.dataset.open);
   } catch {
-    location.href = link.href; // the playground itself says what is wrong
+    location.href = link.href; // the playground shows the error
   }
 }
 
@@ -73,14 +73,14 @@ function showGoal(box, state) {
 }
 
 /** @param {HTMLElement} box @param {boolean} met */
-function tellGoal(box, met) {
+function updateGoal(box, met) {
   const goal = box.dataset.goal ?? '';
-  if (!met && box.classList.contains('met')) return; // reached is reached
+  if (!met && box.classList.contains('met')) return; // a goal stays reached
   showGoal(box, met ? 'met' : 'set');
-  if (met) keepProgress(lesson, { goals: [...new Set([...progressOf(lesson).goals, goal])] });
+  if (met) storeProgress(lesson, { goals: [...new Set([...progressOf(lesson).goals, goal])] });
 }
 
-/** Asks the playground to watch for it, and for no other. @param {HTMLElement} box */
+/** Makes the playground check this goal instead of any other. @param {HTMLElement} box */
 async function setGoal(box) {
   for (const other of goals) if (other !== box && !other.classList.contains('met')) showGoal(other, '');
   try {
@@ -93,11 +93,11 @@ async function setGoal(box) {
 }
 
 /** @param {HTMLButtonElement} button @param {HTMLElement} state */
-async function press(button, state) {
+async function runButton(button, state) {
   const { call = '', args = '[]' } = button.dataset;
   if (button.getAttribute('aria-disabled') === 'true') return;
   showPlayground(true);
-  button.setAttribute('aria-disabled', 'true'); // not `disabled`, which would lose the keyboard's place
+  button.setAttribute('aria-disabled', 'true'); // not `disabled`, because a disabled button loses the focus
   state.textContent = 'Working …';
   try {
     const [first, ...others] = JSON.parse(args);
@@ -112,7 +112,7 @@ async function press(button, state) {
 
 for (const link of links) {
   link.addEventListener('click', (event) => {
-    if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return; // a window of its own is wanted
+    if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey) return; // opens a new tab or window
     event.preventDefault();
     void follow(link);
   });
@@ -132,14 +132,14 @@ for (const button of document.querySelectorAll('button[data-call]')) {
   const state = button.parentElement?.querySelector('.state');
   if (!(button instanceof HTMLButtonElement && state instanceof HTMLElement)) continue;
   button.disabled = false;
-  button.addEventListener('click', () => press(button, state));
+  button.addEventListener('click', () => runButton(button, state));
 }
 
 player.addEventListener('goal', (event) => {
   const { goal, met } = /** @type {import('./player.js').PlayerEvent} */ (event).detail;
-  for (const box of goals) if (box.dataset.goal === goal) tellGoal(box, met);
+  for (const box of goals) if (box.dataset.goal === goal) updateGoal(box, met);
 });
-// Also where it was loaded anew; and what it said of the goal in its address was said before it knew us.
+// After every load of the playground. Its events about the goal in its address came before it knew this page.
 player.addEventListener('ready', () => {
   const box = goals.find(({ dataset }) => dataset.goal === watched);
   if (box) void setGoal(box);
@@ -155,6 +155,6 @@ enlarge.addEventListener('click', () => {
 });
 done.disabled = false;
 done.checked = progressOf(lesson).done;
-done.addEventListener('change', () => keepProgress(lesson, { done: done.checked }));
+done.addEventListener('change', () => storeProgress(lesson, { done: done.checked }));
 markOpen(frame.dataset.open);
 startQuizzes();

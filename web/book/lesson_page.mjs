@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A lesson: text, and the playground beside it.
+// The page of a lesson: text, and the playground beside it.
 import { attributes, escaped } from './html.mjs';
 import { faultOfGoal } from './blocks.mjs';
 import { LESSONS } from './contents.mjs';

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the links and images of a page lead: its Markdown names files of the repository, the book has them elsewhere.
+// Resolves the links and images of a page. Its Markdown names files of the repository, which have other addresses in
+// the book.
 import { existsSync } from 'node:fs';
 import { join, posix } from 'node:path';
 import { playgroundAddress } from './playground.mjs';
@@ -8,24 +9,27 @@ import { playgroundAddress } from './playground.mjs';
 /** @typedef {import('./pages.mjs').Page} Page */
 /** @typedef {import('./playground.mjs').Playground} Playground */
 /** @typedef {import('./playground.mjs').Strips} Strips */
-/** What a link is told in a lesson. @typedef {{payload: string, panels?: string, lock?: string, goal?: string}} Opens */
-/** An empty one leads nowhere. @typedef {{href: string, opens?: Opens}} Link */
+/** What a link opens in the playground. @typedef {{payload: string, panels?: string, lock?: string, goal?: string}} Opens */
+/** href: empty if there is no target. @typedef {{href: string, opens?: Opens}} Link */
 /** @typedef {{source: string, line: number, page: Page, anchor: string}} Reference */
 
-/** Files of the repository that the site has, and where. @type {Record<string, string>} */
+/** Files of the repository that the site contains, and their addresses. @type {Record<string, string>} */
 const SHIPPED = { 'web/index.html': 'index.html', 'web/book/player.js': 'player.js', 'LICENSE': 'LICENSE' };
 const PARAMETERS = ['panels', 'lock', 'goal'];
 const IMAGE = /\.(png|svg|jpg|webp)$/;
 
 export class Links {
-  /** Links to headings, to be looked at when all pages are read. @type {Reference[]} */
+  /** Links to headings, to be checked when all pages are read. @type {Reference[]} */
   references = [];
   /** Images to copy: from the repository into the book. @type {Map<string, string>} */
   images = new Map();
-  /** Film strips that are needed, by the name of their files. @type {Map<string, Strips>} */
+  /** The film strips of all pages, by file name. @type {Map<string, Strips>} */
   strips = new Map();
 
-  /** @param {string} root @param {Page[]} pages @param {Playground} playground @param {Faults} faults @param {Map<string, string>} [reference]  addresses of core's headers and folders; without it links to them are words */
+  /**
+   * @param {string} root @param {Page[]} pages @param {Playground} playground @param {Faults} faults
+   * @param {Map<string, string>} [reference]  addresses of core's headers and folders; without it links to them are text
+   */
   constructor(root, pages, playground, faults, reference) {
     this.root = root;
     this.playground = playground;
@@ -34,7 +38,7 @@ export class Links {
     this.pages = new Map(pages.map((page) => [page.source, page]));
   }
 
-  /** The way from a page to an address of the book ('../': of the site). @param {Page} page @param {string} address */
+  /** The relative address, from a page, of an address in the book ('../': in the site). @param {Page} page @param {string} address */
   way(page, address) {
     const up = page.address.includes('/') ? '../' : '';
     return up + address;
@@ -61,7 +65,7 @@ export class Links {
     return this.#fault(page, line, `"${file}" is not on the site: name it without a link`);
   }
 
-  /** The address of an image, which is copied. @param {Page} page @param {number} line @param {string} path */
+  /** The address of an image. The image is copied later. @param {Page} page @param {number} line @param {string} path */
   image(page, line, path) {
     const file = this.file(page, path);
     if (!IMAGE.test(file) || !file.startsWith('docs/') || !existsSync(join(this.root, file))) {
@@ -72,7 +76,7 @@ export class Links {
     return this.way(page, address);
   }
 
-  /** A document's film strips and the name of their files. @param {Page} page @param {string} path */
+  /** A document's film strips and their file name. @param {Page} page @param {string} path */
   async strip(page, path) {
     const file = this.file(page, path);
     const name = file.replace(/^examples\//, '').replace(/\.json$/, '').replace(/[^\w-]+/g, '-');
@@ -96,7 +100,7 @@ export class Links {
     }
   }
 
-  /** In the repository. @param {Page} page @param {string} path */
+  /** The path in the repository. @param {Page} page @param {string} path */
   file(page, path) {
     return posix.normalize(posix.join(posix.dirname(page.source), decodeURI(path.replace(/[?#].*$/, ''))));
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The theme that was chosen in the playground (web/page/theme.js), before anything is painted: not a module, for those wait.
+// Applies the theme that was chosen in the playground (web/page/theme.js) before the first paint. Not a module, because
+// modules run later.
 (() => {
   const dark = matchMedia('(prefers-color-scheme: dark)');
   const contrast = matchMedia('(prefers-contrast: more), (forced-colors: active)');
@@ -8,7 +9,7 @@
     try {
       return localStorage.getItem('gaitsmith-theme');
     } catch {
-      return null; // forbidden: as the system does
+      return null; // no storage: the system's theme
     }
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A page's Markdown as HTML, and what else the book knows of it: its headings, its first sentence, its text to search.
+// Renders a page's Markdown, and extracts its headings, its first sentence and its text for the search.
 import MarkdownIt from 'markdown-it';
 import { BLOCKS } from './blocks.mjs';
 import { cards } from './cards.mjs';
@@ -15,9 +15,9 @@ import { attributes, escaped } from './html.mjs';
 /** @typedef {{html: string, title: string, sentence: string, headings: Heading[], sections: Section[]}} Rendered */
 
 const NUMBER = /^[-−+<>≤≥±~≈]?\s*\d[\d.,]*(\s*[\p{L}%²/·]+)?$/u;
-const WIDE_CODE = 30; // characters; wider code may have to be scrolled, also by key
+const WIDE_CODE = 30; // characters; wider code may need scrolling, also with keys
 
-/** What a link tells the lesson's script. @param {Opens} opens */
+/** A link's data for the lesson's script. @param {Opens} opens */
 const opening = ({ payload, panels, lock, goal }) => ({ 'data-open': payload, 'data-panels': panels, 'data-lock': lock, 'data-goal': goal });
 
 export class Markdown {
@@ -30,7 +30,7 @@ export class Markdown {
     const { rules } = this.#markdown.renderer;
     rules.table_open = () => '<div class="scroll" tabindex="0"><table>\n';
     rules.table_close = () => '</table></div>\n';
-    // The corner of a table heads nothing.
+    // The empty corner cell of a table is not a header.
     const name = (/** @type {string} */ content, end = false) => (content === '' ? 'td' : end ? 'th' : 'th scope="col"');
     rules.th_open = (tokens, i) => `<${name(tokens[i + 1].content)}${attributes({ class: cellClass(tokens[i], '') })}>`;
     rules.th_close = (tokens, i) => `</${name(tokens[i - 1].content, true)}>`;
@@ -79,14 +79,14 @@ export class Markdown {
     return { html, title: sections[0].heading, sentence: firstSentence(paragraph), headings, sections };
   }
 
-  /** Words of a block. @param {Page} page @param {number} line @param {string} text */
+  /** Renders inline text of a block. @param {Page} page @param {number} line @param {string} text */
   async inline(page, line, text) {
     const tokens = this.#markdown.parseInline(text, {});
     for (const token of tokens) await this.#connect(page, token, line);
     return this.#markdown.renderer.render(tokens, { html: false }, {});
   }
 
-  /** Gives the links and images of a line of text their places. @param {Page} page @param {Token} inline @param {number} first */
+  /** Resolves the links and images in a text. @param {Page} page @param {Token} inline @param {number} first  its line */
   async #connect(page, inline, first) {
     const { children } = inline;
     if (!children) return;
@@ -114,7 +114,7 @@ export class Markdown {
     }
   }
 
-  /** An image of a document is its film strip. @param {Page} page @param {Token} image @param {number} line @param {string} path @param {boolean} linked */
+  /** Renders an image of a document as its film strip. @param {Page} page @param {Token} image @param {number} line @param {string} path @param {boolean} linked */
   async #strip(page, image, line, path, linked) {
     const { href, opens } = await this.links.resolve(page, line, path);
     if (!opens) return;
@@ -146,13 +146,13 @@ export class Markdown {
   }
 }
 
-/** The page's policy allows no styles in attributes, in which tables say how they are aligned. @param {Token} cell @param {string} content */
+/** Classes for a cell's alignment, because the page's security policy forbids style attributes. @param {Token} cell @param {string} content */
 function cellClass(cell, content) {
   const [, alignment] = /text-align:(center|right)/.exec(String(cell.attrGet('style') ?? '')) ?? [];
   return [alignment, NUMBER.test(content) ? 'number' : ''].filter(Boolean).join(' ') || undefined;
 }
 
-/** What is read aloud of a line. @param {Token} token */
+/** The text of a line, without markup. @param {Token} token */
 function plain(token) {
   return (token.children ?? []).map(({ type, content }) => (type === 'softbreak' || type === 'hardbreak' ? ' ' : ['text', 'code_inline', 'image'].includes(type) ? content : '')).join('');
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pages of the book as they lie in docs/: which there are, in which order, and what their lessons are about.
+// Reads the book's pages from docs/, in order, and the front matter of lessons.
 import { readdir, readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
 import { frontMatter } from './front_matter.mjs';

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The playground inside another page, as an object: it asks and is told by messages, of the same origin or another.
+// Controls a playground inside another page with messages, from the same origin or another one.
 //
 //   import { Player } from './player.js';
 //   const player = new Player(document.querySelector('iframe'));
 //   player.addEventListener('goal', ({ detail }) => console.log(detail.met));
 //   await player.call('open', 'https://example.org/gaitsmith/#AZ4…');
 //
-// It needs nothing else: copy it. Calls and events stand in Gaitsmith's docs/embedding.md.
+// Copy this file: it has no dependencies. Gaitsmith's docs/embedding.md describes the calls and events.
 
 const VERSION = 1;
-const PATIENCE_MS = 20000; // a slow machine takes its time to start
+const TIMEOUT_MS = 20000; // enough for the start on a slow machine
 
-/** An event of the playground: 'progress', 'done', 'error', 'changed' or 'goal'; and 'ready', when it has answered. */
+/** An event of the playground: 'progress', 'done', 'error', 'changed', 'goal', or 'ready' after it has answered. */
 export class PlayerEvent extends Event {
   /** @param {string} type @param {any} detail */
   constructor(type, detail) {
@@ -32,38 +32,38 @@ export class Player extends EventTarget {
   constructor(frame) {
     super();
     this.frame = frame;
-    /** What the playground says of itself when it has started: {version, hash, …}. @type {Promise<any>} */
+    /** Resolved when the playground has started, with its data: {version, hash, …}. @type {Promise<any>} */
     this.ready = new Promise((resolve) => { this.#greeted = resolve; });
     this.listener = (/** @type {MessageEvent} */ event) => this.#receive(event);
     this.greeting = () => { this.#greet(); };
     addEventListener('message', this.listener);
     frame.addEventListener('load', this.greeting);
-    this.#greet(); // it may have started before us
+    this.#greet(); // the playground may have started already
   }
 
   /** @param {string} name @param {...any} args @returns {Promise<any>} rejected with the playground's sentence */
   async call(name, ...args) {
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     let timer;
-    const silence = new Promise((_, reject) => { timer = setTimeout(() => reject(new Error('the playground does not answer')), PATIENCE_MS); });
+    const silence = new Promise((_, reject) => { timer = setTimeout(() => reject(new Error('the playground does not answer')), TIMEOUT_MS); });
     await Promise.race([this.ready, silence]).finally(() => clearTimeout(timer));
     return this.#ask(name, args, this.#origin);
   }
 
-  /** Listens no longer. */
+  /** Stops listening. */
   close() {
     removeEventListener('message', this.listener);
     this.frame.removeEventListener('load', this.greeting);
     this.#abandon('the player is closed');
   }
 
-  /** Of the playground; a page that was opened from a file has none. */
+  /** The playground's origin. '*' for a page that was opened from a file, which has none. */
   get #origin() {
     const { origin } = new URL(this.frame.src, location.href);
     return origin === 'null' ? '*' : origin;
   }
 
-  /** Whoever stands in the frame is asked who it is; that is no secret, so anyone may hear it. */
+  /** Sends 'hello' to any page in the frame. The message contains no secret. */
   #greet() {
     this.#ask('hello', [], '*').then((hello) => {
       this.#known = true;
@@ -92,16 +92,16 @@ export class Player extends EventTarget {
     if (source !== this.frame.contentWindow || data?.gaitsmith !== VERSION) return;
     if (this.#origin !== '*' && origin !== this.#origin) return;
     if (data.event === 'ready') {
-      if (this.#known) this.#abandon('the playground was loaded anew'); // and has forgotten what it was asked
+      if (this.#known) this.#abandon('the playground was loaded anew'); // so open calls will get no answer
       this.#known = false;
       this.#greet();
     } else if (typeof data.event === 'string') {
       this.dispatchEvent(new PlayerEvent(data.event, data.detail));
     } else {
-      const asked = this.#waiting.get(data.id);
+      const pending = this.#waiting.get(data.id);
       this.#waiting.delete(data.id);
-      if (data.error === undefined) asked?.resolve(data.result);
-      else asked?.reject(new Error(data.error));
+      if (data.error === undefined) pending?.resolve(data.result);
+      else pending?.reject(new Error(data.error));
     }
   }
 }

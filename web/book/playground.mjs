@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the playground's engine, built into the site, makes of documents for the book: addresses that open them, and strips.
+// Uses the site's engine to make addresses and film strips from documents.
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -7,8 +7,8 @@ import { dayStrip, nightStrip } from './strip_colours.mjs';
 
 /** @typedef {import('../search/engine.js').Engine} Engine */
 /** @typedef {{payload: string, document: Uint8Array}} Opened */
-/** A film strip and where it lies. @typedef {{svg: string, width: number, height: number}} Strip */
-/** Of many poses and of few, by day and by night. @typedef {{many: Strip, few: Strip, manyByNight: Strip, fewByNight: Strip}} Strips */
+/** @typedef {{svg: string, width: number, height: number}} Strip */
+/** Strips with many and few poses, for light and dark themes. @typedef {{many: Strip, few: Strip, manyByNight: Strip, fewByNight: Strip}} Strips */
 
 const POSES = { many: 8, few: 4 };
 const WORDS = ['{1} poses of {2} from {3} s to {4} s, lettered {5} to {6}.', 'ground tilted by {1}°, drawn level', '.'];
@@ -30,7 +30,7 @@ export class Playground {
     return new Playground(await Engine.load(), terms);
   }
 
-  /** What stands after # in a link. Throws core's sentence. @param {string} path */
+  /** The part of a document's link after '#'. Throws core's sentence. @param {string} path */
   async payload(path) {
     return (await this.#open(path)).payload;
   }

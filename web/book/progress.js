@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What a reader has done: lessons, and goals in them. Kept in this browser where that is allowed, and nowhere else.
+// The finished lessons and reached goals, in the browser's storage.
 
 const KEY = 'gaitsmith-lessons';
 
-/** Of one lesson. @typedef {{done: boolean, goals: string[]}} Done */
+/** Progress in a lesson. @typedef {{done: boolean, goals: string[]}} Done */
 
 /** @returns {Record<string, Done>} by the lessons' names */
-function kept() {
+function stored() {
   try {
     const value = JSON.parse(localStorage.getItem(KEY) ?? '{}');
     return value && typeof value === 'object' ? value : {};
@@ -17,25 +17,25 @@ function kept() {
 
 /** @param {string} lesson @returns {Done} */
 export function progressOf(lesson) {
-  const { done, goals } = kept()[lesson] ?? {};
+  const { done, goals } = stored()[lesson] ?? {};
   return { done: done === true, goals: Array.isArray(goals) ? goals : [] };
 }
 
 /** @param {string} lesson @param {Partial<Done>} change */
-export function keepProgress(lesson, change) {
+export function storeProgress(lesson, change) {
   try {
-    localStorage.setItem(KEY, JSON.stringify({ ...kept(), [lesson]: { ...progressOf(lesson), ...change } }));
+    localStorage.setItem(KEY, JSON.stringify({ ...stored(), [lesson]: { ...progressOf(lesson), ...change } }));
   } catch {
-    // Then it holds until the page is left.
+    // Without storage the progress lasts until the page is closed.
   }
 }
 
-export function hasProgress() { return Object.keys(kept()).length > 0; }
+export function hasProgress() { return Object.keys(stored()).length > 0; }
 
-export function forgetProgress() {
+export function clearProgress() {
   try {
     localStorage.removeItem(KEY);
   } catch {
-    // Nothing was kept.
+    // Without storage there is nothing to clear.
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Questions of a lesson: an answer is explained when it is chosen. Nothing is kept or sent.
+// Quiz questions of a lesson. Choosing an answer shows its explanation. Nothing is stored or sent.
 
 /** @param {HTMLElement} quiz */
 function start(quiz) {
@@ -7,7 +7,7 @@ function start(quiz) {
   const answers = quiz.querySelector('details');
   const explained = [...quiz.querySelectorAll('.why')];
   if (!feedback || !answers) return;
-  answers.hidden = true; // they are for who has no scripts
+  answers.hidden = true; // only needed without JavaScript
   quiz.addEventListener('change', ({ target }) => {
     if (!(target instanceof HTMLInputElement)) return;
     feedback.replaceChildren(...[...explained[Number(target.value)].childNodes].map((node) => node.cloneNode(true)));

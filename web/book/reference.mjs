@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The reference of core: a page for each header, made of its comments.
+// The API reference of core: a page for each header, made from its comments.
 import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { attributes, escaped } from './html.mjs';
@@ -12,14 +12,14 @@ import { symbolsOf } from './reference/symbols.mjs';
 /** @typedef {import('./template.mjs').Sheet} Sheet */
 /**
  * @typedef {object} Reference
- * @property {Sheet[]} sheets       the first: what there is
+ * @property {Sheet[]} sheets       the first is the overview
  * @property {Searched[]} searched
- * @property {Map<string, string>} addresses  of folders and headers in the book, by their path
+ * @property {Map<string, string>} addresses  in the book, of folders and headers, by path
  */
 
 export const REFERENCE = { address: 'reference/index.html', title: 'API reference', sentence: 'The headers of core: every type, function and constant, with its comment.' };
 
-/** Folders of core in the order in which one meets them. */
+/** Folders of core, in the order for readers. */
 const FOLDERS = [
   { name: 'document', title: 'Documents', sentence: 'What a file or a link holds, read, checked, edited and written.' },
   { name: 'rollout', title: 'Rollouts', sentence: 'Controllers drive figures: scored, recorded, handed over.' },

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What the page's search (find.js) looks into: every section of every page.
+// The index for the book's search (find.js): every section of every page.
 import MiniSearch from 'minisearch';
 
 /** @typedef {import('./markdown.mjs').Section} Section */
-/** A place that may be found. @typedef {{id: number, href: string, title: string, heading: string, text: string}} Place */
+/** A possible result. @typedef {{id: number, href: string, title: string, heading: string, text: string}} Place */
 
 /** @param {{address: string, title: string, sections: Section[]}[]} pages @returns {string} JSON */
 export function searchIndex(pages) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Marks the lessons that are done on the book's first page.
-import { forgetProgress, hasProgress, progressOf } from './progress.js';
+// Marks finished lessons on the book's first page.
+import { clearProgress, hasProgress, progressOf } from './progress.js';
 
 const note = document.getElementById('progress');
 const lessons = /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('[data-lesson]'));
@@ -18,7 +18,7 @@ function mark() {
 }
 
 document.getElementById('forget')?.addEventListener('click', () => {
-  forgetProgress();
+  clearProgress();
   mark();
 });
-addEventListener('pageshow', mark); // also when a reader comes back from a lesson
+addEventListener('pageshow', mark); // also after "Back" from a lesson

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every page of the book has around it: head, header, footer.
+// The frame of every page of the book: head, header and footer.
 import { attributes, escaped } from './html.mjs';
 
 /**
@@ -8,20 +8,20 @@ import { attributes, escaped } from './html.mjs';
  * @property {string} description
  * @property {string} address    in the book
  * @property {string} kind       class of the body
- * @property {string} body       HTML of main and what stands beside it
- * @property {string[]} [styles]   besides those of every page
+ * @property {string} body       HTML of main and its siblings
+ * @property {string[]} [styles]   beside those of every page
  * @property {string[]} [scripts]  modules
  */
-/** Where the header leads; current: this page or its like. @typedef {{name: string, address: string, current?: 'page' | 'true'}} Way */
+/** A link in the header. current: to this page, or to its group. @typedef {{name: string, address: string, current?: 'page' | 'true'}} HeaderLink */
 
 const POLICY = "default-src 'self'; script-src 'self'; style-src 'self'; img-src 'self' data:; frame-src 'self'; form-action 'self'; base-uri 'none'; object-src 'none'";
 const MARK = '<svg viewBox="-1.15 -1.15 2.3 2.3" aria-hidden="true"><path d="M0 0L0 -1M0 0L.95 -.31M0 0L.59 .81M0 0L-.59 .81M0 0L-.95 -.31"/></svg>';
 
-/** The way from an address of the book to its first folder. @param {string} address */
+/** The relative path from an address of the book to its root. @param {string} address */
 export const upFrom = (address) => '../'.repeat(address.split('/').length - 1);
 
-/** @param {Sheet} sheet @param {Way[]} ways */
-export function htmlPage({ title, description, address, kind, body, styles = [], scripts = [] }, ways) {
+/** @param {Sheet} sheet @param {HeaderLink[]} headerLinks */
+export function htmlPage({ title, description, address, kind, body, styles = [], scripts = [] }, headerLinks) {
   const up = upFrom(address);
   const whole = title === 'Gaitsmith' ? title : `${title} · Gaitsmith`;
   return `<!doctype html>
@@ -49,7 +49,7 @@ ${scripts.map((file) => `<script type="module" src="${up}${file}"></script>`).jo
   <a class="word" href="${up}../" aria-label="Gaitsmith: the playground">${MARK}<span translate="no">Gaitsmith</span></a>
   <nav aria-label="Book">
     <ul>
-${ways.map((way) => `      <li><a${attributes({ href: up + way.address, 'aria-current': way.current })}>${way.name}</a></li>`).join('\n')}
+${headerLinks.map((link) => `      <li><a${attributes({ href: up + link.address, 'aria-current': link.current })}>${link.name}</a></li>`).join('\n')}
     </ul>
   </nav>
 ${address === 'index.html' || kind === 'lesson' ? '' : finder(up)}</header>

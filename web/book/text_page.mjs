@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// A page that is read: one of docs/.
+// The page of a text in docs/.
 import { escaped } from './html.mjs';
 
 /** @typedef {import('./markdown.mjs').Rendered} Rendered */
 /** @typedef {import('./pages.mjs').Page} Page */
 
-const DATE = / \(\d{4}-\d\d-\d\d\)$/; // of a decision; a list is long enough without
-const FEWEST_HEADINGS = 4; // that are worth a list
+const DATE = / \(\d{4}-\d\d-\d\d\)$/; // of a decision, left out of the contents
+const MIN_HEADINGS = 4; // for a table of contents
 
 /** @param {Page} page @param {Rendered} rendered @param {string} group @returns {import('./template.mjs').Sheet} */
 export function textPage(page, { html, title, sentence, headings }, group) {
   const parts = headings.filter(({ level }) => level === 2);
-  const contents = parts.length < FEWEST_HEADINGS ? '' : `<nav class="contents" aria-label="On this page">
+  const contents = parts.length < MIN_HEADINGS ? '' : `<nav class="contents" aria-label="On this page">
 <p>On this page</p>
 <ul>
 ${parts.map(({ id, text }) => `<li><a href="#${id}">${escaped(text.replace(DATE, ''))}</a></li>`).join('\n')}

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What a screen reader says unasked: one polite live region for the whole page, so that sentences come one after the
-// other and at a pace that can be listened to.
+// Announcements by screen readers. The whole page has one polite live region, so that sentences do not interrupt each
+// other, and come slowly enough to be understood.
 
 const PAUSE_MS = 1500;
-// Then nobody who reads through the page comes across it any more.
-const STAYS_MS = 8000;
-// More would still be read when it has long been untrue.
-const MOST_WAITING = 3;
+// Later a person who reads the page could find the outdated sentence.
+const REMOVE_MS = 8000;
+// More sentences would be outdated before they are read.
+const MAX_WAITING = 3;
 
 /** @type {string[]} */
 let waiting = [];
@@ -17,19 +17,19 @@ let freeMs = 0;
 /** @param {string} sentence */
 export function announce(sentence) {
   if (!sentence || waiting.includes(sentence)) return;
-  waiting = [...waiting, sentence].slice(-MOST_WAITING);
-  timer ??= setTimeout(speak, Math.max(50, freeMs - performance.now()));
+  waiting = [...waiting, sentence].slice(-MAX_WAITING);
+  timer ??= setTimeout(announceWaiting, Math.max(50, freeMs - performance.now()));
 }
 
-function speak() {
+function announceWaiting() {
   timer = undefined;
   const region = document.getElementById('spoken');
   if (!region) return;
-  const said = document.createElement('span');
-  said.textContent = waiting.join(' ');
+  const span = document.createElement('span');
+  span.textContent = waiting.join(' ');
   waiting = [];
   freeMs = performance.now() + PAUSE_MS;
-  // A new element is said even when it has the words of the last one.
-  region.replaceChildren(said);
-  setTimeout(() => said.remove(), STAYS_MS);
+  // A new element is announced even if its text is the same.
+  region.replaceChildren(span);
+  setTimeout(() => span.remove(), REMOVE_MS);
 }

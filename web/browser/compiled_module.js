@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Code of the page, compiled while it comes where the server says what it is; some do not know the kind of file.
+// Compiles WebAssembly, during the download if the server sends the right content type.
 
-/** @param {URL} address  of the file; rejected when it cannot be loaded @returns {Promise<WebAssembly.Module>} */
+/** @param {URL} address @returns {Promise<WebAssembly.Module>} rejected if the file cannot be loaded */
 export async function compiledModule(address) {
   const response = await fetch(address);
   if (!response.ok) throw new Error(`${address.pathname}: ${response.status}`);

@@ -3,7 +3,7 @@
 import { announce } from './announcer.js';
 
 /**
- * The element of this id, of this class.
+ * The element with this id. Throws if its class is another one.
  * @template {HTMLElement} T
  * @param {string} id
  * @param {new () => T} [kind]
@@ -20,12 +20,12 @@ export function onClick(id, action) {
   element(id).addEventListener('click', action);
 }
 
-/** Sets text only when it differs: live regions speak on every change. @param {HTMLElement} node @param {string} text */
+/** Sets text only if it differs, because live regions announce every write. @param {HTMLElement} node @param {string} text */
 export function setText(node, text) {
   if (node.textContent !== text) node.textContent = text;
 }
 
-/** Gives the reader a file. @param {string} name @param {BlobPart} contents @param {string} type  of them */
+/** Downloads a file. @param {string} name @param {BlobPart} contents @param {string} type */
 export function offerFile(name, contents, type) {
   const anchor = document.createElement('a');
   anchor.href = URL.createObjectURL(new Blob([contents], { type }));
@@ -37,7 +37,7 @@ export function offerFile(name, contents, type) {
 /** @type {ReturnType<typeof setTimeout> | undefined} */
 let toastTimer;
 
-/** A short confirmation that goes by itself. @param {string} sentence */
+/** Shows a short confirmation that disappears by itself. @param {string} sentence */
 export function toast(sentence) {
   const node = element('toast');
   setText(node, sentence);
@@ -51,7 +51,7 @@ export function toast(sentence) {
 }
 
 /**
- * An error that the reader must know of, in a row of its own. It stays until closed or replaced.
+ * Shows an important error in its own row. It stays until it is closed or replaced.
  * @param {string} sentence  empty: no banner
  * @param {{reload?: boolean}} [options]
  */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The browser's storage, which may be forbidden (by an embedding page, a private window) or full: reading then finds
-// nothing and writing says that it failed.
+// The browser's storage. It may be forbidden (by an embedding page or a private window) or full. Then reading finds
+// nothing and writing returns false.
 
 /** @param {string} key @returns {string | null} */
 export function remembered(key, which = /** @type {'localStorage' | 'sessionStorage'} */ ('localStorage')) {
@@ -12,8 +12,8 @@ export function remembered(key, which = /** @type {'localStorage' | 'sessionStor
 }
 
 /**
- * @param {string} key @param {string | null} value  null: forget it
- * @returns {boolean} whether it is kept
+ * @param {string} key @param {string | null} value  null: removes the entry
+ * @returns {boolean} false: the storage is forbidden or full
  */
 export function remember(key, value, which = /** @type {'localStorage' | 'sessionStorage'} */ ('localStorage')) {
   try {
@@ -25,7 +25,7 @@ export function remember(key, value, which = /** @type {'localStorage' | 'sessio
   }
 }
 
-/** Keys that begin so. @param {string} prefix @returns {string[]} */
+/** The keys with this prefix. @param {string} prefix @returns {string[]} */
 export function rememberedKeys(prefix) {
   try {
     return Object.keys(localStorage).filter((key) => key.startsWith(prefix));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Packs the engine for npm: module, code, types made of its comments, example.
+// Packs the engine for npm: WebAssembly module, script, types from its comments, example.
 //
 //   node web/package/pack.mjs <folder of the built engine> <folder for the package>
 import { execFileSync } from 'node:child_process';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// window.gaitsmith: the page for scripts, for pages that embed it and for tests. docs/embedding.md documents it.
+// window.gaitsmith: the API for scripts, embedding pages and tests. docs/embedding.md documents it.
 
 /** @typedef {import('../app/app.js').App} App */
 /** @typedef {import('../app/app.js').DocumentJson} DocumentJson */
@@ -12,15 +12,15 @@
 /** @typedef {import('./lab.js').LabResult} LabResult */
 /** @typedef {import('../search/messages.js').SearchReport} SearchReport */
 
-/** What the page is made of. @typedef {{app: App, searches: import('../search/searches.js').Searches, lab: import('./lab.js').Lab, arrangement: import('./arrangement.js').Arrangement, address: import('../share/address.js').Address, commands: import('./commands.js').Commands, canvas: HTMLCanvasElement}} Parts */
-/** What a search came to. @typedef {{report: SearchReport, hash: string, link: string}} SearchResult */
+/** The parts of the page. @typedef {{app: App, searches: import('../search/searches.js').Searches, lab: import('./lab.js').Lab, arrangement: import('./arrangement.js').Arrangement, address: import('../share/address.js').Address, commands: import('./commands.js').Commands, canvas: HTMLCanvasElement}} Parts */
+/** The result of a search. @typedef {{report: SearchReport, hash: string, link: string}} SearchResult */
 
-// The document changes at every frame of a drag.
+// The document changes at every frame of a drag. The 'changed' event waits until it rests.
 const REST_MS = 250;
 
 /**
- * Events: 'progress' (detail: SearchReport), 'done' (detail: SearchResult), 'error' (detail: Error), 'changed' (detail: {title}), 'goal'
- * (detail: {goal, met, measures}).
+ * Events: 'progress' (detail: SearchReport), 'done' (detail: SearchResult), 'error' (detail: Error), 'changed' (detail:
+ * {title}), 'goal' (detail: {goal, met, measures}).
  * @typedef {'progress' | 'done' | 'error' | 'changed' | 'goal'} EventName
  */
 
@@ -29,13 +29,13 @@ export class Gaitsmith extends EventTarget {
   #parts = null;
   #fps = 0;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
-  #changed;
+  #changedTimer;
   /** @type {(api: Gaitsmith) => void} */
   #resolve = () => {};
   /** @type {(error: Error) => void} */
   #reject = () => {};
 
-  /** Resolved when the first frame is on the screen; rejected when the page cannot run here. @type {Promise<Gaitsmith>} */
+  /** Resolved when the first frame is on the screen. Rejected if the page cannot run here. @type {Promise<Gaitsmith>} */
   ready = new Promise((resolve, reject) => {
     this.#resolve = resolve;
     this.#reject = reject;
@@ -47,106 +47,106 @@ export class Gaitsmith extends EventTarget {
   }
 
   /**
-   * Opens a link, a link's payload, JSON text or a document object. Throws core's sentence if it is no good; then
-   * nothing has changed.
+   * Opens a link, a link's payload, JSON text or a document object. If it is invalid, throws core's sentence and
+   * changes nothing.
    * @param {string | object} linkOrDocument
    */
   open(linkOrDocument) {
     const text = typeof linkOrDocument === 'string' ? linkOrDocument : JSON.stringify(linkOrDocument);
-    const fault = this.#need().app.open(text);
+    const fault = this.#loadedParts().app.open(text);
     if (fault) throw new Error(fault);
   }
 
-  /** The whole link of the present document. */
-  link() { return this.#need().address.link(); }
-  /** The present document. @returns {DocumentJson} */
-  document() { return this.#need().app.document(); }
-  /** The trajectory hash of the motion shown: 16 hexadecimal digits. */
-  hash() { return this.#need().app.hash(); }
+  /** The complete link of the current document. */
+  link() { return this.#loadedParts().address.link(); }
+  /** The current document. @returns {DocumentJson} */
+  document() { return this.#loadedParts().app.document(); }
+  /** The trajectory hash of the shown motion: 16 hexadecimal digits. */
+  hash() { return this.#loadedParts().app.hash(); }
 
-  canUndo() { return this.#need().app.canUndo(); }
-  canRedo() { return this.#need().app.canRedo(); }
-  /** One step back: what one gesture, one search or one opening changed. @returns {boolean} whether there was one */
+  canUndo() { return this.#loadedParts().app.canUndo(); }
+  canRedo() { return this.#loadedParts().app.canRedo(); }
+  /** Undoes one gesture, one search or one opening. @returns {boolean} whether there was a step to undo */
   undo() {
-    const { app } = this.#need();
+    const { app } = this.#loadedParts();
     const can = app.canUndo();
     app.undo();
     return can;
   }
-  /** @returns {boolean} whether there was a step to do again */
+  /** @returns {boolean} whether there was a step to redo */
   redo() {
-    const { app } = this.#need();
+    const { app } = this.#loadedParts();
     const can = app.canRedo();
     app.redo();
     return can;
   }
 
   /**
-   * Searches a motion for the present document; one that runs is stopped first.
+   * Searches a motion for the current document, after stopping a running search.
    * @param {SynthesizeOptions} [options]
-   * @returns {Promise<SearchResult>} when this search is done or was stopped, be it by the next one
+   * @returns {Promise<SearchResult>} resolved when this search is done, stopped, or replaced by the next one
    */
   async synthesize(options = {}) {
-    const { app, searches } = this.#need();
+    const { app, searches } = this.#loadedParts();
     const fault = app.synthesize(options);
     if (fault) throw new Error(fault);
     return this.#result(await searches.ended);
   }
 
   /**
-   * Runs the lab: several algorithms on the present document's problem, each with several seeds. One that runs is
-   * stopped first; rejected while a search runs. The shown motion stays.
+   * Runs the lab: several algorithms on the current document's problem, each with several seeds. Stops a running lab
+   * first. Rejected while a search runs. Does not change the shown motion.
    * @param {LabOptions} [options]
-   * @returns {Promise<LabResult>} when all trials are finished or it was stopped
+   * @returns {Promise<LabResult>} resolved when all trials are finished or the lab was stopped
    */
-  async lab(options = {}) { return this.#need().lab.run(options); }
+  async lab(options = {}) { return this.#loadedParts().lab.run(options); }
 
   /**
-   * Adds a search to the queue: the present document's with these options, as it is now.
+   * Adds a search of the current document, with these options, to the queue.
    * @param {SynthesizeOptions} [options]
    */
   enqueue(options = {}) {
-    const fault = this.#need().app.enqueue(options);
+    const fault = this.#loadedParts().app.enqueue(options);
     if (fault) throw new Error(fault);
   }
-  /** What waits in the queue, the next one first. @returns {QueuedSearch[]} */
-  queue() { return this.#need().app.queue(); }
-  /** Begins with the first that waits; the others follow. @returns {boolean} false: nothing waits, or something runs */
-  runQueue() { return this.#need().app.run('queue/run'); }
-  /** @returns {boolean} whether anything waited */
-  clearQueue() { return this.#need().app.run('queue/clear'); }
-  /** What searches have found and a person has kept, the newest first; each with its whole link. @returns {FoundMotion[]} */
+  /** The waiting searches, next one first. @returns {QueuedSearch[]} */
+  queue() { return this.#loadedParts().app.queue(); }
+  /** Runs the searches in the queue. @returns {boolean} false: the queue is empty, or a search or the lab runs */
+  runQueue() { return this.#loadedParts().app.run('queue/run'); }
+  /** @returns {boolean} false: the queue was empty */
+  clearQueue() { return this.#loadedParts().app.run('queue/clear'); }
+  /** The results of searches and the saved motions, newest first, with complete links. @returns {FoundMotion[]} */
   results() {
-    const { app, address } = this.#need();
+    const { app, address } = this.#loadedParts();
     return app.found().map((found) => ({ ...found, link: address.linkOf(found.link) }));
   }
-  /** Shows a result as it was found; Undo brings back what was there. @param {string} id @returns {boolean} false: there is none */
-  showResult(id) { return this.#need().app.showFound(id); }
-  /** Keeps the present motion among the results. @returns {boolean} false: there is no motion */
-  keep() { return this.#need().app.run('found/keep'); }
+  /** Shows a result as it was found. @param {string} id @returns {boolean} false: there is no such result */
+  showResult(id) { return this.#loadedParts().app.showFound(id); }
+  /** Saves the current motion to the results. @returns {boolean} false: there is no motion */
+  keep() { return this.#loadedParts().app.run('found/keep'); }
 
-  /** Most frames drawn per second; 0: as many as the display shows. */
+  /** The maximum frame rate. 0: the display's. */
   get fps() { return this.#fps; }
   set fps(perSecond) {
     this.#fps = perSecond > 0 ? perSecond : 0;
-    this.#need().app.setFrameRate(this.#fps);
+    this.#loadedParts().app.setFrameRate(this.#fps);
   }
 
   /**
-   * Shows some panels, locks some parts, sets a goal; what is left out stays as it is.
+   * Sets the shown panels, the locks and the goal. Options that are left out stay as they are.
    * @param {ArrangementOptions} options  as in the address
-   * @returns {Promise<void>} rejected with a sentence; then nothing has changed
+   * @returns {Promise<void>} rejected with a sentence, and nothing changed, if the options are invalid
    */
-  async arrange(options) { return this.#need().arrangement.set(options); }
-  /** The motion shown in numbers: distance, travel, the terms of its style, sense, rules, broke. @returns {Record<string, number | string | boolean>} */
+  async arrange(options) { return this.#loadedParts().arrangement.set(options); }
+  /** The shown motion's measures: distance, travel, style terms, sense, rules, broke. @returns {Record<string, number | string | boolean>} */
   measures() {
-    const { terms, ...others } = this.#need().app.measures();
+    const { terms, ...others } = this.#loadedParts().app.measures();
     return { ...Object.fromEntries(terms.map(({ name, value }) => [name, value])), ...others };
   }
 
-  pause() { this.#need().app.pause(); }
-  resume() { this.#need().app.resume(); }
-  stop() { this.#need().app.stop(); }
+  pause() { this.#loadedParts().app.pause(); }
+  resume() { this.#loadedParts().app.resume(); }
+  stop() { this.#loadedParts().app.stop(); }
 
   /**
    * @param {EventName} type
@@ -157,9 +157,9 @@ export class Gaitsmith extends EventTarget {
   /** @param {EventName} type @param {(event: CustomEvent) => void} listener */
   off(type, listener) { this.removeEventListener(type, /** @type {EventListener} */ (listener)); }
 
-  /** Every widget on the canvas, its rectangle in CSS pixels of the page. @returns {Widget[]} */
+  /** The widgets on the canvas, with rectangles in CSS pixels of the page. @returns {Widget[]} */
   widgets() {
-    const { app, canvas } = this.#need();
+    const { app, canvas } = this.#loadedParts();
     const { left, top } = canvas.getBoundingClientRect();
     return app.widgets().map((widget) => ({
       ...widget,
@@ -167,14 +167,14 @@ export class Gaitsmith extends EventTarget {
     }));
   }
 
-  /** What the palette offers now. @returns {{id: string, group: string, title: string, keys: string[], whyNot: string}[]} */
+  /** The palette's commands. @returns {{id: string, group: string, title: string, keys: string[], whyNot: string}[]} */
   commands() {
-    return this.#need().commands.all().map(({ id, group, title, keys, whyNot = '' }) => ({ id, group, title, keys, whyNot }));
+    return this.#loadedParts().commands.all().map(({ id, group, title, keys, whyNot = '' }) => ({ id, group, title, keys, whyNot }));
   }
 
-  /** Does what a command of the palette does. @param {string} id @returns {boolean} false: there is none, or not now */
+  /** Runs a command of the palette. @param {string} id @returns {boolean} false: there is no such command, or it is unavailable */
   run(id) {
-    const command = this.#need().commands.all().find((candidate) => candidate.id === id);
+    const command = this.#loadedParts().commands.all().find((candidate) => candidate.id === id);
     if (!command || command.whyNot) return false;
     command.run();
     return true;
@@ -194,10 +194,10 @@ export class Gaitsmith extends EventTarget {
     parts.searches.addEventListener('error', (event) => forward('error', /** @type {CustomEvent} */ (event).detail));
   }
   firstFrame() { this.#resolve(this); }
-  /** The document is another one now. @param {string} title */
+  /** Call after every change of the document. @param {string} title */
   documentChanged(title) {
-    clearTimeout(this.#changed);
-    this.#changed = setTimeout(() => this.dispatchEvent(new CustomEvent('changed', { detail: { title } })), REST_MS);
+    clearTimeout(this.#changedTimer);
+    this.#changedTimer = setTimeout(() => this.dispatchEvent(new CustomEvent('changed', { detail: { title } })), REST_MS);
   }
   /** @param {Error} error */
   cannotRun(error) { this.#reject(error); }
@@ -205,13 +205,16 @@ export class Gaitsmith extends EventTarget {
   /** @param {SearchReport} report @returns {SearchResult} */
   #result(report) { return { report, hash: this.hash(), link: this.link() }; }
 
-  /** Of a search of the queue, which need not be on the stage; nothing where it has found nothing. @param {SearchReport} report @returns {SearchResult} */
+  /**
+   * The result of a queued search, which is perhaps not on the stage. Hash and link are empty if nothing was found.
+   * @param {SearchReport} report @returns {SearchResult}
+   */
   #newest(report) {
     const newest = this.results().find(({ score }) => score !== null && Math.fround(score) === report.bestFitness);
     return { report, hash: newest?.hash ?? '', link: newest?.link ?? '' };
   }
 
-  #need() {
+  #loadedParts() {
     if (!this.#parts) throw new Error('the page is still loading: await gaitsmith.ready');
     return this.#parts;
   }

@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: MIT
-// How a lesson sets the page up: which panels are shown, what is locked, and the goal. The address says it
-// (?panels=style,search&lock=figure&goal=distance>=8), or a script does. docs/embedding.md documents it.
+// How a lesson sets up the page: the shown panels, the locks and the goal. They come from the address
+// (?panels=style,search&lock=figure&goal=distance>=8) or from a script. docs/embedding.md documents them.
 import { banner } from '../browser/dom.js';
 import { sentence } from '../share/address.js';
 import { followLanguage, tr } from '../languages/language.js';
 
 /** @typedef {import('../app/app.js').App} App */
-/** What is left out stays as it is. @typedef {{panels?: string, lock?: string, goal?: string}} ArrangementOptions */
+/** Options that are left out stay as they are. @typedef {{panels?: string, lock?: string, goal?: string}} ArrangementOptions */
 
 const NAMES = /** @type {const} */ (['panels', 'lock', 'goal']);
 
 export class Arrangement {
   /** @type {import('./goal.js').GoalBar | null} */
   #bar = null;
-  #last = Promise.resolve();
+  #pending = Promise.resolve();
 
-  /** @param {App} app @param {import('./api.js').Gaitsmith} told  hears of the goal */
-  constructor(app, told) {
+  /** @param {App} app @param {import('./api.js').Gaitsmith} gaitsmith  dispatches the 'goal' events */
+  constructor(app, gaitsmith) {
     this.app = app;
-    this.told = told;
-    told.addEventListener('changed', () => this.#bar?.look());
-    followLanguage(() => this.#bar?.look());
+    this.gaitsmith = gaitsmith;
+    gaitsmith.addEventListener('changed', () => this.#bar?.update());
+    followLanguage(() => this.#bar?.update());
   }
 
-  /** What the address wishes for. A wish that cannot be understood is said, and the others are fulfilled. */
+  /** Applies the options in the address. An invalid option is reported and does not stop the others. */
   begin() {
     const address = new URLSearchParams(location.search);
     for (const name of NAMES) {
@@ -32,16 +32,16 @@ export class Arrangement {
     }
   }
 
-  /** @param {ArrangementOptions} options @returns {Promise<void>} rejected with a sentence; then nothing has changed */
+  /** @param {ArrangementOptions} options @returns {Promise<void>} rejected with a sentence, and nothing changed, if they are invalid */
   set(options) {
-    const done = this.#last.then(() => this.#set(options)); // one after the other
-    this.#last = done.catch(() => {});
+    const done = this.#pending.then(() => this.#set(options)); // one at a time
+    this.#pending = done.catch(() => {});
     return done;
   }
 
   /** @param {ArrangementOptions} options */
   async #set({ goal, ...shown }) {
-    const bar = goal ? new (await import('./goal.js')).GoalBar(this.app, this.told, goal) : null; // throws
+    const bar = goal ? new (await import('./goal.js')).GoalBar(this.app, this.gaitsmith, goal) : null; // throws
     const fault = this.app.arrange(shown);
     if (fault) throw new Error(fault);
     if (goal === undefined) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A goal: what the motion shown has to be (goal_conditions.js). A row under the header says how far it is,
-// and ticks what is reached.
+// The goal that the shown motion has to reach (goal_conditions.js). A row under the header shows the progress and ticks
+// the conditions that are met.
 import { announce } from '../browser/announcer.js';
 import { element } from '../browser/dom.js';
 import { terms } from '../catalogue/catalogue.js';
@@ -15,21 +15,21 @@ export class GoalBar {
   #row = element('goal');
   #list = element('goal-list');
   #open = true;
-  /** As it was told last. */
-  #told = '';
+  /** The state in the last event. */
+  #reported = '';
   #met = false;
 
-  /** @param {App} app @param {import('./api.js').Gaitsmith} told  hears of it @param {string} text */
-  constructor(app, told, text) {
+  /** @param {App} app @param {import('./api.js').Gaitsmith} gaitsmith  dispatches the events @param {string} text */
+  constructor(app, gaitsmith, text) {
     this.app = app;
-    this.told = told;
+    this.gaitsmith = gaitsmith;
     this.text = text;
     this.conditions = parseGoal(text, terms);
   }
 
   show() {
     this.#row.hidden = false;
-    this.look();
+    this.update();
   }
 
   close() {
@@ -37,8 +37,8 @@ export class GoalBar {
     this.#row.hidden = true;
   }
 
-  /** The motion may be another one. */
-  look() {
+  /** Call when the motion or the language may have changed. */
+  update() {
     if (!this.#open) return;
     const measures = this.app.measures();
     const met = this.conditions.map((condition) => isMet(condition, measures));
@@ -51,28 +51,28 @@ export class GoalBar {
       mark.className = 'mark';
       mark.setAttribute('role', 'img');
       mark.setAttribute('aria-label', met[i] ? tr('reached') : tr('not yet'));
-      item.append(mark, ` ${words(condition, measures)}`);
+      item.append(mark, ` ${conditionText(condition, measures)}`);
       return item;
     }));
-    const news = JSON.stringify([met, measures]);
-    if (news === this.#told) return;
-    this.#told = news;
+    const state = JSON.stringify([met, measures]);
+    if (state === this.#reported) return;
+    this.#reported = state;
     if (all && !this.#met) announce(tr('The goal is reached.'));
     this.#met = all;
-    this.told.dispatchEvent(new CustomEvent('goal', { detail: { goal: this.text, met: all, measures: this.told.measures() } }));
+    this.gaitsmith.dispatchEvent(new CustomEvent('goal', { detail: { goal: this.text, met: all, measures: this.gaitsmith.measures() } }));
   }
 }
 
 /** "Distance ≥ 8 m (now 5.21 m)" @param {Condition} condition @param {Measures} measures */
-function words({ name, relation, wanted }, measures) {
+function conditionText({ name, relation, wanted }, measures) {
   if (name === 'sense') return tr('decided by {1}', tr(SENSES[/** @type {keyof typeof SENSES} */ (wanted)]));
   const sign = { '>=': '≥', '<=': '≤' }[/** @type {string} */ (relation)] ?? relation;
   if (name === 'rules') return tr('{1} {2} {3} (now {4})', tr('Rules'), sign, wanted, measures.rules);
   const { label, unit, decimals, value } = /** @type {import('../app/app.js').Measure} */ (measures.terms.find((term) => term.name === name));
   const amount = (/** @type {number} */ number, /** @type {number} */ places) => `${fixed(number, places)}${unit && ` ${unit}`}`;
-  // What is nearly enough does not read as enough.
-  const cut = relation.startsWith('>') ? Math.floor : relation.startsWith('<') ? Math.ceil : Math.round;
-  const shown = value === null ? null : cut(value * 10 ** decimals) / 10 ** decimals;
+  // Rounds away from the goal, so that a motion that just misses it does not seem to reach it.
+  const round = relation.startsWith('>') ? Math.floor : relation.startsWith('<') ? Math.ceil : Math.round;
+  const shown = value === null ? null : round(value * 10 ** decimals) / 10 ** decimals;
   const places = Math.min(decimals, (String(wanted).split('.')[1] ?? '').length);
   return tr('{1} {2} {3} (now {4})', label, sign, amount(Number(wanted), places), shown === null ? '–' : amount(shown, decimals));
 }

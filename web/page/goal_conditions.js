@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: MIT
-// What a goal asks of a motion, such as "distance >= 8, rotations >= 1, sense = physical": read from text and compared
-// with what was measured. The book reads the goals of its lessons here, too.
+// The conditions of a goal, such as "distance >= 8, rotations >= 1, sense = physical": reads them from text and
+// compares them with a motion's measures. The book's build also uses this file, to check the goals of lessons.
 import { tr } from '../languages/language.js';
 
 /** @typedef {import('../app/app.js').Measures} Measures */
 /** @typedef {'>=' | '<=' | '>' | '<' | '='} Relation */
-/** @typedef {{name: string, relation: Relation, wanted: number | string}} Condition  wanted: a text of the sense alone */
+/** @typedef {{name: string, relation: Relation, wanted: number | string}} Condition  wanted: a string only for the sense */
 
-/** Of the centre of mass, either way and to the right. */
-const WAYS = ['distance', 'travel'];
+/** Distances of the centre of mass: in either direction, and to the right. */
+const DISTANCES = ['distance', 'travel'];
 export const SENSES = { physical: 'physical senses', timer: 'timer', network: 'network' };
-const MOST = 6;
+const MAX_CONDITIONS = 6;
 
 /**
  * @param {string} text
- * @param {readonly {readonly name: string}[]} terms  of the catalogue, which only the built site has
- * @returns {Condition[]} throws an Error that says what is wrong
+ * @param {readonly {readonly name: string}[]} terms  the catalogue's; a parameter, because only the built site has it
+ * @returns {Condition[]} throws an Error with a sentence if the text is invalid
  */
 export function parseGoal(text, terms) {
-  const numbers = [...WAYS, ...terms.map(({ name }) => name), 'rules'];
+  const numbers = [...DISTANCES, ...terms.map(({ name }) => name), 'rules'];
   const parts = text.split(',').map((part) => part.trim()).filter((part) => part !== '');
-  if (parts.length === 0 || parts.length > MOST) throw new Error(tr('goal: give one to {1} conditions, with commas between them', MOST));
+  if (parts.length === 0 || parts.length > MAX_CONDITIONS) throw new Error(tr('goal: give one to {1} conditions, with commas between them', MAX_CONDITIONS));
   return parts.map((part) => {
     const [, name, relation, value] = /^([a-z_]+)\s*(>=|<=|>|<|=)\s*(\S+)$/.exec(part) ?? [];
     const number = Number(value);
@@ -35,13 +35,13 @@ export function parseGoal(text, terms) {
 export function isMet({ name, relation, wanted }, measures) {
   if (measures.broke) return false;
   if (name === 'sense') return measures.sense === wanted;
-  const has = name === 'rules' ? measures.rules : measures.terms.find((term) => term.name === name)?.value ?? NaN;
-  const than = Number(wanted);
+  const measured = name === 'rules' ? measures.rules : measures.terms.find((term) => term.name === name)?.value ?? NaN;
+  const limit = Number(wanted);
   switch (relation) {
-    case '>=': return has >= than;
-    case '<=': return has <= than;
-    case '>': return has > than;
-    case '<': return has < than;
-    default: return has === than;
+    case '>=': return measured >= limit;
+    case '<=': return measured <= limit;
+    case '>': return measured > limit;
+    case '<': return measured < limit;
+    default: return measured === limit;
   }
 }

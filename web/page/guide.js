@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who is shown round the playground, and when; the tour itself is loaded for them alone.
+// Decides when to offer the tour of the playground, and loads it only then.
 import { tr } from '../languages/language.js';
 import { remember, remembered } from '../browser/storage.js';
 
@@ -19,10 +19,10 @@ export class Guide {
     this.statusLine = statusLine;
   }
 
-  /** On a first visit that comes for nothing in particular. */
+  /** Starts the tour on a first visit whose address opens nothing. */
   offer() {
     if (window.top !== window || location.hash.length > 1 || remembered(KEY)) return;
-    // Where nothing can be remembered it would come every time.
+    // Without storage the tour would start at every visit.
     if (remember(KEY, 'offered')) void this.start();
   }
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The header: its menu on narrow screens, the banner below it, and Undo and Redo, which say why they are not possible.
+// The header: its menu on narrow screens, the banner below it, and Undo and Redo, with the reason if they are
+// unavailable.
 import { banner, element, onClick } from '../browser/dom.js';
 import { keyCap } from '../access/keys.js';
 import { followLanguage, tr } from '../languages/language.js';
 
 /** @typedef {import('../app/app.js').App} App */
 
-// Below it the menu is folded; inside another page, and wherever its words are too long, it is, too.
+// On these screens the menu is folded. It is also folded inside another page, and if its words are too long.
 const NARROW = matchMedia('(max-width: 899px)');
 
-/** Before there is anything to undo. */
 export function startHeader() {
   foldMenu();
   onClick('banner-close', () => banner(''));
@@ -36,7 +36,7 @@ export function startHeader() {
   });
 }
 
-/** Folds the menu where it has no room: that depends on the language, the theme's size and the typeface. */
+/** Folds the menu if it does not fit. That depends on the language, the theme's size and the typeface. */
 function foldMenu() {
   const root = document.documentElement;
   const header = /** @type {HTMLElement} */ (element('more').parentElement);
@@ -63,18 +63,18 @@ export class HistoryButtons {
     followLanguage(() => this.update());
   }
 
-  /** The document is another one now. */
+  /** Call after every change of the document. */
   update() {
-    say(this.#undo, tr('Undo ({1})', keyCap('Ctrl+z')), this.app.canUndo() ? '' : tr('Nothing to undo'));
-    say(this.#redo, tr('Redo ({1})', keyCap('Ctrl+Shift+z')), this.app.canRedo() ? '' : tr('Nothing to redo'));
+    setAvailable(this.#undo, tr('Undo ({1})', keyCap('Ctrl+z')), this.app.canUndo() ? '' : tr('Nothing to undo'));
+    setAvailable(this.#redo, tr('Redo ({1})', keyCap('Ctrl+Shift+z')), this.app.canRedo() ? '' : tr('Nothing to redo'));
   }
 }
 
 /**
- * Not `disabled`, which would take the keyboard away from whoever has just pressed the button for the last time.
+ * Not with `disabled`, because a button loses the focus when it is disabled.
  * @param {HTMLElement} button @param {string} title @param {string} whyNot
  */
-function say(button, title, whyNot) {
+function setAvailable(button, title, whyNot) {
   button.title = whyNot || title;
   button.setAttribute('aria-disabled', String(whyNot !== ''));
 }

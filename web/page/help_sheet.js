@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sheet of keys: every command that has one, group by group.
+// The list of keys: every command with a key, by group.
 import { element } from '../browser/dom.js';
 import { tr } from '../languages/language.js';
 import { capOf, closeOnBackdrop } from './palette.js';

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The page's side of the lab: the application plans the trials and requests one after another, the search workers run
-// them, and a script that started the lab receives the rows.
+// The page's side of the lab. The application plans the trials and requests them one after another, the search workers
+// run them, and a script that started the lab receives the rows.
 
 /** @typedef {import('../app/app.js').App} App */
 /** @typedef {import('../app/app.js').LabOptions} LabOptions */
 
 /** A point of a trial's curve. @typedef {{problem: string, search: string, seed: number, evaluation: number, best: number}} LabRow */
 /**
- * What a run came to: all of it, or what was there when it was stopped.
- * @typedef {{state: 'done' | 'stopped', rows: LabRow[], csv: string}} LabResult  csv: as `gaitsmith compare --curves`
+ * The result of a run. If the run was stopped, its rows so far. csv: in the format of `gaitsmith compare --curves`.
+ * @typedef {{state: 'done' | 'stopped', rows: LabRow[], csv: string}} LabResult
  */
 
 export class Lab {
@@ -21,12 +21,12 @@ export class Lab {
   }
 
   /**
-   * Runs the lab for the present document; one that runs is stopped first.
+   * Runs the lab for the current document, after stopping a running lab.
    * @param {LabOptions} options
    * @returns {Promise<LabResult>}
    */
   run(options) {
-    const fault = this.app.lab(options); // ends the run before this one
+    const fault = this.app.lab(options); // ends a running lab
     if (fault) return Promise.reject(new Error(fault));
     return new Promise((resolve, reject) => { this.#end = { resolve, reject }; });
   }

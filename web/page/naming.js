@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The dialog in which a found motion gets a name.
+// The dialog that names a result.
 import { element, onClick, setText } from '../browser/dom.js';
 import { trSentence } from '../languages/language.js';
 
@@ -21,11 +21,11 @@ export class Naming {
     });
   }
 
-  /** @param {string} id @param {string} name  the present one, or empty @param {string} usual  what stands there then */
-  ask(id, name, usual) {
+  /** @param {string} id @param {string} name  the current name, or empty @param {string} placeholder  shown if it is empty */
+  ask(id, name, placeholder) {
     this.#id = id;
     this.#text.value = name;
-    this.#text.placeholder = usual;
+    this.#text.placeholder = placeholder;
     setText(this.#error, '');
     this.#dialog.showModal();
     this.#text.select();

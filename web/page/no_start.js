@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The only script that is not a module: it reports the reason if a browser refuses to load modules.
+// Reports the reason if the browser cannot load the modules. So it is not a module itself.
 document.addEventListener('error', (event) => {
   const failed = event.target;
   const ours = failed instanceof HTMLScriptElement && failed.type === 'module';

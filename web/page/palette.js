@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The palette: every command in one list that narrows as one types. The keyboard stays in the text field; arrows move
+// The palette: a list of all commands, filtered while typing. The focus stays in the text field, and arrows move
 // through the list (ARIA's combobox with a listbox).
 import { element, setText } from '../browser/dom.js';
 import { keyCap } from '../access/keys.js';
@@ -87,7 +87,7 @@ export class Palette {
   #run(index) {
     const command = this.#shown[index];
     if (!command || command.whyNot) return;
-    this.#dialog.close(); // first, for the command may open a dialog of its own
+    this.#dialog.close(); // first, because the command may open another dialog
     command.run();
   }
 }
@@ -97,7 +97,7 @@ export function closeOnBackdrop(dialog) {
   dialog.addEventListener('click', (event) => { if (event.target === dialog) dialog.close(); });
 }
 
-/** @param {Command} command @param {string[]} words  lower case @returns {number} 0: it is not meant */
+/** @param {Command} command @param {string[]} words  lower case @returns {number} 0: no match */
 function rankOf({ title, group }, words) {
   const name = title.toLowerCase();
   const where = `${name} ${tr(group).toLowerCase()}`;

@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: MIT
-// The page's theme: the system's until the person chooses another.
+// The page's theme: the system's, unless another one is chosen.
 import { element } from '../browser/dom.js';
 import { followLanguage, tr, trLater } from '../languages/language.js';
 import { remember, remembered } from '../browser/storage.js';
 
 const KEY = 'gaitsmith-theme';
 
-/** What can be chosen, and its name. @type {Record<string, string>} */
+/** Names of the choices. @type {Record<string, string>} */
 export const THEMES = { system: trLater('As the system'), light: trLater('Light'), dark: trLater('Dark'),
   projector: trLater('Projector'), contrast: trLater('High contrast') };
 
 /**
- * What is then shown.
+ * The appearance that follows from the choice.
  * @typedef {object} Look
  * @property {'light' | 'dark' | 'strong-light' | 'strong-dark'} palette  as in shell/widgets/theme.h
- * @property {number} scale  of everything: a room reads from further away than a desk
+ * @property {number} scale  of everything; a projector needs larger text
  */
 
 const dark = matchMedia('(prefers-color-scheme: dark)');
 const contrast = matchMedia('(prefers-contrast: more), (forced-colors: active)');
 /** @type {((look: Look) => void)[]} */
 const followers = [];
-const kept = remembered(KEY) ?? '';
-let chosen = Object.hasOwn(THEMES, kept) ? kept : 'system';
+const stored = remembered(KEY) ?? '';
+let chosen = Object.hasOwn(THEMES, stored) ? stored : 'system';
 
 /** @returns {Look} */
 function look() {
@@ -39,20 +39,20 @@ function update() {
   for (const apply of followers) apply(look());
 }
 
-/** Calls back now and at every change. @param {(look: Look) => void} apply */
+/** Calls `apply` now and at every change. @param {(look: Look) => void} apply */
 export function followTheme(apply) {
   followers.push(apply);
   apply(look());
 }
 
-/** Where storage is forbidden it holds until the page is left. @param {string} theme  of THEMES */
+/** Without storage the choice lasts until the page is closed. @param {string} theme  key of THEMES */
 export function chooseTheme(theme) {
   chosen = theme;
   remember(KEY, theme === 'system' ? null : theme);
   update();
 }
 
-/** The one after the present one, the system's left out: for a key. */
+/** Chooses the next theme, without the system's. */
 export function nextTheme() {
   const [, ...names] = Object.keys(THEMES);
   const { palette } = look();
@@ -60,7 +60,7 @@ export function nextTheme() {
   chooseTheme(names[(names.indexOf(now) + 1) % names.length]);
 }
 
-/** Gives the page its theme and the list in the header its work. */
+/** Applies the theme and sets up the list in the header. */
 export function startTheme() {
   const list = element('theme', HTMLSelectElement);
   const options = Object.entries(THEMES).map(([value, name]) => ({ name, option: new Option(name, value) }));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A tour of the playground in six steps for a first visit. It covers nothing that it describes, blocks nothing, and
-// ends with Escape.
+// A tour of the playground in six steps for a first visit. It does not cover what it describes, and blocks nothing.
+// Escape ends it.
 import { element, onClick, setText } from '../browser/dom.js';
 import { followLanguage, tr, trLater } from '../languages/language.js';
 
@@ -32,7 +32,7 @@ export class Tour {
   #next = element('tour-next', HTMLButtonElement);
   #step = -1;
   /** @type {HTMLElement | null} */
-  #before = null;
+  #focusBefore = null;
 
   /** @param {App} app @param {HTMLCanvasElement} canvas */
   constructor(app, canvas) {
@@ -47,7 +47,7 @@ export class Tour {
       this.end();
     });
     addEventListener('resize', () => this.#place());
-    // Panels scroll and change their length while the tour points into them.
+    // The subject moves when panels scroll or change their length.
     setInterval(() => this.#place(), 250);
     followLanguage(() => this.#write());
   }
@@ -55,17 +55,17 @@ export class Tour {
   get open() { return this.#step >= 0; }
 
   start() {
-    this.#before = document.activeElement instanceof HTMLElement ? document.activeElement : null;
+    this.#focusBefore = document.activeElement instanceof HTMLElement ? document.activeElement : null;
     this.#go(0);
     this.#next.focus({ preventScroll: true });
   }
 
   end() {
     if (!this.open) return;
-    const mine = this.#card.contains(document.activeElement);
+    const hadFocus = this.#card.contains(document.activeElement);
     this.#step = -1;
     this.#card.hidden = this.#mark.hidden = true;
-    if (mine) (this.#before?.isConnected ? this.#before : element('home')).focus({ preventScroll: true });
+    if (hadFocus) (this.#focusBefore?.isConnected ? this.#focusBefore : element('home')).focus({ preventScroll: true });
   }
 
   /** @param {number} step */
@@ -90,7 +90,7 @@ export class Tour {
     setText(this.#next, this.#step === STEPS.length - 1 ? tr('Done') : tr('Next'));
   }
 
-  /** @returns {Box | null} what the step speaks of [CSS pixels] */
+  /** @returns {Box | null} the part of the page that the step describes [CSS pixels] */
   #subject() {
     const { at } = STEPS[this.#step];
     if (typeof at === 'string') return document.querySelector(at)?.getBoundingClientRect() ?? null;
@@ -105,7 +105,7 @@ export class Tour {
     };
   }
 
-  /** Beside its subject, within the window. */
+  /** Puts the card beside its subject, within the window. */
   #place() {
     if (!this.open) return;
     const subject = this.#subject();
@@ -120,7 +120,7 @@ export class Tour {
       const level = clamp((top + bottom - height) / 2, down - height);
       /** @type {[number, number][]} */
       const places = [[left - width - MARGIN, level], [middle, bottom + MARGIN], [middle, top - height - MARGIN], [right + MARGIN, level]];
-      // What fills most of the window, the stage, has room for the card in its upper right.
+      // If there is no room beside the subject, as for the stage: in its upper right corner.
       [x, y] = places.find(([px, py]) => px >= MARGIN && py >= MARGIN && px + width <= across - MARGIN && py + height <= down - MARGIN)
         ?? [clamp(right - width - MARGIN, across - width), clamp(top + 64, down - height)];
     }
@@ -129,8 +129,8 @@ export class Tour {
   }
 }
 
-/** @param {number} value @param {number} most */
-const clamp = (value, most) => Math.max(MARGIN, Math.min(value, most - MARGIN));
+/** @param {number} value @param {number} max */
+const clamp = (value, max) => Math.max(MARGIN, Math.min(value, max - MARGIN));
 
 /** @param {HTMLElement} node @param {number} x @param {number} y @param {number} width @param {number} height */
 function setBox(node, x, y, width, height) {

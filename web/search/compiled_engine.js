@@ -3,12 +3,12 @@
 import { compiledModule } from '../browser/compiled_module.js';
 import { scriptAddress } from '../browser/trusted.js';
 
-/** Frames without an origin of their own (sandbox without allow-same-origin) cannot have workers. */
+/** False in frames without an origin (sandbox without allow-same-origin). */
 export const hasWorkers = self.origin !== 'null';
 
 /** @type {Promise<WebAssembly.Module> | null} */
 let compiled = null;
-/** The replacement for workers, once it is loaded. @type {typeof import('./page_worker.js').PageWorker | null} */
+/** The replacement for workers, if it is needed and loaded. @type {typeof import('./page_worker.js').PageWorker | null} */
 let PageWorker = null;
 
 /** Await this before createWorker(). Rejected if loading fails; the next call tries again. */

@@ -4,7 +4,7 @@
 import createEngine from './engine_module.js';
 
 /** @typedef {import('./engine_module.js').EngineModule} EngineModule */
-/** @typedef {{code: string, where: string, what: string}} Fault  An error of core and its place. */
+/** An error of core and its place. @typedef {{code: string, where: string, what: string}} Fault */
 
 /**
  * The fitness of a population's members that have a motion, if there are at least two.
@@ -91,7 +91,7 @@ export class Engine {
     return data.byteLength;
   }
 
-  /** A copy, because the original moves when memory grows. @param {number} at @param {number} size */
+  /** Copies bytes, because the memory moves when it grows. @param {number} at @param {number} size */
   bytesAt(at, size) {
     return this.module.HEAPU8.slice(at, at + size);
   }
@@ -219,7 +219,7 @@ export class Search {
   }
 }
 
-/** How well a clip would do if it took over at other moments. */
+/** The scores of a clip if it took over at other moments. */
 export class TransitionMap {
   /** @param {Engine} engine @param {number} handle */
   constructor(engine, handle) {
@@ -267,7 +267,7 @@ export class RecordedMotion {
     const size = this.engine.put(new TextEncoder().encode(words.map((word) => `${word}\0`).join('')));
     return this.#text(this.engine.module._gs_motion_film_strip(this.handle, size, poses));
   }
-  /** Its text. @param {string} name  of shell/export/exporters.h, such as 'csv' */
+  /** The text of an exported file. @param {string} name  in shell/export/exporters.h, such as 'csv' */
   file(name) {
     const size = this.engine.put(new TextEncoder().encode(name));
     return this.#text(this.engine.module._gs_motion_file(this.handle, size));

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Every message between page, coordinator and evaluators, in one place, and the help to handle them all.
+// Every message between page, coordinator and evaluators.
 //
 //   page ──PageToCoordinator──▶ coordinator ──CoordinatorToEvaluator──▶ evaluator 1..N
 //        ◀─CoordinatorToPage───             ◀─EvaluatorToCoordinator───
 //   page ──Role──▶ any worker ──Ready──▶ page
 //   page ──MapTransitions──▶ mapper ──MapperToPage──▶ page
 //
-// The page starts one coordinator and N evaluators; coordinator and evaluator talk through a MessagePort of
-// their own, so the page's thread has no part in the search's loop. Typed arrays are transferred wherever the
-// sender has no more use for them. After 'failed' or 'finished' the page ends the workers; or, when the search was
-// done, gives them roles in the next one. Since workers outlive searches, what concerns a search says which run of it:
-// what comes late, or twice, is not taken for the next one's. Whatever is lost is noticed by somebody's silence.
+// The page starts one coordinator and N evaluators. Coordinator and evaluator communicate through their own
+// MessagePort, so the search's loop does not involve the page's thread. Typed arrays are transferred if the sender no
+// longer needs them. After 'failed' or 'finished' the page ends the workers, or, if the search was done, gives them
+// roles in the next one. Since workers outlive searches, every message about a search has its run number. So a late or
+// repeated message is not mistaken for one of the next search. A timeout detects a lost message.
 
 /** @typedef {import('./engine.js').Fault} Fault */
 /** @typedef {import('./engine.js').Spread} Spread */
@@ -23,8 +23,8 @@
  */
 
 /**
- * Be the coordinator: run the document's search. Reply: 'ready', then CoordinatorToPage messages; 'failed' if core
- * refuses the document.
+ * Be the coordinator and run the document's search. Reply: 'ready', then CoordinatorToPage messages, or 'failed' if
+ * core refuses the document.
  * @typedef {object} Coordinate
  * @property {'coordinate'} type
  * @property {number} run                 not 0; unique among the roles of this kind that the page assigns
@@ -35,18 +35,18 @@
  */
 
 /**
- * Be an evaluator: score genomes that arrive at `port`. Reply: 'ready'; 'failed' if core refuses the document.
+ * Be an evaluator and score genomes that arrive at `port`. Reply: 'ready', or 'failed' if core refuses the document.
  * @typedef {object} Evaluate
  * @property {'evaluate'} type
- * @property {number} run                 that of the coordinator
+ * @property {number} run                 the coordinator's
  * @property {WebAssembly.Module} engine
  * @property {Uint8Array} document
  * @property {MessagePort} port           transferred; the coordinator gets the other end
  */
 
 /**
- * Be the mapper: score every moment at which the clip named by the document's search could take over. Reply: 'ready',
- * then 'mapped' until all scores are sent; 'failed' if core refuses the document. A new role ends this one.
+ * Be the mapper and score every moment at which the clip named by the document's search could take over. Reply:
+ * 'ready', then 'mapped' until all scores are sent, or 'failed' if core refuses the document. A new role ends this one.
  * @typedef {object} MapTransitions
  * @property {'map-transitions'} type
  * @property {WebAssembly.Module} engine
@@ -55,7 +55,7 @@
  */
 
 /**
- * The first message to every worker. More may follow when a search is done.
+ * The first message to every worker. Another role may follow when a search is done.
  * @typedef {StandBy | Coordinate | Evaluate | MapTransitions} Role
  */
 
@@ -73,8 +73,8 @@
 /** Continue. Reply: 'progress' with state 'running'. @typedef {{type: 'resume'}} Resume */
 /** Stop the search. Reply: 'finished' with state 'stopped'. @typedef {{type: 'stop'}} Stop */
 
-/** @typedef {AddEvaluator | RemoveEvaluator | Pause | Resume | Stop} Wish */
-/** @typedef {Wish & {run: number}} PageToCoordinator */
+/** @typedef {AddEvaluator | RemoveEvaluator | Pause | Resume | Stop} SearchRequest */
+/** @typedef {SearchRequest & {run: number}} PageToCoordinator */
 
 // ---- any worker → page ----
 
@@ -119,8 +119,8 @@
  * @typedef {{type: 'silent', evaluator: number}} Silent
  */
 
-/** @typedef {Ready | Failed | Progress | Finished | Checkpoint | Silent} OfCoordinator */
-/** @typedef {Loaded | OfCoordinator & {run: number}} CoordinatorToPage */
+/** @typedef {Ready | Failed | Progress | Finished | Checkpoint | Silent} CoordinatorMessage */
+/** @typedef {Loaded | CoordinatorMessage & {run: number}} CoordinatorToPage */
 /** @typedef {Loaded | (Ready | Failed) & {run: number}} EvaluatorToPage */
 
 // ---- mapper → page ----
@@ -135,8 +135,8 @@
  * @property {Float32Array} scores
  * @property {number} usual          the controller's score from the start
  */
-/** @typedef {Ready | Failed | Mapped} OfMapper */
-/** @typedef {Loaded | OfMapper} MapperToPage */
+/** @typedef {Ready | Failed | Mapped} MapperMessage */
+/** @typedef {Loaded | MapperMessage} MapperToPage */
 
 // ---- coordinator ↔ evaluator ----
 

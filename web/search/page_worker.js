@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Replaces a Worker where the browser allows none, such as in a frame without an origin. It plays the same roles in the
-// page itself, in slices so short that the page keeps drawing.
+// Replaces a Worker if the browser allows none, such as in a frame without an origin. It has the same roles, and runs
+// in the page itself, in slices so short that the page keeps drawing.
 import { WorkerRoles } from './worker_roles.js';
 
 const SLICE_MS = 8;
@@ -20,7 +20,7 @@ export class PageWorker {
   constructor() { this.#roles.begin(); }
 
   /** @param {any} message */
-  postMessage(message) { this.#later(() => this.#roles.hear(message)); }
+  postMessage(message) { this.#later(() => this.#roles.onMessage(message)); }
 
   terminate() {
     this.#open = false;

@@ -9,9 +9,9 @@ import { NO_REPORT } from '../app/no_report.js';
 import { unreachable } from './messages.js';
 
 /** @typedef {import('./messages.js').CoordinatorToPage} CoordinatorToPage */
-/** @typedef {import('./messages.js').OfCoordinator} OfCoordinator */
+/** @typedef {import('./messages.js').CoordinatorMessage} CoordinatorMessage */
 /** @typedef {import('./messages.js').EvaluatorToPage} EvaluatorToPage */
-/** @typedef {import('./messages.js').Wish} Wish */
+/** @typedef {import('./messages.js').SearchRequest} SearchRequest */
 /** @typedef {import('./messages.js').Role} Role */
 /** @typedef {import('./messages.js').SearchReport} SearchReport */
 
@@ -28,14 +28,14 @@ import { unreachable } from './messages.js';
  * @typedef {{worker: Worker, ready: boolean, waitedMs: number}} Evaluator  waitedMs: time since its last sign of life
  */
 /**
- * @typedef {object} Crew  the workers of one search
+ * @typedef {object} Team  the workers of one search
  * @property {number} run
  * @property {Worker} coordinator
  * @property {boolean} coordinatorReady
  * @property {boolean} paused     by the coordinator's last report
  * @property {number} silentMs
  * @property {Map<number, Evaluator>} evaluators
- * @property {boolean} sound  none of them has died
+ * @property {boolean} intact  none of them has died
  */
 
 const TICK_MS = 1000;
@@ -43,24 +43,24 @@ const TICK_MS = 1000;
 const SILENCE_MS = 5000;
 // Scripts may load over a slow line. After that a worker needs an engine and a document.
 const LOAD_MS = 30000;
-const BEGIN_MS = 10000;
+const START_MS = 10000;
 // A coordinator that has not ended its search by then hangs.
 const STOP_MS = 2000;
-// More deaths than this without an evaluation in between are not an accident.
-const MOST_DEATHS = 8;
+// More deaths than this, without an evaluation in between, have a lasting cause.
+const MAX_DEATHS = 8;
 // Workers without a search keep their scripts and engine for the next one. They are ended after this time, since each
 // uses memory.
-const REST_MS = 5 * 60000;
+const IDLE_MS = 5 * 60000;
 
 export class SearchClient {
-  /** @type {Crew | null} */
-  #crew = null;
+  /** @type {Team | null} */
+  #team = null;
   /**
    * Workers without a search: new ones, or those of the last search if it was done and no worker died. @type {Worker[]}
    */
-  #rested = [];
+  #idle = [];
   /** @type {ReturnType<typeof setTimeout> | undefined} */
-  #rest;
+  #idleTimer;
   /** @type {Uint8Array} */
   #document = new Uint8Array();
   #workers = 1;
@@ -68,7 +68,7 @@ export class SearchClient {
   /** Runs from the request to stop until the coordinator has stopped. @type {ReturnType<typeof setTimeout> | null} */
   #stopping = null;
   /** The last report, completed from earlier reports. @type {SearchReport} */
-  #known = NO_REPORT;
+  #lastReport = NO_REPORT;
   /** @type {{state: Uint8Array, evaluations: number} | null} */
   #checkpoint = null;
   #deaths = 0;
@@ -78,7 +78,7 @@ export class SearchClient {
   /** Workers whose scripts are loaded. @type {WeakSet<Worker>} */
   #loaded = new WeakSet();
   /** @type {ReturnType<typeof setInterval> | undefined} */
-  #watch;
+  #ticker;
 
   /**
    * @param {object} options
@@ -97,13 +97,13 @@ export class SearchClient {
    * @param {number} workers  evaluators
    */
   standBy(workers) {
-    if (this.#crew || this.#rested.length > 0) return;
-    const standing = Array.from({ length: workers + 1 }, () => this.createWorker());
-    for (const worker of standing) worker.postMessage(/** @type {Role} */ ({ type: 'stand-by', engine: this.engine }));
-    this.#rests(standing);
+    if (this.#team || this.#idle.length > 0) return;
+    const idle = Array.from({ length: workers + 1 }, () => this.createWorker());
+    for (const worker of idle) worker.postMessage(/** @type {Role} */ ({ type: 'stand-by', engine: this.engine }));
+    this.#setIdle(idle);
   }
 
-  get searching() { return this.#crew !== null; }
+  get searching() { return this.#team !== null; }
 
   /**
    * Runs the document's search and drops a running one.
@@ -111,18 +111,18 @@ export class SearchClient {
    * @param {number} workers       evaluators, at least 1
    */
   start(document, workers) {
-    this.#dismiss();
+    this.#endTeam();
     this.#document = document;
     this.#workers = Math.max(1, Math.floor(workers));
     this.#paused = false;
-    this.#known = NO_REPORT;
+    this.#lastReport = NO_REPORT;
     this.#checkpoint = null;
     this.#deaths = 0;
     this.#evaluations = 0;
     try {
-      this.#hire();
+      this.#startTeam();
     } catch (error) {
-      this.#dismiss(); // the browser allows no more workers
+      this.#endTeam(); // the browser allows no more workers
       throw error;
     }
   }
@@ -141,45 +141,45 @@ export class SearchClient {
 
   /** The last report has state 'stopped', even if the workers hang or die now. */
   stop() {
-    if (!this.#crew || this.#stopping !== null) return;
-    this.#stopping = setTimeout(() => this.#stopped(), STOP_MS);
+    if (!this.#team || this.#stopping !== null) return;
+    this.#stopping = setTimeout(() => this.#reportStopped(), STOP_MS);
     this.#send({ type: 'stop' });
   }
 
   /** Ends all workers at once. @returns {SearchReport} the latest report of their search, with state 'stopped' */
   close() {
-    this.#sendHome();
+    this.#endIdle();
     return this.drop();
   }
 
-  /** Ends the running search and its workers at once. @returns {SearchReport} as of close() */
+  /** Ends the running search and its workers at once. @returns {SearchReport} as close() does */
   drop() {
-    const known = this.#crew ? this.#known : NO_REPORT;
-    this.#dismiss();
-    return { ...known, state: 'stopped', rate: 0, secondsLeft: 0 };
+    const lastReport = this.#team ? this.#lastReport : NO_REPORT;
+    this.#endTeam();
+    return { ...lastReport, state: 'stopped', rate: 0, secondsLeft: 0 };
   }
 
-  // The crew.
+  // Workers of a search.
 
-  #hire() {
-    clearTimeout(this.#rest);
-    const coordinator = this.#worker();
-    /** @type {Crew} */
-    const crew = { run: ++this.#runs, coordinator, coordinatorReady: false, paused: false, silentMs: 0, evaluators: new Map(), sound: true };
-    this.#crew = crew;
+  #startTeam() {
+    clearTimeout(this.#idleTimer);
+    const coordinator = this.#takeWorker();
+    /** @type {Team} */
+    const team = { run: ++this.#runs, coordinator, coordinatorReady: false, paused: false, silentMs: 0, evaluators: new Map(), intact: true };
+    this.#team = team;
     /** @param {MessageEvent<CoordinatorToPage>} event */
     coordinator.onmessage = ({ data }) => {
       if (data.type === 'loaded') this.#loaded.add(coordinator);
-      else if (crew === this.#crew && data.run === crew.run) this.#hear(crew, data);
+      else if (team === this.#team && data.run === team.run) this.#onMessage(team, data);
     };
     coordinator.onerror = (event) => {
       event.preventDefault?.();
-      if (crew === this.#crew) this.#coordinatorDied(event.message);
+      if (team === this.#team) this.#coordinatorDied(event.message);
     };
     /** @type {Role} */
     const role = {
       type: 'coordinate',
-      run: crew.run,
+      run: team.run,
       engine: this.engine,
       document: this.#document,
       state: this.#checkpoint?.state ?? null,
@@ -187,54 +187,54 @@ export class SearchClient {
     };
     coordinator.postMessage(role);
     if (this.#paused) this.#send({ type: 'pause' });
-    for (let i = 0; i < this.#workers; i++) this.#addEvaluator(crew);
-    this.#sendHome(); // ends surplus workers
-    this.#watch = setInterval(() => this.#tick(crew), TICK_MS);
+    for (let i = 0; i < this.#workers; i++) this.#addEvaluator(team);
+    this.#endIdle(); // ends surplus workers
+    this.#ticker = setInterval(() => this.#tick(team), TICK_MS);
   }
 
-  #worker() { return this.#rested.shift() ?? this.createWorker(); }
+  #takeWorker() { return this.#idle.shift() ?? this.createWorker(); }
 
-  /** Keeps the workers of a search that is done. @param {Crew} crew */
-  #letRest(crew) {
-    const evaluators = [...crew.evaluators.values()];
-    if (crew.sound && evaluators.every(({ ready }) => ready)) {
-      this.#crew = null; // keeps the workers from being ended
-      this.#rests([crew.coordinator, ...evaluators.map(({ worker }) => worker)]);
+  /** Keeps the workers of a finished search for the next one. @param {Team} team */
+  #makeIdle(team) {
+    const evaluators = [...team.evaluators.values()];
+    if (team.intact && evaluators.every(({ ready }) => ready)) {
+      this.#team = null; // keeps the workers from being ended
+      this.#setIdle([team.coordinator, ...evaluators.map(({ worker }) => worker)]);
     }
-    this.#dismiss();
+    this.#endTeam();
   }
 
   /** @param {Worker[]} workers  coordinator first */
-  #rests(workers) {
-    this.#rested = workers;
+  #setIdle(workers) {
+    this.#idle = workers;
     for (const worker of workers) {
       worker.onmessage = ({ data }) => { if (data.type === 'loaded') this.#loaded.add(worker); };
-      worker.onerror = () => this.#sendHome();
+      worker.onerror = () => this.#endIdle();
     }
-    this.#rest = setTimeout(() => this.#sendHome(), REST_MS);
+    this.#idleTimer = setTimeout(() => this.#endIdle(), IDLE_MS);
   }
 
-  #sendHome() {
-    clearTimeout(this.#rest);
-    for (const worker of this.#rested.splice(0)) worker.terminate();
+  #endIdle() {
+    clearTimeout(this.#idleTimer);
+    for (const worker of this.#idle.splice(0)) worker.terminate();
   }
 
-  #dismiss() {
-    clearInterval(this.#watch);
+  #endTeam() {
+    clearInterval(this.#ticker);
     if (this.#stopping !== null) clearTimeout(this.#stopping);
     this.#stopping = null;
-    this.#crew?.coordinator.terminate();
-    for (const { worker } of this.#crew?.evaluators.values() ?? []) worker.terminate();
-    this.#crew = null;
+    this.#team?.coordinator.terminate();
+    for (const { worker } of this.#team?.evaluators.values() ?? []) worker.terminate();
+    this.#team = null;
   }
 
-  /** @param {Crew} crew */
-  #addEvaluator(crew) {
+  /** @param {Team} team */
+  #addEvaluator(team) {
     const evaluator = this.#evaluatorNumber++;
-    const worker = this.#worker();
+    const worker = this.#takeWorker();
     const { port1, port2 } = new MessageChannel();
     const entry = { worker, ready: false, waitedMs: 0 };
-    crew.evaluators.set(evaluator, entry);
+    team.evaluators.set(evaluator, entry);
     /** @param {MessageEvent<EvaluatorToPage>} event */
     worker.onmessage = ({ data }) => {
       if (data.type === 'loaded') {
@@ -242,7 +242,7 @@ export class SearchClient {
         entry.waitedMs = 0;
         return;
       }
-      if (crew !== this.#crew || data.run !== crew.run) return;
+      if (team !== this.#team || data.run !== team.run) return;
       switch (data.type) {
         case 'ready':
           if (entry.ready) return; // a repeated message: the port was already sent
@@ -259,45 +259,45 @@ export class SearchClient {
     };
     worker.onerror = (event) => {
       event.preventDefault?.();
-      if (crew === this.#crew) this.#replace(crew, evaluator, event.message);
+      if (team === this.#team) this.#replace(team, evaluator, event.message);
     };
     /** @type {Role} */
-    const role = { type: 'evaluate', run: crew.run, engine: this.engine, document: this.#document, port: port1 };
+    const role = { type: 'evaluate', run: team.run, engine: this.engine, document: this.#document, port: port1 };
     worker.postMessage(role, [port1]);
   }
 
-  /** @param {Crew} crew @param {OfCoordinator} message */
-  #hear(crew, message) {
-    crew.silentMs = 0;
-    crew.coordinatorReady = true;
+  /** @param {Team} team @param {CoordinatorMessage} message */
+  #onMessage(team, message) {
+    team.silentMs = 0;
+    team.coordinatorReady = true;
     switch (message.type) {
       case 'ready':
         break;
       case 'progress':
-        crew.paused = message.report.state === 'paused';
+        team.paused = message.report.state === 'paused';
         for (const evaluator of message.evaluators) {
-          const entry = crew.evaluators.get(evaluator);
+          const entry = team.evaluators.get(evaluator);
           if (entry) entry.waitedMs = 0;
         }
         if (message.report.evaluations > this.#evaluations) this.#deaths = 0;
         this.#evaluations = Math.max(this.#evaluations, message.report.evaluations);
-        this.#known = {
+        this.#lastReport = {
           ...message.report,
-          bestGenome: message.report.bestGenome ?? this.#known.bestGenome,
-          curve: message.report.curve ?? this.#known.curve,
+          bestGenome: message.report.bestGenome ?? this.#lastReport.bestGenome,
+          curve: message.report.curve ?? this.#lastReport.curve,
         };
         this.listener.progress(message.report);
         break;
       case 'finished':
-        if (message.report.state === 'done') this.#letRest(crew);
-        else this.#dismiss();
+        if (message.report.state === 'done') this.#makeIdle(team);
+        else this.#endTeam();
         this.listener.progress(message.report);
         break;
       case 'checkpoint':
         this.#checkpoint = message;
         break;
       case 'silent':
-        this.#replace(crew, message.evaluator);
+        this.#replace(team, message.evaluator);
         break;
       case 'failed':
         this.#fail(new EngineError(message.fault));
@@ -309,66 +309,66 @@ export class SearchClient {
 
   // Dead workers.
 
-  /** @param {Crew} crew */
-  #tick(crew) {
+  /** @param {Team} team */
+  #tick(team) {
     // Counts ticks instead of reading a clock, so that a sleeping laptop makes no worker late.
-    crew.silentMs += TICK_MS;
-    if (crew.silentMs > this.#patienceMs(crew.coordinator, crew.coordinatorReady)) {
+    team.silentMs += TICK_MS;
+    if (team.silentMs > this.#maxSilenceMs(team.coordinator, team.coordinatorReady)) {
       this.#coordinatorDied();
       return;
     }
-    if (crew.coordinatorReady && crew.paused !== this.#paused) this.#send({ type: this.#paused ? 'pause' : 'resume' });
-    for (const [evaluator, entry] of [...crew.evaluators]) {
-      if (entry.ready && !crew.coordinatorReady) continue; // the coordinator cannot know this evaluator yet
-      if ((entry.waitedMs += TICK_MS) > this.#patienceMs(entry.worker, entry.ready)) this.#replace(crew, evaluator);
+    if (team.coordinatorReady && team.paused !== this.#paused) this.#send({ type: this.#paused ? 'pause' : 'resume' });
+    for (const [evaluator, entry] of [...team.evaluators]) {
+      if (entry.ready && !team.coordinatorReady) continue; // the coordinator cannot know this evaluator yet
+      if ((entry.waitedMs += TICK_MS) > this.#maxSilenceMs(entry.worker, entry.ready)) this.#replace(team, evaluator);
     }
   }
 
   /** @param {Worker} worker @param {boolean} ready */
-  #patienceMs(worker, ready) { return ready ? SILENCE_MS : this.#loaded.has(worker) ? BEGIN_MS : LOAD_MS; }
+  #maxSilenceMs(worker, ready) { return ready ? SILENCE_MS : this.#loaded.has(worker) ? START_MS : LOAD_MS; }
 
-  /** @param {Crew} crew @param {number} evaluator @param {string} [reason] */
-  #replace(crew, evaluator, reason) {
-    const entry = crew.evaluators.get(evaluator);
-    if (!entry) return; // already replaced: an error and a silence may report the same death
+  /** @param {Team} team @param {number} evaluator @param {string} [reason] */
+  #replace(team, evaluator, reason) {
+    const entry = team.evaluators.get(evaluator);
+    if (!entry) return; // already replaced: an error and a timeout may report the same death
     entry.worker.terminate();
-    crew.evaluators.delete(evaluator);
-    crew.sound = false;
+    team.evaluators.delete(evaluator);
+    team.intact = false;
     this.#send({ type: 'remove-evaluator', evaluator });
     if (this.#stopping !== null) return;
-    if (!this.#survives(reason)) return;
+    if (!this.#countDeath(reason)) return;
     this.listener.incident(tr('A search worker stopped; another one took over and repeats its work.'));
-    this.#attempt(() => this.#addEvaluator(crew));
+    this.#attempt(() => this.#addEvaluator(team));
   }
 
   /** @param {string} [reason] */
   #coordinatorDied(reason) {
     if (this.#stopping !== null) {
-      this.#stopped();
+      this.#reportStopped();
       return;
     }
-    this.#dismiss();
-    if (!this.#survives(reason)) return;
+    this.#endTeam();
+    if (!this.#countDeath(reason)) return;
     const from = grouped(this.#checkpoint?.evaluations ?? 0);
     this.listener.incident(tr('The coordinator of the search stopped; another one continues from evaluation {1}.', from));
-    this.#attempt(() => this.#hire());
+    this.#attempt(() => this.#startTeam());
   }
 
-  /** @param {() => void} hire */
-  #attempt(hire) {
+  /** @param {() => void} action */
+  #attempt(action) {
     try {
-      hire();
+      action();
     } catch (error) {
       this.#fail(error instanceof Error ? error : new Error(String(error)));
     }
   }
 
   /** Ends a search whose coordinator cannot report its end. */
-  #stopped() { this.listener.progress(this.drop()); }
+  #reportStopped() { this.listener.progress(this.drop()); }
 
-  /** @param {string} [reason]  the browser's message; it differs between browsers */
-  #survives(reason = '') {
-    if (++this.#deaths <= MOST_DEATHS) return true;
+  /** @param {string} [reason]  the browser's message @returns {boolean} false: too many deaths, the search has failed */
+  #countDeath(reason = '') {
+    if (++this.#deaths <= MAX_DEATHS) return true;
     this.#fail(new Error(/memory|\bOOM\b/i.test(reason) ? trLater('there is not enough memory for this search; it was given up')
       : trLater('the search workers keep stopping; the search was given up')));
     return false;
@@ -376,12 +376,12 @@ export class SearchClient {
 
   /** @param {Error} error */
   #fail(error) {
-    this.#dismiss();
+    this.#endTeam();
     this.listener.failed(error);
   }
 
-  /** @param {Wish} wish @param {Transferable[]} [transfer] */
-  #send(wish, transfer = []) {
-    this.#crew?.coordinator.postMessage({ ...wish, run: this.#crew.run }, transfer);
+  /** @param {SearchRequest} request @param {Transferable[]} [transfer] */
+  #send(request, transfer = []) {
+    this.#team?.coordinator.postMessage({ ...request, run: this.#team.run }, transfer);
   }
 }

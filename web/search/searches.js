@@ -10,8 +10,8 @@ import { tr, trSentence } from '../languages/language.js';
 /** @typedef {import('../app/app.js').App} App */
 /** @typedef {import('./messages.js').SearchReport} SearchReport */
 
-// Each holds some memory, and a search is not certain.
-const MOST_STANDING_BY = 4;
+// Each needs memory, and perhaps no search follows.
+const MAX_STANDBY = 4;
 
 /** @typedef {import('./search_client.js').SearchClient} SearchClient */
 /** @typedef {import('../access/status_line.js').SearchWords} SearchWords */
@@ -19,7 +19,7 @@ const MOST_STANDING_BY = 4;
  * A trial of the lab: its title, the number of trials before it, and the total.
  * @typedef {{words: string, finished: number, total: number}} Trial
  */
-/** @typedef {{resolve: (report: SearchReport) => void, reject: (error: Error) => void}} End */
+/** @typedef {{resolve: (report: SearchReport) => void, reject: (error: Error) => void}} Settle */
 
 /**
  * Events: 'progress' (a SearchReport), 'done' ({report, queued}: whether it came from the queue) and 'error' (an
@@ -39,14 +39,14 @@ export class Searches extends EventTarget {
   #trial = null;
   /** Whether the running search came from the queue. */
   #queued = false;
-  #labOver = false; // the lab has ended, but its last trial may still report
+  #labOver = false; // whether the lab has ended; its last trial may still report
   /** Requests to send once the workers exist. @type {('pause' | 'resume' | 'stop')[]} */
-  #later = [];
+  #pendingRequests = [];
   searching = false;
   /** Settles when the last search is done, stopped, or replaced by another. @type {Promise<SearchReport>} */
   ended = Promise.resolve(NO_REPORT);
-  /** @type {End | null} */
-  #end = null;
+  /** @type {Settle | null} */
+  #settle = null;
 
   /** @param {App} app @param {import('../access/status_line.js').StatusLine} statusLine */
   constructor(app, statusLine) {
@@ -55,13 +55,13 @@ export class Searches extends EventTarget {
     this.statusLine = statusLine;
   }
 
-  /** What only a search needs: the engine, compiled once for all workers, and the client that manages them. */
+  /** Loads what only a search needs: the engine, compiled once for all workers, and the client that manages them. */
   #prepare() {
     this.#prepared ??= Promise.all([compiledEngine(), import('./search_client.js')]).then(([engine, { SearchClient }]) => new SearchClient({
       engine,
       createWorker,
       listener: {
-        progress: (report) => this.#hear(report),
+        progress: (report) => this.#onProgress(report),
         incident: (sentence) => this.statusLine.say(sentence),
         failed: (error) => this.#fail(error),
       },
@@ -73,7 +73,7 @@ export class Searches extends EventTarget {
   /** Loads what the first search needs while the page is idle. A failure is reported by that search. */
   async standBy() {
     const client = await this.#prepare().catch(() => null);
-    if (!this.searching && hasWorkers) client?.standBy(Math.min(navigator.hardwareConcurrency || 2, MOST_STANDING_BY));
+    if (!this.searching && hasWorkers) client?.standBy(Math.min(navigator.hardwareConcurrency || 2, MAX_STANDBY));
   }
 
   /** Whether a search improves the document on the page. */
@@ -85,11 +85,11 @@ export class Searches extends EventTarget {
    */
   async start(document, workers, { trial, queued } = {}) {
     const run = ++this.#run;
-    this.#end?.resolve(this.#client?.drop() ?? { ...NO_REPORT, state: 'stopped' });
-    this.ended = new Promise((resolve, reject) => { this.#end = { resolve, reject }; });
+    this.#settle?.resolve(this.#client?.drop() ?? { ...NO_REPORT, state: 'stopped' });
+    this.ended = new Promise((resolve, reject) => { this.#settle = { resolve, reject }; });
     this.ended.catch(() => {}); // the banner shows the error even if no caller awaits this
     this.searching = true;
-    this.#later = [];
+    this.#pendingRequests = [];
     this.#curve = new Uint8Array(0);
     this.#trial = trial ?? null;
     this.#queued = queued !== undefined;
@@ -109,7 +109,7 @@ export class Searches extends EventTarget {
       this.#client = client;
       if (!hasWorkers) this.statusLine.say(tr('This frame has no workers: the search runs in the page itself, and takes longer.'));
       this.#client.start(document, hasWorkers ? workers : 1);
-      for (const wish of this.#later.splice(0)) this.#client[wish]();
+      for (const request of this.#pendingRequests.splice(0)) this.#client[request]();
     } catch (error) {
       if (run === this.#run) this.#fail(error instanceof Error ? error : new Error(String(error)));
     }
@@ -126,63 +126,64 @@ export class Searches extends EventTarget {
     this.#run++;
     this.#client?.close();
     this.searching = false;
-    this.#end?.reject(error);
-    this.#end = null;
+    this.#settle?.reject(error);
+    this.#settle = null;
     this.statusLine.clear();
   }
 
-  pause() { this.#wish('pause'); }
-  resume() { this.#wish('resume'); }
-  stop() { this.#wish('stop'); }
+  pause() { this.#request('pause'); }
+  resume() { this.#request('resume'); }
+  stop() { this.#request('stop'); }
 
-  /** @param {'pause' | 'resume' | 'stop'} wish */
-  #wish(wish) {
-    if (this.#client?.searching) this.#client[wish]();
-    else if (this.searching) this.#later.push(wish);
+  /** @param {'pause' | 'resume' | 'stop'} request */
+  #request(request) {
+    if (this.#client?.searching) this.#client[request]();
+    else if (this.searching) this.#pendingRequests.push(request);
   }
 
   /** @param {SearchReport} report */
-  #hear(report) {
+  #onProgress(report) {
     const ended = report.state === 'done' || report.state === 'stopped';
     if (report.curve) this.#curve = report.curve;
     const trial = this.#trial;
     const words = this.#words;
     const queued = this.#queued;
-    const end = this.#end;
+    const settle = this.#settle;
     if (ended) {
       this.searching = false;
-      this.#end = null;
+      this.#settle = null;
     }
     try {
-      this.app.searchProgress({ ...report, curve: this.#curve }); // at the end of a search, the application starts the next of lab or queue in this call
+      // At the end of a search, the application starts the next search of lab or queue in this call.
+      this.app.searchProgress({ ...report, curve: this.#curve });
     } catch (error) {
       this.#client?.drop();
-      this.#end = end;
+      this.#settle = settle;
       return this.#fail(error instanceof Error ? error : new Error(String(error)));
     }
     if (trial) {
-      if (!ended && !this.#labOver) this.statusLine.show(ofAll(report, trial), words);
+      if (!ended && !this.#labOver) this.statusLine.show(labReport(report, trial), words);
       return;
     }
     if (!(ended && this.searching)) this.statusLine.show(report, words);
     this.dispatchEvent(new CustomEvent('progress', { detail: report }));
     if (!ended) return;
-    end?.resolve(report);
+    settle?.resolve(report);
     this.dispatchEvent(new CustomEvent('done', { detail: { report, queued } }));
   }
 
   /** @param {Error} error */
   #fail(error) {
-    const end = this.#end;
+    const settle = this.#settle;
     const fault = trSentence(error.message);
-    const told = this.#queued ? tr('The search failed: {1}. What it had found is kept; the queue goes on.', fault)
+    const message = this.#queued ? tr('The search failed: {1}. What it had found is kept; the queue goes on.', fault)
       : tr('The search failed: {1}. What it had found is kept; you can start it again.', fault);
     this.searching = false;
-    this.#end = null;
+    this.#settle = null;
     this.app.searchFailed(); // the application may start the next search of the queue in this call
     if (!this.searching) this.statusLine.clear();
-    banner(told);
-    end?.reject(error);
+    banner(message);
+    settle?.reject(error);
     this.dispatchEvent(new CustomEvent('error', { detail: error }));
   }
 }
@@ -191,7 +192,7 @@ export class Searches extends EventTarget {
  * A trial's report as a report of the whole lab, without a best genome, since each trial starts anew.
  * @param {SearchReport} report @param {Trial} trial
  */
-function ofAll(report, { finished, total }) {
+function labReport(report, { finished, total }) {
   const evaluations = finished * report.budget + report.evaluations;
   const budget = total * report.budget;
   const secondsLeft = report.rate > 0 ? (budget - evaluations) / report.rate : 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The page's side of transition maps, with a worker of their own, so that no search waits for them. The application
-// requests one map at a time and knows its generation. Answers of earlier generations are outdated.
+// The page's side of transition maps. They have their own worker, so that no search waits for them. The application
+// requests one map at a time, with a generation number. Answers of earlier generations are ignored.
 import { unreachable } from './messages.js';
 
 /** @typedef {import('./messages.js').MapperToPage} MapperToPage */
@@ -20,7 +20,7 @@ const SILENCE_MS = 10000;
 // Silence is counted in ticks, so that a machine's sleep counts as one tick.
 const TICK_MS = 1000;
 // How long the worker is kept for the next map, as for workers of searches.
-const REST_MS = 5 * 60000;
+const IDLE_MS = 5 * 60000;
 
 export class TransitionMaps {
   /** @type {Worker | null} */
@@ -29,11 +29,11 @@ export class TransitionMaps {
   #compiled = null;
   #generation = 0; // of the requested map; 0: none
   /** @type {Role | null} */
-  #wanted = null;
-  #told = 0; // number of moments received without a gap
-  #again = false; // the map was requested again
+  #request = null;
+  #received = 0; // number of moments received without a gap
+  #retried = false; // the map was requested a second time
   /** @type {ReturnType<typeof setTimeout> | undefined} */
-  #watch;
+  #timer;
 
   /**
    * @param {object} options
@@ -54,49 +54,49 @@ export class TransitionMaps {
    */
   async start(document, generation) {
     this.#generation = generation;
-    this.#expect(START_MS);
+    this.#limitSilence(START_MS);
     try {
       const engine = this.#compiled ??= await this.engine();
       if (generation !== this.#generation) return;
-      this.#worker ??= this.#hire();
-      this.#wanted = { type: 'map-transitions', engine, document, generation };
-      this.#ask(false);
+      this.#worker ??= this.#startWorker();
+      this.#request = { type: 'map-transitions', engine, document, generation };
+      this.#send(false);
     } catch {
       if (generation === this.#generation) this.#fail();
     }
   }
 
-  /** @param {boolean} again */
-  #ask(again) {
-    this.#told = 0;
-    this.#again = again;
-    if (this.#wanted) this.#worker?.postMessage(this.#wanted);
+  /** @param {boolean} retried */
+  #send(retried) {
+    this.#received = 0;
+    this.#retried = retried;
+    if (this.#request) this.#worker?.postMessage(this.#request);
   }
 
   /** Abandons the requested map. */
   stop() {
     if (this.#generation === 0) return;
     if (this.#compiled) this.#worker?.postMessage(/** @type {Role} */ ({ type: 'stand-by', engine: this.#compiled }));
-    this.#rest();
+    this.#becomeIdle();
   }
 
   /** Ends the worker at once. */
   close() {
     this.#generation = 0;
-    clearTimeout(this.#watch);
-    this.#dismiss();
+    clearTimeout(this.#timer);
+    this.#endWorker();
   }
 
-  #rest() {
+  #becomeIdle() {
     this.#generation = 0;
-    clearTimeout(this.#watch);
-    this.#watch = setTimeout(() => this.#dismiss(), REST_MS);
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => this.#endWorker(), IDLE_MS);
   }
 
-  #hire() {
+  #startWorker() {
     const worker = this.createWorker();
     /** @param {MessageEvent<MapperToPage>} event */
-    worker.onmessage = ({ data }) => { if (worker === this.#worker) this.#hear(data); };
+    worker.onmessage = ({ data }) => { if (worker === this.#worker) this.#onMessage(data); };
     worker.onerror = (event) => {
       event.preventDefault?.();
       if (worker === this.#worker) this.#fail();
@@ -104,13 +104,13 @@ export class TransitionMaps {
     return worker;
   }
 
-  #dismiss() {
+  #endWorker() {
     this.#worker?.terminate();
     this.#worker = null;
   }
 
   /** @param {MapperToPage} message */
-  #hear(message) {
+  #onMessage(message) {
     if (this.#generation === 0) return;
     switch (message.type) {
       case 'loaded':
@@ -118,8 +118,8 @@ export class TransitionMaps {
         break;
       case 'mapped':
         if (message.generation !== this.#generation) return;
-        this.#expect(SILENCE_MS);
-        if (message.first <= this.#told) this.#told = Math.max(this.#told, message.first + message.scores.length);
+        this.#limitSilence(SILENCE_MS);
+        if (message.first <= this.#received) this.#received = Math.max(this.#received, message.first + message.scores.length);
         if (message.first + message.scores.length >= message.count) this.#end(message.count);
         this.listener.mapped(message);
         break;
@@ -131,24 +131,24 @@ export class TransitionMaps {
     }
   }
 
-  /** Handles the last part. If an earlier part was lost, requests all parts again. @param {number} count  of moments */
+  /** Handles the last part. If an earlier part was lost, requests the map once more. @param {number} count  of moments */
   #end(count) {
-    if (this.#told >= count) this.#rest();
-    else if (this.#again) setTimeout(() => this.#fail());
-    else this.#ask(true);
+    if (this.#received >= count) this.#becomeIdle();
+    else if (this.#retried) setTimeout(() => this.#fail());
+    else this.#send(true);
   }
 
-  /** @param {number} ms */
-  #expect(ms) {
-    clearTimeout(this.#watch);
-    this.#watch = setTimeout(() => (ms > TICK_MS ? this.#expect(ms - TICK_MS) : this.#fail()), TICK_MS);
+  /** Fails if no message arrives in this time. @param {number} ms */
+  #limitSilence(ms) {
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => (ms > TICK_MS ? this.#limitSilence(ms - TICK_MS) : this.#fail()), TICK_MS);
   }
 
   #fail() {
     const generation = this.#generation;
     this.#generation = 0;
-    clearTimeout(this.#watch);
-    this.#dismiss();
+    clearTimeout(this.#timer);
+    this.#endWorker();
     if (generation !== 0) this.listener.failed(generation);
   }
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The coordinator's role: runs the search's ask/tell loop, sends each batch to the evaluators in slices, and puts the
 // scores back in order. An evaluator that ends a slice already has the next one, so it does not wait for the
-// coordinator. The next slice may come from a second batch if the search can name one before it has the scores of the
-// first. Core alone decides what to ask and how a score is used, so the result is the same for any number of
-// evaluators, even if some die.
+// coordinator. The next slice may come from a second batch if the search can propose one before it has the scores of
+// the first. Only core decides which genomes to score and how to use a score. So the result is the same for any number
+// of evaluators, even if some die.
 import { SCORE_LENGTH } from './engine.js';
 import { unreachable } from './messages.js';
 
-/** @typedef {import('./messages.js').Wish} Wish */
-/** @typedef {import('./messages.js').OfCoordinator} OfCoordinator */
+/** @typedef {import('./messages.js').SearchRequest} SearchRequest */
+/** @typedef {import('./messages.js').CoordinatorMessage} CoordinatorMessage */
 /** @typedef {import('./messages.js').EvaluatorToCoordinator} EvaluatorToCoordinator */
 /** @typedef {import('./messages.js').CoordinatorToEvaluator} CoordinatorToEvaluator */
 /** @typedef {import('./messages.js').SearchReport} SearchReport */
@@ -20,27 +20,27 @@ import { unreachable } from './messages.js';
  * without scores
  */
 /**
- * @typedef {object} Hand  an evaluator, as the coordinator sees it
+ * @typedef {object} Evaluator  an evaluator, with its outstanding work
  * @property {MessagePort} port
  * @property {Slice[]} slices        its work, in order
  * @property {number} startedMs      when it began the first slice
- * @property {number} waitedMs       time since then, counted in ticks: a machine's sleep does not count
+ * @property {number} waitedMs       time since then, counted in ticks so that a machine's sleep does not count
  */
 
-// Number of motions that the engine simulates side by side. A slice that is not a multiple leaves lanes empty.
+// Number of motions that the engine simulates in parallel. A slice that is not a multiple leaves lanes empty.
 const LANES = 4;
-// Genomes per evaluator and batch. Larger batches lose less time between batches, but a search that looks ahead wastes
-// more, above all at its beginning, when every fourth guess is an improvement. So the size follows the waste, measured
-// over several batches. It never changes the result.
+// Genomes per evaluator and batch. Larger batches lose less time between batches. But a search that looks ahead wastes
+// more, above all at its start, when every fourth guess is an improvement. So the size follows the waste, measured over
+// several batches. It never changes the result.
 const BATCH_SIZES = [LANES, 2 * LANES, 3 * LANES, 5 * LANES, 10 * LANES];
 const FIRST_BATCH_SIZE = 2;
-const MOST_BATCHES = 2; // batches that may wait for scores at once
-const SLICES_AT_HAND = 2;
+const MAX_BATCHES = 2; // batches that may wait for scores at once
+const SLICES_PER_EVALUATOR = 2;
 const BATCHES_PER_MEASURE = 16;
 // Simulated ÷ counted. Measured over the first 20,000 evaluations of a population of ten: 1.07 with 40 a batch, 1.17
 // with 80.
-const MUCH_WASTE = 1.12;
-const LITTLE_WASTE = 1.04;
+const HIGH_WASTE = 1.12;
+const LOW_WASTE = 1.04;
 // Longest time for a slice, so that pause and stop take effect soon.
 const LONGEST_SLICE_MS = 100;
 const TICK_MS = 500;
@@ -55,14 +55,14 @@ const RATE_WINDOW_MS = 3000;
 const SPREAD_REST = 50;
 
 /**
- * Infinite after the clock was set back, so that nothing waits for the clock. @param {number} ms  an earlier time of
- * that clock
+ * Time since `ms`. Infinite after the clock was set back, so that nothing waits for the clock.
+ * @param {number} ms  an earlier performance.now()
  */
 const since = (ms) => (performance.now() < ms ? Infinity : performance.now() - ms);
 
 export class Coordinator {
-  /** @type {Map<number, Hand>} */
-  #hands = new Map();
+  /** @type {Map<number, Evaluator>} */
+  #evaluators = new Map();
   /** Batches without all scores, oldest first. @type {Batch[]} */
   #batches = [];
   #lastSlice = 0;
@@ -74,7 +74,7 @@ export class Coordinator {
   #measure = { batches: 0, simulated: 0, evaluations: 0 }; // counts since the last choice of the batch size
   #genomeMs = 0; // an evaluator's time for one genome, smoothed
   /** Recent progress, for the rate. @type {{ms: number, evaluations: number}[]} */
-  #pace = [];
+  #rateSamples = [];
   #progressMs = -Infinity;
   #checkpointMs = performance.now();
   #curveSent = -1;
@@ -87,7 +87,7 @@ export class Coordinator {
   /**
    * @param {import('./engine.js').Engine} engine
    * @param {import('./messages.js').Coordinate} role
-   * @param {(message: OfCoordinator, transfer?: Transferable[]) => void} post
+   * @param {(message: CoordinatorMessage, transfer?: Transferable[]) => void} post
    * @param {(error: unknown) => void} die  ends the role after an error
    * @param {number} [longestMs]  longest time for a slice
    */
@@ -102,7 +102,7 @@ export class Coordinator {
     this.ticker = setInterval(() => this.#attempt(() => this.#tick()), TICK_MS);
   }
 
-  /** @param {Wish} message */
+  /** @param {SearchRequest} message */
   receive(message) {
     switch (message.type) {
       case 'add-evaluator':
@@ -114,7 +114,7 @@ export class Coordinator {
       case 'pause':
       case 'resume':
         this.#state = message.type === 'pause' ? 'paused' : 'running';
-        this.#pace = [];
+        this.#rateSamples = [];
         this.#report();
         break;
       case 'stop':
@@ -123,24 +123,24 @@ export class Coordinator {
       default:
         unreachable(message);
     }
-    this.#deal();
+    this.#assignWork();
   }
 
-  /** @param {number} evaluator @param {MessagePort} port */
-  #add(evaluator, port) {
-    if (this.#hands.has(evaluator)) return; // a repeated message: it already has work
-    /** @type {Hand} */
-    const hand = { port, slices: [], startedMs: 0, waitedMs: 0 };
-    this.#hands.set(evaluator, hand);
+  /** @param {number} id @param {MessagePort} port */
+  #add(id, port) {
+    if (this.#evaluators.has(id)) return; // a repeated message
+    /** @type {Evaluator} */
+    const evaluator = { port, slices: [], startedMs: 0, waitedMs: 0 };
+    this.#evaluators.set(id, evaluator);
     /** @param {MessageEvent<EvaluatorToCoordinator>} event */
-    port.onmessage = ({ data }) => this.#attempt(() => this.#take(hand, data));
+    port.onmessage = ({ data }) => this.#attempt(() => this.#receiveScores(evaluator, data));
     // Some browsers report that the other end has died, so there is no need to wait for its silence.
     port.addEventListener('close', () => {
-      this.#attempt(() => { if (this.#hands.get(evaluator) === hand) this.#giveUp(evaluator); });
+      this.#attempt(() => { if (this.#evaluators.get(id) === evaluator) this.#giveUp(id); });
     });
   }
 
-  /** Runs an action between messages to the role. @param {() => void} action */
+  /** Runs an action that no message to the role has caused. An error ends the role. @param {() => void} action */
   #attempt(action) {
     try {
       action();
@@ -149,50 +149,50 @@ export class Coordinator {
     }
   }
 
-  /** @param {number} evaluator */
-  #remove(evaluator) {
-    const hand = this.#hands.get(evaluator);
-    this.#hands.delete(evaluator);
-    if (!hand) return;
+  /** @param {number} id */
+  #remove(id) {
+    const evaluator = this.#evaluators.get(id);
+    this.#evaluators.delete(id);
+    if (!evaluator) return;
     // Its answers may still arrive. They must not count, since another evaluator scores the same slices.
-    for (const slice of hand.slices.splice(0)) slice.batch.waiting.unshift(slice);
-    hangUp(hand);
+    for (const slice of evaluator.slices.splice(0)) slice.batch.waiting.unshift(slice);
+    closePort(evaluator);
   }
 
-  /** @param {number} evaluator */
-  #giveUp(evaluator) {
-    this.#remove(evaluator);
-    this.post({ type: 'silent', evaluator });
-    this.#deal();
+  /** @param {number} id */
+  #giveUp(id) {
+    this.#remove(id);
+    this.post({ type: 'silent', evaluator: id });
+    this.#assignWork();
   }
 
-  /** Gives every evaluator work until it has enough, those with the least first. */
-  #deal() {
-    for (let level = 0; level < SLICES_AT_HAND; level++) {
-      for (const hand of this.#hands.values()) {
-        if (hand.slices.length > level) continue;
+  /** Gives every evaluator work until it has enough. Those with the least work come first. */
+  #assignWork() {
+    for (let level = 0; level < SLICES_PER_EVALUATOR; level++) {
+      for (const evaluator of this.#evaluators.values()) {
+        if (evaluator.slices.length > level) continue;
         if (this.#state !== 'running') return;
         const slice = this.#next();
         if (!slice) return;
         const genes = this.search.genes;
         const { id, batch, first, count } = slice;
         const genomes = /** @type {Uint16Array<ArrayBuffer>} */ (batch.genomes.slice(first * genes, (first + count) * genes));
-        if (hand.slices.push(slice) === 1) this.#begin(hand);
+        if (evaluator.slices.push(slice) === 1) this.#startClock(evaluator);
         /** @type {CoordinatorToEvaluator} */
         const message = { type: 'score', slice: id, genomes };
-        hand.port.postMessage(message, [genomes.buffer]);
+        evaluator.port.postMessage(message, [genomes.buffer]);
       }
     }
   }
 
-  /** @param {Hand} hand */
-  #begin(hand) {
-    hand.startedMs = performance.now();
-    hand.waitedMs = 0;
+  /** @param {Evaluator} evaluator */
+  #startClock(evaluator) {
+    evaluator.startedMs = performance.now();
+    evaluator.waitedMs = 0;
   }
 
   /**
-   * @returns {Slice | undefined} a slice of the oldest batch that has one, or of a new batch if the search can name it
+   * @returns {Slice | undefined} a slice of the oldest batch that has one, or of a new batch if the search can propose it
    */
   #next() {
     const batch = this.#batches.find(({ waiting }) => waiting.length > 0) ?? this.#ask();
@@ -204,16 +204,16 @@ export class Coordinator {
    * arrived
    */
   #ask() {
-    const underWay = this.#batches.length;
-    if (underWay > 0 && (underWay >= MOST_BATCHES || !this.search.asksAhead)) return null;
+    const pending = this.#batches.length;
+    if (pending > 0 && (pending >= MAX_BATCHES || !this.search.asksAhead)) return null;
     if (this.search.done) {
-      if (underWay === 0) this.#finish('done');
+      if (pending === 0) this.#finish('done');
       return null;
     }
     const genomes = this.search.ask(BATCH_SIZES[this.#batchSize] * this.workers);
     const count = genomes.length / this.search.genes;
     if (count === 0) return null;
-    const share = Math.ceil(count / Math.max(1, this.#hands.size));
+    const share = Math.ceil(count / Math.max(1, this.#evaluators.size));
     const soon = this.#genomeMs > 0 ? LANES * Math.max(1, Math.floor(this.longestMs / this.#genomeMs / LANES)) : LANES;
     /** @type {Batch} */
     const batch = { genomes, scores: new Float32Array(SCORE_LENGTH * count), waiting: [], missing: 0 };
@@ -223,14 +223,14 @@ export class Coordinator {
     return batch;
   }
 
-  /** @param {Hand} hand @param {EvaluatorToCoordinator} result */
-  #take(hand, { slice: id, scores }) {
-    const slice = hand.slices[0];
+  /** @param {Evaluator} evaluator @param {EvaluatorToCoordinator} result */
+  #receiveScores(evaluator, { slice: id, scores }) {
+    const slice = evaluator.slices[0];
     if (slice?.id !== id) return; // the slice was taken back from an evaluator that seemed dead
-    hand.slices.shift();
+    evaluator.slices.shift();
     // Limited by ticks, since the clock may jump.
-    const ms = Math.min(since(hand.startedMs), hand.waitedMs + TICK_MS) / slice.count;
-    this.#begin(hand);
+    const ms = Math.min(since(evaluator.startedMs), evaluator.waitedMs + TICK_MS) / slice.count;
+    this.#startClock(evaluator);
     this.#genomeMs = this.#genomeMs > 0 ? 0.8 * this.#genomeMs + 0.2 * ms : ms;
     this.#simulated += slice.count;
     const { batch } = slice;
@@ -240,15 +240,15 @@ export class Coordinator {
       this.search.tell(/** @type {Batch} */ (this.#batches.shift()).scores);
       this.#batchDone();
     }
-    this.#deal();
+    this.#assignWork();
   }
 
   #batchDone() {
     this.#fitBatchSize();
     const now = performance.now();
-    if (now < (this.#pace.at(-1)?.ms ?? 0)) this.#pace = [];
-    this.#pace.push({ ms: now, evaluations: this.search.evaluations });
-    while (this.#pace[0].ms < now - RATE_WINDOW_MS) this.#pace.shift();
+    if (now < (this.#rateSamples.at(-1)?.ms ?? 0)) this.#rateSamples = [];
+    this.#rateSamples.push({ ms: now, evaluations: this.search.evaluations });
+    while (this.#rateSamples[0].ms < now - RATE_WINDOW_MS) this.#rateSamples.shift();
     if (since(this.#checkpointMs) >= CHECKPOINT_MS) {
       this.#checkpointMs = now;
       const state = this.search.save();
@@ -261,17 +261,17 @@ export class Coordinator {
     if (++this.#measure.batches < BATCHES_PER_MEASURE) return;
     const { evaluations } = this.search;
     const waste = (this.#simulated - this.#measure.simulated) / Math.max(1, evaluations - this.#measure.evaluations);
-    if (waste > MUCH_WASTE) this.#batchSize = Math.max(0, this.#batchSize - 1);
-    if (waste < LITTLE_WASTE) this.#batchSize = Math.min(BATCH_SIZES.length - 1, this.#batchSize + 1);
+    if (waste > HIGH_WASTE) this.#batchSize = Math.max(0, this.#batchSize - 1);
+    if (waste < LOW_WASTE) this.#batchSize = Math.min(BATCH_SIZES.length - 1, this.#batchSize + 1);
     this.#measure = { batches: 0, simulated: this.#simulated, evaluations };
   }
 
   #tick() {
-    for (const [evaluator, hand] of [...this.#hands]) {
-      if (hand.slices.length === 0) continue;
-      hand.waitedMs += TICK_MS;
-      const usualMs = this.#genomeMs * hand.slices[0].count;
-      if (hand.waitedMs > Math.max(SILENCE_MS, SILENCE_RATIO * usualMs)) this.#giveUp(evaluator);
+    for (const [id, evaluator] of [...this.#evaluators]) {
+      if (evaluator.slices.length === 0) continue;
+      evaluator.waitedMs += TICK_MS;
+      const usualMs = this.#genomeMs * evaluator.slices[0].count;
+      if (evaluator.waitedMs > Math.max(SILENCE_MS, SILENCE_RATIO * usualMs)) this.#giveUp(id);
     }
     // Without reports the page would replace the coordinator.
     if (since(this.#progressMs) >= TICK_MS) this.#report();
@@ -279,28 +279,28 @@ export class Coordinator {
 
   #report() {
     this.#progressMs = performance.now();
-    this.post({ type: 'progress', report: this.#summary(false), evaluators: [...this.#hands.keys()] });
+    this.post({ type: 'progress', report: this.#summary(false), evaluators: [...this.#evaluators.keys()] });
   }
 
   /** @param {'done' | 'stopped'} state */
   #finish(state) {
     this.#state = state;
-    this.letGo();
+    this.disconnect();
     this.post({ type: 'finished', report: this.#summary(true) });
   }
 
   /** Stops receiving messages. */
-  letGo() {
+  disconnect() {
     clearInterval(this.ticker);
-    for (const hand of this.#hands.values()) hangUp(hand);
-    this.#hands.clear();
+    for (const evaluator of this.#evaluators.values()) closePort(evaluator);
+    this.#evaluators.clear();
   }
 
   free() { this.search.close(); }
 
-  /** At most fifty times as old as the time it takes to compute. @param {boolean} anew */
-  #spreadNow(anew) {
-    if (anew || since(this.#spreadMs) >= this.#spreadRestMs) {
+  /** At max fifty times as old as the time it takes to compute. @param {boolean} refresh */
+  #spreadNow(refresh) {
+    if (refresh || since(this.#spreadMs) >= this.#spreadRestMs) {
       this.#spreadMs = performance.now();
       this.#spread = this.search.spread;
       this.#spreadRestMs = SPREAD_REST * Math.min(since(this.#spreadMs), TICK_MS);
@@ -308,16 +308,16 @@ export class Coordinator {
     return this.#spread;
   }
 
-  /** @param {boolean} everything @returns {SearchReport} */
-  #summary(everything) {
+  /** @param {boolean} complete @returns {SearchReport} */
+  #summary(complete) {
     const { search } = this;
     const { evaluations, budget, bestFitness, curveLength } = search;
-    const pace = this.#pace;
-    const spanMs = pace.length > 1 ? pace[pace.length - 1].ms - pace[0].ms : 0;
-    const rate = spanMs > 0 ? (1000 * (pace[pace.length - 1].evaluations - pace[0].evaluations)) / spanMs : 0;
-    const newBest = everything || bestFitness !== this.#bestSent;
-    const newCurve = everything || curveLength !== this.#curveSent;
-    const bestGenome = newBest ? search.bestGenome : null;
+    const rateSamples = this.#rateSamples;
+    const spanMs = rateSamples.length > 1 ? rateSamples[rateSamples.length - 1].ms - rateSamples[0].ms : 0;
+    const rate = spanMs > 0 ? (1000 * (rateSamples[rateSamples.length - 1].evaluations - rateSamples[0].evaluations)) / spanMs : 0;
+    const sendBest = complete || bestFitness !== this.#bestSent;
+    const sendCurve = complete || curveLength !== this.#curveSent;
+    const bestGenome = sendBest ? search.bestGenome : null;
     if (bestGenome?.length) this.#bestSent = bestFitness;
     this.#curveSent = curveLength;
     return {
@@ -329,27 +329,27 @@ export class Coordinator {
       secondsLeft: rate > 0 ? (budget - evaluations) / rate : 0,
       bestFitness,
       bestGenome: bestGenome?.length ? bestGenome : null,
-      curve: newCurve ? search.curve : null,
-      spread: this.#spreadNow(everything),
-      saved: everything ? search.save() : null,
+      curve: sendCurve ? search.curve : null,
+      spread: this.#spreadNow(complete),
+      saved: complete ? search.save() : null,
     };
   }
 }
 
-/** Closing is not enough: between two ends in one page a message sent before still arrives. @param {Hand} hand */
-function hangUp({ port }) {
+/** Without a listener, because an earlier message still arrives if both ends are in one page. @param {Evaluator} evaluator */
+function closePort({ port }) {
   port.onmessage = null;
   port.close();
 }
 
 /**
- * Cuts `count` genomes into slices of at most `most`, as evenly as whole lanes allow.
- * @param {number} count @param {number} most
+ * Cuts genomes into slices of at most `max`, as evenly as whole lanes allow.
+ * @param {number} count  of genomes @param {number} max
  * @returns {Span[]}
  */
-export function cut(count, most) {
+export function cut(count, max) {
   const rows = Math.ceil(count / LANES);
-  const slices = Math.max(1, Math.ceil(rows / Math.ceil(most / LANES)));
+  const slices = Math.max(1, Math.ceil(rows / Math.ceil(max / LANES)));
   return Array.from({ length: slices }, (_, i) => {
     const first = LANES * Math.floor((i * rows) / slices);
     return { first, count: Math.min(count, LANES * Math.floor(((i + 1) * rows) / slices)) - first };

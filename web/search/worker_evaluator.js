@@ -8,7 +8,7 @@
  * @param {import('./engine.js').Engine} engine
  * @param {import('./messages.js').Evaluate} role
  * @param {(error: unknown) => void} die  ends the role after an error
- * @returns {import('./worker_roles.js').Holdings}
+ * @returns {import('./worker_roles.js').ActiveRole}
  */
 export function startEvaluator(engine, { document, port }, die) {
   const evaluator = engine.evaluator(document);
@@ -26,8 +26,8 @@ export function startEvaluator(engine, { document, port }, die) {
     port.postMessage(reply, [scores.buffer]);
   };
   return {
-    letGo: () => {
-      port.onmessage = null; // between two ends in one page a message sent before still arrives
+    disconnect: () => {
+      port.onmessage = null; // because an earlier message still arrives if both ends are in one page
       port.close();
     },
     free: () => evaluator.close(),

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 // The mapper's role: scores the moments at which a clip could take over, and sends the scores part by part.
 
-/** @typedef {import('./messages.js').OfMapper} OfMapper */
+/** @typedef {import('./messages.js').MapperMessage} MapperMessage */
 
-// A part is sent at the latest after this time. The first parts are a coarse picture of the whole.
+// Longest time for a part. The first parts are a coarse picture of the whole.
 const PART_MS = 100;
 const STRIDE = 4; // moments between two readings of the clock
 
 /**
  * @param {import('./engine.js').Engine} engine
  * @param {import('./messages.js').MapTransitions} role
- * @param {(message: OfMapper, transfer?: Transferable[]) => void} post
+ * @param {(message: MapperMessage, transfer?: Transferable[]) => void} post
  * @param {(error: unknown) => void} die  ends the role after an error
  * @param {number} [partMs]  time after which a part is sent
- * @returns {import('./worker_roles.js').Holdings}
+ * @returns {import('./worker_roles.js').ActiveRole}
  */
 export function startMapper(engine, { document, generation }, post, die, partMs = PART_MS) {
   const map = engine.transitionMap(document);
@@ -39,5 +39,5 @@ export function startMapper(engine, { document, generation }, post, die, partMs 
     if (next < count) timer = setTimeout(part); // lets messages in between parts
   };
   let timer = setTimeout(part);
-  return { letGo: () => clearTimeout(timer), free: () => map.close() };
+  return { disconnect: () => clearTimeout(timer), free: () => map.close() };
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The roles of a worker. A message decides whether it coordinates a search, evaluates for one or maps transitions. When
-// that is done, another role may follow. The roles run in a worker (worker.js) or, where there are none, in the page
-// (page_worker.js).
+// The roles of a worker. A message makes it coordinate a search, evaluate for one or map transitions. Another role may
+// follow. The roles run in a worker (worker.js) or, if the browser allows none, in the page (page_worker.js).
 import { Coordinator } from './worker_coordinator.js';
 import { Engine, EngineError } from './engine.js';
 import { startEvaluator } from './worker_evaluator.js';
@@ -10,24 +9,24 @@ import { unreachable } from './messages.js';
 
 /** @typedef {import('./messages.js').Role} Role */
 /** @typedef {import('./messages.js').PageToCoordinator} PageToCoordinator */
-/** @typedef {import('./messages.js').OfCoordinator} OfCoordinator */
-/** @typedef {import('./messages.js').OfMapper} OfMapper */
+/** @typedef {import('./messages.js').CoordinatorMessage} CoordinatorMessage */
+/** @typedef {import('./messages.js').MapperMessage} MapperMessage */
 /**
- * @typedef {{letGo: () => void, free: () => void}} Holdings  letGo: stops receiving messages; free: frees its objects
- * in the engine
+ * @typedef {{disconnect: () => void, free: () => void}} ActiveRole  disconnect: stops receiving messages; free: frees
+ * its objects in the engine
  */
-/** @typedef {(message: (import('./messages.js').Loaded | OfCoordinator | OfMapper) & {run?: number}, transfer?: Transferable[]) => void} Post */
+/** @typedef {(message: (import('./messages.js').Loaded | CoordinatorMessage | MapperMessage) & {run?: number}, transfer?: Transferable[]) => void} Post */
 
 export class WorkerRoles {
   /** @type {Promise<Engine> | null} */
   #engine = null;
   /** @type {Coordinator | null} */
   #coordinator = null;
-  /** @type {Holdings | null} */
-  #holdings = null;
-  #before = Promise.resolve();
+  /** @type {ActiveRole | null} */
+  #activeRole = null;
+  #queue = Promise.resolve();
   #run = 0; // of the role's search; 0: none
-  // Then it neither sends nor receives: an error may have left the search half changed.
+  // After an error, which may have left the search half changed, the worker neither sends nor receives.
   #dead = false;
 
   /**
@@ -40,7 +39,7 @@ export class WorkerRoles {
     this.post = (message, transfer) => { if (!this.#dead) post(message, transfer); };
     this.die = (/** @type {unknown} */ error) => {
       this.#dead = true;
-      this.#holdings?.letGo();
+      this.#activeRole?.disconnect();
       die(error);
     };
     this.longestMs = longestMs;
@@ -53,27 +52,27 @@ export class WorkerRoles {
    * Messages wait until the role of an earlier message has started, and keep their order.
    * @param {Role | PageToCoordinator} message
    */
-  hear(message) {
+  onMessage(message) {
     const isRole = ['stand-by', 'coordinate', 'evaluate', 'map-transitions'].includes(message.type);
-    this.#before = this.#before
+    this.#queue = this.#queue
       .then(() => {
         if (this.#dead) return;
-        return isRole ? this.#take(/** @type {Role} */ (message)) : this.#receive(/** @type {PageToCoordinator} */ (message));
+        return isRole ? this.#startRole(/** @type {Role} */ (message)) : this.#receive(/** @type {PageToCoordinator} */ (message));
       })
       .catch(this.die);
   }
 
-  /** No role follows, not even one whose message is on its way. */
+  /** Leaves the role and starts no other, not even one whose message has already arrived. */
   end() {
     this.leave();
-    this.#before = this.#before.then(() => this.leave(), () => {});
+    this.#queue = this.#queue.then(() => this.leave(), () => {});
   }
 
   leave() {
-    const holdings = this.#holdings;
-    this.#holdings = this.#coordinator = null;
-    holdings?.letGo();
-    if (!this.#dead) holdings?.free(); // do not call an engine that trapped; it is discarded as a whole
+    const activeRole = this.#activeRole;
+    this.#activeRole = this.#coordinator = null;
+    activeRole?.disconnect();
+    if (!this.#dead) activeRole?.free(); // an engine that trapped must not be called
   }
 
   /** @param {PageToCoordinator} message */
@@ -82,12 +81,12 @@ export class WorkerRoles {
   }
 
   /** @param {Role} message */
-  async #take(message) {
+  async #startRole(message) {
     const run = 'run' in message ? message.run : 0;
-    if (run > 0 && run === this.#run) return; // the message came twice
+    if (run > 0 && run === this.#run) return; // a repeated message
     this.#run = run;
     /** @type {Post} */
-    const post = run > 0 ? (said, transfer) => this.post({ ...said, run }, transfer) : this.post;
+    const post = run > 0 ? (reply, transfer) => this.post({ ...reply, run }, transfer) : this.post;
     try {
       this.leave();
       this.#engine ??= Engine.load(message.engine);
@@ -96,13 +95,13 @@ export class WorkerRoles {
         case 'stand-by':
           return;
         case 'coordinate':
-          this.#holdings = this.#coordinator = new Coordinator(engine, message, post, this.die, this.longestMs);
+          this.#activeRole = this.#coordinator = new Coordinator(engine, message, post, this.die, this.longestMs);
           break;
         case 'evaluate':
-          this.#holdings = startEvaluator(engine, message, this.die);
+          this.#activeRole = startEvaluator(engine, message, this.die);
           break;
         case 'map-transitions':
-          this.#holdings = startMapper(engine, message, post, this.die, this.longestMs);
+          this.#activeRole = startMapper(engine, message, post, this.die, this.longestMs);
           break;
         default:
           unreachable(message);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The document in the page's address: its link stands after '#', where no server sees it. Read at the start and
-// whenever it is changed by hand; written when the document has come to rest.
+// The document in the page's address. Its link follows '#', which browsers do not send to servers. The address is read
+// at the start and when a person changes it. It is written when the document has not changed for a while.
 import { banner } from '../browser/dom.js';
 import { tr, trSentence } from '../languages/language.js';
 
@@ -9,30 +9,30 @@ import { tr, trSentence } from '../languages/language.js';
 const REST_MS = 600;
 
 export class Address {
-  #read = false;
+  #followsDocument = false;
   /**
-   * What the address held when it was opened, and that document's link as it is written here. While it is the
-   * present document the address stays as it was: it may hold the hash of a motion that looks different here.
+   * What the address held when it was opened, and that document's link as this page writes it. While that document is
+   * open the address does not change, because it may hold the hash of a motion that looks different here.
    */
   #opened = { payload: '', link: '' };
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #timer;
-  /** Called when the address holds the present document. */
-  written = () => {};
+  /** Called when the address holds the current document. */
+  onWrite = () => {};
 
-  /** @param {App} app @param {() => boolean} busy  a search changes the document over and over */
+  /** @param {App} app @param {() => boolean} busy  whether a search keeps changing the document */
   constructor(app, busy) {
     this.app = app;
     this.busy = busy;
     addEventListener('hashchange', () => this.open());
   }
 
-  /** The whole address of the present document. */
+  /** The complete address of the current document. */
   link() { return this.linkOf(this.app.link()); }
   /** @param {string} payload */
   linkOf(payload) { return `${location.href.split(/[?#]/)[0]}#${payload}`; }
 
-  /** Opens what the address holds, if anything. A damaged link leaves the present work as it is. */
+  /** Opens the link in the address, if there is one. A damaged link changes nothing. */
   open() {
     this.follow();
     const payload = location.hash.slice(1);
@@ -43,19 +43,19 @@ export class Address {
   }
 
   /** From now on the address follows the document. */
-  follow() { this.#read = true; }
+  follow() { this.#followsDocument = true; }
 
-  /** The document is another one now. */
+  /** Call after every change of the document. */
   changed() {
-    if (!this.#read) return; // the document the page begins with has no need of an address
+    if (!this.#followsDocument) return; // the first document needs no address
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => (this.busy() ? this.changed() : this.write()), REST_MS);
   }
 
-  /** It stays as it is. */
+  /** Stops changing the address. */
   end() {
     clearTimeout(this.#timer);
-    this.#read = false;
+    this.#followsDocument = false;
   }
 
   write() {
@@ -63,13 +63,13 @@ export class Address {
     try {
       history.replaceState(null, '', `#${this.app.link() === link ? payload : this.app.link()}`);
     } catch {
-      return; // a frame without an origin may not
+      return; // not allowed in a frame without an origin
     }
-    this.written();
+    this.onWrite();
   }
 }
 
-/** Core's sentence for the reader, with a full stop. @param {string} fault */
+/** Core's sentence in the page's language, with a full stop. @param {string} fault */
 export function sentence(fault) {
   const words = trSentence(fault);
   return /[.!?]$/.test(words) ? words : `${words}.`;

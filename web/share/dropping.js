@@ -21,7 +21,7 @@ export function startDropping(app) {
     if (!fits(event) || document.querySelector('dialog[open]')) return;
     event.preventDefault();
     hint.hidden = false;
-    // Dragging goes on reporting as long as it is over the page; leaving it is reported unreliably.
+    // 'dragover' repeats while the pointer is over the page. 'dragleave' is unreliable.
     clearTimeout(gone);
     gone = setTimeout(hide, 700);
   });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The page inside another page: messages in both directions, version 1 (docs/embedding.md). Only the page around this one
-// is answered, at the origin it speaks from; what it can ask for is this page's document and searches, never what the
-// browser keeps.
+// The page inside another page: messages in both directions, version 1 (docs/embedding.md). Replies go only to the
+// embedding page, at the origin of its message. Calls can reach this page's document and searches, but not the
+// browser's storage.
 
 /** @typedef {import('../page/api.js').Gaitsmith} Gaitsmith */
 
@@ -37,7 +37,7 @@ const CALLS = {
 
 /** @param {Gaitsmith} gaitsmith */
 export function startEmbedding(gaitsmith) {
-  /** Where the page around is from, once it has said hello; a page from a file has no origin to send to. @type {string | null} */
+  /** Origin of the embedding page, after its 'hello'. 'null' for a page from a file. @type {string | null} */
   let origin = null;
   const post = (/** @type {object} */ message, /** @type {string} */ to) => parent.postMessage({ gaitsmith: VERSION, ...message }, to === 'null' ? '*' : to);
 
@@ -61,9 +61,9 @@ export function startEmbedding(gaitsmith) {
       if (origin !== null) post({ event, detail: cloneable(detail) }, origin);
     });
   }
-  // Any page around this one may learn that it is ready. Everything else is sent only as an answer.
+  // Any embedding page may receive 'ready'. Other messages are replies, or events after its 'hello'.
   gaitsmith.ready.then(() => post({ event: 'ready' }, '*'), () => {});
 }
 
-/** What a message can carry: of an error its sentence. @param {any} detail */
+/** The detail in a form that a message can hold. @param {any} detail */
 const cloneable = (detail) => (detail instanceof Error ? { message: detail.message } : detail);

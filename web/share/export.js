@@ -9,28 +9,28 @@ import { fileName } from './sharing.js';
 /** @typedef {import('../app/app.js').App} App */
 /** @typedef {import('../search/engine.js').RecordedMotion} RecordedMotion */
 /**
- * What a format is made of.
- * @typedef {object} Order
+ * The input of an export.
+ * @typedef {object} ExportJob
  * @property {RecordedMotion} motion
  * @property {string} title
  * @property {number} poses
- * @property {AbortSignal} signal            told when nobody wants it any more
- * @property {(share: number) => void} told  how much is done, of 1
+ * @property {AbortSignal} signal                  aborted when the export is cancelled
+ * @property {(share: number) => void} onProgress  share: the finished part, from 0 to 1
  */
-/** @typedef {{ending: string, type: string, make: (order: Order) => Promise<BlobPart>}} Format */
+/** @typedef {{ending: string, type: string, make: (job: ExportJob) => Promise<BlobPart>}} Format */
 
 const PNG_SCALE = 2;
 
-/** Files that C++ makes are what it says of them; a strip gets its words here. @type {Record<string, Format>} */
+/** The formats of the engine's exporters, and those that are made here. @type {Record<string, Format>} */
 export const FORMATS = {
   ...Object.fromEntries(exporters.map(({ name, ending, type }) => [name, { ending, type, make: async ({ motion }) => motion.file(name) }])),
-  svg: { ending: 'svg', type: 'image/svg+xml', make: async (order) => strip(order) },
-  png: { ending: 'png', type: 'image/png', make: (order) => painted(strip(order)) },
-  gif: { ending: 'gif', type: 'image/gif', make: async (order) => (await import('./export_film.js')).gif(order) },
-  webm: { ending: 'webm', type: 'video/webm', make: async (order) => (await import('./export_film.js')).webm(order) },
+  svg: { ending: 'svg', type: 'image/svg+xml', make: async (job) => strip(job) },
+  png: { ending: 'png', type: 'image/png', make: (job) => painted(strip(job)) },
+  gif: { ending: 'gif', type: 'image/gif', make: async (job) => (await import('./export_film.js')).gif(job) },
+  webm: { ending: 'webm', type: 'video/webm', make: async (job) => (await import('./export_film.js')).webm(job) },
 };
 
-/** @param {Order} order */
+/** @param {ExportJob} job */
 function strip({ motion, poses }) {
   return motion.filmStrip(poses, [
     tr('{1} poses of {2} from {3} s to {4} s, lettered {5} to {6}.'),
@@ -39,7 +39,7 @@ function strip({ motion, poses }) {
   ]);
 }
 
-/** Pixels of an SVG. @param {string} svg @returns {Promise<Blob>} PNG */
+/** An SVG as a PNG. @param {string} svg @returns {Promise<Blob>} */
 async function painted(svg) {
   const url = URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' }));
   try {
@@ -66,7 +66,7 @@ class ExportDialog {
   #go = element('export-go', HTMLButtonElement);
   #cancel = element('export-cancel', HTMLButtonElement);
   #error = element('export-error');
-  /** Of what is being made. @type {AbortController | null} */
+  /** Of the running export. @type {AbortController | null} */
   #making = null;
   /** @type {Promise<Engine> | null} */
   #engine = null;
@@ -98,7 +98,7 @@ class ExportDialog {
   #radio(format) { return /** @type {HTMLInputElement} */ (this.#formats.querySelector(`[value=${format}]`)); }
   #format() { return /** @type {HTMLInputElement} */ (this.#formats.querySelector(':checked')).value; }
 
-  /** Only a strip has poses to count. */
+  /** Shows the number of poses only for film strips. */
   #chosen() {
     const strip = ['svg', 'png'].includes(this.#format());
     element('export-strip').hidden = !strip;
@@ -120,7 +120,7 @@ class ExportDialog {
         title: this.app.title(),
         poses: Number(this.#poses.value),
         signal: making.signal,
-        told: (share) => { this.#progress.value = share; },
+        onProgress: (share) => { this.#progress.value = share; },
       });
       making.signal.throwIfAborted();
       const name = `${fileName(this.app.title())}.${ending}`;
@@ -137,7 +137,7 @@ class ExportDialog {
     }
   }
 
-  /** Kept for further exports. */
+  /** The engine, loaded once for all exports. */
   #load() {
     this.#engine ??= Engine.load();
     this.#engine.catch(() => { this.#engine = null; }); // try again next time
@@ -152,7 +152,7 @@ class ExportDialog {
     this.#error.textContent = '';
     this.#progress.hidden = making === null;
     this.#progress.value = 0;
-    if (making) this.#cancel.focus(); // what had the keyboard may be out of use
+    if (making) this.#cancel.focus(); // the focused control may be disabled now
     else if (this.#dialog.open) this.#go.focus();
   }
 }

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Films of a motion: GIF as fast as it can be made, WebM as fast as it plays.
+// Videos of a motion. A GIF is made as fast as possible, a WebM is recorded in real time.
 import { Film, STEPS_PER_SECOND } from './film.js';
 import { GIFEncoder, nearestColorIndex, quantize } from './gifenc.js';
 
-/** @typedef {import('./export.js').Order} Order */
+/** @typedef {import('./export.js').ExportJob} ExportJob */
 
-const STEPS_PER_FRAME = 4; // GIF counts hundredths of a second, and browsers hurry what is quicker than two of them
-const LAST_FRAME_MS = 1000; // one sees that it begins again
-const BLENDS = 48; // colours besides those that are drawn with
-const SAMPLES = 6; // frames whose colours make the palette
+const STEPS_PER_FRAME = 4; // GIF delays are in hundredths of a second, and browsers do not play delays below two correctly
+const LAST_FRAME_MS = 1000; // shows that the motion starts again
+const BLENDS = 48; // colours beside those of the film
+const SAMPLES = 6; // frames from which the palette is made
 const WEBM_RATE = 60;
 const WEBM_BITS = 5e6; // a second
 
-/** Lets the page breathe. */
+/** Lets the page handle events. */
 const pause = () => new Promise((resolve) => setTimeout(resolve));
 
-/** The film's own colours as they are, and those that its blends are nearest to. @param {Film} film @returns {number[][]} */
+/** The film's colours, unchanged, and colours for its blends. @param {Film} film @returns {number[][]} */
 function paletteOf(film) {
   const last = film.motion.frames - 1;
   const samples = Array.from({ length: SAMPLES }, (_, i) => {
@@ -28,7 +28,7 @@ function paletteOf(film) {
   return [...own, ...quantize(all, BLENDS, { format: 'rgb565' })];
 }
 
-/** Says which colour of the palette each pixel has. The encoder's own way merges colours that lie close together. */
+/** Finds the palette's colour for each pixel. The encoder's own function merges similar colours. */
 class Painter {
   /** @type {Map<number, number>} */
   #known = new Map();
@@ -60,8 +60,8 @@ class Painter {
   }
 }
 
-/** @param {Order} order @returns {Promise<BlobPart>} */
-export async function gif({ motion, title, signal, told }) {
+/** @param {ExportJob} job @returns {Promise<BlobPart>} */
+export async function gif({ motion, title, signal, onProgress }) {
   const film = new Film(motion, title);
   const palette = paletteOf(film);
   const painter = new Painter(palette);
@@ -72,7 +72,7 @@ export async function gif({ motion, title, signal, told }) {
     const delay = last ? LAST_FRAME_MS : 1000 * STEPS_PER_FRAME / STEPS_PER_SECOND;
     const options = frame === 0 ? { palette, delay, repeat: 0 } : { delay };
     encoder.writeFrame(painter.indices(film.pixels()), film.width, film.height, options);
-    told(frame / motion.frames);
+    onProgress(frame / motion.frames);
     await pause();
     signal.throwIfAborted();
   }
@@ -80,8 +80,8 @@ export async function gif({ motion, title, signal, told }) {
   return new Uint8Array(encoder.bytes());
 }
 
-/** @param {Order} order @returns {Promise<BlobPart>} */
-export async function webm({ motion, title, signal, told }) {
+/** @param {ExportJob} job @returns {Promise<BlobPart>} */
+export async function webm({ motion, title, signal, onProgress }) {
   const film = new Film(motion, title);
   film.draw(0);
   const stream = film.canvas.captureStream(WEBM_RATE);
@@ -98,7 +98,7 @@ export async function webm({ motion, title, signal, told }) {
     const start = performance.now();
     for (let frame = 0; frame < motion.frames; frame = Math.floor((performance.now() - start) * STEPS_PER_SECOND / 1000)) {
       film.draw(frame);
-      told(frame / motion.frames);
+      onProgress(frame / motion.frames);
       await new Promise((resolve) => setTimeout(resolve, 1000 / WEBM_RATE));
       signal.throwIfAborted();
     }

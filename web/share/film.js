@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A motion as a film: the figure on its ground, frame by frame on a canvas of its own, in light colours that any page
-// and slide can have. The camera knows the whole motion, so it need not run after the figure.
+// A motion as a video: draws the figure and the ground, frame by frame, on a separate canvas, in light colours that
+// suit any page or slide. The whole motion is known, so the camera moves smoothly instead of reacting to the figure.
 import { fixed } from '../languages/language.js';
 
 /** @typedef {import('../search/engine.js').RecordedMotion} RecordedMotion */
@@ -9,15 +9,15 @@ export const STEPS_PER_SECOND = 100;
 const WIDTH = 640;
 const HEIGHT = 360;
 const GROUND_Y = 292;
-const TOP_Y = 62; // of the figure at its highest
-const WIDEST = 250; // of the figure
+const TOP_Y = 62; // of the figure at its highest point
+const MAX_WIDTH = 250; // of the figure
 const TRAIL_STEPS = 150;
 const INK = '#1d2733', SECOND_INK = '#5b6672', PAPER = '#fbfaf6', GROUND = '#efebe3', TRAIL = '#2f5fd0';
 // As in shell/export/rule_colours.h.
 const COLOURS = ['#2092ea', '#dd8a53', '#106c6f', '#61459b', '#eb54a9', '#b4af0f', '#8cb58f', '#804538', '#5b47e0', '#71630f'];
-const ROD_SHARE = 0.16; // thickness against mean length
-const LEAST_TICK = 76;
-const EDGE = 28; // of labels
+const ROD_SHARE = 0.16; // thickness relative to mean length
+const MIN_TICK = 76;
+const EDGE = 28; // margin for labels
 
 export class Film {
   width = WIDTH;
@@ -32,11 +32,11 @@ export class Film {
     this.canvas.height = HEIGHT;
     this.context = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext('2d', { willReadFrequently: true }));
     const { widest, top, rod } = sizes(motion);
-    this.scale = Math.min(WIDEST / widest, (GROUND_Y - TOP_Y) / Math.max(top + rod, 1e-6));
+    this.scale = Math.min(MAX_WIDTH / widest, (GROUND_Y - TOP_Y) / Math.max(top + rod, 1e-6));
     this.rod = rod * this.scale;
-    this.tick = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000].find((length) => length * this.scale >= LEAST_TICK) ?? 50000;
-    this.cameras = smooth(Float64Array.from({ length: motion.frames }, (_, i) => this.#at(i, 1)));
-    this.severalControllers = new Set(Array.from({ length: motion.frames }, (_, i) => this.#at(i, 0))).size > 1;
+    this.tick = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000].find((length) => length * this.scale >= MIN_TICK) ?? 50000;
+    this.cameras = smooth(Float64Array.from({ length: motion.frames }, (_, i) => this.#numberAt(i, 1)));
+    this.severalControllers = new Set(Array.from({ length: motion.frames }, (_, i) => this.#numberAt(i, 0))).size > 1;
   }
 
   /** The whole picture of one step. @param {number} frame */
@@ -52,33 +52,33 @@ export class Film {
     this.#text(`${fixed(frame / STEPS_PER_SECOND, 2)} s`, WIDTH - 20, 34, SECOND_INK, '14px');
     c.textAlign = 'left';
     this.#text(this.title, 20, 34, INK, '600 16px', WIDTH - 130);
-    const controller = this.#at(frame, 0);
+    const controller = this.#numberAt(frame, 0);
     if (!this.severalControllers || controller < 0) return;
     c.fillStyle = COLOURS[controller % COLOURS.length];
     c.fillRect(20, 44, 36, 4);
   }
 
-  /** The colours that pictures are made of, but for their blends: #rrggbb. */
+  /** The colours of the frames, as #rrggbb, without blends. */
   get colours() {
-    const controllers = new Set(Array.from({ length: this.motion.frames }, (_, i) => this.#at(i, 0)).filter((one) => one >= 0));
+    const controllers = new Set(Array.from({ length: this.motion.frames }, (_, i) => this.#numberAt(i, 0)).filter((one) => one >= 0));
     return [PAPER, GROUND, INK, SECOND_INK, TRAIL, ...[...controllers].map((one) => COLOURS[one % COLOURS.length])];
   }
 
-  /** @returns {Uint8ClampedArray} RGBA of what was drawn last */
+  /** @returns {Uint8ClampedArray} RGBA of the last drawn frame */
   pixels() { return this.context.getImageData(0, 0, WIDTH, HEIGHT).data; }
 
   /** @param {number} frame @param {number} which */
-  #at(frame, which) { return this.motion.numbers[frame * this.motion.stride + which]; }
+  #numberAt(frame, which) { return this.motion.numbers[frame * this.motion.stride + which]; }
   /** @param {number} metres @param {number} frame */
   #x(metres, frame) { return WIDTH / 2 + (metres - this.cameras[frame]) * this.scale; }
-  /** Rods lie on the ground with their edge. @param {number} metres */
+  /** The lower edge of a rod at 0 m touches the ground. @param {number} metres */
   #y(metres) { return GROUND_Y - this.rod / 2 - metres * this.scale; }
 
-  /** @param {string} text @param {number} x @param {number} y @param {string} colour @param {string} font @param {number} [most] */
-  #text(text, x, y, colour, font, most) {
+  /** @param {string} text @param {number} x @param {number} y @param {string} colour @param {string} font @param {number} [maxWidth] */
+  #text(text, x, y, colour, font, maxWidth) {
     this.context.font = `${font} Inter, Helvetica, Arial, sans-serif`;
     this.context.fillStyle = colour;
-    this.context.fillText(text, x, y, most);
+    this.context.fillText(text, x, y, maxWidth);
   }
 
   /** @param {number} frame */
@@ -96,7 +96,7 @@ export class Film {
       c.fillStyle = SECOND_INK;
       c.fillRect(x - 0.5, GROUND_Y, 1, 8);
       const metres = fixed(Math.abs(mark * this.tick), this.tick < 1 ? 1 : 0);
-      if (x < EDGE || x > WIDTH - EDGE) continue; // cut, it would be misread
+      if (x < EDGE || x > WIDTH - EDGE) continue; // a cut label could be misread
       this.#text(`${mark < 0 ? '−' : ''}${metres} m`, x, GROUND_Y + 24, SECOND_INK, '12px');
     }
   }
@@ -109,8 +109,8 @@ export class Film {
     for (let i = Math.max(1, frame - TRAIL_STEPS); i <= frame; i++) {
       c.globalAlpha = 0.5 * (1 - (frame - i) / TRAIL_STEPS);
       c.beginPath();
-      c.moveTo(this.#x(this.#at(i - 1, 1), frame), this.#y(this.#at(i - 1, 2)));
-      c.lineTo(this.#x(this.#at(i, 1), frame), this.#y(this.#at(i, 2)));
+      c.moveTo(this.#x(this.#numberAt(i - 1, 1), frame), this.#y(this.#numberAt(i - 1, 2)));
+      c.lineTo(this.#x(this.#numberAt(i, 1), frame), this.#y(this.#numberAt(i, 2)));
       c.stroke();
     }
     c.globalAlpha = 1;
@@ -120,7 +120,7 @@ export class Film {
   #figure(frame) {
     const { context: c, motion } = this;
     const place = (/** @type {number} */ k) => /** @type {[number, number]} */ (
-      [this.#x(this.#at(frame, 3 + 2 * k), frame), this.#y(this.#at(frame, 4 + 2 * k))]);
+      [this.#x(this.#numberAt(frame, 3 + 2 * k), frame), this.#y(this.#numberAt(frame, 4 + 2 * k))]);
     const meeting = new Uint8Array(motion.endpoints);
     c.strokeStyle = INK;
     c.lineWidth = this.rod;
@@ -149,7 +149,7 @@ export class Film {
   }
 }
 
-/** How large the figure gets, and how thick its rods are [m]. @param {RecordedMotion} motion */
+/** The figure's greatest width and height, and the thickness of its rods [m]. @param {RecordedMotion} motion */
 function sizes({ numbers, stride, frames, starts, endpoints }) {
   let widest = 0;
   let top = 0;
@@ -174,7 +174,7 @@ function sizes({ numbers, stride, frames, starts, endpoints }) {
   return { widest: bounded, top: Math.min(top, 50 * bounded), rod: ROD_SHARE * length / starts.length };
 }
 
-/** Means over a second around each, twice: a camera without jerks. @param {Float64Array} values */
+/** Two moving averages over one second. @param {Float64Array} values */
 function smooth(values) {
   for (let pass = 0; pass < 2; pass++) {
     const sums = new Float64Array(values.length + 1);

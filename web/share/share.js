@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The Share dialog: the link with its picture for cameras (a QR code), and the lines that put the playground with this
-// motion into another page.
+// The Share dialog: the link, its QR code, and the HTML that embeds the playground with this motion.
 import { element, onClick, setText } from '../browser/dom.js';
 import { panels } from '../catalogue/catalogue.js';
 import { followLanguage, grouped, tr } from '../languages/language.js';
@@ -9,8 +8,8 @@ import { followLanguage, grouped, tr } from '../languages/language.js';
 /** @typedef {import('./address.js').Address} Address */
 
 // A camera across a room reads up to about this many modules (version 20) from a projector.
-const MOST_IN_QR = 850;
-const QUIET = 4; // modules of margin, as the standard asks for
+const MAX_QR_LENGTH = 850;
+const QUIET = 4; // modules of margin, as the standard requires
 
 /** @type {ShareDialog | null} */
 let dialog = null;
@@ -21,7 +20,7 @@ export function openShare(app, address) {
   dialog.open();
 }
 
-/** A ticked one, which follows the language. @param {typeof panels[number]} panel */
+/** A ticked checkbox whose label follows the language. @param {typeof panels[number]} panel */
 function checkbox({ name, label }) {
   const words = document.createTextNode('');
   followLanguage(() => { words.data = ` ${tr(label)}`; });
@@ -66,15 +65,15 @@ class ShareDialog {
 
   async #draw() {
     const link = this.#link.value;
-    this.#code.hidden = element('share-larger').hidden = link.length > MOST_IN_QR;
-    setText(this.#words, link.length > MOST_IN_QR
-      ? tr('With {1} characters this link is too long for a code that a camera reads from across a room: {2} is the most. Fewer rules, or a timer, make it shorter.', grouped(link.length), grouped(MOST_IN_QR))
+    this.#code.hidden = element('share-larger').hidden = link.length > MAX_QR_LENGTH;
+    setText(this.#words, link.length > MAX_QR_LENGTH
+      ? tr('With {1} characters this link is too long for a code that a camera reads from across a room: {2} is the most. Fewer rules, or a timer, make it shorter.', grouped(link.length), grouped(MAX_QR_LENGTH))
       : tr('A phone’s camera opens this code: all of the motion is in it.'));
     if (this.#code.hidden) return;
     const { encode } = await import('./uqr.js').catch(() => ({ encode: null }));
     if (!encode) return setText(this.#words, tr('The code could not be loaded.'));
     const { data, size } = encode(link, { ecc: 'L', border: QUIET });
-    // One path, a square for each dark module.
+    // One path with a square for each dark module.
     const path = data.flatMap((row, y) => row.flatMap((dark, x) => (dark ? `M${x} ${y}h1v1h-1z` : []))).join('');
     const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
     svg.setAttribute('viewBox', `0 0 ${size} ${size}`);
@@ -86,7 +85,7 @@ class ShareDialog {
     this.#code.replaceChildren(svg);
   }
 
-  /** The lines for another page, as the fields wish. */
+  /** Writes the HTML for embedding, with the chosen options. */
   #write() {
     const boxes = /** @type {HTMLInputElement[]} */ ([...this.#panels.querySelectorAll('input')]);
     const shown = boxes.filter(({ checked }) => checked).map(({ value }) => value);
@@ -111,5 +110,5 @@ class ShareDialog {
   }
 }
 
-/** For an attribute in double quotes. @param {string} text */
+/** Escapes text for an attribute in double quotes. @param {string} text */
 const escaped = (text) => text.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;').replaceAll('>', '&gt;');

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Copy link, Open and Save, and the clipboard's keys. All of it happens in DOM event handlers, because browsers give
-// the clipboard and files only to those.
+// Copy link, Open, Save, and the clipboard's keys. All in DOM event handlers, because browsers allow access to
+// clipboard and files only there.
 import { element, offerFile, onClick, setText, toast } from '../browser/dom.js';
 import { sentence } from './address.js';
 import { grouped, tr, trSentence } from '../languages/language.js';
 
 /** @typedef {import('../app/app.js').App} App */
 
-const MOST_BYTES = 8e6;
-// Programs that carry links cut some off after 2,000 characters or a little more.
+const MAX_BYTES = 8e6;
+// Some programs cut links off after about 2,000 characters.
 const LONG_LINK = 1900;
 
 /** @param {App} app @param {import('./address.js').Address} address */
@@ -29,7 +29,7 @@ async function copy(address) {
   try {
     await navigator.clipboard.writeText(link);
   } catch {
-    // No permission, no focus, or a page that was not served securely: the person copies by hand.
+    // No permission, no focus, or no secure connection: the person can copy the link by hand.
     const text = element('link-text', HTMLTextAreaElement);
     text.value = link;
     setText(element('link-words'), link.length > LONG_LINK ? longWords(link) : '');
@@ -37,14 +37,14 @@ async function copy(address) {
     text.select();
     return;
   }
-  tellCopied(link);
+  confirmCopied(link);
 }
 
 /** @param {string} link */
 const longWords = ({ length }) => tr('It has {1} characters, and some programs cut links off after about 2,000: a file carries everything.', grouped(length));
 
-/** A long one may not arrive. @param {string} link */
-function tellCopied(link) {
+/** Warns if the link may be too long for some programs. @param {string} link */
+function confirmCopied(link) {
   if (link.length <= LONG_LINK) return toast(tr('Link copied'));
   setText(element('long-link-words'), `${tr('Link copied')}. ${longWords(link)}`);
   element('long-link-dialog', HTMLDialogElement).showModal();
@@ -55,7 +55,7 @@ function save(app) {
   offerFile(`${fileName(app.title())}.json`, app.documentText(), 'application/json');
 }
 
-/** A title as the name of a file, without its ending. @param {string} title */
+/** A title as a file name, without extension. @param {string} title */
 export const fileName = (title) => title.replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-+|-+$/g, '').toLowerCase() || 'gaitsmith';
 
 /** @param {App} app */
@@ -80,7 +80,7 @@ function startOpening(app) {
   onClick('open-file', () => file.click());
   file.addEventListener('change', async () => {
     const chosen = file.files?.[0];
-    file.value = ''; // the same file may be chosen again
+    file.value = ''; // so that the same file can be chosen again
     if (!chosen) return;
     const { text: content, fault } = await textOf(chosen);
     if (fault) error.textContent = sentence(fault);
@@ -90,32 +90,32 @@ function startOpening(app) {
 }
 
 /**
- * What a file holds, if it can be a document at all: what core says about a picture is no help to anyone.
+ * The text of a file. Rejects files that cannot be documents, because core's sentence about a picture would not help.
  * @param {File} file
  * @returns {Promise<{text: string, fault: string}>}
  */
 export async function textOf(file) {
-  const no = (/** @type {string} */ fault) => ({ text: '', fault });
-  if (file.size > MOST_BYTES) return no(tr('it has {1} MB, and no Gaitsmith document is that large', grouped(file.size / 1e6)));
+  const failure = (/** @type {string} */ fault) => ({ text: '', fault });
+  if (file.size > MAX_BYTES) return failure(tr('it has {1} MB, and no Gaitsmith document is that large', grouped(file.size / 1e6)));
   let text;
   try {
     text = new TextDecoder('utf-8', { fatal: true }).decode(await file.arrayBuffer());
   } catch {
-    return no(tr('it is not a Gaitsmith document (a file that Save made, or a text with a link)'));
+    return failure(tr('it is not a Gaitsmith document (a file that Save made, or a text with a link)'));
   }
-  return text.trim() === '' ? no(tr('it is empty')) : { text, fault: '' };
+  return text.trim() === '' ? failure(tr('it is empty')) : { text, fault: '' };
 }
 
 /** @param {App} app @param {import('./address.js').Address} address */
 function startClipboardKeys(app, address) {
-  // What is typed into a dialog is its own.
+  // Dialogs handle these keys themselves.
   const typing = () => document.querySelector('dialog[open]') !== null;
   addEventListener('copy', (event) => {
     if (typing() || !getSelection()?.isCollapsed) return;
     const link = address.link();
     event.clipboardData?.setData('text/plain', link);
     event.preventDefault();
-    tellCopied(link);
+    confirmCopied(link);
   });
   addEventListener('paste', (event) => {
     const text = event.clipboardData?.getData('text/plain') ?? '';

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Nothing is lost by a crash, a closed tab or a reload: what this visit did is kept in the browser while it is done,
-// and the next visit begins with it, unless its address holds a link. Pages inside other pages keep nothing.
+// Protects the work from a crash, a closed tab or a reload. The browser stores the document while it is edited, and the
+// next visit restores it, unless its address holds a link. Pages inside other pages store nothing.
 import { element, onClick } from '../browser/dom.js';
 import { locale, tr, trSentence } from '../languages/language.js';
-import { forgetWork, keepWork, keptWorks } from './kept_works.js';
+import { removeWork, storeWork, keptWorks } from './kept_works.js';
 import { remember, remembered } from '../browser/storage.js';
 
 /** @typedef {import('../app/app.js').App} App */
@@ -11,16 +11,16 @@ import { remember, remembered } from '../browser/storage.js';
 /** @typedef {import('./kept_works.js').Work} Work */
 
 const REST_MS = 2000;
-const HERE = 'gaitsmith-here';           // of this tab: what its address held, and what was open
-const DISMISSED = 'gaitsmith-dismissed'; // works up to this time are not offered again
+const TAB_KEY = 'gaitsmith-here'; // state of this tab: its address and its document
+const DISMISSED_KEY = 'gaitsmith-dismissed'; // works up to this time are not offered again
 
 export class Autosave {
   #embedded = window.top !== window;
   #id = String(Math.random()).slice(2);
-  #written = '';   // the link of what this visit kept last
-  #untouched = ''; // and of what it began with, if nothing of that is its own
-  #begun = false;
-  #told = false;
+  #written = ''; // link of the document that this visit stored last
+  #untouched = ''; // link of the first document, unless it continues earlier work
+  #started = false;
+  #warned = false;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #timer;
 
@@ -30,20 +30,20 @@ export class Autosave {
     this.address = address;
     this.statusLine = statusLine;
     if (this.#embedded) return;
-    address.written = () => this.#noteHere();
+    address.onWrite = () => this.#storeTabState();
     addEventListener('pagehide', () => this.save());
     addEventListener('visibilitychange', () => { if (document.hidden) this.save(); });
   }
 
-  /** Opens what the visit begins with: this tab's own work, or what the address holds, or the last work there is. */
+  /** Opens the visit's first document: this tab's work, else the link in the address, else the last work. */
   begin() {
     const payload = location.hash.slice(1);
-    const here = this.#embedded ? null : this.#here();
+    const tabState = this.#embedded ? null : this.#tabState();
     const last = this.#embedded ? undefined : keptWorks()[0];
-    const own = here?.address === payload && here.link !== payload;
-    const again = own || here?.link === payload;
-    if (here && again) this.#id = here.id;
-    if (own && here && this.app.open(here.link) === '') {
+    const continued = tabState?.address === payload && tabState.link !== payload;
+    const sameWork = continued || tabState?.link === payload;
+    if (tabState && sameWork) this.#id = tabState.id;
+    if (continued && tabState && this.app.open(tabState.link) === '') {
       this.address.follow();
       if (payload) this.address.changed();
     } else {
@@ -54,43 +54,43 @@ export class Autosave {
     }
     this.app.forgetPast();
     if (this.#embedded) return;
-    this.#begun = true;
+    this.#started = true;
     this.#written = this.app.link();
-    if (!again) this.#untouched = this.#written;
-    if (own || !payload) this.#noteHere();
+    if (!sameWork) this.#untouched = this.#written;
+    if (continued || !payload) this.#storeTabState();
     if (payload && last && last.id !== this.#id && last.link !== this.#written
-      && last.when > Number(remembered(DISMISSED))) this.#offer(last);
+      && last.when > Number(remembered(DISMISSED_KEY))) this.#offer(last);
   }
 
-  /** The document is another one now, perhaps only for a moment. */
+  /** Call after every change of the document. */
   changed() {
-    if (!this.#begun) return;
+    if (!this.#started) return;
     this.#timer ??= setTimeout(() => this.save(), REST_MS);
   }
 
   save() {
     clearTimeout(this.#timer);
     this.#timer = undefined;
-    // To look at something is not to work.
-    if (!this.#begun || !(this.app.canUndo() || this.app.canRedo())) return;
+    // Store nothing if the visit has changed nothing.
+    if (!this.#started || !(this.app.canUndo() || this.app.canRedo())) return;
     const link = this.app.link();
     if (link === this.#written) return;
     this.#written = link;
-    if (link === this.#untouched) return forgetWork(this.#id); // all of it was undone
-    const kept = keepWork({ id: this.#id, title: this.app.title(), link, when: Date.now() });
-    this.#noteHere();
-    if (kept || this.#told) return;
-    this.#told = true;
+    if (link === this.#untouched) return removeWork(this.#id); // all changes were undone
+    const stored = storeWork({ id: this.#id, title: this.app.title(), link, when: Date.now() });
+    this.#storeTabState();
+    if (stored || this.#warned) return;
+    this.#warned = true;
     this.statusLine.say(tr('This browser does not let the page keep your work: save it, or copy its link, before you leave.'));
   }
 
-  /** Stops storing: after this the application's data is not trusted. */
+  /** Stops storing, because the application's data may be inconsistent. */
   end() {
     clearTimeout(this.#timer);
-    this.#begun = false;
+    this.#started = false;
   }
 
-  /** Works of earlier visits, to open. @returns {Command[]} */
+  /** Commands that open works of earlier visits. @returns {Command[]} */
   commands() {
     if (this.#embedded) return [];
     const time = (/** @type {number} */ when) =>
@@ -112,7 +112,7 @@ export class Autosave {
     });
     onClick('kept-close', () => {
       row.hidden = true;
-      remember(DISMISSED, String(work.when));
+      remember(DISMISSED_KEY, String(work.when));
       this.statusLine.say(tr('It stays kept: the list of commands has it.'));
     });
   }
@@ -123,15 +123,15 @@ export class Autosave {
     this.statusLine.say(fault ? tr('The kept work cannot be opened: {1}', trSentence(fault)) : tr('Opened {1}. Undo brings back what was here.', work.title));
   }
 
-  #noteHere() {
-    const here = { id: this.#id, address: location.hash.slice(1), link: this.app.link() };
-    remember(HERE, JSON.stringify(here), 'sessionStorage');
+  #storeTabState() {
+    const tabState = { id: this.#id, address: location.hash.slice(1), link: this.app.link() };
+    remember(TAB_KEY, JSON.stringify(tabState), 'sessionStorage');
   }
 
   /** @returns {{id: string, address: string, link: string} | null} */
-  #here() {
+  #tabState() {
     try {
-      return JSON.parse(remembered(HERE, 'sessionStorage') ?? 'null');
+      return JSON.parse(remembered(TAB_KEY, 'sessionStorage') ?? 'null');
     } catch {
       return null;
     }

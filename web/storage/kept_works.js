@@ -1,34 +1,34 @@
 // SPDX-License-Identifier: MIT
-// Works that this browser keeps: the document of each visit in which something was done, as a link. One entry for each
-// visit, so that two tabs never write over each other's; the oldest go.
+// Works in the browser's storage: for each visit with changes its document, as a link. Each visit has its own entry, so
+// that tabs do not overwrite each other's. The oldest are removed first.
 import { remember, remembered, rememberedKeys } from '../browser/storage.js';
 
 /** @typedef {{id: string, title: string, link: string, when: number}} Work  link: a payload; when: ms since 1970 */
 
 const PREFIX = 'gaitsmith-work/';
-const MOST = 8;
+const MAX_WORKS = 8;
 
-/** The newest first. @returns {Work[]} */
+/** Newest first. @returns {Work[]} */
 export function keptWorks() {
   return rememberedKeys(PREFIX).map(read).filter((work) => work !== null).sort((a, b) => b.when - a.when);
 }
 
-/** @param {Work} work @returns {boolean} whether it is kept */
-export function keepWork(work) {
+/** @param {Work} work @returns {boolean} false: the storage is full or forbidden */
+export function storeWork(work) {
   const text = JSON.stringify(work);
   const old = keptWorks().filter(({ id }) => id !== work.id);
-  for (const { id } of old.splice(MOST - 1)) forgetWork(id);
-  // Where the room is short, older ones make way, the oldest first.
+  for (const { id } of old.splice(MAX_WORKS - 1)) removeWork(id);
+  // If the storage is full, remove the oldest ones.
   for (;;) {
     if (remember(PREFIX + work.id, text)) return true;
     const oldest = old.pop();
     if (!oldest) return false;
-    forgetWork(oldest.id);
+    removeWork(oldest.id);
   }
 }
 
 /** @param {string} id */
-export function forgetWork(id) { remember(PREFIX + id, null); }
+export function removeWork(id) { remember(PREFIX + id, null); }
 
 /** @param {string} key @returns {Work | null} */
 function read(key) {
@@ -37,6 +37,6 @@ function read(key) {
     if (typeof title !== 'string' || typeof link !== 'string' || typeof when !== 'number') return null;
     return { id: key.slice(PREFIX.length), title, link, when };
   } catch {
-    return null; // not ours
+    return null; // the entry is damaged
   }
 }

@@ -12,7 +12,7 @@ namespace {
 constexpr float kPitch = 24.0f;  // between nodes of a column
 constexpr float kNode = 6.5f;    // radius
 
-/// Where everything of one network stands, and what is on at this moment.
+/// Layout of one network, and the inputs that fire at this moment.
 struct Diagram {
   const NetworkShape& shape;
   const Controller& controller;
@@ -39,7 +39,7 @@ void DrawWeights(Ui& ui, const Diagram& diagram) {
   const Palette& p = ui.Ink();
   ImDrawList* list = ui.Canvas();
   const NetworkShape& shape = diagram.shape;
-  // Those that carry something lie above the rest.
+  // Edges with a firing input are drawn over the others.
   for (const bool live : {false, true}) {
     for (int node = 0; node < shape.Nodes(); ++node) {
       for (int input = 0; input < shape.Inputs(); ++input) {
@@ -47,7 +47,7 @@ void DrawWeights(Ui& ui, const Diagram& diagram) {
         const float weight =
             Decode(diagram.controller.genes[shape.Weight(node, input)], -kMostWeight, kMostWeight);
         const float share = std::abs(weight) / kMostWeight;
-        // The weak ones would only make a grey cloud.
+        // Weak edges would blur into a grey cloud.
         if (share < (live ? 0.25f : 0.6f)) continue;
         const ImVec2 from = diagram.Input(input), to = diagram.Node(node);
         const ImU32 colour =

@@ -7,7 +7,7 @@
 
 namespace gaitsmith::shell {
 
-/// Draws the diagram in a row of its own. @param controller a network, of the selected clip
+/// @param controller a network, of the selected clip
 void DrawNetwork(Ui& ui, const Session& session, const Controller& controller);
 
 }  // namespace gaitsmith::shell

@@ -37,7 +37,7 @@ struct Picture {
 Picture LayOut(const Skeleton& bones, const std::vector<ImVec2>& metres, const RuleEditorState& state,
                const ImRect& rect) {
   if (state.limb >= 0) return {bones, state.scale, state.origin};
-  // Room for the drawn pose too, which the joints now are seldom far outside of.
+  // Include the rest pose, so that the present pose, drawn behind, usually fits too.
   ImRect extent(metres[0], metres[0]);
   for (const ImVec2& point : metres) extent.Add(point);
   const std::vector<ImVec2> rest = PoseOf(bones, {});
@@ -57,14 +57,14 @@ ImVec2 StartOf(const Skeleton& bones, const std::vector<ImVec2>& points, int lim
   return points[static_cast<std::size_t>(bones.limbs[static_cast<std::size_t>(limb)].start)];
 }
 
-// Anticlockwise from the right, as angles are; the canvas counts y downwards.
+// Counterclockwise from the right [rad]. Canvas y points down.
 float CanvasDirection(ImVec2 from, ImVec2 to) { return std::atan2(from.y - to.y, to.x - from.x); }
 
 float DirectionOf(const Skeleton& bones, const std::vector<ImVec2>& points, int limb) {
   return CanvasDirection(StartOf(bones, points, limb), points[static_cast<std::size_t>(limb) + 1]);
 }
 
-// The nearest limb that has a joint; of those that meet at the pointer, the one whose middle is nearest.
+// The nearest limb with a joint. Where limbs meet, the one whose middle is nearest to the pointer.
 int LimbAt(const Skeleton& bones, const std::vector<ImVec2>& points, ImVec2 pointer, float within) {
   int found = -1;
   for (int limb = 1; limb < bones.rods; ++limb) {
@@ -82,7 +82,7 @@ int LimbAt(const Skeleton& bones, const std::vector<ImVec2>& points, ImVec2 poin
   return found;
 }
 
-// How far the limb can turn, as an arc about its joint.
+// Draws the joint's limits as an arc.
 void DrawReach(ImDrawList* list, const Skeleton& bones, const std::vector<ImVec2>& points, int limb,
                float angle, ImU32 colour) {
   const Skeleton::Limb& bone = bones.limbs[static_cast<std::size_t>(limb)];
@@ -128,7 +128,7 @@ std::optional<PoseEdit> DrawPoseBoard(Ui& ui, const Skeleton& bones, const std::
     const auto joint = static_cast<std::size_t>(state.limb) - 1;
     const Skeleton::Limb& bone = bones.limbs[static_cast<std::size_t>(state.limb)];
     const float wanted = CanvasDirection(StartOf(bones, points, state.limb), pointer) - state.grip_rad;
-    // The way round that is shorter from where it is: a limb at its limit must not flip to the other one.
+    // Turn the shorter way, so that a limb at one limit does not flip to the other.
     const float turn = Wrapped(wanted - DirectionOf(bones, points, state.limb));
     edit = PoseEdit{static_cast<int>(joint), std::clamp(angles[joint] + turn, bone.min_rad, bone.max_rad)};
     if (std::abs(edit->angle_rad - angles[joint]) < 1e-4f) edit.reset();

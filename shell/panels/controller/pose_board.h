@@ -11,8 +11,8 @@ struct PoseEdit {
   float angle_rad;
 };
 
-/// @param angles   the target, one for each joint
-/// @param present  present angles of the joints, drawn pale behind it; may be empty
+/// @param angles   target angle of each joint [rad]
+/// @param present  present joint angles [rad], drawn pale behind the target; may be empty
 /// @return the limb's new angle during a drag
 [[nodiscard]] std::optional<PoseEdit> DrawPoseBoard(Ui&, const Skeleton&, const std::vector<float>& angles,
                                                     const std::vector<float>& present, RuleEditorState&);

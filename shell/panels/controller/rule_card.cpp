@@ -63,7 +63,7 @@ void DrawStimulusBar(Ui& ui, const ImRect& rect, const StimulusBar& bar, ImU32 c
   const float radius = 0.5f * rect.GetHeight();
   const auto x_of = [&](float share) { return rect.Min.x + share * rect.GetWidth(); };
   list->AddRectFilled(rect.Min, rect.Max, Mix(p.soft, p.line, 0.5f), radius);
-  // An interval that holds what is felt is full of its colour.
+  // Full colour while the interval contains the present value.
   list->AddRectFilled({x_of(bar.low), rect.Min.y},
                       {std::max(x_of(bar.high), x_of(bar.low) + 3.0f), rect.Max.y},
                       Mix(p.panel, colour, bar.Holds() ? 0.95f : 0.42f), radius);
@@ -134,7 +134,7 @@ Touch DrawRuleCard(Ui& ui, const Session& session, const Controller& controller,
     bars.push_back(
         {ShareOnBar(controller.senses, stimulus.low), ShareOnBar(controller.senses, stimulus.high), felt});
   }
-  // What the rule does not heed is left out, but the card says how much that is, and what it has no room for.
+  // Ignored senses have no bar. The card counts them, and the bars that do not fit.
   const int ignored = senses - static_cast<int>(bars.size());
   std::string rest;
   if (bars.size() > kBarsShown) rest = Tr("+{1} more", std::to_string(bars.size() - kBarsShown));

@@ -10,11 +10,11 @@ namespace gaitsmith::shell {
 
 inline constexpr float kCardHeight = 88.0f;
 
-/// The pose a rule pulls the joints to, one angle for each joint.
+/// The pose that a rule pulls the joints to, one angle per joint [rad].
 [[nodiscard]] std::vector<float> TargetPose(const Controller&, const Skeleton&, int rule);
 
-/// The place of a normalised sense on its bar, as a share. Physical intervals may extend a quarter outside of
-/// [0, 1], and the bar shows that part too.
+/// The position of a normalised sense on its bar, [0, 1]. The bar shows [-0.25, 1.25] for physical senses,
+/// whose intervals may extend outside [0, 1].
 [[nodiscard]] float ShareOnBar(const SenseSpec&, float sense);
 
 /// An interval on its bar and the present value in [0, 1]; a value below 0 is not drawn.
@@ -25,7 +25,7 @@ struct StimulusBar {
 };
 void DrawStimulusBar(Ui&, const ImRect&, const StimulusBar&, ImU32 colour);
 
-/// A clock of one second, filled up to this number of seconds.
+/// A one-second clock face, filled up to `seconds`.
 void DrawClock(Ui&, ImVec2 centre, float radius, float seconds, ImU32 colour);
 
 /// @param open whether its editor is open

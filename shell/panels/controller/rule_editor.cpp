@@ -25,7 +25,7 @@ struct OpenRule {
   int rule;
   ImU32 colour;
 
-  // A search that ends for the sake of the edit may have left fewer rules.
+  // The edit stops a running search, whose result may have fewer rules.
   void Edit(const std::function<void(RuleEdit)>& edit) const {
     session.Timeline().ChangeController([&, rods = bones.rods](Controller& c) {
       if (rule < c.rules) edit(RuleEdit(c, rods, rule));
@@ -38,7 +38,7 @@ struct OpenRule {
   }
 };
 
-// @return false when the rule is no longer there
+// @return false if the rule was deleted
 bool DrawHeader(const OpenRule& open, RuleEditorState& state) {
   Ui& ui = open.ui;
   const ImRect row = ui.ControlRow();
@@ -140,7 +140,7 @@ void DrawHeeded(const OpenRule& open, int sense) {
   ui.Gap(4.0f);
 }
 
-// What the rule ignores, as small switches side by side.
+// Ignored senses as small switches side by side.
 void DrawIgnored(const OpenRule& open, const std::vector<int>& senses) {
   Ui& ui = open.ui;
   const float height = ui.Look().touch ? 34.0f : 26.0f;
@@ -213,7 +213,7 @@ void DrawJoints(const OpenRule& open) {
 }  // namespace
 
 void DrawRuleEditor(Ui& ui, Session& session, const Controller& controller, RuleEditorState& state) {
-  // A change makes a new motion, while the rest is still being drawn.
+  // A copy, since an edit replaces the motion while the rest is being drawn.
   const Skeleton bones = session.Player().Shown().Bones();
   const OpenRule open{ui, session, controller, bones, state.rule, ui.Look().Rule(state.rule)};
   const PartScope part = ui.Part("rule-edit", "group", Tr("Editor of rule {1}", state.rule + 1));
@@ -229,7 +229,7 @@ void DrawRuleEditor(Ui& ui, Session& session, const Controller& controller, Rule
   DrawStimulus(open);
   ui.Gap(6.0f);
   DrawJoints(open);
-  // A line in the rule's colour ties the editor together.
+  // A line in the rule's colour marks the editor's extent.
   const ImVec2 end = ImGui::GetCursorScreenPos();
   ui.Canvas()->AddRectFilled({end.x - 9.0f, top}, {end.x - 6.0f, end.y}, open.colour, 1.5f);
   ui.Gap(12.0f);

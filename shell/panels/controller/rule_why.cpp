@@ -13,12 +13,12 @@ namespace gaitsmith::shell {
 namespace {
 
 constexpr double kReadingTimeS = 0.6;
-constexpr int kBoxRows = 6;  // of the box: the sentence's lines, then senses
-constexpr int kLines = 4;    // of the sentence at most
+constexpr int kBoxRows = 6;  // rows in the box: the sentence, then senses
+constexpr int kLines = 4;    // most lines of the sentence
 constexpr float kSenseHeight = 17.0f;
 constexpr float kPadding = 10.0f;
 
-// @return how many lines it took
+// @return the number of lines used
 int DrawSentence(Ui& ui, const ImRect& box, std::string_view sentence) {
   const float height = Fonts::LineHeight(Type::kNote);
   float y = box.Min.y + 0.5f * height;
@@ -37,7 +37,7 @@ int DrawSentence(Ui& ui, const ImRect& box, std::string_view sentence) {
   return line;
 }
 
-// The decisive sense first, since the sentence speaks of it.
+// The decisive sense comes first, since the sentence is about it.
 void DrawSenses(Ui& ui, const RuleMoment& moment, int rule, int most, ImRect row) {
   const Controller& controller = moment.controller;
   const RuleStanding& standing = moment.choice.standings[static_cast<std::size_t>(rule)];

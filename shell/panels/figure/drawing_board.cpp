@@ -42,7 +42,7 @@ Board LayOut(const Figure& figure, const DrawingBoardState& state, const ImRect&
     origin = {state.anchor.x + (board.metres[0].x - still.x) * board.scale,
               state.anchor.y - (board.metres[0].y - still.y) * board.scale};
   } else {
-    // Leaves room around the figure to grow into.
+    // Leaves room to draw around the figure.
     board.scale = 0.64f * std::min(rect.GetHeight() / std::max(high.y - low.y, 0.1f),
                                    rect.GetWidth() / std::max(high.x - low.x, 0.1f));
     const ImVec2 middle = rect.GetCenter();
@@ -88,7 +88,7 @@ int LimbAt(const Board& board, ImVec2 pointer, float within) {
 void DrawBoard(Ui& ui, const Board& board, const DrawingBoardState& state, const ImRect& rect) {
   const Palette& p = ui.Ink();
   ImDrawList* list = ui.Canvas();
-  // A dot every quarter metre gives the eye a measure.
+  // A grid of dots, 0.25 m apart, for scale.
   const float grid = 0.25f * board.scale;
   if (grid > 9.0f) {
     for (float x = board.canvas[0].x - std::floor((board.canvas[0].x - rect.Min.x) / grid) * grid;
@@ -114,7 +114,7 @@ void DrawBoard(Ui& ui, const Board& board, const DrawingBoardState& state, const
   }
 }
 
-// What is taken hold of: an endpoint before a rod.
+// Begins a drag of the endpoint or, if there is none nearby, of the rod under the pointer.
 void Begin(DrawingBoardState& state, const Board& board, ImVec2 pointer, float near) {
   constexpr int kNone = DrawingBoardState::kNone;
   state.endpoint = EndpointAt(board, pointer, near);
@@ -137,7 +137,7 @@ void Begin(DrawingBoardState& state, const Board& board, ImVec2 pointer, float n
   state.anchor = board.canvas[static_cast<std::size_t>(state.still)];
 }
 
-// What the drag makes of the figure.
+// The figure after the drag.
 Figure Moved(const DrawnFigure& drawn, const DrawingBoardState& state, ImVec2 target) {
   if (state.turning >= 0) {
     const auto start =
@@ -166,7 +166,7 @@ void DrawDrawingBoard(Ui& ui, Session& session, DrawingBoardState& state) {
   const DrawnFigure drawn{.figure = figure, .skeleton = board.skeleton, .points = board.metres};
   const bool growing = state.tool == DrawingTool::kGrow && state.endpoint >= 0;
   const bool held = state.endpoint >= 0 || state.turning >= 0;
-  // A finger that takes hold of nothing may scroll the panel, which the board fills on a phone.
+  // On a phone the board fills the panel: a touch that grabs nothing must still scroll.
   if (touch.held && !held && ui.Look().touch) ImGui::ClearActiveID();
   const auto tip = [&] {
     const ImVec2 target = board.ToMetres(pointer);

@@ -16,11 +16,11 @@ struct DrawingBoardState {
   int rod = 0;           // the selected rod, index in Figure::rods
   int endpoint = kNone;  // the dragged endpoint, index in the skeleton
   int turning = kNone;   // the limb whose rod is dragged, index in the skeleton
-  // The view is fixed during a drag: the endpoint `still` stays where it is.
+  // The view is fixed during a drag: endpoint `still` stays in place.
   int still = kNone;
-  float grip_rad = 0.0f;      // angle from the dragged rod to the point where the drag began
+  float grip_rad = 0.0f;      // angle from the dragged rod to the grabbed point
   float scale = 0.0f;         // [points per metre]
-  ImVec2 anchor{0.0f, 0.0f};  // canvas position of the endpoint that stays
+  ImVec2 anchor{0.0f, 0.0f};  // canvas position of endpoint `still`
 
   static constexpr int kNone = -1;
 };

@@ -20,7 +20,7 @@ float Wrapped(float angle) {
   return angle;
 }
 
-// Drawn numbers are rounded, so that a figure reads well as a file: whole centimetres and half degrees.
+// Dragged values are rounded to whole centimetres and half degrees, to keep files readable.
 float RoundLength(float metres) { return std::max(0.01f, std::round(metres * 100.0f) / 100.0f); }
 float RoundAngle(float radians) {
   constexpr float kHalfDegree = kPiF / 360.0f;
@@ -29,7 +29,7 @@ float RoundAngle(float radians) {
 
 float Distance(ImVec2 from, ImVec2 to) { return std::hypot(to.x - from.x, to.y - from.y); }
 
-/// The joint as its mirror image has it. A root has no joint, and its angle is against the ground.
+/// Mirrors a joint. A root has no joint, and its angle is measured from the ground.
 void MirrorJoint(Rod& rod) {
   rod.rest_rad = rod.parent == kNoParent ? Wrapped(kPiF - rod.rest_rad) : Wrapped(-rod.rest_rad);
   const float least = rod.min_rad;
@@ -37,7 +37,7 @@ void MirrorJoint(Rod& rod) {
   rod.max_rad = -least;
 }
 
-/// Which rods are this one or hang on it, however far down. Rods may stand in any order.
+/// Marks a rod and all its descendants. Rods may be listed in any order.
 std::vector<bool> LimbOf(const Figure& figure, int rod) {
   std::vector<bool> limb(figure.rods.size(), false);
   limb[static_cast<std::size_t>(rod)] = true;
@@ -130,7 +130,7 @@ Figure WithRodGrown(const Figure& figure, int rod) {
   const ImVec2 tip = points[static_cast<std::size_t>(limb) + 1];
   const float length = bones.limbs[static_cast<std::size_t>(limb)].length_m;
   ImVec2 target;
-  // 30° to one side, to the other, 60°, and so on round.
+  // Try directions +30°, −30°, +60°, … until one is free.
   for (int turn = 1; turn < 12; ++turn) {
     const int side = turn % 2 == 1 ? (turn + 1) / 2 : -turn / 2;
     const float angle = DirectionOf(drawn, limb) + static_cast<float>(side) * kPiF / 6.0f;
@@ -174,7 +174,7 @@ Figure WithLimbCopied(const Figure& figure, int rod) {
   }
   Rod& top = grown.rods[static_cast<std::size_t>(index[static_cast<std::size_t>(rod)])];
   constexpr float kClose = 0.1f;
-  constexpr float kTurn = kPiF / 9.0f;  // 18 of them go round
+  constexpr float kTurn = kPiF / 9.0f;  // 20°: 18 turns make a circle
   const auto taken = [&] {
     return std::ranges::any_of(figure.rods, [&](const Rod& other) {
       return other.parent == top.parent && other.parent_end == top.parent_end &&

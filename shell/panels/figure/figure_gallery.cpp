@@ -20,7 +20,7 @@ void DrawThumbnail(Ui& ui, const Figure& figure, const ImRect& rect, ImU32 colou
   for (const ImVec2& point : points) extent.Add(point);
   const float scale = std::min(rect.GetWidth() / std::max(extent.GetWidth(), 1e-3f),
                                rect.GetHeight() / std::max(extent.GetHeight(), 1e-3f));
-  // All stand on one line, as on the ground.
+  // Align the feet on a common ground line.
   for (ImVec2& point : points) {
     point = {rect.GetCenter().x + (point.x - extent.GetCenter().x) * scale,
              rect.Max.y - (point.y - extent.Min.y) * scale};
@@ -64,7 +64,7 @@ bool DrawTile(Ui& ui, const Figure& figure, const std::string& id, bool chosen, 
 std::optional<int> DrawFigureGallery(Ui& ui, const std::vector<Figure>& figures, int chosen, bool& open) {
   const int count = static_cast<int>(figures.size());
   std::optional<int> pressed;
-  // Closed, it shows the row that the present figure stands in.
+  // When folded, show only the row with the present figure.
   const int start = open ? 0 : std::max(0, chosen) / kColumns * kColumns;
   const int end = open ? count : std::min(count, start + kColumns);
   {

@@ -7,7 +7,7 @@
 
 namespace gaitsmith::shell {
 
-/// @param open  whether all figures are shown, or only the first row and a button for the rest
+/// @param open  whether all figures are shown, or only the row with the present figure
 /// @param chosen index of the present figure; -1: drawn by hand
 /// @return the clicked figure
 [[nodiscard]] std::optional<int> DrawFigureGallery(Ui&, const std::vector<Figure>&, int chosen, bool& open);

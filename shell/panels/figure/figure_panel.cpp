@@ -16,7 +16,7 @@ namespace gaitsmith::shell {
 namespace {
 
 constexpr float kDegree = static_cast<float>(kPi) / 180.0f;
-constexpr float kLargestAngle = 3.1415925f;  // just below pi, where core's range ends
+constexpr float kLargestAngle = 3.1415925f;  // [rad], just below pi, the end of core's range
 
 std::string Degrees(double degrees) {
   return (degrees < -0.5 ? "−" : "") + Fixed(std::abs(std::round(degrees)), 0) + "°";
@@ -76,7 +76,6 @@ void EditRod(Ui& ui, Session& session, DrawingBoardState& state) {
     next.name = kOwnFigure;
     if (session.ReplaceFigure(next)) state.rod = selected;
   };
-  // Three in a row: what can be done with a rod.
   const ImRect row = ui.ControlRow();
   const float width = (row.GetWidth() - 16.0f) / 3.0f;
   const auto third = [&](int k) {
@@ -102,10 +101,10 @@ void EditRod(Ui& ui, Session& session, DrawingBoardState& state) {
   }
 }
 
-// Another figure: the tool and its grid stay in the hand.
+// For another figure: resets all but the tool and snapping.
 void Reset(DrawingBoardState& board) { board = {.tool = board.tool, .snap = board.snap}; }
 
-// A figure with the task, the senses and the joints that suit it: what the paper calls a problem.
+// A problem, in the paper's sense, is a figure with suitable task, senses and joints.
 void DrawProblems(Ui& ui, Session& session, FigurePanelState& state) {
   std::vector<std::string> titles;
   int chosen = -1;

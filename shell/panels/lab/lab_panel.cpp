@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lab: which algorithms, how many trials; their curves with quartiles, and the same as a table and a
-// file.
+// The lab: choice of algorithms and trials, their curves with quartiles, a table and a file.
 #include "shell/panels/lab/lab_panel.h"
 
 #include <algorithm>
@@ -16,9 +15,9 @@
 namespace gaitsmith::shell {
 namespace {
 
-/// An algorithm keeps its colour from one run to the next.
+/// An algorithm's colour, the same in every run.
 ImU32 ColourOf(const Theme& theme, Algorithm algorithm) {
-  constexpr int kColours = 10;  // of rules; the eleventh would be the first again
+  constexpr int kColours = 10;  // number of rule colours, which repeat after the tenth
   const int index = static_cast<int>(algorithm);
   return index < kColours ? theme.Rule(index) : theme.palette.second_ink;
 }
@@ -96,9 +95,9 @@ void DrawCurves(Ui& ui, const Lab& lab) {
            plotted, AllText(lab));
 }
 
-/// The curves' ends, and the legend of the plot.
+/// The final values of the curves, and the plot's legend.
 void DrawTable(Ui& ui, const Lab& lab) {
-  // Where columns end, as shares of the width; what they hold is right-aligned.
+  // Right edges of the right-aligned columns, as shares of the width.
   constexpr float kTrials = 0.44f, kMedian = 0.66f, kQuartiles = 1.0f;
   const float line = ui.Look().touch ? 24.0f : 20.0f;
   const ImRect whole = ui.Row(line * static_cast<float>(lab.Series().size() + 1));
@@ -132,7 +131,7 @@ void DrawTable(Ui& ui, const Lab& lab) {
   }
 }
 
-/// Toggles, as many in a row as fit.
+/// One toggle per algorithm, wrapped into rows.
 void DrawAlgorithms(Ui& ui, LabSettings& settings) {
   constexpr float kGap = 6.0f;
   const PartScope part = ui.Part("lab/algorithms", "group", Tr("Algorithms to compare"));

@@ -11,9 +11,9 @@
 namespace gaitsmith::shell {
 namespace {
 
-constexpr float kAxis = 18.0f;  // room for the name of an axis
+constexpr float kAxis = 18.0f;  // space for an axis label
 
-/// A square of the map. @return whether it is pressed
+/// Draws a cell of the map. @return whether it was clicked
 bool DrawSquare(Ui& ui, const EliteMap& map, const ImRect& rect, int height, int slip, int turns) {
   const MapElites::Elite* elite = map.At(height, slip, turns);
   const Palette& p = ui.Ink();
@@ -60,7 +60,7 @@ void DrawEliteMap(Ui& ui, Session& session, int& turns) {
                   std::to_string(map.Count()), std::to_string(bins)),
                Type::kNote);
   ui.Gap(4.0f);
-  // Slip to the right, height upwards.
+  // Slip increases to the right, height upwards.
   const float side = ImGui::GetCurrentWindowRead()->Size.x - 2.0f * kPanelPadding - kAxis;
   const float edge = std::floor(std::min(side / static_cast<float>(bins), 34.0f));
   const ImRect all = ui.Row(edge * static_cast<float>(bins) + kAxis);

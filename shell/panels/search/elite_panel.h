@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The map of styles in the Search panel: a square for each style that has a motion, with a stronger colour
-// for a better one. Click a square to view its motion.
+// The map of styles in the Search panel: one square per style, in a stronger colour for a better motion.
+// Click a square to view its motion.
 #pragma once
 
 #include "shell/session/session.h"
@@ -8,7 +8,7 @@
 
 namespace gaitsmith::shell {
 
-/// @param turns  the shown bin of turns
+/// @param turns  the shown bin of the axis "turns"
 void DrawEliteMap(Ui&, Session&, int& turns);
 
 }  // namespace gaitsmith::shell

@@ -16,14 +16,14 @@ namespace gaitsmith::shell {
 namespace {
 
 constexpr float kStripHeight = 54.0f;
-constexpr float kLine = 17.0f;  // of text
+constexpr float kLine = 17.0f;  // height of a text line
 
 std::string ScoreText(const FoundMotion& found) {
   if (!found.Moves()) return Tr("failed");
   return found.Score() <= kVoidScore ? Tr("no score") : Fixed(found.Score(), 2);
 }
 
-/// What controls it: the controller's own, which need not be what its document would search next.
+/// The found controller's kind, senses and rules. The document's settings for the next search may differ.
 struct Control {
   ControllerKind kind;
   SenseSpec senses;
@@ -57,7 +57,7 @@ std::string LineOf(const FoundMotion& found, bool with_unit) {
 
 bool HasTerms(const FoundMotion& found) { return found.Moves() && !found.terms.broke_physics; }
 
-/// "18.33 m · up to 0.97 m · slip 20.9 m · turns 0.02": the paper's terms
+/// "18.33 m · up to 0.97 m · slip 20.9 m · turns 0.02", in the paper's terms
 std::string TermsLine(const FoundMotion& found) {
   const Terms& terms = found.terms;
   return Tr("{1} m · up to {2} m · slip {3} m · turns {4}", AmountText(std::abs(terms.travel_m), 2),
@@ -65,14 +65,14 @@ std::string TermsLine(const FoundMotion& found) {
             AmountText(terms.rotations, 2));
 }
 
-/// Where the walking figure of a card is; below 0 while nothing is played.
+/// Progress of the motion on a card, [0, 1); below 0 while playback is paused.
 float ShareNow(const Session& session, const Document& document) {
   if (!session.Player().Playing()) return -1.0f;
   const double length = document.duration_steps * static_cast<double>(kStep);
   return static_cast<float>(std::fmod(ImGui::GetTime(), length) / length);
 }
 
-/// The buttons under the words, from the left.
+/// The buttons below the text, from left to right.
 class ButtonRow {
  public:
   ButtonRow(Ui& ui, const ImRect& row) : ui_(ui), size_(row.GetHeight()), x_(row.Min.x), row_(row) {}
@@ -163,7 +163,7 @@ FoundWish DrawFoundCard(Ui& ui, const Session& session, const FoundMotions::Entr
   const float strip = found.Moves() ? kStripHeight : 0.0f;
   const ImRect card = ui.Row(strip + words + buttons + 14.0f);
   ui.Gap(8.0f);
-  // Of a hundred entries a few are to be seen, and the others must not cost a frame.
+  // Of up to a hundred cards only a few are visible. Skip the others.
   const bool seen = ImGui::IsRectVisible(card.Min, card.Max);
   const bool shown = seen && session.Results().IsShown(entry);
   const Palette& p = ui.Ink();

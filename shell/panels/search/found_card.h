@@ -12,7 +12,7 @@ namespace gaitsmith::shell {
 
 enum class FoundWish { kNothing, kShow, kInsert, kKeep, kRename, kAgain, kDelete };
 
-/// The name given by a person, else the title of its search.
+/// The name given by a person, or else the title of its search.
 [[nodiscard]] std::string CardName(const FoundMotion&);
 /// The name and the control mode, in a sentence.
 [[nodiscard]] std::string SceneText(const FoundMotion&);

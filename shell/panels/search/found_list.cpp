@@ -21,7 +21,7 @@ bool IsWanted(const FoundMotion& found, FoundListState::Filter filter, const Doc
   return true;
 }
 
-/// What went last, and its way back.
+/// The last removed motion, with a button that restores it.
 void DrawRemoved(Ui& ui, FoundMotions& found) {
   const FoundMotions::Entry* removed = found.Removed();
   if (removed == nullptr) return;
@@ -84,7 +84,7 @@ void DrawFound(Ui& ui, Session& session, FoundListState& state) {
     return;
   }
   DrawChoices(ui, state);
-  // What is pressed changes the list, so it is done after it.
+  // Applied after the loop, since it changes the list.
   FoundWish wish = FoundWish::kNothing;
   std::string id;
   bool any = false;

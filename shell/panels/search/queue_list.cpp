@@ -14,7 +14,6 @@ namespace {
 
 enum class Wish { kNothing, kUp, kRemove };
 
-/// Two lines and two buttons.
 Wish DrawEntry(Ui& ui, const SearchQueue::Entry& entry, std::size_t place) {
   const Document& d = entry.document;
   const std::string id = "queue/" + std::to_string(entry.number);
@@ -70,7 +69,7 @@ void DrawQueue(Ui& ui, Session& session) {
     if (ui.Button("queue/run", ui.ControlRow(), Tr("Run queue"), ButtonLook::kPrimary)) session.Queue().Run();
   }
   ui.Gap(4.0f);
-  // What is pressed changes the list, so it is done after it.
+  // Applied after the loop, since it changes the list.
   Wish wish = Wish::kNothing;
   int number = 0;
   for (std::size_t place = 0; place < queue.Waiting().size(); ++place) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one big button, progress and the curve; below them the sections that fold away.
+// The search button, progress and curve, and below them the foldable sections.
 #include "shell/panels/search/search_panel.h"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ void DrawSearchButtons(Ui& ui, Session& session) {
   if (ui.Button("search/stop", right, Tr("Stop"))) session.Stop();
 }
 
-/// The search to the queue, once or with several seeds; the motion to the results.
+/// Buttons that queue the search, with one seed or several, and that save the motion to the results.
 void DrawKeepingButtons(Ui& ui, Session& session) {
   const ImRect row = ui.ControlRow();
   const float part = (row.GetWidth() - 2.0f * kGap) / 3.0f;
@@ -69,7 +69,7 @@ void DrawKeepingButtons(Ui& ui, Session& session) {
 void DrawProgress(Ui& ui, const SearchRun& search) {
   const SearchProgress& progress = search.Progress();
   const Palette& p = ui.Ink();
-  // One line, whatever runs, so that nothing below moves away under the pointer when the next search begins.
+  // Always one line, so that nothing below moves under the pointer when the next search begins.
   const ImRect title = ui.Row(Fonts::LineHeight(Type::kNote) + 6.0f);
   ui.Letters().DrawElided(ui.Canvas(), Type::kNote, {title.Min.x, title.GetCenter().y - 3.0f},
                           title.GetWidth(), p.second_ink, search.Title());
@@ -91,7 +91,7 @@ void DrawProgress(Ui& ui, const SearchRun& search) {
           Tr(progress.workers == 1 ? "{1} worker" : "{1} workers", progress.workers));
 }
 
-/// "10 in hand: median 4.21, quartiles 3.90 and 5.02, from 2.10 to 5.31"; empty: no population
+/// The population's spread in words; empty if there is no population.
 std::string SpreadText(const SearchProgress& progress) {
   if (!progress.spread) return {};
   const Spread& s = *progress.spread;
@@ -100,7 +100,7 @@ std::string SpreadText(const SearchProgress& progress) {
             Fixed(s.best, 2));
 }
 
-/// A sample of each line and its name.
+/// The plot's legend.
 void DrawLegend(Ui& ui, const SearchProgress& progress) {
   const Palette& p = ui.Ink();
   const ImRect row = ui.Row(Fonts::LineHeight(Type::kNote));
@@ -109,7 +109,7 @@ void DrawLegend(Ui& ui, const SearchProgress& progress) {
   ui.Canvas()->AddRectFilled({row.Min.x, y - 1.0f}, {row.Min.x + sample, y + 1.0f}, p.good);
   float x = row.Min.x + sample + 6.0f;
   ui.Letters().Draw(ui.Canvas(), Type::kNote, {x, y}, p.second_ink, Tr("best"));
-  if (!progress.spread) return;  // one after another, or nothing is known of it yet
+  if (!progress.spread) return;  // no population, or no report of it yet
   x += ui.Letters().Width(Type::kNote, Tr("best")) + 14.0f;
   ui.Canvas()->AddRectFilled({x, y - 5.0f}, {x + sample, y + 5.0f}, Fade(p.second_ink, 0.18f));
   ui.Canvas()->AddRectFilled({x, y - 0.6f}, {x + sample, y + 0.6f}, p.second_ink);

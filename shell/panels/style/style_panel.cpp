@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Task, duration, weights, and the live score term by term.
+// Task, duration, weights, and the present score term by term.
 #include "shell/panels/style/style_panel.h"
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 namespace gaitsmith::shell {
 namespace {
 
-/// The score of what the stage has shown so far, as a sum: a line for each term, measured × weight and what
-/// that adds. What has no weight is measured all the same.
+/// The score of the motion so far as a sum: one line per term, with measured value, weight and their product.
+/// Terms without weight are listed too.
 class ScoreTable {
  public:
   ScoreTable(Ui& ui, int lines)
@@ -30,7 +30,7 @@ class ScoreTable {
     Put(Type::kNote, y, kWeight, ui_.Ink().second_ink, Tr("weight"));
     Put(Type::kNote, y, kAdds, ui_.Ink().second_ink, Tr("adds"));
   }
-  /// @param weight empty: it has none
+  /// @param weight empty: the term has none
   void Line(std::string_view name, const std::string& measured, const std::string& weight,
             const std::string& adds) {
     const float y = Next();
@@ -41,7 +41,7 @@ class ScoreTable {
     if (!weight.empty()) Put(Type::kBody, y, kWeight, ui_.Ink().second_ink, "× " + weight);
     if (counts) Put(Type::kBody, y, kAdds, ink, adds);
   }
-  /// @param sum empty: there is none, and the name says why
+  /// @param sum empty: the name explains why there is no sum
   void Sum(std::string_view name, const std::string& sum, ImU32 colour) {
     y_ += kRuleGap;
     ui_.HorizontalLine(whole_.Min.x, whole_.Max.x, y_ - 0.5f * kRuleGap);
@@ -53,7 +53,7 @@ class ScoreTable {
   [[nodiscard]] const ImRect& Whole() const { return whole_; }
 
  private:
-  // Where columns end, as shares of the width; what they hold is right-aligned.
+  // Right edges of the right-aligned columns, as shares of the width.
   static constexpr float kMeasured = 0.58f;
   static constexpr float kWeight = 0.78f;
   static constexpr float kAdds = 1.0f;
@@ -71,7 +71,7 @@ class ScoreTable {
   Ui& ui_;
   float line_height_;
   ImRect whole_;
-  float y_;  // of the next line
+  float y_;  // top of the next line
 };
 
 void DrawScore(Ui& ui, const Session& session) {
@@ -83,8 +83,8 @@ void DrawScore(Ui& ui, const Session& session) {
   ui.Letters().Draw(ui.Canvas(), Type::kNote, {head.Max.x, y}, ui.Ink().second_ink,
                     Tr("at {1} s", Fixed(session.Player().TimeS(), 2)), Align::kRight);
   const float fitness = Fitness(task, terms);
-  ScoreTable table(ui, kStyleTerms + 4);  // head, primary term, sum, end
-  // One note that says the whole sum, for tools that read the canvas.
+  ScoreTable table(ui, kStyleTerms + 4);  // plus head, primary term, sum and end
+  // The whole sum as one note for screen readers.
   ImGui::PushItemFlag(ImGuiItemFlags_NoNav | ImGuiItemFlags_NoTabStop, true);
   ui.Area("style/score", table.Whole(), Grab::kNothing,
           {.label = Tr("Score so far"), .role = "note", .value = ScoreWords(task, terms)});
@@ -111,7 +111,7 @@ void DrawScore(Ui& ui, const Session& session) {
              whole <= kVoidScore ? Tr("void") : AmountText(whole, 2));
 }
 
-// Of a weight's slider, in usual weights.
+// Limit and step of a weight's slider, in usual weights.
 constexpr double kMostUnits = 3.0;
 constexpr double kUnitStep = 0.1;
 
@@ -134,7 +134,7 @@ void DrawWeights(Ui& ui, Session& session) {
     }
     if (ui.Slider(words.id, Tr(words.label), units,
                   {.low = -kMostUnits, .high = kMostUnits, .step = kUnitStep}, text)) {
-      // On the slider's own grid, or steps by key would gather rounding.
+      // Round to the slider's grid: keyboard steps would accumulate rounding errors.
       const auto chosen = static_cast<float>(std::round(units / kUnitStep) * kUnitStep * unit);
       session.Set([&](Document& d) { d.task.weights[i] = chosen; });
     }

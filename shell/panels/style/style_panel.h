@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The Style panel: what makes a good motion, and the score of the present one.
+// The Style panel: the weights that define a good motion, and the score of the present one.
 #pragma once
 
 #include "shell/session/session.h"

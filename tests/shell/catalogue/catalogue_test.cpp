@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The catalogue as text: it is JSON, it has every row of every table, and the page's module is a part of it.
-// Does not pin: the rows themselves, which their tables say.
+// The catalogue is valid JSON with every row of every table, and the page's module is a subset of it. Does
+// not pin the rows themselves.
 #include "shell/catalogue/catalogue.h"
 
 #include <catch_amalgamated.hpp>
@@ -42,7 +42,7 @@ std::string Text(const std::string& page) {
 
 }  // namespace
 
-TEST_CASE("catalogue: every row of every table is in it, in its order", "[catalogue]") {
+TEST_CASE("catalogue: has every row of every table, in order", "[catalogue]") {
   const auto catalogue = ParseJson(CatalogueJson());
   REQUIRE(catalogue);
   CHECK(NamesIn(*catalogue, "algorithms") == Names(kAlgorithms, &AlgorithmRow::name));
@@ -62,7 +62,7 @@ TEST_CASE("catalogue: the page's module has a list for each table that it reads"
   CHECK(module.contains("{\"name\":\"csv\",\"ending\":\"csv\",\"type\":\"text/csv\"}];\n"));
 }
 
-TEST_CASE("catalogue: one page of docs explains each name of a table, in a row of its own", "[catalogue]") {
+TEST_CASE("catalogue: for each table, a page of the docs has one row per name", "[catalogue]") {
   const auto explains = [](const char* page, const auto& names) {
     const std::string text = Text(page);
     for (const std::string_view name : names) {
@@ -75,7 +75,7 @@ TEST_CASE("catalogue: one page of docs explains each name of a table, in a row o
   explains("style.md", kStyleTermNames);
 }
 
-TEST_CASE("catalogue: a panel's name in addresses is its tab's in lower case, as docs/embedding.md says",
+TEST_CASE("catalogue: a panel's id is its tab's label in lower case, as docs/embedding.md says",
           "[catalogue]") {
   for (const PanelRow& row : kPanels) {
     std::string label = row.label;

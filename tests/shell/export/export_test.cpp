@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What leaves for other programs says what the motion does. That those programs can read it,
-// tests/web/export.test.mjs sees.
+// Exported files agree with the motion. tests/web/export.test.mjs checks that other programs can read them.
 #include <algorithm>
 #include <bit>
 #include <catch_amalgamated.hpp>
@@ -28,7 +27,7 @@ std::size_t Count(const std::string& text, const std::string& part) {
   return count;
 }
 
-/// A glTF file's nodes and animation, read anew.
+/// Reads the nodes and the animation of a glTF file.
 class Gltf {
  public:
   explicit Gltf(const std::string& text) : json_(ParseJson(text, 1000000).value()) {
@@ -89,7 +88,7 @@ class Gltf {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// Turn and shift of the plane.
+/// A rigid transformation of the plane.
 struct Place {
   double x = 0.0, y = 0.0, cosine = 1.0, sine = 0.0;
 
@@ -100,7 +99,7 @@ struct Place {
   }
 };
 
-/// Walks the nodes as any reader of glTF would and looks where the rods' ends are.
+/// Computes the rods' ends from the node hierarchy, as a glTF reader does, and compares them with the motion.
 void CheckForwardKinematics(const Document& document) {
   const Motion motion = Simulate(document);
   const Gltf gltf(SkeletonGltf(document, motion));
@@ -114,7 +113,7 @@ void CheckForwardKinematics(const Document& document) {
     REQUIRE(turns.back().values.size() == 4 * turns.back().times.size());
     for (std::size_t i = 4; i < turns.back().values.size(); i += 4) {
       const float* q = &turns.back().values[i];
-      CHECK(q[2] * q[-2] + q[3] * q[-1] > 0.0f);  // the short way from key to key
+      CHECK(q[2] * q[-2] + q[3] * q[-1] > 0.0f);  // interpolation takes the shorter way between keyframes
     }
   }
   REQUIRE(path.times.back() == Catch::Approx((motion.Frames() - 1) * 0.01));
@@ -149,7 +148,7 @@ void CheckForwardKinematics(const Document& document) {
   CHECK(worst < 1e-3);
 }
 
-TEST_CASE("export: the film strip has as many poses as asked for, each with its letter") {
+TEST_CASE("export: the film strip has the requested number of poses, each with its letter") {
   for (const char* name : {"star-man-shuffle", "there-and-back", "beryl-wind-up", "star-man-network"}) {
     const Document document = Example(name);
     const Motion motion = Simulate(document);
@@ -164,7 +163,7 @@ TEST_CASE("export: the film strip has as many poses as asked for, each with its 
   }
 }
 
-TEST_CASE("export: names on a film strip stay text") {
+TEST_CASE("export: names on a film strip are escaped") {
   Document document = Example("star-man-shuffle");
   document.title = "</title><script>alert(1)</script> & \"so\" 'on'";
   document.figure.name = "<b>{1}</b>";
@@ -178,20 +177,20 @@ TEST_CASE("export: names on a film strip stay text") {
   CHECK(Count(svg, "8 poses of &lt;b&gt;{1}&lt;/b&gt; from 0,00 s to 10,00 s, lettered A to H.") == 1);
 }
 
-TEST_CASE("export: poses of a film strip do not overlap, and what is outside the motion is its end") {
+TEST_CASE("export: poses of a film strip do not overlap, and times are clamped to the motion") {
   Document document = Example("there-and-back");
   document.duration_steps = 1;
   const Motion shortest = Simulate(document);
   CHECK(Count(FilmStripSvg(document, shortest, {.poses = 26, .from_s = 5.0, .to_s = 7.0}),
               "<g class=\"pose\"") == 26);
-  // Far apart they share one ground, and stand on it in the order of time.
+  // Distant poses share one ground, in the order of time.
   const Document far = Example("star-man-shuffle");
   const std::string shared = FilmStripSvg(far, Simulate(far), {.poses = 3});
   CHECK(Count(shared, "rx=\"7\"") == 0);
   CHECK(Count(FilmStripSvg(far, Simulate(far), {.poses = 12}), "rx=\"7\"") == 12);
 }
 
-TEST_CASE("export: joints of the glTF scene put every rod's end where the motion has it") {
+TEST_CASE("export: forward kinematics of the glTF scene yields the motion's endpoints") {
   for (const char* name : {"star-man-shuffle", "there-and-back", "beryl-wind-up", "star-man-network"})
     CheckForwardKinematics(Example(name));
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

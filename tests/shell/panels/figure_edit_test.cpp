@@ -36,8 +36,7 @@ std::vector<Figure> Shipped() {
 
 }  // namespace
 
-TEST_CASE("a mirrored figure has every endpoint on the other side, and mirrored again it is the first",
-          "[figure_edit]") {
+TEST_CASE("mirroring reflects every endpoint, and mirroring twice restores the figure", "[figure_edit]") {
   for (const Figure& figure : Shipped()) {
     CAPTURE(figure.name);
     const Figure mirrored = Mirrored(figure);
@@ -57,8 +56,7 @@ TEST_CASE("a mirrored figure has every endpoint on the other side, and mirrored 
   }
 }
 
-TEST_CASE("a turned rod takes along what hangs on it, and nothing else moves or changes its length",
-          "[figure_edit]") {
+TEST_CASE("turning a rod also turns everything attached, and changes nothing else", "[figure_edit]") {
   for (const Figure& figure : Shipped()) {
     CAPTURE(figure.name);
     const Skeleton bones(figure);
@@ -69,7 +67,7 @@ TEST_CASE("a turned rod takes along what hangs on it, and nothing else moves or 
     REQUIRE(Validate(turned));
     const auto after = Drawn(turned);
     const ImVec2 start = after[static_cast<std::size_t>(bones.limbs[i].start)];
-    // To the half degree that drawn angles are rounded to.
+    // Drawn angles are rounded to half a degree.
     REQUIRE(std::abs(std::atan2(after[i + 1].y - start.y, after[i + 1].x - start.x) - 0.5f) < 0.005f);
     for (std::size_t k = 0; k + 1 < before.size(); ++k) {
       REQUIRE(std::abs(after[k].x - before[k].x) < 1e-5f);
@@ -80,7 +78,7 @@ TEST_CASE("a turned rod takes along what hangs on it, and nothing else moves or 
   }
 }
 
-TEST_CASE("snapped, a rod has a whole number of 15 degrees and of 5 cm, and never none", "[figure_edit]") {
+TEST_CASE("a snapped rod has multiples of 15 degrees and of 5 cm, at least 5 cm", "[figure_edit]") {
   const ImVec2 from{0.3f, -0.2f};
   for (int k = 0; k < 200; ++k) {
     const float x = 0.013f * static_cast<float>(k) - 1.3f;
@@ -106,7 +104,7 @@ TEST_CASE("a figure grows from one rod", "[figure_edit]") {
   }
 }
 
-TEST_CASE("a rod grown without a hand stands where no end of another is, as long as the one it grows from",
+TEST_CASE("a rod added by button ends where no other rod ends, and has the parent's length",
           "[figure_edit]") {
   for (const Figure& figure : Shipped()) {
     if (figure.Rods() == kMaxRods) continue;
@@ -130,8 +128,7 @@ TEST_CASE("a rod grown without a hand stands where no end of another is, as long
   }
 }
 
-TEST_CASE("a copied limb has as many rods again, the same lengths, and stands where none stood",
-          "[figure_edit]") {
+TEST_CASE("a copied limb has the same rods and lengths, in a free direction", "[figure_edit]") {
   for (const Figure& figure : Shipped()) {
     for (int rod = 0; rod < figure.Rods(); ++rod) {
       if (figure.rods[static_cast<std::size_t>(rod)].parent == kNoParent) continue;
@@ -140,7 +137,7 @@ TEST_CASE("a copied limb has as many rods again, the same lengths, and stands wh
       const Figure grown = WithLimbCopied(figure, rod);
       REQUIRE(grown.Rods() == figure.Rods() + limb);
       if (grown.Rods() <= kMaxRods) REQUIRE(Validate(grown));
-      // Taken away again, the figure is what it was.
+      // Removing the rod restores the figure.
       const Figure back = WithoutRod(grown, figure.Rods());
       REQUIRE(back.Rods() <= figure.Rods() + limb - 1);
       for (int i = 0; i < figure.Rods(); ++i) {

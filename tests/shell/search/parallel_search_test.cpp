@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A search spread over threads finds what one thread finds.
+// A search on several threads has the same result as on one thread.
 #include "shell/search/parallel_search.h"
 
 #include <catch_amalgamated.hpp>
@@ -9,7 +9,7 @@
 
 namespace gaitsmith::shell::test {
 
-TEST_CASE("parallel search: the number of threads changes no bit of what is found", "[shell][search]") {
+TEST_CASE("parallel search: the result is bit-identical for any number of threads", "[shell][search]") {
   Document d;
   d.figure = gaitsmith::test::ShippedFigure("mr-star-man");
   d.task.duration_steps = d.duration_steps = 150;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a lesson shows and locks: words that are understood and refused, and what a lock lets through. Does
-// not pin: how a locked panel is drawn.
+// The panels that a lesson shows and the parts that it locks: valid and invalid lists, and edits that a lock
+// permits. Does not pin how a locked panel is drawn.
 #include "shell/session/arrangement.h"
 
 #include <catch_amalgamated.hpp>
@@ -10,7 +10,7 @@
 
 namespace gaitsmith::shell::test {
 
-TEST_CASE("arrangement: a list shows its panels and no others", "[arrangement]") {
+TEST_CASE("arrangement: a list shows exactly its panels", "[arrangement]") {
   Arrangement arrangement;
   CHECK(arrangement.Shows(0));
   REQUIRE_FALSE(ShowPanels("style,search", arrangement));
@@ -25,12 +25,12 @@ TEST_CASE("arrangement: a list shows its panels and no others", "[arrangement]")
   CHECK(*wrong == "kitchen");
   CHECK(arrangement.shown == std::array{true, true, true, true, true, true});
   REQUIRE(LockParts("figure,,", arrangement));
-  REQUIRE(LockParts("lab", arrangement));  // it changes nothing
+  REQUIRE(LockParts("lab", arrangement));  // not lockable
   REQUIRE_FALSE(LockParts("", arrangement));
   CHECK(arrangement.locked == std::array{false, false, false, false, false, false});
 }
 
-TEST_CASE("arrangement: a locked part is not changed by hand, and all others are", "[arrangement]") {
+TEST_CASE("arrangement: a lock refuses edits of its part and permits all others", "[arrangement]") {
   QuietHost host;
   Session session(host);
   const Document before = session.Doc();
@@ -64,7 +64,8 @@ TEST_CASE("arrangement: a locked part is not changed by hand, and all others are
   }
 }
 
-TEST_CASE("arrangement: locks are for hands", "[arrangement]") {
+TEST_CASE("arrangement: locks refuse other shipped figures and problems, but not opened documents",
+          "[arrangement]") {
   QuietHost host;
   Session session(host);
   REQUIRE_FALSE(LockParts("figure,style,world", session.Layout()));
@@ -79,7 +80,7 @@ TEST_CASE("arrangement: locks are for hands", "[arrangement]") {
   }
   CHECK(session.Doc().figure.name == name);
 
-  // A lesson's own link is a lesson's concern.
+  // Locks do not apply to opened documents.
   REQUIRE(session.Open(R"({"title": "Other", "figure": {"name": "Tail", "rods": [{}, {"parent": 0}]}})"));
   CHECK(session.Doc().figure.name == "Tail");
 }

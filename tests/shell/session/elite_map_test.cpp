@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The map of styles that a MAP-Elites search leaves.
+// The map of styles that results from a MAP-Elites search.
 #include "shell/session/elite_map.h"
 
 #include <catch_amalgamated.hpp>
@@ -46,7 +46,7 @@ SearchProgress Searched(const Document& d) {
 
 }  // namespace
 
-TEST_CASE("elite map: every motion has the style of its square, and the best of all is on it",
+TEST_CASE("elite map: every motion has the style of its cell, and the map has the best motion",
           "[shell][elites]") {
   const Document d = StyleProblem();
   const SearchProgress done = Searched(d);
@@ -77,7 +77,7 @@ TEST_CASE("elite map: every motion has the style of its square, and the best of 
   CHECK(sum == map->Count());
 }
 
-TEST_CASE("elite map: what is no state of such a search gives none", "[shell][elites]") {
+TEST_CASE("elite map: rejects states of other searches", "[shell][elites]") {
   const Document d = StyleProblem();
   const SearchProgress done = Searched(d);
   CHECK_FALSE(EliteMap::Of(d, {}));
@@ -88,7 +88,7 @@ TEST_CASE("elite map: what is no state of such a search gives none", "[shell][el
   CHECK_FALSE(EliteMap::Of(other, done.saved));
 }
 
-TEST_CASE("elite map: a session has that of its last such search, and shows a motion of it",
+TEST_CASE("elite map: a session has the map of its last MAP-Elites search and can show its motions",
           "[shell][elites][session]") {
   QuietHost host;
   Session session(host);

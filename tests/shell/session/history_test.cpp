@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Undo and Redo: what one step is, what is never lost, and what is bounded.
+// Undo and Redo: the extent of a step, what is never lost, and the bounds.
 #include "shell/session/history.h"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ SearchProgress Found(const Session& session, std::uint16_t gene, SearchState sta
 
 }  // namespace
 
-TEST_CASE("history: every step back and forth again, in order, and then no further", "[shell][history]") {
+TEST_CASE("history: undoes and redoes every step in order, up to both ends", "[shell][history]") {
   History history;
   Document present = StarManOn(0.3f);
   for (int i = 1; i <= 3; ++i) {
@@ -57,7 +57,7 @@ TEST_CASE("history: every step back and forth again, in order, and then no furth
   CHECK_FALSE(history.CanRedo());
 }
 
-TEST_CASE("history: what happens on one occasion is one step", "[shell][history]") {
+TEST_CASE("history: changes on one occasion are one step", "[shell][history]") {
   History history;
   Document present = StarManOn(0.3f);
   for (int i = 0; i < 10; ++i) {
@@ -75,7 +75,7 @@ TEST_CASE("history: a drag that ends where it began is no step", "[shell][histor
   CHECK(history.Back(StarManOn(0.4f))->environment.friction == 0.3f);
 }
 
-TEST_CASE("history: the view stays as it is", "[shell][history]") {
+TEST_CASE("history: Undo does not change the view", "[shell][history]") {
   History history;
   Document present = StarManOn(0.3f);
   history.Keep(present, 1);
@@ -90,7 +90,7 @@ TEST_CASE("history: the view stays as it is", "[shell][history]") {
   CHECK_FALSE(history.CanUndo(viewed));
 }
 
-TEST_CASE("history: bounded in steps and in bytes, the oldest going first", "[shell][history]") {
+TEST_CASE("history: bounded in steps and in bytes, removing the oldest first", "[shell][history]") {
   const std::size_t bytes = EncodeBinary(StarManOn(0.3f)).size();
   const bool by_steps = GENERATE(true, false);
   CAPTURE(by_steps);
@@ -104,14 +104,14 @@ TEST_CASE("history: bounded in steps and in bytes, the oldest going first", "[sh
   CHECK(present.environment.friction == 0.25f + 0.03125f * 15.0f);
 }
 
-TEST_CASE("history: a document larger than all room can still be taken back to", "[shell][history]") {
+TEST_CASE("history: a document larger than the limit can still be restored", "[shell][history]") {
   History history({.steps = 5, .bytes = 1});
   history.Keep(StarManOn(0.3f), 1);
   history.Keep(StarManOn(0.4f), 2);
   CHECK(history.Back(StarManOn(0.5f))->environment.friction == 0.4f);
 }
 
-TEST_CASE("session: three edits undone and done again are the same documents, bit for bit",
+TEST_CASE("session: undoing and redoing three edits yields the same documents, bit for bit",
           "[shell][session]") {
   QuietHost host;
   Session session(host);
@@ -144,7 +144,7 @@ TEST_CASE("session: three edits undone and done again are the same documents, bi
   CHECK_FALSE(session.CanRedo());
 }
 
-TEST_CASE("session: a drag is one step, what is shown is none, and a new edit forgets what was undone",
+TEST_CASE("session: a drag is one step, a change of the view is none, and a new edit clears Redo",
           "[shell][session]") {
   QuietHost host;
   Session session(host);
@@ -162,14 +162,14 @@ TEST_CASE("session: a drag is one step, what is shown is none, and a new edit fo
   CHECK_FALSE(session.CanRedo());
 }
 
-TEST_CASE("session: what a search finds is one step, apart from what was edited meanwhile",
+TEST_CASE("session: the result of a search is one step, separate from edits during the search",
           "[shell][session]") {
   QuietHost host;
   Session session(host);
   const auto before = State(session);
   session.BeginGesture();
   session.Search().Synthesize();
-  CHECK_FALSE(session.CanUndo());  // nothing has happened to the document yet
+  CHECK_FALSE(session.CanUndo());  // the document has not changed yet
   session.OnSearchProgress(Found(session, 20000, SearchState::kRunning));
   REQUIRE(session.Search().ShowImprovement(10.0));
   session.OnSearchProgress(Found(session, 30000, SearchState::kRunning));
@@ -187,8 +187,7 @@ TEST_CASE("session: what a search finds is one step, apart from what was edited 
   CHECK_FALSE(session.CanUndo());
 }
 
-TEST_CASE("session: Undo while a search has found nothing stops it and takes back nothing else",
-          "[shell][session]") {
+TEST_CASE("session: Undo while a search has found nothing only stops the search", "[shell][session]") {
   QuietHost host;
   Session session(host);
   SetFriction(session, 0.3f);
@@ -202,7 +201,7 @@ TEST_CASE("session: Undo while a search has found nothing stops it and takes bac
   CHECK(session.CanUndo());
 }
 
-TEST_CASE("session: opening is a step, and a document that is no good changes nothing", "[shell][session]") {
+TEST_CASE("session: opening is a step, and an invalid document changes nothing", "[shell][session]") {
   QuietHost host;
   Session session(host);
   const auto before = State(session);
@@ -218,7 +217,7 @@ TEST_CASE("session: opening is a step, and a document that is no good changes no
   CHECK_FALSE(session.CanUndo());
 }
 
-TEST_CASE("session: New keeps how things are shown, and Undo has what was here", "[shell][session]") {
+TEST_CASE("session: New keeps the view, and Undo restores the previous document", "[shell][session]") {
   QuietHost host;
   Session session(host);
   session.SetView([](View& view) { view.panel = 2; });
@@ -232,7 +231,7 @@ TEST_CASE("session: New keeps how things are shown, and Undo has what was here",
   CHECK(State(session) == before);
 }
 
-TEST_CASE("commands: no key and no name twice, and every one that is possible does no harm",
+TEST_CASE("commands: keys and names are unique, and every available command runs without harm",
           "[shell][commands]") {
   QuietHost host;
   Session session(host);

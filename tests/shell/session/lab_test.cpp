@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lab without its workers: the order of its trials, what it makes of their curves, and what it refuses.
+// The lab without workers: the order of trials, the summary of their curves, and refused settings.
 #include "shell/session/lab.h"
 
 #include <catch_amalgamated.hpp>
@@ -27,7 +27,7 @@ LabSettings TwoAlgorithms() {
 
 }  // namespace
 
-TEST_CASE("lab: algorithms take turns, so that their curves grow together", "[shell][lab]") {
+TEST_CASE("lab: algorithms take turns", "[shell][lab]") {
   Lab lab;
   lab.settings = TwoAlgorithms();
   REQUIRE(lab.Begin(LabProblem()));
@@ -58,7 +58,7 @@ TEST_CASE("lab: medians and quartiles are those of the curves at each count", "[
   lab.Finish(std::vector<Search::CurvePoint>{{4, 5.0f}, {399, 7.0f}});
   const LabSeries& series = lab.Series().front();
   REQUIRE(series.trials == 3);
-  REQUIRE(series.points.front().evaluations == 104);  // before, a quarter of the trials lacks a motion
+  REQUIRE(series.points.front().evaluations == 104);  // earlier counts have a trial without a motion
   CHECK(series.points.front().lower_quartile == 1.5);
   CHECK(series.points.front().median == 2.0);
   CHECK(series.points.front().upper_quartile == 3.5);
@@ -68,7 +68,7 @@ TEST_CASE("lab: medians and quartiles are those of the curves at each count", "[
   CHECK(series.points.back().upper_quartile == 5.0);
 }
 
-TEST_CASE("lab: its file is one that compare reads, also before the end", "[shell][lab]") {
+TEST_CASE("lab: writes a file that compare can read, even before the end", "[shell][lab]") {
   Lab lab;
   lab.settings = TwoAlgorithms();
   REQUIRE(lab.Begin(LabProblem()));
@@ -80,11 +80,12 @@ TEST_CASE("lab: its file is one that compare reads, also before the end", "[shel
   CHECK(file->plan.problems == std::vector<std::string>{"mr-star-man-travel-seed-5"});
   CHECK(file->plan.Total() == 6);
   CHECK(file->trials.size() == 3);
-  CHECK(file->trials.contains(3));  // canonical order has all trials of rgt before those of sphc
+  CHECK(file->trials.contains(3));  // in canonical order all trials of rgt precede those of sphc
   CHECK(file->Text() == lab.Csv());
 }
 
-TEST_CASE("lab: refuses what an algorithm cannot work with, and keeps what it had", "[shell][lab]") {
+TEST_CASE("lab: refuses settings that an algorithm cannot use, and keeps the earlier results",
+          "[shell][lab]") {
   Lab lab;
   lab.settings = TwoAlgorithms();
   REQUIRE(lab.Begin(LabProblem()));

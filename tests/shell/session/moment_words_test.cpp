@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The stage in words: what is said is true of the motion that is shown.
+// Descriptions of the stage agree with the shown motion.
 #include "shell/session/moment_words.h"
 
 #include <catch_amalgamated.hpp>
@@ -14,7 +14,8 @@ namespace {
 
 bool Has(const std::string& words, const std::string& part) { return words.find(part) != std::string::npos; }
 
-TEST_CASE("the description names figure, way, contacts, the rule that acts and why, and the score") {
+TEST_CASE(
+    "the description names figure, distance, contacts, the active rule with its reason, and the score") {
   QuietHost host;
   Session session(host);
   session.Player().Seek(2.0);
@@ -33,7 +34,7 @@ TEST_CASE("the description names figure, way, contacts, the rule that acts and w
   session.Player().Play(true);
   CHECK(Has(MomentWords(session), "Plays at 2.00 s, "));
 
-  // Contacts, wherever there are some and wherever there are none.
+  // Frames with contacts, and frames without.
   bool touched = false;
   for (int f = 1; f < motion.Frames(); ++f) {
     bool any = false;
@@ -48,7 +49,7 @@ TEST_CASE("the description names figure, way, contacts, the rule that acts and w
   }
   CHECK(touched);
   session.Player().Seek(0.0);
-  CHECK_FALSE(Has(DescriptionOf(session), " the ground."));  // nothing is known of the step before the first
+  CHECK_FALSE(Has(DescriptionOf(session), " the ground."));  // the first frame has no recorded forces
   session.Player().Seek(1.0);
   const float lift_ns = 6.0f * motion.Bones().mass_kg;
   REQUIRE(session.World().Push(kCentreOfMass, 0.0f, lift_ns));

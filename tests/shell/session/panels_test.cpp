@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which panel a document asks for, by the number that it and its links carry. Links that exist keep showing
-// the panel that they showed, wherever a new panel is put. Does not pin: how panels look.
+// The panel that a document or link selects by its number. Existing links keep showing the same panel when a
+// panel is added. Does not pin how panels look.
 #include "shell/session/panels.h"
 
 #include <catch_amalgamated.hpp>
@@ -34,7 +34,7 @@ constexpr std::array<std::string_view, 6> kOnADesk = {"figure", "controller", "s
 
 }  // namespace
 
-TEST_CASE("panels: the old numbers show the panels that they showed", "[panels]") {
+TEST_CASE("panels: existing numbers select the same panels as before", "[panels]") {
   for (int number = 0; number <= kMostPanelNumber; ++number) {
     CAPTURE(number);
     const auto old = static_cast<std::size_t>(std::min(number, 5));
@@ -43,15 +43,15 @@ TEST_CASE("panels: the old numbers show the panels that they showed", "[panels]"
   }
 }
 
-TEST_CASE("panels: of a few that are shown, the nearest one opens", "[panels]") {
+TEST_CASE("panels: the nearest shown panel opens", "[panels]") {
   const int few[] = {PlaceOf(Panel::kController), PlaceOf(Panel::kSearch)};
   CHECK(NearestPanel(kPanels, few, 0) == few[0]);
-  CHECK(NearestPanel(kPanels, few, 2) == few[0]);  // of two as near, the lower
+  CHECK(NearestPanel(kPanels, few, 2) == few[0]);  // of two equally near, the lower
   CHECK(NearestPanel(kPanels, few, 3) == few[1]);
   CHECK(NearestPanel(kPanels, few, 5) == few[1]);
 }
 
-TEST_CASE("panels: a panel more, put anywhere, moves none of the others", "[panels]") {
+TEST_CASE("panels: adding a panel at any position does not renumber the others", "[panels]") {
   for (std::size_t place = 0; place <= kPanels.size(); ++place) {
     std::vector<PanelRow> more(kPanels.begin(), kPanels.end());
     more.insert(more.begin() + static_cast<std::ptrdiff_t>(place),
@@ -70,7 +70,7 @@ TEST_CASE("panels: a panel more, put anywhere, moves none of the others", "[pane
   CHECK_FALSE(HasOwnNumbers(twice));
 }
 
-TEST_CASE("panels: links made before panels had numbers of their own open the same panels", "[panels]") {
+TEST_CASE("panels: links from before panels had stable numbers open the same panels", "[panels]") {
   constexpr std::array<std::string_view, 6> kLinks = {
       "ARUAAAEwkHojGwAAAAAAhNd-IJHXP8jcAwgB56o", "ARQAAAEwkHojGwAAAAAAeO0HEnn9g8w9IFLXhQ",
       "ARUAAAEwkHojGwAAAAAAlNd-IJHXP8jcA-CASY0", "ARUAAAEwkHojGwAAAAAAnNd-IJHXP8jcAxTAnp4",

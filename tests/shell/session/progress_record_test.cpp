@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the page reports of a search arrives as it was sent, and a record that is wrong says where.
+// Decoding of search progress from the page: valid records, and errors that name the wrong field.
 #include "shell/session/progress_record.h"
 
 #include <catch_amalgamated.hpp>
@@ -26,7 +26,7 @@ std::string Record(const std::string& evaluations, const std::string& spread, st
 
 }  // namespace
 
-TEST_CASE("progress record: every number arrives, evaluations beyond 2^24 whole", "[shell][search]") {
+TEST_CASE("progress record: every number is decoded, evaluations beyond 2^24 exactly", "[shell][search]") {
   const Spread spread{.members = 7,
                       .least = -1.5f,
                       .lower_quartile = 0.1f,
@@ -63,7 +63,7 @@ TEST_CASE("progress record: every number arrives, evaluations beyond 2^24 whole"
   CHECK(progress->spread->best == 33.3f);
 }
 
-TEST_CASE("progress record: a wrong one says what is wrong", "[shell][search]") {
+TEST_CASE("progress record: an invalid record yields an error that names the field", "[shell][search]") {
   const std::vector<std::uint8_t> bytes(12);
   REQUIRE(DecodeProgress(Record("5", "null", 8, 4, 0), bytes));
   const auto where = [&](const std::string& json) {

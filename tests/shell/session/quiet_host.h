@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A place without workers: searches begin, and report what a test makes them report.
+// A host without workers. It records requests, and tests report the progress.
 #pragma once
 
 #include <map>
@@ -30,23 +30,23 @@ class QuietHost final : public Host {
   void StoreFound(const std::string& id, const std::string& text) override { stored[id] = text; }
   [[nodiscard]] double NowS() const override { return 1000.0 + static_cast<double>(started.size()); }
 
-  std::vector<Document> started;  // searches, in their order
+  std::vector<Document> started;  // searches, in order
   std::map<std::string, std::string> stored;
   int stops = 0;
-  std::vector<Document> mapped;  // transition maps, in their order
-  std::vector<int> generations;  // of each
+  std::vector<Document> mapped;  // requested transition maps, in order
+  std::vector<int> generations;  // of each map
   int map_stops = 0;
   std::string status;
 };
 
-/// All but the view, which is no part of any step of Undo.
+/// The document without the view, which Undo ignores.
 inline std::string State(const Session& session) {
   Document document = session.Doc();
   document.view = {};
   return EncodeJson(document);
 }
 
-/// The search that was started last ends with this gene everywhere.
+/// Ends the last search with a genome in which every gene has this value.
 inline void End(Session& session, const QuietHost& host, Gene gene) {
   SearchProgress progress{
       .state = SearchState::kDone, .evaluations = 50, .budget = 50, .curve = {}, .best_genome = {}};

@@ -53,7 +53,7 @@ using List = std::vector<std::uint32_t>;
 
 }  // namespace
 
-TEST_CASE("queue: in order, moved up, removed, cleared, and brought back", "[shell][queue]") {
+TEST_CASE("queue: order, move up, remove, clear and restore", "[shell][queue]") {
   SearchQueue queue;
   for (const std::uint32_t seed : {1u, 2u, 3u, 4u}) REQUIRE(queue.Add(Problem(seed)));
   const auto number = [&](std::size_t place) { return queue.Waiting()[place].number; };
@@ -79,7 +79,7 @@ TEST_CASE("queue: in order, moved up, removed, cleared, and brought back", "[she
   CHECK(queue.Waiting().size() == 3);
 }
 
-TEST_CASE("queue: has an end, also for what is brought back", "[shell][queue]") {
+TEST_CASE("queue: bounded, also for restored searches", "[shell][queue]") {
   SearchQueue queue;
   for (std::size_t i = 0; i < SearchQueue::kMost; ++i) REQUIRE(queue.Add(Problem()));
   CHECK(queue.Full());
@@ -87,11 +87,11 @@ TEST_CASE("queue: has an end, also for what is brought back", "[shell][queue]") 
   queue.Clear();
   CHECK(queue.Removed() == SearchQueue::kMost);
   REQUIRE(queue.Add(Problem(9)));
-  queue.BringBack();  // it was given up by adding
+  queue.BringBack();  // no effect after Add
   CHECK(queue.Waiting().size() == 1);
 }
 
-TEST_CASE("queue: an entry is the whole search, and nothing that it does not depend on", "[shell][queue]") {
+TEST_CASE("queue: an entry holds exactly what its search depends on", "[shell][queue]") {
   Document document = Problem(5);
   document.environment.friction = 0.25f;
   document.search.algorithm = Algorithm::kShc;
@@ -116,7 +116,7 @@ TEST_CASE("queue: an entry is the whole search, and nothing that it does not dep
   CHECK_FALSE(SameSearch(Problem(1), Problem(2)));
 }
 
-TEST_CASE("queue: further seeds leave out those that run or wait, of this very search", "[shell][queue]") {
+TEST_CASE("queue: further seeds skip those of the same search that run or wait", "[shell][queue]") {
   Document other = Problem(8);
   other.task.kind = TaskKind::kJump;
   const std::vector<Document> others = {Problem(7), Problem(9), other};
@@ -125,7 +125,8 @@ TEST_CASE("queue: further seeds leave out those that run or wait, of this very s
   CHECK(FreeSeeds(Problem(0xfffffffeu), {}, 5) == List{0xfffffffeu, 0xffffffffu});
 }
 
-TEST_CASE("found motions: newest or best first, and what is found again is one entry", "[shell][found]") {
+TEST_CASE("found motions: sorted by time or score, and finding a motion again keeps one entry",
+          "[shell][found]") {
   FoundMotions found;
   CHECK(found.Best(Problem()) == nullptr);
   const FoundMotion first = Found(1, 100.0, 1000);
@@ -144,7 +145,7 @@ TEST_CASE("found motions: newest or best first, and what is found again is one e
   CHECK(found.Count() == 2);
   CHECK(Seeds(found, FoundMotions::Order::kNewest) == List{1, 2});
   CHECK(found.Find(id)->motion.kept);
-  // A clock that was set back does not bury what is new.
+  // New entries stay newest when the clock is set back.
   found.Add(Found(3, 50.0));
   CHECK(Seeds(found, FoundMotions::Order::kNewest) == List{3, 1, 2});
 }
@@ -164,7 +165,8 @@ TEST_CASE("found motions: the best of this figure and task comes before a better
   CHECK(found.Best(jump)->motion.document.search.seed == 2);
 }
 
-TEST_CASE("found motions: the oldest that nobody keeps go first, by number and by size", "[shell][found]") {
+TEST_CASE("found motions: the oldest unsaved entries are removed first, by number and by size",
+          "[shell][found]") {
   const std::size_t one = EncodeFound(Found(1, 1.0)).size();
   const bool by_size = GENERATE(false, true);
   CAPTURE(by_size);
@@ -189,7 +191,7 @@ TEST_CASE("found motions: the oldest that nobody keeps go first, by number and b
   CHECK(stored.size() == 3);
 }
 
-TEST_CASE("found motions: what is deleted comes back where it was, once", "[shell][found]") {
+TEST_CASE("found motions: a removed entry can be restored to its place, once", "[shell][found]") {
   FoundMotions found;
   found.Add(Found(1, 1.0));
   const std::string id = found.Add(Found(2, 2.0));
@@ -211,7 +213,7 @@ TEST_CASE("found motions: what is deleted comes back where it was, once", "[shel
   CHECK_FALSE(found.BringBack());
 }
 
-TEST_CASE("found motions: as text and back, bit for bit, and in their order", "[shell][found]") {
+TEST_CASE("found motions: encoding as text and decoding restore bits and order", "[shell][found]") {
   FoundMotion found = Found(4, 1763761234.567);
   found.origin = Origin::kStopped;
   found.kept = true;
@@ -243,7 +245,7 @@ TEST_CASE("found motions: as text and back, bit for bit, and in their order", "[
   }
 }
 
-TEST_CASE("found motions: one that was kept before the last terms came is read, and they are measured",
+TEST_CASE("found motions: texts from before the last terms are read, and the terms measured",
           "[shell][found]") {
   const Document problem = Problem(3);
   const FoundMotion found = Measured(FoundDocument(problem, Genes(problem, 41000)), Origin::kDone, 1);
@@ -263,7 +265,7 @@ TEST_CASE("found motions: one that was kept before the last terms came is read, 
   CHECK_FALSE(DecodeFound(text.substr(0, end) + "]}"));
 }
 
-TEST_CASE("found motions: one that broke physics has no score, and a text all the same", "[shell][found]") {
+TEST_CASE("found motions: a motion that broke physics has no score, but can be encoded", "[shell][found]") {
   FoundMotion found = Found(1, 1.0);
   found.terms.broke_physics = true;
   found.terms.travel_m = std::numeric_limits<float>::quiet_NaN();
@@ -272,7 +274,7 @@ TEST_CASE("found motions: one that broke physics has no score, and a text all th
   CHECK(back->Score() == kVoidScore);
 }
 
-TEST_CASE("found motions: a document found has the score and the hash that its search was told of",
+TEST_CASE("found motions: a found document has the score and the hash that its search reported",
           "[shell][found]") {
   const Document problem = Problem(3);
   const Genome genes = Genes(problem, 41000);
@@ -286,7 +288,7 @@ TEST_CASE("found motions: a document found has the score and the hash that its s
   CHECK(DecodeLink(EncodeLink(found.document))->hash == found.document.hash);
 }
 
-TEST_CASE("spread curve: samples keep their distance, and the newest is always there", "[shell][spread]") {
+TEST_CASE("spread curve: samples keep a distance, and the newest is always present", "[shell][spread]") {
   SpreadCurve curve;
   curve.Begin(10'000);
   for (int i = 1; i <= 10'000; ++i) {
@@ -301,7 +303,7 @@ TEST_CASE("spread curve: samples keep their distance, and the newest is always t
           10'000 / SpreadCurve::kMostPoints);
 }
 
-TEST_CASE("spread curve: a search that goes back to a checkpoint tells it again", "[shell][spread]") {
+TEST_CASE("spread curve: after a return to a checkpoint, samples are replaced", "[shell][spread]") {
   SpreadCurve curve;
   curve.Begin(1000);
   for (const int evaluation : {100, 200, 300}) curve.Add(evaluation, {2, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The motion that the shown one is compared with: whose it is, and that the same is done to both.
+// The motion that the shown one is compared with: its source, and its world and pushes.
 #include <catch_amalgamated.hpp>
 
 #include "tests/shell/session/quiet_host.h"
@@ -13,12 +13,12 @@ std::uint64_t GhostHash(const Session& session) {
 
 }  // namespace
 
-TEST_CASE("session: a timer is searched for the shown senses, and stands beside them",
+TEST_CASE("session: for physical senses, a timer is searched for and shown beside them",
           "[shell][session][ghost]") {
   QuietHost host;
   Session session(host);
   const std::string before = State(session);
-  session.Comparison().KeepInTime();  // there is none yet
+  session.Comparison().KeepInTime();  // no other motion yet
   CHECK(session.Comparison().Other().Player() == nullptr);
   session.Comparison().CompareControlModes();
   REQUIRE(host.started.size() == 1);
@@ -37,7 +37,7 @@ TEST_CASE("session: a timer is searched for the shown senses, and stands beside 
   CHECK(State(session) == before);
   CHECK(GhostHash(session) != session.Player().Shown().Hash());
 
-  // The same push to both; without it both are as they were.
+  // A push acts on both motions, and removing it restores both.
   const std::uint64_t calm = session.Player().Shown().Hash();
   const std::uint64_t ghost_calm = GhostHash(session);
   session.Player().Seek(0.5);
@@ -57,7 +57,7 @@ TEST_CASE("session: a timer is searched for the shown senses, and stands beside 
   CHECK(session.Comparison().Other().Player()->TimeS() == 1.25);
 }
 
-TEST_CASE("session: what was found before is compared at once, and nothing with another figure",
+TEST_CASE("session: an earlier result is compared immediately, unless its figure differs",
           "[shell][session][ghost]") {
   QuietHost host;
   Session session(host);
@@ -68,7 +68,7 @@ TEST_CASE("session: what was found before is compared at once, and nothing with 
   session.Comparison().CompareControlModes();
   CHECK(host.started.size() == 1);
   REQUIRE(session.Comparison().Other().Beside());
-  // The results may lose it, the stage does not.
+  // Removing the motion from the results does not remove the ghost.
   session.Results().Motions().Remove(session.Comparison().Other().FoundId());
   CHECK(session.Change([](Document& d) { d.environment.friction = 0.4f; }));
   CHECK(session.Comparison().Other().Beside());
@@ -85,7 +85,7 @@ TEST_CASE("session: what was found before is compared at once, and nothing with 
   CHECK_FALSE(session.Comparison().ChooseFound("0123456789abcdef"));
 }
 
-TEST_CASE("session: a comparison waits behind a search that runs, and is given up with it",
+TEST_CASE("session: a comparison waits for the running search, and is dropped with it",
           "[shell][session][ghost]") {
   QuietHost host;
   Session session(host);
@@ -104,10 +104,8 @@ TEST_CASE("session: a comparison waits behind a search that runs, and is given u
   CHECK(host.started.size() == 1);
 }
 
-TEST_CASE(
-    "session: beside the shown motion stand the one before the search, the calm one, and each controller "
-    "alone",
-    "[shell][session][ghost]") {
+TEST_CASE("session: the ghost can be the motion before the search, as opened, or of one controller",
+          "[shell][session][ghost]") {
   QuietHost host;
   Session session(host);
   const std::uint64_t first = session.Player().Shown().Hash();
@@ -127,7 +125,7 @@ TEST_CASE(
   CHECK(GhostHash(session) == second);
   session.World().Reset();
 
-  // A controller stays what is compared with, wherever an edit puts it in the list.
+  // The ghost follows its controller when an edit moves it in the list.
   session.Timeline().AddClip();
   session.Timeline().MirrorClip();
   REQUIRE(session.Doc().controllers.size() == 2);
@@ -143,7 +141,7 @@ TEST_CASE(
   REQUIRE(session.Doc().controllers.size() == 1);
   CHECK(session.Comparison().Other().ControllerIndex() == 0);
   CHECK(GhostHash(session) == session.Player().Shown().Hash());
-  session.Comparison().Choose(Ghost::Kind::kController, 1);  // there is none
+  session.Comparison().Choose(Ghost::Kind::kController, 1);  // there is no such controller
   CHECK(session.Comparison().Other().StandsFor() == Ghost::Kind::kNone);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A session's queue and results: what runs when, what the stage shows, and what one step of Undo is.
+// A session's queue and results: the order of searches, the shown motion, and the steps of Undo.
 #include <algorithm>
 #include <catch_amalgamated.hpp>
 
@@ -13,7 +13,7 @@ namespace gaitsmith::shell::test {
 
 namespace {
 
-// A genome that the search started last could have found.
+// Reports a genome that the last search could have found.
 void Report(Session& session, const QuietHost& host, Gene gene, SearchState state) {
   const Document& problem = host.started.back();
   SearchProgress progress{.state = state, .evaluations = 50, .budget = 100, .curve = {}, .best_genome = {}};
@@ -22,7 +22,7 @@ void Report(Session& session, const QuietHost& host, Gene gene, SearchState stat
   session.OnSearchProgress(std::move(progress));
 }
 
-// "Mr. Star-Man" in hand, and three searches of other figures and seeds in the queue.
+// Opens "Mr. Star-Man" and queues three searches with other figures and seeds.
 void QueueThree(Session& session) {
   for (const int problem : {1, 2, 3}) {
     Document document = session.Shipped().Problems()[static_cast<std::size_t>(problem)];
@@ -37,13 +37,13 @@ std::vector<const FoundMotions::Entry*> Newest(const Session& session) {
 
 }  // namespace
 
-TEST_CASE("session: the queue runs one after another by itself and leaves the stage alone",
+TEST_CASE("session: the queue runs its searches in order and does not change the stage",
           "[shell][session][queue]") {
   QuietHost host;
   Session session(host);
   const std::string before = State(session);
   QueueThree(session);
-  CHECK(host.started.empty());  // what waits waits
+  CHECK(host.started.empty());  // the queue does not start by itself
   REQUIRE(session.Queue().Run());
   for (const std::uint32_t seed : {1u, 2u, 3u}) {
     CAPTURE(seed);
@@ -93,7 +93,7 @@ TEST_CASE("session: a result is shown as it was found, in one step", "[shell][se
   CHECK_FALSE(session.ShowFound("nothing of the kind"));
 }
 
-TEST_CASE("session: one that fails does not stop the rest, and says so among the results",
+TEST_CASE("session: a failed search does not stop the queue, and is listed in the results",
           "[shell][session][queue]") {
   QuietHost host;
   Session session(host);
@@ -110,14 +110,14 @@ TEST_CASE("session: one that fails does not stop the rest, and says so among the
   REQUIRE(found.size() == 3);
   CHECK(found[0]->motion.origin == Origin::kDone);
   CHECK(found[1]->motion.origin == Origin::kFailed);
-  CHECK(found[1]->motion.Moves());  // what it had found is kept
+  CHECK(found[1]->motion.Moves());  // its result is kept
   CHECK(found[2]->motion.origin == Origin::kFailed);
   CHECK_FALSE(found[2]->motion.Moves());
   REQUIRE(session.ShowFound(found[2]->id));
   CHECK(SameSearch(session.Doc(), host.started[0]));
 }
 
-TEST_CASE("session: after Stop the others wait, until somebody says go on", "[shell][session][queue]") {
+TEST_CASE("session: after Stop the others wait until Run", "[shell][session][queue]") {
   QuietHost host;
   Session session(host);
   QueueThree(session);
@@ -125,7 +125,7 @@ TEST_CASE("session: after Stop the others wait, until somebody says go on", "[sh
   Report(session, host, 20000, SearchState::kRunning);
   session.Stop();
   REQUIRE(Newest(session).size() == 1);
-  Report(session, host, 25000, SearchState::kStopped);  // a little further, as workers report it in the end
+  Report(session, host, 25000, SearchState::kStopped);  // the workers' final report is a little further
   session.Queue().Resume();
   CHECK(host.started.size() == 1);
   CHECK_FALSE(session.Search().Running());
@@ -140,13 +140,13 @@ TEST_CASE("session: after Stop the others wait, until somebody says go on", "[sh
   CHECK(host.started.size() == 2);
   CHECK_FALSE(session.Queue().Run());
   CHECK(host.started.size() == 2);
-  // One that ends as stopped although nobody here has stopped it leaves the rest waiting, too.
+  // A search that the host stopped also leaves the others waiting.
   Report(session, host, 20000, SearchState::kStopped);
   CHECK_FALSE(session.Search().Running());
   CHECK(host.started.size() == 2);
 }
 
-TEST_CASE("session: what is done to the document in hand does not concern a search of the queue",
+TEST_CASE("session: actions on the open document do not affect a search of the queue",
           "[shell][session][queue]") {
   QuietHost host;
   Session session(host);
@@ -170,7 +170,7 @@ TEST_CASE("session: what is done to the document in hand does not concern a sear
   CHECK(Newest(session).size() == 1);
 }
 
-TEST_CASE("session: a search of the queue that the document in hand asks for is shown as it improves",
+TEST_CASE("session: a search of the queue that equals the open document's search is shown as it improves",
           "[shell][session][queue]") {
   QuietHost host;
   Session session(host);
@@ -211,7 +211,7 @@ TEST_CASE("session: a search of the queue that the document in hand asks for is 
   }
 }
 
-TEST_CASE("session: the queue follows a search of one's own, and one that ended because its document went",
+TEST_CASE("session: the queue continues after the document's own search, ended or interrupted",
           "[shell][session][queue]") {
   QuietHost host;
   Session session(host);
@@ -221,7 +221,7 @@ TEST_CASE("session: the queue follows a search of one's own, and one that ended 
   Report(session, host, 20000, SearchState::kDone);
   REQUIRE(host.started.size() == 2);
   CHECK(session.Search().RunsQueued());
-  session.Search().Synthesize();  // stops that one
+  session.Search().Synthesize();  // stops the queue's search
   CHECK_FALSE(session.Search().RunsQueued());
   CHECK(host.started.size() == 3);
   session.BeginGesture();
@@ -232,8 +232,7 @@ TEST_CASE("session: the queue follows a search of one's own, and one that ended 
   CHECK(host.started.size() == 4);
 }
 
-TEST_CASE("session: five seeds are five more of this search, also when asked twice",
-          "[shell][session][queue]") {
+TEST_CASE("session: queueing five seeds twice adds ten different seeds", "[shell][session][queue]") {
   QuietHost host;
   Session session(host);
   session.ChooseProblem(0);
@@ -262,7 +261,7 @@ TEST_CASE("session: the lab and the queue wait for each other", "[shell][session
   CHECK_FALSE(session.Lab().Start(session.Lab().Trials().settings));
 }
 
-TEST_CASE("session: every search that found something is among the results, and Keep marks it",
+TEST_CASE("session: every search with a result is in the results, and Keep marks it",
           "[shell][session][found]") {
   QuietHost host;
   Session session(host);
@@ -281,7 +280,7 @@ TEST_CASE("session: every search that found something is among the results, and 
   REQUIRE(session.Results().Motions().Count() == 1);
   CHECK(Newest(session)[0]->motion.kept);
   CHECK(Newest(session)[0]->motion.origin == Origin::kDone);
-  // What is changed by hand is another motion.
+  // An edit by hand makes another motion.
   session.BeginGesture();
   REQUIRE(session.Timeline().ChangeController([](Controller& c) { c.genes[0] = 7; }));
   REQUIRE(session.Results().KeepShown());
@@ -292,7 +291,8 @@ TEST_CASE("session: every search that found something is among the results, and 
   CHECK(host.stored[id].empty());
 }
 
-TEST_CASE("commands: of queue and results say why not, and do it when they can", "[shell][commands]") {
+TEST_CASE("commands: those of queue and results are unavailable with a reason, or work",
+          "[shell][commands]") {
   QuietHost host;
   Session session(host);
   const auto command = [&](std::string_view id) {
@@ -311,7 +311,7 @@ TEST_CASE("commands: of queue and results say why not, and do it when they can",
   command("queue/run").run();
   CHECK(session.Search().RunsQueued());
   CHECK_FALSE(command("queue/run").why_not.empty());
-  CHECK_FALSE(command("document/undo").why_not.empty());  // nothing of it is in the document
+  CHECK_FALSE(command("document/undo").why_not.empty());  // the queue's search did not change the document
   command("queue/clear").run();
   Report(session, host, 30000, SearchState::kDone);
   CHECK_FALSE(session.Search().Running());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Chaining clips by hand: what is done, what is undone, and what a search does with a clip meanwhile.
+// Chaining clips by hand: edits, Undo, and searches during edits.
 #include <catch_amalgamated.hpp>
 
 #include "tests/shell/session/quiet_host.h"
@@ -16,7 +16,7 @@ std::vector<int> Starts(const Session& session) {
 
 }  // namespace
 
-TEST_CASE("session: clips are chained, and every step is undone", "[shell][session][timeline]") {
+TEST_CASE("session: clips can be chained, and every edit undone", "[shell][session][timeline]") {
   QuietHost host;
   Session session(host);
   REQUIRE(session.Doc().timeline.size() == 1);
@@ -56,7 +56,7 @@ TEST_CASE("session: clips are chained, and every step is undone", "[shell][sessi
   CHECK(State(session) == states[1]);
 }
 
-TEST_CASE("session: what a timeline has no room for changes nothing and is said",
+TEST_CASE("session: an edit that does not fit the timeline changes nothing and reports why",
           "[shell][session][timeline]") {
   QuietHost host;
   Session session(host);
@@ -74,8 +74,7 @@ TEST_CASE("session: what a timeline has no room for changes nothing and is said"
   CHECK(State(session) == before);
 }
 
-TEST_CASE("session: an edit ends the search of a clip, and keeps what it has found",
-          "[shell][session][timeline]") {
+TEST_CASE("session: an edit ends the search of a clip and keeps its result", "[shell][session][timeline]") {
   QuietHost host;
   Session session(host);
   session.Search().Synthesize();
@@ -93,7 +92,7 @@ TEST_CASE("session: an edit ends the search of a clip, and keeps what it has fou
   CHECK(session.Timeline().ShownController()->genes.front() == 777);
 }
 
-TEST_CASE("session: a result is inserted where time stands", "[shell][session][timeline]") {
+TEST_CASE("session: a result is inserted at the shown moment", "[shell][session][timeline]") {
   QuietHost host;
   Session session(host);
   session.Search().Synthesize();
@@ -122,7 +121,7 @@ TEST_CASE("session: a result is inserted where time stands", "[shell][session][t
   CHECK(State(session) == before);
 }
 
-TEST_CASE("session: a repair searches from where the clip takes over", "[shell][session][timeline]") {
+TEST_CASE("session: a repair searches from the state at the takeover", "[shell][session][timeline]") {
   QuietHost host;
   Session session(host);
   session.Timeline().RepairClip();
@@ -184,7 +183,7 @@ TEST_CASE("session: a clip snaps to the best moment of its transition map", "[sh
       {.generation = generation, .first = count, .usual = 1.0f, .scores = {1.0f}});
   CHECK(session.Timeline().Transitions().Scores().Known() == 0);
   session.Timeline().Transitions().OnScores(part(generation, 0, 10));
-  session.Timeline().Transitions().OnScores(part(generation, 0, 10));  // told twice
+  session.Timeline().Transitions().OnScores(part(generation, 0, 10));  // reported twice
   CHECK(session.Timeline().Transitions().Scores().Known() == 10);
   CHECK(session.Timeline().Transitions().Scores().Share(order[3]) == 0.8f);
   CHECK_FALSE(session.Timeline().Transitions().Scores().Share(order[10]));
@@ -198,7 +197,7 @@ TEST_CASE("session: a clip snaps to the best moment of its transition map", "[sh
   session.Timeline().SnapToBest();
   CHECK(Starts(session) == std::vector{0, best});
   session.Timeline().Transitions().Advance(10.0);
-  CHECK(host.mapped.size() == 1);  // nothing that it depends on has changed
+  CHECK(host.mapped.size() == 1);  // its inputs have not changed
   CHECK(session.Timeline().Transitions().Scores().Known() == count);
   CHECK(std::string(session.Timeline().WhyNoSnap()) == "it takes over at the best moment already");
   session.Undo();
@@ -206,8 +205,7 @@ TEST_CASE("session: a clip snaps to the best moment of its transition map", "[sh
   CHECK(session.Timeline().Transitions().Scores().Known() == count);
 }
 
-TEST_CASE("session: a transition map begins anew when what it depends on changes",
-          "[shell][session][timeline]") {
+TEST_CASE("session: a transition map restarts when its inputs change", "[shell][session][timeline]") {
   QuietHost host;
   Session session(host);
   session.Timeline().AddClip();
@@ -232,7 +230,7 @@ TEST_CASE("session: a transition map begins anew when what it depends on changes
   CHECK(host.mapped.size() == 2);
   session.Timeline().Select(0);
   CHECK_FALSE(session.Timeline().Transitions().Scores().Any());
-  // A search of what is shown changes it all the time.
+  // A search of the shown motion keeps changing it.
   session.Search().Synthesize();
   session.Timeline().Select(1);
   session.Timeline().Transitions().Advance(1.0);
@@ -242,7 +240,7 @@ TEST_CASE("session: a transition map begins anew when what it depends on changes
   CHECK(host.mapped.size() == 3);
 }
 
-TEST_CASE("timeline: a result is inserted while a search runs that its end adds to the results",
+TEST_CASE("timeline: inserting a result ends a search that adds to the results",
           "[shell][session][timeline]") {
   QuietHost host;
   Session session(host);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Suites of searches, and what can be done with what they find.
+// Suites of searches, and actions on their results.
 #include <catch_amalgamated.hpp>
 #include <set>
 
@@ -33,7 +33,7 @@ TEST_CASE("suite: one search for each combination, all different and valid", "[s
     different.insert(EncodeBinary(one));
   }
   CHECK(different.size() == 30);
-  // Style by style within a goal, goal by goal within the senses.
+  // Sorted by senses, then goal, then style.
   CHECK(suite[2].task.weights[2] == UsualWeights(suite[2])[2]);
   CHECK(suite[5].task.kind == TaskKind::kTravelLeft);
   CHECK(suite[15].senses.kind == SenseKind::kTimer);
@@ -45,7 +45,7 @@ TEST_CASE("suite: one search for each combination, all different and valid", "[s
   }
 }
 
-TEST_CASE("suite: it runs by itself, and what does not fit into the queue is said", "[shell][suite]") {
+TEST_CASE("suite: starts the queue, and reports how many searches do not fit", "[shell][suite]") {
   QuietHost host;
   Session session(host);
   const std::string before = State(session);
@@ -58,7 +58,7 @@ TEST_CASE("suite: it runs by itself, and what does not fit into the queue is sai
   CHECK(State(session) == before);
 }
 
-TEST_CASE("results: a name goes with a motion, a wrong one is refused, and made again it is the same",
+TEST_CASE("results: names are stored and validated, and repeating a search finds the same motion",
           "[shell][suite]") {
   QuietHost host;
   Session session(host);
@@ -72,7 +72,7 @@ TEST_CASE("results: a name goes with a motion, a wrong one is refused, and made 
   CHECK(NewestOf(session).motion.name == "Wheel");
   CHECK(host.stored[id].contains(R"("name":"Wheel")"));
 
-  // Stored and read again it has its name; a name that is none is refused.
+  // The name survives storing. Invalid names are refused.
   const auto read = DecodeFound(host.stored[id]);
   REQUIRE(read);
   CHECK(read->name == "Wheel");

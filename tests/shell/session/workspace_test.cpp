@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the parts of a session build on: who is called when the document changes, and what a part keeps by
-// itself.
+// The interface between the parts of a session: callbacks after changes of the document, and the parts' own
+// state.
 #include "shell/session/workspace.h"
 
 #include <catch_amalgamated.hpp>
@@ -14,7 +14,7 @@
 namespace gaitsmith::shell::test {
 namespace {
 
-// Notes in one list what followers and host are called for.
+// Records the calls of followers and host in one list.
 class NotingHost final : public Host {
  public:
   [[nodiscard]] int MaxWorkers() const override { return 1; }
@@ -42,7 +42,7 @@ Workspace::Followers Noting(NotingHost& host) {
 
 }  // namespace
 
-TEST_CASE("workspace: what follows the document is called before the host, and only for what concerns it",
+TEST_CASE("workspace: followers are called before the host, and only for relevant changes",
           "[shell][session]") {
   NotingHost host;
   Workspace workspace(host);
@@ -51,7 +51,7 @@ TEST_CASE("workspace: what follows the document is called before the host, and o
   CHECK(host.Take() == Calls{"opened", "host"});
   REQUIRE(workspace.Change([](Document& d) { d.environment.friction = 0.25f; }));
   CHECK(host.Take() == Calls{"motion", "host"});
-  REQUIRE(workspace.Change([](Document& d) { d.environment.friction = 0.25f; }));  // as it is
+  REQUIRE(workspace.Change([](Document& d) { d.environment.friction = 0.25f; }));  // no change
   CHECK(host.Take().empty());
   REQUIRE(workspace.Set([](Document& d) { ++d.search.seed; }));
   CHECK(host.Take() == Calls{"settings", "host"});
@@ -61,7 +61,7 @@ TEST_CASE("workspace: what follows the document is called before the host, and o
   CHECK(host.Take() == Calls{"settings"});
   CHECK(workspace.SelectedClip() == static_cast<int>(workspace.Doc().timeline.size()) - 1);
 
-  // What is not valid, or locked, is refused with a sentence and leaves everything as it was.
+  // An invalid or locked edit is refused with a sentence and changes nothing.
   const float friction = workspace.Doc().environment.friction;
   CHECK_FALSE(workspace.Change([](Document& d) { d.environment.friction = -1.0f; }));
   CHECK(host.Take() == Calls{"status"});
@@ -72,7 +72,7 @@ TEST_CASE("workspace: what follows the document is called before the host, and o
   CHECK(workspace.Doc().environment.friction == friction);
 }
 
-TEST_CASE("workspace: changes on one occasion are one step back", "[shell][session]") {
+TEST_CASE("workspace: changes on one occasion are one step", "[shell][session]") {
   NotingHost host;
   Workspace workspace(host);
   workspace.SetFollowers(Noting(host));
@@ -86,9 +86,7 @@ TEST_CASE("workspace: changes on one occasion are one step back", "[shell][sessi
   CHECK_FALSE(workspace.TakeBack());
 }
 
-TEST_CASE(
-    "world: a reset goes back to the world as it was opened, and to the next one after another is opened",
-    "[shell][session]") {
+TEST_CASE("world: a reset restores the world of the document opened last", "[shell][session]") {
   QuietHost host;
   Session session(host);
   const Environment opened = session.Doc().environment;
@@ -108,7 +106,7 @@ TEST_CASE(
   CHECK(session.World().AsOpened().environment.gravity_mps2 == 2.5f);
 }
 
-TEST_CASE("session: a search that loses its document leaves the queue to go on, once", "[shell][session]") {
+TEST_CASE("session: after a search loses its document, the queue resumes once", "[shell][session]") {
   QuietHost host;
   Session session(host);
   session.Search().Synthesize();
@@ -122,7 +120,7 @@ TEST_CASE("session: a search that loses its document leaves the queue to go on, 
   CHECK(session.Search().RunsQueued());
   CHECK_FALSE(session.Search().WasInterrupted());
 
-  // One that a person stops does not.
+  // A search that a person stops does not start the next one.
   REQUIRE(session.Queue().Add(session.Doc()));
   session.Stop();
   session.Queue().Resume();

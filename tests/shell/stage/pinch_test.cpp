@@ -31,7 +31,7 @@ class Hand {
 
 }  // namespace
 
-TEST_CASE("Fingers that part enlarge by as much as they part, about their middle") {
+TEST_CASE("Spreading fingers zooms by the ratio of their distances, about their midpoint") {
   Hand hand;
   REQUIRE_FALSE(hand.Down(7, 150.0f, 200.0f));
   REQUIRE_FALSE(hand.pinch.Holds());
@@ -42,10 +42,10 @@ TEST_CASE("Fingers that part enlarge by as much as they part, about their middle
   const Pinch::Change change = hand.pinch.TakeChange();
   REQUIRE(change.zoom == Catch::Approx(2.0f));
   REQUIRE(change.to.x == Catch::Approx(change.from.x));
-  REQUIRE(hand.pinch.TakeChange().zoom == 1.0f);  // told once
+  REQUIRE(hand.pinch.TakeChange().zoom == 1.0f);  // reported once
 }
 
-TEST_CASE("Fingers that go together move the picture and do not enlarge it") {
+TEST_CASE("Moving two fingers in parallel pans without zooming") {
   Hand hand;
   hand.Down(1, 100.0f, 100.0f);
   hand.Down(2, 160.0f, 180.0f);
@@ -56,7 +56,7 @@ TEST_CASE("Fingers that go together move the picture and do not enlarge it") {
   REQUIRE(change.to.x - change.from.x == Catch::Approx(30.0f));
 }
 
-TEST_CASE("What remains of a pinch is no tap, and the next finger begins anew") {
+TEST_CASE("The end of a pinch is not a tap, and the next finger starts a new gesture") {
   Hand hand;
   hand.Down(1, 100.0f, 100.0f);
   hand.Down(2, 200.0f, 100.0f);
@@ -70,7 +70,7 @@ TEST_CASE("What remains of a pinch is no tap, and the next finger begins anew") 
   REQUIRE_FALSE(hand.pinch.Holds());
 }
 
-TEST_CASE("Fingers elsewhere are none of the stage's, and fingers that meet do not blow it up") {
+TEST_CASE("Fingers outside the stage are ignored, and fingers close together do not zoom") {
   Hand hand;
   hand.Down(1, 100.0f, 100.0f);
   REQUIRE_FALSE(hand.Down(2, 200.0f, 700.0f));

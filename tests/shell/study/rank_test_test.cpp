@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rank test against all the ways in which a sample could have been dealt to the two sides.
+// The rank test against the exact permutation distribution.
 #include "shell/study/rank_test.h"
 
 #include <bit>
@@ -12,7 +12,8 @@ namespace {
 
 using Sample = std::vector<double>;
 
-/// Pairs that the first side wins, ties counted half: U by its definition, without ranks.
+/// U by its definition, without ranks: the number of pairs that the first sample wins, with ties counted
+/// half.
 double PairsWon(const Sample& first, const Sample& second) {
   double won = 0.0;
   for (const double a : first) {
@@ -21,7 +22,7 @@ double PairsWon(const Sample& first, const Sample& second) {
   return won;
 }
 
-/// U of every way to deal the values of both samples, each equally likely if the sides do not differ.
+/// U of every split of the pooled values. Under the null hypothesis all are equally likely.
 Sample AllDeals(const Sample& first, const Sample& second) {
   Sample all = first, deals;
   all.insert(all.end(), second.begin(), second.end());
@@ -46,7 +47,7 @@ double Variance(const Sample& values) {
   return Mean(squares);
 }
 
-/// The share of deals at least as far from the middle as this U.
+/// The two-sided p: the share of splits at least as far from the mean as this U.
 double ExactP(const Sample& deals, double u) {
   double far = 0.0;
   for (const double deal : deals)
@@ -56,8 +57,8 @@ double ExactP(const Sample& deals, double u) {
 
 }  // namespace
 
-TEST_CASE("rank test: counts, moments and p are those of all deals", "[rank_test]") {
-  // Without ties; with ties within and between the sides; of unequal sizes; nearly all equal.
+TEST_CASE("rank test: U, moments and p agree with the permutation distribution", "[rank_test]") {
+  // Without ties, with ties within and between samples, with unequal sizes, and with nearly equal values.
   const auto [first, second] = GENERATE(
       std::pair<Sample, Sample>{{1.5, 2.5, 3.25, 7.0, 8.5, 9.75, 11.0, 4.5},
                                 {2.0, 10.5, 12.25, 13.0, 14.5, 6.25, 15.0, 16.5}},
@@ -75,19 +76,19 @@ TEST_CASE("rank test: counts, moments and p are those of all deals", "[rank_test
   REQUIRE(Mean(deals) == Catch::Approx(pairs / 2.0));
   const double z = std::max(0.0, std::abs(found.u - pairs / 2.0) - 0.5) / std::sqrt(Variance(deals));
   CHECK(found.p == Catch::Approx(std::erfc(z / std::sqrt(2.0))).epsilon(1e-9));
-  // The normal curve is a good one, but where two values alone occur: there U moves in steps of seven, and
-  // the correction for continuity knows of steps of one.
+  // The normal approximation is close, except for samples with only two distinct values: there U changes in
+  // steps of seven, but the continuity correction assumes steps of one.
   if (first.front() != first[1]) CHECK(found.p == Catch::Approx(ExactP(deals, found.u)).margin(0.01));
 }
 
-TEST_CASE("rank test: the first table's corner and critical values", "[rank_test]") {
-  // [Mann Whitney 1947], table 1: n = m = 4, U = 0 has a chance of 0.014 = 1/70.
+TEST_CASE("rank test: published values of the first table", "[rank_test]") {
+  // [Mann Whitney 1947], table 1: for n = m = 4, U = 0 has probability 0.014 = 1/70.
   const Sample low = {1.0, 2.0, 3.0, 4.0}, high = {5.0, 6.0, 7.0, 8.0};
   CHECK(CompareRanks(low, high).u == 0.0);
   CHECK(CompareRanks(high, low).u == 16.0);
   CHECK(CompareRanks(low, high).a12 == 0.0);
   CHECK(ExactP(AllDeals(low, high), 0.0) == Catch::Approx(2.0 / 70.0));
-  // Two-sided at 5 %, n = m = 8: 13 is significant, 14 is not, exactly and by the approximation.
+  // Two-sided at 5 %, n = m = 8: 13 is significant and 14 is not, both exactly and by the approximation.
   const Sample first = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 12.5, 13.5};
   for (const double moved : {0.0, 1.0}) {
     Sample second = {7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0};
@@ -100,7 +101,7 @@ TEST_CASE("rank test: the first table's corner and critical values", "[rank_test
   }
 }
 
-TEST_CASE("rank test: the same either way round, and nothing to tell where all is equal", "[rank_test]") {
+TEST_CASE("rank test: symmetric, and p = 1 for equal samples", "[rank_test]") {
   const Sample first = {2.0, 3.0, 3.0, 7.0}, second = {3.0, 5.0, 8.0};
   CHECK(CompareRanks(first, second).p == CompareRanks(second, first).p);
   CHECK(CompareRanks(first, second).a12 + CompareRanks(second, first).a12 == 1.0);
@@ -110,7 +111,7 @@ TEST_CASE("rank test: the same either way round, and nothing to tell where all i
   CHECK(CompareRanks(Sample{2.0}, Sample{3.0}).p == 1.0);
 }
 
-TEST_CASE("Holm: steps down from the smallest p, never past one, never out of order", "[rank_test]") {
+TEST_CASE("Holm: steps down from the smallest p, at most 1 and monotone", "[rank_test]") {
   // By hand: 0.01 x 4, 0.02 x 3, 0.03 x 2 = 0.06 again, 0.7 x 1.
   const std::vector<double> p = {0.03, 0.01, 0.7, 0.02};
   const std::vector<double> adjusted = HolmAdjusted(p);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Themes keep the contrast they promise, by the definition of WCAG 2.1.
+// Themes have the documented contrast, as defined by WCAG 2.1.
 #include "shell/widgets/theme.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ TEST_CASE("Black on white has a contrast of 21 to 1") {
   REQUIRE(std::abs(Contrast(IM_COL32_BLACK, IM_COL32_WHITE) - 21.0) < 1e-9);
 }
 
-TEST_CASE("Text can be read in every theme, and from the back row in the strong ones") {
+TEST_CASE("Text is readable in every theme, with stronger contrast in the strong themes") {
   REQUIRE(LeastOfText(PaletteOf(PaletteName::kLight)) >= 4.0);
   REQUIRE(LeastOfText(PaletteOf(PaletteName::kDark)) >= 4.5);
   for (const PaletteName name : {PaletteName::kStrongLight, PaletteName::kStrongDark}) {

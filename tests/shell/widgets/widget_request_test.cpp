@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Widgets that are asked instead of pointed at: without a window, but drawn by Dear ImGui as on the canvas.
+// Requests to widgets, drawn by Dear ImGui without a window.
 #include "shell/widgets/widget_request.h"
 
 #include <array>
@@ -15,7 +15,7 @@ namespace {
 
 using Kind = WidgetRequest::Kind;
 
-// Draws one frame after the other into nothing.
+// Draws frames without a renderer.
 class Panel {
  public:
   Panel() {
@@ -56,7 +56,7 @@ class Panel {
   Backdrop backdrop_;
 };
 
-TEST_CASE("a widget that is asked does in the next frame, once, what a click or a key would do") {
+TEST_CASE("a requested widget reacts in the next frame, once, as to a click or a key") {
   Panel panel;
   int pressed = 0;
   bool on = false;
@@ -83,7 +83,7 @@ TEST_CASE("a widget that is asked does in the next frame, once, what a click or 
   panel.Draw(contents);
   CHECK(on);
   panel.Draw(contents);
-  CHECK(std::abs(value - 0.3) < 1e-9);  // on the slider's own grid
+  CHECK(std::abs(value - 0.3) < 1e-9);  // on the slider's grid
   panel.Draw(contents);
   CHECK(number == 9);
   CHECK_FALSE(requests.Waiting());
@@ -102,7 +102,7 @@ TEST_CASE("a widget that is asked does in the next frame, once, what a click or 
   CHECK_FALSE(requests.Waiting());
 }
 
-TEST_CASE("what is asked takes the keyboard, alone, and comes into sight") {
+TEST_CASE("a request moves the keyboard focus to its widget and scrolls it into view") {
   Panel panel;
   double value = 0.0;
   const auto contents = [&](Ui& ui) {
@@ -131,7 +131,7 @@ TEST_CASE("what is asked takes the keyboard, alone, and comes into sight") {
   CHECK(last->state.focused);
 }
 
-TEST_CASE("steps add up, numbers replace each other, and nothing else is lost on the way") {
+TEST_CASE("steps add up, numbers replace each other, and no other request is lost") {
   WidgetRequests requests;
   requests.Add({.id = "a", .kind = Kind::kFocus});
   requests.Add({.id = "a", .kind = Kind::kStep, .number = 1.0});

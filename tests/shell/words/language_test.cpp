@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is said in another language. That its table is complete, tests/web/language.test.mjs sees.
+// Translation. tests/web/language.test.mjs checks that the tables are complete.
 #include "shell/words/language.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ constexpr const char* kSmall = R"({
   "errors": {"must be from {1} to {2}, is {3}": "{3} liegt nicht in {1} bis {2}", "{1} is known": "kennt {1}"},
   "titles": {"My figure": "Meine Figur", "seed {1}": "Startwert {1}"}})";
 
-// English again at the end, whatever a test says.
+// Restores English at the end of a test.
 struct Speaking {
   explicit Speaking(std::string_view table) { REQUIRE(SpeakLanguage(table)); }
   ~Speaking() { CHECK(SpeakLanguage("")); }
@@ -39,10 +39,10 @@ std::string German() {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// As a sentence in English and as a person reads it.
+/// An error in English and in the present language.
 std::pair<std::string, std::string> Told(const Error& error) { return {error.Sentence(), TrError(error)}; }
 
-TEST_CASE("language: English is what stands in the source", "[shell][language]") {
+TEST_CASE("language: English texts are those in the source", "[shell][language]") {
   CHECK(std::string(Tr("Undo")) == "Undo");
   CHECK(Tr("{1} of {2}", 3, "seven") == "3 of seven");
   CHECK(Tr("{1} and {1}, not {3}, {x}", std::string("a")) == "a and a, not {3}, {x}");
@@ -60,12 +60,12 @@ TEST_CASE("language: a table replaces words, sentences, titles and marks", "[she
   CHECK(std::string(Tr("Redo")) == "Redo");
   CHECK(Tr("{1} of {2}", 3, 7) == "von 7 sind 3");
   CHECK(Tr("at {1} s", Fixed(0.25, 2)) == "bei 0,25 s");
-  CHECK(Tr("{1} of {2}", "{2}", "b") == "von b sind {2}");  // what is filled in is not filled in again
+  CHECK(Tr("{1} of {2}", "{2}", "b") == "von b sind {2}");  // inserted text is not a pattern
   CHECK(TrSentence("must be from -1.5 to 1e-06, is 2E+5") == "2E+5 liegt nicht in -1.5 bis 1e-06");
   CHECK(TrSentence("\"no, 3\" is known") == "kennt \"no, 3\"");
   CHECK(TrSentence("something else") == "something else");
   CHECK(TrTitle("My figure · jump, 10 things, seed 3") == "Meine Figur · Sprung, 10 things, Startwert 3");
-  CHECK(TrTitle("jump · jump") == "jump · Sprung");  // what comes first is a name
+  CHECK(TrTitle("jump · jump") == "jump · Sprung");  // the first part is a name
   CHECK(TrTitle("jump, at 0.80 s") == "jump, bei 0,80 s");
   CHECK(TrTitle("").empty());
   CHECK(Fixed(1234.5, 1) == "1234,5");
@@ -92,7 +92,7 @@ TEST_CASE("language: a wrong table changes nothing", "[shell][language]") {
   }
 }
 
-TEST_CASE("language: German says what is wrong with a document", "[shell][language]") {
+TEST_CASE("language: errors of documents are translated to German", "[shell][language]") {
   const Speaking german(German());
   const std::string rod = R"({"figure": {"rods": [{}, {"parent": 0}]}, )";
   const std::vector<std::string> texts = {
@@ -155,7 +155,7 @@ TEST_CASE("language: German says what is wrong with a document", "[shell][langua
   CHECK(TrError(digit.error()) == "Zeile 1, Spalte 13: nach dem Punkt fehlt eine Ziffer");
 }
 
-TEST_CASE("language: German says what is wrong with a link", "[shell][language]") {
+TEST_CASE("language: errors of links are translated to German", "[shell][language]") {
   const Speaking german(German());
   Document document;
   document.figure = gaitsmith::test::ShippedFigure("mr-star-man");
@@ -176,8 +176,7 @@ TEST_CASE("language: German says what is wrong with a link", "[shell][language]"
   }
 }
 
-TEST_CASE("language: every kind of value that is not the wanted one is named in German",
-          "[shell][language]") {
+TEST_CASE("language: every wrong kind of value is named in German", "[shell][language]") {
   const Speaking german(German());
   for (const char* wanted : {R"("title")", R"("rules")", R"("figure")", R"("pushes")"}) {
     for (const char* given : {"null", "true", "2", "\"a\"", "[]", "{}"}) {

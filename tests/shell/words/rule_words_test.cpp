@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Why a rule acts, in words: the sentences name the numbers of the choice, with units.
+// Explanations of the active rule: the sentences have the numbers of the choice, with units.
 #include "shell/words/rule_words.h"
 
 #include <catch_amalgamated.hpp>
@@ -39,21 +39,20 @@ struct Clockwork {
 
 TEST_CASE("why: the winner's sense, its depth, and by how much it beats the next", "[shell][rule_words]") {
   const Clockwork clockwork;
-  // Rule 1 is 1 - 0.1 / 0.2 deep, rule 2 1 - 0.3 /
-  // 0.4.
+  // Depth of rule 1: 1 - 0.1 / 0.2. Depth of rule 2: 1 - 0.3 / 0.4.
   CHECK(clockwork.Why(30, 0) ==
         "Rule 1 acts: timer at 0.30 s lies in its interval (depth 0.50 of 1). It beats rule 2 (depth 0.25) "
         "by 0.25.");
   CHECK(clockwork.Why(30, 1) == "Rule 2 holds too (depth 0.25), but rule 1 is deeper by 0.25.");
   CHECK(clockwork.Why(30, 2) == "Rule 3 rests: timer at 0.30 s lies 0.30 s below its interval.");
-  // 1.10 s is 0.10 s again.
+  // The timer's period is 1 s, so 1.10 s is equivalent to 0.10 s.
   CHECK(clockwork.Why(110, 0) ==
         "Rule 1 acts: timer at 0.10 s lies in its interval (depth 0.50 of 1). No other rule holds; nearest "
         "is rule 2: "
         "timer at 0.10 s, 0.10 s below its interval.");
 }
 
-TEST_CASE("why: before anything is felt the first rule acts, and without a match the last one stays",
+TEST_CASE("why: the first rule is active before any sensing, and without a match the last one stays active",
           "[shell][rule_words]") {
   Clockwork clockwork;
   CHECK(clockwork.Why(0, 0) ==
@@ -68,12 +67,12 @@ TEST_CASE("why: before anything is felt the first rule acts, and without a match
   CHECK(clockwork.Why(55, 2).starts_with("Rule 3 acts: it heeds no sense, so it always holds."));
 }
 
-TEST_CASE("why: of a clip that is not in charge nothing is said", "[shell][rule_words]") {
+TEST_CASE("why: no explanation for a clip that is not active", "[shell][rule_words]") {
   Clockwork clockwork;
   clockwork.document.timeline = {{0, 0}, {0, 100}};
   const Motion motion = Simulate(clockwork.document);
   CHECK_FALSE(MomentOf(clockwork.document.controllers[0], motion, 0, 120));
-  // The clip that takes over begins with its first rule, whatever acted before.
+  // A clip that takes over starts with its first rule, whatever rule was active before.
   const auto taken = MomentOf(clockwork.document.controllers[0], motion, 1, 101);
   REQUIRE(taken);
   CHECK(taken->choice.rule == motion.At(101).rule);

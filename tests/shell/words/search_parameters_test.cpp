@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of parameters against what documents hold: none is missing, and every one reaches its own field.
+// The table of parameters against the document format: it is complete, and every entry sets its own field.
 #include "shell/words/search_parameters.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace gaitsmith::shell::test {
 
 namespace {
 
-// Paths of all members below this one that are no objects, with what they hold.
+// Paths and values of all members below this one, except objects.
 void Leaves(const JsonValue& value, const std::string& path,
             std::set<std::pair<std::string, std::string>>& out) {
   if (value.kind != JsonValue::Kind::kObject) {
@@ -40,10 +40,10 @@ std::set<std::pair<std::string, std::string>> LeavesOf(const SearchSettings& sea
   return leaves;
 }
 
-// Everything away from its standard, so that all fields are written.
+// Settings that all differ from the defaults, so that all fields are written.
 SearchSettings Unusual() {
   SearchSettings search;
-  search.algorithm = Algorithm::kShc;  // what it makes of the others' parameters is nobody's concern
+  search.algorithm = Algorithm::kShc;  // uses no other algorithm's parameters
   search.genetic.rates.mutation = 0.5f;
   search.torus.side = 5;
   search.refine.step = 0.5f;
@@ -67,9 +67,8 @@ void Change(SearchSettings& search, const SearchParameter& parameter) {
 
 }  // namespace
 
-TEST_CASE("parameters: every one that documents hold can be set, each by a widget of its own",
-          "[shell][parameters]") {
-  std::set<std::string> reached = {".algorithm", ".seed", ".evaluations", ".start"};  // all have them
+TEST_CASE("parameters: every parameter in documents has its own widget", "[shell][parameters]") {
+  std::set<std::string> reached = {".algorithm", ".seed", ".evaluations", ".start"};  // of all searches
   std::set<std::string_view> ids;
   std::set<const SearchParameter*> all;
   for (std::size_t i = 0; i < kAlgorithmNames.size(); ++i) {
@@ -97,7 +96,7 @@ TEST_CASE("parameters: every one that documents hold can be set, each by a widge
   CHECK(reached.contains(".cma.genes"));
 }
 
-TEST_CASE("parameters: standard values lie within what the panel offers", "[shell][parameters]") {
+TEST_CASE("parameters: defaults are within the ranges of the panel", "[shell][parameters]") {
   SearchSettings standard;
   for (std::size_t i = 0; i < kAlgorithmNames.size(); ++i) {
     const auto algorithm = static_cast<Algorithm>(i);
@@ -117,7 +116,7 @@ TEST_CASE("parameters: standard values lie within what the panel offers", "[shel
   }
 }
 
-TEST_CASE("parameters: whatever is set suits its search", "[shell][parameters]") {
+TEST_CASE("parameters: Fit makes any setting valid", "[shell][parameters]") {
   for (std::size_t i = 0; i < kAlgorithmNames.size(); ++i) {
     const auto algorithm = static_cast<Algorithm>(i);
     Document document;
@@ -133,10 +132,10 @@ TEST_CASE("parameters: whatever is set suits its search", "[shell][parameters]")
     }
   }
   SearchSettings cma;
-  cma.cma.population = 1;  // one up from none
+  cma.cma.population = 1;  // one step up from 0 (automatic)
   Fit(cma);
   CHECK(cma.cma.population == 4);
-  cma.cma.population = 3;  // one down from four
+  cma.cma.population = 3;  // one step down from 4
   Fit(cma);
   CHECK(cma.cma.population == 0);
 }

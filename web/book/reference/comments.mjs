@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The comments of core's headers. They are written for who reads the header: Doxygen sees only a part of them, so it is
-// given headers in which those behind members are marked as it likes. Lines keep their numbers.
+// The comments of core's headers. They are written for readers of the header, and Doxygen recognizes only some of them.
+// So Doxygen gets copies in which the comments after members have its syntax. Line numbers stay the same.
 
-/** Words of a header's first comment: a paragraph, or what is set as it stands. @typedef {{text: string, drawn: boolean}} Paragraph */
+/** A paragraph of a header's first comment. drawn: preformatted. @typedef {{text: string, drawn: boolean}} Paragraph */
 
 const BEHIND = /^(.*[^\s/])\s+\/\/ (?!NOLINT|namespace)(.*)$/;
 const ALONE = /^(\s*)\/\/ (?!NOLINT|namespace)(.*)$/;
@@ -15,7 +15,10 @@ const marked = (text) => text.replace(/&/g, '&amp;').replace(/</g, '&lt;').repla
 /** @param {string[]} lines */
 const codeBegins = (lines) => lines.indexOf('#pragma once') + 1;
 
-/** What Doxygen is given. It would list what `using` takes from a base as if it were declared anew. @param {string} header @returns {string} */
+/**
+ * A header as Doxygen gets it. Without its `using` declarations, because Doxygen would list them as new members.
+ * @param {string} header @returns {string}
+ */
 export function forDoxygen(header) {
   const lines = header.split('\n');
   for (let i = codeBegins(lines); i < lines.length; i++) {
@@ -27,7 +30,7 @@ export function forDoxygen(header) {
       const [, drawn] = DRAWN.exec(comment) ?? [];
       lines[i] = drawn === undefined ? lines[i].replace(/@param (\w+), (\w+)/, '@param $1,$2') : `/// <pre>${marked(drawn)}</pre>`;
     } else if (code !== undefined) {
-      // It goes on below itself.
+      // The comment may continue in the same column of the next lines.
       const column = lines[i].lastIndexOf(`// ${first}`);
       let words = first;
       let next = i + 1;
@@ -42,7 +45,7 @@ export function forDoxygen(header) {
   return lines.join('\n');
 }
 
-/** Comments that stand above one or more members. @param {string} header @returns {Map<number, string>} by the line of the first, from 1 */
+/** Comments above one or more members. @param {string} header @returns {Map<number, string>} by the first member's line, from 1 */
 export function notes(header) {
   /** @type {Map<number, string>} */
   const found = new Map();
@@ -60,7 +63,7 @@ export function notes(header) {
   return found;
 }
 
-/** What a header says of itself, after its licence. @param {string} header @returns {Paragraph[]} */
+/** A header's first comment, after the licence. @param {string} header @returns {Paragraph[]} */
 export function firstComment(header) {
   /** @type {Paragraph[]} */
   const paragraphs = [];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What Doxygen knows of core's headers.
+// Runs Doxygen on core's headers and reads its XML.
 import { spawn } from 'node:child_process';
 import { mkdir, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
@@ -27,21 +27,21 @@ WARN_IF_DOC_ERROR = NO
 WARN_IF_INCOMPLETE_DOC = NO
 `;
 
-/** Runs it. @param {string} folder @returns {Promise<boolean>} false: it is not installed */
+/** Runs Doxygen. @param {string} folder @returns {Promise<boolean>} false: it is not installed */
 function run(folder) {
   return new Promise((resolve, reject) => {
     const child = spawn('doxygen', ['-'], { cwd: folder, stdio: ['pipe', 'ignore', 'inherit'] });
     child.once('error', (/** @type {NodeJS.ErrnoException} */ error) => (error.code === 'ENOENT' ? resolve(false) : reject(error)));
     child.once('close', (code) => (code === 0 ? resolve(true) : reject(new Error(`doxygen ended with ${code}`))));
-    child.stdin.on('error', () => {}); // where there is no child
+    child.stdin.on('error', () => {}); // if Doxygen is not installed
     child.stdin.end(SETTINGS);
   });
 }
 
 /**
  * @param {Map<string, string>} headers  by path in the repository
- * @param {string} folder  for what comes and goes
- * @returns {Promise<Element[] | undefined>} its `compounddef` elements; undefined: it is not installed
+ * @param {string} folder  for temporary files
+ * @returns {Promise<Element[] | undefined>} the `compounddef` elements; undefined: Doxygen is not installed
  */
 export async function askDoxygen(headers, folder) {
   await rm(folder, { recursive: true, force: true });

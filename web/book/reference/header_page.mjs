@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page of one header of core.
+// The page of a header of core.
 import { firstSentence } from '../headings.mjs';
 import { attributes, escaped } from '../html.mjs';
 import { upFrom } from '../template.mjs';
@@ -12,13 +12,13 @@ import { isComparable } from './symbols.mjs';
 /** @typedef {import('../markdown.mjs').Section} Section */
 /** @typedef {import('./names.mjs').Names} Names */
 /** @typedef {import('./symbols.mjs').Symbol} Symbol */
-/** What the search knows of a page. @typedef {{address: string, title: string, sections: Section[]}} Searched */
+/** A page's data for the search. @typedef {{address: string, title: string, sections: Section[]}} Searched */
 
-/** In a list; line: where it is declared. @typedef {{id?: string, line: number, declared: string, words: string}} Row */
+/** A row of a list. line: of the declaration. @typedef {{id?: string, line: number, declared: string, words: string}} Row */
 
-const FEWEST = 3; // names that are worth a list
+const MIN_NAMES = 3; // for a table of contents
 
-/** What is read of HTML. @param {string} html */
+/** The text of HTML. @param {string} html */
 const plain = (html) => html.replace(/<\/(p|li|pre|h\d)>/g, ' ').replace(/<[^>]+>/g, '').replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&quot;/g, '"').replace(/&amp;/g, '&');
 
 /** @param {string} header */
@@ -55,7 +55,7 @@ class HeaderPage {
   /** @param {Symbol} symbol @param {string} scope */
   #callable(symbol, scope) {
     const writer = this.names.on(this.address, scope);
-    /** Declarations that share their words. @type {{signatures: string[], words: string}[]} */
+    /** Declarations with a common description. @type {{signatures: string[], words: string}[]} */
     const parts = [];
     for (const one of [symbol, ...symbol.others]) {
       const words = worded(description(one.element, writer));
@@ -67,13 +67,13 @@ class HeaderPage {
     return parts.map(({ signatures, words }) => `<pre class="signature"><code>${signatures.join(signatures.some((one) => one.includes('\n')) ? '\n\n' : '\n')}</code></pre>\n${words}`).join('');
   }
 
-  /** Members, values or constants with what stands behind them. @param {Row[]} rows */
+  /** A list of members, values or constants with their descriptions. @param {Row[]} rows */
   #list(rows) {
     if (rows.length === 0) return '';
     const { words } = this.names.on(this.address, '');
-    const row = rows.map(({ id, line, declared, words: said }) => {
+    const row = rows.map(({ id, line, declared, words: details }) => {
       const note = this.notes.get(line);
-      return `${note ? `<li class="note">${words(note)}</li>\n` : ''}<li${attributes({ id })}><code>${declared}</code>\n${said}</li>`;
+      return `${note ? `<li class="note">${words(note)}</li>\n` : ''}<li${attributes({ id })}><code>${declared}</code>\n${details}</li>`;
     });
     return `<ul class="members">\n${row.join('\n')}\n</ul>\n`;
   }
@@ -129,7 +129,7 @@ class HeaderPage {
       ...(constants.length > 0 ? [`<h2 id="constants">Constants</h2>\n${this.#variables(constants, '')}`] : []),
     ].join('') || '<p class="how">It declares nothing for others: it defines what other headers declare.</p>\n';
     for (const one of constants) this.sections.push({ heading: one.name, id: one.id, text: plain(`${signature(one, writer)} ${description(one.element, writer).html}`) });
-    const contents = parts.length < FEWEST ? '' : `<nav class="contents" aria-label="On this page">
+    const contents = parts.length < MIN_NAMES ? '' : `<nav class="contents" aria-label="On this page">
 <p>On this page</p>
 <ul>
 ${parts.map(({ id, name }) => `<li><a href="#${id}">${escaped(name)}</a></li>`).join('\n')}

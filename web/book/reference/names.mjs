@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names in the words and signatures of the reference, and where they lead.
+// Links for the names in texts and signatures of the reference.
 import { attributes, escaped } from '../html.mjs';
 import { upFrom } from '../template.mjs';
 
@@ -27,10 +27,10 @@ export class Names {
       this.#known.set(header, addressOf(header));
       this.#known.set(header.replace(/^.*\//, ''), addressOf(header));
     }
-    for (const [header, some] of symbols) {
-      for (const one of some.flatMap((symbol) => [symbol, ...symbol.members])) {
+    for (const [header, declared] of symbols) {
+      for (const one of declared.flatMap((symbol) => [symbol, ...symbol.members])) {
         const address = `${addressOf(header)}#${one.id}`;
-        // A type comes before functions of its name.
+        // A type wins over functions of the same name.
         if (one.kind !== 'constructor' && !this.#known.has(one.name)) this.#known.set(one.name, address);
         for (const { element } of [one, ...one.others]) this.#byDoxygen.set(element.attributes.id, address);
         for (const value of one.element.all('enumvalue')) this.#known.set(`${one.name}::${value.textOf('name')}`, address);
@@ -38,13 +38,13 @@ export class Names {
     }
   }
 
-  /** @param {string} name @param {string} scope  the type it stands in */
+  /** @param {string} name @param {string} scope  the enclosing type */
   #find(name, scope) {
     const plain = name.replace(/\(\).*$/, '');
     return this.#known.get(`${scope}::${plain}`) ?? this.#known.get(plain);
   }
 
-  /** What is written, with links, on a page. @param {string} page @param {string} scope */
+  /** Functions that write text with links on a page. @param {string} page @param {string} scope */
   on(page, scope) {
     const way = (/** @type {string} */ address) => (address.startsWith(`${page}#`) ? address.slice(page.length) : upFrom(page) + address);
     const link = (/** @type {string | undefined} */ address, /** @type {string} */ html) => (address === undefined || address === page ? html : `<a${attributes({ href: way(address) })}>${html}</a>`);

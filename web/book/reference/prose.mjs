@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Doxygen's descriptions as HTML: paragraphs, and what is said of parameters and results.
+// Doxygen's descriptions as HTML: paragraphs, parameters and results.
 import { escaped } from '../html.mjs';
 
 /** @typedef {import('./names.mjs').Writer} Writer */
@@ -10,12 +10,12 @@ import { escaped } from '../html.mjs';
 const SIGNS = { ndash: '–', mdash: '—', nonbreakablespace: ' ', lsquo: '‘', rsquo: '’', ldquo: '“', rdquo: '”', sp: ' ', linebreak: ' ' };
 /** @type {Record<string, string>} */
 const MARKS = { emphasis: 'em', bold: 'strong', subscript: 'sub', superscript: 'sup' };
-const WIDE = 30; // characters that may have to be scrolled, as in markdown.mjs
+const WIDE = 30; // characters; wider code may need scrolling, as in markdown.mjs
 
 /** @param {string} text */
 export const drawing = (text) => `<pre${text.split('\n').some((line) => line.length > WIDE) ? ' tabindex="0"' : ''}><code>${escaped(text)}</code></pre>\n`;
 
-/** Words within a paragraph. @param {(Element | string)[]} children @param {Writer} writer @returns {string} */
+/** The text of a paragraph. @param {(Element | string)[]} children @param {Writer} writer @returns {string} */
 function inline(children, writer) {
   return children.map((child) => {
     if (typeof child === 'string') return writer.words(child.replace(/\s+/g, ' '));
@@ -26,7 +26,7 @@ function inline(children, writer) {
   }).join('');
 }
 
-/** A paragraph of Doxygen's, which may hold blocks. @param {Element} para @param {Writer} writer @param {Description} into */
+/** A paragraph of Doxygen, which may contain blocks. @param {Element} para @param {Writer} writer @param {Description} into */
 function paragraph(para, writer, into) {
   /** @type {(Element | string)[]} */
   let words = [];
@@ -72,7 +72,7 @@ function block(element, writer, into) {
   }
 }
 
-/** What is said of a symbol. @param {Element} element @param {Writer} writer @returns {Description} */
+/** The description of a symbol. @param {Element} element @param {Writer} writer @returns {Description} */
 export function description(element, writer) {
   /** @type {Description} */
   const into = { html: '', parameters: [], returns: '' };

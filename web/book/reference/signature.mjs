@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Declarations as they are written in core, without what only the compiler needs, with links.
+// Declarations as in core, with links, and without specifiers that only the compiler needs.
 import { attributes, escaped } from '../html.mjs';
 
 /** @typedef {import('./names.mjs').Writer} Writer */
 /** @typedef {import('./symbols.mjs').Symbol} Symbol */
 /** @typedef {import('./xml.mjs').Element} Element */
-/** HTML, and how long it is to the eye. @typedef {{html: string, length: number}} Piece */
+/** length: of the visible text. @typedef {{html: string, length: number}} Piece */
 
-const WIDEST = 80; // characters of a signature in one line
-const UNSAID = /^((inline|static|virtual|friend|explicit|constexpr) )+/;
+const MAX_WIDTH = 80; // characters of a signature in one line
+const OMITTED = /^((inline|static|virtual|friend|explicit|constexpr) )+/;
 
-/** Doxygen sets types wide. @param {string} text */
+/** Removes Doxygen's spaces inside types. @param {string} text */
 const narrow = (text) => text.replace(/\s+/g, ' ').replace(/< /g, '<').replace(/ >/g, '>').replace(/ ([&*])/g, '$1');
 
 /** @param {string} text @param {string} [tag] @returns {Piece} */
@@ -19,16 +19,16 @@ const plain = (text, tag) => ({ html: tag ? `<${tag}>${escaped(text)}</${tag}>` 
 /** @param {Piece[]} pieces @returns {Piece} */
 const joined = (pieces) => ({ html: pieces.map(({ html }) => html).join(''), length: pieces.reduce((sum, { length }) => sum + length, 0) });
 
-/** Names of a declaration's own, which are no types of core. @param {Element} element */
+/** The declaration's template parameters, which have no link. @param {Element} element */
 const parametersOf = (element) => (element.one('templateparamlist')?.all('param') ?? []).map((param) => param.textOf('declname') || param.textOf('type').replace(/^(class|typename)\s+/, ''));
 
-/** @param {Element | undefined} type @param {Writer} writer @param {string[]} own  names that lead nowhere @returns {Piece} */
+/** @param {Element | undefined} type @param {Writer} writer @param {string[]} own  names without a link @returns {Piece} */
 function typed(type, writer, own) {
   const children = type?.children ?? [];
   return joined(children.map((child, i) => {
     if (typeof child === 'string') {
       const text = narrow(child);
-      return plain(i === 0 ? text.trimStart().replace(UNSAID, '') : text);
+      return plain(i === 0 ? text.trimStart().replace(OMITTED, '') : text);
     }
     return own.includes(child.text) ? plain(child.text) : { html: writer.reference(child.attributes.refid, child.text), length: child.text.length };
   }));
@@ -54,22 +54,22 @@ function parameter(param, writer, own) {
 /** @param {Symbol} symbol @param {Writer} writer @returns {string} HTML */
 function callable({ element, short }, writer) {
   const { attributes: is } = element;
-  const said = [is.static === 'yes' && 'static', is.virt && is.virt !== 'non-virtual' && 'virtual', is.explicit === 'yes' && 'explicit', is.constexpr === 'yes' && 'constexpr'].filter(Boolean).map((word) => `${word} `).join('');
+  const specifiers = [is.static === 'yes' && 'static', is.virt && is.virt !== 'non-virtual' && 'virtual', is.explicit === 'yes' && 'explicit', is.constexpr === 'yes' && 'constexpr'].filter(Boolean).map((word) => `${word} `).join('');
   const own = parametersOf(element);
   const type = typed(element.one('type'), writer, own);
-  const before = joined([plain(said), type, plain(type.length > 0 ? ' ' : ''), plain(short, 'b')]);
+  const before = joined([plain(specifiers), type, plain(type.length > 0 ? ' ' : ''), plain(short, 'b')]);
   const args = element.textOf('argsstring');
   const after = args.slice(args.lastIndexOf(')') + 1).replace(/\s*=\s*/, ' = ').replace(/^(?=\w)/, ' ').replace('noexcept', ' noexcept').replace(/ +/g, ' ');
   const parameters = element.all('param').map((param) => parameter(param, writer, own));
   const length = before.length + after.length + 2 + parameters.reduce((sum, one) => sum + one.length + 2, 0);
-  const isLong = length > WIDEST && parameters.length > 0;
+  const isLong = length > MAX_WIDTH && parameters.length > 0;
   const end = `)${escaped(after)}`;
   const closed = parameters.map(({ html }, i) => html + (i < parameters.length - 1 ? ',' : end));
   const list = isLong ? closed.map((html) => `\n    ${html}`).join('') : closed.map((html) => `<span>${html}</span>`).join(' ');
   return `${template(element, writer)}${before.html}(${list || end}`;
 }
 
-/** What stands behind the type of a variable. @param {Symbol} symbol @param {Writer} writer @param {string} [id] @returns {string} HTML */
+/** A variable's declaration after its type. @param {Symbol} symbol @param {Writer} writer @param {string} [id] @returns {string} HTML */
 export function declarator({ element, short }, writer, id) {
   const value = element.textOf('initializer').replace(/\s+/g, ' ').replace(/^=? ?/, (sign) => (sign.includes('=') ? ' = ' : ''));
   return `<var${attributes({ id })}>${escaped(short)}</var>${escaped(element.textOf('argsstring'))}${writer.code(value)}`;
@@ -78,11 +78,11 @@ export function declarator({ element, short }, writer, id) {
 /** @param {Symbol} symbol @param {Writer} writer @returns {string} HTML */
 function variable(symbol, writer) {
   const { element } = symbol;
-  const said = `${element.attributes.static === 'yes' ? 'static ' : ''}${element.attributes.constexpr === 'yes' ? 'constexpr ' : ''}`;
-  return `${said}${typed(element.one('type'), writer, parametersOf(element)).html} ${declarator(symbol, writer)}`;
+  const specifiers = `${element.attributes.static === 'yes' ? 'static ' : ''}${element.attributes.constexpr === 'yes' ? 'constexpr ' : ''}`;
+  return `${specifiers}${typed(element.one('type'), writer, parametersOf(element)).html} ${declarator(symbol, writer)}`;
 }
 
-/** @param {Symbol} symbol @param {Writer} writer @returns {string} HTML; of a type that has no more to it than its name: nothing */
+/** @param {Symbol} symbol @param {Writer} writer @returns {string} HTML; empty for a type that has only a name */
 export function signature(symbol, writer) {
   const { kind, element, short } = symbol;
   const typeBefore = template(element, writer);

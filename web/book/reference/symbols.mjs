@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What headers declare for others: types with what is public in them, enumerations, functions, constants.
+// The public declarations of headers: types with public members, enumerations, functions, constants.
 import { HEADER_SPACE } from './names.mjs';
 
 /** @typedef {import('./xml.mjs').Element} Element */
@@ -7,13 +7,13 @@ import { HEADER_SPACE } from './names.mjs';
 /**
  * @typedef {object} Symbol
  * @property {Kind} kind
- * @property {string} name    in its header: with the types it is in
+ * @property {string} name    with its enclosing types
  * @property {string} short   without them
  * @property {string} file    its header
  * @property {number} line
  * @property {Element} element  Doxygen's
- * @property {Symbol[]} members  of a class, a struct
- * @property {Symbol[]} others   further functions of its name
+ * @property {Symbol[]} members  of a class or struct
+ * @property {Symbol[]} others   more functions of the same name
  * @property {string} id        on its page
  */
 
@@ -22,7 +22,7 @@ const KINDS = { class: 'class', struct: 'struct', enum: 'enum', typedef: 'alias'
 /** Names of operators in anchors. @type {Record<string, string>} */
 const OPERATORS = { '==': 'equal', '!=': 'unequal', '<': 'less', '>': 'greater', '=': 'assign', '()': 'call', '[]': 'at', '+': 'plus', '-': 'minus', '*': 'times' };
 
-/** What the compiler writes, or nobody calls by name. @param {Element} member @param {string} outer  the type it is in */
+/** Whether the compiler writes it, or programs never call it by name. @param {Element} member @param {string} outer  the enclosing type */
 function isNoise(member, outer) {
   const name = member.textOf('name');
   const [first, ...more] = member.all('param').map((param) => param.textOf('type').replace(/^const |[\s&]+$/g, ''));
@@ -30,17 +30,17 @@ function isNoise(member, outer) {
   return isCopy || name.startsWith('~') || name.startsWith('GAITSMITH_') || /=\s*(default|delete)$/.test(member.textOf('argsstring'));
 }
 
-/** @param {Element} element @param {string} outer  the type it is in @returns {Symbol | undefined} */
+/** @param {Element} element @param {string} outer  the enclosing type @returns {Symbol | undefined} */
 function symbolOf(element, outer) {
   const place = element.one('location')?.attributes;
   const kind = KINDS[element.attributes.kind];
   if (!kind || !place?.file) return undefined;
   const short = element.textOf('name') || element.textOf('compoundname').split('::').pop() || '';
-  const isMaker = kind === 'function' && short === outer.split('::').pop();
-  return { kind: isMaker ? 'constructor' : kind, name: outer ? `${outer}::${short}` : short, short, file: place.file, line: Number(place.line), element, members: [], others: [], id: '' };
+  const isConstructor = kind === 'function' && short === outer.split('::').pop();
+  return { kind: isConstructor ? 'constructor' : kind, name: outer ? `${outer}::${short}` : short, short, file: place.file, line: Number(place.line), element, members: [], others: [], id: '' };
 }
 
-/** Whether two of a type can be compared, member by member. @param {Element} compound */
+/** Whether the type has a default operator==. @param {Element} compound */
 export const isComparable = (compound) => compound.all('sectiondef').flatMap((section) => section.all('memberdef'))
   .some((member) => member.textOf('name') === 'operator==' && /=\s*default$/.test(member.textOf('argsstring')));
 
@@ -53,7 +53,7 @@ function membersOf(compound, outer) {
     .sort((a, b) => a.line - b.line);
 }
 
-/** Functions of one name become one entry, where the first stands. @param {Symbol[]} symbols */
+/** Merges functions of the same name into the first one. @param {Symbol[]} symbols */
 function merged(symbols) {
   /** @type {Symbol[]} */
   const out = [];
@@ -68,12 +68,12 @@ function merged(symbols) {
 /** @param {string} name @param {Map<string, number>} taken */
 function anchor(name, taken) {
   const plain = name.toLowerCase().replace(/operator(.+)$/, (_, sign) => `operator-${OPERATORS[sign] ?? 'of'}`).replaceAll('::', '-').replace(/[^a-z0-9_-]/g, '');
-  const before = taken.get(plain) ?? 0;
-  taken.set(plain, before + 1);
-  return before === 0 ? plain : `${plain}-${before}`;
+  const count = taken.get(plain) ?? 0;
+  taken.set(plain, count + 1);
+  return count === 0 ? plain : `${plain}-${count}`;
 }
 
-/** By header. @param {Element[]} compounds @returns {Map<string, Symbol[]>} */
+/** @param {Element[]} compounds @returns {Map<string, Symbol[]>} by header */
 export function symbolsOf(compounds) {
   /** @type {Symbol[]} */
   const all = [];

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// XML as a tree in which text and elements keep their order.
+// Parses XML into a tree with text and elements in their original order.
 import { XMLParser } from 'fast-xml-parser';
 
 const parser = new XMLParser({ preserveOrder: true, ignoreAttributes: false, attributeNamePrefix: '', trimValues: false, parseTagValue: false });
 
-/** An element. */
 export class Element {
   /** @param {string} name @param {Record<string, string>} attributes @param {(Element | string)[]} children */
   constructor(name, attributes, children) {
@@ -13,7 +12,7 @@ export class Element {
     this.children = children;
   }
 
-  /** @returns {Element[]} those of that name directly within */
+  /** @returns {Element[]} the child elements with this name */
   all(/** @type {string} */ name) {
     return this.children.filter(/** @returns {child is Element} */ (child) => typeof child !== 'string' && child.name === name);
   }
@@ -23,12 +22,12 @@ export class Element {
     return this.all(name)[0];
   }
 
-  /** @returns {string} all of it, without elements */
+  /** @returns {string} the text of all descendants */
   get text() {
     return this.children.map((child) => (typeof child === 'string' ? child : child.text)).join('');
   }
 
-  /** Text of the element of that name. @param {string} name */
+  /** The text of the first child element with this name. @param {string} name */
   textOf(name) {
     return this.one(name)?.text.trim() ?? '';
   }
