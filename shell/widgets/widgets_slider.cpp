@@ -31,8 +31,6 @@ int DecimalsOf(const SliderRange& range) {
 
 constexpr float kTrack = 4.0f;  // height of the track
 constexpr float kFieldWidth = 84.0f;
-// Key in a window's storage for a slider's value before typing.
-constexpr ImGuiID kBeforeKey = 0x6265666f;
 
 }  // namespace
 
@@ -49,10 +47,9 @@ void Ui::TypedValue(std::string_view id, std::string_view label, const ImRect& f
                               .value = text,
                               .state = {.focused = true},
                               .range = WidgetRange{range.low, range.high, 0.0, value}});
-  ImGuiStorage* storage = ImGui::GetStateStorage();
   if (!ImGui::TempInputIsActive(widget)) {  // opens the field, whatever requested it
     ImGuiContext& g = *ImGui::GetCurrentContext();
-    storage->SetFloat(widget + kBeforeKey, static_cast<float>(value));
+    before_typing_ = value;
     g.NavActivateId = widget;
     g.NavActivateFlags |= ImGuiActivateFlags_PreferInput;
   }
@@ -69,8 +66,7 @@ void Ui::TypedValue(std::string_view id, std::string_view label, const ImRect& f
   Canvas()->AddRect(field.Min, field.Max, Ink().accent, 3.0f, 0, 2.0f);
   if (double number = 0.0; edited && Parse(text, number)) value = range.Nearest(number);
   // On Escape the field restores its own text, which is rounded. Restore the value from before typing.
-  if (ImGui::IsKeyPressed(ImGuiKey_Escape, false))
-    value = static_cast<double>(storage->GetFloat(widget + kBeforeKey));
+  if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) value = before_typing_;
 }
 
 bool Ui::Slider(std::string_view id, std::string_view label, double& value, const SliderRange& range,

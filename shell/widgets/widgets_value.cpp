@@ -1,12 +1,35 @@
 // SPDX-License-Identifier: MIT
 // Widgets for a whole number, and for yes or no.
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <limits>
+#include <string_view>
 
 #include "shell/widgets/widgets.h"
 #include "shell/words/language.h"
 
 namespace gaitsmith::shell {
+
+namespace {
+
+/// Dear ImGui's text field in place of a number. The value follows the text whenever it is a whole number;
+/// one that is too long becomes the largest there is.
+void TypeNumber(const ImRect& field, ImGuiID id, const std::string& name, int& value) {
+  std::array<char, 16> text{};
+  std::to_chars(text.data(), text.data() + text.size() - 1, value);
+  if (!ImGui::TempInputText(field, id, name.c_str(), text.data(), static_cast<int>(text.size()),
+                            ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CharsDecimal))
+    return;
+  std::string_view typed(text.data());
+  typed.remove_prefix(std::min(typed.find_first_not_of(" +"), typed.size()));
+  const auto [end, fault] = std::from_chars(typed.data(), typed.data() + typed.size(), value);
+  if (fault == std::errc::result_out_of_range)
+    value = typed.starts_with('-') ? std::numeric_limits<int>::min() : std::numeric_limits<int>::max();
+}
+
+}  // namespace
 
 bool Ui::Number(std::string_view id, std::string_view label, int& value, int low, int high, int step) {
   const Palette& p = Ink();
@@ -43,7 +66,7 @@ bool Ui::Number(std::string_view id, std::string_view label, int& value, int low
                         {10.0f, 0.5f * (field.GetHeight() - ImGui::GetFontSize())});
     ImGui::PushClipRect(field.Min, field.Max,
                         true);  // hides the label that Dear ImGui draws after a field
-    ImGui::TempInputScalar(field, field_id, name.c_str(), ImGuiDataType_S32, &value, "%d", &low, &high);
+    TypeNumber(field, field_id, name, value);
     ImGui::PopClipRect();
     ImGui::PopStyleVar();
     Canvas()->AddRect(field.Min, field.Max, p.accent, 3.0f, 0, 2.0f);
@@ -60,7 +83,7 @@ bool Ui::Number(std::string_view id, std::string_view label, int& value, int low
     DrawFocus(touch, field, 3.0f);
     if (touch.pressed && touch.steps == 0) {
       ImGui::PushClipRect(field.Min, field.Max, true);
-      ImGui::TempInputScalar(field, field_id, name.c_str(), ImGuiDataType_S32, &value, "%d", &low, &high);
+      TypeNumber(field, field_id, name, value);
       ImGui::PopClipRect();
     }
   }

@@ -33,6 +33,7 @@ import { THEME_SCENARIOS } from './theme_scenarios.mjs';
 import { TOUR_SCENARIOS } from './tour_scenarios.mjs';
 import { TYPING_SCENARIOS } from './typing_scenarios.mjs';
 import { WALK_SCENARIOS } from './walk_scenarios.mjs';
+import { bytesUntilFirstMotion } from '../bench/page_weight.mjs';
 import { nativeHash } from './native.mjs';
 
 /** @typedef {import('./browsers.mjs').Browser} Browser */
@@ -63,6 +64,11 @@ export const MAIN_SCENARIOS = [
     assert.ok(spread > 10, `the stage is blank: spread ${spread}`);
     assert.deepEqual(visit.page.complaints, []);
   }],
+  ['what comes until the first motion is 450 KB at most, compressed', async (visit) => {
+    const { gzip, files } = await bytesUntilFirstMotion(visit.browser, visit.address);
+    visit.figures['first load, gzip (KB)'] = Math.round(gzip / 1000);
+    assert.ok(gzip <= 450_000, `${gzip} bytes: ${JSON.stringify(files, null, 1)}`);
+  }, 'Chromium'],
 
   ['a click on Synthesize starts a search, and the best improves', async (visit) => {
     const { page } = visit;
