@@ -69,14 +69,14 @@ class Bank {
 
   /// The numbers that Choose compares. Calls back with (rule, sense, off) for every interval that this lane's
   /// rules use, in order. off = |S - mid| / half-width, at most 1 inside the interval.
-  template <class Told>
-  void Measure(const SenseVector<W>& senses, int lane, Told told) const {
+  template <class Visit>
+  void Measure(const SenseVector<W>& senses, int lane, Visit visit) const {
     const Interval* interval = intervals_.data();
     for (std::size_t rule = 0; rule < static_cast<std::size_t>(shape_.rules); ++rule) {
       for (const Interval* end = interval + intervals_of_[rule]; interval != end; ++interval) {
         const F off = L::Abs(senses[interval->sense] - interval->middle) * interval->inverse_half_width;
         if (L::At(interval->inverse_half_width, lane) > 0.0f) {
-          told(static_cast<int>(rule), static_cast<int>(interval->sense), L::At(off, lane));
+          visit(static_cast<int>(rule), static_cast<int>(interval->sense), L::At(off, lane));
         }
       }
     }

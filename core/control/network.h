@@ -27,8 +27,8 @@ namespace gaitsmith {
 inline constexpr int kMaxHidden = kMaxRules;
 inline constexpr int kMaxNodes = kMaxHidden + kMaxActuators;
 inline constexpr int kMaxInputs = kMaxContacts + kMaxActuators + kMaxHidden;  // 64
-/// Weights are in [-kMostWeight, kMostWeight].
-inline constexpr float kMostWeight = 2.0f;
+/// Weights are in [-kMaxWeight, kMaxWeight].
+inline constexpr float kMaxWeight = 2.0f;
 
 /// The position of each number of a network in its genome: node after node, hidden nodes first. Each node has
 /// the weight of every input (touches, angles, hidden outputs) and its delay. An actuator also has the
@@ -115,7 +115,7 @@ class Network {
       for (int node = 0; node < shape.Nodes(); ++node) {
         for (int input = 0; input < shape.Inputs(); ++input) {
           weight_[shape.Connection(node, input)][lane] =
-              Decode(genes[shape.Weight(node, input)], -kMostWeight, kMostWeight);
+              Decode(genes[shape.Weight(node, input)], -kMaxWeight, kMaxWeight);
         }
         charging_[static_cast<std::size_t>(node)][lane] =
             step_s / DecodeTau(genes[shape.Delay(node)], senses);

@@ -167,9 +167,9 @@ Result<void> CheckSearch(const Document& d) {
                 "must be 0 (automatic) or at least 4, is " + std::to_string(search.cma.population));
   }
   const std::size_t genes = SpaceOf(d).shape.Genes();
-  if (search.cma.covariance == Covariance::kFull && genes > kMostCovarianceGenes) {
+  if (search.cma.covariance == Covariance::kFull && genes > kMaxCovarianceGenes) {
     return Fail(ErrorCode::kTooMany, "search.cma.covariance",
-                "can be full for at most " + std::to_string(kMostCovarianceGenes) + " genes, there are " +
+                "can be full for at most " + std::to_string(kMaxCovarianceGenes) + " genes, there are " +
                     std::to_string(genes));
   }
   return {};

@@ -14,7 +14,7 @@
 namespace gaitsmith {
 
 /// The most names that a choice may have: a link has this much room for their index (binary.cpp).
-inline constexpr std::size_t kMostChoices = 271;
+inline constexpr std::size_t kMaxChoices = 271;
 
 /// An archive overrides what it looks at; all else passes by. In JSON a field with its standard value may be
 /// left out. In a link it costs one bit.
@@ -39,7 +39,7 @@ class Archive {
   template <class Enum, std::size_t N>
   void Choice(std::string_view name, Enum& value, const std::array<std::string_view, N>& names,
               Enum standard) {
-    static_assert(N <= kMostChoices);
+    static_assert(N <= kMaxChoices);
     int index = static_cast<int>(value);
     Index(name, index, names, static_cast<int>(standard));
     value = static_cast<Enum>(index);

@@ -19,7 +19,7 @@ constexpr int kModelBits = 5;
 // Bits of a choice's index. Names can be added without a new version: the 16th and later ones take 8 more
 // bits.
 constexpr int kChoiceBits = 4;
-static_assert(kMostChoices == LongestTable(kChoiceBits));
+static_assert(kMaxChoices == LongestTable(kChoiceBits));
 
 class BinaryWriter : public Archive {
  public:

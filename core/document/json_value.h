@@ -27,11 +27,11 @@ struct JsonValue {
 };
 
 /// Limit of members per object, above that of any object in a document.
-inline constexpr std::size_t kMostMembers = 64;
+inline constexpr std::size_t kMaxMembers = 64;
 
 /// @param most_members limit per object, so that untrusted text cannot waste time
 /// @return the value, or a syntax error whose `where` is "line 3, column 14"
-[[nodiscard]] Result<JsonValue> ParseJson(std::string_view text, std::size_t most_members = kMostMembers);
+[[nodiscard]] Result<JsonValue> ParseJson(std::string_view text, std::size_t most_members = kMaxMembers);
 
 /// A string with its quotes and escapes.
 [[nodiscard]] std::string QuoteJson(std::string_view text);

@@ -35,7 +35,7 @@ inline constexpr float kContactTolerance = 1e-6f;
 
 /// Two endpoints closer than this along the ground [m] are not solved as a pair, because their distance would
 /// be mostly rounding error.
-inline constexpr float kLeastStance = 1e-3f;
+inline constexpr float kMinStance = 1e-3f;
 
 /// Maximum number of times that one step's contacts are solved. They are solved again if the first solution
 /// throws further endpoints against the ground, or turns the contact arms by more than kArmTurn [rad], as

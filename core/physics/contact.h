@@ -179,7 +179,7 @@ typename Lane<W>::I SolveBoth(const World& world, const Body<W>& body, Contact<W
   const F high_share = L::Max(-high_most, L::Min(high_most, sum_t - low_share));
   one.force = {L::Select(swap, high_n, low_n), L::Select(swap, high_share, low_share)};
   two.force = {L::Select(swap, low_n, high_n), L::Select(swap, low_share, high_share)};
-  return fits & (low_n >= 0.0f) & (high_n >= 0.0f) & (L::Abs(two.arm - one.arm) > kLeastStance);
+  return fits & (low_n >= 0.0f) & (high_n >= 0.0f) & (L::Abs(two.arm - one.arm) > kMinStance);
 }
 
 /// Solves one endpoint alone.

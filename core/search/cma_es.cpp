@@ -11,9 +11,9 @@ namespace gaitsmith {
 
 namespace {
 
-constexpr int kMostPopulation = 10000;
-constexpr double kLeastSpread = 0.5 / kGeneMax;  // half a grid step: all samples would be one genome
-constexpr double kMostSpread = 10.0;             // ten times the cube: all samples would be its corners
+constexpr int kMaxPopulation = 10000;
+constexpr double kMinSpread = 0.5 / kGeneMax;  // half a grid step: all samples would be one genome
+constexpr double kMaxSpread = 10.0;            // ten times the cube: all samples would be its corners
 
 double Square(double x) { return x * x; }
 
@@ -76,7 +76,7 @@ void CmaEs::BeginAt(const Genome& origin, int population) {
   genes_ = free_.size();
   const Covariance kind = Settings().cma.covariance;
   full_ =
-      kind == Covariance::kFull || (kind == Covariance::kAutomatic && genes_ <= std::size_t{kMostFullGenes});
+      kind == Covariance::kFull || (kind == Covariance::kAutomatic && genes_ <= std::size_t{kMaxFullGenes});
   origin_ = origin;
   population_ = std::max(population, FirstPopulation());
   rules_ = RulesFor(population_);
@@ -203,7 +203,7 @@ bool CmaEs::Stalled() const {
   }
   // Number of generations without improvement that are allowed [Hansen 2016]: 10 + 30 n / lambda.
   const double patience = 10.0 + 30.0 * static_cast<double>(genes_) / population_;
-  return !(widest > kLeastSpread && widest < kMostSpread) || stale_ > patience;
+  return !(widest > kMinSpread && widest < kMaxSpread) || stale_ > patience;
 }
 
 void CmaEs::Absorb(std::span<const Genome> batch, std::span<const Score> scores) {
@@ -222,7 +222,7 @@ void CmaEs::Absorb(std::span<const Genome> batch, std::span<const Score> scores)
   if (Factorise() && !Stalled()) return;
   ++run_;
   const double grown = population_ * static_cast<double>(Settings().cma.growth);
-  population_ = static_cast<int>(std::min<double>(grown, kMostPopulation));
+  population_ = static_cast<int>(std::min<double>(grown, kMaxPopulation));
   origin_.clear();
   age_ = 0;
   stale_ = 0;
@@ -244,7 +244,7 @@ bool CmaEs::LoadState(BitReader& in) {
   for (int* count : {&run_, &age_, &generation_, &stale_}) {
     if (!TakeCount(in, *count, Settings().evaluations + 1)) return false;
   }
-  if (!TakeCount(in, population_, kMostPopulation)) return false;
+  if (!TakeCount(in, population_, kMaxPopulation)) return false;
   Genome origin;
   if (!TakeGenome(in, origin, run_best_, Space().shape.Genes())) return false;
   if (generation_ < 1 || (age_ > 0) == origin.empty()) return false;

@@ -14,7 +14,7 @@ namespace {
 
 /// Least number of perturbations of one parent that are proposed together, if more than one per parent is
 /// wanted. They share many stimuli, so they simulate faster side by side.
-constexpr int kLeastAhead = 4;
+constexpr int kMinAhead = 4;
 
 }  // namespace
 
@@ -51,7 +51,7 @@ std::vector<Genome> PopulationHillClimbing::Ask(int wanted) {
     }
   }
   std::ranges::sort(free, {}, [&](std::size_t slot) { return std::pair(slots_[slot].generation, slot); });
-  const int ahead = wanted <= Population() ? 1 : std::max(kLeastAhead, wanted / Population());
+  const int ahead = wanted <= Population() ? 1 : std::max(kMinAhead, wanted / Population());
   std::vector<Genome> genomes;
   std::vector<Asked> ask;
   for (const std::size_t slot : free) {

@@ -9,14 +9,14 @@ namespace gaitsmith {
 namespace {
 
 constexpr double kGrid = 1.0 / kGeneMax;
-constexpr std::size_t kMostTrials = 10;  // per line
-constexpr double kLeastStep = 16.0 * kGrid;
+constexpr std::size_t kMaxTrials = 10;  // per line
+constexpr double kMinStep = 16.0 * kGrid;
 constexpr double kGolden = 0.381966011250105;
 
 }  // namespace
 
 std::optional<double> Powell::NextTrial(std::span<const Trial> tried, double step, double low, double high) {
-  if (tried.size() > kMostTrials) return std::nullopt;
+  if (tried.size() > kMaxTrials) return std::nullopt;
   const Trial top = *std::ranges::max_element(tried, {}, &Trial::fitness);
   std::optional<Trial> left, right;  // the neighbours of top
   for (const Trial& one : tried) {
@@ -146,7 +146,7 @@ void Powell::FinishSweep() {
     return;
   }
   step_ *= 0.5;
-  if (step_ < kLeastStep || !any_trial_) {
+  if (step_ < kMinStep || !any_trial_) {
     step_ = static_cast<double>(Settings().refine.step);
     ResetDirections();
   }
@@ -226,14 +226,14 @@ bool Powell::LoadState(BitReader& in) {
     *value = std::bit_cast<double>(in.Take(64));  // a gain over an unscored start is infinite
     good = good && !std::isnan(*value);
   }
-  good = good && step_ >= kLeastStep && step_ <= 1.0 && std::abs(next_) <= 1.0;
+  good = good && step_ >= kMinStep && step_ <= 1.0 && std::abs(next_) <= 1.0;
   for (Individual* one : {&here_, &best_, &start_}) {
     good = TakeGenome(in, one->genome, one->fitness, genes) && good;
     good = good && one->genome.empty() == (phase_ == Phase::kFirst);
   }
   tried_.clear();
   const auto tried = in.Take(8);
-  good = good && tried <= kMostTrials + 1 && (tried > 0) == (phase_ != Phase::kFirst);
+  good = good && tried <= kMaxTrials + 1 && (tried > 0) == (phase_ != Phase::kFirst);
   for (std::uint64_t i = 0; good && i < tried; ++i) {
     Trial trial{};
     good = TakeReal(in, trial.at);

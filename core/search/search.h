@@ -52,14 +52,14 @@ struct RefineSettings {
 };
 
 enum class Covariance {
-  kAutomatic,  // full up to kMostFullGenes genes, else separable
+  kAutomatic,  // full up to kMaxFullGenes genes, else separable
   kFull,
   kSeparable,  // variances only
 };
 inline constexpr std::array<std::string_view, 3> kCovarianceNames = {"automatic", "full", "separable"};
-inline constexpr int kMostFullGenes = 128;  // limit of the automatic choice; Star-Man's timer banks have 70
+inline constexpr int kMaxFullGenes = 128;  // limit of the automatic choice; Star-Man's timer banks have 70
 /// Limit for any full covariance: 600^2 numbers are 3 MB.
-inline constexpr std::size_t kMostCovarianceGenes = 600;
+inline constexpr std::size_t kMaxCovarianceGenes = 600;
 
 enum class CmaGenes {
   kCared,  // intervals that the run's first genome ignores stay ignored

@@ -41,7 +41,7 @@ class Window {
   /// True for several frames after an event: Dear ImGui needs a second frame to settle.
   [[nodiscard]] bool NeedsFrame() const { return frames_due_ > 0; }
   /// Whether one of the first two frames after an event is due. They show the response and must not be late.
-  [[nodiscard]] bool OwesAnswer() const { return frames_due_ > 1; }
+  [[nodiscard]] bool OwesResponse() const { return frames_due_ > 1; }
   void RequestFrame() { frames_due_ = 3; }
   /// Requests a frame for a change without an event.
   void RequestOneFrame() { frames_due_ = std::max(frames_due_, 1); }

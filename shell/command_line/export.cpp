@@ -26,7 +26,7 @@ Result<double> Moment(const Arguments& arguments, std::string_view option, doubl
 }
 
 Result<FilmStripOptions> StripOptions(const Arguments& arguments, double duration_s) {
-  const auto poses = arguments.Integer("poses", kFewestPoses, kMostPoses, FilmStripOptions{}.poses);
+  const auto poses = arguments.Integer("poses", kMinPoses, kMaxPoses, FilmStripOptions{}.poses);
   if (!poses) return std::unexpected(poses.error());
   const auto from = Moment(arguments, "from", 0.0, duration_s);
   if (!from) return std::unexpected(from.error());

@@ -66,11 +66,11 @@ Result<void> ReadSeeds(const Arguments& arguments, const char* seeds, StudyPlan&
   for (const char* option : {"search", seeds, "evaluations"}) {
     if (!arguments.Has(option)) return Fail(ErrorCode::kMissing, std::string("--") + option, "must be given");
   }
-  const auto trials = arguments.Integer(seeds, 1, kMostTrials, 1);
+  const auto trials = arguments.Integer(seeds, 1, kMaxTrials, 1);
   if (!trials) return std::unexpected(trials.error());
   const auto seed = arguments.Integer("first-seed", 0, 0x100000000LL - *trials, 1);
   if (!seed) return std::unexpected(seed.error());
-  const auto evaluations = arguments.Integer("evaluations", 1, kMostEvaluations, 1);
+  const auto evaluations = arguments.Integer("evaluations", 1, kMaxEvaluations, 1);
   if (!evaluations) return std::unexpected(evaluations.error());
   plan.trials = static_cast<int>(*trials);
   plan.first_seed = static_cast<std::uint32_t>(*seed);
@@ -99,7 +99,7 @@ std::expected<Study, Refusal> ReadStudy(const Arguments& arguments) {
   Study study;
   if (!arguments.Has("problem")) return WrongCall({ErrorCode::kMissing, "--problem", "must be given"});
   if (auto read = ReadSeeds(arguments, "trials", study.plan); !read) return WrongCall(read.error());
-  const long long most = std::min<long long>(study.plan.evaluations, kMostPoints);
+  const long long most = std::min<long long>(study.plan.evaluations, kMaxPoints);
   const auto points = arguments.Integer("points", 1, most, std::min(100LL, most));
   if (!points) return WrongCall(points.error());
   study.plan.points = static_cast<int>(*points);

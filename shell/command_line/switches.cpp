@@ -18,7 +18,7 @@ namespace gaitsmith::shell {
 namespace {
 
 /// A controller with its document's problem, and its score there without a switch.
-struct Contestant {
+struct Candidate {
   std::string label;
   Problem problem;  // with the observed duration, without pushes
   Controller controller;
@@ -40,7 +40,7 @@ std::string_view ClassOf(const Controller& controller) {
   return controller.senses.kind == SenseKind::kTimer ? "timer" : "physical";
 }
 
-Result<Contestant> ReadContestant(const std::string& path, int length) {
+Result<Candidate> ReadContestant(const std::string& path, int length) {
   const auto document = ReadDocument(path);
   if (!document) return std::unexpected(document.error());
   if (document->controllers.empty()) return Fail(ErrorCode::kMissing, path, "has no controller");
@@ -48,14 +48,14 @@ Result<Contestant> ReadContestant(const std::string& path, int length) {
   Problem problem = ReplayProblem(*document, controller);
   problem.pushes.clear();
   problem.task.duration_steps = length > 0 ? length : document->task.duration_steps;
-  return Contestant{.label = std::filesystem::path(path).stem().string(),
-                    .problem = std::move(problem),
-                    .controller = controller,
-                    .duration_steps = document->task.duration_steps};
+  return Candidate{.label = std::filesystem::path(path).stem().string(),
+                   .problem = std::move(problem),
+                   .controller = controller,
+                   .duration_steps = document->task.duration_steps};
 }
 
-Result<std::vector<Contestant>> ReadContestants(const std::vector<std::string>& paths, int length) {
-  std::vector<Contestant> all;
+Result<std::vector<Candidate>> ReadContestants(const std::vector<std::string>& paths, int length) {
+  std::vector<Candidate> all;
   for (const std::string& path : paths) {
     auto one = ReadContestant(path, length);
     if (!one) return std::unexpected(one.error());
@@ -67,7 +67,7 @@ Result<std::vector<Contestant>> ReadContestants(const std::vector<std::string>& 
       return Fail(ErrorCode::kSyntax, path,
                   "its name is a label, which can have no comma, quote or line break");
     }
-    if (std::ranges::any_of(all, [&](const Contestant& other) { return other.label == one->label; })) {
+    if (std::ranges::any_of(all, [&](const Candidate& other) { return other.label == one->label; })) {
       return Fail(ErrorCode::kStructure, path, "\"" + one->label + "\" is there twice; names must differ");
     }
     all.push_back(std::move(*one));
@@ -93,7 +93,7 @@ void ForEach(std::size_t count, int threads, const Job& job) {
 
 /// Every ordered pair at every time: from, to, step. The first controller is active for at most the duration
 /// of its task.
-std::vector<Switch> Planned(const std::vector<Contestant>& all, int times) {
+std::vector<Switch> Planned(const std::vector<Candidate>& all, int times) {
   constexpr int kFirst = 100;  // steps
   std::vector<Switch> switches;
   for (std::size_t from = 0; from < all.size(); ++from) {
@@ -109,8 +109,8 @@ std::vector<Switch> Planned(const std::vector<Contestant>& all, int times) {
   return switches;
 }
 
-void Make(Switch& one, const std::vector<Contestant>& all) {
-  const Contestant& to = all[one.to];
+void Make(Switch& one, const std::vector<Candidate>& all) {
+  const Candidate& to = all[one.to];
   Problem problem = to.problem;
   problem.beginnings = {{{all[one.from].controller}, {{.controller = 0, .start_step = 0}}, one.step}};
   const Evaluation found = EvaluateOne(problem, to.controller);
@@ -119,7 +119,7 @@ void Make(Switch& one, const std::vector<Contestant>& all) {
                 found.fitness >= to.usual - 0.5f * std::abs(to.usual);
 }
 
-std::string SwitchesCsv(const std::vector<Switch>& switches, const std::vector<Contestant>& all) {
+std::string SwitchesCsv(const std::vector<Switch>& switches, const std::vector<Candidate>& all) {
   std::string csv = "from,to,step,score,usual,success\n";
   for (const Switch& one : switches) {
     char numbers[80];
@@ -131,7 +131,7 @@ std::string SwitchesCsv(const std::vector<Switch>& switches, const std::vector<C
 }
 
 /// The share of successful switches, by the kinds of the two controllers.
-std::string SummaryOf(const std::vector<Switch>& switches, const std::vector<Contestant>& all) {
+std::string SummaryOf(const std::vector<Switch>& switches, const std::vector<Candidate>& all) {
   constexpr std::string_view kClasses[] = {"physical", "timer", "network"};
   std::string text = "from_class,to_class,switches,successes,rate\n";
   for (const std::string_view from : kClasses) {
@@ -181,7 +181,7 @@ Outcome SwitchesCommand(Words words) {
 
   const int workers = static_cast<int>(*threads);
   ForEach(all->size(), workers, [&](std::size_t i) {
-    Contestant& one = (*all)[i];
+    Candidate& one = (*all)[i];
     const Evaluation found = EvaluateOne(one.problem, one.controller);
     one.usual = found.fitness;
     one.holds = found.fitness > kVoidScore && !found.terms.broke_physics;

@@ -34,7 +34,7 @@ class TrialCrew {
     working_ = std::min(static_cast<std::size_t>(threads), trials_.size());
     workers.reserve(working_);
     for (std::size_t i = 0; i < working_; ++i) workers.emplace_back([this] { Work(); });
-    while (!left_off_.wait_for(lock, std::chrono::milliseconds(250), [this] { return working_ == 0; }))
+    while (!all_done_.wait_for(lock, std::chrono::milliseconds(250), [this] { return working_ == 0; }))
       Draw();
     Draw();
     if (terminal_) std::fputc('\n', stderr);
@@ -54,7 +54,7 @@ class TrialCrew {
       lock.lock();
       if (rows && !fault_) Keep(trial, *rows);
     }
-    if (--working_ == 0) left_off_.notify_all();
+    if (--working_ == 0) all_done_.notify_all();
   }
   void Keep(std::size_t trial, const std::vector<std::string>& rows) {
     Result<void> kept;
@@ -83,7 +83,7 @@ class TrialCrew {
   std::vector<StudyLog>& logs_;
   std::vector<StudyTable> tables_;  // one per log
   std::mutex mutex_;                // guards all members below except the atomics
-  std::condition_variable left_off_;
+  std::condition_variable all_done_;
   std::size_t next_ = 0, finished_ = 0, working_ = 0;
   std::optional<Error> fault_;
   std::atomic<bool> faulty_ = false;

@@ -8,8 +8,8 @@
 
 namespace gaitsmith::shell {
 
-inline constexpr int kFewestPoses = 3;
-inline constexpr int kMostPoses = 26;  // one per letter
+inline constexpr int kMinPoses = 3;
+inline constexpr int kMaxPoses = 26;  // one per letter
 
 /// The texts on a film strip, which callers may translate.
 struct FilmStripWords {
@@ -21,7 +21,7 @@ struct FilmStripWords {
 };
 
 struct FilmStripOptions {
-  int poses = 8;        // [kFewestPoses, kMostPoses], at equal intervals including both ends
+  int poses = 8;        // [kMinPoses, kMaxPoses], at equal intervals including both ends
   double from_s = 0.0;  // clamped to the motion
   double to_s = 1e9;    // not before from_s
   FilmStripWords words = {};

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kStripWidth = 1200.0;
 constexpr double kInnerWidth = kStripWidth - 2.0 * kStripMargin;
-constexpr int kMostColumns = 9;
+constexpr int kMaxColumns = 9;
 constexpr double kCellGap = 10.0;
 constexpr double kCellPadding = 9.0;
 constexpr double kHeadroom = 16.0;          // above the highest pose [px]
@@ -19,8 +19,8 @@ constexpr double kTallestSharedPx = 330.0;  // height of the tallest pose on a c
 constexpr double kTallestOwnPx = 210.0;     // height of the tallest pose on separate grounds [px]
 constexpr double kSmallestSharedPx = 84.0;  // poses below this height get separate grounds [px]
 constexpr double kRodShare = 0.16;          // thickness of rods relative to their mean length
-constexpr double kLeastGapShare = 0.06;     // between neighbours, as a share of a pose's width
-constexpr double kLeastTickPx = 58.0;       // space for the label of a mark [px]
+constexpr double kMinGapShare = 0.06;       // between neighbours, as a share of a pose's width
+constexpr double kMinTickPx = 58.0;         // space for the label of a mark [px]
 
 std::vector<int> FramesOf(const Motion& motion, const FilmStripOptions& options) {
   const int last = motion.Frames() - 1;
@@ -29,7 +29,7 @@ std::vector<int> FramesOf(const Motion& motion, const FilmStripOptions& options)
     return static_cast<int>(std::clamp(step, 0.0, static_cast<double>(last)));
   };
   const int from = frame_at(options.from_s), to = std::max(from, frame_at(options.to_s));
-  const int poses = std::clamp(options.poses, kFewestPoses, kMostPoses);
+  const int poses = std::clamp(options.poses, kMinPoses, kMaxPoses);
   std::vector<int> frames;
   frames.reserve(static_cast<std::size_t>(poses));
   for (int i = 0; i < poses; ++i)
@@ -56,7 +56,7 @@ bool StandApart(const std::vector<PoseBounds>& poses) {
   for (std::size_t i = 1; i < poses.size(); ++i) {
     const PoseBounds& left = way > 0.0 ? poses[i - 1] : poses[i];
     const PoseBounds& right = way > 0.0 ? poses[i] : poses[i - 1];
-    if (right.left - left.right < kLeastGapShare * (right.right - right.left)) return false;
+    if (right.left - left.right < kMinGapShare * (right.right - right.left)) return false;
   }
   return true;
 }
@@ -94,13 +94,13 @@ StripLayout LayOutStrip(const Motion& motion, const FilmStripOptions& options) {
   const double shared = std::min((kInnerWidth - 2.0 * kCellPadding) / span, kTallestSharedPx / top);
   layout.own_ground = !StandApart(poses) || shared * tall < kSmallestSharedPx;
   const auto count = static_cast<int>(poses.size());
-  const int rows = layout.own_ground ? (count + kMostColumns - 1) / kMostColumns : 1;
+  const int rows = layout.own_ground ? (count + kMaxColumns - 1) / kMaxColumns : 1;
   const int columns = layout.own_ground ? (count + rows - 1) / rows : 1;
   const double cell_width = (kInnerWidth - (columns - 1) * kCellGap) / columns;
   layout.scale =
       layout.own_ground ? std::min((cell_width - 2.0 * kCellPadding) / widest, kTallestOwnPx / top) : shared;
   layout.rod_px = rod_m * layout.scale;
-  layout.tick_m = RoundLength(layout.scale, kLeastTickPx);
+  layout.tick_m = RoundLength(layout.scale, kMinTickPx);
 
   const double ground = kHeadroom + top * layout.scale;
   const double cell_height = ground + kStripCaption;

@@ -14,28 +14,29 @@ namespace gaitsmith::shell {
 
 void FramePace::Measure(double now_ms) {
   if (!measuring_) return;
-  ++looks_;
+  ++polls_;
   const double cost_ms = now_ms - begun_ms_;
   // A lost context never signals the fence, and an idle page does not poll it.
   constexpr double kGivenUpMs = 1000.0;
   if (!gs_frame_is_drawn() && cost_ms < kGivenUpMs) return;
   gs_forget_fence();
   measuring_ = false;
-  if (looks_ > 1 && cost_ms >= kGivenUpMs) return;
+  if (polls_ > 1 && cost_ms >= kGivenUpMs) return;
   // A frame that is ready by the display's next frame counts as instant.
   constexpr double kNewest = 0.25;
-  cost_ms_ += kNewest * ((looks_ > 1 ? cost_ms : 0.0) - cost_ms_);
+  cost_ms_ += kNewest * ((polls_ > 1 ? cost_ms : 0.0) - cost_ms_);
 }
 
 bool FramePace::Due(double now_ms, bool searching) {
   Measure(now_ms);
   // A single late frame does not count as a slow machine.
   constexpr double kSlowMs = 20.0;
-  constexpr double kShare = 0.15;      // greatest share of time spent drawing
-  constexpr double kRarestMs = 200.0;  // greatest interval between frames
-  const double sparing_ms = searching && cost_ms_ > kSlowMs ? std::min(cost_ms_ / kShare, kRarestMs) : 0.0;
+  constexpr double kShare = 0.15;           // greatest share of time spent drawing
+  constexpr double kMaxIntervalMs = 200.0;  // greatest interval between frames
+  const double throttled_ms =
+      searching && cost_ms_ > kSlowMs ? std::min(cost_ms_ / kShare, kMaxIntervalMs) : 0.0;
   constexpr double kEarlyMs = 2.0;  // tolerance for the browser's uneven frame times
-  return now_ms - drawn_ms_ >= std::max(limit_ms_, sparing_ms) - kEarlyMs;
+  return now_ms - drawn_ms_ >= std::max(limit_ms_, throttled_ms) - kEarlyMs;
 }
 
 void FramePace::Drawn(double now_ms) {
@@ -44,7 +45,7 @@ void FramePace::Drawn(double now_ms) {
   gs_fence_frame();
   measuring_ = true;
   begun_ms_ = now_ms;
-  looks_ = 0;
+  polls_ = 0;
 }
 
 }  // namespace gaitsmith::shell

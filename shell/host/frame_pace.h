@@ -23,7 +23,7 @@ class FramePace {
   double cost_ms_ = 0.0;    // smoothed time from handing over a frame until it is drawn
   bool measuring_ = false;  // the fence of a frame is pending
   double begun_ms_ = 0.0;
-  int looks_ = 0;
+  int polls_ = 0;
 };
 
 }  // namespace gaitsmith::shell

@@ -144,7 +144,7 @@ class Desktop {
     std::ifstream file(what, std::ios::binary);
     if (file) text.assign(std::istreambuf_iterator<char>(file), {});
     if (const auto opened = app_.State().Open(text); !opened)
-      return Tell(Tr("Cannot open: {1}", TrError(opened.error())));
+      return ShowStatus(Tr("Cannot open: {1}", TrError(opened.error())));
     // A file that holds a link is not overwritten: saving creates a new file.
     const auto first = text.find_first_not_of(" \t\r\n");
     const bool document = file && first != std::string::npos && text[first] == '{';
@@ -162,7 +162,7 @@ class Desktop {
       if (event.key.keysym.sym == SDLK_s) return Save();
       if (event.key.keysym.sym == SDLK_c) {
         SDL_SetClipboardText(EncodeLink(app_.State().Doc()).c_str());
-        Tell(Tr("Link copied."));
+        ShowStatus(Tr("Link copied."));
         return true;
       }
     }
@@ -191,7 +191,7 @@ class Desktop {
     file << EncodeJson(app_.State().WithHash());
     file.close();
     if (file.good()) path_ = path;
-    Tell(Tr(file.good() ? "Saved as {1}." : "Cannot write {1}.", path));
+    ShowStatus(Tr(file.good() ? "Saved as {1}." : "Cannot write {1}.", path));
     return true;
   }
   // The first free name of gaitsmith.json, gaitsmith-2.json, …
@@ -202,7 +202,7 @@ class Desktop {
       path = "gaitsmith-" + std::to_string(number) + ".json";
     return path;
   }
-  void Tell(const std::string& sentence) {
+  void ShowStatus(const std::string& sentence) {
     app_.State().Notice() = sentence;
     host_.Status(sentence);
   }
@@ -225,7 +225,7 @@ int Run(int count, char** words) {
   }
   const std::string language = arguments.language.empty() ? LanguageOfEnvironment() : arguments.language;
   const Language* spoken = FindLanguage(language);
-  if (spoken != nullptr && !SpeakLanguage(spoken->json))
+  if (spoken != nullptr && !SetLanguage(spoken->json))
     std::fprintf(stderr, "gaitsmith-window: the table of %s is broken\n", std::string(spoken->name).c_str());
   const auto window = Window::Open(arguments.window);
   if (!window) {

@@ -108,7 +108,7 @@ void Tick(void* argument) {
   // A search must not delay the response to input.
   Session& session = page.app->State();
   const bool searching =
-      (session.Search().Running() || session.Lab().Running()) && !page.window->OwesAnswer();
+      (session.Search().Running() || session.Lab().Running()) && !page.window->OwesResponse();
   if (!page.pace.Due(now_ms, searching)) return;
   page.moved = false;
   page.window->Draw([&page] { page.app->Draw(); });
@@ -207,7 +207,7 @@ EMSCRIPTEN_KEEPALIVE void gs_set_theme(const char* palette, double scale) {
 /// Sets the language of all texts. @param table of shell/languages, as JSON; empty: English
 /// @return 0: it is not such a table, and nothing has changed
 EMSCRIPTEN_KEEPALIVE int gs_set_language(const char* table) {
-  if (!SpeakLanguage(table)) return 0;
+  if (!SetLanguage(table)) return 0;
   Page& page = ThePage();
   if (!page.app) return 1;
   page.host.DocumentChanged(TheSession().Doc().title);

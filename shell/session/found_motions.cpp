@@ -66,7 +66,7 @@ std::string FoundMotions::Add(FoundMotion motion, const std::string& in_place_of
   entry.bytes = EncodeFound(entry.motion).size();
   if (!MakeRoom(entry.bytes)) return {};
   entries_.push_back(std::move(entry));
-  Tell(entries_.back());
+  Notify(entries_.back());
   return entries_.back().id;
 }
 
@@ -98,7 +98,7 @@ bool FoundMotions::BringBack() {
     if (!MakeRoom(entry.bytes)) return false;
     const auto place = std::ranges::upper_bound(entries_, entry.motion.when_s, {},
                                                 [](const Entry& one) { return one.motion.when_s; });
-    Tell(*entries_.insert(place, entry));
+    Notify(*entries_.insert(place, entry));
   }
   removed_.reset();
   return true;
@@ -109,7 +109,7 @@ bool FoundMotions::Keep(const std::string& id, bool kept) {
   if (entry == entries_.end()) return false;
   if (entry->motion.kept == kept) return true;
   entry->motion.kept = kept;
-  Tell(*entry);
+  Notify(*entry);
   return true;
 }
 
@@ -120,7 +120,7 @@ std::string FoundMotions::Rename(const std::string& id, const std::string& name)
   if (const auto good = CheckName(name); !good) return TrError(good.error());
   entry->motion.name = name;
   entry->bytes = EncodeFound(entry->motion).size();
-  Tell(*entry);
+  Notify(*entry);
   return {};
 }
 
@@ -141,9 +141,9 @@ float Amount(FoundMotions::Order order, const FoundMotion& motion) {
       return motion.Score();
     case FoundMotions::Order::kHighest:
       return motion.terms.max_cm_height_m;
-    case FoundMotions::Order::kMostTurns:
+    case FoundMotions::Order::kMaxTurns:
       return motion.terms.rotations;
-    case FoundMotions::Order::kLeastSlip:
+    case FoundMotions::Order::kMinSlip:
       return -motion.terms.slip_sum_m;
   }
   return 0.0f;
@@ -195,7 +195,7 @@ bool FoundMotions::MakeRoom(std::size_t bytes) {
   return true;
 }
 
-void FoundMotions::Tell(const Entry& entry) const {
+void FoundMotions::Notify(const Entry& entry) const {
   if (on_change) on_change(entry.id, EncodeFound(entry.motion));
 }
 

@@ -54,7 +54,7 @@ class FoundMotions {
     FoundMotion motion;
     std::size_t bytes;
   };
-  enum class Order { kNewest, kBest, kHighest, kMostTurns, kLeastSlip };
+  enum class Order { kNewest, kBest, kHighest, kMaxTurns, kMinSlip };
 
   FoundMotions() = default;
   explicit FoundMotions(const Limits& limits) : limits_(limits) {}
@@ -91,7 +91,7 @@ class FoundMotions {
   /// Removes the oldest entries until `bytes` more fit; 0 only enforces the limits. @return false: saved
   /// entries leave no room, and nothing was removed
   bool MakeRoom(std::size_t bytes);
-  void Tell(const Entry&) const;
+  void Notify(const Entry&) const;
 
   Limits limits_;
   std::vector<Entry> entries_;  // by time, oldest first

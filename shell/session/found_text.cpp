@@ -24,7 +24,7 @@ void ForEachTerm(T& terms, Use use) {
 
 // Number of terms in the text. Older texts may have fewer, since new terms are only appended.
 constexpr std::size_t kKnownTerms = 2 + kStyleTable.size();
-constexpr std::size_t kFewestTerms = 2 + kPaperTerms;
+constexpr std::size_t kMinTerms = 2 + kPaperTerms;
 
 std::string Exact(double value, int digits) {
   char text[40];
@@ -94,7 +94,7 @@ Result<FoundMotion> DecodeFound(std::string_view text) {
   const bool numbers = terms->kind == Kind::kArray && std::ranges::all_of(values, [](const JsonValue& value) {
                          return value.kind == Kind::kNumber;
                        });
-  if (!numbers || values.size() < kFewestTerms || values.size() > kKnownTerms) return Bad("terms");
+  if (!numbers || values.size() < kMinTerms || values.size() > kKnownTerms) return Bad("terms");
   if (values.size() < kKnownTerms) {
     // Stored before the last terms were added: measure them now.
     if (found.Moves()) found.terms = Measured(found.document, found.origin, found.evaluations).terms;

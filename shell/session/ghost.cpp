@@ -6,13 +6,13 @@
 
 namespace gaitsmith::shell {
 
-void Ghost::StandFor(Kind kind, int controller, const Documents& documents) {
+void Ghost::SetSource(Kind kind, int controller, const Documents& documents) {
   kind_ = kind;
   controller_ = controller;
   Load(documents);
 }
 
-void Ghost::StandFor(const std::string& id, const Document& found, const Documents& documents) {
+void Ghost::SetSource(const std::string& id, const Document& found, const Documents& documents) {
   kind_ = Kind::kFound;
   found_id_ = id;
   found_ = found;

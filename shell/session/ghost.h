@@ -29,13 +29,13 @@ class Ghost {
   /// skeletons differ or the controller does not exist.
   /// @param kind  not kFound
   /// @param controller  of the document, for kController
-  void StandFor(Kind kind, int controller, const Documents&);
+  void SetSource(Kind kind, int controller, const Documents&);
   /// @param id  of a found motion; the ghost keeps a copy, so the motion may be removed from the results
-  void StandFor(const std::string& id, const Document& found, const Documents&);
+  void SetSource(const std::string& id, const Document& found, const Documents&);
   /// Simulates the same motion again, after a change of any of the documents.
   void Load(const Documents&);
 
-  [[nodiscard]] Kind StandsFor() const { return kind_; }
+  [[nodiscard]] Kind Source() const { return kind_; }
   [[nodiscard]] std::optional<int> ControllerIndex() const;
   /// Empty unless the ghost is a found motion.
   [[nodiscard]] std::string FoundId() const { return kind_ == Kind::kFound ? found_id_ : std::string(); }
@@ -46,7 +46,7 @@ class Ghost {
   void Seek(double time_s);
 
   /// Whether it is drawn beside the shown motion.
-  void PutBeside(bool beside) { beside_ = beside; }
+  void ShowBeside(bool beside) { beside_ = beside; }
   [[nodiscard]] bool Beside() const { return beside_ && kind_ != Kind::kNone; }
 
  private:

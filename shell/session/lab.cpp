@@ -15,13 +15,13 @@ constexpr int kPoints = 100;  // the default of `compare --points`
 
 /// The study of these settings, or the first error in them.
 Result<Study> StudyOf(const LabSettings& settings, const Document& document) {
-  if (settings.trials < kFewestLabTrials || settings.trials > kMostLabTrials) {
+  if (settings.trials < kMinLabTrials || settings.trials > kMaxLabTrials) {
     return Fail(ErrorCode::kOutOfRange, "trials",
-                "must be from " + std::to_string(kFewestLabTrials) + " to " + std::to_string(kMostLabTrials));
+                "must be from " + std::to_string(kMinLabTrials) + " to " + std::to_string(kMaxLabTrials));
   }
-  if (settings.evaluations < 1 || settings.evaluations > kMostLabEvaluations) {
+  if (settings.evaluations < 1 || settings.evaluations > kMaxLabEvaluations) {
     return Fail(ErrorCode::kOutOfRange, "evaluations",
-                "must be from 1 to " + std::to_string(kMostLabEvaluations));
+                "must be from 1 to " + std::to_string(kMaxLabEvaluations));
   }
   if (settings.first_seed > 0xffffffffu - static_cast<std::uint32_t>(settings.trials - 1)) {
     return Fail(ErrorCode::kOutOfRange, "firstSeed", TrLater("leaves no seeds for so many trials"));

@@ -12,8 +12,8 @@
 
 namespace gaitsmith::shell {
 
-inline constexpr int kFewestLabTrials = 2, kMostLabTrials = 50;
-inline constexpr int kMostLabEvaluations = 1'000'000;
+inline constexpr int kMinLabTrials = 2, kMaxLabTrials = 50;
+inline constexpr int kMaxLabEvaluations = 1'000'000;
 
 /// The default choice: the benchmark, the paper's best algorithm, and a genetic algorithm.
 constexpr std::array<bool, kAlgorithmNames.size()> PaperChoice() {
@@ -26,8 +26,8 @@ constexpr std::array<bool, kAlgorithmNames.size()> PaperChoice() {
 /// The choices on the panel.
 struct LabSettings {
   std::array<bool, kAlgorithmNames.size()> chosen = PaperChoice();  // in the order of Algorithm
-  int trials = 10;               // of each algorithm, [kFewestLabTrials, kMostLabTrials]
-  int evaluations = 5000;        // of each trial, [1, kMostLabEvaluations]
+  int trials = 10;               // of each algorithm, [kMinLabTrials, kMaxLabTrials]
+  int evaluations = 5000;        // of each trial, [1, kMaxLabEvaluations]
   std::uint32_t first_seed = 1;  // of the first trial; the others count up from it
 };
 

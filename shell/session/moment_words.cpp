@@ -22,13 +22,13 @@ std::string WayWords(float travel_m) {
 }
 
 std::string ContactWords(const Motion& motion, int frame) {
-  if (frame == 0) return "";       // the recorded forces are those of the step before
-  constexpr float kLeast = 0.02f;  // share of the weight from which the stage draws an arrow
+  if (frame == 0) return "";     // the recorded forces are those of the step before
+  constexpr float kMin = 0.02f;  // share of the weight from which the stage draws an arrow
   const float weight = motion.Bones().mass_kg * kStandardGravity;
   std::vector<std::string> touching;
   for (int k = 0; k < motion.Bones().endpoints; ++k) {
     const Motion::Point force = motion.Force(frame, k);
-    if (std::hypot(force.x, force.y) >= kLeast * weight) touching.push_back(std::to_string(k + 1));
+    if (std::hypot(force.x, force.y) >= kMin * weight) touching.push_back(std::to_string(k + 1));
   }
   if (touching.empty()) return std::string(" ") + Tr("Nothing touches the ground.");
   if (touching.size() == 1) return " " + Tr("Endpoint {1} touches the ground.", touching.front());

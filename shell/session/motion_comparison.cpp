@@ -23,7 +23,7 @@ bool FitsComparison(const FoundMotion& found, const Document& wanted) {
 }  // namespace
 
 void MotionComparison::Choose(Ghost::Kind kind, int controller) {
-  ghost_.StandFor(kind, controller, Documents());
+  ghost_.SetSource(kind, controller, Documents());
   workspace_.Redraw();
 }
 
@@ -32,18 +32,18 @@ bool MotionComparison::ChooseFound(const std::string& id) {
   if (entry == nullptr || !entry->motion.Moves() ||
       !SameTree(entry->motion.document.figure, workspace_.Doc().figure))
     return false;
-  ghost_.StandFor(id, entry->motion.document, Documents());
+  ghost_.SetSource(id, entry->motion.document, Documents());
   workspace_.Redraw();
   return true;
 }
 
-void MotionComparison::PutBeside(bool beside) {
-  ghost_.PutBeside(beside);
+void MotionComparison::ShowBeside(bool beside) {
+  ghost_.ShowBeside(beside);
   workspace_.Redraw();
 }
 
 void MotionComparison::Stop() {
-  ghost_.PutBeside(false);
+  ghost_.ShowBeside(false);
   Choose(Ghost::Kind::kNone);
 }
 
@@ -58,26 +58,26 @@ void MotionComparison::CompareControlModes() {
   wanted.search.start = -1;
   for (const FoundMotions::Entry* entry : results_.Motions().Sorted(FoundMotions::Order::kBest)) {
     if (!FitsComparison(entry->motion, wanted) || !ChooseFound(entry->id)) continue;
-    ghost_.PutBeside(true);
+    ghost_.ShowBeside(true);
     return;
   }
   if (Awaits() || !queue_.Add(wanted)) return;
-  ordered_ = std::move(wanted);
+  requested_ = std::move(wanted);
   if (!queue_.Busy()) queue_.Run();
 }
 
 bool MotionComparison::Awaits() const {
-  if (!ordered_) return false;
-  const auto same = [&](const Document& other) { return SameSearch(other, *ordered_); };
+  if (!requested_) return false;
+  const auto same = [&](const Document& other) { return SameSearch(other, *requested_); };
   return (search_.Searched() != nullptr && same(*search_.Searched())) ||
          std::ranges::any_of(queue_.List().Waiting(), same, &SearchQueue::Entry::document);
 }
 
-void MotionComparison::ShowIfOrdered(const std::string& id) {
-  const FoundMotions::Entry* entry = ordered_ ? results_.Motions().Find(id) : nullptr;
-  if (entry == nullptr || !FitsComparison(entry->motion, *ordered_)) return;
-  ordered_.reset();
-  if (ChooseFound(id)) ghost_.PutBeside(true);
+void MotionComparison::ShowIfRequested(const std::string& id) {
+  const FoundMotions::Entry* entry = requested_ ? results_.Motions().Find(id) : nullptr;
+  if (entry == nullptr || !FitsComparison(entry->motion, *requested_)) return;
+  requested_.reset();
+  if (ChooseFound(id)) ghost_.ShowBeside(true);
 }
 
 std::optional<Controller> MotionComparison::ComparedController() const {
@@ -90,7 +90,7 @@ void MotionComparison::FindAgain(const Controller& controller) {
   // If the document has lost the controller, the index is past the end and the ghost is empty.
   Document searched = workspace_.Doc();
   const auto index = AddController(searched, controller);
-  ghost_.StandFor(Ghost::Kind::kController, index.value_or(-1), Documents());
+  ghost_.SetSource(Ghost::Kind::kController, index.value_or(-1), Documents());
 }
 
 }  // namespace gaitsmith::shell

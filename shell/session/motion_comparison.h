@@ -31,7 +31,7 @@ class MotionComparison {
   void Choose(Ghost::Kind kind, int controller = -1);
   /// @return false: there is no such motion, or its figure has another skeleton
   bool ChooseFound(const std::string& id);
-  void PutBeside(bool beside);
+  void ShowBeside(bool beside);
   void Stop();
 
   /// Compares the shown motion with the best one found in the other control mode for the same figure and
@@ -41,7 +41,7 @@ class MotionComparison {
   [[nodiscard]] bool Awaits() const;
   /// Compares the shown motion with a found motion if CompareControlModes requested it.
   /// @param id  among the results, or empty
-  void ShowIfOrdered(const std::string& id);
+  void ShowIfRequested(const std::string& id);
 
   /// Moves the other motion to the shown moment.
   void KeepInTime() { ghost_.Seek(workspace_.Player().TimeS()); }
@@ -63,7 +63,7 @@ class MotionComparison {
   QueueRun& queue_;
   const ResultStore& results_;
   Ghost ghost_;
-  std::optional<Document> ordered_;  // the requested search
+  std::optional<Document> requested_;  // the requested search
 };
 
 }  // namespace gaitsmith::shell

@@ -16,7 +16,7 @@ namespace gaitsmith::shell {
 /// number, whatever its position in the table.
 enum class Panel { kFigure = 0, kController = 1, kStyle = 2, kSearch = 3, kLab = 4, kTimeline = 5 };
 /// The greatest panel number that a document can hold.
-inline constexpr int kMostPanelNumber = 15;
+inline constexpr int kMaxPanelNumber = 15;
 
 struct PanelRow {
   Panel panel;
@@ -46,16 +46,16 @@ inline constexpr std::array<const char*, kPanels.size()> kPanelIds = [] {
 }();
 
 /// Whether all rows have distinct numbers that a document can hold.
-[[nodiscard]] constexpr bool HasOwnNumbers(std::span<const PanelRow> panels) {
+[[nodiscard]] constexpr bool HaveOwnNumbers(std::span<const PanelRow> panels) {
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    if (panels[i].Number() < 0 || panels[i].Number() > kMostPanelNumber) return false;
+    if (panels[i].Number() < 0 || panels[i].Number() > kMaxPanelNumber) return false;
     for (std::size_t k = 0; k < i; ++k) {
       if (panels[k].panel == panels[i].panel) return false;
     }
   }
   return true;
 }
-static_assert(HasOwnNumbers(kPanels));
+static_assert(HaveOwnNumbers(kPanels));
 
 /// A panel's index in the table.
 [[nodiscard]] constexpr int PlaceOf(Panel panel) {

@@ -94,7 +94,7 @@ void Playback::Measure() {
   // Limits [m] that keep a motion that explodes from shrinking the figure to nothing or passing infinities to
   // the stage.
   constexpr float kFarthest = 1000.0f;
-  constexpr float kMostReaches = 50.0f;
+  constexpr float kMaxReaches = 50.0f;
   reach_m_ = 0.05f;
   height_m_ = 0.05f;
   for (int frame = 0; frame < motion_->Frames(); frame += 5) {
@@ -105,7 +105,7 @@ void Playback::Measure() {
     }
   }
   reach_m_ = std::min(reach_m_, kFarthest);
-  height_m_ = std::min(height_m_, kMostReaches * reach_m_);
+  height_m_ = std::min(height_m_, kMaxReaches * reach_m_);
 }
 
 void Playback::FindRuns() {

@@ -12,7 +12,7 @@ namespace gaitsmith::shell {
 bool QueueRun::Add(const Document& document) {
   if (!list_.Add(document)) {
     workspace_.Say(Tr("The queue is full: {1} searches wait. Remove one, or let some run.",
-                      std::to_string(SearchQueue::kMost)));
+                      std::to_string(SearchQueue::kMax)));
     return false;
   }
   workspace_.TheHost().Status(Tr("Added to the queue: {1}, {2}. {3}.", SearchTitle(document),

@@ -22,7 +22,7 @@ inline constexpr int kQueuedSeeds = 5;
 
 class SearchQueue {
  public:
-  static constexpr std::size_t kMost = 50;
+  static constexpr std::size_t kMax = 50;
 
   struct Entry {
     int number;  // unique among waiting searches; from 1
@@ -30,7 +30,7 @@ class SearchQueue {
   };
 
   [[nodiscard]] const std::vector<Entry>& Waiting() const { return waiting_; }
-  [[nodiscard]] bool Full() const { return waiting_.size() >= kMost; }
+  [[nodiscard]] bool Full() const { return waiting_.size() >= kMax; }
 
   /// Adds a document at the end. @param document valid. @return false: the queue is full
   bool Add(const Document& document);

@@ -86,7 +86,7 @@ void SearchRun::Begin(Document wanted, Source source) {
   if (source == Source::kQueue) title_ = Tr("Queue: {1}", title_);
   spread_.Begin(progress_.budget);
   shown_for_s_ = kAtOnceS;
-  if (BelongsOnStage()) before_ = workspace_.Doc();
+  if (ShowsImprovements()) before_ = workspace_.Doc();
   if (source == Source::kQueue) {
     workspace_.TheHost().StartQueued(searched, workers_, SearchTitle(searched) + ", " + SearchLine(searched));
   } else {
@@ -107,12 +107,12 @@ void SearchRun::Stop() {
   workspace_.TheHost().StopSearch();
   progress_.state = SearchState::kStopped;
   ShowImprovement(kAtOnceS);
-  NoteFound();
+  RecordResult();
 }
 
 void SearchRun::Abandon() {
   if (RunsQueued()) {
-    job_->off_stage = true;
+    job_->hidden = true;
     improvement_.clear();
     return;
   }
@@ -153,7 +153,7 @@ void SearchRun::OnProgress(SearchProgress progress) {
   if (progress_.spread) spread_.Add(progress_.evaluations, *progress_.spread);
   if (!ended) return;
   ShowImprovement(kAtOnceS);
-  NoteFound();
+  RecordResult();
   if (auto map = EliteMap::Of(job_->document, progress_.saved)) elites_ = std::move(map);
   progress_.saved.clear();
   const std::string of_queue = job_->source == Source::kQueue ? SearchTitle(job_->document) : "";
@@ -178,7 +178,7 @@ void SearchRun::ReportEnd(const std::string& of_queue) {
 }
 
 // Called at the end of a search, and again when a stopped search makes its final report.
-void SearchRun::NoteFound() {
+void SearchRun::RecordResult() {
   if (!job_) return;
   const auto id = results_.AddFound(job_->document, progress_, job_->found);
   if (!id) return;
@@ -187,10 +187,10 @@ void SearchRun::NoteFound() {
 }
 
 // A search of the queue improves the open document only if the document's own search is the same.
-bool SearchRun::BelongsOnStage() const {
+bool SearchRun::ShowsImprovements() const {
   if (!job_) return false;
   if (job_->source == Source::kDocument) return true;
-  return !job_->off_stage && workspace_.Doc().timeline.size() < 2 && job_->document.search.start < 0 &&
+  return !job_->hidden && workspace_.Doc().timeline.size() < 2 && job_->document.search.start < 0 &&
          SameSearch(workspace_.Doc(), job_->document);
 }
 
@@ -219,7 +219,7 @@ bool SearchRun::ShowImprovement(double seconds) {
   if (improvement_.empty() || shown_for_s_ < kShortestShow || !job_) return false;
   shown_for_s_ = 0.0;
   Genome genes = std::exchange(improvement_, {});
-  if (!BelongsOnStage()) return false;
+  if (!ShowsImprovements()) return false;
   const Document& searched = job_->document;
   ShowController(
       {.name = WordsOf(searched.search.algorithm).name + ", seed " + std::to_string(searched.search.seed),

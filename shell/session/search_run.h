@@ -75,7 +75,7 @@ class SearchRun {
   /// Whether the running search started with this clip selected.
   [[nodiscard]] bool Improves(int clip) const { return Running() && job_ && job_->clip == clip; }
   /// Whether improvements of the search are shown.
-  [[nodiscard]] bool BelongsOnStage() const;
+  [[nodiscard]] bool ShowsImprovements() const;
   /// Whether the document's own search has found nothing so far and the document is unchanged since it
   /// started.
   [[nodiscard]] bool HasChangedNothing() const;
@@ -104,12 +104,12 @@ class SearchRun {
     Source source = Source::kDocument;
     int clip = 0;            // the clip that the search improves
     int occasion = 0;        // all its improvements are one step of Undo
-    bool off_stage = false;  // a search of the queue whose improvements are no longer shown
+    bool hidden = false;     // a search of the queue whose improvements are no longer shown
     std::string found = {};  // id of its result; empty: none yet
   };
   [[nodiscard]] Document ShortClimb() const;
   void ShowController(Controller);
-  void NoteFound();
+  void RecordResult();
   void ReportEnd(const std::string& of_queue);
 
   Workspace& workspace_;

@@ -39,7 +39,7 @@ Session::Session(Host& host)
                                  timeline_.Transitions().Follow();
                                },
                            .settings = [this] { timeline_.Transitions().Follow(); }});
-  search_.SetFollowers({.found = [this](const std::string& id) { comparison_.ShowIfOrdered(id); },
+  search_.SetFollowers({.found = [this](const std::string& id) { comparison_.ShowIfRequested(id); },
                         .ended = [this] { queue_.RunNext(); }});
   workspace_.Show(shipped_.FirstMotion(), true);
 }

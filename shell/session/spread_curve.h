@@ -11,7 +11,7 @@ namespace gaitsmith::shell {
 
 class SpreadCurve {
  public:
-  static constexpr int kMostPoints = 200;
+  static constexpr int kMaxPoints = 200;
 
   struct Point {
     int evaluation;
@@ -23,7 +23,7 @@ class SpreadCurve {
   /// Adds a sample; of samples too close together only the last stays. After a search returns to a
   /// checkpoint, its samples from there on arrive again.
   void Add(int evaluation, const Spread& spread);
-  /// In the order of evaluations, at most kMostPoints + 2.
+  /// In the order of evaluations, at most kMaxPoints + 2.
   [[nodiscard]] const std::vector<Point>& Points() const { return points_; }
 
  private:

@@ -36,7 +36,7 @@ void TransitionRun::Advance(double seconds) {
   constexpr double kSettledS = 0.2;  // a dragged slider changes every frame
   unchanged_for_s_ += seconds;
   if (!scores_.Waits() || unchanged_for_s_ < kSettledS) return;
-  if (search_.Running() && search_.BelongsOnStage()) return;
+  if (search_.Running() && search_.ShowsImprovements()) return;
   const int generation = scores_.Start();
   workspace_.TheHost().StartTransitionMap(scores_.Request(), generation);
 }

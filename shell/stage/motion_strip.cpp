@@ -45,7 +45,7 @@ const MotionStrip* MotionStrips::Of(const std::string& name, const Document& doc
   waiting_ = made_;
   if (made_) return nullptr;
   made_ = true;
-  if (strips_.size() >= kMost) strips_.clear();
+  if (strips_.size() >= kMax) strips_.clear();
   return &strips_.emplace(name, StripOf(document)).first->second;
 }
 

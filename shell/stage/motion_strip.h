@@ -30,7 +30,7 @@ class MotionStrips {
   [[nodiscard]] const MotionStrip* Of(const std::string& name, const Document& document);
 
  private:
-  static constexpr std::size_t kMost = 120;
+  static constexpr std::size_t kMax = 120;
 
   std::map<std::string, MotionStrip, std::less<>> strips_;
   bool made_ = false;  // whether one was made in this frame

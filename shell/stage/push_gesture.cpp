@@ -26,7 +26,7 @@ Impulse ImpulseOf(ImVec2 from, ImVec2 to, const Camera& camera, float mass_kg) {
 }
 
 int Nearest(std::span<const ImVec2> endpoints, ImVec2 pointer, float reach) {
-  int nearest = PushGesture::kNobody;
+  int nearest = PushGesture::kNone;
   for (std::size_t k = 0; k < endpoints.size(); ++k) {
     const float distance = std::hypot(endpoints[k].x - pointer.x, endpoints[k].y - pointer.y);
     if (distance >= reach) continue;
@@ -45,10 +45,10 @@ bool PushByHand(Ui& ui, Session& session, PushGesture& gesture, const Touch& sta
   if (stage.began) {
     gesture = {.endpoint = Nearest(endpoints, pointer, reach), .was_playing = session.Player().Playing()};
   }
-  if (gesture.endpoint == PushGesture::kNobody) {
+  if (gesture.endpoint == PushGesture::kNone) {
     // A ring marks the endpoint that can be dragged.
-    const int near = stage.hovered && !stage.held ? Nearest(endpoints, pointer, reach) : PushGesture::kNobody;
-    if (near != PushGesture::kNobody && !ui.Look().touch)
+    const int near = stage.hovered && !stage.held ? Nearest(endpoints, pointer, reach) : PushGesture::kNone;
+    if (near != PushGesture::kNone && !ui.Look().touch)
       ui.Canvas()->AddCircle(endpoints[static_cast<std::size_t>(near)], 11.0f, ui.Ink().accent, 0, 2.0f);
     return false;
   }

@@ -12,11 +12,11 @@
 namespace gaitsmith::shell {
 
 struct PushGesture {
-  int endpoint = kNobody;  // the endpoint at which the arrow starts
-  bool drawn = false;      // the pointer has moved far enough to draw an arrow
+  int endpoint = kNone;  // the endpoint at which the arrow starts
+  bool drawn = false;    // the pointer has moved far enough to draw an arrow
   bool was_playing = false;
 
-  static constexpr int kNobody = -1;
+  static constexpr int kNone = -1;
 };
 
 /// Handles the stage's input and draws the arrow. Pauses playback during the drag.

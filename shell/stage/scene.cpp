@@ -137,8 +137,8 @@ void DrawForces(const Scene& s, const std::vector<ImVec2>& endpoints) {
 
 }  // namespace
 
-Camera AimCamera(const Playback& player, const Environment& world, const Gaze& gaze, const ImRect& rect,
-                 float ground_y) {
+Camera AimCamera(const Playback& player, const Environment& world, const CameraSettings& gaze,
+                 const ImRect& rect, float ground_y) {
   const float reach = player.ReachM();
   const float room = ground_y - rect.Min.y - 70.0f;
   Camera camera;

@@ -13,7 +13,7 @@
 namespace gaitsmith::shell {
 
 /// The part of the world that the camera shows.
-struct Gaze {
+struct CameraSettings {
   float zoom = 1.0f;
   double pan_m = 0.0;  // offset of the camera from the figure
 };
@@ -29,7 +29,7 @@ struct Scene {
 
 /// The camera follows the figure smoothly, at a constant scale.
 /// @param rect that the figure must stay in. @param ground_y of the ground line on the canvas [points]
-[[nodiscard]] Camera AimCamera(const Playback&, const Environment&, const Gaze&, const ImRect& rect,
+[[nodiscard]] Camera AimCamera(const Playback&, const Environment&, const CameraSettings&, const ImRect& rect,
                                float ground_y);
 
 /// @return the canvas positions of the figure's endpoints

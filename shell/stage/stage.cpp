@@ -14,8 +14,8 @@
 namespace gaitsmith::shell {
 namespace {
 
-constexpr float kLeastZoom = 0.1f;
-constexpr float kMostZoom = 6.0f;
+constexpr float kMinZoom = 0.1f;
+constexpr float kMaxZoom = 6.0f;
 constexpr float kCornerRoom = 114.0f;  // width reserved for the button in the corner
 
 // A note about the motion, announced by screen readers.
@@ -55,7 +55,7 @@ void DrawRemark(const Scene& s) {
   const auto remark = [&](ImU32 colour, std::string_view sentence) {
     const float width = s.rect.GetWidth() - 32.0f;
     letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 40.0f}, width, colour, sentence);
-    s.ui.Tell(sentence, {{at.x, at.y + 31.0f}, {at.x + width, at.y + 49.0f}});
+    s.ui.DescribeText(sentence, {{at.x, at.y + 31.0f}, {at.x + width, at.y + 49.0f}});
   };
   if (terms.broke_physics) {
     remark(p.bad, Tr("This motion breaks physics and counts as void."));
@@ -71,7 +71,7 @@ void DrawRemark(const Scene& s) {
 void Zoom(StageState& state, const Touch& touch) {
   const float wheel = ImGui::GetIO().MouseWheel;
   if (!touch.hovered || wheel == 0.0f) return;
-  state.gaze.zoom = std::clamp(state.gaze.zoom * std::pow(1.15f, wheel), kLeastZoom, kMostZoom);
+  state.gaze.zoom = std::clamp(state.gaze.zoom * std::pow(1.15f, wheel), kMinZoom, kMaxZoom);
   if (std::abs(state.gaze.zoom - 1.0f) < 0.02f) state.gaze.zoom = 1.0f;
 }
 
@@ -91,7 +91,7 @@ void TakePinch(Session& session, StageState& state, const ImRect& area, const Im
     return camera.left_m + static_cast<double>(across / camera.scale);
   };
   const double held_m = metres(change.from.x);
-  state.gaze.zoom = std::clamp(state.gaze.zoom * change.zoom, kLeastZoom, kMostZoom);
+  state.gaze.zoom = std::clamp(state.gaze.zoom * change.zoom, kMinZoom, kMaxZoom);
   state.gaze.pan_m += held_m - metres(change.to.x);
 }
 
@@ -120,7 +120,7 @@ void DrawFollowButton(Ui& ui, StageState& state, const ImRect& rect) {
 void DrawBeside(Ui& ui, Session& session, const StageState& state, const ImRect& half, const ImRect& free,
                 float ground_y) {
   const Playback& other = *session.Comparison().Other().Player();
-  const Environment& world = session.Comparison().Other().StandsFor() == Ghost::Kind::kAsOpened
+  const Environment& world = session.Comparison().Other().Source() == Ghost::Kind::kAsOpened
                                  ? session.World().AsOpened().environment
                                  : session.Doc().environment;
   const Scene scene{.ui = ui,
@@ -130,8 +130,8 @@ void DrawBeside(Ui& ui, Session& session, const StageState& state, const ImRect&
                     .rect = half,
                     .camera = AimCamera(other, world, state.gaze, free, ground_y)};
   const PartScope part = ui.Part("beside", "group", Tr("Beside it"));
-  ui.Tell(Tr("Beside it: {1}, {2} m.", session.Comparison().Words(), Fixed(other.TermsNow().travel_m, 2)),
-          half);
+  ui.DescribeText(
+      Tr("Beside it: {1}, {2} m.", session.Comparison().Words(), Fixed(other.TermsNow().travel_m, 2)), half);
   scene.list->PushClipRect(half.Min, half.Max, true);
   DrawScene(scene);
   DrawNumbers(scene, session.Comparison().Words(), half.GetWidth() - kCornerRoom);

@@ -13,7 +13,7 @@ namespace gaitsmith::shell {
 
 /// The stage's state between frames: the view, and the gesture in progress.
 struct StageState {
-  Gaze gaze;
+  CameraSettings gaze;
   bool panning = false;
   PushGesture push;
   Pinch pinch;

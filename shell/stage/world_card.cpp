@@ -101,10 +101,10 @@ void DrawPushes(Ui& ui, Session& session, WorldCardState& state) {
 
 // Found motions of figures with the same rods, newest first.
 std::vector<const FoundMotions::Entry*> ComparableMotions(const Session& session) {
-  constexpr std::size_t kMost = 12;  // fits on a phone
+  constexpr std::size_t kMax = 12;  // fits on a phone
   std::vector<const FoundMotions::Entry*> motions;
   for (const FoundMotions::Entry* entry : session.Results().Motions().Sorted(FoundMotions::Order::kNewest)) {
-    if (motions.size() == kMost) break;
+    if (motions.size() == kMax) break;
     if (entry->motion.Moves() && SameTree(entry->motion.document.figure, session.Doc().figure))
       motions.push_back(entry);
   }
@@ -142,7 +142,7 @@ std::vector<GhostChoice> GhostChoices(const Session& session, int& chosen) {
   }
   const Ghost& ghost = session.Comparison().Other();
   const auto now = std::ranges::find_if(choices, [&](const GhostChoice& c) {
-    return c.kind == ghost.StandsFor() && c.controller == ghost.ControllerIndex().value_or(-1) &&
+    return c.kind == ghost.Source() && c.controller == ghost.ControllerIndex().value_or(-1) &&
            c.found_id == ghost.FoundId();
   });
   chosen = static_cast<int>(now - choices.begin());
@@ -170,7 +170,7 @@ void DrawGhostChoice(Ui& ui, Session& session) {
   int place = session.Comparison().Other().Beside() ? 1 : 0;
   ui.Gap(6.0f);
   if (ui.Segmented("world/beside", ui.ControlRow(), Tr("Where the other is drawn"), kPlaces, place))
-    session.Comparison().PutBeside(place == 1);
+    session.Comparison().ShowBeside(place == 1);
 }
 
 }  // namespace

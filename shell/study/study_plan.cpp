@@ -44,9 +44,9 @@ bool AllDiffer(std::vector<std::string> labels) {
 }
 
 bool Holds(const StudyPlan& plan) {
-  return plan.trials >= 1 && plan.trials <= kMostTrials && plan.evaluations >= 1 &&
-         plan.evaluations <= kMostEvaluations && plan.points >= 1 && plan.points <= plan.evaluations &&
-         plan.points <= kMostPoints &&
+  return plan.trials >= 1 && plan.trials <= kMaxTrials && plan.evaluations >= 1 &&
+         plan.evaluations <= kMaxEvaluations && plan.points >= 1 && plan.points <= plan.evaluations &&
+         plan.points <= kMaxPoints &&
          plan.first_seed <= 0xffffffffu - static_cast<std::uint32_t>(plan.trials - 1) &&
          AllDiffer(plan.problems) && AllDiffer(plan.searches) && plan.fingerprint.size() == 16 &&
          plan.fingerprint.find_first_not_of("0123456789abcdef") == std::string::npos;
@@ -112,7 +112,7 @@ Result<ReadHeading> ParseHeading(std::string_view text) {
     return damaged;
   }
   plan.trials = static_cast<int>(
-      std::min<std::size_t>(total / (plan.problems.size() * plan.searches.size()), kMostTrials + 1));
+      std::min<std::size_t>(total / (plan.problems.size() * plan.searches.size()), kMaxTrials + 1));
   const auto table = static_cast<StudyTable>(kind - kTableNames.begin());
   // Writing the plan again must give the same text. This also detects wrong words, a wrong total and other
   // columns.

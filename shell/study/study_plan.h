@@ -13,9 +13,9 @@
 
 namespace gaitsmith::shell {
 
-inline constexpr int kMostTrials = 1'000'000;  // limit for one search on one problem
-inline constexpr int kMostPoints = 100'000;
-inline constexpr int kMostEvaluations = 100'000'000;
+inline constexpr int kMaxTrials = 1'000'000;  // limit for one search on one problem
+inline constexpr int kMaxPoints = 100'000;
+inline constexpr int kMaxEvaluations = 100'000'000;
 
 /// The kinds of files of a study.
 enum class StudyTable {
@@ -29,9 +29,9 @@ enum class StudyTable {
 struct StudyPlan {
   std::string fingerprint;       // 16 hexadecimal digits computed from everything that affects the results
   std::uint32_t first_seed = 1;  // of the first trial; the others count up from it
-  int trials = 1;                // of each search on each problem, [1, kMostTrials]
-  int evaluations = 1;           // of each trial, [1, kMostEvaluations]
-  int points = 1;                // of a curve, [1, evaluations], at most kMostPoints
+  int trials = 1;                // of each search on each problem, [1, kMaxTrials]
+  int evaluations = 1;           // of each trial, [1, kMaxEvaluations]
+  int points = 1;                // of a curve, [1, evaluations], at most kMaxPoints
   std::vector<std::string> problems, searches;  // labels, as of IsLabel, no two the same
 
   struct Trial {

@@ -250,7 +250,7 @@ void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
     ui.Letters().DrawElided(ui.Canvas(), Type::kBody, {hint_x, row}, tools_x - 10.0f - hint_x, p.second_ink,
                             hint);
   }
-  ui.Tell(hint, {{hint_x, row - half}, {std::max(hint_x, tools_x - 10.0f), row + half}});
+  ui.DescribeText(hint, {{hint_x, row - half}, {std::max(hint_x, tools_x - 10.0f), row + half}});
 
   if (empty) {
     ui.Canvas()->AddRectFilled(band.rect.Min, band.rect.Max, p.soft, 8.0f);

@@ -12,7 +12,7 @@ namespace {
 struct Tool {
   const char* id;
   const char* label;
-  const char* heard;  // the label in full
+  const char* accessible_name;  // the label in full
   bool enabled;
   void (TimelineEditor::*use)();
   int spare;  // tools with the greatest number are left out first if space is short
@@ -101,7 +101,8 @@ float DrawTimelineTools(Ui& ui, Session& session, const ImRect& row, float below
     ImRect place = places[i];
     place.Translate(at);
     const ButtonLook look = in_row ? ButtonLook::kPlain : ButtonLook::kOutlined;
-    if (ui.Button(tools[i].id, place, Tr(tools[i].label), look, tools[i].enabled, Tr(tools[i].heard)))
+    if (ui.Button(tools[i].id, place, Tr(tools[i].label), look, tools[i].enabled,
+                  Tr(tools[i].accessible_name)))
       used = &tools[i];
   }
   if (used != nullptr) (session.Timeline().*used->use)();

@@ -57,16 +57,16 @@ void Ui::Paragraph(std::string_view text, ImU32 colour, Type type) const {
     text.remove_prefix(length);
     while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   }
-  Tell(whole, rows);
+  DescribeText(whole, rows);
 }
 
-void Ui::Tell(std::string_view text, const ImRect& rect) const {
+void Ui::DescribeText(std::string_view text, const ImRect& rect) const {
   registry_.DescribeText("paragraph", text, rect);
 }
 
 void Ui::Fact(std::string_view label, std::string_view value) const {
   const ImRect row = Row(Fonts::LineHeight(Type::kBody) + 4.0f);
-  Tell(std::string(label) + ": " + std::string(value), row);
+  DescribeText(std::string(label) + ": " + std::string(value), row);
   const float y = row.GetCenter().y;
   const float value_width = Letters().Width(Type::kBody, value);
   Letters().DrawElided(Canvas(), Type::kBody, {row.Min.x, y}, row.GetWidth() - value_width - 10.0f, Ink().ink,
@@ -207,9 +207,10 @@ ImU32 Ui::ButtonInk(ButtonLook look, const ImRect& rect, const Touch& touch, boo
 }
 
 bool Ui::Button(std::string_view id, const ImRect& rect, std::string_view label, ButtonLook look,
-                bool enabled, std::string_view heard) {
-  const Touch touch = Area(id, rect, Grab::kPress,
-                           {.label = std::string(heard.empty() ? label : heard), .role = "button"}, enabled);
+                bool enabled, std::string_view accessible_name) {
+  const Touch touch = Area(
+      id, rect, Grab::kPress,
+      {.label = std::string(accessible_name.empty() ? label : accessible_name), .role = "button"}, enabled);
   if (!touch.visible) return touch.pressed;
   const ImU32 ink = ButtonInk(look, rect, touch, enabled);
   Letters().Draw(Canvas(), look == ButtonLook::kPrimary ? Type::kStrong : Type::kBody, rect.GetCenter(), ink,

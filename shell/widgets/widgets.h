@@ -79,9 +79,9 @@ class Ui {
   void Fact(std::string_view label, std::string_view value) const;
 
   // Widgets. `id` is stable and unique. `label` is the visible text and the name for screen readers.
-  /// @param heard  the name for screen readers if the visible label is shortened; empty: the label
+  /// @param accessible_name  the name for screen readers if the visible label is shortened; empty: the label
   bool Button(std::string_view id, const ImRect&, std::string_view label, ButtonLook = ButtonLook::kOutlined,
-              bool enabled = true, std::string_view heard = {});
+              bool enabled = true, std::string_view accessible_name = {});
   bool IconButton(std::string_view id, const ImRect&, Icon, std::string_view label,
                   ButtonLook = ButtonLook::kPlain, bool enabled = true);
   /// A few options side by side, which this function translates. The label is for screen readers. @return
@@ -119,7 +119,7 @@ class Ui {
   void DrawFocus(const Touch&, const ImRect&, float radius = kCornerRadius) const;
 
   /// Registers text that the caller draws, for screen readers.
-  void Tell(std::string_view text, const ImRect&) const;
+  void DescribeText(std::string_view text, const ImRect&) const;
   /// Groups everything drawn during the result's lifetime under this name. @param role as in WidgetPart
   [[nodiscard]] PartScope Part(std::string_view id, std::string_view role, std::string_view label) {
     return {registry_, {.id = std::string(id), .label = std::string(label), .role = std::string(role)}};

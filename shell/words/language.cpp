@@ -60,10 +60,10 @@ struct Pattern {
 };
 
 Pattern PatternOf(std::string_view english) {
-  constexpr std::size_t kMost = 9;
+  constexpr std::size_t kMax = 9;
   Pattern pattern;
   for (std::size_t at = 0; at < english.size();) {
-    const std::size_t end = pattern.inserts.size() < kMost ? EndOfInsert(english, at) : at;
+    const std::size_t end = pattern.inserts.size() < kMax ? EndOfInsert(english, at) : at;
     if (end == at) {
       pattern.text += english[at++];
       continue;
@@ -119,13 +119,13 @@ bool Take(const JsonValue* member, Table& table) {
 
 }  // namespace
 
-Result<void> SpeakLanguage(std::string_view json) {
+Result<void> SetLanguage(std::string_view json) {
   if (json.empty()) {
     Spoken() = Language{};
     return {};
   }
-  constexpr std::size_t kMostWords = 4000;
-  const auto table = ParseJson(json, kMostWords);
+  constexpr std::size_t kMaxWords = 4000;
+  const auto table = ParseJson(json, kMaxWords);
   if (!table) return std::unexpected(table.error());
   const auto text = [&](const char* name) -> const JsonValue* {
     const JsonValue* value = table->Find(name);

@@ -14,9 +14,9 @@ namespace gaitsmith::shell {
 /// Sets the language of all texts from now on.
 /// @param json a table of shell/languages; empty: English
 /// @return an error if it is not such a table; then the language is unchanged
-Result<void> SpeakLanguage(std::string_view json);
+Result<void> SetLanguage(std::string_view json);
 
-/// The text in the present language, valid until the next SpeakLanguage. @param english a key of the tables
+/// The text in the present language, valid until the next SetLanguage. @param english a key of the tables
 [[nodiscard]] const char* Tr(const char* english);
 
 /// Marks a literal that is passed to Tr later, for instance in a table.

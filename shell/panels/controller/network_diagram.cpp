@@ -45,8 +45,8 @@ void DrawWeights(Ui& ui, const Diagram& diagram) {
       for (int input = 0; input < shape.Inputs(); ++input) {
         if (diagram.Fires(input) != live) continue;
         const float weight =
-            Decode(diagram.controller.genes[shape.Weight(node, input)], -kMostWeight, kMostWeight);
-        const float share = std::abs(weight) / kMostWeight;
+            Decode(diagram.controller.genes[shape.Weight(node, input)], -kMaxWeight, kMaxWeight);
+        const float share = std::abs(weight) / kMaxWeight;
         // Weak edges would blur into a grey cloud.
         if (share < (live ? 0.25f : 0.6f)) continue;
         const ImVec2 from = diagram.Input(input), to = diagram.Node(node);

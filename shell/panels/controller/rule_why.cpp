@@ -41,15 +41,15 @@ int DrawSentence(Ui& ui, const ImRect& box, std::string_view sentence) {
 void DrawSenses(Ui& ui, const RuleMoment& moment, int rule, int most, ImRect row) {
   const Controller& controller = moment.controller;
   const RuleStanding& standing = moment.choice.standings[static_cast<std::size_t>(rule)];
-  std::vector<int> heeded;
+  std::vector<int> used;
   for (int sense = 0; sense < static_cast<int>(moment.senses.size()); ++sense) {
-    if (StimulusOf(controller, moment.bones.rods, rule, sense).cares) heeded.push_back(sense);
+    if (StimulusOf(controller, moment.bones.rods, rule, sense).cares) used.push_back(sense);
   }
-  const auto decisive = std::ranges::find(heeded, standing.decisive_sense);
-  if (decisive != heeded.end()) std::rotate(heeded.begin(), decisive, decisive + 1);
+  const auto decisive = std::ranges::find(used, standing.decisive_sense);
+  if (decisive != used.end()) std::rotate(used.begin(), decisive, decisive + 1);
   const Palette& p = ui.Ink();
-  for (int i = 0; i < std::min(static_cast<int>(heeded.size()), most); ++i) {
-    const int sense = heeded[static_cast<std::size_t>(i)];
+  for (int i = 0; i < std::min(static_cast<int>(used.size()), most); ++i) {
+    const int sense = used[static_cast<std::size_t>(i)];
     const float y = row.Min.y + 0.5f * kSenseHeight;
     const Stimulus stimulus = StimulusOf(controller, moment.bones.rods, rule, sense);
     const SenseScale scale = ScaleOf(controller.senses, moment.bones, sense);

@@ -173,7 +173,7 @@ void DrawAlgorithms(Ui& ui, LabSettings& settings) {
 void DrawSettings(Ui& ui, LabSettings& settings) {
   DrawAlgorithms(ui, settings);
   ui.Gap(4.0f);
-  ui.Number("lab/trials", Tr("Trials of each"), settings.trials, kFewestLabTrials, kMostLabTrials);
+  ui.Number("lab/trials", Tr("Trials of each"), settings.trials, kMinLabTrials, kMaxLabTrials);
   ui.Gap(6.0f);
   double evaluations = settings.evaluations;
   if (ui.Slider("lab/evaluations", Tr("Evaluations of each"), evaluations,
@@ -182,9 +182,9 @@ void DrawSettings(Ui& ui, LabSettings& settings) {
     settings.evaluations = static_cast<int>(evaluations);
   }
   ui.Gap(6.0f);
-  constexpr int kMostSeed = 999'999'999;
-  int seed = static_cast<int>(std::min<std::uint32_t>(settings.first_seed, kMostSeed));
-  if (ui.Number("lab/first-seed", Tr("First seed"), seed, 0, kMostSeed))
+  constexpr int kMaxSeed = 999'999'999;
+  int seed = static_cast<int>(std::min<std::uint32_t>(settings.first_seed, kMaxSeed));
+  if (ui.Number("lab/first-seed", Tr("First seed"), seed, 0, kMaxSeed))
     settings.first_seed = static_cast<std::uint32_t>(seed);
 }
 

@@ -108,23 +108,23 @@ bool DrawKeepSwitch(Ui& ui, const std::string& id, const ImRect& rect, const std
   return star.pressed;
 }
 
-FoundWish DrawButtons(Ui& ui, const Session& session, const FoundMotions::Entry& entry, const ImRect& row,
-                      const std::string& scene) {
+CardAction DrawButtons(Ui& ui, const Session& session, const FoundMotions::Entry& entry, const ImRect& row,
+                       const std::string& scene) {
   const FoundMotion& found = entry.motion;
   const std::string id = "found/" + entry.id;
-  FoundWish wish = FoundWish::kNothing;
+  CardAction wish = CardAction::kNothing;
   ButtonRow buttons(ui, row);
   if (buttons.Put(id + "/insert", Icon::kPlus, Tr("Insert into the timeline at the moment shown: {1}", scene),
                   found.Moves()))
-    wish = FoundWish::kInsert;
-  if (DrawKeepSwitch(ui, id + "/keep", buttons.Next(), scene, found.kept)) wish = FoundWish::kKeep;
+    wish = CardAction::kInsert;
+  if (DrawKeepSwitch(ui, id + "/keep", buttons.Next(), scene, found.kept)) wish = CardAction::kKeep;
   if (session.Results().CanAskName() && buttons.Put(id + "/rename", Icon::kPencil, Tr("Name: {1}", scene)))
-    wish = FoundWish::kRename;
+    wish = CardAction::kRename;
   if (buttons.Put(id + "/again", Icon::kRestart,
                   Tr("Make again, with the same seed and settings: {1}", scene),
                   found.origin != Origin::kByHand))
-    wish = FoundWish::kAgain;
-  if (buttons.Put(id + "/delete", Icon::kClose, Tr("Delete: {1}", scene))) wish = FoundWish::kDelete;
+    wish = CardAction::kAgain;
+  if (buttons.Put(id + "/delete", Icon::kClose, Tr("Delete: {1}", scene))) wish = CardAction::kDelete;
   const ImRect rest = buttons.Rest();
   const std::string score = ScoreText(found);
   const bool bad = !found.Moves() || found.Score() <= kVoidScore;
@@ -155,8 +155,8 @@ std::string SceneText(const FoundMotion& found) {
   return CardName(found) + ", " + ControllerWords(control.kind, control.senses, control.rules);
 }
 
-FoundWish DrawFoundCard(Ui& ui, const Session& session, const FoundMotions::Entry& entry,
-                        MotionStrips& strips) {
+CardAction DrawFoundCard(Ui& ui, const Session& session, const FoundMotions::Entry& entry,
+                         MotionStrips& strips) {
   const FoundMotion& found = entry.motion;
   const float buttons = ui.Look().ControlHeight();
   const float words = kLine * (HasTerms(found) ? 3.0f : 2.0f) + 4.0f;
@@ -178,7 +178,7 @@ FoundWish DrawFoundCard(Ui& ui, const Session& session, const FoundMotions::Entr
       "found/" + entry.id, upper, Grab::kPress,
       {.label = Tr("Show {1}", scene), .role = "button", .value = spoken, .state = {.selected = shown}});
   if (found.Moves()) OfferFound(ui, entry.id, CardName(found));
-  FoundWish wish = touch.pressed ? FoundWish::kShow : FoundWish::kNothing;
+  CardAction wish = touch.pressed ? CardAction::kShow : CardAction::kNothing;
   if (seen) {
     const ImU32 fill =
         shown ? Mix(p.panel, p.accent, 0.10f) : Mix(p.panel, p.ink, touch.hovered ? 0.04f : 0.0f);
@@ -192,8 +192,8 @@ FoundWish DrawFoundCard(Ui& ui, const Session& session, const FoundMotions::Entr
     ui.DrawFocus(touch, upper);
   }
   const ImRect row({card.Min.x + 3.0f, upper.Max.y}, {card.Max.x, upper.Max.y + buttons});
-  const FoundWish below = DrawButtons(ui, session, entry, row, scene);
-  return below != FoundWish::kNothing ? below : wish;
+  const CardAction below = DrawButtons(ui, session, entry, row, scene);
+  return below != CardAction::kNothing ? below : wish;
 }
 
 }  // namespace gaitsmith::shell

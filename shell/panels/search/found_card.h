@@ -10,7 +10,7 @@
 
 namespace gaitsmith::shell {
 
-enum class FoundWish { kNothing, kShow, kInsert, kKeep, kRename, kAgain, kDelete };
+enum class CardAction { kNothing, kShow, kInsert, kKeep, kRename, kAgain, kDelete };
 
 /// The name given by a person, or else the title of its search.
 [[nodiscard]] std::string CardName(const FoundMotion&);
@@ -18,6 +18,6 @@ enum class FoundWish { kNothing, kShow, kInsert, kKeep, kRename, kAgain, kDelete
 [[nodiscard]] std::string SceneText(const FoundMotion&);
 
 /// Click the card to view the motion; drag it to the timeline to insert the motion there.
-FoundWish DrawFoundCard(Ui&, const Session&, const FoundMotions::Entry&, MotionStrips&);
+CardAction DrawFoundCard(Ui&, const Session&, const FoundMotions::Entry&, MotionStrips&);
 
 }  // namespace gaitsmith::shell

@@ -47,28 +47,28 @@ void DrawChoices(Ui& ui, FoundListState& state) {
   ui.Gap(8.0f);
 }
 
-void Do(Session& session, FoundWish wish, const std::string& id) {
+void Do(Session& session, CardAction wish, const std::string& id) {
   const FoundMotions::Entry* entry = session.Results().Motions().Find(id);
   if (entry == nullptr) return;
   switch (wish) {
-    case FoundWish::kNothing:
+    case CardAction::kNothing:
       return;
-    case FoundWish::kShow:
+    case CardAction::kShow:
       session.ShowFound(id);
       return;
-    case FoundWish::kInsert:
+    case CardAction::kInsert:
       session.Timeline().InsertFound(id);
       return;
-    case FoundWish::kKeep:
+    case CardAction::kKeep:
       session.Results().Motions().Keep(id, !entry->motion.kept);
       return;
-    case FoundWish::kRename:
+    case CardAction::kRename:
       session.Results().AskName(id);
       return;
-    case FoundWish::kAgain:
+    case CardAction::kAgain:
       session.Queue().Repeat(id);
       return;
-    case FoundWish::kDelete:
+    case CardAction::kDelete:
       session.Results().Motions().Remove(id);
       return;
   }
@@ -85,14 +85,14 @@ void DrawFound(Ui& ui, Session& session, FoundListState& state) {
   }
   DrawChoices(ui, state);
   // Applied after the loop, since it changes the list.
-  FoundWish wish = FoundWish::kNothing;
+  CardAction wish = CardAction::kNothing;
   std::string id;
   bool any = false;
   for (const FoundMotions::Entry* entry : session.Results().Motions().Sorted(state.order)) {
     if (!IsWanted(entry->motion, state.filter, session.Doc())) continue;
     any = true;
-    const FoundWish here = DrawFoundCard(ui, session, *entry, state.strips);
-    if (here == FoundWish::kNothing) continue;
+    const CardAction here = DrawFoundCard(ui, session, *entry, state.strips);
+    if (here == CardAction::kNothing) continue;
     wish = here;
     id = entry->id;
   }

@@ -12,9 +12,9 @@
 namespace gaitsmith::shell {
 namespace {
 
-enum class Wish { kNothing, kUp, kRemove };
+enum class QueueAction { kNothing, kUp, kRemove };
 
-Wish DrawEntry(Ui& ui, const SearchQueue::Entry& entry, std::size_t place) {
+QueueAction DrawEntry(Ui& ui, const SearchQueue::Entry& entry, std::size_t place) {
   const Document& d = entry.document;
   const std::string id = "queue/" + std::to_string(entry.number);
   const std::string title = SearchTitle(d);
@@ -41,10 +41,11 @@ Wish DrawEntry(Ui& ui, const SearchQueue::Entry& entry, std::size_t place) {
   const float top = row.GetCenter().y - 0.5f * size;
   const ImRect remove({row.Max.x - size, top}, {row.Max.x, top + size});
   const ImRect up({remove.Min.x - size, top}, {remove.Min.x, top + size});
-  Wish wish = Wish::kNothing;
+  QueueAction wish = QueueAction::kNothing;
   if (place > 0 && ui.IconButton(id + "/up", up, Icon::kChevronUp, Tr("Move up: {1}", title)))
-    wish = Wish::kUp;
-  if (ui.IconButton(id + "/remove", remove, Icon::kClose, Tr("Remove: {1}", title))) wish = Wish::kRemove;
+    wish = QueueAction::kUp;
+  if (ui.IconButton(id + "/remove", remove, Icon::kClose, Tr("Remove: {1}", title)))
+    wish = QueueAction::kRemove;
   return wish;
 }
 
@@ -56,7 +57,7 @@ void DrawQueue(Ui& ui, Session& session) {
   const bool busy = session.Search().Running() || session.Lab().Running();
   if (count == 0) {
     ui.Paragraph(Tr("Nothing waits. “Add to queue” puts the present search here, up to {1} of them.",
-                    std::to_string(SearchQueue::kMost)),
+                    std::to_string(SearchQueue::kMax)),
                  Type::kNote);
   } else if (busy) {
     ui.Paragraph(
@@ -70,12 +71,12 @@ void DrawQueue(Ui& ui, Session& session) {
   }
   ui.Gap(4.0f);
   // Applied after the loop, since it changes the list.
-  Wish wish = Wish::kNothing;
+  QueueAction wish = QueueAction::kNothing;
   int number = 0;
   for (std::size_t place = 0; place < queue.Waiting().size(); ++place) {
     const SearchQueue::Entry& entry = queue.Waiting()[place];
-    const Wish here = DrawEntry(ui, entry, place);
-    if (here == Wish::kNothing) continue;
+    const QueueAction here = DrawEntry(ui, entry, place);
+    if (here == QueueAction::kNothing) continue;
     wish = here;
     number = entry.number;
   }
@@ -90,8 +91,8 @@ void DrawQueue(Ui& ui, Session& session) {
                              : Tr("Bring back all {1}", Grouped(static_cast<long long>(queue.Removed())));
     if (ui.Button("queue/bring-back", ui.ControlRow(), words)) queue.BringBack();
   }
-  if (wish == Wish::kUp) queue.MoveUp(number);
-  if (wish == Wish::kRemove) queue.Remove(number);
+  if (wish == QueueAction::kUp) queue.MoveUp(number);
+  if (wish == QueueAction::kRemove) queue.Remove(number);
 }
 
 }  // namespace gaitsmith::shell

@@ -28,7 +28,7 @@ void DrawSuiteForm(Ui& ui, Session& session, SuiteChoice& choice) {
     ui.Switch("suite/style/" + std::to_string(i), Tr(kSuiteStyles[i].name), choice.styles[i]);
   ui.Gap(4.0f);
   const int searches = choice.Searches();
-  const auto room = static_cast<int>(SearchQueue::kMost - session.Queue().List().Waiting().size());
+  const auto room = static_cast<int>(SearchQueue::kMax - session.Queue().List().Waiting().size());
   const bool possible = searches > 0 && searches <= room;
   ui.Paragraph(searches == 0 ? Tr("Choose at least one of the senses, one goal and one style.")
                : searches > room

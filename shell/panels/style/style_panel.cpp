@@ -112,7 +112,7 @@ void DrawScore(Ui& ui, const Session& session) {
 }
 
 // Limit and step of a weight's slider, in usual weights.
-constexpr double kMostUnits = 3.0;
+constexpr double kMaxUnits = 3.0;
 constexpr double kUnitStep = 0.1;
 
 void DrawWeights(Ui& ui, Session& session) {
@@ -132,8 +132,8 @@ void DrawWeights(Ui& ui, Session& session) {
       text = AmountText(static_cast<float>(units), 1) + " · " + WeightText(task.weights[i]);
       if (*words.per != '\0') text += std::string(" ") + Tr(words.per);
     }
-    if (ui.Slider(words.id, Tr(words.label), units,
-                  {.low = -kMostUnits, .high = kMostUnits, .step = kUnitStep}, text)) {
+    if (ui.Slider(words.id, Tr(words.label), units, {.low = -kMaxUnits, .high = kMaxUnits, .step = kUnitStep},
+                  text)) {
       // Round to the slider's grid: keyboard steps would accumulate rounding errors.
       const auto chosen = static_cast<float>(std::round(units / kUnitStep) * kUnitStep * unit);
       session.Set([&](Document& d) { d.task.weights[i] = chosen; });

@@ -100,7 +100,7 @@ TEST_CASE("lab: refuses settings that an algorithm cannot use, and keeps the ear
   lab.settings.chosen.fill(false);
   CHECK_FALSE(lab.Begin(LabProblem()));
   lab.settings = TwoAlgorithms();
-  lab.settings.trials = kMostLabTrials + 1;
+  lab.settings.trials = kMaxLabTrials + 1;
   CHECK_FALSE(lab.Begin(LabProblem()));
   lab.settings.trials = 2;
   lab.settings.first_seed = 0xffffffffu;

@@ -35,7 +35,7 @@ constexpr std::array<std::string_view, 6> kOnADesk = {"figure", "controller", "s
 }  // namespace
 
 TEST_CASE("panels: existing numbers select the same panels as before", "[panels]") {
-  for (int number = 0; number <= kMostPanelNumber; ++number) {
+  for (int number = 0; number <= kMaxPanelNumber; ++number) {
     CAPTURE(number);
     const auto old = static_cast<std::size_t>(std::min(number, 5));
     CHECK(Shown(kPanels, true, number) == kOnAPhone[old]);
@@ -57,7 +57,7 @@ TEST_CASE("panels: adding a panel at any position does not renumber the others",
     more.insert(more.begin() + static_cast<std::ptrdiff_t>(place),
                 {static_cast<Panel>(6), "notes", "Notes", true, ""});
     CAPTURE(place);
-    CHECK(HasOwnNumbers(more));
+    CHECK(HaveOwnNumbers(more));
     for (int number = 0; number <= 5; ++number) {
       CHECK(Shown(more, true, number) == kOnAPhone[static_cast<std::size_t>(number)]);
       CHECK(Shown(more, false, number) == kOnADesk[static_cast<std::size_t>(number)]);
@@ -67,7 +67,7 @@ TEST_CASE("panels: adding a panel at any position does not renumber the others",
   }
   std::vector<PanelRow> twice(kPanels.begin(), kPanels.end());
   twice.push_back(twice.front());
-  CHECK_FALSE(HasOwnNumbers(twice));
+  CHECK_FALSE(HaveOwnNumbers(twice));
 }
 
 TEST_CASE("panels: links from before panels had stable numbers open the same panels", "[panels]") {

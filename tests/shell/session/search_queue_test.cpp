@@ -81,11 +81,11 @@ TEST_CASE("queue: order, move up, remove, clear and restore", "[shell][queue]") 
 
 TEST_CASE("queue: bounded, also for restored searches", "[shell][queue]") {
   SearchQueue queue;
-  for (std::size_t i = 0; i < SearchQueue::kMost; ++i) REQUIRE(queue.Add(Problem()));
+  for (std::size_t i = 0; i < SearchQueue::kMax; ++i) REQUIRE(queue.Add(Problem()));
   CHECK(queue.Full());
   CHECK_FALSE(queue.Add(Problem()));
   queue.Clear();
-  CHECK(queue.Removed() == SearchQueue::kMost);
+  CHECK(queue.Removed() == SearchQueue::kMax);
   REQUIRE(queue.Add(Problem(9)));
   queue.BringBack();  // no effect after Add
   CHECK(queue.Waiting().size() == 1);
@@ -296,11 +296,11 @@ TEST_CASE("spread curve: samples keep a distance, and the newest is always prese
     curve.Add(i, {2, value, value, value, value, value});
     REQUIRE(curve.Points().back().evaluation == i);
   }
-  CHECK(curve.Points().size() <= SpreadCurve::kMostPoints + 2);
-  CHECK(curve.Points().size() >= SpreadCurve::kMostPoints - 2);
+  CHECK(curve.Points().size() <= SpreadCurve::kMaxPoints + 2);
+  CHECK(curve.Points().size() >= SpreadCurve::kMaxPoints - 2);
   for (std::size_t i = 1; i + 1 < curve.Points().size(); ++i)
     CHECK(curve.Points()[i].evaluation - curve.Points()[i - 1].evaluation >=
-          10'000 / SpreadCurve::kMostPoints);
+          10'000 / SpreadCurve::kMaxPoints);
 }
 
 TEST_CASE("spread curve: after a return to a checkpoint, samples are replaced", "[shell][spread]") {

@@ -142,7 +142,7 @@ TEST_CASE("session: the ghost can be the motion before the search, as opened, or
   CHECK(session.Comparison().Other().ControllerIndex() == 0);
   CHECK(GhostHash(session) == session.Player().Shown().Hash());
   session.Comparison().Choose(Ghost::Kind::kController, 1);  // there is no such controller
-  CHECK(session.Comparison().Other().StandsFor() == Ghost::Kind::kNone);
+  CHECK(session.Comparison().Other().Source() == Ghost::Kind::kNone);
 }
 
 }  // namespace gaitsmith::shell::test

@@ -246,7 +246,7 @@ TEST_CASE("session: queueing five seeds twice adds ten different seeds", "[shell
   CHECK(session.Doc().search.seed == 3);
   while (session.Queue().AddSeeds(kQueuedSeeds) == kQueuedSeeds) {
   }
-  CHECK(session.Queue().List().Waiting().size() == SearchQueue::kMost);
+  CHECK(session.Queue().List().Waiting().size() == SearchQueue::kMax);
   CHECK(session.Notice().find("50") != std::string::npos);
 }
 

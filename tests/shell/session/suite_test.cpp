@@ -53,7 +53,7 @@ TEST_CASE("suite: starts the queue, and reports how many searches do not fit", "
   CHECK(host.started.size() == 1);
   CHECK(session.Queue().List().Waiting().size() == 29);
   session.Queue().AddSuite(kAll);
-  CHECK(session.Queue().List().Waiting().size() == SearchQueue::kMost);
+  CHECK(session.Queue().List().Waiting().size() == SearchQueue::kMax);
   CHECK(host.status == "The queue had room for 21 of the suite's 30 searches.");
   CHECK(State(session) == before);
 }

@@ -15,7 +15,7 @@ namespace gaitsmith::shell::test {
 namespace {
 
 // Records the calls of followers and host in one list.
-class NotingHost final : public Host {
+class RecordingHost final : public Host {
  public:
   [[nodiscard]] int MaxWorkers() const override { return 1; }
   void StartSearch(const Document&, int) override {}
@@ -35,7 +35,7 @@ class NotingHost final : public Host {
 
 using Calls = std::vector<std::string>;
 
-Workspace::Followers Noting(NotingHost& host) {
+Workspace::Followers Noting(RecordingHost& host) {
   return {.motion = [&host](bool opened) { host.calls.emplace_back(opened ? "opened" : "motion"); },
           .settings = [&host] { host.calls.emplace_back("settings"); }};
 }
@@ -44,7 +44,7 @@ Workspace::Followers Noting(NotingHost& host) {
 
 TEST_CASE("workspace: followers are called before the host, and only for relevant changes",
           "[shell][session]") {
-  NotingHost host;
+  RecordingHost host;
   Workspace workspace(host);
   workspace.SetFollowers(Noting(host));
   workspace.Show(ShippedDocuments().FirstMotion(), true);
@@ -73,7 +73,7 @@ TEST_CASE("workspace: followers are called before the host, and only for relevan
 }
 
 TEST_CASE("workspace: changes on one occasion are one step", "[shell][session]") {
-  NotingHost host;
+  RecordingHost host;
   Workspace workspace(host);
   workspace.SetFollowers(Noting(host));
   workspace.Show(ShippedDocuments().FirstMotion(), true);

@@ -23,7 +23,7 @@ double PairsWon(const Sample& first, const Sample& second) {
 }
 
 /// U of every split of the pooled values. Under the null hypothesis all are equally likely.
-Sample AllDeals(const Sample& first, const Sample& second) {
+Sample AllSplits(const Sample& first, const Sample& second) {
   Sample all = first, deals;
   all.insert(all.end(), second.begin(), second.end());
   for (unsigned deal = 0; deal < 1u << all.size(); ++deal) {
@@ -72,7 +72,7 @@ TEST_CASE("rank test: U, moments and p agree with the permutation distribution",
   const auto pairs = static_cast<double>(first.size() * second.size());
   CHECK(found.a12 == found.u / pairs);
 
-  const Sample deals = AllDeals(first, second);
+  const Sample deals = AllSplits(first, second);
   REQUIRE(Mean(deals) == Catch::Approx(pairs / 2.0));
   const double z = std::max(0.0, std::abs(found.u - pairs / 2.0) - 0.5) / std::sqrt(Variance(deals));
   CHECK(found.p == Catch::Approx(std::erfc(z / std::sqrt(2.0))).epsilon(1e-9));
@@ -87,7 +87,7 @@ TEST_CASE("rank test: published values of the first table", "[rank_test]") {
   CHECK(CompareRanks(low, high).u == 0.0);
   CHECK(CompareRanks(high, low).u == 16.0);
   CHECK(CompareRanks(low, high).a12 == 0.0);
-  CHECK(ExactP(AllDeals(low, high), 0.0) == Catch::Approx(2.0 / 70.0));
+  CHECK(ExactP(AllSplits(low, high), 0.0) == Catch::Approx(2.0 / 70.0));
   // Two-sided at 5 %, n = m = 8: 13 is significant and 14 is not, both exactly and by the approximation.
   const Sample first = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 12.5, 13.5};
   for (const double moved : {0.0, 1.0}) {
@@ -95,7 +95,7 @@ TEST_CASE("rank test: published values of the first table", "[rank_test]") {
     if (moved > 0.0) second[6] = 12.25;
     const double u = CompareRanks(first, second).u;
     REQUIRE(u == 13.0 + moved);
-    const double exact = ExactP(AllDeals(first, second), u);
+    const double exact = ExactP(AllSplits(first, second), u);
     CHECK((exact < 0.05) == (moved == 0.0));
     CHECK((CompareRanks(first, second).p < 0.055) == (moved == 0.0));
   }

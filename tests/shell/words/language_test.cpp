@@ -27,11 +27,11 @@ constexpr const char* kSmall = R"({
   "titles": {"My figure": "Meine Figur", "seed {1}": "Startwert {1}"}})";
 
 // Restores English at the end of a test.
-struct Speaking {
-  explicit Speaking(std::string_view table) { REQUIRE(SpeakLanguage(table)); }
-  ~Speaking() { CHECK(SpeakLanguage("")); }
-  Speaking(const Speaking&) = delete;
-  Speaking& operator=(const Speaking&) = delete;
+struct ScopedLanguage {
+  explicit ScopedLanguage(std::string_view table) { REQUIRE(SetLanguage(table)); }
+  ~ScopedLanguage() { CHECK(SetLanguage("")); }
+  ScopedLanguage(const ScopedLanguage&) = delete;
+  ScopedLanguage& operator=(const ScopedLanguage&) = delete;
 };
 
 std::string German() {
@@ -40,7 +40,9 @@ std::string German() {
 }
 
 /// An error in English and in the present language.
-std::pair<std::string, std::string> Told(const Error& error) { return {error.Sentence(), TrError(error)}; }
+std::pair<std::string, std::string> Sentences(const Error& error) {
+  return {error.Sentence(), TrError(error)};
+}
 
 TEST_CASE("language: English texts are those in the source", "[shell][language]") {
   CHECK(std::string(Tr("Undo")) == "Undo");
@@ -55,7 +57,7 @@ TEST_CASE("language: English texts are those in the source", "[shell][language]"
 }
 
 TEST_CASE("language: a table replaces words, sentences, titles and marks", "[shell][language]") {
-  const Speaking table(kSmall);
+  const ScopedLanguage table(kSmall);
   CHECK(std::string(Tr("Undo")) == "Zurück");
   CHECK(std::string(Tr("Redo")) == "Redo");
   CHECK(Tr("{1} of {2}", 3, 7) == "von 7 sind 3");
@@ -72,13 +74,13 @@ TEST_CASE("language: a table replaces words, sentences, titles and marks", "[she
   CHECK(Fixed(-0.001, 2) == "0,00");
   CHECK(PlainFixed(1234.5, 1) == "1234.5");
   CHECK(Grouped(-1234567) == "-1.234.567");
-  REQUIRE(SpeakLanguage(""));
+  REQUIRE(SetLanguage(""));
   CHECK(std::string(Tr("Undo")) == "Undo");
   CHECK(Fixed(0.5, 1) == "0.5");
 }
 
 TEST_CASE("language: a wrong table changes nothing", "[shell][language]") {
-  const Speaking table(kSmall);
+  const ScopedLanguage table(kSmall);
   for (const char* wrong :
        {"{", "[]", "{}", "3", R"({"decimal_mark": ",", "group_mark": "."})",
         R"({"decimal_mark": 1, "group_mark": ".", "words": {}})",
@@ -86,14 +88,14 @@ TEST_CASE("language: a wrong table changes nothing", "[shell][language]") {
         R"({"decimal_mark": ",", "group_mark": ".", "words": {"Undo": 1}})",
         R"({"decimal_mark": ";", "group_mark": ".", "words": {}, "errors": {"a": []}})"}) {
     CAPTURE(wrong);
-    CHECK_FALSE(SpeakLanguage(wrong));
+    CHECK_FALSE(SetLanguage(wrong));
     CHECK(std::string(Tr("Undo")) == "Zurück");
     CHECK(DecimalMark() == ",");
   }
 }
 
 TEST_CASE("language: errors of documents are translated to German", "[shell][language]") {
-  const Speaking german(German());
+  const ScopedLanguage german(German());
   const std::string rod = R"({"figure": {"rods": [{}, {"parent": 0}]}, )";
   const std::vector<std::string> texts = {
       "{",
@@ -156,7 +158,7 @@ TEST_CASE("language: errors of documents are translated to German", "[shell][lan
 }
 
 TEST_CASE("language: errors of links are translated to German", "[shell][language]") {
-  const Speaking german(German());
+  const ScopedLanguage german(German());
   Document document;
   document.figure = gaitsmith::test::ShippedFigure("mr-star-man");
   const std::string link = EncodeLink(document);
@@ -168,7 +170,7 @@ TEST_CASE("language: errors of links are translated to German", "[shell][languag
     CAPTURE(wrong);
     const auto opened = DecodeLink(wrong);
     REQUIRE_FALSE(opened);
-    const auto [english, told] = Told(opened.error());
+    const auto [english, told] = Sentences(opened.error());
     CAPTURE(english);
     CHECK(told != english);
     CHECK(told.starts_with("Link: "));
@@ -177,7 +179,7 @@ TEST_CASE("language: errors of links are translated to German", "[shell][languag
 }
 
 TEST_CASE("language: every wrong kind of value is named in German", "[shell][language]") {
-  const Speaking german(German());
+  const ScopedLanguage german(German());
   for (const char* wanted : {R"("title")", R"("rules")", R"("figure")", R"("pushes")"}) {
     for (const char* given : {"null", "true", "2", "\"a\"", "[]", "{}"}) {
       const auto document = DecodeJson(std::string("{") + wanted + ": " + given + "}");
