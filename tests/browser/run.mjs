@@ -8,7 +8,7 @@ import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { PageDriver } from './page_driver.mjs';
 import { ROOT, serve, startChromium, startFirefox, stopAll } from './browsers.mjs';
-import { MAIN_SCENARIOS, SCENARIOS } from './scenarios.mjs';
+import { MAIN_SCENARIOS, SCENARIOS } from './scenarios/all.mjs';
 import { takePictures } from './pictures.mjs';
 import { nativeHash } from './native.mjs';
 
@@ -76,7 +76,7 @@ async function drive(name, start) {
     return null;
   }
   console.log(`${name}: ${await browser.version()}`);
-  const visit = /** @type {import('./scenarios.mjs').Visit} */ ({ name, browser, site, address, found: {}, link: '', figures: {} });
+  const visit = /** @type {import('./scenarios/all.mjs').Visit} */ ({ name, browser, site, address, found: {}, link: '', figures: {} });
   for (const [claim, body] of scenarios.filter(([text, , only = name]) => text.includes(wanted) && only === name)) await check(`${name}: ${claim}`, () => body(visit));
   await check(`${name}: golden motions and links have their pinned hashes`, async () => {
     const page = await PageDriver.open(browser, address);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The rules of a controller, read and changed by hand, and the gallery of figures. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
-import { Mouse } from './pointers.mjs';
-import { PageDriver } from './page_driver.mjs';
+import { Mouse } from '../pointers.mjs';
+import { PageDriver } from '../page_driver.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('./all.mjs').Visit} Visit */
 
 /** @param {PageDriver} page @param {string} id */
 async function widget(page, id) {
@@ -48,7 +48,7 @@ async function byMouse({ browser, address }) {
 
   // A whole drag is one step of Undo.
   const pointer = new Mouse(page);
-  const right = (/** @type {import('./pointers.mjs').Point} */ { x, y }, /** @type {number} */ by) => pointer.drag({ x, y }, { x: x + by, y });
+  const right = (/** @type {import('../pointers.mjs').Point} */ { x, y }, /** @type {number} */ by) => pointer.drag({ x, y }, { x: x + by, y });
   await pointer.scrollTo('rule-edit/tau', 24);
   const low = (await page.widgets()).find(({ id }) => /^rule-edit\/sense\/\d+\/low$/.test(id));
   assert.ok(low, 'an active rule has an interval');

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A finger on a slider sets a value or scrolls, depending on its direction. Each scenario opens its own page.
 import assert from 'node:assert/strict';
-import { Fingers } from './pointers.mjs';
-import { PageDriver } from './page_driver.mjs';
+import { Fingers } from '../pointers.mjs';
+import { PageDriver } from '../page_driver.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('./all.mjs').Visit} Visit */
 
 /** @param {Visit} visit */
 async function setsOrScrolls({ browser, address }) {

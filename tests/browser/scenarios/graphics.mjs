@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The use of WebGL by the page.
 import assert from 'node:assert/strict';
-import { PageDriver } from './page_driver.mjs';
+import { PageDriver } from '../page_driver.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('./all.mjs').Visit} Visit */
 
 /** Runs in the page before its scripts: counts created and deleted WebGL objects. */
 function counted() {

@@ -7,13 +7,13 @@ import { execFile } from 'node:child_process';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
-import { ROOT } from './browsers.mjs';
-import { countWorkers, liveWorkers, openFaulty } from './faulty_site.mjs';
-import { stateOf } from './history_scenarios.mjs';
-import { PageDriver, sleep } from './page_driver.mjs';
-import { PlainServer } from './plain_server.mjs';
+import { ROOT } from '../browsers.mjs';
+import { countWorkers, liveWorkers, openFaulty } from '../faulty_site.mjs';
+import { stateOf } from './history.mjs';
+import { PageDriver, sleep } from '../page_driver.mjs';
+import { PlainServer } from '../plain_server.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('./all.mjs').Visit} Visit */
 
 const SITE = process.argv[2] ?? join(ROOT, 'build/site');
 const SEARCH = { seed: 9, evaluations: 8000, sense: 'physical', workers: 2 };
@@ -270,7 +270,7 @@ async function newVersion(visit) {
   });
 }
 
-/** @type {typeof import('./scenarios.mjs').SCENARIOS} */
+/** @type {typeof import('./all.mjs').SCENARIOS} */
 export const OUTAGE_SCENARIOS = [
   ['graphics lost in the middle of a search: it ends right, and a reload has what it found', graphicsLost],
   ['clocks that jump by hours change nothing in a search, running or paused', clocks],

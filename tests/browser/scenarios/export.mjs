@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The export dialog: by mouse and by keyboard, every format, and cancelling a video. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
-import { PageDriver } from './page_driver.mjs';
+import { PageDriver } from '../page_driver.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('./all.mjs').Visit} Visit */
 
 /** Runs in the page before its scripts: records the offered files, so that the browser does not save them. */
 function recordFiles() {

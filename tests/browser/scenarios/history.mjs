@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Undo, Redo, New, and files dropped on the page. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
-import { PageDriver } from './page_driver.mjs';
+import { PageDriver } from '../page_driver.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('./all.mjs').Visit} Visit */
 
 /** The state that Undo must restore: the motion and the document without its view. @param {PageDriver} page @returns {Promise<string>} */
 export function stateOf(page) {

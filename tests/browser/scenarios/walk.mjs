@@ -2,11 +2,11 @@
 // A newcomer's whole visit: draws a figure from one rod, finds a motion for it, pushes it, changes a rule, undoes and
 // redoes everything. By mouse on a desktop, by fingers on a phone.
 import assert from 'node:assert/strict';
-import { Fingers, Mouse } from './pointers.mjs';
-import { PageDriver } from './page_driver.mjs';
+import { Fingers, Mouse } from '../pointers.mjs';
+import { PageDriver } from '../page_driver.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
-/** @typedef {import('./pointers.mjs').Point} Point */
+/** @typedef {import('./all.mjs').Visit} Visit */
+/** @typedef {import('../pointers.mjs').Point} Point */
 /** @typedef {{length_m: number, parent?: number, parent_end?: string, rest_rad?: number}} DrawnRod */
 
 /**

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Changes of a figure's world, by number and by hand. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
-import { PageDriver } from './page_driver.mjs';
+import { PageDriver } from '../page_driver.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('./all.mjs').Visit} Visit */
 
 /** @param {PageDriver} page */
 const pushes = (page) => page.call('pushes', () => window.gaitsmith.document().pushes ?? []);

@@ -5,10 +5,10 @@ import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { ROOT } from './browsers.mjs';
-import { PageDriver } from './page_driver.mjs';
+import { ROOT } from '../browsers.mjs';
+import { PageDriver } from '../page_driver.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('./all.mjs').Visit} Visit */
 /** @type {(data: Uint8ClampedArray, width: number, height: number) => {data: string} | null} */
 const jsQR = createRequire(join(ROOT, 'web/package.json'))('jsqr');
 
@@ -205,13 +205,13 @@ async function goalsOfLessons({ browser, address }) {
   }
   assert.ok(goals >= 7);
   const measured = await page.page.evaluate(() => window.gaitsmith.measures());
-  /** @type {typeof import('../../web/catalogue/catalogue.js')} */
+  /** @type {typeof import('../../../web/catalogue/catalogue.js')} */
   const { terms } = await page.page.evaluate(async (path) => ({ ...await import(path) }), new URL('catalogue/catalogue.js', address).href);
   for (const term of ['distance', 'travel', ...terms.map(({ name }) => name)]) assert.ok(term in measured, term);
   await page.close();
 }
 
-/** @type {typeof import('./scenarios.mjs').SCENARIOS} */
+/** @type {typeof import('./all.mjs').SCENARIOS} */
 export const SHARE_SCENARIOS = [
   ['Share has the link, a code that a camera reads, and lines that put it into another page', shareDialog],
   ['links that are damaged, cut, newer, too long or none say so and what to do', linksThatCannotBeOpened],

@@ -7,11 +7,11 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { execFile } from 'node:child_process';
 import { promisify } from 'node:util';
-import { ROOT } from './browsers.mjs';
-import { PageDriver } from './page_driver.mjs';
-import { PlainServer } from './plain_server.mjs';
+import { ROOT } from '../browsers.mjs';
+import { PageDriver } from '../page_driver.mjs';
+import { PlainServer } from '../plain_server.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('./all.mjs').Visit} Visit */
 
 const run = promisify(execFile);
 
@@ -336,7 +336,7 @@ async function packagedEngine(visit) {
   }
 }
 
-/** @type {typeof import('./scenarios.mjs').SCENARIOS} */
+/** @type {typeof import('./all.mjs').SCENARIOS} */
 export const OFFLINE_SCENARIOS = [
   ['on a plain host under a path it works, and goes on without a network', subPathAndOffline],
   ['a host that sends pages on to prettier addresses is as good', prettyHost],

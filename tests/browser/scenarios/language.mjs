@@ -3,12 +3,12 @@
 import assert from 'node:assert/strict';
 import { mkdir } from 'node:fs/promises';
 import { join } from 'node:path';
-import { ROOT } from './browsers.mjs';
-import { PageDriver } from './page_driver.mjs';
-import { DATA, speakPseudo, untranslated, wordsOn } from './pseudo_language.mjs';
-import { stateOf } from './history_scenarios.mjs';
+import { ROOT } from '../browsers.mjs';
+import { PageDriver } from '../page_driver.mjs';
+import { DATA, speakPseudo, untranslated, wordsOn } from '../pseudo_language.mjs';
+import { stateOf } from './history.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('./all.mjs').Visit} Visit */
 
 /** @param {PageDriver} page */
 const shownLanguage = (page) => page.call('language', () => {

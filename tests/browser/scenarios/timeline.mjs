@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Motions chained by hand: by mouse, and only by keyboard and assistive tools. Each scenario opens its own page.
 import assert from 'node:assert/strict';
-import { activate, setValue, settle } from './assistive.mjs';
-import { Mouse } from './pointers.mjs';
-import { nativeHash } from './native.mjs';
-import { PageDriver } from './page_driver.mjs';
-import { stateOf } from './history_scenarios.mjs';
+import { activate, setValue, settle } from '../assistive.mjs';
+import { Mouse } from '../pointers.mjs';
+import { nativeHash } from '../native.mjs';
+import { PageDriver } from '../page_driver.mjs';
+import { stateOf } from './history.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('./all.mjs').Visit} Visit */
 
 /** The starts of the clips, in steps, and the end. @param {PageDriver} page @returns {Promise<number[]>} */
 const borders = (page) => page.call('borders', () => {

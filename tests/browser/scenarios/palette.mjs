@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Keys, the list of keys, the palette, and the header on narrow screens. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
-import { Mouse } from './pointers.mjs';
-import { PageDriver } from './page_driver.mjs';
+import { Mouse } from '../pointers.mjs';
+import { PageDriver } from '../page_driver.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('./all.mjs').Visit} Visit */
 
 /** The palette as assistive tools see it. @param {PageDriver} page */
 const palette = (page) => page.call('palette', () => {

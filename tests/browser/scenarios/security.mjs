@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Texts from strangers never become markup or scripts, and malicious documents are refused like other invalid ones.
 import assert from 'node:assert/strict';
-import { PageDriver } from './page_driver.mjs';
+import { PageDriver } from '../page_driver.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('./all.mjs').Visit} Visit */
 
 const EVIL = '<img src=x onerror="window.testOwned=1">{1}</title>';
 
@@ -106,7 +106,7 @@ async function onlyOwnScripts({ browser, address }) {
   await page.close();
 }
 
-/** @type {typeof import('./scenarios.mjs').SCENARIOS} */
+/** @type {typeof import('./all.mjs').SCENARIOS} */
 export const SECURITY_SCENARIOS = [
   ['texts of strangers never become markup', hostileTexts],
   ['documents that mean harm are refused, and change nothing', hostileDocuments],

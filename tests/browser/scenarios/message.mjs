@@ -2,11 +2,11 @@
 // Lost and repeated messages between page, coordinator and evaluators, each kind in each direction. The page's client
 // runs many searches at a time, each with one such fault.
 import assert from 'node:assert/strict';
-import { faultySite } from './faulty_site.mjs';
-import { PageDriver } from './page_driver.mjs';
+import { faultySite } from '../faulty_site.mjs';
+import { PageDriver } from '../page_driver.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
-/** @typedef {import('./worker_faults.mjs').Fault} Fault */
+/** @typedef {import('./all.mjs').Visit} Visit */
+/** @typedef {import('../worker_faults.mjs').Fault} Fault */
 /** how: an action during the search; end: its end, if not the usual one. @typedef {{faults: Fault[], how?: string, end?: string}} Case */
 
 const AT_A_TIME = 12;
@@ -150,7 +150,7 @@ async function eachMessage({ browser, name, figures }) {
   await page.close();
 }
 
-/** @type {typeof import('./scenarios.mjs').SCENARIOS} */
+/** @type {typeof import('./all.mjs').SCENARIOS} */
 export const MESSAGE_SCENARIOS = [
   ['a message that is lost or comes twice, of any kind, costs a search some time and nothing else', eachMessage],
 ];

@@ -4,13 +4,13 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { activate, setValue } from './assistive.mjs';
-import { ROOT } from './browsers.mjs';
-import { Mouse } from './pointers.mjs';
-import { PageDriver } from './page_driver.mjs';
+import { activate, setValue } from '../assistive.mjs';
+import { ROOT } from '../browsers.mjs';
+import { Mouse } from '../pointers.mjs';
+import { PageDriver } from '../page_driver.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
-/** @typedef {import('../../web/app/app.js').FoundMotion} FoundMotion */
+/** @typedef {import('./all.mjs').Visit} Visit */
+/** @typedef {import('../../../web/app/app.js').FoundMotion} FoundMotion */
 
 /** @param {PageDriver} page @returns {Promise<FoundMotion[]>} */
 const results = (page) => page.call('results', () => window.gaitsmith.results());

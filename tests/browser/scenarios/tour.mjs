@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The tour of the playground on a first visit. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
-import { PageDriver } from './page_driver.mjs';
+import { PageDriver } from '../page_driver.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('./all.mjs').Visit} Visit */
 
 /** @param {PageDriver} page */
 const tourState = (page) => page.call('tour', () => {

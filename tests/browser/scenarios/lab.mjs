@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The lab, used by a person and by a script. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
-import { PageDriver } from './page_driver.mjs';
-import { nativeCurves } from './native.mjs';
+import { PageDriver } from '../page_driver.mjs';
+import { nativeCurves } from '../native.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('./all.mjs').Visit} Visit */
 
 /** @param {Visit} visit */
 async function byClicks({ browser, address, figures }) {

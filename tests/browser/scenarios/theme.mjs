@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Themes: colours, and that enlarged widgets are clicked where they are drawn. Each scenario opens its own page.
 import assert from 'node:assert/strict';
-import { PageDriver } from './page_driver.mjs';
+import { PageDriver } from '../page_driver.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('./all.mjs').Visit} Visit */
 
 /** @type {Record<string, {palette: string, scale: string}>} */
 const LOOKS = {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The queue of searches, their results, and what survives a reload. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
-import { PageDriver, sleep } from './page_driver.mjs';
-import { stateOf } from './history_scenarios.mjs';
-import { nativeHash } from './native.mjs';
+import { PageDriver, sleep } from '../page_driver.mjs';
+import { stateOf } from './history.mjs';
+import { nativeHash } from '../native.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
-/** @typedef {import('../../web/app/app.js').FoundMotion} FoundMotion */
+/** @typedef {import('./all.mjs').Visit} Visit */
+/** @typedef {import('../../../web/app/app.js').FoundMotion} FoundMotion */
 
 const EVALUATIONS = 800;
 
@@ -19,7 +19,7 @@ const untilResults = (page, count) => page.until(`${count} results`, `window.gai
 
 /**
  * Opens a page with the Search panel, with folded settings so that queue and results are visible.
- * @param {import('./browsers.mjs').Browser} browser @param {string} address @param {Parameters<typeof PageDriver.open>[2]} [options]
+ * @param {import('../browsers.mjs').Browser} browser @param {string} address @param {Parameters<typeof PageDriver.open>[2]} [options]
  */
 async function openPanel(browser, address, options) {
   const page = await PageDriver.open(browser, address, options);

@@ -2,10 +2,10 @@
 // Typing the numbers of sliders, after a click or Enter. Numbers out of range become the nearest valid one. Invalid or
 // cancelled input changes nothing.
 import assert from 'node:assert/strict';
-import { setValue, settle } from './assistive.mjs';
-import { PageDriver } from './page_driver.mjs';
+import { setValue, settle } from '../assistive.mjs';
+import { PageDriver } from '../page_driver.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('./all.mjs').Visit} Visit */
 
 const SLIDER = 'style/duration';
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The drawing board: a rod made longer, a limb copied and deleted, a figure mirrored. Each scenario opens its own page.
 import assert from 'node:assert/strict';
-import { Mouse } from './pointers.mjs';
-import { PageDriver } from './page_driver.mjs';
+import { Mouse } from '../pointers.mjs';
+import { PageDriver } from '../page_driver.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('./all.mjs').Visit} Visit */
 
 /** Opens a page with the board. @param {Visit} visit */
 async function drawing({ browser, address }) {

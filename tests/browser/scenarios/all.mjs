@@ -4,39 +4,39 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { ROOT } from './browsers.mjs';
-import { PageDriver, sleep } from './page_driver.mjs';
-import { AXE_SCENARIOS } from './axe_scenarios.mjs';
-import { EXPORT_SCENARIOS } from './export_scenarios.mjs';
-import { FAULT_SCENARIOS } from './fault_scenarios.mjs';
-import { FIGURE_SCENARIOS } from './figure_scenarios.mjs';
-import { FINGER_SCENARIOS } from './finger_scenarios.mjs';
-import { GRAPHICS_SCENARIOS } from './graphics_scenarios.mjs';
-import { HISTORY_SCENARIOS } from './history_scenarios.mjs';
-import { KEPT_WORK_SCENARIOS } from './kept_work_scenarios.mjs';
-import { LAB_SCENARIOS } from './lab_scenarios.mjs';
-import { LANGUAGE_SCENARIOS } from './language_scenarios.mjs';
-import { LOOP_SCENARIOS } from './loop_scenarios.mjs';
-import { MESSAGE_SCENARIOS } from './message_scenarios.mjs';
-import { MIRROR_SCENARIOS } from './mirror_scenarios.mjs';
-import { OFFLINE_SCENARIOS } from './offline_scenarios.mjs';
-import { OUTAGE_SCENARIOS } from './outage_scenarios.mjs';
-import { PALETTE_SCENARIOS } from './palette_scenarios.mjs';
-import { QUEUE_SCENARIOS } from './queue_scenarios.mjs';
-import { SECURITY_SCENARIOS } from './security_scenarios.mjs';
-import { SHARE_SCENARIOS } from './share_scenarios.mjs';
-import { SUITE_SCENARIOS } from './suite_scenarios.mjs';
-import { TIMELINE_SCENARIOS } from './timeline_scenarios.mjs';
-import { WORLD_SCENARIOS } from './world_scenarios.mjs';
-import { RULE_SCENARIOS } from './rule_scenarios.mjs';
-import { THEME_SCENARIOS } from './theme_scenarios.mjs';
-import { TOUR_SCENARIOS } from './tour_scenarios.mjs';
-import { TYPING_SCENARIOS } from './typing_scenarios.mjs';
-import { WALK_SCENARIOS } from './walk_scenarios.mjs';
-import { bytesUntilFirstMotion } from '../bench/page_weight.mjs';
-import { nativeHash } from './native.mjs';
+import { ROOT } from '../browsers.mjs';
+import { PageDriver, sleep } from '../page_driver.mjs';
+import { AXE_SCENARIOS } from './axe.mjs';
+import { EXPORT_SCENARIOS } from './export.mjs';
+import { FAULT_SCENARIOS } from './fault.mjs';
+import { FIGURE_SCENARIOS } from './figure.mjs';
+import { FINGER_SCENARIOS } from './finger.mjs';
+import { GRAPHICS_SCENARIOS } from './graphics.mjs';
+import { HISTORY_SCENARIOS } from './history.mjs';
+import { KEPT_WORK_SCENARIOS } from './kept_work.mjs';
+import { LAB_SCENARIOS } from './lab.mjs';
+import { LANGUAGE_SCENARIOS } from './language.mjs';
+import { LOOP_SCENARIOS } from './loop.mjs';
+import { MESSAGE_SCENARIOS } from './message.mjs';
+import { MIRROR_SCENARIOS } from './mirror.mjs';
+import { OFFLINE_SCENARIOS } from './offline.mjs';
+import { OUTAGE_SCENARIOS } from './outage.mjs';
+import { PALETTE_SCENARIOS } from './palette.mjs';
+import { QUEUE_SCENARIOS } from './queue.mjs';
+import { SECURITY_SCENARIOS } from './security.mjs';
+import { SHARE_SCENARIOS } from './share.mjs';
+import { SUITE_SCENARIOS } from './suite.mjs';
+import { TIMELINE_SCENARIOS } from './timeline.mjs';
+import { WORLD_SCENARIOS } from './world.mjs';
+import { RULE_SCENARIOS } from './rule.mjs';
+import { THEME_SCENARIOS } from './theme.mjs';
+import { TOUR_SCENARIOS } from './tour.mjs';
+import { TYPING_SCENARIOS } from './typing.mjs';
+import { WALK_SCENARIOS } from './walk.mjs';
+import { bytesUntilFirstMotion } from '../../bench/page_weight.mjs';
+import { nativeHash } from '../native.mjs';
 
-/** @typedef {import('./browsers.mjs').Browser} Browser */
+/** @typedef {import('../browsers.mjs').Browser} Browser */
 /**
  * @typedef {object} Visit  shared by the scenarios of a browser
  * @property {string} name

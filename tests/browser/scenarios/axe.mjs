@@ -4,10 +4,10 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { ROOT } from './browsers.mjs';
-import { PageDriver } from './page_driver.mjs';
+import { ROOT } from '../browsers.mjs';
+import { PageDriver } from '../page_driver.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('./all.mjs').Visit} Visit */
 
 const axe = () => readFile(join(ROOT, 'web/node_modules/axe-core/axe.min.js'), 'utf8');
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Work that the browser stores between visits and tabs. Each scenario opens its own profiles.
 import assert from 'node:assert/strict';
-import { stateOf } from './history_scenarios.mjs';
-import { PageDriver, sleep } from './page_driver.mjs';
+import { stateOf } from './history.mjs';
+import { PageDriver, sleep } from '../page_driver.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('./all.mjs').Visit} Visit */
 
 /** Changes the document. @param {PageDriver} page @param {string} title */
 const work = (page, title) => page.page.evaluate((name) => {

@@ -2,11 +2,11 @@
 // The mirror of the canvas: it is complete, the Tab key has a consistent order, and announcements are right. Each
 // scenario opens its own pages.
 import assert from 'node:assert/strict';
-import { activate, active, scrubbed, settle } from './assistive.mjs';
-import { PageDriver, sleep } from './page_driver.mjs';
+import { activate, active, scrubbed, settle } from '../assistive.mjs';
+import { PageDriver, sleep } from '../page_driver.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
-/** @typedef {import('../../web/app/app.js').Widget} Widget */
+/** @typedef {import('./all.mjs').Visit} Visit */
+/** @typedef {import('../../../web/app/app.js').Widget} Widget */
 
 /** The widget with a focus ring on the canvas. @param {PageDriver} page @returns {Promise<string | undefined>} */
 const focusedWidget = async (page) => (await page.widgets()).find(({ state }) => state.focused)?.id;

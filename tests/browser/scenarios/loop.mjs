@@ -2,10 +2,10 @@
 // The whole loop - a figure, senses, a search, watching, editing, a push, and back - without pointing: by roles and
 // names, and only with the keyboard. Each scenario opens its own page.
 import assert from 'node:assert/strict';
-import { activate, active, byRole, scrubbed, setValue, settle } from './assistive.mjs';
-import { PageDriver } from './page_driver.mjs';
+import { activate, active, byRole, scrubbed, setValue, settle } from '../assistive.mjs';
+import { PageDriver } from '../page_driver.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
+/** @typedef {import('./all.mjs').Visit} Visit */
 
 /** The parts of the document that the scenarios check. @param {PageDriver} page */
 const documentOf = (page) => page.call('document', () => {

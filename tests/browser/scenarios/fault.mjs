@@ -2,11 +2,11 @@
 // Workers, and a page, that die, hang, trap or run out of memory. A search ends correctly or the page reports why, the
 // best motion is kept, and the document does not change.
 import assert from 'node:assert/strict';
-import { countWorkers, expectFaults, liveWorkers, openFaulty } from './faulty_site.mjs';
-import { PageDriver } from './page_driver.mjs';
+import { countWorkers, expectFaults, liveWorkers, openFaulty } from '../faulty_site.mjs';
+import { PageDriver } from '../page_driver.mjs';
 
-/** @typedef {import('./scenarios.mjs').Visit} Visit */
-/** @typedef {import('./worker_faults.mjs').Fault} Fault */
+/** @typedef {import('./all.mjs').Visit} Visit */
+/** @typedef {import('../worker_faults.mjs').Fault} Fault */
 
 /** The motion and the document, without its view and its search, which Undo does not change. @param {PageDriver} page @returns {Promise<string>} */
 const workOf = (page) => page.call('work', () => JSON.stringify([window.gaitsmith.hash(), { ...window.gaitsmith.document(), view: null, search: null }]));
@@ -233,7 +233,7 @@ async function pageTraps({ browser, address }) {
   await page.close();
 }
 
-/** @type {typeof import('./scenarios.mjs').SCENARIOS} */
+/** @type {typeof import('./all.mjs').SCENARIOS} */
 export const FAULT_SCENARIOS = [
   ['workers that die, trap or hang in the middle of a batch cost a search nothing but time', survived],
   ['a search whose workers keep stopping, or have no memory, says why and keeps its best; the next one works', givenUp],
