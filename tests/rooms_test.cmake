@@ -10,19 +10,21 @@ set(shell_rooms
     "study:"
     "export:"
     "words:"
-    "session: embedded search study words"
-    "catalogue: embedded export words session"
+    "workspace: embedded search study words"
+    "results: embedded search study words workspace"
+    "session: embedded search study words workspace results"
+    "catalogue: embedded export words workspace session"
     "command_line: embedded search study export catalogue"
     "widgets: embedded export words"
-    "stage: words session widgets"
-    "timeline: words session widgets stage"
-    "panels/figure: words session widgets stage"
-    "panels/controller: words session widgets stage"
-    "panels/style: words session widgets stage"
-    "panels/search: words session widgets stage timeline"
-    "panels/lab: words session widgets stage"
-    "app: words session widgets stage timeline panels/figure panels/controller panels/style panels/search panels/lab"
-    "host: embedded search catalogue words session widgets stage timeline app")
+    "stage: words workspace results session widgets"
+    "timeline: words workspace results session widgets stage"
+    "panels/figure: words workspace results session widgets stage"
+    "panels/controller: words workspace results session widgets stage"
+    "panels/style: words workspace results session widgets stage"
+    "panels/search: words workspace results session widgets stage timeline"
+    "panels/lab: words workspace results session widgets stage"
+    "app: words workspace results session widgets stage timeline panels/figure panels/controller panels/style panels/search panels/lab"
+    "host: embedded search catalogue words workspace results session widgets stage timeline app")
 set(web_rooms
     "build:"
     "browser:"
@@ -38,7 +40,7 @@ set(web_rooms
     "package: search")
 # Rooms that must never include a window's libraries, not even indirectly, because the session's tests run without a
 # window.
-set(windowless embedded search study export words session catalogue command_line)
+set(windowless embedded search study export words workspace results session catalogue command_line)
 
 set(faults "")
 macro(fault text)

@@ -9,12 +9,12 @@
 #include "shell/panels/controller/controller_panel.h"
 #include "shell/panels/lab/lab_panel.h"
 #include "shell/panels/style/style_panel.h"
-#include "shell/session/panels.h"
 #include "shell/stage/stage.h"
 #include "shell/timeline/timeline.h"
 #include "shell/timeline/transition_strip.h"
 #include "shell/timeline/transport.h"
 #include "shell/words/language.h"
+#include "shell/workspace/panels.h"
 
 namespace gaitsmith::shell {
 bool App::Advance(double seconds) {

@@ -15,10 +15,10 @@
 #include "core/document/schema.h"
 #include "shell/embedded/embedded.h"
 #include "shell/export/exporters.h"
-#include "shell/session/arrangement.h"
-#include "shell/session/panels.h"
 #include "shell/words/algorithm_words.h"
 #include "shell/words/style_words.h"
+#include "shell/workspace/arrangement.h"
+#include "shell/workspace/panels.h"
 
 namespace gaitsmith::shell {
 namespace {

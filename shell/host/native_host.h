@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "shell/search/parallel_search.h"
-#include "shell/session/host.h"
 #include "shell/session/transition_scores.h"
+#include "shell/workspace/host.h"
 
 namespace gaitsmith::shell {
 

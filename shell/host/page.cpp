@@ -19,9 +19,9 @@
 #include "shell/host/page_host.h"
 #include "shell/host/script_answers.h"
 #include "shell/host/script_options.h"
+#include "shell/results/progress_record.h"
 #include "shell/session/commands.h"
 #include "shell/session/moment_words.h"
-#include "shell/session/progress_record.h"
 #include "shell/words/language.h"
 
 namespace gaitsmith::shell {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/document/binary.h"
-#include "shell/session/host.h"
 #include "shell/words/language.h"
+#include "shell/workspace/host.h"
 
 extern "C" {
 // Implemented in page.library.js.

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "shell/session/found_motions.h"
-#include "shell/session/search_queue.h"
+#include "shell/results/found_motions.h"
+#include "shell/results/search_queue.h"
 #include "shell/session/session.h"
 
 namespace gaitsmith::shell {

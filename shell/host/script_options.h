@@ -6,8 +6,8 @@
 
 #include "core/document/document.h"
 #include "core/document/json_value.h"
-#include "shell/session/arrangement.h"
-#include "shell/session/lab.h"
+#include "shell/results/lab.h"
+#include "shell/workspace/arrangement.h"
 
 namespace gaitsmith::shell {
 

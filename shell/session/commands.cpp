@@ -6,8 +6,8 @@
 #include "core/document/json.h"
 #include "core/document/json_value.h"
 #include "shell/embedded/embedded.h"
-#include "shell/session/panels.h"
 #include "shell/words/language.h"
+#include "shell/workspace/panels.h"
 
 namespace gaitsmith::shell {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/document/document.h"
-#include "shell/session/playback.h"
+#include "shell/workspace/playback.h"
 
 namespace gaitsmith::shell {
 

@@ -6,12 +6,12 @@
 #include <optional>
 #include <string>
 
+#include "shell/results/queue_run.h"
+#include "shell/results/result_store.h"
+#include "shell/results/search_run.h"
 #include "shell/session/ghost.h"
-#include "shell/session/queue_run.h"
-#include "shell/session/result_store.h"
-#include "shell/session/search_run.h"
-#include "shell/session/workspace.h"
 #include "shell/session/world_editor.h"
+#include "shell/workspace/workspace.h"
 
 namespace gaitsmith::shell {
 

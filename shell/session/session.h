@@ -11,15 +11,15 @@
 #include <string>
 #include <string_view>
 
-#include "shell/session/lab_run.h"
+#include "shell/results/lab_run.h"
+#include "shell/results/queue_run.h"
+#include "shell/results/result_store.h"
+#include "shell/results/search_run.h"
 #include "shell/session/motion_comparison.h"
-#include "shell/session/queue_run.h"
-#include "shell/session/result_store.h"
-#include "shell/session/search_run.h"
-#include "shell/session/shipped_documents.h"
 #include "shell/session/timeline_editor.h"
-#include "shell/session/workspace.h"
 #include "shell/session/world_editor.h"
+#include "shell/workspace/shipped_documents.h"
+#include "shell/workspace/workspace.h"
 
 namespace gaitsmith::shell {
 

@@ -8,11 +8,11 @@
 #include <string>
 
 #include "core/numeric/error.h"
+#include "shell/results/result_store.h"
+#include "shell/results/search_run.h"
 #include "shell/session/motion_comparison.h"
-#include "shell/session/result_store.h"
-#include "shell/session/search_run.h"
 #include "shell/session/transition_run.h"
-#include "shell/session/workspace.h"
+#include "shell/workspace/workspace.h"
 
 namespace gaitsmith::shell {
 

@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "core/document/transition.h"
-#include "shell/session/search_run.h"
+#include "shell/results/search_run.h"
 #include "shell/session/transition_scores.h"
-#include "shell/session/workspace.h"
+#include "shell/workspace/workspace.h"
 
 namespace gaitsmith::shell {
 

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "shell/session/workspace.h"
+#include "shell/workspace/workspace.h"
 
 namespace gaitsmith::shell {
 

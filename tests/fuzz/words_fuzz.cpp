@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "shell/command_line/arguments.h"
-#include "shell/session/arrangement.h"
+#include "shell/workspace/arrangement.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace gaitsmith;

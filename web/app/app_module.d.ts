@@ -14,7 +14,7 @@ export interface AppModule extends AppExports {
   _free(at: Pointer): void;
 }
 
-/** What the application calls on the page: shell/session/host.h, in JavaScript. */
+/** What the application calls on the page: shell/workspace/host.h, in JavaScript. */
 export interface PageForApp {
   /** Most workers that make sense here. */
   maxWorkers(): number;

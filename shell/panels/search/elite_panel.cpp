@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "shell/session/elite_map.h"
+#include "shell/results/elite_map.h"
 #include "shell/words/language.h"
 #include "shell/words/wording.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "shell/panels/search/found_list.h"
-#include "shell/session/suite_plan.h"
+#include "shell/results/suite_plan.h"
 
 namespace gaitsmith::shell {
 

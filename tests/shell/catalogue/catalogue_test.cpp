@@ -11,7 +11,7 @@
 #include "core/rollout/task.h"
 #include "core/search/search.h"
 #include "shell/export/exporters.h"
-#include "shell/session/panels.h"
+#include "shell/workspace/panels.h"
 
 namespace gaitsmith::shell::test {
 namespace {

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// Time, interpolation, and the choice of the poses drawn behind the figure.
+#include "shell/workspace/playback.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/document/composite.h"
+
+namespace gaitsmith::shell {
+
+void Playback::Load(const Document& document, bool start_over) {
+  motion_ = std::make_unique<Motion>(motion_ ? SimulateAnew(document, shown_, std::move(*motion_))
+                                             : Simulate(document));
+  shown_ = document;
+  if (start_over || time_s_ > DurationS()) time_s_ = 0.0;
+  Measure();
+  FindRuns();
+  FindContacts();
+  ChoosePoses();
+  SmoothCamera();
+}
+
+double Playback::DurationS() const {
+  return static_cast<double>(motion_->Frames() - 1) * static_cast<double>(motion_->StepS());
+}
+
+int Playback::Frame() const {
+  const int frame = static_cast<int>(time_s_ / static_cast<double>(motion_->StepS()) + 1e-6);
+  return std::clamp(frame, 0, motion_->Frames() - 1);
+}
+
+bool Playback::Advance(double seconds) {
+  if (!playing_ || motion_ == nullptr || motion_->Frames() < 2) return false;
+  time_s_ += seconds * speed;
+  if (time_s_ >= DurationS()) time_s_ = std::fmod(time_s_, DurationS());
+  return true;
+}
+
+void Playback::Seek(double time_s) { time_s_ = std::clamp(time_s, 0.0, DurationS()); }
+
+void Playback::Step(int frames) {
+  playing_ = false;
+  Seek((Frame() + frames) * static_cast<double>(motion_->StepS()));
+}
+
+namespace {
+
+struct Between {
+  int frame;
+  float share;  // share of the next frame
+};
+
+Between At(const Motion& motion, double time_s) {
+  const double position =
+      std::clamp(time_s / static_cast<double>(motion.StepS()), 0.0, motion.Frames() - 1.0);
+  const int frame = std::min(static_cast<int>(position), std::max(0, motion.Frames() - 2));
+  return {frame, motion.Frames() < 2 ? 0.0f : static_cast<float>(position - frame)};
+}
+
+}  // namespace
+
+Playback::Point Playback::CentreAt(double time_s) const {
+  const auto [frame, share] = At(*motion_, time_s);
+  const Motion::Frame& a = motion_->At(frame);
+  const Motion::Frame& b = motion_->At(std::min(frame + 1, motion_->Frames() - 1));
+  return {a.x_m + (b.x_m - a.x_m) * static_cast<double>(share), a.y_m + (b.y_m - a.y_m) * share};
+}
+
+std::vector<Playback::Point> Playback::EndpointsAt(double time_s) const {
+  const auto [frame, share] = At(*motion_, time_s);
+  const int next = std::min(frame + 1, motion_->Frames() - 1);
+  const Point centre = CentreAt(time_s);
+  std::vector<Point> points;
+  points.reserve(static_cast<std::size_t>(motion_->Bones().endpoints));
+  for (int k = 0; k < motion_->Bones().endpoints; ++k) {
+    const Motion::Point a = motion_->Endpoint(frame, k);
+    const Motion::Point b = motion_->Endpoint(next, k);
+    points.push_back({centre.x_m + static_cast<double>(a.x + (b.x - a.x) * share),
+                      centre.y_m + a.y + (b.y - a.y) * share});
+  }
+  return points;
+}
+
+double Playback::CameraXAt(double time_s) const {
+  const auto [frame, share] = At(*motion_, time_s);
+  const auto i = static_cast<std::size_t>(frame);
+  const double a = camera_x_m_[i];
+  const double b = camera_x_m_[std::min(i + 1, camera_x_m_.size() - 1)];
+  return a + (b - a) * static_cast<double>(share);
+}
+
+void Playback::Measure() {
+  // Limits [m] that keep a motion that explodes from shrinking the figure to nothing or passing infinities to
+  // the stage.
+  constexpr float kFarthest = 1000.0f;
+  constexpr float kMaxReaches = 50.0f;
+  reach_m_ = 0.05f;
+  height_m_ = 0.05f;
+  for (int frame = 0; frame < motion_->Frames(); frame += 5) {
+    for (int k = 0; k < motion_->Bones().endpoints; ++k) {
+      const Motion::Point p = motion_->Endpoint(frame, k);
+      reach_m_ = std::max(reach_m_, std::sqrt(p.x * p.x + p.y * p.y));
+      height_m_ = std::max(height_m_, motion_->At(frame).y_m + p.y);
+    }
+  }
+  reach_m_ = std::min(reach_m_, kFarthest);
+  height_m_ = std::min(height_m_, kMaxReaches * reach_m_);
+}
+
+void Playback::FindRuns() {
+  runs_.clear();
+  for (int frame = 0; frame < motion_->Frames(); ++frame) {
+    const Motion::Frame& f = motion_->At(frame);
+    if (f.clip < 0) continue;
+    if (runs_.empty() || runs_.back().clip != f.clip || runs_.back().rule != f.rule) {
+      runs_.push_back({frame, frame, f.clip, f.rule});
+    }
+    runs_.back().end_frame = frame + 1;
+  }
+}
+
+void Playback::FindContacts() {
+  contacts_.clear();
+  bool before = false;
+  for (int frame = 0; frame < motion_->Frames(); ++frame) {
+    bool touches = false;
+    for (int k = 0; k < motion_->Bones().endpoints && !touches; ++k)
+      touches = motion_->Force(frame, k).y > 0.0f;
+    if (touches && !before) contacts_.push_back({frame, frame});
+    if (touches) contacts_.back().end_frame = frame + 1;
+    before = touches;
+  }
+}
+
+// Free ground between two poses [m]; negative where their limbs would overlap.
+float Playback::GapM(int frame, int other) const {
+  const auto moved = static_cast<float>(motion_->At(other).x_m - motion_->At(frame).x_m);
+  const float side = moved < 0.0f ? -1.0f : 1.0f;
+  float leading = 0.0f, trailing = 0.0f;
+  for (int k = 0; k < motion_->Bones().endpoints; ++k) {
+    leading = std::max(leading, side * motion_->Endpoint(frame, k).x);
+    trailing = std::max(trailing, -side * motion_->Endpoint(other, k).x);
+  }
+  return side * moved - leading - trailing;
+}
+
+// Keeps a pose if it is clear of the pose before, and at the latest when the centre has moved by both widths.
+// A figure on the spot keeps only its first pose.
+void Playback::ChoosePoses() {
+  pose_frames_.assign(1, 0);
+  for (int frame = 1; frame < motion_->Frames(); ++frame) {
+    const int last = pose_frames_.back();
+    const double moved =
+        std::abs(motion_->At(frame).x_m - motion_->At(last).x_m) / static_cast<double>(reach_m_);
+    if (moved >= 2.0 || (moved >= 1.3 && GapM(last, frame) > 0.05f * reach_m_)) pose_frames_.push_back(frame);
+  }
+}
+
+void Playback::SmoothCamera() {
+  const int frames = motion_->Frames();
+  const int window = std::max(1, static_cast<int>(0.6f / motion_->StepS()));
+  std::vector<double> sums(static_cast<std::size_t>(frames) + 1, 0.0);
+  for (int frame = 0; frame < frames; ++frame) {
+    const auto i = static_cast<std::size_t>(frame);
+    sums[i + 1] = sums[i] + motion_->At(frame).x_m;
+  }
+  camera_x_m_.clear();
+  camera_x_m_.reserve(static_cast<std::size_t>(frames));
+  for (int frame = 0; frame < frames; ++frame) {
+    const int low = std::max(0, frame - window);
+    const int high = std::min(frames, frame + window + 1);
+    camera_x_m_.push_back((sums[static_cast<std::size_t>(high)] - sums[static_cast<std::size_t>(low)]) /
+                          (high - low));
+  }
+}
+
+}  // namespace gaitsmith::shell

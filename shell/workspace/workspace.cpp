@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "shell/workspace/workspace.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/document/parts.h"
+#include "shell/words/language.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+std::string LockedWords(LockedPart part) {
+  switch (part) {
+    case LockedPart::kFigure:
+      return Tr("the figure is locked here");
+    case LockedPart::kController:
+      return Tr("the controller is locked here");
+    case LockedPart::kStyle:
+      return Tr("the style is locked here");
+    case LockedPart::kSearch:
+      return Tr("the search's settings are locked here");
+    case LockedPart::kTimeline:
+      return Tr("the timeline is locked here");
+    case LockedPart::kWorld:
+      return Tr("the world is locked here");
+  }
+  return "";
+}
+
+int LastClip(const Document& d) { return std::max(0, static_cast<int>(d.timeline.size()) - 1); }
+
+}  // namespace
+
+Document Workspace::WithHash() const {
+  Document document = document_;
+  document.hash = player_.Shown().Hash();
+  return document;
+}
+
+void Workspace::SelectClip(int clip) {
+  selected_clip_ = std::clamp(clip, 0, LastClip(document_));
+  followers_.settings();
+}
+
+const Controller* Workspace::ShownController() const {
+  if (document_.timeline.empty()) return nullptr;
+  const Clip& clip = document_.timeline[static_cast<std::size_t>(selected_clip_)];
+  return &document_.controllers[static_cast<std::size_t>(clip.controller)];
+}
+
+void Workspace::Say(std::string sentence) {
+  notice_ = std::move(sentence);
+  host_.Status(notice_);
+}
+
+void Workspace::Show(Document document, bool opened) {
+  document_ = std::move(document);
+  // Each search chooses its own takeover, so the takeover is neither opened nor saved.
+  CopyParts(Document{}, Part::kTakeover, document_);
+  selected_clip_ = std::min(selected_clip_, LastClip(document_));
+  player_.Load(document_, opened);
+  differs_from_maker_ = document_.hash && *document_.hash != player_.Shown().Hash();
+  followers_.motion(opened);
+  Redraw();
+}
+
+std::optional<Document> Workspace::Edited(const Edit& edit) {
+  Document next = document_;
+  edit(next);
+  // Clears the start if its controller is gone or does not fit the senses.
+  if (int& start = next.search.start; start >= 0) {
+    const auto index = static_cast<std::size_t>(start);
+    const bool fits = index < next.controllers.size() && FitsSearch(next, next.controllers[index]);
+    if (!fits) start = -1;
+  }
+  if (const auto valid = Validate(next); !valid) {
+    Say(Tr("Not possible: {1}.", TrError(valid.error())));
+    return std::nullopt;
+  }
+  return next;
+}
+
+bool Workspace::Refuses(const Arrangement& locks, const Document& next) {
+  const auto part = LockedDifference(locks, document_, next);
+  if (!part) return false;
+  Say(Tr("Not possible: {1}.", LockedWords(*part)));
+  return true;
+}
+
+bool Workspace::Change(const Edit& edit) {
+  auto next = Edited(edit);
+  if (!next || Refuses(layout_, *next)) return false;
+  notice_.clear();
+  if (DifferingParts(*next, document_).Empty()) return true;
+  Remember();
+  next->hash.reset();
+  Show(std::move(*next), false);
+  return true;
+}
+
+bool Workspace::Set(const Edit& edit) {
+  auto next = Edited(edit);
+  if (!next || Refuses(layout_, *next)) return false;
+  if (DifferingParts(*next, document_).Empty()) return true;
+  Remember();
+  document_ = std::move(*next);
+  followers_.settings();
+  Redraw();
+  return true;
+}
+
+void Workspace::SetView(const std::function<void(View&)>& edit) {
+  auto next = Edited([&](Document& d) { edit(d.view); });
+  if (!next) return;
+  document_ = std::move(*next);
+  Redraw();
+}
+
+}  // namespace gaitsmith::shell
