@@ -38,8 +38,8 @@ export async function longestTask(browser, address, document, workers, settledMs
   const begin = events.find(({ name }) => name === 'bench-search');
   const end = events.find(({ name }) => name === 'bench-searched');
   if (!begin || !end) throw new Error('the trace does not show the search');
-  const tasks = events.filter(({ name, ph, pid, tid, ts }) => name.endsWith('RunTask') && ph === 'X' && pid === begin.pid &&
-    tid === begin.tid && ts > begin.ts && ts < end.ts);
+  const tasks = events.filter(({ name, ph, pid, tid, ts }) => name.endsWith('RunTask') && ph === 'X' && pid === begin.pid
+    && tid === begin.tid && ts > begin.ts && ts < end.ts);
   if (tasks.length === 0) throw new Error('the trace shows no task of the page');
   const longest = (/** @type {'dur' | 'tdur'} */ clock) => Math.max(...tasks.map((task) => (task[clock] ?? 0) / 1000));
   return { wallMs: longest('dur'), processorMs: longest('tdur') };

@@ -24,8 +24,8 @@ export async function byRole(page, role, name) {
 function seek(role, name) {
   const implicit = /** @type {Record<string, string>} */ ({ BUTTON: 'button', INPUT: 'slider' });
   return [...document.querySelectorAll('button, input, [role]')].find((node) =>
-    (node.getAttribute('role') ?? implicit[node.tagName]) === role &&
-    (node.getAttribute('aria-label') ?? node.textContent) === name) ?? null;
+    (node.getAttribute('role') ?? implicit[node.tagName]) === role
+    && (node.getAttribute('aria-label') ?? node.textContent) === name) ?? null;
 }
 
 /** Presses an element like an assistive tool. @param {PageDriver} page @param {string} role @param {string} name */

@@ -27,7 +27,7 @@ for (const page of PAGES.filter((path) => existsSync(join(site, path || 'index.h
   const wanted = ['performance', 'accessibility', 'best-practices', 'seo', ...(page ? [] : ['pwa'])];
   await promisify(execFile)(LIGHTHOUSE, [server.address() + page, '--quiet', '--output=json', `--output-path=${file}`,
     `--only-categories=${wanted.join()}`, '--preset=desktop', `--chrome-flags=${FLAGS}`],
-    { env: { ...process.env, CHROME_PATH: process.env.CHROMIUM ?? '/usr/bin/chromium' }, timeout: 180000 });
+  { env: { ...process.env, CHROME_PATH: process.env.CHROMIUM ?? '/usr/bin/chromium' }, timeout: 180000 });
   const { categories, audits } = JSON.parse(await readFile(file, 'utf8'));
   const scores = Object.entries(categories).map(([name, { score }]) => `${name} ${Math.round(100 * score)}`);
   console.log(`${page || 'playground'}: ${scores.join(', ')}`);

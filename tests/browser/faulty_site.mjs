@@ -66,6 +66,7 @@ export function countWorkers() {
         super(url, { ...options, name: testFaults.length > 0 ? JSON.stringify(testFaults) : '' });
         live.add(this);
       }
+
       terminate() {
         live.delete(this);
         super.terminate();

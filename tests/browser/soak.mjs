@@ -51,6 +51,7 @@ function soaked() {
       super(url, options);
       state.testLive.add(this);
     }
+
     terminate() {
       state.testLive.delete(this);
       super.terminate();
@@ -119,7 +120,12 @@ const ACTIONS = [
   async () => { await page.press('Control+z', 2); await page.press('Control+Shift+z'); },
   async () => { await page.click('panels/0'); await page.press(' '); await page.press(' '); },
   async () => { await drag('transport/scrub'); await page.press('k'); },
-  async () => { await page.click('panels/3'); await page.press('Control+k'); await page.page.keyboard.type('theme'); await page.press('Escape'); },
+  async () => {
+    await page.click('panels/3');
+    await page.press('Control+k');
+    await page.page.keyboard.type('theme');
+    await page.press('Escape');
+  },
 ];
 
 /** @param {object} options @returns {Promise<number>} evaluations per second */

@@ -86,9 +86,9 @@ const instantiate = WebAssembly.instantiate;
   scope.testMemory = Object.values(instance.exports).find((part) => part instanceof WebAssembly.Memory);
   return { exports: Object.fromEntries(Object.entries(instance.exports).map(([name, part]) => [name, typeof part !== 'function' ? part
     : (/** @type {any[]} */ ...values) => {
-      if (trapping) /** @type {any} */ (new WebAssembly.Instance(new WebAssembly.Module(TRAP)).exports).t();
-      return part(...values);
-    }])) };
+        if (trapping) /** @type {any} */ (new WebAssembly.Instance(new WebAssembly.Module(TRAP)).exports).t();
+        return part(...values);
+      }])) };
 };
 
 /** Makes every growth of this worker's memory fail. */

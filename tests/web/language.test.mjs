@@ -93,7 +93,7 @@ test('language: literals are found in all the ways they are written', () => {
     "parts"); Tr(a ? "three" : b(c, "within") ? "four" : "five {1}", "insert"); Str("no"); Tr(name); Tr("a \\"b\\"")`;
   assert.deepEqual(literals(source, ['Tr', 'TrLater'], '"'),
     ['one', 'two parts', 'three', 'within', 'four', 'five {1}', 'a "b"']);
-  assert.deepEqual(literals("tr('it is', x) + tr(`so`) + xtr('no') + x.tr('yes')", ['tr'], '\'"`'), ['it is', 'so', 'yes']);
+  assert.deepEqual(literals('tr(\'it is\', x) + tr(`so`) + xtr(\'no\') + x.tr(\'yes\')', ['tr'], '\'"`'), ['it is', 'so', 'yes']);
   assert.deepEqual(markup('<p title="A &amp; B">  some\n text <!-- <b>no</b> --></p>'), ['A & B', 'some text']);
 });
 

@@ -24,7 +24,7 @@ test('package: it installs without a network, its example runs, and its types ho
 
     const packed = join(folder, 'node_modules/gaitsmith-engine');
     assert.match(run(process.execPath, join(packed, 'example.js')), /^moved [1-9][0-9]*\.[0-9]{2} m\n$/);
-    const example = (await readFile(join(packed, 'example.js'), 'utf8')).replace("'./engine.js'", "'gaitsmith-engine'");
+    const example = (await readFile(join(packed, 'example.js'), 'utf8')).replace('\'./engine.js\'', '\'gaitsmith-engine\'');
     assert.ok(example.trim().split('\n').length <= 11);
     await writeFile(join(folder, 'example.ts'), `${example}\nconst wrong: string = search.done;\nengine.search('a text');\n`);
     let output = '';

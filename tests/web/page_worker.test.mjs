@@ -24,6 +24,7 @@ class LatePort {
   postMessage(data) {
     if (!this.closed) setTimeout(() => this.other?.onmessage?.({ data }), 1);
   }
+
   close() { this.closed = true; }
   addEventListener() {}
 }

@@ -53,7 +53,7 @@ test('samples: JavaScript in the documentation fits the types', async () => {
   const files = new Map(scripts.map(({ code }, i) => [
     join(web, `sample_${i}.js`),
     // A module, so that samples do not share names. The site has player.js in its root folder.
-    `${code.replace("'./player.js'", "'./book/player.js'")}\nexport {};\n`,
+    `${code.replace('\'./player.js\'', '\'./book/player.js\'')}\nexport {};\n`,
   ]));
   files.set(join(web, 'samples.d.ts'), AROUND.replaceAll('WEB', './page'));
   const options = {

@@ -77,6 +77,7 @@ export class Mirror {
   get current() {
     return this.at(document.activeElement) ?? this.all.find(({ widget }) => widget.state.focused);
   }
+
   /** The name of the open panel. */
   get #panel() { return this.#parts.get('panel')?.getAttribute('aria-label'); }
   /** @returns {Reflection[]} */

@@ -150,9 +150,9 @@ function nearest(from, stops, [right, down]) {
  * @param {HTMLCanvasElement} canvas @param {number} direction  1 forwards, -1 backwards
  */
 function leave(canvas, direction) {
-  const all = [...document.querySelectorAll('a[href], button, input, select, textarea, canvas')].filter((node) => node === canvas ||
-    (node instanceof HTMLElement && node.tabIndex === 0 && !node.matches(':disabled') && node.getClientRects().length > 0 &&
-      !node.closest('#mirror, dialog:not([open])')));
+  const all = [...document.querySelectorAll('a[href], button, input, select, textarea, canvas')].filter((node) => node === canvas
+    || (node instanceof HTMLElement && node.tabIndex === 0 && !node.matches(':disabled') && node.getClientRects().length > 0
+      && !node.closest('#mirror, dialog:not([open])')));
   const next = all[(all.indexOf(canvas) + direction + all.length) % all.length];
   if (next instanceof HTMLElement) next.focus();
 }

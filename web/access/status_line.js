@@ -62,8 +62,8 @@ export class StatusLine {
     this.#progress.setAttribute('aria-valuenow', String(report.evaluations));
     this.#bar.style.transform = `scaleX(${report.evaluations / Math.max(1, report.budget)})`;
     setText(this.#count, count);
-    setText(this.#rate, paused || report.rate === 0 ? '' :
-      workers === 1 ? tr('{1}/s on 1 worker', grouped(report.rate)) : tr('{1}/s on {2} workers', grouped(report.rate), workers));
+    setText(this.#rate, paused || report.rate === 0 ? ''
+      : workers === 1 ? tr('{1}/s on 1 worker', grouped(report.rate)) : tr('{1}/s on {2} workers', grouped(report.rate), workers));
     setText(this.#best, best && tr('best {1}', best));
     setText(this.#left, paused || report.rate === 0 ? '' : timeLeft(report.secondsLeft));
     if (sentence !== this.#announced) {

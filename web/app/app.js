@@ -171,6 +171,7 @@ export class App {
   key(name, onCanvas, repeated) {
     return this.#with(name, (at) => this.module._gs_key(at, onCanvas ? 1 : 0, repeated ? 1 : 0)) !== 0;
   }
+
   /** Sets the shown panels and the locks. @param {{panels?: string, lock?: string}} options @returns {string} empty, or a sentence, with nothing changed */
   arrange(options) { return this.#with(JSON.stringify(options), (at) => this.#text(this.module._gs_arrange(at))); }
   /** @returns {Measures} */
@@ -187,6 +188,7 @@ export class App {
   enqueue(options) {
     return this.#with(JSON.stringify(options), (at) => this.#text(this.module._gs_enqueue(at)));
   }
+
   /** The waiting searches, next one first. @returns {QueuedSearch[]} */
   queue() { return JSON.parse(this.#text(this.module._gs_queue())); }
   /** The results, newest first. @returns {FoundMotion[]} */
@@ -197,6 +199,7 @@ export class App {
   renameFound(id, name) {
     return this.#with(JSON.stringify({ id, name }), (at) => this.#text(this.module._gs_rename_found(at)));
   }
+
   /** Restores a result of an earlier visit. @param {string} text @returns {string} its id; empty: the text is invalid */
   restoreFound(text) { return this.#with(text, (at) => this.#text(this.module._gs_restore_found(at))); }
 
@@ -204,6 +207,7 @@ export class App {
   lab(options) {
     return this.#with(JSON.stringify(options), (at) => this.#text(this.module._gs_lab(at)));
   }
+
   /** @returns {string} 'idle', 'running', 'done', 'stopped' or 'failed' */
   labState() { return this.#text(this.module._gs_lab_state()); }
   /** The curves of the finished trials, as CSV. */

@@ -14,8 +14,8 @@ function html(content) {
 function opensCard(tokens, i) {
   const [open, inline] = [tokens[i], tokens[i + 1]];
   const parts = inline?.children ?? [];
-  return open.type === 'heading_open' && parts[0]?.meta?.opens && parts[parts.length - 1].type === 'link_close' &&
-    parts.filter(({ type }) => type === 'link_open').length === 1;
+  return open.type === 'heading_open' && parts[0]?.meta?.opens && parts[parts.length - 1].type === 'link_close'
+    && parts.filter(({ type }) => type === 'link_open').length === 1;
 }
 
 /** @param {Token[]} tokens  of a page @returns {Token[]} */

@@ -124,8 +124,8 @@ export class Markdown {
     const picture = (/** @type {string} */ when, /** @type {string} */ ending) => {
       const file = (/** @type {string} */ which) => this.links.way(page, `strips/${name}${which}${ending}.svg`);
       const { many, few } = strips;
-      return `<picture class="${when}"><source media="(max-width: 40em)"${attributes({ srcset: file('-few'), width: String(few.width), height: String(few.height) })}>` +
-        `<img${attributes({ src: file(''), alt, width: String(many.width), height: String(many.height), loading: 'lazy' })}></picture>`;
+      return `<picture class="${when}"><source media="(max-width: 40em)"${attributes({ srcset: file('-few'), width: String(few.width), height: String(few.height) })}>`
+        + `<img${attributes({ src: file(''), alt, width: String(many.width), height: String(many.height), loading: 'lazy' })}></picture>`;
     };
     const pictures = picture('by-day', '') + picture('by-night', '-night');
     const shown = `<span class="strip">${pictures}</span>`;

@@ -50,7 +50,7 @@ async function readLesson(root, file, faults) {
   const minutes = Number(fields.get('minutes')?.value ?? 1);
   if (!(Number.isInteger(minutes) && minutes > 0)) faults.add(source, fields.get('minutes')?.line ?? 1, '"minutes" is a whole number');
   const number = Number(/^(\d+)-/.exec(name)?.[1]);
-  if (!(number > 0)) faults.add(source, 1, "a lesson's file begins with its number and a hyphen");
+  if (!(number > 0)) faults.add(source, 1, 'a lesson\'s file begins with its number and a hyphen');
   const lesson = { number, title: fields.get('title')?.value ?? name, minutes, fields };
   return { source, address: `lessons/${name}.html`, name, body, before, lesson };
 }

@@ -14,7 +14,7 @@ import { attributes, escaped } from './html.mjs';
  */
 /** A link in the header. current: to this page, or to its group. @typedef {{name: string, address: string, current?: 'page' | 'true'}} HeaderLink */
 
-const POLICY = "default-src 'self'; script-src 'self'; style-src 'self'; img-src 'self' data:; frame-src 'self'; form-action 'self'; base-uri 'none'; object-src 'none'";
+const POLICY = 'default-src \'self\'; script-src \'self\'; style-src \'self\'; img-src \'self\' data:; frame-src \'self\'; form-action \'self\'; base-uri \'none\'; object-src \'none\'';
 const MARK = '<svg viewBox="-1.15 -1.15 2.3 2.3" aria-hidden="true"><path d="M0 0L0 -1M0 0L.95 -.31M0 0L.59 .81M0 0L-.59 .81M0 0L-.95 -.31"/></svg>';
 
 /** The relative path from an address of the book to its root. @param {string} address */

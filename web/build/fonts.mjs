@@ -79,8 +79,8 @@ async function cutFonts(folder) {
 
     const present = mappedCodePoints(ttf);
     const missing = [...CHARACTERS].filter((c) => !present.has(/** @type {number} */ (c.codePointAt(0))));
-    console.log(`inter-${face}: ${ttf.length} bytes` +
-      (missing.length ? `; Inter has no ${missing.join(' ')}` : ''));
+    console.log(`inter-${face}: ${ttf.length} bytes`
+      + (missing.length ? `; Inter has no ${missing.join(' ')}` : ''));
   }
 }
 

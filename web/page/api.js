@@ -73,6 +73,7 @@ export class Gaitsmith extends EventTarget {
     app.undo();
     return can;
   }
+
   /** @returns {boolean} whether there was a step to redo */
   redo() {
     const { app } = this.#loadedParts();
@@ -109,6 +110,7 @@ export class Gaitsmith extends EventTarget {
     const fault = this.#loadedParts().app.enqueue(options);
     if (fault) throw new Error(fault);
   }
+
   /** The waiting searches, next one first. @returns {QueuedSearch[]} */
   queue() { return this.#loadedParts().app.queue(); }
   /** Runs the searches in the queue. @returns {boolean} false: the queue is empty, or a search or the lab runs */
@@ -120,6 +122,7 @@ export class Gaitsmith extends EventTarget {
     const { app, address } = this.#loadedParts();
     return app.found().map((found) => ({ ...found, link: address.linkOf(found.link) }));
   }
+
   /** Shows a result as it was found. @param {string} id @returns {boolean} false: there is no such result */
   showResult(id) { return this.#loadedParts().app.showFound(id); }
   /** Saves the current motion to the results. @returns {boolean} false: there is no motion */
@@ -193,12 +196,14 @@ export class Gaitsmith extends EventTarget {
     });
     parts.searches.addEventListener('error', (event) => forward('error', /** @type {CustomEvent} */ (event).detail));
   }
+
   firstFrame() { this.#resolve(this); }
   /** Call after every change of the document. @param {string} title */
   documentChanged(title) {
     clearTimeout(this.#changedTimer);
     this.#changedTimer = setTimeout(() => this.dispatchEvent(new CustomEvent('changed', { detail: { title } })), REST_MS);
   }
+
   /** @param {Error} error */
   cannotRun(error) { this.#reject(error); }
 

@@ -267,6 +267,7 @@ export class RecordedMotion {
     const size = this.engine.put(new TextEncoder().encode(words.map((word) => `${word}\0`).join('')));
     return this.#text(this.engine.module._gs_motion_film_strip(this.handle, size, poses));
   }
+
   /** The text of an exported file. @param {string} name  in shell/export/exporters.h, such as 'csv' */
   file(name) {
     const size = this.engine.put(new TextEncoder().encode(name));

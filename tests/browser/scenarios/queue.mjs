@@ -233,7 +233,14 @@ async function byScript({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   const outcome = await page.call('queue', async () => {
     const { gaitsmith } = window;
-    const fault = (/** @type {() => unknown} */ request) => { try { request(); return ''; } catch (error) { return String(error); } };
+    const fault = (/** @type {() => unknown} */ request) => {
+      try {
+        request();
+        return '';
+      } catch (error) {
+        return String(error);
+      }
+    };
     const ends = /** @type {{hash: string, link: string, evaluations: number}[]} */ ([]);
     const all = new Promise((resolve) => gaitsmith.on('done', ({ detail: { report, hash, link } }) => {
       if (ends.push({ hash, link, evaluations: report.evaluations }) === 3) resolve(true);
