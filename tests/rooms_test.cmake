@@ -14,7 +14,7 @@ set(shell_rooms
     "results: embedded search study words workspace"
     "session: embedded search study words workspace results"
     "catalogue: embedded export words workspace session"
-    "command_line: embedded search study export catalogue"
+    "command_line: embedded search study export words catalogue"
     "widgets: embedded export words"
     "stage: words workspace results session widgets"
     "timeline: words workspace results session widgets stage"

@@ -8,10 +8,6 @@
 
 namespace gaitsmith {
 
-/// Version of the physical model, recorded in documents. A later model gets a new number, and this model
-/// stays.
-inline constexpr int kModelVersion = 1;
-
 /// Maximum number of rods in a figure. 16 are enough for a horse or a spider. The size of the lanes' state
 /// grows with it.
 inline constexpr int kMaxRods = 16;

@@ -7,18 +7,34 @@
 
 namespace gaitsmith {
 
+template <template <int> class... PlantsOf>
+struct PlantList {
+  static constexpr int kSize = sizeof...(PlantsOf);
+};
+
+/// The plants of all models, in the order of their numbers, which begin at 1.
+using Plants = PlantList<FigurePlant>;
+
+/// The latest physical model. Documents record theirs: a later model gets a new number, and the others stay.
+inline constexpr int kModelVersion = Plants::kSize;
+
+template <class Call, template <int> class First, template <int> class... Rest>
+auto WithPlantOf(int model, Call& call, PlantList<First, Rest...> /*plants*/) {
+  static_assert(Plant<First<1>>);
+  static_assert(First<1>::kModel + int{sizeof...(Rest)} == kModelVersion, "a plant is not in its place");
+  if constexpr (sizeof...(Rest) > 0) {
+    if (model != First<1>::kModel) return WithPlantOf(model, call, PlantList<Rest...>());
+  }
+  return call.template operator()<First>();
+}
+
 /// Calls back with the plant of a model as a template argument. Motions and evaluators do this once, when
 /// they are created, so that no step has to check the model.
 /// @param model [1, kModelVersion]
 /// @param call  a generic lambda, [&]<template <int> class PlantOf>() {…}
 template <class Call>
 auto WithPlantOf(int model, Call call) {
-  static_assert(Plant<FigurePlant<1>>);
-  switch (model) {
-    case FigurePlant<1>::kModel:
-    default:
-      return call.template operator()<FigurePlant>();
-  }
+  return WithPlantOf(model, call, Plants());
 }
 
 /// The connections of a figure in a model.

@@ -16,6 +16,7 @@
 #include "shell/embedded/embedded.h"
 #include "shell/export/exporters.h"
 #include "shell/words/algorithm_words.h"
+#include "shell/words/control_modes.h"
 #include "shell/words/style_words.h"
 #include "shell/workspace/arrangement.h"
 #include "shell/workspace/panels.h"
@@ -125,6 +126,18 @@ std::vector<Row> Senses() {
   return rows;
 }
 
+std::vector<Row> ControlModes() {
+  std::vector<Row> rows;
+  for (const ControlModeRow& row : kControlModes) {
+    rows.push_back(Row()
+                       .With("name", row.name)
+                       .With("words", row.words)
+                       .With("controller_kind", RowOf(row.kind).name)
+                       .With("sense_kind", kSenseKindNames[static_cast<std::size_t>(row.senses)]));
+  }
+  return rows;
+}
+
 std::vector<Row> Panels() {
   std::vector<Row> rows;
   rows.reserve(kPanels.size());
@@ -141,8 +154,14 @@ std::vector<Row> Panels() {
 std::vector<Row> Exporters() {
   std::vector<Row> rows;
   rows.reserve(std::size(kExporters));
-  for (const ExporterRow& row : kExporters)
-    rows.push_back(Row().With("name", row.id).With("ending", row.ending).With("type", row.type));
+  for (const ExporterRow& row : kExporters) {
+    rows.push_back(Row()
+                       .With("name", row.id)
+                       .With("ending", row.ending)
+                       .With("type", row.type)
+                       .With("label", row.label)
+                       .With("note", row.note));
+  }
   return rows;
 }
 
@@ -160,10 +179,11 @@ std::vector<Table> Tables() {
       {"terms", 1, Terms()},
       {"senses", 0, Senses()},
       {"sense_kinds", 0, NamesOf(kSenseKindNames)},
+      {"control_modes", 2, ControlModes()},
       {"controller_kinds", 0, NamesOf(kControllerKindNames)},
       {"panels", 2, Panels()},
       {"locks", 0, NamesOf(kLockedPartNames)},
-      {"exporters", 3, Exporters()},
+      {"exporters", 5, Exporters()},
       {"languages", 2, LanguageRows()},
   };
 }

@@ -3,7 +3,7 @@
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"
-#include "shell/export/trajectory_csv.h"
+#include "shell/export/exporters.h"
 
 namespace gaitsmith::shell {
 

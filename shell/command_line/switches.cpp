@@ -12,6 +12,7 @@
 #include "shell/command_line/files.h"
 #include "shell/command_line/problem_options.h"
 #include "shell/search/parallel_search.h"
+#include "shell/words/control_modes.h"
 
 namespace gaitsmith::shell {
 
@@ -34,13 +35,7 @@ struct Switch {
   bool success = false;
 };
 
-/// "physical", "timer" or "network"
-std::string_view ClassOf(const Controller& controller) {
-  if (controller.kind == ControllerKind::kNetwork) return "network";
-  return controller.senses.kind == SenseKind::kTimer ? "timer" : "physical";
-}
-
-Result<Candidate> ReadContestant(const std::string& path, int length) {
+Result<Candidate> ReadCandidate(const std::string& path, int length) {
   const auto document = ReadDocument(path);
   if (!document) return std::unexpected(document.error());
   if (document->controllers.empty()) return Fail(ErrorCode::kMissing, path, "has no controller");
@@ -54,10 +49,10 @@ Result<Candidate> ReadContestant(const std::string& path, int length) {
                    .duration_steps = document->task.duration_steps};
 }
 
-Result<std::vector<Candidate>> ReadContestants(const std::vector<std::string>& paths, int length) {
+Result<std::vector<Candidate>> ReadCandidates(const std::vector<std::string>& paths, int length) {
   std::vector<Candidate> all;
   for (const std::string& path : paths) {
-    auto one = ReadContestant(path, length);
+    auto one = ReadCandidate(path, length);
     if (!one) return std::unexpected(one.error());
     if (!all.empty() && one->problem.figure.rods != all.front().problem.figure.rods) {
       return Fail(ErrorCode::kStructure, path,
@@ -132,13 +127,16 @@ std::string SwitchesCsv(const std::vector<Switch>& switches, const std::vector<C
 
 /// The share of successful switches, by the kinds of the two controllers.
 std::string SummaryOf(const std::vector<Switch>& switches, const std::vector<Candidate>& all) {
-  constexpr std::string_view kClasses[] = {"physical", "timer", "network"};
+  auto classes = ControlModeColumn(&ControlModeRow::name);
+  std::swap(classes[0], classes[1]);  // physical senses first, in the order of the committed results
   std::string text = "from_class,to_class,switches,successes,rate\n";
-  for (const std::string_view from : kClasses) {
-    for (const std::string_view to : kClasses) {
+  for (const std::string_view from : classes) {
+    for (const std::string_view to : classes) {
       int count = 0, successes = 0;
       for (const Switch& one : switches) {
-        if (ClassOf(all[one.from].controller) != from || ClassOf(all[one.to].controller) != to) continue;
+        if (ControlModeOf(all[one.from].controller).name != from ||
+            ControlModeOf(all[one.to].controller).name != to)
+          continue;
         ++count;
         successes += one.success ? 1 : 0;
       }
@@ -176,7 +174,7 @@ Outcome SwitchesCommand(Words words) {
     if (!steps) return WrongCall(steps.error());
     length = *steps;
   }
-  auto all = ReadContestants(arguments->Positional(), length);
+  auto all = ReadCandidates(arguments->Positional(), length);
   if (!all) return std::unexpected(all.error());
 
   const int workers = static_cast<int>(*threads);

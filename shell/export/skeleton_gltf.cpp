@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The scene's JSON, with its buffer embedded as base64.
-#include "shell/export/skeleton_gltf.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -10,6 +8,7 @@
 
 #include "core/document/json_value.h"
 #include "core/numeric/scalar_math.h"
+#include "shell/export/exporters.h"
 
 namespace gaitsmith::shell {
 

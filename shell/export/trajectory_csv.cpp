@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Columns and rows of a motion's CSV.
-#include "shell/export/trajectory_csv.h"
-
 #include <cstdio>
+
+#include "shell/export/exporters.h"
 
 namespace gaitsmith::shell {
 

@@ -7,6 +7,7 @@
 #include "core/document/json_value.h"
 #include "core/document/link.h"
 #include "core/document/schema.h"
+#include "shell/words/control_modes.h"
 #include "shell/words/language.h"
 #include "shell/words/search_words.h"
 #include "shell/words/style_words.h"
@@ -75,10 +76,7 @@ std::string MeasuresJson(const Session& session) {
         terms.Style(static_cast<StyleTerm>(i)));
   }
   const Controller* controller = session.Timeline().ShownController();
-  const std::string_view sense = controller == nullptr ? ""
-                                 : controller->kind == ControllerKind::kNetwork
-                                     ? "network"
-                                     : kSenseKindNames[static_cast<std::size_t>(controller->senses.kind)];
+  const std::string_view sense = controller == nullptr ? "" : ControlModeOf(*controller).name;
   return json + "],\"sense\":" + QuoteJson(sense) +
          ",\"rules\":" + std::to_string(controller == nullptr ? 0 : controller->rules) +
          ",\"broke\":" + (terms.broke_physics ? "true" : "false") + "}";

@@ -5,13 +5,10 @@
 #include <array>
 #include <cmath>
 
-#include "shell/session/control_mode.h"
+#include "shell/words/control_modes.h"
 #include "shell/words/language.h"
 
 namespace gaitsmith::shell {
-
-// In the order of ControlMode.
-static constexpr std::array<std::string_view, 3> kControlModeNames = {"timer", "physical", "network"};
 
 std::string ApplySearchOptions(const JsonValue& options, Document& document, int& workers) {
   for (std::size_t i = 0; i < options.names.size(); ++i) {
@@ -21,9 +18,9 @@ std::string ApplySearchOptions(const JsonValue& options, Document& document, int
     const auto algorithm = std::ranges::find(kAlgorithmNames, value.text);
     if (name == "algorithm" && algorithm != kAlgorithmNames.end()) {
       document.search.algorithm = static_cast<Algorithm>(algorithm - kAlgorithmNames.begin());
-    } else if (const auto mode = std::ranges::find(kControlModeNames, value.text);
-               name == "sense" && mode != kControlModeNames.end()) {
-      SetControlMode(document, static_cast<ControlMode>(mode - kControlModeNames.begin()));
+    } else if (const auto* mode = std::ranges::find(kControlModes, value.text, &ControlModeRow::name);
+               name == "sense" && mode != kControlModes.end()) {
+      SetControlMode(document, *mode);
     } else if (name == "evaluations" && number) {
       document.search.evaluations = static_cast<int>(value.number);
     } else if (name == "seed" && number && value.number >= 0.0) {

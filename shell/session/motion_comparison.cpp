@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/document/timeline_edit.h"
-#include "shell/session/control_mode.h"
+#include "shell/words/control_modes.h"
 #include "shell/words/language.h"
 
 namespace gaitsmith::shell {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shell/words/controller_words.h"
 
+#include "shell/words/control_modes.h"
 #include "shell/words/language.h"
 #include "shell/words/wording.h"
 
@@ -13,13 +14,8 @@ double PeriodS(const SenseSpec& senses) {
 
 // The pattern to fill with the number of rules or nodes, and the timer's period.
 const char* ControllerPattern(ControllerKind kind, const SenseSpec& senses, int rules) {
-  const bool one = rules == 1;
-  if (kind == ControllerKind::kNetwork) {
-    return one ? TrLater("a network of {1} hidden node") : TrLater("a network of {1} hidden nodes");
-  }
-  if (senses.kind == SenseKind::kPhysical)
-    return one ? TrLater("{1} rule with physical senses") : TrLater("{1} rules with physical senses");
-  return one ? TrLater("{1} rule with timer {2} s") : TrLater("{1} rules with timer {2} s");
+  const ControlModeRow& mode = ControlModeOf(kind, senses.kind);
+  return rules == 1 ? mode.one_unit : mode.many_units;
 }
 
 }  // namespace

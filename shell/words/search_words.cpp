@@ -2,6 +2,7 @@
 #include "shell/words/search_words.h"
 
 #include "shell/words/algorithm_words.h"
+#include "shell/words/control_modes.h"
 #include "shell/words/controller_words.h"
 #include "shell/words/language.h"
 #include "shell/words/style_words.h"
@@ -29,9 +30,8 @@ std::string SearchLine(const Document& d) {
 }
 
 std::string ControlModeWords(ControllerKind kind, const SenseSpec& senses) {
-  if (kind == ControllerKind::kNetwork) return Tr("network");
-  if (senses.kind == SenseKind::kPhysical) return Tr("physical");
-  return Tr("timer {1} s", Fixed(static_cast<float>(senses.period_steps) * kStep, 2));
+  return Tr(ControlModeOf(kind, senses.kind).short_words,
+            Fixed(static_cast<float>(senses.period_steps) * kStep, 2));
 }
 
 std::string WaitingWords(std::size_t count) {

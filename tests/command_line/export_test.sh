@@ -17,8 +17,14 @@ refuses() {
 }
 poses() { grep -c 'class="pose"' "$1"; }
 
+# The exporters in their order, and options for a file of each.
+mapfile -t exporters < <("$gaitsmith" catalogue | sed -n '/"exporters"/,/\]/s/.*"name": "\([^"]*\)".*/\1/p')
+every=()
+for name in "${exporters[@]}"; do every+=("--$name" "all.$name"); done
+or=$(printf ', or --%s' "${exporters[@]:1}")
+
 for document in "$root"/examples/*.json; do
-  "$gaitsmith" export "$document" --svg all.svg --gltf all.gltf --csv all.csv || fault "export of $document"
+  "$gaitsmith" export "$document" "${every[@]}" || fault "export of $document"
   same "$(poses all.svg)" 8 "poses of $document"
   "$gaitsmith" simulate "$document" --csv - | cmp -s - all.csv || fault "export and simulate write other numbers: $document"
   "$gaitsmith" export "$document" --gltf - | cmp -s - all.gltf || fault "other bytes on standard output: $document"
@@ -32,7 +38,7 @@ same "$(grep -oE '>[0-9.]+ s<' part.svg | tr -d '\n')" ">1.00 s<>1.75 s<>2.50 s<
 same "$("$gaitsmith" link encode star-man-shuffle | "$gaitsmith" export - --svg - | md5sum)" \
   "$("$gaitsmith" export star-man-shuffle --svg - | md5sum)" "export of a link"
 
-refuses '--svg: say where; or --gltf, or --csv' "$gaitsmith" export star-man-shuffle
+refuses "--${exporters[0]}: say where;${or#,}" "$gaitsmith" export star-man-shuffle
 refuses 'DOC: give exactly one document' "$gaitsmith" export --svg no.svg
 refuses '--poses: must be a whole number from 3 to 26, is "2"' "$gaitsmith" export star-man-shuffle --svg no.svg --poses 2
 refuses '--from: must be a number' "$gaitsmith" export star-man-shuffle --svg no.svg --from soon

@@ -72,7 +72,7 @@ async function lessonOf(body, reference) {
   await writeFile(join(root, 'secret.txt'), '');
   const faults = new Faults();
   const pages = await readPages(root, faults);
-  const playground = /** @type {any} */ ({ payload: async () => 'AbC', terms: [{ name: 'rotations' }] });
+  const playground = /** @type {any} */ ({ payload: async () => 'AbC', tables: { terms: [{ name: 'rotations' }], control_modes: [{ name: 'physical' }, { name: 'timer' }, { name: 'network' }] } });
   const { html } = await new Markdown(new Links(root, pages, playground, faults, reference)).render(pages[0]);
   await rm(root, { recursive: true });
   return { html, faults: faults.sentences };

@@ -82,7 +82,7 @@ before(async () => {
   for (const file of await readdir(TABLES))
     tables.set(file, JSON.parse(await readFile(join(TABLES, file), 'utf8')));
   const shell = await texts('shell', /\.(h|cpp)$/);
-  ofShell = new Set(shell.flatMap((text) => literals(text, ['Tr', 'TrLater'], '"')));
+  ofShell = new Set(shell.flatMap((text) => literals(text, ['Tr', 'TrLater', 'PageText'], '"')));
   const page = await texts('web', /^(?!book\/|package\/).*\.js$/);
   ofPage = new Set(page.flatMap((text) => literals(text, ['tr', 'trLater'], '\'"`')));
   ofMarkup = new Set((await texts('web', /^index\.html$/)).flatMap(markup));

@@ -16,9 +16,9 @@ const TICK = '<svg class="tick" viewBox="0 0 20 20" aria-hidden="true"><circle c
  * The error in the conditions of a goal, or an empty string.
  * @param {string} conditions @param {import('./links.mjs').Playground} playground
  */
-export function faultOfGoal(conditions, { terms }) {
+export function faultOfGoal(conditions, { tables }) {
   try {
-    parseGoal(conditions, terms);
+    parseGoal(conditions, tables);
     return '';
   } catch (error) {
     return /** @type {Error} */ (error).message;

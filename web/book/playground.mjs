@@ -17,17 +17,17 @@ export class Playground {
   /** By path. @type {Map<string, Opened>} */
   #opened = new Map();
 
-  /** @param {Engine} engine @param {typeof import('../catalogue/catalogue.js').terms} terms */
-  constructor(engine, terms) {
+  /** @param {Engine} engine @param {import('../page/goal_conditions.js').Tables} tables */
+  constructor(engine, tables) {
     this.engine = engine;
-    this.terms = terms;
+    this.tables = tables;
   }
 
   /** @param {string} site  the built one */
   static async load(site) {
     const { Engine } = await import(pathToFileURL(join(site, 'search/engine.js')).href);
-    const { terms } = await import(pathToFileURL(join(site, 'catalogue/catalogue.js')).href);
-    return new Playground(await Engine.load(), terms);
+    const tables = await import(pathToFileURL(join(site, 'catalogue/catalogue.js')).href);
+    return new Playground(await Engine.load(), tables);
   }
 
   /** The part of a document's link after '#'. Throws core's sentence. @param {string} path */

@@ -6,9 +6,13 @@
 export const algorithms: readonly { readonly name: string; readonly label: string }[];
 /** Secondary terms, by their names in documents, in their order. */
 export const terms: readonly { readonly name: string }[];
+/** What decides a controller's state. words: in English, as tr() takes it. */
+export const control_modes: readonly { readonly name: string; readonly words: string }[];
 /** In the order of the tabs. label: in English, as tr() takes it. */
 export const panels: readonly { readonly name: string; readonly label: string }[];
-/** Files that C++ makes of a motion. type: MIME. */
-export const exporters: readonly { readonly name: string; readonly ending: string; readonly type: string }[];
+/** Files that C++ makes of a motion. type: MIME. label, note: in English, as tr() takes them. */
+export const exporters: readonly {
+  readonly name: string; readonly ending: string; readonly type: string; readonly label: string; readonly note: string;
+}[];
 /** English first. name: in the language itself. */
 export const languages: readonly { readonly code: string; readonly name: string }[];

@@ -3,8 +3,8 @@
 // the conditions that are met.
 import { announce } from '../browser/announcer.js';
 import { element } from '../browser/dom.js';
-import { terms } from '../catalogue/catalogue.js';
-import { SENSES, isMet, parseGoal } from './goal_conditions.js';
+import { control_modes, terms } from '../catalogue/catalogue.js';
+import { isMet, parseGoal } from './goal_conditions.js';
 import { fixed, tr } from '../languages/language.js';
 
 /** @typedef {import('../app/app.js').App} App */
@@ -24,7 +24,7 @@ export class GoalBar {
     this.app = app;
     this.gaitsmith = gaitsmith;
     this.text = text;
-    this.conditions = parseGoal(text, terms);
+    this.conditions = parseGoal(text, { control_modes, terms });
   }
 
   show() {
@@ -65,7 +65,7 @@ export class GoalBar {
 
 /** "Distance ≥ 8 m (now 5.21 m)" @param {Condition} condition @param {Measures} measures */
 function conditionText({ name, relation, wanted }, measures) {
-  if (name === 'sense') return tr('decided by {1}', tr(SENSES[/** @type {keyof typeof SENSES} */ (wanted)]));
+  if (name === 'sense') return tr('decided by {1}', tr(control_modes.find((mode) => mode.name === wanted)?.words ?? ''));
   const sign = { '>=': '≥', '<=': '≤' }[/** @type {string} */ (relation)] ?? relation;
   if (name === 'rules') return tr('{1} {2} {3} (now {4})', tr('Rules'), sign, wanted, measures.rules);
   const { label, unit, decimals, value } = /** @type {import('../app/app.js').Measure} */ (measures.terms.find((term) => term.name === name));

@@ -3,7 +3,7 @@
 import { element, offerFile, onClick, toast } from '../browser/dom.js';
 import { exporters } from '../catalogue/catalogue.js';
 import { Engine } from '../search/engine.js';
-import { fixed, tr, trSentence } from '../languages/language.js';
+import { fixed, followLanguage, tr, trSentence } from '../languages/language.js';
 import { fileName } from './sharing.js';
 
 /** @typedef {import('../app/app.js').App} App */
@@ -23,8 +23,7 @@ const PNG_SCALE = 2;
 
 /** The formats of the engine's exporters, and those that are made here. @type {Record<string, Format>} */
 export const FORMATS = {
-  ...Object.fromEntries(exporters.map(({ name, ending, type }) => [name, { ending, type, make: async ({ motion }) => motion.file(name) }])),
-  svg: { ending: 'svg', type: 'image/svg+xml', make: async (job) => strip(job) },
+  ...Object.fromEntries(exporters.map(({ name, ending, type }) => [name, { ending, type, make: async (job) => (name === 'svg' ? strip(job) : job.motion.file(name)) }])),
   png: { ending: 'png', type: 'image/png', make: (job) => painted(strip(job)) },
   gif: { ending: 'gif', type: 'image/gif', make: async (job) => (await import('./export_film.js')).gif(job) },
   webm: { ending: 'webm', type: 'video/webm', make: async (job) => (await import('./export_film.js')).webm(job) },
@@ -41,7 +40,7 @@ function strip({ motion, poses }) {
 
 /** An SVG as a PNG. @param {string} svg @returns {Promise<Blob>} */
 async function painted(svg) {
-  const url = URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' }));
+  const url = URL.createObjectURL(new Blob([svg], { type: FORMATS.svg.type }));
   try {
     const image = new Image();
     image.src = url;
@@ -56,6 +55,21 @@ async function painted(svg) {
   } finally {
     URL.revokeObjectURL(url);
   }
+}
+
+/** The choice of an exporter, whose words follow the language. @param {typeof exporters[number]} exporter */
+function choice({ name, label, note }) {
+  const title = document.createTextNode('');
+  const small = document.createElement('small');
+  followLanguage(() => {
+    title.data = `${tr(label)} `;
+    small.textContent = tr(note);
+  });
+  const words = document.createElement('span');
+  words.append(title, small);
+  const box = document.createElement('label');
+  box.append(Object.assign(document.createElement('input'), { type: 'radio', name: 'export-format', value: name, defaultChecked: name === exporters[0]?.name }), ' ', words);
+  return box;
 }
 
 class ExportDialog {
@@ -74,6 +88,10 @@ class ExportDialog {
   /** @param {App} app */
   constructor(app) {
     this.app = app;
+    // index.html has the formats that are made here. They follow the first exporter, the film strip.
+    const [first, ...others] = exporters.map(choice);
+    this.#formats.querySelector('legend')?.after(first);
+    this.#formats.append(...others);
     this.#dialog.addEventListener('submit', (event) => {
       event.preventDefault();
       void this.#export();

@@ -8,7 +8,7 @@
 
 #include "shell/panels/controller/network_diagram.h"
 #include "shell/panels/controller/rule_card.h"
-#include "shell/session/control_mode.h"
+#include "shell/words/control_modes.h"
 #include "shell/words/controller_words.h"
 #include "shell/words/language.h"
 #include "shell/words/wording.h"
@@ -28,21 +28,18 @@ const char* PeriodWords(int period_steps, int duration_steps) {
 
 void DrawSettings(Ui& ui, Session& session) {
   const SenseSpec& senses = session.Doc().senses;
-  static constexpr std::array<const char*, 3> kKinds = {TrLater("Timer"), TrLater("Senses"),
-                                                        TrLater("Network")};
-  const bool network = session.Doc().kind == ControllerKind::kNetwork;
-  int kind = static_cast<int>(ControlModeOf(session.Doc()));
-  if (ui.Segmented("controller/senses", ui.Row(ui.Look().touch ? 42.0f : 34.0f), Tr("What decides"), kKinds,
-                   kind)) {
-    session.Set([&](Document& d) { SetControlMode(d, static_cast<ControlMode>(kind)); });
+  static constexpr auto kLabels = ControlModeColumn(&ControlModeRow::label);
+  const ControlModeRow& mode = ControlModeOf(session.Doc());
+  int chosen = static_cast<int>(mode.mode);
+  if (ui.Segmented("controller/senses", ui.Row(ui.Look().touch ? 42.0f : 34.0f), Tr("What decides"), kLabels,
+                   chosen)) {
+    session.Set([&](Document& d) { SetControlMode(d, kControlModes[static_cast<std::size_t>(chosen)]); });
   }
   ui.Gap(8.0f);
-  ui.Paragraph(Tr(kind == 0   ? "Rules that follow a clock: a wind-up toy."
-                  : kind == 1 ? "Rules that feel angles, contacts, height and rise."
-                              : "Touch and angle sensors, hidden nodes and actuators, all connected."),
-               Type::kNote);
+  const ControlModeRow& now = kControlModes[static_cast<std::size_t>(chosen)];
+  ui.Paragraph(Tr(now.explanation), Type::kNote);
   ui.Gap(10.0f);
-  if (kind == 0) {
+  if (now.senses == SenseKind::kTimer) {
     const float seconds = static_cast<float>(senses.period_steps) * kStep;
     double period = static_cast<double>(seconds);
     // From far below the motion's length to above it.
@@ -72,7 +69,7 @@ void DrawSettings(Ui& ui, Session& session) {
     ui.Gap(8.0f);
   }
   double rules = session.Doc().rules;
-  if (ui.Slider("controller/rules", Tr(network ? "Hidden nodes" : "Rules"), rules,
+  if (ui.Slider("controller/rules", Tr(mode.units), rules,
                 {.low = 1.0, .high = std::max(20.0, rules), .step = 1.0},
                 std::to_string(session.Doc().rules))) {
     session.Set([&](Document& d) { d.rules = static_cast<int>(rules); });
@@ -127,7 +124,7 @@ void DrawRules(Ui& ui, Session& session, ControllerPanelState& state) {
 
 // The same figure with a timer and with senses, side by side.
 void DrawComparison(Ui& ui, Session& session, const Controller& shown) {
-  const bool with_timer = ContrastTo(shown) == ControlMode::kTimer;
+  const bool with_timer = ContrastTo(shown).mode == ControlMode::kTimer;
   const bool beside = session.Comparison().Other().Beside();
   const bool awaits = !beside && session.Comparison().Awaits();
   const char* label = Tr(beside       ? "Stop comparing"
@@ -173,8 +170,12 @@ void DrawControllerPanel(Ui& ui, Session& session, ControllerPanelState& state) 
   }
   if (shown == nullptr) return;
   DrawComparison(ui, session, *shown);
-  if (shown->kind == ControllerKind::kNetwork) return DrawNetwork(ui, session, *shown);
-  DrawRules(ui, session, state);
+  switch (shown->kind) {  // each kind has a view of its own
+    case ControllerKind::kRules:
+      return DrawRules(ui, session, state);
+    case ControllerKind::kNetwork:
+      return DrawNetwork(ui, session, *shown);
+  }
 }
 
 }  // namespace gaitsmith::shell

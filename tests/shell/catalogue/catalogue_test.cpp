@@ -59,7 +59,9 @@ TEST_CASE("catalogue: the page's module has a list for each table that it reads"
   const std::string module = CatalogueModule();
   CHECK(module.contains("\nexport const algorithms=[{\"name\":\"rgt\",\"label\":\"RG&T\"},"));
   CHECK(module.contains("\nexport const terms=[{\"name\":\"max_cm_height\"},"));
-  CHECK(module.contains("{\"name\":\"csv\",\"ending\":\"csv\",\"type\":\"text/csv\"}];\n"));
+  const ExporterRow& last = kExporters.back();
+  CHECK(module.contains(",\"type\":" + QuoteJson(last.type) + ",\"label\":" + QuoteJson(last.label) +
+                        ",\"note\":" + QuoteJson(last.note) + "}];\n"));
 }
 
 TEST_CASE("catalogue: for each table, a page of the docs has one row per name", "[catalogue]") {
@@ -73,6 +75,9 @@ TEST_CASE("catalogue: for each table, a page of the docs has one row per name", 
   explains("search.md", kAlgorithmNames);
   explains("style.md", kTaskNames);
   explains("style.md", kStyleTermNames);
+  std::vector<std::string> options;
+  for (const ExporterRow& row : kExporters) options.push_back("--" + std::string(row.id));
+  explains("command-line.md", options);
 }
 
 TEST_CASE("catalogue: a panel's id is its tab's label in lower case, as docs/embedding.md says",

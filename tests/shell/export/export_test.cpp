@@ -9,9 +9,8 @@
 
 #include "core/document/json.h"
 #include "core/document/json_value.h"
+#include "shell/export/exporters.h"
 #include "shell/export/film_strip.h"
-#include "shell/export/skeleton_gltf.h"
-#include "shell/export/trajectory_csv.h"
 #include "tests/scene.h"
 
 namespace gaitsmith::shell::test {

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// What decides a controller's state: a clock, the physical senses, or a network of sensors. The paper
+// compares the first two. One row for each, read by the panel, titles, goals, scripts and the command line.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "core/document/document.h"
+#include "shell/words/language.h"
+
+namespace gaitsmith::shell {
+
+enum class ControlMode { kTimer, kSenses, kNetwork };
+
+/// The texts are English, for Tr(). {1} is a number of rules or nodes, {2} the timer's period in seconds.
+struct ControlModeRow {
+  ControlMode mode;
+  ControllerKind kind;
+  SenseKind senses;
+  std::string_view name;    // for scripts, goals and tables
+  const char* label;        // on the panel's switch
+  const char* explanation;  // below the switch
+  const char* units;        // label of the number of rules or nodes
+  const char* words;        // in a goal: "decided by …"
+  const char* short_words;  // in lists; {1} is the period
+  const char* one_unit;     // a controller with one rule or node
+  const char* many_units;
+};
+
+/// In the order of the panel's switch.
+inline constexpr std::array<ControlModeRow, 3> kControlModes = {{
+    {ControlMode::kTimer, ControllerKind::kRules, SenseKind::kTimer, "timer", TrLater("Timer"),
+     TrLater("Rules that follow a clock: a wind-up toy."), TrLater("Rules"), TrLater("timer"),
+     TrLater("timer {1} s"), TrLater("{1} rule with timer {2} s"), TrLater("{1} rules with timer {2} s")},
+    {ControlMode::kSenses, ControllerKind::kRules, SenseKind::kPhysical, "physical", TrLater("Senses"),
+     TrLater("Rules that feel angles, contacts, height and rise."), TrLater("Rules"),
+     TrLater("physical senses"), TrLater("physical"), TrLater("{1} rule with physical senses"),
+     TrLater("{1} rules with physical senses")},
+    {ControlMode::kNetwork, ControllerKind::kNetwork, SenseKind::kPhysical, "network", TrLater("Network"),
+     TrLater("Touch and angle sensors, hidden nodes and actuators, all connected."), TrLater("Hidden nodes"),
+     TrLater("network"), TrLater("network"), TrLater("a network of {1} hidden node"),
+     TrLater("a network of {1} hidden nodes")},
+}};
+
+/// One column of the table, in its order.
+template <class Value>
+[[nodiscard]] constexpr auto ControlModeColumn(Value ControlModeRow::* column) {
+  std::array<Value, kControlModes.size()> values;
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = kControlModes[i].*column;
+  return values;
+}
+
+/// @return the first row of the kind if it has no such senses
+[[nodiscard]] const ControlModeRow& ControlModeOf(ControllerKind, SenseKind);
+[[nodiscard]] const ControlModeRow& ControlModeOf(const Controller&);
+/// The mode of the document's next search.
+[[nodiscard]] const ControlModeRow& ControlModeOf(const Document&);
+void SetControlMode(Document&, const ControlModeRow&);
+
+/// The mode that a controller is compared with: physical senses for a timer, a timer for all others.
+[[nodiscard]] const ControlModeRow& ContrastTo(const Controller&);
+
+}  // namespace gaitsmith::shell
