@@ -21,7 +21,7 @@ import { trLater } from '../languages/language.js';
  * Options of a search. Those that are left out come from the document.
  * @typedef {object} SynthesizeOptions
  * @property {string} [algorithm]   rgt, sphc, gga, ssga, shc, mpga, nelder-mead, powell, cma-es, map-elites or two-stage
- * @property {'timer' | 'physical' | 'network'} [sense]
+ * @property {string} [sense]  a name of the catalogue's control_modes: 'timer', 'physical', 'network'
  * @property {number} [period]       of the timer, seconds
  * @property {number} [evaluations]
  * @property {number} [seed]

@@ -4,14 +4,13 @@
 import assert from 'node:assert/strict';
 import { countWorkers, expectFaults, liveWorkers, openFaulty } from '../faulty_site.mjs';
 import { PageDriver } from '../page_driver.mjs';
+import { same } from './history.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
 /** @typedef {import('../worker_faults.mjs').Fault} Fault */
 
 /** The motion and the document, without its view and its search, which Undo does not change. @param {PageDriver} page @returns {Promise<string>} */
 const workOf = (page) => page.call('work', () => JSON.stringify([window.gaitsmith.hash(), { ...window.gaitsmith.document(), view: null, search: null }]));
-/** Does not print the texts, which are long. @param {string} now @param {string} before @param {string} what */
-const same = (now, before, what) => assert.ok(now === before, `${what}: another document`);
 
 const SEARCH = { seed: 9, evaluations: 4000, sense: /** @type {const} */ ('physical'), workers: 2 };
 

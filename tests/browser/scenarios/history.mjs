@@ -10,6 +10,14 @@ export function stateOf(page) {
   return page.call('state', () => JSON.stringify([window.gaitsmith.hash(), { ...window.gaitsmith.document(), view: null }]));
 }
 
+/** Shows where two states differ, because they are long. @param {string} now @param {string} before @param {string} what */
+export function same(now, before, what) {
+  if (now === before) return;
+  const at = [...now].findIndex((letter, i) => letter !== before[i]);
+  const around = (/** @type {string} */ text) => text.slice(Math.max(0, at - 60), at + 60);
+  assert.fail(`${what}: another document, at letter ${at}: …${around(now)}… instead of …${around(before)}…`);
+}
+
 /** @param {PageDriver} page @param {string} id  of a button */
 const buttonState = (page, id) => page.page.evaluate((selector) => {
   const button = /** @type {HTMLElement} */ (document.querySelector(selector));

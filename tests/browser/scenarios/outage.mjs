@@ -9,7 +9,7 @@ import { join } from 'node:path';
 import { promisify } from 'node:util';
 import { ROOT } from '../browsers.mjs';
 import { countWorkers, liveWorkers, openFaulty } from '../faulty_site.mjs';
-import { stateOf } from './history.mjs';
+import { same, stateOf } from './history.mjs';
 import { PageDriver, sleep } from '../page_driver.mjs';
 import { PlainServer } from '../plain_server.mjs';
 
@@ -49,6 +49,17 @@ function expected({ browser, address }) {
   return undisturbed;
 }
 
+/** The state when nothing changes it any more: after a search the page shows its last improvements. @param {PageDriver} page */
+async function stateAtRest(page) {
+  let state = '';
+  for (let turn = 0, now = await stateOf(page); now !== state; turn++, now = await stateOf(page)) {
+    assert.ok(turn < 20, 'the document never rests');
+    state = now;
+    await sleep(1500);
+  }
+  return state;
+}
+
 /** @param {Visit} visit */
 async function graphicsLost(visit) {
   const page = await PageDriver.open(visit.browser, visit.address, { before: countWorkers });
@@ -63,10 +74,10 @@ async function graphicsLost(visit) {
   const hash = await expected(visit);
   await page.page.bringToFront();
   assert.equal(await ended(page), hash, 'the search ends right');
-  const state = await stateOf(page);
+  const state = await stateAtRest(page);
   await page.page.evaluate(() => { /** @type {any} */ (window).testGraphics.restoreContext(); });
   await page.reload();
-  assert.ok(await stateOf(page) === state, 'another document');
+  same(await stateOf(page), state, 'after a reload');
   assert.ok((await page.stage()).spread > 10, 'drawn again');
   await begin(page);
   assert.equal(await ended(page), hash, 'a search there');
@@ -147,7 +158,7 @@ async function twoTabs(visit) {
   const third = await ended(one);
   const state = await stateOf(one);
   await one.reload();
-  assert.ok(await stateOf(one) === state, 'another document');
+  same(await stateOf(one), state, 'the first tab');
   const results = await one.call('results', () => window.gaitsmith.results().map((result) => result.hash));
   assert.ok(results.includes(third), 'what was found after it is kept');
   await two.page.bringToFront();
@@ -255,15 +266,10 @@ async function newVersion(visit) {
     await page.call('pause', () => { window.gaitsmith.pause(); });
     await page.until('a pause', () => /^Paused/.test(document.querySelector('#status')?.textContent ?? ''), 10000);
     // Wait for the last improvement: until the state no longer changes.
-    let best = '';
-    for (let turn = 0, now = await stateOf(page); now !== best; turn++, now = await stateOf(page)) {
-      assert.ok(turn < 20, 'the document never rests');
-      best = now;
-      await sleep(1500);
-    }
+    const best = await stateAtRest(page);
     await page.arrive(() => page.clickElement('#update-go'));
     assert.equal(await page.call('version', () => /** @type {any} */ (window).testNew), true);
-    assert.ok(await stateOf(page) === best, 'another document');
+    same(await stateOf(page), best, 'the best');
     await begin(page);
     assert.equal(await ended(page), hash);
     await page.close();
