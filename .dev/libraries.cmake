@@ -59,7 +59,7 @@ target_compile_definitions(imgui PUBLIC
 target_link_libraries(imgui PUBLIC SDL2)
 if(EMSCRIPTEN)
   target_compile_definitions(imgui PUBLIC IMGUI_IMPL_OPENGL_ES3)
-  target_compile_options(imgui PRIVATE -Oz -flto)
+  target_compile_options(imgui PRIVATE -Oz -emit-llvm)
   # shell/host/webgl_state.cpp defines and explains these functions.
   set_source_files_properties("${imgui_SOURCE_DIR}/backends/imgui_impl_opengl3.cpp" PROPERTIES
     COMPILE_DEFINITIONS "glGetIntegerv=gaitsmith_webgl_state;glGenVertexArrays=gaitsmith_webgl_vertex_array;glDeleteVertexArrays=gaitsmith_webgl_keep")

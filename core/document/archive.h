@@ -16,8 +16,9 @@ namespace gaitsmith {
 /// The most names that a choice may have: a link has this much room for their index (binary.cpp).
 inline constexpr std::size_t kMaxChoices = 271;
 
-/// An archive overrides what it looks at; all else passes by. In JSON a field with its standard value may be
-/// left out. In a link it costs one bit.
+/// An archive overrides what it looks at; all else passes by. Every virtual function is defined here, because
+/// core is compiled without RTTI and derived classes elsewhere need not be. In JSON a field with its standard
+/// value may be left out. In a link it costs one bit.
 class Archive {
  public:
   Archive() = default;
@@ -81,17 +82,29 @@ class Archive {
   /// A choice, as an index into its names.
   virtual void Index(std::string_view /*name*/, int& /*index*/, std::span<const std::string_view> /*names*/,
                      int /*standard*/) {}
+  // By default, groups, lists and items become part of the path that a fault names. An archive that overrides
+  // a beginning without this one overrides the end, too.
+
   /// False leaves out what is inside, and the end.
-  virtual bool BeginGroup(std::string_view /*name*/) { return true; }
-  virtual void EndGroup() {}
+  virtual bool BeginGroup(std::string_view name) {
+    Enter(name);
+    return true;
+  }
+  virtual void EndGroup() { Leave(); }
   virtual bool BeginSince(int /*version*/) { return true; }
   virtual void EndSince() {}
   /// @param size of the list, 0 for an archive that reads; what it is changed to, the list will have
   /// @return false to leave the list as it is
-  virtual bool BeginList(std::string_view /*name*/, std::size_t& /*size*/, int /*most*/) { return true; }
-  virtual bool BeginItem(std::size_t /*index*/) { return true; }
-  virtual void EndItem() {}
-  virtual void EndList() {}
+  virtual bool BeginList(std::string_view name, std::size_t& /*size*/, int /*most*/) {
+    Enter(name);
+    return true;
+  }
+  virtual bool BeginItem(std::size_t index) {
+    EnterElement(index);
+    return true;
+  }
+  virtual void EndItem() { Leave(); }
+  virtual void EndList() { Leave(); }
   /// Whether the archive fills the document. Lists are emptied first.
   [[nodiscard]] virtual bool Reads() const { return false; }
 

@@ -81,10 +81,10 @@ class BinaryWriter : public Archive {
     return true;
   }
   void EndSince() override { since_.pop_back(); }
-  bool BeginList(std::string_view, std::size_t& size, int most) override {
+  bool BeginList(std::string_view name, std::size_t& size, int most) override {
     if (Standard(size == 0)) return false;
     bits_.Put(size, BitsFor(static_cast<std::uint64_t>(most) + 1));
-    return true;
+    return Archive::BeginList(name, size, most);
   }
   static int IntegerBits(int low, int high) {
     return BitsFor(static_cast<std::uint64_t>(std::int64_t{high} - low) + 1);
@@ -178,12 +178,6 @@ class BinaryReader : public Archive {
   }
   /// An older version does not have these fields, so they keep their standard values.
   bool BeginSince(int version) override { return version <= version_; }
-  bool BeginGroup(std::string_view name) override {
-    if (!Ok()) return false;
-    Enter(name);
-    return true;
-  }
-  void EndGroup() override { Leave(); }
   [[nodiscard]] bool Reads() const override { return true; }
   bool BeginList(std::string_view name, std::size_t& size, int most) override {
     if (Given(name)) {
@@ -191,15 +185,8 @@ class BinaryReader : public Archive {
       CheckCount(name, size, static_cast<std::size_t>(most));
       CheckLeft(name);
     }
-    Enter(name);
-    return true;
+    return Archive::BeginList(name, size, most);
   }
-  bool BeginItem(std::size_t index) override {
-    EnterElement(index);
-    return true;
-  }
-  void EndItem() override { Leave(); }
-  void EndList() override { Leave(); }
   bool Given(std::string_view name) {
     if (!Ok()) return false;
     const bool given = bits_.Take(1) != 0;

@@ -27,22 +27,10 @@ class Checker : public Archive {
   void Index(std::string_view name, int& index, std::span<const std::string_view> names, int) override {
     CheckInteger(name, index, 0, static_cast<int>(names.size()) - 1);
   }
-  bool BeginGroup(std::string_view name) override {
-    Enter(name);
-    return true;
-  }
-  void EndGroup() override { Leave(); }
   bool BeginList(std::string_view name, std::size_t& size, int most) override {
     CheckCount(name, size, static_cast<std::size_t>(most));
-    Enter(name);
-    return true;
+    return Archive::BeginList(name, size, most);
   }
-  bool BeginItem(std::size_t index) override {
-    EnterElement(index);
-    return true;
-  }
-  void EndItem() override { Leave(); }
-  void EndList() override { Leave(); }
 };
 
 }  // namespace
