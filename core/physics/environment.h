@@ -35,7 +35,7 @@ struct StartState {
   float drop_height_m = 0.0f;   // of the lowest endpoint above ground, [0, 100]
   float velocity_x_mps = 0.0f;  // of the centre of mass, [-100, 100]
   float velocity_y_mps = 0.0f;  // [-100, 100]
-  float spin_radps = 0.0f;      // of the whole figure, anticlockwise, [-40, 40]
+  float spin_radps = 0.0f;      // of the whole figure, counterclockwise, [-40, 40]
 };
 
 /// Push::endpoint of a push on the centre of mass.

@@ -21,7 +21,7 @@ struct Rod {
   float mass_kg = 1.0f;    // [1e-6, 1e6], spread evenly along the rod
   int parent = kNoParent;  // index of the rod it is attached to; kNoParent for exactly one rod, the root
   RodEnd parent_end = RodEnd::kEnd;  // the end of the parent where this rod starts
-  float rest_rad = 0.0f;  // drawn angle relative to the parent (root: to the horizontal), anticlockwise
+  float rest_rad = 0.0f;  // drawn angle relative to the parent (root: to the horizontal), counterclockwise
   float min_rad = -1.0f;  // lower joint limit relative to rest_rad, [-pi, 0]; ignored for the root
   float max_rad = 1.0f;   // upper joint limit relative to rest_rad, [0, pi]; ignored for the root
 

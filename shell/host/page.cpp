@@ -204,7 +204,7 @@ EMSCRIPTEN_KEEPALIVE void gs_set_theme(const char* palette, double scale) {
   window.SetScale(static_cast<float>(std::clamp(scale, 0.5, 4.0)));
 }
 
-/// Sets the language of all texts. @param table of shell/languages, as JSON; empty: English
+/// Sets the language of all texts. @param table of shell/words/languages, as JSON; empty: English
 /// @return 0: it is not such a table, and nothing has changed
 EMSCRIPTEN_KEEPALIVE int gs_set_language(const char* table) {
   if (!SetLanguage(table)) return 0;

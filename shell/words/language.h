@@ -12,7 +12,7 @@
 namespace gaitsmith::shell {
 
 /// Sets the language of all texts from now on.
-/// @param json a table of shell/languages; empty: English
+/// @param json a table of shell/words/languages; empty: English
 /// @return an error if it is not such a table; then the language is unchanged
 Result<void> SetLanguage(std::string_view json);
 

@@ -49,7 +49,7 @@ TEST_CASE("figure 12: shuffles right, cartwheels left, jumps, shuffles") {
   const Part cartwheel = Measured(*document, motion, 1);
   CHECK(cartwheel.name == "Cartwheel");
   CHECK(cartwheel.travel_m < -2.0);
-  CHECK(cartwheel.turns > 0.9);  // a cartwheel to the left turns anticlockwise
+  CHECK(cartwheel.turns > 0.9);  // a cartwheel to the left turns counterclockwise
   CHECK(cartwheel.turns < 1.1);
   const Part jump = Measured(*document, motion, 2);
   CHECK(jump.name == "Jump");

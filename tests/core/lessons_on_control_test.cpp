@@ -160,8 +160,8 @@ TEST_CASE("lessons: wind-up toys", "[lessons]") {
     CHECK(Rounded(motion.TermsAt(800).rotations, 1) == toy.turns);
     CHECK(Meets(goal, found) == (toy.period == 300));
     if (toy.period > 100) continue;
-    // "After 3 s at most, every joint is back where it was after each period, to less than a thousandth of a
-    // degree"
+    // "after a short start, every joint is back where it was after each period, to less than a thousandth of
+    // a degree"; the start is over after 3 s
     for (int frame = 300 + toy.period; frame <= 800; ++frame) {
       for (int joint = 0; joint < motion.Bones().joints; ++joint) {
         REQUIRE(static_cast<double>(

@@ -44,7 +44,7 @@ export interface AppExports {
   /** @param palette of kPaletteNames; another name keeps the present one @param scale of texts and controls */
   _gs_set_theme(palette: Pointer, scale: number): void;
   /**
-   * Sets the language of all texts. @param table of shell/languages, as JSON; empty: English
+   * Sets the language of all texts. @param table of shell/words/languages, as JSON; empty: English
    * @return 0: it is not such a table, and nothing has changed
    */
   _gs_set_language(table: Pointer): number;

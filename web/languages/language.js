@@ -2,7 +2,7 @@
 // Translates the page. The source code has the English texts, which are the keys of the other languages' tables
 // (language_choice.js fetches them). The canvas has the same tables.
 
-/** A table of shell/languages. @typedef {{decimal_mark: string, group_mark: string, words: Record<string, string>, errors: Record<string, string>}} Table */
+/** A table of shell/words/languages. @typedef {{decimal_mark: string, group_mark: string, words: Record<string, string>, errors: Record<string, string>}} Table */
 
 const ENGLISH = { code: 'en', text: '', decimalMark: '.', groupMark: ',', words: /** @type {Map<string, string>} */ (new Map()) };
 // The numbers and "quoted" parts of a sentence, as in shell/words/language.cpp.
