@@ -259,7 +259,7 @@ if (!SITE) {
     const [declared, parameters, returned] = [heading.nextElementSibling, heading.nextElementSibling.nextElementSibling, heading.nextElementSibling.nextElementSibling.nextElementSibling];
     assert.match(declared.text, /std::vector<Evaluation> Evaluate\(std::span<const Genome> genomes\) const/);
     assert.match(declared.innerHTML, /<var>genomes<\/var>/);
-    assert.match(declared.innerHTML, /<a href="\.\.\/\.\.\/\.\.\/reference\/core\/rollout\/evaluation\.html#evaluation">Evaluation<\/a>.*<a href="\.\.\/\.\.\/\.\.\/reference\/core\/control\/stimulus_response\.html#genome">Genome<\/a>/s);
+    assert.match(declared.innerHTML, /<a href="\.\.\/\.\.\/\.\.\/reference\/core\/rollout\/evaluation\.html#evaluation">Evaluation<\/a>.*<a href="\.\.\/\.\.\/\.\.\/reference\/core\/control\/gene_groups\.html#genome">Genome<\/a>/s);
     assert.match(parameters.text, /genomes any number of them, each with Problem::Shape\(\)\.Genes\(\) genes/);
     assert.match(returned.text, /Returns an evaluation for each, in order/);
     assert.match(page('rollout/evaluation').getElementById('evaluation-fitness').text, /float fitness = kVoidScore\s+with several beginnings: the mean, void if one is/);
