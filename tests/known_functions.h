@@ -82,10 +82,7 @@ inline SearchSettings Settings(Algorithm algorithm, int evaluations, std::uint32
   return settings;
 }
 
-inline constexpr Algorithm kAll[] = {Algorithm::kRandomSearch, Algorithm::kSphc,    Algorithm::kGga,
-                                     Algorithm::kSsga,         Algorithm::kShc,     Algorithm::kMpga,
-                                     Algorithm::kNelderMead,   Algorithm::kPowell,  Algorithm::kCmaEs,
-                                     Algorithm::kMapElites,    Algorithm::kTwoStage};
+inline constexpr auto kAll = AlgorithmColumn(&AlgorithmRow::algorithm);
 
 inline std::string Name(Algorithm algorithm) {
   return std::string(kAlgorithmNames[static_cast<std::size_t>(algorithm)]);

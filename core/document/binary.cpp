@@ -200,6 +200,24 @@ class BinaryReader : public Archive {
   int version_;
 };
 
+// Finds the newest version in the schema. Every list gets an item, so that its fields are seen.
+class VersionFinder : public Archive {
+ public:
+  [[nodiscard]] int Latest() const { return latest_; }
+
+ private:
+  bool BeginSince(int version) override {
+    latest_ = std::max(latest_, version);
+    return true;
+  }
+  [[nodiscard]] bool Reads() const override { return true; }
+  bool BeginList(std::string_view name, std::size_t& size, int most) override {
+    size = 1;
+    return Archive::BeginList(name, size, most);
+  }
+  int latest_ = 1;
+};
+
 void PutLittleEndian(std::vector<std::uint8_t>& out, std::uint32_t value, int bytes) {
   for (int i = 0; i < bytes; ++i) out.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
 }
@@ -211,6 +229,16 @@ std::uint32_t TakeLittleEndian(std::span<const std::uint8_t> bytes) {
 }
 
 }  // namespace
+
+int LatestBinaryVersion() {
+  static const int kLatest = [] {
+    VersionFinder finder;
+    Document document;
+    Describe(finder, document);
+    return finder.Latest();
+  }();
+  return kLatest;
+}
 
 std::uint32_t Crc32(std::span<const std::uint8_t> bytes) {
   static constexpr auto kOfByte = [] {
@@ -229,9 +257,9 @@ std::uint32_t Crc32(std::span<const std::uint8_t> bytes) {
 
 std::vector<std::uint8_t> EncodeBinary(const Document& document) {
   Document copy = document;
-  BinaryWriter writer(kBinaryVersion);
+  BinaryWriter writer(LatestBinaryVersion());
   Describe(writer, copy);
-  if (const int needed = writer.Needed(); needed < kBinaryVersion) {
+  if (const int needed = writer.Needed(); needed < LatestBinaryVersion()) {
     writer = BinaryWriter(needed);
     Describe(writer, copy);
   }
@@ -244,10 +272,11 @@ std::vector<std::uint8_t> EncodeBinary(const Document& document) {
 
 Result<Document> DecodeBinary(std::span<const std::uint8_t> bytes) {
   if (bytes.empty()) return Fail(ErrorCode::kTruncated, "", "there is no data");
-  if (bytes[0] < 1 || bytes[0] > kBinaryVersion) {
+  if (bytes[0] < 1 || bytes[0] > LatestBinaryVersion()) {
     return Fail(ErrorCode::kUnknownVersion, "",
                 "has format version " + std::to_string(bytes[0]) + ", this Gaitsmith reads versions up to " +
-                    std::to_string(kBinaryVersion) + "; it was made by a newer one, or the data is damaged");
+                    std::to_string(LatestBinaryVersion()) +
+                    "; it was made by a newer one, or the data is damaged");
   }
   const std::size_t whole =
       bytes.size() < kHeaderBytes ? 0 : TakeLittleEndian(bytes.subspan(1, 3)) + kHeaderBytes + kChecksumBytes;

@@ -11,8 +11,9 @@
 
 namespace gaitsmith {
 
-/// The newest version. A document is written in the oldest version that has all its fields.
-inline constexpr std::uint8_t kBinaryVersion = 2;
+/// The newest version: that of the schema's newest field. A document is written in the oldest version that
+/// has all its fields.
+[[nodiscard]] int LatestBinaryVersion();
 
 /// @param document must be valid
 [[nodiscard]] std::vector<std::uint8_t> EncodeBinary(const Document& document);

@@ -154,7 +154,6 @@ class Ui {
 
   const Theme& theme_;
   bool locked_ = false;
-  double before_typing_ = 0.0;  // value of the slider whose text field is open
   WidgetRegistry& registry_;
   Backdrop& backdrop_;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Sliders for one value, in one or two rows, with a number that can be typed.
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdlib>
 
@@ -29,6 +31,19 @@ int DecimalsOf(const SliderRange& range) {
   return decimals;
 }
 
+// The value of a slider before typing, in the window's storage, which has no doubles.
+constexpr ImGuiID kBeforeKey = 0x6265666f;
+void StoreBefore(ImGuiID widget, double value) {
+  const auto bits = std::bit_cast<std::array<int, 2>>(value);
+  ImGui::GetStateStorage()->SetInt(widget + kBeforeKey, bits[0]);
+  ImGui::GetStateStorage()->SetInt(widget + kBeforeKey + 1, bits[1]);
+}
+double ValueBefore(ImGuiID widget) {
+  const ImGuiStorage& storage = *ImGui::GetStateStorage();
+  return std::bit_cast<double>(
+      std::array{storage.GetInt(widget + kBeforeKey), storage.GetInt(widget + kBeforeKey + 1)});
+}
+
 constexpr float kTrack = 4.0f;  // height of the track
 constexpr float kFieldWidth = 84.0f;
 
@@ -49,7 +64,7 @@ void Ui::TypedValue(std::string_view id, std::string_view label, const ImRect& f
                               .range = WidgetRange{range.low, range.high, 0.0, value}});
   if (!ImGui::TempInputIsActive(widget)) {  // opens the field, whatever requested it
     ImGuiContext& g = *ImGui::GetCurrentContext();
-    before_typing_ = value;
+    StoreBefore(widget, value);
     g.NavActivateId = widget;
     g.NavActivateFlags |= ImGuiActivateFlags_PreferInput;
   }
@@ -66,7 +81,7 @@ void Ui::TypedValue(std::string_view id, std::string_view label, const ImRect& f
   Canvas()->AddRect(field.Min, field.Max, Ink().accent, 3.0f, 0, 2.0f);
   if (double number = 0.0; edited && Parse(text, number)) value = range.Nearest(number);
   // On Escape the field restores its own text, which is rounded. Restore the value from before typing.
-  if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) value = before_typing_;
+  if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) value = ValueBefore(widget);
 }
 
 bool Ui::Slider(std::string_view id, std::string_view label, double& value, const SliderRange& range,

@@ -6,7 +6,7 @@
 namespace gaitsmith::shell {
 
 const std::array<AlgorithmWords, kAlgorithmNames.size()>& AlgorithmTexts() {
-  static const std::array<AlgorithmWords, kAlgorithmNames.size()> kTexts = {{
+  static const auto kTexts = std::to_array<AlgorithmWords>({
       {"RG&T", TrLater("RG&T: at random"),
        TrLater("Draws controllers at random and keeps the best: the benchmark.")},
       {"SPHC", TrLater("SPHC: hill climbing, reseeded"),
@@ -30,7 +30,9 @@ const std::array<AlgorithmWords, kAlgorithmNames.size()>& AlgorithmTexts() {
        TrLater("Keeps the best for every height, slip and turn: many motions from one search.")},
       {TrLater("Two-stage"), TrLater("Two-stage: random, then climbing"),
        TrLater("Draws many at random, then climbs from the best: how networks were first found.")},
-  }};
+  });
+  static_assert(std::tuple_size_v<decltype(kTexts)> == kAlgorithmNames.size(),
+                "every algorithm needs its words");
   return kTexts;
 }
 

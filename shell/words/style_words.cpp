@@ -10,7 +10,7 @@
 
 namespace gaitsmith::shell {
 const std::array<TermWords, kStyleTerms>& TermTexts() {
-  static constexpr std::array<TermWords, kStyleTerms> kTexts = {{
+  static constexpr auto kTexts = std::to_array<TermWords>({
       {"style/height", TrLater("Height"), TrLater("height"), TrLater("peak of the centre of mass"), "m",
        TrLater("per m"), 2},
       {"style/slip", TrLater("Slip"), TrLater("slip"), TrLater("how far loaded endpoints slide"), "m",
@@ -25,7 +25,8 @@ const std::array<TermWords, kStyleTerms>& TermTexts() {
        TrLater("0 when joints never change speed"), "rad/s²", TrLater("per rad/s²"), 1},
       {"style/head", TrLater("Head height"), TrLater("head height"),
        TrLater("mean height of the endpoint drawn highest"), "m", TrLater("per m"), 2},
-  }};
+  });
+  static_assert(kTexts.size() == kStyleTerms, "every term needs its words");
   return kTexts;
 }
 

@@ -122,7 +122,7 @@ TEST_CASE("binary: every flipped bit is refused", "[document]") {
     REQUIRE(!DecodeBinary(flipped));
   }
   auto newer = bytes;
-  newer[0] = kBinaryVersion + 1;
+  newer[0] = static_cast<std::uint8_t>(LatestBinaryVersion() + 1);
   REQUIRE(DecodeBinary(newer).error().code == ErrorCode::kUnknownVersion);
   REQUIRE(DecodeBinary(std::span(bytes).first(30)).error().code == ErrorCode::kTruncated);
   REQUIRE(DecodeBinary(std::span(bytes).first(30)).error().what ==

@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace gaitsmith;
   static_cast<void>(DecodeLink({reinterpret_cast<const char*>(data), size}));
 
-  for (std::uint8_t version = 1; version <= kBinaryVersion; ++version) {
+  for (std::uint8_t version = 1; version <= LatestBinaryVersion(); ++version) {
     std::vector<std::uint8_t> bytes = {version, static_cast<std::uint8_t>(size),
                                        static_cast<std::uint8_t>(size >> 8),
                                        static_cast<std::uint8_t>(size >> 16)};
