@@ -12,17 +12,17 @@
 namespace gaitsmith {
 
 /// Runs a rollout for the task's duration and scores its first lanes.
-/// @param actuators of the plant
+/// @param ports of the plant
 /// @param results out: one for each of the first lanes, without hashes
 /// @param hashes  one for each lane; each step is added to them. Empty: no hashes
 template <template <int> class PlantOf, int W>
-void Measure(Rollout<PlantOf, W>& rollout, int actuators, const Task& task, std::span<Evaluation> results,
-             std::span<TrajectoryHash> hashes = {}) {
+void Measure(Rollout<PlantOf, W>& rollout, const PortCount& ports, const Task& task,
+             std::span<Evaluation> results, std::span<TrajectoryHash> hashes = {}) {
   const PlantOf<W>& plant = rollout.PlantNow();
   // Most searches give the further terms no weight. Then they are not measured.
   const FurtherTerms weighted = WeightedFurtherTerms(task);
   std::optional<StyleMeter<PlantOf<W>>> meter;
-  if (weighted != FurtherTerms{}) meter.emplace(plant, actuators, weighted, kStep);
+  if (weighted != FurtherTerms{}) meter.emplace(plant, ports, weighted, kStep);
   rollout.RunTo(rollout.StepNow() + task.duration_steps, kNothing, [&] {
     if (meter) meter->Add();
     for (std::size_t lane = 0; lane < hashes.size(); ++lane)

@@ -39,7 +39,7 @@ class PlantRecorder final : public MotionRecorder {
     const auto takeovers = DecodeClips(script.clips, script.controllers, ports, script.step_s);
     Rollout<PlantOf, 1> rollout(body, script.environment, script.start, script.pushes, takeovers,
                                 script.step_s);
-    StyleMeter<PlantOf<1>> meter(rollout.PlantNow(), log.ports.actuators, kAllFurtherTerms, script.step_s);
+    StyleMeter<PlantOf<1>> meter(rollout.PlantNow(), log.ports, kAllFurtherTerms, script.step_s);
     TrajectoryHash hash;
     if (checkpoints_.empty()) {
       rollout.TakeOver();

@@ -27,10 +27,13 @@ class StyleMeter {
   void Restore(const Sums& sums) { sums_ = sums; }
 
   /// @param plant that has not stepped yet; must outlive the meter
-  /// @param actuators of the plant
+  /// @param ports of the plant
   /// @param wanted terms to measure; the others stay 0
-  StyleMeter(const P& plant, int actuators, const FurtherTerms& wanted, float step_s)
-      : plant_(plant), actuators_(static_cast<std::size_t>(actuators)), wanted_(wanted), step_s_(step_s) {
+  StyleMeter(const P& plant, const PortCount& ports, const FurtherTerms& wanted, float step_s)
+      : plant_(plant),
+        actuators_(static_cast<std::size_t>(ports.actuators)),
+        wanted_(wanted),
+        step_s_(step_s) {
     const Readings<P::kLanes> now = plant.Read();
     for (std::size_t j = 0; j < actuators_; ++j) sums_.rate_radps[j] = now.rate[j];
   }
