@@ -128,6 +128,7 @@ std::vector<Row> Senses() {
 
 std::vector<Row> ControlModes() {
   std::vector<Row> rows;
+  rows.reserve(kControlModes.size());
   for (const ControlModeRow& row : kControlModes) {
     rows.push_back(Row()
                        .With("name", row.name)
