@@ -103,6 +103,12 @@ Controller RandomController(const Figure& figure, const SenseSpec& senses, std::
   return {"random", ControllerKind::kRules, senses, 10, RandomGenome(shape, senses, Variation{}, random)};
 }
 
+Motion MotionOf(const Figure& figure, const Environment& environment, const StartState& start,
+                std::span<const Push> pushes, std::span<const Controller> controllers,
+                std::span<const Clip> clips, int steps, float step_s) {
+  return Motion(Script{figure, environment, start, pushes, controllers, clips, steps, step_s});
+}
+
 std::vector<std::string> GoldenMotions() { return DocumentsIn("tests/golden/motions"); }
 
 std::vector<std::string> ShippedDocuments() {

@@ -3,6 +3,7 @@
 // written only once.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,11 @@ Controller HoldPose(const Figure& figure, const std::vector<float>& target_rad, 
 
 /// A random bank of ten rules.
 Controller RandomController(const Figure& figure, const SenseSpec& senses, std::uint64_t seed);
+
+/// Simulates with the first model. See Script.
+Motion MotionOf(const Figure& figure, const Environment& environment, const StartState& start,
+                std::span<const Push> pushes, std::span<const Controller> controllers,
+                std::span<const Clip> clips, int steps, float step_s = kStep);
 
 /// The names of all golden documents of tests/golden/motions, sorted.
 std::vector<std::string> GoldenMotions();

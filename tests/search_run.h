@@ -16,7 +16,7 @@ struct Outcome {
   Genome best;
   float fitness = 0.0f;
   std::vector<Search::CurvePoint> curve;
-  int told = 0;
+  int scored = 0;  // number of genomes
 };
 
 /// @param score returns the fitness of each genome of a list
@@ -27,7 +27,7 @@ Outcome RunInBatches(Search& search, int wanted, Scorer score) {
     const auto genomes = search.Ask(wanted);
     REQUIRE(!genomes.empty());
     search.Tell(score(genomes));
-    outcome.told += static_cast<int>(genomes.size());
+    outcome.scored += static_cast<int>(genomes.size());
   }
   outcome.best = search.BestGenome();
   outcome.fitness = search.BestFitness();

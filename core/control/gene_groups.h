@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the genes of a controller mean to those who vary and store them, whatever the kind of controller: the
-// operators of the searches and the encodings of documents read only these groups.
+// What the genes of a controller mean, for search operators and encodings, for every controller kind.
+// Operators and encodings read only these groups.
 #pragma once
 
 #include <array>

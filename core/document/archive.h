@@ -16,9 +16,9 @@ namespace gaitsmith {
 /// The most names that a choice may have: a link has this much room for their index (binary.cpp).
 inline constexpr std::size_t kMaxChoices = 271;
 
-/// An archive overrides what it looks at; all else passes by. Every virtual function is defined here, because
-/// core is compiled without RTTI and derived classes elsewhere need not be. In JSON a field with its standard
-/// value may be left out. In a link it costs one bit.
+/// An archive overrides what it looks at and ignores the rest. Every virtual function is defined here,
+/// because core is compiled without RTTI and derived classes elsewhere need not be. In JSON a field with its
+/// standard value may be left out. In a link it costs one bit.
 class Archive {
  public:
   Archive() = default;
@@ -93,7 +93,7 @@ class Archive {
   virtual void EndGroup() { Leave(); }
   virtual bool BeginSince(int /*version*/) { return true; }
   virtual void EndSince() {}
-  /// @param size of the list, 0 for an archive that reads; what it is changed to, the list will have
+  /// @param size of the list, 0 for an archive that reads; an archive that reads sets it to the new size
   /// @return false to leave the list as it is
   virtual bool BeginList(std::string_view name, std::size_t& /*size*/, int /*most*/) {
     Enter(name);

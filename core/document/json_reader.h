@@ -72,7 +72,7 @@ class JsonReader : public Archive {
     const JsonValue* given = Get(list, JsonValue::Kind::kArray);
     if (!Ok()) return;
     if (ports.actuators < 0) return FailAt(list, ErrorCode::kStructure, "the figure has no rods");
-    // Components besides those that people choose the number of: a network's actuators.
+    // Components whose number people do not choose, such as a network's actuators.
     const int outside = ControllerShape(controller.kind, 1, controller.senses.kind, ports).Components() - 1;
     const int least = 1 + outside;
     const int most = kMaxRules + outside;

@@ -10,14 +10,14 @@ namespace gaitsmith {
 
 namespace {
 
-// Which part a field of the document belongs to. A group without fields of its own here is one part with all
-// that is in it; a field that is named beside its group is the exception.
-struct Place {
-  std::string_view name;   // of the document's field
-  std::string_view field;  // inside it; empty: all that no other line names
+// The part of a document that a field belongs to. A row without `field` covers all fields of a group, except
+// those that have their own row.
+struct FieldRow {
+  std::string_view name;   // of a field or a group of the document
+  std::string_view field;  // inside the group, or empty
   Part part;
 };
-constexpr auto kPlaces = std::to_array<Place>({
+constexpr auto kFieldRows = std::to_array<FieldRow>({
     {"title", "", Part::kTitle},
     {"model", "", Part::kModel},
     {"figure", "", Part::kFigure},
@@ -40,13 +40,13 @@ constexpr auto kPlaces = std::to_array<Place>({
     {"hash", "", Part::kHash},
 });
 
-// A field of the schema that has no place above belongs to no part, which parts_test.cpp does not let pass.
-const Place* PlaceOf(std::string_view name, std::string_view field) {
-  const Place* found = nullptr;
-  for (const Place& place : kPlaces) {
-    if (place.name != name) continue;
-    if (place.field == field) return &place;
-    if (place.field.empty()) found = &place;
+// Null if the field has no row. parts_test.cpp fails if a field of the schema has none.
+const FieldRow* FieldRowOf(std::string_view name, std::string_view field) {
+  const FieldRow* found = nullptr;
+  for (const FieldRow& row : kFieldRows) {
+    if (row.name != name) continue;
+    if (row.field == field) return &row;
+    if (row.field.empty()) found = &row;
   }
   return found;
 }
@@ -105,13 +105,14 @@ class PartArchive : public Archive {
   }
   void EndList() override { --lists_; }
 
-  // Whether a field is wanted. Its part is then the present one; that of a list is that of all inside it.
+  // Whether a field belongs to a wanted part. If so, its part becomes the present one. Fields inside a list
+  // belong to the part of the list.
   bool Enters(std::string_view name) {
     if (lists_ > 0) return true;
-    const Place* place =
-        depth_ == 0 ? PlaceOf(name, "") : PlaceOf(group_, depth_ == 1 ? name : std::string_view());
-    if (place == nullptr || !wanted_.HasAny(place->part)) return false;
-    part_ = static_cast<std::size_t>(place->part);
+    const FieldRow* row =
+        depth_ == 0 ? FieldRowOf(name, "") : FieldRowOf(group_, depth_ == 1 ? name : std::string_view());
+    if (row == nullptr || !wanted_.HasAny(row->part)) return false;
+    part_ = static_cast<std::size_t>(row->part);
     return true;
   }
   template <class Value>

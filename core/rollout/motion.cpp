@@ -54,9 +54,4 @@ Motion::Motion(const Script& script) : Motion(RecorderOf(script.model), script) 
 Motion::Motion(Motion known, int parting, const Script& script)
     : Motion(std::move(known), parting, RecorderOf(script.model), script) {}
 
-Motion::Motion(const Figure& figure, const Environment& environment, const StartState& start,
-               std::span<const Push> pushes, std::span<const Controller> controllers,
-               std::span<const Clip> clips, int steps, float step_s)
-    : Motion(Script{figure, environment, start, pushes, controllers, clips, steps, step_s}) {}
-
 }  // namespace gaitsmith

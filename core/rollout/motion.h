@@ -40,10 +40,6 @@ class Motion {
   /// With a plant that is not a model of documents. @param recorder a PlantRecorder of this plant
   Motion(std::unique_ptr<MotionRecorder> recorder, const Script&);
   Motion(Motion known, int parting, std::unique_ptr<MotionRecorder> recorder, const Script&);
-  /// Simulates with the first model.
-  Motion(const Figure& figure, const Environment& environment, const StartState& start,
-         std::span<const Push> pushes, std::span<const Controller> controllers, std::span<const Clip> clips,
-         int steps, float step_s = kStep);
   Motion(Motion&&) noexcept;
   Motion& operator=(Motion&&) noexcept;
   ~Motion();

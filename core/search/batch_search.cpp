@@ -25,9 +25,9 @@ Score TakeScore(BitReader& in) {
 
 std::vector<Genome> BatchSearch::Ask(int wanted) {
   if (batch_.empty()) batch_ = Propose();
-  const auto left =
-      std::min(batch_.size() - told_.size(), static_cast<std::size_t>(settings_.evaluations - evaluations_));
-  const auto first = batch_.begin() + static_cast<std::ptrdiff_t>(told_.size());
+  const auto left = std::min(batch_.size() - scores_.size(),
+                             static_cast<std::size_t>(settings_.evaluations - evaluations_));
+  const auto first = batch_.begin() + static_cast<std::ptrdiff_t>(scores_.size());
   return {first,
           first + static_cast<std::ptrdiff_t>(std::min(left, static_cast<std::size_t>(std::max(1, wanted))))};
 }
@@ -42,27 +42,27 @@ void BatchSearch::Tell(std::span<const Score> scores) {
     const bool better = score.fitness > best_fitness_;
     ++evaluations_;
     if (better || best_.empty()) {
-      best_ = batch_[told_.size()];
+      best_ = batch_[scores_.size()];
       best_fitness_ = score.fitness;
       curve_.Add(evaluations_, best_fitness_);
     }
-    told_.push_back(score);
+    scores_.push_back(score);
   }
   curve_.SettleTo(evaluations_);
-  if (told_.size() < batch_.size()) {
-    if (Done()) AbsorbRest(std::span(batch_).first(told_.size()), told_);
+  if (scores_.size() < batch_.size()) {
+    if (Done()) AbsorbRest(std::span(batch_).first(scores_.size()), scores_);
     return;
   }
-  Absorb(batch_, told_);
+  Absorb(batch_, scores_);
   batch_.clear();
-  told_.clear();
+  scores_.clear();
 }
 
 void BatchSearch::Save(BitWriter& out) const {
   out.Put(static_cast<std::uint32_t>(evaluations_), 32);
   PutGenome(out, best_, best_fitness_);
-  out.Put(told_.size(), 32);
-  for (const Score& score : told_) PutScore(out, score);
+  out.Put(scores_.size(), 32);
+  for (const Score& score : scores_) PutScore(out, score);
   SaveState(out);
   curve_.Save(out);
 }
@@ -71,19 +71,19 @@ bool BatchSearch::Read(BitReader& in) {
   if (!TakeCount(in, evaluations_, settings_.evaluations)) return false;
   if (!TakeGenome(in, best_, best_fitness_, space_.shape.Genes())) return false;
   if ((evaluations_ > 0) == best_.empty()) return false;
-  int told = 0;
-  if (!TakeCount(in, told, evaluations_)) return false;
-  told_.clear();
-  for (int i = 0; i < told && !in.Overrun(); ++i) {
-    told_.push_back(TakeScore(in));
-    if (!(told_.back().fitness < std::numeric_limits<float>::infinity())) return false;
+  int scored = 0;
+  if (!TakeCount(in, scored, evaluations_)) return false;
+  scores_.clear();
+  for (int i = 0; i < scored && !in.Overrun(); ++i) {
+    scores_.push_back(TakeScore(in));
+    if (!(scores_.back().fitness < std::numeric_limits<float>::infinity())) return false;
   }
   batch_.clear();
   if (!LoadState(in)) return false;
   curve_.Load(in);
-  if (in.Overrun() || told_.empty()) return true;
+  if (in.Overrun() || scores_.empty()) return true;
   batch_ = Propose();
-  return told_.size() < batch_.size();
+  return scores_.size() < batch_.size();
 }
 
 Result<void> BatchSearch::Load(BitReader& in) {

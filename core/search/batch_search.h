@@ -55,7 +55,7 @@ class BatchSearch : public Search {
   SearchSettings settings_;
   SearchSpace space_;
   std::vector<Genome> batch_;  // empty until the first Ask
-  std::vector<Score> told_;    // scores of the batch received so far
+  std::vector<Score> scores_;  // of the batch, received so far
   int evaluations_ = 0;
   Genome best_;
   float best_fitness_ = -std::numeric_limits<float>::infinity();

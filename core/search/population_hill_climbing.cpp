@@ -70,9 +70,9 @@ std::vector<Genome> PopulationHillClimbing::Ask(int wanted) {
 void PopulationHillClimbing::Tell(std::span<const Score> scores) {
   if (asks_.empty()) return;
   std::size_t at = 0;
-  const std::vector<Asked> told = std::move(asks_.front());
+  const std::vector<Asked> scored = std::move(asks_.front());
   asks_.erase(asks_.begin());
-  for (const auto& [i, count] : told) {
+  for (const auto& [i, count] : scored) {
     Slot& s = slots_[i];
     const int slot = static_cast<int>(i);
     const auto results = scores.subspan(at, static_cast<std::size_t>(count));
@@ -176,7 +176,7 @@ std::unique_ptr<Search> MakeSphc(const SearchSettings& settings, const SearchSpa
 }
 
 std::unique_ptr<Search> MakeShc(const SearchSettings& settings, const SearchSpace& space) {
-  // Figure 4 is Figure 5 with one individual and nobody to reseed it.
+  // Figure 4 is Figure 5 with one individual, without reseeding.
   SearchSettings alone = settings;
   alone.population = 1;
   return std::make_unique<PopulationHillClimbing>(alone, space);

@@ -183,7 +183,7 @@ inline constexpr unsigned kRefine = 32;      // refine
 inline constexpr unsigned kCma = 64;         // cma
 inline constexpr unsigned kElites = 128;     // elites
 inline constexpr unsigned kStages = 256;     // two_stage
-inline constexpr unsigned kVariation = 512;  // of variation what perturbs; all draw at random
+inline constexpr unsigned kVariation = 512;  // variation: settings of perturbation
 }  // namespace settings_group
 
 /// @param settings must be valid, as in a valid document
@@ -192,12 +192,12 @@ using SearchMaker = std::unique_ptr<Search>(const SearchSettings&, const SearchS
 SearchMaker MakeRandomSearch, MakeSphc, MakeGga, MakeSsga, MakeShc, MakeMpga, MakeNelderMead, MakePowell,
     MakeCmaEs, MakeMapElites, MakeTwoStage;
 
-/// An algorithm as documents, the command line and the pages know it.
+/// A row of the algorithm table.
 struct AlgorithmRow {
   Algorithm algorithm;
   std::string_view name;
-  unsigned groups;   // of settings that it reads
-  bool refines_one;  // works from one genome onwards, so that giving it one makes sense
+  unsigned groups;                           // of settings that it reads
+  bool refines_one;                          // improves one given genome
   int (*population)(const SearchSettings&);  // that the budget must hold; 0: none
   SearchMaker* make;
 };

@@ -71,13 +71,13 @@ void App::Draw() {
     DrawDesk(ui, whole);
   }
   ImGui::End();
-  if (!first_frame_told_) host_.FirstFrame();
-  first_frame_told_ = true;
+  if (!first_frame_reported_) host_.FirstFrame();
+  first_frame_reported_ = true;
 }
 
 void App::DrawDesk(Ui& ui, const ImRect& whole) {
   const std::vector<int> shown = ShownTabs();
-  const bool timeline = session_.Layout().Shows(PlaceOf(Panel::kTimeline));
+  const bool timeline = session_.Layout().Shows(IndexOf(Panel::kTimeline));
   const float panel_x = shown.empty() ? whole.Max.x : whole.Max.x - kPanelWidth;
   const float timeline_y = !timeline ? whole.Max.y
                                      : whole.Max.y - kTimelineHeight - TransitionStripHeight(session_) -
@@ -126,7 +126,7 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
     DrawWorld(ui, rest);  // the stage is too small for the card
   } else if (panel < 0) {
     return;
-  } else if (panel == PlaceOf(Panel::kTimeline)) {
+  } else if (panel == IndexOf(Panel::kTimeline)) {
     const PartScope part = ui.Part("panel", "tabpanel", Tr(kPanels[static_cast<std::size_t>(panel)].label));
     DrawTimeline(ui, session_, rest);
   } else {

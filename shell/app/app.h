@@ -57,7 +57,7 @@ class App {
   bool phone_ = false;
   ControllerPanelState controller_panel_;
   SearchPanelState search_panel_;
-  bool first_frame_told_ = false;
+  bool first_frame_reported_ = false;
 };
 
 }  // namespace gaitsmith::shell

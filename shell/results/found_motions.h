@@ -81,10 +81,10 @@ class FoundMotions {
   [[nodiscard]] const Entry* Find(std::string_view id) const;
   /// Gives an entry a name; an empty name removes it. @return the error; empty on success
   [[nodiscard]] std::string Rename(const std::string& id, const std::string& name);
-  /// Entries with the greatest value of the order first; of equal ones the newer first.
+  /// Entries with the greatest value of the order first. Of equal entries the newer comes first.
   [[nodiscard]] std::vector<const Entry*> Sorted(Order) const;
-  /// The best motion with this document's figure and task; the best of all if there is none. Null if the list
-  /// holds no motion.
+  /// The best motion with this document's figure and task. If there is none, the best of all motions. Null if
+  /// the list holds no motion.
   [[nodiscard]] const Entry* Best(const Document& like) const;
 
  private:

@@ -20,7 +20,7 @@ class SpreadCurve {
 
   /// Clears the curve. @param budget of the new search, in evaluations
   void Begin(int budget);
-  /// Adds a sample; of samples too close together only the last stays. After a search returns to a
+  /// Adds a sample. Of samples too close together only the last stays. After a search returns to a
   /// checkpoint, its samples from there on arrive again.
   void Add(int evaluation, const Spread& spread);
   /// In the order of evaluations, at most kMaxPoints + 2.

@@ -19,7 +19,7 @@ struct Row {
   SearchParameter parameter;
 };
 
-const std::vector<Row>& Own() {
+const std::vector<Row>& AlgorithmRows() {
   using S = SearchSettings;
   using namespace settings_group;
   static const std::vector<Row> kRows = {
@@ -115,7 +115,7 @@ const std::vector<Row>& Own() {
   return kRows;
 }
 
-const std::vector<Row>& Shared() {
+const std::vector<Row>& VariationRows() {
   using S = SearchSettings;
   using namespace settings_group;
   static const std::vector<Row> kRows = {
@@ -150,8 +150,12 @@ std::vector<const SearchParameter*> Of(const std::vector<Row>& rows, Algorithm a
 
 }  // namespace
 
-std::vector<const SearchParameter*> ParametersOf(Algorithm algorithm) { return Of(Own(), algorithm); }
-std::vector<const SearchParameter*> VariationOf(Algorithm algorithm) { return Of(Shared(), algorithm); }
+std::vector<const SearchParameter*> ParametersOf(Algorithm algorithm) {
+  return Of(AlgorithmRows(), algorithm);
+}
+std::vector<const SearchParameter*> VariationOf(Algorithm algorithm) {
+  return Of(VariationRows(), algorithm);
+}
 
 void Fit(SearchSettings& search) {
   search.evaluations = std::max(search.evaluations, PopulationOf(search));

@@ -58,7 +58,7 @@ inline constexpr std::array<const char*, kPanels.size()> kPanelIds = [] {
 static_assert(HaveOwnNumbers(kPanels));
 
 /// A panel's index in the table.
-[[nodiscard]] constexpr int PlaceOf(Panel panel) {
+[[nodiscard]] constexpr int IndexOf(Panel panel) {
   return static_cast<int>(std::ranges::find(kPanels, panel, &PanelRow::panel) - kPanels.begin());
 }
 

@@ -83,7 +83,7 @@ TEST_CASE("figure: every shipped figure is valid and stands on the ground", "[fi
     const Figure figure = ShippedFigure(file);
     CHECK(Fault(figure) == "valid");
     CHECK(names.insert(figure.name).second);
-    const Motion motion(figure, Environment{}, StartState{}, {}, {}, {}, 0);
+    const Motion motion = MotionOf(figure, Environment{}, StartState{}, {}, {}, {}, 0);
     float lowest = 1e9f;
     for (int k = 0; k < motion.Bones().endpoints; ++k) {
       lowest = std::min(lowest, motion.At(0).y_m + motion.Endpoint(0, k).y);

@@ -82,7 +82,7 @@ TEST_CASE("flight: momentum recomputed from positions stays, whatever the joints
     }
     const std::vector<Controller> controllers = {HoldPose(figure, one, 0.2f), HoldPose(figure, other, 0.2f)};
     const std::vector<Clip> clips = {{0, 0}, {1, 250}, {0, 500}, {1, 700}};
-    const Motion motion(figure, weightless, Thrown(spin), {}, controllers, clips, 1000);
+    const Motion motion = MotionOf(figure, weightless, Thrown(spin), {}, controllers, clips, 1000);
     const Momentum first = FromPositions(motion, 237);
     const double scale = std::max(std::abs(first.angular), std::abs(static_cast<double>(spin)) * 0.5);
     // Compared at frames where the joints are at rest, so that the error of the differences does not count.
@@ -100,8 +100,9 @@ TEST_CASE("flight: momentum recomputed from positions stays, whatever the joints
 TEST_CASE("flight: free fall follows the closed form", "[physics][flight]") {
   const Figure figure = ShippedFigure("mr-star-man");
   const StartState start = Thrown(1.3f);
-  const Motion motion(figure, Environment{}, start, {}, std::vector{RandomController(figure, {}, 4)},
-                      std::vector<Clip>{{0, 0}}, 900);
+  const Motion motion =
+      MotionOf(figure, Environment{}, start, {}, std::vector{RandomController(figure, {}, 4)},
+               std::vector<Clip>{{0, 0}}, 900);
   for (int i = 0; i <= 900; i += 50) {
     const double t = i * 0.01;
     const double y = static_cast<double>(motion.At(0).y_m) + 41.0 * t - 0.5 * 9.8 * t * t;
@@ -133,8 +134,8 @@ TEST_CASE("flight: a figure turns itself in mid-air as an independent integratio
   double error[3];
   for (int halving = 0; halving < 3; ++halving) {
     const int steps = 100 << halving;
-    const Motion motion(figure, weightless, start, {}, controllers, std::vector<Clip>{{0, 0}}, steps,
-                        1.0f / static_cast<float>(steps));
+    const Motion motion = MotionOf(figure, weightless, start, {}, controllers, std::vector<Clip>{{0, 0}},
+                                   steps, 1.0f / static_cast<float>(steps));
     error[halving] = std::abs(motion.At(steps).turn_rad - motion.At(0).turn_rad - exact);
   }
   CAPTURE(tau, exact, error[0], error[1], error[2]);
@@ -151,7 +152,7 @@ TEST_CASE("flight: a push gives its impulse, and its moment about the centre of 
   StartState start;
   start.drop_height_m = 5.0f;
   const std::vector<Push> pushes = {{20, kCentreOfMass, 0.35f, 0.0f}, {30, 1, 0.0f, 0.21f}};
-  const Motion motion(figure, weightless, start, pushes, {}, {}, 40);
+  const Motion motion = MotionOf(figure, weightless, start, pushes, {}, {}, 40);
   REQUIRE(motion.At(20).velocity_x_mps == 0.0f);
   REQUIRE(motion.At(21).velocity_x_mps == Catch::Approx(0.5f));
   REQUIRE(motion.At(30).angular_momentum == 0.0f);

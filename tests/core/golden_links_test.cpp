@@ -81,7 +81,7 @@ TEST_CASE("golden links: every link of version 2 opens with its motion", "[golde
 
 TEST_CASE("golden links: no link that was changed in one byte or cut short opens", "[golden][links]") {
 #ifdef NDEBUG
-  constexpr std::size_t kStep = 1;  // WASM tests every character too: tests/browser/share_scenarios.mjs
+  constexpr std::size_t kStep = 1;  // WASM tests every character too: tests/browser/scenarios/share.mjs
 #else
   constexpr std::size_t kStep = 7;  // every 7th character: all would take minutes with sanitizers
 #endif

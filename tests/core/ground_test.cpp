@@ -23,7 +23,7 @@ TEST_CASE("ground: a sliding rod stops after v^2 / 2 mu g", "[physics][ground]")
   double error[2];
   for (const int halving : {0, 1}) {
     const float h = halving == 0 ? 0.01f : 0.005f;
-    const Motion motion(LyingRod(), environment, start, {}, {}, {}, static_cast<int>(6.0f / h), h);
+    const Motion motion = MotionOf(LyingRod(), environment, start, {}, {}, {}, static_cast<int>(6.0f / h), h);
     error[halving] = std::abs(motion.At(motion.Frames() - 1).x_m - exact);
     CAPTURE(speed, friction, exact, h, error[halving]);
     REQUIRE(error[halving] <= static_cast<double>(speed * h));
@@ -37,10 +37,10 @@ TEST_CASE("ground: on a slope, friction holds below its angle and lets slide abo
   Environment environment;
   environment.friction = 0.4f;
   environment.slope_rad = 0.35f;  // tan = 0.365
-  const Motion held(LyingRod(), environment, StartState{}, {}, {}, {}, 500);
+  const Motion held = MotionOf(LyingRod(), environment, StartState{}, {}, {}, {}, 500);
   REQUIRE(std::abs(held.At(500).x_m) < 1e-5);
   environment.slope_rad = 0.45f;  // tan = 0.483
-  const Motion slid(LyingRod(), environment, StartState{}, {}, {}, {}, 300);
+  const Motion slid = MotionOf(LyingRod(), environment, StartState{}, {}, {}, {}, 300);
   const double pull = 9.8 * (std::sin(0.45) - 0.4 * std::cos(0.45));
   REQUIRE(slid.At(300).x_m == Catch::Approx(-0.5 * pull * 9.0).epsilon(0.01));
 }
@@ -52,7 +52,7 @@ TEST_CASE("ground: on ice that rocks, a rod goes where gravity's component takes
   environment.sway_period_s = 1.7f;
   for (const float slope : {0.0f, -0.1f}) {
     environment.slope_rad = slope;
-    const Motion motion(LyingRod(), environment, StartState{}, {}, {}, {}, 600);
+    const Motion motion = MotionOf(LyingRod(), environment, StartState{}, {}, {}, {}, 600);
     double speed = 0.0, x = 0.0;
     for (int step = 0; step < 600; ++step) {
       const double angle =
@@ -86,7 +86,7 @@ TEST_CASE("ground: rest stays rest for a minute", "[physics][ground]") {
     CAPTURE(name);
     Figure figure = ShippedFigure(name);
     // A figure that cannot stand falls first. Rest is judged after that.
-    const Motion motion(figure, Environment{}, StartState{}, {}, {}, {}, 9000);
+    const Motion motion = MotionOf(figure, Environment{}, StartState{}, {}, {}, {}, 9000);
     const auto& settled = motion.At(3000);
     const auto& later = motion.At(9000);
     REQUIRE(std::abs(later.x_m - settled.x_m) < 1e-5);
@@ -97,7 +97,7 @@ TEST_CASE("ground: rest stays rest for a minute", "[physics][ground]") {
 
 TEST_CASE("ground: forces on a resting figure carry its weight", "[physics][ground]") {
   const Figure figure = ShippedFigure("mr-star-man");
-  const Motion motion(figure, Environment{}, StartState{}, {}, {}, {}, 200);
+  const Motion motion = MotionOf(figure, Environment{}, StartState{}, {}, {}, {}, 200);
   double carried = 0.0;
   for (int k = 0; k < motion.Bones().endpoints; ++k) carried += static_cast<double>(motion.Force(200, k).y);
   REQUIRE(carried == Catch::Approx(5.0 * 9.8).epsilon(1e-4));
@@ -118,7 +118,7 @@ TEST_CASE("ground: a frozen figure never gains energy, over 1000 random drops", 
     start.spin_radps = between(-6.0, 6.0);
     Environment environment;
     environment.friction = between(0.0, 1.5);
-    const Motion motion(figure, environment, start, {}, {}, {}, 150);
+    const Motion motion = MotionOf(figure, environment, start, {}, {}, {}, 150);
     const std::vector<double> still(static_cast<std::size_t>(figure.Joints()), 0.0);
     const double inertia = FreeFlight(motion.Bones()).ShapeAt(still, still).inertia;
     const double mass = static_cast<double>(motion.Bones().mass_kg);
@@ -151,8 +151,9 @@ TEST_CASE("ground: friction works against motion, but for 1e-4 of its work", "[p
   double right = 0.0, wrong = 0.0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const Figure figure = ShippedFigure(seed % 2 == 0 ? "mr-star-man" : "beryl-biped");
-    const Motion motion(figure, Environment{}, StartState{}, {},
-                        std::vector{RandomController(figure, {}, seed)}, std::vector<Clip>{{0, 0}}, 1000);
+    const Motion motion =
+        MotionOf(figure, Environment{}, StartState{}, {}, std::vector{RandomController(figure, {}, seed)},
+                 std::vector<Clip>{{0, 0}}, 1000);
     for (int i = 1; i < motion.Frames(); ++i) {
       // Contact by contact, so that one foot's positive friction work cannot be hidden by another's negative
       // work.
@@ -171,8 +172,9 @@ TEST_CASE("ground: forces stay in the friction cone and endpoints above the grou
   fast.tau_min_s = 0.07f;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Figure figure = RandomFigure(seed + 500);
-    const Motion motion(figure, Environment{}, StartState{}, {},
-                        std::vector{RandomController(figure, fast, seed)}, std::vector<Clip>{{0, 0}}, 500);
+    const Motion motion =
+        MotionOf(figure, Environment{}, StartState{}, {}, std::vector{RandomController(figure, fast, seed)},
+                 std::vector<Clip>{{0, 0}}, 500);
     if (motion.TermsAt(500).broke_physics) continue;
     for (int i = 0; i < motion.Frames(); ++i) {
       for (int k = 0; k < motion.Bones().endpoints; ++k) {
@@ -190,8 +192,9 @@ TEST_CASE("joints: no limit is ever passed, however hasty the rules", "[physics]
   hasty.tau_min_s = 0.05f;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Figure figure = ShippedFigure("beryl-biped");
-    const Motion motion(figure, Environment{}, StartState{}, {},
-                        std::vector{RandomController(figure, hasty, seed)}, std::vector<Clip>{{0, 0}}, 500);
+    const Motion motion =
+        MotionOf(figure, Environment{}, StartState{}, {}, std::vector{RandomController(figure, hasty, seed)},
+                 std::vector<Clip>{{0, 0}}, 500);
     for (int i = 0; i < motion.Frames(); ++i) {
       for (int j = 0; j < motion.Bones().joints; ++j) {
         const auto& limb = motion.Bones().limbs[static_cast<std::size_t>(j) + 1];
@@ -244,20 +247,20 @@ TEST_CASE("mirror: a mirrored figure does the mirrored fall", "[physics][ground]
   for (Rod& rod : mirrored.rods) {
     rod.rest_rad = rod.parent == kNoParent ? 3.1415927f - rod.rest_rad : -rod.rest_rad;
   }
-  const Motion one(figure, Environment{}, StartState{}, {}, {}, {}, 60);
-  const Motion other(mirrored, Environment{}, StartState{}, {}, {}, {}, 60);
+  const Motion one = MotionOf(figure, Environment{}, StartState{}, {}, {}, {}, 60);
+  const Motion other = MotionOf(mirrored, Environment{}, StartState{}, {}, {}, {}, 60);
   REQUIRE(other.At(60).x_m == Catch::Approx(-one.At(60).x_m).margin(1e-4));
   REQUIRE(other.At(60).y_m == Catch::Approx(one.At(60).y_m).margin(1e-4f));
 }
 
 TEST_CASE("ground use: a rod at rest lies on both ends all the time, one that is thrown on none",
           "[physics][ground]") {
-  const GroundUse lying = GroundUseOf(Motion(LyingRod(), {}, {}, {}, {}, {}, 200));
+  const GroundUse lying = GroundUseOf(MotionOf(LyingRod(), {}, {}, {}, {}, {}, 200));
   CHECK(lying.share == 1.0f);
   CHECK(lying.bearers == 2);
   StartState thrown;
   thrown.drop_height_m = 50.0f;
-  const GroundUse flying = GroundUseOf(Motion(LyingRod(), {}, thrown, {}, {}, {}, 200));
+  const GroundUse flying = GroundUseOf(MotionOf(LyingRod(), {}, thrown, {}, {}, {}, 200));
   CHECK(flying.share == 0.0f);
   CHECK(flying.bearers == 0);
 }

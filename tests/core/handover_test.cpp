@@ -104,7 +104,7 @@ TEST_CASE("handover: with several, the mean counts", "[evaluator]") {
   }
 }
 
-TEST_CASE("handover: one that is void makes all void", "[evaluator]") {
+TEST_CASE("handover: one void evaluation makes the mean void", "[evaluator]") {
   Evaluation sound, broken;
   sound.fitness = 3.0f;
   broken.fitness = kVoidScore;

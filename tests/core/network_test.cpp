@@ -153,8 +153,8 @@ TEST_CASE("network: neighbours do not change a motion's bits, and the recorded m
   }
   for (std::size_t i = 0; i < genomes.size(); ++i) {
     const Controller controller{"", ControllerKind::kNetwork, document.senses, 7, genomes[i]};
-    const Motion motion(document.figure, {}, {}, document.pushes, std::vector{controller},
-                        std::vector<Clip>{{0, 0}}, document.task.duration_steps);
+    const Motion motion = MotionOf(document.figure, {}, {}, document.pushes, std::vector{controller},
+                                   std::vector<Clip>{{0, 0}}, document.task.duration_steps);
     REQUIRE(motion.Hash() == alone[i].trajectory_hash);
   }
 }

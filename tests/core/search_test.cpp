@@ -137,7 +137,7 @@ TEST_CASE("SPHC: asks that do not wait for one another lead to the same end", "[
 
 TEST_CASE("SPHC: looking ahead one step wastes nothing", "[search]") {
   const auto search = MakeSearch(BriefSettings(Algorithm::kSphc, 1000), kSpace);
-  REQUIRE(Run(*search, 10, Hill).told == 1000);
+  REQUIRE(Run(*search, 10, Hill).scored == 1000);
 }
 
 TEST_CASE("SPHC: it looks as far ahead as it is asked to", "[search]") {
@@ -158,7 +158,7 @@ TEST_CASE("RG&T: the best of so many random genomes, however many are asked at a
     const auto many = MakeSearch(settings, kSpace);
     REQUIRE(Same(Run(*many, wanted, Hill), serial));
   }
-  REQUIRE(serial.told == 777);
+  REQUIRE(serial.scored == 777);
 }
 
 TEST_CASE("search: saved and loaded, it goes on as if nothing had happened", "[search]") {

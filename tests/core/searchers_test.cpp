@@ -22,7 +22,7 @@ TEST_CASE("every search: the same result for any number of genomes asked, the bu
         REQUIRE(Same(many, serial));
         REQUIRE(search->Evaluations() == budget);
         // Only climbers look ahead.
-        if (algorithm != Algorithm::kSphc && algorithm != Algorithm::kShc) REQUIRE(many.told == budget);
+        if (algorithm != Algorithm::kSphc && algorithm != Algorithm::kShc) REQUIRE(many.scored == budget);
       }
     }
   }

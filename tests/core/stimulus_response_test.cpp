@@ -128,9 +128,9 @@ TEST_CASE("variation: random rules do switch", "[control]") {
   for (const SenseSpec& senses : {SenseSpec{}, timer}) {
     int switches = 0;
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
-      const Motion motion(figure, Environment{}, StartState{}, {},
-                          std::vector{RandomController(figure, senses, seed)}, std::vector<Clip>{{0, 0}},
-                          500);
+      const Motion motion =
+          MotionOf(figure, Environment{}, StartState{}, {},
+                   std::vector{RandomController(figure, senses, seed)}, std::vector<Clip>{{0, 0}}, 500);
       for (int i = 1; i < motion.Frames(); ++i)
         switches += motion.At(i).rule != motion.At(i - 1).rule ? 1 : 0;
     }
@@ -144,8 +144,8 @@ TEST_CASE("timer: resets at the switch and repeats with its period", "[control]"
   timer.kind = SenseKind::kTimer;
   timer.period_steps = 70;
   const std::vector<Controller> controllers = {RandomController(figure, timer, 8)};
-  const Motion motion(figure, Environment{}, StartState{}, {}, controllers,
-                      std::vector<Clip>{{0, 0}, {0, 205}}, 500);
+  const Motion motion = MotionOf(figure, Environment{}, StartState{}, {}, controllers,
+                                 std::vector<Clip>{{0, 0}, {0, 205}}, 500);
   for (int i = 141; i < 205; ++i) REQUIRE(motion.At(i).rule == motion.At(i - 70).rule);
   REQUIRE(motion.Sense(205, 0) == Catch::Approx(65.0f / 70.0f));
   REQUIRE(motion.Sense(206, 0) == Catch::Approx(1.0f / 70.0f));
@@ -176,10 +176,10 @@ TEST_CASE("lanes: a batch of one and a batch of any size give the same bits, for
         }
       }
       // The recorded motion equals the evaluated one.
-      const Motion motion(
-          document.figure, {}, {}, document.pushes,
-          std::vector{Controller{"", ControllerKind::kRules, document.senses, 10, genomes[3]}},
-          std::vector<Clip>{{0, 0}}, 500);
+      const Motion motion =
+          MotionOf(document.figure, {}, {}, document.pushes,
+                   std::vector{Controller{"", ControllerKind::kRules, document.senses, 10, genomes[3]}},
+                   std::vector<Clip>{{0, 0}}, 500);
       REQUIRE(motion.Hash() == alone[3].trajectory_hash);
     }
   }

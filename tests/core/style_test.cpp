@@ -46,7 +46,7 @@ TEST_CASE("style: a resting figure makes no effort, is upright, smooth, and hold
   mast.parent_end = RodEnd::kStart;
   mast.rest_rad = 1.5707964f;
   mast.length_m = 0.8f;
-  const Motion motion({"mast", {flat, mast}}, Environment{}, StartState{}, {}, {}, {}, 500);
+  const Motion motion = MotionOf({"mast", {flat, mast}}, Environment{}, StartState{}, {}, {}, {}, 500);
   for (const int frame : {0, 1, 500}) {
     const Terms& terms = motion.TermsAt(frame);
     CAPTURE(frame);
@@ -67,7 +67,7 @@ TEST_CASE("style: thrown and spinning in the air, upright is the mean of cos(wt)
   constexpr int kSteps = 150;
   for (const float spin : {0.5f, -2.0f, 3.1415927f, 9.0f}) {
     start.spin_radps = spin;
-    const Motion motion(ShippedFigure("mr-star-man"), Environment{}, start, {}, {}, {}, kSteps);
+    const Motion motion = MotionOf(ShippedFigure("mr-star-man"), Environment{}, start, {}, {}, {}, kSteps);
     double upright = 0.0, head_m = 0.0;
     const Motion::Point head = motion.Endpoint(0, motion.Bones().head);
     for (int step = 1; step <= kSteps; ++step) {
@@ -90,7 +90,7 @@ TEST_CASE("style: while it hangs upside down, upright falls", "[task][style]") {
   StartState start;
   start.drop_height_m = 100.0f;
   start.spin_radps = 3.1415927f;
-  const Motion motion(TwoRods(0.3f, 0.0f), Environment{}, start, {}, {}, {}, 300);
+  const Motion motion = MotionOf(TwoRods(0.3f, 0.0f), Environment{}, start, {}, {}, {}, 300);
   // Between 0.5 s and 1.5 s the figure hangs upside down: the mean of cos there is -2/pi.
   const double until = 50.0 * static_cast<double>(motion.TermsAt(50).upright);
   const double after = 150.0 * static_cast<double>(motion.TermsAt(150).upright);
@@ -104,7 +104,8 @@ TEST_CASE("style: effort and smoothness of a joint that is driven to a pose", "[
   const float tau = 0.1f;
   const Controller hold = HoldPose(figure, {0.8f}, tau);
   const double target = -1.0 + 2.0 * hold.genes[BankShape(1, SenseKind::kPhysical, 2).Target(0, 0)] / 65535.0;
-  const Motion motion(figure, Environment{}, start, {}, std::vector{hold}, std::vector<Clip>{{0, 0}}, 300);
+  const Motion motion =
+      MotionOf(figure, Environment{}, start, {}, std::vector{hold}, std::vector<Clip>{{0, 0}}, 300);
   const Terms terms = Last(motion);
   // Critically damped from rest, the joint arrives without turning back: its travel is the distance.
   CHECK(terms.effort_rad == Catch::Approx(target).margin(1e-4));
@@ -185,7 +186,7 @@ TEST_CASE("style: the head is the highest endpoint as drawn, of equals the first
 TEST_CASE("style: a figure of one rod has no joints to move", "[task][style]") {
   StartState start;
   start.velocity_x_mps = 2.0f;
-  const Terms terms = Last(Motion(LyingRod(), Environment{}, start, {}, {}, {}, 100));
+  const Terms terms = Last(MotionOf(LyingRod(), Environment{}, start, {}, {}, {}, 100));
   CHECK(terms.effort_rad == 0.0f);
   CHECK(terms.smoothness_radps2 == 0.0f);
   CHECK(terms.upright == 1.0f);
@@ -213,9 +214,10 @@ TEST_CASE("style: the evaluator's terms and fitness are the recorded motion's, t
         std::vector<Terms> recorded;
         std::vector<std::uint64_t> hashes;
         for (const Genome& genome : genomes) {
-          const Motion motion(d.figure, d.environment, {}, {},
-                              std::vector{Controller{"", ControllerKind::kRules, d.senses, 10, genome}},
-                              std::vector<Clip>{{0, 0}}, 500);
+          const Motion motion =
+              MotionOf(d.figure, d.environment, {}, {},
+                       std::vector{Controller{"", ControllerKind::kRules, d.senses, 10, genome}},
+                       std::vector<Clip>{{0, 0}}, 500);
           recorded.push_back(Last(motion));
           hashes.push_back(motion.Hash());
         }
@@ -348,10 +350,10 @@ TEST_CASE("style: a search asked for more of a term finds more of it, for less f
       for (const Evaluation& one : evaluator.Evaluate(search->Ask(40))) fitness.push_back(one.fitness);
       search->Tell(fitness);
     }
-    const Motion motion(
-        d.figure, {}, d.start, {},
-        std::vector{Controller{"", ControllerKind::kRules, d.senses, 10, search->BestGenome()}},
-        std::vector<Clip>{{0, 0}}, 200);
+    const Motion motion =
+        MotionOf(d.figure, {}, d.start, {},
+                 std::vector{Controller{"", ControllerKind::kRules, d.senses, 10, search->BestGenome()}},
+                 std::vector<Clip>{{0, 0}}, 200);
     CHECK(Fitness(d.task, Last(motion)) == search->BestFitness());
     return Style(Last(motion), term);
   };

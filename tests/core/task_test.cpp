@@ -45,11 +45,11 @@ TEST_CASE("guard: spinning faster than the step resolves is void", "[task]") {
   start.drop_height_m = 50.0f;
   start.spin_radps = 40.0f;
   const Figure figure = ShippedFigure("mr-star-man");
-  const Motion slow(figure, Environment{}, start, {}, {}, {}, 20);
+  const Motion slow = MotionOf(figure, Environment{}, start, {}, {}, {}, 20);
   CHECK(!slow.TermsAt(20).broke_physics);
   // Pushed at an endpoint until it turns at more than 50 rad/s.
   const std::vector<Push> pushes = {{0, 1, -60.0f, 0.0f}};
-  const Motion fast(figure, Environment{}, start, pushes, {}, {}, 20);
+  const Motion fast = MotionOf(figure, Environment{}, start, pushes, {}, {}, 20);
   CHECK(fast.TermsAt(20).broke_physics);
 }
 
@@ -59,7 +59,7 @@ TEST_CASE("terms: what a thrown star does is measured", "[task]") {
   start.velocity_y_mps = 5.0f;
   start.velocity_x_mps = -1.5f;
   start.spin_radps = 6.2831853f;
-  const Motion motion(ShippedFigure("mr-star-man"), Environment{}, start, {}, {}, {}, 100);
+  const Motion motion = MotionOf(ShippedFigure("mr-star-man"), Environment{}, start, {}, {}, {}, 100);
   const Terms& terms = motion.TermsAt(100);
   CHECK(terms.travel_m == Catch::Approx(-1.5f).epsilon(1e-4));
   CHECK(terms.rotations == Catch::Approx(1.0f).epsilon(1e-4));
@@ -70,7 +70,7 @@ TEST_CASE("terms: what a thrown star does is measured", "[task]") {
 TEST_CASE("terms: slip is the path of loaded endpoints", "[task]") {
   StartState start;
   start.velocity_x_mps = 2.0f;
-  const Motion motion(LyingRod(), Environment{}, start, {}, {}, {}, 200);
+  const Motion motion = MotionOf(LyingRod(), Environment{}, start, {}, {}, {}, 200);
   // Both ends slide together, from the second loaded step on.
   const float path = static_cast<float>(motion.At(200).x_m);
   CHECK(motion.TermsAt(200).slip_sum_m == Catch::Approx(2.0f * path).margin(2.0f * 0.02f * 2.0f));

@@ -27,7 +27,7 @@ TEST_CASE("transition: a state of the usual motion is near it", "[timeline]") {
   CHECK(NearnessOf(Simulate(moved), 77, usual).distance == 0.0f);
 }
 
-TEST_CASE("transition: how near a state is, told by other means", "[timeline]") {
+TEST_CASE("transition: the nearness of a state equals an independent computation", "[timeline]") {
   const Document d = TwoClips();
   const Motion usual = UsualMotion(d, 1), motion = Simulate(d);
   const int joints = usual.Bones().joints;

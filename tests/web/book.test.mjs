@@ -115,7 +115,7 @@ test('book: blocks of lessons', async () => {
   assert.equal(bad.faults.length, 3);
 });
 
-test('player: asks, is answered, is told, and minds who speaks', async () => {
+test('player: sends calls, receives answers and events, and ignores other senders', async () => {
   /** @type {((event: any) => void) | undefined} */
   let onMessage;
   /** @type {any[]} */

@@ -152,7 +152,7 @@ test('a coordinator that traps at a message asks nothing more of the engine, wha
   assert.deepEqual(late, []);
 });
 
-test('a coordinator that was let go hears none of its ports; one that traps at its clock dies of it', async (t) => {
+test('a disconnected coordinator receives nothing from its ports, and one that traps in its timer reports the trap', async (t) => {
   const { Coordinator } = await fromWeb('search/worker_coordinator.js');
   const document = problem({ evaluations: 600 });
   const evaluator = engine.evaluator(document);

@@ -80,7 +80,7 @@ test('transition maps: parts make the whole map, in order', async () => {
   maps.close(); // otherwise the idle worker keeps the test running
 });
 
-test('transition maps: what is replaced or stopped is not told of', async () => {
+test('transition maps: a replaced or stopped map reports nothing more', async () => {
   const { maps, parts, workers, until, complete } = client();
   void maps.start(request(1), 1);
   await maps.start(request(1), 2);

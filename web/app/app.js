@@ -20,8 +20,8 @@ import { trLater } from '../languages/language.js';
 /**
  * Options of a search. Those that are left out come from the document.
  * @typedef {object} SynthesizeOptions
- * @property {string} [algorithm]   rgt, sphc, gga, ssga, shc, mpga, nelder-mead, powell, cma-es, map-elites or two-stage
- * @property {string} [sense]  a name of the catalogue's control_modes: 'timer', 'physical', 'network'
+ * @property {string} [algorithm]   a name of the catalogue's algorithms
+ * @property {string} [sense]       a name of the catalogue's control_modes
  * @property {number} [period]       of the timer, seconds
  * @property {number} [evaluations]
  * @property {number} [seed]

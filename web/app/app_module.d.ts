@@ -18,13 +18,13 @@ export interface AppModule extends AppExports {
 export interface PageForApp {
   /** Most workers that make sense here. */
   maxWorkers(): number;
-  /** Runs a document (in binary form); a search that runs is dropped. */
+  /** Runs a document (in binary form). Stops the running search first. */
   startSearch(document: Uint8Array, workers: number): void;
-  /** Runs a trial of the lab like a search; the next one may be asked for while the page reports the end of this one. */
+  /** Runs a trial of the lab like a search. The application may request the next trial during the final report of this one. */
   startTrial(document: Uint8Array, workers: number, trial: { words: string, finished: number, total: number }): void;
-  /** Runs a search of the queue; the next one is asked for while the page reports the end of this one. */
+  /** Runs a search of the queue. The application may request the next search during the final report of this one. */
   startQueued(document: Uint8Array, workers: number, words: string): void;
-  /** A found motion to keep for the next visit; without text: to forget. */
+  /** Stores a found motion for the next visit. An empty text removes it. */
   storeFound(id: string, text: string): void;
   askName(id: string, name: string, usual: string): void;
   /** The lab is over, and has no more trials. */
@@ -34,15 +34,15 @@ export interface PageForApp {
   pauseSearch(): void;
   resumeSearch(): void;
   stopSearch(): void;
-  /** Works out the transition map of the clip that the document's search names; one that is under way is given up. */
+  /** Computes the transition map of the clip that the document's search names. Abandons an unfinished map. */
   startTransitionMap(document: Uint8Array, generation: number): void;
   stopTransitionMap(): void;
   /** A sentence for the status line. */
   status(sentence: string): void;
-  /** The document is another one, or not the same any more. */
+  /** The document was replaced or edited. */
   documentChanged(title: string): void;
   firstFrame(): void;
-  /** The keyboard leaves the canvas: 1 forwards, -1 backwards, 0 just away. */
+  /** The keyboard leaves the canvas: 1: forwards, -1: backwards, 0: no direction. */
   leaveCanvas(direction: number): void;
 }
 

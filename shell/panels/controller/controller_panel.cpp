@@ -108,8 +108,7 @@ void DrawRules(Ui& ui, Session& session, ControllerPanelState& state) {
     ui.Gap(8.0f);
     if (state.editor.rule < first || state.editor.rule > first + 1) continue;
     if (state.editor.reveal) {
-      // The row that was opened goes to the top, so that its editor has the panel; where that is low, the
-      // editor.
+      // Scroll the opened row to the top. If the panel is low, scroll to the editor.
       const bool low = ImGui::GetWindowHeight() < 5.0f * kCardHeight;
       const float top = low ? ImGui::GetCursorScreenPos().y : row.Min.y - 10.0f;
       ImGui::SetScrollFromPosY(top - ImGui::GetWindowPos().y, 0.0f);

@@ -20,18 +20,19 @@ struct Diagram {
   std::uint64_t firing;
 
   [[nodiscard]] bool Fires(int input) const { return (firing >> input & 1u) != 0; }
-  [[nodiscard]] ImVec2 Place(float column, int index, int count) const {
+  [[nodiscard]] ImVec2 NodeCentre(float column, int index, int count) const {
     const float height = rect.GetHeight();
     const float y = rect.Min.y + (static_cast<float>(index) + 0.5f) * height / static_cast<float>(count);
     return {rect.Min.x + column * rect.GetWidth(), y};
   }
   [[nodiscard]] ImVec2 Input(int input) const {
     const int sensors = shape.touches + shape.joints;
-    return input < sensors ? Place(0.24f, input, sensors) : Place(0.54f, input - sensors, shape.hidden);
+    return input < sensors ? NodeCentre(0.24f, input, sensors)
+                           : NodeCentre(0.54f, input - sensors, shape.hidden);
   }
   [[nodiscard]] ImVec2 Node(int node) const {
-    return shape.IsActuator(node) ? Place(0.80f, node - shape.hidden, shape.joints)
-                                  : Place(0.54f, node, shape.hidden);
+    return shape.IsActuator(node) ? NodeCentre(0.80f, node - shape.hidden, shape.joints)
+                                  : NodeCentre(0.54f, node, shape.hidden);
   }
 };
 

@@ -27,7 +27,7 @@ struct Picture {
   float scale;
   ImVec2 origin;
 
-  [[nodiscard]] std::vector<ImVec2> Place(std::vector<ImVec2> metres) const {
+  [[nodiscard]] std::vector<ImVec2> ToCanvas(std::vector<ImVec2> metres) const {
     const ImVec2 first = metres[0];
     for (ImVec2& p : metres) p = {origin.x + (p.x - first.x) * scale, origin.y - (p.y - first.y) * scale};
     return metres;
@@ -111,7 +111,7 @@ std::optional<PoseEdit> DrawPoseBoard(Ui& ui, const Skeleton& bones, const std::
               {.label = Tr("Target pose of rule {1}: drag a limb", state.rule + 1), .role = "img"});
   if (!touch.held) state.limb = -1;
   const Picture picture = LayOut(bones, metres, state, rect);
-  const std::vector<ImVec2> points = picture.Place(metres);
+  const std::vector<ImVec2> points = picture.ToCanvas(metres);
   const float near = ui.Look().touch ? 26.0f : 16.0f;
   if (touch.began) {
     state.limb = LimbAt(bones, points, ImGui::GetIO().MouseClickedPos[0], near);
@@ -146,7 +146,7 @@ std::optional<PoseEdit> DrawPoseBoard(Ui& ui, const Skeleton& bones, const std::
     if (!ui.Look().touch) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   }
   if (!present.empty()) {
-    DrawFigure(list, bones, picture.Place(PoseOf(bones, present)),
+    DrawFigure(list, bones, picture.ToCanvas(PoseOf(bones, present)),
                {.rods = Mix(p.paper, p.ink, 0.13f), .width = 0.8f * width});
   }
   DrawFigure(list, bones, points, {.rods = colour, .joints = p.panel, .width = width});

@@ -112,25 +112,25 @@ CardAction DrawButtons(Ui& ui, const Session& session, const FoundMotions::Entry
                        const std::string& scene) {
   const FoundMotion& found = entry.motion;
   const std::string id = "found/" + entry.id;
-  CardAction wish = CardAction::kNothing;
+  CardAction action = CardAction::kNothing;
   ButtonRow buttons(ui, row);
   if (buttons.Put(id + "/insert", Icon::kPlus, Tr("Insert into the timeline at the moment shown: {1}", scene),
                   found.Moves()))
-    wish = CardAction::kInsert;
-  if (DrawKeepSwitch(ui, id + "/keep", buttons.Next(), scene, found.kept)) wish = CardAction::kKeep;
+    action = CardAction::kInsert;
+  if (DrawKeepSwitch(ui, id + "/keep", buttons.Next(), scene, found.kept)) action = CardAction::kKeep;
   if (session.Results().CanAskName() && buttons.Put(id + "/rename", Icon::kPencil, Tr("Name: {1}", scene)))
-    wish = CardAction::kRename;
+    action = CardAction::kRename;
   if (buttons.Put(id + "/again", Icon::kRestart,
                   Tr("Make again, with the same seed and settings: {1}", scene),
                   found.origin != Origin::kByHand))
-    wish = CardAction::kAgain;
-  if (buttons.Put(id + "/delete", Icon::kClose, Tr("Delete: {1}", scene))) wish = CardAction::kDelete;
+    action = CardAction::kAgain;
+  if (buttons.Put(id + "/delete", Icon::kClose, Tr("Delete: {1}", scene))) action = CardAction::kDelete;
   const ImRect rest = buttons.Rest();
   const std::string score = ScoreText(found);
   const bool bad = !found.Moves() || found.Score() <= kVoidScore;
   ui.Letters().Draw(ui.Canvas(), Type::kStrong, {rest.Max.x - 6.0f, rest.GetCenter().y},
                     bad ? ui.Ink().bad : ui.Ink().good, score, Align::kRight);
-  return wish;
+  return action;
 }
 
 void DrawWords(const Ui& ui, const FoundMotion& found, ImVec2 at, float width) {
@@ -178,7 +178,7 @@ CardAction DrawFoundCard(Ui& ui, const Session& session, const FoundMotions::Ent
       "found/" + entry.id, upper, Grab::kPress,
       {.label = Tr("Show {1}", scene), .role = "button", .value = spoken, .state = {.selected = shown}});
   if (found.Moves()) OfferFound(ui, entry.id, CardName(found));
-  CardAction wish = touch.pressed ? CardAction::kShow : CardAction::kNothing;
+  CardAction action = touch.pressed ? CardAction::kShow : CardAction::kNothing;
   if (seen) {
     const ImU32 fill =
         shown ? Mix(p.panel, p.accent, 0.10f) : Mix(p.panel, p.ink, touch.hovered ? 0.04f : 0.0f);
@@ -193,7 +193,7 @@ CardAction DrawFoundCard(Ui& ui, const Session& session, const FoundMotions::Ent
   }
   const ImRect row({card.Min.x + 3.0f, upper.Max.y}, {card.Max.x, upper.Max.y + buttons});
   const CardAction below = DrawButtons(ui, session, entry, row, scene);
-  return below != CardAction::kNothing ? below : wish;
+  return below != CardAction::kNothing ? below : action;
 }
 
 }  // namespace gaitsmith::shell

@@ -47,10 +47,10 @@ void DrawChoices(Ui& ui, FoundListState& state) {
   ui.Gap(8.0f);
 }
 
-void Do(Session& session, CardAction wish, const std::string& id) {
+void Do(Session& session, CardAction action, const std::string& id) {
   const FoundMotions::Entry* entry = session.Results().Motions().Find(id);
   if (entry == nullptr) return;
-  switch (wish) {
+  switch (action) {
     case CardAction::kNothing:
       return;
     case CardAction::kShow:
@@ -85,7 +85,7 @@ void DrawFound(Ui& ui, Session& session, FoundListState& state) {
   }
   DrawChoices(ui, state);
   // Applied after the loop, since it changes the list.
-  CardAction wish = CardAction::kNothing;
+  CardAction action = CardAction::kNothing;
   std::string id;
   bool any = false;
   for (const FoundMotions::Entry* entry : session.Results().Motions().Sorted(state.order)) {
@@ -93,14 +93,14 @@ void DrawFound(Ui& ui, Session& session, FoundListState& state) {
     any = true;
     const CardAction here = DrawFoundCard(ui, session, *entry, state.strips);
     if (here == CardAction::kNothing) continue;
-    wish = here;
+    action = here;
     id = entry->id;
   }
   if (!any) ui.Paragraph(Tr("None of the results is of this kind."), Type::kNote);
   ui.Paragraph(Tr("Press one to see it; drag it to the timeline to chain it. Up to 100 stay; where room is "
                   "short, the oldest that are not kept go."),
                Type::kNote);
-  Do(session, wish, id);
+  Do(session, action, id);
 }
 
 }  // namespace gaitsmith::shell

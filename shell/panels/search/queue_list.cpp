@@ -41,12 +41,12 @@ QueueAction DrawEntry(Ui& ui, const SearchQueue::Entry& entry, std::size_t place
   const float top = row.GetCenter().y - 0.5f * size;
   const ImRect remove({row.Max.x - size, top}, {row.Max.x, top + size});
   const ImRect up({remove.Min.x - size, top}, {remove.Min.x, top + size});
-  QueueAction wish = QueueAction::kNothing;
+  QueueAction action = QueueAction::kNothing;
   if (place > 0 && ui.IconButton(id + "/up", up, Icon::kChevronUp, Tr("Move up: {1}", title)))
-    wish = QueueAction::kUp;
+    action = QueueAction::kUp;
   if (ui.IconButton(id + "/remove", remove, Icon::kClose, Tr("Remove: {1}", title)))
-    wish = QueueAction::kRemove;
-  return wish;
+    action = QueueAction::kRemove;
+  return action;
 }
 
 }  // namespace
@@ -71,13 +71,13 @@ void DrawQueue(Ui& ui, Session& session) {
   }
   ui.Gap(4.0f);
   // Applied after the loop, since it changes the list.
-  QueueAction wish = QueueAction::kNothing;
+  QueueAction action = QueueAction::kNothing;
   int number = 0;
   for (std::size_t place = 0; place < queue.Waiting().size(); ++place) {
     const SearchQueue::Entry& entry = queue.Waiting()[place];
     const QueueAction here = DrawEntry(ui, entry, place);
     if (here == QueueAction::kNothing) continue;
-    wish = here;
+    action = here;
     number = entry.number;
   }
   if (count > 1) {
@@ -91,8 +91,8 @@ void DrawQueue(Ui& ui, Session& session) {
                              : Tr("Bring back all {1}", Grouped(static_cast<long long>(queue.Removed())));
     if (ui.Button("queue/bring-back", ui.ControlRow(), words)) queue.BringBack();
   }
-  if (wish == QueueAction::kUp) queue.MoveUp(number);
-  if (wish == QueueAction::kRemove) queue.Remove(number);
+  if (action == QueueAction::kUp) queue.MoveUp(number);
+  if (action == QueueAction::kRemove) queue.Remove(number);
 }
 
 }  // namespace gaitsmith::shell

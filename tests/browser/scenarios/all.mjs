@@ -211,7 +211,7 @@ export const MAIN_SCENARIOS = [
     visit.figures['damaged link'] = text;
   }],
 
-  ['the motion can be had in words', async ({ page }) => {
+  ['the motion is described in words', async ({ page }) => {
     await page.forward(50);
     await page.page.focus('#describe');
     assert.ok(await page.call('seen', () => {
@@ -224,7 +224,7 @@ export const MAIN_SCENARIOS = [
     await page.page.focus('#open');
   }],
 
-  ['the Style panel weighs further terms by mouse and key, tells the sum, and resets', async ({ browser, address }) => {
+  ['the Style panel weighs further terms by mouse and key, shows the sum, and resets', async ({ browser, address }) => {
     const fresh = await PageDriver.open(browser, address);
     const weights = () => fresh.call('weights', () => window.gaitsmith.document().task?.weights ?? {});
     await fresh.page.evaluate(() => {

@@ -169,5 +169,5 @@ export const HISTORY_SCENARIOS = [
   ['three edits undone and done again, by key, button and script, are the same documents and motions', threeEdits],
   ['a search is one step back and forth', searchIsOneStep],
   ['New asks nothing, says how to go back, and Undo does', newAsksNothing],
-  ['a dropped document opens; what is none is named, and changes nothing', dropping],
+  ['a dropped document opens; other files are refused, and change nothing', dropping],
 ];

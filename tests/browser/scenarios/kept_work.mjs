@@ -222,7 +222,7 @@ export const KEPT_WORK_SCENARIOS = [
   ['a reload in the middle of a search brings back the best so far', reloadMidSearch],
   ['a link in the address wins, and the last work is one press away until dismissed', linkWins],
   ['two tabs keep their own work, and the next visit begins with the later one', twoTabs],
-  ['where storage is forbidden, it is said once, and all else works', forbidden],
+  ['forbidden storage is reported once, and all else works', forbidden],
   ['where storage is full, it is said', full],
   ['inside another page nothing is kept', embedded],
   ['a tab that is killed loses nothing', tabKilled, 'Chromium'], // Firefox has no way to kill a tab

@@ -228,6 +228,6 @@ export const MIRROR_SCENARIOS = [
   ['the mirror has every widget of every panel, with role, name, value, state and place', equal],
   ['there is one Tab order, which shows on the canvas, scrolls, and ends', oneOrder],
   ['what happens is said in words, at a pace to listen to', saidInWords],
-  ['who wishes for less motion begins with a still one', stillness],
+  ['reduced motion starts paused', stillness],
   ['the mirror costs little while a motion plays', cheap],
 ];

@@ -342,7 +342,7 @@ export const OFFLINE_SCENARIOS = [
   ['a host that sends pages on to prettier addresses is as good', prettyHost],
   ['two copies on one host keep out of each other’s way', twoCopies],
   ['a new version comes as a whole, when one page is left and its reader asks for it', update],
-  ['half a new version is no new version', halfAVersion],
+  ['an incomplete update is not activated', halfAVersion],
   ['in a frame of another origin it is played by messages', foreignFrame],
   ['in a frame without an origin it searches in the page, or says what is missing', narrowFrame],
   ['without storage everything else works', noStorage],

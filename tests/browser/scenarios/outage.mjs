@@ -282,7 +282,7 @@ export const OUTAGE_SCENARIOS = [
   ['clocks that jump by hours change nothing in a search, running or paused', clocks],
   ['a tab frozen in the middle of a search goes on when it thaws', frozen, 'Chromium'], // the only one that can be frozen by a test
   ['two tabs search at a time, and storage is emptied meanwhile: each keeps its own', twoTabs],
-  ['storage that fills in the middle of a search is told, and the address has the work', storageFills],
+  ['storage that fills in the middle of a search is reported, and the address has the work', storageFills],
   ['where there is no room for a copy of the site, it works without one', quota, 'Chromium'], // the only one with a quota for tests
   ['a new version that comes in the middle of a search waits, and takes over what was found', newVersion],
 ];

@@ -320,7 +320,7 @@ async function forbidden({ browser, address }) {
 /** @type {[string, (visit: Visit) => Promise<void>][]} */
 export const QUEUE_SCENARIOS = [
   ['a queue of searches runs by itself and leaves the stage alone; a result shown is what its seed finds', runsThrough],
-  ['a queue waits after Stop, goes on when told, and can be cleared', stopped],
+  ['a queue waits after Stop, resumes on request, and can be cleared', stopped],
   ['a queue goes on where no frame is drawn', unseen],
   ['a queue goes on after one that fails', oneFails],
   ['a queue by script: added to, full, and told of with links of its own', byScript],

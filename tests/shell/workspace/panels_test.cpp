@@ -44,7 +44,7 @@ TEST_CASE("panels: existing numbers select the same panels as before", "[panels]
 }
 
 TEST_CASE("panels: the nearest shown panel opens", "[panels]") {
-  const int few[] = {PlaceOf(Panel::kController), PlaceOf(Panel::kSearch)};
+  const int few[] = {IndexOf(Panel::kController), IndexOf(Panel::kSearch)};
   CHECK(NearestPanel(kPanels, few, 0) == few[0]);
   CHECK(NearestPanel(kPanels, few, 2) == few[0]);  // of two equally near, the lower
   CHECK(NearestPanel(kPanels, few, 3) == few[1]);
