@@ -139,6 +139,14 @@ stage() {
   printf '######## %s: %s, %d s\n' "$name" "$result" $((SECONDS - start))
 }
 
+# The usual seconds of each stage: "<seconds> <name>" a line. A stage that takes half a minute and a quarter more has grown.
+USUAL=.dev/stage-seconds.txt
+growth() { # seconds, name
+  local usual
+  usual=$(awk -v name="$2" '$0 == $1 " " name { print $1 }' "$USUAL")
+  [ -z "$usual" ] || (( $1 <= usual + 30 + usual / 4 )) || printf ' (usually %d s)' "$usual"
+}
+
 # Prints each stage's time and the number of passed stages. Fails if a stage failed.
 summary() {
   local passed left_out failed
@@ -146,7 +154,7 @@ summary() {
   left_out=$(grep -c ' left-out ' "$RESULTS" || true)
   failed=$(grep -c ' failed ' "$RESULTS" || true)
   printf '\n%7s  %-9s %s\n' seconds result stage
-  while read -r seconds result name; do printf '%7d  %-9s %s\n' "$seconds" "$result" "$name"; done <"$RESULTS"
+  while read -r seconds result name; do printf '%7d  %-9s %s%s\n' "$seconds" "$result" "$name" "$(growth "$seconds" "$name")"; done <"$RESULTS"
   printf '%7d  in all\n\n' $SECONDS
   printf '%d passed, %d left out, %d failed\n' "$passed" "$left_out" "$failed"
   [ "$failed" = 0 ]
@@ -176,6 +184,8 @@ test_everything() {
   stage site build_site
   second_lane >build/second-lane.log 2>&1 &
   second=$!
+  # The scenarios wait for frames, so the browsers go before the compilers.
+  renice -n 10 -p $BASHPID >/dev/null
   stage lint lint
   stage "tests (gcc)" cmake --workflow --preset tests
   stage "tests (sanitizers)" cmake --workflow --preset asan
@@ -194,6 +204,7 @@ test_quickly() {
   stage format check_format
   stage types check_types
   stage "scripts and styles" check_scripts_and_styles
+  stage leaks check_leaks
   stage "tests (gcc)" cmake --workflow --preset tests
   stage "tests (WASM)" cmake --workflow --preset wasm
   stage site build_site

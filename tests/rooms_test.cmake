@@ -1,5 +1,6 @@
 # The rooms in shell/ and web/, and which rooms each may use: only rooms before it here, so there are no cycles. Fails
-# on an include or import that is not in these tables, on a file outside all rooms, and on a room that does not exist.
+# on an include or import that is not in these tables, on an entry that no file needs, on a file outside all rooms, and on
+# a room that does not exist.
 #   cmake -DROOT=<repository> -P rooms_test.cmake
 cmake_policy(VERSION 3.25)
 
@@ -10,36 +11,36 @@ set(shell_rooms
     "study:"
     "export:"
     "words:"
-    "workspace: embedded search study words"
-    "results: embedded search study words workspace"
-    "session: embedded search study words workspace results"
-    "catalogue: embedded export words workspace session"
+    "workspace: embedded search words"
+    "results: search study words workspace"
+    "session: embedded words workspace results"
+    "catalogue: embedded export words workspace"
     "command_line: embedded search study export words catalogue"
     "widgets: embedded export words"
-    "stage: words workspace results session widgets"
-    "timeline: words workspace results session widgets stage"
-    "panels/figure: words workspace results session widgets stage"
-    "panels/controller: words workspace results session widgets stage"
-    "panels/style: words workspace results session widgets stage"
-    "panels/search: words workspace results session widgets stage timeline"
-    "panels/lab: words workspace results session widgets stage"
-    "app: words workspace results session widgets stage timeline panels/figure panels/controller panels/style panels/search panels/lab"
-    "host: embedded search catalogue words workspace results session widgets stage timeline app")
+    "stage: words session widgets"
+    "timeline: words session widgets"
+    "panels/figure: words session widgets stage"
+    "panels/controller: words session widgets stage"
+    "panels/style: words session widgets"
+    "panels/search: words results session widgets stage timeline"
+    "panels/lab: words session widgets"
+    "app: words workspace session widgets stage timeline panels/figure panels/controller panels/style panels/search panels/lab"
+    "host: embedded search catalogue words workspace results session app")
 set(web_rooms
     "build:"
     "browser:"
     "catalogue:"
     "languages: browser catalogue"
-    "app: browser languages"
-    "access: browser languages app"
-    "search: browser catalogue languages app access"
-    "storage: browser languages app access"
-    "share: browser catalogue languages app search"
+    "app: languages"
+    "access: browser languages"
+    "search: browser catalogue languages app"
+    "storage: browser languages"
+    "share: browser catalogue languages search"
     "page: browser catalogue languages app access search storage share"
     "book: page"
-    "package: search")
-# Rooms that must never include a window's libraries, not even indirectly, because the session's tests run without a
-# window.
+    "package:")
+# Rooms that never include a window's libraries, because the session's tests run without a window. They use only one
+# another.
 set(windowless embedded search study export words workspace results session catalogue command_line)
 
 set(faults "")
@@ -66,6 +67,9 @@ foreach(top shell web)
     foreach(use IN LISTS uses)
       if(NOT use IN_LIST names)
         fault("${top}/${name} uses ${use}, which does not stand above it in the table")
+      endif()
+      if(top STREQUAL "shell" AND name IN_LIST windowless AND NOT use IN_LIST windowless)
+        fault("${top}/${name} uses ${use}, which may include a window's library")
       endif()
     endforeach()
     if(NOT IS_DIRECTORY ${ROOT}/${top}/${name})
@@ -104,9 +108,17 @@ foreach(top shell web)
       endif()
       if(NOT target STREQUAL "")
         room_of(${target} "${names}" reached)
+        list(APPEND ${top}_reached_${room} "${reached}")
         if(NOT reached STREQUAL room AND NOT reached IN_LIST ${top}_uses_${room} AND NOT room STREQUAL "")
           fault("${top}/${file} reaches ${target}: ${room} may use ${${top}_uses_${room}}")
         endif()
+      endif()
+    endforeach()
+  endforeach()
+  foreach(name IN LISTS names)
+    foreach(use IN LISTS ${top}_uses_${name})
+      if(NOT use IN_LIST ${top}_reached_${name})
+        fault("${top}/${name} may use ${use}, but no file of it does")
       endif()
     endforeach()
   endforeach()

@@ -25,6 +25,9 @@ enum class GeneRole {
   kNumber,  // one independent number
 };
 
+/// In the order of GeneRole.
+inline constexpr std::array<std::string_view, 3> kGeneRoleNames = {"intervals", "list", "number"};
+
 /// Neighbouring genes with one name in documents.
 struct GeneGroup {
   std::string_view name;

@@ -2,7 +2,7 @@
 // Our own sin, cos, exp and log. Libraries differ in the last bit, and motions with contacts are chaotic: a
 // difference of one bit becomes a different motion within seconds. These functions use only + - * / and
 // integer operations, so they give the same bits on every compiler, optimisation level and browser.
-// tests/core/scalar_math_test checks the error bounds below.
+// tests/core/numeric/scalar_math_test checks the error bounds below.
 #pragma once
 
 #include <cstdint>

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <set>
 #include <span>
 #include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "core/control/controller.h"
 #include "core/control/sense_table.h"
 #include "core/document/json_value.h"
 #include "core/document/schema.h"
@@ -139,6 +141,25 @@ std::vector<Row> ControlModes() {
   return rows;
 }
 
+/// The groups of all components of the smallest controller of each kind, each name once.
+std::vector<Row> GeneGroupRows() {
+  std::vector<Row> rows;
+  for (const ControllerKindRow& kind : kControllerKinds) {
+    const ControllerShape shape(kind.kind, 1, SenseKind::kPhysical, PortCount(1, 1));
+    std::set<std::string_view> seen;
+    for (int component = 0; component < shape.Components(); ++component) {
+      for (const GeneGroup& group : shape.GroupsOf(component)) {
+        if (!seen.insert(group.name).second) continue;
+        rows.push_back(Row()
+                           .With("name", group.name)
+                           .With("controller_kind", kind.name)
+                           .With("role", kGeneRoleNames[static_cast<std::size_t>(group.role)]));
+      }
+    }
+  }
+  return rows;
+}
+
 std::vector<Row> Panels() {
   std::vector<Row> rows;
   rows.reserve(kPanels.size());
@@ -182,6 +203,7 @@ std::vector<Table> Tables() {
       {"sense_kinds", 0, NamesOf(kSenseKindNames)},
       {"control_modes", 2, ControlModes()},
       {"controller_kinds", 0, NamesOf(kControllerKindNames)},
+      {"gene_groups", 0, GeneGroupRows()},
       {"panels", 2, Panels()},
       {"locks", 0, NamesOf(kLockedPartNames)},
       {"exporters", 5, Exporters()},

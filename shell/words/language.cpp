@@ -53,7 +53,7 @@ std::size_t EndOfInsert(std::string_view text, std::size_t at) {
   return end;
 }
 
-// A sentence without its numbers and "quoted" parts.
+// A sentence without its numbers, its "quoted" parts and the list of names that ends it.
 struct Pattern {
   std::string text;
   std::vector<std::string> inserts;
@@ -61,9 +61,13 @@ struct Pattern {
 
 Pattern PatternOf(std::string_view english) {
   constexpr std::size_t kMax = 9;
+  constexpr std::string_view kBeforeNames = "choose from ";
+  const std::size_t phrase = english.rfind(kBeforeNames);
+  const std::size_t names = phrase == std::string_view::npos ? phrase : phrase + kBeforeNames.size();
   Pattern pattern;
   for (std::size_t at = 0; at < english.size();) {
-    const std::size_t end = pattern.inserts.size() < kMax ? EndOfInsert(english, at) : at;
+    std::size_t end = pattern.inserts.size() < kMax ? EndOfInsert(english, at) : at;
+    if (at == names) end = english.size();
     if (end == at) {
       pattern.text += english[at++];
       continue;

@@ -16,6 +16,13 @@ function pathsIn(text) {
   return spans.filter((path) => /^\.?[a-z_]+\/[\w./-]*$|^[A-Z_]+\.md$|^LICENSE$/.test(path));
 }
 
+test('architecture: each recipe says how many files it takes', async () => {
+  const text = await readFile(join(ROOT, 'docs/architecture.md'), 'utf8');
+  const rows = text.slice(text.indexOf('## Recipes')).match(/^\| (?!you add|---).*$/gm) ?? [];
+  assert.ok(rows.length >= 8, `only ${rows.length} rows found`);
+  assert.deepEqual(rows.filter((row) => !/^\|[^|]+\| \d+ \|/.test(row)), []);
+});
+
 for (const [page, min] of /** @type {const} */ ([['docs/architecture.md', 40], ['CONTRIBUTING.md', 5], ['README.md', 8]])) {
   test(`architecture: ${page} names only what is there`, async () => {
     const paths = pathsIn(await readFile(join(ROOT, page), 'utf8'));

@@ -34,8 +34,8 @@ std::vector<std::string> Names(const Table& table, Member member) {
   return names;
 }
 
-std::string Text(const std::string& page) {
-  std::ifstream file(std::string(GAITSMITH_SOURCE_DIR "/docs/") + page);
+std::string Text(const std::string& path) {
+  std::ifstream file(std::string(GAITSMITH_SOURCE_DIR "/") + path);
   REQUIRE(file);
   return {std::istreambuf_iterator<char>(file), {}};
 }
@@ -64,9 +64,32 @@ TEST_CASE("catalogue: the page's module has a list for each table that it reads"
                         ",\"note\":" + QuoteJson(last.note) + "}];\n"));
 }
 
+TEST_CASE("catalogue: the page's types name each table and member of its module, and no other",
+          "[catalogue]") {
+  const std::string module = CatalogueModule(), types = Text("web/catalogue/catalogue.d.ts");
+  const std::string table = "export const ", member = "readonly ";
+  std::vector<std::string> written, typed;
+  for (std::size_t at = module.find(table); at != std::string::npos; at = module.find(table, at)) {
+    at += table.size();
+    const std::size_t equals = module.find('=', at);
+    written.push_back(module.substr(at, equals - at) + ":");
+    const auto first_row = ParseJson(module.substr(equals + 2, module.find('}', equals) - equals - 1));
+    REQUIRE(first_row);
+    written.insert(written.end(), first_row->names.begin(), first_row->names.end());
+  }
+  for (std::size_t at = 0; at < types.size(); ++at) {
+    for (const std::string& before : {table, member}) {
+      if (types.compare(at, before.size(), before) != 0) continue;
+      const std::size_t name = at + before.size(), colon = types.find(':', name);
+      if (types[name] != '{') typed.push_back(types.substr(name, colon - name + (before == table ? 1 : 0)));
+    }
+  }
+  CHECK(typed == written);
+}
+
 TEST_CASE("catalogue: for each table, a page of the docs has one row per name", "[catalogue]") {
   const auto explains = [](const char* page, const auto& names) {
-    const std::string text = Text(page);
+    const std::string text = Text(std::string("docs/") + page);
     for (const std::string_view name : names) {
       CAPTURE(page, name);
       CHECK(text.contains("\n| `" + std::string(name) + "` |"));
@@ -76,6 +99,7 @@ TEST_CASE("catalogue: for each table, a page of the docs has one row per name", 
   explains("style.md", kTaskNames);
   explains("style.md", kStyleTermNames);
   std::vector<std::string> options;
+  options.reserve(std::size(kExporters));
   for (const ExporterRow& row : kExporters) options.push_back("--" + std::string(row.id));
   explains("command-line.md", options);
 }

@@ -44,6 +44,7 @@ TEST_CASE("every search: intervals stay in order, so that what is found can be s
 
 TEST_CASE("every search: saved and loaded at any point, it goes on as if nothing had happened", "[search]") {
   std::vector<SearchSettings> all;
+  all.reserve(std::size(kAll) + 1);
   for (const Algorithm algorithm : kAll) all.push_back(Settings(algorithm, 1200));
   all.push_back(Settings(Algorithm::kPowell, 1200));
   all.back().refine.step = 1.0f;  // the largest step
