@@ -203,11 +203,11 @@ std::vector<Table> Tables() {
       {"sense_kinds", 0, NamesOf(kSenseKindNames)},
       {"control_modes", 2, ControlModes()},
       {"controller_kinds", 0, NamesOf(kControllerKindNames)},
-      {"gene_groups", 0, GeneGroupRows()},
       {"panels", 2, Panels()},
       {"locks", 0, NamesOf(kLockedPartNames)},
       {"exporters", 5, Exporters()},
       {"languages", 2, LanguageRows()},
+      {"gene_groups", 0, GeneGroupRows()},
   };
 }
 

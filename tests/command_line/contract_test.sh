@@ -52,7 +52,7 @@ same "$(awk -F, '{print NF}' motion.csv | sort -u | wc -l)" 1 "columns in every 
 # Names that other programs may use.
 "$gaitsmith" catalogue >catalogue.json || fault "catalogue"
 same "$(sed -n 's/^  "\([a-z_]*\)": \[$/\1/p' catalogue.json | tr '\n' ' ')" \
-  "algorithms tasks terms senses sense_kinds control_modes controller_kinds panels locks exporters languages " "tables of the catalogue"
+  "algorithms tasks terms senses sense_kinds control_modes controller_kinds panels locks exporters languages gene_groups " "tables of the catalogue"
 same "$(sed -n 's/.*"name": "\([a-z]*\)".*"number": \([0-9]*\).*/\1 \2/p' catalogue.json | tr '\n' ' ')" \
   "figure 0 controller 1 style 2 search 3 lab 4 timeline 5 " "numbers of panels in links"
 refuses 'all: catalogue takes no words' "$gaitsmith" catalogue all
