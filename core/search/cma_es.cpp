@@ -2,10 +2,7 @@
 #include "core/search/cma_es.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
-
-#include "core/numeric/scalar_math.h"
 
 namespace gaitsmith {
 
@@ -15,8 +12,6 @@ constexpr int kMaxPopulation = 10000;
 constexpr double kMinSpread = 0.5 / kGeneMax;  // half a grid step: all samples would be one genome
 constexpr double kMaxSpread = 10.0;            // ten times the cube: all samples would be its corners
 
-double Square(double x) { return x * x; }
-
 }  // namespace
 
 CmaEs::CmaEs(const SearchSettings& settings, const SearchSpace& space) : BatchSearch(settings, space) {}
@@ -25,42 +20,7 @@ int CmaEs::Draws() const { return run_ == 0 && !Space().start.empty() ? 1 : Sett
 
 int CmaEs::FirstPopulation() const {
   if (Settings().cma.population > 0) return Settings().cma.population;
-  return 4 + static_cast<int>(3.0 * Log(static_cast<double>(genes_)));
-}
-
-CmaEs::Rules CmaEs::RulesFor(int population) const {
-  Rules r{};
-  const int parents = population / 2;
-  double sum = 0.0;
-  double squares = 0.0;
-  for (int i = 1; i <= parents; ++i) {
-    r.weights.push_back(Log(0.5 * (population + 1)) - Log(i));
-    sum += r.weights.back();
-  }
-  for (double& weight : r.weights) {
-    weight /= sum;
-    squares += Square(weight);
-  }
-  r.mass = 1.0 / squares;
-  const auto n = static_cast<double>(genes_);
-  r.c_sigma = (r.mass + 2.0) / (n + r.mass + 5.0);
-  r.damping = 1.0 + 2.0 * std::max(0.0, std::sqrt((r.mass - 1.0) / (n + 1.0)) - 1.0) + r.c_sigma;
-  r.c_path = (4.0 + r.mass / n) / (n + 4.0 + 2.0 * r.mass / n);
-  r.c_one = 2.0 / (Square(n + 1.3) + r.mass);
-  r.c_mu = 2.0 * (r.mass - 2.0 + 1.0 / r.mass) / (Square(n + 2.0) + r.mass);
-  if (!full_) {
-    // n variances can be learnt faster than n^2 / 2 covariances [Ros Hansen 2008].
-    r.c_one *= (n + 2.0) / 3.0;
-    r.c_mu *= (n + 2.0) / 3.0;
-  }
-  r.c_one = std::min(r.c_one, 1.0);
-  r.c_mu = std::min(r.c_mu, 1.0 - r.c_one);
-  r.expected_length = std::sqrt(n) * (1.0 - 1.0 / (4.0 * n) + 1.0 / (21.0 * n * n));
-  return r;
-}
-
-std::size_t CmaEs::At(std::size_t row, std::size_t column) const {
-  return full_ ? row * (row + 1) / 2 + column : row;
+  return CmaDistribution::UsualPopulation(free_.size());
 }
 
 void CmaEs::BeginAt(const Genome& origin, int population) {
@@ -73,45 +33,19 @@ void CmaEs::BeginAt(const Genome& origin, int population) {
   for (std::size_t gene = 0; gene < origin.size(); ++gene) {
     if (!ignored[gene]) free_.push_back(gene);
   }
-  genes_ = free_.size();
   const Covariance kind = Settings().cma.covariance;
-  full_ =
-      kind == Covariance::kFull || (kind == Covariance::kAutomatic && genes_ <= std::size_t{kMaxFullGenes});
+  const bool full = kind == Covariance::kFull ||
+                    (kind == Covariance::kAutomatic && free_.size() <= std::size_t{kMaxFullGenes});
   origin_ = origin;
   population_ = std::max(population, FirstPopulation());
-  rules_ = RulesFor(population_);
-  covariance_.assign(full_ ? genes_ * (genes_ + 1) / 2 : genes_, 0.0);
-  for (std::size_t gene = 0; gene < genes_; ++gene) covariance_[At(gene, gene)] = 1.0;
-  factor_ = covariance_;
-  path_.assign(genes_, 0.0);
-  sigma_path_.assign(genes_, 0.0);
-  mean_ = FreePointOf(origin);
-  sigma_ = static_cast<double>(Settings().cma.step);
+  distribution_ = {FreePointOf(origin), static_cast<double>(Settings().cma.step), population_, full};
 }
 
 std::vector<double> CmaEs::FreePointOf(const Genome& genome) const {
   std::vector<double> point;
-  point.reserve(genes_);
+  point.reserve(free_.size());
   for (const std::size_t gene : free_) point.push_back(genome[gene] * (1.0 / kGeneMax));
   return point;
-}
-
-bool CmaEs::Factorise() {
-  factor_.assign(covariance_.size(), 0.0);
-  for (std::size_t row = 0; row < genes_; ++row) {
-    for (std::size_t column = full_ ? 0 : row; column <= row; ++column) {
-      double rest = covariance_[At(row, column)];
-      for (std::size_t k = full_ ? 0 : column; k < column; ++k)
-        rest -= factor_[At(row, k)] * factor_[At(column, k)];
-      if (column < row) {
-        factor_[At(row, column)] = rest / factor_[At(column, column)];
-      } else {
-        if (!(rest > 0.0)) return false;
-        factor_[At(row, row)] = std::sqrt(rest);
-      }
-    }
-  }
-  return true;
 }
 
 std::vector<Genome> CmaEs::Propose() const {
@@ -122,18 +56,11 @@ std::vector<Genome> CmaEs::Propose() const {
     return batch;
   }
   batch.reserve(static_cast<std::size_t>(population_));
-  std::vector<double> normal(genes_);
   std::vector<double> point = PointOf(origin_);
   for (int k = 0; k < population_; ++k) {
     RandomStream random = Stream(k, generation_);
-    for (double& z : normal) z = random.Normal();
-    for (std::size_t row = 0; row < genes_; ++row) {
-      double sum = 0.0;
-      for (std::size_t column = full_ ? 0 : row; column <= row; ++column) {
-        sum += factor_[At(row, column)] * normal[column];
-      }
-      point[free_[row]] = mean_[row] + sigma_ * sum;
-    }
+    const std::vector<double> sample = distribution_.Sample(random);
+    for (std::size_t i = 0; i < free_.size(); ++i) point[free_[i]] = sample[i];
     batch.push_back(GenomeAt(point, Space().shape));
   }
   return batch;
@@ -145,50 +72,10 @@ void CmaEs::Adapt(std::span<const Genome> batch, std::span<const Score> scores) 
   std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
     return scores[a].fitness != scores[b].fitness ? scores[a].fitness > scores[b].fitness : a < b;
   });
-  const Rules& r = rules_;
-  const std::size_t parents = r.weights.size();
-
-  // Steps of the better half in units of sigma, and their weighted mean.
-  std::vector<std::vector<double>> steps(parents);
-  std::vector<double> mean_step(genes_, 0.0);
-  for (std::size_t i = 0; i < parents; ++i) {
-    steps[i] = FreePointOf(batch[order[i]]);
-    for (std::size_t gene = 0; gene < genes_; ++gene) {
-      steps[i][gene] = (steps[i][gene] - mean_[gene]) / sigma_;
-      mean_step[gene] += r.weights[i] * steps[i][gene];
-    }
-  }
-  for (std::size_t gene = 0; gene < genes_; ++gene) mean_[gene] += sigma_ * mean_step[gene];
-
-  // The path of steps in the coordinates of the samples: solve A w = mean step.
-  std::vector<double> whitened = mean_step;
-  double length = 0.0;
-  const double keep = std::sqrt(r.c_sigma * (2.0 - r.c_sigma) * r.mass);
-  for (std::size_t row = 0; row < genes_; ++row) {
-    for (std::size_t k = full_ ? 0 : row; k < row; ++k) whitened[row] -= factor_[At(row, k)] * whitened[k];
-    whitened[row] /= factor_[At(row, row)];
-    sigma_path_[row] = (1.0 - r.c_sigma) * sigma_path_[row] + keep * whitened[row];
-    length += Square(sigma_path_[row]);
-  }
-  length = std::sqrt(length);
-  const double settled = std::sqrt(1.0 - Exp(2.0 * age_ * Log(1.0 - r.c_sigma)));
-  const auto n = static_cast<double>(genes_);
-  const bool steady = length / settled < (1.4 + 2.0 / (n + 1.0)) * r.expected_length;
-
-  const double along = steady ? std::sqrt(r.c_path * (2.0 - r.c_path) * r.mass) : 0.0;
-  for (std::size_t gene = 0; gene < genes_; ++gene) {
-    path_[gene] = (1.0 - r.c_path) * path_[gene] + along * mean_step[gene];
-  }
-  const double old = 1.0 - r.c_one - r.c_mu + (steady ? 0.0 : r.c_one * r.c_path * (2.0 - r.c_path));
-  for (std::size_t row = 0; row < genes_; ++row) {
-    for (std::size_t column = full_ ? 0 : row; column <= row; ++column) {
-      double spread = 0.0;
-      for (std::size_t i = 0; i < parents; ++i) spread += r.weights[i] * steps[i][row] * steps[i][column];
-      double& c = covariance_[At(row, column)];
-      c = old * c + r.c_one * path_[row] * path_[column] + r.c_mu * spread;
-    }
-  }
-  sigma_ *= Exp(std::min(1.0, r.c_sigma / r.damping * (length / r.expected_length - 1.0)));
+  std::vector<std::vector<double>> ranked;
+  ranked.reserve(order.size());
+  for (const std::size_t i : order) ranked.push_back(FreePointOf(batch[i]));
+  distribution_.Adapt(ranked, age_);
 
   const float best = scores[order[0]].fitness;
   const bool better = best > run_best_;
@@ -197,12 +84,9 @@ void CmaEs::Adapt(std::span<const Genome> batch, std::span<const Score> scores) 
 }
 
 bool CmaEs::Stalled() const {
-  double widest = 0.0;
-  for (std::size_t gene = 0; gene < genes_; ++gene) {
-    widest = std::max(widest, sigma_ * std::sqrt(covariance_[At(gene, gene)]));
-  }
+  const double widest = distribution_.Spread();
   // Number of generations without improvement that are allowed [Hansen 2016]: 10 + 30 n / lambda.
-  const double patience = 10.0 + 30.0 * static_cast<double>(genes_) / population_;
+  const double patience = 10.0 + 30.0 * static_cast<double>(free_.size()) / population_;
   return !(widest > kMinSpread && widest < kMaxSpread) || stale_ > patience;
 }
 
@@ -219,7 +103,7 @@ void CmaEs::Absorb(std::span<const Genome> batch, std::span<const Score> scores)
   Adapt(batch, scores);
   ++age_;
   ++generation_;
-  if (Factorise() && !Stalled()) return;
+  if (distribution_.Sound() && !Stalled()) return;
   ++run_;
   const double grown = population_ * static_cast<double>(Settings().cma.growth);
   population_ = static_cast<int>(std::min<double>(grown, kMaxPopulation));
@@ -234,10 +118,7 @@ void CmaEs::SaveState(BitWriter& out) const {
   }
   PutGenome(out, origin_, run_best_);
   if (origin_.empty()) return;
-  PutReal(out, sigma_);
-  for (const auto* list : {&mean_, &path_, &sigma_path_, &covariance_}) {
-    for (const double value : *list) PutReal(out, value);
-  }
+  distribution_.Save(out);
 }
 
 bool CmaEs::LoadState(BitReader& in) {
@@ -252,14 +133,7 @@ bool CmaEs::LoadState(BitReader& in) {
   if (origin.empty()) return true;
   const int population = population_;
   BeginAt(origin, population);
-  if (population_ != population || !TakeReal(in, sigma_)) return false;
-  for (auto* list : {&mean_, &path_, &sigma_path_, &covariance_}) {
-    for (double& value : *list) {
-      if (!TakeReal(in, value)) return false;
-    }
-  }
-  if (in.Overrun()) return true;  // the caller reports the error
-  return sigma_ > 0.0 && Factorise();
+  return population_ == population && distribution_.Load(in);
 }
 
 std::unique_ptr<Search> MakeCmaEs(const SearchSettings& settings, const SearchSpace& space) {
