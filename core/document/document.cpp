@@ -3,6 +3,7 @@
 
 #include "core/document/archive.h"
 #include "core/document/schema.h"
+#include "core/search/evaluation_score.h"
 
 namespace gaitsmith {
 
@@ -94,9 +95,8 @@ Problem ReplayProblem(const Document& d, const Controller& controller) {
 }
 
 SearchSpace SpaceOf(const Document& d) {
-  SearchSpace space{ProblemOf(d).Shape(), d.senses};
-  if (d.search.start >= 0) space.start = d.controllers[static_cast<std::size_t>(d.search.start)].genes;
-  return space;
+  const int start = d.search.start;
+  return SpaceOf(ProblemOf(d), start < 0 ? Genome{} : d.controllers[static_cast<std::size_t>(start)].genes);
 }
 
 std::string HashText(std::uint64_t hash) {

@@ -7,11 +7,13 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "core/control/controller.h"
+#include "core/control/sighting.h"
 
 namespace gaitsmith {
 
@@ -45,6 +47,9 @@ struct SearchSpace {
   ControllerShape shape;
   SenseSpec senses;
   Genome start = {};  // first genome of every search, where refiners begin; empty: random
+  /// Simulates a bank once more and returns that number of sightings of its motion (rollout/sightings.h), the
+  /// same each time. Empty if searches work without physics.
+  std::function<std::vector<Sighting>(const Genome&, int)> sightings = {};
 };
 
 /// A new random controller.

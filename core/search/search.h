@@ -32,6 +32,7 @@ enum class Algorithm {
   kCmaEs,         // covariance matrix adaptation
   kMapElites,     // the best motion of every style
   kTwoStage,      // random generate and test, then ascents from the best
+  kPoseCycle,     // a race of CMA-ES over pose cycles, then moves of rules that act
 };
 /// Parameters of GGA and SSGA, and the rates of MPGA.
 struct GeneticSettings {
@@ -190,7 +191,7 @@ inline constexpr unsigned kVariation = 512;  // variation: settings of perturbat
 using SearchMaker = std::unique_ptr<Search>(const SearchSettings&, const SearchSpace&);
 // Each is defined beside its algorithm.
 SearchMaker MakeRandomSearch, MakeSphc, MakeGga, MakeSsga, MakeShc, MakeMpga, MakeNelderMead, MakePowell,
-    MakeCmaEs, MakeMapElites, MakeTwoStage;
+    MakeCmaEs, MakeMapElites, MakeTwoStage, MakePoseCycle;
 
 /// A row of the algorithm table.
 struct AlgorithmRow {
@@ -222,6 +223,7 @@ inline constexpr auto kAlgorithms = [] {
       {kCmaEs, "cma-es", kCma, true, kNone, MakeCmaEs},
       {kMapElites, "map-elites", kElites | kVariation, false, kNone, MakeMapElites},
       {kTwoStage, "two-stage", kStages | kVariation, false, kNone, MakeTwoStage},
+      {kPoseCycle, "pose-cycle", 0, true, kNone, MakePoseCycle},
   });
 }();
 static_assert([] {

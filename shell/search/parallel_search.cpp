@@ -110,7 +110,7 @@ SearchProgress RunParallelSearch(const Problem& problem, const SearchSettings& s
                                  SearchControl& control,
                                  const std::function<void(const SearchProgress&)>& report,
                                  const Genome& start) {
-  const auto search = MakeSearch(settings, {problem.Shape(), problem.senses, start});
+  const auto search = MakeSearch(settings, SpaceOf(problem, start));
   Crew crew(problem, threads);
   SearchProgress progress{.state = SearchState::kRunning, .budget = settings.evaluations, .workers = threads};
   double working_s = 0.0;

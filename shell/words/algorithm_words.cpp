@@ -30,6 +30,9 @@ const std::array<AlgorithmWords, kAlgorithmNames.size()>& AlgorithmTexts() {
        TrLater("Keeps the best for every height, slip and turn: many motions from one search.")},
       {TrLater("Two-stage"), TrLater("Two-stage: random, then climbing"),
        TrLater("Draws many at random, then climbs from the best: how networks were first found.")},
+      {TrLater("Pose cycle"), TrLater("Pose cycle: race, then place rules"),
+       TrLater("Races loops of two poses, then adds rules where the figure really passes. Needs the fewest "
+               "tries.")},
   });
   static_assert(std::tuple_size_v<decltype(kTexts)> == kAlgorithmNames.size(),
                 "every algorithm needs its words");

@@ -80,7 +80,7 @@ awk -F, 'NR == 2 { d = ($1 < 0 ? -$1 : $1) - $5 + 0.5 * $8 - $9; exit !(d * d < 
 # The number of threads does not change the document.
 find() { "$gaitsmith" synthesize --figure inchworm --task travel --sense timer=0.8 --weight slip_sum=0.5 --search "$1" \
   --evaluations 300 --seed 9 --out "$2" --curve curve.csv --threads "$3" --search-option torus.side=8; }
-for search in rgt sphc gga ssga shc mpga nelder-mead powell cma-es map-elites two-stage; do
+for search in rgt sphc gga ssga shc mpga nelder-mead powell cma-es map-elites two-stage pose-cycle; do
   find $search one.json 1 || fault "synthesize"
   for threads in $([ $search = sphc ] && echo 2 3 4 5 6 7 8 || echo 3); do
     find $search many.json $threads; cmp -s one.json many.json || fault "$search with $threads threads found something else"

@@ -312,7 +312,7 @@ TEST_CASE("JSON: what is wrong is said with its place", "[document]") {
         "rules: must be a whole number, is 1.5");
   CHECK(JsonFault(Changed(json, "\"sphc\"", "\"hpc\"")) ==
         "search.algorithm: \"hpc\" is not known; choose from rgt, sphc, gga, ssga, shc, mpga, nelder-mead, "
-        "powell, cma-es, map-elites, two-stage");
+        "powell, cma-es, map-elites, two-stage, pose-cycle");
   CHECK(JsonFault(Changed(json, "\"start_step\": 120", "\"start_step\": 300")) ==
         "timeline[2].start_step: must be after the start of the clip before it");
   CHECK(JsonFault(std::string(100, '[')).ends_with("is nested too deeply"));

@@ -56,6 +56,7 @@ TEST_CASE("every search: its population is as large as it should be, and no bett
         return 0;
       case Algorithm::kShc:
       case Algorithm::kPowell:
+      case Algorithm::kPoseCycle:
         return 1;
       case Algorithm::kSphc:
         return static_cast<std::size_t>(s.population);
@@ -70,6 +71,7 @@ TEST_CASE("every search: its population is as large as it should be, and no bett
         return static_cast<std::size_t>(s.two_stage.kept);
       case Algorithm::kCmaEs:
       case Algorithm::kMapElites:
+
         return 0;  // grows
     }
     return 0;

@@ -34,6 +34,7 @@ TEST_CASE("searches find known optima within their budgets", "[search]") {
       {Algorithm::kMpga, Sphere, &kSmall, 6000, -3e-2f},
       {Algorithm::kMapElites, Sphere, &kSmall, 6000, -5e-3f},
       {Algorithm::kTwoStage, Sphere, &kSmall, 6000, -5e-3f},
+      {Algorithm::kPoseCycle, Sphere, &kSmall, 6000, -5e-3f},
       {Algorithm::kShc, CountHigh, &kSmall, 6000, 14.0f},
       {Algorithm::kSsga, CountHigh, &kSmall, 6000, 13.0f},
       {Algorithm::kGga, CountHigh, &kSmall, 6000, 12.0f},

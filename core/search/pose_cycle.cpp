@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include "core/search/pose_cycle.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/search/rule_moves.h"
+
+namespace gaitsmith {
+
+namespace {
+
+constexpr int kDraws = 60;       // genomes of the first batch
+constexpr int kContenders = 6;   // that begin the race
+constexpr int kFirstRung = 33;   // evaluations of each contender in the first rung; doubles
+constexpr int kLastRung = 6;     // how many times as many for the one that is left
+constexpr int kPatience = 40;    // generations without improvement after which a run ends
+constexpr float kGain = 0.001f;  // of fitness: an improvement
+constexpr double kSigma = 0.3;
+constexpr double kNarrowest = 1e-4;
+constexpr int kChildren = 4;  // of a climb's generation: one register
+constexpr int kSightings = 32;
+constexpr int kMaxStream = 1000;  // exceeds every population
+
+/// Indices of the scores, the greatest fitness first; equals stay in order.
+std::vector<std::size_t> BestFirst(std::span<const Score> scores) {
+  std::vector<std::size_t> order(scores.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
+    return scores[a].fitness != scores[b].fitness ? scores[a].fitness > scores[b].fitness : a < b;
+  });
+  return order;
+}
+
+int PopulationOf(const CycleForm& form, const BankShape& bank) {
+  return CmaDistribution::UsualPopulation(DimensionsOf(form, bank));
+}
+
+}  // namespace
+
+PoseCycle::PoseCycle(const SearchSettings& settings, const SearchSpace& space)
+    : BatchSearch(settings, space) {}
+
+bool PoseCycle::HasCycles() const {
+  const ControllerShape& shape = Space().shape;
+  return shape.Kind() == ControllerKind::kRules && shape.Bank().rules > 1 && shape.Bank().joints > 0;
+}
+
+std::vector<float> PoseCycle::PopulationFitness() const {
+  if (!parent_.genome.empty()) return {parent_.fitness};
+  std::vector<float> fitness;
+  fitness.reserve(contenders_.size());
+  for (const Contender& one : contenders_) fitness.push_back(one.best.fitness);
+  return fitness;
+}
+
+std::pair<CycleForm, std::vector<double>> PoseCycle::Draw(int individual) const {
+  RandomStream random = Stream(individual, 0);
+  const CycleForm form = DrawForm(Space().shape.Bank(), Space().senses.kind, random);
+  return {form, DrawPoint(form, Space().shape.Bank(), random)};
+}
+
+PoseCycle::Contender PoseCycle::Enter(const CycleForm& form, std::vector<double> point, int stream) const {
+  Contender one;
+  one.form = form;
+  one.stream = stream;
+  one.distribution = {std::move(point), kSigma, PopulationOf(form, Space().shape.Bank()), true};
+  return one;
+}
+
+std::vector<std::vector<double>> PoseCycle::PointsOf(const Contender& one) const {
+  std::vector<std::vector<double>> points;
+  for (int k = 0; k < one.distribution.Population(); ++k) {
+    RandomStream random = Stream(one.stream * kMaxStream + k, 1 + one.generations);
+    points.push_back(one.distribution.Sample(random));
+    for (double& x : points.back()) x = std::clamp(x, 0.0, 1.0);
+  }
+  return points;
+}
+
+std::vector<Genome> PoseCycle::Propose() const {
+  std::vector<Genome> batch;
+  const ControllerShape& shape = Space().shape;
+  if (!parent_.genome.empty()) {
+    for (int k = 0; k < kChildren; ++k) {
+      RandomStream random = Stream(k, generation_);
+      batch.push_back(shape.Kind() == ControllerKind::kRules
+                          ? MoveRules(parent_.genome, sightings_, shape.Bank(), random)
+                          : Perturb(parent_.genome, shape, Space().senses, Settings().variation, random));
+    }
+    return batch;
+  }
+  for (const Contender& one : contenders_) {
+    if (!InRung(one)) continue;
+    for (const auto& point : PointsOf(one))
+      batch.push_back(CycleAt(one.form, point, shape.Bank(), Space().senses.kind));
+  }
+  if (!batch.empty()) return batch;
+  if (!Space().start.empty()) return {Space().start};
+  for (int k = 0; k < kDraws; ++k) {
+    if (!HasCycles()) {
+      batch.push_back(First(k));
+      continue;
+    }
+    const auto [form, point] = Draw(k);
+    batch.push_back(CycleAt(form, point, shape.Bank(), Space().senses.kind));
+  }
+  return batch;
+}
+
+void PoseCycle::SetParent(Individual parent) {
+  parent_ = std::move(parent);
+  if (Space().sightings) sightings_ = Space().sightings(parent_.genome, kSightings);
+}
+
+void PoseCycle::Absorb(std::span<const Genome> batch, std::span<const Score> scores) {
+  ++generation_;
+  if (!contenders_.empty()) {
+    for (Contender& one : contenders_) {
+      if (!InRung(one)) continue;
+      const auto population = static_cast<std::size_t>(one.distribution.Population());
+      Adapt(one, scores.first(population));
+      scores = scores.subspan(population);
+    }
+    EndRungs();
+    return;
+  }
+  const auto best = std::ranges::max_element(scores, {}, &Score::fitness);
+  const bool first = parent_.genome.empty();
+  if (first && HasCycles() && Space().start.empty()) {
+    BeginRace(scores);
+  } else if (first || best->fitness >= parent_.fitness) {
+    SetParent({batch[static_cast<std::size_t>(best - scores.begin())], best->fitness});
+  }
+}
+
+void PoseCycle::BeginRace(std::span<const Score> scores) {
+  const std::vector<std::size_t> order = BestFirst(scores);
+  for (int i = 0; i < kContenders; ++i) {
+    const std::size_t drawn = order[static_cast<std::size_t>(i)];
+    const auto [form, point] = Draw(static_cast<int>(drawn));
+    contenders_.push_back(Enter(form, point, i + 1));
+    contenders_.back().best = {CycleAt(form, point, Space().shape.Bank(), Space().senses.kind),
+                               scores[drawn].fitness};
+  }
+  rung_ = kFirstRung;
+}
+
+void PoseCycle::Adapt(Contender& one, std::span<const Score> scores) {
+  const std::vector<std::vector<double>> points = PointsOf(one);
+  const std::vector<std::size_t> order = BestFirst(scores);
+  std::vector<std::vector<double>> ranked;
+  ranked.reserve(order.size());
+  for (const std::size_t i : order) ranked.push_back(points[i]);
+  ++one.generations;
+  one.evaluations += static_cast<int>(points.size());
+  one.distribution.Adapt(ranked, one.generations);
+
+  const float fitness = scores[order.front()].fitness;
+  one.stale = fitness > one.best.fitness + kGain ? 0 : one.stale + 1;
+  if (fitness > one.best.fitness) {
+    one.best = {CycleAt(one.form, ranked.front(), Space().shape.Bank(), Space().senses.kind), fitness};
+  }
+  one.ended = one.stale > kPatience || !one.distribution.Sound() || one.distribution.Spread() < kNarrowest;
+}
+
+void PoseCycle::EndRungs() {
+  while (std::ranges::none_of(contenders_, [&](const Contender& one) { return InRung(one); })) {
+    std::ranges::sort(contenders_, [](const Contender& a, const Contender& b) {
+      return a.best.fitness != b.best.fitness ? a.best.fitness > b.best.fitness : a.stream < b.stream;
+    });
+    if (contenders_.size() == 1) {
+      SetParent(std::move(contenders_.front().best));
+      contenders_.clear();
+      return;
+    }
+    contenders_.resize((contenders_.size() + 1) / 2);
+    rung_ *= contenders_.size() == 1 ? kLastRung : 2;
+  }
+}
+
+void PoseCycle::SaveState(BitWriter& out) const {
+  out.Put(static_cast<std::uint32_t>(generation_), 32);
+  out.Put(static_cast<std::uint32_t>(rung_), 32);
+  PutGenome(out, parent_.genome, parent_.fitness);
+  out.Put(static_cast<std::uint32_t>(contenders_.size()), 32);
+  for (const Contender& one : contenders_) {
+    for (const int count :
+         {one.form.poses, one.form.repeats, one.stream, one.evaluations, one.generations, one.stale}) {
+      out.Put(static_cast<std::uint32_t>(count), 32);
+    }
+    out.Put(one.ended ? 1 : 0, 1);
+    PutGenome(out, one.best.genome, one.best.fitness);
+    one.distribution.Save(out);
+  }
+}
+
+bool PoseCycle::LoadState(BitReader& in) {
+  const std::size_t genes = Space().shape.Genes();
+  const int most = Settings().evaluations + 1;
+  int count = 0;
+  if (!TakeCount(in, generation_, most) || !TakeCount(in, rung_, kFirstRung << 8)) return false;
+  Individual parent;
+  if (!TakeGenome(in, parent.genome, parent.fitness, genes) || !TakeCount(in, count, kContenders))
+    return false;
+  const bool climbs = !parent.genome.empty(), races = count > 0;
+  if ((climbs || races) != (generation_ > 0) || (climbs && races)) return false;
+  if (races && (!HasCycles() || !Space().start.empty() || rung_ < kFirstRung)) return false;
+  contenders_.clear();
+  for (int i = 0; i < count; ++i) {
+    CycleForm form;
+    const BankShape& bank = Space().shape.Bank();
+    if (!TakeCount(in, form.poses, std::min(3, bank.rules)) || form.poses < 1) return false;
+    if (!TakeCount(in, form.repeats, bank.rules / form.poses) || form.repeats < 1) return false;
+    Contender one = Enter(form, std::vector<double>(DimensionsOf(form, bank)), 0);
+    if (!TakeCount(in, one.stream, kContenders)) return false;
+    for (int* number : {&one.evaluations, &one.generations, &one.stale}) {
+      if (!TakeCount(in, *number, most)) return false;
+    }
+    one.ended = in.Take(1) != 0;
+    if (!TakeGenome(in, one.best.genome, one.best.fitness, genes) || one.best.genome.empty()) return false;
+    if (!one.distribution.Load(in)) return false;
+    contenders_.push_back(std::move(one));
+  }
+  parent_ = {};
+  sightings_.clear();
+  if (in.Overrun()) return true;  // the caller reports the error
+  if (climbs) SetParent(std::move(parent));
+  return !races || std::ranges::any_of(contenders_, [&](const Contender& one) { return InRung(one); });
+}
+
+std::unique_ptr<Search> MakePoseCycle(const SearchSettings& settings, const SearchSpace& space) {
+  return std::make_unique<PoseCycle>(settings, space);
+}
+
+}  // namespace gaitsmith
