@@ -180,13 +180,13 @@ second_lane() {
 test_everything() {
   local second
   begin_stages
-  stage "tests (WASM)" cmake --workflow --preset wasm
   stage site build_site
   second_lane >build/second-lane.log 2>&1 &
   second=$!
   # The scenarios wait for frames, so the browsers go before the compilers.
   renice -n 10 -p $BASHPID >/dev/null
   stage lint lint
+  stage "tests (WASM)" cmake --workflow --preset wasm
   stage "tests (gcc)" cmake --workflow --preset tests
   stage "tests (sanitizers)" cmake --workflow --preset asan
   stage determinism check_determinism
