@@ -108,9 +108,9 @@ std::vector<Genome> PoseCycle::Propose() const {
   return batch;
 }
 
-void PoseCycle::SetParent(Individual parent) {
-  parent_ = std::move(parent);
-  if (Space().sightings) sightings_ = Space().sightings(parent_.genome, kSightings);
+void PoseCycle::See(Genome genome) {
+  seen_ = std::move(genome);
+  if (Space().sightings) sightings_ = Space().sightings(seen_, kSightings);
 }
 
 void PoseCycle::Absorb(std::span<const Genome> batch, std::span<const Score> scores) {
@@ -130,7 +130,10 @@ void PoseCycle::Absorb(std::span<const Genome> batch, std::span<const Score> sco
   if (first && HasCycles() && Space().start.empty()) {
     BeginRace(scores);
   } else if (first || best->fitness >= parent_.fitness) {
-    SetParent({batch[static_cast<std::size_t>(best - scores.begin())], best->fitness});
+    // A child that is as good hardly ever moves otherwise.
+    const bool better = first || best->fitness > parent_.fitness;
+    parent_ = {batch[static_cast<std::size_t>(best - scores.begin())], best->fitness};
+    if (better) See(parent_.genome);
   }
 }
 
@@ -170,7 +173,8 @@ void PoseCycle::EndRungs() {
       return a.best.fitness != b.best.fitness ? a.best.fitness > b.best.fitness : a.stream < b.stream;
     });
     if (contenders_.size() == 1) {
-      SetParent(std::move(contenders_.front().best));
+      parent_ = std::move(contenders_.front().best);
+      See(parent_.genome);
       contenders_.clear();
       return;
     }
@@ -183,6 +187,7 @@ void PoseCycle::SaveState(BitWriter& out) const {
   out.Put(static_cast<std::uint32_t>(generation_), 32);
   out.Put(static_cast<std::uint32_t>(rung_), 32);
   PutGenome(out, parent_.genome, parent_.fitness);
+  for (const Gene gene : seen_) out.Put(gene, 16);
   out.Put(static_cast<std::uint32_t>(contenders_.size()), 32);
   for (const Contender& one : contenders_) {
     for (const int count :
@@ -201,8 +206,10 @@ bool PoseCycle::LoadState(BitReader& in) {
   int count = 0;
   if (!TakeCount(in, generation_, most) || !TakeCount(in, rung_, kFirstRung << 8)) return false;
   Individual parent;
-  if (!TakeGenome(in, parent.genome, parent.fitness, genes) || !TakeCount(in, count, kContenders))
-    return false;
+  if (!TakeGenome(in, parent.genome, parent.fitness, genes)) return false;
+  Genome seen(parent.genome.size());
+  for (Gene& gene : seen) gene = static_cast<Gene>(in.Take(16));
+  if (!TakeCount(in, count, kContenders)) return false;
   const bool climbs = !parent.genome.empty(), races = count > 0;
   if ((climbs || races) != (generation_ > 0) || (climbs && races)) return false;
   if (races && (!HasCycles() || !Space().start.empty() || rung_ < kFirstRung)) return false;
@@ -222,10 +229,10 @@ bool PoseCycle::LoadState(BitReader& in) {
     if (!one.distribution.Load(in)) return false;
     contenders_.push_back(std::move(one));
   }
-  parent_ = {};
+  parent_ = std::move(parent);
   sightings_.clear();
   if (in.Overrun()) return true;  // the caller reports the error
-  if (climbs) SetParent(std::move(parent));
+  if (climbs) See(std::move(seen));
   return !races || std::ranges::any_of(contenders_, [&](const Contender& one) { return InRung(one); });
 }
 

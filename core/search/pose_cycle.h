@@ -53,13 +53,15 @@ class PoseCycle final : public BatchSearch {
   void Adapt(Contender&, std::span<const Score> scores);
   /// Ends the rungs that are complete, and at last the race.
   void EndRungs();
-  void SetParent(Individual parent);
+  /// Looks at the motion of a genome.
+  void See(Genome genome);
 
   int generation_ = 0;                 // batches so far
   int rung_ = 0;                       // evaluations of each contender at which the rung ends
   std::vector<Contender> contenders_;  // empty before and after the race
   Individual parent_;                  // of the climb; empty before it
-  std::vector<Sighting> sightings_;    // of the parent; not saved, because they follow from it
+  Genome seen_;                        // whose motion was looked at: that of the parent, or an equal one
+  std::vector<Sighting> sightings_;    // of it; not saved, because they follow from it
 };
 
 }  // namespace gaitsmith

@@ -102,7 +102,7 @@ TEST_CASE("golden: every search ends where it always ended", "[search][determini
     REQUIRE(std::getline(pinned, was));
     CHECK(is == was);
   }
-  CHECK(ends == 77);
+  CHECK(ends == 84);
 }
 
 TEST_CASE("bless the ends of searches", "[.bless]") { std::fputs(AllEnds().c_str(), stdout); }
