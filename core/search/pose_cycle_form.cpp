@@ -23,7 +23,9 @@ Gene SenseGene(double sense) {
 
 }  // namespace
 
-Gene GeneOf(double share) { return static_cast<Gene>(std::clamp(share, 0.0, 1.0) * kGeneMax + 0.5); }
+Gene GeneOf(double share) {
+  return static_cast<Gene>(std::clamp(share * kGeneMax + 0.5, 0.0, static_cast<double>(kGeneMax)));
+}
 
 void IgnoreAll(Genome& genes, const BankShape& bank, int rule) {
   for (int sense = 0; sense < bank.senses; ++sense) {

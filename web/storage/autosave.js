@@ -62,10 +62,13 @@ export class Autosave {
       && last.when > Number(remembered(DISMISSED_KEY))) this.#offer(last);
   }
 
-  /** Call after every change of the document. */
+  /** Call after every change of the document. Stores the first one at once: a busy browser may end the page before 'pagehide'. */
   changed() {
     if (!this.#started) return;
-    this.#timer ??= setTimeout(() => this.save(), REST_MS);
+    this.#timer ??= setTimeout(() => {
+      this.save();
+      this.#timer = setTimeout(() => this.save(), REST_MS);
+    });
   }
 
   save() {
