@@ -4,6 +4,7 @@
 
 #include <catch_amalgamated.hpp>
 #include <map>
+#include <sstream>
 
 #include "core/document/binary.h"
 #include "core/document/link.h"
@@ -243,6 +244,22 @@ TEST_CASE("found motions: encoding as text and decoding restore bits and order",
     CAPTURE(bad);
     CHECK(list.Restore(bad).empty());
   }
+}
+
+// They pin the text that version 0.1.0 keeps in browsers. No line is ever changed or taken away.
+TEST_CASE("found motions: results kept by version 0.1.0 open", "[shell][found]") {
+  std::istringstream lines(gaitsmith::test::ReadFile("tests/golden/kept_results.txt"));
+  int kept = 0;
+  for (std::string text; std::getline(lines, text); ++kept) {
+    const auto found = DecodeFound(text);
+    REQUIRE(found);
+    CHECK(found->kept);
+    CHECK(found->name == "Shuffle");
+    CHECK(found->evaluations == 1);
+    CHECK(found->document.controllers.size() == 1);
+    CHECK(EncodeFound(*found) == text);
+  }
+  CHECK(kept == 2);
 }
 
 TEST_CASE("found motions: texts from before the last terms are read, and the terms measured",
