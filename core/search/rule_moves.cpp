@@ -107,7 +107,8 @@ class Mover {
     if (low > high) std::swap(low, high);
   }
 
-  /// Limits a sense to a box around what was sensed. @param tight least half-width, as a share of a sense
+  /// Limits a sense to a box around what was sensed. @param tight least half-width, of a physical sense's
+  /// range from 0 to 1; its genes span 1.5 times as much
   void BoxAround(const Sighting& at, int rule, int sense, double tight) {
     const double middle = at.senses[static_cast<std::size_t>(sense)] * (1.0 / kGeneMax);
     const double half = LogUniform(tight, 10.0, random_) * (1.0 / 1.5);
