@@ -21,10 +21,16 @@ export function announce(sentence) {
   timer ??= setTimeout(announceWaiting, Math.max(50, freeMs - performance.now()));
 }
 
+/** Takes back what is not read yet: after a change of language its words would be read with the wrong voice. */
+export function withdrawAnnouncements() {
+  waiting = [];
+  document.getElementById('spoken')?.replaceChildren();
+}
+
 function announceWaiting() {
   timer = undefined;
   const region = document.getElementById('spoken');
-  if (!region) return;
+  if (!region || waiting.length === 0) return;
   const span = document.createElement('span');
   span.textContent = waiting.join(' ');
   waiting = [];

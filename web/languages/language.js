@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Translates the page. The source code has the English texts, which are the keys of the other languages' tables
 // (language_choice.js fetches them). The canvas has the same tables.
+import { withdrawAnnouncements } from '../browser/announcer.js';
 
 /** A table of shell/words/languages. @typedef {{decimal_mark: string, group_mark: string, words: Record<string, string>, errors: Record<string, string>}} Table */
 
@@ -69,6 +70,7 @@ export function setLanguage(code, text) {
   const next = text === '' ? ENGLISH : languageOf(code, text);
   if (!next) return false;
   current = next;
+  withdrawAnnouncements();
   document.documentElement.lang = current.code;
   for (const apply of followers) apply(current.text);
   return true;
