@@ -10,13 +10,12 @@ namespace gaitsmith {
 
 namespace {
 
-constexpr int kDraws = 60;       // genomes of the first batch
+constexpr int kDraws = 120;      // genomes of the first batch
 constexpr int kContenders = 6;   // that begin the race
 constexpr int kFirstRung = 33;   // evaluations of each contender in the first rung; doubles
-constexpr int kLastRung = 6;     // how many times as many for the one that is left
 constexpr int kPatience = 40;    // generations without improvement after which a run ends
 constexpr float kGain = 0.001f;  // of fitness: an improvement
-constexpr double kSigma = 0.3;
+constexpr double kSigma = 0.2;
 constexpr double kNarrowest = 1e-4;
 constexpr int kChildren = 4;  // of a climb's generation: one register
 constexpr int kSightings = 32;
@@ -31,6 +30,9 @@ std::vector<std::size_t> BestFirst(std::span<const Score> scores) {
   });
   return order;
 }
+
+/// How many times as many evaluations the last contender has. With a timer there is less for the climb to find.
+int LastRung(SenseKind senses) { return senses == SenseKind::kTimer ? 12 : 6; }
 
 int PopulationOf(const CycleForm& form, const BankShape& bank) {
   return CmaDistribution::UsualPopulation(DimensionsOf(form, bank));
@@ -179,7 +181,7 @@ void PoseCycle::EndRungs() {
       return;
     }
     contenders_.resize((contenders_.size() + 1) / 2);
-    rung_ *= contenders_.size() == 1 ? kLastRung : 2;
+    rung_ *= contenders_.size() == 1 ? LastRung(Space().senses.kind) : 2;
   }
 }
 

@@ -41,9 +41,8 @@ void Silence(Genome& genes, const BankShape& bank, int rule) {
 
 CycleForm DrawForm(const BankShape& bank, SenseKind senses, RandomStream& random) {
   CycleForm form;
-  form.poses = std::min(2, bank.rules);
+  form.poses = std::min(senses == SenseKind::kTimer ? 3 : 2, bank.rules);
   if (senses != SenseKind::kTimer) return form;
-  form.poses = std::min(2 + static_cast<int>(random.Below(2)), bank.rules);
   form.repeats = 1 + static_cast<int>(random.Below(static_cast<std::uint32_t>(bank.rules / form.poses)));
   return form;
 }

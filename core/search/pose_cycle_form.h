@@ -27,7 +27,7 @@ struct CycleForm {
   return static_cast<std::size_t>(form.poses) * static_cast<std::size_t>(bank.joints + 2);
 }
 
-/// Draws a form: 2 poses with physical senses; 2 or 3 poses and any number of repeats with a timer.
+/// Draws a form: 2 poses with physical senses; 3 poses and any number of repeats with a timer.
 [[nodiscard]] CycleForm DrawForm(const BankShape& bank, SenseKind senses, RandomStream& random);
 
 /// Draws a point from the prior. It prefers what winning cycles of nine figures had in common: fast
