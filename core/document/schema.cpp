@@ -77,6 +77,7 @@ void Describe(Archive& ar, GeneticSettings& genetic) {
   ar.Real("crossover_rate", genetic.rates.crossover, 0.0f, 1.0f, standard.rates.crossover);
   ar.Choice("rates", genetic.rates.reading, kRateReadingNames, standard.rates.reading);
   ar.Real("rank_bias", genetic.rank_bias, 1.0f, 2.0f, standard.rank_bias);
+  ar.Since(3, [&] { ar.Choice("copies", genetic.rates.copies, kCopiesNames, standard.rates.copies); });
 }
 
 void Describe(Archive& ar, TorusSettings& torus) {
@@ -170,6 +171,7 @@ void Describe(Archive& ar, SearchSettings& search) {
   ar.Since(2, [&] { ar.Group("cma", [&] { Describe(ar, search.cma); }); });
   ar.Since(2, [&] { ar.Group("elites", [&] { Describe(ar, search.elites); }); });
   ar.Since(2, [&] { ar.Group("two_stage", [&] { Describe(ar, search.two_stage); }); });
+  ar.Since(3, [&] { ar.Choice("heedless", search.variation.heedless, kHeedlessNames, vary.heedless); });
 }
 
 void Describe(Archive& ar, Document& d) {

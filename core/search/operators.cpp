@@ -51,6 +51,23 @@ void CreepStimulus(Gene& low, Gene& high, const SenseSpec& senses, const Variati
   if (low > high) std::swap(low, high);
 }
 
+/// Lets a component that ignores every sense use a random one, if it must use one.
+void Heed(Genome& genes, const ControllerShape& shape, int component, const SenseSpec& senses,
+          const Variation& variation, RandomStream& random) {
+  if (variation.heedless == Heedless::kAllowed || senses.kind != SenseKind::kPhysical) return;
+  for (const GeneGroup& group : shape.GroupsOf(component)) {
+    if (group.role != GeneRole::kIntervals) continue;
+    const std::span<Gene> ends = group.Of(genes);
+    for (std::size_t i = 0; i < ends.size(); i += 2) {
+      if (Cares(ends[i], ends[i + 1])) return;
+    }
+    if (ends.empty()) return;
+    const std::size_t sense = random.Below(static_cast<std::uint32_t>(ends.size() / 2));
+    Gene &low = ends[2 * sense], &high = ends[2 * sense + 1];
+    while (!Cares(low, high)) DrawInterval(low, high, random);
+  }
+}
+
 void DrawComponent(Genome& genes, const ControllerShape& shape, int component, const SenseSpec& senses,
                    const Variation& variation, RandomStream& random) {
   for (const GeneGroup& group : shape.GroupsOf(component)) {
@@ -62,6 +79,7 @@ void DrawComponent(Genome& genes, const ControllerShape& shape, int component, c
       for (Gene& gene : drawn) gene = random.Gene();
     }
   }
+  Heed(genes, shape, component, senses, variation, random);
 }
 
 void CreepComponent(Genome& genes, const ControllerShape& shape, int component, const SenseSpec& senses,
@@ -77,6 +95,7 @@ void CreepComponent(Genome& genes, const ControllerShape& shape, int component, 
       if (random.Chance(static_cast<double>(variation.gene_chance))) gene = Creep(gene, variation, random);
     }
   }
+  Heed(genes, shape, component, senses, variation, random);
 }
 
 /// Mutates a controller once. The result may equal the parent.
@@ -147,11 +166,22 @@ void Mutate(Genome& child, const SearchSpace& space, const Variation& variation,
   PerturbOnce(child, space.shape, space.senses, per_gene, random);
 }
 
+void PerturbCopy(Genome& child, std::span<const Gene> first, std::span<const Gene> second,
+                 const SearchSpace& space, const Variation& variation, const Rates& rates,
+                 RandomStream& random) {
+  if (rates.copies == Copies::kKept) return;
+  if (std::ranges::equal(child, first) || std::ranges::equal(child, second)) {
+    child = Perturb(child, space.shape, space.senses, variation, random);
+  }
+}
+
 Offspring Breed(std::span<const Gene> first, std::span<const Gene> second, const SearchSpace& space,
                 const Variation& variation, const Rates& rates, RandomStream& random) {
   Offspring children = {Genome(first.begin(), first.end()), Cross(first, second, space.shape, rates, random)};
-  Mutate(children.copy, space, variation, rates, random);
-  Mutate(children.hybrid, space, variation, rates, random);
+  for (Genome* child : {&children.copy, &children.hybrid}) {
+    Mutate(*child, space, variation, rates, random);
+    PerturbCopy(*child, first, second, space, variation, rates, random);
+  }
   return children;
 }
 

@@ -17,6 +17,11 @@
 
 namespace gaitsmith {
 
+/// Whether a rule may ignore every physical sense. Such a rule matches everything, so once it acts it mostly
+/// acts for ever: half of all random banks of five rods hold one pose.
+enum class Heedless { kAllowed, kForbidden };
+inline constexpr std::array<std::string_view, 2> kHeedlessNames = {"allowed", "forbidden"};
+
 /// How random banks are created and perturbed. The paper leaves both open. These numbers determine whether
 /// rules ever switch.
 struct Variation {
@@ -25,6 +30,7 @@ struct Variation {
   float gene_chance = 0.1f;  // chance that one gene of a perturbed bank changes, (0, 1]
   float creep = 0.1f;        // standard deviation of a change, as a share of the gene's range, (0, 1]
   float redraw = 0.05f;      // chance that a component is redrawn instead of perturbed, [0, 1]
+  Heedless heedless = Heedless::kAllowed;  // forbidden: such a rule gets an interval of a random sense
 };
 
 /// Table 2 gives rates as the chance "with which a component of the genome will be subject to crossover or
@@ -36,10 +42,15 @@ enum class RateReading {
 };
 inline constexpr std::array<std::string_view, 2> kRateReadingNames = {"per-child", "per-component"};
 
+/// What becomes of a child that equals one of its parents. Kept, it is simulated again.
+enum class Copies { kKept, kPerturbed };
+inline constexpr std::array<std::string_view, 2> kCopiesNames = {"kept", "perturbed"};
+
 struct Rates {
   float mutation = 0.1f;   // [0, 1]; Table 2: 0.1 for both genetic algorithms
   float crossover = 0.6f;  // [0, 1]; Table 2: 0.6
   RateReading reading = RateReading::kPerChild;
+  Copies copies = Copies::kKept;
 };
 
 /// The space a search works in.
@@ -72,8 +83,12 @@ struct SearchSpace {
 /// changes with this chance, which replaces Variation::gene_chance, and rules are redrawn in proportion.
 void Mutate(Genome& child, const SearchSpace&, const Variation&, const Rates&, RandomStream&);
 
+/// Perturbs a child that equals one of its parents, if the rates say so.
+void PerturbCopy(Genome& child, std::span<const Gene> first, std::span<const Gene> second, const SearchSpace&,
+                 const Variation&, const Rates&, RandomStream&);
+
 /// "One child is a copy of one parent, and the other is a true hybrid". Both are mutated [Fukunaga 1994,
-/// section 3].
+/// section 3], and perturbed if they are copies.
 struct Offspring {
   Genome copy;    // copy of the first parent
   Genome hybrid;  // hybrid of both parents

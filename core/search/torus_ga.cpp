@@ -40,8 +40,11 @@ std::vector<Genome> TorusGa::Propose() const {
     RandomStream random = Stream(cell, generation_);
     const auto own = static_cast<std::size_t>(cell);
     const Rates& rates = Settings().genetic.rates;
-    Genome child = Cross(cells_[Mate(own, random)].genome, cells_[own].genome, Space().shape, rates, random);
+    const Genome& mate = cells_[Mate(own, random)].genome;
+    const Genome& mother = cells_[own].genome;
+    Genome child = Cross(mate, mother, Space().shape, rates, random);
     Mutate(child, Space(), Settings().variation, rates, random);
+    PerturbCopy(child, mate, mother, Space(), Settings().variation, rates, random);
     batch.push_back(std::move(child));
   }
   return batch;

@@ -10,6 +10,8 @@ namespace gaitsmith::shell {
 namespace {
 
 constexpr std::array<const char*, 2> kReadings = {TrLater("Per child"), TrLater("Per component")};
+constexpr std::array<const char*, 2> kCopies = {TrLater("Kept"), TrLater("Perturbed")};
+constexpr std::array<const char*, 2> kHeedless = {TrLater("Allowed"), TrLater("Forbidden")};
 constexpr std::array<const char*, 2> kCmaGenes = {TrLater("That it cares about"), TrLater("All")};
 constexpr std::array<const char*, 3> kCovariances = {TrLater("Automatic"), TrLater("Full"),
                                                      TrLater("Variances only")};
@@ -53,6 +55,11 @@ const std::vector<Row>& AlgorithmRows() {
        {"search/rates", TrLater("Rates count"), TrLater("For a child as a whole, or for each rule and gene."),
         ChoiceParameter{kReadings, [](const S& s) { return static_cast<int>(s.genetic.rates.reading); },
                         [](S& s, int i) { s.genetic.rates.reading = static_cast<RateReading>(i); }}}},
+      {kRates,
+       {"search/copies", TrLater("Copies of a parent"),
+        TrLater("A kept copy is simulated again, which teaches nothing."),
+        ChoiceParameter{kCopies, [](const S& s) { return static_cast<int>(s.genetic.rates.copies); },
+                        [](S& s, int i) { s.genetic.rates.copies = static_cast<Copies>(i); }}}},
       {kRankBias,
        {"search/rank-bias", TrLater("Rank bias"),
         TrLater("The fittest mates so many times as often as the median."),
@@ -123,6 +130,11 @@ const std::vector<Row>& VariationRows() {
        {"search/dont-care", TrLater("Ignored senses"),
         TrLater("Chance that a random rule ignores a physical sense."),
         RealParameter{0.0, 1.0, 0.01, false, [](S& s) -> float& { return s.variation.dont_care; }}}},
+      {0,
+       {"search/heedless", TrLater("Heedless rules"),
+        TrLater("They ignore every sense, so they can hold one pose for ever."),
+        ChoiceParameter{kHeedless, [](const S& s) { return static_cast<int>(s.variation.heedless); },
+                        [](S& s, int i) { s.variation.heedless = static_cast<Heedless>(i); }}}},
       {kVariation,
        {"search/gene-chance", TrLater("Changed genes"),
         TrLater("Chance that a gene of a perturbed controller creeps."),

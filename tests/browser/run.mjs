@@ -48,7 +48,7 @@ async function checkGoldens(page) {
 /** Old links still open with the same motion. @param {PageDriver} page @returns {Promise<number>} their number */
 async function checkGoldenLinks(page) {
   let count = 0;
-  for (const version of [1, 2]) {
+  for (const version of [1, 2, 3]) {
     const lines = (await readFile(join(ROOT, `tests/golden/links/version-${version}.txt`), 'utf8')).split('\n');
     for (const [hash, link] of lines.filter((line) => /^[0-9a-f]{16} /.test(line)).map((line) => line.split(' '))) {
       const here = await page.page.evaluate((payload) => {

@@ -167,6 +167,9 @@ TEST_CASE("document: a link made before version 2 decodes and encodes to the sam
 TEST_CASE("document: every parameter of every search travels, and costs a version only when it is set",
           "[document]") {
   const std::vector<std::function<void(Document&)>> edits = {
+      [](Document& d) { d.search.genetic.rates.copies = Copies::kPerturbed; },
+      [](Document& d) { d.search.variation.heedless = Heedless::kForbidden; },
+      // From here on those of version 2.
       [](Document& d) { d.search.start = 0; },
       [](Document& d) { d.search.genetic.population = 64; },
       [](Document& d) { d.search.genetic.rates.mutation = 0.0f; },
@@ -200,7 +203,7 @@ TEST_CASE("document: every parameter of every search travels, and costs a versio
     CAPTURE(&edit - edits.data());
     REQUIRE(Validate(d));
     const auto bytes = EncodeBinary(d);
-    REQUIRE(bytes[0] == 2);
+    REQUIRE(bytes[0] == (&edit - edits.data() < 2 ? 3 : 2));
     REQUIRE(bytes.size() <=
             shortest + 8);  // 21 more bits for the others, 33 for this one, one byte of rounding
     const auto from_binary = DecodeBinary(bytes);

@@ -43,7 +43,7 @@ class FieldTable : public Archive {
 
  private:
   std::ostringstream& Line(std::string_view name) {
-    out_ << (out_.view().empty() ? "" : "\n") << 'v' << version_ << ' ' << paths_.back() << name << ": ";
+    out_ << (out_.view().empty() ? "" : "\n") << 'v' << since_.back() << ' ' << paths_.back() << name << ": ";
     return out_;
   }
   void Index(std::string_view name, int&, std::span<const std::string_view> names, int standard) override {
@@ -61,10 +61,10 @@ class FieldTable : public Archive {
   }
   void EndList() override { paths_.pop_back(); }
   bool BeginSince(int version) override {
-    version_ = version;
+    since_.push_back(version);
     return true;
   }
-  void EndSince() override { version_ = 1; }
+  void EndSince() override { since_.pop_back(); }
   bool Inside(const std::string& step) {
     paths_.push_back(paths_.back() + step);
     return true;
@@ -72,7 +72,7 @@ class FieldTable : public Archive {
 
   std::ostringstream out_;
   std::vector<std::string> paths_ = {""};
-  int version_ = 1;
+  std::vector<int> since_ = {1};  // last: version that added the present field
 };
 
 std::string Fields() {

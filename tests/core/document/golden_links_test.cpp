@@ -79,13 +79,17 @@ TEST_CASE("golden links: every link of version 2 opens with its motion", "[golde
   CheckLinks(2, 10);
 }
 
+TEST_CASE("golden links: every link of version 3 opens with its motion", "[golden][links]") {
+  CheckLinks(3, 3);
+}
+
 TEST_CASE("golden links: no link that was changed in one byte or cut short opens", "[golden][links]") {
 #ifdef NDEBUG
   constexpr std::size_t kStep = 1;  // WASM tests every character too: tests/browser/scenarios/share.mjs
 #else
   constexpr std::size_t kStep = 7;  // every 7th character: all would take minutes with sanitizers
 #endif
-  for (const int version : {1, 2}) {
+  for (const int version : {1, 2, 3}) {
     for (const GoldenLink& link : LinksOf(version)) {
       CAPTURE(link.name);
       int opened = 0;

@@ -71,6 +71,60 @@ TEST_CASE("operators: rates mean what they say, in both readings", "[search]") {
   }
 }
 
+TEST_CASE("operators: heedless rules are drawn and bred only where they are allowed", "[search]") {
+  const ControllerShape shape = BankShape(10, SenseKind::kPhysical, 5);
+  const BankShape& bank = shape.Bank();
+  const auto heedless = [&](const Genome& genome) {
+    int rules = 0;
+    for (int rule = 0; rule < bank.rules; ++rule) {
+      bool cares = false;
+      for (int sense = 0; sense < bank.senses; ++sense) cares = cares || bank.Cares(genome, rule, sense);
+      rules += cares ? 0 : 1;
+    }
+    return rules;
+  };
+  int with_one = 0;
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    RandomStream allowed_stream(3, i, 0), stream(3, i, 0);
+    const SenseSpec senses;
+    Variation variation;
+    with_one += heedless(RandomGenome(shape, senses, variation, allowed_stream)) > 0 ? 1 : 0;
+    variation.heedless = Heedless::kForbidden;
+    Genome genome = RandomGenome(shape, senses, variation, stream);
+    REQUIRE(heedless(genome) == 0);
+    // Every second gene changes, so that perturbation often drops the last sense of a rule.
+    variation.gene_chance = 0.5f;
+    for (int times = 0; times < 10; ++times) {
+      genome = Perturb(genome, shape, senses, variation, stream);
+      REQUIRE(heedless(genome) == 0);
+    }
+  }
+  // 1 - (1 - 0.8^senses)^rules
+  const double expected = 1.0 - std::pow(1.0 - std::pow(0.8, bank.senses), bank.rules);
+  CHECK_THAT(with_one / 400.0, Catch::Matchers::WithinAbs(expected, 0.08));
+
+  // A timer is always heeded.
+  const ControllerShape timed = BankShape(10, SenseKind::kTimer, 5);
+  const SenseSpec timer{.kind = SenseKind::kTimer};
+  RandomStream one(4, 4, 4), other(4, 4, 4);
+  CHECK(RandomGenome(timed, timer, Variation{}, one) ==
+        RandomGenome(timed, timer, Variation{.heedless = Heedless::kForbidden}, other));
+}
+
+TEST_CASE("operators: a copy of a parent is perturbed where copies are not kept", "[search]") {
+  const SearchSpace space{BankShape(10, SenseKind::kPhysical, 5), SenseSpec{}};
+  RandomStream random(5, 5, 5);
+  const Genome a = RandomGenome(space.shape, space.senses, Variation{}, random);
+  const Genome b = RandomGenome(space.shape, space.senses, Variation{}, random);
+  for (int times = 0; times < 200; ++times) {
+    const Offspring children = Breed(a, b, space, Variation{}, {.copies = Copies::kPerturbed}, random);
+    for (const Genome& child : {children.copy, children.hybrid}) {
+      REQUIRE(child != a);
+      REQUIRE(child != b);
+    }
+  }
+}
+
 TEST_CASE("operators: a genome is a point and back", "[search]") {
   RandomStream random(8, 8, 8);
   const SearchSpace space{BankShape(10, SenseKind::kPhysical, 5), SenseSpec{}};
