@@ -31,7 +31,7 @@ std::vector<std::size_t> BestFirst(std::span<const Score> scores) {
   return order;
 }
 
-/// How many times as many evaluations the last contender has. With a timer there is less for the climb to find.
+/// How many times as many evaluations the last contender has. A timer leaves less for the climb.
 int LastRung(SenseKind senses) { return senses == SenseKind::kTimer ? 12 : 6; }
 
 int PopulationOf(const CycleForm& form, const BankShape& bank) {

@@ -39,7 +39,8 @@ using Outcome = std::expected<void, Refusal>;
 [[nodiscard]] Outcome LinkCommand(Words words);
 [[nodiscard]] Outcome CatalogueCommand(Words words);
 
-/// Implements `compare --summary` for a file of results.
-[[nodiscard]] Outcome Summarize(const std::string& path);
+/// Implements `compare --summary` for files of results. A search that several files have tried on the same
+/// problem is named with its file.
+[[nodiscard]] Outcome Summarize(std::span<const std::string> paths);
 
 }  // namespace gaitsmith::shell

@@ -41,7 +41,8 @@ Outcome CompareCommand(Words words) {
   const auto arguments = Arguments::ParseOptions(words, kOptions);
   if (!arguments) return WrongCall(arguments.error());
   if (arguments->Has("summary")) {
-    if (words.size() <= 2) return Summarize(arguments->Last("summary"));
+    const auto other = [&](std::string_view option) { return option != "summary" && arguments->Has(option); };
+    if (std::ranges::none_of(kOptions, other)) return Summarize(arguments->All("summary"));
     return WrongCall({ErrorCode::kStructure, "--summary", "goes with no other option"});
   }
   for (const char* option : {"out", "curves"}) {
