@@ -119,6 +119,7 @@ void Session::ChooseFigure(int index) {
     d.figure = figure;
     d.title = figure.name;
     Strip(d);
+    BeginWithQuickSearch(d.search);
   };
   if (const auto next = workspace_.Edited(edit); !next || workspace_.Refuses(Layout(), *next)) return;
   search_.Abandon();

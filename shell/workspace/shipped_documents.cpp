@@ -52,6 +52,11 @@ Figure StandardFigure() {
   return figure;
 }
 
+void BeginWithQuickSearch(SearchSettings& search) {
+  search.algorithm = Algorithm::kPoseCycle;
+  search.evaluations = 4000;
+}
+
 ShippedDocuments::ShippedDocuments() : figures_(ShippedFigures()), problems_(ShippedProblems()) {}
 
 Document ShippedDocuments::FirstMotion() const {
@@ -62,6 +67,7 @@ Document ShippedDocuments::FirstMotion() const {
     if (example.name != "star-man-shuffle") continue;
     if (auto shipped = DecodeJson(example.json)) document = std::move(*shipped);
   }
+  BeginWithQuickSearch(document.search);
   return document;
 }
 
@@ -73,6 +79,7 @@ Document ShippedDocuments::FirstProblem() const {
     if (problem.title.starts_with(first.figure.name)) first = problem;
   }
   first.hash.reset();
+  BeginWithQuickSearch(first.search);
   return first;
 }
 

@@ -6,7 +6,7 @@ const GROUPS = [
   { title: 'Gallery', id: 'gallery', names: ['gallery', 'pictures'] },
   { title: 'For teachers', id: 'for-teachers', names: ['teachers', 'writing-lessons'] },
   { title: 'The playground', id: 'the-playground', names: ['animation', 'style', 'accessibility'] },
-  { title: 'The engine', id: 'the-engine', names: ['physics', 'search', 'determinism', 'reliability', 'performance'] },
+  { title: 'The engine', id: 'the-engine', names: ['physics', 'search', 'determinism', 'reliability', 'performance', 'related-work'] },
   { title: 'For engineers', id: 'for-engineers', names: ['engineers', 'embedding', 'command-line', 'formats', 'architecture', 'design'] },
 ];
 

@@ -127,4 +127,24 @@ TEST_CASE("session: after a search loses its document, the queue resumes once", 
   CHECK(host.started.size() == 2);
 }
 
+TEST_CASE("session: what begins without a motion begins with the quick search", "[shell][session]") {
+  QuietHost host;
+  Session session(host);
+  const auto quick = [&] {
+    const SearchSettings& search = session.Doc().search;
+    return search.algorithm == Algorithm::kPoseCycle && search.evaluations == 4000;
+  };
+  CHECK(quick());
+  CHECK_FALSE(session.DiffersFromMaker());
+  session.ChooseProblem(0);
+  CHECK(session.Doc().search.algorithm == Algorithm::kSphc);  // the paper's problems keep the paper's search
+  session.New();
+  CHECK(quick());
+  session.ChooseProblem(0);
+  Figure own = session.Doc().figure;
+  own.name = "Nobody's";
+  session.ReplaceFigure(own);
+  CHECK(session.Doc().search.algorithm == Algorithm::kSphc);
+}
+
 }  // namespace gaitsmith::shell::test
