@@ -41,6 +41,7 @@ using Outcome = std::expected<void, Refusal>;
 
 /// Implements `compare --summary` for files of results. A search that several files have tried on the same
 /// problem is named with its file.
-[[nodiscard]] Outcome Summarize(std::span<const std::string> paths);
+/// @param searches only these, by their labels; empty: all
+[[nodiscard]] Outcome Summarize(std::span<const std::string> paths, std::span<const std::string> searches);
 
 }  // namespace gaitsmith::shell

@@ -41,9 +41,12 @@ Outcome CompareCommand(Words words) {
   const auto arguments = Arguments::ParseOptions(words, kOptions);
   if (!arguments) return WrongCall(arguments.error());
   if (arguments->Has("summary")) {
-    const auto other = [&](std::string_view option) { return option != "summary" && arguments->Has(option); };
-    if (std::ranges::none_of(kOptions, other)) return Summarize(arguments->All("summary"));
-    return WrongCall({ErrorCode::kStructure, "--summary", "goes with no other option"});
+    const auto other = [&](std::string_view option) {
+      return option != "summary" && option != "search" && arguments->Has(option);
+    };
+    if (std::ranges::none_of(kOptions, other))
+      return Summarize(arguments->All("summary"), arguments->All("search"));
+    return WrongCall({ErrorCode::kStructure, "--summary", "goes with no other option but --search"});
   }
   for (const char* option : {"out", "curves"}) {
     if (arguments->Last(option).empty()) {

@@ -32,7 +32,7 @@ constexpr auto kCommands = std::to_array<Command>({
      "compare --problem DOC … --search ALG[:OPTION=VALUE…] … --trials N --evaluations E --out CSV\n"
      "             --curves CSV [--first-seed S] [--points P] [--sense physical|timer=SECONDS]\n"
      "             [--weight TERM=W] [--duration SECONDS] [--shard I/N] [--threads K]\n"
-     "  gaitsmith compare --summary CSV [--summary CSV …]"},
+     "  gaitsmith compare --summary CSV [--summary CSV …] [--search LABEL …]"},
     {"suite", gaitsmith::shell::SuiteCommand,
      "suite --problem DOC | --figure F --search ALG[:OPTION=VALUE…] --seeds N --evaluations E --out CSV\n"
      "             [--sense physical|timer=SECONDS …] [--task T …] [--style NAME=TERM:W[,TERM:W] …]\n"

@@ -112,13 +112,25 @@ std::string Pairs(std::span<const Sample* const> samples) {
 
 }  // namespace
 
-Outcome Summarize(std::span<const std::string> paths) {
+Outcome Summarize(std::span<const std::string> paths, std::span<const std::string> searches) {
   std::vector<Sample> samples;
   for (const std::string& path : paths) {
     if (std::ranges::count(paths, path) > 1) return Fail(ErrorCode::kStructure, path, "is given twice");
     auto of_file = ReadSamples(path, NameIn(paths, path));
     if (!of_file) return std::unexpected(of_file.error());
     std::ranges::move(*of_file, std::back_inserter(samples));
+  }
+  const auto is = [](const std::string& search) {
+    return [&](const Sample& one) { return one.search == search; };
+  };
+  for (const std::string& search : searches) {
+    if (std::ranges::none_of(samples, is(search)))
+      return Fail(ErrorCode::kUnknownName, "--search", "no file has trials of " + search);
+  }
+  if (!searches.empty()) {
+    std::erase_if(samples, [&](const Sample& one) {
+      return std::ranges::find(searches, one.search) == searches.end();
+    });
   }
   TellApart(samples);
   std::vector<std::string> problems;

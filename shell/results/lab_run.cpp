@@ -33,7 +33,7 @@ void LabRun::RunTrial() {
   const Lab::Trial trial = trials_.Now();
   workspace_.TheHost().StartTrial(
       trial.document, search_.Workers(),
-      {.words = Tr("{1}, seed {2}", WordsOf(trial.algorithm).name, std::to_string(trial.seed)),
+      {.words = Tr("{1}, seed {2}", AlgorithmName(trial.algorithm), std::to_string(trial.seed)),
        .finished = trials_.Finished(),
        .total = trials_.Total()});
 }

@@ -81,7 +81,7 @@ void SearchRun::Begin(Document wanted, Source source) {
                .workers = workers_,
                .curve = {},
                .best_genome = {}};
-  title_ = Tr("{1}, {2}, seed {3}", SearchTitle(searched), WordsOf(searched.search.algorithm).name,
+  title_ = Tr("{1}, {2}, seed {3}", SearchTitle(searched), AlgorithmName(searched.search.algorithm),
               std::to_string(searched.search.seed));
   if (source == Source::kQueue) title_ = Tr("Queue: {1}", title_);
   spread_.Begin(progress_.budget);

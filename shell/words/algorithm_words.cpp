@@ -43,6 +43,8 @@ const AlgorithmWords& WordsOf(Algorithm algorithm) {
   return AlgorithmTexts()[static_cast<std::size_t>(algorithm)];
 }
 
+std::string AlgorithmName(Algorithm algorithm) { return Tr(WordsOf(algorithm).name.c_str()); }
+
 bool RefinesOne(Algorithm algorithm) { return kRefinesOne[static_cast<std::size_t>(algorithm)]; }
 
 }  // namespace gaitsmith::shell

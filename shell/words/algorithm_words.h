@@ -10,7 +10,7 @@
 namespace gaitsmith::shell {
 
 struct AlgorithmWords {
-  std::string name;   // "SPHC"; the page translates it
+  std::string name;   // "SPHC", in English as in documents
   const char* title;  // "SPHC: hill climbing, reseeded", to be translated
   const char* line;   // one sentence, to be translated
 };
@@ -18,6 +18,8 @@ struct AlgorithmWords {
 /// In the order of Algorithm.
 [[nodiscard]] const std::array<AlgorithmWords, kAlgorithmNames.size()>& AlgorithmTexts();
 [[nodiscard]] const AlgorithmWords& WordsOf(Algorithm);
+/// The short name in the language of the page. Most are the same in all.
+[[nodiscard]] std::string AlgorithmName(Algorithm);
 
 /// Whether a search starts from a single genome, so that it can start from a given controller.
 [[nodiscard]] bool RefinesOne(Algorithm);

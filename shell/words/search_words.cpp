@@ -25,7 +25,7 @@ std::string SearchName(const Document& d) {
 }
 
 std::string SearchLine(const Document& d) {
-  return Tr("{1} · seed {2} · {3} evaluations", WordsOf(d.search.algorithm).name,
+  return Tr("{1} · seed {2} · {3} evaluations", AlgorithmName(d.search.algorithm),
             std::to_string(d.search.seed), Grouped(d.search.evaluations));
 }
 

@@ -164,6 +164,7 @@ same "$("$gaitsmith" compare --summary results.csv | sed -n 7p)" "problem,search
 "$gaitsmith" compare --problem one.json --search rgt --search powell --trials 3 --first-seed 9 --evaluations 100 --out more.csv --curves more-curves.csv || fault "a second study"
 "$gaitsmith" compare --summary results.csv --summary more.csv >both.csv || fault "a summary of two files"
 grep -q '^one,powell in results,' both.csv && grep -q '^one,powell in more,3,' both.csv && grep -q '^one,rgt,3,' both.csv || fault "two files in one summary: $(cat both.csv)"
+same "$("$gaitsmith" compare --summary results.csv --summary more.csv --search powell | grep -c '^one,')" 3 "rows of a summary of one search"
 
 # A suite is a study with the motions, and can be resumed like one.
 suite() { "$gaitsmith" suite --figure hopper --sense physical --sense timer=0.8 --task travel --task jump --style plain=slip_sum:0 \
@@ -303,6 +304,7 @@ head -c 700 results.csv >damaged.csv
 wrong 1 'the trial is cut short' "$gaitsmith" merge --out precious.json damaged.csv
 wrong 1 'holds curves' "$gaitsmith" compare --summary curves.csv
 wrong 2 'goes with no other option' "$gaitsmith" compare --summary results.csv --threads 2
+wrong 1 'no file has trials of gga' "$gaitsmith" compare --summary results.csv --search gga
 wrong 1 'is given twice' "$gaitsmith" compare --summary results.csv --summary results.csv
 wrong 2 '--problem: must be given, or --figure' "$gaitsmith" suite --search sphc --seeds 1 --evaluations 9 --out precious.json
 wrong 2 '--figure: cannot be given with --problem' suite --problem hopper-jump --out suite.csv

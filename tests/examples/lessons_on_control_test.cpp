@@ -163,7 +163,7 @@ TEST_CASE("lessons: wind-up toys", "[lessons]") {
     // Judged by the body, because the joints of any timer repeat. The start is over after 3 s.
     for (int frame = 300 + toy.period; frame <= 800; ++frame) {
       const auto &now = motion.At(frame), &before = motion.At(frame - toy.period);
-      REQUIRE(std::abs(now.y_m - before.y_m) < 1.5e-4);
+      REQUIRE(std::abs(now.y_m - before.y_m) < 1.5e-4f);
       REQUIRE(std::abs(static_cast<double>(now.turn_rad - before.turn_rad)) < 0.01 * kPi / 180.0);
     }
   }

@@ -24,7 +24,7 @@ ImU32 ColourOf(const Theme& theme, Algorithm algorithm) {
 
 /// "SPHC, 3 trials: median 5.31, quartiles 4.20 and 6.10"
 std::string SeriesText(const LabSeries& series) {
-  const std::string& name = WordsOf(series.algorithm).name;
+  const std::string name = AlgorithmName(series.algorithm);
   std::string text =
       Tr(series.trials == 1 ? "{1}, {2} trial" : "{1}, {2} trials", name, Grouped(series.trials));
   if (series.trials == 0) return text;
@@ -78,7 +78,7 @@ void DrawCurves(Ui& ui, const Lab& lab) {
   std::vector<PlotSeries> plotted;
   for (std::size_t i = 0; i < medians.size(); ++i) {
     const Algorithm algorithm = lab.Series()[i].algorithm;
-    plotted.push_back({.name = WordsOf(algorithm).name,
+    plotted.push_back({.name = AlgorithmName(algorithm),
                        .points = medians[i],
                        .colour = ColourOf(ui.Look(), algorithm),
                        .spread = spreads[i]});
@@ -118,7 +118,7 @@ void DrawTable(Ui& ui, const Lab& lab) {
     list->AddRectFilled({whole.Min.x, y - 4.0f}, {whole.Min.x + 8.0f, y + 4.0f},
                         ColourOf(ui.Look(), series.algorithm), 2.0f);
     ui.Letters().Draw(list, Type::kBody, {whole.Min.x + 15.0f, y}, ui.Ink().ink,
-                      WordsOf(series.algorithm).name);
+                      AlgorithmName(series.algorithm));
     put(Type::kBody, kTrials, ui.Ink().second_ink, Grouped(series.trials));
     if (series.points.empty()) {
       put(Type::kBody, kQuartiles, ui.Ink().second_ink, Tr(series.trials > 0 ? "no motion" : "none yet"));

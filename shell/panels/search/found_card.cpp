@@ -51,7 +51,7 @@ std::string LineOf(const FoundMotion& found, bool with_unit) {
     pattern = with_unit ? TrLater("{1} · seed {2} · failed at {3} evaluations · {4}")
                         : TrLater("{1} · seed {2} · failed at {3} · {4}");
   }
-  return Tr(pattern, WordsOf(d.search.algorithm).name, std::to_string(d.search.seed),
+  return Tr(pattern, AlgorithmName(d.search.algorithm), std::to_string(d.search.seed),
             Grouped(found.evaluations), mode);
 }
 

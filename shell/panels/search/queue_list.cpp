@@ -35,7 +35,7 @@ QueueAction DrawEntry(Ui& ui, const SearchQueue::Entry& entry, std::size_t place
                        title);
     letters.DrawElided(
         ui.Canvas(), Type::kNote, {words.Min.x, y + 9.0f}, words.GetWidth(), ui.Ink().second_ink,
-        Tr("{1} · seed {2} · {3} · {4}", WordsOf(d.search.algorithm).name, std::to_string(d.search.seed),
+        Tr("{1} · seed {2} · {3} · {4}", AlgorithmName(d.search.algorithm), std::to_string(d.search.seed),
            Grouped(d.search.evaluations), ControlModeWords(d.kind, d.senses)));
   }
   const float top = row.GetCenter().y - 0.5f * size;

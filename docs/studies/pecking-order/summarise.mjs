@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// The tables of docs/search.md, "The paper's order", from the result files beside this one (question.md):
+//   node docs/studies/pecking-order/summarise.mjs build/release/shell/gaitsmith
+import { execFileSync } from 'node:child_process';
+import { existsSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+
+const PROBLEMS = ['star-man-travel', 'beryl-travel', 'fred-travel', 'inchworm-travel', 'hopper-travel'];
+const NAMES = ['rgt', 'gga', 'ssga', 'shc', 'sphc'];
+/** What each reading calls the five searches. @type {Record<string, string[]>} */
+const READINGS = {
+  'per child': NAMES,
+  'per child, no copies': ['rgt', 'gga:genetic.copies=perturbed', 'ssga:genetic.copies=perturbed', 'shc', 'sphc'],
+  'per component': ['rgt', 'gga:genetic.rates=per-component', 'ssga:genetic.rates=per-component', 'shc:gene_chance=1', 'sphc:gene_chance=1'],
+  'no heedless rules': NAMES.map((name) => `${name}:heedless=forbidden`),
+};
+const [, , gaitsmith = 'gaitsmith'] = process.argv;
+const path = (/** @type {string} */ name) => fileURLToPath(new URL(`${name}.csv`, import.meta.url));
+
+/** Lines of a CSV as fields. @param {string} text */
+const fields = (text) => text.trim().split('\n').slice(1).map((line) => line.split(','));
+/**
+ * What `compare --summary` says of these searches: n, median, quartiles of each; A12 and adjusted p of each pair.
+ * @param {string[]} names  of result files
+ * @param {string[]} searches
+ */
+function summary(names, searches) {
+  const words = ['compare', ...names.map((name) => `--summary=${path(name)}`), ...searches.map((search) => `--search=${search}`)];
+  const [some = '', pairs = ''] = execFileSync(gaitsmith, words, { encoding: 'utf8' }).split('\n\n');
+  return {
+    median: new Map(fields(some).map(([, search = '', ...numbers]) => [search, numbers.map(Number)])),
+    pairs: fields(pairs).map(([, a = '', b = '', , , a12, p]) => ({ a, b, a12: Number(a12), p: Number(p) })),
+  };
+}
+const cell = ([n = 0, median = 0, low = 0, high = 0]) => `${median.toFixed(2)} (${low.toFixed(2)}–${high.toFixed(2)})${n < 40 ? ` n ${n}` : ''}`;
+const middle = (/** @type {number[]} */ values) => values.sort((a, b) => a - b)[Math.floor(values.length / 2)] ?? NaN;
+
+for (const sense of ['physical', 'timer']) {
+  const done = PROBLEMS.filter((problem) => existsSync(path(`${problem}-${sense}`)));
+  for (const [reading, searches] of Object.entries(READINGS)) {
+    if (sense === 'timer' && reading === 'no heedless rules') continue;
+    console.log(`\n| ${sense}, ${reading} | ${NAMES.join(' | ')} |\n|---${'|---'.repeat(NAMES.length)}|`);
+    /** @type {Map<string, {before: number, after: number, a12: number[]}>} */
+    const order = new Map();
+    for (const problem of done) {
+      const { median, pairs } = summary([`${problem}-${sense}`], searches);
+      console.log(`| ${problem} | ${searches.map((search) => cell(median.get(search))).join(' | ')} |`);
+      for (const { a, b, a12, p } of pairs) {
+        const [i, j] = [searches.indexOf(a), searches.indexOf(b)];
+        const key = `${NAMES[Math.max(i, j)]} before ${NAMES[Math.min(i, j)]}`, share = i > j ? a12 : 1 - a12;
+        const one = order.get(key) ?? { before: 0, after: 0, a12: [] };
+        if (p < 0.05) one[share > 0.5 ? 'before' : 'after']++;
+        one.a12.push(share);
+        order.set(key, one);
+      }
+    }
+    console.log(`\n| ${sense}, ${reading}: of ${done.length} problems | established | its reverse | A₁₂, median |\n|---|---|---|---|`);
+    for (const [key, { before, after, a12 }] of order) console.log(`| ${key} | ${before} | ${after} | ${middle(a12).toFixed(2)} |`);
+  }
+}
+
+/** Adjusted for all of one family [Holm 1979]. @param {number[]} p */
+function holm(p) {
+  let most = 0;
+  const adjusted = new Map([...p.entries()].sort(([, a], [, b]) => a - b)
+    .map(([at, value], rank) => [at, most = Math.max(most, Math.min(1, value * (p.length - rank)))]));
+  return p.map((_, at) => adjusted.get(at) ?? 1);
+}
+for (const [what, suffix] of [['as they are', ''], ['without heedless rules', ':heedless=forbidden']]) {
+  const done = PROBLEMS.filter((problem) => existsSync(path(`${problem}-timer`)));
+  console.log(`\n| timer against physical senses ${what} | ${NAMES.join(' | ')} |\n|---${'|---'.repeat(NAMES.length)}|`);
+  const columns = NAMES.map((name) => {
+    const compared = done.map((problem) => {
+      const both = summary([`${problem}-timer`, `${problem}-physical`], suffix ? [name, `${name}${suffix}`] : [name]);
+      const timer = `${name} in ${problem}-timer`, senses = suffix ? `${name}${suffix}` : `${name} in ${problem}-physical`;
+      return both.pairs.filter(({ a, b }) => a === timer && b === senses)[0] ?? { a12: NaN, p: NaN };
+    });
+    const adjusted = holm(compared.map(({ p }) => p));
+    return compared.map(({ a12 }, i) => `${a12.toFixed(2)}${(adjusted[i] ?? 1) < 0.05 ? ' *' : ''}`);
+  });
+  done.forEach((problem, i) => console.log(`| ${problem} | ${columns.map((column) => column[i]).join(' | ')} |`));
+  console.log('\nA₁₂: the chance that a run with the timer ends better; * p < 0.05, adjusted over the problems.');
+}
