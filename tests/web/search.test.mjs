@@ -54,7 +54,8 @@ test('the best genome scores what the search says', async () => {
 });
 
 test('workers that stood by, or whose search is done, run the next one, of another problem, as new ones would', async () => {
-  const [first, second] = [problem({ evaluations: 500 }), problem({ evaluations: 1500, seed: 11, algorithm: 'rgt' })];
+  // The first is long enough for both evaluators to be ready, else its team ends with it.
+  const [first, second] = [problem({ evaluations: 4000 }), problem({ evaluations: 1500, seed: 11, algorithm: 'rgt' })];
   /** @type {NodeWorker[]} */
   const team = [];
   /** @type {(report: SearchReport) => void} */
