@@ -31,7 +31,7 @@ const std::array<AlgorithmWords, kAlgorithmNames.size()>& AlgorithmTexts() {
       {TrLater("Two-stage"), TrLater("Two-stage: random, then climbing"),
        TrLater("Draws many at random, then climbs from the best: how networks were first found.")},
       {TrLater("Pose cycle"), TrLater("Pose cycle: race, then place rules"),
-       TrLater("Races loops of two poses, then adds rules where the figure really passes. Mostly needs the "
+       TrLater("Races loops of poses, then adds rules where the figure really passes. Mostly needs the "
                "fewest tries.")},
   });
   static_assert(std::tuple_size_v<decltype(kTexts)> == kAlgorithmNames.size(),
