@@ -18,7 +18,7 @@
 namespace gaitsmith {
 
 /// Whether a rule may ignore every physical sense. Such a rule matches everything, so once it acts it mostly
-/// acts for ever: half of all random banks of five rods hold one pose.
+/// acts for ever. Half of all random banks of five rods have one.
 enum class Heedless { kAllowed, kForbidden };
 inline constexpr std::array<std::string_view, 2> kHeedlessNames = {"allowed", "forbidden"};
 

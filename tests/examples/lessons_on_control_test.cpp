@@ -160,13 +160,19 @@ TEST_CASE("lessons: wind-up toys", "[lessons]") {
     CHECK(Rounded(motion.TermsAt(800).rotations, 1) == toy.turns);
     CHECK(Meets(goal, found) == (toy.period == 300));
     if (toy.period > 100) continue;
-    // Judged by the body, because the joints of any timer repeat. The start is over after 3 s.
+    // The joints of any timer repeat, so the body is what counts. The start is over after 3 s.
     for (int frame = 300 + toy.period; frame <= 800; ++frame) {
       const auto &now = motion.At(frame), &before = motion.At(frame - toy.period);
+      for (int joint = 0; joint < motion.Bones().joints; ++joint) {
+        REQUIRE(static_cast<double>(
+                    std::abs(motion.AngleRad(frame, joint) - motion.AngleRad(frame - toy.period, joint))) <
+                0.001 * kPi / 180.0);
+      }
       REQUIRE(std::abs(now.y_m - before.y_m) < 1.5e-4f);
       REQUIRE(std::abs(static_cast<double>(now.turn_rad - before.turn_rad)) < 0.01 * kPi / 180.0);
     }
   }
+  Says(lesson, "The joints of any wind-up toy come back after each period");
   Says(lesson,
        "At 0.3 and 0.8 s it does: after a short start it is as high as one period before, to a tenth of a "
        "millimetre, and leans as much, to a hundredth of a degree.");

@@ -4,6 +4,7 @@
 import { execFileSync } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
+import { holm } from '../holm.mjs';
 
 const PROBLEMS = ['star-man-travel', 'beryl-travel', 'fred-travel', 'inchworm-travel', 'hopper-travel'];
 const NAMES = ['rgt', 'gga', 'ssga', 'shc', 'sphc'];
@@ -59,13 +60,6 @@ for (const sense of ['physical', 'timer']) {
   }
 }
 
-/** Adjusted for all of one family [Holm 1979]. @param {number[]} p */
-function holm(p) {
-  let most = 0;
-  const adjusted = new Map([...p.entries()].sort(([, a], [, b]) => a - b)
-    .map(([at, value], rank) => [at, most = Math.max(most, Math.min(1, value * (p.length - rank)))]));
-  return p.map((_, at) => adjusted.get(at) ?? 1);
-}
 for (const [what, suffix] of [['as they are', ''], ['without heedless rules', ':heedless=forbidden']]) {
   const done = PROBLEMS.filter((problem) => existsSync(path(`${problem}-timer`)));
   console.log(`\n| timer against physical senses ${what} | ${NAMES.join(' | ')} |\n|---${'|---'.repeat(NAMES.length)}|`);

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The tables of docs/search.md, "Pose cycles", from the result files beside this one:
-//   node docs/studies/pose-cycle/summarise.mjs
+//   node docs/studies/pose-cycle/summarise.mjs build/release/shell/gaitsmith
+import { execFileSync } from 'node:child_process';
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
+import { holm } from '../holm.mjs';
+import { cartwheel, shuffle, travel } from '../style/kinds.mjs';
 
 /** @typedef {Record<string, string>} Row */
+const [, , gaitsmith = 'gaitsmith'] = process.argv;
 const path = (/** @type {string} */ name) => fileURLToPath(new URL(`${name}.csv`, import.meta.url));
 /** Lines of a CSV as objects. @param {string} name @returns {Row[]} */
 function rowsOf(name) {
@@ -45,24 +49,26 @@ function passes(name, goal) {
   }
   return 'not in 4,000';
 }
-/** The chance that a run of the first kind ends better than one of the second [Vargha Delaney 2000]. @param {number[]} a @param {number[]} b */
-function superiority(a, b) {
-  const wins = a.flatMap((x) => b.map((y) => (x > y ? 1 : x === y ? 0.5 : 0)));
-  return wins.reduce((/** @type {number} */ sum, one) => sum + one, 0) / wins.length;
+/** The rank test of two files: the chance that a run of the first ends better, and p. @param {string} a @param {string} b */
+function ranks(a, b) {
+  const words = execFileSync(gaitsmith, ['compare', `--summary=${path(a)}`, `--summary=${path(b)}`], { encoding: 'utf8' });
+  const [, , , , , a12, p] = (words.trim().split('\n').at(-1) ?? '').split(',');
+  return { a12: Number(a12), p: Number(p) };
 }
 
 function problems() {
   // Medians of 40,000 evaluations of SPHC on seeds 1 to 20 (docs/studies/searches): the goals set beforehand.
   const goals = { physical: [15.58, 14.01, 13.35, 12.92, 5.80], timer: [14.16, 15.69, 9.91, 14.76, 5.82] };
-  console.log('| | pose-cycle, 4,000 | goal | SPHC, 40,000 | ratio (95 %) | chance to be better | passes the goal after |\n|---|---|---|---|---|---|---|');
-  for (const sense of /** @type {const} */ (['physical', 'timer'])) {
-    for (const [i, problem] of ['star-man-travel', 'beryl-travel', 'fred-travel', 'inchworm-travel', 'hopper-jump'].entries()) {
-      const [ours, theirs] = ['pose-cycle', 'sphc'].map((search) => `${problem}-${sense}-${search}`);
-      if (!existsSync(path(ours ?? '')) || !existsSync(path(theirs ?? ''))) continue;
-      const [a, b] = [bests(ours ?? ''), bests(theirs ?? '')], goal = goals[sense][i] ?? NaN;
-      console.log(`| ${problem}, ${sense} | ${cell(a)} | ${goal.toFixed(2)} | ${cell(b)} | ${(median(a) / median(b)).toFixed(2)} (${interval(a, b)}) | ` +
-        `${superiority(a, b).toFixed(2)} | ${passes(ours ?? '', goal)} |`);
-    }
+  const compared = /** @type {const} */ (['physical', 'timer']).flatMap((sense) =>
+    ['star-man-travel', 'beryl-travel', 'fred-travel', 'inchworm-travel', 'hopper-jump'].map((problem, i) => {
+      const [ours, theirs] = [`${problem}-${sense}-pose-cycle`, `${problem}-${sense}-sphc`];
+      return { name: `${problem}, ${sense}`, ours, a: bests(ours), b: bests(theirs), goal: goals[sense][i] ?? NaN, ...ranks(ours, theirs) };
+    }));
+  const adjusted = holm(compared.map(({ p }) => p));
+  console.log('| | pose-cycle, 4,000 | goal | SPHC, 40,000 | ratio (95 %) | chance to be better | p (Holm) | passes the goal after |\n|---|---|---|---|---|---|---|---|');
+  for (const [i, { name, ours, a, b, goal, a12 }] of compared.entries()) {
+    console.log(`| ${name} | ${cell(a)} | ${goal.toFixed(2)} | ${cell(b)} | ${(median(a) / median(b)).toFixed(2)} (${interval(a, b)}) | ` +
+      `${a12.toFixed(2)} | ${(adjusted[i] ?? NaN) < 0.001 ? '< 0.001' : (adjusted[i] ?? NaN).toFixed(3)} | ${passes(ours, goal)} |`);
   }
 }
 
@@ -96,31 +102,28 @@ function difference(x1, n1, x2, n2) {
 }
 
 function styles() {
-  // Predicates of docs/style.md.
-  const travel = (/** @type {Row} */ t) => Math.abs(Number(t.travel));
-  const shuffle = (/** @type {Row} */ t) => Number(t.slip_sum) >= 0.7 * travel(t) && Number(t.slip_sum) <= Number(t.bearers) * travel(t) && Number(t.rotations) < 0.25;
-  const cartwheel = (/** @type {Row} */ t) => Number(t.rotations) >= 2 && Number(t.grounded) >= 0.7 && Number(t.bearers) >= 3;
-  const kinds = /** @type {Record<string, (t: Row) => boolean>} */ ({ slip_sum: shuffle, rotations: cartwheel });
+  const trialsOf = (/** @type {string} */ name) => rowsOf(name).map((row) => Object.fromEntries(Object.entries(row).map(([column, value]) => [column, Number(value)])));
+  const kinds = /** @type {Record<string, typeof shuffle>} */ ({ slip_sum: shuffle, rotations: cartwheel });
   console.log('\n| problem | senses | term | pose-cycle obeys | SPHC obeys | stricter: pose-cycle, SPHC |\n|---|---|---|---|---|---|');
   let [ours, theirs, of] = [0, 0, 0];
   for (const problem of ['star-man-travel', 'beryl-travel']) {
     for (const sense of ['physical', 'timer']) {
       const plain = `by-style/${problem}-${sense}-none-sphc`;
       if (!existsSync(path(plain))) continue;
-      const usual = rowsOf(plain), way = median(usual.map(travel));
+      const usual = trialsOf(plain), way = median(usual.map(travel));
       for (const term of ['max_cm_height', 'slip_sum', 'rotations']) {
         const files = ['pose-cycle', 'sphc'].map((search) => `by-style/${problem}-${sense}-${term}-${search}`);
         if (!files.every((file) => existsSync(path(file)))) continue;
-        const [a = [], b = []] = files.map(rowsOf);
-        const level = median(usual.map((t) => Number(t[term])));
-        const [x, y] = [a, b].map((trials) => trials.filter((t) => Number(t[term]) > level && travel(t) >= way / 3).length);
+        const [a = [], b = []] = files.map(trialsOf);
+        const level = median(usual.map((t) => t[term] ?? NaN));
+        const [x, y] = [a, b].map((trials) => trials.filter((t) => (t[term] ?? NaN) > level && travel(t) >= way / 3).length);
         ours += x ?? 0; theirs += y ?? 0; of += a.length;
         const strict = problem.startsWith('star-man') ? kinds[term] : undefined;
         console.log(`| ${problem} | ${sense} | ${term} | ${x} of ${a.length} | ${y} of ${b.length} | ${strict ? `${a.filter(strict).length}, ${b.filter(strict).length}` : ''} |`);
       }
     }
   }
-  console.log(`\npose-cycle obeys ${ours} of ${of}, SPHC ${theirs}: difference in percent ${difference(ours, of, theirs, of)}`);
+  if (of > 0) console.log(`\npose-cycle obeys ${ours} of ${of}, SPHC ${theirs}: difference in percent ${difference(ours, of, theirs, of)}`);
 }
 
 problems();

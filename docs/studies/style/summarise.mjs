@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The table of docs/style.md from the result files beside this one:  node docs/studies/style/summarise.mjs
 import { readdirSync, readFileSync } from 'node:fs';
+import { cartwheel, shuffle, travel } from './kinds.mjs';
 
 const here = new URL('.', import.meta.url);
 /** @type {Record<string, string[]>} */
@@ -22,12 +23,6 @@ function median(values) {
   const middle = sorted.length / 2;
   return sorted.length % 2 ? sorted[Math.floor(middle)] : (sorted[middle - 1] + sorted[middle]) / 2;
 }
-const travel = (/** @type {Record<string, number>} */ trial) => Math.abs(trial.travel);
-// More slip than if all endpoints that bear load were dragged the whole way is rubbing on the spot.
-const rubs = (/** @type {Record<string, number>} */ t) => t.slip_sum > t.bearers * travel(t);
-const shuffle = (/** @type {Record<string, number>} */ t) => t.slip_sum >= 0.7 * travel(t) && !rubs(t) && t.rotations < 0.25;
-const cartwheel = (/** @type {Record<string, number>} */ t) => t.rotations >= 2 && t.grounded >= 0.7 && t.bearers >= 3;
-
 console.log('| problem | senses | term | seeds that raise it | its median: without, with | travel: median with ÷ without | seeds of the kind asked for |');
 console.log('|---|---|---|---|---|---|---|');
 for (const [cell, terms] of Object.entries(studies)) {
