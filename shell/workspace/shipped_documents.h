@@ -12,8 +12,8 @@ namespace gaitsmith::shell {
 /// Mr. Star-Man: five equal rods from one hub.
 [[nodiscard]] Figure StandardFigure();
 
-/// Sets the search that the page begins with: pose-cycle with 4,000 evaluations, a tenth of the paper's budget
-/// (docs/search.md). Keeps the seed. Documents of core and of the command line begin with SPHC.
+/// Sets the search that the page begins with: pose-cycle with 4,000 evaluations, a tenth of the paper's
+/// budget (docs/search.md). Keeps the seed. Documents of core and of the command line begin with SPHC.
 void BeginWithQuickSearch(SearchSettings&);
 
 class ShippedDocuments {
