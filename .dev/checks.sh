@@ -124,12 +124,16 @@ LEFT_OUT=77
 leave_out() { say "$*"; exit $LEFT_OUT; }
 
 # The result of each stage, one line per stage: "<seconds> <passed|left-out|failed> <name>". A stage stops at its first
-# failure. The later stages still run.
+# failure. The later stages still run. What a stage prints is also kept, for the summary.
 RESULTS=build/test-results.txt
+STAGES=build/stages
 stage() {
-  local name=$1 start=$SECONDS status=0 result; shift
+  local name=$1 start=$SECONDS status=0 result log writer; shift
   printf '\n######## %s\n' "$name"
-  set +e; ( set -e; "$@" ); status=$?; set -e
+  exec {log}> >(exec tee "$STAGES/$name.log"); writer=$!
+  set +e; ( set -e; "$@" ) >&"$log" 2>&1; status=$?; set -e
+  exec {log}>&-
+  timeout 5 tail --pid="$writer" -f /dev/null || true # until all is written, or a process left behind holds the log
   case $status in
     0) result=passed ;;
     "$LEFT_OUT") result=left-out ;;
@@ -147,7 +151,13 @@ growth() { # seconds, name
   [ -z "$usual" ] || (( $1 <= usual + 30 + usual / 4 )) || printf ' (usually %d s)' "$usual"
 }
 
-# Prints each stage's time and the number of passed stages. Fails if a stage failed.
+# The lines of a failed stage that name what failed, because a long log hides them.
+failures() { # name
+  printf '\n%s:\n' "$1"
+  grep -E -A4 'FAILED|^ *not ok|✖|\*\*\*|error:|warning:|differ' "$STAGES/$1.log" | cut -c 1-300 | head -40 || tail -5 "$STAGES/$1.log"
+}
+
+# Prints each stage's time, what failed, and the number of passed stages. Fails if a stage failed.
 summary() {
   local passed left_out failed
   passed=$(grep -c ' passed ' "$RESULTS" || true)
@@ -155,13 +165,16 @@ summary() {
   failed=$(grep -c ' failed ' "$RESULTS" || true)
   printf '\n%7s  %-9s %s\n' seconds result stage
   while read -r seconds result name; do printf '%7d  %-9s %s%s\n' "$seconds" "$result" "$name" "$(growth "$seconds" "$name")"; done <"$RESULTS"
-  printf '%7d  in all\n\n' $SECONDS
+  printf '%7d  in all\n' $SECONDS
+  while read -r seconds result name; do [ "$result" != failed ] || failures "$name"; done <"$RESULTS"
+  echo
   printf '%d passed, %d left out, %d failed\n' "$passed" "$left_out" "$failed"
   [ "$failed" = 0 ]
 }
 
 begin_stages() {
-  mkdir -p build
+  rm -rf "$STAGES"
+  mkdir -p "$STAGES"
   : >"$RESULTS"
   stage set-up setup
   stage "set-up of the browsers" setup_browsers

@@ -38,6 +38,7 @@ std::string ToBase64Url(std::span<const std::uint8_t> bytes) {
 
 Result<std::vector<std::uint8_t>> FromBase64Url(std::string_view text) {
   std::vector<std::uint8_t> bytes;
+  bytes.reserve(text.size() * 3 / 4);
   std::uint32_t held = 0;
   int bits = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {

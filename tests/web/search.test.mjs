@@ -54,8 +54,7 @@ test('the best genome scores what the search says', async () => {
 });
 
 test('workers that stood by, or whose search is done, run the next one, of another problem, as new ones would', async () => {
-  // The first is long enough for both evaluators to be ready, else its team ends with it.
-  const [first, second] = [problem({ evaluations: 4000 }), problem({ evaluations: 1500, seed: 11, algorithm: 'rgt' })];
+  const [first, second] = [problem({ evaluations: 500 }), problem({ evaluations: 1500, seed: 11, algorithm: 'rgt' })];
   /** @type {NodeWorker[]} */
   const team = [];
   /** @type {(report: SearchReport) => void} */
@@ -206,19 +205,24 @@ for (const [how, die] of /** @type {[string, (coordinator: NodeWorker) => void][
   ['dies', (coordinator) => setTimeout(() => coordinator.onerror?.({ message: 'out of memory' }), 100)],
 ])) {
   test(`stop ends the search also when the coordinator ${how}`, async () => {
-    let asked = 0;
+    let asked = false;
+    let late = false;
+    /** @type {ReturnType<typeof setTimeout> | undefined} */
+    let deadline;
     /** @type {NodeWorker[]} */
     let workers = [];
     const stopped = await run(problem({ evaluations: 1e6 }), 2, (client, report, team) => {
       if (report.evaluations < 500 || asked) return;
-      asked = performance.now();
+      asked = true;
+      deadline = setTimeout(() => { late = true; }, 4000); // of the event loop that stops the search: a busy machine delays both
       workers = team;
       team[0].onmessage = null;
       client.stop();
       die(team[0]);
     });
     assert.equal(stopped.last.state, 'stopped');
-    assert.ok(performance.now() - asked < 4000);
+    clearTimeout(deadline);
+    assert.equal(late, false);
     assert.ok(stopped.last.evaluations >= 500);
     assert.equal(engine.evaluator(problem({})).evaluate(stopped.genome)[0], stopped.last.bestFitness);
     assert.ok(stopped.last.curve?.length);
@@ -229,12 +233,15 @@ for (const [how, die] of /** @type {[string, (coordinator: NodeWorker) => void][
 }
 
 test('reports come at most 30 times a second, and the rate is about right', async () => {
-  const start = performance.now();
-  const { reports } = await run(problem({ evaluations: 6000 }), 1);
-  const seconds = (performance.now() - start) / 1000;
-  assert.ok(reports.length <= 30 * seconds + 2, `${reports.length} in ${seconds} s`);
-  const { rate } = reports[reports.length - 1];
-  assert.ok(rate > 0.5 * 6000 / seconds && rate < 3 * 6000 / seconds, `${rate}/s`);
+  /** From the first evaluations on, because a busy machine takes long to start a worker. @type {{ms: number, evaluations: number}[]} */
+  const seen = [];
+  const { last } = await run(problem({ evaluations: 6000 }), 1, (_, { evaluations }) => {
+    if (evaluations > 0) seen.push({ ms: performance.now(), evaluations });
+  });
+  const seconds = (performance.now() - seen[0].ms) / 1000;
+  assert.ok(seen.length <= 30 * seconds + 2, `${seen.length} in ${seconds} s`);
+  const rate = (6000 - seen[0].evaluations) / seconds;
+  assert.ok(last.rate > 0.5 * rate && last.rate < 2 * rate, `${last.rate}/s, seen ${rate}/s`);
 });
 
 test('a damaged document is refused with one clear fault, not tried again and again', async () => {

@@ -194,12 +194,11 @@ export class SearchClient {
 
   #takeWorker() { return this.#idle.shift() ?? this.createWorker(); }
 
-  /** Keeps the workers of a finished search for the next one. @param {Team} team */
+  /** Keeps the workers of a finished search for the next one, also those that still load. @param {Team} team */
   #makeIdle(team) {
-    const evaluators = [...team.evaluators.values()];
-    if (team.intact && evaluators.every(({ ready }) => ready)) {
+    if (team.intact) {
       this.#team = null; // keeps the workers from being ended
-      this.#setIdle([team.coordinator, ...evaluators.map(({ worker }) => worker)]);
+      this.#setIdle([team.coordinator, ...[...team.evaluators.values()].map(({ worker }) => worker)]);
     }
     this.#endTeam();
   }

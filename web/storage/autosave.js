@@ -62,29 +62,37 @@ export class Autosave {
       && last.when > Number(remembered(DISMISSED_KEY))) this.#offer(last);
   }
 
-  /** Call after every change of the document. Stores the first one at once: a busy browser may end the page before 'pagehide'. */
+  /**
+   * Call after every change of the document. The first change is stored as soon as the code that made it returns, later
+   * ones after a rest: a busy browser may end the page without 'pagehide', and before any timer.
+   */
   changed() {
-    if (!this.#started) return;
-    this.#timer ??= setTimeout(() => {
-      this.save();
-      this.#timer = setTimeout(() => this.save(), REST_MS);
+    if (!this.#started || this.#timer) return;
+    queueMicrotask(() => {
+      if (this.#started && this.save()) this.#timer ??= setTimeout(() => this.save(), REST_MS);
     });
   }
 
+  /** @returns {boolean} whether there was anything to store */
   save() {
     clearTimeout(this.#timer);
     this.#timer = undefined;
     // Store nothing if the visit has changed nothing.
-    if (!this.#started || !(this.app.canUndo() || this.app.canRedo())) return;
+    if (!this.#started || !(this.app.canUndo() || this.app.canRedo())) return false;
     const link = this.app.link();
-    if (link === this.#written) return;
+    if (link === this.#written) return false;
     this.#written = link;
-    if (link === this.#untouched) return removeWork(this.#id); // all changes were undone
+    if (link === this.#untouched) {
+      removeWork(this.#id); // all changes were undone
+      return true;
+    }
     const stored = storeWork({ id: this.#id, title: this.app.title(), link, when: Date.now() });
     this.#storeTabState();
-    if (stored || this.#warned) return;
-    this.#warned = true;
-    this.statusLine.say(tr('This browser does not let the page keep your work: save it, or copy its link, before you leave.'));
+    if (!stored && !this.#warned) {
+      this.#warned = true;
+      this.statusLine.say(tr('This browser does not let the page keep your work: save it, or copy its link, before you leave.'));
+    }
+    return true;
   }
 
   /** Stops storing, because the application's data may be inconsistent. */
