@@ -2,6 +2,8 @@
 #include "core/search/pose_cycle.h"
 
 #include <algorithm>
+#include <bit>
+#include <limits>
 #include <numeric>
 
 #include "core/search/rule_moves.h"
@@ -17,7 +19,8 @@ constexpr int kPatience = 40;    // generations without improvement after which 
 constexpr float kGain = 0.001f;  // of fitness: an improvement
 constexpr double kSigma = 0.2;
 constexpr double kNarrowest = 1e-4;
-constexpr int kChildren = 4;  // of a climb's generation: one register
+constexpr int kChildren = 4;         // of a climb's generation: one register
+constexpr std::size_t kMemory = 50;  // generations after which the climb forgets how good its parent was
 constexpr int kSightings = 32;
 constexpr int kMaxStream = 1000;  // exceeds every population
 
@@ -127,16 +130,35 @@ void PoseCycle::Absorb(std::span<const Genome> batch, std::span<const Score> sco
     EndRungs();
     return;
   }
-  const auto best = std::ranges::max_element(scores, {}, &Score::fitness);
   const bool first = parent_.genome.empty();
   if (first && HasCycles() && Space().start.empty()) {
     BeginRace(scores);
-  } else if (first || best->fitness >= parent_.fitness) {
-    // A child that is as good hardly ever moves otherwise.
-    const bool better = first || best->fitness > parent_.fitness;
-    parent_ = {batch[static_cast<std::size_t>(best - scores.begin())], best->fitness};
-    if (better) See(parent_.genome);
+    return;
   }
+  const auto best = std::ranges::max_element(scores, {}, &Score::fitness);
+  Individual child = {batch[static_cast<std::size_t>(best - scores.begin())], best->fitness};
+  if (first) {
+    BeginClimb(std::move(child));
+  } else {
+    Climb(std::move(child));
+  }
+}
+
+void PoseCycle::BeginClimb(Individual parent) {
+  parent_ = std::move(parent);
+  past_.assign(kMemory, parent_.fitness);
+  See(parent_.genome);
+}
+
+void PoseCycle::Climb(Individual child) {
+  float& past = past_[static_cast<std::size_t>(generation_) % kMemory];
+  if (child.fitness >= parent_.fitness || child.fitness >= past) {
+    // A child that is exactly as good hardly ever moves otherwise.
+    const bool moves_alike = child.fitness == parent_.fitness;
+    parent_ = std::move(child);
+    if (!moves_alike) See(parent_.genome);
+  }
+  past = parent_.fitness;
 }
 
 void PoseCycle::BeginRace(std::span<const Score> scores) {
@@ -175,8 +197,7 @@ void PoseCycle::EndRungs() {
       return a.best.fitness != b.best.fitness ? a.best.fitness > b.best.fitness : a.stream < b.stream;
     });
     if (contenders_.size() == 1) {
-      parent_ = std::move(contenders_.front().best);
-      See(parent_.genome);
+      BeginClimb(std::move(contenders_.front().best));
       contenders_.clear();
       return;
     }
@@ -190,6 +211,7 @@ void PoseCycle::SaveState(BitWriter& out) const {
   out.Put(static_cast<std::uint32_t>(rung_), 32);
   PutGenome(out, parent_.genome, parent_.fitness);
   for (const Gene gene : seen_) out.Put(gene, 16);
+  for (const float fitness : past_) out.Put(std::bit_cast<std::uint32_t>(fitness), 32);
   out.Put(static_cast<std::uint32_t>(contenders_.size()), 32);
   for (const Contender& one : contenders_) {
     for (const int count :
@@ -211,6 +233,11 @@ bool PoseCycle::LoadState(BitReader& in) {
   if (!TakeGenome(in, parent.genome, parent.fitness, genes)) return false;
   Genome seen(parent.genome.size());
   for (Gene& gene : seen) gene = static_cast<Gene>(in.Take(16));
+  std::vector<float> past(parent.genome.empty() ? 0 : kMemory);
+  for (float& fitness : past) fitness = std::bit_cast<float>(static_cast<std::uint32_t>(in.Take(32)));
+  if (std::ranges::any_of(past,
+                          [](float fitness) { return !(fitness < std::numeric_limits<float>::infinity()); }))
+    return false;
   if (!TakeCount(in, count, kContenders)) return false;
   const bool climbs = !parent.genome.empty(), races = count > 0;
   if ((climbs || races) != (generation_ > 0) || (climbs && races)) return false;
@@ -232,6 +259,7 @@ bool PoseCycle::LoadState(BitReader& in) {
     contenders_.push_back(std::move(one));
   }
   parent_ = std::move(parent);
+  past_ = std::move(past);
   sightings_.clear();
   if (in.Overrun()) return true;  // the caller reports the error
   if (climbs) See(std::move(seen));

@@ -6,7 +6,9 @@
 // 2. Races runs of CMA-ES from the best of them [Hansen 2016]: after each rung the better half goes on
 //    [Jamieson Talwalkar 2016], with twice the evaluations, until one is left.
 // 3. Climbs from the best bank. Each child moves rules that act, or places a rule where the motion passes
-//    (rule_moves.h). A child that is as good takes the parent's place.
+//    (rule_moves.h). The best child of a generation takes the parent's place if it is as good as the parent,
+//    or as the parent was some generations before: late acceptance [Burke Bykov 2017]. So the climb can leave
+//    a summit; the search keeps the best of all.
 //
 // A search that is given a start begins with the third step. Networks have no rules: the best of some random
 // ones is perturbed.
@@ -53,6 +55,9 @@ class PoseCycle final : public BatchSearch {
   void Adapt(Contender&, std::span<const Score> scores);
   /// Ends the rungs that are complete, and at last the race.
   void EndRungs();
+  void BeginClimb(Individual parent);
+  /// Lets a generation's best child take the parent's place, or not.
+  void Climb(Individual child);
   /// Looks at the motion of a genome.
   void See(Genome genome);
 
@@ -60,6 +65,7 @@ class PoseCycle final : public BatchSearch {
   int rung_ = 0;                       // evaluations of each contender at which the rung ends
   std::vector<Contender> contenders_;  // empty before and after the race
   Individual parent_;                  // of the climb; empty before it
+  std::vector<float> past_;            // the parent's fitness in each of the last generations of the climb
   Genome seen_;                        // whose motion was looked at: that of the parent, or an equal one
   std::vector<Sighting> sightings_;    // of it; not saved, because they follow from it
 };

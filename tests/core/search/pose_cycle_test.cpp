@@ -3,6 +3,7 @@
 // climbing does not.
 #include "core/document/json.h"
 #include "core/rollout/sightings.h"
+#include "core/search/evaluation_score.h"
 #include "core/search/pose_cycle_form.h"
 #include "core/search/rule_moves.h"
 #include "tests/scene.h"
@@ -130,6 +131,30 @@ TEST_CASE("pose cycle: with 1,000 evaluations further than hill climbing with th
     wins += RunSearchOf(star).fitness > climbed ? 1 : 0;
   }
   CHECK(wins >= 7);
+}
+
+TEST_CASE("pose cycle: the climb may go down, but not below the worst of its last 50 parents",
+          "[search][pose-cycle]") {
+  Document star = Star();
+  star.search.algorithm = Algorithm::kPoseCycle;
+  star.search.evaluations = 3000;
+  const auto search = MakeSearch(star.search, SpaceOf(star));
+  const Evaluator evaluator(ProblemOf(star));
+  std::vector<float> parents;  // after each generation of the climb
+  while (!search->Done()) {
+    std::vector<Score> scores;
+    for (const Evaluation& one : evaluator.Evaluate(search->Ask(4))) scores.push_back(ScoreOf(one));
+    search->Tell(scores);
+    // The race has more members than one.
+    if (const auto fitness = search->PopulationFitness(); fitness.size() == 1) parents.push_back(fitness[0]);
+  }
+  REQUIRE(parents.size() > 200);
+  int downs = 0;
+  for (std::size_t i = 1; i < parents.size(); ++i) downs += parents[i] < parents[i - 1] ? 1 : 0;
+  CHECK(downs > 20);
+  for (std::size_t i = 50; i < parents.size(); ++i)
+    REQUIRE(parents[i] >= std::ranges::min(std::span(parents).subspan(i - 50, 50)));
+  CHECK(search->BestFitness() >= std::ranges::max(parents));
 }
 
 TEST_CASE("pose cycle: works on networks, a single rod, one rule, and from a given start",
