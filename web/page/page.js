@@ -135,7 +135,10 @@ async function start() {
   gaitsmith.begin(parts);
   parts.arrangement.begin();
   gaitsmith.fps = Number(new URLSearchParams(location.search).get('fps'));
-  searches.addEventListener('done', () => address.changed());
+  searches.addEventListener('done', () => {
+    address.changed();
+    autosave.save();
+  });
   startSharing(app, address);
   void gaitsmith.ready.then(() => startOffline({
     leave: () => {

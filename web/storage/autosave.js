@@ -9,9 +9,10 @@ import { remember, remembered } from '../browser/storage.js';
 /** @typedef {import('../app/app.js').App} App */
 /** @typedef {import('../page/commands.js').Command} Command */
 /** @typedef {import('./kept_works.js').Work} Work */
+/** @typedef {{id: string, address: string, before: string, link: string}} TabState  before: the address before this one */
 
 const REST_MS = 2000;
-const TAB_KEY = 'gaitsmith-here'; // state of this tab: its address and its document
+const TAB_KEY = 'gaitsmith-here'; // state of this tab
 const DISMISSED_KEY = 'gaitsmith-dismissed'; // works up to this time are not offered again
 
 export class Autosave {
@@ -40,10 +41,12 @@ export class Autosave {
     const payload = location.hash.slice(1);
     const tabState = this.#embedded ? null : this.#tabState();
     const last = this.#embedded ? undefined : keptWorks()[0];
-    const continued = tabState?.address === payload && tabState.link !== payload;
+    // Firefox may reload the address that the page had just replaced.
+    const ownAddress = tabState?.address === payload || (reloaded() && tabState?.before === payload);
+    const continued = tabState !== null && ownAddress && tabState.link !== payload;
     const sameWork = continued || tabState?.link === payload;
     if (tabState && sameWork) this.#id = tabState.id;
-    if (continued && tabState && this.app.open(tabState.link) === '') {
+    if (continued && this.app.open(tabState.link) === '') {
       this.address.follow();
       if (payload) this.address.changed();
     } else {
@@ -135,11 +138,15 @@ export class Autosave {
   }
 
   #storeTabState() {
-    const tabState = { id: this.#id, address: location.hash.slice(1), link: this.app.link() };
+    const was = this.#tabState();
+    const address = location.hash.slice(1);
+    const before = (was?.address === address ? was.before : was?.address) ?? '';
+    /** @type {TabState} */
+    const tabState = { id: this.#id, address, before, link: this.app.link() };
     remember(TAB_KEY, JSON.stringify(tabState), 'sessionStorage');
   }
 
-  /** @returns {{id: string, address: string, link: string} | null} */
+  /** @returns {TabState | null} */
   #tabState() {
     try {
       return JSON.parse(remembered(TAB_KEY, 'sessionStorage') ?? 'null');
@@ -147,4 +154,10 @@ export class Autosave {
       return null;
     }
   }
+}
+
+/** Whether this visit is a reload. */
+function reloaded() {
+  const [visit] = performance.getEntriesByType('navigation');
+  return visit instanceof PerformanceNavigationTiming && visit.type === 'reload';
 }

@@ -52,6 +52,24 @@ async function reloadRestores({ browser, address }) {
   await page.close();
 }
 
+/** Firefox does so if the page replaces its address in the moment of the reload. @param {Visit} visit */
+async function reloadWithOldAddress({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  await work(page, 'First');
+  await page.until('its address', () => location.hash.length > 1 && location.href === window.gaitsmith.link(), 5000);
+  const old = await page.call('address', () => location.href);
+  await work(page, 'Then another');
+  const state = await stateOf(page);
+  await page.until('its address', () => location.href === window.gaitsmith.link(), 5000);
+  await page.page.evaluate((href) => { history.replaceState(null, '', href); }, old);
+  await page.reload();
+  assert.equal(await stateOf(page), state);
+  await page.until('its address again', () => location.href === window.gaitsmith.link(), 5000);
+  assert.equal(await leave(page), 1);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
 /** @param {Visit} visit */
 async function reloadMidSearch({ browser, address }) {
   const page = await PageDriver.open(browser, address);
@@ -219,6 +237,7 @@ async function graphicsLost({ browser, address }) {
 /** @type {[string, (visit: Visit) => Promise<void>, string?][]} */
 export const KEPT_WORK_SCENARIOS = [
   ['a reload brings back the work, and so does the bare address in another tab', reloadRestores],
+  ['a reload with the address of a moment ago brings back the work, too', reloadWithOldAddress],
   ['a reload in the middle of a search brings back the best so far', reloadMidSearch],
   ['a link in the address wins, and the last work is one press away until dismissed', linkWins],
   ['two tabs keep their own work, and the next visit begins with the later one', twoTabs],

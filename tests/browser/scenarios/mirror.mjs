@@ -202,10 +202,11 @@ async function cheap({ browser, address, figures }) {
   await page.call('mark', () => { /** @type {any} */ (window).testMirrorMs.length = 0; });
   await sleep(4000);
   const times = await page.call('times', () => /** @type {number[]} */ (/** @type {any} */ (window).testMirrorMs));
-  const sum = times.reduce((a, b) => a + b, 0);
-  figures['mirror, ms a second while a motion plays'] = (sum / 4).toFixed(1);
   assert.ok(times.length >= 8 && times.length <= 20, `${times.length} looks in 4 s`);
-  assert.ok(sum / 4 < 30, `${sum / 4} ms a second`);
+  // By the median, because a busy machine interrupts some of them.
+  const msPerSecond = ([...times].sort((a, b) => a - b)[times.length >> 1] ?? NaN) * times.length / 4;
+  figures['mirror, ms a second while a motion plays'] = msPerSecond.toFixed(1);
+  assert.ok(msPerSecond < 30, `${msPerSecond} ms a second`);
   await page.close();
 }
 
