@@ -42,8 +42,10 @@ struct StyleTermRow {
   std::string_view name;  // in documents and on the command line
   std::string_view unit;  // "" for a pure number
   float Terms::* value;
-  int since;           // first version of the binary format that has its weight
-  float usual_weight;  // per unit; a clear preference for figures that have not been calibrated
+  int since;  // first version of the binary format that has its weight
+  // Per unit, for figures that have not been calibrated: a clear preference, and one that leaves travel
+  // first.
+  float usual_weight, gentle_weight;
 };
 
 /// Number of the paper's terms. Every motion measures them. StyleMeter measures the further terms, and only
@@ -52,13 +54,13 @@ inline constexpr int kPaperTerms = 3;
 
 /// In the order of StyleTerm. New terms go to the end, because documents store the weights in this order.
 inline constexpr auto kStyleTable = std::to_array<StyleTermRow>({
-    {"max_cm_height", "m", &Terms::max_cm_height_m, 1, 10.0f},
-    {"slip_sum", "m", &Terms::slip_sum_m, 1, 0.6f},
-    {"rotations", "", &Terms::rotations, 1, 10.0f},
-    {"effort", "rad", &Terms::effort_rad, 2, 0.05f},
-    {"upright", "", &Terms::upright, 2, 5.0f},
-    {"smoothness", "rad/s^2", &Terms::smoothness_radps2, 2, 0.2f},
-    {"head_height", "m", &Terms::head_height_m, 2, 2.0f},
+    {"max_cm_height", "m", &Terms::max_cm_height_m, 1, 10.0f, 5.6f},
+    {"slip_sum", "m", &Terms::slip_sum_m, 1, 0.6f, 0.27f},
+    {"rotations", "", &Terms::rotations, 1, 10.0f, 3.7f},
+    {"effort", "rad", &Terms::effort_rad, 2, 0.05f, 0.05f},
+    {"upright", "", &Terms::upright, 2, 5.0f, 5.0f},
+    {"smoothness", "rad/s^2", &Terms::smoothness_radps2, 2, 0.2f, 0.2f},
+    {"head_height", "m", &Terms::head_height_m, 2, 2.0f, 2.0f},
 });
 inline constexpr int kStyleTerms = static_cast<int>(kStyleTable.size());
 

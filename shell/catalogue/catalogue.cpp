@@ -105,7 +105,8 @@ std::vector<Row> Terms() {
                        .With("label", TermTexts()[i].label)
                        .With("unit", row.unit)
                        .With("since", row.since)
-                       .With("usual_weight", row.usual_weight));
+                       .With("usual_weight", row.usual_weight)
+                       .With("gentle_weight", row.gentle_weight));
   }
   return rows;
 }

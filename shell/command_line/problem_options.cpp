@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/document/usual_weights.h"
+#include "core/document/style_weights.h"
 
 namespace gaitsmith::shell {
 
@@ -49,8 +49,11 @@ Result<void> SetWeight(const std::string& name, const std::string& number, Docum
   const auto term = IndexOf(kStyleTermNames, name, option);
   if (!term) return std::unexpected(term.error());
   const auto index = static_cast<std::size_t>(*term);
-  if (number == "usual") {
-    document.task.weights[index] = UsualWeights(document)[index];
+  const bool less = number.starts_with('-');
+  const std::string_view word = std::string_view(number).substr(less ? 1 : 0);
+  if (word == "usual" || word == "gentle") {
+    const float weight = (word == "usual" ? UsualWeights(document) : GentleWeights(document))[index];
+    document.task.weights[index] = less ? -weight : weight;
     return {};
   }
   const auto weight = ParseNumber(number, where);

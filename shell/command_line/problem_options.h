@@ -12,8 +12,9 @@ namespace gaitsmith::shell {
 /// The inverse of SetSense.
 [[nodiscard]] std::string SenseText(const SenseSpec&);
 
-/// Sets the weight of one style term: a number, or "usual" for the weight calibrated for the document's
-/// figure and senses. @param where for the error, if the weight is not a number
+/// Sets the weight of one style term: a number, or "usual" or "gentle" for a weight calibrated for the
+/// document's figure and senses, "-usual" or "-gentle" to ask for less. @param where for the error, if the
+/// weight is not a number
 [[nodiscard]] Result<void> SetWeight(const std::string& term, const std::string& weight, Document&,
                                      const std::string& option, const std::string& where);
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/document/usual_weights.h"
+#include "core/document/style_weights.h"
 #include "shell/results/search_queue.h"
 
 namespace gaitsmith::shell {

@@ -110,6 +110,9 @@ same "$("$gaitsmith" hash hopper.json)" "$(sed -n '3s/.*,//p' hopper.csv)" "what
 refuses '--figure: cannot be given with --problem' "$gaitsmith" synthesize --problem hopper-jump --figure hopper --out no.json
 "$gaitsmith" synthesize --problem star-man-travel --sense timer=3 --weight slip_sum=usual --search shc --evaluations 8 --seed 3 --out usual.json
 same "$(grep '"slip_sum"' usual.json | tr -d ' ,')" '"slip_sum":0.45' "the usual weight"
+"$gaitsmith" synthesize --problem star-man-travel --sense timer=3 --weight slip_sum=-gentle --search shc --evaluations 8 --seed 3 --out gentle.json
+same "$(grep '"slip_sum"' gentle.json | tr -d ' ,')" '"slip_sum":-0.37' "less by the gentle weight"
+refuses '--weight slip_sum=gently: must be' "$gaitsmith" synthesize --figure hopper --weight slip_sum=gently --out no.json
 
 # A study has the same bytes for any number of threads or shards, and after interruptions.
 study() { "$gaitsmith" compare --problem one.json --problem refined.json --search powell \

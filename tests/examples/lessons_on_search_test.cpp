@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/document/usual_weights.h"
+#include "core/document/style_weights.h"
 #include "tests/flight_time.h"
 #include "tests/lesson.h"
 #include "tests/scene.h"

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/document/usual_weights.h"
+#include "core/document/style_weights.h"
 #include "shell/words/language.h"
 #include "shell/words/style_words.h"
 #include "shell/words/wording.h"
@@ -111,9 +111,17 @@ void DrawScore(Ui& ui, const Session& session) {
              whole <= kVoidScore ? Tr("void") : AmountText(whole, 2));
 }
 
-// Limit and step of a weight's slider, in usual weights.
+// Limit and step of a weight's slider, in usual weights. The step is less than every gentle weight.
 constexpr double kMaxUnits = 3.0;
-constexpr double kUnitStep = 0.1;
+constexpr double kUnitStep = 0.05;
+
+/// "0.50 · 15.0 per turn · strong"
+std::string SliderText(const TermWords& words, float weight, float usual, float gentle) {
+  if (weight == 0.0f) return "0";
+  std::string text = AmountText(weight / usual, 2) + " · " + WeightText(weight);
+  if (*words.per != '\0') text += std::string(" ") + Tr(words.per);
+  return text + " · " + (std::abs(weight) <= gentle ? Tr("gentle") : Tr("strong"));
+}
 
 void DrawWeights(Ui& ui, Session& session) {
   const Task& task = session.Doc().task;
@@ -121,19 +129,17 @@ void DrawWeights(Ui& ui, Session& session) {
   ui.Heading(Tr("Style"));
   ui.Paragraph(Tr("Above 0 asks for more, below 0 for less; 1 is the usual weight of this figure."),
                Type::kNote);
+  ui.Paragraph(
+      Tr("Gentle weights usually leave the distance the larger part of the score, strong ones do not."),
+      Type::kNote);
   ui.Gap(8.0f);
-  const auto usual = UsualWeights(session.Doc());
+  const StyleWeights usual = UsualWeights(session.Doc()), gentle = GentleWeights(session.Doc());
   for (std::size_t i = 0; i < kStyleTerms; ++i) {
     const TermWords& words = TermTexts()[i];
     const auto unit = static_cast<double>(usual[i]);
     double units = static_cast<double>(task.weights[i]) / unit;
-    std::string text = "0";
-    if (task.weights[i] != 0.0f) {
-      text = AmountText(static_cast<float>(units), 1) + " · " + WeightText(task.weights[i]);
-      if (*words.per != '\0') text += std::string(" ") + Tr(words.per);
-    }
     if (ui.Slider(words.id, Tr(words.label), units, {.low = -kMaxUnits, .high = kMaxUnits, .step = kUnitStep},
-                  text)) {
+                  SliderText(words, task.weights[i], usual[i], gentle[i]))) {
       // Round to the slider's grid: keyboard steps would accumulate rounding errors.
       const auto chosen = static_cast<float>(std::round(units / kUnitStep) * kUnitStep * unit);
       session.Set([&](Document& d) { d.task.weights[i] = chosen; });

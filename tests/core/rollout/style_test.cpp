@@ -9,7 +9,7 @@
 #include "core/document/binary.h"
 #include "core/document/json.h"
 #include "core/document/link.h"
-#include "core/document/usual_weights.h"
+#include "core/document/style_weights.h"
 #include "core/numeric/scalar_math.h"
 #include "core/physics/trajectory_hash.h"
 #include "core/rollout/evaluator.h"
@@ -369,18 +369,30 @@ TEST_CASE("style: a search asked for more of a term finds more of it, for less f
   }
 }
 
-TEST_CASE("usual weights: by the figure's name up to a comma and its senses, and something for every figure",
+TEST_CASE("style weights: by the figure's name up to a comma and its senses, and something for every figure",
           "[style]") {
   Document document;
   document.figure.name = "Mr. Star-Man, limber";
   document.senses.kind = SenseKind::kPhysical;
   const auto slip = static_cast<std::size_t>(StyleTerm::kSlipSum);
   REQUIRE(UsualWeights(document)[slip] == 0.6f);
+  REQUIRE(GentleWeights(document)[slip] == 0.22f);
   document.senses.kind = SenseKind::kTimer;
   REQUIRE(UsualWeights(document)[slip] == 0.45f);
-  for (const char* name : {"", ",", "Mr. Star", "Five-Rod Fred"}) {
-    document.figure.name = name;
-    REQUIRE(std::ranges::all_of(UsualWeights(document), [](float weight) { return weight > 0.0f; }));
+  REQUIRE(GentleWeights(document)[slip] == 0.37f);
+  for (const char* name : {"", ",", "Mr. Star", "Mr. Star-Man", "Beryl Biped", "Five-Rod Fred"}) {
+    for (const SenseKind senses : {SenseKind::kPhysical, SenseKind::kTimer}) {
+      document.figure.name = name;
+      document.senses.kind = senses;
+      const StyleWeights usual = UsualWeights(document), gentle = GentleWeights(document);
+      CAPTURE(name);
+      for (std::size_t term = 0; term < usual.size(); ++term) {
+        CAPTURE(kStyleTermNames[term]);
+        REQUIRE(gentle[term] > 0.0f);
+        REQUIRE(gentle[term] <= usual[term]);
+        REQUIRE(gentle[term] > 0.05f * usual[term]);  // the Style panel's slider can reach it
+      }
+    }
   }
 }
 

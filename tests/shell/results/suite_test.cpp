@@ -4,7 +4,7 @@
 #include <set>
 
 #include "core/document/binary.h"
-#include "core/document/usual_weights.h"
+#include "core/document/style_weights.h"
 #include "shell/results/suite_plan.h"
 #include "tests/shell/session/quiet_host.h"
 
