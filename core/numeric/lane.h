@@ -36,8 +36,11 @@ struct Lane {
   /// The same number in every lane. (s - 0 keeps the sign of zero, s + 0 would not.)
   static F Splat(float s) { return s - F{}; }
 
-  static F Select(I mask, F yes, F no) { return mask ? yes : no; }
-  static I Select(I mask, I yes, I no) { return mask ? yes : no; }
+  /// @param mask 0 or -1 in each lane. As bit operations, because `mask ? yes : no` compares the mask again.
+  static F Select(I mask, F yes, F no) {
+    return reinterpret_cast<F>(Select(mask, reinterpret_cast<I>(yes), reinterpret_cast<I>(no)));
+  }
+  static I Select(I mask, I yes, I no) { return (yes & mask) | (no & ~mask); }
 
   /// a < b ? a : b. Ties and signed zeros give b, so the result is the same on every machine.
   static F Min(F a, F b) { return a < b ? a : b; }

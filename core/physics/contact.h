@@ -211,19 +211,22 @@ void SolvePair(const World& world, const Body<W>& body, Contact<W>& one, Contact
                  L::Select(taken, for_two.tangent, two.force.tangent)};
     open &= ~fits;
   };
-  const Mobility<W> m_one(world, body, one.arm), m_two(world, body, two.arm);
+  const Mobility<W> m_one(world, body, one.arm);
+  const Impulse<W> alone_one = SolveOne<W>(m_one, one.Approach(body), one.Slide(body), world.friction);
+  // Lanes without a second contact are done. At high speed even the placeholder that is out of reach would
+  // reach the ground, so they must not check where it would go.
+  offer(alone_one, nothing, ~has_two);
+  if (!L::Any(open)) return;
   const auto approach_after = [&](const Contact<W>& other, F arm, const Impulse<W>& force) {
     Body<W> then = body;
     then.Push(world, arm, force);
     return other.Approach(then);
   };
-  const Impulse<W> alone_one = SolveOne<W>(m_one, one.Approach(body), one.Slide(body), world.friction);
+  const Mobility<W> m_two(world, body, two.arm);
   const Impulse<W> alone_two = SolveOne<W>(m_two, two.Approach(body), two.Slide(body), world.friction);
   const F two_then = approach_after(two, one.arm, alone_one);
   const F one_then = approach_after(one, two.arm, alone_two);
-  // Lanes without a second contact skip the check of where it would go. At high speed even the placeholder
-  // that is out of reach would reach the ground.
-  offer(alone_one, nothing, (two_then >= -kContactTolerance) | ~has_two);
+  offer(alone_one, nothing, two_then >= -kContactTolerance);
   offer(nothing, alone_two, one_then >= -kContactTolerance);
   if (!L::Any(open)) return;
   const Impulse<W> jam_one = Stop<W>(m_one, one.Approach(body), one.Slide(body));

@@ -25,13 +25,16 @@ class Touch {
   /// @param endpoints bit mask per lane, 0 in lanes that take no part
   Touch(const World& world, const MotionState<W>& s, const I& endpoints, std::size_t contacts)
       : world_(world), contacts_(contacts) {
-    for (int lane = 0; lane < W; ++lane) {
-      auto left = static_cast<std::uint32_t>(L::At(endpoints, lane));
-      for (std::size_t c = 0; c < contacts; ++c, left &= left - 1) {
-        present_[c][lane] = left != 0 ? -1 : 0;
-        const auto endpoint = static_cast<std::size_t>(left != 0 ? std::countr_zero(left) : 0);
-        number_[c][static_cast<std::size_t>(lane)] = endpoint * W + static_cast<std::size_t>(lane);
-      }
+    I left = endpoints;
+    for (std::size_t c = 0; c < contacts; ++c) {
+      present_[c] = left != 0;
+      const I lowest = left & -left;
+      // The exponent of a power of two is the number of its bit.
+      const I number = ((reinterpret_cast<I>(__builtin_convertvector(lowest, F)) >> 23) - 127) & present_[c];
+      for (int lane = 0; lane < W; ++lane)
+        number_[c][static_cast<std::size_t>(lane)] =
+            static_cast<std::size_t>(number[lane]) * W + static_cast<std::size_t>(lane);
+      left ^= lowest;
     }
     // Forces act in the middle of the step, at the positions known so far.
     body_ = {s.velocity_x,    s.velocity_y,     s.flight_spin, s.height_m + 0.5f * s.path_y,
@@ -102,13 +105,10 @@ class Touch {
     s.ground.friction_work_j = L::Select(lanes, effect.friction_work_j, s.ground.friction_work_j);
     s.ground.friction_gain_j = L::Select(lanes, effect.friction_gain_j, s.ground.friction_gain_j);
     for (std::size_t c = 0; c < contacts_; ++c) {
+      // Absent contacts write back what is there.
       const I takes = lanes & present_[c];
-      for (int lane = 0; lane < W; ++lane) {
-        if (takes[lane] == 0) continue;
-        const std::size_t number = number_[c][static_cast<std::size_t>(lane)];
-        reinterpret_cast<float*>(s.normal.data())[number] = contact_[c].force.normal[lane];
-        reinterpret_cast<float*>(s.tangent.data())[number] = contact_[c].force.tangent[lane];
-      }
+      Put(c, L::Select(takes, contact_[c].force.normal, Each(c, s.normal)), s.normal);
+      Put(c, L::Select(takes, contact_[c].force.tangent, Each(c, s.tangent)), s.tangent);
     }
   }
 
@@ -122,6 +122,11 @@ class Touch {
     F all;
     for (int lane = 0; lane < W; ++lane) all[lane] = first[number_[contact][static_cast<std::size_t>(lane)]];
     return all;
+  }
+  /// Scatters each lane's number to its own endpoint.
+  void Put(std::size_t contact, const F& all, std::array<F, kMaxEndpoints>& numbers) const {
+    auto* first = reinterpret_cast<float*>(numbers.data());
+    for (int lane = 0; lane < W; ++lane) first[number_[contact][static_cast<std::size_t>(lane)]] = all[lane];
   }
 
   const World& world_;

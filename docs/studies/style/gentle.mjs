@@ -40,8 +40,8 @@ function tune() {
     console.log(`| ${figure} | ${TERMS.map((term) => weightOf(others('usual', term).filter((one) => one.figure === figure).flatMap(({ runs }) => runs), term)).join(' | ')} |`);
 }
 
-/** Weights by `figure sense term` as `gaitsmith` uses them: the shares of a row's score. @param {Trial} t @param {string} term */
-const weighted = (t, term) => (t.best ?? NaN) - travel(t) || 0 * (t[term] ?? 0);
+/** What the weighted term adds to the score: all other weights are 0. @param {Trial} t */
+const weighted = (t) => (t.best ?? NaN) - travel(t);
 
 function report() {
   console.log('| problem | senses | term | search | travel the larger part | raise the term | travel: median ÷ without | seeds of the kind asked for |\n|---|---|---|---|---|---|---|---|');
@@ -55,7 +55,7 @@ function report() {
           const of = (/** @type {(t: Trial) => boolean} */ what) => `${runs.filter(what).length} of ${runs.length}`;
           const kind = figure !== 'star-man' ? '' : term === 'slip_sum' ? `${runs.filter(shuffle).length} shuffles`
             : term === 'rotations' ? `${runs.filter(cartwheel).length} cartwheels` : '';
-          console.log(`| ${figure} | ${sense} | ${term} | ${search} | ${of((t) => travel(t) >= weighted(t, term))} | ${of((t) => (t[term] ?? NaN) > level)} | ` +
+          console.log(`| ${figure} | ${sense} | ${term} | ${search} | ${of((t) => travel(t) >= weighted(t))} | ${of((t) => (t[term] ?? NaN) > level)} | ` +
             `${(quantile(runs.map(travel), 0.5) / quantile(plain.map(travel), 0.5)).toFixed(2)} | ${kind} |`);
         }
       }
@@ -64,7 +64,7 @@ function report() {
   console.log('\n| others: figures where travel is the larger part | of all runs | of half the runs |\n|---|---|---|');
   for (const term of TERMS) {
     const cells = others('gentle', term).filter(({ figure }) => !CALIBRATED.includes(figure));
-    const shares = cells.map(({ runs }) => runs.filter((t) => travel(t) >= weighted(t, term)).length / runs.length);
+    const shares = cells.map(({ runs }) => runs.filter((t) => travel(t) >= weighted(t)).length / runs.length);
     console.log(`| ${term} | ${shares.filter((share) => share === 1).length} of ${shares.length} | ${shares.filter((share) => share >= 0.5).length} of ${shares.length} |`);
   }
 }
