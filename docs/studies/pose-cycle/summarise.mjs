@@ -126,6 +126,52 @@ function styles() {
   if (of > 0) console.log(`\npose-cycle obeys ${ours} of ${of}, SPHC ${theirs}: difference in percent ${difference(ours, of, theirs, of)}`);
 }
 
+/** The further style terms: further.csv has them all. */
+function further() {
+  const rows = rowsOf('further'), terms = { effort: -1, upright: 1, smoothness: 1, head_height: 1 };
+  const weights = /** @type {Record<string, number>} */ ({ effort: 0.05, upright: 5, smoothness: 0.2, head_height: 2 });
+  const of = (/** @type {string[]} */ ...cell) => rows.filter((row) => [row.problem, row.senses, row.term, row.search].join() === cell.join());
+  const way = (/** @type {Row} */ row) => Math.abs(Number(row.travel));
+  console.log('\n| problem | senses | term | pose-cycle obeys | SPHC obeys | travel the larger part: pose-cycle, SPHC |\n|---|---|---|---|---|---|');
+  let [ours, theirs, all] = [0, 0, 0];
+  for (const problem of ['star-man-travel', 'beryl-travel']) {
+    for (const sense of ['physical', 'timer']) {
+      const plain = of(problem, sense, 'none', 'sphc'), least = median(plain.map(way)) / 3;
+      for (const [term, sign] of Object.entries(terms)) {
+        const level = sign * median(plain.map((row) => Number(row[term])));
+        const cells = ['pose-cycle', 'sphc'].map((search) => of(problem, sense, term, search));
+        const [x = 0, y = 0] = cells.map((cell) => cell.filter((row) => sign * Number(row[term]) > level && way(row) >= least).length);
+        const larger = cells.map((cell) => cell.filter((row) => way(row) >= Math.abs(Number(row[term]) * (weights[term] ?? 0))).length);
+        const n = cells[0]?.length ?? 0;
+        ours += x; theirs += y; all += n;
+        console.log(`| ${problem} | ${sense} | ${term} | ${x} of ${n} | ${y} of ${n} | ${larger.join(', ')} |`);
+      }
+    }
+  }
+  console.log(`\npose-cycle obeys ${ours} of ${all}, SPHC ${theirs}: difference in percent ${difference(ours, all, theirs, all)}`);
+}
+
+function elsewhere() {
+  const rows = rowsOf('elsewhere');
+  const of = (/** @type {string} */ what, /** @type {string} */ search, evaluations = '') =>
+    rows.filter((row) => row.case === what && row.search === search && (!evaluations || row.evaluations === evaluations)).map(({ best }) => Number(best));
+  console.log('\n| elsewhere | pose-cycle, 4,000 | SPHC, 40,000 | ratio (95 %) |\n|---|---|---|---|');
+  const line = (/** @type {string} */ name, /** @type {number[]} */ a, /** @type {number[]} */ b) =>
+    console.log(`| ${name} | ${cell(ascending(a))} | ${cell(ascending(b))} | ${(median(a) / median(b)).toFixed(2)} (${interval(a, b)}) |`);
+  for (const problem of ['star-man', 'beryl']) {
+    for (const sense of ['physical', 'timer'])
+      line(`${problem} jumps, ${sense}`, bests(`elsewhere/${problem}-jump-${sense}-pose-cycle`), bests(`elsewhere/${problem}-jump-${sense}-sphc`));
+  }
+  for (const [name, clip] of /** @type {const} */ ([['there-and-back', 2], ['figure-12', 3]])) line(`${name}, clip ${clip} in place`, of(name, 'pose-cycle'), of(name, 'sphc'));
+  line('Star-Man travels, network', of('network', 'pose-cycle'), of('network', 'sphc', '40000'));
+  for (const search of ['sphc', 'two-stage']) console.log(`| the same, ${search} with 4,000 | ${cell(ascending(of('network', search, '4000')))} | | |`);
+  const robust = [...new Set(rows.map((row) => row.case ?? ''))].filter((name) => name.includes('.plain-'));
+  console.log('\n| robust from | pose-cycle, 2,000 | SPHC, 2,000 |\n|---|---|---|');
+  for (const name of robust) console.log(`| ${name} | ${of(name, 'pose-cycle')[0]?.toFixed(2)} | ${of(name, 'sphc')[0]?.toFixed(2)} |`);
+}
+
 problems();
 if (existsSync(path('by-figure/acrobat-sphc'))) figures();
 if (existsSync(path('by-style/star-man-travel-physical-none-sphc'))) styles();
+if (existsSync(path('further'))) further();
+elsewhere();

@@ -50,7 +50,7 @@ for (const sense of ['physical', 'timer']) {
   }
 }
 
-for (const name of ['few', 'others', 'parallel-ga']) {
+for (const name of ['few', 'others', 'parallel-ga', 'as-long']) {
   if (!existsSync(path(`star-man-travel-${name}`))) continue;
   const { median } = summary(`star-man-travel-${name}`);
   console.log(`\n| ${name} | median (quartiles) |\n|---|---|`);
