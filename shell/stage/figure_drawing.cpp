@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rods, joints and arrows.
+// Bodies, rods, joints and arrows.
 #include "shell/stage/figure_drawing.h"
 
 #include <algorithm>
@@ -7,16 +7,55 @@
 #include <cmath>
 
 #include "core/physics/pose.h"
+#include "shell/stage/head_drawing.h"
 
 namespace gaitsmith::shell {
 
-void DrawCapsule(ImDrawList* list, ImVec2 from, ImVec2 to, float width, ImU32 colour) {
-  const float half = 0.5f * width;
+namespace {
+
+constexpr float kQuarter = 0.5f * static_cast<float>(kPi);
+
+/// Bodies smaller than this show no rods or joints [points].
+constexpr float kLeastWithRods = 120.0f, kLeastWithJoints = 80.0f;
+
+/// A limb whose radius swells between its ends, by `belly` halfway, as one shape.
+void DrawSwollenLimb(ImDrawList* list, ImVec2 from, float from_radius, ImVec2 to, float to_radius,
+                     float belly, ImU32 colour) {
+  constexpr int kSteps = 12;
   const float angle = std::atan2(to.y - from.y, to.x - from.x);
-  constexpr float kQuarter = 0.5f * static_cast<float>(kPi);
-  list->PathArcTo(to, half, angle - kQuarter, angle + kQuarter);
-  list->PathArcTo(from, half, angle + kQuarter, angle + 3.0f * kQuarter);
+  const ImVec2 across(-std::sin(angle), std::cos(angle));
+  const auto side = [&](int step, float sign) {
+    const float share = static_cast<float>(step) / kSteps;
+    const float radius =
+        from_radius + (to_radius - from_radius) * share + belly * std::sin(share * static_cast<float>(kPi));
+    list->PathLineTo({from.x + (to.x - from.x) * share + sign * radius * across.x,
+                      from.y + (to.y - from.y) * share + sign * radius * across.y});
+  };
+  list->PathArcTo(to, to_radius, angle - kQuarter, angle + kQuarter);
+  for (int step = kSteps - 1; step > 0; --step) side(step, 1.0f);
+  list->PathArcTo(from, from_radius, angle + kQuarter, angle + 3.0f * kQuarter);
+  for (int step = 1; step < kSteps; ++step) side(step, -1.0f);
   list->PathFillConvex(colour);
+}
+
+}  // namespace
+
+void DrawLimb(ImDrawList* list, ImVec2 from, float from_radius, ImVec2 to, float to_radius, ImU32 colour) {
+  const float length = std::hypot(to.x - from.x, to.y - from.y);
+  if (length <= std::abs(from_radius - to_radius) + 0.01f) {
+    list->AddCircleFilled(from_radius > to_radius ? from : to, std::max(from_radius, to_radius), colour);
+    return;
+  }
+  const float angle = std::atan2(to.y - from.y, to.x - from.x);
+  // Where the common tangents touch the discs.
+  const float touch = std::acos((from_radius - to_radius) / length);
+  list->PathArcTo(to, to_radius, angle - touch, angle + touch);
+  list->PathArcTo(from, from_radius, angle + touch, angle + 4.0f * kQuarter - touch);
+  list->PathFillConvex(colour);
+}
+
+void DrawCapsule(ImDrawList* list, ImVec2 from, ImVec2 to, float width, ImU32 colour) {
+  DrawLimb(list, from, 0.5f * width, to, 0.5f * width, colour);
 }
 
 void DrawArrow(ImDrawList* list, ImVec2 from, ImVec2 to, ImU32 colour, ImU32 edge) {
@@ -37,8 +76,56 @@ void DrawArrow(ImDrawList* list, ImVec2 from, ImVec2 to, ImU32 colour, ImU32 edg
   }
 }
 
-void DrawFigure(ImDrawList* list, const Skeleton& skeleton, std::span<const ImVec2> endpoints,
-                const FigureInk& ink) {
+void DrawBody(ImDrawList* list, const Skeleton& bones, const FigureLook& look,
+              std::span<const ImVec2> endpoints, float scale, const BodyInk& ink) {
+  using Side = FigureLook::Side;
+  const auto rods = static_cast<std::size_t>(bones.rods);
+  const auto start_of = [&](std::size_t rod) {
+    return endpoints[static_cast<std::size_t>(bones.limbs[rod].start)];
+  };
+  const auto radius = [&](float metres) { return std::max(0.6f, metres * scale + ink.grow); };
+  const auto draw = [&](Side side, ImU32 colour) {
+    for (std::size_t rod = 1; rod < rods; ++rod) {
+      const FigureLook::Limb& limb = look.limbs[rod];
+      if (limb.side != side || static_cast<int>(rod) == look.head_rod) continue;
+      DrawLimb(list, start_of(rod), radius(limb.start_m), endpoints[rod + 1], radius(limb.end_m), colour);
+    }
+  };
+  draw(Side::kFar, ink.far != 0 ? ink.far : ink.body);
+  draw(Side::kMiddle, ink.body);
+  const FigureLook::Limb& root = look.limbs[0];
+  if (look.head_rod != 0) {
+    DrawSwollenLimb(list, endpoints[0], radius(root.start_m), endpoints[1], radius(root.end_m),
+                    look.belly_m * scale, ink.body);
+  }
+  if (look.hub_m > 0.0f) list->AddCircleFilled(endpoints[0], radius(look.hub_m), ink.body);
+  draw(Side::kNear, ink.body);
+  const auto head = static_cast<std::size_t>(std::max(look.head_rod, 0));
+  const HeadPlace place{.neck = start_of(head), .tip = endpoints[head + 1], .scale = scale, .grow = ink.grow};
+  if (look.head_rod >= 0) DrawHead(list, look, place, ink.body);
+
+  ImVec2 least = endpoints[0], most = endpoints[0];
+  for (const ImVec2& point : endpoints) {
+    least = {std::min(least.x, point.x), std::min(least.y, point.y)};
+    most = {std::max(most.x, point.x), std::max(most.y, point.y)};
+  }
+  const float size = std::hypot(most.x - least.x, most.y - least.y);
+  for (std::size_t rod = 0; rod < rods && ink.rods != 0 && size > kLeastWithRods; ++rod) {
+    if (look.limbs[rod].side != Side::kFar)
+      list->AddLine(start_of(rod), endpoints[rod + 1], ink.rods, size > 2.0f * kLeastWithRods ? 1.5f : 1.0f);
+  }
+  if (look.head_rod >= 0 && ink.eye != 0) DrawEye(list, look, place, ink.eye);
+  if (ink.joints == 0 || size < kLeastWithJoints) return;
+  list->AddCircleFilled(endpoints[0], 0.55f * radius(look.middle_m), ink.joints);
+  for (std::size_t rod = 0; rod < rods; ++rod) {
+    if (look.limbs[rod].side == Side::kFar || static_cast<int>(rod) == look.head_rod) continue;
+    const float share = look.limbs[rod].end_m < 0.8f * look.limbs[rod].start_m ? 0.38f : 0.55f;
+    list->AddCircleFilled(endpoints[rod + 1], share * radius(look.middle_m), ink.joints);
+  }
+}
+
+void DrawRods(ImDrawList* list, const Skeleton& skeleton, std::span<const ImVec2> endpoints,
+              const RodInk& ink) {
   std::array<int, kMaxEndpoints> rods_at{};
   for (int rod = 0; rod < skeleton.rods; ++rod) {
     const auto i = static_cast<std::size_t>(rod);

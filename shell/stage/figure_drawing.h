@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws a figure as rounded rods with marked joints, for the stage, the rule cards and the figure editor.
+// Draws a figure: as a body around its rods, for people to look at, or as plain rods, to edit them.
 #pragma once
 
 #include <imgui.h>
@@ -8,17 +8,40 @@
 #include <vector>
 
 #include "core/physics/skeleton.h"
+#include "shell/stage/figure_look.h"
 
 namespace gaitsmith::shell {
 
-struct FigureInk {
+/// How much of a body's colour its far limbs keep.
+inline constexpr float kFarShare = 0.57f;
+
+/// Colours of a body; 0: that part is not drawn.
+struct BodyInk {
+  ImU32 body;
+  ImU32 far = 0;     // limbs on the far side; 0: as the body
+  ImU32 rods = 0;    // fine lines inside, where the rods are
+  ImU32 joints = 0;  // dots
+  ImU32 eye = 0;
+  float grow = 0.0f;  // added to every radius [points]
+};
+
+/// A body drawn at this scale. Rods and joints are left out where they would only be specks.
+/// @param endpoints canvas positions in the skeleton's order
+/// @param scale     points per metre
+void DrawBody(ImDrawList*, const Skeleton&, const FigureLook&, std::span<const ImVec2> endpoints, float scale,
+              const BodyInk&);
+
+struct RodInk {
   ImU32 rods;
   ImU32 joints = 0;  // 0: joints are not marked
   float width;       // of the rods [points]
 };
 
-/// @param endpoints canvas positions in the skeleton's order
-void DrawFigure(ImDrawList*, const Skeleton&, std::span<const ImVec2> endpoints, const FigureInk&);
+/// Rounded rods of one width. @param endpoints as in DrawBody
+void DrawRods(ImDrawList*, const Skeleton&, std::span<const ImVec2> endpoints, const RodInk&);
+
+/// A limb: two discs and the hull around them, as one shape.
+void DrawLimb(ImDrawList*, ImVec2 from, float from_radius, ImVec2 to, float to_radius, ImU32 colour);
 
 /// A thick line with round ends, as one shape: a line and two circles would show seams.
 void DrawCapsule(ImDrawList*, ImVec2 from, ImVec2 to, float width, ImU32 colour);

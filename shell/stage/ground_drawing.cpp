@@ -14,6 +14,10 @@ constexpr int kTicksInReach = 120;  // on three stage widths: a tilted stage may
 
 }  // namespace
 
+ImU32 GroundColour(const Palette& p) {
+  return Mix(p.paper, p.ground, ImGui::ColorConvertU32ToFloat4(p.ground).w);
+}
+
 void DrawGround(Ui& ui, const ImRect& rect, const Camera& camera) {
   const Palette& p = ui.Ink();
   ImDrawList* list = ui.Canvas();
@@ -23,8 +27,8 @@ void DrawGround(Ui& ui, const ImRect& rect, const Camera& camera) {
   const ImVec2 left = camera.ToScreen(first, 0.0f);
   const ImVec2 right = camera.ToScreen(last, 0.0f);
   if (camera.sine == 0.0f) {
-    const float opacity = ImGui::ColorConvertU32ToFloat4(p.ground).w;
-    ui.Behind().Fill({{rect.Min.x, camera.origin.y}, rect.Max}, Mix(p.paper, p.ground, opacity));
+    if (camera.origin.y < rect.Max.y)
+      ui.Behind().Fill({{rect.Min.x, camera.origin.y}, rect.Max}, GroundColour(p));
   } else {
     const float below = rect.Max.y + 0.6f * rect.GetWidth();
     const ImVec2 corners[] = {left, right, {right.x, below}, {left.x, below}};

@@ -7,6 +7,9 @@
 
 namespace gaitsmith::shell {
 
+/// Colour below the ground line, opaque.
+[[nodiscard]] ImU32 GroundColour(const Palette&);
+
 /// @param stage the part of the canvas that shows the ground
 void DrawGround(Ui&, const ImRect& stage, const Camera&);
 

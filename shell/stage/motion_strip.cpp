@@ -17,8 +17,11 @@ MotionStrip StripOf(const Document& document) {
   const Motion motion = Simulate(document);
   const Skeleton& bones = motion.Bones();
   const int last = motion.Frames() - 1;
-  MotionStrip strip{
-      .bones = bones, .poses = {}, .extent = {}, .leftward = motion.TermsAt(last).travel_m < 0.0f};
+  MotionStrip strip{.bones = bones,
+                    .look = LookOf(document.figure.name, bones),
+                    .poses = {},
+                    .extent = {},
+                    .leftward = motion.TermsAt(last).travel_m < 0.0f};
   strip.extent = ImRect(1e9f, 0.0f, -1e9f, 0.1f);
   strip.poses.reserve(kPoses);
   for (int i = 0; i < kPoses; ++i) {
@@ -59,22 +62,22 @@ void DrawMotionStrip(const Ui& ui, const MotionStrip& strip, const ImRect& rect,
   const float place = rect.GetWidth() / static_cast<float>(kDrawn);
   const float scale = std::min(1.5f * place / std::max(strip.extent.GetWidth(), 0.1f),
                                (ground - rect.Min.y - 5.0f) / std::max(strip.extent.Max.y, 0.1f));
-  const FigureInk ink{.rods = p.ink, .width = std::clamp(RodWidth(strip.bones, scale), 1.5f, 3.5f)};
   // Poses are placed in the direction of travel.
-  const auto draw = [&](float at, const FigureInk& with) {
+  const auto draw = [&](float at, ImU32 colour) {
     const auto pose = static_cast<std::size_t>(std::lround(at * static_cast<float>(strip.poses.size() - 1)));
     const float way = strip.leftward ? 1.0f - at : at;
     const float x = rect.Min.x + place * 0.6f + way * (rect.GetWidth() - 1.2f * place);
     std::vector<ImVec2> points = strip.poses[pose];
-    for (ImVec2& point : points) point = {x + point.x * scale, ground - point.y * scale};
-    DrawFigure(list, strip.bones, points, with);
+    for (ImVec2& point : points)
+      point = {x + point.x * scale, ground - (point.y + strip.look.sole_m) * scale};
+    DrawBody(list, strip.bones, strip.look, points, scale,
+             {.body = colour, .far = Mix(p.paper, colour, kFarShare)});
   };
   if (strip.poses.empty()) return;
   list->PushClipRect(rect.Min, rect.Max, true);
-  FigureInk past = ink;
-  past.rods = Mix(p.paper, p.ink, share >= 0.0f ? 0.28f : 0.6f);
+  const ImU32 past = Mix(p.paper, p.ink, share >= 0.0f ? 0.28f : 0.6f);
   for (int i = 0; i < kDrawn; ++i) draw(static_cast<float>(i) / static_cast<float>(kDrawn - 1), past);
-  if (share >= 0.0f) draw(std::min(share, 1.0f), {.rods = p.accent, .width = ink.width + 0.5f});
+  if (share >= 0.0f) draw(std::min(share, 1.0f), p.accent);
   list->PopClipRect();
 }
 

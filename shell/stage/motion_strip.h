@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/document/document.h"
+#include "shell/stage/figure_look.h"
 #include "shell/widgets/widgets.h"
 
 namespace gaitsmith::shell {
@@ -15,6 +16,7 @@ namespace gaitsmith::shell {
 /// A motion reduced to poses at equal intervals from start to end.
 struct MotionStrip {
   Skeleton bones;
+  FigureLook look;
   std::vector<std::vector<ImVec2>> poses;  // endpoints [m]: x from the centre of mass, y from the ground
   ImRect extent;                           // bounds of all poses [m]
   bool leftward = false;

@@ -27,6 +27,40 @@ std::string LetterOf(int index) {
   return letters;
 }
 
+// Draws the figure of a player, with or without a body. Bodies stand on their soles, so they are raised.
+void DrawBones(const Scene& s, const Playback& player, double time_s, const BodyInk& ink, float thin = 1.0f) {
+  const Skeleton& bones = player.Shown().Bones();
+  std::vector<ImVec2> points = OnScreen(s, player, time_s);
+  if (s.rods_only) {
+    const float width = thin * RodWidth(bones, s.camera.scale) + 2.0f * ink.grow;
+    DrawRods(s.list, bones, points, {.rods = ink.body, .joints = ink.joints, .width = width});
+    return;
+  }
+  const FigureLook look = LookOf(player.FigureName(), bones);
+  const float sole = look.sole_m * s.camera.scale;
+  for (ImVec2& point : points) point = {point.x - sole * s.camera.sine, point.y - sole * s.camera.cosine};
+  DrawBody(s.list, bones, look, points, s.camera.scale, ink);
+}
+
+// Two ellipses on the ground, smaller and paler the higher the figure is.
+void DrawShadow(const Scene& s, const std::vector<ImVec2>& endpoints) {
+  if (s.camera.sine != 0.0f || s.rods_only) return;
+  const Palette& p = s.ui.Ink();
+  float left = endpoints[0].x, right = left, lowest = endpoints[0].y;
+  for (const ImVec2& point : endpoints) {
+    left = std::min(left, point.x);
+    right = std::max(right, point.x);
+    lowest = std::max(lowest, point.y);
+  }
+  const float above_m = std::clamp((s.camera.origin.y - lowest) / s.camera.scale, 0.0f, 1.0f);
+  const float strength = 1.0f - 0.65f * above_m;
+  const ImVec2 centre(0.5f * (left + right), s.camera.origin.y + 7.0f);
+  const ImU32 ground = GroundColour(p);
+  const float half = 0.5f * (right - left) * (1.0f - 0.25f * above_m);
+  s.list->AddEllipseFilled(centre, half, 6.0f, Mix(ground, p.ink, 0.07f * strength));
+  s.list->AddEllipseFilled(centre, 0.66f * half, 3.7f, Mix(ground, p.ink, 0.15f * strength));
+}
+
 ImU32 ActiveColour(const Scene& s) {
   const Motion::Frame& frame = s.player.Shown().At(s.player.Frame());
   return frame.clip < 0 ? s.ui.Ink().second_ink : s.ui.Look().Rule(frame.rule);
@@ -61,13 +95,12 @@ Past DrawPast(const Scene& s) {
   if (past.size() > kPosesShown) past.erase(past.begin(), past.end() - kPosesShown);
   if (past.empty()) return {std::max(0.0, s.player.TimeS() - 2.0), 0};
 
-  const float width = 0.72f * RodWidth(motion.Bones(), s.camera.scale);
   for (std::size_t k = 0; k < past.size(); ++k) {
     const int frame = s.player.PoseFrames()[static_cast<std::size_t>(past[k])];
     const double time_s = frame * static_cast<double>(motion.StepS());
     const float depth = 0.14f + 0.05f * static_cast<float>(k + kPosesShown - past.size());
-    DrawFigure(s.list, motion.Bones(), OnScreen(s, s.player, time_s),
-               {.rods = Mix(p.paper, p.ink, depth), .width = width});
+    const ImU32 pale = Mix(p.paper, p.ink, depth);
+    DrawBones(s, s.player, time_s, {.body = pale, .far = Mix(p.paper, pale, 0.7f)}, 0.72f);
     DrawLetter(s, motion.At(frame).x_m, motion.At(frame).y_m, p.second_ink, past[k]);
   }
   const int oldest = s.player.PoseFrames()[static_cast<std::size_t>(past.front())];
@@ -108,13 +141,9 @@ void DrawTrail(const Scene& s, double from_s) {
 void DrawGhost(const Scene& s) {
   const Playback* ghost = s.session.Comparison().Other().Player();
   if (ghost == nullptr) return;
-  const float width = RodWidth(s.player.Shown().Bones(), s.camera.scale);
-  const std::vector<ImVec2> points = OnScreen(s, *ghost, s.player.TimeS());
-  const Skeleton& bones = ghost->Shown().Bones();
-  DrawFigure(s.list, bones, points,
-             {.rods = Mix(s.ui.Ink().paper, s.ui.Ink().accent, 0.75f), .width = 0.8f * width});
-  DrawFigure(s.list, bones, points,
-             {.rods = Mix(s.ui.Ink().paper, s.ui.Ink().accent, 0.15f), .width = 0.8f * width - 3.0f});
+  const Palette& p = s.ui.Ink();
+  DrawBones(s, *ghost, s.player.TimeS(), {.body = Mix(p.paper, p.accent, 0.75f)}, 0.8f);
+  DrawBones(s, *ghost, s.player.TimeS(), {.body = Mix(p.paper, p.accent, 0.15f), .grow = -1.5f}, 0.8f);
 }
 
 void DrawForces(const Scene& s, const std::vector<ImVec2>& endpoints) {
@@ -135,17 +164,38 @@ void DrawForces(const Scene& s, const std::vector<ImVec2>& endpoints) {
   }
 }
 
+struct Extent {
+  double left_m, right_m;
+  float low_m;
+};
+Extent ExtentOf(const std::vector<Playback::Point>& endpoints) {
+  Extent extent{endpoints[0].x_m, endpoints[0].x_m, endpoints[0].y_m};
+  for (const Playback::Point& point : endpoints) {
+    extent.left_m = std::min(extent.left_m, point.x_m);
+    extent.right_m = std::max(extent.right_m, point.x_m);
+    extent.low_m = std::min(extent.low_m, point.y_m);
+  }
+  return extent;
+}
+
 }  // namespace
 
 Camera AimCamera(const Playback& player, const Environment& world, const CameraSettings& gaze,
                  const ImRect& rect, float ground_y) {
+  constexpr float kNumbers = 70.0f;  // height of the numbers at the top [points]
   const float reach = player.ReachM();
-  const float room = ground_y - rect.Min.y - 70.0f;
+  const float across_m = rect.GetWidth() < kPhoneWidth ? 2.0f : 5.0f;
+  const float standing = std::min(0.5f * rect.GetHeight() / player.StandingM(),
+                                  rect.GetWidth() / std::max(across_m, 3.2f * reach));
+  const float room = std::max(20.0f, ground_y - rect.Min.y - kNumbers);
+  const Playback::Height height = player.HeightAt(player.TimeS());
   Camera camera;
-  const float radius =
-      std::clamp(0.155f * rect.GetHeight(), 44.0f, std::max(44.0f, 0.185f * rect.GetWidth()));
-  camera.scale =
-      gaze.zoom * std::min(radius / reach, std::max(20.0f, room) / std::max(player.HeightM(), 0.1f));
+  camera.scale = gaze.zoom * std::clamp(room / std::max(height.around_m, 0.1f), standing / 1.5f, standing);
+  const Extent extent = ExtentOf(player.EndpointsAt(player.TimeS()));
+  // Looks up after a figure that leaps out of the stage, but not so far that its feet are hidden.
+  const float ground_room = rect.Max.y - ground_y - 8.0f;
+  const float hidden = std::clamp(height.now_m * camera.scale - gaze.zoom * room, 0.0f,
+                                  std::max(0.0f, extent.low_m * camera.scale + ground_room));
 
   // Leave more space behind the figure, for its past poses.
   const double width_m = static_cast<double>(rect.GetWidth() / camera.scale);
@@ -160,8 +210,11 @@ Camera AimCamera(const Playback& player, const Environment& world, const CameraS
   } else {
     camera.left_m = std::min(std::max(x - 0.71 * width_m, -margin_m), x - 0.2 * width_m);
   }
+  // A figure that leaps ahead of the smooth camera stays on the stage.
+  const double least_m = extent.right_m - width_m, most_m = extent.left_m;
+  if (least_m < most_m) camera.left_m = std::clamp(camera.left_m, least_m, most_m);
   camera.left_m += gaze.pan_m;
-  camera.origin = {rect.Min.x, ground_y};
+  camera.origin = {rect.Min.x, ground_y + hidden};
   camera.pivot = static_cast<float>(x - camera.left_m) * camera.scale;
   const float slope = GroundAngle(world, static_cast<float>(player.TimeS()));
   camera.sine = std::sin(slope);
@@ -175,11 +228,15 @@ std::vector<ImVec2> DrawScene(const Scene& s) {
   const Past past = view.poses ? DrawPast(s) : Past{std::max(0.0, s.player.TimeS() - 4.0), 0};
   if (view.trail) DrawTrail(s, past.oldest_s);
   if (!s.session.Comparison().Other().Beside()) DrawGhost(s);
-  const Motion& motion = s.player.Shown();
+  const Palette& p = s.ui.Ink();
   const std::vector<ImVec2> endpoints = OnScreen(s, s.player, s.player.TimeS());
-  const ImU32 active = ActiveColour(s);
-  DrawFigure(s.list, motion.Bones(), endpoints,
-             {.rods = s.ui.Ink().ink, .joints = active, .width = RodWidth(motion.Bones(), s.camera.scale)});
+  DrawShadow(s, endpoints);
+  DrawBones(s, s.player, s.player.TimeS(),
+            {.body = p.ink,
+             .far = Mix(p.paper, p.ink, kFarShare),
+             .rods = Mix(p.ink, p.paper, 0.42f),
+             .joints = ActiveColour(s),
+             .eye = p.paper});
   if (view.forces) DrawForces(s, endpoints);
   if (view.poses) {
     const Playback::Point centre = s.player.CentreAt(s.player.TimeS());

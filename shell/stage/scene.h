@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws a motion at one moment, from back to front: ground, past poses, trail, figure, forces.
+// Draws a motion at one moment, from back to front: ground, shadow, past poses, trail, figure, forces.
 #pragma once
 
 #include <imgui.h>
@@ -25,9 +25,11 @@ struct Scene {
   ImDrawList* list;
   ImRect rect;
   Camera camera;
+  bool rods_only = false;  // draws what is simulated, without a body
 };
 
-/// The camera follows the figure smoothly, at a constant scale.
+/// The standing figure takes half of the stage's height, if its width allows. The camera follows smoothly. It
+/// backs off for high jumps until the figure would take a third, then looks up.
 /// @param rect that the figure must stay in. @param ground_y of the ground line on the canvas [points]
 [[nodiscard]] Camera AimCamera(const Playback&, const Environment&, const CameraSettings&, const ImRect& rect,
                                float ground_y);

@@ -128,7 +128,8 @@ void DrawBeside(Ui& ui, Session& session, const StageState& state, const ImRect&
                     .player = other,
                     .list = ui.Canvas(),
                     .rect = half,
-                    .camera = AimCamera(other, world, state.gaze, free, ground_y)};
+                    .camera = AimCamera(other, world, state.gaze, free, ground_y),
+                    .rods_only = state.world.rods_only};
   const PartScope part = ui.Part("beside", "group", Tr("Beside it"));
   ui.DescribeText(
       Tr("Beside it: {1}, {2} m.", session.Comparison().Words(), Fixed(other.TermsNow().travel_m, 2)), half);
@@ -165,7 +166,8 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
       .player = session.Player(),
       .list = ui.Canvas(),
       .rect = own,
-      .camera = AimCamera(session.Player(), session.Doc().environment, state.gaze, free, ground_y)};
+      .camera = AimCamera(session.Player(), session.Doc().environment, state.gaze, free, ground_y),
+      .rods_only = state.world.rods_only};
   ui.Behind().Fill(rect, ui.Ink().paper);
   scene.list->PushClipRect(own.Min, own.Max, true);
   const std::vector<ImVec2> endpoints = DrawScene(scene);

@@ -14,6 +14,7 @@ struct WorldCardState {
   int endpoint = 0;       // target of the next push; 0: the centre of mass, k: endpoint k - 1
   double strength_ns = 5.0;
   double direction_deg = 0.0;  // counterclockwise from the right along the ground
+  bool rods_only = false;      // the stage shows what is simulated, without a body
 };
 
 /// The button in the stage's corner.

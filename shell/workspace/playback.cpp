@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 
 #include "core/document/composite.h"
 
@@ -19,6 +21,7 @@ void Playback::Load(const Document& document, bool start_over) {
   FindContacts();
   ChoosePoses();
   SmoothCamera();
+  SmoothHeight();
 }
 
 double Playback::DurationS() const {
@@ -82,6 +85,14 @@ std::vector<Playback::Point> Playback::EndpointsAt(double time_s) const {
   return points;
 }
 
+Playback::Height Playback::HeightAt(double time_s) const {
+  const double at = std::clamp(time_s / kHeightEveryS, 0.0, static_cast<double>(height_m_.size() - 1));
+  const auto i = static_cast<std::size_t>(at);
+  const float share = static_cast<float>(at) - static_cast<float>(i);
+  const Height &a = height_m_[i], &b = height_m_[std::min(i + 1, height_m_.size() - 1)];
+  return {a.now_m + (b.now_m - a.now_m) * share, a.around_m + (b.around_m - a.around_m) * share};
+}
+
 double Playback::CameraXAt(double time_s) const {
   const auto [frame, share] = At(*motion_, time_s);
   const auto i = static_cast<std::size_t>(frame);
@@ -91,21 +102,24 @@ double Playback::CameraXAt(double time_s) const {
 }
 
 void Playback::Measure() {
-  // Limits [m] that keep a motion that explodes from shrinking the figure to nothing or passing infinities to
-  // the stage.
+  // Keeps a motion that explodes from shrinking the figure to nothing [m].
   constexpr float kFarthest = 1000.0f;
-  constexpr float kMaxReaches = 50.0f;
+  const int endpoints = motion_->Bones().endpoints;
   reach_m_ = 0.05f;
-  height_m_ = 0.05f;
   for (int frame = 0; frame < motion_->Frames(); frame += 5) {
-    for (int k = 0; k < motion_->Bones().endpoints; ++k) {
+    for (int k = 0; k < endpoints; ++k) {
       const Motion::Point p = motion_->Endpoint(frame, k);
       reach_m_ = std::max(reach_m_, std::sqrt(p.x * p.x + p.y * p.y));
-      height_m_ = std::max(height_m_, motion_->At(frame).y_m + p.y);
     }
   }
   reach_m_ = std::min(reach_m_, kFarthest);
-  height_m_ = std::min(height_m_, kMaxReaches * reach_m_);
+  const Motion::Point first = motion_->Endpoint(0, 0);
+  float low = first.y, high = first.y;
+  for (int k = 1; k < endpoints; ++k) {
+    low = std::min(low, motion_->Endpoint(0, k).y);
+    high = std::max(high, motion_->Endpoint(0, k).y);
+  }
+  standing_m_ = std::max(high - low, 0.05f);
 }
 
 void Playback::FindRuns() {
@@ -173,6 +187,32 @@ void Playback::SmoothCamera() {
     camera_x_m_.push_back((sums[static_cast<std::size_t>(high)] - sums[static_cast<std::size_t>(low)]) /
                           (high - low));
   }
+}
+
+// What is highest around a moment rises before the figure does.
+void Playback::SmoothHeight() {
+  constexpr float kHighest = 50.0f;  // in reaches; a motion that explodes has no end
+  constexpr std::size_t kSecond = 10;
+  const int each = std::max(1, static_cast<int>(kHeightEveryS / static_cast<double>(motion_->StepS())));
+  std::vector<float> tops;
+  for (int frame = 0; frame < motion_->Frames(); ++frame) {
+    if (frame % each == 0) tops.push_back(0.0f);
+    for (int k = 0; k < motion_->Bones().endpoints; ++k)
+      tops.back() = std::max(tops.back(), motion_->At(frame).y_m + motion_->Endpoint(frame, k).y);
+    tops.back() = std::min(tops.back(), kHighest * reach_m_);
+  }
+  const auto around = [](const std::vector<float>& values, std::size_t i, std::size_t reach) {
+    const std::size_t first = i < reach ? 0 : i - reach;
+    return std::span(values).subspan(first, std::min(values.size(), i + reach + 1) - first);
+  };
+  const auto mean = [](std::span<const float> values) {
+    return std::accumulate(values.begin(), values.end(), 0.0f) / static_cast<float>(values.size());
+  };
+  std::vector<float> highest;
+  for (std::size_t i = 0; i < tops.size(); ++i) highest.push_back(std::ranges::max(around(tops, i, kSecond)));
+  height_m_.clear();
+  for (std::size_t i = 0; i < tops.size(); ++i)
+    height_m_.push_back({mean(around(tops, i, 3)), mean(around(highest, i, kSecond / 2))});
 }
 
 }  // namespace gaitsmith::shell

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/document/document.h"
@@ -38,6 +39,7 @@ class Playback {
 
   [[nodiscard]] bool Loaded() const { return motion_ != nullptr; }
   [[nodiscard]] const Motion& Shown() const { return *motion_; }
+  [[nodiscard]] const std::string& FigureName() const { return shown_.figure.name; }
   [[nodiscard]] bool Playing() const { return playing_; }
   [[nodiscard]] double TimeS() const { return time_s_; }
   [[nodiscard]] double DurationS() const;
@@ -60,7 +62,14 @@ class Playback {
   [[nodiscard]] float ReachM() const {
     return reach_m_;
   }  // greatest distance between an endpoint and the centre of mass
-  [[nodiscard]] float HeightM() const { return height_m_; }  // greatest height of an endpoint
+  /// Height of the figure at the start [m].
+  [[nodiscard]] float StandingM() const { return standing_m_; }
+  /// Height of the highest endpoint, smoothed for a steady camera [m].
+  struct Height {
+    float now_m;
+    float around_m;  // the highest within a second
+  };
+  [[nodiscard]] Height HeightAt(double time_s) const;
   [[nodiscard]] const std::vector<RuleRun>& Runs() const { return runs_; }
   [[nodiscard]] const std::vector<Contact>& Contacts() const { return contacts_; }
   /// Frames whose poses are far enough apart to be drawn side by side: A, B, C...
@@ -73,17 +82,20 @@ class Playback {
   [[nodiscard]] float GapM(int frame, int other) const;
   void ChoosePoses();
   void SmoothCamera();
+  void SmoothHeight();
 
   std::unique_ptr<Motion> motion_;
   Document shown_;  // the document of the motion
   double time_s_ = 0.0;
   bool playing_ = true;
   float reach_m_ = 1.0f;
-  float height_m_ = 1.0f;
+  float standing_m_ = 1.0f;
   std::vector<RuleRun> runs_;
   std::vector<Contact> contacts_;
   std::vector<int> pose_frames_;
   std::vector<double> camera_x_m_;
+  static constexpr double kHeightEveryS = 0.1;
+  std::vector<Height> height_m_;  // every kHeightEveryS
 };
 
 }  // namespace gaitsmith::shell

@@ -146,10 +146,10 @@ std::optional<PoseEdit> DrawPoseBoard(Ui& ui, const Skeleton& bones, const std::
     if (!ui.Look().touch) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   }
   if (!present.empty()) {
-    DrawFigure(list, bones, picture.ToCanvas(PoseOf(bones, present)),
+    DrawRods(list, bones, picture.ToCanvas(PoseOf(bones, present)),
                {.rods = Mix(p.paper, p.ink, 0.13f), .width = 0.8f * width});
   }
-  DrawFigure(list, bones, points, {.rods = colour, .joints = p.panel, .width = width});
+  DrawRods(list, bones, points, {.rods = colour, .joints = p.panel, .width = width});
   if (lit > 0) {
     DrawCapsule(list, StartOf(bones, points, lit), points[static_cast<std::size_t>(lit) + 1], width,
                 Mix(colour, p.ink, 0.45f));

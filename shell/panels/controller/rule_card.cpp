@@ -25,8 +25,8 @@ std::string CaresWords(const Controller& controller, int rule, int rods) {
   return words.empty() ? Tr("heeds no sense") : Tr("heeds {1}", words);
 }
 
-void DrawPose(Ui& ui, const Skeleton& bones, const std::vector<float>& angles, float reach_m,
-              const ImRect& rect, ImU32 colour) {
+void DrawPose(Ui& ui, const Skeleton& bones, const FigureLook& look, const std::vector<float>& angles,
+              float reach_m, const ImRect& rect, ImU32 colour) {
   const std::vector<ImVec2> pose = PoseOf(bones, angles);
   ImRect extent(pose[0], pose[0]);
   for (const ImVec2& point : pose) extent.Add(point);
@@ -37,8 +37,9 @@ void DrawPose(Ui& ui, const Skeleton& bones, const std::vector<float>& angles, f
     points.emplace_back(rect.GetCenter().x + (point.x - extent.GetCenter().x) * scale,
                         rect.GetCenter().y - (point.y - extent.GetCenter().y) * scale);
   }
-  DrawFigure(ui.Canvas(), bones, points,
-             {.rods = colour, .width = std::clamp(RodWidth(bones, scale), 2.5f, 5.0f)});
+  const ImU32 behind = ui.Ink().panel;
+  DrawBody(ui.Canvas(), bones, look, points, scale,
+           {.body = colour, .far = Mix(behind, colour, kFarShare), .eye = behind});
 }
 
 }  // namespace
@@ -112,8 +113,8 @@ Touch DrawRuleCard(Ui& ui, const Session& session, const Controller& controller,
 
   const ImRect figure({rect.Min.x + 8.0f, rect.Min.y + 10.0f},
                       {rect.Min.x + 8.0f + kFigureWidth - 8.0f, rect.Max.y - 10.0f});
-  DrawPose(ui, bones, TargetPose(controller, bones, rule), session.Player().ReachM(), figure,
-           active ? colour : Mix(p.panel, p.ink, 0.82f));
+  DrawPose(ui, bones, LookOf(session.Doc().figure.name, bones), TargetPose(controller, bones, rule),
+           session.Player().ReachM(), figure, active ? colour : Mix(p.panel, p.ink, 0.82f));
 
   // "3  ◔ 0.29 s"
   const float left = rect.Min.x + 8.0f + kFigureWidth;

@@ -100,7 +100,7 @@ void DrawBoard(Ui& ui, const Board& board, const DrawingBoardState& state, const
     }
   }
   const float width = std::clamp(RodWidth(board.skeleton, board.scale), 6.0f, 15.0f);
-  DrawFigure(list, board.skeleton, board.canvas, {.rods = p.ink, .width = width});
+  DrawRods(list, board.skeleton, board.canvas, {.rods = p.ink, .width = width});
   for (int limb = 0; limb < board.skeleton.rods; ++limb) {
     const auto i = static_cast<std::size_t>(limb);
     if (board.skeleton.limbs[i].drawn != state.rod) continue;

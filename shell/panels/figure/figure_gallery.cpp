@@ -15,9 +15,14 @@ constexpr float kGap = 8.0f;
 
 void DrawThumbnail(Ui& ui, const Figure& figure, const ImRect& rect, ImU32 colour) {
   const Skeleton bones(figure);
+  const FigureLook look = LookOf(figure.name, bones);
   std::vector<ImVec2> points = PoseOf(bones, {});
   ImRect extent(points[0], points[0]);
   for (const ImVec2& point : points) extent.Add(point);
+  extent.Min.x -= look.middle_m;
+  extent.Max.x += look.middle_m;
+  extent.Min.y -= look.sole_m;
+  extent.Max.y += look.middle_m;
   const float scale = std::min(rect.GetWidth() / std::max(extent.GetWidth(), 1e-3f),
                                rect.GetHeight() / std::max(extent.GetHeight(), 1e-3f));
   // Align the feet on a common ground line.
@@ -25,8 +30,9 @@ void DrawThumbnail(Ui& ui, const Figure& figure, const ImRect& rect, ImU32 colou
     point = {rect.GetCenter().x + (point.x - extent.GetCenter().x) * scale,
              rect.Max.y - (point.y - extent.Min.y) * scale};
   }
-  DrawFigure(ui.Canvas(), bones, points,
-             {.rods = colour, .width = std::clamp(RodWidth(bones, scale), 2.5f, 4.5f)});
+  const ImU32 behind = ui.Ink().panel;
+  DrawBody(ui.Canvas(), bones, look, points, scale,
+           {.body = colour, .far = Mix(behind, colour, kFarShare), .eye = behind});
 }
 
 bool DrawTile(Ui& ui, const Figure& figure, const std::string& id, bool chosen, const ImRect& rect) {

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// What the camera shows of every motion of the gallery.
+#include <algorithm>
+#include <catch_amalgamated.hpp>
+
+#include "core/document/json.h"
+#include "shell/stage/scene.h"
+#include "tests/scene.h"
+
+namespace gaitsmith::shell {
+
+TEST_CASE("camera: the figure stands tall, and no motion of the gallery leaves the stage") {
+  struct Stage {
+    float width, height;
+  };
+  // A desk, a large screen, a phone upright and lying.
+  for (const Stage& stage : {Stage{932, 485}, Stage{1572, 845}, Stage{390, 424}, Stage{500, 210}}) {
+    const ImRect rect(0.0f, 44.0f, stage.width, 44.0f + stage.height);
+    const float ground = rect.Max.y - 0.178f * stage.height;
+    for (const std::string& name : gaitsmith::test::GalleryDocuments()) {
+      const auto document = DecodeJson(gaitsmith::test::ReadFile(name));
+      REQUIRE(document);
+      Playback player;
+      player.Load(*document, true);
+      CAPTURE(name, stage.width, stage.height);
+      float scale_before = 0.0f;
+      for (double time_s = 0.0; time_s < player.DurationS(); time_s += 0.05) {
+        player.Seek(time_s);
+        const Camera camera = AimCamera(player, document->environment, {}, rect, ground);
+        CAPTURE(time_s);
+        // Smooth: nothing grows or shrinks by more than an eighth in a twentieth of a second.
+        if (scale_before > 0.0f) CHECK(std::abs(camera.scale / scale_before - 1.0f) < 0.125f);
+        scale_before = camera.scale;
+        const float standing = player.StandingM() * camera.scale;
+        CHECK(standing <= 0.51f * stage.height);
+        // A long figure is limited by the width.
+        const bool wide = 3.2f * player.ReachM() * camera.scale > 0.66f * stage.width ||
+                          5.0f * camera.scale > 0.66f * stage.width;
+        CHECK((wide || standing >= 0.33f * stage.height));
+        if (document->environment.slope_rad != 0.0f || document->environment.sway_rad != 0.0f) continue;
+        for (const Playback::Point& point : player.EndpointsAt(time_s)) {
+          const ImVec2 at = camera.ToScreen(point.x_m, point.y_m);
+          CHECK(at.y > rect.Min.y);
+          CHECK(at.y < rect.Max.y);
+          CHECK(at.x > rect.Min.x - 0.1f * stage.width);
+          CHECK(at.x < rect.Max.x + 0.1f * stage.width);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace gaitsmith::shell
