@@ -166,7 +166,7 @@ Result<void> CheckSearch(const Document& d) {
     return Fail(ErrorCode::kOutOfRange, "search.cma.population",
                 "must be 0 (automatic) or at least 4, is " + std::to_string(search.cma.population));
   }
-  const std::size_t genes = SpaceOf(d).shape.Genes();
+  const std::size_t genes = ProblemOf(d).Shape().Genes();
   if (search.cma.covariance == Covariance::kFull && genes > kMaxCovarianceGenes) {
     return Fail(ErrorCode::kTooMany, "search.cma.covariance",
                 "can be full for at most " + std::to_string(kMaxCovarianceGenes) + " genes, there are " +

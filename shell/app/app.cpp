@@ -204,11 +204,14 @@ bool App::Key(std::string_view name, bool on_canvas, bool repeated) {
   if (on_canvas && (ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0))
     return false;
   const std::string_view coming = window_.Registry().Requests().Last();
+  // After a click no ring shows which control has the focus, so Space does not press it.
+  const bool plays = name == "Space" && ImGui::GetCurrentContext()->NavDisableHighlight && coming.empty();
   const auto wants_keys = [coming](const Widget& w) {
     const bool focused = coming.empty() ? w.state.focused : w.id == coming;
     return focused && w.id != "stage" && w.id != "transport/scrub";
   };
-  if (on_canvas && BelongsToControls(name) && std::ranges::any_of(window_.Registry().Widgets(), wants_keys))
+  if (on_canvas && !plays && BelongsToControls(name) &&
+      std::ranges::any_of(window_.Registry().Widgets(), wants_keys))
     return false;
   for (const Command& command : CommandsOf(session_, phone_)) {
     if (std::ranges::find(command.keys, name) == command.keys.end()) continue;

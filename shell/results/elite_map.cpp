@@ -13,7 +13,9 @@ namespace gaitsmith::shell {
 
 std::optional<EliteMap> EliteMap::Of(const Document& searched, std::span<const std::uint8_t> state) {
   if (searched.search.algorithm != Algorithm::kMapElites || state.empty()) return std::nullopt;
-  MapElites search(searched.search, SpaceOf(searched));
+  // Only read, so it needs no genome to start from and looks at no motion.
+  const Problem problem = ProblemOf(searched);
+  MapElites search(searched.search, {problem.Shape(), problem.senses, {}, {}});
   BitReader in(state);
   if (!search.Load(in)) return std::nullopt;
   EliteMap map;

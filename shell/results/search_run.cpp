@@ -16,6 +16,7 @@
 namespace gaitsmith::shell {
 namespace {
 
+constexpr std::size_t kEndedKept = 100;
 constexpr double kAtOnceS = 1e9;  // longer than any motion stays on the screen
 
 }  // namespace
@@ -95,6 +96,13 @@ void SearchRun::Begin(Document wanted, Source source) {
   }
 }
 
+bool SearchRun::WouldRepeat() const {
+  const Document& now = workspace_.Doc();
+  return std::ranges::any_of(ended_, [&](const Document& ended) {
+    return ended.search.seed == now.search.seed && SameSearch(ended, now);
+  });
+}
+
 void SearchRun::Pause() {
   if (Running()) workspace_.TheHost().PauseSearch();
 }
@@ -154,6 +162,10 @@ void SearchRun::OnProgress(SearchProgress progress) {
   if (!ended) return;
   ShowImprovement(kAtOnceS);
   RecordResult();
+  if (progress_.state == SearchState::kDone) {
+    if (ended_.size() == kEndedKept) ended_.erase(ended_.begin());
+    ended_.push_back(SearchOf(job_->document));
+  }
   if (auto map = EliteMap::Of(job_->document, progress_.saved)) elites_ = std::move(map);
   progress_.saved.clear();
   const std::string of_queue = job_->source == Source::kQueue ? SearchTitle(job_->document) : "";

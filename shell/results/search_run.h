@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "shell/results/elite_map.h"
 #include "shell/results/lab.h"
@@ -36,6 +37,8 @@ class SearchRun {
 
   /// Starts the open document's own search.
   void Synthesize() { Begin(workspace_.Doc()); }
+  /// Whether that search has run to its end before, and would find the same motion again.
+  [[nodiscard]] bool WouldRepeat() const;
   /// Runs a short climb from the shown motion, in the chosen style. @return whether it runs
   bool TryStyle();
   /// Runs a short climb that improves the selected clip's controller from the state in which the clip before
@@ -123,6 +126,7 @@ class SearchRun {
   SpreadCurve spread_;
   std::optional<EliteMap> elites_;
   Document before_;
+  std::vector<Document> ended_;  // the latest searches that ran to their end
   Genome improvement_;  // found, not shown yet
   double shown_for_s_ = 0.0;
   bool interrupted_ = false;

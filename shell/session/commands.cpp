@@ -62,7 +62,7 @@ void AddSearch(std::vector<Command>& list, Session& session) {
                   .group = TrLater("Search"),
                   .title = Tr("Synthesize, or stop"),
                   .keys = {"s"},
-                  .run = [&session, busy] { busy ? session.Stop() : session.Search().Synthesize(); }});
+                  .run = [&session, busy] { busy ? session.Stop() : session.Synthesize(); }});
   const bool paused = session.Search().Progress().state == SearchState::kPaused;
   list.push_back(
       {.id = "search/pause",

@@ -165,6 +165,17 @@ void Session::ShowElite(Document motion) {
                     TrTitle(Doc().title)));
 }
 
+void Session::Synthesize() {
+  if (search_.WouldRepeat() && !Layout().Locks(LockedPart::kSearch)) {
+    std::vector<Document> others = {Doc()};
+    for (const FoundMotions::Entry* entry : results_.Motions().Sorted(FoundMotions::Order::kNewest))
+      others.push_back(entry->motion.document);
+    for (const std::uint32_t seed : FreeSeeds(Doc(), others, 1))
+      Set([seed](Document& d) { d.search.seed = seed; });
+  }
+  search_.Synthesize();
+}
+
 void Session::TryStyle() {
   if (search_.TryStyle()) comparison_.Choose(Ghost::Kind::kEarlier);
 }

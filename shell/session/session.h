@@ -94,6 +94,9 @@ class Session {
   void ShowElite(Document motion);
 
   // Searches.
+  /// Starts the open document's search. If it would find the same motion again, takes the next seed that
+  /// none of the results has, unless the search is locked.
+  void Synthesize();
   /// Runs a short climb from the shown motion in the chosen style, with the earlier motion as ghost.
   void TryStyle();
   /// Ends the search or the lab. Queued searches keep waiting.

@@ -33,11 +33,15 @@ export class Commands {
   /** @type {(() => Command[])[]} */
   #sources = [];
   #singleKeys = remembered(SINGLE_KEYS_KEY) !== 'off';
+  /** Whether the focus was last moved by a pointer, so that no ring shows it. */
+  #pointed = false;
 
   /** @param {App} app @param {Mirror} mirror */
   constructor(app, mirror) {
     this.app = app;
     this.mirror = mirror;
+    addEventListener('pointerdown', () => { this.#pointed = true; }, { capture: true });
+    addEventListener('keydown', ({ key }) => { if (/^(Tab|Arrow|F6)/.test(key)) this.#pointed = false; }, { capture: true });
   }
 
   /** @param {Command[]} commands  of the page, with English titles */
@@ -72,7 +76,9 @@ export class Commands {
     if (mirrored ? this.mirror.keys.wants(target, name) : target.matches(TEXT_FIELDS)) return false;
     if (name.length === 1 && !this.#singleKeys) return false;
     const onCanvas = mirrored || target === this.mirror.canvas;
-    if (target.closest(PRESSABLE) && /^(Space|Enter)$/.test(name)) return false;
+    // Space plays wherever the mouse last clicked, also on a button.
+    const plays = name === 'Space' && this.#pointed;
+    if (target.closest(PRESSABLE) && /^(Space|Enter)$/.test(name) && !plays) return false;
     if (!mirrored && target.closest(CHOICES) && belongsToControls(name)) return false;
     const own = this.#own.find(({ keys }) => keys.includes(name));
     // Text input on the canvas comes first.

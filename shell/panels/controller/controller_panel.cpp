@@ -162,7 +162,7 @@ void DrawControllerPanel(Ui& ui, Session& session, ControllerPanelState& state) 
     ui.Gap(6.0f);
     if (!session.Search().Running() &&
         ui.Button("controller/start", ui.Row(38.0f), Tr("Synthesize"), ButtonLook::kPrimary)) {
-      session.Search().Synthesize();
+      session.Synthesize();
       return;
     }
     ui.Gap(12.0f);

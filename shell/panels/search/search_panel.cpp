@@ -33,7 +33,9 @@ std::array<ImRect, 2> Halves(const ImRect& row) {
 void DrawSearchButtons(Ui& ui, Session& session) {
   const ImRect row = ui.Row(38.0f);
   if (!session.Search().Running()) {
-    if (ui.Button("search/start", row, Tr("Synthesize"), ButtonLook::kPrimary)) session.Search().Synthesize();
+    const bool again = session.Search().WouldRepeat() && !session.Layout().Locks(LockedPart::kSearch);
+    if (ui.Button("search/start", row, Tr(again ? "Try another" : "Synthesize"), ButtonLook::kPrimary))
+      session.Synthesize();
     return;
   }
   const auto [left, right] = Halves(row);

@@ -182,7 +182,7 @@ void DrawStylePanel(Ui& ui, Session& session) {
     }
     ui.Gap(8.0f);
     if (ui.Button("style/start", ui.Row(38.0f), Tr("Synthesize in this style"), ButtonLook::kOutlined))
-      session.Search().Synthesize();
+      session.Synthesize();
   }
   ui.Gap(14.0f);
   ui.Heading(Tr("Shown on the stage"));

@@ -115,6 +115,13 @@ async function keysWork({ browser, address }) {
       await page.press(' ');
     }
   }
+  // Space plays and pauses wherever the mouse last clicked.
+  for (const click of [() => new Mouse(page).press('panels/0'), () => page.page.click('#undo'), () => new Mouse(page).press('panels/3')]) {
+    await click();
+    const before = await playing();
+    await page.press(' ');
+    assert.equal(await playing(), !before);
+  }
   await page.page.focus('canvas');
   await page.press('s');
   await page.until('a search', () => window.gaitsmith.widgets().some(({ id }) => id === 'search/stop'), 20000);

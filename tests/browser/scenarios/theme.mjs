@@ -83,8 +83,37 @@ async function asTheSystem({ browser, address }) {
   await page.close();
 }
 
+/** Text stays readable on every main button, at rest, under the mouse, and after a click. @param {Visit} visit */
+async function mainButtons({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  /** Contrast of the button's text [WCAG 2.2]. @param {string} id */
+  const contrast = (id) => page.page.evaluate((selector) => {
+    const style = getComputedStyle(/** @type {Element} */ (document.querySelector(selector)));
+    const luminance = (/** @type {string} */ colour) => {
+      const [r = 0, g = 0, b = 0, a = 1] = (colour.match(/[\d.]+/g) ?? []).map(Number);
+      if (a < 1) throw new Error(`${colour} is not opaque`);
+      const [lr = 0, lg = 0, lb = 0] = [r, g, b].map((c) => (c <= 10.31 ? c / 3294.6 : ((c / 255 + 0.055) / 1.055) ** 2.4));
+      return 0.2126 * lr + 0.7152 * lg + 0.0722 * lb;
+    };
+    const [dark = 0, light = 1] = [luminance(style.color), luminance(style.backgroundColor)].sort((x, y) => x - y);
+    return (light + 0.05) / (dark + 0.05);
+  }, id);
+  for (const theme of Object.keys(LOOKS)) {
+    await page.page.select('#theme', theme);
+    await page.page.mouse.move(5, 300);
+    assert.ok(await contrast('#copy-link') >= 4.5, `${theme}: at rest`);
+    await page.page.hover('#copy-link');
+    assert.ok(await contrast('#copy-link') >= 4.5, `${theme}: under the mouse ${await contrast('#copy-link')}`);
+    await page.page.click('#open');
+    await page.page.hover('#open-go');
+    assert.ok(await contrast('#open-go') >= 4.5, `${theme}: in a dialog, under the mouse`);
+    await page.page.keyboard.press('Escape');
+  }
+}
+
 /** @type {[string, (visit: Visit) => Promise<void>][]} */
 export const THEME_SCENARIOS = [
   ['every theme is drawn, clicked and mirrored in its own size, and is remembered', chosen],
   ['without a choice the page looks as the system does, in contrast too', asTheSystem],
+  ['main buttons stay readable under the mouse', mainButtons],
 ];

@@ -93,6 +93,41 @@ TEST_CASE("session: a result is shown as it was found, in one step", "[shell][se
   CHECK_FALSE(session.ShowFound("nothing of the kind"));
 }
 
+TEST_CASE("session: the same search again takes the next seed, another search keeps its own",
+          "[shell][session]") {
+  QuietHost host;
+  Session session(host);
+  const std::uint32_t seed = session.Doc().search.seed;
+  CHECK_FALSE(session.Search().WouldRepeat());
+  const std::string before = State(session);
+  session.BeginGesture();
+  session.Synthesize();
+  CHECK(host.started.back().search.seed == seed);
+  End(session, host, 30000);
+  CHECK(session.Search().WouldRepeat());
+  // A result with the next seed is there already.
+  Document other = host.started.back();
+  other.search.seed = seed + 1;
+  REQUIRE(session.Queue().Add(other));
+  REQUIRE(session.Queue().Run());
+  End(session, host, 31000);
+  session.BeginGesture();
+  session.Synthesize();
+  CHECK(session.Doc().search.seed == seed + 2);
+  CHECK(host.started.back().search.seed == seed + 2);
+  End(session, host, 32000);
+  session.Set([](Document& d) { d.search.evaluations += 1; });
+  CHECK_FALSE(session.Search().WouldRepeat());
+  session.BeginGesture();
+  session.Synthesize();
+  CHECK(host.started.back().search.seed == seed + 2);
+  End(session, host, 33000);
+  session.Layout().locked[static_cast<std::size_t>(LockedPart::kSearch)] = true;
+  session.BeginGesture();
+  session.Synthesize();
+  CHECK(host.started.back().search.seed == seed + 2);
+}
+
 TEST_CASE("session: a failed search does not stop the queue, and is listed in the results",
           "[shell][session][queue]") {
   QuietHost host;
