@@ -37,7 +37,7 @@ struct ExporterRow {
 
 /// In the order in which the command line lists and writes them. The first one is the page's usual choice.
 inline constexpr auto kExporters = std::to_array<ExporterRow>({
-    {"svg", "svg", "image/svg+xml", PageText("Film strip, SVG"),
+    {"svg", "svg", "image/svg+xml", PageText("Poses, SVG"),
      PageText("For print: sharp at any size, and its parts can be edited"), FilmStripSvg},
     {"gltf", "gltf", "model/gltf+json", PageText("Animation, glTF"),
      PageText("For Blender, Godot and other 3D programs"),

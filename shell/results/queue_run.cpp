@@ -61,8 +61,8 @@ bool QueueRun::Run() {
     return false;
   }
   if (search_.Running() || list_.Waiting().empty()) {
-    workspace_.Say(
-        Tr(search_.Running() ? "A search is running: the queue goes on when it is done." : "Nothing waits."));
+    workspace_.Say(Tr(search_.Running() ? "A search is running: the queue goes on when it is done."
+                                        : "The queue is empty."));
     return false;
   }
   workspace_.Notice().clear();

@@ -81,8 +81,9 @@ bool Session::Replace(Document document, bool same_problem) {
 
 void Session::New() {
   if (!Replace(shipped_.FirstProblem())) return;
-  workspace_.Say(Tr("A new document. {1} cannot move yet: press Synthesize. Undo brings back what was here.",
-                    TrTitle(Doc().figure.name)));
+  workspace_.Say(
+      Tr("A new document. {1} cannot move yet: press Synthesize. Undo restores the previous version.",
+         TrTitle(Doc().figure.name)));
 }
 
 bool Session::ReplaceFigure(const Figure& figure) {
@@ -132,12 +133,12 @@ void Session::ChooseFigure(int index) {
 
 void Session::ChooseProblem(int index) {
   if (!Replace(shipped_.Problems()[static_cast<std::size_t>(index)])) return;
-  workspace_.Say(Tr("{1}: press Synthesize. Undo brings back what was here.", TrTitle(Doc().title)));
+  workspace_.Say(Tr("{1}: press Synthesize. Undo restores the previous version.", TrTitle(Doc().title)));
 }
 
 void Session::ChooseExample(const Document& example) {
   if (!Replace(example)) return;
-  workspace_.Say(Tr("{1}. Undo brings back what was here.", TrTitle(Doc().title)));
+  workspace_.Say(Tr("{1}. Undo restores the previous version.", TrTitle(Doc().title)));
 }
 
 bool Session::ShowFound(const std::string& id) {
@@ -152,8 +153,8 @@ bool Session::ShowFound(const std::string& id) {
   const bool moves = entry->motion.Moves();
   if (!Replace(document, true)) return true;  // Replace explains the refusal
   if (DiffersFromMaker()) return true;        // the stage reports it
-  workspace_.Say(Tr(moves ? "{1}. Undo brings back what was here."
-                          : "{1}: this search failed. Undo brings back what was here.",
+  workspace_.Say(Tr(moves ? "{1}. Undo restores the previous version."
+                          : "{1}: this search failed. Undo restores the previous version.",
                     TrTitle(Doc().title)));
   return true;
 }
@@ -161,8 +162,8 @@ bool Session::ShowFound(const std::string& id) {
 void Session::ShowElite(Document motion) {
   BeginGesture();
   if (!Replace(std::move(motion), true)) return;
-  workspace_.Say(Tr("{1}. “Keep motion” puts it among the results; Undo brings back what was here.",
-                    TrTitle(Doc().title)));
+  workspace_.Say(
+      Tr("{1}. “Save to results” keeps it. Undo restores the previous version.", TrTitle(Doc().title)));
 }
 
 void Session::Synthesize() {

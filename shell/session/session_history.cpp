@@ -42,7 +42,7 @@ void Session::Redo() {
   // The search's last improvement is a separate step and leaves nothing to redo.
   if (CanRedo()) search_.Abandon();
   if (const auto after = workspace_.TakeForward()) {
-    Return(*after, TrLater("Done again: {1}."));
+    Return(*after, TrLater("Redone: {1}."));
   } else {
     workspace_.TheHost().Status(Tr("There is nothing to redo."));
   }

@@ -58,9 +58,9 @@ void DrawRemark(const Scene& s) {
     s.ui.DescribeText(sentence, {{at.x, at.y + 31.0f}, {at.x + width, at.y + 49.0f}});
   };
   if (terms.broke_physics) {
-    remark(p.bad, Tr("This motion breaks physics and counts as void."));
+    remark(p.bad, Tr("The simulation failed, so this motion doesn't count."));
   } else if (s.session.World().Changed()) {
-    remark(p.accent, Tr("You changed its world: this is not the motion that was opened."));
+    remark(p.accent, Tr("You changed the world, so the motion differs from the one you opened."));
   } else if (s.session.DiffersFromMaker()) {
     DrawNote(s, {at.x, at.y + 40.0f}, Tr("This motion differs from the one its maker saw."));
   } else if (s.session.Doc().timeline.empty()) {

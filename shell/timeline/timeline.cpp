@@ -206,7 +206,7 @@ std::string HintOf(Session& session) {
   constexpr float kNear = 0.5f, kFar = 1.0f;
   const std::size_t clips = session.Doc().timeline.size();
   if (clips == 0) return Tr("empty until a search finds a controller");
-  if (clips == 1) return Tr("add a clip, or a result, to chain another motion");
+  if (clips == 1) return Tr("Drag a result here to chain motions");
   const auto nearness = session.Timeline().Transitions().NearnessAtHandover();
   if (!nearness) return Tr("drag clips and the borders between them");
   const std::string clip = std::to_string(session.Timeline().Selected() + 1);

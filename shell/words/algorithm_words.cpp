@@ -10,8 +10,8 @@ const std::array<AlgorithmWords, kAlgorithmNames.size()>& AlgorithmTexts() {
       {"RG&T", TrLater("RG&T: at random"),
        TrLater("Draws controllers at random and keeps the best: the benchmark.")},
       {"SPHC", TrLater("SPHC: hill climbing, reseeded"),
-       TrLater(
-           "Some climb side by side; now and then the better half replaces the worse. The paper's best.")},
+       TrLater("Several candidates improve in parallel. From time to time the best half replaces the rest. "
+               "The best search in the paper.")},
       {"GGA", TrLater("GGA: genetic, by generations"),
        TrLater("Parents drawn by roulette wheel; their children replace the whole population.")},
       {"SSGA", TrLater("SSGA: genetic, steady state"),

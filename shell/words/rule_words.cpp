@@ -31,7 +31,7 @@ std::string WhyItActs(const RuleMoment& moment, int rule) {
   const RuleStanding& own = standing_of(rule);
   std::string words;
   if (own.cares == 0) {
-    words = Tr("Rule {1} acts: it heeds no sense, so it always holds.", rule + 1);
+    words = Tr("Rule {1} is active: it uses no sense, so it always matches.", rule + 1);
   } else {
     const char* pattern =
         own.cares == 1 ? TrLater("Rule {1} acts: {2} lies in its interval (depth {3} of 1).")
@@ -110,7 +110,7 @@ std::string WhyWords(const RuleMoment& moment, int rule) {
   if (rule == choice.rule && choice.holds) return WhyItActs(moment, rule);
   if (rule == choice.rule) {
     const int rival = choice.runner_up;
-    std::string words = Tr("Rule {1} stays on: no rule's intervals hold what is felt.", rule + 1);
+    std::string words = Tr("No rule matches, so rule {1} stays active.", rule + 1);
     if (rival < 0) return words;
     const int sense = choice.standings[static_cast<std::size_t>(rival)].decisive_sense;
     return words + " " +

@@ -26,11 +26,11 @@ const std::vector<Row>& AlgorithmRows() {
   using namespace settings_group;
   static const std::vector<Row> kRows = {
       {kClimbs,
-       {"search/population", TrLater("Population"), TrLater("So many climb side by side."),
+       {"search/population", TrLater("Population"), TrLater("Number of parallel candidates."),
         WholeParameter{2, 1000, 1, [](S& s) -> int& { return s.population; }}}},
       {kClimbs,
        {"search/reseed", TrLater("Reseed every (generations)"),
-        TrLater("Then the better half replaces the worse."),
+        TrLater("How often the best half takes over."),
         WholeParameter{1, 1'000'000, 10, [](S& s) -> int& { return s.reseed_interval; }}}},
       {kPopulation,
        {"search/genetic-population", TrLater("Population"),

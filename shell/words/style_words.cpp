@@ -13,18 +13,18 @@ const std::array<TermWords, kStyleTerms>& TermTexts() {
   static constexpr auto kTexts = std::to_array<TermWords>({
       {"style/height", TrLater("Height"), TrLater("height"), TrLater("peak of the centre of mass"), "m",
        TrLater("per m"), 2},
-      {"style/slip", TrLater("Slip"), TrLater("slip"), TrLater("how far loaded endpoints slide"), "m",
+      {"style/slip", TrLater("Slip"), TrLater("slip"), TrLater("how far the feet slide"), "m",
        TrLater("per m"), 2},
-      {"style/rotations", TrLater("Rotations"), TrLater("rotations"),
-       TrLater("turns of the root from start to end"), TrLater("turns"), TrLater("per turn"), 2},
-      {"style/effort", TrLater("Effort"), TrLater("effort"), TrLater("angle that all joints travel together"),
-       "rad", TrLater("per rad"), 1},
-      {"style/upright", TrLater("Upright"), TrLater("upright"), TrLater("mean: 1 as drawn, −1 upside down"),
-       "", "", 2},
+      {"style/rotations", TrLater("Rotations"), TrLater("rotations"), TrLater("full turns, start to end"),
+       TrLater("turns"), TrLater("per turn"), 2},
+      {"style/effort", TrLater("Effort"), TrLater("effort"), TrLater("total joint movement"), "rad",
+       TrLater("per rad"), 1},
+      {"style/upright", TrLater("Upright"), TrLater("upright"), TrLater("1 = upright, −1 = upside down"), "",
+       "", 2},
       {"style/smoothness", TrLater("Smoothness"), TrLater("smoothness"),
        TrLater("0 when joints never change speed"), "rad/s²", TrLater("per rad/s²"), 1},
-      {"style/head", TrLater("Head height"), TrLater("head height"),
-       TrLater("mean height of the endpoint drawn highest"), "m", TrLater("per m"), 2},
+      {"style/head", TrLater("Head height"), TrLater("head height"), TrLater("average height of the head"),
+       "m", TrLater("per m"), 2},
   });
   static_assert(kTexts.size() == kStyleTerms, "every term needs its words");
   return kTexts;
@@ -71,7 +71,7 @@ std::string PrimaryLine(TaskKind kind) {
     case TaskKind::kTravel:
       return Tr("Metres the centre of mass gets away, either way.");
     case TaskKind::kTravelRight:
-      return Tr("Metres the centre of mass gets to the right.");
+      return Tr("Distance moved to the right (centre of mass).");
     case TaskKind::kTravelLeft:
       return Tr("Metres the centre of mass gets to the left.");
     case TaskKind::kJump:

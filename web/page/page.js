@@ -204,7 +204,7 @@ function addCommands(commands, { address, autosave, palette, help, guide }) {
   commands.add([
     { id: 'document/open', group: 'Document', title: trLater('Open a file or a link'), keys: ['Ctrl+o'], pressed: ['Ctrl+v'], run: click('open') },
     { id: 'document/save', group: 'Document', title: trLater('Save as a file'), keys: ['Ctrl+s'], run: click('save') },
-    { id: 'document/export', group: 'Document', title: trLater('Export as picture, film or data'), keys: [], run: () => void openExport(commands.app, statusLine) },
+    { id: 'document/export', group: 'Document', title: trLater('Export as picture, video or data'), keys: [], run: () => void openExport(commands.app, statusLine) },
     { id: 'document/share', group: 'Document', title: trLater('Share: link, code for cameras, lines for another page'), keys: [], run: click('share') },
     { id: 'document/copy-link', group: 'Document', title: trLater('Copy link'), keys: ['c'], pressed: ['Ctrl+c'], run: click('copy-link') },
     { id: 'view/theme', group: 'View', title: trLater('Next theme'), keys: ['t'], run: nextTheme },

@@ -7,7 +7,7 @@ import { remember, remembered } from '../browser/storage.js';
 const KEY = 'gaitsmith-theme';
 
 /** Names of the choices. @type {Record<string, string>} */
-export const THEMES = { system: trLater('As the system'), light: trLater('Light'), dark: trLater('Dark'),
+export const THEMES = { system: trLater('System'), light: trLater('Light'), dark: trLater('Dark'),
   projector: trLater('Projector'), contrast: trLater('High contrast') };
 
 /**

@@ -12,17 +12,17 @@ const MARGIN = 12;
 
 /** @type {Step[]} */
 const STEPS = [
-  { title: trLater('No one animated this'), at: /^stage$/,
+  { title: trLater('Nobody animated this'), at: /^stage$/,
     text: trLater('The computer found how this figure moves. Letters mark where it was, arrows what the ground does to it. A click stops and starts it.') },
   { title: trLater('Let it find another'), at: /^search\/start$/, panel: 'panel/Search',
     text: trLater('Synthesize searches for a better motion while you watch: the curve shows the best so far.') },
   { title: trLater('A clock, or senses'), at: /^controller\/senses/, panel: 'panel/Controller',
     text: trLater('What decides when to move: a timer, like a wind-up toy, or what the figure feels. The next search uses your choice.') },
-  { title: trLater('Why it moves so'), at: /^controller\/why$/, panel: 'panel/Controller',
-    text: trLater('A few rules are all there is. The one that acts is lit, and this says why. Open a rule to change it by hand.') },
+  { title: trLater('Why it moves this way'), at: /^controller\/why$/, panel: 'panel/Controller',
+    text: trLater('It has only a few rules. The active one lights up, and this explains why. Open a rule to change it by hand.') },
   { title: trLater('Push it'), at: /^world\/open$/,
     text: trLater('Pull at a joint on the stage and let go, or tilt the ground under World. Does it recover? Undo takes everything back.') },
-  { title: trLater('Show it to somebody'), at: '#copy-link',
+  { title: trLater('Share it'), at: '#copy-link',
     text: trLater('The link holds the whole motion. Whoever opens it sees the very same one, bit for bit, and can go on from there.') },
 ];
 

@@ -106,7 +106,7 @@ class ExportDialog {
     this.#chosen();
     if (typeof MediaRecorder !== 'function' || !MediaRecorder.isTypeSupported('video/webm')) {
       this.#radio('webm').disabled = true;
-      element('export-webm').textContent = tr('This browser cannot record films');
+      element('export-webm').textContent = tr('This browser cannot record videos');
     }
     this.#dialog.showModal();
     this.#radio(this.#format()).focus();

@@ -52,7 +52,7 @@ export class Autosave {
     } else {
       this.address.open();
       if (!payload && last && this.app.open(last.link) === '') {
-        this.statusLine.say(tr('Your last work is back: {1}. New begins another.', last.title));
+        this.statusLine.say(tr('Restored your last work: {1}. Choose New to start over.', last.title));
       }
     }
     this.app.forgetPast();
@@ -134,7 +134,7 @@ export class Autosave {
   /** @param {Work} work */
   #open(work) {
     const fault = this.app.open(work.link);
-    this.statusLine.say(fault ? tr('The kept work cannot be opened: {1}', trSentence(fault)) : tr('Opened {1}. Undo brings back what was here.', work.title));
+    this.statusLine.say(fault ? tr('The kept work cannot be opened: {1}', trSentence(fault)) : tr('Opened {1}. Undo restores the previous version.', work.title));
   }
 
   #storeTabState() {

@@ -22,7 +22,7 @@ std::string CaresWords(const Controller& controller, int rule, int rods) {
     if (!StimulusOf(controller, rods, rule, sense).cares) continue;
     words += (words.empty() ? "" : ", ") + TrSentence(SenseName(controller.senses.kind, rods, sense));
   }
-  return words.empty() ? Tr("heeds no sense") : Tr("heeds {1}", words);
+  return words.empty() ? Tr("uses no sense") : Tr("uses {1}", words);
 }
 
 void DrawPose(Ui& ui, const Skeleton& bones, const FigureLook& look, const std::vector<float>& angles,
@@ -142,7 +142,7 @@ Touch DrawRuleCard(Ui& ui, const Session& session, const Controller& controller,
   if (bars.empty()) {
     rest = Tr("always holds");
   } else if (rest.empty() && ignored > 0) {
-    rest = Tr("ignores {1}", ignored);
+    rest = Tr("{1} unused", ignored);
   }
   float y = rect.Min.y + 30.0f;
   for (std::size_t i = 0; i < std::min(bars.size(), kBarsShown); ++i, y += 9.5f) {

@@ -169,7 +169,7 @@ void DrawIgnored(const OpenRule& open, const std::vector<int>& senses) {
 
 void DrawStimulus(const OpenRule& open) {
   std::vector<int> ignored;
-  open.ui.Heading(Tr("Acts where"));
+  open.ui.Heading(Tr("Active when"));
   for (int sense = 0; sense < SenseCount(open.controller.senses.kind, open.bones.rods); ++sense) {
     if (StimulusOf(open.controller, open.bones.rods, open.rule, sense).cares) {
       DrawHeeded(open, sense);
@@ -180,8 +180,8 @@ void DrawStimulus(const OpenRule& open) {
   if (ignored.empty()) return;
   open.ui.Paragraph(
       Tr(static_cast<int>(ignored.size()) == SenseCount(open.controller.senses.kind, open.bones.rods)
-             ? "It heeds no sense, so it always holds. Press one to heed it:"
-             : "Does not care about these; press one to heed it:"),
+             ? "It uses no sense, so it is always active. Click one to use it:"
+             : "Unused senses. Click one to use it:"),
       Type::kNote);
   open.ui.Gap(4.0f);
   DrawIgnored(open, ignored);
@@ -222,7 +222,7 @@ void DrawRuleEditor(Ui& ui, Session& session, const Controller& controller, Rule
   ui.Gap(4.0f);
   DrawPose(open, state);
   ui.Gap(2.0f);
-  ui.Paragraph(Tr("Drag a limb to turn it within its limits. Pale: the joints now."), Type::kNote);
+  ui.Paragraph(Tr("Drag a limb to turn it within its limits. Grey: the pose now."), Type::kNote);
   ui.Gap(8.0f);
   DrawTau(open);
   ui.Gap(8.0f);

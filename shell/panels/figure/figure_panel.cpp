@@ -84,7 +84,7 @@ void EditRod(Ui& ui, Session& session, DrawingBoardState& state) {
   };
   const bool root = rod.parent == kNoParent;
   const bool room = figure.Rods() < kMaxRods;
-  if (ui.Button("figure/grow", third(0), Tr("Grow a rod"), ButtonLook::kOutlined, room)) {
+  if (ui.Button("figure/grow", third(0), Tr("Add a rod"), ButtonLook::kOutlined, room)) {
     replace(WithRodGrown(figure, state.rod), figure.Rods());
   } else if (ui.Button("figure/copy", third(1), Tr("Copy limb"), ButtonLook::kOutlined, room && !root)) {
     replace(WithLimbCopied(figure, state.rod), figure.Rods());
@@ -93,8 +93,7 @@ void EditRod(Ui& ui, Session& session, DrawingBoardState& state) {
   }
   if (root) {
     ui.Gap(4.0f);
-    ui.Paragraph(Tr("This is the root: it carries all others, so it can be neither copied nor deleted."),
-                 Type::kNote);
+    ui.Paragraph(Tr("This is the root rod. It can't be copied or deleted."), Type::kNote);
   } else if (!room) {
     ui.Gap(4.0f);
     ui.Paragraph(Tr("A figure has at most {1} rods.", kMaxRods), Type::kNote);
@@ -132,14 +131,12 @@ void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
   }
   if (state.gallery_open) {
     ui.Gap(4.0f);
-    ui.Paragraph(
-        Tr("Another figure needs a controller of its own: the present ones go. Undo brings them back."),
-        Type::kNote);
+    ui.Paragraph(Tr("A new figure starts without motions. Undo brings the old ones back."), Type::kNote);
   }
   ui.Gap(6.0f);
   DrawProblems(ui, session, state);
   ui.Gap(10.0f);
-  static constexpr std::array<const char*, 2> kTools = {TrLater("Move"), TrLater("Grow a rod")};
+  static constexpr std::array<const char*, 2> kTools = {TrLater("Move"), TrLater("Add a rod")};
   const ImRect tools = ui.Row(ui.Look().touch ? 42.0f : 34.0f);
   int tool = static_cast<int>(state.board.tool);
   const char* undo = Tr("Undo");
@@ -157,7 +154,7 @@ void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
   ui.Gap(8.0f);
   ui.Paragraph(
       Tr(state.board.tool == DrawingTool::kMove
-             ? "Drag a joint or a tip to change a rod; drag a rod to turn it with all that hangs on it."
+             ? "Drag a joint or a tip to change a rod. Drag a rod to rotate it and everything attached."
              : "Drag from a joint or a tip to grow a rod there."),
       Type::kNote);
   ui.Switch("figure/snap", Tr("Snap to 15° and 5 cm"), state.board.snap);
@@ -168,7 +165,7 @@ void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
   const float middle = row.GetCenter().x;
   if (ui.Button("figure/mirror", {row.Min, {middle - 4.0f, row.Max.y}}, Tr("Mirror all")))
     session.ReplaceFigure(Mirrored(session.Doc().figure));
-  if (ui.Button("figure/fresh", {{middle + 4.0f, row.Min.y}, row.Max}, Tr("Start from one rod"))) {
+  if (ui.Button("figure/fresh", {{middle + 4.0f, row.Min.y}, row.Max}, Tr("Draw your own"))) {
     Figure single = SingleRod();
     single.name = kOwnFigure;
     session.ReplaceFigure(single);

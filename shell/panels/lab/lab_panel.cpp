@@ -200,8 +200,7 @@ void DrawLabPanel(Ui& ui, Session& session) {
     DrawCurves(ui, lab);
     ui.Gap(8.0f);
     if (!lab.IsOf(session.Doc())) {
-      ui.Paragraph(Tr("These trials are of the document as it was when they began."), ui.Ink().accent,
-                   Type::kNote);
+      ui.Paragraph(Tr("The document has changed since these trials began."), ui.Ink().accent, Type::kNote);
       ui.Gap(4.0f);
     }
     DrawTable(ui, lab);

@@ -51,13 +51,12 @@ void DrawEliteMap(Ui& ui, Session& session, int& turns) {
   const int bins = map.Bins();
   turns = std::clamp(turns, 0, bins - 1);
   ui.Paragraph(map.Title(), Type::kNote);
-  ui.Paragraph(Tr("The best motion of each style, stronger where it scores more. A press shows it."),
+  ui.Paragraph(Tr("The best motion of each style, stronger where it scores more. Click to view."),
                Type::kNote);
   ui.Gap(4.0f);
   int shown = turns + 1;
   if (ui.Number("elites/turns", Tr("Turns {1}", map.RangeText(2, turns)), shown, 1, bins)) turns = shown - 1;
-  ui.Paragraph(Tr("{1} motions here, {2} on all {3} sheets.", std::to_string(map.Count(turns)),
-                  std::to_string(map.Count()), std::to_string(bins)),
+  ui.Paragraph(Tr("{1} here, {2} in all.", std::to_string(map.Count(turns)), std::to_string(map.Count())),
                Type::kNote);
   ui.Gap(4.0f);
   // Slip increases to the right, height upwards.

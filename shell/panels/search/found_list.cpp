@@ -36,7 +36,7 @@ void DrawRemoved(Ui& ui, FoundMotions& found) {
 void DrawChoices(Ui& ui, FoundListState& state) {
   const std::array<std::string, 5> orders = {Tr("Newest first"), Tr("Best score first"), Tr("Highest first"),
                                              Tr("Most turns first"), Tr("Least slip first")};
-  const std::array<std::string, 3> filters = {Tr("All"), Tr("Of this figure"), Tr("Kept ones")};
+  const std::array<std::string, 3> filters = {Tr("All"), Tr("Of this figure"), Tr("Saved")};
   int order = static_cast<int>(state.order);
   int filter = static_cast<int>(state.filter);
   if (ui.Combo("found/order", Tr("Order of the results"), orders, order))
@@ -97,8 +97,8 @@ void DrawFound(Ui& ui, Session& session, FoundListState& state) {
     id = entry->id;
   }
   if (!any) ui.Paragraph(Tr("None of the results is of this kind."), Type::kNote);
-  ui.Paragraph(Tr("Press one to see it; drag it to the timeline to chain it. Up to 100 stay; where room is "
-                  "short, the oldest that are not kept go."),
+  ui.Paragraph(Tr("Click one to view it. Drag it to the timeline to chain it. Keeps 100 results. The oldest "
+                  "unsaved ones are removed first."),
                Type::kNote);
   Do(session, action, id);
 }

@@ -56,7 +56,7 @@ void DrawQueue(Ui& ui, Session& session) {
   const std::size_t count = queue.Waiting().size();
   const bool busy = session.Search().Running() || session.Lab().Running();
   if (count == 0) {
-    ui.Paragraph(Tr("Nothing waits. “Add to queue” puts the present search here, up to {1} of them.",
+    ui.Paragraph(Tr("The queue is empty. “Add to queue” puts the present search here, up to {1} of them.",
                     std::to_string(SearchQueue::kMax)),
                  Type::kNote);
   } else if (busy) {

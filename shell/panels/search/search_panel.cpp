@@ -63,7 +63,7 @@ void DrawKeepingButtons(Ui& ui, Session& session) {
                 ButtonLook::kOutlined, !full))
     session.Queue().AddSeeds(kQueuedSeeds);
   const bool motion = !session.Doc().timeline.empty();
-  if (ui.Button("found/keep", place(2, 3), Tr(motion ? "Keep motion" : "No motion yet"),
+  if (ui.Button("found/keep", place(2, 3), Tr(motion ? "Save to results" : "No motion yet"),
                 ButtonLook::kOutlined, motion))
     session.Results().KeepShown();
 }

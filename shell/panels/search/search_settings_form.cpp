@@ -86,7 +86,7 @@ void DrawSearchSettings(Ui& ui, Session& session, bool& variation) {
                 Tr("{1} evaluations", Grouped(search.evaluations)))) {
     Change(session, [&](SearchSettings& s) { s.evaluations = static_cast<int>(budget); });
   }
-  ui.Paragraph(Tr("Motions that may be simulated; it ends when they are."), Type::kNote);
+  ui.Paragraph(Tr("How many motions to try before stopping."), Type::kNote);
   ui.Gap(7.0f);
   int seed = static_cast<int>(std::min<std::uint32_t>(search.seed, 999'999'999u));
   if (ui.Number("search/seed", Tr("Seed"), seed, 0, 999'999'999))
@@ -98,9 +98,9 @@ void DrawSearchSettings(Ui& ui, Session& session, bool& variation) {
   const int most = std::max(1, session.Search().MaxWorkers());
   int workers = session.Search().Workers();
   if (ui.Number("search/workers", Tr("Workers"), workers, 1, most)) session.Search().SetWorkers(workers);
-  ui.Paragraph(Tr("Threads that simulate: they change the time, never the result."), Type::kNote);
+  ui.Paragraph(Tr("More workers finish sooner. The result stays the same."), Type::kNote);
   ui.Gap(4.0f);
-  if (DrawFold(ui, "search/variation", Tr("Drawing and perturbing"), "", variation)) {
+  if (DrawFold(ui, "search/variation", Tr("Random variation"), "", variation)) {
     ui.Gap(4.0f);
     DrawAll(ui, session, VariationOf(search.algorithm));
   }

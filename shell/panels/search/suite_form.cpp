@@ -16,8 +16,8 @@ constexpr std::array<const char*, kSuiteSenses.size()> kSenseNames = {TrLater("P
 }  // namespace
 
 void DrawSuiteForm(Ui& ui, Session& session, SuiteChoice& choice) {
-  ui.Paragraph(Tr("One search for each combination, in the queue; the results can be chained. You can go on "
-                  "working meanwhile."),
+  ui.Paragraph(Tr("One search for each combination, in the queue. The results can be chained. Runs in the "
+                  "background."),
                Type::kNote);
   ui.Gap(4.0f);
   for (std::size_t i = 0; i < kSenseNames.size(); ++i)

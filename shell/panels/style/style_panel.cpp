@@ -127,8 +127,7 @@ void DrawWeights(Ui& ui, Session& session) {
   const Task& task = session.Doc().task;
   const bool any = std::ranges::any_of(task.weights, [](float weight) { return weight != 0.0f; });
   ui.Heading(Tr("Style"));
-  ui.Paragraph(Tr("Above 0 asks for more, below 0 for less; 1 is the usual weight of this figure."),
-               Type::kNote);
+  ui.Paragraph(Tr("Right asks for more, left for less. 1 is typical."), Type::kNote);
   ui.Paragraph(
       Tr("Gentle weights usually leave the distance the larger part of the score, strong ones do not."),
       Type::kNote);
@@ -176,7 +175,7 @@ void DrawStylePanel(Ui& ui, Session& session) {
   DrawWeights(ui, session);
   ui.Gap(8.0f);
   if (!session.Search().Running()) {
-    if (ui.Button("style/try", ui.Row(38.0f), Tr("Try: a moment from this motion"), ButtonLook::kOutlined,
+    if (ui.Button("style/try", ui.Row(38.0f), Tr("Quick try from this motion"), ButtonLook::kOutlined,
                   session.Timeline().ShownController() != nullptr)) {
       session.TryStyle();
     }

@@ -166,7 +166,7 @@ async function cancelled(visit) {
 async function withoutRecorder({ browser, address }) {
   const page = await PageDriver.open(browser, address, { before: () => { Reflect.deleteProperty(window, 'MediaRecorder'); } });
   await open(page);
-  assert.equal(await page.text('#export-webm'), 'This browser cannot record films');
+  assert.equal(await page.text('#export-webm'), 'This browser cannot record videos');
   assert.equal(await page.call('off', () => document.querySelector('[value=webm]')?.matches(':disabled')), true);
   await page.close();
 }

@@ -46,7 +46,7 @@ async function reloadRestores({ browser, address }) {
   // Another tab, with the plain address, as after a crash or a closed tab.
   const next = await PageDriver.open(browser, address, { beside: page });
   assert.equal(await stateOf(next), state);
-  assert.match(await next.status(), /^Your last work is back: Before the reload/);
+  assert.match(await next.status(), /^Restored your last work: Before the reload/);
   assert.equal(await offered(next), false);
   assert.deepEqual([page.complaints, next.complaints], [[], []]);
   await page.close();
@@ -210,7 +210,7 @@ async function tabKilled({ browser, address }) {
   await sleep(1000);
   const next = await PageDriver.open(browser, address, { beside: page });
   assert.equal(await stateOf(next), state);
-  assert.match(await next.status(), /^Your last work is back: Before the crash/);
+  assert.match(await next.status(), /^Restored your last work: Before the crash/);
   assert.deepEqual(next.complaints, []);
   await next.close();
 }

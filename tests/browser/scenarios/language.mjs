@@ -41,7 +41,7 @@ async function asTheBrowser({ browser, address }) {
   assert.deepEqual([await page.text('#tour-title'), await page.text('#tour-next')], ['Das hat niemand animiert', 'Weiter']);
   // An open dialog changes, too.
   await chooseInHeader(page, 'en', ENGLISH);
-  assert.deepEqual([await page.text('#tour-title'), await page.text('#tour-next')], ['No one animated this', 'Next']);
+  assert.deepEqual([await page.text('#tour-title'), await page.text('#tour-next')], ['Nobody animated this', 'Next']);
   await page.reload();
   assert.deepEqual(await shownLanguage(page), ENGLISH, 'what is chosen is remembered');
   assert.deepEqual(page.complaints, []);

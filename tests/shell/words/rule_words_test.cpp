@@ -60,11 +60,10 @@ TEST_CASE("why: the first rule is active before any sensing, and without a match
   CHECK(clockwork.Why(0, 2) == "Rule 3 waits: nothing is felt yet, and a controller begins with rule 1.");
   RuleEdit(clockwork.document.controllers[0], 3, 1).SetInterval(0, 0.2f, 0.5f);
   CHECK(clockwork.Why(55, 1) ==
-        "Rule 2 stays on: no rule's intervals hold what is felt. Nearest is rule 1: timer at 0.55 s, 0.15 s "
-        "above its "
+        "No rule matches, so rule 2 stays active. Nearest is rule 1: timer at 0.55 s, 0.15 s above its "
         "interval.");
   RuleEdit(clockwork.document.controllers[0], 3, 2).SetCares(0, false);
-  CHECK(clockwork.Why(55, 2).starts_with("Rule 3 acts: it heeds no sense, so it always holds."));
+  CHECK(clockwork.Why(55, 2).starts_with("Rule 3 is active: it uses no sense, so it always matches."));
 }
 
 TEST_CASE("why: no explanation for a clip that is not active", "[shell][rule_words]") {

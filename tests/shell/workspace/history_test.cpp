@@ -226,7 +226,7 @@ TEST_CASE("session: New keeps the view, and Undo restores the previous document"
   session.New();
   CHECK(session.Doc().controllers.empty());
   CHECK(session.Doc().view.panel == 2);
-  CHECK(host.status.find("Undo brings back") != std::string::npos);
+  CHECK(host.status.find("Undo restores") != std::string::npos);
   session.Undo();
   CHECK(State(session) == before);
 }
