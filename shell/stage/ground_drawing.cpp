@@ -37,9 +37,7 @@ void DrawGround(Ui& ui, const ImRect& rect, const Camera& camera) {
 
   // A tick every metre, or every 2, 5, 10 … metres if ticks would be crowded. The loop counts ticks, since
   // far away one metre may be less than the floating-point precision.
-  const auto label_of = [](double metres) {
-    return (metres < 0.0 ? "−" : "") + Fixed(std::abs(metres), 0) + " m";
-  };
+  const auto label_of = [](double metres) { return Fixed(metres, 0) + " m"; };
   const float label_width = ui.Letters().Width(Type::kSmall, label_of(std::min(first, -last)));
   const double crowded_m = static_cast<double>(std::max(44.0f, label_width + 8.0f) / camera.scale);
   const double least_m = std::max(crowded_m, (last - first) / kTicksInReach);

@@ -36,7 +36,7 @@ void DrawNumbers(const Scene& s, const std::string& name, float clear) {
   const Fonts& letters = s.ui.Letters();
   const Terms& terms = s.player.TermsNow();
   const bool jump = s.session.Doc().task.kind == TaskKind::kJump;
-  const float metres = jump ? terms.max_cm_height_m - terms.start_height_m : std::abs(terms.travel_m);
+  const float metres = jump ? terms.max_cm_height_m - terms.start_height_m : terms.travel_m;
   const ImVec2 at(s.rect.Min.x + 16.0f, s.rect.Min.y + 23.0f);
   letters.Draw(s.list, Type::kNumber, at, p.ink, Fixed(metres, 2) + " m");
   const std::string words = !name.empty() ? name

@@ -21,7 +21,7 @@ constexpr Palette kLight = {.paper = Rgb(0xfbfaf6),
                             .soft = Rgb(0xf2efe8),
                             .accent = Rgb(0x2f5fd0),
                             .accent_ink = Rgb(0xffffff),
-                            .good = Rgb(0x2c8a5a),
+                            .good = Rgb(0x23764c),
                             .bad = Rgb(0xb23a3a),
                             .ground = IM_COL32(0xd9, 0xd2, 0xc3, 89)};
 

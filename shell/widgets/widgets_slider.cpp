@@ -12,9 +12,15 @@
 namespace gaitsmith::shell {
 namespace {
 
+/// A number as it is typed on a keyboard, with the keyboard's minus.
+std::string Typable(std::string text) {
+  if (text.starts_with(kMinus)) text.replace(0, kMinus.size(), "-");
+  return text;
+}
+
 // Parses a typed number: digits, a sign, a point or a comma. @return false: not a number yet
 bool Parse(const char* text, double& number) {
-  std::string plain(text);
+  std::string plain = Typable(text);
   std::replace(plain.begin(), plain.end(), ',', '.');
   char* end = nullptr;
   const double read = std::strtod(plain.c_str(), &end);
@@ -54,7 +60,7 @@ void Ui::TypedValue(std::string_view id, std::string_view label, const ImRect& f
   const std::string name(id);
   const ImGuiID widget = ImGui::GetID(name.c_str());
   char text[32];
-  std::snprintf(text, sizeof text, "%s", Fixed(value, DecimalsOf(range)).c_str());
+  std::snprintf(text, sizeof text, "%s", Typable(Fixed(value, DecimalsOf(range))).c_str());
   ImGui::ItemAdd(field, widget, nullptr, ImGuiItemFlags_Inputable);
   registry_.Describe(widget, {.id = name,
                               .label = std::string(label),

@@ -74,8 +74,7 @@ std::optional<RuleMoment> MomentOf(const Controller& controller, const Motion& m
 
 std::string QuantityWords(SenseQuantity quantity, float value) {
   const auto with = [](double number, int decimals, const char* unit) {
-    const std::string text = Fixed(number, decimals);
-    return (text.front() == '-' ? "−" + text.substr(1) : text) + unit;
+    return Fixed(number, decimals) + unit;
   };
   const auto number = static_cast<double>(value);
   switch (quantity) {

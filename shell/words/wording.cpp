@@ -22,6 +22,7 @@ std::string Fixed(double value, int decimals) {
   std::string text = PlainFixed(value, decimals);
   if (const std::size_t point = text.find('.'); point != std::string::npos)
     text.replace(point, 1, DecimalMark());
+  if (text.front() == '-') text.replace(0, 1, kMinus);
   return text;
 }
 

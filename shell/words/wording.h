@@ -4,11 +4,15 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace gaitsmith::shell {
 
+inline constexpr std::string_view kMinus = "−";
+
 /// Always with a decimal point, for stored text.
 [[nodiscard]] std::string PlainFixed(double value, int decimals);
+/// As people read it: the language's decimal mark, and a minus sign of a digit's width.
 [[nodiscard]] std::string Fixed(double value, int decimals);
 [[nodiscard]] std::string Fixed(float value, int decimals);
 /// "13,600"

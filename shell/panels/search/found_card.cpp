@@ -129,7 +129,10 @@ CardAction DrawButtons(Ui& ui, const Session& session, const FoundMotions::Entry
   const std::string score = ScoreText(found);
   const bool bad = !found.Moves() || found.Score() <= kVoidScore;
   ui.Letters().Draw(ui.Canvas(), Type::kStrong, {rest.Max.x - 6.0f, rest.GetCenter().y},
-                    bad ? ui.Ink().bad : ui.Ink().good, score, Align::kRight);
+                    bad                    ? ui.Ink().bad
+                    : found.Score() < 0.0f ? ui.Ink().ink
+                                           : ui.Ink().good,
+                    score, Align::kRight);
   return action;
 }
 
