@@ -23,13 +23,16 @@ export class Arrangement {
     followLanguage(() => this.#bar?.update());
   }
 
-  /** Applies the options in the address. An invalid option is reported and does not stop the others. */
-  begin() {
+  /** Applies the options in the address. Invalid options are reported together and do not stop the others. */
+  async begin() {
     const address = new URLSearchParams(location.search);
+    /** @type {string[]} */
+    const faults = [];
     for (const name of NAMES) {
       const value = address.get(name);
-      if (value !== null) this.set({ [name]: value }).catch(({ message }) => banner(tr('The address of this page asks for what is not there: {1}', sentence(message))));
+      if (value !== null) await this.set({ [name]: value }).catch(({ message }) => { faults.push(sentence(message)); });
     }
+    if (faults.length) banner(tr('The address of this page is not understood: {1}', faults.join(' ')));
   }
 
   /** @param {ArrangementOptions} options @returns {Promise<void>} rejected with a sentence, and nothing changed, if they are invalid */

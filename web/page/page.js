@@ -133,7 +133,7 @@ async function start() {
   commands = new Commands(app, new Mirror(app, canvas));
   parts = { app, searches, transitions, lab: new Lab(app), arrangement: new Arrangement(app, gaitsmith), address, autosave, results: new KeptResults(statusLine), naming: new Naming(app), buttons: new HistoryButtons(app), commands, canvas };
   gaitsmith.begin(parts);
-  parts.arrangement.begin();
+  void parts.arrangement.begin();
   gaitsmith.fps = Number(new URLSearchParams(location.search).get('fps'));
   searches.addEventListener('done', () => {
     address.changed();

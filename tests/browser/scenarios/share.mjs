@@ -211,11 +211,23 @@ async function goalsOfLessons({ browser, address }) {
   await page.close();
 }
 
+/** Every wrong option of an address is named, and the right ones are applied. @param {Visit} visit */
+async function wrongAddress({ browser, address }) {
+  const page = await PageDriver.open(browser, `${address}?panels=kitchen&lock=garage&goal=distance>=1`);
+  await page.until('the faults', () => document.querySelector('#banner')?.getAttribute('hidden') === null, 10000);
+  const text = await page.text('#banner-text');
+  assert.match(text, /kitchen/);
+  assert.match(text, /garage/);
+  await page.until('the goal', () => document.querySelector('#goal li') !== null, 10000);
+  await page.close();
+}
+
 /** @type {typeof import('./all.mjs').SCENARIOS} */
 export const SHARE_SCENARIOS = [
   ['Share has the link, a code that a camera reads, and lines that put it into another page', shareDialog],
   ['links that are damaged, cut, newer, too long or none say so and what to do', linksThatCannotBeOpened],
   ['golden links with any one byte changed, or cut anywhere, are refused', damagedLinks],
   ['an address shows panels, locks parts and sets a goal that is ticked', lessonInTheAddress],
+  ['every wrong option of an address is named, and the right ones count', wrongAddress],
   ['the goals of all lessons can be read, are measured, and are still to be reached', goalsOfLessons],
 ];
