@@ -29,7 +29,7 @@ bool App::Advance(double seconds) {
 std::vector<int> App::ShownTabs() {
   std::vector<int> shown;
   for (int panel = 0; panel < static_cast<int>(kPanels.size()); ++panel) {
-    const bool tab = phone_ || kPanels[static_cast<std::size_t>(panel)].tab_on_desk;
+    const bool tab = timeline_in_tabs_ || kPanels[static_cast<std::size_t>(panel)].tab_on_desk;
     if (tab && session_.Layout().Shows(panel)) shown.push_back(panel);
   }
   return shown;
@@ -44,6 +44,7 @@ int App::DrawTabs(Ui& ui, const ImRect& rect, const std::vector<int>& shown) {
   const bool chosen = ui.Tabs("panels", rect, Tr("Panels"), names, tab);
   const int panel = shown[static_cast<std::size_t>(tab)];
   if (chosen) {
+    sheet_open_ = panel != panel_before_ || !sheet_open_;
     const int number = kPanels[static_cast<std::size_t>(panel)].Number();
     session_.SetView([number](View& view) { view.panel = number; });
   }
@@ -54,6 +55,8 @@ void App::Draw() {
   Theme& theme = window_.Look();
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   phone_ = size.x < kPhoneWidth;
+  low_ = size.y < kLowHeight;
+  timeline_in_tabs_ = phone_ || low_;
   if (phone_) theme.touch = true;
   Ui ui(theme, window_.Registry(), window_.Behind());
   if (const WidgetRequest* due = window_.Registry().Requests().Due(); due != nullptr && due->begins)
@@ -77,12 +80,12 @@ void App::Draw() {
 
 void App::DrawDesk(Ui& ui, const ImRect& whole) {
   const std::vector<int> shown = ShownTabs();
-  const bool timeline = session_.Layout().Shows(IndexOf(Panel::kTimeline));
+  const bool timeline = session_.Layout().Shows(IndexOf(Panel::kTimeline)) && !timeline_in_tabs_;
   const float panel_x = shown.empty() ? whole.Max.x : whole.Max.x - kPanelWidth;
   const float timeline_y = !timeline ? whole.Max.y
                                      : whole.Max.y - kTimelineHeight - TransitionStripHeight(session_) -
                                            (ui.Look().touch ? 14.0f : 0.0f);
-  const float transport_y = timeline_y - kTransportHeight;
+  const float transport_y = timeline_y - (ui.Look().touch ? kTouchTransportHeight : kTransportHeight);
   const ImRect stage(whole.Min, {panel_x, transport_y});
   const ImRect card = WorldCardOn(stage, stage_.world);
   DrawStage(ui, session_, stage_, stage, stage_.world.open ? stage.Max.x - card.Min.x : 0.0f);
@@ -94,8 +97,10 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
   if (timeline) DrawTimeline(ui, session_, {{whole.Min.x, timeline_y}, {panel_x, whole.Max.y}});
   if (shown.empty()) return;
   ui.VerticalLine(panel_x, whole.Min.y, whole.Max.y);
-  const ImRect tabs({panel_x + 1.0f, whole.Min.y}, {whole.Max.x, whole.Min.y + kTabHeight});
+  const float tab_height = ui.Look().touch ? kTouchTabHeight : kTabHeight;
+  const ImRect tabs({panel_x + 1.0f, whole.Min.y}, {whole.Max.x, whole.Min.y + tab_height});
   const int panel = DrawTabs(ui, tabs, shown);
+  panel_before_ = panel;
   DrawPanel(ui, {{panel_x + 1.0f, tabs.Max.y}, whole.Max}, panel);
 }
 
@@ -106,35 +111,40 @@ void App::DrawWorld(Ui& ui, const ImRect& rect) {
 }
 
 void App::DrawPhone(Ui& ui, const ImRect& whole) {
-  const float tab_height = 44.0f;
-  const float transport = 50.0f;
-  // The stage is above the panel. On short canvases the panel's height takes precedence.
+  // The stage is above the panel. On a low canvas a press on a tab opens the panel over the stage, or closes
+  // it.
   const std::vector<int> shown = ShownTabs();
-  const float sheet = std::clamp(0.33f * whole.GetHeight(), 190.0f, 420.0f);
-  const float tabs_y = shown.empty() && !stage_.world.open ? whole.Max.y : whole.Max.y - sheet - tab_height;
-  DrawStage(ui, session_, stage_, {whole.Min, {whole.Max.x, tabs_y - transport}});
-  DrawTransport(ui, session_, {{whole.Min.x, tabs_y - transport}, {whole.Max.x, tabs_y}});
+  const bool covers = low_ && (sheet_open_ || stage_.world.open);
+  const float sheet = low_ ? 0.0f : std::clamp(0.33f * whole.GetHeight(), 190.0f, 420.0f);
+  const float tabs_y =
+      shown.empty() && !stage_.world.open ? whole.Max.y : whole.Max.y - sheet - kTouchTabHeight;
+  if (!covers) {
+    DrawStage(ui, session_, stage_, {whole.Min, {whole.Max.x, tabs_y - kTouchTransportHeight}});
+    DrawTransport(ui, session_, {{whole.Min.x, tabs_y - kTouchTransportHeight}, {whole.Max.x, tabs_y}});
+  }
   ui.HorizontalLine(whole.Min.x, whole.Max.x, tabs_y);
 
-  const ImRect tabs({whole.Min.x, tabs_y}, {whole.Max.x, tabs_y + tab_height});
+  const ImRect tabs({whole.Min.x, tabs_y}, {whole.Max.x, tabs_y + kTouchTabHeight});
   const int panel = shown.empty() ? -1 : DrawTabs(ui, tabs, shown);
   // Choosing another panel, by tab, key or command, closes the world card that would cover it.
   if (panel != panel_before_) stage_.world.open = false;
   panel_before_ = panel;
-  const ImRect rest({whole.Min.x, tabs.Max.y}, whole.Max);
+  if (low_ && !sheet_open_ && !stage_.world.open) return;
+  const ImRect rest =
+      low_ ? ImRect(whole.Min, {whole.Max.x, tabs_y}) : ImRect({whole.Min.x, tabs.Max.y}, whole.Max);
   if (stage_.world.open) {
     DrawWorld(ui, rest);  // the stage is too small for the card
-  } else if (panel < 0) {
-    return;
-  } else if (panel == IndexOf(Panel::kTimeline)) {
-    const PartScope part = ui.Part("panel", "tabpanel", Tr(kPanels[static_cast<std::size_t>(panel)].label));
-    DrawTimeline(ui, session_, rest);
-  } else {
+  } else if (panel >= 0) {
     DrawPanel(ui, rest, panel);
   }
 }
 
 void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
+  if (panel == IndexOf(Panel::kTimeline)) {
+    const PartScope part = ui.Part("panel", "tabpanel", Tr(kPanels[static_cast<std::size_t>(panel)].label));
+    DrawTimeline(ui, session_, rect);
+    return;
+  }
   ImGui::SetCursorScreenPos(rect.Min);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPanelPadding, 14.0f});
   const PanelRow& row = kPanels[static_cast<std::size_t>(panel)];
@@ -168,7 +178,7 @@ void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
       DrawSearchPanel(ui, session_, search_panel_);
       if (search_panel_.list.strips.Waiting()) window_.RequestOneFrame();
       break;
-    case Panel::kTimeline:  // drawn elsewhere
+    case Panel::kTimeline:  // drawn above
       break;
   }
   ui.Lock(false);
@@ -179,7 +189,7 @@ void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
 }
 
 std::vector<Command> App::Commands() {
-  std::vector<Command> list = CommandsOf(session_, phone_);
+  std::vector<Command> list = CommandsOf(session_, timeline_in_tabs_);
   list.push_back({.id = "view/world",
                   .group = TrLater("View"),
                   .title = Tr(stage_.world.open ? "Close the world card"
@@ -213,7 +223,7 @@ bool App::Key(std::string_view name, bool on_canvas, bool repeated) {
   if (on_canvas && !plays && BelongsToControls(name) &&
       std::ranges::any_of(window_.Registry().Widgets(), wants_keys))
     return false;
-  for (const Command& command : CommandsOf(session_, phone_)) {
+  for (const Command& command : CommandsOf(session_, timeline_in_tabs_)) {
     if (std::ranges::find(command.keys, name) == command.keys.end()) continue;
     if (repeated && !command.repeats) return true;
     if (!command.why_not.empty()) {

@@ -45,7 +45,8 @@ class App {
   void DrawPanel(Ui&, const ImRect&, int panel);
   void DrawWorld(Ui&, const ImRect&);
   bool TakeFingers(const SDL_Event&);
-  /// The tabs, as indices in kPanels: on a phone all shown panels, on a desk those with a tab there.
+  /// The tabs, as indices in kPanels: on a phone or a low canvas all shown panels, else those with a tab on
+  /// a desk.
   [[nodiscard]] std::vector<int> ShownTabs();
 
   Host& host_;
@@ -53,8 +54,11 @@ class App {
   Session session_;
   FigurePanelState figure_panel_;
   StageState stage_;
-  int panel_before_ = -1;  // on a phone, in the frame before
-  bool phone_ = false;
+  int panel_before_ = -1;    // in the frame before
+  bool phone_ = false;       // a narrow canvas
+  bool low_ = false;         // a low one
+  bool sheet_open_ = false;  // on a low phone: the panel covers the stage
+  bool timeline_in_tabs_ = false;
   ControllerPanelState controller_panel_;
   SearchPanelState search_panel_;
   bool first_frame_reported_ = false;

@@ -183,14 +183,20 @@ Extent ExtentOf(const std::vector<Playback::Point>& endpoints) {
 Camera AimCamera(const Playback& player, const Environment& world, const CameraSettings& gaze,
                  const ImRect& rect, float ground_y) {
   constexpr float kNumbers = 70.0f;  // height of the numbers at the top [points]
+  constexpr float kLeast = 96.0f;    // of a figure on a low stage [points]
+  const float above = ground_y - rect.Min.y;
+  const float tall = std::max(0.5f * rect.GetHeight(), std::min(1.15f * kLeast, above - 2.0f));
   const float reach = player.ReachM();
   const float across_m = rect.GetWidth() < kPhoneWidth ? 2.0f : 5.0f;
-  const float standing = std::min(0.5f * rect.GetHeight() / player.StandingM(),
-                                  rect.GetWidth() / std::max(across_m, 3.2f * reach));
-  const float room = std::max(20.0f, ground_y - rect.Min.y - kNumbers);
+  const float standing =
+      std::min(tall / player.StandingM(), rect.GetWidth() / std::max(across_m, 3.2f * reach));
+  const float room = std::max({20.0f, above - kNumbers, standing * player.StandingM()});
   const Playback::Height height = player.HeightAt(player.TimeS());
   Camera camera;
-  camera.scale = gaze.zoom * std::clamp(room / std::max(height.around_m, 0.1f), standing / 1.5f, standing);
+  const bool low = tall > 0.5f * rect.GetHeight();
+  const float least = std::min(
+      standing, std::max(standing / 1.5f, low ? kLeast / std::max(player.StandingM(), 1.5f * reach) : 0.0f));
+  camera.scale = gaze.zoom * std::clamp(room / std::max(height.around_m, 0.1f), least, standing);
   const Extent extent = ExtentOf(player.EndpointsAt(player.TimeS()));
   // Looks up after a figure that leaps out of the stage, but not so far that its feet are hidden.
   const float ground_room = rect.Max.y - ground_y - 8.0f;

@@ -108,7 +108,7 @@ bool Pan(StageState& state, const Touch& touch, float scale) {
 }
 
 void DrawFollowButton(Ui& ui, StageState& state, const ImRect& rect) {
-  const float height = ui.Look().touch ? 40.0f : 32.0f;
+  const float height = ui.Look().touch ? 44.0f : 32.0f;
   const ImVec2 corner(rect.Max.x - 98.0f, rect.Min.y + 10.0f);
   if (!ui.Button("stage/follow", {{corner.x - 82.0f, corner.y}, {corner.x, corner.y + height}}, Tr("Follow")))
     return;
@@ -152,7 +152,8 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
        .role = "img",
        .value = Tr("{1} m after {2} s", Fixed(terms.travel_m, 2), Fixed(session.Player().TimeS(), 2))});
   Zoom(state, touch);
-  const float ground_y = ui.Look().Snap(rect.Max.y - std::clamp(0.178f * rect.GetHeight(), 62.0f, 130.0f));
+  const float ground_y = ui.Look().Snap(
+      rect.Max.y - std::clamp(0.178f * rect.GetHeight(), std::min(62.0f, 0.17f * rect.GetHeight()), 130.0f));
   const bool two = session.Comparison().Other().Beside();
   session.Comparison().KeepInTime();
   const float open_x = rect.Max.x - covered;

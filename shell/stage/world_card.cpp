@@ -176,7 +176,7 @@ void DrawGhostChoice(Ui& ui, Session& session) {
 }  // namespace
 
 void DrawWorldButton(Ui& ui, WorldCardState& state, const ImRect& stage) {
-  const float height = ui.Look().touch ? 40.0f : 32.0f;
+  const float height = ui.Look().touch ? 44.0f : 32.0f;
   const ImVec2 corner(stage.Max.x - 12.0f, stage.Min.y + 10.0f);
   const ImRect button({corner.x - kButtonWidth, corner.y}, {corner.x, corner.y + height});
   if (ui.Button("world/open", button, Tr(state.open ? "Close" : "World"), ButtonLook::kOutlined, true,

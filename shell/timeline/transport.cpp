@@ -74,7 +74,7 @@ void DrawTransport(Ui& ui, Session& session, const ImRect& rect) {
   ui.HorizontalLine(rect.Min.x, rect.Max.x, rect.Min.y);
 
   const float y = rect.GetCenter().y;
-  const float half = ui.Look().touch ? 18.0f : 14.5f;
+  const float half = ui.Look().touch ? 22.0f : 14.5f;
   float x = rect.Min.x + 14.0f;
   const auto box = [&](float width) {
     const ImRect area({x, y - half}, {x + width, y + half});
@@ -82,12 +82,14 @@ void DrawTransport(Ui& ui, Session& session, const ImRect& rect) {
     return area;
   };
   const bool playing = player.Playing();
-  if (ui.IconButton("transport/play", box(43.0f), playing ? Icon::kPause : Icon::kPlay,
+  if (ui.IconButton("transport/play", box(44.0f), playing ? Icon::kPause : Icon::kPlay,
                     Tr(playing ? "Pause" : "Play"), ButtonLook::kOutlined)) {
     player.Play(!playing);
   }
   x += 6.0f;
-  if (ui.IconButton("transport/step", box(36.0f), Icon::kStepForward, Tr("One step forward"))) player.Step(1);
+  if (ui.IconButton("transport/step", box(ui.Look().touch ? 44.0f : 36.0f), Icon::kStepForward,
+                    Tr("One step forward")))
+    player.Step(1);
   x += 10.0f;
 
   // The longest time sets the width, so that the layout does not change during playback.
@@ -97,7 +99,7 @@ void DrawTransport(Ui& ui, Session& session, const ImRect& rect) {
                Align::kRight);
   x += time_width + 10.0f;
 
-  const float speed_width = 42.0f;
+  const float speed_width = 44.0f;
   const ImRect speed_box({rect.Max.x - 14.0f - speed_width, y - half}, {rect.Max.x - 14.0f, y + half});
   const std::string end =
       Fixed(player.DurationS(),

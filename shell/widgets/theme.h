@@ -46,22 +46,23 @@ inline constexpr std::array<std::string_view, 4> kPaletteNames = {"light", "dark
 struct Theme {
   Palette palette = PaletteOf(PaletteName::kLight);
   Fonts fonts;
-  bool touch = false;    // touch screen: targets at least 36 px high
+  bool touch = false;    // touch screen: targets at least 44 px high
   float density = 1.0f;  // device pixels per point
 
   [[nodiscard]] ImU32 Rule(int rule) const { return RuleColour(rule, palette.dark); }
   /// Height of buttons, fields and sliders' hit areas [points].
-  [[nodiscard]] float ControlHeight() const { return touch ? 38.0f : 30.0f; }
+  [[nodiscard]] float ControlHeight() const { return touch ? 44.0f : 30.0f; }
   /// Rounds a coordinate to a device pixel, so that one-pixel lines stay one pixel wide.
   [[nodiscard]] float Snap(float points) const;
 };
 
-inline constexpr float kTransportHeight = 46.0f;
+inline constexpr float kTransportHeight = 46.0f, kTouchTransportHeight = 50.0f;
 inline constexpr float kTimelineHeight = 118.0f;
 inline constexpr float kPanelWidth = 348.0f;
-inline constexpr float kTabHeight = 39.0f;
+inline constexpr float kTabHeight = 39.0f, kTouchTabHeight = 46.0f;
 inline constexpr float kPanelPadding = 14.0f;
 inline constexpr float kPhoneWidth = 700.0f;  // narrower canvases get the phone's layout
+inline constexpr float kLowHeight = 440.0f;   // lower canvases have no room for the timeline below the stage
 inline constexpr float kCornerRadius = 7.0f;
 inline constexpr float kKnobRadius = 7.0f;  // of sliders
 

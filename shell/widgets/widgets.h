@@ -104,7 +104,7 @@ class Ui {
   /// @param other text shown if no entry is selected (-1)
   bool Combo(std::string_view id, std::string_view label, std::span<const std::string> options, int& selected,
              std::string_view other = "");
-  /// @param names  this function translates them
+  /// @param names  this function translates them. @return whether a tab was pressed, also the selected one
   bool Tabs(std::string_view id, const ImRect&, std::string_view label, std::span<const char* const> names,
             int& selected);
 

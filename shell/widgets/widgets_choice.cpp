@@ -109,7 +109,7 @@ bool Ui::Tabs(std::string_view id, const ImRect& rect, std::string_view label,
   for (const char* name : names) letters += Letters().Width(Type::kStrong, Tr(name));
   const float spare = (rect.GetWidth() - 16.0f - letters) / static_cast<float>(names.size());
   const float padding = std::clamp(spare, 4.0f, theme_.touch ? 16.0f : 15.0f);
-  bool changed = false;
+  bool pressed = false;
   for (int i = 0; i < static_cast<int>(names.size()); ++i) {
     const char* name = Tr(names[static_cast<std::size_t>(i)]);
     const bool on = i == selected;
@@ -117,9 +117,9 @@ bool Ui::Tabs(std::string_view id, const ImRect& rect, std::string_view label,
     const ImRect part({x, rect.Min.y}, {x + width, rect.Max.y});
     const Touch touch = Area(std::string(id) + "/" + std::to_string(i), part, Grab::kPress,
                              {.label = name, .role = "tab", .state = {.selected = on}});
-    if (touch.pressed && !on) {
+    if (touch.pressed) {
       selected = i;
-      changed = true;
+      pressed = true;
     }
     Letters().Draw(list, on ? Type::kStrong : Type::kBody, part.GetCenter(),
                    on || touch.hovered ? p.ink : p.second_ink, name, Align::kCentre);
@@ -129,7 +129,7 @@ bool Ui::Tabs(std::string_view id, const ImRect& rect, std::string_view label,
     DrawFocus(touch, ring, 5.0f);
     x += width;
   }
-  return changed;
+  return pressed;
 }
 
 }  // namespace gaitsmith::shell

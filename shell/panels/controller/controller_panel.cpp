@@ -31,7 +31,7 @@ void DrawSettings(Ui& ui, Session& session) {
   static constexpr auto kLabels = ControlModeColumn(&ControlModeRow::label);
   const ControlModeRow& mode = ControlModeOf(session.Doc());
   int chosen = static_cast<int>(mode.mode);
-  if (ui.Segmented("controller/senses", ui.Row(ui.Look().touch ? 42.0f : 34.0f), Tr("What decides"), kLabels,
+  if (ui.Segmented("controller/senses", ui.Row(ui.Look().touch ? 44.0f : 34.0f), Tr("What decides"), kLabels,
                    chosen)) {
     session.Set([&](Document& d) { SetControlMode(d, kControlModes[static_cast<std::size_t>(chosen)]); });
   }

@@ -137,7 +137,7 @@ void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
   DrawProblems(ui, session, state);
   ui.Gap(10.0f);
   static constexpr std::array<const char*, 2> kTools = {TrLater("Move"), TrLater("Add a rod")};
-  const ImRect tools = ui.Row(ui.Look().touch ? 42.0f : 34.0f);
+  const ImRect tools = ui.Row(ui.Look().touch ? 44.0f : 34.0f);
   int tool = static_cast<int>(state.board.tool);
   const char* undo = Tr("Undo");
   const float undo_width = std::max(68.0f, ui.Letters().Width(Type::kBody, undo) + 16.0f);
