@@ -127,7 +127,7 @@ class SearchRun {
   std::optional<EliteMap> elites_;
   Document before_;
   std::vector<Document> ended_;  // the latest searches that ran to their end
-  Genome improvement_;  // found, not shown yet
+  Genome improvement_;           // found, not shown yet
   double shown_for_s_ = 0.0;
   bool interrupted_ = false;
 };

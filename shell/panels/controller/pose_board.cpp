@@ -147,7 +147,7 @@ std::optional<PoseEdit> DrawPoseBoard(Ui& ui, const Skeleton& bones, const std::
   }
   if (!present.empty()) {
     DrawRods(list, bones, picture.ToCanvas(PoseOf(bones, present)),
-               {.rods = Mix(p.paper, p.ink, 0.13f), .width = 0.8f * width});
+             {.rods = Mix(p.paper, p.ink, 0.13f), .width = 0.8f * width});
   }
   DrawRods(list, bones, points, {.rods = colour, .joints = p.panel, .width = width});
   if (lit > 0) {
