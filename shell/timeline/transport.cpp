@@ -30,12 +30,12 @@ void DrawStrip(Ui& ui, Session& session, const ImRect& rect) {
   if (touch.held) {
     if (touch.began) player.Play(false);
     const float share = std::clamp((ImGui::GetIO().MousePos.x - rect.Min.x) / rect.GetWidth(), 0.0f, 1.0f);
-    player.Seek(static_cast<double>(share) * duration);
+    player.SeekFrame(static_cast<double>(share) * duration);
   }
   if (touch.steps != 0) player.Step(touch.steps);
   if (touch.wanted) {
     player.Play(false);
-    player.Seek(*touch.wanted);
+    player.SeekFrame(*touch.wanted);
   }
 
   const Palette& p = ui.Ink();

@@ -42,6 +42,11 @@ bool Playback::Advance(double seconds) {
 
 void Playback::Seek(double time_s) { time_s_ = std::clamp(time_s, 0.0, DurationS()); }
 
+void Playback::SeekFrame(double time_s) {
+  const auto step_s = static_cast<double>(motion_->StepS());
+  Seek(std::round(time_s / step_s) * step_s);
+}
+
 void Playback::Step(int frames) {
   playing_ = false;
   Seek((Frame() + frames) * static_cast<double>(motion_->StepS()));

@@ -34,6 +34,8 @@ class Playback {
   bool Advance(double seconds);
   void Play(bool playing) { playing_ = playing; }
   void Seek(double time_s);
+  /// Shows the frame nearest to this time, so that what is displayed and what is edited are the same moment.
+  void SeekFrame(double time_s);
   /// Moves by whole frames and pauses playback.
   void Step(int frames);
 

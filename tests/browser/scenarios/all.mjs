@@ -251,7 +251,7 @@ export const MAIN_SCENARIOS = [
     await fresh.page.keyboard.press('Enter');
     await fresh.frames();
     assert.match(await fresh.call('text', () => document.querySelector('#description')?.textContent ?? ''),
-      / Score .*; effort .* rad times -0\.00\d takes away /);
+      / Score .*; effort .* rad times −0\.00\d takes away /);
     await fresh.click('style/reset');
     assert.ok(Object.values(await weights()).every((weight) => weight === 0), 'a weight was not reset');
     assert.equal(await fresh.hash(), before);

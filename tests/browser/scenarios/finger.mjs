@@ -37,5 +37,29 @@ async function setsOrScrolls({ browser, address }) {
   await page.close();
 }
 
+/** Phones held sideways, and text enlarged fourfold: the stage stays, and every panel can be reached. @param {Visit} visit */
+async function lowWindows({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const widget = async (/** @type {string} */ id) => (await page.widgets()).find((one) => one.id === id);
+  for (const [width, height, covers] of /** @type {const} */ ([[844, 390, false], [915, 412, false], [667, 375, true], [640, 360, true], [320, 256, true]])) {
+    await page.page.setViewport({ width, height });
+    await page.frames(10);
+    const stage = (await widget('stage'))?.rect.height ?? 0;
+    assert.ok(stage >= 110, `${width} x ${height}: the stage is ${stage} px high`);
+    await page.click('panels/3');
+    assert.ok(await widget('search/start'), `${width} x ${height}: the search panel opens`);
+    if (!covers) continue;
+    assert.equal(await widget('stage'), undefined, `${width} x ${height}: the panel lies over the stage`);
+    await page.click('panels/3');
+    assert.ok(await widget('stage'), `${width} x ${height}: a second press closes the panel`);
+    assert.equal(await widget('search/start'), undefined);
+  }
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
 /** @type {[string, (visit: Visit) => Promise<void>][]} */
-export const FINGER_SCENARIOS = [['a finger on a slider scrolls the panel when it goes up, and sets when it goes sideways or taps', setsOrScrolls]];
+export const FINGER_SCENARIOS = [
+  ['a finger on a slider scrolls the panel when it goes up, and sets when it goes sideways or taps', setsOrScrolls],
+  ['low windows keep the figure, and a press on a tab opens its panel', lowWindows],
+];
