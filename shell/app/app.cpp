@@ -44,7 +44,8 @@ int App::DrawTabs(Ui& ui, const ImRect& rect, const std::vector<int>& shown) {
   const bool chosen = ui.Tabs("panels", rect, Tr("Panels"), names, tab);
   const int panel = shown[static_cast<std::size_t>(tab)];
   if (chosen) {
-    sheet_open_ = panel != panel_before_ || !sheet_open_;
+    sheet_open_ = panel != panel_before_ || !sheet_open_ || stage_.world.open;
+    if (low_) stage_.world.open = false;
     const int number = kPanels[static_cast<std::size_t>(panel)].Number();
     session_.SetView([number](View& view) { view.panel = number; });
   }
@@ -128,6 +129,8 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
   const int panel = shown.empty() ? -1 : DrawTabs(ui, tabs, shown);
   // Choosing another panel, by tab, key or command, closes the world card that would cover it.
   if (panel != panel_before_) stage_.world.open = false;
+  if (shown.empty() && low_ && stage_.world.open && ui.Button("world/open", tabs, Tr("Close")))
+    stage_.world.open = false;
   panel_before_ = panel;
   if (low_ && !sheet_open_ && !stage_.world.open) return;
   const ImRect rest =
@@ -205,6 +208,7 @@ bool App::Run(std::string_view id) {
   if (command == list.end() || !command->why_not.empty()) return false;
   session_.BeginGesture();
   command->run();
+  if (id.starts_with("panel/")) sheet_open_ = true;
   window_.RequestFrame();
   return true;
 }
@@ -232,6 +236,7 @@ bool App::Key(std::string_view name, bool on_canvas, bool repeated) {
     }
     session_.BeginGesture();
     command.run();
+    if (command.id.starts_with("panel/")) sheet_open_ = true;
     window_.RequestFrame();
     return true;
   }

@@ -97,9 +97,15 @@ void SearchRun::Begin(Document wanted, Source source) {
 }
 
 bool SearchRun::WouldRepeat() const {
-  const Document& now = workspace_.Doc();
+  const Document& document = workspace_.Doc();
+  // Asked in every frame, so what is cheap to compare comes first.
+  std::optional<Document> now;
   return std::ranges::any_of(ended_, [&](const Document& ended) {
-    return ended.search.seed == now.search.seed && SameSearch(ended, now);
+    if (ended.search.seed != document.search.seed || ended.figure.name != document.figure.name ||
+        ended.search.algorithm != document.search.algorithm || ended.task.kind != document.task.kind)
+      return false;
+    if (!now) now = SearchOf(document);
+    return DifferingParts(ended, *now).Empty();
   });
 }
 

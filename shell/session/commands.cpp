@@ -105,7 +105,7 @@ void AddQueue(std::vector<Command>& list, Session& session) {
 void AddFound(std::vector<Command>& list, Session& session) {
   list.push_back({.id = "found/keep",
                   .group = TrLater("Results"),
-                  .title = Tr("Keep this motion"),
+                  .title = Tr("Save this motion to the results"),
                   .keys = {"k"},
                   .why_not = session.Doc().timeline.empty() ? Tr("there is no motion yet") : "",
                   .run = [&session] { session.Results().KeepShown(); }});

@@ -167,7 +167,7 @@ void Session::ShowElite(Document motion) {
 }
 
 void Session::Synthesize() {
-  if (search_.WouldRepeat() && !Layout().Locks(LockedPart::kSearch)) {
+  if (!lab_.Running() && search_.WouldRepeat() && !Layout().Locks(LockedPart::kSearch)) {
     std::vector<Document> others = {Doc()};
     for (const FoundMotions::Entry* entry : results_.Motions().Sorted(FoundMotions::Order::kNewest))
       others.push_back(entry->motion.document);

@@ -84,6 +84,14 @@ float SoleOf(const Skeleton& bones, const FigureLook& look) {
   return sole;
 }
 
+/// The shipped heads point to the right, a mirrored one to the left.
+float CrownOf(const Skeleton& bones, const FigureLook& look) {
+  const std::vector<ImVec2> pose = PoseOf(bones, {});
+  const auto rod = static_cast<std::size_t>(look.head_rod);
+  const float along = pose[rod + 1].x - pose[static_cast<std::size_t>(bones.limbs[rod].start)].x;
+  return along < -0.05f * bones.limbs[rod].length_m ? -1.0f : 1.0f;
+}
+
 }  // namespace
 
 FigureLook LookOf(std::string_view name, const Skeleton& bones) {
@@ -127,6 +135,7 @@ FigureLook LookOf(std::string_view name, const Skeleton& bones) {
   }
   if (rods > 3 && LikeLimbs(bones, 0).size() >= 3) look.hub_m = 1.35f * look.middle_m;
   look.sole_m = SoleOf(bones, look);
+  if (look.head_rod >= 0) look.crown = CrownOf(bones, look);
   return look;
 }
 

@@ -34,6 +34,7 @@ struct FigureLook {
   Head head = Head::kNone;
   int head_rod = -1;
   float head_m = 0.0f;  // radius of a round head
+  float crown = 1.0f;   // 1: the head's top is to the left of its rod; -1: to the right, in a mirrored figure
   float sole_m = 0.0f;  // how far outlines reach below the endpoints that the drawn pose stands on
 };
 

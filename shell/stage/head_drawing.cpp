@@ -14,23 +14,27 @@ constexpr float kBeyond = 0.03f;
 /// The least radius of an eye [points].
 constexpr float kLeastEye = 1.1f;
 
-/// Coordinates of a head: along the rod, and to its left, which is up where the rod points right.
+/// Coordinates of a head: along the rod, and to its left, which is up where the rod points right (in a
+/// mirrored figure to its right).
 class HeadFrame {
  public:
-  explicit HeadFrame(const HeadPlace& place)
-      : place_(place), length_(std::hypot(place.tip.x - place.neck.x, place.tip.y - place.neck.y)) {
+  HeadFrame(const HeadPlace& place, float crown)
+      : place_(place),
+        crown_(crown),
+        length_(std::hypot(place.tip.x - place.neck.x, place.tip.y - place.neck.y)) {
     if (length_ > 0.0f)
       along_ = {(place.tip.x - place.neck.x) / length_, (place.tip.y - place.neck.y) / length_};
   }
   /// @param share of the rod from its start @param forwards, left [m] from there
   [[nodiscard]] ImVec2 At(float share, float forwards = 0.0f, float left = 0.0f) const {
-    const float x = share * length_ + forwards * place_.scale, y = left * place_.scale;
+    const float x = share * length_ + forwards * place_.scale, y = crown_ * left * place_.scale;
     return {place_.neck.x + along_.x * x + along_.y * y, place_.neck.y + along_.y * x - along_.x * y};
   }
   [[nodiscard]] float Points(float metres) const { return metres * place_.scale + place_.grow; }
 
  private:
   const HeadPlace& place_;
+  float crown_;
   float length_;
   ImVec2 along_{1.0f, 0.0f};
 };
@@ -38,7 +42,7 @@ class HeadFrame {
 }  // namespace
 
 void DrawHead(ImDrawList* list, const FigureLook& look, const HeadPlace& place, ImU32 colour) {
-  const HeadFrame frame(place);
+  const HeadFrame frame(place, look.crown);
   const FigureLook::Limb& limb = look.limbs[static_cast<std::size_t>(look.head_rod)];
   const auto piece = [&](ImVec2 from, float from_m, ImVec2 to, float to_m) {
     DrawLimb(list, from, frame.Points(from_m), to, frame.Points(to_m), colour);
@@ -73,7 +77,7 @@ void DrawHead(ImDrawList* list, const FigureLook& look, const HeadPlace& place, 
 }
 
 void DrawEye(ImDrawList* list, const FigureLook& look, const HeadPlace& place, ImU32 colour) {
-  const HeadFrame frame(place);
+  const HeadFrame frame(place, look.crown);
   const auto eye = [&](ImVec2 at, float radius_m) {
     list->AddCircleFilled(at, std::max(kLeastEye, radius_m * place.scale), colour);
   };

@@ -46,12 +46,14 @@ inline constexpr std::array<std::string_view, 4> kPaletteNames = {"light", "dark
 struct Theme {
   Palette palette = PaletteOf(PaletteName::kLight);
   Fonts fonts;
-  bool touch = false;    // touch screen: targets at least 44 px high
+  bool touch = false;    // touch screen: most targets are 44 px high
   float density = 1.0f;  // device pixels per point
 
   [[nodiscard]] ImU32 Rule(int rule) const { return RuleColour(rule, palette.dark); }
   /// Height of buttons, fields and sliders' hit areas [points].
   [[nodiscard]] float ControlHeight() const { return touch ? 44.0f : 30.0f; }
+  /// Height of the buttons that start something [points].
+  [[nodiscard]] float MainHeight() const { return touch ? 46.0f : 38.0f; }
   /// Rounds a coordinate to a device pixel, so that one-pixel lines stay one pixel wide.
   [[nodiscard]] float Snap(float points) const;
 };

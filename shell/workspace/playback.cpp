@@ -214,8 +214,10 @@ void Playback::SmoothHeight() {
     return std::accumulate(values.begin(), values.end(), 0.0f) / static_cast<float>(values.size());
   };
   std::vector<float> highest;
+  highest.reserve(tops.size());
   for (std::size_t i = 0; i < tops.size(); ++i) highest.push_back(std::ranges::max(around(tops, i, kSecond)));
   height_m_.clear();
+  height_m_.reserve(tops.size());
   for (std::size_t i = 0; i < tops.size(); ++i)
     height_m_.push_back({mean(around(tops, i, 3)), mean(around(highest, i, kSecond / 2))});
 }

@@ -37,9 +37,13 @@ export function belongsToControls(name) { return /^(Space|Enter|Home|End|Arrow.*
 
 /** @param {(event: KeyboardEvent) => boolean} handle  runs a command; returns false if the key has none */
 export function guardKeys(handle) {
+  /** Keys that a command handled and that are still held. Firefox presses a focused button when Space is released. @type {Set<string>} */
+  const handled = new Set();
   for (const type of /** @type {const} */ (['keydown', 'keyup', 'keypress'])) {
     addEventListener(type, (event) => {
-      if (type === 'keydown' && handle(event)) {
+      const taken = type === 'keydown' ? handle(event) : type === 'keyup' && handled.has(event.code);
+      if (taken) {
+        if (type === 'keydown') handled.add(event.code); else handled.delete(event.code);
         event.preventDefault();
         event.stopImmediatePropagation();
         return;

@@ -41,7 +41,7 @@ export class Commands {
     this.app = app;
     this.mirror = mirror;
     addEventListener('pointerdown', () => { this.#pointed = true; }, { capture: true });
-    addEventListener('keydown', ({ key }) => { if (/^(Tab|Arrow|F6)/.test(key)) this.#pointed = false; }, { capture: true });
+    addEventListener('keydown', ({ key }) => { if (/^(Tab|Arrow|F6|Escape)/.test(key)) this.#pointed = false; }, { capture: true });
   }
 
   /** @param {Command[]} commands  of the page, with English titles */

@@ -174,4 +174,4 @@ problems();
 if (existsSync(path('by-figure/acrobat-sphc'))) figures();
 if (existsSync(path('by-style/star-man-travel-physical-none-sphc'))) styles();
 if (existsSync(path('further'))) further();
-elsewhere();
+if (existsSync(path('elsewhere'))) elsewhere();

@@ -160,8 +160,8 @@ void DrawControllerPanel(Ui& ui, Session& session, ControllerPanelState& state) 
                                        ControllerWords(shown->kind, shown->senses, shown->rules)),
                  Type::kNote);
     ui.Gap(6.0f);
-    if (!session.Search().Running() &&
-        ui.Button("controller/start", ui.Row(38.0f), Tr("Synthesize"), ButtonLook::kPrimary)) {
+    if (!session.Search().Running() && ui.Button("controller/start", ui.Row(ui.Look().MainHeight()),
+                                                 Tr("Synthesize"), ButtonLook::kPrimary)) {
       session.Synthesize();
       return;
     }

@@ -41,7 +41,7 @@ std::string AllText(const Lab& lab) {
 }
 
 void DrawButtons(Ui& ui, Session& session) {
-  const ImRect row = ui.Row(38.0f);
+  const ImRect row = ui.Row(ui.Look().MainHeight());
   if (session.Lab().Running()) {
     if (ui.Button("lab/stop", row, Tr("Stop"))) session.Lab().Stop();
   } else if (ui.Button("lab/start", row, Tr("Start"), ButtonLook::kPrimary)) {

@@ -31,7 +31,7 @@ std::array<ImRect, 2> Halves(const ImRect& row) {
 }
 
 void DrawSearchButtons(Ui& ui, Session& session) {
-  const ImRect row = ui.Row(38.0f);
+  const ImRect row = ui.Row(ui.Look().MainHeight());
   if (!session.Search().Running()) {
     const bool again = session.Search().WouldRepeat() && !session.Layout().Locks(LockedPart::kSearch);
     if (ui.Button("search/start", row, Tr(again ? "Try another" : "Synthesize"), ButtonLook::kPrimary))

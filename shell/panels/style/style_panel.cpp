@@ -128,9 +128,8 @@ void DrawWeights(Ui& ui, Session& session) {
   const bool any = std::ranges::any_of(task.weights, [](float weight) { return weight != 0.0f; });
   ui.Heading(Tr("Style"));
   ui.Paragraph(Tr("Right asks for more, left for less. 1 is typical."), Type::kNote);
-  ui.Paragraph(
-      Tr("Gentle weights usually leave the distance the larger part of the score, strong ones do not."),
-      Type::kNote);
+  ui.Paragraph(Tr("Gentle weights usually leave the goal the larger part of the score. Strong ones may not."),
+               Type::kNote);
   ui.Gap(8.0f);
   const StyleWeights usual = UsualWeights(session.Doc()), gentle = GentleWeights(session.Doc());
   for (std::size_t i = 0; i < kStyleTerms; ++i) {
@@ -175,12 +174,13 @@ void DrawStylePanel(Ui& ui, Session& session) {
   DrawWeights(ui, session);
   ui.Gap(8.0f);
   if (!session.Search().Running()) {
-    if (ui.Button("style/try", ui.Row(38.0f), Tr("Quick try from this motion"), ButtonLook::kOutlined,
-                  session.Timeline().ShownController() != nullptr)) {
+    if (ui.Button("style/try", ui.Row(ui.Look().MainHeight()), Tr("Quick try from this motion"),
+                  ButtonLook::kOutlined, session.Timeline().ShownController() != nullptr)) {
       session.TryStyle();
     }
     ui.Gap(8.0f);
-    if (ui.Button("style/start", ui.Row(38.0f), Tr("Synthesize in this style"), ButtonLook::kOutlined))
+    if (ui.Button("style/start", ui.Row(ui.Look().MainHeight()), Tr("Synthesize in this style"),
+                  ButtonLook::kOutlined))
       session.Synthesize();
   }
   ui.Gap(14.0f);

@@ -41,6 +41,7 @@ async function setsOrScrolls({ browser, address }) {
 async function lowWindows({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   const widget = async (/** @type {string} */ id) => (await page.widgets()).find((one) => one.id === id);
+  const inWorld = async () => (await page.widgets()).some(({ id }) => id.startsWith('world/') && id !== 'world/open');
   for (const [width, height, covers] of /** @type {const} */ ([[844, 390, false], [915, 412, false], [667, 375, true], [640, 360, true], [320, 256, true]])) {
     await page.page.setViewport({ width, height });
     await page.frames(10);
@@ -53,6 +54,15 @@ async function lowWindows({ browser, address }) {
     await page.click('panels/3');
     assert.ok(await widget('stage'), `${width} x ${height}: a second press closes the panel`);
     assert.equal(await widget('search/start'), undefined);
+    await page.click('world/open');
+    assert.ok(await inWorld(), `${width} x ${height}: the world card opens`);
+    await page.click('panels/3');
+    assert.ok(!await inWorld(), `${width} x ${height}: a press on a tab closes it`);
+    await page.call('another panel', () => window.gaitsmith.run('panel/Style'));
+    await page.frames();
+    assert.ok(await widget('style/task'), 'a command opens its panel');
+    await page.click('panels/2');
+    assert.ok(await widget('stage'));
   }
   assert.deepEqual(page.complaints, []);
   await page.close();

@@ -115,13 +115,18 @@ async function keysWork({ browser, address }) {
       await page.press(' ');
     }
   }
-  // Space plays and pauses wherever the mouse last clicked.
+  // Space plays and pauses wherever the mouse last clicked, and presses nothing there.
+  await page.page.evaluate(() => {
+    Object.assign(window, { testPresses: 0 });
+    document.querySelector('#undo')?.addEventListener('click', () => { /** @type {any} */ (window).testPresses++; });
+  });
   for (const click of [() => new Mouse(page).press('panels/0'), () => page.page.click('#undo'), () => new Mouse(page).press('panels/3')]) {
     await click();
     const before = await playing();
     await page.press(' ');
     assert.equal(await playing(), !before);
   }
+  assert.equal(await page.call('presses', () => /** @type {any} */ (window).testPresses), 1);
   await page.page.focus('canvas');
   await page.press('s');
   await page.until('a search', () => window.gaitsmith.widgets().some(({ id }) => id === 'search/stop'), 20000);

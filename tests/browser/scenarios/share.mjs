@@ -219,6 +219,7 @@ async function wrongAddress({ browser, address }) {
   assert.match(text, /kitchen/);
   assert.match(text, /garage/);
   await page.until('the goal', () => document.querySelector('#goal li') !== null, 10000);
+  assert.deepEqual(page.complaints, []);
   await page.close();
 }
 

@@ -109,6 +109,8 @@ async function mainButtons({ browser, address }) {
     assert.ok(await contrast('#open-go') >= 4.5, `${theme}: in a dialog, under the mouse`);
     await page.page.keyboard.press('Escape');
   }
+  assert.deepEqual(page.complaints, []);
+  await page.close();
 }
 
 /** @type {[string, (visit: Visit) => Promise<void>][]} */

@@ -116,6 +116,11 @@ TEST_CASE("session: the same search again takes the next seed, another search ke
   CHECK(session.Doc().search.seed == seed + 2);
   CHECK(host.started.back().search.seed == seed + 2);
   End(session, host, 32000);
+  for (int step = 0; step < 3; ++step) session.Undo();  // two searches, and the seed between them
+  CHECK(State(session) == before);
+  CHECK_FALSE(session.CanUndo());
+  for (int step = 0; step < 3; ++step) session.Redo();
+  session.BeginGesture();
   session.Set([](Document& d) { d.search.evaluations += 1; });
   CHECK_FALSE(session.Search().WouldRepeat());
   session.BeginGesture();

@@ -5,6 +5,7 @@
 #include <catch_amalgamated.hpp>
 #include <filesystem>
 
+#include "core/numeric/scalar_math.h"
 #include "tests/scene.h"
 
 namespace gaitsmith::shell {
@@ -60,6 +61,17 @@ TEST_CASE("look: a head needs its rod to end freely, and its figure's name up to
   CHECK(LookOf("Ostrich", Skeleton(ostrich)).head == Head::kNone);
   const Figure rod{.name = "Ostrich", .rods = {Rod{}}};
   CHECK(LookOf(rod.name, Skeleton(rod)).head == Head::kNone);
+}
+
+TEST_CASE("look: a mirrored head keeps its top above") {
+  for (const char* name : {"ostrich", "frog", "horse", "kangaroo", "inchworm"}) {
+    Figure figure = gaitsmith::test::ShippedFigure(name);
+    CAPTURE(name);
+    CHECK(LookOf(figure.name, Skeleton(figure)).crown == 1.0f);
+    for (Rod& rod : figure.rods)
+      rod.rest_rad = rod.parent == kNoParent ? static_cast<float>(kPi) - rod.rest_rad : -rod.rest_rad;
+    CHECK(LookOf(figure.name, Skeleton(figure)).crown == -1.0f);
+  }
 }
 
 }  // namespace gaitsmith::shell
