@@ -109,7 +109,7 @@ std::string WhyWords(const RuleMoment& moment, int rule) {
   if (rule == choice.rule && choice.holds) return WhyItActs(moment, rule);
   if (rule == choice.rule) {
     const int rival = choice.runner_up;
-    std::string words = Tr("No rule matches, so rule {1} stays active.", rule + 1);
+    std::string words = Tr("Rule {1} stays active, because no rule matches.", rule + 1);
     if (rival < 0) return words;
     const int sense = choice.standings[static_cast<std::size_t>(rival)].decisive_sense;
     return words + " " +

@@ -60,7 +60,7 @@ TEST_CASE("why: the first rule is active before any sensing, and without a match
   CHECK(clockwork.Why(0, 2) == "Rule 3 waits: nothing is felt yet, and a controller begins with rule 1.");
   RuleEdit(clockwork.document.controllers[0], 3, 1).SetInterval(0, 0.2f, 0.5f);
   CHECK(clockwork.Why(55, 1) ==
-        "No rule matches, so rule 2 stays active. Nearest is rule 1: timer at 0.55 s, 0.15 s above its "
+        "Rule 2 stays active, because no rule matches. Nearest is rule 1: timer at 0.55 s, 0.15 s above its "
         "interval.");
   RuleEdit(clockwork.document.controllers[0], 3, 2).SetCares(0, false);
   CHECK(clockwork.Why(55, 2).starts_with("Rule 3 is active: it uses no sense, so it always matches."));
