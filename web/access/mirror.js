@@ -249,9 +249,9 @@ export class Mirror {
 
   /** @param {MouseEvent} event */
   #clicked(event) {
+    this.update(); // what was disabled at the last one may be possible now
     const reflection = this.at(event.target);
-    if (!reflection || reflection.node instanceof HTMLInputElement || reflection.widget.state.disabled) return;
-    if (!takesKeyboard(reflection.widget)) return;
+    if (!reflection || reflection.node instanceof HTMLInputElement || !takesKeyboard(reflection.widget)) return;
     this.app.activate(reflection.widget.id);
     this.acted();
   }
@@ -282,7 +282,7 @@ export class Mirror {
 
   /** @param {Reflection} reflection @param {number} value @param {boolean} [again]  repeated by a held key */
   set({ widget }, value, again = false) {
-    if (widget.state.disabled || !Number.isFinite(value)) return;
+    if (!Number.isFinite(value)) return;
     this.app.setValue(widget.id, value, again);
     this.acted();
   }
