@@ -36,34 +36,42 @@ function summary(names, searches) {
 const cell = ([n = 0, median = 0, low = 0, high = 0]) => `${median.toFixed(2)} (${low.toFixed(2)}–${high.toFixed(2)})${n < 40 ? ` n ${n}` : ''}`;
 const middle = (/** @type {number[]} */ values) => values.sort((a, b) => a - b)[Math.floor(values.length / 2)] ?? NaN;
 
+/** The paper's order, X before Y. The first six make it whole (question.md). */
+const PAIRS = ['shc gga', 'shc ssga', 'sphc gga', 'sphc ssga', 'gga rgt', 'ssga rgt', 'shc rgt', 'sphc rgt', 'sphc shc', 'ssga gga']
+  .map((pair) => pair.split(' '));
+/** A column for each sense and reading, a line for each pair, and how often the paper's order is reproduced as a whole. */
+const columns = ['sense, reading'], lines = PAIRS.map(([x, y]) => [`${x} before ${y}`]), whole = ['all of the paper\'s order'];
 for (const sense of ['physical', 'timer']) {
   const done = PROBLEMS.filter((problem) => existsSync(path(`${problem}-${sense}`)));
   for (const [reading, searches] of Object.entries(READINGS)) {
     if (sense === 'timer' && reading === 'no heedless rules') continue;
     console.log(`\n| ${sense}, ${reading} | ${NAMES.join(' | ')} |\n|---${'|---'.repeat(NAMES.length)}|`);
-    /** @type {Map<string, {before: number, after: number, a12: number[]}>} */
-    const order = new Map();
-    for (const problem of done) {
+    const verdicts = done.map((problem) => {
       const { median, pairs } = summary([`${problem}-${sense}`], searches);
       console.log(`| ${problem} | ${searches.map((search) => cell(median.get(search))).join(' | ')} |`);
-      for (const { a, b, a12, p } of pairs) {
-        const [i, j] = [searches.indexOf(a), searches.indexOf(b)];
-        const key = `${NAMES[Math.max(i, j)]} before ${NAMES[Math.min(i, j)]}`, share = i > j ? a12 : 1 - a12;
-        const one = order.get(key) ?? { before: 0, after: 0, a12: [] };
-        if (p < 0.05) one[share > 0.5 ? 'before' : 'after']++;
-        one.a12.push(share);
-        order.set(key, one);
-      }
-    }
-    console.log(`\n| ${sense}, ${reading}: of ${done.length} problems | established | its reverse | A₁₂, median |\n|---|---|---|---|`);
-    for (const [key, { before, after, a12 }] of order) console.log(`| ${key} | ${before} | ${after} | ${middle(a12).toFixed(2)} |`);
+      return PAIRS.map((pair) => {
+        const [x, y] = pair.map((name) => searches[NAMES.indexOf(name)]);
+        const { a, a12, p } = pairs.filter((one) => (one.a === x && one.b === y) || (one.a === y && one.b === x))[0] ?? { a: x, a12: NaN, p: NaN };
+        const share = a === x ? a12 : 1 - a12;
+        return { share, before: p < 0.05 && share > 0.5, after: p < 0.05 && share < 0.5 };
+      });
+    });
+    columns.push(`${sense}, ${reading}`);
+    lines.forEach((line, i) => {
+      const ones = verdicts.map((problem) => /** @type {(typeof problem)[0]} */ (problem[i]));
+      line.push(`${ones.filter(({ before }) => before).length}, ${ones.filter(({ after }) => after).length} (${
+        middle(ones.map(({ share }) => share)).toFixed(2)})`);
+    });
+    whole.push(`${verdicts.filter((problem) => problem.slice(0, 6).every(({ before }) => before)).length}`);
   }
 }
+console.log(`\n| ${columns.join(' | ')} |\n${'|---'.repeat(columns.length)}|`);
+for (const line of [...lines, whole]) console.log(`| ${line.join(' | ')} |`);
 
 for (const [what, suffix] of [['as they are', ''], ['without heedless rules', ':heedless=forbidden']]) {
   const done = PROBLEMS.filter((problem) => existsSync(path(`${problem}-timer`)));
   console.log(`\n| timer against physical senses ${what} | ${NAMES.join(' | ')} |\n|---${'|---'.repeat(NAMES.length)}|`);
-  const columns = NAMES.map((name) => {
+  const searches = NAMES.map((name) => {
     const compared = done.map((problem) => {
       const both = summary([`${problem}-timer`, `${problem}-physical`], suffix ? [name, `${name}${suffix}`] : [name]);
       const timer = `${name} in ${problem}-timer`, senses = suffix ? `${name}${suffix}` : `${name} in ${problem}-physical`;
@@ -72,6 +80,5 @@ for (const [what, suffix] of [['as they are', ''], ['without heedless rules', ':
     const adjusted = holm(compared.map(({ p }) => p));
     return compared.map(({ a12 }, i) => `${a12.toFixed(2)}${(adjusted[i] ?? 1) < 0.05 ? ' *' : ''}`);
   });
-  done.forEach((problem, i) => console.log(`| ${problem} | ${columns.map((column) => column[i]).join(' | ')} |`));
-  console.log('\nA₁₂: the chance that a run with the timer ends better; * p < 0.05, adjusted over the problems.');
+  done.forEach((problem, i) => console.log(`| ${problem} | ${searches.map((shares) => shares[i]).join(' | ')} |`));
 }
