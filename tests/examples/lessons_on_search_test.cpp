@@ -173,10 +173,10 @@ TEST_CASE("lessons: which search wins", "[lessons]") {
   Says(lesson, "The three best jumps belong to the single climber.");
   CHECK(single[2] > population[4]);
 
-  // The study of docs/search.md: "with twenty seeds: then the median of the population is 5.8 m, and that of
+  // The study of docs/search.md: "with twenty seeds: the median of the population is 5.8 m, and that of
   // the single climber 5.4 m; but a quarter of the single climbers get no more than 1.6 m."
   Says(lesson,
-       "then the median of the population is 5.8 m, and that of the single climber 5.4 m; but a quarter of "
+       "the median of the population is 5.8 m, and that of the single climber 5.4 m; but a quarter of "
        "the single climbers get no more than 1.6 m.");
   std::istringstream study(ReadFile("docs/studies/searches/hopper-jump-physical.csv"));
   std::map<std::string, std::vector<float>> best;
