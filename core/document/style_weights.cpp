@@ -49,9 +49,8 @@ StyleWeights WeightsFor(const Document& document, float StyleTermRow::* any_figu
                         PaperWeights Calibrated::* this_figure) {
   StyleWeights weights;
   for (std::size_t term = 0; term < weights.size(); ++term) weights[term] = kStyleTable[term].*any_figure;
-  const std::string_view name = document.figure.name;
   for (const Calibrated& one : kCalibrated) {
-    if (name.substr(0, name.find(',')) == one.figure && document.senses.kind == one.senses)
+    if (KindOf(document.figure.name) == one.figure && document.senses.kind == one.senses)
       std::ranges::copy(one.*this_figure, weights.begin());
   }
   return weights;

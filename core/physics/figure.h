@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/numeric/error.h"
@@ -36,6 +37,11 @@ struct Figure {
   [[nodiscard]] int Joints() const { return Rods() - 1; }
   [[nodiscard]] int Endpoints() const { return Rods() + 1; }
 };
+
+/// A figure's name up to a comma: "Ostrich" of "Ostrich, mirrored". Edited copies keep what their figure is.
+[[nodiscard]] constexpr std::string_view KindOf(std::string_view name) {
+  return name.substr(0, name.find(','));
+}
 
 /// True if both trees have the same number of rods attached to the same ends, whatever their lengths, masses,
 /// angles and limits. Controllers of one figure can then drive the other.

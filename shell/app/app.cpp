@@ -7,9 +7,11 @@
 #include <cmath>
 
 #include "shell/panels/controller/controller_panel.h"
+#include "shell/panels/figure/figure_row.h"
 #include "shell/panels/lab/lab_panel.h"
 #include "shell/panels/style/style_panel.h"
 #include "shell/stage/stage.h"
+#include "shell/stage/stage_actions.h"
 #include "shell/timeline/timeline.h"
 #include "shell/timeline/transition_strip.h"
 #include "shell/timeline/transport.h"
@@ -20,10 +22,7 @@ namespace gaitsmith::shell {
 bool App::Advance(double seconds) {
   // After the page was suspended (a hidden tab), the motion continues where it stopped.
   const double step = std::min(seconds, 0.1);
-  session_.Queue().Resume();
-  session_.Timeline().Transitions().Advance(step);
-  const bool improved = session_.Search().ShowImprovement(step);
-  return session_.Player().Advance(step) || improved;
+  return session_.Advance(step);
 }
 
 std::vector<int> App::ShownTabs() {
@@ -82,11 +81,15 @@ void App::Draw() {
 void App::DrawDesk(Ui& ui, const ImRect& whole) {
   const std::vector<int> shown = ShownTabs();
   const bool timeline = session_.Layout().Shows(IndexOf(Panel::kTimeline)) && !timeline_in_tabs_;
+  const bool figures = ShowsFigureRow();
   const float panel_x = shown.empty() ? whole.Max.x : whole.Max.x - kPanelWidth;
-  const float timeline_y = !timeline ? whole.Max.y
-                                     : whole.Max.y - kTimelineHeight - TransitionStripHeight(session_) -
-                                           (ui.Look().touch ? 14.0f : 0.0f);
-  const float transport_y = timeline_y - (ui.Look().touch ? kTouchTransportHeight : kTransportHeight);
+  const float timeline_y = !timeline || figures
+                               ? whole.Max.y
+                               : whole.Max.y - kTimelineHeight - TransitionStripHeight(session_) -
+                                     (ui.Look().touch ? 14.0f : 0.0f);
+  const float transport_y = timeline_y - (figures           ? kFigureRowHeight
+                                          : ui.Look().touch ? kTouchTransportHeight
+                                                            : kTransportHeight);
   const ImRect stage(whole.Min, {panel_x, transport_y});
   const ImRect card = WorldCardOn(stage, stage_.world);
   DrawStage(ui, session_, stage_, stage, stage_.world.open ? stage.Max.x - card.Min.x : 0.0f);
@@ -94,8 +97,9 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
     ui.Frame(card, ui.Ink().panel, ui.Ink().line);
     DrawWorld(ui, card);
   }
-  DrawTransport(ui, session_, {{whole.Min.x, transport_y}, {panel_x, timeline_y}});
-  if (timeline) DrawTimeline(ui, session_, {{whole.Min.x, timeline_y}, {panel_x, whole.Max.y}});
+  const ImRect below({whole.Min.x, transport_y}, {panel_x, timeline_y});
+  figures ? DrawFigures(ui, below) : DrawTransport(ui, session_, below);
+  if (timeline && !figures) DrawTimeline(ui, session_, {{whole.Min.x, timeline_y}, {panel_x, whole.Max.y}});
   if (shown.empty()) return;
   ui.VerticalLine(panel_x, whole.Min.y, whole.Max.y);
   const float tab_height = ui.Look().touch ? kTouchTabHeight : kTabHeight;
@@ -103,6 +107,20 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
   const int panel = DrawTabs(ui, tabs, shown);
   panel_before_ = panel;
   DrawPanel(ui, {{panel_x + 1.0f, tabs.Max.y}, whole.Max}, panel);
+}
+
+bool App::ShowsFigureRow() const {
+  const Arrangement& layout = session_.Layout();
+  return Invites(session_) && !low_ && layout.Shows(IndexOf(Panel::kFigure)) &&
+         !layout.Locks(LockedPart::kFigure);
+}
+
+void App::DrawFigures(Ui& ui, const ImRect& rect) {
+  const FigureRowChoice choice = DrawFigureRow(ui, session_, rect);
+  if (choice.figure >= 0) session_.ChooseFigure(choice.figure);
+  if (choice.draw) DrawOwnFigure(session_, figure_panel_);
+  figure_panel_.gallery_open |= choice.more;
+  if (choice.draw || choice.more) Run("panel/Figure");
 }
 
 void App::DrawWorld(Ui& ui, const ImRect& rect) {
@@ -120,8 +138,11 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
   const float tabs_y =
       shown.empty() && !stage_.world.open ? whole.Max.y : whole.Max.y - sheet - kTouchTabHeight;
   if (!covers) {
-    DrawStage(ui, session_, stage_, {whole.Min, {whole.Max.x, tabs_y - kTouchTransportHeight}});
-    DrawTransport(ui, session_, {{whole.Min.x, tabs_y - kTouchTransportHeight}, {whole.Max.x, tabs_y}});
+    const bool figures = ShowsFigureRow();
+    const float below_y = tabs_y - (figures ? kFigureRowHeight : kTouchTransportHeight);
+    const ImRect below({whole.Min.x, below_y}, {whole.Max.x, tabs_y});
+    DrawStage(ui, session_, stage_, {whole.Min, {whole.Max.x, below_y}});
+    figures ? DrawFigures(ui, below) : DrawTransport(ui, session_, below);
   }
   ui.HorizontalLine(whole.Min.x, whole.Max.x, tabs_y);
 
@@ -218,8 +239,9 @@ bool App::Key(std::string_view name, bool on_canvas, bool repeated) {
   if (on_canvas && (ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0))
     return false;
   const std::string_view coming = window_.Registry().Requests().Last();
-  // After a click no ring shows which control has the focus, so Space does not press it.
-  const bool plays = name == "Space" && ImGui::GetCurrentContext()->NavDisableHighlight && coming.empty();
+  // After a click no ring shows which control has the focus, so Space and Enter do not press it.
+  const bool plays = (name == "Space" || name == "Enter") &&
+                     ImGui::GetCurrentContext()->NavDisableHighlight && coming.empty();
   const auto wants_keys = [coming](const Widget& w) {
     const bool focused = coming.empty() ? w.state.focused : w.id == coming;
     return focused && w.id != "stage" && w.id != "transport/scrub";

@@ -44,6 +44,9 @@ class App {
   int DrawTabs(Ui&, const ImRect&, const std::vector<int>& shown);
   void DrawPanel(Ui&, const ImRect&, int panel);
   void DrawWorld(Ui&, const ImRect&);
+  /// Whether figures to choose from take the place of playback and timeline.
+  [[nodiscard]] bool ShowsFigureRow() const;
+  void DrawFigures(Ui&, const ImRect&);
   bool TakeFingers(const SDL_Event&);
   /// The tabs, as indices in kPanels: on a phone or a low canvas all shown panels, else those with a tab on
   /// a desk.

@@ -234,6 +234,8 @@ EMSCRIPTEN_KEEPALIVE void gs_redo() {
   ThePage().window->RequestFrame();
 }
 /// Makes the open document the last one that Undo reaches.
+EMSCRIPTEN_KEEPALIVE int gs_begin(const char* example) { return TheSession().Begin(example) ? 1 : 0; }
+EMSCRIPTEN_KEEPALIVE void gs_set_calm(int calm) { TheSession().Player().SetCalm(calm != 0); }
 EMSCRIPTEN_KEEPALIVE void gs_forget_past() { TheSession().ForgetPast(); }
 
 /// The commands, as CommandsJson.

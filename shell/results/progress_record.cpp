@@ -73,8 +73,10 @@ Result<SearchProgress> DecodeProgress(std::string_view json, std::span<const std
     return Bad("curveBytes", "do not fit the bytes given");
   if (!TakeItems(bytes, CountIn(*record, "genomeBytes").value_or(-1), progress.best_genome))
     return Bad("genomeBytes", "do not fit the bytes given");
-  if (!TakeItems(bytes, CountIn(*record, "savedBytes").value_or(-1), progress.saved) || !bytes.empty())
+  if (!TakeItems(bytes, CountIn(*record, "savedBytes").value_or(-1), progress.saved))
     return Bad("savedBytes", "do not fit the bytes given");
+  if (!TakeItems(bytes, CountIn(*record, "attemptBytes").value_or(-1), progress.attempt) || !bytes.empty())
+    return Bad("attemptBytes", "do not fit the bytes given");
   return progress;
 }
 

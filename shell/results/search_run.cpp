@@ -273,7 +273,7 @@ void SearchRun::ShowController(Controller controller) {
   workspace_.Show(std::move(*next), false);
   // Undoing a drag must not lose what the search found during the drag.
   workspace_.BeginGesture();
-  if (first) workspace_.Player().Seek(0.0);
+  if (first) workspace_.Player().Present();
 }
 
 }  // namespace gaitsmith::shell

@@ -147,8 +147,10 @@ SearchProgress RunParallelSearch(const Problem& problem, const SearchSettings& s
     if (SecondsSince(last_report) < 1.0 / 30.0) continue;
     last_report = Clock::now();
     update();
+    progress.attempt = genomes.front();
     report(progress);
   }
+  progress.attempt.clear();
   progress.state = search->Done() ? SearchState::kDone : SearchState::kStopped;
   update();
   BitWriter state;

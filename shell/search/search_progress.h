@@ -30,6 +30,7 @@ struct SearchProgress {
   float best_fitness = kVoidScore;
   std::vector<Search::CurvePoint> curve = {};
   Genome best_genome = {};               // empty: as in the last report, or none yet
+  Genome attempt = {};                   // one that was simulated since the last report; empty: none
   std::optional<Spread> spread = {};     // of the present population
   std::vector<std::uint8_t> saved = {};  // state of the whole search (Search::Save), only in the last report
 };

@@ -61,7 +61,8 @@ void AddSearch(std::vector<Command>& list, Session& session) {
   list.push_back({.id = "search/synthesize",
                   .group = TrLater("Search"),
                   .title = Tr("Synthesize, or stop"),
-                  .keys = {"s"},
+                  .keys = session.Doc().timeline.empty() ? std::vector<std::string>{"s", "Enter"}
+                                                         : std::vector<std::string>{"s"},
                   .run = [&session, busy] { busy ? session.Stop() : session.Synthesize(); }});
   const bool paused = session.Search().Progress().state == SearchState::kPaused;
   list.push_back(
@@ -259,7 +260,7 @@ std::string CommandsJson(const std::vector<Command>& commands) {
 }
 
 bool BelongsToControls(std::string_view key) {
-  return key == "Space" || key == "Home" || key == "End" || key.starts_with("Arrow");
+  return key == "Space" || key == "Enter" || key == "Home" || key == "End" || key.starts_with("Arrow");
 }
 
 }  // namespace gaitsmith::shell

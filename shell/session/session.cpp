@@ -2,16 +2,21 @@
 // Replacing one document by another. Undo is in session_history.cpp.
 #include "shell/session/session.h"
 
+#include <cmath>
 #include <utility>
 
 #include "core/document/json.h"
 #include "core/document/link.h"
 #include "core/document/parts.h"
+#include "core/document/style_weights.h"
+#include "shell/words/figure_words.h"
 #include "shell/words/language.h"
 #include "shell/words/search_words.h"
 
 namespace gaitsmith::shell {
 namespace {
+
+constexpr double kSlowFrameS = 0.08;  // a machine that draws so slowly does not draw attempts, too
 
 // Removes what was made for another figure.
 void Strip(Document& document) {
@@ -34,6 +39,7 @@ Session::Session(Host& host)
       timeline_(workspace_, search_, comparison_, results_) {
   workspace_.SetFollowers({.motion =
                                [this](bool opened) {
+                                 if (opened) attempts_.Clear();
                                  world_.Follow(opened);
                                  comparison_.Follow();
                                  timeline_.Transitions().Follow();
@@ -41,7 +47,7 @@ Session::Session(Host& host)
                            .settings = [this] { timeline_.Transitions().Follow(); }});
   search_.SetFollowers({.found = [this](const std::string& id) { comparison_.ShowIfRequested(id); },
                         .ended = [this] { queue_.RunNext(); }});
-  workspace_.Show(shipped_.FirstMotion(), true);
+  workspace_.Show(*shipped_.Motion("star-man-shuffle"), true);
 }
 
 Result<void> Session::Open(std::string_view text) {
@@ -79,11 +85,21 @@ bool Session::Replace(Document document, bool same_problem) {
   return true;
 }
 
+bool Session::Begin(std::string_view example) {
+  auto document = example.empty() ? std::optional(shipped_.FirstFigure()) : shipped_.Motion(example);
+  if (!document) return false;
+  workspace_.Show(std::move(*document), true);
+  if (Doc().timeline.empty()) Player().Play(false);
+  ForgetPast();
+  workspace_.TheHost().Status(example.empty() ? CannotMoveWords(Doc().figure.name)
+                                              : Tr("Opened {1}.", TrTitle(Doc().title)));
+  return true;
+}
+
 void Session::New() {
-  if (!Replace(shipped_.FirstProblem())) return;
-  workspace_.Say(
-      Tr("A new document. {1} cannot move yet: press Synthesize. Undo restores the previous version.",
-         TrTitle(Doc().figure.name)));
+  if (!Replace(shipped_.FirstFigure())) return;
+  Player().Play(false);
+  workspace_.Say(CannotMoveWords(Doc().figure.name) + " " + Tr("Undo restores the previous version."));
 }
 
 bool Session::ReplaceFigure(const Figure& figure) {
@@ -109,26 +125,11 @@ bool Session::ReplaceFigure(const Figure& figure) {
 }
 
 void Session::ChooseFigure(int index) {
-  const Figure& figure = shipped_.Figures()[static_cast<std::size_t>(index)];
-  // Prefer a shipped motion of this figure to a figure that stands still.
-  if (auto document = shipped_.MotionOf(figure)) {
-    if (!Replace(std::move(*document))) return;
-    workspace_.Say(Tr("{1} with a shipped motion. Undo brings the last figure back.", TrTitle(figure.name)));
-    return;
-  }
-  const Edit edit = [&](Document& d) {
-    d.figure = figure;
-    d.title = figure.name;
-    Strip(d);
-    BeginWithQuickSearch(d.search);
-  };
-  if (const auto next = workspace_.Edited(edit); !next || workspace_.Refuses(Layout(), *next)) return;
-  search_.Abandon();
-  if (!Change(edit)) return;
-  search_.ForgetProgress();
-  Player().Seek(0.0);
-  workspace_.Say(
-      Tr("{1} cannot move yet: press Synthesize. Undo brings the last figure back.", TrTitle(figure.name)));
+  Document standing = Standing(shipped_.Figures()[static_cast<std::size_t>(index)]);
+  standing.environment = Doc().environment;
+  if (!Replace(std::move(standing))) return;
+  Player().Play(false);
+  workspace_.Say(CannotMoveWords(Doc().figure.name) + " " + Tr("Undo restores the previous version."));
 }
 
 void Session::ChooseProblem(int index) {
@@ -181,17 +182,57 @@ void Session::TryStyle() {
   if (search_.TryStyle()) comparison_.Choose(Ghost::Kind::kEarlier);
 }
 
+void Session::TryManner(Manner manner) {
+  const auto term =
+      static_cast<std::size_t>(manner == Manner::kHigher ? StyleTerm::kMaxCmHeight : StyleTerm::kEffort);
+  const float change = (manner == Manner::kCalmer ? -1.0f : 1.0f) * UsualWeights(Doc())[term];
+  const bool changed = Set([&](Document& d) {
+    float& weight = d.task.weights[term];
+    weight = std::abs(weight + change) < 0.01f * std::abs(change) ? 0.0f : weight + change;
+  });
+  if (changed) TryStyle();
+}
+
+void Session::TryMore() {
+  if (queue_.AddSeeds(kQueuedSeeds) > 0 && !queue_.Busy()) queue_.Run();
+}
+
 void Session::Stop() {
   lab_.Stop();
   if (!search_.Running()) return;
+  const bool shown = search_.ShowsImprovements();
   search_.Stop();
+  if (shown) ShowEnd();
   if (const std::size_t count = queue_.List().Waiting().size(); count > 0)
     workspace_.Say(Tr("Stopped. {1} until you press Run queue.", WaitingWords(count)));
 }
 
 void Session::OnSearchProgress(SearchProgress progress) {
   if (lab_.Running()) return lab_.OnProgress(progress);
+  const bool shown = search_.Running() && search_.ShowsImprovements();
+  if (shown && search_.Searched() != nullptr) {
+    if (search_.Progress().evaluations == 0) attempts_.Begin(*search_.Searched());
+    if (!Player().Calm() && frame_s_ < kSlowFrameS && Doc().timeline.size() < 2)
+      attempts_.Add(progress.attempt, now_s_);
+  }
   search_.OnProgress(std::move(progress));
+  if (shown && !search_.Running()) ShowEnd();
+}
+
+void Session::ShowEnd() {
+  attempts_.End(now_s_);
+  if (Doc().timeline.size() == 1) Player().Present();
+}
+
+bool Session::Advance(double seconds) {
+  now_s_ += seconds;
+  frame_s_ += 0.1 * (seconds - frame_s_);
+  queue_.Resume();
+  timeline_.Transitions().Advance(seconds);
+  const bool improved = search_.ShowImprovement(seconds);
+  const bool moved = Player().Advance(seconds);
+  attempts_.Follow(Player().TimeS(), now_s_);
+  return moved || improved || !attempts_.Shown().empty();
 }
 
 }  // namespace gaitsmith::shell

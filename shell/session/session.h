@@ -15,6 +15,7 @@
 #include "shell/results/queue_run.h"
 #include "shell/results/result_store.h"
 #include "shell/results/search_run.h"
+#include "shell/session/attempts.h"
 #include "shell/session/motion_comparison.h"
 #include "shell/session/timeline_editor.h"
 #include "shell/session/world_editor.h"
@@ -22,6 +23,9 @@
 #include "shell/workspace/workspace.h"
 
 namespace gaitsmith::shell {
+
+/// How the next try should differ from the shown motion.
+enum class Manner { kCalmer, kQuicker, kHigher };
 
 class Session {
  public:
@@ -35,16 +39,21 @@ class Session {
   [[nodiscard]] MotionComparison& Comparison() { return comparison_; }
   [[nodiscard]] const MotionComparison& Comparison() const { return comparison_; }
   [[nodiscard]] SearchRun& Search() { return search_; }
+  [[nodiscard]] const SearchRun& Search() const { return search_; }
+  /// Of the running search, if its improvements are shown.
+  [[nodiscard]] const Attempts& Tried() const { return attempts_; }
   [[nodiscard]] QueueRun& Queue() { return queue_; }
   [[nodiscard]] ResultStore& Results() { return results_; }
   [[nodiscard]] const ResultStore& Results() const { return results_; }
   [[nodiscard]] LabRun& Lab() { return lab_; }
+  [[nodiscard]] const LabRun& Lab() const { return lab_; }
   [[nodiscard]] const ShippedDocuments& Shipped() const { return shipped_; }
   [[nodiscard]] Playback& Player() { return workspace_.Player(); }
   [[nodiscard]] const Playback& Player() const { return workspace_.Player(); }
   /// Visible panels and locked parts. Locks restrict a person's edits, not searches, scripts or opened
   /// documents.
   [[nodiscard]] Arrangement& Layout() { return workspace_.Layout(); }
+  [[nodiscard]] const Arrangement& Layout() const { return workspace_.Layout(); }
   /// The latest sentence for the reader, or empty.
   [[nodiscard]] std::string& Notice() { return workspace_.Notice(); }
 
@@ -81,9 +90,14 @@ class Session {
   // Opening other documents. Undo restores the previous one.
   /// @param text JSON, or a link, or the payload of a link
   [[nodiscard]] Result<void> Open(std::string_view text);
-  /// Opens the standard figure, standing still.
+  /// Shows the first document of a visit. There is nothing to undo.
+  /// @param example  a shipped motion, such as "star-man-shuffle"; empty: a figure that cannot move yet
+  /// @return false: there is no such motion
+  bool Begin(std::string_view example);
+  /// Opens the same figure over the open document.
   void New();
-  /// Opens a shipped figure or problem. @param index of Shipped()
+  /// Opens a shipped figure, standing still in the world of the open document, or a problem. @param index of
+  /// Shipped()
   void ChooseFigure(int index);
   void ChooseProblem(int index);
   /// Opens a shipped motion.
@@ -99,16 +113,24 @@ class Session {
   void Synthesize();
   /// Runs a short climb from the shown motion in the chosen style, with the earlier motion as ghost.
   void TryStyle();
+  /// Changes a style weight by its usual amount, then TryStyle.
+  void TryManner(Manner);
+  /// Runs the open document's search with five further seeds, in the queue.
+  void TryMore();
   /// Ends the search or the lab. Queued searches keep waiting.
   void Stop();
   /// Called by the host with the progress of a search or of a lab trial.
   void OnSearchProgress(SearchProgress progress);
+  /// Call once a frame. @param seconds  since the last call @return true if a new frame is due
+  bool Advance(double seconds);
 
  private:
   /// Replaces the document. Undo restores it. @return false, with a sentence: a part is locked
   /// @param same_problem  another motion of the open problem, whose controllers do not count as edited by
   /// hand
   bool Replace(Document document, bool same_problem = false);
+  /// The open document's search has ended: its motion plays from the start, its last attempts beside it.
+  void ShowEnd();
   /// @param words a pattern for the sentence that names the action
   void Return(const Document& document, const char* words);
 
@@ -120,7 +142,10 @@ class Session {
   WorldEditor world_;
   MotionComparison comparison_;
   TimelineEditor timeline_;
+  Attempts attempts_;
   ShippedDocuments shipped_;
+  double now_s_ = 1.0;     // time during which frames were drawn
+  double frame_s_ = 0.01;  // time between frames, smoothed
 };
 
 }  // namespace gaitsmith::shell

@@ -16,6 +16,9 @@ class WorldEditor {
   /// Adds an impulse on an endpoint (or kCentreOfMass) at the shown moment: its components along the ground
   /// and away from it [N s]. @return false, with a sentence, if there are too many pushes
   bool Push(int endpoint, float impulse_x_ns, float impulse_y_ns);
+  /// Pushes the figure's centre of mass against the direction in which it moves, as hard as a person would
+  /// shove it.
+  void Shove();
   /// @param index of the document's pushes
   void RemovePush(std::size_t index);
   /// Whether ground, gravity or pushes differ from those that were opened.

@@ -6,6 +6,9 @@
 
 #include <cmath>
 
+#include "shell/session/session.h"
+#include "shell/widgets/widgets.h"
+
 namespace gaitsmith::shell {
 
 struct Camera {
@@ -31,5 +34,18 @@ struct Camera {
     return std::fmax(-kFar, std::fmin(points, kFar));  // fmin returns kFar for a NaN
   }
 };
+
+/// The part of the world that the camera shows.
+struct CameraSettings {
+  float zoom = 1.0f;
+  double pan_m = 0.0;           // offset of the camera from the figure
+  float standing_share = 0.5f;  // where a figure that stays in place stands on the stage, from the left
+};
+
+/// The standing figure takes half of the stage's height, if its width allows. The camera follows smoothly. It
+/// backs off for high jumps until the figure would take a third, then looks up.
+/// @param rect that the figure must stay in. @param ground_y of the ground line on the canvas [points]
+[[nodiscard]] Camera AimCamera(const Playback&, const Environment&, const CameraSettings&, const ImRect& rect,
+                               float ground_y);
 
 }  // namespace gaitsmith::shell

@@ -108,7 +108,7 @@ FigureLook LookOf(std::string_view name, const Skeleton& bones) {
   look.middle_m = kSlender * Median(lengths);
   float belly = 1.0f;
   for (const Known& known : kKnown) {
-    if (known.figure != name.substr(0, name.find(','))) continue;
+    if (known.figure != KindOf(name)) continue;
     look.middle_m = known.middle_m;
     belly = known.belly;
     // An edited figure may have lost its head.

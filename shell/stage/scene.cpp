@@ -70,7 +70,7 @@ ImU32 ActiveColour(const Scene& s) {
 void DrawLetter(const Scene& s, double x_m, float y_m, ImU32 colour, int index) {
   const double foot_m = x_m - static_cast<double>(y_m * s.camera.sine / s.camera.cosine);
   const ImVec2 at = s.camera.ToScreen(foot_m, 0.0f);
-  s.ui.Letters().Draw(s.list, Type::kStrong, {at.x, at.y + 42.0f / s.camera.cosine}, colour, LetterOf(index),
+  s.ui.Letters().Draw(s.list, Type::kStrong, {at.x, at.y + 36.0f / s.camera.cosine}, colour, LetterOf(index),
                       Align::kCentre);
 }
 
@@ -146,6 +146,20 @@ void DrawGhost(const Scene& s) {
   DrawBones(s, *ghost, s.player.TimeS(), {.body = Mix(p.paper, p.accent, 0.15f), .grow = -1.5f}, 0.8f);
 }
 
+// What the running search tries, with an edge of paper, so that figures one behind the other can be told
+// apart.
+void DrawAttempts(const Scene& s) {
+  const Palette& p = s.ui.Ink();
+  const Attempts& tried = s.session.Tried();
+  float depth = 0.18f;
+  for (const Playback& one : tried.Shown()) {
+    const ImU32 pale = Mix(p.paper, p.ink, depth * tried.Strength());
+    DrawBones(s, one, one.TimeS(), {.body = p.paper, .grow = 2.0f});
+    DrawBones(s, one, one.TimeS(), {.body = pale, .far = Mix(p.paper, pale, 0.75f)});
+    depth += 0.03f;
+  }
+}
+
 void DrawForces(const Scene& s, const std::vector<ImVec2>& endpoints) {
   const Motion& motion = s.player.Shown();
   const float weight = motion.Bones().mass_kg * kStandardGravity;
@@ -164,76 +178,18 @@ void DrawForces(const Scene& s, const std::vector<ImVec2>& endpoints) {
   }
 }
 
-struct Extent {
-  double left_m, right_m;
-  float low_m;
-};
-Extent ExtentOf(const std::vector<Playback::Point>& endpoints) {
-  Extent extent{endpoints[0].x_m, endpoints[0].x_m, endpoints[0].y_m};
-  for (const Playback::Point& point : endpoints) {
-    extent.left_m = std::min(extent.left_m, point.x_m);
-    extent.right_m = std::max(extent.right_m, point.x_m);
-    extent.low_m = std::min(extent.low_m, point.y_m);
-  }
-  return extent;
-}
-
 }  // namespace
-
-Camera AimCamera(const Playback& player, const Environment& world, const CameraSettings& gaze,
-                 const ImRect& rect, float ground_y) {
-  constexpr float kNumbers = 70.0f;  // height of the numbers at the top [points]
-  constexpr float kLeast = 96.0f;    // of a figure on a low stage [points]
-  const float above = ground_y - rect.Min.y;
-  const float tall = std::max(0.5f * rect.GetHeight(), std::min(1.15f * kLeast, above - 2.0f));
-  const float reach = player.ReachM();
-  const float across_m = rect.GetWidth() < kPhoneWidth ? 2.0f : 5.0f;
-  const float standing =
-      std::min(tall / player.StandingM(), rect.GetWidth() / std::max(across_m, 3.2f * reach));
-  const float room = std::max({20.0f, above - kNumbers, standing * player.StandingM()});
-  const Playback::Height height = player.HeightAt(player.TimeS());
-  Camera camera;
-  const bool low = tall > 0.5f * rect.GetHeight();
-  const float least = std::min(
-      standing, std::max(standing / 1.5f, low ? kLeast / std::max(player.StandingM(), 1.5f * reach) : 0.0f));
-  camera.scale = gaze.zoom * std::clamp(room / std::max(height.around_m, 0.1f), least, standing);
-  const Extent extent = ExtentOf(player.EndpointsAt(player.TimeS()));
-  // Looks up after a figure that leaps out of the stage, but not so far that its feet are hidden.
-  const float ground_room = rect.Max.y - ground_y - 8.0f;
-  const float hidden = std::clamp(height.now_m * camera.scale - gaze.zoom * room, 0.0f,
-                                  std::max(0.0f, extent.low_m * camera.scale + ground_room));
-
-  // Leave more space behind the figure, for its past poses.
-  const double width_m = static_cast<double>(rect.GetWidth() / camera.scale);
-  const double margin_m = 1.35 * static_cast<double>(reach);
-  const auto finite = [](double metres) { return std::isfinite(metres) ? metres : 0.0; };
-  const double x = finite(player.CameraXAt(player.TimeS()));
-  const double end_m = finite(player.Shown().At(player.Shown().Frames() - 1).x_m);
-  if (std::abs(end_m) < margin_m) {
-    camera.left_m = x - 0.5 * width_m;
-  } else if (end_m < 0.0) {
-    camera.left_m = std::max(std::min(x - 0.29 * width_m, margin_m - width_m), x - 0.8 * width_m);
-  } else {
-    camera.left_m = std::min(std::max(x - 0.71 * width_m, -margin_m), x - 0.2 * width_m);
-  }
-  // A figure that leaps ahead of the smooth camera stays on the stage.
-  const double least_m = extent.right_m - width_m, most_m = extent.left_m;
-  if (least_m < most_m) camera.left_m = std::clamp(camera.left_m, least_m, most_m);
-  camera.left_m += gaze.pan_m;
-  camera.origin = {rect.Min.x, ground_y + hidden};
-  camera.pivot = static_cast<float>(x - camera.left_m) * camera.scale;
-  const float slope = GroundAngle(world, static_cast<float>(player.TimeS()));
-  camera.sine = std::sin(slope);
-  camera.cosine = std::cos(slope);
-  return camera;
-}
 
 std::vector<ImVec2> DrawScene(const Scene& s) {
   const View& view = s.session.Doc().view;
+  const bool rests = s.session.Doc().timeline.empty();
+  const bool alone = s.session.Tried().Shown().empty();
   DrawGround(s.ui, s.rect, s.camera);
-  const Past past = view.poses ? DrawPast(s) : Past{std::max(0.0, s.player.TimeS() - 4.0), 0};
-  if (view.trail) DrawTrail(s, past.oldest_s);
+  const bool poses = view.poses && !rests && alone;
+  const Past past = poses ? DrawPast(s) : Past{std::max(0.0, s.player.TimeS() - 4.0), 0};
+  if (view.trail && !rests && alone) DrawTrail(s, past.oldest_s);
   if (!s.session.Comparison().Other().Beside()) DrawGhost(s);
+  DrawAttempts(s);
   const Palette& p = s.ui.Ink();
   const std::vector<ImVec2> endpoints = OnScreen(s, s.player, s.player.TimeS());
   DrawShadow(s, endpoints);
@@ -241,10 +197,10 @@ std::vector<ImVec2> DrawScene(const Scene& s) {
             {.body = p.ink,
              .far = Mix(p.paper, p.ink, kFarShare),
              .rods = Mix(p.ink, p.paper, 0.42f),
-             .joints = ActiveColour(s),
+             .joints = rests ? 0 : ActiveColour(s),
              .eye = p.paper});
-  if (view.forces) DrawForces(s, endpoints);
-  if (view.poses) {
+  if (view.forces && !rests) DrawForces(s, endpoints);
+  if (poses) {
     const Playback::Point centre = s.player.CentreAt(s.player.TimeS());
     DrawLetter(s, centre.x_m, centre.y_m, s.ui.Ink().ink, past.next);
   }

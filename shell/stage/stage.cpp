@@ -7,6 +7,7 @@
 
 #include "shell/stage/push_gesture.h"
 #include "shell/stage/scene.h"
+#include "shell/stage/stage_actions.h"
 #include "shell/words/language.h"
 #include "shell/words/search_words.h"
 #include "shell/words/wording.h"
@@ -37,21 +38,22 @@ void DrawNumbers(const Scene& s, const std::string& name, float clear) {
   const Terms& terms = s.player.TermsNow();
   const bool jump = s.session.Doc().task.kind == TaskKind::kJump;
   const float metres = jump ? terms.max_cm_height_m - terms.start_height_m : terms.travel_m;
-  const ImVec2 at(s.rect.Min.x + 16.0f, s.rect.Min.y + 23.0f);
-  letters.Draw(s.list, Type::kNumber, at, p.ink, Fixed(metres, 2) + " m");
-  const std::string words = !name.empty() ? name
-                                          : Tr(jump ? "jump · slip {1} m · {2} rotations · peak {3} m"
-                                                    : "travel · slip {1} m · {2} rotations · peak {3} m",
-                                               Fixed(terms.slip_sum_m, 1), Fixed(terms.rotations, 1),
-                                               Fixed(terms.max_cm_height_m, 2));
-  letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 22.0f}, clear, p.second_ink, words);
+  const ImVec2 at(s.rect.Min.x + 16.0f, s.rect.Min.y + 27.0f);
+  letters.Draw(s.list, Type::kTitle, at, p.ink, Fixed(metres, 2) + " m");
+  const std::string words = !name.empty()
+                                ? name
+                                : Tr(jump ? "jump in {1} s · slid {2} m · {3} turns · up to {4} m high"
+                                          : "in {1} s · slid {2} m · {3} turns · up to {4} m high",
+                                     Fixed(s.player.TimeS(), 1), Fixed(terms.slip_sum_m, 1),
+                                     Fixed(terms.rotations, 1), Fixed(terms.max_cm_height_m, 2));
+  letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 27.0f}, clear, p.second_ink, words);
 }
 
 void DrawRemark(const Scene& s) {
   const Palette& p = s.ui.Ink();
   const Fonts& letters = s.ui.Letters();
   const Terms& terms = s.player.TermsNow();
-  const ImVec2 at(s.rect.Min.x + 16.0f, s.rect.Min.y + 23.0f);
+  const ImVec2 at(s.rect.Min.x + 16.0f, s.rect.Min.y + 31.0f);
   const auto remark = [&](ImU32 colour, std::string_view sentence) {
     const float width = s.rect.GetWidth() - 32.0f;
     letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 40.0f}, width, colour, sentence);
@@ -63,8 +65,6 @@ void DrawRemark(const Scene& s) {
     remark(p.accent, Tr("You changed the world, so the motion differs from the one you opened."));
   } else if (s.session.DiffersFromMaker()) {
     DrawNote(s, {at.x, at.y + 40.0f}, Tr("This motion differs from the one its maker saw."));
-  } else if (s.session.Doc().timeline.empty()) {
-    remark(p.accent, Tr("No controller yet: press Synthesize in the Search panel."));
   }
 }
 
@@ -152,8 +152,10 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
        .role = "img",
        .value = Tr("{1} m after {2} s", Fixed(terms.travel_m, 2), Fixed(session.Player().TimeS(), 2))});
   Zoom(state, touch);
-  const float ground_y = ui.Look().Snap(
-      rect.Max.y - std::clamp(0.178f * rect.GetHeight(), std::min(62.0f, 0.17f * rect.GetHeight()), 130.0f));
+  const bool acts = HasStageActions(session, rect);
+  const bool invites = acts && Invites(session);
+  const float ground_y = ui.Look().Snap(rect.Max.y - GroundRoom(session, rect));
+  state.gaze.standing_share = invites && rect.GetWidth() >= kPhoneWidth ? 0.33f : 0.5f;
   const bool two = session.Comparison().Other().Beside();
   session.Comparison().KeepInTime();
   const float open_x = rect.Max.x - covered;
@@ -178,8 +180,10 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
   if (touch.pressed && !pinching && !pushing && !panned) session.Player().Play(!session.Player().Playing());
   const Controller* shown = session.Timeline().ShownController();
   const std::string name = two && shown != nullptr ? ControlModeWords(shown->kind, shown->senses) : "";
-  DrawNumbers(scene, name, own.GetWidth() - (two ? 32.0f : kCornerRoom));
-  DrawRemark(scene);
+  if (!invites) {
+    DrawNumbers(scene, name, own.GetWidth() - (two ? 32.0f : kCornerRoom));
+    DrawRemark(scene);
+  }
   scene.list->PopClipRect();
   if (two)
     DrawBeside(ui, session, state, {{middle, rect.Min.y}, rect.Max},
@@ -189,6 +193,8 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
   scene.list->PushClipRect(rect.Min, rect.Max, true);
   ui.DrawFocus(touch, ring, 4.0f);
   scene.list->PopClipRect();
+  if (invites) DrawInvitation(ui, session, {rect.Min, {open_x, rect.Max.y}});
+  if (acts) DrawStageActions(ui, session, {rect.Min, {open_x, rect.Max.y}});
   DrawWorldButton(ui, state.world, rect);
   if (state.gaze.zoom != 1.0f || state.gaze.pan_m != 0.0) DrawFollowButton(ui, state, rect);
 }

@@ -20,8 +20,13 @@ struct Face {
   float em;
   bool semibold;
 };
-constexpr std::array<Face, kTypes> kFaces = {
-    {{11.0f, false}, {12.0f, false}, {13.0f, false}, {13.0f, true}, {15.0f, true}, {22.0f, true}}};
+constexpr std::array<Face, kTypes> kFaces = {{{11.0f, false},
+                                              {12.0f, false},
+                                              {13.0f, false},
+                                              {13.0f, true},
+                                              {15.0f, true},
+                                              {22.0f, true},
+                                              {30.0f, true}}};
 
 // The characters that the interface uses. Others are drawn as '?', also in documents' names.
 constexpr ImWchar kRanges[] = {0x20,   0x7e,   0xa0,   0xff,   0x394,  0x394,  0x3a3,  0x3a3,  0x3b8,
@@ -29,8 +34,8 @@ constexpr ImWchar kRanges[] = {0x20,   0x7e,   0xa0,   0xff,   0x394,  0x394,  0
                                0x3c9,  0x3c9,  0x2013, 0x2014, 0x2018, 0x2019, 0x201c, 0x201e, 0x2026,
                                0x2026, 0x2190, 0x2193, 0x2212, 0x2212, 0x2264, 0x2265, 0};
 
-// The largest type is only used for a number and its unit. Other letters would take a fifth of the atlas.
-constexpr ImWchar kNumberRanges[] = {0x20, 0x7e, 0x2212, 0x2212, 0};
+// The large types are only used for what the stage says. Other characters would take a fifth of the atlas.
+constexpr ImWchar kLargeRanges[] = {0x20, 0x7e, 0xc0, 0xff, 0x2019, 0x2019, 0x2212, 0x2212, 0};
 
 // Gives all ten digits the same width, so that changing numbers do not jitter.
 void MakeTabular(ImFont* font) {
@@ -70,7 +75,7 @@ void Fonts::Build(float density) {
     config.RasterizerDensity = density;
     config.OversampleH = density < 1.75f ? 3 : 2;
     config.OversampleV = 1;
-    config.GlyphRanges = i == static_cast<std::size_t>(Type::kNumber) ? kNumberRanges : kRanges;
+    config.GlyphRanges = i >= static_cast<std::size_t>(Type::kLarge) ? kLargeRanges : kRanges;
     // The atlas only reads the bytes, although its interface lacks const.
     fonts_[i] =
         atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(bytes.data()), static_cast<int>(bytes.size()),

@@ -16,9 +16,10 @@ enum class Type {
   kBody,     // 13 px
   kStrong,   // 13 px semibold
   kHeading,  // 15 px semibold
-  kNumber,   // 22 px semibold: the main number
+  kLarge,    // 22 px semibold: the stage's button
+  kTitle,    // 30 px semibold: the stage's headline and number
 };
-inline constexpr int kTypes = 6;
+inline constexpr int kTypes = 7;
 
 enum class Align { kLeft, kCentre, kRight };
 

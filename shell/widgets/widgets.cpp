@@ -229,6 +229,21 @@ bool Ui::IconButton(std::string_view id, const ImRect& rect, Icon icon, std::str
   return touch.pressed;
 }
 
+bool Ui::LargeButton(std::string_view id, const ImRect& rect, Icon icon, std::string_view label) {
+  constexpr float kRadius = 14.0f, kIcon = 20.0f, kSpace = 14.0f;
+  const Touch touch = Area(id, rect, Grab::kPress, {.label = std::string(label), .role = "button"});
+  const Palette& p = Ink();
+  const float lift = touch.held ? 0.16f : touch.hovered ? 0.08f : 0.0f;
+  Canvas()->AddRectFilled(rect.Min, rect.Max, Mix(p.accent, p.ink, lift), kRadius);
+  const float width = kIcon + kSpace + Letters().Width(Type::kLarge, label);
+  const ImVec2 centre = rect.GetCenter();
+  const float left = centre.x - 0.5f * width;
+  DrawIcon(Canvas(), icon, {left + 0.5f * kIcon, centre.y}, kIcon, p.accent_ink);
+  Letters().Draw(Canvas(), Type::kLarge, {left + kIcon + kSpace, centre.y}, p.accent_ink, label);
+  DrawFocus(touch, rect, kRadius);
+  return touch.pressed;
+}
+
 void Ui::ScrollBar(std::string_view id) {
   ImGuiWindow* window = ImGui::GetCurrentWindow();
   const float longer = window->ScrollMax.y;

@@ -84,6 +84,8 @@ class Ui {
               bool enabled = true, std::string_view accessible_name = {});
   bool IconButton(std::string_view id, const ImRect&, Icon, std::string_view label,
                   ButtonLook = ButtonLook::kPlain, bool enabled = true);
+  /// The button that a first visit begins with: primary, large, with an icon.
+  bool LargeButton(std::string_view id, const ImRect&, Icon, std::string_view label);
   /// A few options side by side, which this function translates. The label is for screen readers. @return
   /// true if `selected` changed
   bool Segmented(std::string_view id, const ImRect&, std::string_view label,

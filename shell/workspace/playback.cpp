@@ -40,6 +40,12 @@ bool Playback::Advance(double seconds) {
   return true;
 }
 
+void Playback::Present() {
+  constexpr double kStillS = 3.0;
+  playing_ = !calm_;
+  Seek(calm_ ? std::min(kStillS, 0.5 * DurationS()) : 0.0);
+}
+
 void Playback::Seek(double time_s) { time_s_ = std::clamp(time_s, 0.0, DurationS()); }
 
 void Playback::SeekFrame(double time_s) {

@@ -33,6 +33,11 @@ class Playback {
   /// @return true when the picture changed
   bool Advance(double seconds);
   void Play(bool playing) { playing_ = playing; }
+  /// Shows a motion that was just found: plays it from its start. If calm, stops at a moment with past poses.
+  void Present();
+  /// Whether nothing moves unless a person plays it, for those who asked their system for less motion.
+  void SetCalm(bool calm) { calm_ = calm; }
+  [[nodiscard]] bool Calm() const { return calm_; }
   void Seek(double time_s);
   /// Shows the frame nearest to this time, so that what is displayed and what is edited are the same moment.
   void SeekFrame(double time_s);
@@ -90,6 +95,7 @@ class Playback {
   Document shown_;  // the document of the motion
   double time_s_ = 0.0;
   bool playing_ = true;
+  bool calm_ = false;
   float reach_m_ = 1.0f;
   float standing_m_ = 1.0f;
   std::vector<RuleRun> runs_;

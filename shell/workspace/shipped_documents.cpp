@@ -57,39 +57,34 @@ void BeginWithQuickSearch(SearchSettings& search) {
   search.evaluations = 4000;
 }
 
-ShippedDocuments::ShippedDocuments() : figures_(ShippedFigures()), problems_(ShippedProblems()) {}
-
-Document ShippedDocuments::FirstMotion() const {
+Document Standing(const Figure& figure) {
   Document document;
-  document.title = "Mr. Star-Man";
-  document.figure = StandardFigure();
-  for (const Example& example : ExampleDocuments()) {
-    if (example.name != "star-man-shuffle") continue;
-    if (auto shipped = DecodeJson(example.json)) document = std::move(*shipped);
-  }
+  document.title = figure.name;
+  document.figure = figure;
+  document.task = {.kind = TaskKind::kTravelRight, .duration_steps = 800};
+  document.duration_steps = document.task.duration_steps;
   BeginWithQuickSearch(document.search);
   return document;
 }
 
-Document ShippedDocuments::FirstProblem() const {
-  Document first;
-  first.figure = StandardFigure();
-  first.title = first.figure.name;
-  for (const Document& problem : problems_) {
-    if (problem.title.starts_with(first.figure.name)) first = problem;
-  }
-  first.hash.reset();
-  BeginWithQuickSearch(first.search);
-  return first;
+ShippedDocuments::ShippedDocuments() : figures_(ShippedFigures()), problems_(ShippedProblems()) {}
+
+std::optional<Document> ShippedDocuments::Motion(std::string_view name) const {
+  const auto examples = ExampleDocuments();
+  const auto example = std::ranges::find(examples, name, &Example::name);
+  if (example == examples.end()) return std::nullopt;
+  auto document = DecodeJson(example->json);
+  if (!document) return std::nullopt;
+  BeginWithQuickSearch(document->search);
+  return std::move(*document);
 }
 
-std::optional<Document> ShippedDocuments::MotionOf(const Figure& figure) const {
-  for (const Example& example : ExampleDocuments()) {
-    auto document = DecodeJson(example.json);
-    if (document && document->figure.name == figure.name && !document->controllers.empty())
-      return std::move(*document);
-  }
-  return std::nullopt;
+Document ShippedDocuments::FirstFigure() const {
+  constexpr std::uint32_t kSeed = 4;  // its bird runs as a bird does, without diving or crawling
+  const auto bird = std::ranges::find(figures_, "Ostrich", &Figure::name);
+  Document first = Standing(bird == figures_.end() ? StandardFigure() : *bird);
+  first.search.seed = kSeed;
+  return first;
 }
 
 }  // namespace gaitsmith::shell

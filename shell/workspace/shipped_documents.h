@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/document/document.h"
@@ -11,6 +12,11 @@ namespace gaitsmith::shell {
 
 /// Mr. Star-Man: five equal rods from one hub.
 [[nodiscard]] Figure StandardFigure();
+
+/// The document with which a person begins: the figure stands still, and its next search wants it to get as
+/// far to the right in eight seconds as it can, in metres alone. Senses and limits on how fast joints close
+/// are such that the quick search finds a gait for every shipped figure (docs/search.md, "The first press").
+[[nodiscard]] Document Standing(const Figure&);
 
 /// Sets the search that the page begins with: pose-cycle with 4,000 evaluations, a tenth of the paper's
 /// budget (docs/search.md). Keeps the seed. Documents of core and of the command line begin with SPHC.
@@ -22,12 +28,11 @@ class ShippedDocuments {
   [[nodiscard]] const std::vector<Figure>& Figures() const { return figures_; }
   /// Figures, each with a task and suitable senses.
   [[nodiscard]] const std::vector<Document>& Problems() const { return problems_; }
-  /// The motion for a first visit: the standard figure shuffles. The next search is the quick one.
-  [[nodiscard]] Document FirstMotion() const;
-  /// The standard figure, standing still, with the senses that let it learn most and the quick search.
-  [[nodiscard]] Document FirstProblem() const;
-  /// A shipped document in which the figure of this name moves, if any.
-  [[nodiscard]] std::optional<Document> MotionOf(const Figure&) const;
+  /// A shipped motion with the quick search for its next search. A page inside another page begins with
+  /// "star-man-shuffle". @param name  of its file, without folder and extension
+  [[nodiscard]] std::optional<Document> Motion(std::string_view name) const;
+  /// What a first visit and "New" show: an ostrich that stands and cannot move yet.
+  [[nodiscard]] Document FirstFigure() const;
 
  private:
   std::vector<Figure> figures_;

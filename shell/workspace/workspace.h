@@ -40,6 +40,7 @@ class Workspace {
   [[nodiscard]] Playback& Player() { return player_; }
   [[nodiscard]] const Playback& Player() const { return player_; }
   [[nodiscard]] Arrangement& Layout() { return layout_; }
+  [[nodiscard]] const Arrangement& Layout() const { return layout_; }
 
   /// The selected clip. Its controller is shown, and a search replaces it.
   [[nodiscard]] int SelectedClip() const { return selected_clip_; }

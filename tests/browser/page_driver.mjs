@@ -26,7 +26,8 @@ export class PageDriver {
    * an open page's profile.
    * @param {Browser} browser @param {string} address
    * @param {{beside?: PageDriver, before?: () => void, newcomer?: boolean, plays?: boolean}} [options]  before: runs in
-   * the page before its scripts; newcomer: gets the tour; plays: the motion plays, else it is paused at once, because
+   * the page before its scripts; newcomer: comes to the bare address
+   * as a stranger would; others begin with an example, because most scenarios need a motion; plays: the motion plays, else it is paused at once, because
    * drawing it with software graphics needs most of a processor
    */
   static async open(browser, address, { beside, before, newcomer = false, plays = false } = {}) {
@@ -54,9 +55,9 @@ export class PageDriver {
       if (/^(https?|wss?):$/.test(url.protocol) && url.host !== host) complaints.push(`request to another host: ${url}`);
     });
     await page.evaluateOnNewDocument(recordWorkers);
-    if (!newcomer) await page.evaluateOnNewDocument(declineTour);
     if (before) await page.evaluateOnNewDocument(before);
-    await driver.arrive(() => page.goto(address));
+    const bare = !beside && !newcomer && !/[?#]/.test(address);
+    await driver.arrive(() => page.goto(bare ? `${address}?open=star-man-shuffle` : address));
     return driver;
   }
 
@@ -232,12 +233,4 @@ function recordWorkers() {
       }
     },
   });
-}
-
-function declineTour() {
-  try {
-    localStorage.setItem('gaitsmith-tour', 'offered');
-  } catch {
-    // Without storage the tour is not offered.
-  }
 }

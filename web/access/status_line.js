@@ -24,11 +24,6 @@ export class StatusLine {
   #announced = '';
   #sentenceMs = -Infinity;
 
-  /** Shows a sentence if the line is empty. @param {string} sentence */
-  welcome(sentence) {
-    if (this.#status.textContent === '') setText(this.#status, sentence);
-  }
-
   /** Shows and announces a sentence. It replaces a search's own sentence for a few seconds. @param {string} sentence */
   say(sentence) {
     setText(this.#status, sentence);

@@ -155,6 +155,14 @@ export class App {
   undo() { this.module._gs_undo(); }
   redo() { this.module._gs_redo(); }
   /** Removes all steps of Undo. */
+  /**
+   * Shows the first document of a visit, with nothing to undo.
+   * @param {string} [example]  the name of a shipped motion; without: a figure that cannot move yet
+   * @returns {boolean} false: there is no such motion
+   */
+  begin(example = '') { return this.#with(example, (at) => this.module._gs_begin(at)) !== 0; }
+  /** Whether nothing moves unless a person plays it. @param {boolean} calm */
+  setCalm(calm) { this.module._gs_set_calm(calm ? 1 : 0); }
   forgetPast() { this.module._gs_forget_past(); }
 
   /** @returns {CanvasCommand[]} */
@@ -223,10 +231,10 @@ export class App {
   }
 
   /** @param {Omit<SearchReport, 'state'> & {state: SearchReport['state'] | 'failed'}} report  with the whole curve */
-  searchProgress({ bestGenome, curve, saved, ...record }) {
-    const parts = [curve, bestGenome, saved].map((part) => (part ? new Uint8Array(part.buffer, part.byteOffset, part.byteLength) : new Uint8Array(0)));
-    const [curveBytes, genomeBytes, savedBytes] = parts.map(({ length }) => length);
-    const count = curveBytes + genomeBytes + savedBytes;
+  searchProgress({ bestGenome, curve, saved, attempt, ...record }) {
+    const parts = [curve, bestGenome, saved, attempt].map((part) => (part ? new Uint8Array(part.buffer, part.byteOffset, part.byteLength) : new Uint8Array(0)));
+    const [curveBytes, genomeBytes, savedBytes, attemptBytes] = parts.map(({ length }) => length);
+    const count = curveBytes + genomeBytes + savedBytes + attemptBytes;
     const at = this.#room(Math.max(count, 1));
     try {
       let next = at;
@@ -234,7 +242,7 @@ export class App {
         this.module.HEAPU8.set(part, next); // after malloc, which may grow it
         next += part.length;
       }
-      const fault = this.#with(JSON.stringify({ ...record, curveBytes, genomeBytes, savedBytes }),
+      const fault = this.#with(JSON.stringify({ ...record, curveBytes, genomeBytes, savedBytes, attemptBytes }),
         (text) => this.#text(this.module._gs_search_progress(text, at, count)));
       if (fault) throw new Error(fault);
     } finally {

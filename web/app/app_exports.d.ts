@@ -56,6 +56,8 @@ export interface AppExports {
   _gs_can_redo(): number;
   _gs_redo(): void;
   /** Makes the open document the last one that Undo reaches. */
+  _gs_begin(example: number): number;
+  _gs_set_calm(calm: number): void;
   _gs_forget_past(): void;
   /** The commands, as CommandsJson. */
   _gs_commands(): Pointer;

@@ -4,6 +4,7 @@
 import { banner } from '../browser/dom.js';
 import { sentence } from '../share/address.js';
 import { followLanguage, tr } from '../languages/language.js';
+import { namedExample } from '../storage/autosave.js';
 
 /** @typedef {import('../app/app.js').App} App */
 /** Options that are left out stay as they are. @typedef {{panels?: string, lock?: string, goal?: string}} ArrangementOptions */
@@ -31,6 +32,10 @@ export class Arrangement {
     for (const name of NAMES) {
       const value = address.get(name);
       if (value !== null) await this.set({ [name]: value }).catch(({ message }) => { faults.push(sentence(message)); });
+    }
+    const example = namedExample();
+    if (example !== null && !this.app.commands().some(({ id }) => id === `example/${example}`)) {
+      faults.push(tr('There is no example “{1}”.', example));
     }
     if (faults.length) banner(tr('The address of this page is not understood: {1}', faults.join(' ')));
   }

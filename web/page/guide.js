@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Decides when to offer the tour of the playground, and loads it only then.
+// Loads the tour of the playground when a person asks for it.
 import { tr } from '../languages/language.js';
-import { remember, remembered } from '../browser/storage.js';
 
 /** @typedef {import('../app/app.js').App} App */
 /** @typedef {import('./tour.js').Tour} Tour */
-
-const KEY = 'gaitsmith-tour';
 
 export class Guide {
   /** @type {Promise<Tour> | null} */
@@ -17,13 +14,6 @@ export class Guide {
     this.app = app;
     this.canvas = canvas;
     this.statusLine = statusLine;
-  }
-
-  /** Starts the tour on a first visit whose address opens nothing. */
-  offer() {
-    if (window.top !== window || location.hash.length > 1 || remembered(KEY)) return;
-    // Without storage the tour would start at every visit.
-    if (remember(KEY, 'offered')) void this.start();
   }
 
   async start() {

@@ -147,7 +147,10 @@ async function start() {
     },
   }));
   startDropping(app);
-  if (matchMedia('(prefers-reduced-motion: reduce)').matches) app.play(false);
+  if (matchMedia('(prefers-reduced-motion: reduce)').matches) {
+    app.setCalm(true);
+    app.play(false);
+  }
   new Narrator(app);
   if (embedded) {
     document.documentElement.dataset.embedded = '';
@@ -158,9 +161,6 @@ async function start() {
   }
   const guide = new Guide(app, canvas, statusLine);
   addCommands(commands, { address, autosave, palette: new Palette(commands), help: new HelpSheet(commands), guide });
-  // No tour if a lesson or a link has set up the page.
-  if (!/[?&](goal|panels|lock)=/.test(location.search)) void gaitsmith.ready.then(() => guide.offer());
-  statusLine.welcome(tr('Press Synthesize to search for a better motion'));
 
   // SDL cancels every touch. Browsers log a warning if it is too late to cancel one, as on a busy page.
   for (const type of ['touchstart', 'touchmove', 'touchend']) {

@@ -97,6 +97,7 @@
  * @property {number} secondsLeft    0 while unknown
  * @property {number} bestFitness
  * @property {Uint16Array | null} bestGenome  null: as in the last report
+ * @property {Uint16Array | null} attempt     a genome that was simulated since the last report, to be shown
  * @property {Uint8Array | null} curve        as core stores it; null: as in the last report
  * @property {Spread | null} spread           of the population now; null if there is none
  * @property {Uint8Array | null} saved        the state of the whole search at its end; else null

@@ -79,6 +79,8 @@ export class Coordinator {
   #checkpointMs = performance.now();
   #curveSent = -1;
   #bestSent = NaN;
+  /** The first genome of the last batch. @type {Uint16Array | null} */
+  #attempt = null;
   /** @type {SearchReport['spread']} */
   #spread = null;
   #spreadMs = -Infinity;
@@ -99,7 +101,7 @@ export class Coordinator {
     this.workers = workers;
     this.#measure.evaluations = this.search.evaluations;
     this.post = post;
-    this.ticker = setInterval(() => this.#attempt(() => this.#tick()), TICK_MS);
+    this.ticker = setInterval(() => this.#act(() => this.#tick()), TICK_MS);
   }
 
   /** @param {SearchRequest} message */
@@ -133,15 +135,15 @@ export class Coordinator {
     const evaluator = { port, slices: [], startedMs: 0, waitedMs: 0 };
     this.#evaluators.set(id, evaluator);
     /** @param {MessageEvent<EvaluatorToCoordinator>} event */
-    port.onmessage = ({ data }) => this.#attempt(() => this.#receiveScores(evaluator, data));
+    port.onmessage = ({ data }) => this.#act(() => this.#receiveScores(evaluator, data));
     // Some browsers report that the other end has died, so there is no need to wait for its silence.
     port.addEventListener('close', () => {
-      this.#attempt(() => { if (this.#evaluators.get(id) === evaluator) this.#giveUp(id); });
+      this.#act(() => { if (this.#evaluators.get(id) === evaluator) this.#giveUp(id); });
     });
   }
 
   /** Runs an action that no message to the role has caused. An error ends the role. @param {() => void} action */
-  #attempt(action) {
+  #act(action) {
     try {
       action();
     } catch (error) {
@@ -237,7 +239,9 @@ export class Coordinator {
     batch.scores.set(scores, SCORE_LENGTH * slice.first);
     batch.missing--;
     while (this.#batches.length > 0 && this.#batches[0].missing === 0) {
-      this.search.tell(/** @type {Batch} */ (this.#batches.shift()).scores);
+      const done = /** @type {Batch} */ (this.#batches.shift());
+      this.search.tell(done.scores);
+      this.#attempt = done.genomes.slice(0, this.search.genes);
       this.#batchDone();
     }
     this.#assignWork();
@@ -320,6 +324,8 @@ export class Coordinator {
     const bestGenome = sendBest ? search.bestGenome : null;
     if (bestGenome?.length) this.#bestSent = bestFitness;
     this.#curveSent = curveLength;
+    const attempt = this.#attempt;
+    this.#attempt = null;
     return {
       state: this.#state,
       evaluations,
@@ -329,6 +335,7 @@ export class Coordinator {
       secondsLeft: rate > 0 ? (budget - evaluations) / rate : 0,
       bestFitness,
       bestGenome: bestGenome?.length ? bestGenome : null,
+      attempt,
       curve: sendCurve ? search.curve : null,
       spread: this.#spreadNow(complete),
       saved: complete ? search.save() : null,

@@ -36,7 +36,10 @@ export class Autosave {
     addEventListener('visibilitychange', () => { if (document.hidden) this.save(); });
   }
 
-  /** Opens the visit's first document: this tab's work, else the link in the address, else the last work. */
+  /**
+   * Opens the visit's first document: this tab's work, else the link in the address, else the example that the address
+   * names, else the last work, else a figure that cannot move yet. A page inside another page begins with a motion.
+   */
   begin() {
     const payload = location.hash.slice(1);
     const tabState = this.#embedded ? null : this.#tabState();
@@ -51,8 +54,13 @@ export class Autosave {
       if (payload) this.address.changed();
     } else {
       this.address.open();
-      if (!payload && last && this.app.open(last.link) === '') {
-        this.statusLine.say(tr('Restored your last work: {1}. Choose New to start over.', last.title));
+      const example = namedExample();
+      if (!payload && !(example && this.app.begin(example))) {
+        if (last && this.app.open(last.link) === '') {
+          this.statusLine.say(tr('Restored your last work: {1}. Choose New to start over.', last.title));
+        } else if (!this.#embedded) {
+          this.app.begin();
+        }
       }
     }
     this.app.forgetPast();
@@ -155,6 +163,9 @@ export class Autosave {
     }
   }
 }
+
+/** The shipped example that the address asks for: ?open=star-man-shuffle */
+export function namedExample() { return new URLSearchParams(location.search).get('open'); }
 
 /** Whether this visit is a reload. */
 function reloaded() {

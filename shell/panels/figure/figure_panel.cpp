@@ -120,6 +120,14 @@ void DrawProblems(Ui& ui, Session& session, FigurePanelState& state) {
 
 }  // namespace
 
+void DrawOwnFigure(Session& session, FigurePanelState& state) {
+  Figure single = SingleRod();
+  single.name = kOwnFigure;
+  session.ReplaceFigure(single);
+  Reset(state.board);
+  state.board.tool = DrawingTool::kGrow;
+}
+
 void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
   int chosen = -1;
   for (std::size_t i = 0; i < session.Shipped().Figures().size(); ++i) {
@@ -165,13 +173,8 @@ void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
   const float middle = row.GetCenter().x;
   if (ui.Button("figure/mirror", {row.Min, {middle - 4.0f, row.Max.y}}, Tr("Mirror all")))
     session.ReplaceFigure(Mirrored(session.Doc().figure));
-  if (ui.Button("figure/fresh", {{middle + 4.0f, row.Min.y}, row.Max}, Tr("Draw your own"))) {
-    Figure single = SingleRod();
-    single.name = kOwnFigure;
-    session.ReplaceFigure(single);
-    Reset(state.board);
-    state.board.tool = DrawingTool::kGrow;
-  }
+  if (ui.Button("figure/fresh", {{middle + 4.0f, row.Min.y}, row.Max}, Tr("Draw your own")))
+    DrawOwnFigure(session, state);
 }
 
 }  // namespace gaitsmith::shell

@@ -13,6 +13,9 @@ struct FigurePanelState {
   bool gallery_open = false;
 };
 
+/// Replaces the figure by one rod, to which a person adds others on the drawing board.
+void DrawOwnFigure(Session&, FigurePanelState&);
+
 void DrawFigurePanel(Ui&, Session&, FigurePanelState&);
 
 }  // namespace gaitsmith::shell

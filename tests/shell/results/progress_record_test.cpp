@@ -17,11 +17,11 @@ void Append(std::vector<std::uint8_t>& bytes, const std::vector<Item>& items) {
 }
 
 std::string Record(const std::string& evaluations, const std::string& spread, std::size_t curve,
-                   std::size_t genome, std::size_t saved) {
+                   std::size_t genome, std::size_t saved, std::size_t attempt = 0) {
   return R"({"state":"paused","evaluations":)" + evaluations +
          R"(,"budget":100000000,"rate":812.5,"secondsLeft":3.25,"bestFitness":-0.75,"spread":)" + spread +
          R"(,"curveBytes":)" + std::to_string(curve) + R"(,"genomeBytes":)" + std::to_string(genome) +
-         R"(,"savedBytes":)" + std::to_string(saved) + "}";
+         R"(,"savedBytes":)" + std::to_string(saved) + R"(,"attemptBytes":)" + std::to_string(attempt) + "}";
 }
 
 }  // namespace
@@ -40,7 +40,9 @@ TEST_CASE("progress record: every number is decoded, evaluations beyond 2^24 exa
   Append(bytes, curve);
   Append(bytes, genome);
   Append(bytes, saved);
-  const auto progress = DecodeProgress(Record("99999999", SpreadJson(spread), 16, 6, 3), bytes);
+  const Genome attempt = {5, 6};
+  Append(bytes, attempt);
+  const auto progress = DecodeProgress(Record("99999999", SpreadJson(spread), 16, 6, 3, 4), bytes);
   REQUIRE(progress);
   CHECK(progress->state == SearchState::kPaused);
   CHECK(progress->evaluations == 99'999'999);
@@ -54,6 +56,7 @@ TEST_CASE("progress record: every number is decoded, evaluations beyond 2^24 exa
   CHECK(progress->curve[1].best == 4.5f);
   CHECK(progress->best_genome == genome);
   CHECK(progress->saved == saved);
+  CHECK(progress->attempt == attempt);
   REQUIRE(progress->spread);
   CHECK(progress->spread->members == 7);
   CHECK(progress->spread->least == -1.5f);
@@ -78,7 +81,9 @@ TEST_CASE("progress record: an invalid record yields an error that names the fie
   CHECK(where(Record("5", "null", 9, 3, 0)) == "curveBytes");
   CHECK(where(Record("5", "null", 16, 0, 0)) == "curveBytes");
   CHECK(where(Record("5", "null", 8, 3, 1)) == "genomeBytes");
-  CHECK(where(Record("5", "null", 8, 2, 1)) == "savedBytes");
+  CHECK(where(Record("5", "null", 8, 2, 3)) == "savedBytes");
+  CHECK(where(Record("5", "null", 8, 2, 1)) == "attemptBytes");
+  CHECK(where(Record("5", "null", 8, 2, 0, 1)) == "attemptBytes");
   CHECK(where(R"({"state":"asleep"})") == "state");
   CHECK(where("{}") == "state");
   CHECK(where("{") != "");

@@ -47,7 +47,7 @@ TEST_CASE("workspace: followers are called before the host, and only for relevan
   RecordingHost host;
   Workspace workspace(host);
   workspace.SetFollowers(Noting(host));
-  workspace.Show(ShippedDocuments().FirstMotion(), true);
+  workspace.Show(*ShippedDocuments().Motion("star-man-shuffle"), true);
   CHECK(host.Take() == Calls{"opened", "host"});
   REQUIRE(workspace.Change([](Document& d) { d.environment.friction = 0.25f; }));
   CHECK(host.Take() == Calls{"motion", "host"});
@@ -76,7 +76,7 @@ TEST_CASE("workspace: changes on one occasion are one step", "[shell][session]")
   RecordingHost host;
   Workspace workspace(host);
   workspace.SetFollowers(Noting(host));
-  workspace.Show(ShippedDocuments().FirstMotion(), true);
+  workspace.Show(*ShippedDocuments().Motion("star-man-shuffle"), true);
   const float before = workspace.Doc().environment.friction;
   for (const float friction : {0.1f, 0.2f, 0.3f})
     REQUIRE(workspace.Change([&](Document& d) { d.environment.friction = friction; }));

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "shell/words/figure_words.h"
+
+#include <algorithm>
+
+#include "core/physics/figure.h"
+#include "shell/words/language.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+constexpr const char* kRun = TrLater("Teach it to run");
+constexpr const char* kHop = TrLater("Teach it to hop");
+constexpr const char* kCrawl = TrLater("Teach it to crawl");
+constexpr const char* kRoll = TrLater("Teach it to roll");
+
+struct FigureWords {
+  std::string_view figure;
+  const char* cannot_move;
+  const char* teach;
+};
+/// Figures with a name of their own, such as Mr. Star-Man, are called by it.
+constexpr FigureWords kFigures[] = {
+    {"Acrobat", TrLater("This acrobat can’t move yet."), kRun},
+    {"Beryl Biped", nullptr, kRun},
+    {"Caterpillar", TrLater("This caterpillar can’t move yet."), kCrawl},
+    {"Crab", TrLater("This crab can’t move yet."), kCrawl},
+    {"Frog", TrLater("This frog can’t move yet."), kHop},
+    {"Hopper", TrLater("This hopper can’t move yet."), kHop},
+    {"Horse", TrLater("This horse can’t move yet."), kRun},
+    {"Inchworm", TrLater("This inchworm can’t move yet."), kCrawl},
+    {"Kangaroo", TrLater("This kangaroo can’t move yet."), kHop},
+    {"Ostrich", TrLater("This ostrich can’t move yet."), kRun},
+    {"Seven-Pointed Star", TrLater("This star can’t move yet."), kRoll},
+    {"Snake", TrLater("This snake can’t move yet."), kCrawl},
+    {"Spider", TrLater("This spider can’t move yet."), kCrawl},
+    {"Torsoless Biped", TrLater("This pair of legs can’t move yet."), kRun},
+    {"Tumbler", TrLater("This tumbler can’t move yet."), kRoll},
+};
+
+const FigureWords* WordsAbout(std::string_view name) {
+  const auto* const row = std::ranges::find(kFigures, KindOf(name), &FigureWords::figure);
+  return row == std::end(kFigures) ? nullptr : row;
+}
+
+}  // namespace
+
+std::string CannotMoveWords(std::string_view name) {
+  const FigureWords* row = WordsAbout(name);
+  if (row != nullptr && row->cannot_move != nullptr) return Tr(row->cannot_move);
+  return Tr("{1} can’t move yet.", TrTitle(name));
+}
+
+const char* TeachWords(std::string_view name, TaskKind task) {
+  if (task == TaskKind::kJump) return Tr("Teach it to jump");
+  const FigureWords* row = WordsAbout(name);
+  return Tr(row == nullptr ? "Teach it to move" : row->teach);
+}
+
+}  // namespace gaitsmith::shell
