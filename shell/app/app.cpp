@@ -27,6 +27,7 @@ bool App::Advance(double seconds) {
 
 std::vector<int> App::ShownTabs() {
   std::vector<int> shown;
+  if (session_.AtDoor()) return shown;
   for (int panel = 0; panel < static_cast<int>(kPanels.size()); ++panel) {
     const bool tab = timeline_in_tabs_ || kPanels[static_cast<std::size_t>(panel)].tab_on_desk;
     if (tab && session_.Layout().Shows(panel)) shown.push_back(panel);
@@ -223,13 +224,18 @@ std::vector<Command> App::Commands() {
   return list;
 }
 
+void App::OpenPanel() {
+  sheet_open_ = true;
+  session_.LeaveDoor();
+}
+
 bool App::Run(std::string_view id) {
   const std::vector<Command> list = Commands();
   const auto command = std::ranges::find(list, id, &Command::id);
   if (command == list.end() || !command->why_not.empty()) return false;
   session_.BeginGesture();
   command->run();
-  if (id.starts_with("panel/")) sheet_open_ = true;
+  if (id.starts_with("panel/")) OpenPanel();
   window_.RequestFrame();
   return true;
 }
@@ -258,7 +264,7 @@ bool App::Key(std::string_view name, bool on_canvas, bool repeated) {
     }
     session_.BeginGesture();
     command.run();
-    if (command.id.starts_with("panel/")) sheet_open_ = true;
+    if (command.id.starts_with("panel/")) OpenPanel();
     window_.RequestFrame();
     return true;
   }

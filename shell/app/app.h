@@ -48,6 +48,7 @@ class App {
   [[nodiscard]] bool ShowsFigureRow() const;
   void DrawFigures(Ui&, const ImRect&);
   bool TakeFingers(const SDL_Event&);
+  void OpenPanel();
   /// The tabs, as indices in kPanels: on a phone or a low canvas all shown panels, else those with a tab on
   /// a desk.
   [[nodiscard]] std::vector<int> ShownTabs();

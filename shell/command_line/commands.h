@@ -33,6 +33,7 @@ using Outcome = std::expected<void, Refusal>;
 [[nodiscard]] Outcome SuiteCommand(Words words);
 [[nodiscard]] Outcome MergeCommand(Words words);
 [[nodiscard]] Outcome SwitchesCommand(Words words);
+[[nodiscard]] Outcome NewCommand(Words words);
 [[nodiscard]] Outcome HashCommand(Words words);
 [[nodiscard]] Outcome ValidateCommand(Words words);
 [[nodiscard]] Outcome MeasureCommand(Words words);

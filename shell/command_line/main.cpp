@@ -43,6 +43,7 @@ constexpr auto kCommands = std::to_array<Command>({
     {"merge", gaitsmith::shell::MergeCommand, "merge --out CSV [--complete] SHARD …"},
     {"switches", gaitsmith::shell::SwitchesCommand,
      "switches --out CSV [--times T] [--length SECONDS] [--summary] [--threads K] DOC DOC …"},
+    {"new", gaitsmith::shell::NewCommand, "new [--figure F] [--out DOC]"},
     {"hash", gaitsmith::shell::HashCommand, "hash DOC [--lanes 1|2|4|8|16] [--out DOC]"},
     {"validate", gaitsmith::shell::ValidateCommand, "validate DOC"},
     {"measure", gaitsmith::shell::MeasureCommand, "measure DOC"},

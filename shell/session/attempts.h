@@ -19,7 +19,7 @@ class Attempts {
   void Begin(const Document& searched);
   /// Adds an attempt, in place of the oldest. Does nothing if the last one is too recent to be seen.
   void Add(const Genome& genes, double now_s);
-  /// The search has ended. @param now_s  a clock in seconds that never goes back
+  /// The search has ended. @param now_s  time during which the motion played, above 0
   void End(double now_s);
   void Clear() { shown_.clear(); }
   /// Moves all to the shown moment, and removes them when their time is over.

@@ -89,7 +89,8 @@ bool Session::Begin(std::string_view example) {
   auto document = example.empty() ? std::optional(shipped_.FirstFigure()) : shipped_.Motion(example);
   if (!document) return false;
   workspace_.Show(std::move(*document), true);
-  if (Doc().timeline.empty()) Player().Play(false);
+  at_door_ = example.empty();
+  if (at_door_) Player().Play(false);
   ForgetPast();
   workspace_.TheHost().Status(example.empty() ? CannotMoveWords(Doc().figure.name)
                                               : Tr("Opened {1}.", TrTitle(Doc().title)));
@@ -225,14 +226,14 @@ void Session::ShowEnd() {
 }
 
 bool Session::Advance(double seconds) {
-  now_s_ += seconds;
+  if (Player().Playing()) now_s_ += seconds;
   frame_s_ += 0.1 * (seconds - frame_s_);
   queue_.Resume();
   timeline_.Transitions().Advance(seconds);
   const bool improved = search_.ShowImprovement(seconds);
   const bool moved = Player().Advance(seconds);
   attempts_.Follow(Player().TimeS(), now_s_);
-  return moved || improved || !attempts_.Shown().empty();
+  return moved || improved;
 }
 
 }  // namespace gaitsmith::shell

@@ -94,6 +94,9 @@ class Session {
   /// @param example  a shipped motion, such as "star-man-shuffle"; empty: a figure that cannot move yet
   /// @return false: there is no such motion
   bool Begin(std::string_view example);
+  /// Whether a first visit still shows only the stage and the figures, without panels.
+  [[nodiscard]] bool AtDoor() const { return at_door_ && Doc().timeline.empty(); }
+  void LeaveDoor() { at_door_ = false; }
   /// Opens the same figure over the open document.
   void New();
   /// Opens a shipped figure, standing still in the world of the open document, or a problem. @param index of
@@ -144,7 +147,8 @@ class Session {
   TimelineEditor timeline_;
   Attempts attempts_;
   ShippedDocuments shipped_;
-  double now_s_ = 1.0;     // time during which frames were drawn
+  bool at_door_ = false;
+  double now_s_ = 1.0;     // time during which the motion played
   double frame_s_ = 0.01;  // time between frames, smoothed
 };
 

@@ -28,7 +28,8 @@ Camera AimCamera(const Playback& player, const Environment& world, const CameraS
   constexpr float kNumbers = 70.0f;  // height of the numbers at the top [points]
   constexpr float kLeast = 96.0f;    // of a figure on a low stage [points]
   const float above = ground_y - rect.Min.y;
-  const float tall = std::max(0.5f * rect.GetHeight(), std::min(1.15f * kLeast, above - 2.0f));
+  const float tall = std::max(std::min(0.5f * rect.GetHeight(), above - gaze.headroom),
+                              std::min(1.15f * kLeast, above - 2.0f));
   const float reach = player.ReachM();
   const float across_m = rect.GetWidth() < kPhoneWidth ? 2.0f : 5.0f;
   const float standing =

@@ -39,6 +39,7 @@ struct Camera {
 struct CameraSettings {
   float zoom = 1.0f;
   double pan_m = 0.0;           // offset of the camera from the figure
+  float headroom = 0.0f;        // height at the top that a standing figure leaves free [points]
   float standing_share = 0.5f;  // where a figure that stays in place stands on the stage, from the left
 };
 

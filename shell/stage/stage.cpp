@@ -17,7 +17,8 @@ namespace {
 
 constexpr float kMinZoom = 0.1f;
 constexpr float kMaxZoom = 6.0f;
-constexpr float kCornerRoom = 114.0f;  // width reserved for the button in the corner
+constexpr float kCornerRoom = 114.0f;   // width reserved for the button in the corner
+constexpr float kHeadlineRoom = 70.0f;  // height of a headline above the figure
 
 // A note about the motion, announced by screen readers.
 void DrawNote(const Scene& s, ImVec2 at, const std::string& sentence) {
@@ -155,7 +156,9 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
   const bool acts = HasStageActions(session, rect);
   const bool invites = acts && Invites(session);
   const float ground_y = ui.Look().Snap(rect.Max.y - GroundRoom(session, rect));
-  state.gaze.standing_share = invites && rect.GetWidth() >= kPhoneWidth ? 0.33f : 0.5f;
+  const bool narrow = rect.GetWidth() < kPhoneWidth;
+  state.gaze.standing_share = invites && !narrow ? 0.33f : 0.5f;
+  state.gaze.headroom = invites && narrow ? kHeadlineRoom : 0.0f;
   const bool two = session.Comparison().Other().Beside();
   session.Comparison().KeepInTime();
   const float open_x = rect.Max.x - covered;
@@ -195,7 +198,7 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
   scene.list->PopClipRect();
   if (invites) DrawInvitation(ui, session, {rect.Min, {open_x, rect.Max.y}});
   if (acts) DrawStageActions(ui, session, {rect.Min, {open_x, rect.Max.y}});
-  DrawWorldButton(ui, state.world, rect);
+  if (!(invites && narrow) || state.world.open) DrawWorldButton(ui, state.world, rect);
   if (state.gaze.zoom != 1.0f || state.gaze.pan_m != 0.0) DrawFollowButton(ui, state, rect);
 }
 

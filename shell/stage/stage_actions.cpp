@@ -104,16 +104,27 @@ void DrawInvitation(Ui& ui, Session& session, const ImRect& stage) {
   const std::string& name = session.Doc().figure.name;
   const std::string headline = CannotMoveWords(name);
   const bool wide = stage.GetWidth() >= kPhoneWidth;  // else the button is below the figure
-  const ImVec2 at(stage.Min.x + (wide ? 28.0f : kMargin), stage.Min.y + (wide ? 40.0f : 30.0f));
-  const float room = stage.Max.x - 100.0f - at.x;  // beside the button in the corner
-  const bool fits = letters.Width(Type::kTitle, headline) <= room;
-  letters.DrawElided(ui.Canvas(), fits ? Type::kTitle : Type::kLarge, at, room, p.ink, headline);
+  const ImVec2 at(stage.Min.x + (wide ? 28.0f : kMargin), stage.Min.y + (wide ? 40.0f : 28.0f));
+  const float room = stage.Max.x - kMargin - at.x;
+  letters.Draw(ui.Canvas(), wide ? Type::kTitle : Type::kLarge, at, p.ink, headline);
   ui.DescribeText(headline, {{at.x, at.y - 18.0f}, {at.x + room, at.y + 18.0f}});
-  const char* aside = Tr("Nobody will animate it. The computer finds out how, by trying.");
-  letters.DrawElided(ui.Canvas(), Type::kBody, {at.x, at.y + 34.0f}, stage.Max.x - kMargin - at.x,
-                     p.second_ink, aside);
-  ui.DescribeText(aside, {{at.x, at.y + 25.0f}, {stage.Max.x - kMargin, at.y + 43.0f}});
+  const char* aside = Tr(wide ? "Nobody will animate it. The computer finds out how, by trying."
+                              : "The computer finds out how, by trying.");
+  const float line = at.y + (wide ? 34.0f : 26.0f);
+  if (wide || stage.GetHeight() > 300.0f) {
+    letters.DrawElided(ui.Canvas(), wide ? Type::kBody : Type::kNote, {at.x, line},
+                       wide ? room : room - 100.0f, p.second_ink, aside);
+    ui.DescribeText(aside, {{at.x, line - 9.0f}, {at.x + room, line + 9.0f}});
+  }
 
+  if (session.AtDoor()) {
+    const float high = ui.Look().touch ? 44.0f : 32.0f;
+    const ImVec2 corner(stage.Max.x - (wide ? 98.0f : 12.0f), stage.Min.y + (wide ? 10.0f : 48.0f));
+    const char* settings = Tr("Settings");
+    const float width = ui.Letters().Width(Type::kBody, settings) + 28.0f;
+    if (ui.Button("stage/settings", {{corner.x - width, corner.y}, {corner.x, corner.y + high}}, settings))
+      session.LeaveDoor();
+  }
   ImRect button;
   if (wide) {
     const float width = std::clamp(0.36f * stage.GetWidth(), 250.0f, 500.0f);

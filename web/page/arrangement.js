@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How a lesson sets up the page: the shown panels, the locks and the goal. They come from the address
 // (?panels=style,search&lock=figure&goal=distance>=8) or from a script. docs/embedding.md documents them.
+import { EXAMPLES } from '../share/examples.js';
 import { banner } from '../browser/dom.js';
 import { sentence } from '../share/address.js';
 import { followLanguage, tr } from '../languages/language.js';
@@ -34,7 +35,7 @@ export class Arrangement {
       if (value !== null) await this.set({ [name]: value }).catch(({ message }) => { faults.push(sentence(message)); });
     }
     const example = namedExample();
-    if (example !== null && !this.app.commands().some(({ id }) => id === `example/${example}`)) {
+    if (example !== null && !(example in EXAMPLES) && !this.app.commands().some(({ id }) => id === `example/${example}`)) {
       faults.push(tr('There is no example “{1}”.', example));
     }
     if (faults.length) banner(tr('The address of this page is not understood: {1}', faults.join(' ')));

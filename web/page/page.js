@@ -3,7 +3,7 @@
 import { Address } from '../share/address.js';
 import { App } from '../app/app.js';
 import { Arrangement } from './arrangement.js';
-import { Autosave } from '../storage/autosave.js';
+import { Autosave, namedExample } from '../storage/autosave.js';
 import { Commands } from './commands.js';
 import { Gaitsmith } from './api.js';
 import { HelpSheet } from './help_sheet.js';
@@ -19,6 +19,7 @@ import { banner, element, offerFile, onClick, setText } from '../browser/dom.js'
 import { Guide } from './guide.js';
 import { HistoryButtons, startHeader } from './header.js';
 import { KeptResults } from '../storage/kept_results.js';
+import { EXAMPLES, openExample } from '../share/examples.js';
 import { compiledEngine, createWorker } from '../search/compiled_engine.js';
 import { compiledModule } from '../browser/compiled_module.js';
 import { guardKeys } from '../access/keys.js';
@@ -139,6 +140,8 @@ async function start() {
     address.changed();
     autosave.save();
   });
+  const example = namedExample();
+  if (example && example in EXAMPLES && location.hash.length < 2) void openExample(app, statusLine, example).then(() => app.forgetPast());
   startSharing(app, address);
   void gaitsmith.ready.then(() => startOffline({
     leave: () => {
@@ -213,6 +216,8 @@ function addCommands(commands, { address, autosave, palette, help, guide }) {
     { id: 'help/tour', group: 'Help', title: trLater('Tour of the playground'), keys: [], run: () => void guide.start() },
   ]);
   commands.addSource(() => autosave.commands());
+  commands.addSource(() => Object.entries(EXAMPLES).map(([name, title]) => (
+    { id: `example/${name}`, group: 'Examples', title: tr('Open example: {1}', tr(title)), keys: [], run: () => void openExample(commands.app, statusLine, name) })));
   commands.addSource(() => Object.entries(THEMES).map(([theme, name]) => (
     { id: `view/theme/${theme}`, group: 'View', title: tr('Theme: {1}', tr(name)), keys: [], run: () => chooseTheme(theme) })));
   commands.addSource(() => Object.entries(LANGUAGES).map(([code, name]) => (

@@ -60,8 +60,11 @@ export class Address {
 
   write() {
     const { payload, link } = this.#opened;
+    const target = new URL(location.href);
+    if (target.searchParams.has('open')) target.searchParams.delete('open'); // the link says what is open from now on
+    target.hash = this.app.link() === link ? payload : this.app.link();
     try {
-      history.replaceState(null, '', `#${this.app.link() === link ? payload : this.app.link()}`);
+      history.replaceState(null, '', target);
     } catch {
       return; // not allowed in a frame without an origin
     }

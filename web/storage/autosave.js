@@ -58,7 +58,7 @@ export class Autosave {
       if (!payload && !(example && this.app.begin(example))) {
         if (last && this.app.open(last.link) === '') {
           this.statusLine.say(tr('Restored your last work: {1}. Choose New to start over.', last.title));
-        } else if (!this.#embedded) {
+        } else if (!this.#embedded && !/[?&](panels|lock|goal)=/.test(location.search)) {
           this.app.begin();
         }
       }

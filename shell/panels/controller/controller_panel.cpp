@@ -161,7 +161,7 @@ void DrawControllerPanel(Ui& ui, Session& session, ControllerPanelState& state) 
                  Type::kNote);
     ui.Gap(6.0f);
     if (!session.Search().Running() && ui.Button("controller/start", ui.Row(ui.Look().MainHeight()),
-                                                 Tr("Synthesize"), ButtonLook::kPrimary)) {
+                                                 Tr("Synthesize"))) {
       session.Synthesize();
       return;
     }

@@ -14,7 +14,8 @@ namespace {
 
 constexpr float kSpacing = 10.0f;
 constexpr float kEdge = 14.0f;
-constexpr float kTile = 88.0f;  // least width
+constexpr float kTile = 88.0f, kNarrowTile = 60.0f;  // least width
+constexpr float kNarrow = 560.0f;
 
 /// The best known first; the others follow in the order of the gallery.
 constexpr std::array<std::string_view, 8> kFirst = {"Ostrich", "Mr. Star-Man", "Acrobat",  "Frog",
@@ -62,7 +63,8 @@ FigureRowChoice DrawFigureRow(Ui& ui, const Session& session, const ImRect& rect
   const auto named = std::ranges::find(figures, session.Doc().figure.name, &Figure::name);
   const int chosen = named == figures.end() ? -1 : static_cast<int>(named - figures.begin());
   const float room = rect.GetWidth() - 2.0f * kEdge + kSpacing;
-  const auto cards = static_cast<std::size_t>(std::max(3.0f, room / (kTile + kSpacing)));
+  const auto cards = static_cast<std::size_t>(
+      std::max(3.0f, room / ((rect.GetWidth() < kNarrow ? kNarrowTile : kTile) + kSpacing)));
   const std::vector<int> row = RowOf(figures, chosen, cards - 2);
   const float width = room / static_cast<float>(row.size() + 2) - kSpacing;
   float x = rect.Min.x + kEdge;

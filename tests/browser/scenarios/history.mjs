@@ -104,7 +104,7 @@ async function newAsksNothing({ browser, address }) {
   for (const selector of ['#new', '#home']) {
     await page.clickElement(selector);
     assert.equal(await page.call('clips', () => /** @type {any} */ (window.gaitsmith.document()).controllers?.length ?? 0), 0);
-    assert.match(await page.status(), /^A new document.* Undo restores/);
+    assert.match(await page.status(), /^This ostrich can’t move yet\. Undo restores/);
     await page.press('Control+z');
     assert.equal(await stateOf(page), before, selector);
   }

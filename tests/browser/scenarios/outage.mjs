@@ -209,7 +209,7 @@ async function quota(visit) {
     const session = await blank.createCDPSession();
     await blank.goto(`${server.address()}page/naming.js`);
     await session.send('Storage.overrideQuotaForOrigin', { origin: new URL(server.address()).origin, quotaSize: 1000 });
-    const page = await PageDriver.open(visit.browser, server.address(), { beside: new PageDriver(blank) });
+    const page = await PageDriver.open(visit.browser, `${server.address()}?open=star-man-shuffle`, { beside: new PageDriver(blank) });
     await begin(page);
     assert.equal(await ended(page), hash);
     const state = await page.call('worker', async () => {
