@@ -67,7 +67,7 @@ TEST_CASE("session: an edit that does not fit the timeline changes nothing and r
   session.Player().Seek(0.05);
   session.Timeline().SplitClip();
   CHECK(session.Notice() ==
-        "Not possible: both parts of a clip must last at least 0.2 s; this is too close to its end.");
+        "Not possible: both parts of a clip must last at least 0.2 s, and this is too close to its end.");
   session.Timeline().ReorderClip(-1);
   session.Timeline().ReorderClip(10000);
   CHECK_FALSE(session.Timeline().InsertFound("nothing"));
