@@ -32,7 +32,7 @@ export class Arrangement {
       const value = address.get(name);
       if (value !== null) await this.set({ [name]: value }).catch(({ message }) => { faults.push(sentence(message)); });
     }
-    if (faults.length) banner(tr('The address of this page is not understood: {1}', faults.join(' ')));
+    if (faults.length) banner(tr('The address of this page has a mistake: {1}', faults.join(' ')));
   }
 
   /** @param {ArrangementOptions} options @returns {Promise<void>} rejected with a sentence, and nothing changed, if they are invalid */
