@@ -114,6 +114,8 @@ check_book() {
 }
 
 check_browsers() { node tests/browser/run.mjs; }
+# A short visit in the engine of Safari. Exit status 77: its driver is not installed.
+check_webkit() { node tests/browser/webkit.mjs; }
 main_scenarios() { BROWSER=chromium node tests/browser/run.mjs build/site --main; }
 
 # Long enough to see a leak. ./dev soak runs longer.
@@ -185,6 +187,7 @@ begin_stages() {
 second_lane() {
   stage book check_book
   stage browsers check_browsers
+  stage WebKit check_webkit
   stage soak check_soak
   stage threads check_threads
   stage fuzz fuzz 10

@@ -48,8 +48,8 @@ void Archive::CheckInteger(std::string_view name, std::int64_t value, std::int64
 void Archive::CheckModel(std::string_view name, std::int64_t model) {
   if (model < 1 || model > kModelVersion) {
     FailAt(name, ErrorCode::kUnknownVersion,
-           "needs physical model " + std::to_string(model) + ", this Gaitsmith knows models up to " +
-               std::to_string(kModelVersion) + "; a newer one is needed");
+           "needs physical model " + std::to_string(model) + ", but this Gaitsmith has models up to " +
+               std::to_string(kModelVersion) + ": a newer one is needed");
   }
 }
 
@@ -77,7 +77,7 @@ Result<void> CheckName(std::string_view text) {
     const bool overlong = (more == 2 && code < 0x800) || (more == 3 && code < 0x10000);
     if (!good || overlong || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) {
       return Fail(ErrorCode::kSyntax, "",
-                  "must be printable UTF-8 text; byte " + std::to_string(i) + " is not");
+                  "must be printable UTF-8 text, but byte " + std::to_string(i) + " is not");
     }
     i += static_cast<std::size_t>(more) + 1;
   }

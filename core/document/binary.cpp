@@ -274,21 +274,21 @@ Result<Document> DecodeBinary(std::span<const std::uint8_t> bytes) {
   if (bytes.empty()) return Fail(ErrorCode::kTruncated, "", "there is no data");
   if (bytes[0] < 1 || bytes[0] > LatestBinaryVersion()) {
     return Fail(ErrorCode::kUnknownVersion, "",
-                "has format version " + std::to_string(bytes[0]) + ", this Gaitsmith reads versions up to " +
-                    std::to_string(LatestBinaryVersion()) +
-                    "; it was made by a newer one, or the data is damaged");
+                "has format version " + std::to_string(bytes[0]) +
+                    ", but this Gaitsmith reads versions up to " + std::to_string(LatestBinaryVersion()) +
+                    ": it was made by a newer one, or the data is damaged");
   }
   const std::size_t whole =
       bytes.size() < kHeaderBytes ? 0 : TakeLittleEndian(bytes.subspan(1, 3)) + kHeaderBytes + kChecksumBytes;
   if (whole == 0 || bytes.size() < whole) {
     return Fail(ErrorCode::kTruncated, "",
-                "was cut: " + std::to_string(bytes.size()) + " bytes arrived of " +
-                    (whole == 0 ? "more" : std::to_string(whole)));
+                "was cut: " + std::to_string(bytes.size()) + " bytes arrived" +
+                    (whole == 0 ? "" : " of " + std::to_string(whole)));
   }
   if (bytes.size() > whole) {
-    return Fail(ErrorCode::kTrailing, "",
-                "goes on after its end: " + std::to_string(bytes.size()) + " bytes arrived of " +
-                    std::to_string(whole));
+    return Fail(
+        ErrorCode::kTrailing, "",
+        "is too long: " + std::to_string(bytes.size()) + " bytes arrived of " + std::to_string(whole));
   }
   if (Crc32(bytes.first(whole - kChecksumBytes)) != TakeLittleEndian(bytes.last(kChecksumBytes))) {
     return Fail(ErrorCode::kChecksum, "", "was damaged on the way: its checksum does not match");

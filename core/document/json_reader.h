@@ -114,7 +114,7 @@ class JsonReader : public Archive {
       std::string known;
       for (const std::string_view option : names) known += (known.empty() ? "" : ", ") + std::string(option);
       return FailAt(name, ErrorCode::kUnknownName,
-                    "\"" + given->text + "\" is not known; choose from " + known);
+                    "\"" + given->text + "\" is unknown: choose from " + known);
     }
     index = static_cast<int>(found - names.begin());
   }

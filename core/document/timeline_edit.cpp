@@ -88,7 +88,7 @@ Result<void> SplitClip(Document& d, int step) {
   const int behind = stretches[i].steps - before;
   if (before < kShortestClip || behind < kShortestClip) {
     return Fail(ErrorCode::kOutOfRange, "",
-                "both parts of a clip must last at least 0.2 s; this is too close to its end");
+                "both parts of a clip must last at least 0.2 s, and this is too close to its end");
   }
   stretches[i].steps = before;
   stretches.insert(stretches.begin() + clip + 1, {d.timeline[i].controller, behind});
@@ -173,7 +173,7 @@ Result<int> AddController(Document& d, const Controller& controller) {
   if (known != d.controllers.end()) return static_cast<int>(known - d.controllers.begin());
   if (d.controllers.size() >= static_cast<std::size_t>(kMaxControllers)) {
     return Fail(ErrorCode::kTooMany, "",
-                "at most " + std::to_string(kMaxControllers) + " controllers, there are that many already");
+                "at most " + std::to_string(kMaxControllers) + " controllers, and all are in use");
   }
   d.controllers.push_back(controller);
   return static_cast<int>(d.controllers.size()) - 1;

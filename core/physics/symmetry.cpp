@@ -91,7 +91,7 @@ Result<Symmetry> SymmetryOf(const Figure& figure) {
     if (!kept && !swapped) {
       return Fail(
           ErrorCode::kStructure, "",
-          "the figure's mirror image hangs together otherwise: draw it beginning with a rod in its middle");
+          "the figure's mirror image is connected differently: draw the figure from a rod in its middle");
     }
     const int image = kept ? child - 1 : parent - 1;
     const Skeleton::Limb& other = skeleton.limbs[static_cast<std::size_t>(image) + 1];

@@ -93,7 +93,7 @@ Result<void> BatchSearch::Load(BitReader& in) {
   if (good && !in.Overrun() && in.AtEnd()) return {};
   const Result<void> fault =
       in.Overrun() ? Fail(ErrorCode::kTruncated, "search", "the saved search ends too early")
-      : good       ? Fail(ErrorCode::kTrailing, "search", "the saved search goes on after its end")
+      : good       ? Fail(ErrorCode::kTrailing, "search", "the saved search has data after its end")
                    : Fail(ErrorCode::kOutOfRange, "search", "is not a state of this search");
   // A refused state changes nothing: restore the state from before.
   BitReader back(before.Bytes());

@@ -166,7 +166,7 @@ Result<void> PopulationHillClimbing::Load(BitReader& in) {
   }
   read.curve_.Load(in);
   if (in.Overrun()) return Fail(ErrorCode::kTruncated, "search", "the saved search ends too early");
-  if (!in.AtEnd()) return Fail(ErrorCode::kTrailing, "search", "the saved search goes on after its end");
+  if (!in.AtEnd()) return Fail(ErrorCode::kTrailing, "search", "the saved search has data after its end");
   *this = std::move(read);
   return {};
 }

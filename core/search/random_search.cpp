@@ -49,7 +49,7 @@ Result<void> RandomSearch::Load(BitReader& in) {
   const bool good = TakeGenome(in, read.best_, read.best_fitness_, space_.shape.Genes());
   read.curve_.Load(in);
   if (in.Overrun()) return Fail(ErrorCode::kTruncated, "search", "the saved search ends too early");
-  if (!in.AtEnd()) return Fail(ErrorCode::kTrailing, "search", "the saved search goes on after its end");
+  if (!in.AtEnd()) return Fail(ErrorCode::kTrailing, "search", "the saved search has data after its end");
   if (!good || evaluations > settings_.evaluations || (evaluations > 0) == read.best_.empty()) {
     return Fail(ErrorCode::kOutOfRange, "search", "is not a state of this search");
   }

@@ -259,7 +259,7 @@ bool App::Key(std::string_view name, bool on_canvas, bool repeated) {
     if (std::ranges::find(command.keys, name) == command.keys.end()) continue;
     if (repeated && !command.repeats) return true;
     if (!command.why_not.empty()) {
-      host_.Status(Tr("Not now: {1}.", command.why_not));
+      host_.Status(command.why_not);
       return true;
     }
     session_.BeginGesture();

@@ -78,7 +78,7 @@ Result<int> IndexOf(std::span<const std::string_view> names, std::string_view na
   std::string known;
   for (const std::string_view option : names) known += (known.empty() ? "" : ", ") + std::string(option);
   return Fail(ErrorCode::kUnknownName, std::string(where),
-              "\"" + std::string(name) + "\" is not known; choose from " + known);
+              "\"" + std::string(name) + "\" is unknown: choose from " + known);
 }
 
 Result<double> ParseNumber(std::string_view text, std::string_view what) {

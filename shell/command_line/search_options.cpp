@@ -47,7 +47,7 @@ class OptionArchive : public Archive {
     }
     std::string known;
     for (const std::string_view option : names) known += (known.empty() ? "" : ", ") + std::string(option);
-    FailAt(name, ErrorCode::kUnknownName, "\"" + value_ + "\" is not known; choose from " + known);
+    FailAt(name, ErrorCode::kUnknownName, "\"" + value_ + "\" is unknown: choose from " + known);
   }
   bool BeginGroup(std::string_view name) override {
     prefix_ = std::string(name) + ".";
@@ -80,7 +80,7 @@ Result<void> SetSearchOption(const std::string& option, SearchSettings& search) 
   Describe(archive, search);
   if (!archive.Found()) {
     return Fail(ErrorCode::kUnknownName, "--search-option",
-                "\"" + name + "\" is not known; choose from " + archive.Names());
+                "\"" + name + "\" is unknown: choose from " + archive.Names());
   }
   if (archive.Ok()) return {};
   return Fail(archive.Fault()->code, "--search-option " + name, archive.Fault()->what);

@@ -71,13 +71,14 @@ std::string ApplyArrangement(const JsonValue& options, Arrangement& arrangement)
     if (name == "panels" && text) {
       if (const auto wrong = ShowPanels(value.text, next))
         return Tr(
-            "panels: there is no panel “{1}”; there are figure, controller, style, search, lab, timeline, "
+            "panels: “{1}” is not a panel. Choose from figure, controller, style, search, lab, timeline, "
             "all, none",
             *wrong);
     } else if (name == "lock" && text) {
       if (const auto wrong = LockParts(value.text, next))
         return Tr(
-            "lock: “{1}” cannot be locked; figure, controller, style, search, timeline, world, all, none can",
+            "lock: “{1}” cannot be locked. Choose from figure, controller, style, search, timeline, world, "
+            "all, none",
             *wrong);
     } else {
       return "arrange: unknown option or value: " + name;

@@ -115,7 +115,7 @@ bool FoundMotions::Keep(const std::string& id, bool kept) {
 
 std::string FoundMotions::Rename(const std::string& id, const std::string& name) {
   const auto entry = std::ranges::find(entries_, id, &Entry::id);
-  if (entry == entries_.end()) return Tr("It is not among the results any more.");
+  if (entry == entries_.end()) return Tr("That motion is no longer in the results.");
   if (entry->motion.name == name) return {};
   if (const auto good = CheckName(name); !good) return TrError(good.error());
   entry->motion.name = name;

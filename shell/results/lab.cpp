@@ -24,7 +24,7 @@ Result<Study> StudyOf(const LabSettings& settings, const Document& document) {
                 "must be from 1 to " + std::to_string(kMaxLabEvaluations));
   }
   if (settings.first_seed > 0xffffffffu - static_cast<std::uint32_t>(settings.trials - 1)) {
-    return Fail(ErrorCode::kOutOfRange, "firstSeed", TrLater("leaves no seeds for so many trials"));
+    return Fail(ErrorCode::kOutOfRange, "firstSeed", TrLater("leaves too few seeds for these trials"));
   }
   Study study{.plan = {.fingerprint = {},
                        .first_seed = settings.first_seed,

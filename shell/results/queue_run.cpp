@@ -61,7 +61,7 @@ bool QueueRun::Run() {
     return false;
   }
   if (search_.Running() || list_.Waiting().empty()) {
-    workspace_.Say(Tr(search_.Running() ? "A search is running: the queue goes on when it is done."
+    workspace_.Say(Tr(search_.Running() ? "A search is running. The queue continues when the search is done."
                                         : "The queue is empty."));
     return false;
   }

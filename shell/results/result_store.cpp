@@ -32,14 +32,15 @@ std::optional<std::string> ResultStore::AddFound(const Document& searched, const
   motion.when_s = workspace_.TheHost().NowS();
   std::string id = motions_.Add(std::move(motion), in_place_of);
   if (id.empty())
-    workspace_.Say(Tr("What was found is not among the results: all of them are kept. Delete some."));
+    workspace_.Say(
+        Tr("The motion was not added to the results: all places hold saved motions. Delete some."));
   return id;
 }
 
 bool ResultStore::KeepShown() {
   const Document& shown = workspace_.Doc();
   if (shown.timeline.empty()) {
-    workspace_.Say(Tr("There is no motion to keep: press Synthesize."));
+    workspace_.Say(Tr("There is no motion to save yet. Press Synthesize."));
     return false;
   }
   FoundMotion motion = Measured(shown, Origin::kByHand, 0);
@@ -49,10 +50,10 @@ bool ResultStore::KeepShown() {
   // A motion of the results is saved as found, since its entry records more than the shown motion.
   const bool there = motions_.Keep(id, true);
   if (!there && motions_.Add(std::move(motion)).empty()) {
-    workspace_.Say(Tr("Not kept: there is no room for more than what is kept. Delete something first."));
+    workspace_.Say(Tr("Not saved: the results are full. Delete something first."));
     return false;
   }
-  workspace_.TheHost().Status(Tr("Kept among the results: {1}.", TrTitle(shown.title)));
+  workspace_.TheHost().Status(Tr("Saved to the results: {1}.", TrTitle(shown.title)));
   return true;
 }
 

@@ -39,7 +39,7 @@ Document SearchRun::ShortClimb() const {
 bool SearchRun::TryStyle() {
   const Controller* shown = workspace_.ShownController();
   if (shown == nullptr || !FitsSearch(workspace_.Doc(), *shown)) {
-    workspace_.Say(Tr("There is no motion to begin with: press Synthesize."));
+    workspace_.Say(Tr("There is no motion to start from yet. Press Synthesize."));
     return false;
   }
   Begin(ShortClimb());

@@ -23,14 +23,14 @@ void AddHistory(std::vector<Command>& list, Session& session) {
        .keys = {"Ctrl+z"},
        .why_not = session.CanUndo() || (session.Search().Running() && !session.Search().RunsQueued())
                       ? ""
-                      : Tr("nothing to undo"),
+                      : Tr("Nothing to undo."),
        .repeats = true,
        .run = [&session] { session.Undo(); }});
   list.push_back({.id = "document/redo",
                   .group = TrLater("Document"),
                   .title = Tr("Redo"),
                   .keys = {"Ctrl+Shift+z", "Ctrl+y"},
-                  .why_not = session.CanRedo() ? "" : Tr("nothing to redo"),
+                  .why_not = session.CanRedo() ? "" : Tr("Nothing to redo."),
                   .repeats = true,
                   .run = [&session] { session.Redo(); }});
 }
@@ -68,15 +68,15 @@ void AddSearch(std::vector<Command>& list, Session& session) {
   list.push_back(
       {.id = "search/pause",
        .group = TrLater("Search"),
-       .title = Tr("Pause the search, or go on"),
+       .title = Tr("Pause or resume the search"),
        .keys = {"p"},
-       .why_not = session.Search().Running() ? "" : Tr("no search runs"),
+       .why_not = session.Search().Running() ? "" : Tr("No search is running."),
        .run = [&session, paused] { paused ? session.Search().Resume() : session.Search().Pause(); }});
 }
 
 void AddQueue(std::vector<Command>& list, Session& session) {
   const bool none = session.Queue().List().Waiting().empty();
-  const std::string full = session.Queue().List().Full() ? Tr("the queue is full") : "";
+  const std::string full = session.Queue().List().Full() ? Tr("The queue is full.") : "";
   const bool busy = session.Search().Running() || session.Lab().Running();
   list.push_back({.id = "queue/add",
                   .group = TrLater("Search"),
@@ -92,14 +92,14 @@ void AddQueue(std::vector<Command>& list, Session& session) {
   list.push_back({.id = "queue/run",
                   .group = TrLater("Search"),
                   .title = Tr("Run the queue"),
-                  .why_not = none   ? Tr("nothing waits")
-                             : busy ? Tr("a search or the lab is running")
+                  .why_not = none   ? Tr("The queue is empty.")
+                             : busy ? Tr("A search or the lab is running.")
                                     : "",
                   .run = [&session] { session.Queue().Run(); }});
   list.push_back({.id = "queue/clear",
                   .group = TrLater("Search"),
                   .title = Tr("Clear the queue"),
-                  .why_not = none ? Tr("nothing waits") : "",
+                  .why_not = none ? Tr("The queue is empty.") : "",
                   .run = [&session] { session.Queue().List().Clear(); }});
 }
 
@@ -108,27 +108,27 @@ void AddFound(std::vector<Command>& list, Session& session) {
                   .group = TrLater("Results"),
                   .title = Tr("Save this motion to the results"),
                   .keys = {"k"},
-                  .why_not = session.Doc().timeline.empty() ? Tr("there is no motion yet") : "",
+                  .why_not = session.Doc().timeline.empty() ? Tr("There is no motion yet.") : "",
                   .run = [&session] { session.Results().KeepShown(); }});
   const FoundMotions::Entry* best = session.Results().Motions().Best(session.Doc());
   list.push_back({.id = "found/best",
                   .group = TrLater("Results"),
                   .title = Tr("Show the best result for this figure and task"),
-                  .why_not = best == nullptr ? Tr("there are no results yet") : "",
+                  .why_not = best == nullptr ? Tr("There are no results yet.") : "",
                   .run = [&session, id = best == nullptr ? "" : best->id] { session.ShowFound(id); }});
   list.push_back(
       {.id = "found/bring-back",
        .group = TrLater("Results"),
        .title = Tr("Bring back the deleted result"),
-       .why_not = session.Results().Motions().Removed() == nullptr ? Tr("nothing was deleted") : "",
+       .why_not = session.Results().Motions().Removed() == nullptr ? Tr("No result was deleted.") : "",
        .run = [&session] { session.Results().Motions().BringBack(); }});
 }
 
 void AddTimeline(std::vector<Command>& list, Session& session) {
   const auto clips = static_cast<int>(session.Doc().timeline.size());
   const int selected = session.Timeline().Selected();
-  const char* none = clips > 0 ? "" : Tr("there is no motion yet");
-  const char* one = clips > 1 ? "" : Tr("there is only one clip");
+  const char* none = clips > 0 ? "" : Tr("There is no motion yet.");
+  const char* one = clips > 1 ? "" : Tr("There is only one clip.");
   const auto add = [&](const char* id, const char* title, const std::vector<std::string>& keys,
                        const char* why_not, auto run) {
     list.push_back({.id = std::string("timeline/") + id,
@@ -147,16 +147,16 @@ void AddTimeline(std::vector<Command>& list, Session& session) {
   add("add", Tr("Add the selected clip once more at the end"), {}, none,
       [&session] { session.Timeline().AddClip(); });
   add("earlier", Tr("Move the selected clip earlier"), {"["},
-      clips > 1 && selected == 0 ? Tr("it is the first") : one,
+      clips > 1 && selected == 0 ? Tr("This clip is the first.") : one,
       [&session] { session.Timeline().ReorderClip(session.Timeline().Selected() - 1); });
   add("later", Tr("Move the selected clip later"), {"]"},
-      clips > 1 && selected == clips - 1 ? Tr("it is the last") : one,
+      clips > 1 && selected == clips - 1 ? Tr("This clip is the last.") : one,
       [&session] { session.Timeline().ReorderClip(session.Timeline().Selected() + 1); });
   add("loop", Tr("Repeat the whole timeline"), {}, none, [&session] { session.Timeline().Repeat(); });
   add("repair", Tr("Repair the selected clip: search from where it takes over"), {"r"},
-      session.Timeline().CanRepair() ? "" : Tr("it takes over from no other clip"),
+      session.Timeline().CanRepair() ? "" : Tr("The first clip takes over from no other clip."),
       [&session] { session.Timeline().RepairClip(); });
-  add("snap-to-best", Tr("Snap to best: the selected clip takes over where that does best"), {},
+  add("snap-to-best", Tr("Snap to best: move the selected clip to the best place to take over"), {},
       session.Timeline().WhyNoSnap(), [&session] { session.Timeline().SnapToBest(); });
   add("remove", Tr("Remove the selected clip"), {}, one, [&session] { session.Timeline().RemoveClip(); });
 }
@@ -195,7 +195,7 @@ void AddView(std::vector<Command>& list, Session& session) {
       {.id = "view/compare",
        .group = TrLater("View"),
        .title = Tr(beside ? "Stop comparing side by side" : "Compare timer and senses side by side"),
-       .why_not = session.Timeline().ShownController() == nullptr ? Tr("there is no motion yet") : "",
+       .why_not = session.Timeline().ShownController() == nullptr ? Tr("There is no motion yet.") : "",
        .run = [&session, beside] {
          beside ? session.Comparison().Stop() : session.Comparison().CompareControlModes();
        }});

@@ -53,7 +53,7 @@ std::string MomentWords(const Session& session) {
                          Fixed(player.TimeS(), 2), WayWords(player.TermsNow().travel_m));
   const Controller* controller = InCharge(session, player.Frame());
   if (controller != nullptr && controller->kind == ControllerKind::kRules)
-    words += " " + Tr("Rule {1} acts.", player.Shown().At(player.Frame()).rule + 1);
+    words += " " + Tr("Rule {1} is active.", player.Shown().At(player.Frame()).rule + 1);
   return words;
 }
 
@@ -75,7 +75,7 @@ std::string DescriptionOf(const Session& session) {
                         ControllerWords(controller->kind, controller->senses, controller->rules));
     }
   } else {
-    words += std::string(" ") + Tr("Nothing drives it: a search finds a controller.");
+    words += std::string(" ") + Tr("The figure has no controller yet. A search finds one.");
   }
   words += " " + ScoreWords(d.task, player.TermsNow());
   if (const Playback* other =

@@ -50,7 +50,7 @@ void MotionComparison::Stop() {
 void MotionComparison::CompareControlModes() {
   const Controller* shown = workspace_.ShownController();
   if (shown == nullptr) {
-    workspace_.Say(Tr("There is no motion to compare: press Synthesize."));
+    workspace_.Say(Tr("There is no motion to compare yet. Press Synthesize."));
     return;
   }
   Document wanted = workspace_.Doc();

@@ -119,8 +119,8 @@ bool Session::ReplaceFigure(const Figure& figure) {
   const bool changed = Change(edit);
   if (changed && loses) {
     search_.ForgetProgress();
-    workspace_.Say(
-        Tr("The controllers were made for the figure as it was, so they are gone. Undo brings them back."));
+    workspace_.Say(Tr(
+        "The old controllers do not fit the changed figure, so they were removed. Undo brings them back."));
   }
   return changed;
 }

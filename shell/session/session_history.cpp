@@ -30,11 +30,11 @@ void Session::Undo() {
   // If a search has found nothing yet, Undo only stops the search.
   const bool only_search = search_.HasChangedNothing();
   search_.Abandon();
-  if (only_search) return workspace_.Say(Tr("The search is stopped; the motion is as it was."));
+  if (only_search) return workspace_.Say(Tr("Search stopped. The motion is unchanged."));
   if (const auto before = workspace_.TakeBack()) {
     Return(*before, TrLater("Undone: {1}."));
   } else {
-    workspace_.TheHost().Status(Tr("There is nothing to undo."));
+    workspace_.TheHost().Status(Tr("Nothing to undo."));
   }
 }
 
@@ -44,7 +44,7 @@ void Session::Redo() {
   if (const auto after = workspace_.TakeForward()) {
     Return(*after, TrLater("Redone: {1}."));
   } else {
-    workspace_.TheHost().Status(Tr("There is nothing to redo."));
+    workspace_.TheHost().Status(Tr("Nothing to redo."));
   }
 }
 

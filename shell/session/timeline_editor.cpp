@@ -163,18 +163,17 @@ void TimelineEditor::SetDuration(int steps) {
 
 const char* TimelineEditor::WhyNoSnap() const {
   const TransitionScores& map = transitions_.Scores();
-  if (!CanRepair()) return Tr("it takes over from no other clip");
-  if (!map.Any()) return Tr("there is no room to move it");
-  if (map.Waits() || map.UnderWay()) return Tr("the transition map is not complete yet");
-  if (map.Best() < 0) return Tr("nothing is known of the transition map");
+  if (!CanRepair()) return Tr("The first clip takes over from no other clip.");
+  if (!map.Any()) return Tr("There is no room to move this clip.");
+  if (map.Waits() || map.UnderWay()) return Tr("The transition map is not complete yet.");
+  if (map.Best() < 0) return Tr("The transition map has no data.");
   const Clip& clip = workspace_.Doc().timeline[static_cast<std::size_t>(Selected())];
   const int best = map.Steps()[static_cast<std::size_t>(map.Best())];
-  return clip.start_step == best ? Tr("it takes over at the best moment already") : "";
+  return clip.start_step == best ? Tr("This clip takes over at the best moment already.") : "";
 }
 
 void TimelineEditor::SnapToBest() {
-  if (const std::string why_not = WhyNoSnap(); !why_not.empty())
-    return workspace_.Say(Tr("Not now: {1}.", why_not));
+  if (const std::string why_not = WhyNoSnap(); !why_not.empty()) return workspace_.Say(why_not);
   const TransitionScores& map = transitions_.Scores();
   MoveClip(Selected(), map.Steps()[static_cast<std::size_t>(map.Best())]);
 }

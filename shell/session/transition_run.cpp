@@ -43,8 +43,7 @@ void TransitionRun::Advance(double seconds) {
 
 void TransitionRun::OnFailed(int generation) {
   if (scores_.Fail(generation))
-    workspace_.Say(
-        Tr("The transition map could not be worked out to its end; what is known of it is shown."));
+    workspace_.Say(Tr("The transition map could not be completed. Its finished part is shown."));
 }
 
 }  // namespace gaitsmith::shell

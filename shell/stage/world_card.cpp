@@ -35,13 +35,13 @@ void DrawGroundAndGravity(Ui& ui, Session& session) {
     change(&Environment::slope_rad, slope * kDegree);
   }
   double sway = static_cast<double>(world.sway_rad) / kDegree;
-  if (ui.Slider("world/sway", Tr("Rocks"), sway, {.low = 0.0, .high = 30.0, .step = 0.5},
-                sway == 0.0 ? Tr("not") : "±" + Fixed(sway, 1) + "°")) {
+  if (ui.Slider("world/sway", Tr("Rocking"), sway, {.low = 0.0, .high = 30.0, .step = 0.5},
+                sway == 0.0 ? Tr("off") : "±" + Fixed(sway, 1) + "°")) {
     change(&Environment::sway_rad, sway * kDegree);
   }
   double period = static_cast<double>(world.sway_period_s);
   if (sway != 0.0 &&
-      ui.Slider("world/sway-period", Tr("once in"), period,
+      ui.Slider("world/sway-period", Tr("every"), period,
                 {.low = 0.5, .high = 20.0, .step = 0.1, .logarithmic = true}, Fixed(period, 1) + " s")) {
     change(&Environment::sway_period_s, period);
   }
@@ -169,7 +169,7 @@ void DrawGhostChoice(Ui& ui, Session& session) {
   static constexpr std::array<const char*, 2> kPlaces = {TrLater("Behind it"), TrLater("Beside it")};
   int place = session.Comparison().Other().Beside() ? 1 : 0;
   ui.Gap(6.0f);
-  if (ui.Segmented("world/beside", ui.ControlRow(), Tr("Where the other is drawn"), kPlaces, place))
+  if (ui.Segmented("world/beside", ui.ControlRow(), Tr("Where the other figure is drawn"), kPlaces, place))
     session.Comparison().ShowBeside(place == 1);
 }
 

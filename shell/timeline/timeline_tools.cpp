@@ -39,9 +39,10 @@ std::vector<Tool> ToolsOf(const Session& session) {
        &TimelineEditor::RemoveClip, 0},
   };
   if (session.Timeline().Transitions().Scores().Any()) {
-    tools.insert(tools.end() - 1, {"timeline/snap-to-best", TrLater("Snap to best"),
-                                   TrLater("Snap to best: the selected clip takes over where that does best"),
-                                   *session.Timeline().WhyNoSnap() == '\0', &TimelineEditor::SnapToBest, 1});
+    tools.insert(tools.end() - 1,
+                 {"timeline/snap-to-best", TrLater("Snap to best"),
+                  TrLater("Snap to best: move the selected clip to the best place to take over"),
+                  *session.Timeline().WhyNoSnap() == '\0', &TimelineEditor::SnapToBest, 1});
   }
   return tools;
 }

@@ -43,18 +43,18 @@ int PercentOf(float share) { return static_cast<int>(std::lround(100.0f * std::c
 std::string TransitionWords(const Session& session) {
   const TransitionScores& map = session.Timeline().Transitions().Scores();
   const int best = map.Best();
-  if (best < 0) return map.Failed() ? Tr("nothing is known") : Tr("not worked out yet");
+  if (best < 0) return map.Failed() ? Tr("no data") : Tr("not computed yet");
   const std::string when = SecondsOf(map.Steps()[static_cast<std::size_t>(best)]);
   const int percent = PercentOf(map.Share(best).value_or(0.0f));
   const auto count = static_cast<int>(map.Steps().size());
   if (map.Known() < count) {
-    return Tr("{1} of {2} moments known; best so far at {3} s: {4} % of its usual score", map.Known(), count,
+    return Tr("{1} of {2} moments tried, best so far at {3} s: {4} % of its usual score", map.Known(), count,
               when, percent);
   }
   const int start =
       session.Doc().timeline[static_cast<std::size_t>(session.Timeline().Selected())].start_step;
   const int now = PercentOf(map.Share(map.Nearest(start)).value_or(0.0f));
-  return Tr("best at {1} s: {2} % of its usual score; now {3} %", when, percent, now);
+  return Tr("best at {1} s: {2} % of its usual score, now {3} %", when, percent, now);
 }
 
 /// Hatching over moments whose score is not known yet.

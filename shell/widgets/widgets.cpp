@@ -40,7 +40,7 @@ void Ui::Heading(std::string_view text) const {
 }
 
 void Ui::LockNote() const {
-  Paragraph(Tr("Locked here: to read, not to change."), Type::kNote);
+  Paragraph(Tr("Locked here: read only."), Type::kNote);
   Gap(8.0f);
 }
 

@@ -13,17 +13,17 @@ const std::array<AlgorithmWords, kAlgorithmNames.size()>& AlgorithmTexts() {
        TrLater("Several candidates improve in parallel. From time to time the best half replaces the rest. "
                "The best search in the paper.")},
       {"GGA", TrLater("GGA: genetic, by generations"),
-       TrLater("Parents drawn by roulette wheel; their children replace the whole population.")},
+       TrLater("Parents are drawn by roulette wheel. Their children replace the whole population.")},
       {"SSGA", TrLater("SSGA: genetic, steady state"),
-       TrLater("Parents chosen by rank; two children at a time push out the two worst.")},
+       TrLater("Parents are chosen by rank. Two children at a time replace the two worst.")},
       {"SHC", TrLater("SHC: hill climbing"),
-       TrLater("One controller, perturbed; the change stays if it is better.")},
+       TrLater("Changes one controller at random. A change stays if it is better.")},
       {"MPGA", TrLater("MPGA: genetic, on a torus"),
        TrLater("One controller on each cell of a torus, mating nearby: Ngo and Marks' parallel search.")},
       {"Nelder–Mead", TrLater("Nelder–Mead: simplex"),
-       TrLater("Moves a simplex of controllers downhill. For refining what was found; poor from random.")},
+       TrLater("Moves a simplex of controllers downhill. Refines a found motion. Poor from a random start.")},
       {"Powell", TrLater("Powell: direction set"),
-       TrLater("Climbs along one gene after another. For refining what was found; poor from random.")},
+       TrLater("Climbs along one gene after another. Refines a found motion. Poor from a random start.")},
       {"CMA-ES", TrLater("CMA-ES: covariance adaptation"),
        TrLater("Samples around a mean and learns which directions pay. Quick with a timer.")},
       {"MAP-Elites", TrLater("MAP-Elites: a suite of styles"),
@@ -31,7 +31,7 @@ const std::array<AlgorithmWords, kAlgorithmNames.size()>& AlgorithmTexts() {
       {TrLater("Two-stage"), TrLater("Two-stage: random, then climbing"),
        TrLater("Draws many at random, then climbs from the best: how networks were first found.")},
       {TrLater("Pose cycle"), TrLater("Pose cycle: race, then place rules"),
-       TrLater("Races loops of poses, then adds rules where the figure really passes. Mostly needs the "
+       TrLater("Races loops of poses, then adds rules where the figure really passes. Usually needs the "
                "fewest tries.")},
   });
   static_assert(std::tuple_size_v<decltype(kTexts)> == kAlgorithmNames.size(),

@@ -19,10 +19,11 @@ std::string MissWords(const RuleMoment& moment, int rule, int sense) {
   const bool above = felt > stimulus.high;
   const float miss =
       above ? scale.Of(felt) - scale.Of(stimulus.high) : scale.Of(stimulus.low) - scale.Of(felt);
-  return Tr(above ? "{1} above its interval" : "{1} below its interval", QuantityWords(scale.quantity, miss));
+  return Tr(above ? "{1} above its range" : "{1} below its range", QuantityWords(scale.quantity, miss));
 }
 
-std::string DepthWords(const RuleStanding& standing) { return Fixed(standing.Depth(), 2); }
+// How well a rule matches, in percent.
+std::string MatchWords(const RuleStanding& standing) { return Fixed(100.0f * standing.Depth(), 0); }
 
 std::string WhyItActs(const RuleMoment& moment, int rule) {
   const auto standing_of = [&](int r) -> const RuleStanding& {
@@ -34,28 +35,25 @@ std::string WhyItActs(const RuleMoment& moment, int rule) {
     words = Tr("Rule {1} is active: it uses no sense, so it always matches.", rule + 1);
   } else {
     const char* pattern =
-        own.cares == 1 ? TrLater("Rule {1} acts: {2} lies in its interval (depth {3} of 1).")
+        own.cares == 1 ? TrLater("Rule {1} is active: {2} is in range (match {3} %).")
         : own.cares == 2
-            ? TrLater(
-                  "Rule {1} acts: {2} lies in its interval, and so does the other sense it heeds "
-                  "(depth {3} of 1).")
+            ? TrLater("Rule {1} is active: {2} is in range, and so is the other sense it uses (match {3} %).")
             : TrLater(
-                  "Rule {1} acts: {2} lies in its interval, and so do the other {4} it heeds "
-                  "(depth {3} of 1).");
-    words = Tr(pattern, rule + 1, SenseWords(moment, own.decisive_sense), DepthWords(own), own.cares - 1);
+                  "Rule {1} is active: {2} is in range, and so are the other {4} senses it uses (match {3} "
+                  "%).");
+    words = Tr(pattern, rule + 1, SenseWords(moment, own.decisive_sense), MatchWords(own), own.cares - 1);
   }
   if (moment.choice.runner_up < 0) return words;
   const int rival = moment.choice.runner_up;
   const RuleStanding& next = standing_of(rival);
   if (!next.Holds()) {
     return words + " " +
-           Tr("No other rule holds; nearest is rule {1}: {2}, {3}.", rival + 1,
+           Tr("No other rule matches. Nearest is rule {1}: {2}, {3}.", rival + 1,
               SenseWords(moment, next.decisive_sense), MissWords(moment, rival, next.decisive_sense));
   }
-  if (next.off == own.off) return words + " " + Tr("Rule {1} is as deep, but comes later.", rival + 1);
-  return words + " " +
-         Tr("It beats rule {1} (depth {2}) by {3}.", rival + 1, DepthWords(next),
-            Fixed(next.off - own.off, 2));
+  if (next.off == own.off)
+    return words + " " + Tr("Rule {1} matches equally well, but comes later.", rival + 1);
+  return words + " " + Tr("Next best is rule {1} (match {2} %).", rival + 1, MatchWords(next));
 }
 
 }  // namespace
@@ -102,8 +100,9 @@ std::string WhyWords(const RuleMoment& moment, int rule) {
   const RuleChoice& choice = moment.choice;
   const RuleStanding& own = choice.standings[static_cast<std::size_t>(rule)];
   if (moment.begins) {
-    return Tr(rule == 0 ? "Rule {1} acts: a controller begins with its first rule, before anything is felt."
-                        : "Rule {1} waits: nothing is felt yet, and a controller begins with rule 1.",
+    return Tr(rule == 0
+                  ? "Rule {1} is active: a controller starts with its first rule, before it senses anything."
+                  : "Rule {1} is inactive: a controller starts with rule 1, before it senses anything.",
               rule + 1);
   }
   if (rule == choice.rule && choice.holds) return WhyItActs(moment, rule);
@@ -117,16 +116,16 @@ std::string WhyWords(const RuleMoment& moment, int rule) {
               MissWords(moment, rival, sense));
   }
   if (!own.Holds()) {
-    return Tr("Rule {1} rests: {2} lies {3}.", rule + 1, SenseWords(moment, own.decisive_sense),
+    return Tr("Rule {1} is inactive: {2} is {3}.", rule + 1, SenseWords(moment, own.decisive_sense),
               MissWords(moment, rule, own.decisive_sense));
   }
   const RuleStanding& winner = choice.standings[static_cast<std::size_t>(choice.rule)];
   if (winner.off == own.off) {
-    return Tr("Rule {1} holds too (depth {2}), but rule {3} is as deep and comes first.", rule + 1,
-              DepthWords(own), choice.rule + 1);
+    return Tr("Rule {1} matches equally well ({2} %), but rule {3} comes first.", rule + 1, MatchWords(own),
+              choice.rule + 1);
   }
-  return Tr("Rule {1} holds too (depth {2}), but rule {3} is deeper by {4}.", rule + 1, DepthWords(own),
-            choice.rule + 1, Fixed(own.off - winner.off, 2));
+  return Tr("Rule {1} matches too ({2} %), but rule {3} matches better ({4} %).", rule + 1, MatchWords(own),
+            choice.rule + 1, MatchWords(winner));
 }
 
 }  // namespace gaitsmith::shell

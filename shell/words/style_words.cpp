@@ -69,20 +69,20 @@ std::string PrimaryLabel(TaskKind kind) {
 std::string PrimaryLine(TaskKind kind) {
   switch (kind) {
     case TaskKind::kTravel:
-      return Tr("Metres the centre of mass gets away, either way.");
+      return Tr("Distance moved, left or right (centre of mass).");
     case TaskKind::kTravelRight:
       return Tr("Distance moved to the right (centre of mass).");
     case TaskKind::kTravelLeft:
-      return Tr("Metres the centre of mass gets to the left.");
+      return Tr("Distance moved to the left (centre of mass).");
     case TaskKind::kJump:
-      return Tr("Metres the centre of mass rises above its start.");
+      return Tr("Height gained above the start (centre of mass).");
   }
   return {};
 }
 
 std::string ScoreWords(const Task& task, const Terms& terms) {
   const float fitness = Fitness(task, terms);
-  if (fitness <= kVoidScore) return Tr("No score: this motion breaks physics.");
+  if (fitness <= kVoidScore) return Tr("No score: the simulation failed.");
   std::string sum, rest;
   for (std::size_t i = 0; i < kStyleTerms; ++i) {
     const TermWords& words = TermTexts()[i];

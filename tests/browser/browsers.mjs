@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Starts the page's server, Chromium (headless) and Firefox (in a virtual display, because it has no WebGL without
-// one), each with a new profile.
+// Starts the page's server, Chromium (headless), Firefox and WebKit (in a virtual display, because they have no WebGL
+// without one), each with a new profile.
 import { spawn } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { createRequire } from 'node:module';
+import { createServer } from 'node:net';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -68,21 +69,46 @@ export async function startChromium(viewport = { width: 1280, height: 720 }) {
 /** @type {string | undefined} */
 let display;
 
+/** The environment of a browser that needs a display. */
+async function withDisplay() {
+  if (existsSync('/usr/bin/Xvfb')) {
+    display ??= `:${await firstLine('/usr/bin/Xvfb', ['-screen', '0', '1920x1200x24', '-nolisten', 'tcp', '-displayfd', '3'],
+      ['ignore', 'ignore', 'ignore', 'pipe'], 3)}`;
+  }
+  return { ...process.env, ...(display ? { DISPLAY: display } : {}) };
+}
+
 /** @returns {Promise<Browser | null>} null: not installed */
 export async function startFirefox() {
   const executablePath = process.env.FIREFOX ?? firstOf('/usr/bin/firefox-esr', '/usr/bin/firefox',
     '/Applications/Firefox.app/Contents/MacOS/firefox');
   if (!executablePath) return null;
-  if (existsSync('/usr/bin/Xvfb')) {
-    display ??= `:${await firstLine('/usr/bin/Xvfb', ['-screen', '0', '1920x1200x24', '-nolisten', 'tcp', '-displayfd', '3'],
-      ['ignore', 'ignore', 'ignore', 'pipe'], 3)}`;
-  }
   return puppeteer.launch({
     browser: 'firefox',
     executablePath,
     headless: false,
     defaultViewport: { width: 1280, height: 720 },
-    env: { ...process.env, ...(display ? { DISPLAY: display } : {}) },
+    env: await withDisplay(),
     extraPrefsFirefox: { 'webgl.force-enabled': true },
+  });
+}
+
+/** Starts WebKitGTK's driver. Each session of it is a browser of its own. @returns {Promise<string | null>} its address; null: not installed */
+export async function startWebKit() {
+  const program = process.env.WEBKIT_DRIVER ?? firstOf('/usr/bin/WebKitWebDriver');
+  if (!program) return null;
+  const port = await freePort();
+  children.push(spawn(program, [`--port=${port}`], { stdio: 'ignore', env: await withDisplay() }));
+  return `http://127.0.0.1:${port}`;
+}
+
+/** @returns {Promise<number>} */
+function freePort() {
+  return new Promise((resolve) => {
+    const server = createServer();
+    server.listen(0, '127.0.0.1', () => {
+      const address = server.address();
+      server.close(() => resolve(typeof address === 'object' && address ? address.port : 0));
+    });
   });
 }

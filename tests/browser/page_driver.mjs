@@ -196,28 +196,35 @@ export class PageDriver {
     const stage = (await this.widgets()).find(({ id }) => id === 'stage');
     assert.ok(stage, 'no stage on the canvas');
     const png = await this.page.screenshot({ encoding: 'base64', clip: stage.rect });
-    return this.page.evaluate(async (base64) => {
-      const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-      const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-      const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
-      context?.drawImage(image, 0, 0);
-      const { data = [] } = context?.getImageData(0, 0, image.width, image.height) ?? {};
-      let sum = 0, squares = 0, weighted = 0;
-      const count = data.length / 4;
-      for (let i = 0; i < count; i++) {
-        const v = data[4 * i] + data[4 * i + 1] + data[4 * i + 2];
-        sum += v;
-        squares += v * v;
-        weighted = (weighted * 31 + v) % 1000000007;
-      }
-      return { spread: Math.sqrt(squares / count - (sum / count) ** 2), sum: weighted };
-    }, png);
+    return this.page.evaluate(brightness, png);
   }
 
   /** Terminates one of the page's workers. @param {number} which  in order of creation, coordinator first */
   terminateWorker(which) {
     return this.page.evaluate((index) => /** @type {any} */ (window).testWorkers.at(index).terminate(), which);
   }
+}
+
+/**
+ * Runs in a page: the spread of a picture's brightness, and a checksum of it.
+ * @param {string} base64  PNG @param {{x: number, y: number, width: number, height: number}} [part]  else all of it
+ */
+export async function brightness(base64, part) {
+  const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+  const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+  const { x, y, width, height } = part ?? { x: 0, y: 0, width: image.width, height: image.height };
+  const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
+  context?.drawImage(image, 0, 0);
+  const { data = [] } = context?.getImageData(x, y, width, height) ?? {};
+  let sum = 0, squares = 0, weighted = 0;
+  const count = data.length / 4;
+  for (let i = 0; i < count; i++) {
+    const v = data[4 * i] + data[4 * i + 1] + data[4 * i + 2];
+    sum += v;
+    squares += v * v;
+    weighted = (weighted * 31 + v) % 1000000007;
+  }
+  return { spread: Math.sqrt(squares / count - (sum / count) ** 2), sum: weighted };
 }
 
 /** Runs in the page before its scripts: records every Worker, to terminate one later. */

@@ -4,8 +4,8 @@
 // BROWSER=chromium or BROWSER=firefox selects one browser.
 // Writes pictures to build/screenshots. Prints each result and fails if a scenario fails.
 import assert from 'node:assert/strict';
-import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
+import { goldenLinks, goldenMotions } from './goldens.mjs';
 import { PageDriver } from './page_driver.mjs';
 import { ROOT, serve, startChromium, startFirefox, stopAll } from './browsers.mjs';
 import { MAIN_SCENARIOS, SCENARIOS } from './scenarios/all.mjs';
@@ -28,38 +28,21 @@ async function check(name, body) {
   }
 }
 
-/** Every golden document has the same hash in the browser and natively. @param {PageDriver} page @returns {Promise<number>} their number */
-async function checkGoldens(page) {
-  const folder = join(ROOT, 'tests/golden/motions');
-  const files = (await readdir(folder).catch(() => /** @type {string[]} */ ([]))).filter((file) => file.endsWith('.json'));
-  for (const file of files) {
-    const text = await readFile(join(folder, file), 'utf8');
-    const here = await page.page.evaluate((json) => {
-      window.gaitsmith.open(json);
+/**
+ * Every golden document and link has its pinned hash in the browser, and documents the native one.
+ * @param {PageDriver} page @param {import('./goldens.mjs').Golden[]} goldens @param {boolean} natively
+ * @returns {Promise<number>} their number
+ */
+async function checkGoldens(page, goldens, natively) {
+  for (const { name, text, hash } of goldens) {
+    const here = await page.page.evaluate((golden) => {
+      window.gaitsmith.open(golden);
       return window.gaitsmith.hash();
     }, text);
-    assert.equal(here, await nativeHash(text) ?? here, file);
-    const pinned = JSON.parse(text).hash;
-    if (pinned) assert.equal(here, pinned, file);
+    if (natively) assert.equal(here, await nativeHash(text) ?? here, name);
+    if (hash) assert.equal(here, hash, name);
   }
-  return files.length;
-}
-
-/** Old links still open with the same motion. @param {PageDriver} page @returns {Promise<number>} their number */
-async function checkGoldenLinks(page) {
-  let count = 0;
-  for (const version of [1, 2, 3]) {
-    const lines = (await readFile(join(ROOT, `tests/golden/links/version-${version}.txt`), 'utf8')).split('\n');
-    for (const [hash, link] of lines.filter((line) => /^[0-9a-f]{16} /.test(line)).map((line) => line.split(' '))) {
-      const here = await page.page.evaluate((payload) => {
-        window.gaitsmith.open(payload);
-        return window.gaitsmith.hash();
-      }, link);
-      assert.equal(here, hash, `version ${version}: ${link.slice(0, 40)}…`);
-      count++;
-    }
-  }
-  return count;
+  return goldens.length;
 }
 
 const main = process.argv[3] === '--main';
@@ -80,8 +63,8 @@ async function drive(name, start) {
   for (const [claim, body] of scenarios.filter(([text, , only = name]) => text.includes(wanted) && only === name)) await check(`${name}: ${claim}`, () => body(visit));
   await check(`${name}: golden motions and links have their pinned hashes`, async () => {
     const page = await PageDriver.open(browser, address);
-    visit.figures['golden motions'] = await checkGoldens(page);
-    visit.figures['golden links'] = await checkGoldenLinks(page);
+    visit.figures['golden motions'] = await checkGoldens(page, await goldenMotions(), true);
+    visit.figures['golden links'] = await checkGoldens(page, await goldenLinks(), false);
     await page.close();
   });
   if (name === 'Chromium' && whole) await check(`${name}: pictures of every panel in every theme`, async () => {

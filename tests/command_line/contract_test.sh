@@ -247,9 +247,9 @@ same "$(grep -m1 ",$(basename "$jump" .json)," switches.csv | cut -d, -f5)" "$("
 # Invalid input: one clear sentence, and files are unchanged.
 echo keep >precious.json
 refuses 'there is no figure "mr-moon"' "$gaitsmith" synthesize --figure mr-moon --out precious.json
-refuses '"fly" is not known; choose from travel' "$gaitsmith" synthesize --task fly --out precious.json
+refuses '"fly" is unknown: choose from travel' "$gaitsmith" synthesize --task fly --out precious.json
 refuses '--weight max_cm_height=x: must be a number' "$gaitsmith" synthesize --weight max_cm_height=x --out precious.json
-refuses '"zeal" is not known; choose from max_cm_height, slip_sum, rotations, effort, upright, smoothness, head_height' \
+refuses '"zeal" is unknown: choose from max_cm_height, slip_sum, rotations, effort, upright, smoothness, head_height' \
   "$gaitsmith" synthesize --weight zeal=1 --out precious.json
 for weight in nan inf '' 1e; do
   refuses "--weight effort=$weight: must be a number" "$gaitsmith" synthesize --weight effort=$weight --out precious.json
@@ -259,8 +259,8 @@ refuses 'DOC: give exactly one document' "$gaitsmith" measure
 refuses 'must be from 0.02 to 120 s' "$gaitsmith" synthesize --sense timer=0.001 --out precious.json
 refuses 'must be a whole number from 1 to 100000000, is "many"' "$gaitsmith" synthesize --evaluations many --out precious.json
 refuses '--colour: this command has no such option' "$gaitsmith" synthesize --colour red --out precious.json
-refuses '"annealing" is not known; choose from rgt, sphc, gga' "$gaitsmith" synthesize --search annealing --out precious.json
-refuses '"rate" is not known; choose from population' "$gaitsmith" synthesize --search-option rate=1 --out precious.json
+refuses '"annealing" is unknown: choose from rgt, sphc, gga' "$gaitsmith" synthesize --search annealing --out precious.json
+refuses '"rate" is unknown: choose from population' "$gaitsmith" synthesize --search-option rate=1 --out precious.json
 refuses '--search-option genetic.mutation_rate: must be from 0 to 1, is 2' \
   "$gaitsmith" synthesize --search-option genetic.mutation_rate=2 --out precious.json
 refuses '--search-option torus.side: must be a whole number, is ""' "$gaitsmith" synthesize --search-option torus.side --out precious.json
@@ -274,8 +274,8 @@ cp results.csv results-before.csv; cp curves.csv curves-before.csv
 wrong 2 '--trials: must be a whole number from 1 to 1000000, is "0"' study "${to[@]}" --trials 0
 wrong 2 '--points: must be a whole number from 1 to 60, is "61"' study "${to[@]}" --points 61
 wrong 2 'must be at least the population, 200, is 60' study "${to[@]}" --search gga
-wrong 2 '"annealing" is not known; choose from rgt, sphc' study "${to[@]}" --search annealing
-wrong 2 '"rate" is not known; choose from population' study "${to[@]}" --search sphc:rate=1
+wrong 2 '"annealing" is unknown: choose from rgt, sphc' study "${to[@]}" --search annealing
+wrong 2 '"rate" is unknown: choose from population' study "${to[@]}" --search sphc:rate=1
 wrong 2 '--search: "powell" is there twice' study "${to[@]}" --search powell
 wrong 2 '--problem: "one" is there twice' study "${to[@]}" --problem ./one.json
 wrong 1 'nowhere.json: cannot be read' study "${to[@]}" --problem nowhere.json
@@ -316,11 +316,11 @@ wrong 2 '--seeds: must be a whole number from 1 to 1000000, is "0"' suite --seed
 wrong 2 '--style a: must be NAME=TERM:W[,TERM:W]' suite --style a --out suite.csv
 wrong 2 '--style a/b=slip_sum:1: "a/b" cannot be a name' suite --style a/b=slip_sum:1 --out suite.csv
 wrong 2 '--style a=slip_sum: "slip_sum" must be TERM:W' suite --style a=slip_sum --out suite.csv
-wrong 2 '--style a=zeal:1: "zeal" is not known; choose from max_cm_height' suite --style a=zeal:1 --out suite.csv
+wrong 2 '--style a=zeal:1: "zeal" is unknown: choose from max_cm_height' suite --style a=zeal:1 --out suite.csv
 wrong 2 '--style a=slip_sum:x: must be a number, is "x"' suite --style a=slip_sum:x --out suite.csv
 wrong 2 'weights.slip_sum: must be from -1000 to 1000, is 2000' suite --style a=slip_sum:2000 --out suite.csv
 wrong 2 '"physical.travel.plain" is there twice' suite --sense physical --out suite.csv
-wrong 2 '"fly" is not known; choose from travel' suite --task fly --out suite.csv
+wrong 2 '"fly" is unknown: choose from travel' suite --task fly --out suite.csv
 wrong 2 '--search: can be given once' suite --search rgt --out suite.csv
 wrong 2 '--out: must be a file' suite --out -
 wrong 2 '--best: goes with --extract alone' suite --out suite.csv --best

@@ -121,7 +121,7 @@ test('a search that takes the place of another hears nothing of its work', async
 
 /** A role, its call that traps once, and the expected sentence. @type {[string, string, RegExp][]} */
 const TRAPS = [
-  ['an evaluator', 'Evaluator.score', /another one took over/],
+  ['an evaluator', 'Evaluator.score', /Another one took over/],
   ['the coordinator', 'Search.tell', /continues from evaluation/],
 ];
 for (const [role, call, sentence] of TRAPS) {

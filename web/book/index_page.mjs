@@ -12,7 +12,7 @@ export function indexPage(groups) {
     scripts: ['find.js', 'shelf.js'],
     body: `<main id="main" tabindex="-1">
 <h1>The book</h1>
-<p class="hook">Figures of rods that no one animated, and how a computer finds their motions. Begin with a lesson, look around in
+<p class="hook">Figures of rods that nobody animated, and how a computer finds their motions. Begin with a lesson, look around in
 the gallery, or <a href="../">open the playground</a>.</p>
 <form id="find" role="search" action="index.html">
 <label for="find-words">Search the book</label>

@@ -53,7 +53,7 @@ async function useLanguage(code) {
     return;
   }
   wanted = language();
-  report(tr('{1} could not be loaded; the page stays in {2}.', LANGUAGES[code], LANGUAGES[wanted]));
+  report(tr('{1} could not be loaded. The page stays in {2}.', LANGUAGES[code], LANGUAGES[wanted]));
   setLanguage(wanted, table);
 }
 

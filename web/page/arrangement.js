@@ -38,7 +38,7 @@ export class Arrangement {
     if (example !== null && !(example in EXAMPLES) && !this.app.commands().some(({ id }) => id === `example/${example}`)) {
       faults.push(tr('There is no example “{1}”.', example));
     }
-    if (faults.length) banner(tr('The address of this page is not understood: {1}', faults.join(' ')));
+    if (faults.length) banner(tr('The address of this page has a mistake: {1}', faults.join(' ')));
   }
 
   /** @param {ArrangementOptions} options @returns {Promise<void>} rejected with a sentence, and nothing changed, if they are invalid */

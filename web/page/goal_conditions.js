@@ -27,7 +27,7 @@ export function parseGoal(text, { terms, control_modes: modes }) {
     const number = Number(value);
     const known = name === 'sense' ? relation === '=' && modes.some((mode) => mode.name === value)
       : numbers.includes(name) && Number.isFinite(number);
-    if (!known) throw new Error(tr('goal: “{1}” is no condition, such as distance >= 8 or sense = physical', part));
+    if (!known) throw new Error(tr('goal: “{1}” is not a condition. Examples: distance >= 8, sense = physical', part));
     return { name, relation: /** @type {Relation} */ (relation), wanted: name === 'sense' ? value : number };
   });
 }

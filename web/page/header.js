@@ -65,8 +65,8 @@ export class HistoryButtons {
 
   /** Call after every change of the document. */
   update() {
-    setAvailable(this.#undo, tr('Undo ({1})', keyCap('Ctrl+z')), this.app.canUndo() ? '' : tr('Nothing to undo'));
-    setAvailable(this.#redo, tr('Redo ({1})', keyCap('Ctrl+Shift+z')), this.app.canRedo() ? '' : tr('Nothing to redo'));
+    setAvailable(this.#undo, tr('Undo ({1})', keyCap('Ctrl+z')), this.app.canUndo() ? '' : tr('Nothing to undo.'));
+    setAvailable(this.#redo, tr('Redo ({1})', keyCap('Ctrl+Shift+z')), this.app.canRedo() ? '' : tr('Nothing to redo.'));
   }
 }
 

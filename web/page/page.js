@@ -62,7 +62,7 @@ async function start() {
     parts?.autosave.end();
     parts?.address.end();
     parts?.searches.abandon(error);
-    banner(tr('Gaitsmith stopped working. Your last state is in the address: reload to go on.'), { reload: true });
+    banner(tr('Gaitsmith stopped working. Your last state is in the address: reload to continue.'), { reload: true });
   };
   addEventListener('error', ({ error }) => { if (error instanceof WebAssembly.RuntimeError) crashed(error); });
   addEventListener('unhandledrejection', ({ reason }) => { if (reason instanceof WebAssembly.RuntimeError) crashed(reason); });
@@ -173,7 +173,7 @@ async function start() {
   canvas.addEventListener('webglcontextlost', () => {
     address.write();
     autosave.save();
-    banner(tr('The graphics of this page were lost. Your work is in the address: reload to go on.'), { reload: true });
+    banner(tr('The graphics of this page were lost. Your work is in the address: reload to continue.'), { reload: true });
   });
 }
 
@@ -208,7 +208,7 @@ function addCommands(commands, { address, autosave, palette, help, guide }) {
     { id: 'document/open', group: 'Document', title: trLater('Open a file or a link'), keys: ['Ctrl+o'], pressed: ['Ctrl+v'], run: click('open') },
     { id: 'document/save', group: 'Document', title: trLater('Save as a file'), keys: ['Ctrl+s'], run: click('save') },
     { id: 'document/export', group: 'Document', title: trLater('Export as picture, video or data'), keys: [], run: () => void openExport(commands.app, statusLine) },
-    { id: 'document/share', group: 'Document', title: trLater('Share: link, code for cameras, lines for another page'), keys: [], run: click('share') },
+    { id: 'document/share', group: 'Document', title: trLater('Share: link, QR code, embed code'), keys: [], run: click('share') },
     { id: 'document/copy-link', group: 'Document', title: trLater('Copy link'), keys: ['c'], pressed: ['Ctrl+c'], run: click('copy-link') },
     { id: 'view/theme', group: 'View', title: trLater('Next theme'), keys: ['t'], run: nextTheme },
     { id: 'help/commands', group: 'Help', title: trLater('Find a command'), keys: ['Ctrl+k'], run: () => palette.open() },

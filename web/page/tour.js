@@ -13,7 +13,7 @@ const MARGIN = 12;
 /** @type {Step[]} */
 const STEPS = [
   { title: trLater('Nobody animated this'), at: /^stage$/,
-    text: trLater('The computer found how this figure moves. Letters mark where it was, arrows what the ground does to it. A click stops and starts it.') },
+    text: trLater('The computer found how this figure moves. Letters mark where it was, arrows show the forces of the ground. Click to pause or play.') },
   { title: trLater('Let it find another'), at: /^search\/start$/, panel: 'panel/Search',
     text: trLater('Synthesize searches for a better motion while you watch: the curve shows the best so far.') },
   { title: trLater('A clock, or senses'), at: /^controller\/senses/, panel: 'panel/Controller',
@@ -23,7 +23,7 @@ const STEPS = [
   { title: trLater('Push it'), at: /^world\/open$/,
     text: trLater('Pull at a joint on the stage and let go, or tilt the ground under World. Does it recover? Undo takes everything back.') },
   { title: trLater('Share it'), at: '#copy-link',
-    text: trLater('The link holds the whole motion. Whoever opens it sees the very same one, bit for bit, and can go on from there.') },
+    text: trLater('The link holds the whole motion. Friends who open it see the same motion, bit for bit, and can continue from there.') },
 ];
 
 export class Tour {

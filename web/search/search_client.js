@@ -336,7 +336,7 @@ export class SearchClient {
     this.#send({ type: 'remove-evaluator', evaluator });
     if (this.#stopping !== null) return;
     if (!this.#countDeath(reason)) return;
-    this.listener.incident(tr('A search worker stopped; another one took over and repeats its work.'));
+    this.listener.incident(tr('A search worker stopped. Another one took over and repeats its work.'));
     this.#attempt(() => this.#addEvaluator(team));
   }
 
@@ -349,7 +349,7 @@ export class SearchClient {
     this.#endTeam();
     if (!this.#countDeath(reason)) return;
     const from = grouped(this.#checkpoint?.evaluations ?? 0);
-    this.listener.incident(tr('The coordinator of the search stopped; another one continues from evaluation {1}.', from));
+    this.listener.incident(tr('The coordinator of the search stopped. Another one continues from evaluation {1}.', from));
     this.#attempt(() => this.#startTeam());
   }
 
@@ -368,8 +368,8 @@ export class SearchClient {
   /** @param {string} [reason]  the browser's message @returns {boolean} false: too many deaths, the search has failed */
   #countDeath(reason = '') {
     if (++this.#deaths <= MAX_DEATHS) return true;
-    this.#fail(new Error(/memory|\bOOM\b/i.test(reason) ? trLater('there is not enough memory for this search; it was given up')
-      : trLater('the search workers keep stopping; the search was given up')));
+    this.#fail(new Error(/memory|\bOOM\b/i.test(reason) ? trLater('there is not enough memory for this search')
+      : trLater('the search workers stopped too often')));
     return false;
   }
 

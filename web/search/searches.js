@@ -107,7 +107,7 @@ export class Searches extends EventTarget {
       const client = await this.#prepare();
       if (run !== this.#run) return;
       this.#client = client;
-      if (!hasWorkers) this.statusLine.say(tr('This frame has no workers: the search runs in the page itself, and takes longer.'));
+      if (!hasWorkers) this.statusLine.say(tr('This frame has no workers. The search runs in the page itself and takes longer.'));
       this.#client.start(document, hasWorkers ? workers : 1);
       for (const request of this.#pendingRequests.splice(0)) this.#client[request]();
     } catch (error) {
@@ -176,8 +176,8 @@ export class Searches extends EventTarget {
   #fail(error) {
     const settle = this.#settle;
     const fault = trSentence(error.message);
-    const message = this.#queued ? tr('The search failed: {1}. What it had found is kept; the queue goes on.', fault)
-      : tr('The search failed: {1}. What it had found is kept; you can start it again.', fault);
+    const message = this.#queued ? tr('The search failed: {1}. Its best motion is kept. The queue continues.', fault)
+      : tr('The search failed: {1}. Its best motion is kept. You can start the search again.', fault);
     this.searching = false;
     this.#settle = null;
     this.app.searchFailed(); // the application may start the next search of the queue in this call

@@ -39,7 +39,7 @@ export class Address {
     if (payload === '' || payload === this.app.link()) return;
     const fault = this.app.open(payload);
     if (!fault) this.#opened = { payload, link: this.app.link() };
-    banner(fault && tr('This link was not opened: {1} Copy the whole link again, or reload this page in case a newer one made it; what is shown here is not what the link held.', sentence(fault)));
+    banner(fault && tr('This link was not opened: {1} Copy the whole link again. If a newer version made it, reload this page. The motion shown here is not the one in the link.', sentence(fault)));
   }
 
   /** From now on the address follows the document. */

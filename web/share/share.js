@@ -67,8 +67,8 @@ class ShareDialog {
     const link = this.#link.value;
     this.#code.hidden = element('share-larger').hidden = link.length > MAX_QR_LENGTH;
     setText(this.#words, link.length > MAX_QR_LENGTH
-      ? tr('With {1} characters this link is too long for a code that a camera reads from across a room: {2} is the most. Fewer rules, or a timer, make it shorter.', grouped(link.length), grouped(MAX_QR_LENGTH))
-      : tr('A phone’s camera opens this code: all of the motion is in it.'));
+      ? tr('This link is too long for a QR code that cameras read across a room: {1} characters, and at most {2} fit. Fewer rules or a timer make it shorter.', grouped(link.length), grouped(MAX_QR_LENGTH))
+      : tr('Scan with a phone. The code holds the whole motion.'));
     if (this.#code.hidden) return;
     const { encode } = await import('./uqr.js').catch(() => ({ encode: null }));
     if (!encode) return setText(this.#words, tr('The code could not be loaded.'));

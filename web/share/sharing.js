@@ -41,7 +41,7 @@ async function copy(address) {
 }
 
 /** @param {string} link */
-const longWords = ({ length }) => tr('It has {1} characters, and some programs cut links off after about 2,000: a file carries everything.', grouped(length));
+const longWords = ({ length }) => tr('This link has {1} characters. Some programs cut links off after about 2,000. A file always works.', grouped(length));
 
 /** Warns if the link may be too long for some programs. @param {string} link */
 function confirmCopied(link) {
@@ -96,7 +96,7 @@ function startOpening(app) {
  */
 export async function textOf(file) {
   const failure = (/** @type {string} */ fault) => ({ text: '', fault });
-  if (file.size > MAX_BYTES) return failure(tr('it has {1} MB, and no Gaitsmith document is that large', grouped(file.size / 1e6)));
+  if (file.size > MAX_BYTES) return failure(tr('it has {1} MB, which is too large for a Gaitsmith document', grouped(file.size / 1e6)));
   let text;
   try {
     text = new TextDecoder('utf-8', { fatal: true }).decode(await file.arrayBuffer());

@@ -135,7 +135,7 @@ export class Autosave {
     onClick('kept-close', () => {
       row.hidden = true;
       remember(DISMISSED_KEY, String(work.when));
-      this.statusLine.say(tr('It stays kept: the list of commands has it.'));
+      this.statusLine.say(tr('Your work is still kept. Open it from the list of commands.'));
     });
   }
 

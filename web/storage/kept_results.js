@@ -38,6 +38,6 @@ export class KeptResults {
     this.#warned = true;
     // Later, so that the search's own sentence does not replace this one.
     setTimeout(() => this.statusLine.say(tr(
-      'This browser has no room for more results, or does not let the page keep them: they are here until you leave.')));
+      'This browser has no room for more results, or does not let the page keep them. They stay until you leave the page.')));
   }
 }

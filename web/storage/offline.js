@@ -30,7 +30,7 @@ function follow(registration, leave) {
     // The first version does not wait, because no other version is active.
     if (!waiting || !registration.active) return;
     element('update').hidden = false;
-    setText(element('update-text'), tr('A new version of Gaitsmith is here.'));
+    setText(element('update-text'), tr('A new version of Gaitsmith is ready.'));
   };
   // An installation may have started before this script.
   const watch = () => registration.installing?.addEventListener('statechange', offer);
@@ -45,7 +45,7 @@ function follow(registration, leave) {
     const { port1, port2 } = new MessageChannel();
     port1.onmessage = ({ data }) => {
       asked = data.alone;
-      if (!asked) setText(element('update-text'), tr('Other tabs show Gaitsmith, too: close them, and press Update again. Without that the new version comes with the next visit.'));
+      if (!asked) setText(element('update-text'), tr('Gaitsmith is open in other tabs. Close them, then press Update again. Otherwise your next visit brings the new version.'));
     };
     // When the new version is active, reload the page to use it.
     const next = waiting;

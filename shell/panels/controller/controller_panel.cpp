@@ -130,7 +130,7 @@ void DrawComparison(Ui& ui, Session& session, const Controller& shown) {
                          : with_timer ? "Compare with a timer"
                                       : "Compare with senses");
   if (ui.Button("controller/compare", ui.ControlRow(), label, ButtonLook::kOutlined, !awaits,
-                awaits ? Tr("{1}: a search for it runs or waits", label) : "")) {
+                awaits ? Tr("{1}: a search is running or queued", label) : "")) {
     if (beside) {
       session.Comparison().Stop();
     } else {
@@ -138,9 +138,10 @@ void DrawComparison(Ui& ui, Session& session, const Controller& shown) {
     }
   }
   if (awaits) {
-    ui.Paragraph(Tr(with_timer ? "A search with a timer runs or waits: what it finds comes to stand beside."
-                               : "A search with senses runs or waits: what it finds comes to stand beside."),
-                 Type::kNote);
+    ui.Paragraph(
+        Tr(with_timer ? "A search with a timer is running or queued. Its motion will appear beside this one."
+                      : "A search with senses is running or queued. Its motion will appear beside this one."),
+        Type::kNote);
   }
   ui.Gap(10.0f);
 }

@@ -103,7 +103,7 @@ std::string FiringWords(const Diagram& diagram) {
     if (diagram.Fires(input))
       words += (words.empty() ? "" : ", ") + TrSentence(InputName(diagram.shape, input));
   }
-  return words.empty() ? Tr("nothing fires") : Tr("on: {1}", words);
+  return words.empty() ? Tr("no node is on") : Tr("on: {1}", words);
 }
 
 }  // namespace

@@ -140,7 +140,7 @@ Touch DrawRuleCard(Ui& ui, const Session& session, const Controller& controller,
   std::string rest;
   if (bars.size() > kBarsShown) rest = Tr("+{1} more", std::to_string(bars.size() - kBarsShown));
   if (bars.empty()) {
-    rest = Tr("always holds");
+    rest = Tr("always matches");
   } else if (rest.empty() && ignored > 0) {
     rest = Tr("{1} unused", ignored);
   }

@@ -180,7 +180,7 @@ void DrawStimulus(const OpenRule& open) {
   if (ignored.empty()) return;
   open.ui.Paragraph(
       Tr(static_cast<int>(ignored.size()) == SenseCount(open.controller.senses.kind, open.bones.rods)
-             ? "It uses no sense, so it is always active. Click one to use it:"
+             ? "It uses no sense, so it always matches. Click one to use it:"
              : "Unused senses. Click one to use it:"),
       Type::kNote);
   open.ui.Gap(4.0f);

@@ -95,7 +95,7 @@ void DrawRuleWhy(Ui& ui, const ImRect& box, const Session& session, const Contro
   const std::string sentence =
       moment ? Tr("At {1} s: {2}", Fixed(state.frame * static_cast<double>(motion.StepS()), 2),
                   WhyWords(*moment, rule))
-             : Tr("Another part of the timeline is in charge now. Press play, or move the time to this one.");
+             : Tr("Another clip is active now. Press Play, or move the time to this clip.");
   ImGui::PushItemFlag(ImGuiItemFlags_NoNav | ImGuiItemFlags_NoTabStop, true);
   const Touch touch =
       ui.Area("controller/why", box, Grab::kNothing, {.label = sentence, .role = "note", .value = ""});

@@ -62,7 +62,7 @@ void EditRod(Ui& ui, Session& session, DrawingBoardState& state) {
   const Figure& figure = session.Doc().figure;
   state.rod = std::clamp(state.rod, 0, figure.Rods() - 1);
   int number = state.rod + 1;
-  ui.Number("figure/rod", Tr("Rod, of {1}", figure.Rods()), number, 1, figure.Rods());
+  ui.Number("figure/rod", Tr("Rod (of {1})", figure.Rods()), number, 1, figure.Rods());
   state.rod = number - 1;
   const auto index = static_cast<std::size_t>(state.rod);
   const Rod rod = figure.rods[index];
@@ -113,7 +113,7 @@ void DrawProblems(Ui& ui, Session& session, FigurePanelState& state) {
     if (same) chosen = static_cast<int>(titles.size());
     titles.push_back(TrTitle(problem.title));
   }
-  if (!ui.Combo("figure/problem", Tr("Problem"), titles, chosen, Tr("Own"))) return;
+  if (!ui.Combo("figure/problem", Tr("Preset"), titles, chosen, Tr("Custom"))) return;
   session.ChooseProblem(chosen);
   Reset(state.board);
 }
@@ -163,7 +163,7 @@ void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
   ui.Paragraph(
       Tr(state.board.tool == DrawingTool::kMove
              ? "Drag a joint or a tip to change a rod. Drag a rod to rotate it and everything attached."
-             : "Drag from a joint or a tip to grow a rod there."),
+             : "Drag from a joint or a tip to add a rod there."),
       Type::kNote);
   ui.Switch("figure/snap", Tr("Snap to 15° and 5 cm"), state.board.snap);
   ui.Gap(8.0f);

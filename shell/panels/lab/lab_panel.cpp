@@ -213,12 +213,11 @@ void DrawLabPanel(Ui& ui, Session& session) {
   DrawSettings(ui, lab.settings);
   ui.Gap(10.0f);
   const Document& d = session.Doc();
-  ui.Paragraph(
-      Tr("The next run compares how fast each algorithm finds {1} that can make {2} {3} for {4} s. "
-         "The first trial of each has the first seed, the next one the next; the shown motion stays.",
-         ControllerWords(d.kind, d.senses, d.rules), TrTitle(d.figure.name), TaskWords(d.task.kind),
-         Fixed(static_cast<float>(d.task.duration_steps) * kStep, 1)),
-      Type::kNote);
+  ui.Paragraph(Tr("The next run compares how fast each algorithm finds {1} that can make {2} {3} for {4} s. "
+                  "Trials use consecutive seeds. Your motion is not changed.",
+                  ControllerWords(d.kind, d.senses, d.rules), TrTitle(d.figure.name), TaskWords(d.task.kind),
+                  Fixed(static_cast<float>(d.task.duration_steps) * kStep, 1)),
+               Type::kNote);
 }
 
 }  // namespace gaitsmith::shell

@@ -41,7 +41,7 @@ std::string LineOf(const FoundMotion& found, bool with_unit) {
   const Document& d = found.document;
   const Control control = ControlOf(d);
   const std::string mode = ControlModeWords(control.kind, control.senses);
-  if (found.origin == Origin::kByHand) return Tr("kept by hand · {1}", mode);
+  if (found.origin == Origin::kByHand) return Tr("saved · {1}", mode);
   const char* pattern =
       with_unit ? TrLater("{1} · seed {2} · {3} evaluations · {4}") : TrLater("{1} · seed {2} · {3} · {4}");
   if (found.origin == Origin::kStopped) {
@@ -95,7 +95,7 @@ class ButtonRow {
 
 bool DrawKeepSwitch(Ui& ui, const std::string& id, const ImRect& rect, const std::string& scene, bool kept) {
   const Touch star = ui.Area(id, rect, Grab::kPress,
-                             {.label = Tr("Keep: {1}", scene),
+                             {.label = Tr("Save: {1}", scene),
                               .role = "switch",
                               .value = Tr(kept ? "on" : "off"),
                               .state = {.checked = kept}});
@@ -174,7 +174,7 @@ CardAction DrawFoundCard(Ui& ui, const Session& session, const FoundMotions::Ent
   std::string spoken;
   if (seen) {
     spoken = LineOf(found, true) + ". " +
-             (found.Moves() ? ScoreWords(found.document.task, found.terms) : Tr("It failed."));
+             (found.Moves() ? ScoreWords(found.document.task, found.terms) : Tr("The search failed."));
   }
   const ImRect upper(card.Min, {card.Max.x, card.Max.y - buttons - 4.0f});
   const Touch touch = ui.Area(

@@ -80,7 +80,7 @@ void DrawFound(Ui& ui, Session& session, FoundListState& state) {
   state.strips.BeginFrame();
   DrawRemoved(ui, session.Results().Motions());
   if (session.Results().Motions().Empty()) {
-    ui.Paragraph(Tr("What searches find is listed here, and what you keep."), Type::kNote);
+    ui.Paragraph(Tr("Motions that searches find appear here, and motions that you save."), Type::kNote);
     return;
   }
   DrawChoices(ui, state);
@@ -96,7 +96,7 @@ void DrawFound(Ui& ui, Session& session, FoundListState& state) {
     action = here;
     id = entry->id;
   }
-  if (!any) ui.Paragraph(Tr("None of the results is of this kind."), Type::kNote);
+  if (!any) ui.Paragraph(Tr("No result matches this choice."), Type::kNote);
   ui.Paragraph(Tr("Click one to view it. Drag it to the timeline to chain it. Keeps 100 results. The oldest "
                   "unsaved ones are removed first."),
                Type::kNote);

@@ -56,15 +56,13 @@ void DrawQueue(Ui& ui, Session& session) {
   const std::size_t count = queue.Waiting().size();
   const bool busy = session.Search().Running() || session.Lab().Running();
   if (count == 0) {
-    ui.Paragraph(Tr("The queue is empty. “Add to queue” puts the present search here, up to {1} of them.",
+    ui.Paragraph(Tr("The queue is empty. “Add to queue” adds this search. Up to {1} searches fit.",
                     std::to_string(SearchQueue::kMax)),
                  Type::kNote);
   } else if (busy) {
-    ui.Paragraph(
-        Tr(session.Lab().Running()
-               ? "The lab is running; afterwards press Run queue."
-               : "They begin one after another when the search before them is done. After Stop they wait."),
-        Type::kNote);
+    ui.Paragraph(Tr(session.Lab().Running() ? "The lab is running. Press Run queue when it is done."
+                                            : "Searches run one after another. After Stop, the rest wait."),
+                 Type::kNote);
   } else {
     ui.Gap(2.0f);
     if (ui.Button("queue/run", ui.ControlRow(), Tr("Run queue"), ButtonLook::kPrimary)) session.Queue().Run();

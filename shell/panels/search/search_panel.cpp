@@ -97,7 +97,7 @@ void DrawProgress(Ui& ui, const SearchRun& search) {
 std::string SpreadText(const SearchProgress& progress) {
   if (!progress.spread) return {};
   const Spread& s = *progress.spread;
-  return Tr("{1} in hand: median {2}, quartiles {3} and {4}, from {5} to {6}", Grouped(s.members),
+  return Tr("population of {1}: median {2}, quartiles {3} and {4}, from {5} to {6}", Grouped(s.members),
             Fixed(s.median, 2), Fixed(s.lower_quartile, 2), Fixed(s.upper_quartile, 2), Fixed(s.least, 2),
             Fixed(s.best, 2));
 }

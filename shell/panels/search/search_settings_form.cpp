@@ -65,7 +65,7 @@ void DrawStart(Ui& ui, Session& session) {
       next.search.start = on && clip < next.timeline.size() ? next.timeline[clip].controller : -1;
     });
   }
-  ui.Paragraph(Tr("Refines what is there; else it begins at random."), Type::kNote);
+  ui.Paragraph(Tr("Refines the shown motion instead of starting at random."), Type::kNote);
   ui.Gap(7.0f);
 }
 

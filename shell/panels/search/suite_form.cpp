@@ -30,7 +30,7 @@ void DrawSuiteForm(Ui& ui, Session& session, SuiteChoice& choice) {
   const int searches = choice.Searches();
   const auto room = static_cast<int>(SearchQueue::kMax - session.Queue().List().Waiting().size());
   const bool possible = searches > 0 && searches <= room;
-  ui.Paragraph(searches == 0 ? Tr("Choose at least one of the senses, one goal and one style.")
+  ui.Paragraph(searches == 0 ? Tr("Choose at least one kind of senses, one goal and one style.")
                : searches > room
                    ? Tr("{1} searches, and the queue has room for {2}.", std::to_string(searches),
                         std::to_string(room))

@@ -101,7 +101,7 @@ void DrawScore(Ui& ui, const Session& session) {
                weighed ? AmountText(weight * value, 2) : "");
   }
   if (fitness <= kVoidScore) {
-    table.Sum(Tr("Void: this motion breaks physics"), "", ui.Ink().bad);
+    table.Sum(Tr("Void: the simulation failed"), "", ui.Ink().bad);
   } else {
     table.Sum(Tr("Score"), AmountText(fitness, 2), fitness < 0.0f ? ui.Ink().ink : ui.Ink().good);
   }

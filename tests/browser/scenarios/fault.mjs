@@ -96,8 +96,8 @@ async function givenUp({ browser }) {
   await page.until('something found', () => /** @type {any} */ (window).testBests.some((/** @type {number} */ best) => best > 0.5));
   await expectFaults(page, [{ id: 'always', place: 'to-page', type: 'ready', role: 'evaluate', act: 'trap', always: true }]);
   const failed = await running;
-  assert.match(failed.error, /keep stopping/);
-  assert.match(await page.text('#banner-text'), /^The search failed: the search workers keep stopping.*What it had found is kept; you can start it again\.$/);
+  assert.match(failed.error, /stopped too often/);
+  assert.match(await page.text('#banner-text'), /^The search failed: the search workers stopped too often.*Its best motion is kept. You can start the search again\.$/);
   assert.equal(await liveWorkers(page), 0);
   assert.ok(await workOf(page) !== before, 'what was found is kept');
   const [result, shown, best] = await page.call('best', () => {
@@ -119,7 +119,7 @@ async function givenUp({ browser }) {
   const small = await workOf(page);
   const starved = await page.call('search', () => window.gaitsmith.synthesize({ workers: 2 }).then(() => 'found', String));
   assert.match(starved, /not enough memory for this search/);
-  assert.match(await page.text('#banner-text'), /^The search failed: there is not enough memory for this search; it was given up/);
+  assert.match(await page.text('#banner-text'), /^The search failed: there is not enough memory for this search/);
   assert.equal(await liveWorkers(page), 0);
   same(await workOf(page), small, 'nothing was found, nothing changed');
 
@@ -224,7 +224,7 @@ async function pageTraps({ browser, address }) {
     return search;
   });
   assert.match(await ended, /unreachable/);
-  await page.until('a word about it', () => /stopped working.*reload to go on/.test(document.querySelector('#banner-text')?.textContent ?? ''), 5000);
+  await page.until('a word about it', () => /stopped working.*reload to continue/.test(document.querySelector('#banner-text')?.textContent ?? ''), 5000);
   assert.equal(await liveWorkers(page), 0);
   await page.reload();
   assert.ok(page.complaints.length < 10 && page.complaints.every((text) => /unreachable/.test(text)), page.complaints.join('\n'));

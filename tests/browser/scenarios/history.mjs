@@ -28,7 +28,7 @@ const buttonState = (page, id) => page.page.evaluate((selector) => {
 async function threeEdits({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   const states = [await stateOf(page)];
-  assert.deepEqual(await buttonState(page, '#undo'), { off: true, title: 'Nothing to undo' });
+  assert.deepEqual(await buttonState(page, '#undo'), { off: true, title: 'Nothing to undo.' });
 
   // A whole drag of a slider is one step.
   await page.click('panels/2');
@@ -67,9 +67,9 @@ async function threeEdits({ browser, address }) {
   assert.equal(await stateOf(page), states[1]);
   assert.equal(await page.call('undo', () => window.gaitsmith.undo()), true);
   assert.equal(await stateOf(page), states[0]);
-  assert.deepEqual(await buttonState(page, '#undo'), { off: true, title: 'Nothing to undo' });
+  assert.deepEqual(await buttonState(page, '#undo'), { off: true, title: 'Nothing to undo.' });
   assert.equal(await page.call('undo', () => window.gaitsmith.canUndo() || window.gaitsmith.undo()), false);
-  assert.match(await page.status(), /nothing to undo/);
+  assert.match(await page.status(), /Nothing to undo/);
   // Redo.
   await page.press('Control+Shift+Z');
   assert.equal(await stateOf(page), states[1]);
@@ -77,7 +77,7 @@ async function threeEdits({ browser, address }) {
   assert.equal(await stateOf(page), states[2]);
   await page.press('Control+y');
   assert.equal(await stateOf(page), states[3]);
-  assert.deepEqual(await buttonState(page, '#redo'), { off: true, title: 'Nothing to redo' });
+  assert.deepEqual(await buttonState(page, '#redo'), { off: true, title: 'Nothing to redo.' });
   assert.equal(await page.call('redo', () => window.gaitsmith.canRedo() || window.gaitsmith.redo()), false);
   assert.deepEqual(page.complaints, []);
   await page.close();

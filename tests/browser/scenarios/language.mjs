@@ -102,7 +102,7 @@ async function unreachable({ browser, address }) {
     window.fetch = (...request) => (String(request[0]).includes('/languages/') ? Promise.reject(new TypeError('no line')) : originalFetch(...request));
   } });
   assert.deepEqual(await shownLanguage(page), ENGLISH);
-  assert.equal(await page.status(), 'Deutsch could not be loaded; the page stays in English.');
+  assert.equal(await page.status(), 'Deutsch could not be loaded. The page stays in English.');
   assert.deepEqual(page.complaints, []);
   await page.close();
 }

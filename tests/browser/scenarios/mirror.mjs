@@ -140,9 +140,9 @@ async function saidInWords({ browser, address }) {
   await page.page.focus('[data-id=stage]');
   await page.press(' ');
   await sleep(1500);
-  assert.match((await announcements()).join(), /^Paused at [\d.]+ s, [\d.]+ m to the (right|left)\. Rule \d+ acts\.$/);
+  assert.match((await announcements()).join(), /^Paused at [\d.]+ s, [\d.]+ m to the (right|left)\. Rule \d+ is active\.$/);
   const before = await description();
-  assert.match(before, /^Mr\. Star-Man has travelled [\d.]+ m to the (right|left) after [\d.]+ s of [\d.]+ s\. .* the ground\. Rule \d+ (acts|stays|is active)/);
+  assert.match(before, /^Mr\. Star-Man has travelled [\d.]+ m to the (right|left) after [\d.]+ s of [\d.]+ s\. .* the ground\. Rule \d+ (stays|is) active/);
   assert.match(before, / Score /);
   assert.equal(await page.call('described', () => document.getElementById(document.querySelector('[data-id=stage]')
     ?.getAttribute('aria-describedby') ?? '')?.textContent), before);

@@ -133,7 +133,7 @@ async function update(visit) {
     await page.until('the offer', () => document.querySelector('#update')?.hasAttribute('hidden') === false);
 
     await page.clickElement('#update-go');
-    await page.until('the refusal', () => /Other tabs/.test(document.querySelector('#update-text')?.textContent ?? ''));
+    await page.until('the refusal', () => /other tabs/.test(document.querySelector('#update-text')?.textContent ?? ''));
     assert.equal(await versionOf(page), 'false old', 'while two pages are open none changes');
     await second.page.close();
     await page.arrive(() => page.clickElement('#update-go'));

@@ -39,9 +39,9 @@ async function byKeyboard({ browser, address }) {
   for (const title of ['New', 'Undo', 'Save as a file', 'Play or pause', 'Lab panel', 'Open example: There and back', 'Choose task: Beryl Biped travels']) {
     assert.ok(all.titles.includes(title), `no command ${title}`);
   }
-  assert.deepEqual(all.off, ['Pause the search, or go on', 'Run the queue', 'Clear the queue',
+  assert.deepEqual(all.off, ['Pause or resume the search', 'Run the queue', 'Clear the queue',
     'Show the best result for this figure and task', 'Bring back the deleted result', 'Move the selected clip earlier', 'Move the selected clip later',
-    'Repair the selected clip: search from where it takes over', 'Snap to best: the selected clip takes over where that does best', 'Remove the selected clip', 'Undo', 'Redo']);
+    'Repair the selected clip: search from where it takes over', 'Snap to best: move the selected clip to the best place to take over', 'Remove the selected clip', 'Undo', 'Redo']);
   // Past the end and back. The selected row is always visible.
   await page.press('ArrowUp');
   const last = await palette(page);

@@ -224,7 +224,7 @@ async function oneFails({ browser, address }) {
   await untilResults(page, 3);
   assert.deepEqual((await results(page)).map(({ seed, origin, score }) => [seed, origin, score !== null]),
     [[7, 'done', true], [6, 'done', true], [5, 'failed', false]]);
-  assert.match(await page.text('#banner-text'), /made up by a test.*the queue goes on/);
+  assert.match(await page.text('#banner-text'), /made up by a test.*The queue continues/);
   await page.close();
 }
 
@@ -288,7 +288,7 @@ async function spread({ browser, address }) {
   assert.equal(last.members, 10);
   assert.ok(last.least <= last.lowerQuartile && last.lowerQuartile <= last.median && last.median <= last.upperQuartile && last.upperQuartile <= last.best);
   await page.frames(6);
-  assert.match((await widget(page, 'search/curve'))?.value ?? '', /^best (-?[\d.]+) after 3,000 evaluations; 10 in hand: median .*, quartiles .* and .*, from .* to \1$/);
+  assert.match((await widget(page, 'search/curve'))?.value ?? '', /^best (-?[\d.]+) after 3,000 evaluations; population of 10: median .*, quartiles .* and .*, from .* to \1$/);
   await page.call('search', () => window.gaitsmith.synthesize({ evaluations: 500, algorithm: 'rgt' }));
   await page.frames(6);
   assert.match((await widget(page, 'search/curve'))?.value ?? '', /^best -?[\d.]+ after 500 evaluations$/);

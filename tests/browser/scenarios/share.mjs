@@ -74,7 +74,7 @@ async function shareDialog({ browser, address }) {
   await page.page.evaluate(() => window.gaitsmith.run('document/share'));
   await page.until('the dialog', () => document.querySelector('#share-dialog')?.hasAttribute('open') ?? false);
   assert.equal(await page.call('hidden', () => document.querySelector('#share-code')?.hasAttribute('hidden')), true);
-  assert.match(await page.text('#share-words'), /too long for a code/);
+  assert.match(await page.text('#share-words'), /too long for a QR code/);
   assert.deepEqual(page.complaints, []);
   await page.close();
 }
@@ -96,7 +96,7 @@ async function linksThatCannotBeOpened({ browser, address }) {
     await page.until('the banner', () => document.querySelector('#banner')?.hasAttribute('hidden') === false);
     const text = await page.text('#banner-text');
     assert.match(text, says);
-    assert.match(text, /Copy the whole link again, or reload/, 'what to do');
+    assert.match(text, /Copy the whole link again\. /, 'what to do');
     assert.equal(await page.hash(), hash, 'the work is as it was');
     await page.clickElement('#banner-close');
   }

@@ -148,11 +148,11 @@ async function snapsToBest({ browser, address, name, figures }) {
   const best = 100 * Number(/best at ([0-9.]+) s/.exec(map?.value ?? '')?.[1]);
   await page.click('timeline/snap-to-best');
   assert.deepEqual(await borders(page), [0, Math.round(best), 2 * length]);
-  assert.match((await strip())?.value ?? '', /^best at .*: (\d+) % of its usual score; now \1 %$/);
+  assert.match((await strip())?.value ?? '', /^best at .*: (\d+) % of its usual score, now \1 %$/);
   assert.equal(await page.call('again', () => window.gaitsmith.run('timeline/snap-to-best')), false);
   await page.press('Control+z');
   assert.deepEqual(await borders(page), [0, length, 2 * length]);
-  await activate(page, 'button', 'Snap to best: the selected clip takes over where that does best');
+  await activate(page, 'button', 'Snap to best: move the selected clip to the best place to take over');
   assert.deepEqual(await borders(page), [0, Math.round(best), 2 * length]);
   // Once the canvas shows a button as possible, assistive tools can press it, even before the mirror's next update.
   await page.call('undo, and at once again', async () => {

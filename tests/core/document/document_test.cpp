@@ -314,14 +314,14 @@ TEST_CASE("JSON: what is wrong is said with its place", "[document]") {
   CHECK(JsonFault(Changed(json, "\"rules\": 7", "\"rules\": 1.5")) ==
         "rules: must be a whole number, is 1.5");
   CHECK(JsonFault(Changed(json, "\"sphc\"", "\"hpc\"")) ==
-        "search.algorithm: \"hpc\" is not known; choose from rgt, sphc, gga, ssga, shc, mpga, nelder-mead, "
+        "search.algorithm: \"hpc\" is unknown: choose from rgt, sphc, gga, ssga, shc, mpga, nelder-mead, "
         "powell, cma-es, map-elites, two-stage, pose-cycle");
   CHECK(JsonFault(Changed(json, "\"start_step\": 120", "\"start_step\": 300")) ==
         "timeline[2].start_step: must be after the start of the clip before it");
   CHECK(JsonFault(std::string(100, '[')).ends_with("is nested too deeply"));
-  CHECK(JsonFault("{\"title\": \"\xff\"}") == "title: must be printable UTF-8 text; byte 0 is not");
+  CHECK(JsonFault("{\"title\": \"\xff\"}") == "title: must be printable UTF-8 text, but byte 0 is not");
   CHECK(JsonFault("{\"model\": 2}") ==
-        "model: needs physical model 2, this Gaitsmith knows models up to 1; a newer one is needed");
+        "model: needs physical model 2, but this Gaitsmith has models up to 1: a newer one is needed");
   CHECK(DecodeJson("{\"model\": 2}").error().code == ErrorCode::kUnknownVersion);
   for (const std::string hash :
        {"", "0123456789abcde", "0123456789abcdefe", "0123456789abcdeg", "0123456789ABCDEF"}) {

@@ -30,7 +30,7 @@ TEST_CASE(
   CHECK(Has(words, rule));
   CHECK(Has(words, " Score "));
   CHECK(Has(MomentWords(session), "Paused at 2.00 s, "));
-  CHECK(Has(MomentWords(session), rule + " acts."));
+  CHECK(Has(MomentWords(session), rule + " is active."));
   session.Player().Play(true);
   CHECK(Has(MomentWords(session), "Plays at 2.00 s, "));
 
@@ -58,11 +58,11 @@ TEST_CASE(
   CHECK(Has(DescriptionOf(session), "Nothing touches the ground."));
 }
 
-TEST_CASE("without a controller the description says that nothing drives the figure") {
+TEST_CASE("without a controller the description reports that there is none yet") {
   QuietHost host;
   Session session(host);
   session.New();
-  CHECK(Has(DescriptionOf(session), "Nothing drives it"));
+  CHECK(Has(DescriptionOf(session), "The figure has no controller yet."));
   CHECK_FALSE(Has(MomentWords(session), "Rule"));
 }
 

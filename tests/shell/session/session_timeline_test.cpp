@@ -67,7 +67,7 @@ TEST_CASE("session: an edit that does not fit the timeline changes nothing and r
   session.Player().Seek(0.05);
   session.Timeline().SplitClip();
   CHECK(session.Notice() ==
-        "Not possible: both parts of a clip must last at least 0.2 s; this is too close to its end.");
+        "Not possible: both parts of a clip must last at least 0.2 s, and this is too close to its end.");
   session.Timeline().ReorderClip(-1);
   session.Timeline().ReorderClip(10000);
   CHECK_FALSE(session.Timeline().InsertFound("nothing"));
@@ -151,7 +151,7 @@ TEST_CASE("session: a clip snaps to the best moment of its transition map", "[sh
   Session session(host);
   CHECK_FALSE(session.Timeline().Transitions().Scores().Any());
   session.Timeline().SnapToBest();
-  CHECK(session.Notice() == "Not now: it takes over from no other clip.");
+  CHECK(session.Notice() == "The first clip takes over from no other clip.");
   session.BeginGesture();
   session.Timeline().AddClip();
   REQUIRE(session.Timeline().Transitions().Scores().Any());
@@ -189,7 +189,7 @@ TEST_CASE("session: a clip snaps to the best moment of its transition map", "[sh
   CHECK_FALSE(session.Timeline().Transitions().Scores().Share(order[10]));
   const std::string before = State(session);
   session.Timeline().SnapToBest();
-  CHECK(session.Notice() == "Not now: the transition map is not complete yet.");
+  CHECK(session.Notice() == "The transition map is not complete yet.");
   CHECK(State(session) == before);
   session.Timeline().Transitions().OnScores(part(generation, 10, count - 10));
 
@@ -199,7 +199,7 @@ TEST_CASE("session: a clip snaps to the best moment of its transition map", "[sh
   session.Timeline().Transitions().Advance(10.0);
   CHECK(host.mapped.size() == 1);  // its inputs have not changed
   CHECK(session.Timeline().Transitions().Scores().Known() == count);
-  CHECK(std::string(session.Timeline().WhyNoSnap()) == "it takes over at the best moment already");
+  CHECK(std::string(session.Timeline().WhyNoSnap()) == "This clip takes over at the best moment already.");
   session.Undo();
   CHECK(State(session) == before);
   CHECK(session.Timeline().Transitions().Scores().Known() == count);

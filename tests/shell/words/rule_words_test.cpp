@@ -37,31 +37,30 @@ struct Clockwork {
 
 }  // namespace
 
-TEST_CASE("why: the winner's sense, its depth, and by how much it beats the next", "[shell][rule_words]") {
+TEST_CASE("why: the winner's sense, how well it matches, and the next rule", "[shell][rule_words]") {
   const Clockwork clockwork;
   // Depth of rule 1: 1 - 0.1 / 0.2. Depth of rule 2: 1 - 0.3 / 0.4.
   CHECK(clockwork.Why(30, 0) ==
-        "Rule 1 acts: timer at 0.30 s lies in its interval (depth 0.50 of 1). It beats rule 2 (depth 0.25) "
-        "by 0.25.");
-  CHECK(clockwork.Why(30, 1) == "Rule 2 holds too (depth 0.25), but rule 1 is deeper by 0.25.");
-  CHECK(clockwork.Why(30, 2) == "Rule 3 rests: timer at 0.30 s lies 0.30 s below its interval.");
+        "Rule 1 is active: timer at 0.30 s is in range (match 50 %). Next best is rule 2 (match 25 %).");
+  CHECK(clockwork.Why(30, 1) == "Rule 2 matches too (25 %), but rule 1 matches better (50 %).");
+  CHECK(clockwork.Why(30, 2) == "Rule 3 is inactive: timer at 0.30 s is 0.30 s below its range.");
   // The timer's period is 1 s, so 1.10 s is equivalent to 0.10 s.
   CHECK(clockwork.Why(110, 0) ==
-        "Rule 1 acts: timer at 0.10 s lies in its interval (depth 0.50 of 1). No other rule holds; nearest "
-        "is rule 2: "
-        "timer at 0.10 s, 0.10 s below its interval.");
+        "Rule 1 is active: timer at 0.10 s is in range (match 50 %). No other rule matches. Nearest "
+        "is rule 2: timer at 0.10 s, 0.10 s below its range.");
 }
 
 TEST_CASE("why: the first rule is active before any sensing, and without a match the last one stays active",
           "[shell][rule_words]") {
   Clockwork clockwork;
   CHECK(clockwork.Why(0, 0) ==
-        "Rule 1 acts: a controller begins with its first rule, before anything is felt.");
-  CHECK(clockwork.Why(0, 2) == "Rule 3 waits: nothing is felt yet, and a controller begins with rule 1.");
+        "Rule 1 is active: a controller starts with its first rule, before it senses anything.");
+  CHECK(clockwork.Why(0, 2) ==
+        "Rule 3 is inactive: a controller starts with rule 1, before it senses anything.");
   RuleEdit(clockwork.document.controllers[0], 3, 1).SetInterval(0, 0.2f, 0.5f);
   CHECK(clockwork.Why(55, 1) ==
         "Rule 2 stays active, because no rule matches. Nearest is rule 1: timer at 0.55 s, 0.15 s above its "
-        "interval.");
+        "range.");
   RuleEdit(clockwork.document.controllers[0], 3, 2).SetCares(0, false);
   CHECK(clockwork.Why(55, 2).starts_with("Rule 3 is active: it uses no sense, so it always matches."));
 }
