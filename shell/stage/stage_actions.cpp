@@ -108,8 +108,7 @@ void DrawInvitation(Ui& ui, Session& session, const ImRect& stage) {
   const float room = stage.Max.x - kMargin - at.x;
   letters.Draw(ui.Canvas(), wide ? Type::kTitle : Type::kLarge, at, p.ink, headline);
   ui.DescribeText(headline, {{at.x, at.y - 18.0f}, {at.x + room, at.y + 18.0f}});
-  const char* aside = Tr(wide ? "Nobody will animate it. The computer finds out how, by trying."
-                              : "The computer finds out how, by trying.");
+  const char* aside = Tr("The computer finds out how, by trying.");
   const float line = at.y + (wide ? 34.0f : 26.0f);
   if (wide || stage.GetHeight() > 300.0f) {
     letters.DrawElided(ui.Canvas(), wide ? Type::kBody : Type::kNote, {at.x, line},
