@@ -235,6 +235,12 @@ EMSCRIPTEN_KEEPALIVE void gs_redo() {
 }
 /// Makes the open document the last one that Undo reaches.
 EMSCRIPTEN_KEEPALIVE void gs_forget_past() { TheSession().ForgetPast(); }
+/// Undo, Redo and the queue, as StoreVisit.
+EMSCRIPTEN_KEEPALIVE const char* gs_store_visit() { return QuietReply(TheSession().StoreVisit()); }
+/// @return 0: the text is damaged, and nothing has changed
+EMSCRIPTEN_KEEPALIVE int gs_restore_visit(const char* text) {
+  return TheSession().RestoreVisit(text) ? 1 : 0;
+}
 
 /// The commands, as CommandsJson.
 EMSCRIPTEN_KEEPALIVE const char* gs_commands() { return Reply(CommandsJson(ThePage().app->Commands())); }

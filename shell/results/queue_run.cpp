@@ -9,6 +9,11 @@
 
 namespace gaitsmith::shell {
 
+QueueRun::QueueRun(Workspace& workspace, const Lab& lab, SearchRun& search, ResultStore& results)
+    : workspace_(workspace), lab_(lab), search_(search), results_(results) {
+  list_.on_change = [this] { workspace_.Redraw(); };  // the page stores the queue with the document
+}
+
 bool QueueRun::Add(const Document& document) {
   if (!list_.Add(document)) {
     workspace_.Say(Tr("The queue is full: {1} searches wait. Remove one, or let some run.",

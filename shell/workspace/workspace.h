@@ -72,6 +72,8 @@ class Workspace {
   [[nodiscard]] std::optional<Document> TakeBack() { return history_.Back(document_); }
   [[nodiscard]] std::optional<Document> TakeForward() { return history_.Forward(document_); }
   void ForgetPast() { history_.Clear(); }
+  [[nodiscard]] History& Past() { return history_; }
+  [[nodiscard]] const History& Past() const { return history_; }
 
   /// Shows a sentence in the status line and on the panel.
   void Say(std::string sentence);

@@ -57,6 +57,10 @@ export interface AppExports {
   _gs_redo(): void;
   /** Makes the open document the last one that Undo reaches. */
   _gs_forget_past(): void;
+  /** Undo, Redo and the queue, as StoreVisit. */
+  _gs_store_visit(): Pointer;
+  /** @return 0: the text is damaged, and nothing has changed */
+  _gs_restore_visit(text: Pointer): number;
   /** The commands, as CommandsJson. */
   _gs_commands(): Pointer;
   /** @return 0: there is no such command, or it is unavailable */
