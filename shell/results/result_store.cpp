@@ -13,6 +13,7 @@ namespace gaitsmith::shell {
 ResultStore::ResultStore(Workspace& workspace) : workspace_(workspace) {
   motions_.on_change = [this](const std::string& id, const std::string& text) {
     workspace_.TheHost().StoreFound(id, text);
+    workspace_.ClearEarlier();
   };
 }
 
@@ -52,7 +53,7 @@ bool ResultStore::KeepShown() {
     workspace_.Say(Tr("Not kept: there is no room for more than what is kept. Delete something first."));
     return false;
   }
-  workspace_.TheHost().Status(Tr("Kept among the results: {1}.", TrTitle(shown.title)));
+  workspace_.Report(Tr("Kept among the results: {1}.", TrTitle(shown.title)));
   return true;
 }
 

@@ -57,11 +57,10 @@ Result<void> Session::Open(std::string_view text) {
   workspace_.SelectClip(0);
   Player().speed = static_cast<double>(document->view.speed);
   workspace_.Show(std::move(*document), true);
-  Notice().clear();
-  workspace_.TheHost().Status(
-      DiffersFromMaker() ? Tr("This motion differs from the one its maker saw: hash {1} here, {2} there.",
-                              HashText(Player().Shown().Hash()), HashText(*Doc().hash))
-                         : Tr("Opened {1}.", TrTitle(Doc().title)));
+  workspace_.Report(DiffersFromMaker()
+                        ? Tr("This motion differs from the one its maker saw: hash {1} here, {2} there.",
+                             HashText(Player().Shown().Hash()), HashText(*Doc().hash))
+                        : Tr("Opened {1}.", TrTitle(Doc().title)));
   return {};
 }
 

@@ -62,7 +62,7 @@ bool Session::RestoreVisit(std::string_view text) {
   for (const Document& search : searches) queue_.List().Add(search);
   workspace_.Redraw();
   const std::size_t waiting = queue_.List().Waiting().size();
-  if (waiting > 0) workspace_.TheHost().Status(Tr("{1} until you press Run queue.", WaitingWords(waiting)));
+  if (waiting > 0) workspace_.Report(Tr("{1} until you press Run queue.", WaitingWords(waiting)));
   return true;
 }
 

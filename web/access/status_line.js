@@ -22,6 +22,8 @@ export class StatusLine {
   #announcedMs = 0;
   /** The last announced sentence about the running search. */
   #announced = '';
+  /** What the running search does; empty: none runs. */
+  #doing = '';
   #sentenceMs = -Infinity;
 
   /** Shows a sentence if the line is empty. @param {string} sentence */
@@ -29,9 +31,9 @@ export class StatusLine {
     if (this.#status.textContent === '') setText(this.#status, sentence);
   }
 
-  /** Shows and announces a sentence. It replaces a search's own sentence for a few seconds. @param {string} sentence */
+  /** Shows and announces a sentence. It replaces a search's own sentence for a few seconds. @param {string} sentence  empty: clears the line */
   say(sentence) {
-    setText(this.#status, sentence);
+    setText(this.#status, sentence || this.#doing);
     announce(sentence);
     this.#sentenceMs = sentence ? performance.now() : -Infinity;
   }
@@ -45,7 +47,6 @@ export class StatusLine {
     const count = tr('{1} of {2}', grouped(report.evaluations), grouped(report.budget));
     if (ended) {
       this.clear();
-      this.#announced = '';
       const after = grouped(report.evaluations);
       const end = report.state === 'done'
         ? best ? tr('Search done: best {1} after {2} evaluations', best, after) : tr('Search done: nothing found after {1} evaluations', after)
@@ -55,7 +56,7 @@ export class StatusLine {
       return;
     }
     const paused = report.state === 'paused';
-    const sentence = doing(paused);
+    const sentence = this.#doing = doing(paused);
     if (now < this.#sentenceMs || now - this.#sentenceMs > SENTENCE_STAYS_MS) setText(this.#status, sentence); // the clock may have been set back
     this.#progress.hidden = false;
     this.#progress.setAttribute('aria-valuemax', String(report.budget));
@@ -80,6 +81,7 @@ export class StatusLine {
   /** Shows that no search runs: only the sentence remains. */
   clear() {
     this.#progress.hidden = true;
+    this.#announced = this.#doing = '';
     this.#sentenceMs = -Infinity;
     for (const node of [this.#count, this.#rate, this.#best, this.#left]) setText(node, '');
   }

@@ -139,7 +139,7 @@ async function start() {
     address.changed();
     autosave.save();
   });
-  startSharing(app, address);
+  startSharing(app, address, statusLine);
   void gaitsmith.ready.then(() => startOffline({
     leave: () => {
       address.write();
@@ -183,7 +183,7 @@ function showTitle(title) {
 /** The dialog and the exporters are loaded on first use. @param {App} app @param {StatusLine} statusLine */
 async function openExport(app, statusLine) {
   try {
-    (await import('../share/export.js')).openExport(app);
+    (await import('../share/export.js')).openExport(app, statusLine);
   } catch {
     statusLine.say(tr('The export could not be loaded.'));
   }
