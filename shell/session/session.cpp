@@ -9,6 +9,7 @@
 #include "core/document/parts.h"
 #include "shell/words/language.h"
 #include "shell/words/search_words.h"
+#include "shell/workspace/panels.h"
 
 namespace gaitsmith::shell {
 namespace {
@@ -80,6 +81,7 @@ bool Session::Replace(Document document, bool same_problem) {
 
 void Session::New() {
   if (!Replace(shipped_.FirstProblem())) return;
+  SetView([](View& view) { view.panel = static_cast<int>(Panel::kSearch); });
   workspace_.Say(
       Tr("A new document. {1} cannot move yet: press Synthesize. Undo restores the previous version.",
          TrTitle(Doc().figure.name)));

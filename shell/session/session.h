@@ -88,7 +88,7 @@ class Session {
   // Opening other documents. Undo restores the previous one.
   /// @param text JSON, or a link, or the payload of a link
   [[nodiscard]] Result<void> Open(std::string_view text);
-  /// Opens the standard figure, standing still.
+  /// Opens the standard figure, standing still, and the Search panel.
   void New();
   /// Opens a shipped figure or problem. @param index of Shipped()
   void ChooseFigure(int index);

@@ -102,7 +102,9 @@ async function newAsksNothing({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   const before = await stateOf(page);
   for (const selector of ['#new', '#home']) {
+    await page.click('panels/4');
     await page.clickElement(selector);
+    await page.until('the Search panel', () => window.gaitsmith.widgets().some(({ id }) => id === 'search/start'), 5000);
     assert.equal(await page.call('clips', () => /** @type {any} */ (window.gaitsmith.document()).controllers?.length ?? 0), 0);
     assert.match(await page.status(), /^A new document.* Undo restores/);
     await page.press('Control+z');
@@ -121,7 +123,7 @@ async function noStaleSentence({ browser, address }) {
   await page.press('d');
   await page.until('an empty line', () => document.querySelector('#status')?.textContent === '', 5000);
   await page.press('Control+z');
-  assert.equal(await page.status(), 'Undone: the motion.');
+  assert.equal(await page.status(), 'Undone: the timeline.');
   await page.page.evaluate(() => { document.dispatchEvent(new ClipboardEvent('copy', { clipboardData: new DataTransfer(), bubbles: true, cancelable: true })); });
   assert.equal(await page.status(), '', 'Copy link has its own confirmation');
   // While a search is paused, the line goes back to what the search does.

@@ -8,6 +8,7 @@
 #include "core/document/binary.h"
 #include "core/document/json.h"
 #include "shell/session/commands.h"
+#include "shell/workspace/panels.h"
 #include "tests/scene.h"
 #include "tests/shell/session/quiet_host.h"
 
@@ -252,15 +253,20 @@ TEST_CASE("session: opening is a step, and an invalid document changes nothing",
   CHECK_FALSE(session.CanUndo());
 }
 
-TEST_CASE("session: New keeps the view, and Undo restores the previous document", "[shell][session]") {
+TEST_CASE("session: New opens the Search panel, and Undo restores the previous document",
+          "[shell][session]") {
   QuietHost host;
   Session session(host);
-  session.SetView([](View& view) { view.panel = 2; });
+  session.SetView([](View& view) {
+    view.panel = static_cast<int>(Panel::kLab);
+    view.trail = false;
+  });
   const auto before = State(session);
   session.BeginGesture();
   session.New();
   CHECK(session.Doc().controllers.empty());
-  CHECK(session.Doc().view.panel == 2);
+  CHECK(session.Doc().view.panel == static_cast<int>(Panel::kSearch));
+  CHECK_FALSE(session.Doc().view.trail);
   CHECK(host.status.find("Undo restores") != std::string::npos);
   session.Undo();
   CHECK(State(session) == before);
