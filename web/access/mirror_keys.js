@@ -86,9 +86,12 @@ export class MirrorKeys {
     const { node } = reflection;
     if (!(node instanceof HTMLInputElement)) return false;
     if (key === 'Enter') {
-      if (isTyping(reflection)) this.mirror.commit(reflection);
-      else node.classList.add('typing');
-      node.select();
+      if (isTyping(reflection)) {
+        this.mirror.commit(reflection);
+        node.select();
+      } else {
+        this.mirror.type(reflection);
+      }
       return true;
     }
     if (isTyping(reflection) && (key === 'ArrowUp' || key === 'ArrowDown')) this.mirror.commit(reflection);
