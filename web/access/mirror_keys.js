@@ -156,6 +156,7 @@ function leave(canvas, direction) {
   const all = [...document.querySelectorAll('a[href], button, input, select, textarea, canvas')].filter((node) => node === canvas
     || (node instanceof HTMLElement && node.tabIndex === 0 && !node.matches(':disabled') && node.getClientRects().length > 0
       && !node.closest('#mirror, dialog:not([open])')));
-  const next = all[(all.indexOf(canvas) + direction + all.length) % all.length];
+  // After the last one comes the footer, from where the browser's own controls follow.
+  const next = all[all.indexOf(canvas) + direction] ?? document.querySelector('footer');
   if (next instanceof HTMLElement) next.focus();
 }

@@ -46,13 +46,9 @@ export class StatusLine {
       ? fixed(report.bestFitness, 2) + unit : '';
     const count = tr('{1} of {2}', grouped(report.evaluations), grouped(report.budget));
     if (ended) {
+      // The application reports the end. It does not if the search's document was replaced.
+      if (this.#status.textContent === this.#doing) setText(this.#status, '');
       this.clear();
-      const after = grouped(report.evaluations);
-      const end = report.state === 'done'
-        ? best ? tr('Search done: best {1} after {2} evaluations', best, after) : tr('Search done: nothing found after {1} evaluations', after)
-        : best ? tr('Search stopped: best {1} after {2} evaluations', best, after) : tr('Search stopped: nothing found after {1} evaluations', after);
-      if (!this.#status.textContent?.startsWith(end)) announce(end); // the application may have announced it already
-      setText(this.#status, end);
       return;
     }
     const paused = report.state === 'paused';

@@ -202,6 +202,7 @@ async function openShare(app, address, statusLine) {
 function addCommands(commands, { address, autosave, palette, help, guide }) {
   const click = Commands.click;
   commands.add([
+    { id: 'motion/describe', group: 'Motion', title: trLater('Describe the motion'), keys: ['w'], run: click('describe') },
     { id: 'document/open', group: 'Document', title: trLater('Open a file or a link'), keys: ['Ctrl+o'], pressed: ['Ctrl+v'], run: click('open') },
     { id: 'document/save', group: 'Document', title: trLater('Save as a file'), keys: ['Ctrl+s'], run: click('save') },
     { id: 'document/export', group: 'Document', title: trLater('Export as picture, video or data'), keys: [], run: () => void openExport(commands.app, statusLine) },
