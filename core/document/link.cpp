@@ -20,6 +20,8 @@ constexpr auto kValues = [] {
   return values;
 }();
 
+}  // namespace
+
 std::string ToBase64Url(std::span<const std::uint8_t> bytes) {
   std::string text;
   std::uint32_t held = 0;
@@ -60,8 +62,6 @@ Result<std::vector<std::uint8_t>> FromBase64Url(std::string_view text) {
   }
   return bytes;
 }
-
-}  // namespace
 
 std::string EncodeLink(const Document& document) {
   Document hashed = document;

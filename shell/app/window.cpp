@@ -202,9 +202,9 @@ void Window::Draw(const std::function<void()>& contents) {
     io.AddMousePosEvent(pointer_.x, pointer_.y);
   }
   io.DisplayFramebufferScale = {theme_.density, theme_.density};
-  registry_.BeginFrame();
   backdrop_.Clear();
   ImGui::NewFrame();
+  registry_.BeginFrame();
   contents();
   registry_.EndFrame();
   if (registry_.Requests().Waiting()) RequestFrame();

@@ -237,6 +237,12 @@ EMSCRIPTEN_KEEPALIVE void gs_redo() {
 EMSCRIPTEN_KEEPALIVE int gs_begin(const char* example) { return TheSession().Begin(example) ? 1 : 0; }
 EMSCRIPTEN_KEEPALIVE void gs_set_calm(int calm) { TheSession().Player().SetCalm(calm != 0); }
 EMSCRIPTEN_KEEPALIVE void gs_forget_past() { TheSession().ForgetPast(); }
+/// Undo, Redo and the queue, as StoreVisit.
+EMSCRIPTEN_KEEPALIVE const char* gs_store_visit() { return QuietReply(TheSession().StoreVisit()); }
+/// @return 0: the text is damaged, and nothing has changed
+EMSCRIPTEN_KEEPALIVE int gs_restore_visit(const char* text) {
+  return TheSession().RestoreVisit(text) ? 1 : 0;
+}
 
 /// The commands, as CommandsJson.
 EMSCRIPTEN_KEEPALIVE const char* gs_commands() { return Reply(CommandsJson(ThePage().app->Commands())); }

@@ -9,14 +9,22 @@
 
 namespace gaitsmith::shell {
 
+QueueRun::QueueRun(Workspace& workspace, const Lab& lab, SearchRun& search, ResultStore& results)
+    : workspace_(workspace), lab_(lab), search_(search), results_(results) {
+  list_.on_change = [this] {
+    workspace_.ClearEarlier();
+    workspace_.Redraw();  // the page stores the queue with the document
+  };
+}
+
 bool QueueRun::Add(const Document& document) {
   if (!list_.Add(document)) {
     workspace_.Say(Tr("The queue is full: {1} searches wait. Remove one, or let some run.",
                       std::to_string(SearchQueue::kMax)));
     return false;
   }
-  workspace_.TheHost().Status(Tr("Added to the queue: {1}, {2}. {3}.", SearchTitle(document),
-                                 SearchLine(document), WaitingWords(list_.Waiting().size())));
+  workspace_.Report(Tr("Added to the queue: {1}, {2}. {3}.", SearchTitle(document), SearchLine(document),
+                       WaitingWords(list_.Waiting().size())));
   return true;
 }
 
@@ -40,7 +48,7 @@ void QueueRun::AddSuite(const SuiteChoice& choice) {
   for (const Document& one : suite) added += list_.Add(one) ? 1 : 0;
   if (!Busy()) RunNext();  // clears the status line
   const std::string count = std::to_string(suite.size());
-  workspace_.TheHost().Status(
+  workspace_.Report(
       added < static_cast<int>(suite.size())
           ? Tr("The queue had room for {1} of the suite's {2} searches.", std::to_string(added), count)
           : Tr("The suite's {1} searches run one after another.", count));
@@ -65,7 +73,7 @@ bool QueueRun::Run() {
                                         : "The queue is empty."));
     return false;
   }
-  workspace_.Notice().clear();
+  workspace_.Report("");
   RunNext();
   return true;
 }

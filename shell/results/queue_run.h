@@ -18,8 +18,7 @@ namespace gaitsmith::shell {
 class QueueRun {
  public:
   /// @param lab  no search can run while the lab runs
-  QueueRun(Workspace& workspace, const Lab& lab, SearchRun& search, ResultStore& results)
-      : workspace_(workspace), lab_(lab), search_(search), results_(results) {}
+  QueueRun(Workspace&, const Lab& lab, SearchRun&, ResultStore&);
 
   /// The waiting searches.
   [[nodiscard]] SearchQueue& List() { return list_; }

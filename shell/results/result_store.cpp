@@ -13,6 +13,7 @@ namespace gaitsmith::shell {
 ResultStore::ResultStore(Workspace& workspace) : workspace_(workspace) {
   motions_.on_change = [this](const std::string& id, const std::string& text) {
     workspace_.TheHost().StoreFound(id, text);
+    workspace_.ClearEarlier();
   };
 }
 
@@ -53,7 +54,7 @@ bool ResultStore::KeepShown() {
     workspace_.Say(Tr("Not saved: the results are full. Delete something first."));
     return false;
   }
-  workspace_.TheHost().Status(Tr("Saved to the results: {1}.", TrTitle(shown.title)));
+  workspace_.Report(Tr("Saved to the results: {1}.", TrTitle(shown.title)));
   return true;
 }
 

@@ -37,6 +37,7 @@ bool SearchQueue::Add(const Document& document) {
   if (Full()) return false;
   removed_.clear();
   waiting_.push_back({++numbers_, SearchOf(document)});
+  Notify();
   return true;
 }
 
@@ -46,12 +47,14 @@ void SearchQueue::Remove(int number) {
   removed_.clear();
   removed_.push_back({static_cast<std::size_t>(entry - waiting_.begin()), std::move(*entry)});
   waiting_.erase(entry);
+  Notify();
 }
 
 void SearchQueue::MoveUp(int number) {
   const auto entry = std::ranges::find(waiting_, number, &Entry::number);
   if (entry == waiting_.end() || entry == waiting_.begin()) return;
   std::iter_swap(entry, entry - 1);
+  Notify();
 }
 
 void SearchQueue::Clear() {
@@ -60,20 +63,23 @@ void SearchQueue::Clear() {
   for (std::size_t place = 0; place < waiting_.size(); ++place)
     removed_.push_back({place, std::move(waiting_[place])});
   waiting_.clear();
+  Notify();
 }
 
 void SearchQueue::BringBack() {
   for (Gone& gone : std::exchange(removed_, {})) {
-    if (Full()) return;
+    if (Full()) break;
     const std::size_t place = std::min(gone.place, waiting_.size());
     waiting_.insert(waiting_.begin() + static_cast<std::ptrdiff_t>(place), std::move(gone.entry));
   }
+  Notify();
 }
 
 std::optional<Document> SearchQueue::TakeFirst() {
   if (waiting_.empty()) return std::nullopt;
   Document first = std::move(waiting_.front().document);
   waiting_.erase(waiting_.begin());
+  Notify();
   return first;
 }
 

@@ -3,6 +3,7 @@
 // them.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -29,6 +30,9 @@ class SearchQueue {
     Document document;
   };
 
+  /// Called after every change of the list.
+  std::function<void()> on_change;
+
   [[nodiscard]] const std::vector<Entry>& Waiting() const { return waiting_; }
   [[nodiscard]] bool Full() const { return waiting_.size() >= kMax; }
 
@@ -48,6 +52,9 @@ class SearchQueue {
   [[nodiscard]] std::optional<Document> TakeFirst();
 
  private:
+  void Notify() const {
+    if (on_change) on_change();
+  }
   struct Gone {
     std::size_t place;
     Entry entry;

@@ -11,6 +11,7 @@
 #include "shell/words/algorithm_words.h"
 #include "shell/words/language.h"
 #include "shell/words/search_words.h"
+#include "shell/words/style_words.h"
 #include "shell/words/wording.h"
 
 namespace gaitsmith::shell {
@@ -175,24 +176,34 @@ void SearchRun::OnProgress(SearchProgress progress) {
   if (auto map = EliteMap::Of(job_->document, progress_.saved)) elites_ = std::move(map);
   progress_.saved.clear();
   const std::string of_queue = job_->source == Source::kQueue ? SearchTitle(job_->document) : "";
+  const std::string found = job_->found;
   Forget();
+  // A search that a person stops makes its final report later.
+  if (first_end || progress_.state == SearchState::kStopped) ReportEnd(of_queue, found);
   if (!first_end) return;
-  ReportEnd(of_queue);
   // Report at once, not with the next frame: a hidden tab has no frames.
   if (progress_.state != SearchState::kStopped) followers_.ended();
 }
 
-// @param of_queue the title of a search of the queue, or empty
-void SearchRun::ReportEnd(const std::string& of_queue) {
+// @param of_queue the title of a search of the queue, or empty. @param found the id of the result, or empty
+void SearchRun::ReportEnd(const std::string& of_queue, const std::string& found) {
   if (progress_.state == SearchState::kFailed) {
     workspace_.Say(of_queue.empty() ? Tr("The search failed.") : Tr("{1}: the search failed.", of_queue));
     return;
   }
-  workspace_.TheHost().Status((of_queue.empty() ? "" : of_queue + ": ") +
-                              Tr(progress_.state == SearchState::kDone
-                                     ? "Search done: best {1} after {2} evaluations."
-                                     : "Search stopped: best {1} after {2} evaluations.",
-                                 Fixed(progress_.best_fitness, 2), Grouped(progress_.evaluations)));
+  const bool done = progress_.state == SearchState::kDone;
+  const FoundMotions::Entry* entry = results_.Motions().Find(found);
+  std::string best;
+  if (entry != nullptr && entry->motion.Moves()) {
+    best = ReachedWords(entry->motion.document.task.kind, entry->motion.terms);
+  } else {
+    best = progress_.best_fitness > kVoidScore ? Tr("best {1}", Fixed(progress_.best_fitness, 2))
+                                               : Tr("nothing found");
+  }
+  workspace_.TheHost().Status(
+      (of_queue.empty() ? "" : of_queue + ": ") +
+      Tr(done ? "Search done: {1} after {2} tries" : "Search stopped: {1} after {2} tries", best,
+         Grouped(progress_.evaluations)));
 }
 
 // Called at the end of a search, and again when a stopped search makes its final report.

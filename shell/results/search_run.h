@@ -113,7 +113,7 @@ class SearchRun {
   [[nodiscard]] Document ShortClimb() const;
   void ShowController(Controller);
   void RecordResult();
-  void ReportEnd(const std::string& of_queue);
+  void ReportEnd(const std::string& of_queue, const std::string& found);
 
   Workspace& workspace_;
   const Lab& lab_;

@@ -14,11 +14,35 @@
 namespace gaitsmith::shell {
 namespace {
 
-// "1.84 m to the right"
-std::string WayWords(float travel_m) {
-  const std::string metres = Fixed(std::abs(travel_m), 2);
-  if (std::abs(travel_m) < 0.005f) return metres + " m";
-  return Tr(travel_m > 0.0f ? "{1} m to the right" : "{1} m to the left", metres);
+// "It makes 2 full turns and ends upright."
+std::string TurnWords(const Motion& motion) {
+  const int last = motion.Frames() - 1;
+  constexpr float kNearlyFull = 0.9f;  // share of a turn that counts as a full one
+  const auto full = static_cast<int>(motion.TermsAt(last).rotations + 1.0f - kNearlyFull);
+  const double turn_rad = motion.At(last).turn_rad - static_cast<double>(motion.Bones().start_angle_rad);
+  const double upright = std::cos(turn_rad);  // 1: as drawn, -1: upside down
+  const char* turns = full == 0   ? TrLater("It makes no full turn")
+                      : full == 1 ? TrLater("It makes 1 full turn")
+                                  : TrLater("It makes {1} full turns");
+  const char* end = upright > 0.5    ? TrLater("{1} and ends upright.")
+                    : upright < -0.5 ? TrLater("{1} and ends upside down.")
+                                     : TrLater("{1} and ends on its side.");
+  return Tr(end, Tr(turns, full));
+}
+
+// The whole motion in words.
+std::string WholeWords(const Session& session) {
+  const Playback& player = session.Player();
+  const Motion& motion = player.Shown();
+  const Document& d = session.Doc();
+  const std::string name = d.figure.name.empty() ? Tr("The figure") : TrTitle(d.figure.name);
+  const Terms& terms = motion.TermsAt(motion.Frames() - 1);
+  if (terms.broke_physics) return Tr("The simulation failed, so this motion doesn't count.");
+  std::string words =
+      Tr("{1} travels {2} in {3} s.", name, WayWords(terms.travel_m), Fixed(player.DurationS(), 2));
+  if (d.task.kind == TaskKind::kJump)
+    words += " " + Tr("Its centre rises {1} m.", AmountText(terms.max_cm_height_m - terms.start_height_m, 2));
+  return words + " " + TurnWords(motion);
 }
 
 std::string ContactWords(const Motion& motion, int frame) {
@@ -62,11 +86,10 @@ std::string DescriptionOf(const Session& session) {
   const Motion& motion = player.Shown();
   const int frame = player.Frame();
   const Document& d = session.Doc();
-  const std::string name = d.figure.name.empty() ? Tr("The figure") : TrTitle(d.figure.name);
-  std::string words =
-      Tr("{1} has travelled {2} after {3} s of {4} s.", name, WayWords(player.TermsNow().travel_m),
-         Fixed(player.TimeS(), 2), Fixed(player.DurationS(), 2)) +
-      ContactWords(motion, frame);
+  std::string words = WholeWords(session) + " " +
+                      Tr("After {1} s it has travelled {2}.", Fixed(player.TimeS(), 2),
+                         WayWords(player.TermsNow().travel_m)) +
+                      ContactWords(motion, frame);
   if (const Controller* controller = InCharge(session, frame)) {
     if (const auto moment = MomentOf(*controller, motion, motion.At(frame).clip, frame)) {
       words += " " + WhyWords(*moment, motion.At(frame).rule);

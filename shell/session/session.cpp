@@ -12,6 +12,7 @@
 #include "shell/words/figure_words.h"
 #include "shell/words/language.h"
 #include "shell/words/search_words.h"
+#include "shell/workspace/panels.h"
 
 namespace gaitsmith::shell {
 namespace {
@@ -63,11 +64,10 @@ Result<void> Session::Open(std::string_view text) {
   workspace_.SelectClip(0);
   Player().speed = static_cast<double>(document->view.speed);
   workspace_.Show(std::move(*document), true);
-  Notice().clear();
-  workspace_.TheHost().Status(
-      DiffersFromMaker() ? Tr("This motion differs from the one its maker saw: hash {1} here, {2} there.",
-                              HashText(Player().Shown().Hash()), HashText(*Doc().hash))
-                         : Tr("Opened {1}.", TrTitle(Doc().title)));
+  workspace_.Report(DiffersFromMaker()
+                        ? Tr("This motion differs from the one its maker saw: hash {1} here, {2} there.",
+                             HashText(Player().Shown().Hash()), HashText(*Doc().hash))
+                        : Tr("Opened {1}.", TrTitle(Doc().title)));
   return {};
 }
 
@@ -100,6 +100,7 @@ bool Session::Begin(std::string_view example) {
 void Session::New() {
   if (!Replace(shipped_.FirstFigure())) return;
   Player().Play(false);
+  SetView([](View& view) { view.panel = static_cast<int>(Panel::kSearch); });
   workspace_.Say(CannotMoveWords(Doc().figure.name) + " " + Tr("Undo restores the previous version."));
 }
 

@@ -87,6 +87,13 @@ class Session {
   /// Makes the open document the last one that Undo reaches.
   void ForgetPast();
 
+  // What a reload of a browser's tab would lose beside the document: Undo, Redo and the queue.
+  /// As JSON: {"undo", "redo", "queue"}, lists of payloads of links. The oldest steps are left out if the
+  /// text would be too long to store. A running search of the queue comes first among the waiting ones.
+  [[nodiscard]] std::string StoreVisit() const;
+  /// @return false: the text is damaged, and nothing has changed
+  bool RestoreVisit(std::string_view text);
+
   // Opening other documents. Undo restores the previous one.
   /// @param text JSON, or a link, or the payload of a link
   [[nodiscard]] Result<void> Open(std::string_view text);
@@ -97,7 +104,7 @@ class Session {
   /// Whether a first visit still shows only the stage and the figures, without panels.
   [[nodiscard]] bool AtDoor() const { return at_door_ && Doc().timeline.empty(); }
   void LeaveDoor() { at_door_ = false; }
-  /// Opens the same figure over the open document.
+  /// Opens the same figure over the open document, with the Search panel.
   void New();
   /// Opens a shipped figure, standing still in the world of the open document, or a problem. @param index of
   /// Shipped()

@@ -34,7 +34,7 @@ void Session::Undo() {
   if (const auto before = workspace_.TakeBack()) {
     Return(*before, TrLater("Undone: {1}."));
   } else {
-    workspace_.TheHost().Status(Tr("Nothing to undo."));
+    workspace_.Report(Tr("Nothing to undo."));
   }
 }
 
@@ -44,16 +44,15 @@ void Session::Redo() {
   if (const auto after = workspace_.TakeForward()) {
     Return(*after, TrLater("Redone: {1}."));
   } else {
-    workspace_.TheHost().Status(Tr("Nothing to redo."));
+    workspace_.Report(Tr("Nothing to redo."));
   }
 }
 
 void Session::Return(const Document& document, const char* words) {
   const std::string what = ChangeWords(Doc(), document);
   BeginGesture();
-  Notice().clear();
   workspace_.Show(document, what == kFigureWords);
-  workspace_.TheHost().Status(Tr(words, Tr(what.c_str())));
+  workspace_.Report(Tr(words, Tr(what.c_str())));
 }
 
 void Session::ForgetPast() {

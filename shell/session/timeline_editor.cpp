@@ -47,7 +47,7 @@ bool TimelineEditor::ChangeController(const std::function<void(Controller&)>& ed
   });
 }
 
-void TimelineEditor::Edit(const std::function<Result<int>(Document&)>& edit) {
+bool TimelineEditor::Edit(const std::function<Result<int>(Document&)>& edit) {
   Document next = workspace_.Doc();
   auto selected = edit(next);
   // Ends a search that the edit disturbs; the search's last result is part of what is edited.
@@ -56,15 +56,19 @@ void TimelineEditor::Edit(const std::function<Result<int>(Document&)>& edit) {
     next = workspace_.Doc();
     selected = edit(next);
   }
-  if (!selected) return workspace_.Say(Tr("Not possible: {1}.", TrError(selected.error())));
+  if (!selected) {
+    workspace_.Say(Tr("Not possible: {1}.", TrError(selected.error())));
+    return false;
+  }
   DropUnusedControllers(next, workspace_.Doc().timeline);
   const auto compared = comparison_.ComparedController();
   const bool changed = workspace_.Change([&](Document& d) {
     CopyParts(next, {Part::kControllers, Part::kTimeline, Part::kDuration, Part::kSearchStart}, d);
   });
-  if (!changed) return;
+  if (!changed) return false;
   Select(*selected);
   if (compared) comparison_.FindAgain(*compared);
+  return true;
 }
 
 void TimelineEditor::AddClip() {
@@ -106,7 +110,9 @@ void TimelineEditor::DuplicateClip() {
 }
 
 void TimelineEditor::MirrorClip() {
-  Edit([&](Document& d) { return Then(gaitsmith::MirrorClip(d, Selected()), Selected()); });
+  const bool mirrored =
+      Edit([&](Document& d) { return Then(gaitsmith::MirrorClip(d, Selected()), Selected()); });
+  if (mirrored) workspace_.Report(Tr("Mirrored: clip {1} goes the other way.", Selected() + 1));
 }
 
 void TimelineEditor::ReorderClip(int to) {
@@ -175,7 +181,11 @@ const char* TimelineEditor::WhyNoSnap() const {
 void TimelineEditor::SnapToBest() {
   if (const std::string why_not = WhyNoSnap(); !why_not.empty()) return workspace_.Say(why_not);
   const TransitionScores& map = transitions_.Scores();
-  MoveClip(Selected(), map.Steps()[static_cast<std::size_t>(map.Best())]);
+  const int best = map.Steps()[static_cast<std::size_t>(map.Best())];
+  const bool moved = Edit([&](Document& d) { return Then(MoveSwitch(d, Selected(), best), Selected()); });
+  if (!moved) return;
+  workspace_.Report(Tr("Snapped: clip {1} takes over at {2} s.", std::to_string(Selected() + 1),
+                       Fixed(static_cast<float>(best) * kStep, 2)));
 }
 
 }  // namespace gaitsmith::shell

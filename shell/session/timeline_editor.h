@@ -73,8 +73,9 @@ class TimelineEditor {
   [[nodiscard]] const char* WhyNoSnap() const;
 
  private:
-  /// Edits the timeline and selects the clip that the edit returns.
-  void Edit(const std::function<Result<int>(Document&)>& edit);
+  /// Edits the timeline and selects the clip that the edit returns. @return false, with a sentence: it is
+  /// not possible
+  bool Edit(const std::function<Result<int>(Document&)>& edit);
 
   Workspace& workspace_;
   SearchRun& search_;

@@ -19,9 +19,8 @@ bool WorldEditor::Push(int endpoint, float impulse_x_ns, float impulse_y_ns) {
     d.pushes.insert(after, push);
   });
   if (pushed) {
-    workspace_.TheHost().Status(Tr("Pushed with {1} N s at {2} s.",
-                                   Fixed(std::hypot(impulse_x_ns, impulse_y_ns), 1),
-                                   Fixed(static_cast<float>(step) * kStep, 2)));
+    workspace_.Report(Tr("Pushed with {1} N s at {2} s.", Fixed(std::hypot(impulse_x_ns, impulse_y_ns), 1),
+                         Fixed(static_cast<float>(step) * kStep, 2)));
   }
   return pushed;
 }

@@ -83,7 +83,8 @@ void DrawClip(Ui& ui, Session& session, const Band& band, std::size_t index) {
   const int colour_of = clip.controller;
   ImGui::PushItemFlag(ImGuiItemFlags_AllowOverlap, true);  // borders are small and drawn later
   const Touch touch = ui.Area("timeline/clip/" + std::to_string(index), rect, Grab::kDrag,
-                              {.label = name,
+                              {.label = Tr("Clip {1} of {2}: {3}", std::to_string(index + 1),
+                                           std::to_string(d.timeline.size()), name),
                                .role = "option",
                                .value = Tr("{1} from {2}", length, SecondsWords(clip.start_step)),
                                .state = {.selected = selected}});
@@ -146,11 +147,14 @@ int DragBorder(Ui& ui, const Session& session, const Band& band, const std::stri
 }
 
 void DrawSwitchPoint(Ui& ui, Session& session, const Band& band, std::size_t index) {
-  const int start = session.Doc().timeline[index].start_step;
-  const int wanted = DragBorder(
-      ui, session, band, "timeline/switch/" + std::to_string(index),
-      {.label = Tr("Switch point before clip {1}", std::to_string(index + 1)), .value = SecondsWords(start)},
-      start);
+  const Document& d = session.Doc();
+  const int start = d.timeline[index].start_step;
+  const int wanted =
+      DragBorder(ui, session, band, "timeline/switch/" + std::to_string(index),
+                 {.label = Tr("Border {1} of {2}: clip {3} takes over", std::to_string(index),
+                              std::to_string(d.timeline.size() - 1), std::to_string(index + 1)),
+                  .value = SecondsWords(start)},
+                 start);
   if (wanted != start) session.Timeline().MoveClip(static_cast<int>(index), wanted);
 }
 

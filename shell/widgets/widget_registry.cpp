@@ -35,6 +35,7 @@ void WidgetRegistry::Attach() {
 }
 
 void WidgetRegistry::BeginFrame() {
+  EndTypingByClick();
   rects_.clear();
   widgets_.clear();
   ids_.clear();
@@ -42,6 +43,13 @@ void WidgetRegistry::BeginFrame() {
   part_ = -1;
   texts_ = 0;
   requests_.BeginFrame();
+}
+
+void WidgetRegistry::EndTypingByClick() const {
+  const ImGuiContext& g = *ImGui::GetCurrentContext();
+  if (g.ActiveId == 0 || g.ActiveId != g.TempInputId || !g.IO.MouseClicked[0]) return;
+  const auto field = std::ranges::find(widgets_, "textbox", &Widget::role);
+  if (field == widgets_.end() || !field->rect.Contains(g.IO.MousePos)) ImGui::ClearActiveID();
 }
 
 void WidgetRegistry::EndFrame() {

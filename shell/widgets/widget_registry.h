@@ -63,6 +63,7 @@ class WidgetRegistry {
   /// @param scale CSS pixels per point of the canvas
   void SetScale(float scale) { scale_ = scale; }
 
+  /// Call after ImGui::NewFrame, before any widget is drawn.
   void BeginFrame();
   /// Called by the hooks for each item that is laid out.
   void OnItem(ImGuiID, const ImRect&);
@@ -92,6 +93,10 @@ class WidgetRegistry {
   [[nodiscard]] const WidgetRequests& Requests() const { return requests_; }
 
  private:
+  /// A click beside an open text field ends typing. The field itself would do so only when it is drawn, and
+  /// widgets drawn before it would miss the click.
+  void EndTypingByClick() const;
+
   std::unordered_map<ImGuiID, ImRect> rects_;
   std::vector<Widget> widgets_;
   float scale_ = 1.0f;

@@ -82,8 +82,10 @@ Touch Ui::Area(std::string_view id, const ImRect& rect, Grab grab, Widget descri
   Touch touch;
   touch.id = window->GetID(id.data(), id.data() + id.size());
   const WidgetRequest* asked = registry_.Requests().DueFor(id);
-  // Focus first: Dear ImGui draws the focused widget even if it is scrolled out of view.
-  if (asked != nullptr) TakeKeyboard(rect, touch.id, asked->ring);
+  // Focus first: Dear ImGui draws the focused widget even if it is scrolled out of view. But a request must
+  // not take away a press: leaving a text field of the page by a click requests its number, too.
+  const bool pressing = g.ActiveId != 0 && g.ActiveId != touch.id && g.IO.MouseDown[0];
+  if (asked != nullptr && !pressing) TakeKeyboard(rect, touch.id, asked->ring);
   touch.visible = ImGui::ItemAdd(rect, touch.id, nullptr, enabled ? 0 : ImGuiItemFlags_Disabled);
   if (touch.visible && enabled && grab != Grab::kNothing) {
     const ImGuiButtonFlags flags =

@@ -80,6 +80,18 @@ std::string PrimaryLine(TaskKind kind) {
   return {};
 }
 
+std::string WayWords(float travel_m) {
+  const std::string metres = AmountText(std::abs(travel_m), 2);
+  if (std::abs(travel_m) < 0.005f) return metres + " m";
+  return Tr(travel_m > 0.0f ? "{1} m to the right" : "{1} m to the left", metres);
+}
+
+std::string ReachedWords(TaskKind kind, const Terms& terms) {
+  if (kind == TaskKind::kJump)
+    return Tr("{1} m high", AmountText(terms.max_cm_height_m - terms.start_height_m, 2));
+  return WayWords(terms.travel_m);
+}
+
 std::string ScoreWords(const Task& task, const Terms& terms) {
   const float fitness = Fitness(task, terms);
   if (fitness <= kVoidScore) return Tr("No score: the simulation failed.");

@@ -33,6 +33,11 @@ struct TermWords {
 /// One sentence about what the primary term measures.
 [[nodiscard]] std::string PrimaryLine(TaskKind);
 
+/// "1.84 m to the right"
+[[nodiscard]] std::string WayWords(float travel_m);
+/// What a motion reached, in metres: "12.3 m to the right", or for a jump "0.84 m high".
+[[nodiscard]] std::string ReachedWords(TaskKind, const Terms&);
+
 /// The score as a sum in words, for screen readers: "Score 28.76: travel 18.33 m; slip 20.86 m times 0.5 adds
 /// 10.43. Not weighed: height 0.97 m, ...".
 [[nodiscard]] std::string ScoreWords(const Task&, const Terms&);

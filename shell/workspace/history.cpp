@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/document/binary.h"
+#include "core/document/link.h"
 
 namespace gaitsmith::shell {
 
@@ -73,6 +74,39 @@ void History::Clear() {
   future_.clear();
   past_bytes_ = 0;
   occasion_ = 0;
+}
+
+History::Stored History::Store(std::size_t letters) const {
+  Stored stored;
+  const auto take = [&letters](const auto& steps, std::vector<std::string>& payloads) {
+    for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+      std::string payload = ToBase64Url(*step);
+      if (payload.size() > letters) break;
+      letters -= payload.size();
+      payloads.push_back(std::move(payload));
+    }
+    std::ranges::reverse(payloads);
+  };
+  take(past_, stored.past);
+  take(future_, stored.future);
+  return stored;
+}
+
+bool History::Restore(const Stored& stored) {
+  History restored(limits_);
+  const auto read = [](const std::vector<std::string>& payloads, auto& steps) {
+    for (const std::string& payload : payloads) {
+      const auto document = DecodeLink(payload);
+      if (!document) return false;
+      steps.push_back(Packed(*document));
+    }
+    return true;
+  };
+  if (!read(stored.past, restored.past_) || !read(stored.future, restored.future_)) return false;
+  for (const Bytes& step : restored.past_) restored.past_bytes_ += step.size();
+  restored.Forget();
+  *this = std::move(restored);
+  return true;
 }
 
 }  // namespace gaitsmith::shell

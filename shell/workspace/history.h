@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/document/document.h"
@@ -37,6 +38,15 @@ class History {
   [[nodiscard]] std::optional<Document> Forward(const Document& present);
 
   void Clear();
+
+  /// Steps as payloads that DecodeLink reads, for storage. The nearest to the present come last.
+  struct Stored {
+    std::vector<std::string> past, future;
+  };
+  /// The nearest steps whose payloads fit into `letters`, those of the past first.
+  [[nodiscard]] Stored Store(std::size_t letters) const;
+  /// Replaces all steps. @return false: one of them is damaged, and nothing has changed
+  bool Restore(const Stored&);
 
  private:
   using Bytes = std::vector<std::uint8_t>;

@@ -51,7 +51,14 @@ const Controller* Workspace::ShownController() const {
 
 void Workspace::Say(std::string sentence) {
   notice_ = std::move(sentence);
+  said_ = gesture_;
   host_.Status(notice_);
+}
+
+void Workspace::Report(const std::string& sentence) {
+  notice_.clear();
+  said_ = gesture_;
+  host_.Status(sentence);
 }
 
 void Workspace::Show(Document document, bool opened) {
@@ -93,6 +100,7 @@ bool Workspace::Change(const Edit& edit) {
   if (!next || Refuses(layout_, *next)) return false;
   notice_.clear();
   if (DifferingParts(*next, document_).Empty()) return true;
+  Report("");
   Remember();
   next->hash.reset();
   Show(std::move(*next), false);
@@ -103,6 +111,7 @@ bool Workspace::Set(const Edit& edit) {
   auto next = Edited(edit);
   if (!next || Refuses(layout_, *next)) return false;
   if (DifferingParts(*next, document_).Empty()) return true;
+  Report("");
   Remember();
   document_ = std::move(*next);
   followers_.settings();

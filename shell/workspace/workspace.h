@@ -49,7 +49,7 @@ class Workspace {
   /// Null if there is no motion.
   [[nodiscard]] const Controller* ShownController() const;
 
-  /// See Session.
+  /// See Session. Both clear the status line. Callers that have something to say do so afterwards.
   bool Change(const Edit&);
   bool Set(const Edit&);
   void SetView(const std::function<void(View&)>&);
@@ -73,10 +73,20 @@ class Workspace {
   [[nodiscard]] std::optional<Document> TakeBack() { return history_.Back(document_); }
   [[nodiscard]] std::optional<Document> TakeForward() { return history_.Forward(document_); }
   void ForgetPast() { history_.Clear(); }
+  [[nodiscard]] History& Past() { return history_; }
+  [[nodiscard]] const History& Past() const { return history_; }
 
   /// Shows a sentence in the status line and on the panel.
   void Say(std::string sentence);
-  /// The last sentence, or empty.
+  /// Shows a sentence in the status line only: what has just happened. Empty: clears both, so that no
+  /// sentence of an earlier action stays.
+  void Report(const std::string& sentence);
+  /// Clears a sentence of an earlier gesture. For changes that also happen without one, as at the end of a
+  /// search.
+  void ClearEarlier() {
+    if (said_ != gesture_) Report("");
+  }
+  /// The last sentence of Say, or empty.
   [[nodiscard]] std::string& Notice() { return notice_; }
   /// Requests a new picture of the unchanged document.
   void Redraw() { host_.DocumentChanged(document_.title); }
@@ -93,6 +103,7 @@ class Workspace {
   int occasions_ = 1;  // number of the last occasion
   int gesture_ = 1;
   std::string notice_;
+  int said_ = 0;  // gesture of the last sentence
 };
 
 }  // namespace gaitsmith::shell

@@ -250,6 +250,9 @@ export class Mirror {
   /** @param {MouseEvent} event */
   #clicked(event) {
     this.update(); // what was disabled at the last one may be possible now
+    // An assistive tool may press a button without taking the focus from a number.
+    const typing = this.at(this.#root.querySelector('.typing'));
+    if (typing && typing.node !== event.target) this.commit(typing);
     const reflection = this.at(event.target);
     if (!reflection || reflection.node instanceof HTMLInputElement || !takesKeyboard(reflection.widget)) return;
     this.app.activate(reflection.widget.id);
@@ -268,15 +271,19 @@ export class Mirror {
     else this.commit(reflection);
   }
 
-  /** Replaces a slider by a text field for its number. @param {Reflection} reflection */
-  type({ node, widget }) {
-    if (!(node instanceof HTMLInputElement) || !widget.range || widget.state.disabled) return;
-    node.type = 'text';
-    node.inputMode = 'decimal';
-    node.value = fixedText(widget.range.now);
-    node.setAttribute('role', 'spinbutton');
+  /** Begins the typing of a number. A slider becomes a text field. @param {Reflection} reflection */
+  type({ node }) {
+    this.update(); // as in #clicked
+    const widget = this.at(node)?.widget;
+    if (!(node instanceof HTMLInputElement) || !widget?.range || widget.state.disabled) return;
     node.classList.add('typing');
-    update(node, widget, true);
+    if (widget.role === 'slider') {
+      node.type = 'text';
+      node.inputMode = 'decimal';
+      node.value = fixedText(widget.range.now);
+      node.setAttribute('role', 'spinbutton');
+      update(node, widget, true);
+    }
     node.select();
   }
 

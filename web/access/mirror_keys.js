@@ -86,9 +86,12 @@ export class MirrorKeys {
     const { node } = reflection;
     if (!(node instanceof HTMLInputElement)) return false;
     if (key === 'Enter') {
-      if (isTyping(reflection)) this.mirror.commit(reflection);
-      else node.classList.add('typing');
-      node.select();
+      if (isTyping(reflection)) {
+        this.mirror.commit(reflection);
+        node.select();
+      } else {
+        this.mirror.type(reflection);
+      }
       return true;
     }
     if (isTyping(reflection) && (key === 'ArrowUp' || key === 'ArrowDown')) this.mirror.commit(reflection);
@@ -153,6 +156,7 @@ function leave(canvas, direction) {
   const all = [...document.querySelectorAll('a[href], button, input, select, textarea, canvas')].filter((node) => node === canvas
     || (node instanceof HTMLElement && node.tabIndex === 0 && !node.matches(':disabled') && node.getClientRects().length > 0
       && !node.closest('#mirror, dialog:not([open])')));
-  const next = all[(all.indexOf(canvas) + direction + all.length) % all.length];
+  // After the last one comes the footer, from where the browser's own controls follow.
+  const next = all[all.indexOf(canvas) + direction] ?? document.querySelector('footer');
   if (next instanceof HTMLElement) next.focus();
 }

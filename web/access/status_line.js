@@ -22,11 +22,13 @@ export class StatusLine {
   #announcedMs = 0;
   /** The last announced sentence about the running search. */
   #announced = '';
+  /** What the running search does; empty: none runs. */
+  #doing = '';
   #sentenceMs = -Infinity;
 
-  /** Shows and announces a sentence. It replaces a search's own sentence for a few seconds. @param {string} sentence */
+  /** Shows and announces a sentence. It replaces a search's own sentence for a few seconds. @param {string} sentence  empty: clears the line */
   say(sentence) {
-    setText(this.#status, sentence);
+    setText(this.#status, sentence || this.#doing);
     announce(sentence);
     this.#sentenceMs = sentence ? performance.now() : -Infinity;
   }
@@ -39,18 +41,13 @@ export class StatusLine {
       ? fixed(report.bestFitness, 2) + unit : '';
     const count = tr('{1} of {2}', grouped(report.evaluations), grouped(report.budget));
     if (ended) {
+      // The application reports the end. It does not if the search's document was replaced.
+      if (this.#status.textContent === this.#doing) setText(this.#status, '');
       this.clear();
-      this.#announced = '';
-      const after = grouped(report.evaluations);
-      const end = report.state === 'done'
-        ? best ? tr('Search done: best {1} after {2} evaluations', best, after) : tr('Search done: nothing found after {1} evaluations', after)
-        : best ? tr('Search stopped: best {1} after {2} evaluations', best, after) : tr('Search stopped: nothing found after {1} evaluations', after);
-      if (!this.#status.textContent?.startsWith(end)) announce(end); // the application may have announced it already
-      setText(this.#status, end);
       return;
     }
     const paused = report.state === 'paused';
-    const sentence = doing(paused);
+    const sentence = this.#doing = doing(paused);
     if (now < this.#sentenceMs || now - this.#sentenceMs > SENTENCE_STAYS_MS) setText(this.#status, sentence); // the clock may have been set back
     this.#progress.hidden = false;
     this.#progress.setAttribute('aria-valuemax', String(report.budget));
@@ -75,6 +72,7 @@ export class StatusLine {
   /** Shows that no search runs: only the sentence remains. */
   clear() {
     this.#progress.hidden = true;
+    this.#announced = this.#doing = '';
     this.#sentenceMs = -Infinity;
     for (const node of [this.#count, this.#rate, this.#best, this.#left]) setText(node, '');
   }

@@ -164,6 +164,10 @@ export class App {
   /** Whether nothing moves unless a person plays it. @param {boolean} calm */
   setCalm(calm) { this.module._gs_set_calm(calm ? 1 : 0); }
   forgetPast() { this.module._gs_forget_past(); }
+  /** Undo, Redo and the queue, for a reload. Only restoreVisit knows the format. */
+  storeVisit() { return this.#text(this.module._gs_store_visit()); }
+  /** @param {string} text @returns {boolean} false: it is damaged, and nothing has changed */
+  restoreVisit(text) { return this.#with(text, (at) => this.module._gs_restore_visit(at)) !== 0; }
 
   /** @returns {CanvasCommand[]} */
   commands() { return JSON.parse(this.#text(this.module._gs_commands())); }

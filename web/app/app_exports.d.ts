@@ -59,6 +59,10 @@ export interface AppExports {
   _gs_begin(example: number): number;
   _gs_set_calm(calm: number): void;
   _gs_forget_past(): void;
+  /** Undo, Redo and the queue, as StoreVisit. */
+  _gs_store_visit(): Pointer;
+  /** @return 0: the text is damaged, and nothing has changed */
+  _gs_restore_visit(text: Pointer): number;
   /** The commands, as CommandsJson. */
   _gs_commands(): Pointer;
   /** @return 0: there is no such command, or it is unavailable */

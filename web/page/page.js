@@ -142,7 +142,7 @@ async function start() {
   });
   const example = namedExample();
   if (example && example in EXAMPLES && location.hash.length < 2) void openExample(app, statusLine, example).then(() => app.forgetPast());
-  startSharing(app, address);
+  startSharing(app, address, statusLine);
   void gaitsmith.ready.then(() => startOffline({
     leave: () => {
       address.write();
@@ -186,7 +186,7 @@ function showTitle(title) {
 /** The dialog and the exporters are loaded on first use. @param {App} app @param {StatusLine} statusLine */
 async function openExport(app, statusLine) {
   try {
-    (await import('../share/export.js')).openExport(app);
+    (await import('../share/export.js')).openExport(app, statusLine);
   } catch {
     statusLine.say(tr('The export could not be loaded.'));
   }
@@ -205,6 +205,7 @@ async function openShare(app, address, statusLine) {
 function addCommands(commands, { address, autosave, palette, help, guide }) {
   const click = Commands.click;
   commands.add([
+    { id: 'motion/describe', group: 'Motion', title: trLater('Describe the motion'), keys: ['w'], run: click('describe') },
     { id: 'document/open', group: 'Document', title: trLater('Open a file or a link'), keys: ['Ctrl+o'], pressed: ['Ctrl+v'], run: click('open') },
     { id: 'document/save', group: 'Document', title: trLater('Save as a file'), keys: ['Ctrl+s'], run: click('save') },
     { id: 'document/export', group: 'Document', title: trLater('Export as picture, video or data'), keys: [], run: () => void openExport(commands.app, statusLine) },

@@ -85,9 +85,10 @@ class ExportDialog {
   /** @type {Promise<Engine> | null} */
   #engine = null;
 
-  /** @param {App} app */
-  constructor(app) {
+  /** @param {App} app @param {import('../access/status_line.js').StatusLine} statusLine */
+  constructor(app, statusLine) {
     this.app = app;
+    this.statusLine = statusLine;
     // index.html has the formats that are made here. They follow the first exporter, the film strip.
     const [first, ...others] = exporters.map(choice);
     this.#formats.querySelector('legend')?.after(first);
@@ -143,6 +144,7 @@ class ExportDialog {
       making.signal.throwIfAborted();
       const name = `${fileName(this.app.title())}.${ending}`;
       offerFile(name, contents, type);
+      this.statusLine.say('');
       toast(tr('Exported: {1}', name));
       this.#show(null);
       this.#dialog.close();
@@ -178,8 +180,8 @@ class ExportDialog {
 /** @type {ExportDialog | undefined} */
 let dialog;
 
-/** @param {App} app */
-export function openExport(app) {
-  dialog ??= new ExportDialog(app);
+/** @param {App} app @param {import('../access/status_line.js').StatusLine} statusLine */
+export function openExport(app, statusLine) {
+  dialog ??= new ExportDialog(app, statusLine);
   dialog.open();
 }

@@ -6,25 +6,27 @@ import { sentence } from './address.js';
 import { grouped, tr, trSentence } from '../languages/language.js';
 
 /** @typedef {import('../app/app.js').App} App */
+/** @typedef {import('../access/status_line.js').StatusLine} StatusLine */
 
 const MAX_BYTES = 8e6;
 // Some programs cut links off after about 2,000 characters.
 const LONG_LINK = 1900;
 
-/** @param {App} app @param {import('./address.js').Address} address */
-export function startSharing(app, address) {
-  onClick('copy-link', () => copy(address));
-  onClick('save', () => save(app));
+/** @param {App} app @param {import('./address.js').Address} address @param {StatusLine} statusLine */
+export function startSharing(app, address, statusLine) {
+  onClick('copy-link', () => copy(address, statusLine));
+  onClick('save', () => save(app, statusLine));
   onClick('long-link-save', () => {
-    save(app);
+    save(app, statusLine);
     element('long-link-dialog', HTMLDialogElement).close();
   });
   startOpening(app);
-  startClipboardKeys(app, address);
+  startClipboardKeys(app, address, statusLine);
 }
 
-/** @param {import('./address.js').Address} address */
-async function copy(address) {
+/** @param {import('./address.js').Address} address @param {StatusLine} statusLine */
+async function copy(address, statusLine) {
+  statusLine.say('');
   const link = address.link();
   try {
     await navigator.clipboard.writeText(link);
@@ -50,9 +52,11 @@ function confirmCopied(link) {
   element('long-link-dialog', HTMLDialogElement).showModal();
 }
 
-/** @param {App} app */
-function save(app) {
-  offerFile(`${fileName(app.title())}.json`, app.documentText(), 'application/json');
+/** @param {App} app @param {StatusLine} statusLine */
+function save(app, statusLine) {
+  const name = `${fileName(app.title())}.json`;
+  offerFile(name, app.documentText(), 'application/json');
+  statusLine.say(tr('Saved as {1}', name));
 }
 
 /** A title as a file name, without extension. @param {string} title */
@@ -106,8 +110,8 @@ export async function textOf(file) {
   return text.trim() === '' ? failure(tr('it is empty')) : { text, fault: '' };
 }
 
-/** @param {App} app @param {import('./address.js').Address} address */
-function startClipboardKeys(app, address) {
+/** @param {App} app @param {import('./address.js').Address} address @param {StatusLine} statusLine */
+function startClipboardKeys(app, address, statusLine) {
   // Dialogs handle these keys themselves.
   const typing = () => document.querySelector('dialog[open]') !== null;
   addEventListener('copy', (event) => {
@@ -115,6 +119,7 @@ function startClipboardKeys(app, address) {
     const link = address.link();
     event.clipboardData?.setData('text/plain', link);
     event.preventDefault();
+    statusLine.say('');
     confirmCopied(link);
   });
   addEventListener('paste', (event) => {

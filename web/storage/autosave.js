@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Protects the work from a crash, a closed tab or a reload. The browser stores the document while it is edited, and the
-// next visit restores it, unless its address holds a link. Pages inside other pages store nothing.
+// next visit restores it, unless its address holds a link. A reload also restores Undo and the queue of searches. Pages
+// inside other pages store nothing.
 import { element, onClick } from '../browser/dom.js';
 import { locale, tr, trSentence } from '../languages/language.js';
 import { removeWork, storeWork, keptWorks } from './kept_works.js';
@@ -9,7 +10,7 @@ import { remember, remembered } from '../browser/storage.js';
 /** @typedef {import('../app/app.js').App} App */
 /** @typedef {import('../page/commands.js').Command} Command */
 /** @typedef {import('./kept_works.js').Work} Work */
-/** @typedef {{id: string, address: string, before: string, link: string}} TabState  before: the address before this one */
+/** @typedef {{id: string, address: string, before: string, link: string, visit?: string}} TabState  before: the address before this one; visit: of App.storeVisit */
 
 const REST_MS = 2000;
 const TAB_KEY = 'gaitsmith-here'; // state of this tab
@@ -19,6 +20,7 @@ export class Autosave {
   #embedded = window.top !== window;
   #id = String(Math.random()).slice(2);
   #written = ''; // link of the document that this visit stored last
+  #visit = ''; // Undo and the queue, as stored last
   #untouched = ''; // link of the first document, unless it continues earlier work
   #started = false;
   #warned = false;
@@ -65,8 +67,10 @@ export class Autosave {
     }
     this.app.forgetPast();
     if (this.#embedded) return;
+    if (sameWork && typeof tabState?.visit === 'string') this.app.restoreVisit(tabState.visit);
     this.#started = true;
     this.#written = this.app.link();
+    this.#visit = this.app.storeVisit();
     if (!sameWork) this.#untouched = this.#written;
     if (continued || !payload) this.#storeTabState();
     if (payload && last && last.id !== this.#id && last.link !== this.#written
@@ -88,17 +92,21 @@ export class Autosave {
   save() {
     clearTimeout(this.#timer);
     this.#timer = undefined;
-    // Store nothing if the visit has changed nothing.
-    if (!this.#started || !(this.app.canUndo() || this.app.canRedo())) return false;
+    if (!this.#started) return false;
+    const visit = this.app.storeVisit();
+    const changed = visit !== this.#visit;
+    if (changed) this.#storeTabState(visit);
+    // Store no work if the visit has changed nothing.
+    if (!(this.app.canUndo() || this.app.canRedo())) return changed;
     const link = this.app.link();
-    if (link === this.#written) return false;
+    if (link === this.#written) return changed;
     this.#written = link;
     if (link === this.#untouched) {
       removeWork(this.#id); // all changes were undone
       return true;
     }
     const stored = storeWork({ id: this.#id, title: this.app.title(), link, when: Date.now() });
-    this.#storeTabState();
+    this.#storeTabState(visit);
     if (!stored && !this.#warned) {
       this.#warned = true;
       this.statusLine.say(tr('This browser does not let the page keep your work: save it, or copy its link, before you leave.'));
@@ -145,13 +153,15 @@ export class Autosave {
     this.statusLine.say(fault ? tr('The kept work cannot be opened: {1}', trSentence(fault)) : tr('Opened {1}. Undo restores the previous version.', work.title));
   }
 
-  #storeTabState() {
+  #storeTabState(visit = this.app.storeVisit()) {
     const was = this.#tabState();
     const address = location.hash.slice(1);
     const before = (was?.address === address ? was.before : was?.address) ?? '';
     /** @type {TabState} */
     const tabState = { id: this.#id, address, before, link: this.app.link() };
-    remember(TAB_KEY, JSON.stringify(tabState), 'sessionStorage');
+    this.#visit = visit;
+    // The document matters more than its past, which may be too long for the storage.
+    if (!remember(TAB_KEY, JSON.stringify({ ...tabState, visit }), 'sessionStorage')) remember(TAB_KEY, JSON.stringify(tabState), 'sessionStorage');
   }
 
   /** @returns {TabState | null} */

@@ -155,9 +155,11 @@ Figure Moved(const DrawnFigure& drawn, const DrawingBoardState& state, ImVec2 ta
 void DrawDrawingBoard(Ui& ui, Session& session, DrawingBoardState& state) {
   const ImRect rect = ui.Row(kBoardHeight);
   const Figure& figure = session.Doc().figure;
-  const Touch touch =
-      ui.Area("figure/board", rect, Grab::kDrag,
-              {.label = Tr("Drawing board"), .role = "img", .value = Tr("{1} rods", figure.Rods())});
+  const Touch touch = ui.Area(
+      "figure/board", rect, Grab::kDrag,
+      {.label = Tr("Drawing board"),
+       .role = "img",
+       .value = Tr("Rod {1} of {2}", std::clamp(state.rod, 0, figure.Rods() - 1) + 1, figure.Rods())});
   const ImVec2 pointer = ImGui::GetIO().MousePos;
   const float near = ui.Look().touch ? 26.0f : 15.0f;
   Board board = LayOut(figure, state, rect);

@@ -62,7 +62,7 @@ void EditRod(Ui& ui, Session& session, DrawingBoardState& state) {
   const Figure& figure = session.Doc().figure;
   state.rod = std::clamp(state.rod, 0, figure.Rods() - 1);
   int number = state.rod + 1;
-  ui.Number("figure/rod", Tr("Rod (of {1})", figure.Rods()), number, 1, figure.Rods());
+  ui.Number("figure/rod", Tr("Rod {1} of {2}", number, figure.Rods()), number, 1, figure.Rods());
   state.rod = number - 1;
   const auto index = static_cast<std::size_t>(state.rod);
   const Rod rod = figure.rods[index];

@@ -218,6 +218,17 @@ void DrawLabPanel(Ui& ui, Session& session) {
                   ControllerWords(d.kind, d.senses, d.rules), TrTitle(d.figure.name), TaskWords(d.task.kind),
                   Fixed(static_cast<float>(d.task.duration_steps) * kStep, 1)),
                Type::kNote);
+  if (d.pushes.empty()) return;
+  ui.Gap(6.0f);
+  ui.Paragraph(
+      d.pushes.size() == 1
+          ? Tr("In every trial the figure gets the push at {1} s. Remove it in the World card to compare "
+               "without it.",
+               Fixed(static_cast<float>(d.pushes.front().step) * kStep, 2))
+          : Tr("In every trial the figure gets the {1} pushes of this document. Remove them in the World "
+               "card to compare without them.",
+               Grouped(static_cast<long long>(d.pushes.size()))),
+      ui.Ink().accent, Type::kNote);
 }
 
 }  // namespace gaitsmith::shell

@@ -54,6 +54,12 @@ const lastFile = (page) => page.call('file', async () => {
   return {
     name, type: blob.type, size: bytes.length, width: image?.width ?? 0, height: image?.height ?? 0,
     begin: String.fromCharCode(...bytes.subarray(0, 6)),
+    // In a WebM: the element 0x4489, a number of milliseconds in 4 or 8 bytes.
+    seconds: bytes.reduce((found, byte, i) => {
+      if (blob.type !== 'video/webm' || found || byte !== 0x44 || bytes[i + 1] !== 0x89) return found;
+      const view = new DataView(bytes.buffer, i + 3);
+      return (bytes[i + 2] === 0x84 ? view.getFloat32(0) : view.getFloat64(0)) / 1000;
+    }, 0),
     text: /svg|csv|gltf/.test(blob.type) ? new TextDecoder().decode(bytes) : '',
     // In a GIF, each frame has one such block.
     frames: blob.type === 'image/gif' ? bytes.filter((byte, i) => byte === 0x21 && bytes[i + 1] === 0xf9 && bytes[i + 2] === 4).length : 0,
@@ -90,7 +96,10 @@ async function everyFormat(visit) {
   assert.match(csv.text, /^t,x,y,vx,vy,phi,L,rule,theta_1/);
   const webm = await exportByMouse(page, 'webm');
   assert.deepEqual([webm.name, webm.type, webm.begin.slice(0, 4)], ['a-short-one.webm', 'video/webm', '\x1a\x45\xdf\xa3']);
-  assert.ok(webm.size > 1000, `the film has ${webm.size} bytes`);
+  assert.ok(webm.size > 1000 && webm.size <= gif.size, `the film has ${webm.size} bytes, the GIF ${gif.size}`);
+  // Recorded in real time, so a busy machine takes longer.
+  assert.ok(webm.seconds > 0.4 && webm.seconds < 3, `the film lasts ${webm.seconds} s`);
+  visit.figures['bytes of film and GIF'] = `${webm.size}, ${gif.size}`;
   assert.deepEqual(page.complaints, []);
   await page.close();
 }

@@ -102,12 +102,41 @@ async function newAsksNothing({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   const before = await stateOf(page);
   for (const selector of ['#new', '#home']) {
+    await page.click('panels/4');
     await page.clickElement(selector);
+    await page.until('the Search panel', () => window.gaitsmith.widgets().some(({ id }) => id === 'search/start'), 5000);
     assert.equal(await page.call('clips', () => /** @type {any} */ (window.gaitsmith.document()).controllers?.length ?? 0), 0);
     assert.match(await page.status(), /^This ostrich can’t move yet\. Undo restores/);
     await page.press('Control+z');
     assert.equal(await stateOf(page), before, selector);
   }
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function noStaleSentence({ browser, address }) {
+  const page = await PageDriver.open(browser, address, { before: () => { HTMLAnchorElement.prototype.click = () => {}; } });
+  await page.clickElement('#save');
+  assert.match(await page.status(), /^Saved as .*\.json$/);
+  await page.press('m');
+  await page.until('the next sentence', () => document.querySelector('#status')?.textContent === 'Mirrored: clip 1 goes the other way.', 5000);
+  await page.press('d');
+  await page.until('an empty line', () => document.querySelector('#status')?.textContent === '', 5000);
+  await page.press('Control+z');
+  assert.equal(await page.status(), 'Undone: the timeline.');
+  await page.page.evaluate(() => { document.dispatchEvent(new ClipboardEvent('copy', { clipboardData: new DataTransfer(), bubbles: true, cancelable: true })); });
+  assert.equal(await page.status(), '', 'Copy link has its own confirmation');
+  // While a search is paused, the line goes back to what the search does.
+  await page.call('search', () => { void window.gaitsmith.synthesize({ evaluations: 1000000 }); });
+  await page.until('a search', () => /^Searching/.test(document.querySelector('#status')?.textContent ?? ''), 20000);
+  await page.call('pause', () => window.gaitsmith.pause());
+  await page.until('the pause', () => /^Paused/.test(document.querySelector('#status')?.textContent ?? ''), 20000);
+  await page.page.evaluate(() => { window.gaitsmith.run('view/world'); });
+  await page.frames(4);
+  await page.press('q');
+  await page.until('a sentence', () => /^Added to the queue/.test(document.querySelector('#status')?.textContent ?? ''), 5000);
+  await page.call('clear', () => window.gaitsmith.run('queue/clear'));
+  await page.until('the pause again', () => /^Paused/.test(document.querySelector('#status')?.textContent ?? ''), 5000);
   await page.close();
 }
 
@@ -169,5 +198,6 @@ export const HISTORY_SCENARIOS = [
   ['three edits undone and done again, by key, button and script, are the same documents and motions', threeEdits],
   ['a search is one step back and forth', searchIsOneStep],
   ['New asks nothing, says how to go back, and Undo does', newAsksNothing],
+  ['the status line keeps no sentence of an earlier action', noStaleSentence],
   ['a dropped document opens; other files are refused, and change nothing', dropping],
 ];

@@ -41,7 +41,11 @@ async function reloadRestores({ browser, address }) {
   await page.reload(); // at once, before the timers of address and storage
   assert.equal(await stateOf(page), state);
   assert.equal(await leave(page), 1, 'a reload goes on with the same work');
-  assert.equal(await page.call('undo', () => window.gaitsmith.canUndo()), false);
+  await page.call('undo', () => window.gaitsmith.undo());
+  assert.equal(await title(page), 'First', 'Undo reaches back over the reload');
+  await page.reload();
+  await page.call('redo', () => window.gaitsmith.redo());
+  assert.equal(await stateOf(page), state, 'Redo, too');
   await page.page.goto('about:blank');
   // Another tab, with the plain address, as after a crash or a closed tab.
   const next = await PageDriver.open(browser, address, { beside: page });
@@ -49,6 +53,41 @@ async function reloadRestores({ browser, address }) {
   assert.match(await next.status(), /^Restored your last work: Before the reload/);
   assert.equal(await offered(next), false);
   assert.deepEqual([page.complaints, next.complaints], [[], []]);
+  await page.close();
+}
+
+/** The titles of the waiting searches. @param {PageDriver} page */
+const queue = (page) => page.call('queue', () => window.gaitsmith.queue().map(({ title, seed }) => `${title}, ${seed}`));
+
+/** @param {Visit} visit */
+async function reloadKeepsQueue({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  await page.call('queue', () => { for (const seed of [5, 6, 7]) window.gaitsmith.enqueue({ seed, evaluations: 1000000 }); });
+  const waiting = await queue(page);
+  assert.equal(waiting.length, 3);
+  await page.reload();
+  assert.deepEqual(await queue(page), waiting);
+  assert.match(await page.status(), /^3 searches wait until you press Run queue/);
+  await page.call('run', () => window.gaitsmith.run('queue/run'));
+  assert.equal((await queue(page)).length, 2, 'one runs');
+  await page.reload();
+  assert.deepEqual(await queue(page), waiting, 'a search that ran waits again');
+
+  // Damaged data is ignored as a whole. A link to another document does not bring the queue along.
+  const damaged = ['', 'null', '{}', '[1]', '{"undo":["AA"],"redo":[],"queue":[]}', '{"undo":[],"redo":[],"queue":[7]}', '{"undo":[]'];
+  for (const visit of [...damaged, 7, null]) {
+    // The page stores its state when it is left, so the damage comes after that.
+    await page.page.evaluate((text) => addEventListener('pagehide', () => {
+      const state = JSON.parse(sessionStorage.getItem('gaitsmith-here') ?? '{}');
+      if (state.visit === text) throw new Error('not damaged');
+      sessionStorage.setItem('gaitsmith-here', JSON.stringify({ ...state, visit: text }));
+    }), visit);
+    await page.reload();
+    assert.deepEqual(await queue(page), [], String(visit));
+    assert.equal(await page.call('undo', () => window.gaitsmith.canUndo()), false);
+    await page.call('queue', () => { window.gaitsmith.enqueue({ seed: 5 }); });
+  }
+  assert.deepEqual(page.complaints, []);
   await page.close();
 }
 
@@ -198,10 +237,14 @@ async function embedded({ browser, address }) {
     const { gaitsmith } = /** @type {Window} */ (frame.contentWindow);
     await gaitsmith.ready;
     gaitsmith.open({ ...gaitsmith.document(), hash: undefined, title: 'Inside' });
+    gaitsmith.enqueue({ seed: 5 });
     frame.contentWindow?.dispatchEvent(new Event('pagehide'));
   });
   await sleep(2600);
   assert.deepEqual(await page.call('works', () => Object.keys(localStorage).filter((key) => key.startsWith('gaitsmith-work'))), []);
+  const frame = page.page.frames().at(-1);
+  assert.equal(await frame?.evaluate(() => sessionStorage.getItem('gaitsmith-here')), await page.call('tab', () => sessionStorage.getItem('gaitsmith-here')));
+  assert.doesNotMatch(await page.call('tab', () => sessionStorage.getItem('gaitsmith-here') ?? ''), /"queue\\":\[\\"/);
   await page.close();
 }
 
@@ -242,6 +285,7 @@ async function graphicsLost({ browser, address }) {
 /** @type {[string, (visit: Visit) => Promise<void>, string?][]} */
 export const KEPT_WORK_SCENARIOS = [
   ['a reload brings back the work, and so does the bare address in another tab', reloadRestores],
+  ['a reload brings back the queue, and ignores a damaged one', reloadKeepsQueue],
   ['a reload with the address of a moment ago brings back the work, too', reloadWithOldAddress],
   ['a reload in the middle of a search brings back the best so far', reloadMidSearch],
   ['a link in the address wins, and the last work is one press away until dismissed', linkWins],

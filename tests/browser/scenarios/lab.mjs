@@ -2,6 +2,7 @@
 // The lab, used by a person and by a script. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
 import { PageDriver } from '../page_driver.mjs';
+import { settle } from '../assistive.mjs';
 import { nativeCurves } from '../native.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
@@ -100,8 +101,31 @@ async function byScript({ browser, address }) {
   await page.close();
 }
 
+/** @param {Visit} visit */
+async function namesPushes({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  await page.click('panels/4');
+  // Texts of the canvas are in its mirror.
+  const words = () => page.page.evaluate(() => [...document.querySelectorAll('#mirror p')].map(({ textContent }) => textContent)
+    .find((text) => text?.startsWith('In every trial the figure gets')) ?? '');
+  const push = (/** @type {number} */ count) => page.page.evaluate((pushes) => {
+    window.gaitsmith.open({ ...window.gaitsmith.document(), hash: undefined, view: { panel: 4 },
+      pushes: Array.from({ length: pushes }, (_, i) => ({ step: 120 + i, endpoint: -1, impulse_x_ns: 5, impulse_y_ns: 0 })) });
+  }, count);
+  await page.frames(6);
+  assert.equal(await words(), '');
+  for (const [count, sentence] of /** @type {[number, RegExp][]} */ ([[1, /gets the push at 1\.20 s\./], [2, /gets the 2 pushes of this document\./]])) {
+    await push(count);
+    await settle(page);
+    assert.match(await words(), sentence);
+  }
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
 /** @type {[string, (visit: Visit) => Promise<void>][]} */
 export const LAB_SCENARIOS = [
   ['the lab, by clicks from a link, draws curves and saves what the command line finds; the motion stays', byClicks],
+  ['the lab says when its trials include a push', namesPushes],
   ['the lab by script gives rows, can be stopped, and excludes a search', byScript],
 ];

@@ -110,7 +110,7 @@ async function clocks(visit) {
     await jump(page, -3600e3 * hours);
     await page.call('resume', () => { window.gaitsmith.resume(); });
     await ended(page);
-    assert.match(await page.status(), /after 12,000 evaluations/, `${hours} h, paused`);
+    assert.match(await page.status(), /after 12,000 tries/, `${hours} h, paused`);
   }
   assert.ok(await liveWorkers(page) <= 3);
   assert.deepEqual(page.complaints, []);

@@ -79,7 +79,7 @@ async function runsThrough({ browser, address }) {
   assert.equal((await widget(page, 'queue'))?.value, '2 wait');
   await page.click('queue/run');
   await untilResults(page, 2);
-  await page.until('the end', () => document.querySelector('#status')?.textContent?.startsWith('Search done') ?? false);
+  await page.until('the end', () => document.querySelector('#status')?.textContent?.startsWith('Third · travel: Search done') ?? false);
   assert.equal(await stateOf(page), before, 'the stage belongs to the document in hand');
   await page.until('an empty queue, as drawn', () =>
     window.gaitsmith.widgets().find(({ id }) => id === 'queue')?.value === 'empty', 10000);

@@ -180,9 +180,9 @@ async function byKeys(page) {
   const shuffle = (await page.widgets()).find(({ label }) => label.startsWith('Show Shuffle, ')) ?? assert.fail('no Shuffle');
   await activate(page, 'button', shuffle.label);
   await insert('Cartwheel', 260);
-  await setValue(page, 'slider', 'Switch point before clip 3', '6.9');
+  await setValue(page, 'slider', 'Border 2 of 2: clip 3 takes over', '6.9');
   await insert('Jump', 690);
-  await setValue(page, 'slider', 'Switch point before clip 4', '8.5');
+  await setValue(page, 'slider', 'Border 3 of 3: clip 4 takes over', '8.5');
 }
 
 /** @param {Visit} visit */

@@ -90,9 +90,11 @@ async function byKeys({ browser, address }) {
   await page.press(']');
   assert.deepEqual([await borders(page), await order(page)], [[0, length, 2 * length], [0, 1]]);
   // Like a user of a screen reader: the border is a slider of the page.
-  await setValue(page, 'slider', 'Switch point before clip 2', '2.5');
+  await setValue(page, 'slider', 'Border 1 of 1: clip 2 takes over', '2.5');
   assert.deepEqual(await borders(page), [0, 250, 2 * length]);
-  await activate(page, 'option', 'Shuffle');
+  const shuffle = (await page.widgets()).find(({ label }) => /^Clip [12] of 2: Shuffle$/.test(label));
+  assert.ok(shuffle, 'clips say which they are');
+  await activate(page, 'option', shuffle.label);
   await setValue(page, 'slider', 'Time', '1');
   await page.press('b');
   await settle(page);

@@ -82,5 +82,71 @@ async function typed({ browser, address }) {
   await page.close();
 }
 
+/** @param {PageDriver} page */
+const seed = (page) => page.call('seed', () => /** @type {any} */ (window.gaitsmith.document()).search.seed);
+
+/** @param {PageDriver} page @param {number} wanted @param {string} how */
+async function assertSearches(page, wanted, how) {
+  await page.until(`a search ${how}`, () => window.gaitsmith.widgets().some(({ id }) => id === 'search/stop'), 5000);
+  assert.equal(await seed(page), wanted, how);
+  await page.call('stop', () => window.gaitsmith.stop());
+  await page.until('its end', () => window.gaitsmith.widgets().some(({ id }) => id === 'search/start'));
+}
+
+/** @param {Visit} visit */
+async function pressedWhileTyping({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  await page.call('a long search', () => {
+    const document = window.gaitsmith.document();
+    window.gaitsmith.open({ ...document, hash: undefined, search: { ...document.search, evaluations: 1000000 }, view: { panel: 3 } });
+  });
+  await page.frames(6);
+  // A field that is open on the canvas. Synthesize is above it, so it is drawn first.
+  await page.click('search/seed');
+  await page.page.keyboard.type('77', { delay: 40 });
+  await page.frames(4);
+  await page.click('search/start');
+  await assertSearches(page, 77, 'by mouse, a field on the canvas');
+  // A field of the page.
+  await page.page.focus('#on-canvas-search-seed');
+  await page.page.keyboard.type('78', { delay: 40 });
+  await page.click('search/start');
+  await assertSearches(page, 78, 'by mouse, a field of the page');
+  // By an assistive tool, which may leave the focus where it is.
+  await page.page.focus('#on-canvas-search-seed');
+  await page.page.keyboard.type('79', { delay: 40 });
+  await page.page.evaluate(() => /** @type {HTMLElement} */ (document.querySelector('#on-canvas-search-start')).click());
+  await assertSearches(page, 79, 'without the focus');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function typesTheNewNumber({ browser, address }) {
+  const page = await PageDriver.open(browser, address, {
+    before: () => { // the mirror follows actions only
+      const plain = window.setInterval;
+      Object.assign(window, { setInterval: (/** @type {() => void} */ body, /** @type {number} */ ms) => plain(() => { if (ms !== 250 || !(/** @type {any} */ (window).testStill)) body(); }, ms) });
+    },
+  });
+  await page.click('panels/2');
+  await settle(page);
+  await page.page.focus('#on-canvas-style-duration');
+  await settle(page);
+  await page.call('another duration', () => {
+    Object.assign(window, { testStill: true });
+    const document = window.gaitsmith.document();
+    window.gaitsmith.open({ ...document, hash: undefined, task: { ...document.task, duration_steps: 730 }, view: { panel: 2 } });
+  });
+  await page.until('the slider', () => /^7\.3/.test(window.gaitsmith.widgets().find(({ id }) => id === 'style/duration')?.value ?? ''), 5000);
+  await page.press('Enter');
+  assert.equal(await page.call('field', () => /** @type {HTMLInputElement} */ (document.querySelector('#on-canvas-style-duration')).value), '7.3');
+  await page.close();
+}
+
 /** @type {[string, (visit: Visit) => Promise<void>][]} */
-export const TYPING_SCENARIOS = [['numbers beside sliders are typed', typed]];
+export const TYPING_SCENARIOS = [
+  ['a press on a button while a number is typed takes the number and presses the button', pressedWhileTyping],
+  ['typing begins with the number of now', typesTheNewNumber],
+  ['numbers beside sliders are typed', typed],
+];

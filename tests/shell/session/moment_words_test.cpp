@@ -25,8 +25,9 @@ TEST_CASE(
   const int frame = session.Player().Frame();
   const std::string rule = "Rule " + std::to_string(motion.At(frame).rule + 1);
   const std::string words = DescriptionOf(session);
-  CHECK(Has(words, session.Doc().figure.name + " has travelled "));
-  CHECK(Has(words, " after 2.00 s of "));
+  CHECK(words.starts_with(session.Doc().figure.name + " travels "));  // the whole motion comes first
+  CHECK(Has(words, " in " + Fixed(session.Player().DurationS(), 2) + " s. It makes no full turn and ends "));
+  CHECK(Has(words, " After 2.00 s it has travelled "));
   CHECK(Has(words, rule));
   CHECK(Has(words, " Score "));
   CHECK(Has(MomentWords(session), "Paused at 2.00 s, "));
@@ -56,6 +57,28 @@ TEST_CASE(
   REQUIRE(session.World().Push(kCentreOfMass, 0.0f, lift_ns));
   session.Player().Seek(1.4);
   CHECK(Has(DescriptionOf(session), "Nothing touches the ground."));
+}
+
+TEST_CASE("the description says how often the figure turns, and how it ends") {
+  QuietHost host;
+  Session session(host);
+  Document document = session.Doc();
+  document.controllers.clear();
+  document.timeline.clear();
+  document.hash.reset();
+  // Spins in the air for a second.
+  const auto thrown = [&](float turns_per_s) {
+    document.duration_steps = document.task.duration_steps = 100;
+    document.start.drop_height_m = 8.0f;
+    document.start.spin_radps = turns_per_s * 6.2831853f;
+    REQUIRE(session.Open(EncodeJson(document)));
+    return DescriptionOf(session);
+  };
+  CHECK(Has(thrown(0.0f), "It makes no full turn and ends upright."));
+  CHECK(Has(thrown(0.5f), "It makes no full turn and ends upside down."));
+  CHECK(Has(thrown(0.75f), "It makes no full turn and ends on its side."));
+  CHECK(Has(thrown(1.0f), "It makes 1 full turn and ends upright."));
+  CHECK(Has(thrown(-2.0f), "It makes 2 full turns and ends upright."));
 }
 
 TEST_CASE("without a controller the description reports that there is none yet") {

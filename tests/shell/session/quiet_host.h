@@ -26,13 +26,14 @@ class QuietHost final : public Host {
   void StopTransitionMap() override { ++map_stops; }
   void Status(const std::string& sentence) override { status = sentence; }
   void SaveText(const std::string&, const std::string&) override {}
-  void DocumentChanged(const std::string&) override {}
+  void DocumentChanged(const std::string&) override { ++changes; }
   void StoreFound(const std::string& id, const std::string& text) override { stored[id] = text; }
   [[nodiscard]] double NowS() const override { return 1000.0 + static_cast<double>(started.size()); }
 
   std::vector<Document> started;  // searches, in order
   std::map<std::string, std::string> stored;
   int stops = 0;
+  int changes = 0;               // reported changes of the document or the queue
   std::vector<Document> mapped;  // requested transition maps, in order
   std::vector<int> generations;  // of each map
   int map_stops = 0;

@@ -34,8 +34,8 @@ class Panel {
   Panel& operator=(const Panel&) = delete;
 
   void Draw(const std::function<void(Ui&)>& contents) {
-    registry_.BeginFrame();
     ImGui::NewFrame();
+    registry_.BeginFrame();
     ImGui::SetNextWindowPos({0.0f, 0.0f});
     ImGui::SetNextWindowSize({400.0f, 300.0f});
     ImGui::Begin("whole", nullptr, ImGuiWindowFlags_NoDecoration);
@@ -129,6 +129,39 @@ TEST_CASE("a request moves the keyboard focus to its widget and scrolls it into 
   for (const Widget& widget : panel.Registry().Widgets()) focused += widget.state.focused ? 1 : 0;
   CHECK(focused == 1);
   CHECK(last->state.focused);
+}
+
+TEST_CASE("a click on a button ends typing in a number below it, and presses the button") {
+  Panel panel;
+  int pressed = 0;
+  int number = 7;
+  const auto contents = [&](Ui& ui) {
+    pressed += ui.Button("go", ui.ControlRow(), "Go") ? 1 : 0;
+    ui.Number("number", "Number", number, 0, 100);
+  };
+  const auto at = [&](const char* id) { return panel.Registry().Find(id)->rect.GetCenter(); };
+  const auto click = [&](ImVec2 place) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.AddMousePosEvent(place.x, place.y);
+    for (const bool down : {true, false}) {
+      panel.Draw(contents);
+      io.AddMouseButtonEvent(ImGuiMouseButton_Left, down);
+    }
+    panel.Draw(contents);
+    panel.Draw(contents);
+  };
+  panel.Draw(contents);
+  panel.Draw(contents);
+  click(at("number"));
+  REQUIRE(panel.Registry().Find("number")->role == "textbox");
+  ImGui::GetIO().AddInputCharactersUTF8("42");
+  for (int i = 0; i < 4; ++i) panel.Draw(contents);
+  click(at("number"));  // inside the field: typing goes on
+  CHECK(panel.Registry().Find("number")->role == "textbox");
+  click(at("go"));
+  CHECK(number == 42);
+  CHECK(pressed == 1);
+  CHECK(panel.Registry().Find("number")->role == "spinbutton");
 }
 
 TEST_CASE("steps add up, numbers replace each other, and no other request is lost") {

@@ -8,6 +8,7 @@
 #include "core/document/binary.h"
 #include "core/document/json.h"
 #include "shell/session/commands.h"
+#include "shell/workspace/panels.h"
 #include "tests/scene.h"
 #include "tests/shell/session/quiet_host.h"
 
@@ -73,6 +74,41 @@ TEST_CASE("history: a drag that ends where it began is no step", "[shell][histor
   history.Keep(StarManOn(0.3f), 1);  // to 0.4
   history.Keep(StarManOn(0.4f), 2);  // away and back
   CHECK(history.Back(StarManOn(0.4f))->environment.friction == 0.3f);
+}
+
+TEST_CASE("history: the stored steps are the nearest ones that fit", "[shell][history]") {
+  History history;
+  Document present = StarManOn(0.3f);
+  for (int i = 1; i <= 4; ++i) {
+    history.Keep(present, i);
+    present.environment.friction += 0.125f;
+  }
+  present = *history.Back(present);
+  const History::Stored all = history.Store(1'000'000);
+  REQUIRE(all.past.size() == 3);
+  REQUIRE(all.future.size() == 1);
+
+  History restored;
+  REQUIRE(restored.Restore(all));
+  CHECK(restored.Forward(present)->environment.friction == 0.8f);
+  History shorter;
+  REQUIRE(shorter.Restore(history.Store(2 * all.past.back().size() + 1)));
+  CHECK_FALSE(shorter.CanRedo());
+  CHECK(shorter.Back(present)->environment.friction == 0.55f);
+  CHECK(shorter.Back(StarManOn(0.55f))->environment.friction == 0.425f);
+  CHECK_FALSE(shorter.Back(StarManOn(0.425f)));
+}
+
+TEST_CASE("history: damaged steps change nothing", "[shell][history]") {
+  History history;
+  history.Keep(StarManOn(0.3f), 1);
+  History::Stored damaged = history.Store(1'000'000);
+  damaged.future.push_back(damaged.past.front());
+  damaged.future.front().pop_back();
+  history.Keep(StarManOn(0.4f), 2);
+  CHECK_FALSE(history.Restore(damaged));
+  CHECK_FALSE(history.CanRedo());
+  CHECK(history.Back(StarManOn(0.5f))->environment.friction == 0.4f);
 }
 
 TEST_CASE("history: Undo does not change the view", "[shell][history]") {
@@ -217,15 +253,20 @@ TEST_CASE("session: opening is a step, and an invalid document changes nothing",
   CHECK_FALSE(session.CanUndo());
 }
 
-TEST_CASE("session: New keeps the view, and Undo restores the previous document", "[shell][session]") {
+TEST_CASE("session: New opens the Search panel, and Undo restores the previous document",
+          "[shell][session]") {
   QuietHost host;
   Session session(host);
-  session.SetView([](View& view) { view.panel = 2; });
+  session.SetView([](View& view) {
+    view.panel = static_cast<int>(Panel::kLab);
+    view.trail = false;
+  });
   const auto before = State(session);
   session.BeginGesture();
   session.New();
   CHECK(session.Doc().controllers.empty());
-  CHECK(session.Doc().view.panel == 2);
+  CHECK(session.Doc().view.panel == static_cast<int>(Panel::kSearch));
+  CHECK_FALSE(session.Doc().view.trail);
   CHECK(host.status.find("Undo restores") != std::string::npos);
   session.Undo();
   CHECK(State(session) == before);

@@ -50,11 +50,11 @@ TEST_CASE("workspace: followers are called before the host, and only for relevan
   workspace.Show(*ShippedDocuments().Motion("star-man-shuffle"), true);
   CHECK(host.Take() == Calls{"opened", "host"});
   REQUIRE(workspace.Change([](Document& d) { d.environment.friction = 0.25f; }));
-  CHECK(host.Take() == Calls{"motion", "host"});
+  CHECK(host.Take() == Calls{"status", "motion", "host"});  // the status line is cleared first
   REQUIRE(workspace.Change([](Document& d) { d.environment.friction = 0.25f; }));  // no change
   CHECK(host.Take().empty());
   REQUIRE(workspace.Set([](Document& d) { ++d.search.seed; }));
-  CHECK(host.Take() == Calls{"settings", "host"});
+  CHECK(host.Take() == Calls{"status", "settings", "host"});
   workspace.SetView([](View& view) { view.trail = !view.trail; });
   CHECK(host.Take() == Calls{"host"});
   workspace.SelectClip(1000);
