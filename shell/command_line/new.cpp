@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // gaitsmith new: the document with which the page begins for a figure.
 #include "core/document/json.h"
+#include "core/document/standing.h"
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"
-#include "shell/workspace/shipped_documents.h"
 
 namespace gaitsmith::shell {
 
@@ -14,9 +14,7 @@ Outcome NewCommand(Words words) {
   if (!arguments) return std::unexpected(arguments.error());
   if (!arguments->Positional().empty())
     return Fail(ErrorCode::kUnknownName, "DOC", "is not an option: say --figure F");
-  if (!arguments->Has("figure"))
-    return WriteText(arguments->Last("out", "-"), EncodeJson(ShippedDocuments().FirstFigure()));
-  const auto figure = ReadFigure(arguments->Last("figure"));
+  const auto figure = ReadFigure(arguments->Last("figure", "ostrich"));
   if (!figure) return std::unexpected(figure.error());
   return WriteText(arguments->Last("out", "-"), EncodeJson(Standing(*figure)));
 }

@@ -43,6 +43,7 @@ function(append_examples table)
   foreach(file IN LISTS files)
     get_filename_component(stem "${file}" NAME_WE)
     file(READ "${file}" json)
+    string(REGEX REPLACE "\n *" "" json "${json}") # indentation
     set(pieces "")
     string(LENGTH "${json}" length)
     set(at 0)

@@ -8,6 +8,7 @@
 #include "core/document/json.h"
 #include "core/document/link.h"
 #include "core/document/parts.h"
+#include "core/document/standing.h"
 #include "core/document/style_weights.h"
 #include "shell/words/figure_words.h"
 #include "shell/words/language.h"

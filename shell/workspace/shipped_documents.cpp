@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/document/json.h"
+#include "core/document/standing.h"
 #include "core/numeric/scalar_math.h"
 #include "shell/embedded/embedded.h"
 
@@ -52,21 +53,6 @@ Figure StandardFigure() {
   return figure;
 }
 
-void BeginWithQuickSearch(SearchSettings& search) {
-  search.algorithm = Algorithm::kPoseCycle;
-  search.evaluations = 4000;
-}
-
-Document Standing(const Figure& figure) {
-  Document document;
-  document.title = figure.name;
-  document.figure = figure;
-  document.task = {.kind = TaskKind::kTravelRight, .duration_steps = 800};
-  document.duration_steps = document.task.duration_steps;
-  BeginWithQuickSearch(document.search);
-  return document;
-}
-
 ShippedDocuments::ShippedDocuments() : figures_(ShippedFigures()), problems_(ShippedProblems()) {}
 
 std::optional<Document> ShippedDocuments::Motion(std::string_view name) const {
@@ -80,11 +66,8 @@ std::optional<Document> ShippedDocuments::Motion(std::string_view name) const {
 }
 
 Document ShippedDocuments::FirstFigure() const {
-  constexpr std::uint32_t kSeed = 4;  // its bird runs as a bird does, without diving or crawling
   const auto bird = std::ranges::find(figures_, "Ostrich", &Figure::name);
-  Document first = Standing(bird == figures_.end() ? StandardFigure() : *bird);
-  first.search.seed = kSeed;
-  return first;
+  return Standing(bird == figures_.end() ? StandardFigure() : *bird);
 }
 
 }  // namespace gaitsmith::shell

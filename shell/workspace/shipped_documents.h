@@ -13,15 +13,6 @@ namespace gaitsmith::shell {
 /// Mr. Star-Man: five equal rods from one hub.
 [[nodiscard]] Figure StandardFigure();
 
-/// The document with which a person begins: the figure stands still, and its next search wants it to get as
-/// far to the right in eight seconds as it can, in metres alone. Senses and limits on how fast joints close
-/// are such that the quick search finds a gait for every shipped figure (docs/search.md, "The first press").
-[[nodiscard]] Document Standing(const Figure&);
-
-/// Sets the search that the page begins with: pose-cycle with 4,000 evaluations, a tenth of the paper's
-/// budget (docs/search.md). Keeps the seed. Documents of core and of the command line begin with SPHC.
-void BeginWithQuickSearch(SearchSettings&);
-
 class ShippedDocuments {
  public:
   ShippedDocuments();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A tour of the playground in six steps for a first visit. It does not cover what it describes, and blocks nothing.
+// A tour of the playground in six steps, for those who ask for it. It does not cover what it describes, and blocks nothing.
 // Escape ends it.
 import { element, onClick, setText } from '../browser/dom.js';
 import { followLanguage, tr, trLater } from '../languages/language.js';

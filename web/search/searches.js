@@ -43,6 +43,8 @@ export class Searches extends EventTarget {
   /** Requests to send once the workers exist. @type {('pause' | 'resume' | 'stop')[]} */
   #pendingRequests = [];
   searching = false;
+  /** Whether the browser is leaving the page. It then ends loads and workers, which is no fault of a search. */
+  #leaving = false;
   /** Settles when the last search is done, stopped, or replaced by another. @type {Promise<SearchReport>} */
   ended = Promise.resolve(NO_REPORT);
   /** @type {Settle | null} */
@@ -53,6 +55,8 @@ export class Searches extends EventTarget {
     super();
     this.app = app;
     this.statusLine = statusLine;
+    addEventListener('pagehide', () => { this.#leaving = true; });
+    addEventListener('pageshow', () => { this.#leaving = false; });
   }
 
   /** Loads what only a search needs: the engine, compiled once for all workers, and the client that manages them. */
@@ -174,6 +178,7 @@ export class Searches extends EventTarget {
 
   /** @param {Error} error */
   #fail(error) {
+    if (this.#leaving) return;
     const settle = this.#settle;
     const fault = trSentence(error.message);
     const message = this.#queued ? tr('The search failed: {1}. Its best motion is kept. The queue continues.', fault)

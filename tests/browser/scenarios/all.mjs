@@ -30,6 +30,7 @@ import { TIMELINE_SCENARIOS } from './timeline.mjs';
 import { WORLD_SCENARIOS } from './world.mjs';
 import { RULE_SCENARIOS } from './rule.mjs';
 import { THEME_SCENARIOS } from './theme.mjs';
+import { DOOR_SCENARIOS } from './door.mjs';
 import { TOUR_SCENARIOS } from './tour.mjs';
 import { TYPING_SCENARIOS } from './typing.mjs';
 import { WALK_SCENARIOS } from './walk.mjs';
@@ -220,7 +221,7 @@ export const MAIN_SCENARIOS = [
     }), 'a focused control must be visible');
     await page.page.keyboard.press('Enter');
     await page.frames();
-    assert.match(await page.call('text', () => document.querySelector('#description')?.textContent ?? ''), / m to the (left|right) after .* s/);
+    assert.match(await page.call('text', () => document.querySelector('#description')?.textContent ?? ''), / m to the (left|right) in .* s\. It makes /);
     await page.page.focus('#open');
   }],
 
@@ -290,6 +291,7 @@ export const SCENARIOS = [
   ...FINGER_SCENARIOS,
   ...THEME_SCENARIOS,
   ...TYPING_SCENARIOS,
+  ...DOOR_SCENARIOS,
   ...TOUR_SCENARIOS,
   ...LANGUAGE_SCENARIOS,
 

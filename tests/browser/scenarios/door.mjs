@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// A newcomer's first minute: a bird that cannot move, one press, and a sprint. Each scenario opens its own pages.
+import assert from 'node:assert/strict';
+import { PageDriver } from '../page_driver.mjs';
+import { Fingers } from '../pointers.mjs';
+
+/** @typedef {import('./all.mjs').Visit} Visit */
+
+const BIRD_METRES = 16; // 2 m/s for eight seconds
+/** @param {PageDriver} page */
+const ids = async (page) => (await page.widgets()).map(({ id }) => id);
+/** @param {PageDriver} page */
+const status = (page) => page.call('status', () => document.querySelector('#status')?.textContent ?? '');
+/** The metres that the end of a search reports. @param {PageDriver} page @param {number} searches  that have ended */
+async function metres(page, searches) {
+  await page.until('the end of the search', `window.gaitsmith.results().length >= ${searches}`);
+  return page.call('metres', () => window.gaitsmith.results()[0].score ?? 0);
+}
+
+/** @param {Visit} visit */
+async function firstPress({ browser, address }) {
+  const page = await PageDriver.open(browser, address, { newcomer: true, plays: true });
+  assert.match(await status(page), /^This ostrich can’t move yet\.$/);
+  const before = await ids(page);
+  assert.ok(before.includes('stage/teach') && before.includes('figures/draw'), 'the first screen');
+  assert.ok(!before.some((id) => /^(panels|timeline|transport|search)\//.test(id)), 'nothing else asks for attention');
+  assert.equal(await page.call('undo', () => window.gaitsmith.canUndo()), false);
+  await page.click('stage/teach');
+  assert.ok(await metres(page, 1) >= BIRD_METRES, 'it sprints');
+  await page.until('it plays', () => window.gaitsmith.widgets().some(({ id, label }) => id === 'transport/play' && label === 'Pause'));
+  // Each further try takes the next seed.
+  const first = await page.hash();
+  await page.click('stage/another');
+  assert.ok(await metres(page, 2) >= BIRD_METRES, 'the next one sprints, too');
+  assert.notEqual(await page.hash(), first);
+  // A push is a step of Undo.
+  const second = await page.hash();
+  await page.click('stage/push');
+  await page.until('pushed', () => (window.gaitsmith.document().pushes ?? []).length === 1, 5000);
+  assert.notEqual(await page.hash(), second);
+  await page.press('Control+z');
+  await page.until('as before', () => (window.gaitsmith.document().pushes ?? []).length === 0, 5000);
+  assert.equal(await page.hash(), second);
+  // A calmer one begins with this one.
+  await page.click('stage/calmer');
+  await page.until('the calmer one', () => window.gaitsmith.results().length === 3);
+  assert.ok(await page.call('weight', () => (window.gaitsmith.document().task?.weights?.effort ?? 0) < 0));
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function byKey({ browser, address }) {
+  const page = await PageDriver.open(browser, address, { newcomer: true, plays: true });
+  await page.press('Enter');
+  assert.ok(await metres(page, 1) >= BIRD_METRES);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function byFinger({ browser, address }) {
+  const page = await PageDriver.open(browser, address, { newcomer: true, plays: true });
+  await page.page.setViewport({ width: 390, height: 844, deviceScaleFactor: 2, hasTouch: true, isMobile: true }).catch(() => page.page.setViewport({ width: 390, height: 844 }));
+  await page.frames(10);
+  const finger = new Fingers(page);
+  const star = (await page.widgets()).find(({ id, label }) => id.startsWith('figures/') && label === 'Mr. Star-Man');
+  assert.ok(star, 'a second figure has room on a phone');
+  await finger.tap(await finger.centre(star.id));
+  await page.until('another figure', () => window.gaitsmith.document().figure.name === 'Mr. Star-Man', 5000);
+  const teach = (await page.widgets()).find(({ id }) => id === 'stage/teach');
+  assert.ok(teach && teach.rect.height >= 44 && teach.rect.x >= 0 && teach.rect.x + teach.rect.width <= 390);
+  await finger.tap(await finger.centre('stage/teach'));
+  assert.ok(await metres(page, 1) > 5);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function lessMotion({ browser, address }) {
+  const page = await PageDriver.open(browser, address, { newcomer: true, plays: true, before: () => {
+    const { matchMedia } = window;
+    window.matchMedia = (query) => (query.includes('prefers-reduced-motion')
+      ? /** @type {MediaQueryList} */ (Object.assign(new EventTarget(), { matches: true, media: query, onchange: null })) : matchMedia.call(window, query));
+  } });
+  await page.click('stage/teach');
+  assert.ok(await metres(page, 1) >= BIRD_METRES);
+  const still = (await page.widgets()).find(({ id }) => id === 'transport/play');
+  assert.equal(still?.label, 'Play', 'nothing plays by itself');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function addresses({ browser, address }) {
+  const page = await PageDriver.open(browser, `${address}?open=there-and-back`);
+  await page.until('the example', () => window.gaitsmith.document().title === 'There and back', 10000);
+  assert.equal(await page.call('undo', () => window.gaitsmith.canUndo()), false);
+  await page.close();
+  const wrong = await PageDriver.open(browser, `${address}?open=unicorn&panels=kitchen`);
+  const banner = () => document.querySelector('#banner-text')?.textContent ?? '';
+  await wrong.until('the banner', () => !document.querySelector('#banner')?.hasAttribute('hidden'), 10000);
+  assert.match(await wrong.call('banner', banner), /kitchen.*unicorn/s, 'all mistakes are reported');
+  assert.deepEqual([...page.complaints, ...wrong.complaints], []);
+  await wrong.close();
+}
+
+/** @type {[string, (visit: Visit) => Promise<void>][]} */
+export const DOOR_SCENARIOS = [
+  ['a newcomer teaches a bird to sprint, tries another, pushes it and calms it', firstPress],
+  ['a newcomer teaches the bird by the Enter key', byKey],
+  ['a newcomer on a phone chooses a figure and teaches it with a finger', byFinger],
+  ['with reduced motion the first press finds a gait, and nothing plays by itself', lessMotion],
+  ['an address opens an example by its name, and all its mistakes are reported', addresses],
+];
