@@ -161,8 +161,8 @@ void DrawControllerPanel(Ui& ui, Session& session, ControllerPanelState& state) 
                                        ControllerWords(shown->kind, shown->senses, shown->rules)),
                  Type::kNote);
     ui.Gap(6.0f);
-    if (!session.Search().Running() && ui.Button("controller/start", ui.Row(ui.Look().MainHeight()),
-                                                 Tr("Synthesize"))) {
+    if (!session.Search().Running() &&
+        ui.Button("controller/start", ui.Row(ui.Look().MainHeight()), Tr("Synthesize"))) {
       session.Synthesize();
       return;
     }
