@@ -32,8 +32,8 @@ Camera AimCamera(const Playback& player, const Environment& world, const CameraS
                               std::min(1.15f * kLeast, above - 2.0f));
   const float reach = player.ReachM();
   const float across_m = rect.GetWidth() < kPhoneWidth ? 2.0f : 5.0f;
-  const float standing =
-      std::min(tall / player.StandingM(), rect.GetWidth() / std::max(across_m, 3.2f * reach));
+  const float standing = std::min(tall / player.StandingM(),
+                                  rect.GetWidth() / std::max(across_m, (gaze.close ? 2.3f : 3.2f) * reach));
   const float room = std::max({20.0f, above - kNumbers, standing * player.StandingM()});
   const Playback::Height height = player.HeightAt(player.TimeS());
   Camera camera;

@@ -40,6 +40,7 @@ struct CameraSettings {
   float zoom = 1.0f;
   double pan_m = 0.0;           // offset of the camera from the figure
   float headroom = 0.0f;        // height at the top that a standing figure leaves free [points]
+  bool close = false;           // a standing figure needs no room at its sides
   float standing_share = 0.5f;  // where a figure that stays in place stands on the stage, from the left
 };
 

@@ -19,6 +19,7 @@ constexpr float kMinZoom = 0.1f;
 constexpr float kMaxZoom = 6.0f;
 constexpr float kCornerRoom = 114.0f;   // width reserved for the button in the corner
 constexpr float kHeadlineRoom = 70.0f;  // height of a headline above the figure
+constexpr float kLowStage = 330.0f;     // the figure would reach into the headline
 
 // A note about the motion, announced by screen readers.
 void DrawNote(const Scene& s, ImVec2 at, const std::string& sentence) {
@@ -158,7 +159,8 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
   const float ground_y = ui.Look().Snap(rect.Max.y - GroundRoom(session, rect));
   const bool narrow = rect.GetWidth() < kPhoneWidth;
   state.gaze.standing_share = invites && !narrow ? 0.33f : 0.5f;
-  state.gaze.headroom = invites && narrow ? kHeadlineRoom : 0.0f;
+  state.gaze.headroom = invites && (narrow || rect.GetHeight() < kLowStage) ? kHeadlineRoom : 0.0f;
+  state.gaze.close = invites;
   const bool two = session.Comparison().Other().Beside();
   session.Comparison().KeepInTime();
   const float open_x = rect.Max.x - covered;

@@ -95,7 +95,8 @@ bool Invites(const Session& session) {
 float GroundRoom(const Session& session, const ImRect& stage) {
   const float height = stage.GetHeight();
   const float bare = std::clamp(0.178f * height, std::min(62.0f, 0.17f * height), 130.0f);
-  return HasStageActions(session, stage) ? std::max(bare, 104.0f) : bare;
+  const bool beside = Invites(session) && stage.GetWidth() >= kPhoneWidth;  // the button is above the ground
+  return HasStageActions(session, stage) && !beside ? std::max(bare, 104.0f) : bare;
 }
 
 void DrawInvitation(Ui& ui, Session& session, const ImRect& stage) {
@@ -106,11 +107,12 @@ void DrawInvitation(Ui& ui, Session& session, const ImRect& stage) {
   const bool wide = stage.GetWidth() >= kPhoneWidth;  // else the button is below the figure
   const ImVec2 at(stage.Min.x + (wide ? 28.0f : kMargin), stage.Min.y + (wide ? 40.0f : 28.0f));
   const float room = stage.Max.x - kMargin - at.x;
-  letters.Draw(ui.Canvas(), wide ? Type::kTitle : Type::kLarge, at, p.ink, headline);
+  const bool tall = stage.GetHeight() > 330.0f;
+  letters.Draw(ui.Canvas(), wide && tall ? Type::kTitle : Type::kLarge, at, p.ink, headline);
   ui.DescribeText(headline, {{at.x, at.y - 18.0f}, {at.x + room, at.y + 18.0f}});
   const char* aside = Tr("The computer finds out how, by trying.");
   const float line = at.y + (wide ? 34.0f : 26.0f);
-  if (wide || stage.GetHeight() > 300.0f) {
+  if (tall) {
     letters.DrawElided(ui.Canvas(), wide ? Type::kBody : Type::kNote, {at.x, line},
                        wide ? room : room - 100.0f, p.second_ink, aside);
     ui.DescribeText(aside, {{at.x, line - 9.0f}, {at.x + room, line + 9.0f}});
@@ -131,8 +133,9 @@ void DrawInvitation(Ui& ui, Session& session, const ImRect& stage) {
     const ImVec2 centre(stage.Min.x + 0.73f * stage.GetWidth(), stage.Min.y + 0.47f * stage.GetHeight());
     button = {{centre.x - 0.5f * width, centre.y - 0.5f * height},
               {centre.x + 0.5f * width, centre.y + 0.5f * height}};
-    letters.Draw(ui.Canvas(), Type::kBody, {centre.x, button.Max.y + 22.0f}, p.second_ink,
-                 Tr("takes a few seconds · or press Enter"), Align::kCentre);
+    if (tall)
+      letters.Draw(ui.Canvas(), Type::kBody, {centre.x, button.Max.y + 22.0f}, p.second_ink,
+                   Tr("takes a second or two · or press Enter"), Align::kCentre);
   } else {
     button = {{stage.Min.x + kMargin, stage.Max.y - 66.0f}, {stage.Max.x - kMargin, stage.Max.y - 8.0f}};
   }
