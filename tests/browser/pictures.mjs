@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Takes pictures of the page, in build/screenshots: each panel in each theme on three screens.
 //   node tests/browser/pictures.mjs [words of the pictures to take, default all]
-//   node tests/browser/pictures.mjs docs    the pictures of docs/pictures.md, in docs/pictures, and the link preview
+//   node tests/browser/pictures.mjs docs    the pictures of docs/pictures.md, in docs/pictures, of the README, and the link preview
 import assert from 'node:assert/strict';
 import { copyFile, mkdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -84,6 +84,17 @@ async function takePreview(browser, address) {
   await driver.close();
 }
 
+/** Takes the picture of the README: two seconds after the first press. @param {import('./browsers.mjs').Browser} browser @param {string} address */
+async function takeFirstPress(browser, address) {
+  const driver = await PageDriver.open(browser, address, { newcomer: true, plays: true });
+  await driver.page.setViewport({ width: 1280, height: 720 });
+  await driver.click('stage/teach');
+  await driver.until('the gait', () => window.gaitsmith.results().length === 1);
+  await driver.until('two seconds of it', () => Number(window.gaitsmith.widgets().find(({ id }) => id === 'transport/scrub')?.value.replace(' s', '')) > 2);
+  await driver.page.screenshot({ path: /** @type {`${string}.png`} */ (join(ROOT, 'docs/playground.png')) });
+  await driver.close();
+}
+
 if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   const address = await serve(join(ROOT, 'build/site'));
   const browser = await startChromium();
@@ -92,6 +103,7 @@ if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   console.log(`${await takePictures(browser, address, docs ? '' : process.argv[2])} pictures in build/screenshots`);
   if (docs) {
     await takePreview(browser, address);
+    await takeFirstPress(browser, address);
     const text = await readFile(join(ROOT, 'docs/pictures.md'), 'utf8');
     for (const [, name] of text.matchAll(/\(pictures\/(.+?\.png)\)/g)) await copyFile(join(FOLDER, name), join(ROOT, 'docs/pictures', name));
   }
