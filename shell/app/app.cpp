@@ -112,7 +112,8 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
 
 bool App::ShowsFigureRow() const {
   const Arrangement& layout = session_.Layout();
-  return Invites(session_) && !low_ && layout.Shows(IndexOf(Panel::kFigure)) &&
+  return Invites(session_) && !low_ && session_.Doc().pushes.empty() &&
+         layout.Shows(IndexOf(Panel::kSearch)) && layout.Shows(IndexOf(Panel::kFigure)) &&
          !layout.Locks(LockedPart::kFigure);
 }
 

@@ -13,7 +13,7 @@ Outcome NewCommand(Words words) {
   const auto arguments = Arguments::Parse(words, kOptions);
   if (!arguments) return std::unexpected(arguments.error());
   if (!arguments->Positional().empty())
-    return Fail(ErrorCode::kUnknownName, "DOC", "is not an option: say --figure F");
+    return Fail(ErrorCode::kUnknownName, "DOC", "is not expected: choose a figure with --figure F");
   const auto figure = ReadFigure(arguments->Last("figure", "ostrich"));
   if (!figure) return std::unexpected(figure.error());
   return WriteText(arguments->Last("out", "-"), EncodeJson(Standing(*figure)));

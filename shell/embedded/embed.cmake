@@ -44,6 +44,7 @@ function(append_examples table)
     get_filename_component(stem "${file}" NAME_WE)
     file(READ "${file}" json)
     string(REGEX REPLACE "\n *" "" json "${json}") # indentation
+    string(REPLACE "\": " "\":" json "${json}")
     set(pieces "")
     string(LENGTH "${json}" length)
     set(at 0)

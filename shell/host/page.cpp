@@ -233,9 +233,12 @@ EMSCRIPTEN_KEEPALIVE void gs_redo() {
   TheSession().Redo();
   ThePage().window->RequestFrame();
 }
-/// Makes the open document the last one that Undo reaches.
+/// Shows the first document of a visit: a shipped motion, or without a name a figure that cannot move yet.
+/// Returns 0 if there is no such motion.
 EMSCRIPTEN_KEEPALIVE int gs_begin(const char* example) { return TheSession().Begin(example) ? 1 : 0; }
+/// Whether nothing moves unless a person plays it.
 EMSCRIPTEN_KEEPALIVE void gs_set_calm(int calm) { TheSession().Player().SetCalm(calm != 0); }
+/// Makes the open document the last one that Undo reaches.
 EMSCRIPTEN_KEEPALIVE void gs_forget_past() { TheSession().ForgetPast(); }
 /// Undo, Redo and the queue, as StoreVisit.
 EMSCRIPTEN_KEEPALIVE const char* gs_store_visit() { return QuietReply(TheSession().StoreVisit()); }

@@ -28,8 +28,8 @@ bool QueueRun::Add(const Document& document) {
   return true;
 }
 
-int QueueRun::AddSeeds(int count) {
-  std::vector<Document> others;
+int QueueRun::AddSeeds(int count, std::vector<Document> known) {
+  std::vector<Document> others = std::move(known);
   if (const Document* running = search_.Searched()) others.push_back(*running);
   for (const SearchQueue::Entry& entry : list_.Waiting()) others.push_back(entry.document);
   int added = 0;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "shell/results/lab.h"
 #include "shell/results/result_store.h"
@@ -29,7 +30,8 @@ class QueueRun {
   bool Add(const Document& document);
   /// Queues the open document's search with further seeds, skipping seeds that run or wait already. @return
   /// the number of searches added
-  int AddSeeds(int count);
+  /// @param known  searches whose seeds are skipped, too
+  int AddSeeds(int count, std::vector<Document> known = {});
   /// Queues the suite's searches and starts the queue.
   void AddSuite(const SuiteChoice&);
   /// Repeats the search that found a motion, with the same seed, settings and problem. Starts at once if

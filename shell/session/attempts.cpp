@@ -35,7 +35,9 @@ void Attempts::Add(const Genome& genes, double now_s) {
   if (shown_.back().Shown().TermsAt(shown_.back().Shown().Frames() - 1).broke_physics) shown_.pop_back();
 }
 
-void Attempts::End(double now_s) { ended_s_ = now_s; }
+void Attempts::End(double now_s) {
+  if (ended_s_ == 0.0) ended_s_ = now_s;
+}
 
 void Attempts::Follow(double time_s, double now_s) {
   if (ended_s_ > 0.0) {

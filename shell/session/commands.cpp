@@ -61,8 +61,8 @@ void AddSearch(std::vector<Command>& list, Session& session) {
   list.push_back({.id = "search/synthesize",
                   .group = TrLater("Search"),
                   .title = Tr("Synthesize, or stop"),
-                  .keys = session.Doc().timeline.empty() ? std::vector<std::string>{"s", "Enter"}
-                                                         : std::vector<std::string>{"s"},
+                  .keys = session.Doc().timeline.empty() && !busy ? std::vector<std::string>{"s", "Enter"}
+                                                                  : std::vector<std::string>{"s"},
                   .run = [&session, busy] { busy ? session.Stop() : session.Synthesize(); }});
   const bool paused = session.Search().Progress().state == SearchState::kPaused;
   list.push_back(

@@ -41,7 +41,8 @@ Session::Session(Host& host)
       timeline_(workspace_, search_, comparison_, results_) {
   workspace_.SetFollowers({.motion =
                                [this](bool opened) {
-                                 if (opened) attempts_.Clear();
+                                 if (opened || Doc().timeline.empty()) attempts_.Clear();
+                                 if (!Doc().timeline.empty()) at_door_ = false;
                                  world_.Follow(opened);
                                  comparison_.Follow();
                                  timeline_.Transitions().Follow();
@@ -57,6 +58,8 @@ Result<void> Session::Open(std::string_view text) {
   const bool json = first != std::string_view::npos && text[first] == '{';
   auto document = json ? DecodeJson(text) : DecodeLink(text);
   if (!document) return std::unexpected(document.error());
+  const bool rested = Doc().timeline.empty();
+  at_door_ = false;
   search_.Abandon();
   BeginGesture();
   workspace_.Remember();
@@ -65,6 +68,7 @@ Result<void> Session::Open(std::string_view text) {
   workspace_.SelectClip(0);
   Player().speed = static_cast<double>(document->view.speed);
   workspace_.Show(std::move(*document), true);
+  WakeFrom(rested);
   workspace_.Report(DiffersFromMaker()
                         ? Tr("This motion differs from the one its maker saw: hash {1} here, {2} there.",
                              HashText(Player().Shown().Hash()), HashText(*Doc().hash))
@@ -77,13 +81,19 @@ bool Session::Replace(Document document, bool same_problem) {
   for (const LockedPart part : {LockedPart::kController, LockedPart::kSearch, LockedPart::kTimeline})
     locks.locked[static_cast<std::size_t>(part)] &= !same_problem;
   if (workspace_.Refuses(locks, document)) return false;
+  const bool rested = Doc().timeline.empty();
   search_.Abandon();
   workspace_.Remember();
   CopyParts(Doc(), Part::kView, document);
   workspace_.SelectClip(0);
   search_.ForgetProgress();
   workspace_.Show(std::move(document), true);
+  WakeFrom(rested);
   return true;
+}
+
+void Session::WakeFrom(bool rested) {
+  if (rested && !Doc().timeline.empty()) Player().Present();
 }
 
 bool Session::Begin(std::string_view example) {
@@ -93,12 +103,11 @@ bool Session::Begin(std::string_view example) {
   at_door_ = example.empty();
   if (at_door_) Player().Play(false);
   ForgetPast();
-  workspace_.TheHost().Status(example.empty() ? CannotMoveWords(Doc().figure.name)
-                                              : Tr("Opened {1}.", TrTitle(Doc().title)));
   return true;
 }
 
 void Session::New() {
+  at_door_ = false;
   if (!Replace(shipped_.FirstFigure())) return;
   Player().Play(false);
   SetView([](View& view) { view.panel = static_cast<int>(Panel::kSearch); });
@@ -170,12 +179,17 @@ void Session::ShowElite(Document motion) {
       Tr("{1}. “Save to results” keeps it. Undo restores the previous version.", TrTitle(Doc().title)));
 }
 
+std::vector<Document> Session::KnownSearches() const {
+  std::vector<Document> known = {Doc()};
+  for (const FoundMotions::Entry* entry : results_.Motions().Sorted(FoundMotions::Order::kNewest))
+    known.push_back(entry->motion.document);
+  for (const SearchQueue::Entry& entry : queue_.List().Waiting()) known.push_back(entry.document);
+  return known;
+}
+
 void Session::Synthesize() {
   if (!lab_.Running() && search_.WouldRepeat() && !Layout().Locks(LockedPart::kSearch)) {
-    std::vector<Document> others = {Doc()};
-    for (const FoundMotions::Entry* entry : results_.Motions().Sorted(FoundMotions::Order::kNewest))
-      others.push_back(entry->motion.document);
-    for (const std::uint32_t seed : FreeSeeds(Doc(), others, 1))
+    for (const std::uint32_t seed : FreeSeeds(Doc(), KnownSearches(), 1))
       Set([seed](Document& d) { d.search.seed = seed; });
   }
   search_.Synthesize();
@@ -197,7 +211,7 @@ void Session::TryManner(Manner manner) {
 }
 
 void Session::TryMore() {
-  if (queue_.AddSeeds(kQueuedSeeds) > 0 && !queue_.Busy()) queue_.Run();
+  if (queue_.AddSeeds(kQueuedSeeds, KnownSearches()) > 0 && !queue_.Busy()) queue_.Run();
 }
 
 void Session::Stop() {
@@ -229,6 +243,7 @@ void Session::ShowEnd() {
 
 bool Session::Advance(double seconds) {
   if (Player().Playing()) now_s_ += seconds;
+  if (!search_.Running() || !search_.ShowsImprovements()) attempts_.End(now_s_);
   frame_s_ += 0.1 * (seconds - frame_s_);
   queue_.Resume();
   timeline_.Transitions().Advance(seconds);

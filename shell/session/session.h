@@ -104,7 +104,7 @@ class Session {
   /// Whether a first visit still shows only the stage and the figures, without panels.
   [[nodiscard]] bool AtDoor() const { return at_door_ && Doc().timeline.empty(); }
   void LeaveDoor() { at_door_ = false; }
-  /// Opens the same figure over the open document, with the Search panel.
+  /// Opens the figure of a first visit in place of the open document, with the Search panel.
   void New();
   /// Opens a shipped figure, standing still in the world of the open document, or a problem. @param index of
   /// Shipped()
@@ -139,6 +139,10 @@ class Session {
   /// @param same_problem  another motion of the open problem, whose controllers do not count as edited by
   /// hand
   bool Replace(Document document, bool same_problem = false);
+  /// The open document, all results and all waiting searches: a further try differs from each of them.
+  [[nodiscard]] std::vector<Document> KnownSearches() const;
+  /// Plays the shown motion if nothing moved before it. @param rested  the document before had no motion
+  void WakeFrom(bool rested);
   /// The open document's search has ended: its motion plays from the start, its last attempts beside it.
   void ShowEnd();
   /// @param words a pattern for the sentence that names the action

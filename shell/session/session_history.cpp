@@ -51,7 +51,9 @@ void Session::Redo() {
 void Session::Return(const Document& document, const char* words) {
   const std::string what = ChangeWords(Doc(), document);
   BeginGesture();
+  const bool rested = Doc().timeline.empty();
   workspace_.Show(document, what == kFigureWords);
+  WakeFrom(rested);
   workspace_.Report(Tr(words, Tr(what.c_str())));
 }
 

@@ -28,11 +28,16 @@ bool WorldEditor::Push(int endpoint, float impulse_x_ns, float impulse_y_ns) {
 void WorldEditor::Shove() {
   constexpr float kChange = 1.5f;  // of the velocity of the centre of mass [m/s]
   Playback& player = workspace_.Player();
+  const double before_s = player.TimeS();
   // Late in the motion nobody could see what follows.
   if (player.TimeS() > 0.8 * player.DurationS()) player.Seek(0.3 * player.DurationS());
   const double moved_m = player.CentreAt(player.TimeS()).x_m - player.CentreAt(player.TimeS() - 0.5).x_m;
   const float against = moved_m < 0.0 ? 1.0f : -1.0f;
-  if (Push(kCentreOfMass, against * kChange * player.Shown().Bones().mass_kg, 0.0f)) player.Play(true);
+  if (Push(kCentreOfMass, against * kChange * player.Shown().Bones().mass_kg, 0.0f)) {
+    player.Play(true);
+  } else {
+    player.Seek(before_s);
+  }
 }
 
 void WorldEditor::RemovePush(std::size_t index) {

@@ -28,18 +28,28 @@ struct Action {
   bool last = false;  // at the right end of the row
 };
 
+// Only what the arrangement allows, and nothing that would cut off a search of the queue.
 std::vector<Action> FoundActions(Session& session) {
-  std::vector<Action> actions = {
-      {"stage/another", Tr("Try another"), [&session] { session.Synthesize(); }, ButtonLook::kPrimary},
-      {"stage/push", Tr("Push it"), [&session] { session.World().Shove(); }},
-      {"stage/calmer", Tr("Calmer"), [&session] { session.TryManner(Manner::kCalmer); }},
-      {"stage/quicker", Tr("Quicker"), [&session] { session.TryManner(Manner::kQuicker); }},
-      {"stage/higher", Tr("Higher"), [&session] { session.TryManner(Manner::kHigher); }},
-      {"stage/five", Tr("Try 5 more"), [&session] { session.TryMore(); }},
+  const Arrangement& layout = session.Layout();
+  const bool free = !session.Search().Running();
+  std::vector<Action> actions;
+  const auto add = [&](bool possible, Action action) {
+    if (possible) actions.push_back(std::move(action));
   };
-  if (session.Layout().Shows(IndexOf(Panel::kTimeline)))
-    actions.push_back({"stage/chain", Tr("Add to timeline"), [&session] { session.Timeline().AddClip(); },
-                       ButtonLook::kOutlined, true});
+  const char* another = layout.Locks(LockedPart::kSearch)
+                            ? TeachWords(session.Doc().figure.name, session.Doc().task.kind)
+                            : Tr("Try another");
+  add(free, {"stage/another", another, [&session] { session.Synthesize(); }, ButtonLook::kPrimary});
+  add(!layout.Locks(LockedPart::kWorld),
+      {"stage/push", Tr("Push it"), [&session] { session.World().Shove(); }});
+  const bool styled = free && !layout.Locks(LockedPart::kStyle);
+  add(styled, {"stage/calmer", Tr("Calmer"), [&session] { session.TryManner(Manner::kCalmer); }});
+  add(styled, {"stage/quicker", Tr("Quicker"), [&session] { session.TryManner(Manner::kQuicker); }});
+  add(styled, {"stage/higher", Tr("Higher"), [&session] { session.TryManner(Manner::kHigher); }});
+  add(free, {"stage/five", Tr("Try 5 more"), [&session] { session.TryMore(); }});
+  add(layout.Shows(IndexOf(Panel::kTimeline)) && !layout.Locks(LockedPart::kTimeline),
+      {"stage/chain", Tr("Add to timeline"), [&session] { session.Timeline().AddClip(); },
+       ButtonLook::kOutlined, true});
   return actions;
 }
 
@@ -108,11 +118,20 @@ void DrawInvitation(Ui& ui, Session& session, const ImRect& stage) {
   const ImVec2 at(stage.Min.x + (wide ? 28.0f : kMargin), stage.Min.y + (wide ? 40.0f : 28.0f));
   const float room = stage.Max.x - kMargin - at.x;
   const bool tall = stage.GetHeight() > 330.0f;
-  letters.Draw(ui.Canvas(), wide && tall ? Type::kTitle : Type::kLarge, at, p.ink, headline);
-  ui.DescribeText(headline, {{at.x, at.y - 18.0f}, {at.x + room, at.y + 18.0f}});
-  const char* aside = Tr("The computer finds out how, by trying.");
-  const float line = at.y + (wide ? 34.0f : 26.0f);
+  const bool title = wide && tall && letters.Width(Type::kTitle, headline) <= room;
+  const Type type = title ? Type::kTitle : Type::kLarge;
+  std::string_view rest = headline;
+  float line = at.y;
+  for (float height = 28.0f; !rest.empty(); line += height) {
+    const std::size_t length = letters.FitLine(type, rest, room);
+    letters.DrawElided(ui.Canvas(), type, {at.x, line}, room, p.ink, rest.substr(0, length));
+    rest.remove_prefix(length);
+    while (!rest.empty() && rest.front() == ' ') rest.remove_prefix(1);
+  }
+  ui.DescribeText(headline, {{at.x, at.y - 18.0f}, {at.x + room, line - 10.0f}});
   if (tall) {
+    const char* aside = Tr("The computer finds out how, by trying.");
+    if (title) line += 6.0f;
     letters.DrawElided(ui.Canvas(), wide ? Type::kBody : Type::kNote, {at.x, line},
                        wide ? room : room - 100.0f, p.second_ink, aside);
     ui.DescribeText(aside, {{at.x, line - 9.0f}, {at.x + room, line + 9.0f}});

@@ -35,7 +35,8 @@ constexpr ImWchar kRanges[] = {0x20,   0x7e,   0xa0,   0xff,   0x394,  0x394,  0
                                0x2026, 0x2190, 0x2193, 0x2212, 0x2212, 0x2264, 0x2265, 0};
 
 // The large types are only used for what the stage says. Other characters would take a fifth of the atlas.
-constexpr ImWchar kLargeRanges[] = {0x20, 0x7e, 0xc0, 0xff, 0x2019, 0x2019, 0x2212, 0x2212, 0};
+constexpr ImWchar kLargeRanges[] = {0x20,   0x7e,   0xc0,   0xff,   0x2013, 0x2014, 0x2018, 0x2019,
+                                    0x201c, 0x201e, 0x2026, 0x2026, 0x2212, 0x2212, 0};
 
 // Gives all ten digits the same width, so that changing numbers do not jitter.
 void MakeTabular(ImFont* font) {

@@ -48,7 +48,7 @@ const FigureWords* WordsAbout(std::string_view name) {
 std::string CannotMoveWords(std::string_view name) {
   const FigureWords* row = WordsAbout(name);
   if (row != nullptr && row->cannot_move != nullptr) return Tr(row->cannot_move);
-  return Tr("{1} can’t move yet.", TrTitle(name));
+  return Tr("{1} can’t move yet.", name.empty() ? Tr("A figure") : TrTitle(name));
 }
 
 const char* TeachWords(std::string_view name, TaskKind task) {

@@ -154,7 +154,6 @@ export class App {
   canRedo() { return this.module._gs_can_redo() !== 0; }
   undo() { this.module._gs_undo(); }
   redo() { this.module._gs_redo(); }
-  /** Removes all steps of Undo. */
   /**
    * Shows the first document of a visit, with nothing to undo.
    * @param {string} [example]  the name of a shipped motion; without: a figure that cannot move yet
@@ -163,6 +162,7 @@ export class App {
   begin(example = '') { return this.#with(example, (at) => this.module._gs_begin(at)) !== 0; }
   /** Whether nothing moves unless a person plays it. @param {boolean} calm */
   setCalm(calm) { this.module._gs_set_calm(calm ? 1 : 0); }
+  /** Removes all steps of Undo. */
   forgetPast() { this.module._gs_forget_past(); }
   /** Undo, Redo and the queue, for a reload. Only restoreVisit knows the format. */
   storeVisit() { return this.#text(this.module._gs_store_visit()); }

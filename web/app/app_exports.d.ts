@@ -55,9 +55,14 @@ export interface AppExports {
   _gs_undo(): void;
   _gs_can_redo(): number;
   _gs_redo(): void;
-  /** Makes the open document the last one that Undo reaches. */
-  _gs_begin(example: number): number;
+  /**
+   * Shows the first document of a visit: a shipped motion, or without a name a figure that cannot move yet.
+   * Returns 0 if there is no such motion.
+   */
+  _gs_begin(example: Pointer): number;
+  /** Whether nothing moves unless a person plays it. */
   _gs_set_calm(calm: number): void;
+  /** Makes the open document the last one that Undo reaches. */
   _gs_forget_past(): void;
   /** Undo, Redo and the queue, as StoreVisit. */
   _gs_store_visit(): Pointer;

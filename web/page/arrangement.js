@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // How a lesson sets up the page: the shown panels, the locks and the goal. They come from the address
 // (?panels=style,search&lock=figure&goal=distance>=8) or from a script. docs/embedding.md documents them.
-import { EXAMPLES } from '../share/examples.js';
+import { namedExample } from '../storage/autosave.js';
 import { banner } from '../browser/dom.js';
 import { sentence } from '../share/address.js';
 import { followLanguage, tr } from '../languages/language.js';
-import { namedExample } from '../storage/autosave.js';
 
 /** @typedef {import('../app/app.js').App} App */
 /** Options that are left out stay as they are. @typedef {{panels?: string, lock?: string, goal?: string}} ArrangementOptions */
@@ -35,7 +34,8 @@ export class Arrangement {
       if (value !== null) await this.set({ [name]: value }).catch(({ message }) => { faults.push(sentence(message)); });
     }
     const example = namedExample();
-    if (example !== null && !(example in EXAMPLES) && !this.app.commands().some(({ id }) => id === `example/${example}`)) {
+    if (example !== null && !this.app.commands().some(({ id }) => id === `example/${example}`)
+      && !Object.hasOwn((await import('../share/examples.js')).EXAMPLES, example)) {
       faults.push(tr('There is no example “{1}”.', example));
     }
     if (faults.length) banner(tr('The address of this page has a mistake: {1}', faults.join(' ')));

@@ -16,10 +16,8 @@ import { Searches } from '../search/searches.js';
 import { StatusLine } from '../access/status_line.js';
 import { TransitionMaps } from '../search/transition_maps.js';
 import { banner, element, offerFile, onClick, setText } from '../browser/dom.js';
-import { Guide } from './guide.js';
 import { HistoryButtons, startHeader } from './header.js';
 import { KeptResults } from '../storage/kept_results.js';
-import { EXAMPLES, openExample } from '../share/examples.js';
 import { compiledEngine, createWorker } from '../search/compiled_engine.js';
 import { compiledModule } from '../browser/compiled_module.js';
 import { guardKeys } from '../access/keys.js';
@@ -32,6 +30,7 @@ import { startSharing } from '../share/sharing.js';
 import { chooseTheme, followTheme, nextTheme, startTheme, THEMES } from './theme.js';
 
 const HINT_AFTER_MS = 5000;
+const EXAMPLES_AFTER_MS = 2000; // the first motion does not need them
 const canvas = element('canvas', HTMLCanvasElement);
 const embedded = window.parent !== window;
 
@@ -67,6 +66,8 @@ async function start() {
   addEventListener('error', ({ error }) => { if (error instanceof WebAssembly.RuntimeError) crashed(error); });
   addEventListener('unhandledrejection', ({ reason }) => { if (reason instanceof WebAssembly.RuntimeError) crashed(reason); });
 
+  const example = location.hash.length < 2 && namedExample();
+  const shipped = example ? import('../share/examples.js').then(({ firstText }) => firstText(example, statusLine), () => '') : '';
   // Load language and application in parallel. The first frame needs both.
   const [{ default: createApp }, code] = await Promise.all([import('../app/app_module.js'), compiledModule(new URL('../app/app_module.wasm', import.meta.url)), languageReady]);
   const module = await createApp({
@@ -129,7 +130,7 @@ async function start() {
     showTitle(app.title());
   });
   const autosave = new Autosave(app, address, statusLine);
-  autosave.begin();
+  autosave.begin(await shipped);
   showTitle(app.title());
   commands = new Commands(app, new Mirror(app, canvas));
   parts = { app, searches, transitions, lab: new Lab(app), arrangement: new Arrangement(app, gaitsmith), address, autosave, results: new KeptResults(statusLine), naming: new Naming(app), buttons: new HistoryButtons(app), commands, canvas };
@@ -140,8 +141,6 @@ async function start() {
     address.changed();
     autosave.save();
   });
-  const example = namedExample();
-  if (example && example in EXAMPLES && location.hash.length < 2) void openExample(app, statusLine, example).then(() => app.forgetPast());
   startSharing(app, address, statusLine);
   void gaitsmith.ready.then(() => startOffline({
     leave: () => {
@@ -162,8 +161,7 @@ async function start() {
     home.ariaLabel = home.title = tr('Open this in a tab of its own');
     (await import('../share/embedding.js')).startEmbedding(gaitsmith);
   }
-  const guide = new Guide(app, canvas, statusLine);
-  addCommands(commands, { address, autosave, palette: new Palette(commands), help: new HelpSheet(commands), guide });
+  addCommands(commands, { address, autosave, palette: new Palette(commands), help: new HelpSheet(commands) });
 
   // SDL cancels every touch. Browsers log a warning if it is too late to cancel one, as on a busy page.
   for (const type of ['touchstart', 'touchmove', 'touchend']) {
@@ -192,6 +190,15 @@ async function openExport(app, statusLine) {
   }
 }
 
+/** @param {App} app @param {StatusLine} statusLine */
+async function openTour(app, statusLine) {
+  try {
+    (await import('./tour.js')).startTour(app, canvas);
+  } catch {
+    statusLine.say(tr('The tour could not be loaded.'));
+  }
+}
+
 /** @param {App} app @param {Address} address @param {StatusLine} statusLine */
 async function openShare(app, address, statusLine) {
   try {
@@ -201,8 +208,8 @@ async function openShare(app, address, statusLine) {
   }
 }
 
-/** Adds the page's own commands. @param {Commands} commands @param {{address: Address, autosave: Autosave, palette: Palette, help: HelpSheet, guide: Guide}} parts */
-function addCommands(commands, { address, autosave, palette, help, guide }) {
+/** Adds the page's own commands. @param {Commands} commands @param {{address: Address, autosave: Autosave, palette: Palette, help: HelpSheet}} parts */
+function addCommands(commands, { address, autosave, palette, help }) {
   const click = Commands.click;
   commands.add([
     { id: 'motion/describe', group: 'Motion', title: trLater('Describe the motion'), keys: ['w'], run: click('describe') },
@@ -214,11 +221,13 @@ function addCommands(commands, { address, autosave, palette, help, guide }) {
     { id: 'view/theme', group: 'View', title: trLater('Next theme'), keys: ['t'], run: nextTheme },
     { id: 'help/commands', group: 'Help', title: trLater('Find a command'), keys: ['Ctrl+k'], run: () => palette.open() },
     { id: 'help/keys', group: 'Help', title: trLater('All keys'), keys: ['?', 'F1'], run: () => help.open() },
-    { id: 'help/tour', group: 'Help', title: trLater('Tour of the playground'), keys: [], run: () => void guide.start() },
+    { id: 'help/tour', group: 'Help', title: trLater('Tour of the playground'), keys: [], run: () => void openTour(commands.app, statusLine) },
   ]);
   commands.addSource(() => autosave.commands());
-  commands.addSource(() => Object.entries(EXAMPLES).map(([name, title]) => (
-    { id: `example/${name}`, group: 'Examples', title: tr('Open example: {1}', tr(title)), keys: [], run: () => void openExample(commands.app, statusLine, name) })));
+  setTimeout(() => void import('../share/examples.js').then(({ EXAMPLES, openExample }) => {
+    commands.addSource(() => Object.entries(EXAMPLES).map(([name, title]) => (
+      { id: `example/${name}`, group: 'Examples', title: tr('Open example: {1}', tr(title)), keys: [], run: () => void openExample(commands.app, statusLine, name) })));
+  }, () => {}), EXAMPLES_AFTER_MS);
   commands.addSource(() => Object.entries(THEMES).map(([theme, name]) => (
     { id: `view/theme/${theme}`, group: 'View', title: tr('Theme: {1}', tr(name)), keys: [], run: () => chooseTheme(theme) })));
   commands.addSource(() => Object.entries(LANGUAGES).map(([code, name]) => (

@@ -13,7 +13,7 @@ const MARGIN = 12;
 /** @type {Step[]} */
 const STEPS = [
   { title: trLater('Nobody animated this'), at: /^stage$/,
-    text: trLater('The computer found how this figure moves. Letters mark where it was, arrows show the forces of the ground. Click to pause or play.') },
+    text: trLater('The computer finds how a figure moves. Letters mark where it was, arrows show the forces of the ground. Click to pause or play.') },
   { title: trLater('Let it find another'), at: /^search\/start$/, panel: 'panel/Search',
     text: trLater('Synthesize searches for a better motion while you watch: the curve shows the best so far.') },
   { title: trLater('A clock, or senses'), at: /^controller\/senses/, panel: 'panel/Controller',
@@ -26,7 +26,16 @@ const STEPS = [
     text: trLater('The link holds the whole motion. Friends who open it see the same motion, bit for bit, and can continue from there.') },
 ];
 
-export class Tour {
+/** @type {Tour | null} */
+let only = null;
+
+/** @param {App} app @param {HTMLCanvasElement} canvas */
+export function startTour(app, canvas) {
+  only ??= new Tour(app, canvas);
+  only.start();
+}
+
+class Tour {
   #card = element('tour');
   #mark = element('tour-mark');
   #next = element('tour-next', HTMLButtonElement);

@@ -20,7 +20,7 @@ export class Autosave {
   #embedded = window.top !== window;
   #id = String(Math.random()).slice(2);
   #written = ''; // link of the document that this visit stored last
-  #visit = ''; // Undo and the queue, as stored last
+  #visit = ''; // fingerprint of Undo and the queue, as stored last
   #untouched = ''; // link of the first document, unless it continues earlier work
   #started = false;
   #warned = false;
@@ -41,8 +41,9 @@ export class Autosave {
   /**
    * Opens the visit's first document: this tab's work, else the link in the address, else the example that the address
    * names, else the last work, else a figure that cannot move yet. A page inside another page begins with a motion.
+   * @param {string} shipped  text of that example, if it was downloaded
    */
-  begin() {
+  begin(shipped) {
     const payload = location.hash.slice(1);
     const tabState = this.#embedded ? null : this.#tabState();
     const last = this.#embedded ? undefined : keptWorks()[0];
@@ -57,7 +58,8 @@ export class Autosave {
     } else {
       this.address.open();
       const example = namedExample();
-      if (!payload && !(example && this.app.begin(example))) {
+      const opened = payload || (shipped ? this.app.open(shipped) === '' : example && this.app.begin(example));
+      if (!opened) {
         if (last && this.app.open(last.link) === '') {
           this.statusLine.say(tr('Restored your last work: {1}. Choose New to start over.', last.title));
         } else if (!this.#embedded && !/[?&](panels|lock|goal)=/.test(location.search)) {
@@ -70,7 +72,7 @@ export class Autosave {
     if (sameWork && typeof tabState?.visit === 'string') this.app.restoreVisit(tabState.visit);
     this.#started = true;
     this.#written = this.app.link();
-    this.#visit = this.app.storeVisit();
+    this.#visit = fingerprint(this.app.storeVisit());
     if (!sameWork) this.#untouched = this.#written;
     if (continued || !payload) this.#storeTabState();
     if (payload && last && last.id !== this.#id && last.link !== this.#written
@@ -94,7 +96,7 @@ export class Autosave {
     this.#timer = undefined;
     if (!this.#started) return false;
     const visit = this.app.storeVisit();
-    const changed = visit !== this.#visit;
+    const changed = fingerprint(visit) !== this.#visit;
     if (changed) this.#storeTabState(visit);
     // Store no work if the visit has changed nothing.
     if (!(this.app.canUndo() || this.app.canRedo())) return changed;
@@ -159,7 +161,7 @@ export class Autosave {
     const before = (was?.address === address ? was.before : was?.address) ?? '';
     /** @type {TabState} */
     const tabState = { id: this.#id, address, before, link: this.app.link() };
-    this.#visit = visit;
+    this.#visit = fingerprint(visit);
     // The document matters more than its past, which may be too long for the storage.
     if (!remember(TAB_KEY, JSON.stringify({ ...tabState, visit }), 'sessionStorage')) remember(TAB_KEY, JSON.stringify(tabState), 'sessionStorage');
   }
@@ -174,8 +176,15 @@ export class Autosave {
   }
 }
 
-/** The shipped example that the address asks for: ?open=star-man-shuffle */
+/** The example that the address asks for: ?open=there-and-back */
 export function namedExample() { return new URLSearchParams(location.search).get('open'); }
+
+/** Tells long texts apart without keeping them. @param {string} text */
+function fingerprint(text) {
+  let sum = 0;
+  for (let i = 0; i < text.length; i++) sum = (Math.imul(sum, 31) + text.charCodeAt(i)) | 0;
+  return `${text.length} ${sum}`;
+}
 
 /** Whether this visit is a reload. */
 function reloaded() {

@@ -9,8 +9,6 @@ import { Fingers } from '../pointers.mjs';
 const BIRD_METRES = 16; // 2 m/s for eight seconds
 /** @param {PageDriver} page */
 const ids = async (page) => (await page.widgets()).map(({ id }) => id);
-/** @param {PageDriver} page */
-const status = (page) => page.call('status', () => document.querySelector('#status')?.textContent ?? '');
 /** The metres that the end of a search reports. @param {PageDriver} page @param {number} searches  that have ended */
 async function metres(page, searches) {
   await page.until('the end of the search', `window.gaitsmith.results().length >= ${searches}`);
@@ -20,7 +18,7 @@ async function metres(page, searches) {
 /** @param {Visit} visit */
 async function firstPress({ browser, address }) {
   const page = await PageDriver.open(browser, address, { newcomer: true, plays: true });
-  assert.match(await status(page), /^This ostrich can’t move yet\.$/);
+  assert.match(await page.call('headline', () => document.querySelector('#mirror')?.textContent ?? ''), /This ostrich can’t move yet\./);
   const before = await ids(page);
   assert.ok(before.includes('stage/teach') && before.includes('figures/draw'), 'the first screen');
   assert.ok(!before.some((id) => /^(panels|timeline|transport|search)\//.test(id)), 'nothing else asks for attention');

@@ -37,6 +37,9 @@ async function chooseInHeader(page, code, expected) {
 async function asTheBrowser({ browser, address }) {
   const page = await PageDriver.open(browser, address, { before: germanBrowser, newcomer: true });
   assert.deepEqual(await shownLanguage(page), GERMAN);
+  const headline = () => document.querySelector('#mirror')?.textContent ?? '';
+  assert.match(await page.call('headline', headline), /Dieser Strauß kann sich noch nicht bewegen\./);
+  await page.call('start', () => window.gaitsmith.run('help/tour'));
   await page.until('the tour', () => !document.querySelector('#tour')?.hasAttribute('hidden'), 10000);
   assert.deepEqual([await page.text('#tour-title'), await page.text('#tour-next')], ['Das hat niemand animiert', 'Weiter']);
   // An open dialog changes, too.

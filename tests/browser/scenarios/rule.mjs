@@ -157,7 +157,7 @@ async function gallery({ browser, address }) {
   await page.click(spider.id);
   const chosen = await document(page);
   assert.deepEqual([chosen.figure.name, chosen.figure.rods.length, chosen.controllers?.length ?? 0], ['Spider', 13, 0]);
-  assert.match(await page.status(), /Spider.*Synthesize.*Undo/);
+  assert.match(await page.status(), /This spider can’t move yet\. Undo/);
   assert.equal((await tiles()).find(({ state }) => state.checked)?.label, 'Spider');
   await undo(page);
   assert.equal(await page.hash(), before);

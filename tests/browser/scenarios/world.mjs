@@ -138,7 +138,7 @@ async function sideBySide({ browser, address }) {
   assert.match((await widget(page, 'world/ghost'))?.value ?? '', /timer/);
   const at = async (/** @type {string} */ end) => {
     await page.call('go', `window.gaitsmith.run('motion/${end}')`);
-    await page.until('it is told', `/after ${end === 'end' ? '10.00' : '0.00'} s/.test(document.querySelector('#description').textContent)`);
+    await page.until('it is told', `/[Aa]fter ${end === 'end' ? '10.00' : '0.00'} s/.test(document.querySelector('#description').textContent)`);
     return (await described()).match(/Beside it, .*/)?.[0];
   };
   const calm = await at('end');
