@@ -69,7 +69,7 @@ async function start() {
   const example = location.hash.length < 2 && namedExample();
   const shipped = example ? import('../share/examples.js').then(({ firstText }) => firstText(example, statusLine), () => '') : '';
   // Load language and application in parallel. The first frame needs both.
-  const [{ default: createApp }, code] = await Promise.all([import('../app/app_module.js'), compiledModule(new URL('../app/app_module.wasm', import.meta.url)), languageReady]);
+  const [{ default: createApp }, code, text] = await Promise.all([import('../app/app_module.js'), compiledModule(new URL('../app/app_module.wasm', import.meta.url)), shipped, languageReady]);
   const module = await createApp({
     canvas,
     instantiateWasm: (imports, receive) => {
@@ -130,7 +130,7 @@ async function start() {
     showTitle(app.title());
   });
   const autosave = new Autosave(app, address, statusLine);
-  autosave.begin(await shipped);
+  autosave.begin(text);
   showTitle(app.title());
   commands = new Commands(app, new Mirror(app, canvas));
   parts = { app, searches, transitions, lab: new Lab(app), arrangement: new Arrangement(app, gaitsmith), address, autosave, results: new KeptResults(statusLine), naming: new Naming(app), buttons: new HistoryButtons(app), commands, canvas };

@@ -12,6 +12,7 @@ import { tr, trSentence } from '../languages/language.js';
 
 // Each needs memory, and perhaps no search follows.
 const MAX_STANDBY = 4;
+const STAYS_AFTER_MS = 3000; // a page that is still here was not left
 
 /** @typedef {import('./search_client.js').SearchClient} SearchClient */
 /** @typedef {import('../access/status_line.js').SearchWords} SearchWords */
@@ -55,7 +56,9 @@ export class Searches extends EventTarget {
     super();
     this.app = app;
     this.statusLine = statusLine;
-    addEventListener('pagehide', () => { this.#leaving = true; });
+    for (const type of ['beforeunload', 'pagehide']) addEventListener(type, () => { this.#leaving = true; });
+    // Firefox ends loads before 'pagehide'. After 'beforeunload' the page may also stay.
+    addEventListener('beforeunload', () => setTimeout(() => { this.#leaving = false; }, STAYS_AFTER_MS));
     addEventListener('pageshow', () => { this.#leaving = false; });
   }
 

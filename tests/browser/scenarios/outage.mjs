@@ -16,7 +16,7 @@ import { PlainServer } from '../plain_server.mjs';
 /** @typedef {import('./all.mjs').Visit} Visit */
 
 const SITE = process.argv[2] ?? join(ROOT, 'build/site');
-const SEARCH = { seed: 9, evaluations: 8000, sense: 'physical', workers: 2 };
+const SEARCH = { seed: 9, evaluations: 20000, sense: 'physical', workers: 2 };
 
 /** Starts a search and waits for its middle. ended() waits for its end. @param {PageDriver} page @param {object} [options] */
 async function begin(page, options = {}) {
@@ -147,7 +147,7 @@ async function twoTabs(visit) {
   const hash = await expected(visit);
   const one = await PageDriver.open(visit.browser, visit.address);
   const two = await PageDriver.open(visit.browser, visit.address, { beside: one });
-  await begin(two, { evaluations: 12000 });
+  await begin(two, { evaluations: 30000 });
   await one.page.bringToFront();
   await begin(one);
   const [first, second] = [await ended(one), await ended(two)];
