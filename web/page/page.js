@@ -30,7 +30,6 @@ import { startSharing } from '../share/sharing.js';
 import { chooseTheme, followTheme, nextTheme, startTheme, THEMES } from './theme.js';
 
 const HINT_AFTER_MS = 5000;
-const EXAMPLES_AFTER_MS = 2000; // the first motion does not need them
 const canvas = element('canvas', HTMLCanvasElement);
 const embedded = window.parent !== window;
 
@@ -224,10 +223,11 @@ function addCommands(commands, { address, autosave, palette, help }) {
     { id: 'help/tour', group: 'Help', title: trLater('Tour of the playground'), keys: [], run: () => void openTour(commands.app, statusLine) },
   ]);
   commands.addSource(() => autosave.commands());
-  setTimeout(() => void import('../share/examples.js').then(({ EXAMPLES, openExample }) => {
+  // The first motion does not need these.
+  void gaitsmith.ready.then(() => import('../share/examples.js')).then(({ EXAMPLES, openExample }) => {
     commands.addSource(() => Object.entries(EXAMPLES).map(([name, title]) => (
       { id: `example/${name}`, group: 'Examples', title: tr('Open example: {1}', tr(title)), keys: [], run: () => void openExample(commands.app, statusLine, name) })));
-  }, () => {}), EXAMPLES_AFTER_MS);
+  }, () => {});
   commands.addSource(() => Object.entries(THEMES).map(([theme, name]) => (
     { id: `view/theme/${theme}`, group: 'View', title: tr('Theme: {1}', tr(name)), keys: [], run: () => chooseTheme(theme) })));
   commands.addSource(() => Object.entries(LANGUAGES).map(([code, name]) => (

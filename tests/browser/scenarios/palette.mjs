@@ -32,6 +32,7 @@ const paletteIsOpen = (page) => page.call('open', () => document.querySelector('
 async function byKeyboard({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   await page.page.focus('canvas');
+  await page.until('the examples', () => window.gaitsmith.commands().some(({ id }) => id === 'example/there-and-back'), 5000);
   await page.press('Control+k');
   const all = await palette(page);
   assert.deepEqual([all.role, all.listRole, all.selected, all.chosen], ['combobox', 'listbox', 0, 0]);
