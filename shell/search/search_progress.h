@@ -2,6 +2,7 @@
 // The progress of a search, as reported by a page's worker, the desktop's threads and the command line.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -33,6 +34,12 @@ struct SearchProgress {
   Genome attempt = {};                   // one that was simulated since the last report; empty: none
   std::optional<Spread> spread = {};     // of the present population
   std::vector<std::uint8_t> saved = {};  // state of the whole search (Search::Save), only in the last report
+
+  /// Share of the budget that is spent, [0, 1].
+  [[nodiscard]] float Share() const {
+    return budget > 0 ? std::clamp(static_cast<float>(evaluations) / static_cast<float>(budget), 0.0f, 1.0f)
+                      : 0.0f;
+  }
 };
 
 }  // namespace gaitsmith::shell

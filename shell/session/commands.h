@@ -31,7 +31,7 @@ struct Command {
 /// A list of {id, group, title, keys, whyNot}.
 [[nodiscard]] std::string CommandsJson(const std::vector<Command>&);
 
-/// Whether a focused control may need the key: space bar, arrows, Home, End.
+/// Whether a focused control may need the key: space bar, Enter, arrows, Home, End.
 [[nodiscard]] bool BelongsToControls(std::string_view key);
 
 }  // namespace gaitsmith::shell

@@ -23,17 +23,27 @@ Extent ExtentOf(const std::vector<Playback::Point>& endpoints) {
 
 }  // namespace
 
+float GroundRoom(float stage_height, bool buttons) {
+  constexpr float kWithButtons = 104.0f;
+  const float bare = std::clamp(0.178f * stage_height, std::min(62.0f, 0.17f * stage_height), 130.0f);
+  return buttons ? std::max(bare, kWithButtons) : bare;
+}
+
 Camera AimCamera(const Playback& player, const Environment& world, const CameraSettings& gaze,
-                 const ImRect& rect, float ground_y) {
+                 const ImRect& rect, float ground_y, const std::optional<Framing>& framing) {
   constexpr float kNumbers = 70.0f;  // height of the numbers at the top [points]
   constexpr float kLeast = 96.0f;    // of a figure on a low stage [points]
   const float above = ground_y - rect.Min.y;
-  const float tall = std::max(std::min(0.5f * rect.GetHeight(), above - gaze.headroom),
+  const float tall = std::max(std::min(0.5f * rect.GetHeight(), above - (framing ? framing->headroom : 0.0f)),
                               std::min(1.15f * kLeast, above - 2.0f));
   const float reach = player.ReachM();
   const float across_m = rect.GetWidth() < kPhoneWidth ? 2.0f : 5.0f;
-  const float standing = std::min(tall / player.StandingM(),
-                                  rect.GetWidth() / std::max(across_m, (gaze.close ? 2.3f : 3.2f) * reach));
+  const Extent drawn = ExtentOf(player.EndpointsAt(0.0));
+  constexpr float kBody = 0.3f;  // a body is wider than its rods [m]
+  const float widest = framing ? (framing->right - framing->left) * rect.GetWidth() /
+                                     (static_cast<float>(drawn.right_m - drawn.left_m) + kBody)
+                               : rect.GetWidth() / (3.2f * reach);
+  const float standing = std::min({tall / player.StandingM(), rect.GetWidth() / across_m, widest});
   const float room = std::max({20.0f, above - kNumbers, standing * player.StandingM()});
   const Playback::Height height = player.HeightAt(player.TimeS());
   Camera camera;
@@ -53,8 +63,11 @@ Camera AimCamera(const Playback& player, const Environment& world, const CameraS
   const auto finite = [](double metres) { return std::isfinite(metres) ? metres : 0.0; };
   const double x = finite(player.CameraXAt(player.TimeS()));
   const double end_m = finite(player.Shown().At(player.Shown().Frames() - 1).x_m);
-  if (std::abs(end_m) < margin_m) {
-    camera.left_m = x - static_cast<double>(gaze.standing_share) * width_m;
+  if (framing) {
+    const double middle_m = 0.5 * (drawn.left_m + drawn.right_m) + x - finite(player.CameraXAt(0.0));
+    camera.left_m = middle_m - 0.5 * static_cast<double>(framing->left + framing->right) * width_m;
+  } else if (std::abs(end_m) < margin_m) {
+    camera.left_m = x - 0.5 * width_m;
   } else if (end_m < 0.0) {
     camera.left_m = std::max(std::min(x - 0.29 * width_m, margin_m - width_m), x - 0.8 * width_m);
   } else {

@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <cmath>
+#include <optional>
 
 #include "shell/session/session.h"
 #include "shell/widgets/widgets.h"
@@ -38,16 +39,22 @@ struct Camera {
 /// The part of the world that the camera shows.
 struct CameraSettings {
   float zoom = 1.0f;
-  double pan_m = 0.0;           // offset of the camera from the figure
-  float headroom = 0.0f;        // height at the top that a standing figure leaves free [points]
-  bool close = false;           // a standing figure needs no room at its sides
-  float standing_share = 0.5f;  // where a figure that stays in place stands on the stage, from the left
+  double pan_m = 0.0;  // offset of the camera from the figure
 };
+
+/// The part of the stage in which a standing figure is shown whole, beside what the stage says about it.
+struct Framing {
+  float headroom;     // height at the top that the figure leaves free [points]
+  float left, right;  // its ends, as shares of the stage's width
+};
+
+/// Height of the ground below the ground line [points]. @param buttons  the stage has a row of buttons there
+[[nodiscard]] float GroundRoom(float stage_height, bool buttons);
 
 /// The standing figure takes half of the stage's height, if its width allows. The camera follows smoothly. It
 /// backs off for high jumps until the figure would take a third, then looks up.
 /// @param rect that the figure must stay in. @param ground_y of the ground line on the canvas [points]
 [[nodiscard]] Camera AimCamera(const Playback&, const Environment&, const CameraSettings&, const ImRect& rect,
-                               float ground_y);
+                               float ground_y, const std::optional<Framing>& = {});
 
 }  // namespace gaitsmith::shell

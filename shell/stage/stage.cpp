@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shell/stage/invitation.h"
 #include "shell/stage/push_gesture.h"
 #include "shell/stage/scene.h"
 #include "shell/stage/stage_actions.h"
@@ -17,9 +18,7 @@ namespace {
 
 constexpr float kMinZoom = 0.1f;
 constexpr float kMaxZoom = 6.0f;
-constexpr float kCornerRoom = 114.0f;   // width reserved for the button in the corner
-constexpr float kHeadlineRoom = 70.0f;  // height of a headline above the figure
-constexpr float kLowStage = 330.0f;     // the figure would reach into the headline
+constexpr float kCornerRoom = 114.0f;  // width reserved for the button in the corner
 
 // A note about the motion, announced by screen readers.
 void DrawNote(const Scene& s, ImVec2 at, const std::string& sentence) {
@@ -80,7 +79,8 @@ void Zoom(StageState& state, const Touch& touch) {
 // Zooms about the point between the fingers, and cancels a gesture of one finger.
 /// @param area of the whole stage. @param rect of the figure. When motions are compared, a rectangle of the
 /// same width is beside it
-void TakePinch(Session& session, StageState& state, const ImRect& area, const ImRect& rect, float ground_y) {
+void TakePinch(Session& session, StageState& state, const ImRect& area, const ImRect& rect, float ground_y,
+               const std::optional<Framing>& framing) {
   state.pinch.area = area;
   if (!state.pinch.Holds()) return;
   if (state.push.drawn) session.Player().Play(state.push.was_playing);
@@ -88,7 +88,8 @@ void TakePinch(Session& session, StageState& state, const ImRect& area, const Im
   state.panning = false;
   const Pinch::Change change = state.pinch.TakeChange();
   const auto metres = [&](float x) {
-    const Camera camera = AimCamera(session.Player(), session.Doc().environment, state.gaze, rect, ground_y);
+    const Camera camera =
+        AimCamera(session.Player(), session.Doc().environment, state.gaze, rect, ground_y, framing);
     const float across = x > rect.Max.x ? x - rect.Max.x : x - rect.Min.x;
     return camera.left_m + static_cast<double>(across / camera.scale);
   };
@@ -154,27 +155,25 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
        .role = "img",
        .value = Tr("{1} m after {2} s", Fixed(terms.travel_m, 2), Fixed(session.Player().TimeS(), 2))});
   Zoom(state, touch);
-  const bool acts = HasStageActions(session, rect);
+  const ImRect open(rect.Min, {rect.Max.x - covered, rect.Max.y});
+  const bool acts = HasStageActions(session, open);
   const bool invites = acts && Invites(session);
-  const float ground_y = ui.Look().Snap(rect.Max.y - GroundRoom(session, rect));
-  const bool narrow = rect.GetWidth() < kPhoneWidth;
-  state.gaze.standing_share = invites && !narrow ? 0.33f : 0.5f;
-  state.gaze.headroom = invites && (narrow || rect.GetHeight() < kLowStage) ? kHeadlineRoom : 0.0f;
-  state.gaze.close = invites;
+  const bool beside = invites && InvitesBeside(open);
+  const float ground_y = ui.Look().Snap(rect.Max.y - GroundRoom(rect.GetHeight(), acts && !beside));
+  const auto framing = invites ? std::optional(InvitationFraming(open)) : std::nullopt;
   const bool two = session.Comparison().Other().Beside();
   session.Comparison().KeepInTime();
-  const float open_x = rect.Max.x - covered;
-  const float middle = two ? ui.Look().Snap(0.5f * (rect.Min.x + open_x)) : rect.Max.x;
+  const float middle = two ? ui.Look().Snap(0.5f * (rect.Min.x + open.Max.x)) : rect.Max.x;
   const ImRect own(rect.Min, {middle, rect.Max.y});
-  const ImRect free(rect.Min, {std::min(middle, open_x), rect.Max.y});
-  TakePinch(session, state, {rect.Min, {open_x, rect.Max.y}}, free, ground_y);
+  const ImRect free(rect.Min, {std::min(middle, open.Max.x), rect.Max.y});
+  TakePinch(session, state, open, free, ground_y, framing);
   const Scene scene{
       .ui = ui,
       .session = session,
       .player = session.Player(),
       .list = ui.Canvas(),
       .rect = own,
-      .camera = AimCamera(session.Player(), session.Doc().environment, state.gaze, free, ground_y),
+      .camera = AimCamera(session.Player(), session.Doc().environment, state.gaze, free, ground_y, framing),
       .rods_only = state.world.rods_only};
   ui.Behind().Fill(rect, ui.Ink().paper);
   scene.list->PushClipRect(own.Min, own.Max, true);
@@ -192,15 +191,15 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
   scene.list->PopClipRect();
   if (two)
     DrawBeside(ui, session, state, {{middle, rect.Min.y}, rect.Max},
-               {{middle, rect.Min.y}, {open_x, rect.Max.y}}, ground_y);
+               {{middle, rect.Min.y}, {open.Max.x, rect.Max.y}}, ground_y);
   ImRect ring = rect;
   ring.Expand(-4.0f);
   scene.list->PushClipRect(rect.Min, rect.Max, true);
   ui.DrawFocus(touch, ring, 4.0f);
   scene.list->PopClipRect();
-  if (invites) DrawInvitation(ui, session, {rect.Min, {open_x, rect.Max.y}});
-  if (acts) DrawStageActions(ui, session, {rect.Min, {open_x, rect.Max.y}});
-  if (!(invites && narrow) || state.world.open) DrawWorldButton(ui, state.world, rect);
+  if (invites) DrawInvitation(ui, session, open);
+  if (acts) DrawStageActions(ui, session, open, ground_y);
+  if (!invites || beside || state.world.open) DrawWorldButton(ui, state.world, rect);
   if (state.gaze.zoom != 1.0f || state.gaze.pan_m != 0.0) DrawFollowButton(ui, state, rect);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Buttons on the stage: teach the figure, stop and keep, and what to do with a motion that was found.
+// The row of buttons on the ground: stop a search and keep what it found, and what to do with a found motion.
 #pragma once
 
 #include "shell/session/session.h"
@@ -7,19 +7,9 @@
 
 namespace gaitsmith::shell {
 
-/// Whether the stage says that the figure cannot move yet, and offers to teach it.
-[[nodiscard]] bool Invites(const Session&);
-
 /// Whether the stage has room for buttons, and the arrangement lets a person search.
 [[nodiscard]] bool HasStageActions(const Session&, const ImRect& stage);
 
-/// Height of the ground below the ground line [points].
-[[nodiscard]] float GroundRoom(const Session&, const ImRect& stage);
-
-/// Headline, and the button that starts the first search.
-void DrawInvitation(Ui&, Session&, const ImRect& stage);
-
-/// The row of buttons on the ground, while a search runs and after it.
-void DrawStageActions(Ui&, Session&, const ImRect& stage);
+void DrawStageActions(Ui&, Session&, const ImRect& stage, float ground_y);
 
 }  // namespace gaitsmith::shell

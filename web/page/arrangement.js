@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How a lesson sets up the page: the shown panels, the locks and the goal. They come from the address
 // (?panels=style,search&lock=figure&goal=distance>=8) or from a script. docs/embedding.md documents them.
-import { namedExample } from '../storage/autosave.js';
 import { banner } from '../browser/dom.js';
 import { sentence } from '../share/address.js';
 import { followLanguage, tr } from '../languages/language.js';
@@ -10,6 +9,15 @@ import { followLanguage, tr } from '../languages/language.js';
 /** Options that are left out stay as they are. @typedef {{panels?: string, lock?: string, goal?: string}} ArrangementOptions */
 
 const NAMES = /** @type {const} */ (['panels', 'lock', 'goal']);
+
+/** The example that the address asks for: ?open=there-and-back */
+export const namedExample = () => new URLSearchParams(location.search).get('open') ?? '';
+
+/** Whether the address sets up the page, as lessons do. */
+export function arranged() {
+  const address = new URLSearchParams(location.search);
+  return NAMES.some((name) => address.has(name));
+}
 
 export class Arrangement {
   /** @type {import('./goal.js').GoalBar | null} */
@@ -34,7 +42,7 @@ export class Arrangement {
       if (value !== null) await this.set({ [name]: value }).catch(({ message }) => { faults.push(sentence(message)); });
     }
     const example = namedExample();
-    if (example !== null && !this.app.commands().some(({ id }) => id === `example/${example}`)
+    if (example && !this.app.commands().some(({ id }) => id === `example/${example}`)
       && !Object.hasOwn((await import('../share/examples.js')).EXAMPLES, example)) {
       faults.push(tr('There is no example “{1}”.', example));
     }

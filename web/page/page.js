@@ -2,8 +2,8 @@
 // Starts the application in the canvas and connects it with address, workers, header and footer.
 import { Address } from '../share/address.js';
 import { App } from '../app/app.js';
-import { Arrangement } from './arrangement.js';
-import { Autosave, namedExample } from '../storage/autosave.js';
+import { Arrangement, arranged, namedExample } from './arrangement.js';
+import { Autosave } from '../storage/autosave.js';
 import { Commands } from './commands.js';
 import { Gaitsmith } from './api.js';
 import { HelpSheet } from './help_sheet.js';
@@ -65,7 +65,7 @@ async function start() {
   addEventListener('error', ({ error }) => { if (error instanceof WebAssembly.RuntimeError) crashed(error); });
   addEventListener('unhandledrejection', ({ reason }) => { if (reason instanceof WebAssembly.RuntimeError) crashed(reason); });
 
-  const example = location.hash.length < 2 && namedExample();
+  const example = location.hash.length < 2 ? namedExample() : '';
   const shipped = example ? import('../share/examples.js').then(({ firstText }) => firstText(example, statusLine), () => '') : '';
   // Load language and application in parallel. The first frame needs both.
   const [{ default: createApp }, code, text] = await Promise.all([import('../app/app_module.js'), compiledModule(new URL('../app/app_module.wasm', import.meta.url)), shipped, languageReady]);
@@ -129,7 +129,7 @@ async function start() {
     showTitle(app.title());
   });
   const autosave = new Autosave(app, address, statusLine);
-  autosave.begin(text);
+  autosave.begin({ example, text, arranged: arranged() });
   showTitle(app.title());
   commands = new Commands(app, new Mirror(app, canvas));
   parts = { app, searches, transitions, lab: new Lab(app), arrangement: new Arrangement(app, gaitsmith), address, autosave, results: new KeptResults(statusLine), naming: new Naming(app), buttons: new HistoryButtons(app), commands, canvas };

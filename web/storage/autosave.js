@@ -41,9 +41,10 @@ export class Autosave {
   /**
    * Opens the visit's first document: this tab's work, else the link in the address, else the example that the address
    * names, else the last work, else a figure that cannot move yet. A page inside another page begins with a motion.
-   * @param {string} shipped  text of that example, if it was downloaded
+   * @param {{example: string, text: string, arranged: boolean}} address  the example that the address names, its text
+   * if it was downloaded, and whether the address sets up the page
    */
-  begin(shipped) {
+  begin({ example, text, arranged }) {
     const payload = location.hash.slice(1);
     const tabState = this.#embedded ? null : this.#tabState();
     const last = this.#embedded ? undefined : keptWorks()[0];
@@ -57,12 +58,11 @@ export class Autosave {
       if (payload) this.address.changed();
     } else {
       this.address.open();
-      const example = namedExample();
-      const opened = payload || (shipped ? this.app.open(shipped) === '' : example && this.app.begin(example));
-      if (!opened) {
+      const named = () => (text ? this.app.open(text) === '' : example !== '' && this.app.begin(example));
+      if (!payload && !named()) {
         if (last && this.app.open(last.link) === '') {
           this.statusLine.say(tr('Restored your last work: {1}. Choose New to start over.', last.title));
-        } else if (!this.#embedded && !/[?&](panels|lock|goal)=/.test(location.search)) {
+        } else if (!this.#embedded && !arranged) {
           this.app.begin();
         }
       }
@@ -175,9 +175,6 @@ export class Autosave {
     }
   }
 }
-
-/** The example that the address asks for: ?open=there-and-back */
-export function namedExample() { return new URLSearchParams(location.search).get('open'); }
 
 /** Tells long texts apart without keeping them. @param {string} text */
 function fingerprint(text) {

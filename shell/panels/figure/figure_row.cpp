@@ -40,15 +40,13 @@ std::vector<int> RowOf(const std::vector<Figure>& figures, int chosen, std::size
 }
 
 /// A card without a figure, for a button.
-bool DrawCard(Ui& ui, const char* id, const ImRect& rect, Icon icon, std::string_view first,
-              std::string_view second, const std::string& name) {
+bool DrawCard(Ui& ui, const char* id, const ImRect& rect, Icon icon, std::string_view shown,
+              const std::string& name) {
   const Touch touch = ui.Area(id, rect, Grab::kPress, {.label = name, .role = "button"});
   const Palette& p = ui.Ink();
   ui.Frame(rect, p.panel, touch.hovered ? Mix(p.line, p.ink, 0.45f) : p.line, 9.0f);
-  const float x = rect.GetCenter().x;
-  DrawIcon(ui.Canvas(), icon, {x, rect.Min.y + 0.36f * rect.GetHeight()}, 20.0f, p.ink);
-  ui.Letters().Draw(ui.Canvas(), Type::kNote, {x, rect.Max.y - 25.0f}, p.ink, first, Align::kCentre);
-  ui.Letters().Draw(ui.Canvas(), Type::kNote, {x, rect.Max.y - 11.0f}, p.ink, second, Align::kCentre);
+  const float above = DrawTileName(ui, shown, rect, p.ink);
+  DrawIcon(ui.Canvas(), icon, {rect.GetCenter().x, 0.5f * (rect.Min.y + above)}, 20.0f, p.ink);
   ui.DrawFocus(touch, rect, 9.0f);
   return touch.pressed;
 }
@@ -73,8 +71,7 @@ FigureRowChoice DrawFigureRow(Ui& ui, const Session& session, const ImRect& rect
     x += width + kSpacing;
     return card;
   };
-  choice.draw =
-      DrawCard(ui, "figures/draw", next(), Icon::kPencil, Tr("Draw"), Tr("your own"), Tr("Draw your own"));
+  choice.draw = DrawCard(ui, "figures/draw", next(), Icon::kPencil, Tr("Draw your own"), Tr("Draw your own"));
   {
     const PartScope group = ui.Part("figures/row", "radiogroup", Tr("Figure"));
     for (const int figure : row) {
@@ -84,7 +81,7 @@ FigureRowChoice DrawFigureRow(Ui& ui, const Session& session, const ImRect& rect
     }
   }
   const auto rest = static_cast<int>(figures.size() - row.size());
-  choice.more = DrawCard(ui, "figures/more", next(), Icon::kPlus, Tr("{1} more", rest), "",
+  choice.more = DrawCard(ui, "figures/more", next(), Icon::kPlus, Tr("{1} more", rest),
                          Tr("All {1} figures", static_cast<int>(figures.size())));
   return choice;
 }

@@ -33,6 +33,26 @@ void DrawThumbnail(Ui& ui, const Figure& figure, const ImRect& rect, ImU32 colou
 
 }  // namespace
 
+float DrawTileName(Ui& ui, std::string_view name, const ImRect& tile, ImU32 ink) {
+  constexpr float kLine = 14.0f;
+  const Fonts& letters = ui.Letters();
+  const float room = tile.GetWidth() - 8.0f;
+  const float x = tile.GetCenter().x;
+  const std::size_t first = letters.FitLine(Type::kNote, name, room);
+  const bool two_lines = first < name.size();
+  const float top = tile.Max.y - (two_lines ? 25.0f : 14.0f);
+  float y = top;
+  if (two_lines) {
+    letters.Draw(ui.Canvas(), Type::kNote, {x, y}, ink, name.substr(0, first), Align::kCentre);
+    name.remove_prefix(first);
+    while (!name.empty() && name.front() == ' ') name.remove_prefix(1);
+    y += kLine;
+  }
+  const float width = std::min(room, letters.Width(Type::kNote, name) + 1.0f);
+  letters.DrawElided(ui.Canvas(), Type::kNote, {x - 0.5f * width, y}, width, ink, name);
+  return top - 15.0f;
+}
+
 bool DrawFigureTile(Ui& ui, const Figure& figure, const std::string& id, bool chosen, const ImRect& rect) {
   const std::string shown = TrTitle(figure.name);
   const Touch touch =
@@ -41,24 +61,10 @@ bool DrawFigureTile(Ui& ui, const Figure& figure, const std::string& id, bool ch
   const Palette& p = ui.Ink();
   const ImU32 edge = chosen ? p.accent : touch.hovered ? Mix(p.line, p.ink, 0.45f) : p.line;
   ui.Frame(rect, chosen ? Mix(p.panel, p.accent, 0.08f) : p.panel, edge, 9.0f);
-  // A long name takes two lines.
-  const float room = rect.GetWidth() - 8.0f;
-  std::string_view name = shown;
-  const std::size_t first = ui.Letters().FitLine(Type::kNote, name, room);
-  const bool two_lines = first < name.size();
   const ImU32 ink = chosen ? p.ink : p.second_ink;
-  float y = rect.Max.y - (two_lines ? 25.0f : 14.0f);
-  DrawThumbnail(ui, figure, {{rect.Min.x + 16.0f, rect.Min.y + 10.0f}, {rect.Max.x - 16.0f, y - 15.0f}},
+  const float above = DrawTileName(ui, shown, rect, ink);
+  DrawThumbnail(ui, figure, {{rect.Min.x + 16.0f, rect.Min.y + 10.0f}, {rect.Max.x - 16.0f, above}},
                 chosen ? p.accent : Mix(p.panel, p.ink, 0.85f));
-  if (two_lines) {
-    ui.Letters().Draw(ui.Canvas(), Type::kNote, {rect.GetCenter().x, y}, ink, name.substr(0, first),
-                      Align::kCentre);
-    name.remove_prefix(first);
-    while (!name.empty() && name.front() == ' ') name.remove_prefix(1);
-    y += 14.0f;
-  }
-  const float width = std::min(room, ui.Letters().Width(Type::kNote, name) + 1.0f);
-  ui.Letters().DrawElided(ui.Canvas(), Type::kNote, {rect.GetCenter().x - 0.5f * width, y}, width, ink, name);
   ui.DrawFocus(touch, rect, 9.0f);
   return touch.pressed;
 }

@@ -75,13 +75,10 @@ void DrawProgress(Ui& ui, const SearchRun& search) {
   const ImRect title = ui.Row(Fonts::LineHeight(Type::kNote) + 6.0f);
   ui.Letters().DrawElided(ui.Canvas(), Type::kNote, {title.Min.x, title.GetCenter().y - 3.0f},
                           title.GetWidth(), p.second_ink, search.Title());
-  const float share = progress.budget > 0
-                          ? static_cast<float>(progress.evaluations) / static_cast<float>(progress.budget)
-                          : 0.0f;
   const ImRect row = ui.Row(6.0f);
   ui.Canvas()->AddRectFilled(row.Min, row.Max, p.soft, 3.0f);
-  ui.Canvas()->AddRectFilled(row.Min, {row.Min.x + std::clamp(share, 0.0f, 1.0f) * row.GetWidth(), row.Max.y},
-                             p.good, 3.0f);
+  ui.Canvas()->AddRectFilled(row.Min, {row.Min.x + progress.Share() * row.GetWidth(), row.Max.y}, p.good,
+                             3.0f);
   ui.Gap(8.0f);
   ui.Fact(Tr("{1} of {2}", Grouped(progress.evaluations), Grouped(progress.budget)),
           progress.state == SearchState::kRunning   ? Tr("{1} left", Duration(progress.seconds_left))

@@ -9,10 +9,10 @@ import { Fingers } from '../pointers.mjs';
 const BIRD_METRES = 16; // 2 m/s for eight seconds
 /** @param {PageDriver} page */
 const ids = async (page) => (await page.widgets()).map(({ id }) => id);
-/** The metres that the end of a search reports. @param {PageDriver} page @param {number} searches  that have ended */
+/** The metres of the shown motion, once so many searches have ended. @param {PageDriver} page @param {number} searches  that have ended */
 async function metres(page, searches) {
   await page.until('the end of the search', `window.gaitsmith.results().length >= ${searches}`);
-  return page.call('metres', () => window.gaitsmith.results()[0].score ?? 0);
+  return page.call('metres', () => window.gaitsmith.results().find(({ hash }) => hash === window.gaitsmith.hash())?.score ?? 0);
 }
 
 /** @param {Visit} visit */

@@ -4,6 +4,8 @@
 #include <catch_amalgamated.hpp>
 
 #include "core/document/json.h"
+#include "core/document/standing.h"
+#include "shell/stage/invitation.h"
 #include "shell/stage/scene.h"
 #include "tests/scene.h"
 
@@ -17,7 +19,8 @@ TEST_CASE("camera: the figure stands tall, and no motion of the gallery leaves t
   for (const Stage& stage : {Stage{932, 485}, Stage{1572, 845}, Stage{390, 424}, Stage{496, 272},
                              Stage{640, 194}, Stage{320, 118}}) {
     const ImRect rect(0.0f, 44.0f, stage.width, 44.0f + stage.height);
-    const float ground = rect.Max.y - std::max(0.178f * stage.height, std::min(62.0f, 0.17f * stage.height));
+    // With buttons on the ground, where the stage has room for them (HasStageActions).
+    const float ground = rect.Max.y - GroundRoom(stage.height, stage.height >= 230.0f);
     for (const std::string& name : gaitsmith::test::GalleryDocuments()) {
       const auto document = DecodeJson(gaitsmith::test::ReadFile(name));
       REQUIRE(document);
@@ -58,7 +61,7 @@ TEST_CASE("camera: the figure stands tall, and no motion of the gallery leaves t
 TEST_CASE("camera: a figure without motion is some 90 points high on a low stage, if its width allows") {
   for (const ImVec2 size : {ImVec2(640, 194), ImVec2(320, 118)}) {
     const ImRect rect(0.0f, 0.0f, size.x, size.y);
-    const float ground = rect.Max.y - std::max(0.178f * size.y, std::min(62.0f, 0.17f * size.y));
+    const float ground = rect.Max.y - GroundRoom(size.y, false);
     for (const std::string& name : gaitsmith::test::ShippedFigureFiles()) {
       Document document;
       document.figure = gaitsmith::test::ShippedFigure(name);
@@ -68,6 +71,29 @@ TEST_CASE("camera: a figure without motion is some 90 points high on a low stage
       const Camera camera = AimCamera(player, document.environment, {}, rect, ground);
       const bool wide = std::max(2.0f, 3.2f * player.ReachM()) * camera.scale > 0.99f * size.x;
       CHECK((wide || player.StandingM() * camera.scale >= 86.0f));
+    }
+  }
+}
+
+TEST_CASE("camera: a figure that cannot move yet stands below the headline and beside the button") {
+  for (const ImVec2 size : {ImVec2(1280, 532), ImVec2(1920, 892), ImVec2(390, 656), ImVec2(844, 272)}) {
+    const ImRect stage(0.0f, 44.0f, size.x, 44.0f + size.y);
+    const float ground = stage.Max.y - GroundRoom(size.y, !InvitesBeside(stage));
+    for (const std::string& name : gaitsmith::test::ShippedFigureFiles()) {
+      const Document document = Standing(gaitsmith::test::ShippedFigure(name));
+      Playback player;
+      player.Load(document, true);
+      CAPTURE(name, size.x, size.y);
+      const Camera camera =
+          AimCamera(player, document.environment, {}, stage, ground, InvitationFraming(stage));
+      const float button = InvitesBeside(stage) ? stage.Min.x + 0.54f * size.x : stage.Max.x;
+      for (const Playback::Point& point : player.EndpointsAt(0.0)) {
+        const ImVec2 at = camera.ToScreen(point.x_m, point.y_m);
+        CHECK(at.x > stage.Min.x);
+        CHECK(at.x < button);
+        CHECK(at.y > stage.Min.y + 48.0f);
+        CHECK(at.y < ground + 1.0f);
+      }
     }
   }
 }
