@@ -63,6 +63,16 @@ export class PageDriver {
 
   async reload() { await this.arrive(() => this.page.reload()); }
 
+  /** Makes the page a phone's, which loads it again: a browser learns of touch only at a load. */
+  async becomePhone() {
+    const size = { width: 390, height: 844 };
+    await this.arrive(() => this.page.setViewport({ ...size, deviceScaleFactor: 2, hasTouch: true, isMobile: true })
+      .catch(async () => { // A browser without touch emulation gets a narrow window.
+        await this.page.setViewport(size);
+        await this.page.reload();
+      }));
+  }
+
   /**
    * Goes to a page of the playground and waits until it is ready. After navigation, a browser may still evaluate
    * scripts in the old page, or in none. So the old page is marked, and failed evaluations are repeated.

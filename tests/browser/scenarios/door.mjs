@@ -59,7 +59,7 @@ async function byKey({ browser, address }) {
 /** @param {Visit} visit */
 async function byFinger({ browser, address }) {
   const page = await PageDriver.open(browser, address, { newcomer: true, plays: true });
-  await page.page.setViewport({ width: 390, height: 844, deviceScaleFactor: 2, hasTouch: true, isMobile: true }).catch(() => page.page.setViewport({ width: 390, height: 844 }));
+  await page.becomePhone();
   await page.frames(10);
   const finger = new Fingers(page);
   const star = (await page.widgets()).find(({ id, label }) => id.startsWith('figures/') && label === 'Mr. Star-Man');

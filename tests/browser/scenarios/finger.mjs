@@ -9,7 +9,7 @@ import { PageDriver } from '../page_driver.mjs';
 /** @param {Visit} visit */
 async function setsOrScrolls({ browser, address }) {
   const page = await PageDriver.open(browser, address);
-  await page.page.setViewport({ width: 390, height: 844, deviceScaleFactor: 2, hasTouch: true, isMobile: true }).catch(() => page.page.setViewport({ width: 390, height: 844 }));
+  await page.becomePhone();
   await page.frames(10);
   const pointer = new Fingers(page);
   await pointer.press('panels/1');

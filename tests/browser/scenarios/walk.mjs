@@ -122,7 +122,7 @@ async function byMouse({ browser, address }) {
 /** @param {Visit} visit */
 async function byFingers({ browser, address }) {
   const page = await PageDriver.open(browser, address);
-  await page.page.setViewport({ width: 390, height: 844, deviceScaleFactor: 2, hasTouch: true, isMobile: true }).catch(() => page.page.setViewport({ width: 390, height: 844 }));
+  await page.becomePhone();
   await page.frames(10);
   const pointer = new Fingers(page);
   // Spreading two fingers on the stage enlarges the picture. It does not change the motion or push the figure.
