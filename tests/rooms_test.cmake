@@ -23,8 +23,9 @@ set(shell_rooms
     "panels/controller: words session widgets stage"
     "panels/style: words session widgets"
     "panels/search: words results session widgets stage timeline"
+    "panels/make: words session widgets stage"
     "panels/lab: words session widgets"
-    "app: words workspace session widgets stage timeline panels/figure panels/controller panels/style panels/search panels/lab"
+    "app: words workspace session widgets stage timeline panels/figure panels/controller panels/style panels/search panels/make panels/lab"
     "host: embedded search catalogue words workspace results session app")
 set(web_rooms
     "build:"

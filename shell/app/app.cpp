@@ -9,6 +9,7 @@
 #include "shell/panels/controller/controller_panel.h"
 #include "shell/panels/figure/figure_row.h"
 #include "shell/panels/lab/lab_panel.h"
+#include "shell/panels/make/make_panel.h"
 #include "shell/panels/style/style_panel.h"
 #include "shell/stage/invitation.h"
 #include "shell/stage/stage.h"
@@ -27,7 +28,7 @@ bool App::Advance(double seconds) {
 
 std::vector<int> App::ShownTabs() {
   std::vector<int> shown;
-  if (session_.AtDoor()) return shown;
+  if (session_.Simple() && (OffersChoices() || session_.Doc().timeline.empty())) return shown;
   for (int panel = 0; panel < static_cast<int>(kPanels.size()); ++panel) {
     const bool tab = timeline_in_tabs_ || kPanels[static_cast<std::size_t>(panel)].tab_on_desk;
     if (tab && session_.Layout().Shows(panel)) shown.push_back(panel);
@@ -55,7 +56,9 @@ int App::DrawTabs(Ui& ui, const ImRect& rect, const std::vector<int>& shown) {
 void App::Draw() {
   Theme& theme = window_.Look();
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  phone_ = size.x < kPhoneWidth;
+  // Upright tablets, too, have the panel under the stage.
+  wide_ = size.x >= kWideCanvas;
+  phone_ = size.x < kPhoneWidth || (!wide_ && size.y > size.x);
   low_ = size.y < kLowHeight;
   timeline_in_tabs_ = phone_ || low_;
   if (phone_) theme.touch = true;
@@ -81,9 +84,12 @@ void App::Draw() {
 
 void App::DrawDesk(Ui& ui, const ImRect& whole) {
   const std::vector<int> shown = ShownTabs();
-  const bool timeline = session_.Layout().Shows(IndexOf(Panel::kTimeline)) && !timeline_in_tabs_;
+  // With the choices alone, the timeline comes with a second clip.
+  const bool timeline = session_.Layout().Shows(IndexOf(Panel::kTimeline)) && !timeline_in_tabs_ &&
+                        !(OffersChoices() && session_.Doc().timeline.size() < 2);
   const bool figures = ShowsFigureRow();
-  const float panel_x = shown.empty() ? whole.Max.x : whole.Max.x - kPanelWidth;
+  const bool choices = OffersChoices();
+  const float panel_x = shown.empty() && !choices ? whole.Max.x : whole.Max.x - kPanelWidth;
   const float timeline_y = !timeline || figures
                                ? whole.Max.y
                                : whole.Max.y - kTimelineHeight - TransitionStripHeight(session_) -
@@ -101,13 +107,58 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
   const ImRect below({whole.Min.x, transport_y}, {panel_x, timeline_y});
   figures ? DrawFigures(ui, below) : DrawTransport(ui, session_, below);
   if (timeline && !figures) DrawTimeline(ui, session_, {{whole.Min.x, timeline_y}, {panel_x, whole.Max.y}});
-  if (shown.empty()) return;
+  DrawSettingsButton(ui, stage);
+  if (shown.empty() && !choices) return;
   ui.VerticalLine(panel_x, whole.Min.y, whole.Max.y);
+  if (choices) return DrawChoices(ui, {{panel_x + 1.0f, whole.Min.y}, whole.Max});
   const float tab_height = ui.Look().touch ? kTouchTabHeight : kTabHeight;
   const ImRect tabs({panel_x + 1.0f, whole.Min.y}, {whole.Max.x, whole.Min.y + tab_height});
   const int panel = DrawTabs(ui, tabs, shown);
   panel_before_ = panel;
   DrawPanel(ui, {{panel_x + 1.0f, tabs.Max.y}, whole.Max}, panel);
+}
+
+bool App::OffersChoices() const {
+  const Arrangement& layout = session_.Layout();
+  const auto open = [&](Panel panel) {
+    return layout.Shows(IndexOf(panel)) && !layout.LocksPanel(IndexOf(panel));
+  };
+  return session_.Simple() && !low_ && (phone_ || wide_) && open(Panel::kStyle) && open(Panel::kController) &&
+         open(Panel::kSearch) && !layout.Locks(LockedPart::kSearch);
+}
+
+// Where the choices of a first visit have no room, this opens the panels.
+void App::DrawSettingsButton(Ui& ui, const ImRect& stage) {
+  if (!session_.Simple() || OffersChoices() || !Invites(session_)) return;
+  const bool wide = InvitesBeside(stage);
+  const float high = ui.Look().touch ? 44.0f : 32.0f;
+  const ImVec2 corner(stage.Max.x - (wide ? 98.0f : 12.0f), stage.Min.y + (wide ? 10.0f : 48.0f));
+  const char* settings = Tr("Settings");
+  const float width = ui.Letters().Width(Type::kBody, settings) + 28.0f;
+  if (ui.Button("stage/settings", {{corner.x - width, corner.y}, {corner.x, corner.y + high}}, settings))
+    session_.ShowAll();
+}
+
+void App::DrawChoices(Ui& ui, const ImRect& rect) {
+  const PartScope part = ui.Part("panel", "region", Tr("Choices"));
+  DrawScrolled(ui, rect, "panel/make", [&] { DrawMakePanel(ui, session_); });
+}
+
+void App::DrawScrolled(Ui& ui, const ImRect& rect, const std::string& id, const std::function<void()>& draw) {
+  ImGui::SetCursorScreenPos(rect.Min);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPanelPadding, 14.0f});
+  ImGui::BeginChild(id.c_str(), rect.GetSize(), ImGuiChildFlags_AlwaysUseWindowPadding,
+                    ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollbar);
+  ImGui::PopStyleVar();
+  if (!session_.Notice().empty()) {
+    ui.Paragraph(session_.Notice(), ui.Ink().accent, Type::kNote);
+    ui.Gap(8.0f);
+  }
+  draw();
+  ui.Gap(6.0f);
+  ui.ScrollByTouch();
+  ui.ScrollBar("panel/scroll");
+  ImGui::EndChild();
 }
 
 bool App::ShowsFigureRow() const {
@@ -137,16 +188,21 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
   const std::vector<int> shown = ShownTabs();
   const bool covers = low_ && (sheet_open_ || stage_.world.open);
   const float sheet = low_ ? 0.0f : std::clamp(0.33f * whole.GetHeight(), 190.0f, 420.0f);
-  const float tabs_y =
-      shown.empty() && !stage_.world.open ? whole.Max.y : whole.Max.y - sheet - kTouchTabHeight;
+  const bool choices = OffersChoices() && !stage_.world.open;
+  const float tabs_y = choices                               ? whole.Max.y - sheet
+                       : shown.empty() && !stage_.world.open ? whole.Max.y
+                                                             : whole.Max.y - sheet - kTouchTabHeight;
   if (!covers) {
     const bool figures = ShowsFigureRow();
     const float below_y = tabs_y - (figures ? kFigureRowHeight : kTouchTransportHeight);
     const ImRect below({whole.Min.x, below_y}, {whole.Max.x, tabs_y});
-    DrawStage(ui, session_, stage_, {whole.Min, {whole.Max.x, below_y}});
+    const ImRect stage(whole.Min, {whole.Max.x, below_y});
+    DrawStage(ui, session_, stage_, stage);
+    DrawSettingsButton(ui, stage);
     figures ? DrawFigures(ui, below) : DrawTransport(ui, session_, below);
   }
   ui.HorizontalLine(whole.Min.x, whole.Max.x, tabs_y);
+  if (choices) return DrawChoices(ui, {{whole.Min.x, tabs_y + 1.0f}, whole.Max});
 
   const ImRect tabs({whole.Min.x, tabs_y}, {whole.Max.x, tabs_y + kTouchTabHeight});
   const int panel = shown.empty() ? -1 : DrawTabs(ui, tabs, shown);
@@ -171,23 +227,19 @@ void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
     DrawTimeline(ui, session_, rect);
     return;
   }
-  ImGui::SetCursorScreenPos(rect.Min);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPanelPadding, 14.0f});
   const PanelRow& row = kPanels[static_cast<std::size_t>(panel)];
-  const char* name = row.label;
-  const PartScope part = ui.Part("panel", "tabpanel", Tr(name));
-  const std::string id = "panel/" + std::string(name);
-  ImGui::BeginChild(id.c_str(), rect.GetSize(), ImGuiChildFlags_AlwaysUseWindowPadding,
-                    ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollbar);
-  ImGui::PopStyleVar();
-  if (!session_.Notice().empty()) {
-    ui.Paragraph(session_.Notice(), ui.Ink().accent, Type::kNote);
-    ui.Gap(8.0f);
-  }
-  const bool locked = session_.Layout().LocksPanel(panel);
-  if (locked) ui.LockNote();
-  ui.Lock(locked);
-  switch (row.panel) {
+  const PartScope part = ui.Part("panel", "tabpanel", Tr(row.label));
+  DrawScrolled(ui, rect, "panel/" + std::string(row.label), [&] {
+    const bool locked = session_.Layout().LocksPanel(panel);
+    if (locked) ui.LockNote();
+    ui.Lock(locked);
+    DrawContents(ui, row.panel);
+    ui.Lock(false);
+  });
+}
+
+void App::DrawContents(Ui& ui, Panel panel) {
+  switch (panel) {
     case Panel::kFigure:
       DrawFigurePanel(ui, session_, figure_panel_);
       break;
@@ -204,14 +256,9 @@ void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
       DrawSearchPanel(ui, session_, search_panel_);
       if (search_panel_.list.strips.Waiting()) window_.RequestOneFrame();
       break;
-    case Panel::kTimeline:  // drawn above
+    case Panel::kTimeline:  // drawn by DrawPanel
       break;
   }
-  ui.Lock(false);
-  ui.Gap(6.0f);
-  ui.ScrollByTouch();
-  ui.ScrollBar("panel/scroll");
-  ImGui::EndChild();
 }
 
 std::vector<Command> App::Commands() {
@@ -227,7 +274,7 @@ std::vector<Command> App::Commands() {
 
 void App::OpenPanel() {
   sheet_open_ = true;
-  session_.LeaveDoor();
+  session_.ShowAll();
 }
 
 bool App::Run(std::string_view id) {

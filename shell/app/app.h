@@ -2,6 +2,8 @@
 // The application: one session, laid out for a desk or a phone, advanced in time and drawn.
 #pragma once
 
+#include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include "shell/session/commands.h"
 #include "shell/session/session.h"
 #include "shell/stage/stage.h"
+#include "shell/workspace/panels.h"
 
 namespace gaitsmith::shell {
 
@@ -44,6 +47,14 @@ class App {
   int DrawTabs(Ui&, const ImRect&, const std::vector<int>& shown);
   void DrawPanel(Ui&, const ImRect&, int panel);
   void DrawWorld(Ui&, const ImRect&);
+  /// What a panel holds, within its scrolled area.
+  void DrawContents(Ui&, Panel panel);
+  /// Draws into an area that scrolls, below the latest sentence for the reader.
+  void DrawScrolled(Ui&, const ImRect&, const std::string& id, const std::function<void()>& draw);
+  /// Whether the choices of a first visit take the place of the panels.
+  [[nodiscard]] bool OffersChoices() const;
+  void DrawChoices(Ui&, const ImRect&);
+  void DrawSettingsButton(Ui&, const ImRect& stage);
   /// Whether figures to choose from take the place of playback and timeline.
   [[nodiscard]] bool ShowsFigureRow() const;
   void DrawFigures(Ui&, const ImRect&);
@@ -59,7 +70,8 @@ class App {
   FigurePanelState figure_panel_;
   StageState stage_;
   int panel_before_ = -1;    // in the frame before
-  bool phone_ = false;       // a narrow canvas
+  bool wide_ = false;        // a canvas with room for a panel beside the stage
+  bool phone_ = false;       // a narrow or upright canvas: the panel lies under the stage
   bool low_ = false;         // a low one
   bool sheet_open_ = false;  // on a low phone: the panel covers the stage
   bool timeline_in_tabs_ = false;

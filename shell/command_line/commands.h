@@ -34,6 +34,7 @@ using Outcome = std::expected<void, Refusal>;
 [[nodiscard]] Outcome MergeCommand(Words words);
 [[nodiscard]] Outcome SwitchesCommand(Words words);
 [[nodiscard]] Outcome NewCommand(Words words);
+[[nodiscard]] Outcome GoalsCommand(Words words);
 [[nodiscard]] Outcome HashCommand(Words words);
 [[nodiscard]] Outcome ValidateCommand(Words words);
 [[nodiscard]] Outcome MeasureCommand(Words words);

@@ -43,7 +43,11 @@ constexpr auto kCommands = std::to_array<Command>({
     {"merge", gaitsmith::shell::MergeCommand, "merge --out CSV [--complete] SHARD …"},
     {"switches", gaitsmith::shell::SwitchesCommand,
      "switches --out CSV [--times T] [--length SECONDS] [--summary] [--threads K] DOC DOC …"},
-    {"new", gaitsmith::shell::NewCommand, "new [--figure F] [--out DOC]"},
+    {"new", gaitsmith::shell::NewCommand, "new [--figure F] [--goal G] [--out DOC]"},
+    {"goals", gaitsmith::shell::GoalsCommand,
+     "goals --search ALG --seeds N --evaluations E --out CSV [--figure F …] [--goal G …] [--strength X …]\n"
+     "             [--first-seed S] [--shard I/N] [--threads K]\n"
+     "  gaitsmith goals --summary CSV"},
     {"hash", gaitsmith::shell::HashCommand, "hash DOC [--lanes 1|2|4|8|16] [--out DOC]"},
     {"validate", gaitsmith::shell::ValidateCommand, "validate DOC"},
     {"measure", gaitsmith::shell::MeasureCommand, "measure DOC"},

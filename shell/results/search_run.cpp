@@ -37,13 +37,13 @@ Document SearchRun::ShortClimb() const {
   return wanted;
 }
 
-bool SearchRun::TryStyle() {
+bool SearchRun::TryStyle(UndoStep step) {
   const Controller* shown = workspace_.ShownController();
   if (shown == nullptr || !FitsSearch(workspace_.Doc(), *shown)) {
     workspace_.Say(Tr("There is no motion to start from yet. Press Synthesize."));
     return false;
   }
-  Begin(ShortClimb());
+  Begin(ShortClimb(), Source::kDocument, step);
   return Running();
 }
 
@@ -65,7 +65,7 @@ void SearchRun::ImproveClip() {
   Begin(std::move(wanted));
 }
 
-void SearchRun::Begin(Document wanted, Source source) {
+void SearchRun::Begin(Document wanted, Source source, UndoStep step) {
   if (lab_.Running()) {
     workspace_.Say(Tr("The lab is running: stop it first, or let it end."));
     return;
@@ -76,7 +76,7 @@ void SearchRun::Begin(Document wanted, Source source) {
   job_ = {.document = std::move(wanted),
           .source = source,
           .clip = workspace_.SelectedClip(),
-          .occasion = workspace_.NewOccasion()};
+          .occasion = step == UndoStep::kMotion ? workspace_.NewOccasion() : workspace_.Gesture()};
   const Document& searched = job_->document;
   progress_ = {.state = SearchState::kRunning,
                .budget = searched.search.evaluations,

@@ -35,19 +35,21 @@ class SearchRun {
   };
   void SetFollowers(Followers followers) { followers_ = std::move(followers); }
 
+  /// What Undo takes back together with a search's motion.
+  enum class UndoStep { kMotion, kMotionAndGesture };  // nothing else, or what the present gesture changed
   /// Starts the open document's own search.
-  void Synthesize() { Begin(workspace_.Doc()); }
+  void Synthesize(UndoStep step = UndoStep::kMotion) { Begin(workspace_.Doc(), Source::kDocument, step); }
   /// Whether that search has run to its end before, and would find the same motion again.
   [[nodiscard]] bool WouldRepeat() const;
   /// Runs a short climb from the shown motion, in the chosen style. @return whether it runs
-  bool TryStyle();
+  bool TryStyle(UndoStep = UndoStep::kMotion);
   /// Runs a short climb that improves the selected clip's controller from the state in which the clip before
   /// it leaves the figure. Refused, with a sentence, unless CanImproveClip.
   void ImproveClip();
   [[nodiscard]] bool CanImproveClip() const;
   /// Stops the running search and starts this one. Refused, with a sentence, while the lab runs. @param
   /// wanted valid
-  void Begin(Document wanted, Source source = Source::kDocument);
+  void Begin(Document wanted, Source source = Source::kDocument, UndoStep = UndoStep::kMotion);
   void Pause();
   void Resume();
   /// Stops the running search and keeps its result.

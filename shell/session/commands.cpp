@@ -190,6 +190,10 @@ void AddView(std::vector<Command>& list, Session& session) {
   add("trail", TrLater("Show the path of the centre of mass"), TrLater("Hide the path of the centre of mass"),
       &View::trail);
   add("forces", TrLater("Show contact forces"), TrLater("Hide contact forces"), &View::forces);
+  list.push_back({.id = "view/simple",
+                  .group = TrLater("View"),
+                  .title = Tr(session.Simple() ? "Show all settings" : "Show only goal, senses and effort"),
+                  .run = [&session] { session.ShowAll(session.Simple()); }});
   const bool beside = session.Comparison().Other().Beside();
   list.push_back(
       {.id = "view/compare",

@@ -42,7 +42,6 @@ Session::Session(Host& host)
   workspace_.SetFollowers({.motion =
                                [this](bool opened) {
                                  if (opened || Doc().timeline.empty()) attempts_.Clear();
-                                 if (!Doc().timeline.empty()) at_door_ = false;
                                  world_.Follow(opened);
                                  comparison_.Follow();
                                  timeline_.Transitions().Follow();
@@ -59,7 +58,7 @@ Result<void> Session::Open(std::string_view text) {
   auto document = json ? DecodeJson(text) : DecodeLink(text);
   if (!document) return std::unexpected(document.error());
   const bool rested = Doc().timeline.empty();
-  at_door_ = false;
+  simple_ = false;
   search_.Abandon();
   BeginGesture();
   workspace_.Remember();
@@ -100,14 +99,13 @@ bool Session::Begin(std::string_view example) {
   auto document = example.empty() ? std::optional(shipped_.FirstFigure()) : shipped_.Motion(example);
   if (!document) return false;
   workspace_.Show(std::move(*document), true);
-  at_door_ = example.empty();
-  if (at_door_) Player().Play(false);
+  simple_ = example.empty();
+  if (simple_) Player().Play(false);
   ForgetPast();
   return true;
 }
 
 void Session::New() {
-  at_door_ = false;
   if (!Replace(shipped_.FirstFigure())) return;
   Player().Play(false);
   SetView([](View& view) { view.panel = static_cast<int>(Panel::kSearch); });
@@ -188,26 +186,28 @@ std::vector<Document> Session::KnownSearches() const {
 }
 
 void Session::Synthesize() {
-  if (!lab_.Running() && search_.WouldRepeat() && !Layout().Locks(LockedPart::kSearch)) {
-    for (const std::uint32_t seed : FreeSeeds(Doc(), KnownSearches(), 1))
-      Set([seed](Document& d) { d.search.seed = seed; });
-  }
-  search_.Synthesize();
+  const bool again = !lab_.Running() && search_.WouldRepeat() && !Layout().Locks(LockedPart::kSearch);
+  if (!again) return search_.Synthesize();
+  BeginGesture();
+  for (const std::uint32_t seed : FreeSeeds(Doc(), KnownSearches(), 1))
+    Set([seed](Document& d) { d.search.seed = seed; });
+  search_.Synthesize(SearchRun::UndoStep::kMotionAndGesture);
 }
 
-void Session::TryStyle() {
-  if (search_.TryStyle()) comparison_.Choose(Ghost::Kind::kEarlier);
+void Session::TryStyle(SearchRun::UndoStep step) {
+  if (search_.TryStyle(step)) comparison_.Choose(Ghost::Kind::kEarlier);
 }
 
 void Session::TryManner(Manner manner) {
   const auto term =
       static_cast<std::size_t>(manner == Manner::kHigher ? StyleTerm::kMaxCmHeight : StyleTerm::kEffort);
   const float change = (manner == Manner::kCalmer ? -1.0f : 1.0f) * UsualWeights(Doc())[term];
+  BeginGesture();
   const bool changed = Set([&](Document& d) {
     float& weight = d.task.weights[term];
     weight = std::abs(weight + change) < 0.01f * std::abs(change) ? 0.0f : weight + change;
   });
-  if (changed) TryStyle();
+  if (changed) TryStyle(SearchRun::UndoStep::kMotionAndGesture);
 }
 
 void Session::TryMore() {

@@ -88,7 +88,8 @@ class Session {
   void ForgetPast();
 
   // What a reload of a browser's tab would lose beside the document: Undo, Redo and the queue.
-  /// As JSON: {"undo", "redo", "queue"}, lists of payloads of links. The oldest steps are left out if the
+  /// As JSON: {"undo", "redo", "queue"}, lists of payloads of links, and
+  /// "simple". The oldest steps are left out if the
   /// text would be too long to store. A running search of the queue comes first among the waiting ones.
   [[nodiscard]] std::string StoreVisit() const;
   /// @return false: the text is damaged, and nothing has changed
@@ -101,9 +102,10 @@ class Session {
   /// @param example  a shipped motion, such as "star-man-shuffle"; empty: a figure that cannot move yet
   /// @return false: there is no such motion
   bool Begin(std::string_view example);
-  /// Whether a first visit still shows only the stage and the figures, without panels.
-  [[nodiscard]] bool AtDoor() const { return at_door_ && Doc().timeline.empty(); }
-  void LeaveDoor() { at_door_ = false; }
+  /// Whether the page offers only the three choices of a first visit, in place of all panels.
+  [[nodiscard]] bool Simple() const { return simple_; }
+  /// Shows all panels, or the three choices alone.
+  void ShowAll(bool all = true) { simple_ = !all; }
   /// Opens the figure of a first visit in place of the open document, with the Search panel.
   void New();
   /// Opens a shipped figure, standing still in the world of the open document, or a problem. @param index of
@@ -122,7 +124,7 @@ class Session {
   /// none of the results has, unless the search is locked.
   void Synthesize();
   /// Runs a short climb from the shown motion in the chosen style, with the earlier motion as ghost.
-  void TryStyle();
+  void TryStyle(SearchRun::UndoStep = SearchRun::UndoStep::kMotion);
   /// Changes a style weight by its usual amount, then TryStyle.
   void TryManner(Manner);
   /// Runs the open document's search with five further seeds, in the queue.
@@ -158,7 +160,7 @@ class Session {
   TimelineEditor timeline_;
   Attempts attempts_;
   ShippedDocuments shipped_;
-  bool at_door_ = false;
+  bool simple_ = false;
   double now_s_ = 1.0;     // time during which the motion played
   double frame_s_ = 0.01;  // time between frames, smoothed
 };

@@ -42,7 +42,7 @@ std::string Session::StoreVisit() const {
   for (const SearchQueue::Entry& entry : queue_.List().Waiting())
     queue.push_back(ToBase64Url(EncodeBinary(entry.document)));
   return R"({"undo":)" + ListJson(steps.past) + R"(,"redo":)" + ListJson(steps.future) + R"(,"queue":)" +
-         ListJson(queue) + "}";
+         ListJson(queue) + R"(,"simple":)" + (simple_ ? "true" : "false") + "}";
 }
 
 bool Session::RestoreVisit(std::string_view text) {
@@ -52,6 +52,8 @@ bool Session::RestoreVisit(std::string_view text) {
   if (!json || !Read(*json, "undo", steps.past) || !Read(*json, "redo", steps.future) ||
       !Read(*json, "queue", payloads))
     return false;
+  const JsonValue* simple = json->Find("simple");
+  if (simple == nullptr || simple->kind != JsonValue::Kind::kBool) return false;
   std::vector<Document> searches;
   for (const std::string& payload : payloads) {
     auto search = DecodeLink(payload);
@@ -59,6 +61,7 @@ bool Session::RestoreVisit(std::string_view text) {
     searches.push_back(std::move(*search));
   }
   if (!workspace_.Past().Restore(steps)) return false;
+  simple_ = simple->boolean;
   for (const Document& search : searches) queue_.List().Add(search);
   workspace_.Redraw();
   const std::size_t waiting = queue_.List().Waiting().size();

@@ -74,17 +74,7 @@ void DrawInvitation(Ui& ui, Session& session, const ImRect& stage) {
   } else {
     button = {{stage.Min.x + kSide, stage.Max.y - 66.0f}, {stage.Max.x - kSide, stage.Max.y - 8.0f}};
   }
-  if (ui.LargeButton("stage/teach", button, Icon::kPlay, TeachWords(name, session.Doc().task.kind)))
-    session.Synthesize();
-
-  if (session.AtDoor()) {
-    const float high = ui.Look().touch ? 44.0f : 32.0f;
-    const ImVec2 corner(stage.Max.x - (wide ? 98.0f : 12.0f), stage.Min.y + (wide ? 10.0f : 48.0f));
-    const char* settings = Tr("Settings");
-    const float width = ui.Letters().Width(Type::kBody, settings) + 28.0f;
-    if (ui.Button("stage/settings", {{corner.x - width, corner.y}, {corner.x, corner.y + high}}, settings))
-      session.LeaveDoor();
-  }
+  if (ui.LargeButton("stage/teach", button, Icon::kPlay, TeachWords(session.Doc()))) session.Synthesize();
 }
 
 }  // namespace gaitsmith::shell

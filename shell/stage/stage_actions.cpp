@@ -36,9 +36,8 @@ std::vector<Action> FoundActions(Session& session) {
   const auto add = [&](bool possible, Action action) {
     if (possible) actions.push_back(std::move(action));
   };
-  const char* another = layout.Locks(LockedPart::kSearch)
-                            ? TeachWords(session.Doc().figure.name, session.Doc().task.kind)
-                            : Tr("Try another");
+  const bool repeats = session.Search().WouldRepeat() && !layout.Locks(LockedPart::kSearch);
+  const char* another = repeats ? Tr("Try another") : TeachWords(session.Doc());
   add(free, {"stage/another", another, [&session] { session.Synthesize(); }, ButtonLook::kPrimary});
   add(!layout.Locks(LockedPart::kWorld),
       {"stage/push", Tr("Push it"), [&session] { session.World().Shove(); }});

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/physics/figure.h"
+#include "shell/words/goal_words.h"
 #include "shell/words/language.h"
 
 namespace gaitsmith::shell {
@@ -51,9 +52,10 @@ std::string CannotMoveWords(std::string_view name) {
   return Tr("{1} can’t move yet.", name.empty() ? Tr("A figure") : TrTitle(name));
 }
 
-const char* TeachWords(std::string_view name, TaskKind task) {
-  if (task == TaskKind::kJump) return Tr("Teach it to jump");
-  const FigureWords* row = WordsAbout(name);
+const char* TeachWords(const Document& document) {
+  const auto goal = GoalOf(document);
+  if (goal && WordsOf(*goal).teach != nullptr) return Tr(WordsOf(*goal).teach);
+  const FigureWords* row = WordsAbout(document.figure.name);
   return Tr(row == nullptr ? "Teach it to move" : row->teach);
 }
 

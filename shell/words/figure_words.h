@@ -5,14 +5,14 @@
 #include <string>
 #include <string_view>
 
-#include "core/rollout/task.h"
+#include "core/document/document.h"
 
 namespace gaitsmith::shell {
 
 /// "This ostrich can’t move yet." @param name  a figure's
 [[nodiscard]] std::string CannotMoveWords(std::string_view name);
 
-/// What a search will do: "Teach it to run". @param name  a figure's
-[[nodiscard]] const char* TeachWords(std::string_view name, TaskKind task);
+/// What the document's search will do: "Teach it to run".
+[[nodiscard]] const char* TeachWords(const Document&);
 
 }  // namespace gaitsmith::shell

@@ -64,6 +64,7 @@ class Workspace {
   /// Starts a new occasion for Undo: a person's next gesture, or all improvements of one search.
   void BeginGesture() { gesture_ = NewOccasion(); }
   [[nodiscard]] int NewOccasion() { return ++occasions_; }
+  [[nodiscard]] int Gesture() const { return gesture_; }
   /// Saves the present document for Undo, once per occasion.
   void Remember() { Remember(gesture_); }
   void Remember(int occasion) { history_.Keep(document_, occasion); }

@@ -3,36 +3,10 @@
 
 #include <algorithm>
 
-#include "shell/stage/figure_drawing.h"
+#include "shell/stage/figure_thumbnail.h"
 #include "shell/words/language.h"
 
 namespace gaitsmith::shell {
-namespace {
-
-void DrawThumbnail(Ui& ui, const Figure& figure, const ImRect& rect, ImU32 colour) {
-  const Skeleton bones(figure);
-  const FigureLook look = LookOf(figure.name, bones);
-  std::vector<ImVec2> points = PoseOf(bones, {});
-  ImRect extent(points[0], points[0]);
-  for (const ImVec2& point : points) extent.Add(point);
-  extent.Min.x -= look.middle_m;
-  extent.Max.x += look.middle_m;
-  extent.Min.y -= look.sole_m;
-  extent.Max.y += look.middle_m;
-  const float scale = std::min(rect.GetWidth() / std::max(extent.GetWidth(), 1e-3f),
-                               rect.GetHeight() / std::max(extent.GetHeight(), 1e-3f));
-  // Align the feet on a common ground line.
-  for (ImVec2& point : points) {
-    point = {rect.GetCenter().x + (point.x - extent.GetCenter().x) * scale,
-             rect.Max.y - (point.y - extent.Min.y) * scale};
-  }
-  const ImU32 behind = ui.Ink().panel;
-  DrawBody(ui.Canvas(), bones, look, points, scale,
-           {.body = colour, .far = Mix(behind, colour, kFarShare), .eye = behind});
-}
-
-}  // namespace
-
 float DrawTileName(Ui& ui, std::string_view name, const ImRect& tile, ImU32 ink) {
   constexpr float kLine = 14.0f;
   const Fonts& letters = ui.Letters();
@@ -63,8 +37,8 @@ bool DrawFigureTile(Ui& ui, const Figure& figure, const std::string& id, bool ch
   ui.Frame(rect, chosen ? Mix(p.panel, p.accent, 0.08f) : p.panel, edge, 9.0f);
   const ImU32 ink = chosen ? p.ink : p.second_ink;
   const float above = DrawTileName(ui, shown, rect, ink);
-  DrawThumbnail(ui, figure, {{rect.Min.x + 16.0f, rect.Min.y + 10.0f}, {rect.Max.x - 16.0f, above}},
-                chosen ? p.accent : Mix(p.panel, p.ink, 0.85f));
+  DrawFigureThumbnail(ui, figure, {{rect.Min.x + 16.0f, rect.Min.y + 10.0f}, {rect.Max.x - 16.0f, above}},
+                      chosen ? p.accent : Mix(p.panel, p.ink, 0.85f), p.panel);
   ui.DrawFocus(touch, rect, 9.0f);
   return touch.pressed;
 }

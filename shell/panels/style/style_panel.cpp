@@ -193,6 +193,9 @@ void DrawStylePanel(Ui& ui, Session& session) {
     session.SetView([&](View& v) { v.trail = trail; });
   if (ui.Switch("view/forces", Tr("Contact forces"), forces))
     session.SetView([&](View& v) { v.forces = forces; });
+  ui.Gap(14.0f);
+  if (ui.Button("style/simple", ui.ControlRow(), Tr("Show only goal, senses and effort")))
+    session.ShowAll(false);
 }
 
 }  // namespace gaitsmith::shell

@@ -89,6 +89,45 @@ async function lessMotion({ browser, address }) {
   await page.close();
 }
 
+/**
+ * Three presses: a figure, a goal, the button.
+ * @param {PageDriver} page @param {string} figure @param {string} goal
+ */
+async function teach(page, figure, goal) {
+  const tile = (await page.widgets()).find(({ id, label }) => id.startsWith('figures/') && label === figure);
+  assert.ok(tile);
+  await page.click(tile.id);
+  await page.until('the figure', `window.gaitsmith.document().figure.name === ${JSON.stringify(figure)}`, 5000);
+  await page.click(`goal/${goal}`);
+  await page.until('the goal', `window.gaitsmith.widgets().some(({ id, state }) => id === 'goal/${goal}' && state.checked)`, 5000);
+  await page.click('stage/teach');
+  await page.until('the end of the search', () => window.gaitsmith.results().length > 0);
+  return page.call('measures', () => window.gaitsmith.measures());
+}
+
+/** @param {Visit} visit */
+async function goals({ browser, address }) {
+  const cartwheel = await PageDriver.open(browser, address, { newcomer: true, plays: true });
+  assert.ok((await teach(cartwheel, 'Acrobat', 'cartwheel')).rotations >= 1, 'it turns over');
+  // Another goal makes the stage's button teach again.
+  await cartwheel.click('goal/far');
+  await cartwheel.until('another lesson', () => window.gaitsmith.widgets().some(({ id, label }) => id === 'stage/another' && label === 'Teach it to run'), 5000);
+  // All panels, and back.
+  await cartwheel.click('make/advanced');
+  await cartwheel.until('the panels', () => window.gaitsmith.widgets().some(({ id }) => id === 'panels/2'), 5000);
+  assert.ok(!(await ids(cartwheel)).some((id) => id.startsWith('goal/')));
+  await cartwheel.page.evaluate(() => window.gaitsmith.run('view/simple'));
+  await cartwheel.until('the choices', () => window.gaitsmith.widgets().some(({ id }) => id === 'goal/far'), 5000);
+  await cartwheel.reload();
+  assert.ok((await ids(cartwheel)).includes('goal/far'), 'a reload keeps the choices');
+  const calm = await PageDriver.open(browser, address, { newcomer: true, plays: true });
+  const { effort } = await teach(calm, 'Mr. Star-Man', 'calm');
+  assert.ok(effort <= 4 * 8, `four joints turn by at most 1 rad/s for eight seconds: ${effort}`);
+  assert.deepEqual([...cartwheel.complaints, ...calm.complaints], []);
+  await cartwheel.close();
+  await calm.close();
+}
+
 /** @param {Visit} visit */
 async function addresses({ browser, address }) {
   const page = await PageDriver.open(browser, `${address}?open=there-and-back`);
@@ -108,6 +147,7 @@ export const DOOR_SCENARIOS = [
   ['a newcomer teaches a bird to sprint, tries another, pushes it and calms it', firstPress],
   ['a newcomer teaches the bird by the Enter key', byKey],
   ['a newcomer on a phone chooses a figure and teaches it with a finger', byFinger],
+  ['a newcomer gets a cartwheel in three presses, and a calm gait', goals],
   ['with reduced motion the first press finds a gait, and nothing plays by itself', lessMotion],
   ['an address opens an example by its name, and all its mistakes are reported', addresses],
 ];

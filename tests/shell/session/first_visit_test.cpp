@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/document/goals.h"
 #include "core/document/standing.h"
 #include "core/document/style_weights.h"
 #include "shell/words/figure_words.h"
@@ -23,7 +24,7 @@ TEST_CASE("first visit: a standing figure, plain metres, nothing to undo", "[she
   QuietHost host;
   Session session(host);
   REQUIRE(session.Begin(""));
-  CHECK(session.AtDoor());
+  CHECK(session.Simple());
   CHECK(session.Doc().figure.name == "Ostrich");
   CHECK(session.Doc().timeline.empty());
   CHECK(session.Doc().task.kind == TaskKind::kTravelRight);
@@ -33,18 +34,18 @@ TEST_CASE("first visit: a standing figure, plain metres, nothing to undo", "[she
   CHECK(host.status.empty());
   CHECK_FALSE(session.Begin("no-such-example"));
   REQUIRE(session.Begin("star-man-shuffle"));
-  CHECK_FALSE(session.AtDoor());
+  CHECK_FALSE(session.Simple());
   CHECK_FALSE(session.Doc().timeline.empty());
 }
 
-TEST_CASE("first visit: the first motion plays from its start, and the panels come", "[shell][session]") {
+TEST_CASE("first visit: the first motion plays from its start, and the choices stay", "[shell][session]") {
   QuietHost host;
   Session session(host);
   REQUIRE(session.Begin(""));
   session.Synthesize();
   REQUIRE(host.started.size() == 1);
   End(session, host, 20000);
-  CHECK_FALSE(session.AtDoor());
+  CHECK(session.Simple());
   CHECK(session.Player().Playing());
   CHECK(session.Player().TimeS() == 0.0);
   // Also when the motion before was paused somewhere.
@@ -117,16 +118,16 @@ TEST_CASE("attempts: Undo in the middle of a search takes them away", "[shell][s
   CHECK(session.Tried().Shown().empty());
 }
 
-TEST_CASE("first visit: after the first motion the panels stay, and what is opened moves",
-          "[shell][session]") {
+TEST_CASE("first visit: once all panels are shown they stay, and what is opened moves", "[shell][session]") {
   QuietHost host;
   Session session(host);
   REQUIRE(session.Begin(""));
   session.Synthesize();
   End(session, host, 20000);
+  session.ShowAll();
   session.New();
   CHECK(session.Doc().timeline.empty());
-  CHECK_FALSE(session.AtDoor());
+  CHECK_FALSE(session.Simple());
   CHECK_FALSE(session.Player().Playing());
   session.BeginGesture();
   session.Undo();
@@ -174,6 +175,29 @@ TEST_CASE(
   CHECK(session.Comparison().Other().Source() == Ghost::Kind::kEarlier);
 }
 
+TEST_CASE("tries: one step of Undo takes back another try, or a calmer one, with its seed or weight",
+          "[shell][session]") {
+  QuietHost host;
+  Session session(host);
+  REQUIRE(session.Begin(""));
+  session.Synthesize();
+  End(session, host, 20000);
+  for (const bool calmer : {false, true}) {
+    CAPTURE(calmer);
+    const std::string before = State(session);
+    calmer ? session.TryManner(Manner::kCalmer) : session.Synthesize();
+    End(session, host, calmer ? 21000 : 22000);
+    CHECK(State(session) != before);
+    session.Undo();
+    CHECK(State(session) == before);
+    session.Redo();
+    session.Undo();
+    CHECK(State(session) == before);
+  }
+  session.Undo();
+  CHECK(session.Doc().timeline.empty());
+}
+
 TEST_CASE("tries: five more are five other seeds, and begin at once", "[shell][session]") {
   QuietHost host;
   Session session(host);
@@ -215,8 +239,10 @@ TEST_CASE("figure words: every shipped figure has a sentence and a button", "[sh
   for (const Figure& figure : shipped.Figures()) {
     CAPTURE(figure.name);
     CHECK(CannotMoveWords(figure.name).ends_with(" can’t move yet."));
-    CHECK(std::string_view(TeachWords(figure.name, TaskKind::kTravelRight)).starts_with("Teach it to "));
-    CHECK(std::string_view(TeachWords(figure.name, TaskKind::kJump)) == "Teach it to jump");
+    Document standing = Standing(figure);
+    CHECK(std::string_view(TeachWords(standing)).starts_with("Teach it to "));
+    SetGoal(Goal::kHighJump, standing);
+    CHECK(std::string_view(TeachWords(standing)) == "Teach it to jump");
   }
   CHECK(CannotMoveWords("Ostrich, mirrored") == "This ostrich can’t move yet.");
   CHECK(CannotMoveWords("My figure") == "My figure can’t move yet.");

@@ -55,6 +55,21 @@ TEST_CASE("session: a reload keeps Undo, Redo and the queue", "[shell][session][
   CHECK_FALSE(next.CanUndo());
 }
 
+TEST_CASE("session: a reload keeps the choices of a first visit, or all panels",
+          "[shell][session][storage]") {
+  QuietHost host;
+  Session session(host);
+  REQUIRE(session.Begin(""));
+  for (const bool simple : {true, false}) {
+    session.ShowAll(!simple);
+    Session next(host);
+    REQUIRE(next.Open(EncodeJson(session.WithHash())));
+    CHECK_FALSE(next.Simple());
+    REQUIRE(next.RestoreVisit(session.StoreVisit()));
+    CHECK(next.Simple() == simple);
+  }
+}
+
 TEST_CASE("session: damaged data of a visit is ignored as a whole", "[shell][session][storage]") {
   QuietHost host;
   Session session(host);
