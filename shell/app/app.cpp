@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "shell/panels/controller/controller_panel.h"
 #include "shell/panels/figure/figure_row.h"
@@ -27,7 +28,7 @@ bool App::Advance(double seconds) {
 
 std::vector<int> App::ShownTabs() {
   std::vector<int> shown;
-  if (session_.AtDoor()) return shown;
+  if (session_.AtDoor() || session_.Viewing()) return shown;
   for (int panel = 0; panel < static_cast<int>(kPanels.size()); ++panel) {
     const bool tab = timeline_in_tabs_ || kPanels[static_cast<std::size_t>(panel)].tab_on_desk;
     if (tab && session_.Layout().Shows(panel)) shown.push_back(panel);
@@ -75,13 +76,15 @@ void App::Draw() {
     DrawDesk(ui, whole);
   }
   ImGui::End();
+  if (std::exchange(stage_.asks_for_rules, false)) Run("panel/Controller");
   if (!first_frame_reported_) host_.FirstFrame();
   first_frame_reported_ = true;
 }
 
 void App::DrawDesk(Ui& ui, const ImRect& whole) {
   const std::vector<int> shown = ShownTabs();
-  const bool timeline = session_.Layout().Shows(IndexOf(Panel::kTimeline)) && !timeline_in_tabs_;
+  const bool timeline =
+      session_.Layout().Shows(IndexOf(Panel::kTimeline)) && !timeline_in_tabs_ && !session_.Viewing();
   const bool figures = ShowsFigureRow();
   const float panel_x = shown.empty() ? whole.Max.x : whole.Max.x - kPanelWidth;
   const float timeline_y = !timeline || figures
@@ -228,6 +231,7 @@ std::vector<Command> App::Commands() {
 void App::OpenPanel() {
   sheet_open_ = true;
   session_.LeaveDoor();
+  session_.LeaveViewer();
 }
 
 bool App::Run(std::string_view id) {

@@ -82,6 +82,7 @@ bool Session::Replace(Document document, bool same_problem) {
     locks.locked[static_cast<std::size_t>(part)] &= !same_problem;
   if (workspace_.Refuses(locks, document)) return false;
   const bool rested = Doc().timeline.empty();
+  LeaveViewer();
   search_.Abandon();
   workspace_.Remember();
   CopyParts(Doc(), Part::kView, document);
@@ -104,6 +105,12 @@ bool Session::Begin(std::string_view example) {
   if (at_door_) Player().Play(false);
   ForgetPast();
   return true;
+}
+
+void Session::LeaveViewer() {
+  if (!std::exchange(viewing_, false)) return;
+  workspace_.Report(Tr("This motion is yours to change now."));
+  workspace_.Redraw();
 }
 
 void Session::New() {
@@ -188,6 +195,7 @@ std::vector<Document> Session::KnownSearches() const {
 }
 
 void Session::Synthesize() {
+  LeaveViewer();
   if (!lab_.Running() && search_.WouldRepeat() && !Layout().Locks(LockedPart::kSearch)) {
     for (const std::uint32_t seed : FreeSeeds(Doc(), KnownSearches(), 1))
       Set([seed](Document& d) { d.search.seed = seed; });

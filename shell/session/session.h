@@ -104,6 +104,11 @@ class Session {
   /// Whether a first visit still shows only the stage and the figures, without panels.
   [[nodiscard]] bool AtDoor() const { return at_door_ && Doc().timeline.empty(); }
   void LeaveDoor() { at_door_ = false; }
+  /// Whether a received motion is shown only to be watched and pushed, without panels and timeline.
+  [[nodiscard]] bool Viewing() const { return viewing_ && !Doc().timeline.empty(); }
+  void EnterViewer() { viewing_ = true; }
+  /// Shows panels and timeline with the open document.
+  void LeaveViewer();
   /// Opens the figure of a first visit in place of the open document, with the Search panel.
   void New();
   /// Opens a shipped figure, standing still in the world of the open document, or a problem. @param index of
@@ -159,6 +164,7 @@ class Session {
   Attempts attempts_;
   ShippedDocuments shipped_;
   bool at_door_ = false;
+  bool viewing_ = false;
   double now_s_ = 1.0;     // time during which the motion played
   double frame_s_ = 0.01;  // time between frames, smoothed
 };
