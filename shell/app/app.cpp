@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "shell/panels/controller/controller_panel.h"
 #include "shell/panels/figure/figure_row.h"
@@ -28,7 +29,8 @@ bool App::Advance(double seconds) {
 
 std::vector<int> App::ShownTabs() {
   std::vector<int> shown;
-  if (session_.Simple() && (OffersChoices() || session_.Doc().timeline.empty())) return shown;
+  const bool simple = session_.Simple() && (OffersChoices() || session_.Doc().timeline.empty());
+  if (simple || session_.Viewing()) return shown;
   for (int panel = 0; panel < static_cast<int>(kPanels.size()); ++panel) {
     const bool tab = timeline_in_tabs_ || kPanels[static_cast<std::size_t>(panel)].tab_on_desk;
     if (tab && session_.Layout().Shows(panel)) shown.push_back(panel);
@@ -78,6 +80,7 @@ void App::Draw() {
     DrawDesk(ui, whole);
   }
   ImGui::End();
+  if (std::exchange(stage_.asks_for_rules, false)) Run("panel/Controller");
   if (!first_frame_reported_) host_.FirstFrame();
   first_frame_reported_ = true;
 }
@@ -86,7 +89,7 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
   const std::vector<int> shown = ShownTabs();
   // With the choices alone, the timeline comes with a second clip.
   const bool timeline = session_.Layout().Shows(IndexOf(Panel::kTimeline)) && !timeline_in_tabs_ &&
-                        !(OffersChoices() && session_.Doc().timeline.size() < 2);
+                        !session_.Viewing() && !(OffersChoices() && session_.Doc().timeline.size() < 2);
   const bool figures = ShowsFigureRow();
   const bool choices = OffersChoices();
   const float panel_x = shown.empty() && !choices ? whole.Max.x : whole.Max.x - kPanelWidth;
@@ -123,8 +126,8 @@ bool App::OffersChoices() const {
   const auto open = [&](Panel panel) {
     return layout.Shows(IndexOf(panel)) && !layout.LocksPanel(IndexOf(panel));
   };
-  return session_.Simple() && !low_ && (phone_ || wide_) && open(Panel::kStyle) && open(Panel::kController) &&
-         open(Panel::kSearch) && !layout.Locks(LockedPart::kSearch);
+  return session_.Simple() && !session_.Viewing() && !low_ && (phone_ || wide_) && open(Panel::kStyle) &&
+         open(Panel::kController) && open(Panel::kSearch) && !layout.Locks(LockedPart::kSearch);
 }
 
 // Where the choices of a first visit have no room, this opens the panels.
@@ -274,6 +277,7 @@ std::vector<Command> App::Commands() {
 
 void App::OpenPanel() {
   sheet_open_ = true;
+  session_.LeaveViewer();
   session_.ShowAll();
 }
 

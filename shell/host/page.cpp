@@ -236,6 +236,12 @@ EMSCRIPTEN_KEEPALIVE void gs_redo() {
 /// Shows the first document of a visit: a shipped motion, or without a name a figure that cannot move yet.
 /// Returns 0 if there is no such motion.
 EMSCRIPTEN_KEEPALIVE int gs_begin(const char* example) { return TheSession().Begin(example) ? 1 : 0; }
+/// Shows the open motion in the viewer, or leaves it for the workbench.
+EMSCRIPTEN_KEEPALIVE void gs_set_viewing(int viewing) {
+  viewing != 0 ? TheSession().EnterViewer() : TheSession().LeaveViewer();
+  ThePage().window->RequestFrame();
+}
+EMSCRIPTEN_KEEPALIVE int gs_viewing() { return TheSession().Viewing() ? 1 : 0; }
 /// Whether nothing moves unless a person plays it.
 EMSCRIPTEN_KEEPALIVE void gs_set_calm(int calm) { TheSession().Player().SetCalm(calm != 0); }
 /// Makes the open document the last one that Undo reaches.

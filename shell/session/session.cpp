@@ -81,6 +81,7 @@ bool Session::Replace(Document document, bool same_problem) {
     locks.locked[static_cast<std::size_t>(part)] &= !same_problem;
   if (workspace_.Refuses(locks, document)) return false;
   const bool rested = Doc().timeline.empty();
+  LeaveViewer();
   search_.Abandon();
   workspace_.Remember();
   CopyParts(Doc(), Part::kView, document);
@@ -103,6 +104,13 @@ bool Session::Begin(std::string_view example) {
   if (simple_) Player().Play(false);
   ForgetPast();
   return true;
+}
+
+void Session::LeaveViewer() {
+  if (!std::exchange(viewing_, false)) return;
+  simple_ = true;
+  workspace_.Report(Tr("This motion is yours to change now."));
+  workspace_.Redraw();
 }
 
 void Session::New() {
@@ -186,6 +194,7 @@ std::vector<Document> Session::KnownSearches() const {
 }
 
 void Session::Synthesize() {
+  LeaveViewer();
   const bool again = !lab_.Running() && search_.WouldRepeat() && !Layout().Locks(LockedPart::kSearch);
   if (!again) return search_.Synthesize();
   BeginGesture();

@@ -106,6 +106,11 @@ class Session {
   [[nodiscard]] bool Simple() const { return simple_; }
   /// Shows all panels, or the three choices alone.
   void ShowAll(bool all = true) { simple_ = !all; }
+  /// Whether a received motion is shown only to be watched and pushed, without panels and timeline.
+  [[nodiscard]] bool Viewing() const { return viewing_ && !Doc().timeline.empty(); }
+  void EnterViewer() { viewing_ = true; }
+  /// Shows the choices of a first visit beside the open document.
+  void LeaveViewer();
   /// Opens the figure of a first visit in place of the open document, with the Search panel.
   void New();
   /// Opens a shipped figure, standing still in the world of the open document, or a problem. @param index of
@@ -161,6 +166,7 @@ class Session {
   Attempts attempts_;
   ShippedDocuments shipped_;
   bool simple_ = false;
+  bool viewing_ = false;
   double now_s_ = 1.0;     // time during which the motion played
   double frame_s_ = 0.01;  // time between frames, smoothed
 };

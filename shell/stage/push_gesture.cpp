@@ -12,6 +12,9 @@ namespace {
 // Change of the centre of mass's velocity per length of the arrow [1/s].
 constexpr float kSpeedPerMetre = 3.0f;
 
+// In the viewer the whole figure can be pulled, not only its joints [points].
+constexpr float kWholeFigure = 90.0f;
+
 struct Impulse {
   float x_ns, y_ns;
   [[nodiscard]] float Size() const { return std::hypot(x_ns, y_ns); }
@@ -41,7 +44,8 @@ int Nearest(std::span<const ImVec2> endpoints, ImVec2 pointer, float reach) {
 bool PushByHand(Ui& ui, Session& session, PushGesture& gesture, const Touch& stage, const Camera& camera,
                 std::span<const ImVec2> endpoints) {
   const ImVec2 pointer = ImGui::GetIO().MousePos;
-  const float reach = ui.Look().touch ? 30.0f : 18.0f;
+  const float slack = ui.Look().touch ? 30.0f : 18.0f;
+  const float reach = session.Viewing() ? kWholeFigure : slack;
   if (stage.began) {
     gesture = {.endpoint = Nearest(endpoints, pointer, reach), .was_playing = session.Player().Playing()};
   }
@@ -55,7 +59,9 @@ bool PushByHand(Ui& ui, Session& session, PushGesture& gesture, const Touch& sta
   const ImVec2 from = endpoints[static_cast<std::size_t>(gesture.endpoint)];
   const Impulse impulse = ImpulseOf(from, pointer, camera, session.Player().Shown().Bones().mass_kg);
   if (stage.held) {
-    if (!gesture.drawn && std::hypot(pointer.x - from.x, pointer.y - from.y) > reach) {
+    // Measured from where the pointer went down, because the figure may move under a pointer that rests.
+    const ImVec2 down = ImGui::GetIO().MouseClickedPos[0];
+    if (!gesture.drawn && std::hypot(pointer.x - down.x, pointer.y - down.y) > slack) {
       gesture.drawn = true;
       session.Player().Play(false);
     }

@@ -9,6 +9,7 @@
 #include "shell/stage/push_gesture.h"
 #include "shell/stage/scene.h"
 #include "shell/stage/stage_actions.h"
+#include "shell/stage/viewer.h"
 #include "shell/words/language.h"
 #include "shell/words/search_words.h"
 #include "shell/words/wording.h"
@@ -18,6 +19,7 @@ namespace {
 
 constexpr float kMinZoom = 0.1f;
 constexpr float kMaxZoom = 6.0f;
+constexpr float kRemark = 71.0f;       // from the stage's top
 constexpr float kCornerRoom = 114.0f;  // width reserved for the button in the corner
 
 // A note about the motion, announced by screen readers.
@@ -50,22 +52,23 @@ void DrawNumbers(const Scene& s, const std::string& name, float clear) {
   letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 27.0f}, clear, p.second_ink, words);
 }
 
-void DrawRemark(const Scene& s) {
+/// @param y of its centre
+void DrawRemark(const Scene& s, float y) {
   const Palette& p = s.ui.Ink();
   const Fonts& letters = s.ui.Letters();
   const Terms& terms = s.player.TermsNow();
-  const ImVec2 at(s.rect.Min.x + 16.0f, s.rect.Min.y + 31.0f);
+  const ImVec2 at(s.rect.Min.x + 16.0f, y);
   const auto remark = [&](ImU32 colour, std::string_view sentence) {
     const float width = s.rect.GetWidth() - 32.0f;
-    letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 40.0f}, width, colour, sentence);
-    s.ui.DescribeText(sentence, {{at.x, at.y + 31.0f}, {at.x + width, at.y + 49.0f}});
+    letters.DrawElided(s.list, Type::kNote, at, width, colour, sentence);
+    s.ui.DescribeText(sentence, {{at.x, at.y - 9.0f}, {at.x + width, at.y + 9.0f}});
   };
   if (terms.broke_physics) {
     remark(p.bad, Tr("The simulation failed, so this motion doesn't count."));
   } else if (s.session.World().Changed()) {
     remark(p.accent, Tr("You changed the world, so the motion differs from the one you opened."));
   } else if (s.session.DiffersFromMaker()) {
-    DrawNote(s, {at.x, at.y + 40.0f}, Tr("This motion differs from the one its maker saw."));
+    DrawNote(s, at, Tr("This motion differs from the one its maker saw."));
   }
 }
 
@@ -156,7 +159,8 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
        .value = Tr("{1} m after {2} s", Fixed(terms.travel_m, 2), Fixed(session.Player().TimeS(), 2))});
   Zoom(state, touch);
   const ImRect open(rect.Min, {rect.Max.x - covered, rect.Max.y});
-  const bool acts = HasStageActions(session, open);
+  const bool viewing = session.Viewing();
+  const bool acts = viewing || HasStageActions(session, open);
   const bool invites = acts && Invites(session);
   const bool beside = invites && InvitesBeside(open);
   const float ground_y = ui.Look().Snap(rect.Max.y - GroundRoom(rect.GetHeight(), acts && !beside));
@@ -184,9 +188,11 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
   if (touch.pressed && !pinching && !pushing && !panned) session.Player().Play(!session.Player().Playing());
   const Controller* shown = session.Timeline().ShownController();
   const std::string name = two && shown != nullptr ? ControlModeWords(shown->kind, shown->senses) : "";
-  if (!invites) {
+  if (viewing) {
+    DrawRemark(scene, DrawViewerWords(ui, session, own));
+  } else if (!invites) {
     DrawNumbers(scene, name, own.GetWidth() - (two ? 32.0f : kCornerRoom));
-    DrawRemark(scene);
+    DrawRemark(scene, own.Min.y + kRemark);
   }
   scene.list->PopClipRect();
   if (two)
@@ -198,8 +204,15 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
   ui.DrawFocus(touch, ring, 4.0f);
   scene.list->PopClipRect();
   if (invites) DrawInvitation(ui, session, open);
-  if (acts) DrawStageActions(ui, session, open, ground_y);
-  if (!invites || beside || state.world.open) DrawWorldButton(ui, state.world, rect);
+  if (acts) {
+    const ImRect row = ActionRow(ui, session, open, ground_y);
+    if (viewing) {
+      state.asks_for_rules |= DrawViewerActions(ui, session, row);
+    } else {
+      DrawStageActions(ui, session, row);
+    }
+  }
+  if ((!invites && !viewing) || beside || state.world.open) DrawWorldButton(ui, state.world, rect);
   if (state.gaze.zoom != 1.0f || state.gaze.pan_m != 0.0) DrawFollowButton(ui, state, rect);
 }
 

@@ -18,6 +18,7 @@ struct StageState {
   PushGesture push;
   Pinch pinch;
   WorldCardState world;
+  bool asks_for_rules = false;  // a button of the viewer was pressed: the rules should be shown
 };
 
 /// @param covered width at the right that a card covers [points]; the figure stays left of it

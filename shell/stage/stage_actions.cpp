@@ -16,8 +16,6 @@ constexpr float kMargin = 16.0f;
 constexpr float kLeastStage = 230.0f;  // lower ones have no room for buttons
 constexpr float kRulerRoom = 48.0f;    // of the ruler and the letters, below the ground line
 
-float ActionHeight(const Ui& ui) { return ui.Look().touch ? 46.0f : 40.0f; }
-
 bool Searches(Session& session) { return session.Search().Running() && session.Search().ShowsImprovements(); }
 
 struct Action {
@@ -93,10 +91,13 @@ bool HasStageActions(const Session& session, const ImRect& stage) {
   return stage.GetHeight() >= kLeastStage && session.Layout().Shows(IndexOf(Panel::kSearch));
 }
 
-void DrawStageActions(Ui& ui, Session& session, const ImRect& stage, float ground_y) {
-  const float height = ActionHeight(ui);
+ImRect ActionRow(const Ui& ui, const Session& session, const ImRect& stage, float ground_y) {
+  const float height = ui.Look().touch || session.Viewing() ? 46.0f : 40.0f;
   const float top = stage.Max.y - 0.5f * (stage.Max.y - ground_y - kRulerRoom + height);
-  const ImRect row({stage.Min.x + kMargin, top}, {stage.Max.x - kMargin, top + height});
+  return {{stage.Min.x + kMargin, top}, {stage.Max.x - kMargin, top + height}};
+}
+
+void DrawStageActions(Ui& ui, Session& session, const ImRect& row) {
   if (Searches(session)) return DrawStop(ui, session, row);
   if (!session.Doc().timeline.empty() && !session.Lab().Running()) DrawRow(ui, row, FoundActions(session));
 }

@@ -10,6 +10,9 @@ namespace gaitsmith::shell {
 /// Whether the stage has room for buttons, and the arrangement lets a person search.
 [[nodiscard]] bool HasStageActions(const Session&, const ImRect& stage);
 
-void DrawStageActions(Ui&, Session&, const ImRect& stage, float ground_y);
+/// The place of the buttons, on the ground.
+[[nodiscard]] ImRect ActionRow(const Ui&, const Session&, const ImRect& stage, float ground_y);
+
+void DrawStageActions(Ui&, Session&, const ImRect& row);
 
 }  // namespace gaitsmith::shell

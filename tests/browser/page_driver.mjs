@@ -26,8 +26,8 @@ export class PageDriver {
    * an open page's profile.
    * @param {Browser} browser @param {string} address
    * @param {{beside?: PageDriver, before?: () => void, newcomer?: boolean, plays?: boolean}} [options]  before: runs in
-   * the page before its scripts; newcomer: comes to the bare address
-   * as a stranger would; others begin with an example, because most scenarios need a motion; plays: the motion plays, else it is paused at once, because
+   * the page before its scripts; newcomer: comes to the address
+   * as a stranger would; others begin with an example or open a link in the workbench, because most scenarios need a motion and panels; plays: the motion plays, else it is paused at once, because
    * drawing it with software graphics needs most of a processor
    */
   static async open(browser, address, { beside, before, newcomer = false, plays = false } = {}) {
@@ -57,7 +57,9 @@ export class PageDriver {
     await page.evaluateOnNewDocument(recordWorkers);
     if (before) await page.evaluateOnNewDocument(before);
     const bare = !beside && !newcomer && !/[?#]/.test(address);
-    await driver.arrive(() => page.goto(bare ? `${address}?open=star-man-shuffle` : address));
+    // A link opens the viewer for a stranger, and the workbench with ?edit.
+    const there = newcomer ? address : address.replace(/^([^?#]*)#/, '$1?edit#');
+    await driver.arrive(() => page.goto(bare ? `${address}?open=star-man-shuffle` : there));
     return driver;
   }
 

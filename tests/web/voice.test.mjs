@@ -20,7 +20,7 @@ const EVERYWHERE = [
 /** @type {Habit[]} */
 const ENGLISH = [
   { habit: /\b(whoever|whatever|somebody|someone|anybody|nobody|no one)\b/i, reason: 'name the part of the page or the person', example: 'Whoever opens it',
-    allowed: ['Nobody animated this'] },
+    allowed: ['Nobody animated this', 'Nobody animated this. A computer found it.'] },
   { habit: /^not now\b/i, reason: 'say the reason alone', example: 'Not now: nothing to undo.' },
   { habit: /\b(tells?|told|says?|said|hears?|heard|speaks?|spoken)\b/i, reason: 'data is shown, reported, received', example: 'It was told so.' },
   { habit: /\b(so|as|that) many\b/i, reason: 'a noun and a number', example: 'Every run begins at the best of so many.' },

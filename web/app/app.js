@@ -85,12 +85,22 @@ export class App {
   running() { return this.module._gs_running() !== 0; }
 
   /**
+   * Opens a document in the workbench.
    * @param {string} text  JSON, a link, or the payload of one
    * @returns {string} empty, or core's sentence about the error and its place, with nothing changed
    */
   open(text) {
-    return this.#with(text, (at, bytes) => this.#text(this.module._gs_open(at, bytes)));
+    const fault = this.show(text);
+    if (!fault) this.setViewing(false);
+    return fault;
   }
+
+  /** Like open, but in the viewer if that is shown. @param {string} text @returns {string} */
+  show(text) { return this.#with(text, (at, bytes) => this.#text(this.module._gs_open(at, bytes))); }
+  /** Shows the open motion in the viewer, or leaves it for the workbench. @param {boolean} viewing */
+  setViewing(viewing) { this.module._gs_set_viewing(viewing ? 1 : 0); }
+  /** Whether the viewer is shown. */
+  viewing() { return this.module._gs_viewing() !== 0; }
 
   /** @returns {string} indented JSON */
   documentText() { return this.#text(this.module._gs_document_json()); }

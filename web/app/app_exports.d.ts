@@ -60,6 +60,9 @@ export interface AppExports {
    * Returns 0 if there is no such motion.
    */
   _gs_begin(example: Pointer): number;
+  /** Shows the open motion in the viewer, or leaves it for the workbench. */
+  _gs_set_viewing(viewing: number): void;
+  _gs_viewing(): number;
   /** Whether nothing moves unless a person plays it. */
   _gs_set_calm(calm: number): void;
   /** Makes the open document the last one that Undo reaches. */

@@ -94,7 +94,9 @@ export class Links {
     try {
       const payload = await this.playground.payload(join(this.root, file));
       const opens = { payload, ...Object.fromEntries(parameters) };
-      return { href: this.way(page, `../${playgroundAddress(payload, parameters)}`), opens };
+      // Without ?edit a link to a bare document opens the viewer.
+      const query = parameters.size ? parameters : new URLSearchParams('edit');
+      return { href: this.way(page, `../${playgroundAddress(payload, query)}`), opens };
     } catch (error) {
       return this.#fault(page, line, `"${file}" does not open in the playground: ${error instanceof Error ? error.message : error}`);
     }

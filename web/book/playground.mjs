@@ -64,6 +64,6 @@ export class Playground {
  * @param {string} payload @param {Iterable<[string, string]>} query
  */
 export function playgroundAddress(payload, query) {
-  const text = new URLSearchParams([...query]).toString().replaceAll('%2C', ',');
+  const text = new URLSearchParams([...query]).toString().replaceAll('%2C', ',').replace('edit=', 'edit');
   return `index.html${text && `?${text}`}#${payload}`;
 }

@@ -53,7 +53,7 @@ export class Gaitsmith extends EventTarget {
    */
   open(linkOrDocument) {
     const text = typeof linkOrDocument === 'string' ? linkOrDocument : JSON.stringify(linkOrDocument);
-    const fault = this.#loadedParts().app.open(text);
+    const fault = this.#loadedParts().app.show(text);
     if (fault) throw new Error(fault);
   }
 

@@ -19,6 +19,17 @@ export function arranged() {
   return NAMES.some((name) => address.has(name));
 }
 
+/**
+ * Whether the address asks for the viewer (?view) or the workbench (?edit), whatever link it holds.
+ * @returns {'view' | 'edit' | '' | null}  '': for neither; null: both, or one with a value
+ */
+export function askedMode() {
+  const address = new URLSearchParams(location.search);
+  const asked = /** @type {const} */ (['view', 'edit']).filter((mode) => address.has(mode));
+  if (!asked.length) return '';
+  return asked.length === 1 && !address.get(asked[0]) ? asked[0] : null;
+}
+
 export class Arrangement {
   /** @type {import('./goal.js').GoalBar | null} */
   #bar = null;
@@ -46,6 +57,7 @@ export class Arrangement {
       && !Object.hasOwn((await import('../share/examples.js')).EXAMPLES, example)) {
       faults.push(tr('There is no example “{1}”.', example));
     }
+    if (askedMode() === null) faults.push(tr('“view” and “edit” take no value, and exclude each other.'));
     if (faults.length) banner(tr('The address of this page has a mistake: {1}', faults.join(' ')));
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The header: its menu on narrow screens, the banner below it, and Undo and Redo, with the reason if they are
-// unavailable.
+// The header: its menu on narrow screens, what it shows in the viewer, the banner below it, and Undo and Redo, with the
+// reason if they are unavailable.
 import { banner, element, onClick } from '../browser/dom.js';
 import { keyCap } from '../access/keys.js';
 import { followLanguage, tr } from '../languages/language.js';
@@ -46,8 +46,18 @@ function foldMenu() {
   };
   addEventListener('resize', fold);
   document.fonts.addEventListener('loadingdone', fold);
-  new MutationObserver(fold).observe(root, { attributeFilter: ['data-scale'] });
+  new MutationObserver(fold).observe(root, { attributeFilter: ['data-scale', 'data-viewer'] });
   followLanguage(fold);
+}
+
+/** Adapts header and address to the viewer, which the application enters and leaves. @param {{app: App, address: import('../share/address.js').Address}} parts */
+export function followViewer({ app, address }) {
+  const { dataset } = document.documentElement;
+  if (app.viewing()) dataset.viewer = '';
+  else if (dataset.viewer !== undefined) {
+    delete dataset.viewer;
+    address.write(); // so that a reload at once stays in the workbench
+  }
 }
 
 export class HistoryButtons {

@@ -2,7 +2,7 @@
 // Starts the application in the canvas and connects it with address, workers, header and footer.
 import { Address } from '../share/address.js';
 import { App } from '../app/app.js';
-import { Arrangement, arranged, namedExample } from './arrangement.js';
+import { Arrangement, arranged, askedMode, namedExample } from './arrangement.js';
 import { Autosave } from '../storage/autosave.js';
 import { Commands } from './commands.js';
 import { Gaitsmith } from './api.js';
@@ -16,7 +16,7 @@ import { Searches } from '../search/searches.js';
 import { StatusLine } from '../access/status_line.js';
 import { TransitionMaps } from '../search/transition_maps.js';
 import { banner, element, offerFile, onClick, setText } from '../browser/dom.js';
-import { HistoryButtons, startHeader } from './header.js';
+import { HistoryButtons, followViewer, startHeader } from './header.js';
 import { KeptResults } from '../storage/kept_results.js';
 import { compiledEngine, createWorker } from '../search/compiled_engine.js';
 import { compiledModule } from '../browser/compiled_module.js';
@@ -97,6 +97,7 @@ async function start() {
       documentChanged: (title) => {
         showTitle(title);
         gaitsmith.documentChanged(title);
+        if (parts) followViewer(parts);
         parts?.address.changed();
         parts?.autosave.changed();
         parts?.buttons.update();
@@ -129,10 +130,11 @@ async function start() {
     showTitle(app.title());
   });
   const autosave = new Autosave(app, address, statusLine);
-  autosave.begin({ example, text, arranged: arranged() });
+  autosave.begin({ example, text, arranged: arranged(), mode: askedMode() });
   showTitle(app.title());
   commands = new Commands(app, new Mirror(app, canvas));
   parts = { app, searches, transitions, lab: new Lab(app), arrangement: new Arrangement(app, gaitsmith), address, autosave, results: new KeptResults(statusLine), naming: new Naming(app), buttons: new HistoryButtons(app), commands, canvas };
+  followViewer(parts);
   gaitsmith.begin(parts);
   void parts.arrangement.begin();
   gaitsmith.fps = Number(new URLSearchParams(location.search).get('fps'));
@@ -236,7 +238,7 @@ function addCommands(commands, { address, autosave, palette, help }) {
   onClick('home', (event) => {
     if (event.ctrlKey || event.metaKey || event.shiftKey) return; // opens a new tab or window
     if (embedded) { // opens the document in a new tab, where there is more room
-      element('home', HTMLAnchorElement).href = address.link().replace(/\?[^#]*/, '');
+      element('home', HTMLAnchorElement).href = address.link().replace('#', '?edit#');
       return;
     }
     event.preventDefault();

@@ -32,14 +32,15 @@ export class Address {
   /** @param {string} payload */
   linkOf(payload) { return `${location.href.split(/[?#]/)[0]}#${payload}`; }
 
-  /** Opens the link in the address, if there is one. A damaged link changes nothing. */
+  /** Opens the link in the address, if there is one. A damaged link changes nothing. @returns {boolean} whether it is open */
   open() {
     this.follow();
     const payload = location.hash.slice(1);
-    if (payload === '' || payload === this.app.link()) return;
-    const fault = this.app.open(payload);
+    if (payload === '' || payload === this.app.link()) return payload !== '';
+    const fault = this.app.show(payload);
     if (!fault) this.#opened = { payload, link: this.app.link() };
     banner(fault && tr('This link was not opened: {1} Copy the whole link again. If a newer version made it, reload this page. The motion shown here is not the one in the link.', sentence(fault)));
+    return !fault;
   }
 
   /** From now on the address follows the document. */
@@ -58,17 +59,28 @@ export class Address {
     this.#followsDocument = false;
   }
 
+  /** Writes the current document into the address. In the viewer the address keeps what was received. */
   write() {
+    if (this.app.viewing()) return;
     const { payload, link } = this.#opened;
-    const target = new URL(location.href);
-    if (target.searchParams.has('open')) target.searchParams.delete('open'); // the link says what is open from now on
-    target.hash = this.app.link() === link ? payload : this.app.link();
-    try {
-      history.replaceState(null, '', target);
-    } catch {
-      return; // not allowed in a frame without an origin
-    }
-    this.onWrite();
+    // The link says what is open from now on.
+    if (replaceAddress(['open', 'view', 'edit'], this.app.link() === link ? payload : this.app.link())) this.onWrite();
+  }
+
+  /** Removes ?edit once the workbench is open, so that an address copied from there is an ordinary link. */
+  forgetEdit() { replaceAddress(['edit'], location.hash.slice(1)); }
+}
+
+/** @param {string[]} without  these parameters @param {string} payload @returns {boolean} false: not allowed in a frame without an origin */
+function replaceAddress(without, payload) {
+  const target = new URL(location.href);
+  for (const name of without) if (target.searchParams.has(name)) target.searchParams.delete(name);
+  target.hash = payload;
+  try {
+    history.replaceState(null, '', target);
+    return true;
+  } catch {
+    return false;
   }
 }
 

@@ -4,12 +4,17 @@
 // inside other pages store nothing.
 import { element, onClick } from '../browser/dom.js';
 import { locale, tr, trSentence } from '../languages/language.js';
+import { addOwnAddress, fingerprint, isOwnAddress } from './own_addresses.js';
 import { removeWork, storeWork, keptWorks } from './kept_works.js';
 import { remember, remembered } from '../browser/storage.js';
 
 /** @typedef {import('../app/app.js').App} App */
 /** @typedef {import('../page/commands.js').Command} Command */
 /** @typedef {import('./kept_works.js').Work} Work */
+/**
+ * What the page's address says. text: of the example, if it was downloaded; arranged: it sets up the page; mode: of askedMode
+ * @typedef {{example: string, text: string, arranged: boolean, mode: 'view' | 'edit' | '' | null}} FirstAddress
+ */
 /** @typedef {{id: string, address: string, before: string, link: string, visit?: string}} TabState  before: the address before this one; visit: of App.storeVisit */
 
 const REST_MS = 2000;
@@ -33,7 +38,10 @@ export class Autosave {
     this.address = address;
     this.statusLine = statusLine;
     if (this.#embedded) return;
-    address.onWrite = () => this.#storeTabState();
+    address.onWrite = () => {
+      this.#storeTabState();
+      addOwnAddress(location.hash.slice(1));
+    };
     addEventListener('pagehide', () => this.save());
     addEventListener('visibilitychange', () => { if (document.hidden) this.save(); });
   }
@@ -41,23 +49,24 @@ export class Autosave {
   /**
    * Opens the visit's first document: this tab's work, else the link in the address, else the example that the address
    * names, else the last work, else a figure that cannot move yet. A page inside another page begins with a motion.
-   * @param {{example: string, text: string, arranged: boolean}} address  the example that the address names, its text
-   * if it was downloaded, and whether the address sets up the page
+   * A link that this browser does not know opens in the viewer.
+   * @param {FirstAddress} address
    */
-  begin({ example, text, arranged }) {
+  begin({ example, text, arranged, mode }) {
     const payload = location.hash.slice(1);
     const tabState = this.#embedded ? null : this.#tabState();
     const last = this.#embedded ? undefined : keptWorks()[0];
     // Firefox may reload the address that the page had just replaced.
-    const ownAddress = tabState?.address === payload || (reloaded() && tabState?.before === payload);
+    const ownAddress = tabState?.address === payload || (arrival() === 'reload' && tabState?.before === payload);
     const continued = tabState !== null && ownAddress && tabState.link !== payload;
     const sameWork = continued || tabState?.link === payload;
     if (tabState && sameWork) this.#id = tabState.id;
+    let opened = false;
     if (continued && this.app.open(tabState.link) === '') {
       this.address.follow();
       if (payload) this.address.changed();
     } else {
-      this.address.open();
+      opened = this.address.open();
       const named = () => (text ? this.app.open(text) === '' : example !== '' && this.app.begin(example));
       if (!payload && !named()) {
         if (last && this.app.open(last.link) === '') {
@@ -68,7 +77,12 @@ export class Autosave {
       }
     }
     this.app.forgetPast();
+    const received = opened && !arranged && !this.#embedded && !sameWork && arrival() === 'navigate' && !isOwnAddress(payload)
+      && keptWorks().every(({ link }) => link !== payload);
+    if (mode === 'view' || (received && mode !== 'edit')) this.app.setViewing(true);
+    else if (mode === 'edit' && opened) this.address.forgetEdit();
     if (this.#embedded) return;
+    if (opened && !this.app.viewing()) addOwnAddress(payload);
     if (sameWork && typeof tabState?.visit === 'string') this.app.restoreVisit(tabState.visit);
     this.#started = true;
     this.#written = this.app.link();
@@ -94,7 +108,7 @@ export class Autosave {
   save() {
     clearTimeout(this.#timer);
     this.#timer = undefined;
-    if (!this.#started) return false;
+    if (!this.#started || this.app.viewing()) return false;
     const visit = this.app.storeVisit();
     const changed = fingerprint(visit) !== this.#visit;
     if (changed) this.#storeTabState(visit);
@@ -176,15 +190,8 @@ export class Autosave {
   }
 }
 
-/** Tells long texts apart without keeping them. @param {string} text */
-function fingerprint(text) {
-  let sum = 0;
-  for (let i = 0; i < text.length; i++) sum = (Math.imul(sum, 31) + text.charCodeAt(i)) | 0;
-  return `${text.length} ${sum}`;
-}
-
-/** Whether this visit is a reload. */
-function reloaded() {
+/** How this visit came to the page: 'navigate', 'reload' or 'back_forward'; undefined: unknown. */
+function arrival() {
   const [visit] = performance.getEntriesByType('navigation');
-  return visit instanceof PerformanceNavigationTiming && visit.type === 'reload';
+  return visit instanceof PerformanceNavigationTiming ? visit.type : undefined;
 }

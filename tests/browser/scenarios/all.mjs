@@ -33,6 +33,7 @@ import { THEME_SCENARIOS } from './theme.mjs';
 import { DOOR_SCENARIOS } from './door.mjs';
 import { TOUR_SCENARIOS } from './tour.mjs';
 import { TYPING_SCENARIOS } from './typing.mjs';
+import { VIEWER_SCENARIOS } from './viewer.mjs';
 import { WALK_SCENARIOS } from './walk.mjs';
 import { bytesUntilFirstMotion } from '../../bench/page_weight.mjs';
 import { nativeHash } from '../native.mjs';
@@ -292,6 +293,7 @@ export const SCENARIOS = [
   ...THEME_SCENARIOS,
   ...TYPING_SCENARIOS,
   ...DOOR_SCENARIOS,
+  ...VIEWER_SCENARIOS,
   ...TOUR_SCENARIOS,
   ...LANGUAGE_SCENARIOS,
 

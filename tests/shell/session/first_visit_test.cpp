@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/document/goals.h"
+#include "core/document/json.h"
 #include "core/document/standing.h"
 #include "core/document/style_weights.h"
 #include "shell/words/figure_words.h"
@@ -73,6 +74,36 @@ TEST_CASE("first visit: with reduced motion a still moment is shown", "[shell][s
   End(session, host, 20000);
   CHECK_FALSE(session.Player().Playing());
   CHECK(session.Player().TimeS() > 0.0);
+}
+
+TEST_CASE("viewer: shows what links bring, until a person makes something", "[shell][session]") {
+  QuietHost host;
+  Session session(host);
+  const std::string text = EncodeJson(session.Doc());
+  const auto enter = [&] {
+    REQUIRE(session.Open(text));
+    session.EnterViewer();
+    REQUIRE(session.Viewing());
+  };
+  enter();
+  session.World().Shove();
+  REQUIRE(session.Open(text));
+  CHECK(session.Viewing());
+  const int changes = host.changes;
+  session.LeaveViewer();
+  CHECK_FALSE(session.Viewing());
+  CHECK(host.changes == changes + 1);  // the page follows
+  session.LeaveViewer();
+  CHECK(host.changes == changes + 1);
+  enter();
+  session.Synthesize();
+  CHECK_FALSE(session.Viewing());
+  enter();
+  session.ChooseFigure(0);
+  CHECK_FALSE(session.Viewing());
+  // A figure that cannot move yet has nothing to watch.
+  session.EnterViewer();
+  CHECK_FALSE(session.Viewing());
 }
 
 TEST_CASE("attempts: the newest six play in time with the best, and go three seconds after the end",
