@@ -6,6 +6,7 @@
 #include "core/document/parts.h"
 #include "core/document/timeline_edit.h"
 #include "shell/words/language.h"
+#include "shell/words/motion_name.h"
 #include "shell/words/wording.h"
 
 namespace gaitsmith::shell {
@@ -16,6 +17,13 @@ constexpr std::string_view kEdited = ", edited";
 void MarkEdited(std::string& words) {
   if (words.ends_with(kEdited)) return;
   words = Shortened(words, kMaxNameBytes - kEdited.size()) + std::string(kEdited);
+}
+
+/// Whether a search has written the title.
+bool NamesSeed(std::string_view title) {
+  const std::size_t space = title.rfind(' ');
+  return space != std::string_view::npos && title.substr(0, space).ends_with(", seed") &&
+         title.find_first_not_of("0123456789", space + 1) == std::string_view::npos;
 }
 
 /// The clip to select after an edit that returns no clip.
@@ -40,9 +48,7 @@ bool TimelineEditor::ChangeController(const std::function<void(Controller&)>& ed
     edit(controller);
     if (controller.rules == before.rules && controller.genes == before.genes) return;
     if (d.kind == controller.kind && d.rules == before.rules) d.rules = controller.rules;
-    // A title written by a search names the seed that finds this controller, which is no longer true.
-    const auto seed = before.name.rfind(", seed ");
-    if (seed != std::string::npos && d.title.ends_with(before.name.substr(seed))) MarkEdited(d.title);
+    if (NamesSeed(d.title)) MarkEdited(d.title);  // that seed does not find the edited controller
     MarkEdited(controller.name);
   });
 }
@@ -110,8 +116,18 @@ void TimelineEditor::DuplicateClip() {
 }
 
 void TimelineEditor::MirrorClip() {
-  const bool mirrored =
-      Edit([&](Document& d) { return Then(gaitsmith::MirrorClip(d, Selected()), Selected()); });
+  const bool mirrored = Edit([&](Document& d) -> Result<int> {
+    const Document before = d;
+    if (const auto done = gaitsmith::MirrorClip(d, Selected()); !done) return Then(done, 0);
+    const auto clip = static_cast<std::size_t>(Selected());
+    const int original = before.timeline[clip].controller;
+    const int image = d.timeline[clip].controller;
+    // The image of "Run left" is "Run right". Names that a person gave become "..., mirrored".
+    const std::string& name = before.controllers[static_cast<std::size_t>(original)].name;
+    if (d.controllers.size() > before.controllers.size() && name == MotionName(before, original))
+      d.controllers[static_cast<std::size_t>(image)].name = MotionName(d, image, before.controllers);
+    return Selected();
+  });
   if (mirrored) workspace_.Report(Tr("Mirrored: clip {1} goes the other way.", Selected() + 1));
 }
 
@@ -149,7 +165,11 @@ bool TimelineEditor::InsertFound(const std::string& id, std::optional<int> wante
     std::vector<Stretch> inserted = StretchesOf(other);  // a saved motion may be a composite itself
     for (Stretch& stretch : inserted) {
       Controller controller = other.controllers[static_cast<std::size_t>(stretch.controller)];
-      if (!name.empty() && inserted.size() == 1) controller.name = name;
+      if (!name.empty() && inserted.size() == 1) {
+        controller.name = name;
+      } else if (controller.name == MotionName(other, stretch.controller)) {
+        controller.name = MotionName(other, stretch.controller, d.controllers);
+      }
       const auto added = AddController(d, controller);
       if (!added) return std::unexpected(added.error());
       stretch.controller = *added;

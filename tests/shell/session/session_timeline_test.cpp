@@ -2,6 +2,7 @@
 // Chaining clips by hand: edits, Undo, and searches during edits.
 #include <catch_amalgamated.hpp>
 
+#include "shell/words/motion_name.h"
 #include "tests/shell/session/quiet_host.h"
 
 namespace gaitsmith::shell::test {
@@ -119,6 +120,39 @@ TEST_CASE("session: a result is inserted at the shown moment", "[shell][session]
   CHECK_FALSE(session.Timeline().InsertFound(id));
   CHECK(session.Notice().find("other rods") != std::string::npos);
   CHECK(State(session) == before);
+}
+
+TEST_CASE("session: clips of searches are named for what they do, and typed names stay",
+          "[shell][session][timeline]") {
+  QuietHost host;
+  Session session(host);
+  session.Search().Synthesize();
+  End(session, host, 20000);
+  const auto name = [&] { return session.Timeline().ShownController()->name; };
+  CHECK_FALSE(name().empty());
+  CHECK(name() == MotionName(session.Doc(), 0));
+  CHECK(session.Doc().title.find(", seed ") != std::string::npos);
+  const FoundMotions& results = session.Results().Motions();
+  const std::string id = results.Sorted(FoundMotions::Order::kNewest).front()->id;
+  CHECK(results.Find(id)->motion.document.controllers.back().name == name());
+
+  // The image of a named motion is named anew, unless a person named the motion.
+  session.Undo();
+  session.Change([](Document& d) { d.controllers[0].name = MotionName(d, 0); });
+  const std::string right = name();
+  CHECK(right == "Move right");
+  session.Timeline().AddClip();
+  session.Timeline().MirrorClip();
+  CHECK(name() == "Move left");
+  session.Timeline().MirrorClip();
+  CHECK(name() == right);
+  session.Change([](Document& d) { d.controllers.back().name = "My own"; });
+  session.Timeline().MirrorClip();
+  CHECK(name() == "My own, mirrored");
+
+  CHECK(session.Results().Motions().Rename(id, "Sprint").empty());
+  REQUIRE(session.Timeline().InsertFound(id));
+  CHECK(name() == "Sprint");
 }
 
 TEST_CASE("session: a repair searches from the state at the takeover", "[shell][session][timeline]") {
