@@ -57,14 +57,6 @@ std::string LineOf(const FoundMotion& found, bool with_unit) {
 
 bool HasTerms(const FoundMotion& found) { return found.Moves() && !found.terms.broke_physics; }
 
-/// "18.33 m · up to 0.97 m · slip 20.9 m · turns 0.02", in the paper's terms
-std::string TermsLine(const FoundMotion& found) {
-  const Terms& terms = found.terms;
-  return Tr("{1} m · up to {2} m · slip {3} m · turns {4}", AmountText(std::abs(terms.travel_m), 2),
-            AmountText(terms.max_cm_height_m, 2), AmountText(terms.slip_sum_m, 1),
-            AmountText(terms.rotations, 2));
-}
-
 /// Progress of the motion on a card, [0, 1); below 0 while playback is paused.
 float ShareNow(const Session& session, const Document& document) {
   if (!session.Player().Playing()) return -1.0f;
@@ -127,12 +119,8 @@ CardAction DrawButtons(Ui& ui, const Session& session, const FoundMotions::Entry
   if (buttons.Put(id + "/delete", Icon::kClose, Tr("Delete: {1}", scene))) action = CardAction::kDelete;
   const ImRect rest = buttons.Rest();
   const std::string score = ScoreText(found);
-  const bool bad = !found.Moves() || found.Score() <= kVoidScore;
   ui.Letters().Draw(ui.Canvas(), Type::kStrong, {rest.Max.x - 6.0f, rest.GetCenter().y},
-                    bad                    ? ui.Ink().bad
-                    : found.Score() < 0.0f ? ui.Ink().ink
-                                           : ui.Ink().good,
-                    score, Align::kRight);
+                    ui.Ink().ScoreInk(found.Score()), score, Align::kRight);
   return action;
 }
 
@@ -141,7 +129,7 @@ void DrawWords(const Ui& ui, const FoundMotion& found, ImVec2 at, float width) {
   letters.DrawElided(ui.Canvas(), Type::kStrong, at, width, ui.Ink().ink, CardName(found));
   at.y += kLine;
   if (HasTerms(found)) {
-    letters.DrawElided(ui.Canvas(), Type::kNote, at, width, ui.Ink().second_ink, TermsLine(found));
+    letters.DrawElided(ui.Canvas(), Type::kNote, at, width, ui.Ink().second_ink, TermsLine(found.terms));
     at.y += kLine;
   }
   letters.DrawElided(ui.Canvas(), Type::kNote, at, width, ui.Ink().second_ink, LineOf(found, false));

@@ -146,7 +146,7 @@ void DrawCurve(Ui& ui, const SearchRun& search) {
   const ImRect head = ui.Row(24.0f);
   ui.Letters().Draw(ui.Canvas(), Type::kStrong, {head.Min.x, head.GetCenter().y}, ui.Ink().ink,
                     Tr("Best so far"));
-  const ImU32 colour = best_points.empty() || progress.best_fitness < 0.0f ? ui.Ink().ink : ui.Ink().good;
+  const ImU32 colour = best_points.empty() ? ui.Ink().ink : ui.Ink().ScoreInk(progress.best_fitness);
   ui.Letters().Draw(ui.Canvas(), Type::kStrong, {head.Max.x, head.GetCenter().y}, colour, best,
                     Align::kRight);
   const std::string summary = Tr("best {1} after {2} evaluations", best, Grouped(progress.evaluations));
