@@ -174,10 +174,34 @@ async function snapsToBest({ browser, address, name, figures }) {
   await page.close();
 }
 
+/** @param {Visit} visit */
+async function oneRuler({ browser, address }) {
+  for (const phone of [false, true]) {
+    const page = await PageDriver.open(browser, address);
+    if (phone) await page.becomePhone();
+    const rectOf = async (/** @type {string} */ id) => (await page.widgets()).find((widget) => widget.id === id)?.rect ?? assert.fail(`no ${id}`);
+    if (phone) await page.call('timeline', () => window.gaitsmith.run('panel/Timeline'));
+    await page.click('timeline/add');
+    const scrub = await rectOf('transport/scrub');
+    const [first, border, end] = [await rectOf('timeline/clip/0'), await rectOf('timeline/switch/1'), await rectOf('timeline/end')];
+    const middle = ({ x = 0, width = 0 }) => x + width / 2;
+    assert.ok(Math.abs(first.x - scrub.x) < 1, `clips begin at ${first.x}, the scrubber at ${scrub.x}`);
+    assert.ok(Math.abs(middle(end) + 2 - (scrub.x + scrub.width)) < 1.5, `clips end at ${middle(end)}, the scrubber at ${scrub.x + scrub.width}`);
+    // The border's moment is at the same x on the scrubber.
+    const [, start, last] = await borders(page);
+    await page.clickAt(middle(border) + 2, scrub.y + scrub.height / 2);
+    const seconds = Number.parseFloat((await page.widgets()).find(({ id }) => id === 'transport/scrub')?.value ?? '');
+    assert.ok(Math.abs(100 * seconds - start) < 1 + last / scrub.width, `${seconds} s at the border of step ${start}`);
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+  }
+}
+
 /** @type {[string, (visit: Visit) => Promise<void>, string?][]} */
 export const TIMELINE_SCENARIOS = [
   ['clips are chained by mouse, and undone', byMouse],
   ['clips are chained by keys and assistive tools alone', byKeys],
+  ['the clips and the scrubber share one ruler', oneRuler],
   ['a clip snaps to the best moment of its transition map', snapsToBest],
   ['a result is chained, and repaired from where it takes over', withResults],
 ];
