@@ -187,25 +187,32 @@ void TimelineEditor::SetDuration(int steps) {
   });
 }
 
+bool TimelineEditor::MapComplete() const {
+  const TransitionScores& map = transitions_.Scores();
+  return map.Any() && !map.Waits() && !map.UnderWay() && map.Best() >= 0;
+}
+
 const char* TimelineEditor::WhyNoSnap() const {
   const TransitionScores& map = transitions_.Scores();
   if (!CanRepair()) return Tr("The first clip takes over from no other clip.");
   if (!map.Any()) return Tr("There is no room to move this clip.");
   if (map.Waits() || map.UnderWay()) return Tr("The transition map is not complete yet.");
   if (map.Best() < 0) return Tr("The transition map has no data.");
-  const Clip& clip = workspace_.Doc().timeline[static_cast<std::size_t>(Selected())];
-  const int best = map.Steps()[static_cast<std::size_t>(map.Best())];
-  return clip.start_step == best ? Tr("This clip takes over at the best moment already.") : "";
+  const int start = workspace_.Doc().timeline[static_cast<std::size_t>(Selected())].start_step;
+  const int good = map.NearestGood(start);
+  if (good < 0) return Tr("There is no good moment for this switch.");
+  return good == map.Nearest(start) ? Tr("The switch is at a good moment already.") : "";
 }
 
 void TimelineEditor::SnapToBest() {
   if (const std::string why_not = WhyNoSnap(); !why_not.empty()) return workspace_.Say(why_not);
   const TransitionScores& map = transitions_.Scores();
-  const int best = map.Steps()[static_cast<std::size_t>(map.Best())];
-  const bool moved = Edit([&](Document& d) { return Then(MoveSwitch(d, Selected(), best), Selected()); });
+  const int start = workspace_.Doc().timeline[static_cast<std::size_t>(Selected())].start_step;
+  const int good = map.Steps()[static_cast<std::size_t>(map.NearestGood(start))];
+  const bool moved = Edit([&](Document& d) { return Then(MoveSwitch(d, Selected(), good), Selected()); });
   if (!moved) return;
-  workspace_.Report(Tr("Snapped: clip {1} takes over at {2} s.", std::to_string(Selected() + 1),
-                       Fixed(static_cast<float>(best) * kStep, 2)));
+  workspace_.Report(
+      Tr("Switch moved to {1} s, the nearest good moment.", Fixed(static_cast<float>(good) * kStep, 2)));
 }
 
 }  // namespace gaitsmith::shell

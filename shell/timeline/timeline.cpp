@@ -202,21 +202,15 @@ void DrawRuler(Ui& ui, const Session& session, const Band& band) {
                                  ui.Ink().ink);
 }
 
-// A hint about available actions or, for a clip that takes over, the quality of the transition.
-std::string HintOf(Session& session) {
-  // Mean deviation of the state in units of its usual variation.
-  constexpr float kNear = 0.5f, kFar = 1.0f;
+// A hint about available actions or, for a clip that takes over, the verdict on it.
+std::string HintOf(const Session& session) {
   const std::size_t clips = session.Doc().timeline.size();
   if (clips == 0) return Tr("empty until a search finds a controller");
   if (clips == 1) return Tr("Drag a result here to chain motions");
-  const auto nearness = session.Timeline().Transitions().NearnessAtHandover();
-  if (!nearness) return Tr("drag clips and the borders between them");
-  const std::string clip = std::to_string(session.Timeline().Selected() + 1);
-  const char* pattern =
-      nearness->distance < kNear  ? TrLater("clip {1} takes over near its usual motion ({2} off)")
-      : nearness->distance < kFar ? TrLater("clip {1} takes over somewhat off its usual motion ({2})")
-                                  : TrLater("clip {1} takes over far from its usual motion ({2} off)");
-  return Tr(pattern, clip, Fixed(nearness->distance, 1));
+  const auto share = session.Timeline().Transitions().ShareAtStart();
+  if (!share) return Tr("drag clips and the borders between them");
+  return Tr("clip {1} takes over: {2}, {3} % of its usual score",
+            std::to_string(session.Timeline().Selected() + 1), VerdictWords(*share), PercentOf(*share));
 }
 
 }  // namespace
