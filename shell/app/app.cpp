@@ -202,7 +202,8 @@ void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
       break;
     case Panel::kSearch:
       DrawSearchPanel(ui, session_, search_panel_);
-      if (search_panel_.list.strips.Waiting()) window_.RequestOneFrame();
+      if (search_panel_.list.strips.Waiting() || search_panel_.elite_map.poses.Waiting())
+        window_.RequestOneFrame();
       break;
     case Panel::kTimeline:  // drawn above
       break;

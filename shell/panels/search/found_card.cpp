@@ -176,7 +176,7 @@ CardAction DrawFoundCard(Ui& ui, const Session& session, const FoundMotions::Ent
     ui.Frame(card, fill, shown ? p.accent : p.line);
     const ImRect picture({card.Min.x + 5.0f, card.Min.y + 5.0f}, {card.Max.x - 5.0f, card.Min.y + strip});
     if (found.Moves()) {
-      const MotionStrip* poses = strips.Of(entry.id, found.document);
+      const MotionStrip* poses = strips.Of(entry.id, [&found] { return found.document; });
       if (poses != nullptr) DrawMotionStrip(ui, *poses, picture, ShareNow(session, found.document));
     }
     DrawWords(ui, found, {card.Min.x + 8.0f, card.Min.y + strip + 12.0f}, card.GetWidth() - 16.0f);

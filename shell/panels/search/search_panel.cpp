@@ -185,9 +185,10 @@ void DrawSearchPanel(Ui& ui, Session& session, SearchPanelState& state) {
     DrawCurve(ui, session.Search());
     ui.Gap(10.0f);
   }
+  state.elite_map.poses.BeginFrame();
   if (session.Search().Elites() && SameTree(session.Search().Elites()->Whose(), session.Doc().figure) &&
       DrawFold(ui, "elites", Tr("Map of styles"), Grouped(session.Search().Elites()->Count()), state.elites))
-    DrawEliteMap(ui, session, state.elite_turns);
+    DrawEliteMap(ui, session, state.elite_map);
   DrawKeepingButtons(ui, session);
   ui.Gap(kGap);
   ui.Lock(session.Layout().Locks(LockedPart::kSearch));
