@@ -10,6 +10,7 @@ namespace gaitsmith::shell {
 namespace {
 
 constexpr int kPoses = 61;       // stored for each motion
+constexpr int kOfStart = 6;      // poses that may still be the drawn one
 constexpr int kDrawn = 6;        // poses drawn side by side
 constexpr float kGround = 4.0f;  // height of the ground at the lower edge [points]
 
@@ -40,7 +41,7 @@ MotionStrip StripOf(const Document& document) {
     }
     float sum_m = 0.0f;
     for (const ImVec2& point : points) sum_m += point.y;
-    if (sum_m > highest_m) {
+    if (i >= kOfStart && sum_m > highest_m) {
       highest_m = sum_m;
       strip.highest = strip.poses.size();
     }

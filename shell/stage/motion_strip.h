@@ -21,7 +21,7 @@ struct MotionStrip {
   std::vector<std::vector<ImVec2>> poses;  // endpoints [m]: x from the centre of mass, y from the ground
   ImRect extent;                           // bounds of all poses [m]
   bool leftward = false;
-  std::size_t highest = 0;  // the pose whose endpoints are highest, on average
+  std::size_t highest = 0;  // the pose whose endpoints are highest on average, after the start
 };
 
 /// A cache of recently drawn strips, by name. Each needs a simulation, so at most one is made per frame.
