@@ -3,80 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/document/parts.h"
 #include "core/document/timeline_edit.h"
 
 namespace gaitsmith {
-
-namespace {
-
-/// The numbers by which two states are compared, and the size of a small difference of each.
-class Features {
- public:
-  explicit Features(const Motion& motion) : motion_(motion) {
-    const auto joints = static_cast<std::size_t>(motion.Bones().joints);
-    small_.insert(small_.end(), joints, 0.1f);               // angle [rad]
-    small_.insert(small_.end(), joints, 0.5f);               // rate [rad/s]
-    small_.insert(small_.end(), 2, 0.2f);                    // direction of the root
-    small_.push_back(0.05f * motion.Bones().longest_rod_m);  // height [m]
-    small_.insert(small_.end(), 2, 0.2f);                    // velocity [m/s]
-  }
-  [[nodiscard]] std::size_t Count() const { return small_.size(); }
-  [[nodiscard]] float Small(std::size_t feature) const { return small_[feature]; }
-  void Of(const Motion& motion, int frame, std::vector<float>& values) const {
-    values.clear();
-    const int joints = motion_.Bones().joints;
-    for (int j = 0; j < joints; ++j) values.push_back(motion.AngleRad(frame, j));
-    for (int j = 0; j < joints; ++j) values.push_back(motion.RateRadps(frame, j));
-    const Motion::Frame& f = motion.At(frame);
-    const double turn = f.turn_rad - 2.0 * kPi * std::floor(f.turn_rad / (2.0 * kPi));
-    const SineCosine direction = SinCos(static_cast<float>(turn));
-    values.insert(values.end(),
-                  {direction.sine, direction.cosine, f.y_m, f.velocity_x_mps, f.velocity_y_mps});
-  }
-
- private:
-  const Motion& motion_;
-  std::vector<float> small_;
-};
-
-}  // namespace
-
-Nearness NearnessOf(const Motion& motion, int frame, const Motion& usual) {
-  const Features features(usual);
-  const std::size_t count = features.Count();
-  std::vector<float> here, there;
-  features.Of(motion, frame, here);
-  // The standard deviation of each number in the usual motion.
-  std::vector<double> mean(count, 0.0), square(count, 0.0);
-  for (int at = 0; at < usual.Frames(); ++at) {
-    features.Of(usual, at, there);
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto value = static_cast<double>(there[i]);
-      mean[i] += value / usual.Frames();
-      square[i] += value * value / usual.Frames();
-    }
-  }
-  std::vector<float> scale(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double variance = std::max(0.0, square[i] - mean[i] * mean[i]);
-    scale[i] = 1.0f / std::max(features.Small(i), static_cast<float>(std::sqrt(variance)));
-  }
-  Nearness nearest{.distance = std::numeric_limits<float>::infinity()};
-  for (int at = 0; at < usual.Frames(); ++at) {
-    features.Of(usual, at, there);
-    float sum = 0.0f;
-    for (std::size_t i = 0; i < count; ++i) {
-      const float off = (here[i] - there[i]) * scale[i];
-      sum += off * off;
-    }
-    const float distance = std::sqrt(sum / static_cast<float>(count));
-    if (distance < nearest.distance) nearest = {distance, at};
-  }
-  return nearest;
-}
 
 Motion UsualMotion(const Document& d, int controller) {
   const Clip whole{.controller = controller, .start_step = 0};

@@ -1,23 +1,11 @@
 // SPDX-License-Identifier: MIT
-// How well a controller takes over from another one: how near the figure is to the controller's usual motion,
-// and how it moves from there.
+// How well a controller takes over from another one: how it moves from there, compared with its usual motion.
 #pragma once
 
 #include "core/document/document.h"
 #include "core/rollout/transition_map.h"
 
 namespace gaitsmith {
-
-/// The distance of a figure's state from a motion of the same figure.
-struct Nearness {
-  /// 0: a state of that motion. About 1: every part is off by as much as it usually moves.
-  float distance = 0.0f;
-  int frame = 0;  // nearest frame of the motion
-};
-/// Compares joint angles and rates, turn, height and velocity of the centre of mass, but not the position
-/// along the ground.
-/// @param frame of `motion` @param usual of the same figure, at least one frame
-[[nodiscard]] Nearness NearnessOf(const Motion& motion, int frame, const Motion& usual);
 
 /// The motion of one controller alone from the document's start, without pushes, for the duration of the
 /// task.

@@ -97,9 +97,8 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
                                ? whole.Max.y
                                : whole.Max.y - kTimelineHeight - TransitionStripHeight(session_) -
                                      (ui.Look().touch ? 14.0f : 0.0f);
-  const float transport_y = timeline_y - (figures           ? kFigureRowHeight
-                                          : ui.Look().touch ? kTouchTransportHeight
-                                                            : kTransportHeight);
+  const float transport_y =
+      timeline_y - (figures ? kFigureRowHeight : TransportHeight(ui.Look(), panel_x - whole.Min.x, low_));
   const ImRect stage(whole.Min, {panel_x, transport_y});
   const ImRect card = WorldCardOn(stage, stage_.world);
   DrawStage(ui, session_, stage_, stage, stage_.world.open ? stage.Max.x - card.Min.x : 0.0f);
@@ -197,7 +196,8 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
                                                              : whole.Max.y - sheet - kTouchTabHeight;
   if (!covers) {
     const bool figures = ShowsFigureRow();
-    const float below_y = tabs_y - (figures ? kFigureRowHeight : kTouchTransportHeight);
+    const float below_y =
+        tabs_y - (figures ? kFigureRowHeight : TransportHeight(ui.Look(), whole.GetWidth(), low_));
     const ImRect below({whole.Min.x, below_y}, {whole.Max.x, tabs_y});
     const ImRect stage(whole.Min, {whole.Max.x, below_y});
     DrawStage(ui, session_, stage_, stage);
@@ -257,7 +257,8 @@ void App::DrawContents(Ui& ui, Panel panel) {
       break;
     case Panel::kSearch:
       DrawSearchPanel(ui, session_, search_panel_);
-      if (search_panel_.list.strips.Waiting()) window_.RequestOneFrame();
+      if (search_panel_.list.strips.Waiting() || search_panel_.elite_map.poses.Waiting())
+        window_.RequestOneFrame();
       break;
     case Panel::kTimeline:  // drawn by DrawPanel
       break;

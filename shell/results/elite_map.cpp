@@ -2,6 +2,8 @@
 #include "shell/results/elite_map.h"
 
 #include <algorithm>
+#include <functional>
+#include <string_view>
 
 #include "core/numeric/bit_stream.h"
 #include "shell/results/found_motions.h"
@@ -22,14 +24,21 @@ std::optional<EliteMap> EliteMap::Of(const Document& searched, std::span<const s
   map.searched_ = searched;
   map.bins_ = searched.search.elites.bins;
   map.cells_ = search.Cells();
-  bool first = true;
-  for (const MapElites::Elite& elite : map.cells_) {
+  map.sum_ = std::hash<std::string_view>{}({reinterpret_cast<const char*>(state.data()), state.size()});
+  map.ranges_.fill({map.bins_, -1});
+  for (std::size_t cell = 0; cell < map.cells_.size(); ++cell) {
+    const MapElites::Elite& elite = map.cells_[cell];
     if (elite.genome.empty()) continue;
+    const bool first = map.ranges_[0].last < 0;
     map.least_ = first ? elite.score.fitness : std::min(map.least_, elite.score.fitness);
     map.best_ = first ? elite.score.fitness : std::max(map.best_, elite.score.fitness);
-    first = false;
+    auto rest = static_cast<int>(cell);
+    for (std::size_t axis = map.ranges_.size(); axis-- > 0; rest /= map.bins_) {
+      Range& range = map.ranges_[axis];
+      range = {std::min(range.first, rest % map.bins_), std::max(range.last, rest % map.bins_)};
+    }
   }
-  if (first) return std::nullopt;
+  if (map.ranges_[0].last < 0) return std::nullopt;
   return map;
 }
 
@@ -54,11 +63,23 @@ const MapElites::Elite* EliteMap::At(int height, int slip, int turns) const {
 }
 
 std::string EliteMap::RangeText(int axis, int bin) const {
-  const float width =
-      searched_.search.elites.most[static_cast<std::size_t>(axis)] / static_cast<float>(bins_);
+  const float width = BinWidth(axis);
   const std::string low = Fixed(width * static_cast<float>(bin), 2);
   if (bin == bins_ - 1) return Tr("from {1}", low);
   return Tr("{1} to {2}", low, Fixed(width * static_cast<float>(bin + 1), 2));
+}
+
+std::string EliteMap::LowText(int axis) const {
+  return Fixed(BinWidth(axis) * static_cast<float>(RangeOf(axis).first), 1);
+}
+
+std::string EliteMap::HighText(int axis) const {
+  const int end = RangeOf(axis).last + 1;
+  return Fixed(BinWidth(axis) * static_cast<float>(end), 1) + (end == bins_ ? "+" : "");
+}
+
+std::string EliteMap::CellName(int height, int slip, int turns) const {
+  return std::to_string(sum_) + "/" + std::to_string(Index(height, slip, turns));
 }
 
 Document EliteMap::MotionAt(int height, int slip, int turns) const {

@@ -3,6 +3,7 @@
 // [Mouret Clune 2015].
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,12 +24,22 @@ class EliteMap {
   [[nodiscard]] const Figure& Whose() const { return searched_.figure; }
   /// The search's problem and algorithm.
   [[nodiscard]] std::string Title() const;
-  [[nodiscard]] const ElitesSettings& Settings() const { return searched_.search.elites; }
   /// Bins of each axis.
   [[nodiscard]] int Bins() const { return bins_; }
   /// Number of motions in all cells, and in the cells with this number of turns.
   [[nodiscard]] int Count() const;
   [[nodiscard]] int Count(int turns) const;
+  /// The bins of an axis between the least and the greatest that has a motion, over the whole map.
+  struct Range {
+    int first, last;
+    [[nodiscard]] int Count() const { return last - first + 1; }
+  };
+  [[nodiscard]] Range RangeOf(int axis) const { return ranges_[static_cast<std::size_t>(axis)]; }
+  /// Its lower and upper end, as text; with a + if the last bin has no upper end.
+  [[nodiscard]] std::string LowText(int axis) const;
+  [[nodiscard]] std::string HighText(int axis) const;
+  /// Identifies the map and one of its cells, to remember a picture of it.
+  [[nodiscard]] std::string CellName(int height, int slip, int turns) const;
   /// The motion of a cell; null if the cell is empty. @param height, slip, turns  bins, [0, Bins())
   [[nodiscard]] const MapElites::Elite* At(int height, int slip, int turns) const;
   /// The range of a bin, as text; the last bin has no upper end. @param axis 0 height [m], 1 slip [m], 2
@@ -41,6 +52,9 @@ class EliteMap {
   [[nodiscard]] Document MotionAt(int height, int slip, int turns) const;
 
  private:
+  [[nodiscard]] float BinWidth(int axis) const {
+    return searched_.search.elites.most[static_cast<std::size_t>(axis)] / static_cast<float>(bins_);
+  }
   [[nodiscard]] std::size_t Index(int height, int slip, int turns) const {
     const auto bins = static_cast<std::size_t>(bins_);
     return (static_cast<std::size_t>(height) * bins + static_cast<std::size_t>(slip)) * bins +
@@ -50,6 +64,8 @@ class EliteMap {
   Document searched_;
   int bins_ = 1;
   std::vector<MapElites::Elite> cells_;
+  std::array<Range, 3> ranges_{};
+  std::size_t sum_ = 0;  // of the state's bytes: tells two maps apart
   float least_ = 0.0f, best_ = 0.0f;
 };
 

@@ -7,8 +7,8 @@
 
 #include "core/document/binary.h"
 #include "shell/results/search_queue.h"
-#include "shell/words/algorithm_words.h"
 #include "shell/words/language.h"
+#include "shell/words/motion_name.h"
 #include "shell/words/search_words.h"
 
 namespace gaitsmith::shell {
@@ -28,13 +28,14 @@ std::string FoundId(const Document& document) {
 
 Document FoundDocument(const Document& searched, Genome genes) {
   Document found = SearchOf(searched);
-  found.controllers.push_back(
-      {.name = WordsOf(found.search.algorithm).name + ", seed " + std::to_string(found.search.seed),
-       .kind = found.kind,
-       .senses = found.senses,
-       .rules = found.rules,
-       .genes = std::move(genes)});
-  found.timeline = {{.controller = static_cast<int>(found.controllers.size()) - 1, .start_step = 0}};
+  found.controllers.push_back({.name = "",
+                               .kind = found.kind,
+                               .senses = found.senses,
+                               .rules = found.rules,
+                               .genes = std::move(genes)});
+  const auto added = static_cast<int>(found.controllers.size()) - 1;
+  found.controllers.back().name = MotionName(found, added);
+  found.timeline = {{.controller = added, .start_step = 0}};
   found.title = FoundTitle(found.figure.name, found);
   return found;
 }

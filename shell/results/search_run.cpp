@@ -10,6 +10,7 @@
 #include "shell/results/search_queue.h"
 #include "shell/words/algorithm_words.h"
 #include "shell/words/language.h"
+#include "shell/words/motion_name.h"
 #include "shell/words/search_words.h"
 #include "shell/words/style_words.h"
 #include "shell/words/wording.h"
@@ -250,12 +251,11 @@ bool SearchRun::ShowImprovement(double seconds) {
   Genome genes = std::exchange(improvement_, {});
   if (!ShowsImprovements()) return false;
   const Document& searched = job_->document;
-  ShowController(
-      {.name = WordsOf(searched.search.algorithm).name + ", seed " + std::to_string(searched.search.seed),
-       .kind = searched.kind,
-       .senses = searched.senses,
-       .rules = searched.rules,
-       .genes = std::move(genes)});
+  ShowController({.name = "",
+                  .kind = searched.kind,
+                  .senses = searched.senses,
+                  .rules = searched.rules,
+                  .genes = std::move(genes)});
   return true;
 }
 
@@ -278,6 +278,9 @@ void SearchRun::ShowController(Controller controller) {
     d.title = FoundTitle(d.figure.name, job_->document);
   });
   if (!next) return;
+  const auto clip = std::min(static_cast<std::size_t>(std::max(job_->clip, 0)), next->timeline.size() - 1);
+  const int shown = next->timeline[clip].controller;
+  next->controllers[static_cast<std::size_t>(shown)].name = MotionName(*next, shown, next->controllers);
   workspace_.Notice().clear();
   workspace_.Remember(job_->occasion);
   next->hash.reset();

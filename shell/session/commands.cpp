@@ -156,7 +156,7 @@ void AddTimeline(std::vector<Command>& list, Session& session) {
   add("repair", Tr("Repair the selected clip: search from where it takes over"), {"r"},
       session.Timeline().CanRepair() ? "" : Tr("The first clip takes over from no other clip."),
       [&session] { session.Timeline().RepairClip(); });
-  add("snap-to-best", Tr("Snap to best: move the selected clip to the best place to take over"), {},
+  add("snap-to-best", Tr("Snap to best: move the switch to the nearest good moment"), {},
       session.Timeline().WhyNoSnap(), [&session] { session.Timeline().SnapToBest(); });
   add("remove", Tr("Remove the selected clip"), {}, one, [&session] { session.Timeline().RemoveClip(); });
 }

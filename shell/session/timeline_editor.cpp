@@ -6,6 +6,7 @@
 #include "core/document/parts.h"
 #include "core/document/timeline_edit.h"
 #include "shell/words/language.h"
+#include "shell/words/motion_name.h"
 #include "shell/words/wording.h"
 
 namespace gaitsmith::shell {
@@ -16,6 +17,13 @@ constexpr std::string_view kEdited = ", edited";
 void MarkEdited(std::string& words) {
   if (words.ends_with(kEdited)) return;
   words = Shortened(words, kMaxNameBytes - kEdited.size()) + std::string(kEdited);
+}
+
+/// Whether a search has written the title.
+bool NamesSeed(std::string_view title) {
+  const std::size_t space = title.rfind(' ');
+  return space != std::string_view::npos && title.substr(0, space).ends_with(", seed") &&
+         title.find_first_not_of("0123456789", space + 1) == std::string_view::npos;
 }
 
 /// The clip to select after an edit that returns no clip.
@@ -40,9 +48,7 @@ bool TimelineEditor::ChangeController(const std::function<void(Controller&)>& ed
     edit(controller);
     if (controller.rules == before.rules && controller.genes == before.genes) return;
     if (d.kind == controller.kind && d.rules == before.rules) d.rules = controller.rules;
-    // A title written by a search names the seed that finds this controller, which is no longer true.
-    const auto seed = before.name.rfind(", seed ");
-    if (seed != std::string::npos && d.title.ends_with(before.name.substr(seed))) MarkEdited(d.title);
+    if (NamesSeed(d.title)) MarkEdited(d.title);  // that seed does not find the edited controller
     MarkEdited(controller.name);
   });
 }
@@ -110,8 +116,18 @@ void TimelineEditor::DuplicateClip() {
 }
 
 void TimelineEditor::MirrorClip() {
-  const bool mirrored =
-      Edit([&](Document& d) { return Then(gaitsmith::MirrorClip(d, Selected()), Selected()); });
+  const bool mirrored = Edit([&](Document& d) -> Result<int> {
+    const Document before = d;
+    if (const auto done = gaitsmith::MirrorClip(d, Selected()); !done) return Then(done, 0);
+    const auto clip = static_cast<std::size_t>(Selected());
+    const int original = before.timeline[clip].controller;
+    const int image = d.timeline[clip].controller;
+    // The image of "Run left" is "Run right". Names that a person gave become "..., mirrored".
+    const std::string& name = before.controllers[static_cast<std::size_t>(original)].name;
+    if (d.controllers.size() > before.controllers.size() && name == MotionName(before, original))
+      d.controllers[static_cast<std::size_t>(image)].name = MotionName(d, image, before.controllers);
+    return Selected();
+  });
   if (mirrored) workspace_.Report(Tr("Mirrored: clip {1} goes the other way.", Selected() + 1));
 }
 
@@ -149,7 +165,11 @@ bool TimelineEditor::InsertFound(const std::string& id, std::optional<int> wante
     std::vector<Stretch> inserted = StretchesOf(other);  // a saved motion may be a composite itself
     for (Stretch& stretch : inserted) {
       Controller controller = other.controllers[static_cast<std::size_t>(stretch.controller)];
-      if (!name.empty() && inserted.size() == 1) controller.name = name;
+      if (!name.empty() && inserted.size() == 1) {
+        controller.name = name;
+      } else if (controller.name == MotionName(other, stretch.controller)) {
+        controller.name = MotionName(other, stretch.controller, d.controllers);
+      }
       const auto added = AddController(d, controller);
       if (!added) return std::unexpected(added.error());
       stretch.controller = *added;
@@ -167,25 +187,32 @@ void TimelineEditor::SetDuration(int steps) {
   });
 }
 
+bool TimelineEditor::MapComplete() const {
+  const TransitionScores& map = transitions_.Scores();
+  return map.Any() && !map.Waits() && !map.UnderWay() && map.Best() >= 0;
+}
+
 const char* TimelineEditor::WhyNoSnap() const {
   const TransitionScores& map = transitions_.Scores();
   if (!CanRepair()) return Tr("The first clip takes over from no other clip.");
   if (!map.Any()) return Tr("There is no room to move this clip.");
   if (map.Waits() || map.UnderWay()) return Tr("The transition map is not complete yet.");
   if (map.Best() < 0) return Tr("The transition map has no data.");
-  const Clip& clip = workspace_.Doc().timeline[static_cast<std::size_t>(Selected())];
-  const int best = map.Steps()[static_cast<std::size_t>(map.Best())];
-  return clip.start_step == best ? Tr("This clip takes over at the best moment already.") : "";
+  const int start = workspace_.Doc().timeline[static_cast<std::size_t>(Selected())].start_step;
+  const int good = map.NearestGood(start);
+  if (good < 0) return Tr("There is no good moment for this switch.");
+  return good == map.Nearest(start) ? Tr("The switch is at a good moment already.") : "";
 }
 
 void TimelineEditor::SnapToBest() {
   if (const std::string why_not = WhyNoSnap(); !why_not.empty()) return workspace_.Say(why_not);
   const TransitionScores& map = transitions_.Scores();
-  const int best = map.Steps()[static_cast<std::size_t>(map.Best())];
-  const bool moved = Edit([&](Document& d) { return Then(MoveSwitch(d, Selected(), best), Selected()); });
+  const int start = workspace_.Doc().timeline[static_cast<std::size_t>(Selected())].start_step;
+  const int good = map.Steps()[static_cast<std::size_t>(map.NearestGood(start))];
+  const bool moved = Edit([&](Document& d) { return Then(MoveSwitch(d, Selected(), good), Selected()); });
   if (!moved) return;
-  workspace_.Report(Tr("Snapped: clip {1} takes over at {2} s.", std::to_string(Selected() + 1),
-                       Fixed(static_cast<float>(best) * kStep, 2)));
+  workspace_.Report(
+      Tr("Switch moved to {1} s, the nearest good moment.", Fixed(static_cast<float>(good) * kStep, 2)));
 }
 
 }  // namespace gaitsmith::shell

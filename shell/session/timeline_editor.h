@@ -66,9 +66,11 @@ class TimelineEditor {
   /// Where the selected clip takes over, and where it could take over.
   [[nodiscard]] TransitionRun& Transitions() { return transitions_; }
   [[nodiscard]] const TransitionRun& Transitions() const { return transitions_; }
-  /// Moves the start of the selected clip to the best moment of its map. Refused with the sentence of
+  /// Moves the start of the selected clip to the nearest good moment of its map. Refused with the sentence of
   /// WhyNoSnap, if that is not empty.
   void SnapToBest();
+  /// Whether the transition map is there to snap to, though it may have no good moment.
+  [[nodiscard]] bool MapComplete() const;
   /// @return translated; empty if SnapToBest is possible
   [[nodiscard]] const char* WhyNoSnap() const;
 

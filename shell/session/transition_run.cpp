@@ -5,18 +5,10 @@
 
 namespace gaitsmith::shell {
 
-std::optional<Nearness> TransitionRun::NearnessAtHandover() {
-  const Document& d = workspace_.Doc();
-  const int clip = workspace_.SelectedClip();
-  if (clip <= 0 || clip >= static_cast<int>(d.timeline.size())) return std::nullopt;
-  const Clip& one = d.timeline[static_cast<std::size_t>(clip)];
-  const Motion& motion = workspace_.Player().Shown();
-  if (one.start_step >= motion.Frames()) return std::nullopt;
-  if (nearness_.hash != motion.Hash() || nearness_.clip != clip) {
-    const Nearness nearness = NearnessOf(motion, one.start_step, UsualMotion(d, one.controller));
-    nearness_ = {.hash = motion.Hash(), .clip = clip, .nearness = nearness};
-  }
-  return nearness_.nearness;
+std::optional<float> TransitionRun::ShareAtStart() const {
+  if (!scores_.Any()) return std::nullopt;
+  const auto clip = static_cast<std::size_t>(workspace_.SelectedClip());
+  return scores_.Share(scores_.Nearest(workspace_.Doc().timeline[clip].start_step));
 }
 
 void TransitionRun::Follow() {

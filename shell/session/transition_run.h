@@ -4,10 +4,8 @@
 // search changes the motion.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 
-#include "core/document/transition.h"
 #include "shell/results/search_run.h"
 #include "shell/session/transition_scores.h"
 #include "shell/workspace/workspace.h"
@@ -18,9 +16,9 @@ class TransitionRun {
  public:
   TransitionRun(Workspace& workspace, const SearchRun& search) : workspace_(workspace), search_(search) {}
 
-  /// How near the figure's state at the takeover is to the usual motion of the selected clip's controller;
-  /// nothing for the first clip.
-  [[nodiscard]] std::optional<Nearness> NearnessAtHandover();
+  /// The share at the moment of the map that is nearest to the selected clip's start; nothing if it is not
+  /// known.
+  [[nodiscard]] std::optional<float> ShareAtStart() const;
   [[nodiscard]] const TransitionScores& Scores() const { return scores_; }
 
   /// Call after each change of the document or the selection: forgets the old map and starts a new one if
@@ -32,17 +30,10 @@ class TransitionRun {
   void OnFailed(int generation);
 
  private:
-  struct KnownNearness {
-    std::uint64_t hash = 0;  // of the motion
-    int clip = 0;
-    Nearness nearness;
-  };
-
   Workspace& workspace_;
   const SearchRun& search_;
   TransitionScores scores_;
   double unchanged_for_s_ = 0.0;  // age of the last change [s]
-  KnownNearness nearness_;        // the last result
 };
 
 }  // namespace gaitsmith::shell

@@ -8,6 +8,10 @@
 
 namespace gaitsmith::shell {
 
+Takeover VerdictOn(float share) {
+  return share >= 0.8f ? Takeover::kGood : share >= 0.5f ? Takeover::kFair : Takeover::kPoor;
+}
+
 void TransitionScores::Begin(const Document& document, int clip) {
   Clear();
   request_ = TransitionRequest(document, clip);
@@ -67,6 +71,17 @@ bool TransitionScores::Fail(int generation) {
 std::optional<float> TransitionScores::Share(int index) const {
   if (index < 0) return std::nullopt;
   return shares_[static_cast<std::size_t>(index)];
+}
+
+int TransitionScores::NearestGood(int step) const {
+  int nearest = -1;
+  const auto far = [&](int index) { return std::abs(steps_[static_cast<std::size_t>(index)] - step); };
+  for (int i = 0; i < static_cast<int>(steps_.size()); ++i) {
+    const auto share = Share(i);
+    if (!share || VerdictOn(*share) != Takeover::kGood) continue;
+    if (nearest < 0 || far(i) < far(nearest)) nearest = i;
+  }
+  return nearest;
 }
 
 int TransitionScores::Nearest(int step) const {

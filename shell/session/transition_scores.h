@@ -18,6 +18,11 @@ struct TransitionPart {
   std::vector<float> scores;
 };
 
+/// How well a clip takes over: what it then scores, as a share of its usual score (ShareOfUsual).
+enum class Takeover { kGood, kFair, kPoor };
+/// The one verdict: of the map, of a clip's warning, and of moments to snap to.
+[[nodiscard]] Takeover VerdictOn(float share);
+
 class TransitionScores {
  public:
   /// Starts an empty map. @param clip has TransitionSteps
@@ -46,6 +51,8 @@ class TransitionScores {
   [[nodiscard]] std::optional<float> Share(int index) const;
   /// Index of the greatest share, the first of equal ones; -1: none is known.
   [[nodiscard]] int Best() const { return best_; }
+  /// Index of the good moment nearest to a step, the earlier of two; -1: none is known. @param step any
+  [[nodiscard]] int NearestGood(int step) const;
   /// Index of the moment nearest to a step. Steps() must not be empty. @param step any
   [[nodiscard]] int Nearest(int step) const;
 

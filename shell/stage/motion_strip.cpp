@@ -10,6 +10,7 @@ namespace gaitsmith::shell {
 namespace {
 
 constexpr int kPoses = 61;       // stored for each motion
+constexpr int kOfStart = 6;      // poses that may still be the drawn one
 constexpr int kDrawn = 6;        // poses drawn side by side
 constexpr float kGround = 4.0f;  // height of the ground at the lower edge [points]
 
@@ -21,7 +22,9 @@ MotionStrip StripOf(const Document& document) {
                     .look = LookOf(document.figure.name, bones),
                     .poses = {},
                     .extent = {},
-                    .leftward = motion.TermsAt(last).travel_m < 0.0f};
+                    .leftward = motion.TermsAt(last).travel_m < 0.0f,
+                    .highest = 0};
+  float highest_m = -1e9f;
   strip.extent = ImRect(1e9f, 0.0f, -1e9f, 0.1f);
   strip.poses.reserve(kPoses);
   for (int i = 0; i < kPoses; ++i) {
@@ -36,6 +39,12 @@ MotionStrip StripOf(const Document& document) {
       strip.extent.Add(at);
       points.push_back(at);
     }
+    float sum_m = 0.0f;
+    for (const ImVec2& point : points) sum_m += point.y;
+    if (i >= kOfStart && sum_m > highest_m) {
+      highest_m = sum_m;
+      strip.highest = strip.poses.size();
+    }
     strip.poses.push_back(std::move(points));
   }
   return strip;
@@ -43,13 +52,13 @@ MotionStrip StripOf(const Document& document) {
 
 }  // namespace
 
-const MotionStrip* MotionStrips::Of(const std::string& name, const Document& document) {
+const MotionStrip* MotionStrips::Of(const std::string& name, const std::function<Document()>& document) {
   if (const auto known = strips_.find(name); known != strips_.end()) return &known->second;
   waiting_ = made_;
   if (made_) return nullptr;
   made_ = true;
   if (strips_.size() >= kMax) strips_.clear();
-  return &strips_.emplace(name, StripOf(document)).first->second;
+  return &strips_.emplace(name, StripOf(document())).first->second;
 }
 
 void DrawMotionStrip(const Ui& ui, const MotionStrip& strip, const ImRect& rect, float share) {
@@ -79,6 +88,24 @@ void DrawMotionStrip(const Ui& ui, const MotionStrip& strip, const ImRect& rect,
   for (int i = 0; i < kDrawn; ++i) draw(static_cast<float>(i) / static_cast<float>(kDrawn - 1), past);
   if (share >= 0.0f) draw(std::min(share, 1.0f), p.accent);
   list->PopClipRect();
+}
+
+void DrawMotionPose(const Ui& ui, const MotionStrip& strip, const ImRect& rect, ImU32 behind) {
+  if (strip.poses.empty()) return;
+  std::vector<ImVec2> points = strip.poses[strip.highest];
+  ImRect extent(points[0], points[0]);
+  for (const ImVec2& point : points) extent.Add(point);
+  extent.Expand(strip.look.middle_m);
+  const float scale = std::min(rect.GetWidth() / std::max(extent.GetWidth(), 0.1f),
+                               rect.GetHeight() / std::max(extent.GetHeight(), 0.1f));
+  const ImVec2 middle = extent.GetCenter();
+  for (ImVec2& point : points) {
+    point = {rect.GetCenter().x + (point.x - middle.x) * scale,
+             rect.GetCenter().y - (point.y - middle.y) * scale};
+  }
+  const ImU32 ink = Mix(behind, ui.Ink().ink, 0.9f);
+  DrawBody(ui.Canvas(), strip.bones, strip.look, points, scale,
+           {.body = ink, .far = Mix(behind, ink, kFarShare), .eye = behind});
 }
 
 }  // namespace gaitsmith::shell

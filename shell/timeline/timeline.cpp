@@ -7,6 +7,7 @@
 
 #include "core/document/timeline_edit.h"
 #include "shell/timeline/found_drop.h"
+#include "shell/timeline/time_ruler.h"
 #include "shell/timeline/timeline_tools.h"
 #include "shell/timeline/transition_strip.h"
 #include "shell/widgets/plot.h"
@@ -19,11 +20,12 @@ namespace {
 
 struct Band {
   ImRect rect;  // area of all clips
-  float steps;
-  float XOf(int step) const { return rect.Min.x + static_cast<float>(step) / steps * rect.GetWidth(); }
+  TimeRuler ruler;
+  float XOf(int step) const { return ruler.XOf(step * static_cast<double>(kStep)); }
   int StepAt(float x) const {
-    return static_cast<int>(std::lround((x - rect.Min.x) / rect.GetWidth() * steps));
+    return static_cast<int>(std::lround(ruler.TimeAt(x) / static_cast<double>(kStep)));
   }
+  float StepsPerPixel() const { return static_cast<float>(StepAt(rect.Max.x)) / rect.GetWidth(); }
 };
 
 constexpr float kBandHeight = 48.0f;
@@ -113,7 +115,7 @@ void DrawClip(Ui& ui, Session& session, const Band& band, std::size_t index) {
 
 /// Snaps a step to the shown moment or a multiple of half a second, if one is near.
 int Snapped(const Session& session, const Band& band, int step) {
-  const float steps_per_pixel = band.steps / band.rect.GetWidth();
+  const float steps_per_pixel = band.StepsPerPixel();
   const auto near = [&](int target) {
     return std::abs(static_cast<float>(target - step)) < kSnapPixels * steps_per_pixel;
   };
@@ -175,7 +177,7 @@ void DrawEnd(Ui& ui, Session& session, const Band& band) {
     ImGuiStorage* storage = ImGui::GetStateStorage();
     const ImGuiID key = ImGui::GetID("timeline/end/pull");
     const float rest = ImGui::IsMouseClicked(ImGuiMouseButton_Left) ? 0.0f : storage->GetFloat(key);
-    const float pull = rest + ImGui::GetIO().MouseDelta.x * band.steps / band.rect.GetWidth();
+    const float pull = rest + ImGui::GetIO().MouseDelta.x * band.StepsPerPixel();
     const int steps = static_cast<int>(pull);
     storage->SetFloat(key, pull - static_cast<float>(steps));
     wanted = end + steps;
@@ -184,19 +186,15 @@ void DrawEnd(Ui& ui, Session& session, const Band& band) {
 }
 
 void DrawRuler(Ui& ui, const Session& session, const Band& band) {
-  const double seconds = static_cast<double>(band.steps) * static_cast<double>(kStep);
   const float y = band.rect.Max.y + TransitionStripHeight(session) + 12.0f;
-  const auto x_of = [&](double time_s) {
-    return band.rect.Min.x + static_cast<float>(time_s / seconds) * band.rect.GetWidth();
-  };
-  for (const double tick : NiceTicks(0.0, seconds)) {
+  for (const double tick : NiceTicks(0.0, band.ruler.seconds)) {
     const std::string text = Fixed(tick, tick == std::floor(tick) ? 0 : 1) + " s";
     const float half = 0.5f * ui.Letters().Width(Type::kSmall, text);
-    const float x = std::clamp(x_of(tick), band.rect.Min.x + half, band.rect.Max.x - half);
+    const float x = std::clamp(band.ruler.XOf(tick), band.rect.Min.x + half, band.rect.Max.x - half);
     ui.Letters().Draw(ui.Canvas(), Type::kSmall, {x, y}, ui.Ink().second_ink, text, Align::kCentre);
   }
   // The playhead is faint over the clips' names and solid at their lower edge.
-  const float x = ui.Look().Snap(x_of(session.Player().TimeS()));
+  const float x = ui.Look().Snap(band.ruler.XOf(session.Player().TimeS()));
   const float bottom = band.rect.Max.y;
   ui.Canvas()->AddRectFilled({x - 0.5f, band.rect.Min.y + 1.0f}, {x + 0.5f, bottom - 1.0f},
                              Fade(ui.Ink().ink, 0.22f));
@@ -204,21 +202,15 @@ void DrawRuler(Ui& ui, const Session& session, const Band& band) {
                                  ui.Ink().ink);
 }
 
-// A hint about available actions or, for a clip that takes over, the quality of the transition.
-std::string HintOf(Session& session) {
-  // Mean deviation of the state in units of its usual variation.
-  constexpr float kNear = 0.5f, kFar = 1.0f;
+// A hint about available actions or, for a clip that takes over, the verdict on it.
+std::string HintOf(const Session& session) {
   const std::size_t clips = session.Doc().timeline.size();
   if (clips == 0) return Tr("empty until a search finds a controller");
   if (clips == 1) return Tr("Drag a result here to chain motions");
-  const auto nearness = session.Timeline().Transitions().NearnessAtHandover();
-  if (!nearness) return Tr("drag clips and the borders between them");
-  const std::string clip = std::to_string(session.Timeline().Selected() + 1);
-  const char* pattern =
-      nearness->distance < kNear  ? TrLater("clip {1} takes over near its usual motion ({2} off)")
-      : nearness->distance < kFar ? TrLater("clip {1} takes over somewhat off its usual motion ({2})")
-                                  : TrLater("clip {1} takes over far from its usual motion ({2} off)");
-  return Tr(pattern, clip, Fixed(nearness->distance, 1));
+  const auto share = session.Timeline().Transitions().ShareAtStart();
+  if (!share) return Tr("drag clips and the borders between them");
+  return Tr("clip {1} takes over: {2}, {3} % of its usual score",
+            std::to_string(session.Timeline().Selected() + 1), VerdictWords(*share), PercentOf(*share));
 }
 
 }  // namespace
@@ -242,10 +234,14 @@ void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
   const float half = ui.Look().touch ? 18.0f : 12.0f;
   const float row = rect.Min.y + (ui.Look().touch ? 24.0f : 19.0f);
   const float top = row + (ui.Look().touch ? 24.0f : 16.0f);
-  const Band band{.rect = {{left, top}, {right, top + kBandHeight}},
-                  .steps = static_cast<float>(std::max(1, session.Doc().duration_steps))};
-  ui.Letters().Draw(ui.Canvas(), Type::kStrong, {left, row}, p.ink, Tr("Timeline"));
-  const float hint_x = left + ui.Letters().Width(Type::kStrong, Tr("Timeline")) + 8.0f;
+  const bool narrow = IsNarrowRuler(rect.GetWidth());
+  const TimeRuler ruler = RulerOf(ui, session, rect, narrow);
+  const Band band{.rect = {{ruler.left, top}, {ruler.right, top + kBandHeight}}, .ruler = ruler};
+  // The heading lies beside the clips where the transport's buttons leave room there.
+  const char* heading = Tr("Timeline");
+  ui.Letters().Draw(ui.Canvas(), Type::kStrong, {left, narrow ? row : band.rect.GetCenter().y}, p.ink,
+                    heading);
+  const float hint_x = narrow ? left + ui.Letters().Width(Type::kStrong, heading) + 8.0f : left;
   // Tools are in the heading's row if they fit, else in rows below the ruler.
   const float below = band.rect.Max.y + TransitionStripHeight(session) + 24.0f;
   const float tools_x = DrawTimelineTools(ui, session, {{hint_x, row - half}, {right, row + half}}, below);

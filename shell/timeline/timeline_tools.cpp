@@ -39,10 +39,9 @@ std::vector<Tool> ToolsOf(const Session& session) {
        &TimelineEditor::RemoveClip, 0},
   };
   if (session.Timeline().Transitions().Scores().Any()) {
-    tools.insert(tools.end() - 1,
-                 {"timeline/snap-to-best", TrLater("Snap to best"),
-                  TrLater("Snap to best: move the selected clip to the best place to take over"),
-                  *session.Timeline().WhyNoSnap() == '\0', &TimelineEditor::SnapToBest, 1});
+    tools.insert(tools.end() - 1, {"timeline/snap-to-best", TrLater("Snap to best"),
+                                   TrLater("Snap to best: move the switch to the nearest good moment"),
+                                   session.Timeline().MapComplete(), &TimelineEditor::SnapToBest, 1});
   }
   return tools;
 }

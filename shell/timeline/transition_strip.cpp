@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Height and colour both show the score. The colour is a single hue from pale to strong, readable for people
-// who cannot distinguish hues.
+// The height shows the score, the colour the verdict: a single hue, pale, middling or strong, readable for
+// people who cannot distinguish hues.
 #include "shell/timeline/transition_strip.h"
 
 #include <algorithm>
@@ -37,9 +37,6 @@ struct Strip {
 
 std::string SecondsOf(int step) { return Fixed(static_cast<float>(step) * kStepS, 2); }
 
-/// Clamps the share: near a usual score of 0, shares are meaninglessly large.
-int PercentOf(float share) { return static_cast<int>(std::lround(100.0f * std::clamp(share, 0.0f, 9.99f))); }
-
 std::string TransitionWords(const Session& session) {
   const TransitionScores& map = session.Timeline().Transitions().Scores();
   const int best = map.Best();
@@ -51,10 +48,9 @@ std::string TransitionWords(const Session& session) {
     return Tr("{1} of {2} moments tried, best so far at {3} s: {4} % of its usual score", map.Known(), count,
               when, percent);
   }
-  const int start =
-      session.Doc().timeline[static_cast<std::size_t>(session.Timeline().Selected())].start_step;
-  const int now = PercentOf(map.Share(map.Nearest(start)).value_or(0.0f));
-  return Tr("best at {1} s: {2} % of its usual score, now {3} %", when, percent, now);
+  const float now = session.Timeline().Transitions().ShareAtStart().value_or(0.0f);
+  return Tr("best at {1} s: {2} % of its usual score, now {3} % ({4})", when, percent, PercentOf(now),
+            VerdictWords(now));
 }
 
 /// Hatching over moments whose score is not known yet.
@@ -86,7 +82,9 @@ void DrawShares(const Ui& ui, const TransitionScores& map, const Strip& strip) {
     cell.Min.x = ui.Look().Snap(cell.Min.x);  // avoids seams
     cell.Max.x = ui.Look().Snap(cell.Max.x);
     const float top = strip.YOf(*share);
-    const ImU32 fill = Mix(p.soft, p.accent, 0.25f + 0.65f * std::clamp(*share, 0.0f, 1.0f));
+    const Takeover verdict = VerdictOn(*share);
+    const float tint = verdict == Takeover::kGood ? 0.9f : verdict == Takeover::kFair ? 0.5f : 0.22f;
+    const ImU32 fill = Mix(p.soft, p.accent, tint);
     list->AddRectFilled({cell.Min.x, top}, cell.Max, fill);
     list->AddRectFilled({cell.Min.x, top - 0.5f}, {cell.Max.x, top + 1.0f}, p.accent);
   }
@@ -110,6 +108,21 @@ void DrawMarks(const Ui& ui, const Session& session, const Strip& strip) {
 }
 
 }  // namespace
+
+std::string VerdictWords(float share) {
+  switch (VerdictOn(share)) {
+    case Takeover::kGood:
+      return Tr("good");
+    case Takeover::kFair:
+      return Tr("fair");
+    case Takeover::kPoor:
+      return Tr("poor");
+  }
+  return {};
+}
+
+// Clamps the share: near a usual score of 0, shares are meaninglessly large.
+int PercentOf(float share) { return static_cast<int>(std::lround(100.0f * std::clamp(share, 0.0f, 9.99f))); }
 
 float TransitionStripHeight(const Session& session) {
   // Reserve the space before the strip appears, so that nothing moves under the pointer.
@@ -137,7 +150,7 @@ void DrawTransitionStrip(Ui& ui, const Session& session, const ImRect& clips) {
       map.Nearest(static_cast<int>((x - strip.rect.Min.x) / strip.rect.GetWidth() * strip.steps));
   if (const auto share = map.Share(index)) {
     const std::string when = SecondsOf(map.Steps()[static_cast<std::size_t>(index)]);
-    DrawBubble(ui, x, clips, top, Tr("{1} s: {2} %", when, PercentOf(*share)));
+    DrawBubble(ui, x, clips, top, Tr("{1} s: {2} %, {3}", when, PercentOf(*share), VerdictWords(*share)));
   }
 }
 

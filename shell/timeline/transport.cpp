@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "shell/timeline/time_ruler.h"
 #include "shell/words/language.h"
 #include "shell/words/wording.h"
 
@@ -18,7 +19,19 @@ struct Speed {
 };
 constexpr std::array<Speed, 4> kSpeeds = {{{1.0, "1×"}, {2.0, "2×"}, {0.25, "¼×"}, {0.5, "½×"}}};
 
-void DrawStrip(Ui& ui, Session& session, const ImRect& rect) {
+constexpr float kRulerRow = 26.0f, kTouchRulerRow = 38.0f;
+constexpr float kPlayWidth = 44.0f, kSpeedWidth = 44.0f;
+constexpr float kGap = 10.0f;
+
+float StepWidth(const Ui& ui) { return ui.Look().touch ? 44.0f : 36.0f; }
+float HeightOfRow(const Theme& look) { return look.touch ? kTouchTransportHeight : kTransportHeight; }
+std::string LengthText(const Playback& player) {
+  const double length = player.DurationS();
+  return Fixed(length, std::abs(length - std::round(length)) < 0.005 ? 0 : 1) + " s";
+}
+
+/// @param y centre of the drawing; the whole area can be pressed
+void DrawStrip(Ui& ui, Session& session, const TimeRuler& ruler, const ImRect& rect, float y) {
   Playback& player = session.Player();
   const double duration = std::max(player.DurationS(), 1e-6);
   const Touch touch = ui.Area(
@@ -29,8 +42,7 @@ void DrawStrip(Ui& ui, Session& session, const ImRect& rect) {
        .range = WidgetRange{0.0, duration, static_cast<double>(player.Shown().StepS()), player.TimeS()}});
   if (touch.held) {
     if (touch.began) player.Play(false);
-    const float share = std::clamp((ImGui::GetIO().MousePos.x - rect.Min.x) / rect.GetWidth(), 0.0f, 1.0f);
-    player.SeekFrame(static_cast<double>(share) * duration);
+    player.SeekFrame(ruler.TimeAt(ImGui::GetIO().MousePos.x));
   }
   if (touch.steps != 0) player.Step(touch.steps);
   if (touch.wanted) {
@@ -40,11 +52,8 @@ void DrawStrip(Ui& ui, Session& session, const ImRect& rect) {
 
   const Palette& p = ui.Ink();
   ImDrawList* list = ui.Canvas();
-  const float top = rect.GetCenter().y - 11.0f;
-  const float frames = static_cast<float>(std::max(1, player.Shown().Frames() - 1));
-  const auto x_of = [&](int frame) {
-    return rect.Min.x + std::min(1.0f, static_cast<float>(frame) / frames) * rect.GetWidth();
-  };
+  const float top = y - 11.0f;
+  const auto x_of = [&](int frame) { return ruler.XOf(frame * static_cast<double>(player.Shown().StepS())); };
   for (const RuleRun& run : player.Runs()) {
     const float left = x_of(run.start_frame);
     const float right = x_of(run.end_frame);
@@ -57,14 +66,26 @@ void DrawStrip(Ui& ui, Session& session, const ImRect& rect) {
     list->AddRectFilled({x_of(contact.start_frame), top + 12.5f}, {x_of(contact.end_frame), top + 15.5f},
                         Mix(p.panel, p.second_ink, 0.7f));
   }
-  const float x =
-      ui.Look().Snap(rect.Min.x + static_cast<float>(player.TimeS() / duration) * rect.GetWidth());
+  const float x = ui.Look().Snap(ruler.XOf(player.TimeS()));
   list->AddRectFilled({x - 1.0f, top - 4.0f}, {x + 1.0f, top + 20.0f}, p.ink, 1.0f);
   if (touch.hovered || touch.held) list->AddCircleFilled({x, top + 14.0f}, 5.0f, p.ink);
   ui.DrawFocus(touch, rect, 4.0f);
 }
 
 }  // namespace
+
+float TransportHeight(const Theme& look, float width, bool low) {
+  const float ruler = look.touch ? kTouchRulerRow : kRulerRow;
+  return HeightOfRow(look) + (IsNarrowRuler(width) && !low ? ruler : 0.0f);
+}
+
+TransportLayout LayoutOf(const Ui& ui, const Playback& player, const ImRect& bar) {
+  // The longest time sets the width, so that the layout does not change during playback.
+  const float time = ui.Letters().Width(Type::kBody, Fixed(player.DurationS(), 2) + " s");
+  const float length = ui.Letters().Width(Type::kBody, LengthText(player));
+  return {.time_end = bar.Min.x + kPanelPadding + kPlayWidth + 6.0f + StepWidth(ui) + kGap + time,
+          .end_start = bar.Max.x - kPanelPadding - kSpeedWidth - kGap - length};
+}
 
 void DrawTransport(Ui& ui, Session& session, const ImRect& rect) {
   const PartScope part = ui.Part("transport", "group", Tr("Playback"));
@@ -73,43 +94,40 @@ void DrawTransport(Ui& ui, Session& session, const ImRect& rect) {
   Playback& player = session.Player();
   ui.HorizontalLine(rect.Min.x, rect.Max.x, rect.Min.y);
 
-  const float y = rect.GetCenter().y;
+  const float row = HeightOfRow(ui.Look());
+  const bool own_row = rect.GetHeight() > row + 1.0f;
+  const float y = rect.Max.y - 0.5f * row;
   const float half = ui.Look().touch ? 22.0f : 14.5f;
-  float x = rect.Min.x + 14.0f;
+  float x = rect.Min.x + kPanelPadding;
   const auto box = [&](float width) {
     const ImRect area({x, y - half}, {x + width, y + half});
     x += width;
     return area;
   };
   const bool playing = player.Playing();
-  if (ui.IconButton("transport/play", box(44.0f), playing ? Icon::kPause : Icon::kPlay,
+  if (ui.IconButton("transport/play", box(kPlayWidth), playing ? Icon::kPause : Icon::kPlay,
                     Tr(playing ? "Pause" : "Play"), ButtonLook::kOutlined)) {
     player.Play(!playing);
   }
   x += 6.0f;
-  if (ui.IconButton("transport/step", box(ui.Look().touch ? 44.0f : 36.0f), Icon::kStepForward,
-                    Tr("One step forward")))
+  if (ui.IconButton("transport/step", box(StepWidth(ui)), Icon::kStepForward, Tr("One step forward")))
     player.Step(1);
-  x += 10.0f;
 
-  // The longest time sets the width, so that the layout does not change during playback.
-  const std::string total = Fixed(player.DurationS(), 2);
-  const float time_width = letters.Width(Type::kBody, total + " s");
-  letters.Draw(ui.Canvas(), Type::kBody, {x + time_width, y}, p.second_ink, Fixed(player.TimeS(), 2) + " s",
+  const TransportLayout layout = LayoutOf(ui, player, rect);
+  letters.Draw(ui.Canvas(), Type::kBody, {layout.time_end, y}, p.second_ink, Fixed(player.TimeS(), 2) + " s",
                Align::kRight);
-  x += time_width + 10.0f;
+  letters.Draw(ui.Canvas(), Type::kBody, {layout.end_start, y}, p.second_ink, LengthText(player));
+  const TimeRuler ruler = RulerOf(ui, session, rect, own_row);
+  const float ruler_bottom = rect.Max.y - row;
+  if (own_row) {
+    DrawStrip(ui, session, ruler, {{ruler.left, rect.Min.y + 1.0f}, {ruler.right, ruler_bottom}},
+              0.5f * (rect.Min.y + ruler_bottom) + 4.0f);
+  } else {
+    DrawStrip(ui, session, ruler, {{ruler.left, y - half}, {ruler.right, y + half}}, y);
+  }
 
-  const float speed_width = 44.0f;
-  const ImRect speed_box({rect.Max.x - 14.0f - speed_width, y - half}, {rect.Max.x - 14.0f, y + half});
-  const std::string end =
-      Fixed(player.DurationS(),
-            std::abs(player.DurationS() - std::round(player.DurationS())) < 0.005 ? 0 : 1) +
-      " s";
-  const float end_x = speed_box.Min.x - 10.0f;
-  letters.Draw(ui.Canvas(), Type::kBody, {end_x, y}, p.second_ink, end, Align::kRight);
-  const float strip_end = end_x - letters.Width(Type::kBody, end) - 10.0f;
-  DrawStrip(ui, session, {{x, y - half}, {strip_end, y + half}});
-
+  const ImRect speed_box({rect.Max.x - kPanelPadding - kSpeedWidth, y - half},
+                         {rect.Max.x - kPanelPadding, y + half});
   std::size_t speed = 0;
   for (std::size_t i = 0; i < kSpeeds.size(); ++i) {
     if (std::abs(player.speed - kSpeeds[i].value) < 1e-6) speed = i;

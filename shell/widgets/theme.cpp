@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/rollout/task.h"
 #include "shell/export/rule_colours.h"
 
 namespace gaitsmith::shell {
@@ -79,6 +80,8 @@ const Palette& PaletteOf(PaletteName name) {
       return kLight;
   }
 }
+
+ImU32 Palette::ScoreInk(float score) const { return score <= kVoidScore ? bad : score < 0.0f ? ink : good; }
 
 ImU32 RuleColour(int rule, bool dark) {
   const ImU32 colour = Rgb(RuleColourHex(rule));

@@ -24,6 +24,9 @@ struct Palette {
   ImU32 bad;
   ImU32 ground;  // overlay on the paper below the ground line
   bool dark = false;
+
+  /// For a score as text: only good scores are green, not negative or void ones.
+  [[nodiscard]] ImU32 ScoreInk(float score) const;
 };
 
 /// The strong palettes, for projectors and low vision, have a contrast of at least 7 : 1 for text and 4.5 : 1

@@ -10,15 +10,17 @@
 namespace gaitsmith::shell {
 namespace {
 
-constexpr const char* kRun = TrLater("Teach it to run");
-constexpr const char* kHop = TrLater("Teach it to hop");
-constexpr const char* kCrawl = TrLater("Teach it to crawl");
-constexpr const char* kRoll = TrLater("Teach it to roll");
+using enum Gait;
+
+// In the order of Gait.
+constexpr const char* kTeach[] = {TrLater("Teach it to move"), TrLater("Teach it to run"),
+                                  TrLater("Teach it to hop"), TrLater("Teach it to crawl"),
+                                  TrLater("Teach it to roll")};
 
 struct FigureWords {
   std::string_view figure;
   const char* cannot_move;
-  const char* teach;
+  Gait gait;
 };
 /// Figures with a name of their own, such as Mr. Star-Man, are called by it.
 constexpr FigureWords kFigures[] = {
@@ -55,8 +57,12 @@ std::string CannotMoveWords(std::string_view name) {
 const char* TeachWords(const Document& document) {
   const auto goal = GoalOf(document);
   if (goal && WordsOf(*goal).teach != nullptr) return Tr(WordsOf(*goal).teach);
-  const FigureWords* row = WordsAbout(document.figure.name);
-  return Tr(row == nullptr ? "Teach it to move" : row->teach);
+  return Tr(kTeach[static_cast<std::size_t>(GaitOf(document.figure.name))]);
+}
+
+Gait GaitOf(std::string_view name) {
+  const FigureWords* row = WordsAbout(name);
+  return row == nullptr ? kMove : row->gait;
 }
 
 }  // namespace gaitsmith::shell

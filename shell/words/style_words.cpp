@@ -92,6 +92,12 @@ std::string ReachedWords(TaskKind kind, const Terms& terms) {
   return WayWords(terms.travel_m);
 }
 
+std::string TermsLine(const Terms& terms) {
+  return Tr("{1} m · up to {2} m · slip {3} m · turns {4}", AmountText(terms.travel_m, 2),
+            AmountText(terms.max_cm_height_m, 2), AmountText(terms.slip_sum_m, 1),
+            AmountText(terms.rotations, 2));
+}
+
 std::string ScoreWords(const Task& task, const Terms& terms) {
   const float fitness = Fitness(task, terms);
   if (fitness <= kVoidScore) return Tr("No score: the simulation failed.");

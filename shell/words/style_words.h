@@ -38,6 +38,9 @@ struct TermWords {
 /// What a motion reached, in metres: "12.3 m to the right", or for a jump "0.84 m high".
 [[nodiscard]] std::string ReachedWords(TaskKind, const Terms&);
 
+/// "−18.33 m · up to 0.97 m · slip 20.9 m · turns 0.02": the paper's terms. Travel to the left is negative.
+[[nodiscard]] std::string TermsLine(const Terms&);
+
 /// The score as a sum in words, for screen readers: "Score 28.76: travel 18.33 m; slip 20.86 m times 0.5 adds
 /// 10.43. Not weighed: height 0.97 m, ...".
 [[nodiscard]] std::string ScoreWords(const Task&, const Terms&);

@@ -29,11 +29,11 @@ std::string Fixed(double value, int decimals) {
 std::string Fixed(float value, int decimals) { return Fixed(static_cast<double>(value), decimals); }
 
 std::string Grouped(long long value) {
-  std::string text = std::to_string(value);
-  for (int at = static_cast<int>(text.size()) - 3; at > (value < 0 ? 1 : 0); at -= 3) {
+  std::string text = std::to_string(std::abs(value));
+  for (int at = static_cast<int>(text.size()) - 3; at > 0; at -= 3) {
     text.insert(static_cast<std::size_t>(at), GroupMark());
   }
-  return text;
+  return value < 0 ? std::string(kMinus) + text : text;
 }
 
 std::string Duration(double seconds) {

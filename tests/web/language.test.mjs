@@ -6,6 +6,7 @@ import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { fixed } from '../../web/languages/language.js';
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 const TABLES = join(ROOT, 'shell/words/languages');
@@ -127,4 +128,8 @@ test('language: a translation has the same places to fill in', () => {
       assert.equal(text, text.trim(), `${file}: "${english}"`);
     }
   }
+});
+
+test('language: numbers below zero have a minus sign, not a hyphen', () => {
+  assert.deepEqual([fixed(-1.25, 1), fixed(-0.001, 2), fixed(3, 0)], ['−1.3', '0.00', '3']);
 });

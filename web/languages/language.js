@@ -41,8 +41,9 @@ export function trSentence(english) {
 
 /** "40,000" @param {number} value */
 export const grouped = (value) => String(Math.round(value)).replace(/\B(?=(\d{3})+$)/g, current.groupMark);
-/** "0.80" @param {number} value @param {number} decimals */
-export const fixed = (value, decimals) => value.toFixed(decimals).replace('.', current.decimalMark);
+/** "−0.80", and "0.00" for what rounds to it. @param {number} value @param {number} decimals */
+export const fixed = (value, decimals) => (Number(value.toFixed(decimals)) + 0).toFixed(decimals)
+  .replace('-', '−').replace('.', current.decimalMark);
 /** A number for a text field, without superfluous digits. @param {number} value */
 export const fixedText = (value) => String(Number(value.toPrecision(6))).replace('.', current.decimalMark);
 

@@ -57,14 +57,6 @@ std::string LineOf(const FoundMotion& found, bool with_unit) {
 
 bool HasTerms(const FoundMotion& found) { return found.Moves() && !found.terms.broke_physics; }
 
-/// "18.33 m · up to 0.97 m · slip 20.9 m · turns 0.02", in the paper's terms
-std::string TermsLine(const FoundMotion& found) {
-  const Terms& terms = found.terms;
-  return Tr("{1} m · up to {2} m · slip {3} m · turns {4}", AmountText(std::abs(terms.travel_m), 2),
-            AmountText(terms.max_cm_height_m, 2), AmountText(terms.slip_sum_m, 1),
-            AmountText(terms.rotations, 2));
-}
-
 /// Progress of the motion on a card, [0, 1); below 0 while playback is paused.
 float ShareNow(const Session& session, const Document& document) {
   if (!session.Player().Playing()) return -1.0f;
@@ -127,12 +119,8 @@ CardAction DrawButtons(Ui& ui, const Session& session, const FoundMotions::Entry
   if (buttons.Put(id + "/delete", Icon::kClose, Tr("Delete: {1}", scene))) action = CardAction::kDelete;
   const ImRect rest = buttons.Rest();
   const std::string score = ScoreText(found);
-  const bool bad = !found.Moves() || found.Score() <= kVoidScore;
   ui.Letters().Draw(ui.Canvas(), Type::kStrong, {rest.Max.x - 6.0f, rest.GetCenter().y},
-                    bad                    ? ui.Ink().bad
-                    : found.Score() < 0.0f ? ui.Ink().ink
-                                           : ui.Ink().good,
-                    score, Align::kRight);
+                    ui.Ink().ScoreInk(found.Score()), score, Align::kRight);
   return action;
 }
 
@@ -141,7 +129,7 @@ void DrawWords(const Ui& ui, const FoundMotion& found, ImVec2 at, float width) {
   letters.DrawElided(ui.Canvas(), Type::kStrong, at, width, ui.Ink().ink, CardName(found));
   at.y += kLine;
   if (HasTerms(found)) {
-    letters.DrawElided(ui.Canvas(), Type::kNote, at, width, ui.Ink().second_ink, TermsLine(found));
+    letters.DrawElided(ui.Canvas(), Type::kNote, at, width, ui.Ink().second_ink, TermsLine(found.terms));
     at.y += kLine;
   }
   letters.DrawElided(ui.Canvas(), Type::kNote, at, width, ui.Ink().second_ink, LineOf(found, false));
@@ -188,7 +176,7 @@ CardAction DrawFoundCard(Ui& ui, const Session& session, const FoundMotions::Ent
     ui.Frame(card, fill, shown ? p.accent : p.line);
     const ImRect picture({card.Min.x + 5.0f, card.Min.y + 5.0f}, {card.Max.x - 5.0f, card.Min.y + strip});
     if (found.Moves()) {
-      const MotionStrip* poses = strips.Of(entry.id, found.document);
+      const MotionStrip* poses = strips.Of(entry.id, [&found] { return found.document; });
       if (poses != nullptr) DrawMotionStrip(ui, *poses, picture, ShareNow(session, found.document));
     }
     DrawWords(ui, found, {card.Min.x + 8.0f, card.Min.y + strip + 12.0f}, card.GetWidth() - 16.0f);

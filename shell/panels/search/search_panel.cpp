@@ -146,7 +146,7 @@ void DrawCurve(Ui& ui, const SearchRun& search) {
   const ImRect head = ui.Row(24.0f);
   ui.Letters().Draw(ui.Canvas(), Type::kStrong, {head.Min.x, head.GetCenter().y}, ui.Ink().ink,
                     Tr("Best so far"));
-  const ImU32 colour = best_points.empty() || progress.best_fitness < 0.0f ? ui.Ink().ink : ui.Ink().good;
+  const ImU32 colour = best_points.empty() ? ui.Ink().ink : ui.Ink().ScoreInk(progress.best_fitness);
   ui.Letters().Draw(ui.Canvas(), Type::kStrong, {head.Max.x, head.GetCenter().y}, colour, best,
                     Align::kRight);
   const std::string summary = Tr("best {1} after {2} evaluations", best, Grouped(progress.evaluations));
@@ -185,9 +185,10 @@ void DrawSearchPanel(Ui& ui, Session& session, SearchPanelState& state) {
     DrawCurve(ui, session.Search());
     ui.Gap(10.0f);
   }
+  state.elite_map.poses.BeginFrame();
   if (session.Search().Elites() && SameTree(session.Search().Elites()->Whose(), session.Doc().figure) &&
       DrawFold(ui, "elites", Tr("Map of styles"), Grouped(session.Search().Elites()->Count()), state.elites))
-    DrawEliteMap(ui, session, state.elite_turns);
+    DrawEliteMap(ui, session, state.elite_map);
   DrawKeepingButtons(ui, session);
   ui.Gap(kGap);
   ui.Lock(session.Layout().Locks(LockedPart::kSearch));

@@ -2,6 +2,7 @@
 // The Search panel: progress, settings, the queue and the results.
 #pragma once
 
+#include "shell/panels/search/elite_panel.h"
 #include "shell/panels/search/found_list.h"
 #include "shell/results/suite_plan.h"
 
@@ -14,7 +15,7 @@ struct SearchPanelState {
   bool queue = true;
   bool found = true;
   bool elites = true;
-  int elite_turns = 0;
+  EliteMapState elite_map = {};
   bool suite = false;
   SuiteChoice suite_of = {};
   FoundListState list = {};

@@ -103,7 +103,7 @@ void DrawScore(Ui& ui, const Session& session) {
   if (fitness <= kVoidScore) {
     table.Sum(Tr("Void: the simulation failed"), "", ui.Ink().bad);
   } else {
-    table.Sum(Tr("Score"), AmountText(fitness, 2), fitness < 0.0f ? ui.Ink().ink : ui.Ink().good);
+    table.Sum(Tr("Score"), AmountText(fitness, 2), ui.Ink().ScoreInk(fitness));
   }
   const Motion& motion = session.Player().Shown();
   const float whole = Fitness(task, motion.TermsAt(motion.Frames() - 1));

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <catch_amalgamated.hpp>
-#include <cmath>
 
 #include "core/document/binary.h"
 #include "core/document/timeline_edit.h"
@@ -12,66 +11,6 @@
 #include "tests/scene.h"
 
 namespace gaitsmith::test {
-TEST_CASE("transition: a state of the usual motion is near it", "[timeline]") {
-  const Document d = TwoClips();
-  const Motion usual = UsualMotion(d, 1);
-  const Nearness same = NearnessOf(usual, 123, usual);
-  CHECK(same.distance == 0.0f);
-  CHECK(same.frame == 123);
-  const Motion composite = Simulate(d);
-  const Nearness at_switch = NearnessOf(composite, 230, usual);
-  CHECK(at_switch.distance > 0.05f);
-  // Neither the position along the ground nor whole turns matter.
-  Document moved = d;
-  moved.timeline = {{.controller = 1, .start_step = 0}};
-  CHECK(NearnessOf(Simulate(moved), 77, usual).distance == 0.0f);
-}
-
-TEST_CASE("transition: the nearness of a state equals an independent computation", "[timeline]") {
-  const Document d = TwoClips();
-  const Motion usual = UsualMotion(d, 1), motion = Simulate(d);
-  const int joints = usual.Bones().joints;
-  // Joint angles and rates, sine and cosine of the turn, height, velocity, and a small difference of each.
-  const auto state_of = [&](const Motion& of, int frame) {
-    std::vector<double> state;
-    state.reserve(2 * static_cast<std::size_t>(joints) + 5);
-    for (int j = 0; j < joints; ++j) state.push_back(static_cast<double>(of.AngleRad(frame, j)));
-    for (int j = 0; j < joints; ++j) state.push_back(static_cast<double>(of.RateRadps(frame, j)));
-    const Motion::Frame& f = of.At(frame);
-    for (const double value :
-         {std::sin(f.turn_rad), std::cos(f.turn_rad), static_cast<double>(f.y_m),
-          static_cast<double>(f.velocity_x_mps), static_cast<double>(f.velocity_y_mps)}) {
-      state.push_back(value);
-    }
-    return state;
-  };
-  std::vector<double> little(static_cast<std::size_t>(joints), 0.1);
-  little.insert(little.end(), static_cast<std::size_t>(joints), 0.5);
-  const double short_way = 0.05 * static_cast<double>(usual.Bones().longest_rod_m);
-  little.insert(little.end(), {0.2, 0.2, short_way, 0.2, 0.2});
-  std::vector<double> spread(little.size());
-  for (std::size_t i = 0; i < spread.size(); ++i) {
-    double mean = 0.0, variance = 0.0;
-    for (int at = 0; at < usual.Frames(); ++at) mean += state_of(usual, at)[i] / usual.Frames();
-    for (int at = 0; at < usual.Frames(); ++at) {
-      variance += std::pow(state_of(usual, at)[i] - mean, 2.0) / usual.Frames();
-    }
-    spread[i] = std::max(little[i], std::sqrt(variance));
-  }
-  for (const int frame : {0, 60, 230, 400}) {
-    CAPTURE(frame);
-    const std::vector<double> here = state_of(motion, frame);
-    double least = 1e30;
-    for (int at = 0; at < usual.Frames(); ++at) {
-      const std::vector<double> there = state_of(usual, at);
-      double sum = 0.0;
-      for (std::size_t i = 0; i < here.size(); ++i) sum += std::pow((here[i] - there[i]) / spread[i], 2.0);
-      least = std::min(least, std::sqrt(sum / static_cast<double>(here.size())));
-    }
-    CHECK(std::abs(static_cast<double>(NearnessOf(motion, frame, usual).distance) - least) < 1e-4);
-  }
-}
-
 TEST_CASE("transition map: each moment is what the composite would show", "[timeline]") {
   Document d = TwoClips();
   d.task.duration_steps = 150;

@@ -3,10 +3,12 @@
 #include "shell/results/elite_map.h"
 
 #include <catch_amalgamated.hpp>
+#include <set>
 
 #include "core/numeric/bit_stream.h"
 #include "core/rollout/evaluator.h"
 #include "core/search/evaluation_score.h"
+#include "shell/words/wording.h"
 #include "tests/scene.h"
 #include "tests/shell/session/quiet_host.h"
 
@@ -75,6 +77,30 @@ TEST_CASE("elite map: every motion has the style of its cell, and the map has th
     }
   }
   CHECK(sum == map->Count());
+}
+
+TEST_CASE("elite map: its ranges are just those of its motions", "[shell][elites]") {
+  const Document d = StyleProblem();
+  const auto map = EliteMap::Of(d, Searched(d).saved);
+  REQUIRE(map);
+  std::array<std::set<int>, 3> filled;
+  std::set<std::string> names;
+  for (int cell = 0; cell < 64; ++cell) {
+    const std::array<int, 3> bins = {cell / 16, cell / 4 % 4, cell % 4};
+    if (map->At(bins[0], bins[1], bins[2]) == nullptr) continue;
+    names.insert(map->CellName(bins[0], bins[1], bins[2]));
+    for (std::size_t axis = 0; axis < 3; ++axis) filled[axis].insert(bins[axis]);
+  }
+  CHECK(names.size() == static_cast<std::size_t>(map->Count()));
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::set<int>& bins = filled[static_cast<std::size_t>(axis)];
+    CHECK(map->RangeOf(axis).first == *bins.begin());
+    CHECK(map->RangeOf(axis).last == *bins.rbegin());
+  }
+  const float width = d.search.elites.most[0] / 4.0f;
+  const auto [first, last] = map->RangeOf(0);
+  CHECK(map->LowText(0) == Fixed(static_cast<float>(first) * width, 1));
+  CHECK(map->HighText(0) == Fixed(static_cast<float>(last + 1) * width, 1) + (last == 3 ? "+" : ""));
 }
 
 TEST_CASE("elite map: rejects states of other searches", "[shell][elites]") {

@@ -2,6 +2,9 @@
 // Chaining clips by hand: edits, Undo, and searches during edits.
 #include <catch_amalgamated.hpp>
 
+#include "shell/words/motion_name.h"
+#include "shell/words/wording.h"
+#include "tests/scene.h"
 #include "tests/shell/session/quiet_host.h"
 
 namespace gaitsmith::shell::test {
@@ -121,6 +124,39 @@ TEST_CASE("session: a result is inserted at the shown moment", "[shell][session]
   CHECK(State(session) == before);
 }
 
+TEST_CASE("session: clips of searches are named for what they do, and typed names stay",
+          "[shell][session][timeline]") {
+  QuietHost host;
+  Session session(host);
+  session.Search().Synthesize();
+  End(session, host, 20000);
+  const auto name = [&] { return session.Timeline().ShownController()->name; };
+  CHECK_FALSE(name().empty());
+  CHECK(name() == MotionName(session.Doc(), 0));
+  CHECK(session.Doc().title.find(", seed ") != std::string::npos);
+  const FoundMotions& results = session.Results().Motions();
+  const std::string id = results.Sorted(FoundMotions::Order::kNewest).front()->id;
+  CHECK(results.Find(id)->motion.document.controllers.back().name == name());
+
+  // The image of a named motion is named anew, unless a person named the motion.
+  session.Undo();
+  session.Change([](Document& d) { d.controllers[0].name = MotionName(d, 0); });
+  const std::string right = name();
+  CHECK(right == "Move right");
+  session.Timeline().AddClip();
+  session.Timeline().MirrorClip();
+  CHECK(name() == "Move left");
+  session.Timeline().MirrorClip();
+  CHECK(name() == right);
+  session.Change([](Document& d) { d.controllers.back().name = "My own"; });
+  session.Timeline().MirrorClip();
+  CHECK(name() == "My own, mirrored");
+
+  CHECK(session.Results().Motions().Rename(id, "Sprint").empty());
+  REQUIRE(session.Timeline().InsertFound(id));
+  CHECK(name() == "Sprint");
+}
+
 TEST_CASE("session: a repair searches from the state at the takeover", "[shell][session][timeline]") {
   QuietHost host;
   Session session(host);
@@ -146,7 +182,8 @@ TEST_CASE("session: a repair searches from the state at the takeover", "[shell][
   CHECK(session.Results().Motions().Sorted(FoundMotions::Order::kNewest).size() == results);
 }
 
-TEST_CASE("session: a clip snaps to the best moment of its transition map", "[shell][session][timeline]") {
+TEST_CASE("session: a clip snaps to the nearest good moment of its transition map",
+          "[shell][session][timeline]") {
   QuietHost host;
   Session session(host);
   CHECK_FALSE(session.Timeline().Transitions().Scores().Any());
@@ -194,15 +231,81 @@ TEST_CASE("session: a clip snaps to the best moment of its transition map", "[sh
   session.Timeline().Transitions().OnScores(part(generation, 10, count - 10));
 
   session.BeginGesture();
+  CHECK(session.Timeline().MapComplete());
   session.Timeline().SnapToBest();
   CHECK(Starts(session) == std::vector{0, best});
+  CHECK(host.status ==
+        "Switch moved to " + Fixed(static_cast<float>(best) * kStep, 2) + " s, the nearest good moment.");
   session.Timeline().Transitions().Advance(10.0);
   CHECK(host.mapped.size() == 1);  // its inputs have not changed
   CHECK(session.Timeline().Transitions().Scores().Known() == count);
-  CHECK(std::string(session.Timeline().WhyNoSnap()) == "This clip takes over at the best moment already.");
+  CHECK(std::string(session.Timeline().WhyNoSnap()) == "The switch is at a good moment already.");
   session.Undo();
   CHECK(State(session) == before);
   CHECK(session.Timeline().Transitions().Scores().Known() == count);
+}
+
+TEST_CASE("session: of good moments the nearest is taken, and none if there is none",
+          "[shell][session][timeline]") {
+  QuietHost host;
+  Session session(host);
+  session.Timeline().AddClip();
+  const auto map = [&](float everywhere, int at, float there) {
+    session.Change([](Document& d) { d.environment.gravity_mps2 += 0.1f; });
+    session.Timeline().Transitions().Advance(1.0);
+    const std::vector<int> order =
+        CoarseFirst(static_cast<int>(session.Timeline().Transitions().Scores().Steps().size()));
+    std::vector<float> scores;
+    scores.reserve(order.size());
+    for (const int index : order)
+      scores.push_back(index == at ? there : index == 0 ? everywhere + 5.0f : everywhere);
+    session.Timeline().Transitions().OnScores(
+        {.generation = host.generations.back(), .first = 0, .usual = 10.0f, .scores = scores});
+  };
+  const TransitionScores& scores = session.Timeline().Transitions().Scores();
+  const int start = session.Doc().timeline[1].start_step;
+  map(7.9f, 40, 8.0f);  // the first moment is better, and farther away
+  CHECK(scores.Best() == 0);
+  CHECK(scores.NearestGood(start) == 40);
+  CHECK(session.Timeline().Transitions().ShareAtStart() == scores.Share(scores.Nearest(start)));
+  session.Timeline().SnapToBest();
+  CHECK(session.Doc().timeline[1].start_step == scores.Steps()[40]);
+
+  map(2.0f, 40, 3.0f);
+  const std::string before = State(session);
+  CHECK(session.Timeline().MapComplete());
+  session.Timeline().SnapToBest();
+  CHECK(session.Notice() == "There is no good moment for this switch.");
+  CHECK(State(session) == before);
+}
+
+TEST_CASE("transition scores: one verdict on a share", "[shell][session][timeline]") {
+  CHECK(VerdictOn(1.2f) == Takeover::kGood);
+  CHECK(VerdictOn(0.8f) == Takeover::kGood);
+  CHECK(VerdictOn(0.79f) == Takeover::kFair);
+  CHECK(VerdictOn(0.49f) == Takeover::kPoor);
+  CHECK(VerdictOn(kVoidScore) == Takeover::kPoor);
+}
+
+TEST_CASE("transition scores: lesson 7's nearest good moment reaches its goal",
+          "[shell][session][timeline]") {
+  Document d = *DecodeJson(gaitsmith::test::ReadFile("examples/lessons/7-takeover.json"));
+  const Document request = TransitionRequest(d, 1);
+  const TransitionMap map = TransitionMapOf(request);
+  TransitionScores scores;
+  scores.Begin(d, 1);
+  const int generation = scores.Start();
+  REQUIRE(scores.Take({.generation = generation,
+                       .first = 0,
+                       .usual = map.UsualScore(),
+                       .scores = map.Scores(0, map.Count())}));
+  const int start = d.timeline[1].start_step;
+  CHECK(VerdictOn(*scores.Share(scores.Nearest(start))) == Takeover::kPoor);
+  const int good = scores.NearestGood(start);
+  REQUIRE(good >= 0);
+  d.timeline[1].start_step = scores.Steps()[static_cast<std::size_t>(good)];
+  const Motion motion = Simulate(d);
+  CHECK(motion.TermsAt(motion.Frames() - 1).travel_m >= 25.0f);
 }
 
 TEST_CASE("session: a transition map restarts when its inputs change", "[shell][session][timeline]") {

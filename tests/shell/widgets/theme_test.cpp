@@ -6,6 +6,8 @@
 #include <catch_amalgamated.hpp>
 #include <cmath>
 
+#include "core/rollout/task.h"
+
 namespace gaitsmith::shell {
 namespace {
 
@@ -47,6 +49,13 @@ TEST_CASE("Text is readable in every theme, with stronger contrast in the strong
     for (const ImU32 behind : {p.paper, p.panel}) REQUIRE(Contrast(p.line, behind) >= 4.5);
     REQUIRE(Contrast(p.line, p.soft) >= 3.0);
   }
+}
+
+TEST_CASE("theme: only good scores are green") {
+  const Palette& p = PaletteOf(PaletteName::kLight);
+  CHECK(p.ScoreInk(0.0f) == p.good);
+  CHECK(p.ScoreInk(-0.01f) == p.ink);
+  CHECK(p.ScoreInk(kVoidScore) == p.bad);
 }
 
 }  // namespace gaitsmith::shell

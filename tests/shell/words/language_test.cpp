@@ -53,7 +53,7 @@ TEST_CASE("language: English texts are those in the source", "[shell][language]"
   CHECK(TrError({ErrorCode::kSyntax, "line 1, column 2", "expected a digit"}) ==
         "line 1, column 2: expected a digit");
   CHECK(Fixed(1234.5, 1) == "1234.5");
-  CHECK(Grouped(-1234567) == "-1,234,567");
+  CHECK(Grouped(-1234567) == "−1,234,567");
 }
 
 TEST_CASE("language: a table replaces words, sentences, titles and marks", "[shell][language]") {
@@ -73,7 +73,7 @@ TEST_CASE("language: a table replaces words, sentences, titles and marks", "[she
   CHECK(Fixed(1234.5, 1) == "1234,5");
   CHECK(Fixed(-0.001, 2) == "0,00");
   CHECK(PlainFixed(1234.5, 1) == "1234.5");
-  CHECK(Grouped(-1234567) == "-1.234.567");
+  CHECK(Grouped(-1234567) == "−1.234.567");
   REQUIRE(SetLanguage(""));
   CHECK(std::string(Tr("Undo")) == "Undo");
   CHECK(Fixed(0.5, 1) == "0.5");
