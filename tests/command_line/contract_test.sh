@@ -90,6 +90,20 @@ same "$(head -1 curve.csv)" "evaluation,best" "curve header"
 "$gaitsmith" validate one.json >/dev/null || fault "a found document is not valid"
 "$gaitsmith" synthesize --figure "$root/examples/figures/hopper.json" --task jump --search rgt --evaluations 20 --out - \
   2>/dev/null | "$gaitsmith" validate - >/dev/null || fault "synthesize | validate"
+# Goals: a document has the goal's task, and each motion that was found is counted.
+"$gaitsmith" new --figure acrobat --goal calm --out calm.json || fault "new --goal"
+grep -q '"effort": -0.0' calm.json || fault "calm has no weight on effort"
+refuses 'choose from far, high-jump' "$gaitsmith" new --goal fly
+"$gaitsmith" goals --search pose-cycle --figure acrobat --goal far --goal cartwheel --strength 2 --seeds 2 --evaluations 300 --out goals.csv \
+  2>/dev/null || fault "goals"
+"$gaitsmith" goals --summary goals.csv >met.csv || fault "goals --summary"
+same "$(head -1 met.csv)" "figure,goal,strength,seeds,met" "columns of goals --summary"
+same "$(grep -cE '^acrobat,(far|cartwheel),2,2,[0-2]$' met.csv)" 2 "rows of goals --summary"
+refuses 'must be above 0, at most 16' "$gaitsmith" goals --search pose-cycle --strength 17 --seeds 1 --evaluations 9 --out no.csv
+refuses 'no other option' "$gaitsmith" goals --summary goals.csv --seeds 2
+sed 's/acrobat\.far\.2/acrobat-far/g' goals.csv >odd.csv
+refuses 'must be FIGURE.GOAL.STRENGTH' "$gaitsmith" goals --summary odd.csv
+
 # A search can start from an earlier result, and the new document records this.
 "$gaitsmith" synthesize --from one.json --search powell --evaluations 50 --search-option refine.step=0.05 --out refined.json \
   --curve refined.csv || fault "synthesize --from"
