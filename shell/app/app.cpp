@@ -141,6 +141,7 @@ void App::DrawSettingsButton(Ui& ui, const ImRect& stage) {
     session_.ShowAll();
 }
 
+// Without the latest sentence, which would move the choices under the pointer. The status line has it.
 void App::DrawChoices(Ui& ui, const ImRect& rect) {
   const PartScope part = ui.Part("panel", "region", Tr("Choices"));
   DrawScrolled(ui, rect, "panel/make", [&] { DrawMakePanel(ui, session_); });
@@ -152,10 +153,6 @@ void App::DrawScrolled(Ui& ui, const ImRect& rect, const std::string& id, const 
   ImGui::BeginChild(id.c_str(), rect.GetSize(), ImGuiChildFlags_AlwaysUseWindowPadding,
                     ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollbar);
   ImGui::PopStyleVar();
-  if (!session_.Notice().empty()) {
-    ui.Paragraph(session_.Notice(), ui.Ink().accent, Type::kNote);
-    ui.Gap(8.0f);
-  }
   draw();
   ui.Gap(6.0f);
   ui.ScrollByTouch();
@@ -233,6 +230,10 @@ void App::DrawPanel(Ui& ui, const ImRect& rect, int panel) {
   const PanelRow& row = kPanels[static_cast<std::size_t>(panel)];
   const PartScope part = ui.Part("panel", "tabpanel", Tr(row.label));
   DrawScrolled(ui, rect, "panel/" + std::string(row.label), [&] {
+    if (!session_.Notice().empty()) {
+      ui.Paragraph(session_.Notice(), ui.Ink().accent, Type::kNote);
+      ui.Gap(8.0f);
+    }
     const bool locked = session_.Layout().LocksPanel(panel);
     if (locked) ui.LockNote();
     ui.Lock(locked);

@@ -49,7 +49,7 @@ class App {
   void DrawWorld(Ui&, const ImRect&);
   /// What a panel holds, within its scrolled area.
   void DrawContents(Ui&, Panel panel);
-  /// Draws into an area that scrolls, below the latest sentence for the reader.
+  /// Draws into an area that scrolls.
   void DrawScrolled(Ui&, const ImRect&, const std::string& id, const std::function<void()>& draw);
   /// Whether the choices of a first visit take the place of the panels.
   [[nodiscard]] bool OffersChoices() const;

@@ -37,7 +37,9 @@ float DrawViewerWords(Ui& ui, const Session& session, const ImRect& stage) {
     ui.DescribeText(text, {{left, y - 0.5f * height}, {left + room, y + 0.5f * height}});
     y += height;
   };
-  const std::string title = TrTitle(session.Doc().title);
+  // A search's own title goes on with its settings, which a stranger does not need.
+  const std::string whole = TrTitle(session.Doc().title);
+  const std::string title = whole.substr(0, whole.find(" · "));
   const bool large = letters.Width(Type::kTitle, title) <= room;
   line(low ? Type::kHeading : large ? Type::kTitle : Type::kLarge, p.ink, title, low ? 24.0f : 34.0f);
   if (low) return y;
