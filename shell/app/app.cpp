@@ -87,16 +87,17 @@ void App::Draw() {
 
 void App::DrawDesk(Ui& ui, const ImRect& whole) {
   const std::vector<int> shown = ShownTabs();
-  // With the choices alone, the timeline comes with a second clip.
-  const bool timeline = session_.Layout().Shows(IndexOf(Panel::kTimeline)) && !timeline_in_tabs_ &&
-                        !session_.Viewing() && !(OffersChoices() && session_.Doc().timeline.size() < 2);
   const bool figures = ShowsFigureRow();
   const bool choices = OffersChoices();
+  const bool dock = choices && !figures;
+  const bool timeline = session_.Layout().Shows(IndexOf(Panel::kTimeline)) && !timeline_in_tabs_ &&
+                        !session_.Viewing() && !dock;
   const float panel_x = shown.empty() && !choices ? whole.Max.x : whole.Max.x - kPanelWidth;
-  const float timeline_y = !timeline || figures
-                               ? whole.Max.y
-                               : whole.Max.y - kTimelineHeight - TransitionStripHeight(session_) -
-                                     (ui.Look().touch ? 14.0f : 0.0f);
+  const float timeline_y =
+      dock ? whole.Max.y - DockTabHeight(ui) - kTimelineHeight - TransitionStripHeight(session_)
+      : !timeline || figures ? whole.Max.y
+                             : whole.Max.y - kTimelineHeight - TransitionStripHeight(session_) -
+                                   (ui.Look().touch ? 14.0f : 0.0f);
   const float transport_y =
       timeline_y - (figures ? kFigureRowHeight : TransportHeight(ui.Look(), panel_x - whole.Min.x, low_));
   const ImRect stage(whole.Min, {panel_x, transport_y});
@@ -108,7 +109,9 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
   }
   const ImRect below({whole.Min.x, transport_y}, {panel_x, timeline_y});
   figures ? DrawFigures(ui, below) : DrawTransport(ui, session_, below);
-  if (timeline && !figures) DrawTimeline(ui, session_, {{whole.Min.x, timeline_y}, {panel_x, whole.Max.y}});
+  const ImRect bottom({whole.Min.x, timeline_y}, {panel_x, whole.Max.y});
+  if (timeline && !figures) DrawTimeline(ui, session_, bottom);
+  if (dock) DrawDock(ui, bottom, DockTab::kFigures);
   DrawSettingsButton(ui, stage);
   if (shown.empty() && !choices) return;
   ui.VerticalLine(panel_x, whole.Min.y, whole.Max.y);
@@ -139,6 +142,53 @@ void App::DrawSettingsButton(Ui& ui, const ImRect& stage) {
   const float width = ui.Letters().Width(Type::kBody, settings) + 28.0f;
   if (ui.Button("stage/settings", {{corner.x - width, corner.y}, {corner.x, corner.y + high}}, settings))
     session_.ShowAll();
+}
+
+float App::DockTabHeight(const Ui& ui) { return ui.Look().touch ? kTouchTabHeight : 34.0f; }
+
+void App::DrawDock(Ui& ui, const ImRect& rect, DockTab first) {
+  struct Tab {
+    DockTab tab;
+    const char* label;
+  };
+  static constexpr std::array<Tab, 4> kTabs = {{{DockTab::kGoal, TrLater("Goal")},
+                                                {DockTab::kFigures, TrLater("Figures")},
+                                                {DockTab::kMotions, TrLater("Motions")},
+                                                {DockTab::kTimeline, TrLater("Timeline")}}};
+  // A clip that was added is shown.
+  const std::size_t clips = session_.Doc().timeline.size();
+  if (clips > clips_before_ && clips > 1) dock_ = DockTab::kTimeline;
+  clips_before_ = clips;
+  if (dock_ < first) dock_ = DockTab::kMotions;
+  std::vector<const char*> names;
+  for (const Tab& tab : kTabs) {
+    if (tab.tab >= first) names.push_back(tab.label);
+  }
+  int chosen = static_cast<int>(dock_) - static_cast<int>(kTabs.size() - names.size());
+  const ImRect tabs(rect.Min, {rect.Max.x, rect.Min.y + DockTabHeight(ui)});
+  if (ui.Tabs("dock", tabs, Tr("Below the stage"), names, chosen))
+    dock_ = static_cast<DockTab>(chosen + static_cast<int>(kTabs.size() - names.size()));
+  const ImRect inside({rect.Min.x, tabs.Max.y}, rect.Max);
+  switch (dock_) {
+    case DockTab::kGoal:
+      DrawChoices(ui, inside);
+      break;
+    case DockTab::kFigures:
+      DrawFigures(ui, {inside.Min, {inside.Max.x, std::min(inside.Max.y, inside.Min.y + kFigureRowHeight)}});
+      break;
+    case DockTab::kMotions:
+      if (DrawFoundRail(
+              ui, session_, rail_,
+              {inside.Min, {inside.Max.x, std::min(inside.Max.y, inside.Min.y + kFigureRowHeight)}})) {
+        search_panel_.found = true;
+        Run("panel/Search");
+      }
+      if (rail_.strips.Waiting()) window_.RequestOneFrame();
+      break;
+    case DockTab::kTimeline:
+      DrawTimeline(ui, session_, inside);
+      break;
+  }
 }
 
 // Without the latest sentence, which would move the choices under the pointer. The status line has it.
@@ -202,7 +252,9 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
     figures ? DrawFigures(ui, below) : DrawTransport(ui, session_, below);
   }
   ui.HorizontalLine(whole.Min.x, whole.Max.x, tabs_y);
-  if (choices) return DrawChoices(ui, {{whole.Min.x, tabs_y + 1.0f}, whole.Max});
+  const ImRect below_stage({whole.Min.x, tabs_y + 1.0f}, whole.Max);
+  if (choices && ShowsFigureRow()) return DrawChoices(ui, below_stage);
+  if (choices) return DrawDock(ui, below_stage, DockTab::kGoal);
 
   const ImRect tabs({whole.Min.x, tabs_y}, {whole.Max.x, tabs_y + kTouchTabHeight});
   const int panel = shown.empty() ? -1 : DrawTabs(ui, tabs, shown);

@@ -10,6 +10,7 @@
 #include "shell/app/window.h"
 #include "shell/panels/controller/controller_panel.h"
 #include "shell/panels/figure/figure_panel.h"
+#include "shell/panels/search/found_rail.h"
 #include "shell/panels/search/search_panel.h"
 #include "shell/session/commands.h"
 #include "shell/session/session.h"
@@ -55,6 +56,12 @@ class App {
   [[nodiscard]] bool OffersChoices() const;
   void DrawChoices(Ui&, const ImRect&);
   void DrawSettingsButton(Ui&, const ImRect& stage);
+  /// What lies below the stage beside the choices, in the order of the tabs. The goal is a tab where the
+  /// choices have no panel of their own.
+  enum class DockTab { kGoal, kFigures, kMotions, kTimeline };
+  /// @param first the tabs from this one on
+  void DrawDock(Ui&, const ImRect&, DockTab first);
+  static float DockTabHeight(const Ui&);
   /// Whether figures to choose from take the place of playback and timeline.
   [[nodiscard]] bool ShowsFigureRow() const;
   void DrawFigures(Ui&, const ImRect&);
@@ -69,6 +76,9 @@ class App {
   Session session_;
   FigurePanelState figure_panel_;
   StageState stage_;
+  DockTab dock_ = DockTab::kGoal;
+  std::size_t clips_before_ = 0;  // of the timeline, in the frame before
+  FoundRailState rail_;
   int panel_before_ = -1;    // in the frame before
   bool wide_ = false;        // a canvas with room for a panel beside the stage
   bool phone_ = false;       // a narrow or upright canvas: the panel lies under the stage

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/document/goals.h"
 #include "core/document/json.h"
 #include "core/document/link.h"
 #include "core/document/parts.h"
@@ -26,6 +27,13 @@ void Strip(Document& document) {
   document.timeline.clear();
   document.pushes.clear();
   document.duration_steps = document.task.duration_steps;
+}
+
+// The next search of a document that is opened has the goal of the one before.
+void KeepGoal(const Document& before, Document& document) {
+  if (const auto goal = GoalOf(before)) return SetGoal(*goal, document);
+  document.task.kind = before.task.kind;
+  document.task.weights = before.task.weights;
 }
 
 }  // namespace
@@ -160,10 +168,11 @@ void Session::ChooseExample(const Document& example) {
   workspace_.Say(Tr("{1}. Undo restores the previous version.", TrTitle(Doc().title)));
 }
 
-bool Session::ShowFound(const std::string& id) {
+bool Session::ShowFound(const std::string& id, NextGoal goal) {
   const FoundMotions::Entry* entry = results_.Motions().Find(id);
   if (entry == nullptr) return false;
   Document document = entry->motion.document;
+  if (goal == NextGoal::kOfOpen) KeepGoal(Doc(), document);
   if (const std::string& name = entry->motion.name; !name.empty()) {
     document.title = name;
     if (document.timeline.size() == 1)

@@ -27,6 +27,9 @@ namespace gaitsmith::shell {
 /// How the next try should differ from the shown motion.
 enum class Manner { kCalmer, kQuicker, kHigher };
 
+/// Whose goal the next search has after a motion is opened.
+enum class NextGoal { kOwn, kOfOpen };
+
 class Session {
  public:
   explicit Session(Host& host);
@@ -119,8 +122,9 @@ class Session {
   void ChooseProblem(int index);
   /// Opens a shipped motion.
   void ChooseExample(const Document& example);
-  /// Opens a result as it was found. @return false: there is no such motion
-  bool ShowFound(const std::string& id);
+  /// Opens a result, for a next search with its own goal or with that of the open document. @return false:
+  /// there is no such motion
+  bool ShowFound(const std::string& id, NextGoal = NextGoal::kOwn);
   /// Opens a motion of the map of styles.
   void ShowElite(Document motion);
 

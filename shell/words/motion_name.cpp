@@ -69,7 +69,7 @@ Name NameOf(std::string_view figure, const Motion& motion) {
 
 std::string MotionName(const Document& d, int controller, std::span<const Controller> others) {
   const auto [words, way_m] = NameOf(d.figure.name, UsualMotion(d, controller));
-  const std::string name = words;
+  std::string name = words;
   const Genome& genes = d.controllers[static_cast<std::size_t>(controller)].genes;
   const bool taken = std::ranges::any_of(
       others, [&](const Controller& other) { return other.name == name && other.genes != genes; });

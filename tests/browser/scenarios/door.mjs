@@ -130,6 +130,51 @@ async function goals({ browser, address }) {
   await calm.close();
 }
 
+/** Motions lie in a row: a press shows one, nothing moves under the pointer, and the goal stays. @param {Visit} visit */
+async function rail({ browser, address }) {
+  const page = await PageDriver.open(browser, address, { newcomer: true, plays: true });
+  await page.click('stage/teach');
+  await metres(page, 1);
+  const first = await page.hash();
+  await page.click('stage/another');
+  await metres(page, 2);
+  await page.click('goal/head-up');
+  const cards = async () => (await page.widgets()).filter(({ id }) => /^rail\/[0-9a-f]{16}$/.test(id));
+  await page.until('two cards', () => window.gaitsmith.widgets().filter(({ id }) => /^rail\/[0-9a-f]{16}$/.test(id)).length === 2);
+  const before = await cards();
+  await page.click(before[1].id);
+  await page.until('the first motion', `window.gaitsmith.hash() === ${JSON.stringify(first)}`, 5000);
+  await page.frames(5);
+  const after = await cards();
+  assert.deepEqual(after.map(({ id, rect }) => [id, rect]), before.map(({ id, rect }) => [id, rect]), 'nothing moves');
+  assert.deepEqual(after.map(({ state }) => state.selected), [false, true]);
+  assert.ok((await page.widgets()).some(({ id, state }) => id === 'goal/head-up' && state.checked), 'the goal stays');
+  // A second clip opens the timeline; another motion does not take its place without a question.
+  await page.click('stage/chain');
+  await page.until('two clips', () => (/** @type {{timeline?: unknown[]}} */ (window.gaitsmith.document()).timeline ?? []).length === 2, 5000);
+  await page.until('the timeline', () => window.gaitsmith.widgets().some(({ id }) => id === 'timeline/add'), 5000);
+  const chained = await page.hash();
+  await page.click('dock/1');
+  await page.frames(5);
+  await page.click(before[0].id);
+  await page.frames(5);
+  assert.equal(await page.hash(), chained);
+  await page.click('rail/cancel');
+  await page.frames(5);
+  await page.click(before[0].id);
+  await page.click('rail/replace');
+  await page.until('one clip', () => (/** @type {{timeline?: unknown[]}} */ (window.gaitsmith.document()).timeline ?? []).length === 1, 5000);
+  // Another figure is one press away.
+  await page.click('dock/0');
+  await page.frames(5);
+  const frog = (await page.widgets()).find(({ id, label }) => id.startsWith('figures/') && label === 'Frog');
+  assert.ok(frog);
+  await page.click(frog.id);
+  await page.until('the frog', () => window.gaitsmith.document().figure?.name === 'Frog', 5000);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
 /** @param {Visit} visit */
 async function addresses({ browser, address }) {
   const page = await PageDriver.open(browser, `${address}?open=there-and-back`);
@@ -150,6 +195,7 @@ export const DOOR_SCENARIOS = [
   ['a newcomer teaches the bird by the Enter key', byKey],
   ['a newcomer on a phone chooses a figure and teaches it with a finger', byFinger],
   ['a newcomer gets a cartwheel in three presses, and a calm gait', goals],
+  ['a newcomer compares motions in a row, chains two, and takes another figure', rail],
   ['with reduced motion the first press finds a gait, and nothing plays by itself', lessMotion],
   ['an address opens an example by its name, and all its mistakes are reported', addresses],
 ];

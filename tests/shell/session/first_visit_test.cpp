@@ -229,6 +229,29 @@ TEST_CASE("tries: one step of Undo takes back another try, or a calmer one, with
   CHECK(session.Doc().timeline.empty());
 }
 
+TEST_CASE("results: one that is shown has its own goal, or keeps that of the open document",
+          "[shell][session]") {
+  QuietHost host;
+  Session session(host);
+  REQUIRE(session.Begin(""));
+  session.Synthesize();
+  End(session, host, 20000);
+  const std::string id = session.Results().Motions().Sorted(FoundMotions::Order::kNewest).front()->id;
+  const std::uint64_t motion = session.Player().Shown().Hash();
+  session.BeginGesture();
+  session.Set([](Document& d) { SetGoal(Goal::kCalm, d); });
+  session.BeginGesture();
+  REQUIRE(session.ShowFound(id, NextGoal::kOfOpen));
+  CHECK(GoalOf(session.Doc()) == Goal::kCalm);
+  CHECK(session.Player().Shown().Hash() == motion);
+  session.Set([](Document& d) { d.task.weights[0] = 0.7f; });
+  REQUIRE(session.ShowFound(id, NextGoal::kOfOpen));
+  CHECK(session.Doc().task.weights[0] == 0.7f);  // a person's own mix
+  REQUIRE(session.ShowFound(id));
+  CHECK(GoalOf(session.Doc()) == Goal::kFar);
+  CHECK_FALSE(session.ShowFound("no-such-result", NextGoal::kOfOpen));
+}
+
 TEST_CASE("tries: five more are five other seeds, and begin at once", "[shell][session]") {
   QuietHost host;
   Session session(host);

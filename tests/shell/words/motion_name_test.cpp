@@ -38,6 +38,7 @@ TEST_CASE("motion name: a figure that keeps its pose stands", "[shell][motion_na
   Document d = ExampleOf("gallery/seven-star-wheel");
   const Skeleton bones(d.figure);
   std::vector<float> drawn;
+  drawn.reserve(static_cast<std::size_t>(bones.joints));
   for (int joint = 0; joint < bones.joints; ++joint)
     drawn.push_back(bones.limbs[static_cast<std::size_t>(joint) + 1].rest_rad);
   d.controllers = {gaitsmith::test::HoldPose(d.figure, drawn, 0.1f)};
