@@ -20,8 +20,6 @@
 namespace gaitsmith::shell {
 namespace {
 
-constexpr int kLinkField = 12;
-
 std::vector<std::string> FigureNames(const Arguments& arguments) {
   std::vector<std::string> names = arguments.All("figure");
   if (names.empty()) {

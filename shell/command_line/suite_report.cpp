@@ -18,8 +18,6 @@ namespace gaitsmith::shell {
 
 namespace {
 
-constexpr int kLinkField = 12;
-
 /// A trial of a suite.
 struct Found {
   std::string label;

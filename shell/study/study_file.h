@@ -31,6 +31,9 @@ struct TrialResult {
 /// One field of a checked row, counted from 0 as in the heading, without the line's end.
 [[nodiscard]] std::string_view FieldOf(std::string_view row, int field);
 
+/// The field of a checked row of motions that holds the link.
+inline constexpr int kLinkField = 12;
+
 /// The fitness in a checked row of results or motions.
 [[nodiscard]] double BestIn(std::string_view row);
 
