@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 
 #include "core/document/json.h"
@@ -28,6 +29,12 @@ std::vector<std::string> FigureNames(const Arguments& arguments) {
   return names;
 }
 
+std::string Text(float strength) {
+  char text[24];
+  std::snprintf(text, sizeof text, "%g", static_cast<double>(strength));
+  return text;
+}
+
 /// The strengths to search with: those given, or the figure's own.
 Result<std::vector<float>> ReadStrengths(const Arguments& arguments, Goal goal, const Figure& figure) {
   std::vector<float> strengths;
@@ -35,8 +42,9 @@ Result<std::vector<float>> ReadStrengths(const Arguments& arguments, Goal goal, 
     const auto strength = ParseNumber(text, "--strength");
     if (!strength) return std::unexpected(strength.error());
     const auto value = static_cast<float>(*strength);
-    if (!(value > 0.0f && value <= 16.0f))
-      return Fail(ErrorCode::kOutOfRange, "--strength", "must be above 0, at most 16");
+    if (!(value > 0.0f && value <= kGoalStrengths.back()))
+      return Fail(ErrorCode::kOutOfRange, "--strength",
+                  "must be above 0, at most " + Text(kGoalStrengths.back()));
     strengths.push_back(value);
   }
   if (strengths.empty()) strengths.push_back(StrengthOf(goal, figure.name));
@@ -56,13 +64,12 @@ Result<void> AddGoals(const Arguments& arguments, Study& study) {
       const auto strengths = ReadStrengths(arguments, static_cast<Goal>(*goal), *figure);
       if (!strengths) return std::unexpected(strengths.error());
       for (const float strength : *strengths) {
-        char label[80];
-        std::snprintf(label, sizeof label, "%s.%s.%g", name.c_str(), word.c_str(),
-                      static_cast<double>(strength));
+        const std::string label =
+            std::filesystem::path(name).stem().string() + "." + word + "." + Text(strength);
         Document document = Standing(*figure);
         document.title = label;
         SetGoal(static_cast<Goal>(*goal), strength, document);
-        if (auto added = AddProblem(label, OnlyProblem(document), "goal", study); !added) return added;
+        if (auto added = AddProblem(label, OnlyProblem(document), "--goal", study); !added) return added;
         study.problems.back().figure.name = figure->name;
       }
     }

@@ -9,7 +9,7 @@ import { Fingers } from '../pointers.mjs';
 const BIRD_METRES = 16; // 2 m/s for eight seconds
 /** @param {PageDriver} page */
 const ids = async (page) => (await page.widgets()).map(({ id }) => id);
-/** The metres of the shown motion, once so many searches have ended. @param {PageDriver} page @param {number} searches  that have ended */
+/** Waits for the end of a search. @param {PageDriver} page @param {number} searches  number of results until then @returns the metres of the shown motion */
 async function metres(page, searches) {
   await page.until('the end of the search', `window.gaitsmith.results().length >= ${searches}`);
   return page.call('metres', () => window.gaitsmith.results().find(({ hash }) => hash === window.gaitsmith.hash())?.score ?? 0);

@@ -2,12 +2,59 @@
 // The goals that the page offers: their tasks, their names, and why one is not offered.
 #include "shell/words/goal_words.h"
 
+#include <algorithm>
 #include <catch_amalgamated.hpp>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
 
+#include "core/document/json.h"
 #include "core/document/standing.h"
+#include "shell/embedded/embedded.h"
 #include "shell/workspace/shipped_documents.h"
 
 namespace gaitsmith::shell::test {
+namespace {
+
+/// A result file of docs/studies/goals: seeds that meet a goal, by FIGURE,GOAL and strength.
+std::map<std::string, std::map<float, int>> Counts(const char* name) {
+  std::ifstream file(std::string(GAITSMITH_SOURCE_DIR "/docs/studies/goals/") + name);
+  std::map<std::string, std::map<float, int>> counts;
+  std::string line;
+  for (std::getline(file, line); std::getline(file, line);) {
+    std::istringstream fields(line);
+    std::string figure, goal, strength, seeds, met;
+    for (std::string* field : {&figure, &goal, &strength, &seeds, &met}) std::getline(fields, *field, ',');
+    counts[figure + "," + goal][std::stof(strength)] = std::stoi(met);
+  }
+  return counts;
+}
+
+}  // namespace
+
+TEST_CASE("goals: strengths and counts are those of the study", "[shell][goals]") {
+  const auto tuning = Counts("tuning-met.csv"), table = Counts("table.csv");
+  REQUIRE(table.size() == ExampleFigures().size() * kGoals);
+  for (const Example& example : ExampleFigures()) {
+    const auto figure = DecodeFigureJson(example.json);
+    REQUIRE(figure);
+    for (int i = 0; i < kGoals; ++i) {
+      const auto goal = static_cast<Goal>(i);
+      const std::string key =
+          std::string(example.name) + "," + std::string(kGoalNames[static_cast<std::size_t>(i)]);
+      CAPTURE(key);
+      const float strength = StrengthOf(goal, figure->name);
+      CHECK(table.at(key) ==
+            std::map<float, int>{{strength, SeedsThatMeet(goal, figure->name).value_or(-1)}});
+      if (!tuning.contains(key)) continue;  // goals without weights have no strength
+      // The most seeds, the smallest strength of equals: the map is in their order.
+      const auto& tried = tuning.at(key);
+      CHECK(strength ==
+            std::ranges::max_element(tried, {}, [](const auto& one) { return one.second; })->first);
+    }
+  }
+}
 
 TEST_CASE("goals: a document has the goal that was set, at every strength a valid task", "[shell][goals]") {
   const ShippedDocuments shipped;
