@@ -91,9 +91,9 @@ class Session {
   void ForgetPast();
 
   // What a reload of a browser's tab would lose beside the document: Undo, Redo and the queue.
-  /// As JSON: {"undo", "redo", "queue"}, lists of payloads of links, and
-  /// "simple". The oldest steps are left out if the
-  /// text would be too long to store. A running search of the queue comes first among the waiting ones.
+  /// As JSON: {"undo", "redo", "queue"}, lists of payloads of links, and "simple", whether only the choices
+  /// are shown. The oldest steps are left out if the text would be too long to store. A running search of the
+  /// queue comes first among the waiting ones.
   [[nodiscard]] std::string StoreVisit() const;
   /// @return false: the text is damaged, and nothing has changed
   bool RestoreVisit(std::string_view text);
@@ -114,7 +114,8 @@ class Session {
   void EnterViewer() { viewing_ = true; }
   /// Shows the choices of a first visit beside the open document.
   void LeaveViewer();
-  /// Opens the figure of a first visit in place of the open document, with the Search panel.
+  /// Opens the figure of a first visit in place of the open document. If all panels are shown, Search is
+  /// open.
   void New();
   /// Opens a shipped figure, standing still in the world of the open document, or a problem. @param index of
   /// Shipped()

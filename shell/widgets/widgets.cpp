@@ -178,6 +178,15 @@ void Ui::Frame(const ImRect& rect, ImU32 fill, ImU32 border, float radius) const
   list->AddRect(rect.Min, rect.Max, border, radius);
 }
 
+ImU32 Ui::CardFrame(const ImRect& rect, bool chosen, bool hovered) const {
+  constexpr float kRadius = 9.0f;
+  const Palette& p = Ink();
+  const ImU32 fill = chosen ? Mix(p.panel, p.accent, 0.1f) : p.panel;
+  Frame(rect, fill, chosen ? p.accent : hovered ? Mix(p.line, p.ink, 0.45f) : p.line, kRadius);
+  if (chosen) Canvas()->AddRect(rect.Min, rect.Max, p.accent, kRadius, 0, 2.0f);
+  return fill;
+}
+
 void Ui::HorizontalLine(float left, float right, float y) const {
   const float top = theme_.Snap(y);
   Canvas()->AddRectFilled(

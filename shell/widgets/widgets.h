@@ -129,6 +129,8 @@ class Ui {
 
   /// Fill and one-pixel border with rounded corners.
   void Frame(const ImRect&, ImU32 fill, ImU32 border, float radius = kCornerRadius) const;
+  /// The frame of a card that can be chosen. @return its fill
+  ImU32 CardFrame(const ImRect&, bool chosen, bool hovered) const;
   void HorizontalLine(float left, float right, float y) const;
   void VerticalLine(float x, float top, float bottom) const;
 

@@ -44,7 +44,7 @@ bool DrawCard(Ui& ui, const char* id, const ImRect& rect, Icon icon, std::string
               const std::string& name) {
   const Touch touch = ui.Area(id, rect, Grab::kPress, {.label = name, .role = "button"});
   const Palette& p = ui.Ink();
-  ui.Frame(rect, p.panel, touch.hovered ? Mix(p.line, p.ink, 0.45f) : p.line, 9.0f);
+  ui.CardFrame(rect, false, touch.hovered);
   const float above = DrawTileName(ui, shown, rect, p.ink);
   DrawIcon(ui.Canvas(), icon, {rect.GetCenter().x, 0.5f * (rect.Min.y + above)}, 20.0f, p.ink);
   ui.DrawFocus(touch, rect, 9.0f);

@@ -33,12 +33,11 @@ bool DrawFigureTile(Ui& ui, const Figure& figure, const std::string& id, bool ch
       ui.Area(id, rect, Grab::kPress, {.label = shown, .role = "radio", .state = {.checked = chosen}});
   if (!touch.visible) return touch.pressed;
   const Palette& p = ui.Ink();
-  const ImU32 edge = chosen ? p.accent : touch.hovered ? Mix(p.line, p.ink, 0.45f) : p.line;
-  ui.Frame(rect, chosen ? Mix(p.panel, p.accent, 0.08f) : p.panel, edge, 9.0f);
+  const ImU32 fill = ui.CardFrame(rect, chosen, touch.hovered);
   const ImU32 ink = chosen ? p.ink : p.second_ink;
   const float above = DrawTileName(ui, shown, rect, ink);
   DrawFigureThumbnail(ui, figure, {{rect.Min.x + 16.0f, rect.Min.y + 10.0f}, {rect.Max.x - 16.0f, above}},
-                      chosen ? p.accent : Mix(p.panel, p.ink, 0.85f), p.panel);
+                      chosen ? p.accent : Mix(p.panel, p.ink, 0.85f), fill);
   ui.DrawFocus(touch, rect, 9.0f);
   return touch.pressed;
 }

@@ -31,9 +31,7 @@ bool DrawChip(Ui& ui, Goal goal, const Figure& figure, bool chosen, const ImRect
   pointed |= touch.focused || ImGui::IsMouseHoveringRect(rect.Min, rect.Max);
   if (!touch.visible) return touch.pressed;
   const Palette& p = ui.Ink();
-  const ImU32 fill = chosen ? Mix(p.panel, p.accent, 0.1f) : p.panel;
-  ui.Frame(rect, fill, chosen ? p.accent : touch.hovered ? Mix(p.line, p.ink, 0.45f) : p.line, 9.0f);
-  if (chosen) ui.Canvas()->AddRect(rect.Min, rect.Max, p.accent, 9.0f, 0, 2.0f);
+  const ImU32 fill = ui.CardFrame(rect, chosen, touch.hovered);
   const float strength = offered ? 1.0f : 0.35f;
   const float height = kChipHeight - kLabelRoom - 10.0f;
   const float width = std::min(rect.GetWidth() - 18.0f, kMaxAspect * height);

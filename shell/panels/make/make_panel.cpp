@@ -38,9 +38,7 @@ int DrawCards(Ui& ui, std::string_view id, const char* label, std::span<const Ca
         card.id, rect, Grab::kPress,
         {.label = std::string(Tr(card.label)) + ", " + card.line, .role = "radio", .state = {.checked = on}});
     if (touch.pressed && !on) pressed = i;
-    const ImU32 fill = on ? Mix(p.panel, p.accent, 0.1f) : p.panel;
-    ui.Frame(rect, fill, on ? p.accent : touch.hovered ? Mix(p.line, p.ink, 0.45f) : p.line, 9.0f);
-    if (on) ui.Canvas()->AddRect(rect.Min, rect.Max, p.accent, 9.0f, 0, 2.0f);
+    ui.CardFrame(rect, on, touch.hovered);
     const float left = rect.Min.x + 10.0f, room = width - 14.0f, y = rect.GetCenter().y;
     ui.Letters().DrawElided(ui.Canvas(), on ? Type::kStrong : Type::kBody, {left, y - 8.0f}, room, p.ink,
                             Tr(card.label));

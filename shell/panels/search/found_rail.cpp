@@ -47,12 +47,7 @@ bool DrawRailCard(Ui& ui, const Session& session, const FoundMotions::Entry& ent
                .state = {.selected = shown}});
   OfferFound(ui, entry.id, name);
   const Palette& p = ui.Ink();
-  ui.Frame(card, Mix(p.panel, p.accent, shown ? 0.1f : 0.0f),
-           shown           ? p.accent
-           : touch.hovered ? Mix(p.line, p.ink, 0.45f)
-                           : p.line,
-           9.0f);
-  if (shown) ui.Canvas()->AddRect(card.Min, card.Max, p.accent, 9.0f, 0, 2.0f);
+  ui.CardFrame(card, shown, touch.hovered);
   const double length = found.document.duration_steps * static_cast<double>(kStep);
   const bool moves = session.Player().Playing();
   const float share = moves ? static_cast<float>(std::fmod(ImGui::GetTime(), length) / length) : -1.0f;
