@@ -5,7 +5,7 @@ namespace gaitsmith {
 
 void BeginWithQuickSearch(SearchSettings& search) {
   search.algorithm = Algorithm::kPoseCycle;
-  search.evaluations = 4000;
+  search.evaluations = kQuickEvaluations;
 }
 
 Document Standing(const Figure& figure) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/document/standing.h"
 #include "shell/words/figure_words.h"
 #include "shell/words/language.h"
 
@@ -59,6 +60,7 @@ void DrawInvitation(Ui& ui, Session& session, const ImRect& stage) {
     ui.DescribeText(aside, {{at.x, line - 9.0f}, {at.x + room, line + 9.0f}});
   }
 
+  const bool quick = session.Doc().search.evaluations <= kQuickEvaluations;
   ImRect button;
   if (wide) {
     const float free = (1.0f - kBeside) * stage.GetWidth() - kSide;
@@ -70,7 +72,7 @@ void DrawInvitation(Ui& ui, Session& session, const ImRect& stage) {
               {centre.x + 0.5f * width, centre.y + 0.5f * height}};
     if (tall)
       letters.Draw(ui.Canvas(), Type::kBody, {centre.x, button.Max.y + 22.0f}, p.second_ink,
-                   Tr("takes a second or two · or press Enter"), Align::kCentre);
+                   Tr(quick ? "takes a second or two · or press Enter" : "or press Enter"), Align::kCentre);
   } else {
     button = {{stage.Min.x + kSide, stage.Max.y - 66.0f}, {stage.Max.x - kSide, stage.Max.y - 8.0f}};
   }

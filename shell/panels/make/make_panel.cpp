@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/document/standing.h"
 #include "shell/panels/make/goal_chips.h"
 #include "shell/words/control_modes.h"
 #include "shell/words/language.h"
@@ -65,7 +66,7 @@ void DrawSenses(Ui& ui, Session& session) {
 }
 
 /// A fixed number of tries, so that every machine finds the same motion.
-constexpr std::array<int, 3> kTries = {4000, 16000, 64000};
+constexpr std::array<int, 3> kTries = {kQuickEvaluations, 16000, 64000};
 
 void DrawEffort(Ui& ui, Session& session) {
   ui.Heading(Tr("Effort"));

@@ -17,7 +17,12 @@
 namespace gaitsmith::shell::test {
 namespace {
 
-/// A result file of docs/studies/goals: seeds that meet a goal, by FIGURE,GOAL and strength.
+std::string KeyOf(std::string_view figure, std::string_view goal) {
+  std::string key(figure);
+  return key.append(",").append(goal);
+}
+
+/// A result file of docs/studies/goals: seeds that meet a goal, by KeyOf and strength.
 std::map<std::string, std::map<float, int>> Counts(const char* name) {
   std::ifstream file(std::string(GAITSMITH_SOURCE_DIR "/docs/studies/goals/") + name);
   std::map<std::string, std::map<float, int>> counts;
@@ -26,7 +31,7 @@ std::map<std::string, std::map<float, int>> Counts(const char* name) {
     std::istringstream fields(line);
     std::string figure, goal, strength, seeds, met;
     for (std::string* field : {&figure, &goal, &strength, &seeds, &met}) std::getline(fields, *field, ',');
-    counts[figure + "," + goal][std::stof(strength)] = std::stoi(met);
+    counts[KeyOf(figure, goal)][std::stof(strength)] = std::stoi(met);
   }
   return counts;
 }
@@ -41,8 +46,7 @@ TEST_CASE("goals: strengths and counts are those of the study", "[shell][goals]"
     REQUIRE(figure);
     for (int i = 0; i < kGoals; ++i) {
       const auto goal = static_cast<Goal>(i);
-      const std::string key =
-          std::string(example.name) + "," + std::string(kGoalNames[static_cast<std::size_t>(i)]);
+      const std::string key = KeyOf(example.name, kGoalNames[static_cast<std::size_t>(i)]);
       CAPTURE(key);
       const float strength = StrengthOf(goal, figure->name);
       CHECK(table.at(key) ==
