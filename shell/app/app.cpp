@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "shell/panels/controller/controller_panel.h"
+#include "shell/panels/figure/drawing_stage.h"
 #include "shell/panels/figure/figure_row.h"
 #include "shell/panels/lab/lab_panel.h"
 #include "shell/panels/make/make_panel.h"
@@ -21,6 +22,13 @@
 #include "shell/workspace/panels.h"
 
 namespace gaitsmith::shell {
+namespace {
+
+constexpr float kLeastPanel = 300.0f;
+constexpr float kLeastSheet = 190.0f;
+
+}  // namespace
+
 bool App::Advance(double seconds) {
   // After the page was suspended (a hidden tab), the motion continues where it stopped.
   const double step = std::min(seconds, 0.1);
@@ -67,6 +75,7 @@ void App::Draw() {
   Ui ui(theme, window_.Registry(), window_.Behind());
   if (const WidgetRequest* due = window_.Registry().Requests().Due(); due != nullptr && due->begins)
     session_.BeginGesture();
+  session_.Following().Hold(ImGui::GetActiveID() != 0 && ImGui::IsMouseDown(ImGuiMouseButton_Left));
 
   ImGui::SetNextWindowPos({0.0f, 0.0f});
   ImGui::SetNextWindowSize(size);
@@ -92,7 +101,9 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
   const bool dock = choices && !figures;
   const bool timeline = session_.Layout().Shows(IndexOf(Panel::kTimeline)) && !timeline_in_tabs_ &&
                         !session_.Viewing() && !dock;
-  const float panel_x = shown.empty() && !choices ? whole.Max.x : whole.Max.x - kPanelWidth;
+  const float widest = std::min(620.0f, 0.5f * whole.GetWidth());
+  const float panel_width = beside_.Size(kPanelWidth, kLeastPanel, widest);
+  const float panel_x = shown.empty() && !choices ? whole.Max.x : whole.Max.x - panel_width;
   const float timeline_y =
       dock ? whole.Max.y - DockTabHeight(ui) - kTimelineHeight - TransitionStripHeight(session_)
       : !timeline || figures ? whole.Max.y
@@ -102,8 +113,12 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
       timeline_y - (figures ? kFigureRowHeight : TransportHeight(ui.Look(), panel_x - whole.Min.x, low_));
   const ImRect stage(whole.Min, {panel_x, transport_y});
   const ImRect card = WorldCardOn(stage, stage_.world);
-  DrawStage(ui, session_, stage_, stage, stage_.world.open ? stage.Max.x - card.Min.x : 0.0f);
-  if (stage_.world.open) {
+  const bool draws = DrawsOnStage(session_, figure_panel_);
+  if (draws)
+    DrawDrawingStage(ui, session_, figure_panel_, stage);
+  else
+    DrawStage(ui, session_, stage_, stage, stage_.world.open ? stage.Max.x - card.Min.x : 0.0f);
+  if (stage_.world.open && !draws) {
     ui.Frame(card, ui.Ink().panel, ui.Ink().line);
     DrawWorld(ui, card);
   }
@@ -115,6 +130,7 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
   DrawSettingsButton(ui, stage);
   if (shown.empty() && !choices) return;
   ui.VerticalLine(panel_x, whole.Min.y, whole.Max.y);
+  DrawSplit(ui, beside_, {panel_x, whole.Max.x, whole.Min.y, whole.Max.y, true}, kLeastPanel, widest);
   if (choices) return DrawChoices(ui, {{panel_x + 1.0f, whole.Min.y}, whole.Max});
   const float tab_height = ui.Look().touch ? kTouchTabHeight : kTabHeight;
   const ImRect tabs({panel_x + 1.0f, whole.Min.y}, {whole.Max.x, whole.Min.y + tab_height});
@@ -134,7 +150,8 @@ bool App::OffersChoices() const {
 
 // Where the choices of a first visit have no room, this opens the panels.
 void App::DrawSettingsButton(Ui& ui, const ImRect& stage) {
-  if (!session_.Simple() || OffersChoices() || !Invites(session_)) return;
+  if (!session_.Simple() || OffersChoices() || !Invites(session_) || DrawsOnStage(session_, figure_panel_))
+    return;
   const bool wide = InvitesBeside(stage);
   const float high = ui.Look().touch ? 44.0f : 32.0f;
   const ImVec2 corner(stage.Max.x - (wide ? 98.0f : 12.0f), stage.Min.y + (wide ? 10.0f : 48.0f));
@@ -222,7 +239,7 @@ void App::DrawFigures(Ui& ui, const ImRect& rect) {
   if (choice.figure >= 0) session_.ChooseFigure(choice.figure);
   if (choice.draw) DrawOwnFigure(session_, figure_panel_);
   figure_panel_.gallery_open |= choice.more;
-  if (choice.draw || choice.more) Run("panel/Figure");
+  if (choice.more || (choice.draw && !session_.Simple())) Run("panel/Figure");
 }
 
 void App::DrawWorld(Ui& ui, const ImRect& rect) {
@@ -236,22 +253,35 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
   // it.
   const std::vector<int> shown = ShownTabs();
   const bool covers = low_ && (sheet_open_ || stage_.world.open);
-  const float sheet = low_ ? 0.0f : std::clamp(0.33f * whole.GetHeight(), 190.0f, 420.0f);
+  const float highest = 0.65f * whole.GetHeight();
+  const float sheet =
+      low_ ? 0.0f
+           : below_.Size(std::clamp(0.33f * whole.GetHeight(), kLeastSheet, 420.0f), kLeastSheet, highest);
   const bool choices = OffersChoices() && !stage_.world.open;
   const float tabs_y = choices                               ? whole.Max.y - sheet
                        : shown.empty() && !stage_.world.open ? whole.Max.y
                                                              : whole.Max.y - sheet - kTouchTabHeight;
   if (!covers) {
-    const bool figures = ShowsFigureRow();
+    const bool draws = DrawsOnStage(session_, figure_panel_);  // with all the room there is
+    const bool figures = ShowsFigureRow() && !draws;
     const float below_y =
-        tabs_y - (figures ? kFigureRowHeight : TransportHeight(ui.Look(), whole.GetWidth(), low_));
+        draws ? tabs_y
+              : tabs_y - (figures ? kFigureRowHeight : TransportHeight(ui.Look(), whole.GetWidth(), low_));
     const ImRect below({whole.Min.x, below_y}, {whole.Max.x, tabs_y});
     const ImRect stage(whole.Min, {whole.Max.x, below_y});
-    DrawStage(ui, session_, stage_, stage);
+    if (draws)
+      DrawDrawingStage(ui, session_, figure_panel_, stage);
+    else
+      DrawStage(ui, session_, stage_, stage);
     DrawSettingsButton(ui, stage);
-    figures ? DrawFigures(ui, below) : DrawTransport(ui, session_, below);
+    if (figures)
+      DrawFigures(ui, below);
+    else if (!draws)
+      DrawTransport(ui, session_, below);
   }
   ui.HorizontalLine(whole.Min.x, whole.Max.x, tabs_y);
+  if (!low_ && tabs_y < whole.Max.y)
+    DrawSplit(ui, below_, {tabs_y, tabs_y + sheet, whole.Min.x, whole.Max.x, false}, kLeastSheet, highest);
   const ImRect below_stage({whole.Min.x, tabs_y + 1.0f}, whole.Max);
   if (choices && ShowsFigureRow()) return DrawChoices(ui, below_stage);
   if (choices) return DrawDock(ui, below_stage, DockTab::kGoal);

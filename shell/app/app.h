@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "shell/app/split.h"
 #include "shell/app/window.h"
 #include "shell/panels/controller/controller_panel.h"
 #include "shell/panels/figure/figure_panel.h"
@@ -77,6 +78,7 @@ class App {
   FigurePanelState figure_panel_;
   StageState stage_;
   DockTab dock_ = DockTab::kGoal;
+  Split beside_, below_;          // of the panel, where it is beside the stage and where it is below
   std::size_t clips_before_ = 0;  // of the timeline, in the frame before
   FoundRailState rail_;
   int panel_before_ = -1;    // in the frame before

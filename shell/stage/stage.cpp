@@ -63,7 +63,9 @@ void DrawRemark(const Scene& s, float y) {
     letters.DrawElided(s.list, Type::kNote, at, width, colour, sentence);
     s.ui.DescribeText(sentence, {{at.x, at.y - 9.0f}, {at.x + width, at.y + 9.0f}});
   };
-  if (terms.broke_physics) {
+  if (s.session.Following().Previewing()) {
+    remark(p.accent, Tr("Preview: let go to keep what is found."));
+  } else if (terms.broke_physics) {
     remark(p.bad, Tr("The simulation failed, so this motion doesn't count."));
   } else if (s.session.World().Changed()) {
     remark(p.accent, Tr("You changed the world, so the motion differs from the one you opened."));

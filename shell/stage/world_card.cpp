@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/numeric/scalar_math.h"
+#include "shell/stage/live_switch.h"
 #include "shell/words/language.h"
 #include "shell/words/search_words.h"
 #include "shell/words/wording.h"
@@ -199,7 +200,8 @@ void DrawWorldCard(Ui& ui, Session& session, WorldCardState& state, const ImRect
       ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoBackground);
   ImGui::PopStyleVar();
   DrawGroundAndGravity(ui, session);
-  ui.Gap(8.0f);
+  ui.Gap(4.0f);
+  DrawLiveSwitch(ui, session, "world/live");
   DrawPushes(ui, session, state);
   ui.Gap(8.0f);
   DrawGhostChoice(ui, session);

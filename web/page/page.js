@@ -80,6 +80,7 @@ async function start() {
       maxWorkers: () => navigator.hardwareConcurrency || 2,
       startSearch: (document, workers) => void parts?.searches.start(document, workers),
       startTrial: (document, workers, trial) => void parts?.searches.start(document, workers, { trial }),
+      startPreview: (document, workers) => void parts?.searches.start(document, workers, { preview: true }),
       startQueued: (document, workers, title) => void parts?.searches.start(document, workers, { queued: title }),
       askName: (id, name, usual) => parts?.naming.ask(id, name, usual),
       storeFound: (id, text) => parts?.results.store(id, text),

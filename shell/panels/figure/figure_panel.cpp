@@ -126,6 +126,7 @@ void DrawOwnFigure(Session& session, FigurePanelState& state) {
   session.ReplaceFigure(single);
   Reset(state.board);
   state.board.tool = DrawingTool::kGrow;
+  state.board.blank = state.on_stage = true;
 }
 
 void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
@@ -158,8 +159,10 @@ void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
     Reset(state.board);
   }
   ui.Gap(8.0f);
-  DrawDrawingBoard(ui, session, state.board);
-  ui.Gap(8.0f);
+  if (!state.on_stage) {
+    DrawDrawingBoard(ui, session, state.board, ui.Row(kBoardHeight));
+    ui.Gap(8.0f);
+  }
   ui.Paragraph(
       Tr(state.board.tool == DrawingTool::kMove
              ? "Drag a joint or a tip to change a rod. Drag a rod to rotate it and everything attached."

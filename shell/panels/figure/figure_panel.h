@@ -11,9 +11,10 @@ namespace gaitsmith::shell {
 struct FigurePanelState {
   DrawingBoardState board;
   bool gallery_open = false;
+  bool on_stage = false;  // the board takes the place of the stage
 };
 
-/// Replaces the figure by one rod, to which a person adds others on the drawing board.
+/// Clears the board, on the stage, for a figure that a person draws.
 void DrawOwnFigure(Session&, FigurePanelState&);
 
 void DrawFigurePanel(Ui&, Session&, FigurePanelState&);

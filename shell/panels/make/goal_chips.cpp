@@ -82,7 +82,7 @@ void DrawGoalChips(Ui& ui, Session& session) {
   const ImRect note = ui.Row(18.0f);
   ui.Letters().DrawElided(ui.Canvas(), Type::kNote, {note.Min.x, note.GetCenter().y}, note.GetWidth(),
                           ui.Ink().second_ink, line);
-  if (pressed) session.Set([&](Document& d) { SetGoal(*pressed, d); });
+  if (pressed) session.ChangeGoal([&](Document& d) { SetGoal(*pressed, d); });
 }
 
 }  // namespace gaitsmith::shell

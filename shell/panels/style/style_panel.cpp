@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/document/style_weights.h"
+#include "shell/stage/live_switch.h"
 #include "shell/words/language.h"
 #include "shell/words/style_words.h"
 #include "shell/words/wording.h"
@@ -131,6 +132,7 @@ void DrawWeights(Ui& ui, Session& session) {
   ui.Paragraph(Tr("Gentle weights usually leave the goal the larger part of the score. Strong ones may not."),
                Type::kNote);
   ui.Gap(8.0f);
+  DrawLiveSwitch(ui, session, "style/live");
   const StyleWeights usual = UsualWeights(session.Doc()), gentle = GentleWeights(session.Doc());
   for (std::size_t i = 0; i < kStyleTerms; ++i) {
     const TermWords& words = TermTexts()[i];
@@ -158,7 +160,7 @@ void DrawStylePanel(Ui& ui, Session& session) {
                                             Tr("Travel to the left"), Tr("Jump")};
   int kind = static_cast<int>(task.kind);
   if (ui.Combo("style/task", Tr("Goal"), tasks, kind)) {
-    session.Set([&](Document& d) { d.task.kind = static_cast<TaskKind>(kind); });
+    session.ChangeGoal([&](Document& d) { d.task.kind = static_cast<TaskKind>(kind); });
   }
   ui.Paragraph(PrimaryLine(task.kind), Type::kNote);
   ui.Gap(8.0f);

@@ -10,6 +10,7 @@ import { AXE_SCENARIOS } from './axe.mjs';
 import { EXPORT_SCENARIOS } from './export.mjs';
 import { FAULT_SCENARIOS } from './fault.mjs';
 import { FIGURE_SCENARIOS } from './figure.mjs';
+import { LIVE_SCENARIOS } from './live.mjs';
 import { FINGER_SCENARIOS } from './finger.mjs';
 import { GRAPHICS_SCENARIOS } from './graphics.mjs';
 import { HISTORY_SCENARIOS } from './history.mjs';
@@ -287,6 +288,7 @@ export const SCENARIOS = [
   ...WORLD_SCENARIOS,
   ...EXPORT_SCENARIOS,
   ...FIGURE_SCENARIOS,
+  ...LIVE_SCENARIOS,
   ...RULE_SCENARIOS,
   ...WALK_SCENARIOS,
   ...FINGER_SCENARIOS,
