@@ -24,7 +24,8 @@ namespace gaitsmith::shell {
 bool App::Advance(double seconds) {
   // After the page was suspended (a hidden tab), the motion continues where it stopped.
   const double step = std::min(seconds, 0.1);
-  return session_.Advance(step);
+  const bool tells = tooltip_.Advance(step);
+  return session_.Advance(step) || tells;
 }
 
 std::vector<int> App::ShownTabs() {
@@ -79,6 +80,7 @@ void App::Draw() {
   } else {
     DrawDesk(ui, whole);
   }
+  tooltip_.Draw(ui, window_.Registry());
   ImGui::End();
   if (std::exchange(stage_.asks_for_rules, false)) Run("panel/Controller");
   if (!first_frame_reported_) host_.FirstFrame();

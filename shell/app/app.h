@@ -15,6 +15,7 @@
 #include "shell/session/commands.h"
 #include "shell/session/session.h"
 #include "shell/stage/stage.h"
+#include "shell/widgets/tooltip.h"
 #include "shell/workspace/panels.h"
 
 namespace gaitsmith::shell {
@@ -76,6 +77,7 @@ class App {
   Session session_;
   FigurePanelState figure_panel_;
   StageState stage_;
+  Tooltip tooltip_;
   DockTab dock_ = DockTab::kGoal;
   std::size_t clips_before_ = 0;  // of the timeline, in the frame before
   FoundRailState rail_;

@@ -209,9 +209,10 @@ async function openShare(app, address, statusLine) {
 /** What the first motion does not need. @param {Commands} commands @returns {Promise<Dialogs>} */
 async function loadLater(commands) {
   await gaitsmith.ready;
-  const [{ Palette }, { HelpSheet }, { startDropping }] = await Promise.all([
-    import('./palette.js'), import('./help_sheet.js'), import('../share/dropping.js')]);
+  const [{ Palette }, { HelpSheet }, { startDropping }, { startHints }] = await Promise.all([
+    import('./palette.js'), import('./help_sheet.js'), import('../share/dropping.js'), import('../languages/hints.js')]);
   startDropping(commands.app);
+  startHints(commands.app);
   return { palette: new Palette(commands), help: new HelpSheet(commands) };
 }
 

@@ -12,6 +12,7 @@ import { FAULT_SCENARIOS } from './fault.mjs';
 import { FIGURE_SCENARIOS } from './figure.mjs';
 import { FINGER_SCENARIOS } from './finger.mjs';
 import { GRAPHICS_SCENARIOS } from './graphics.mjs';
+import { HINT_SCENARIOS } from './hints.mjs';
 import { HISTORY_SCENARIOS } from './history.mjs';
 import { KEPT_WORK_SCENARIOS } from './kept_work.mjs';
 import { LAB_SCENARIOS } from './lab.mjs';
@@ -267,6 +268,7 @@ export const MAIN_SCENARIOS = [
 export const SCENARIOS = [
   ...MAIN_SCENARIOS,
   ...LAB_SCENARIOS,
+  ...HINT_SCENARIOS,
   ...HISTORY_SCENARIOS,
   ...KEPT_WORK_SCENARIOS,
   ...PALETTE_SCENARIOS,
