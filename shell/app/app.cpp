@@ -305,7 +305,7 @@ void App::DrawContents(Ui& ui, Panel panel) {
       DrawControllerPanel(ui, session_, controller_panel_);
       break;
     case Panel::kStyle:
-      DrawStylePanel(ui, session_);
+      DrawStylePanel(ui, session_, style_panel_);
       break;
     case Panel::kLab:
       DrawLabPanel(ui, session_);

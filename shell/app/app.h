@@ -12,6 +12,7 @@
 #include "shell/panels/figure/figure_panel.h"
 #include "shell/panels/search/found_rail.h"
 #include "shell/panels/search/search_panel.h"
+#include "shell/panels/style/style_panel.h"
 #include "shell/session/commands.h"
 #include "shell/session/session.h"
 #include "shell/stage/stage.h"
@@ -89,6 +90,7 @@ class App {
   bool timeline_in_tabs_ = false;
   ControllerPanelState controller_panel_;
   SearchPanelState search_panel_;
+  StylePanelState style_panel_;
   bool first_frame_reported_ = false;
 };
 

@@ -8,6 +8,7 @@
 #include "core/numeric/scalar_math.h"
 #include "shell/words/language.h"
 #include "shell/words/search_words.h"
+#include "shell/words/style_words.h"
 #include "shell/words/wording.h"
 
 namespace gaitsmith::shell {
@@ -135,7 +136,7 @@ std::vector<GhostChoice> GhostChoices(const Session& session, int& chosen) {
   }
   for (const FoundMotions::Entry* entry : ComparableMotions(session)) {
     const Controller& controller = entry->motion.document.controllers.back();
-    choices.push_back({.words = Fixed(entry->motion.Score(), 2) + " · " +
+    choices.push_back({.words = ReachedWords(entry->motion.document.task.kind, entry->motion.terms) + " · " +
                                 ControlModeWords(controller.kind, controller.senses),
                        .kind = kFound,
                        .found_id = entry->id});

@@ -237,6 +237,7 @@ export const MAIN_SCENARIOS = [
     await fresh.forward(200);
     const before = await fresh.hash();
     await fresh.click('panels/2');
+    await fresh.click('style/sum');
     const note = (await fresh.widgets()).find(({ id }) => id === 'style/score');
     assert.match(note?.value ?? '', /^Score .*: travel.* m; slip .* m times 0\.5 adds .*; upright .* times 4\.0 .*\. Not weighed: .*effort/);
     const stage = (await fresh.widgets()).find(({ id }) => id === 'stage')?.rect ?? { x: 0, y: 0, width: 0, height: 0 };
