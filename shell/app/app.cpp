@@ -63,6 +63,7 @@ void App::Draw() {
   wide_ = size.x >= kWideCanvas;
   phone_ = size.x < kPhoneWidth || (!wide_ && size.y > size.x);
   low_ = size.y < kLowHeight;
+  tall_ = size.y >= kTallHeight;
   timeline_in_tabs_ = phone_ || low_;
   if (phone_) theme.touch = true;
   Ui ui(theme, window_.Registry(), window_.Behind());
@@ -91,7 +92,7 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
   const std::vector<int> shown = ShownTabs();
   const bool figures = ShowsFigureRow();
   const bool choices = OffersChoices();
-  const bool dock = choices && !figures;
+  const bool dock = choices && !figures && !low_;
   const bool timeline = session_.Layout().Shows(IndexOf(Panel::kTimeline)) && !timeline_in_tabs_ &&
                         !session_.Viewing() && !dock;
   const float panel_x = shown.empty() && !choices ? whole.Max.x : whole.Max.x - kPanelWidth;
@@ -101,7 +102,7 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
                              : whole.Max.y - kTimelineHeight - TransitionStripHeight(session_) -
                                    (ui.Look().touch ? 14.0f : 0.0f);
   const float transport_y =
-      timeline_y - (figures ? kFigureRowHeight : TransportHeight(ui.Look(), panel_x - whole.Min.x, low_));
+      timeline_y - (figures ? kFigureRowHeight : PlaybackHeight(ui, panel_x - whole.Min.x));
   const ImRect stage(whole.Min, {panel_x, transport_y});
   const ImRect card = WorldCardOn(stage, stage_.world);
   DrawStage(ui, session_, stage_, stage, stage_.world.open ? stage.Max.x - card.Min.x : 0.0f);
@@ -110,7 +111,8 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
     DrawWorld(ui, card);
   }
   const ImRect below({whole.Min.x, transport_y}, {panel_x, timeline_y});
-  figures ? DrawFigures(ui, below) : DrawTransport(ui, session_, below);
+  if (figures) DrawFigures(ui, below);
+  if (!figures && Moves()) DrawTransport(ui, session_, below);
   const ImRect bottom({whole.Min.x, timeline_y}, {panel_x, whole.Max.y});
   if (timeline && !figures) DrawTimeline(ui, session_, bottom);
   if (dock) DrawDock(ui, bottom, DockTab::kFigures);
@@ -125,12 +127,20 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
   DrawPanel(ui, {{panel_x + 1.0f, tabs.Max.y}, whole.Max}, panel);
 }
 
+// A push moves a figure that cannot move by itself.
+bool App::Moves() const { return !session_.Doc().timeline.empty() || !session_.Doc().pushes.empty(); }
+
+float App::PlaybackHeight(const Ui& ui, float width) const {
+  return Moves() ? TransportHeight(ui.Look(), width, low_) : 0.0f;
+}
+
 bool App::OffersChoices() const {
   const Arrangement& layout = session_.Layout();
   const auto open = [&](Panel panel) {
     return layout.Shows(IndexOf(panel)) && !layout.LocksPanel(IndexOf(panel));
   };
-  return session_.Simple() && !session_.Viewing() && !low_ && (phone_ || wide_) && open(Panel::kStyle) &&
+  const bool room = low_ ? !phone_ && Invites(session_) : wide_ || phone_ || tall_ || Invites(session_);
+  return session_.Simple() && !session_.Viewing() && room && open(Panel::kStyle) &&
          open(Panel::kController) && open(Panel::kSearch) && !layout.Locks(LockedPart::kSearch);
 }
 
@@ -245,13 +255,13 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
                                                              : whole.Max.y - sheet - kTouchTabHeight;
   if (!covers) {
     const bool figures = ShowsFigureRow();
-    const float below_y =
-        tabs_y - (figures ? kFigureRowHeight : TransportHeight(ui.Look(), whole.GetWidth(), low_));
+    const float below_y = tabs_y - (figures ? kFigureRowHeight : PlaybackHeight(ui, whole.GetWidth()));
     const ImRect below({whole.Min.x, below_y}, {whole.Max.x, tabs_y});
     const ImRect stage(whole.Min, {whole.Max.x, below_y});
     DrawStage(ui, session_, stage_, stage);
     DrawSettingsButton(ui, stage);
-    figures ? DrawFigures(ui, below) : DrawTransport(ui, session_, below);
+    if (figures) DrawFigures(ui, below);
+    if (!figures && Moves()) DrawTransport(ui, session_, below);
   }
   ui.HorizontalLine(whole.Min.x, whole.Max.x, tabs_y);
   const ImRect below_stage({whole.Min.x, tabs_y + 1.0f}, whole.Max);

@@ -56,6 +56,9 @@ class App {
   void DrawScrolled(Ui&, const ImRect&, const std::string& id, const std::function<void()>& draw);
   /// Whether the choices of a first visit take the place of the panels.
   [[nodiscard]] bool OffersChoices() const;
+  /// Whether there is something to play.
+  [[nodiscard]] bool Moves() const;
+  [[nodiscard]] float PlaybackHeight(const Ui&, float width) const;
   void DrawChoices(Ui&, const ImRect&);
   void DrawSettingsButton(Ui&, const ImRect& stage);
   /// What lies below the stage beside the choices, in the order of the tabs. The goal is a tab where the
@@ -86,6 +89,7 @@ class App {
   bool wide_ = false;        // a canvas with room for a panel beside the stage
   bool phone_ = false;       // a narrow or upright canvas: the panel lies under the stage
   bool low_ = false;         // a low one
+  bool tall_ = false;        // one with room for a dock, however narrow
   bool sheet_open_ = false;  // on a low phone: the panel covers the stage
   bool timeline_in_tabs_ = false;
   ControllerPanelState controller_panel_;
