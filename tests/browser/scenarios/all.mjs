@@ -11,6 +11,7 @@ import { EXPORT_SCENARIOS } from './export.mjs';
 import { FAULT_SCENARIOS } from './fault.mjs';
 import { FIGURE_SCENARIOS } from './figure.mjs';
 import { FINGER_SCENARIOS } from './finger.mjs';
+import { FIRST_SCREEN_SCENARIOS } from './first_screen.mjs';
 import { GRAPHICS_SCENARIOS } from './graphics.mjs';
 import { HINT_SCENARIOS } from './hints.mjs';
 import { HISTORY_SCENARIOS } from './history.mjs';
@@ -280,6 +281,7 @@ export const SCENARIOS = [
   ...MESSAGE_SCENARIOS,
   ...FAULT_SCENARIOS,
   ...OUTAGE_SCENARIOS,
+  ...FIRST_SCREEN_SCENARIOS,
   ...GRAPHICS_SCENARIOS,
   ...SHARE_SCENARIOS,
   ...SUITE_SCENARIOS,
