@@ -32,7 +32,8 @@ constexpr float kLeastSheet = 190.0f;
 bool App::Advance(double seconds) {
   // After the page was suspended (a hidden tab), the motion continues where it stopped.
   const double step = std::min(seconds, 0.1);
-  return session_.Advance(step);
+  const bool tells = tooltip_.Advance(step);
+  return session_.Advance(step) || tells;
 }
 
 std::vector<int> App::ShownTabs() {
@@ -70,6 +71,7 @@ void App::Draw() {
   wide_ = size.x >= kWideCanvas;
   phone_ = size.x < kPhoneWidth || (!wide_ && size.y > size.x);
   low_ = size.y < kLowHeight;
+  tall_ = size.y >= kTallHeight;
   timeline_in_tabs_ = phone_ || low_;
   if (phone_) theme.touch = true;
   Ui ui(theme, window_.Registry(), window_.Behind());
@@ -88,6 +90,7 @@ void App::Draw() {
   } else {
     DrawDesk(ui, whole);
   }
+  tooltip_.Draw(ui, window_.Registry());
   ImGui::End();
   if (std::exchange(stage_.asks_for_rules, false)) Run("panel/Controller");
   if (!first_frame_reported_) host_.FirstFrame();
@@ -98,7 +101,7 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
   const std::vector<int> shown = ShownTabs();
   const bool figures = ShowsFigureRow();
   const bool choices = OffersChoices();
-  const bool dock = choices && !figures;
+  const bool dock = choices && !figures && !low_;
   const bool timeline = session_.Layout().Shows(IndexOf(Panel::kTimeline)) && !timeline_in_tabs_ &&
                         !session_.Viewing() && !dock;
   const float widest = std::min(620.0f, 0.5f * whole.GetWidth());
@@ -110,7 +113,7 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
                              : whole.Max.y - kTimelineHeight - TransitionStripHeight(session_) -
                                    (ui.Look().touch ? 14.0f : 0.0f);
   const float transport_y =
-      timeline_y - (figures ? kFigureRowHeight : TransportHeight(ui.Look(), panel_x - whole.Min.x, low_));
+      timeline_y - (figures ? kFigureRowHeight : PlaybackHeight(ui, panel_x - whole.Min.x));
   const ImRect stage(whole.Min, {panel_x, transport_y});
   const ImRect card = WorldCardOn(stage, stage_.world);
   const bool draws = DrawsOnStage(session_, figure_panel_);
@@ -123,7 +126,8 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
     DrawWorld(ui, card);
   }
   const ImRect below({whole.Min.x, transport_y}, {panel_x, timeline_y});
-  figures ? DrawFigures(ui, below) : DrawTransport(ui, session_, below);
+  if (figures) DrawFigures(ui, below);
+  if (!figures && Moves()) DrawTransport(ui, session_, below);
   const ImRect bottom({whole.Min.x, timeline_y}, {panel_x, whole.Max.y});
   if (timeline && !figures) DrawTimeline(ui, session_, bottom);
   if (dock) DrawDock(ui, bottom, DockTab::kFigures);
@@ -139,12 +143,20 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
   DrawPanel(ui, {{panel_x + 1.0f, tabs.Max.y}, whole.Max}, panel);
 }
 
+// A push moves a figure that cannot move by itself.
+bool App::Moves() const { return !session_.Doc().timeline.empty() || !session_.Doc().pushes.empty(); }
+
+float App::PlaybackHeight(const Ui& ui, float width) const {
+  return Moves() ? TransportHeight(ui.Look(), width, low_) : 0.0f;
+}
+
 bool App::OffersChoices() const {
   const Arrangement& layout = session_.Layout();
   const auto open = [&](Panel panel) {
     return layout.Shows(IndexOf(panel)) && !layout.LocksPanel(IndexOf(panel));
   };
-  return session_.Simple() && !session_.Viewing() && !low_ && (phone_ || wide_) && open(Panel::kStyle) &&
+  const bool room = low_ ? !phone_ && Invites(session_) : wide_ || phone_ || tall_ || Invites(session_);
+  return session_.Simple() && !session_.Viewing() && room && open(Panel::kStyle) &&
          open(Panel::kController) && open(Panel::kSearch) && !layout.Locks(LockedPart::kSearch);
 }
 
@@ -237,9 +249,9 @@ bool App::ShowsFigureRow() const {
 void App::DrawFigures(Ui& ui, const ImRect& rect) {
   const FigureRowChoice choice = DrawFigureRow(ui, session_, rect);
   if (choice.figure >= 0) session_.ChooseFigure(choice.figure);
-  if (choice.draw) DrawOwnFigure(session_, figure_panel_);
+  if (choice.draw) DrawOwnFigure(session_, figure_panel_, !low_);
   figure_panel_.gallery_open |= choice.more;
-  if (choice.more || (choice.draw && !session_.Simple())) Run("panel/Figure");
+  if (choice.more || (choice.draw && (low_ || !session_.Simple()))) Run("panel/Figure");
 }
 
 void App::DrawWorld(Ui& ui, const ImRect& rect) {
@@ -265,8 +277,7 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
     const bool draws = DrawsOnStage(session_, figure_panel_);  // with all the room there is
     const bool figures = ShowsFigureRow() && !draws;
     const float below_y =
-        draws ? tabs_y
-              : tabs_y - (figures ? kFigureRowHeight : TransportHeight(ui.Look(), whole.GetWidth(), low_));
+        draws ? tabs_y : tabs_y - (figures ? kFigureRowHeight : PlaybackHeight(ui, whole.GetWidth()));
     const ImRect below({whole.Min.x, below_y}, {whole.Max.x, tabs_y});
     const ImRect stage(whole.Min, {whole.Max.x, below_y});
     if (draws)
@@ -274,10 +285,8 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
     else
       DrawStage(ui, session_, stage_, stage);
     DrawSettingsButton(ui, stage);
-    if (figures)
-      DrawFigures(ui, below);
-    else if (!draws)
-      DrawTransport(ui, session_, below);
+    if (figures) DrawFigures(ui, below);
+    if (!figures && !draws && Moves()) DrawTransport(ui, session_, below);
   }
   ui.HorizontalLine(whole.Min.x, whole.Max.x, tabs_y);
   if (!low_ && tabs_y < whole.Max.y)
@@ -333,7 +342,7 @@ void App::DrawContents(Ui& ui, Panel panel) {
       DrawControllerPanel(ui, session_, controller_panel_);
       break;
     case Panel::kStyle:
-      DrawStylePanel(ui, session_);
+      DrawStylePanel(ui, session_, style_panel_);
       break;
     case Panel::kLab:
       DrawLabPanel(ui, session_);

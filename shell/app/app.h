@@ -13,9 +13,11 @@
 #include "shell/panels/figure/figure_panel.h"
 #include "shell/panels/search/found_rail.h"
 #include "shell/panels/search/search_panel.h"
+#include "shell/panels/style/style_panel.h"
 #include "shell/session/commands.h"
 #include "shell/session/session.h"
 #include "shell/stage/stage.h"
+#include "shell/widgets/tooltip.h"
 #include "shell/workspace/panels.h"
 
 namespace gaitsmith::shell {
@@ -55,6 +57,9 @@ class App {
   void DrawScrolled(Ui&, const ImRect&, const std::string& id, const std::function<void()>& draw);
   /// Whether the choices of a first visit take the place of the panels.
   [[nodiscard]] bool OffersChoices() const;
+  /// Whether there is something to play.
+  [[nodiscard]] bool Moves() const;
+  [[nodiscard]] float PlaybackHeight(const Ui&, float width) const;
   void DrawChoices(Ui&, const ImRect&);
   void DrawSettingsButton(Ui&, const ImRect& stage);
   /// What lies below the stage beside the choices, in the order of the tabs. The goal is a tab where the
@@ -77,6 +82,7 @@ class App {
   Session session_;
   FigurePanelState figure_panel_;
   StageState stage_;
+  Tooltip tooltip_;
   DockTab dock_ = DockTab::kGoal;
   Split beside_, below_;          // of the panel, where it is beside the stage and where it is below
   std::size_t clips_before_ = 0;  // of the timeline, in the frame before
@@ -85,10 +91,12 @@ class App {
   bool wide_ = false;        // a canvas with room for a panel beside the stage
   bool phone_ = false;       // a narrow or upright canvas: the panel lies under the stage
   bool low_ = false;         // a low one
+  bool tall_ = false;        // one with room for a dock, however narrow
   bool sheet_open_ = false;  // on a low phone: the panel covers the stage
   bool timeline_in_tabs_ = false;
   ControllerPanelState controller_panel_;
   SearchPanelState search_panel_;
+  StylePanelState style_panel_;
   bool first_frame_reported_ = false;
 };
 

@@ -33,7 +33,10 @@ bool ShowsAll(const Arrangement& layout) {
 
 }  // namespace
 
-bool Live::On() const { return chosen_.value_or(late_ < kMostLate && ShowsAll(workspace_.Layout())); }
+bool Live::On() const {
+  const Arrangement& layout = workspace_.Layout();
+  return chosen_.value_or(layout.live.value_or(late_ < kMostLate && ShowsAll(layout)));
+}
 
 void Live::Switch(bool on) {
   chosen_ = on;

@@ -9,6 +9,7 @@
 #include "shell/stage/live_switch.h"
 #include "shell/words/language.h"
 #include "shell/words/search_words.h"
+#include "shell/words/style_words.h"
 #include "shell/words/wording.h"
 
 namespace gaitsmith::shell {
@@ -136,7 +137,7 @@ std::vector<GhostChoice> GhostChoices(const Session& session, int& chosen) {
   }
   for (const FoundMotions::Entry* entry : ComparableMotions(session)) {
     const Controller& controller = entry->motion.document.controllers.back();
-    choices.push_back({.words = Fixed(entry->motion.Score(), 2) + " · " +
+    choices.push_back({.words = ReachedWords(entry->motion.document.task.kind, entry->motion.terms) + " · " +
                                 ControlModeWords(controller.kind, controller.senses),
                        .kind = kFound,
                        .found_id = entry->id});

@@ -6,12 +6,10 @@ import { Arrangement, arranged, askedMode, namedExample } from './arrangement.js
 import { Autosave } from '../storage/autosave.js';
 import { Commands } from './commands.js';
 import { Gaitsmith } from './api.js';
-import { HelpSheet } from './help_sheet.js';
 import { Lab } from './lab.js';
 import { Mirror } from '../access/mirror.js';
 import { Naming } from './naming.js';
 import { Narrator } from '../access/narrator.js';
-import { Palette } from './palette.js';
 import { Searches } from '../search/searches.js';
 import { StatusLine } from '../access/status_line.js';
 import { TransitionMaps } from '../search/transition_maps.js';
@@ -21,7 +19,6 @@ import { KeptResults } from '../storage/kept_results.js';
 import { compiledEngine, createWorker } from '../search/compiled_engine.js';
 import { compiledModule } from '../browser/compiled_module.js';
 import { guardKeys } from '../access/keys.js';
-import { startDropping } from '../share/dropping.js';
 import { followLanguage, tr, trLater, trSentence } from '../languages/language.js';
 import { LANGUAGES, chooseLanguage, startLanguage } from '../languages/language_choice.js';
 import { startPageWords } from '../languages/page_words.js';
@@ -150,7 +147,6 @@ async function start() {
       autosave.save();
     },
   }));
-  startDropping(app);
   if (matchMedia('(prefers-reduced-motion: reduce)').matches) {
     app.setCalm(true);
     app.play(false);
@@ -163,7 +159,7 @@ async function start() {
     home.ariaLabel = home.title = tr('Open this in a tab of its own');
     (await import('../share/embedding.js')).startEmbedding(gaitsmith);
   }
-  addCommands(commands, { address, autosave, palette: new Palette(commands), help: new HelpSheet(commands) });
+  addCommands(commands, { address, autosave, dialogs: loadLater(commands) });
 
   // SDL cancels every touch. Browsers log a warning if it is too late to cancel one, as on a busy page.
   for (const type of ['touchstart', 'touchmove', 'touchend']) {
@@ -210,8 +206,21 @@ async function openShare(app, address, statusLine) {
   }
 }
 
-/** Adds the page's own commands. @param {Commands} commands @param {{address: Address, autosave: Autosave, palette: Palette, help: HelpSheet}} parts */
-function addCommands(commands, { address, autosave, palette, help }) {
+/** @typedef {{palette: import('./palette.js').Palette, help: import('./help_sheet.js').HelpSheet}} Dialogs */
+/** What the first motion does not need. @param {Commands} commands @returns {Promise<Dialogs>} */
+async function loadLater(commands) {
+  await gaitsmith.ready;
+  const [{ Palette }, { HelpSheet }, { startDropping }, { startHints }] = await Promise.all([
+    import('./palette.js'), import('./help_sheet.js'), import('../share/dropping.js'), import('../languages/hints.js')]);
+  startDropping(commands.app);
+  startHints(commands.app);
+  return { palette: new Palette(commands), help: new HelpSheet(commands) };
+}
+
+/** Adds the page's own commands. @param {Commands} commands @param {{address: Address, autosave: Autosave, dialogs: Promise<Dialogs>}} parts */
+function addCommands(commands, { address, autosave, dialogs }) {
+  dialogs.catch(() => {}); // reported when one is opened
+  const open = (/** @type {keyof Dialogs} */ name) => void dialogs.then((loaded) => loaded[name].open(), () => statusLine.say(tr('The dialog could not be loaded.')));
   const click = Commands.click;
   commands.add([
     { id: 'motion/describe', group: 'Motion', title: trLater('Describe the motion'), keys: ['w'], run: click('describe') },
@@ -221,8 +230,8 @@ function addCommands(commands, { address, autosave, palette, help }) {
     { id: 'document/share', group: 'Document', title: trLater('Share: link, QR code, embed code'), keys: [], run: click('share') },
     { id: 'document/copy-link', group: 'Document', title: trLater('Copy link'), keys: ['c'], pressed: ['Ctrl+c'], run: click('copy-link') },
     { id: 'view/theme', group: 'View', title: trLater('Next theme'), keys: ['t'], run: nextTheme },
-    { id: 'help/commands', group: 'Help', title: trLater('Find a command'), keys: ['Ctrl+k'], run: () => palette.open() },
-    { id: 'help/keys', group: 'Help', title: trLater('All keys'), keys: ['?', 'F1'], run: () => help.open() },
+    { id: 'help/commands', group: 'Help', title: trLater('Find a command'), keys: ['Ctrl+k'], run: () => open('palette') },
+    { id: 'help/keys', group: 'Help', title: trLater('All keys'), keys: ['?', 'F1'], run: () => open('help') },
     { id: 'help/tour', group: 'Help', title: trLater('Tour of the playground'), keys: [], run: () => void openTour(commands.app, statusLine) },
   ]);
   commands.addSource(() => autosave.commands());
@@ -246,6 +255,6 @@ function addCommands(commands, { address, autosave, palette, help }) {
     commands.app.run('document/new');
   });
   onClick('share', () => void openShare(commands.app, address, statusLine));
-  onClick('commands', () => palette.open());
-  onClick('keys', () => help.open());
+  onClick('commands', () => open('palette'));
+  onClick('keys', () => open('help'));
 }

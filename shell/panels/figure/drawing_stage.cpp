@@ -41,17 +41,18 @@ void DrawRodButtons(Ui& ui, Session& session, DrawingBoardState& board, const Im
     next.name = kOwnFigure;
     if (session.ReplaceFigure(next)) board.rod = selected;
   };
+  const bool grow = button("draw/grow", Tr("Add a rod"), room);
   const bool copy = button("draw/copy", Tr("Copy limb"), limb && room);
   const bool mirror = button("draw/mirror", Tr("Mirror all"), !board.blank);
   const bool remove = button("draw/delete", Tr("Delete limb"), limb);
-  const bool undo = button("draw/undo", Tr("Undo"), session.CanUndo());
+  if (grow && !board.blank) replace(WithRodGrown(figure, board.rod), figure.Rods());
+  if (grow) board.blank = false;  // the first rod stands upright
   if (copy) replace(WithLimbCopied(figure, board.rod), figure.Rods());
   if (mirror) replace(Mirrored(figure), board.rod);
   if (remove) {
     const int parent = figure.rods[static_cast<std::size_t>(board.rod)].parent;
     replace(WithoutRod(figure, board.rod), parent);
   }
-  if (undo) session.Undo();
 }
 
 }  // namespace

@@ -120,13 +120,13 @@ void DrawProblems(Ui& ui, Session& session, FigurePanelState& state) {
 
 }  // namespace
 
-void DrawOwnFigure(Session& session, FigurePanelState& state) {
+void DrawOwnFigure(Session& session, FigurePanelState& state, bool on_stage) {
   Figure single = SingleRod();
   single.name = kOwnFigure;
   session.ReplaceFigure(single);
   Reset(state.board);
   state.board.tool = DrawingTool::kGrow;
-  state.board.blank = state.on_stage = true;
+  state.board.blank = state.on_stage = on_stage;
 }
 
 void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
@@ -177,7 +177,7 @@ void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
   if (ui.Button("figure/mirror", {row.Min, {middle - 4.0f, row.Max.y}}, Tr("Mirror all")))
     session.ReplaceFigure(Mirrored(session.Doc().figure));
   if (ui.Button("figure/fresh", {{middle + 4.0f, row.Min.y}, row.Max}, Tr("Draw your own")))
-    DrawOwnFigure(session, state);
+    DrawOwnFigure(session, state, false);
 }
 
 }  // namespace gaitsmith::shell

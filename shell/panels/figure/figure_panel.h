@@ -14,8 +14,8 @@ struct FigurePanelState {
   bool on_stage = false;  // the board takes the place of the stage
 };
 
-/// Clears the board, on the stage, for a figure that a person draws.
-void DrawOwnFigure(Session&, FigurePanelState&);
+/// Begins a figure of a person's own: with a blank board on the stage, or with one rod on the panel's board.
+void DrawOwnFigure(Session&, FigurePanelState&, bool on_stage);
 
 void DrawFigurePanel(Ui&, Session&, FigurePanelState&);
 

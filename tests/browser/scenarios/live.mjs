@@ -9,7 +9,7 @@ import { Fingers, Mouse } from '../pointers.mjs';
 
 /** A page with the world's card open. @param {Visit} visit */
 async function world({ browser, address }) {
-  const page = await PageDriver.open(browser, address, { plays: true });
+  const page = await PageDriver.open(browser, address, { plays: true, live: true });
   await page.click('world/open');
   await page.frames(6);
   return { page, pointer: new Mouse(page) };
@@ -84,7 +84,7 @@ async function switchesOff(visit) {
   await page.frames(6);
   assert.equal((await pointer.find('world/live'))?.state.checked, false, 'a reload keeps the choice');
   // A lesson, which shows a part of the page, has it off.
-  const lesson = await PageDriver.open(visit.browser, `${visit.address}?panels=style`);
+  const lesson = await PageDriver.open(visit.browser, `${visit.address}?panels=style`, { live: true });
   await lesson.click('world/open');
   await lesson.frames(6);
   assert.equal((await new Mouse(lesson).find('world/live'))?.state.checked, false);
