@@ -31,7 +31,7 @@ Document SearchRun::ShortClimb() const {
   Document wanted = workspace_.Doc();
   const auto clip = static_cast<std::size_t>(workspace_.SelectedClip());
   wanted.search = SearchSettings{};
-  wanted.search.algorithm = Algorithm::kShc;
+  wanted.search.algorithm = Algorithm::kPoseCycle;
   wanted.search.seed = workspace_.Doc().search.seed;
   wanted.search.evaluations = kTryEvaluations;
   wanted.search.start = wanted.timeline[clip].controller;

@@ -226,7 +226,9 @@ void Session::TryStyle(SearchRun::UndoStep step) {
 void Session::TryManner(Manner manner) {
   const auto term =
       static_cast<std::size_t>(manner == Manner::kHigher ? StyleTerm::kMaxCmHeight : StyleTerm::kEffort);
-  const float change = (manner == Manner::kCalmer ? -1.0f : 1.0f) * UsualWeights(Doc())[term];
+  // One usual weight of effort is not seen: the acrobat's joints turn as much as before.
+  const float units = manner == Manner::kHigher ? 1.0f : manner == Manner::kCalmer ? -3.0f : 3.0f;
+  const float change = units * UsualWeights(Doc())[term];
   BeginGesture();
   const bool changed = Set([&](Document& d) {
     float& weight = d.task.weights[term];

@@ -140,7 +140,8 @@ class Session {
   void Synthesize();
   /// Runs a short climb from the shown motion in the chosen style, with the earlier motion as ghost.
   void TryStyle(SearchRun::UndoStep = SearchRun::UndoStep::kMotion);
-  /// Changes a style weight by its usual amount, then TryStyle.
+  /// Changes a style weight so much that one sees it, then TryStyle: the weight of height by its usual
+  /// amount, that of effort by three.
   void TryManner(Manner);
   /// Runs the open document's search with five further seeds, in the queue.
   void TryMore();

@@ -188,7 +188,7 @@ void DrawDrawingBoard(Ui& ui, Session& session, DrawingBoardState& state, const 
   const float near = ui.Look().touch ? 26.0f : 15.0f;
   Board board = LayOut(figure, state, rect);
   if (touch.began && state.blank) {
-    state.endpoint = 0;
+    state.endpoint = state.still = 0;
     state.anchor = {pointer.x - rect.Min.x, pointer.y - rect.Min.y};
     board = LayOut(figure, state, rect);
   } else if (touch.began) {

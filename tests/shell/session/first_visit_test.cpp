@@ -179,7 +179,7 @@ TEST_CASE("attempts: one that does not fit the search is left out", "[shell][ses
 }
 
 TEST_CASE(
-    "tries: calmer, quicker and higher change one weight by its usual amount, and search on from the motion",
+    "tries: calmer, quicker and higher change one weight so that it is seen, and search on from the motion",
     "[shell][session]") {
   QuietHost host;
   Session session(host);
@@ -192,8 +192,8 @@ TEST_CASE(
   session.BeginGesture();
   session.TryManner(Manner::kCalmer);
   REQUIRE(host.started.size() == 2);
-  CHECK(host.started[1].task.weights[effort] == -usual[effort]);
-  CHECK(host.started[1].search.algorithm == Algorithm::kShc);
+  CHECK(host.started[1].task.weights[effort] == -3.0f * usual[effort]);
+  CHECK(host.started[1].search.algorithm == Algorithm::kPoseCycle);
   CHECK(host.started[1].search.start >= 0);
   End(session, host, 21000);
   session.BeginGesture();
