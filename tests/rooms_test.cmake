@@ -22,7 +22,7 @@ set(shell_rooms
     "timeline: words session widgets"
     "panels/figure: words session widgets stage"
     "panels/controller: words session widgets stage"
-    "panels/style: words session widgets"
+    "panels/style: words session widgets stage"
     "panels/search: words results session widgets stage timeline"
     "panels/make: words session widgets stage"
     "panels/lab: words session widgets"

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "shell/panels/controller/controller_panel.h"
+#include "shell/panels/figure/drawing_stage.h"
 #include "shell/panels/figure/figure_row.h"
 #include "shell/panels/lab/lab_panel.h"
 #include "shell/panels/make/make_panel.h"
@@ -21,10 +22,18 @@
 #include "shell/workspace/panels.h"
 
 namespace gaitsmith::shell {
+namespace {
+
+constexpr float kLeastPanel = 300.0f;
+constexpr float kLeastSheet = 190.0f;
+
+}  // namespace
+
 bool App::Advance(double seconds) {
   // After the page was suspended (a hidden tab), the motion continues where it stopped.
   const double step = std::min(seconds, 0.1);
-  return session_.Advance(step);
+  const bool tells = tooltip_.Advance(step);
+  return session_.Advance(step) || tells;
 }
 
 std::vector<int> App::ShownTabs() {
@@ -62,11 +71,13 @@ void App::Draw() {
   wide_ = size.x >= kWideCanvas;
   phone_ = size.x < kPhoneWidth || (!wide_ && size.y > size.x);
   low_ = size.y < kLowHeight;
+  tall_ = size.y >= kTallHeight;
   timeline_in_tabs_ = phone_ || low_;
   if (phone_) theme.touch = true;
   Ui ui(theme, window_.Registry(), window_.Behind());
   if (const WidgetRequest* due = window_.Registry().Requests().Due(); due != nullptr && due->begins)
     session_.BeginGesture();
+  session_.Following().Hold(ImGui::GetActiveID() != 0 && ImGui::IsMouseDown(ImGuiMouseButton_Left));
 
   ImGui::SetNextWindowPos({0.0f, 0.0f});
   ImGui::SetNextWindowSize(size);
@@ -79,6 +90,7 @@ void App::Draw() {
   } else {
     DrawDesk(ui, whole);
   }
+  tooltip_.Draw(ui, window_.Registry());
   ImGui::End();
   if (std::exchange(stage_.asks_for_rules, false)) Run("panel/Controller");
   if (!first_frame_reported_) host_.FirstFrame();
@@ -89,32 +101,40 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
   const std::vector<int> shown = ShownTabs();
   const bool figures = ShowsFigureRow();
   const bool choices = OffersChoices();
-  const bool dock = choices && !figures;
+  const bool dock = choices && !figures && !low_;
   const bool timeline = session_.Layout().Shows(IndexOf(Panel::kTimeline)) && !timeline_in_tabs_ &&
                         !session_.Viewing() && !dock;
-  const float panel_x = shown.empty() && !choices ? whole.Max.x : whole.Max.x - kPanelWidth;
+  const float widest = std::min(620.0f, 0.5f * whole.GetWidth());
+  const float panel_width = beside_.Size(kPanelWidth, kLeastPanel, widest);
+  const float panel_x = shown.empty() && !choices ? whole.Max.x : whole.Max.x - panel_width;
   const float timeline_y =
       dock ? whole.Max.y - DockTabHeight(ui) - kTimelineHeight - TransitionStripHeight(session_)
       : !timeline || figures ? whole.Max.y
                              : whole.Max.y - kTimelineHeight - TransitionStripHeight(session_) -
                                    (ui.Look().touch ? 14.0f : 0.0f);
   const float transport_y =
-      timeline_y - (figures ? kFigureRowHeight : TransportHeight(ui.Look(), panel_x - whole.Min.x, low_));
+      timeline_y - (figures ? kFigureRowHeight : PlaybackHeight(ui, panel_x - whole.Min.x));
   const ImRect stage(whole.Min, {panel_x, transport_y});
   const ImRect card = WorldCardOn(stage, stage_.world);
-  DrawStage(ui, session_, stage_, stage, stage_.world.open ? stage.Max.x - card.Min.x : 0.0f);
-  if (stage_.world.open) {
+  const bool draws = DrawsOnStage(session_, figure_panel_);
+  if (draws)
+    DrawDrawingStage(ui, session_, figure_panel_, stage);
+  else
+    DrawStage(ui, session_, stage_, stage, stage_.world.open ? stage.Max.x - card.Min.x : 0.0f);
+  if (stage_.world.open && !draws) {
     ui.Frame(card, ui.Ink().panel, ui.Ink().line);
     DrawWorld(ui, card);
   }
   const ImRect below({whole.Min.x, transport_y}, {panel_x, timeline_y});
-  figures ? DrawFigures(ui, below) : DrawTransport(ui, session_, below);
+  if (figures) DrawFigures(ui, below);
+  if (!figures && Moves()) DrawTransport(ui, session_, below);
   const ImRect bottom({whole.Min.x, timeline_y}, {panel_x, whole.Max.y});
   if (timeline && !figures) DrawTimeline(ui, session_, bottom);
   if (dock) DrawDock(ui, bottom, DockTab::kFigures);
   DrawSettingsButton(ui, stage);
   if (shown.empty() && !choices) return;
   ui.VerticalLine(panel_x, whole.Min.y, whole.Max.y);
+  DrawSplit(ui, beside_, {panel_x, whole.Max.x, whole.Min.y, whole.Max.y, true}, kLeastPanel, widest);
   if (choices) return DrawChoices(ui, {{panel_x + 1.0f, whole.Min.y}, whole.Max});
   const float tab_height = ui.Look().touch ? kTouchTabHeight : kTabHeight;
   const ImRect tabs({panel_x + 1.0f, whole.Min.y}, {whole.Max.x, whole.Min.y + tab_height});
@@ -123,18 +143,27 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
   DrawPanel(ui, {{panel_x + 1.0f, tabs.Max.y}, whole.Max}, panel);
 }
 
+// A push moves a figure that cannot move by itself.
+bool App::Moves() const { return !session_.Doc().timeline.empty() || !session_.Doc().pushes.empty(); }
+
+float App::PlaybackHeight(const Ui& ui, float width) const {
+  return Moves() ? TransportHeight(ui.Look(), width, low_) : 0.0f;
+}
+
 bool App::OffersChoices() const {
   const Arrangement& layout = session_.Layout();
   const auto open = [&](Panel panel) {
     return layout.Shows(IndexOf(panel)) && !layout.LocksPanel(IndexOf(panel));
   };
-  return session_.Simple() && !session_.Viewing() && !low_ && (phone_ || wide_) && open(Panel::kStyle) &&
+  const bool room = low_ ? !phone_ && Invites(session_) : wide_ || phone_ || tall_ || Invites(session_);
+  return session_.Simple() && !session_.Viewing() && room && open(Panel::kStyle) &&
          open(Panel::kController) && open(Panel::kSearch) && !layout.Locks(LockedPart::kSearch);
 }
 
 // Where the choices of a first visit have no room, this opens the panels.
 void App::DrawSettingsButton(Ui& ui, const ImRect& stage) {
-  if (!session_.Simple() || OffersChoices() || !Invites(session_)) return;
+  if (!session_.Simple() || OffersChoices() || !Invites(session_) || DrawsOnStage(session_, figure_panel_))
+    return;
   const bool wide = InvitesBeside(stage);
   const float high = ui.Look().touch ? 44.0f : 32.0f;
   const ImVec2 corner(stage.Max.x - (wide ? 98.0f : 12.0f), stage.Min.y + (wide ? 10.0f : 48.0f));
@@ -220,9 +249,9 @@ bool App::ShowsFigureRow() const {
 void App::DrawFigures(Ui& ui, const ImRect& rect) {
   const FigureRowChoice choice = DrawFigureRow(ui, session_, rect);
   if (choice.figure >= 0) session_.ChooseFigure(choice.figure);
-  if (choice.draw) DrawOwnFigure(session_, figure_panel_);
+  if (choice.draw) DrawOwnFigure(session_, figure_panel_, !low_);
   figure_panel_.gallery_open |= choice.more;
-  if (choice.draw || choice.more) Run("panel/Figure");
+  if (choice.more || (choice.draw && (low_ || !session_.Simple()))) Run("panel/Figure");
 }
 
 void App::DrawWorld(Ui& ui, const ImRect& rect) {
@@ -236,22 +265,32 @@ void App::DrawPhone(Ui& ui, const ImRect& whole) {
   // it.
   const std::vector<int> shown = ShownTabs();
   const bool covers = low_ && (sheet_open_ || stage_.world.open);
-  const float sheet = low_ ? 0.0f : std::clamp(0.33f * whole.GetHeight(), 190.0f, 420.0f);
+  const float highest = 0.65f * whole.GetHeight();
+  const float sheet =
+      low_ ? 0.0f
+           : below_.Size(std::clamp(0.33f * whole.GetHeight(), kLeastSheet, 420.0f), kLeastSheet, highest);
   const bool choices = OffersChoices() && !stage_.world.open;
   const float tabs_y = choices                               ? whole.Max.y - sheet
                        : shown.empty() && !stage_.world.open ? whole.Max.y
                                                              : whole.Max.y - sheet - kTouchTabHeight;
   if (!covers) {
-    const bool figures = ShowsFigureRow();
+    const bool draws = DrawsOnStage(session_, figure_panel_);  // with all the room there is
+    const bool figures = ShowsFigureRow() && !draws;
     const float below_y =
-        tabs_y - (figures ? kFigureRowHeight : TransportHeight(ui.Look(), whole.GetWidth(), low_));
+        draws ? tabs_y : tabs_y - (figures ? kFigureRowHeight : PlaybackHeight(ui, whole.GetWidth()));
     const ImRect below({whole.Min.x, below_y}, {whole.Max.x, tabs_y});
     const ImRect stage(whole.Min, {whole.Max.x, below_y});
-    DrawStage(ui, session_, stage_, stage);
+    if (draws)
+      DrawDrawingStage(ui, session_, figure_panel_, stage);
+    else
+      DrawStage(ui, session_, stage_, stage);
     DrawSettingsButton(ui, stage);
-    figures ? DrawFigures(ui, below) : DrawTransport(ui, session_, below);
+    if (figures) DrawFigures(ui, below);
+    if (!figures && !draws && Moves()) DrawTransport(ui, session_, below);
   }
   ui.HorizontalLine(whole.Min.x, whole.Max.x, tabs_y);
+  if (!low_ && tabs_y < whole.Max.y)
+    DrawSplit(ui, below_, {tabs_y, tabs_y + sheet, whole.Min.x, whole.Max.x, false}, kLeastSheet, highest);
   const ImRect below_stage({whole.Min.x, tabs_y + 1.0f}, whole.Max);
   if (choices && ShowsFigureRow()) return DrawChoices(ui, below_stage);
   if (choices) return DrawDock(ui, below_stage, DockTab::kGoal);
@@ -303,7 +342,7 @@ void App::DrawContents(Ui& ui, Panel panel) {
       DrawControllerPanel(ui, session_, controller_panel_);
       break;
     case Panel::kStyle:
-      DrawStylePanel(ui, session_);
+      DrawStylePanel(ui, session_, style_panel_);
       break;
     case Panel::kLab:
       DrawLabPanel(ui, session_);

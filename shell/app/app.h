@@ -7,14 +7,17 @@
 #include <string_view>
 #include <vector>
 
+#include "shell/app/split.h"
 #include "shell/app/window.h"
 #include "shell/panels/controller/controller_panel.h"
 #include "shell/panels/figure/figure_panel.h"
 #include "shell/panels/search/found_rail.h"
 #include "shell/panels/search/search_panel.h"
+#include "shell/panels/style/style_panel.h"
 #include "shell/session/commands.h"
 #include "shell/session/session.h"
 #include "shell/stage/stage.h"
+#include "shell/widgets/tooltip.h"
 #include "shell/workspace/panels.h"
 
 namespace gaitsmith::shell {
@@ -54,6 +57,9 @@ class App {
   void DrawScrolled(Ui&, const ImRect&, const std::string& id, const std::function<void()>& draw);
   /// Whether the choices of a first visit take the place of the panels.
   [[nodiscard]] bool OffersChoices() const;
+  /// Whether there is something to play.
+  [[nodiscard]] bool Moves() const;
+  [[nodiscard]] float PlaybackHeight(const Ui&, float width) const;
   void DrawChoices(Ui&, const ImRect&);
   void DrawSettingsButton(Ui&, const ImRect& stage);
   /// What lies below the stage beside the choices, in the order of the tabs. The goal is a tab where the
@@ -76,17 +82,21 @@ class App {
   Session session_;
   FigurePanelState figure_panel_;
   StageState stage_;
+  Tooltip tooltip_;
   DockTab dock_ = DockTab::kGoal;
+  Split beside_, below_;          // of the panel, where it is beside the stage and where it is below
   std::size_t clips_before_ = 0;  // of the timeline, in the frame before
   FoundRailState rail_;
   int panel_before_ = -1;    // in the frame before
   bool wide_ = false;        // a canvas with room for a panel beside the stage
   bool phone_ = false;       // a narrow or upright canvas: the panel lies under the stage
   bool low_ = false;         // a low one
+  bool tall_ = false;        // one with room for a dock, however narrow
   bool sheet_open_ = false;  // on a low phone: the panel covers the stage
   bool timeline_in_tabs_ = false;
   ControllerPanelState controller_panel_;
   SearchPanelState search_panel_;
+  StylePanelState style_panel_;
   bool first_frame_reported_ = false;
 };
 

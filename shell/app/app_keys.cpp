@@ -37,6 +37,10 @@ bool App::Run(std::string_view id) {
 
 bool App::Key(std::string_view name, bool on_canvas, bool repeated) {
   if (ImGui::GetIO().MouseDown[0]) return false;  // do not disturb a drag
+  if (name == "Escape" && tooltip_.Hide()) {
+    window_.RequestFrame();
+    return true;
+  }
   if (on_canvas && (ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0))
     return false;
   const std::string_view coming = window_.Registry().Requests().Last();

@@ -1,6 +1,6 @@
 # Writes files as arrays into one C++ source, the definitions of shell/embedded/embedded.h:
-#   cmake -DOUTPUT=... -DFONTS=<folder> -DEXAMPLES=<folder> -DLANGUAGES=<folder> [-DWINDOW=ON] -P embed.cmake
-# WINDOW: with the gallery and the languages' tables, which the page downloads.
+#   cmake -DOUTPUT=... -DFONTS=<folder> -DEXAMPLES=<folder> -DLANGUAGES=<folder> -DHINTS=<folder> [-DWINDOW=ON] -P embed.cmake
+# WINDOW: with the gallery, the hints and the languages' tables, which the page downloads.
 # Documents are *.json of the examples folder itself; figures and problems those of its folders of these
 # names; the gallery holds those of the lessons, too.
 set(text "// Written by shell/embedded/embed.cmake.\n#include \"shell/embedded/embedded.h\"\n\n#include <array>\n\nnamespace gaitsmith::shell {\nnamespace {\n\n")
@@ -16,8 +16,20 @@ endfunction()
 append_array(kInterRegular "${FONTS}/inter-regular.ttf")
 append_array(kInterSemiBold "${FONTS}/inter-semibold.ttf")
 
-# English is the language of the sources and has no table.
-set(languages "    {\"en\", \"English\", {}},\n")
+# The table of hints of a language, as an expression.
+function(append_hints code number)
+  set(hints "{}")
+  if(WINDOW)
+    append_array("kHints${number}" "${HINTS}/${code}.json")
+    set(text "${text}" PARENT_SCOPE)
+    set(hints "{reinterpret_cast<const char*>(kHints${number}), sizeof kHints${number}}")
+  endif()
+  set(hints "${hints}" PARENT_SCOPE)
+endfunction()
+
+# English is the language of the sources and has no table of words.
+append_hints(en English)
+set(languages "    {\"en\", \"English\", {}, ${hints}},\n")
 file(GLOB tables ${LANGUAGES}/*.json)
 list(SORT tables)
 foreach(file IN LISTS tables)
@@ -25,13 +37,14 @@ foreach(file IN LISTS tables)
   file(READ "${file}" json)
   string(JSON name GET "${json}" name)
   set(table "{}")
+  # Numbered, since a code such as pt-br is no identifier.
+  list(FIND tables "${file}" number)
+  append_hints(${code} ${number})
   if(WINDOW)
-    # Numbered, since a code such as pt-br is no identifier.
-    list(FIND tables "${file}" number)
     append_array("kTable${number}" "${file}")
     set(table "{reinterpret_cast<const char*>(kTable${number}), sizeof kTable${number}}")
   endif()
-  string(APPEND languages "    {\"${code}\", \"${name}\", ${table}},\n")
+  string(APPEND languages "    {\"${code}\", \"${name}\", ${table}, ${hints}},\n")
 endforeach()
 
 # JSON as raw strings, in pieces, since compilers limit the length of one.

@@ -25,9 +25,10 @@ struct Example {
 
 /// A language that the texts are in.
 struct Language {
-  std::string_view code;  // "de": the name of its table in shell/words/languages
-  std::string_view name;  // in the language itself
-  std::string_view json;  // the table; empty for English, and in the page, which downloads it
+  std::string_view code;   // "de": the name of its table in shell/words/languages
+  std::string_view name;   // in the language itself
+  std::string_view json;   // the table; empty for English, and in the page, which downloads it
+  std::string_view hints;  // the table of shell/words/hints; empty in the page
 };
 /// English first, then in the order of the codes.
 [[nodiscard]] std::span<const Language> Languages();

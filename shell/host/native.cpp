@@ -22,6 +22,7 @@
 #include "shell/app/app.h"
 #include "shell/embedded/embedded.h"
 #include "shell/host/native_host.h"
+#include "shell/words/hints.h"
 #include "shell/words/language.h"
 
 namespace gaitsmith::shell {
@@ -121,6 +122,9 @@ std::string NameOf(const SDL_Keysym& key) {
       break;
     case SDLK_END:
       name = "End";
+      break;
+    case SDLK_ESCAPE:
+      name = "Escape";
       break;
     default:
       if (key.sym <= ' ' || key.sym > '~') return {};
@@ -227,6 +231,9 @@ int Run(int count, char** words) {
   const Language* spoken = FindLanguage(language);
   if (spoken != nullptr && !SetLanguage(spoken->json))
     std::fprintf(stderr, "gaitsmith-window: the table of %s is broken\n", std::string(spoken->name).c_str());
+  if (const std::string_view hints = (spoken != nullptr ? *spoken : Languages().front()).hints;
+      !SetHints(hints))
+    std::fputs("gaitsmith-window: the table of hints is broken\n", stderr);
   const auto window = Window::Open(arguments.window);
   if (!window) {
     std::fprintf(stderr, "gaitsmith-window: %s\n", SDL_GetError());

@@ -19,6 +19,10 @@ addToLibrary({
   gs_page_start_queued: (pointer, bytes, workers, words) => {
     callPage('startQueued', HEAPU8.slice(pointer, pointer + bytes), workers, UTF8ToString(words));
   },
+  gs_page_start_preview__deps: ['$callPage'],
+  gs_page_start_preview: (pointer, bytes, workers) => {
+    callPage('startPreview', HEAPU8.slice(pointer, pointer + bytes), workers);
+  },
   gs_page_store_found__deps: ['$callPage', '$UTF8ToString'],
   gs_page_store_found: (id, text) => { callPage('storeFound', UTF8ToString(id), UTF8ToString(text)); },
   gs_page_ask_name__deps: ['$callPage', '$UTF8ToString'],

@@ -19,6 +19,7 @@ void gs_page_start_search(const std::uint8_t* document, std::size_t bytes, int w
 void gs_page_start_trial(const std::uint8_t* document, std::size_t bytes, int workers, const char* words,
                          int finished, int total);
 void gs_page_start_queued(const std::uint8_t* document, std::size_t bytes, int workers, const char* words);
+void gs_page_start_preview(const std::uint8_t* document, std::size_t bytes, int workers);
 void gs_page_store_found(const char* id, const char* text);
 void gs_page_ask_name(const char* id, const char* name, const char* usual);
 void gs_page_open_dialog(const char* command);
@@ -52,6 +53,10 @@ class WebHost final : public Host {
   void StartQueued(const Document& document, int workers, const std::string& words) override {
     const std::vector<std::uint8_t> bytes = EncodeBinary(document);
     gs_page_start_queued(bytes.data(), bytes.size(), workers, words.c_str());
+  }
+  void StartPreview(const Document& document, int workers) override {
+    const std::vector<std::uint8_t> bytes = EncodeBinary(document);
+    gs_page_start_preview(bytes.data(), bytes.size(), workers);
   }
   void StoreFound(const std::string& id, const std::string& text) override {
     gs_page_store_found(id.c_str(), text.c_str());

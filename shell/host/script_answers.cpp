@@ -79,7 +79,8 @@ std::string MeasuresJson(const Session& session) {
   const std::string_view sense = controller == nullptr ? "" : ControlModeOf(*controller).name;
   return json + "],\"sense\":" + QuoteJson(sense) +
          ",\"rules\":" + std::to_string(controller == nullptr ? 0 : controller->rules) +
-         ",\"broke\":" + (terms.broke_physics ? "true" : "false") + "}";
+         ",\"broke\":" + (terms.broke_physics ? "true" : "false") +
+         ",\"preview\":" + (session.Following().Previewing() ? "true" : "false") + "}";
 }
 
 }  // namespace gaitsmith::shell

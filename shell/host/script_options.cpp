@@ -80,6 +80,10 @@ std::string ApplyArrangement(const JsonValue& options, Arrangement& arrangement)
             "lock: “{1}” cannot be locked. Choose from figure, controller, style, search, timeline, world, "
             "all, none",
             *wrong);
+    } else if (name == "live" && text) {
+      if (value.text != "on" && value.text != "off")
+        return Tr("live: “{1}” is neither on nor off", value.text);
+      next.live = value.text == "on";
     } else {
       return "arrange: unknown option or value: " + name;
     }

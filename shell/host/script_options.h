@@ -21,8 +21,8 @@ namespace gaitsmith::shell {
 /// @return an empty text, or a sentence
 [[nodiscard]] std::string ApplyLabOptions(const JsonValue& options, LabSettings& settings);
 
-/// The panels that a lesson shows and the parts that it locks, each optional: {"panels": "style,search",
-/// "lock": "figure"}.
+/// The panels that a lesson shows, the parts that it locks, and whether Live is on, each optional: {"panels":
+/// "style,search", "lock": "figure", "live": "off"}.
 /// @return an empty text, or a sentence, with nothing changed
 [[nodiscard]] std::string ApplyArrangement(const JsonValue& options, Arrangement& arrangement);
 

@@ -72,12 +72,24 @@ void SearchRun::Begin(Document wanted, Source source, UndoStep step) {
     return;
   }
   if (Running()) Stop();
+  Prepare(std::move(wanted), source,
+          step == UndoStep::kMotion ? workspace_.NewOccasion() : workspace_.Gesture());
+  const Document& searched = job_->document;
+  if (source == Source::kQueue) {
+    workspace_.TheHost().StartQueued(searched, workers_, SearchTitle(searched) + ", " + SearchLine(searched));
+  } else {
+    workspace_.Notice().clear();
+    workspace_.TheHost().StartSearch(searched, workers_);
+  }
+}
+
+void SearchRun::Prepare(Document wanted, Source source, int occasion) {
   Forget();
   interrupted_ = false;
   job_ = {.document = std::move(wanted),
           .source = source,
           .clip = workspace_.SelectedClip(),
-          .occasion = step == UndoStep::kMotion ? workspace_.NewOccasion() : workspace_.Gesture()};
+          .occasion = occasion};
   const Document& searched = job_->document;
   progress_ = {.state = SearchState::kRunning,
                .budget = searched.search.evaluations,
@@ -90,12 +102,11 @@ void SearchRun::Begin(Document wanted, Source source, UndoStep step) {
   spread_.Begin(progress_.budget);
   shown_for_s_ = kAtOnceS;
   if (ShowsImprovements()) before_ = workspace_.Doc();
-  if (source == Source::kQueue) {
-    workspace_.TheHost().StartQueued(searched, workers_, SearchTitle(searched) + ", " + SearchLine(searched));
-  } else {
-    workspace_.Notice().clear();
-    workspace_.TheHost().StartSearch(searched, workers_);
-  }
+}
+
+void SearchRun::Adopt(Document searched, SearchProgress done, int occasion) {
+  Prepare(std::move(searched), Source::kDocument, occasion);
+  OnProgress(std::move(done));
 }
 
 bool SearchRun::WouldRepeat() const {

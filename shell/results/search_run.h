@@ -50,6 +50,9 @@ class SearchRun {
   /// Stops the running search and starts this one. Refused, with a sentence, while the lab runs. @param
   /// wanted valid
   void Begin(Document wanted, Source source = Source::kDocument, UndoStep = UndoStep::kMotion);
+  /// Takes over a search that ran elsewhere to its end, as if it had run here. Only while none runs.
+  /// @param occasion  of Undo, see Workspace::NewOccasion
+  void Adopt(Document searched, SearchProgress done, int occasion);
   void Pause();
   void Resume();
   /// Stops the running search and keeps its result.
@@ -72,6 +75,8 @@ class SearchRun {
   [[nodiscard]] bool Running() const {
     return progress_.state == SearchState::kRunning || progress_.state == SearchState::kPaused;
   }
+  /// Whether a search or the lab runs.
+  [[nodiscard]] bool Busy() const { return Running() || lab_.Running(); }
   /// Whether the running search came from the queue. Stopping, undoing or opening in the open document does
   /// not affect such a search.
   [[nodiscard]] bool RunsQueued() const { return Running() && job_ && job_->source == Source::kQueue; }
@@ -113,6 +118,7 @@ class SearchRun {
     std::string found = {};  // id of its result; empty: none yet
   };
   [[nodiscard]] Document ShortClimb() const;
+  void Prepare(Document wanted, Source, int occasion);
   void ShowController(Controller);
   void RecordResult();
   void ReportEnd(const std::string& of_queue, const std::string& found);

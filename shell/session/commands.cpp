@@ -194,6 +194,12 @@ void AddView(std::vector<Command>& list, Session& session) {
                   .group = TrLater("View"),
                   .title = Tr(session.Simple() ? "Show all settings" : "Show only goal, senses and effort"),
                   .run = [&session] { session.ShowAll(session.Simple()); }});
+  const bool live = session.Following().On();
+  list.push_back({.id = "view/live",
+                  .group = TrLater("View"),
+                  .title = Tr(live ? "Live: stop searching on as you change something"
+                                   : "Live: search on as you change something"),
+                  .run = [&session, live] { session.Following().Switch(!live); }});
   const bool beside = session.Comparison().Other().Beside();
   list.push_back(
       {.id = "view/compare",

@@ -43,6 +43,7 @@ Session::Session(Host& host)
       results_(workspace_),
       lab_(workspace_, search_),
       search_(workspace_, lab_.Trials(), results_),
+      live_(workspace_, search_),
       queue_(workspace_, lab_.Trials(), search_, results_),
       world_(workspace_),
       comparison_(workspace_, world_, search_, queue_, results_),
@@ -50,11 +51,13 @@ Session::Session(Host& host)
   workspace_.SetFollowers({.motion =
                                [this](bool opened) {
                                  if (opened || Doc().timeline.empty()) attempts_.Clear();
+                                 if (opened) live_.Drop();
                                  world_.Follow(opened);
                                  comparison_.Follow();
                                  timeline_.Transitions().Follow();
                                },
-                           .settings = [this] { timeline_.Transitions().Follow(); }});
+                           .settings = [this] { timeline_.Transitions().Follow(); },
+                           .edited = [this](Parts changed) { live_.OnEdit(changed); }});
   search_.SetFollowers({.found = [this](const std::string& id) { comparison_.ShowIfRequested(id); },
                         .ended = [this] { queue_.RunNext(); }});
   workspace_.Show(*shipped_.Motion("star-man-shuffle"), true);
@@ -212,6 +215,10 @@ void Session::Synthesize() {
   search_.Synthesize(SearchRun::UndoStep::kMotionAndGesture);
 }
 
+void Session::ChangeGoal(const Edit& edit) {
+  if (Set(edit)) live_.SearchAnew();
+}
+
 void Session::TryStyle(SearchRun::UndoStep step) {
   if (search_.TryStyle(step)) comparison_.Choose(Ghost::Kind::kEarlier);
 }
@@ -244,6 +251,7 @@ void Session::Stop() {
 
 void Session::OnSearchProgress(SearchProgress progress) {
   if (lab_.Running()) return lab_.OnProgress(progress);
+  if (live_.Searching() && !search_.Running()) return live_.OnProgress(progress);
   const bool shown = search_.Running() && search_.ShowsImprovements();
   if (shown && search_.Searched() != nullptr) {
     if (search_.Progress().evaluations == 0) attempts_.Begin(*search_.Searched());
@@ -265,10 +273,11 @@ bool Session::Advance(double seconds) {
   frame_s_ += 0.1 * (seconds - frame_s_);
   queue_.Resume();
   timeline_.Transitions().Advance(seconds);
+  const bool followed = live_.Advance(seconds);
   const bool improved = search_.ShowImprovement(seconds);
   const bool moved = Player().Advance(seconds);
   attempts_.Follow(Player().TimeS(), now_s_);
-  return moved || improved;
+  return moved || improved || followed;
 }
 
 }  // namespace gaitsmith::shell

@@ -3,8 +3,8 @@
 // part that owns its state: timeline, world, comparison, search, queue, results and lab.
 //
 // Dependencies go one way. All parts read and change the document through the workspace, and each part knows
-// only those before it in this list: workspace, results, search, lab, queue, world, comparison, timeline. The
-// session knows all parts and forwards events from earlier parts to later ones.
+// only those before it in this list: workspace, results, search, live, lab, queue, world, comparison,
+// timeline. The session knows all parts and forwards events from earlier parts to later ones.
 #pragma once
 
 #include <functional>
@@ -16,6 +16,7 @@
 #include "shell/results/result_store.h"
 #include "shell/results/search_run.h"
 #include "shell/session/attempts.h"
+#include "shell/session/live.h"
 #include "shell/session/motion_comparison.h"
 #include "shell/session/timeline_editor.h"
 #include "shell/session/world_editor.h"
@@ -45,6 +46,8 @@ class Session {
   [[nodiscard]] const SearchRun& Search() const { return search_; }
   /// Of the running search, if its improvements are shown.
   [[nodiscard]] const Attempts& Tried() const { return attempts_; }
+  [[nodiscard]] Live& Following() { return live_; }
+  [[nodiscard]] const Live& Following() const { return live_; }
   [[nodiscard]] QueueRun& Queue() { return queue_; }
   [[nodiscard]] ResultStore& Results() { return results_; }
   [[nodiscard]] const ResultStore& Results() const { return results_; }
@@ -78,6 +81,8 @@ class Session {
   bool Change(const Edit& edit) { return workspace_.Change(edit); }
   /// Changes settings of the next search, which the motion does not depend on.
   bool Set(const Edit& edit) { return workspace_.Set(edit); }
+  /// Changes the goal of the next search, which runs at once if Live is on.
+  void ChangeGoal(const Edit& edit);
   /// Changes the view, which Undo ignores.
   void SetView(const std::function<void(View&)>& edit) { workspace_.SetView(edit); }
   /// Changes the figure: controllers that do not fit are removed, with a sentence that says so.
@@ -95,9 +100,9 @@ class Session {
   void ForgetPast();
 
   // What a reload of a browser's tab would lose beside the document: Undo, Redo and the queue.
-  /// As JSON: {"undo", "redo", "queue"}, lists of payloads of links, and "simple", whether only the choices
-  /// are shown. The oldest steps are left out if the text would be too long to store. A running search of the
-  /// queue comes first among the waiting ones.
+  /// As JSON: {"undo", "redo", "queue"}, lists of payloads of links, "simple", whether only the choices are
+  /// shown, and "live", if a person switched it. The oldest steps are left out if the text would be too long
+  /// to store. A running search of the queue comes first among the waiting ones.
   [[nodiscard]] std::string StoreVisit() const;
   /// @return false: the text is damaged, and nothing has changed
   bool RestoreVisit(std::string_view text);
@@ -168,6 +173,7 @@ class Session {
   ResultStore results_;
   LabRun lab_;
   SearchRun search_;
+  Live live_;
   QueueRun queue_;
   WorldEditor world_;
   MotionComparison comparison_;

@@ -27,6 +27,7 @@ const char* ChangeWords(const Document& a, const Document& b) {
 }  // namespace
 
 void Session::Undo() {
+  live_.Drop();
   // If a search has found nothing yet, Undo only stops the search.
   const bool only_search = search_.HasChangedNothing();
   search_.Abandon();
@@ -39,6 +40,7 @@ void Session::Undo() {
 }
 
 void Session::Redo() {
+  live_.Drop();
   // The search's last improvement is a separate step and leaves nothing to redo.
   if (CanRedo()) search_.Abandon();
   if (const auto after = workspace_.TakeForward()) {

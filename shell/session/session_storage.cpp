@@ -42,7 +42,8 @@ std::string Session::StoreVisit() const {
   for (const SearchQueue::Entry& entry : queue_.List().Waiting())
     queue.push_back(ToBase64Url(EncodeBinary(entry.document)));
   return R"({"undo":)" + ListJson(steps.past) + R"(,"redo":)" + ListJson(steps.future) + R"(,"queue":)" +
-         ListJson(queue) + R"(,"simple":)" + (simple_ ? "true" : "false") + "}";
+         ListJson(queue) + R"(,"simple":)" + (simple_ ? "true" : "false") +
+         (live_.Chosen() ? std::string(R"(,"live":)") + (*live_.Chosen() ? "true" : "false") : "") + "}";
 }
 
 bool Session::RestoreVisit(std::string_view text) {
@@ -54,6 +55,8 @@ bool Session::RestoreVisit(std::string_view text) {
     return false;
   const JsonValue* simple = json->Find("simple");
   if (simple == nullptr || simple->kind != JsonValue::Kind::kBool) return false;
+  const JsonValue* live = json->Find("live");
+  if (live != nullptr && live->kind != JsonValue::Kind::kBool) return false;
   std::vector<Document> searches;
   for (const std::string& payload : payloads) {
     auto search = DecodeLink(payload);
@@ -62,6 +65,7 @@ bool Session::RestoreVisit(std::string_view text) {
   }
   if (!workspace_.Past().Restore(steps)) return false;
   simple_ = simple->boolean;
+  if (live != nullptr) live_.Switch(live->boolean);
   queue_.List().Restore(searches);
   workspace_.Redraw();
   const std::size_t waiting = queue_.List().Waiting().size();

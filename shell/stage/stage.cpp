@@ -19,6 +19,7 @@ namespace {
 
 constexpr float kMinZoom = 0.1f;
 constexpr float kMaxZoom = 6.0f;
+constexpr float kStageSide = 16.0f;
 constexpr float kRemark = 71.0f;       // from the stage's top
 constexpr float kCornerRoom = 114.0f;  // width reserved for the button in the corner
 
@@ -52,18 +53,19 @@ void DrawNumbers(const Scene& s, const std::string& name, float clear) {
   letters.DrawElided(s.list, Type::kNote, {at.x, at.y + 27.0f}, clear, p.second_ink, words);
 }
 
-/// @param y of its centre
-void DrawRemark(const Scene& s, float y) {
+/// @param y of its centre. @param clear its greatest width
+void DrawRemark(const Scene& s, float y, float clear) {
   const Palette& p = s.ui.Ink();
   const Fonts& letters = s.ui.Letters();
   const Terms& terms = s.player.TermsNow();
   const ImVec2 at(s.rect.Min.x + 16.0f, y);
   const auto remark = [&](ImU32 colour, std::string_view sentence) {
-    const float width = s.rect.GetWidth() - 32.0f;
-    letters.DrawElided(s.list, Type::kNote, at, width, colour, sentence);
-    s.ui.DescribeText(sentence, {{at.x, at.y - 9.0f}, {at.x + width, at.y + 9.0f}});
+    letters.DrawElided(s.list, Type::kNote, at, clear, colour, sentence);
+    s.ui.DescribeText(sentence, {{at.x, at.y - 9.0f}, {at.x + clear, at.y + 9.0f}});
   };
-  if (terms.broke_physics) {
+  if (s.session.Following().Previewing()) {
+    remark(p.accent, Tr("Preview: let go to keep what is found."));
+  } else if (terms.broke_physics) {
     remark(p.bad, Tr("The simulation failed, so this motion doesn't count."));
   } else if (s.session.World().Changed()) {
     remark(p.accent, Tr("You changed the world, so the motion differs from the one you opened."));
@@ -113,9 +115,9 @@ bool Pan(StageState& state, const Touch& touch, float scale) {
   return state.panning;
 }
 
-void DrawFollowButton(Ui& ui, StageState& state, const ImRect& rect) {
+/// @param corner of the button, at the upper right
+void DrawFollowButton(Ui& ui, StageState& state, ImVec2 corner) {
   const float height = ui.Look().touch ? 44.0f : 32.0f;
-  const ImVec2 corner(rect.Max.x - 98.0f, rect.Min.y + 10.0f);
   if (!ui.Button("stage/follow", {{corner.x - 82.0f, corner.y}, {corner.x, corner.y + height}}, Tr("Follow")))
     return;
   state.gaze.zoom = 1.0f;
@@ -171,6 +173,7 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
   const ImRect own(rect.Min, {middle, rect.Max.y});
   const ImRect free(rect.Min, {std::min(middle, open.Max.x), rect.Max.y});
   TakePinch(session, state, open, free, ground_y, framing);
+  if (invites) state.gaze = {};  // nothing moves, and all of it is in view
   const Scene scene{
       .ui = ui,
       .session = session,
@@ -188,11 +191,17 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
   if (touch.pressed && !pinching && !pushing && !panned) session.Player().Play(!session.Player().Playing());
   const Controller* shown = session.Timeline().ShownController();
   const std::string name = two && shown != nullptr ? ControlModeWords(shown->kind, shown->senses) : "";
+  const bool moved = !invites && (state.gaze.zoom != 1.0f || state.gaze.pan_m != 0.0);
+  const float clear = (moved ? open.Max.x - kCornerRoom : own.Max.x - kStageSide) - own.Min.x - kStageSide;
+  // The button Follow is below the numbers and beside the remark.
+  ImVec2 follow(open.Max.x - 12.0f, rect.Min.y + 66.0f);
   if (viewing) {
-    DrawRemark(scene, DrawViewerWords(ui, session, own));
+    const float y = DrawViewerWords(ui, session, own);
+    follow.y = y - 6.0f;
+    DrawRemark(scene, y, clear);
   } else if (!invites) {
-    DrawNumbers(scene, name, own.GetWidth() - (two ? 32.0f : kCornerRoom));
-    DrawRemark(scene, own.Min.y + kRemark);
+    DrawNumbers(scene, name, own.GetWidth() - (two ? 2.0f * kStageSide : kCornerRoom));
+    DrawRemark(scene, own.Min.y + kRemark, std::min(clear, own.GetWidth() - 2.0f * kStageSide));
   }
   scene.list->PopClipRect();
   if (two)
@@ -213,7 +222,7 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
     }
   }
   if ((!invites && !viewing) || beside || state.world.open) DrawWorldButton(ui, state.world, rect);
-  if (state.gaze.zoom != 1.0f || state.gaze.pan_m != 0.0) DrawFollowButton(ui, state, rect);
+  if (moved) DrawFollowButton(ui, state, follow);
 }
 
 }  // namespace gaitsmith::shell

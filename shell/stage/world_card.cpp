@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "core/numeric/scalar_math.h"
+#include "shell/stage/live_switch.h"
 #include "shell/words/language.h"
 #include "shell/words/search_words.h"
+#include "shell/words/style_words.h"
 #include "shell/words/wording.h"
 
 namespace gaitsmith::shell {
@@ -135,7 +137,7 @@ std::vector<GhostChoice> GhostChoices(const Session& session, int& chosen) {
   }
   for (const FoundMotions::Entry* entry : ComparableMotions(session)) {
     const Controller& controller = entry->motion.document.controllers.back();
-    choices.push_back({.words = Fixed(entry->motion.Score(), 2) + " · " +
+    choices.push_back({.words = ReachedWords(entry->motion.document.task.kind, entry->motion.terms) + " · " +
                                 ControlModeWords(controller.kind, controller.senses),
                        .kind = kFound,
                        .found_id = entry->id});
@@ -199,7 +201,8 @@ void DrawWorldCard(Ui& ui, Session& session, WorldCardState& state, const ImRect
       ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoBackground);
   ImGui::PopStyleVar();
   DrawGroundAndGravity(ui, session);
-  ui.Gap(8.0f);
+  ui.Gap(4.0f);
+  DrawLiveSwitch(ui, session, "world/live");
   DrawPushes(ui, session, state);
   ui.Gap(8.0f);
   DrawGhostChoice(ui, session);

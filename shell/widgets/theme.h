@@ -68,7 +68,8 @@ inline constexpr float kTabHeight = 39.0f, kTouchTabHeight = 46.0f;
 inline constexpr float kPanelPadding = 14.0f;
 inline constexpr float kPhoneWidth = 700.0f;  // narrower canvases get the phone's layout
 inline constexpr float kWideCanvas = 1000.0f;
-inline constexpr float kLowHeight = 440.0f;  // lower canvases have no room for the timeline below the stage
+inline constexpr float kTallHeight = 490.0f;  // with room for stage, playback and dock
+inline constexpr float kLowHeight = 440.0f;   // lower canvases have no room for the timeline below the stage
 inline constexpr float kCornerRadius = 7.0f;
 inline constexpr float kKnobRadius = 7.0f;  // of sliders
 

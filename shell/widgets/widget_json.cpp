@@ -4,6 +4,7 @@
 
 #include "core/document/json_value.h"
 #include "shell/widgets/widget_registry.h"
+#include "shell/words/language.h"
 
 namespace gaitsmith::shell {
 namespace {
@@ -67,9 +68,12 @@ std::string WidgetRegistry::MirrorJson() const {
   }
   json += "],\"widgets\":[";
   for (const Widget& widget : widgets_) {
+    if (widget.role == "tooltip") continue;  // the widget has its words
     if (json.back() == '}') json += ",\n";
     json += WidgetMembers(widget, scale_);
     if (widget.range) json += RangeMember(*widget.range);
+    if (const std::string hint = HintFor(widget); !hint.empty())
+      json += ",\"hint\":" + QuoteJson(Fill(hint, {widget.label, widget.value}));
     json += ",\"part\":" + std::to_string(widget.part) + "}";
   }
   return json + "]}";

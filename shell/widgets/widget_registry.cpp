@@ -4,13 +4,15 @@
 
 #include <algorithm>
 
+#include "shell/words/hints.h"
+
 namespace gaitsmith::shell {
 namespace {
 
 // Scroll bars, notes and texts are not reached by the Tab key.
 bool Stops(const Widget& widget) {
-  return !widget.state.disabled && widget.role != "scrollbar" && widget.role != "note" &&
-         widget.role != "heading" && widget.role != "paragraph";
+  return widget.role != "scrollbar" && widget.role != "note" && widget.role != "heading" &&
+         widget.role != "paragraph" && widget.role != "tooltip";
 }
 
 // A widget that is scrolled out of sight gets a rectangle on the edge of the visible part.
@@ -28,6 +30,10 @@ void ClipToSight(Widget& widget, const ImRect& sight) {
 
 }  // namespace
 
+std::string HintFor(const Widget& widget) {
+  return HintFor(widget.id, widget.state.disabled, widget.why_not);
+}
+
 void WidgetRegistry::Attach() {
   ImGuiContext& context = *ImGui::GetCurrentContext();
   context.TestEngine = this;
@@ -40,7 +46,7 @@ void WidgetRegistry::BeginFrame() {
   widgets_.clear();
   ids_.clear();
   parts_.clear();
-  part_ = -1;
+  part_ = pointed_ = -1;
   texts_ = 0;
   requests_.BeginFrame();
 }
@@ -69,11 +75,15 @@ void WidgetRegistry::Describe(ImGuiID id, Widget widget) {
   if (found == rects_.end()) return;
   widget.rect = found->second;
   widget.part = part_;
-  ClipToSight(widget, ImGui::GetCurrentWindowRead()->ClipRect);
+  const ImGuiWindow* window = ImGui::GetCurrentWindowRead();
+  ClipToSight(widget, window->ClipRect);
+  const ImGuiContext& g = *ImGui::GetCurrentContext();
+  const bool pointed = g.HoveredWindow == window && widget.in_sight && widget.rect.Contains(g.IO.MousePos);
   if (!ids_.empty() && ids_.back() == id) {  // the widget has changed within the frame
     widgets_.back() = std::move(widget);
     return;
   }
+  if (pointed) pointed_ = static_cast<int>(widgets_.size());
   widgets_.push_back(std::move(widget));
   ids_.push_back(id);
 }
@@ -101,6 +111,11 @@ void WidgetRegistry::LeavePart() {
 
 const Widget* WidgetRegistry::Find(std::string_view id) const {
   const auto found = std::ranges::find(widgets_, id, &Widget::id);
+  return found == widgets_.end() ? nullptr : &*found;
+}
+
+const Widget* WidgetRegistry::Focused() const {
+  const auto found = std::ranges::find_if(widgets_, [](const Widget& w) { return w.state.focused; });
   return found == widgets_.end() ? nullptr : &*found;
 }
 

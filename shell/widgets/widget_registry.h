@@ -39,13 +39,17 @@ struct Widget {
   std::string label = {};  // human-readable name
   std::string role =
       {};  // an ARIA role: button, radio, slider, switch, tab, combobox, option, spinbutton, img...
-  std::string value = {};  // as shown, e.g. "0.80 s"
+  std::string value = {};    // as shown, e.g. "0.80 s"
+  std::string why_not = {};  // why it is disabled; empty: the table of hints may know
   WidgetState state = {};
   std::optional<WidgetRange> range = {};
   ImRect rect = {};      // the visible part, else the nearest edge of the visible area [points]
   bool in_sight = true;  // false: scrolled out of view
   int part = -1;         // index in WidgetRegistry::Parts; -1: none
 };
+
+/// What the widget does, and why it is disabled; empty: unknown.
+[[nodiscard]] std::string HintFor(const Widget&);
 
 /// A named part of the canvas, such as a panel or a group of options. Parts may be nested.
 struct WidgetPart {
@@ -69,7 +73,7 @@ class WidgetRegistry {
   void OnItem(ImGuiID, const ImRect&);
   /// Called by our widgets after the item, to describe it.
   void Describe(ImGuiID, Widget);
-  /// Describes text on the canvas: a "heading" or a "paragraph".
+  /// Describes text on the canvas: a "heading", a "paragraph" or a "tooltip".
   void DescribeText(std::string_view role, std::string_view text, const ImRect&);
   /// Widgets described until LeavePart belong to this part.
   void EnterPart(WidgetPart);
@@ -81,6 +85,10 @@ class WidgetRegistry {
   [[nodiscard]] const std::vector<WidgetPart>& Parts() const { return parts_; }
   /// Null if the widget was not drawn in the last frame.
   [[nodiscard]] const Widget* Find(std::string_view id) const;
+  /// The topmost widget under the pointer, or null. Disabled ones, too.
+  [[nodiscard]] const Widget* Pointed() const { return At(pointed_); }
+  /// The widget with the focus, or null.
+  [[nodiscard]] const Widget* Focused() const;
   /// Whether the Tab key can move from the focused widget to another one, visible or not.
   [[nodiscard]] bool StopsBeyondFocus(bool back) const;
 
@@ -97,12 +105,17 @@ class WidgetRegistry {
   /// widgets drawn before it would miss the click.
   void EndTypingByClick() const;
 
+  [[nodiscard]] const Widget* At(int index) const {
+    return index < 0 ? nullptr : &widgets_[static_cast<std::size_t>(index)];
+  }
+
   std::unordered_map<ImGuiID, ImRect> rects_;
   std::vector<Widget> widgets_;
   float scale_ = 1.0f;
   std::vector<ImGuiID> ids_;  // of widgets_, in the same order; 0: a text
   std::vector<WidgetPart> parts_;
   int part_ = -1;          // the part being drawn
+  int pointed_ = -1;       // index in widgets_
   int texts_ = 0;          // number of texts in this frame
   bool keyboard_ = false;  // whether the focused widget shows its focus ring
   WidgetRequests requests_;

@@ -78,7 +78,10 @@ Touch Ui::Area(std::string_view id, const ImRect& rect, Grab grab, Widget descri
   ImGuiContext& g = *ImGui::GetCurrentContext();
   ImGuiWindow* window = ImGui::GetCurrentWindow();
   const bool unfolds = description.role == "button" && description.state.expanded;
-  enabled = enabled && !(locked_ && !unfolds);
+  if (locked_ && !unfolds) {
+    enabled = false;
+    description.why_not = Tr("Locked here: read only.");
+  }
   Touch touch;
   touch.id = window->GetID(id.data(), id.data() + id.size());
   const WidgetRequest* asked = registry_.Requests().DueFor(id);
@@ -86,7 +89,8 @@ Touch Ui::Area(std::string_view id, const ImRect& rect, Grab grab, Widget descri
   // not take away a press: leaving a text field of the page by a click requests its number, too.
   const bool pressing = g.ActiveId != 0 && g.ActiveId != touch.id && g.IO.MouseDown[0];
   if (asked != nullptr && !pressing) TakeKeyboard(rect, touch.id, asked->ring);
-  touch.visible = ImGui::ItemAdd(rect, touch.id, nullptr, enabled ? 0 : ImGuiItemFlags_Disabled);
+  // A disabled widget can have the focus, to learn why it is disabled.
+  touch.visible = ImGui::ItemAdd(rect, touch.id);
   if (touch.visible && enabled && grab != Grab::kNothing) {
     const ImGuiButtonFlags flags =
         grab == Grab::kPress ? ImGuiButtonFlags_PressedOnClickRelease : ImGuiButtonFlags_PressedOnClick;

@@ -21,6 +21,8 @@ struct Arrangement {
   std::array<bool, kPanels.size()> shown;                 // in the order of kPanels
   std::array<bool, kLockedPartNames.size()> locked = {};  // in the order of LockedPart
 
+  std::optional<bool> live = {};  // whether Live is on until a person switches it; nothing: as usual
+
   Arrangement() { shown.fill(true); }
   /// @param panel its place in kPanels
   [[nodiscard]] bool Shows(int panel) const { return shown[static_cast<std::size_t>(panel)]; }

@@ -36,6 +36,8 @@ class Host {
     Status(Tr("Queue: {1}", words));
     StartSearch(document, workers);
   }
+  /// Runs a search of Live in the same way, without a word about it.
+  virtual void StartPreview(const Document& document, int workers) { StartSearch(document, workers); }
   virtual void PauseSearch() = 0;
   virtual void ResumeSearch() = 0;
   virtual void StopSearch() = 0;

@@ -34,8 +34,31 @@ int LastClip(const Document& d) { return std::max(0, static_cast<int>(d.timeline
 
 Document Workspace::WithHash() const {
   Document document = document_;
-  document.hash = player_.Shown().Hash();
+  document.hash = Previews() ? Simulate(document_).Hash() : player_.Shown().Hash();
   return document;
+}
+
+Document Workspace::Played() const {
+  Document played = document_;
+  if (Previews()) {
+    const Clip& clip = played.timeline[static_cast<std::size_t>(selected_clip_)];
+    played.controllers[static_cast<std::size_t>(clip.controller)].genes = previewed_;
+  }
+  return played;
+}
+
+bool Workspace::Preview(Genome genes) {
+  const Controller* shown = ShownController();
+  if (shown == nullptr || shown->genes.size() != genes.size()) return false;
+  previewed_ = std::move(genes);
+  player_.Load(Played(), false);
+  return true;
+}
+
+void Workspace::EndPreview() {
+  if (!Previews()) return;
+  previewed_.clear();
+  player_.Load(document_, false);
 }
 
 void Workspace::SelectClip(int clip) {
@@ -66,7 +89,9 @@ void Workspace::Show(Document document, bool opened) {
   // Each search chooses its own takeover, so the takeover is neither opened nor saved.
   CopyParts(Document{}, Part::kTakeover, document_);
   selected_clip_ = std::min(selected_clip_, LastClip(document_));
-  player_.Load(document_, opened);
+  const Controller* shown = ShownController();
+  if (opened || shown == nullptr || shown->genes.size() != previewed_.size()) previewed_.clear();
+  player_.Load(Played(), opened);
   differs_from_maker_ = document_.hash && *document_.hash != player_.Shown().Hash();
   followers_.motion(opened);
   Redraw();
@@ -99,23 +124,27 @@ bool Workspace::Change(const Edit& edit) {
   auto next = Edited(edit);
   if (!next || Refuses(layout_, *next)) return false;
   notice_.clear();
-  if (DifferingParts(*next, document_).Empty()) return true;
+  const Parts changed = DifferingParts(*next, document_);
+  if (changed.Empty()) return true;
   Report("");
   Remember();
   next->hash.reset();
   Show(std::move(*next), false);
+  followers_.edited(changed);
   return true;
 }
 
 bool Workspace::Set(const Edit& edit) {
   auto next = Edited(edit);
   if (!next || Refuses(layout_, *next)) return false;
-  if (DifferingParts(*next, document_).Empty()) return true;
+  const Parts changed = DifferingParts(*next, document_);
+  if (changed.Empty()) return true;
   Report("");
   Remember();
   document_ = std::move(*next);
   followers_.settings();
   Redraw();
+  followers_.edited(changed);
   return true;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/document/document.h"
+#include "core/document/parts.h"
 #include "shell/workspace/arrangement.h"
 #include "shell/workspace/history.h"
 #include "shell/workspace/host.h"
@@ -26,15 +27,16 @@ class Workspace {
 
   /// Called after each change of the document, before the host.
   struct Followers {
-    std::function<void(bool opened)> motion;  // @param opened another document replaced the present one
-    std::function<void()> settings;           // also called when another clip is selected
+    std::function<void(bool opened)> motion;    // @param opened another document replaced the present one
+    std::function<void()> settings;             // also called when another clip is selected
+    std::function<void(Parts changed)> edited;  // after an edit by Change or Set
   };
   void SetFollowers(Followers followers) { followers_ = std::move(followers); }
 
   [[nodiscard]] Host& TheHost() const { return host_; }
   /// The document, always valid. It keeps its maker's hash until an edit changes the motion.
   [[nodiscard]] const Document& Doc() const { return document_; }
-  /// The document with the present motion's hash.
+  /// The document with the hash of its own motion, not of a preview's.
   [[nodiscard]] Document WithHash() const;
   [[nodiscard]] bool DiffersFromMaker() const { return differs_from_maker_; }
   [[nodiscard]] Playback& Player() { return player_; }
@@ -60,6 +62,14 @@ class Workspace {
   /// Replaces the document and simulates it. The caller updates the history.
   /// @param opened  playback starts over, and resetting the world returns to this document's world
   void Show(Document, bool opened);
+
+  /// Plays the document's motion with these genes of the shown controller. The document keeps its own. Until
+  /// EndPreview, and until another document is opened. @return false: they do not fit
+  bool Preview(Genome genes);
+  void EndPreview();
+  [[nodiscard]] bool Previews() const { return !previewed_.empty(); }
+  /// The genes of the preview; empty: there is none.
+  [[nodiscard]] const Genome& Previewed() const { return previewed_; }
 
   /// Starts a new occasion for Undo: a person's next gesture, or all improvements of one search.
   void BeginGesture() { gesture_ = NewOccasion(); }
@@ -93,9 +103,13 @@ class Workspace {
   void Redraw() { host_.DocumentChanged(document_.title); }
 
  private:
+  /// The document whose motion is played.
+  [[nodiscard]] Document Played() const;
+
   Host& host_;
   Followers followers_;
   Document document_;
+  Genome previewed_;
   bool differs_from_maker_ = false;
   int selected_clip_ = 0;
   Arrangement layout_;

@@ -10,6 +10,12 @@ const PATIENCE_MS = 60000;
 /** @param {number} ms */
 export const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
+/** @param {string} address @returns {string} */
+function withoutLive(address) {
+  const [before, ...payload] = address.split('#');
+  return [before + (before.includes('?') ? '&live=off' : '?live=off'), ...payload].join('#');
+}
+
 export class PageDriver {
   /** Console errors, failed requests, requests to other hosts. @type {string[]} */
   complaints = [];
@@ -25,12 +31,13 @@ export class PageDriver {
    * Opens an address in a new profile (an isolated context with empty cookies, storage and cache), or in another tab of
    * an open page's profile.
    * @param {Browser} browser @param {string} address
-   * @param {{beside?: PageDriver, before?: () => void, newcomer?: boolean, plays?: boolean}} [options]  before: runs in
+   * @param {{beside?: PageDriver, before?: () => void, newcomer?: boolean, plays?: boolean, live?: boolean}} [options]  before: runs in
    * the page before its scripts; newcomer: comes to the address
-   * as a stranger would; others begin with an example or open a link in the workbench, because most scenarios need a motion and panels; plays: the motion plays, else it is paused at once, because
+   * as a stranger would; others begin with an example or open a link in the workbench, because most scenarios need a motion and panels; live: Live is as for everybody, else it is off, because most scenarios
+   * are about something else; plays: the motion plays, else it is paused at once, because
    * drawing it with software graphics needs most of a processor
    */
-  static async open(browser, address, { beside, before, newcomer = false, plays = false } = {}) {
+  static async open(browser, address, { beside, before, newcomer = false, plays = false, live = newcomer } = {}) {
     const context = beside ? beside.page.browserContext() : await browser.createBrowserContext();
     const page = await context.newPage();
     const driver = new PageDriver(page);
@@ -59,7 +66,8 @@ export class PageDriver {
     const bare = !beside && !newcomer && !/[?#]/.test(address);
     // A link opens the viewer for a stranger, and the workbench with ?edit.
     const there = newcomer ? address : address.replace(/^([^?#]*)#/, '$1?edit#');
-    await driver.arrive(() => page.goto(bare ? `${address}?open=star-man-shuffle` : there));
+    const opened = bare ? `${address}?open=star-man-shuffle` : there;
+    await driver.arrive(() => page.goto(live ? opened : withoutLive(opened)));
     return driver;
   }
 

@@ -14,18 +14,18 @@
 namespace gaitsmith {
 namespace {
 
-struct Part {
+struct Passage {
   std::string name;
   double travel_m = 0.0, turns = 0.0;
   double rise_m = 0.0;     // rise of the centre of mass above its height at the takeover
   int longest_flight = 0;  // steps in a row without contact
 };
 
-Part Measured(const Document& d, const Motion& motion, std::size_t clip) {
+Passage Measured(const Document& d, const Motion& motion, std::size_t clip) {
   const int begin = d.timeline[clip].start_step, end = EndOf(d, clip);
   const Motion::Frame& first = motion.At(begin);
   const Motion::Frame& last = motion.At(end);
-  Part part{.name = d.controllers[static_cast<std::size_t>(d.timeline[clip].controller)].name,
+  Passage part{.name = d.controllers[static_cast<std::size_t>(d.timeline[clip].controller)].name,
             .travel_m = last.x_m - first.x_m,
             .turns = (last.turn_rad - first.turn_rad) / (2.0 * kPi)};
   for (int frame = begin; frame <= end; ++frame)
@@ -42,21 +42,21 @@ TEST_CASE("figure 12: shuffles right, cartwheels left, jumps, shuffles") {
   CHECK(HashText(motion.Hash()) == "4bb52054eaec117b");
   CHECK(document->hash == motion.Hash());
 
-  const Part shuffle = Measured(*document, motion, 0);
+  const Passage shuffle = Measured(*document, motion, 0);
   CHECK(shuffle.name == "Shuffle");
   CHECK(shuffle.travel_m > 1.0);
   CHECK(std::abs(shuffle.turns) < 0.1);
-  const Part cartwheel = Measured(*document, motion, 1);
+  const Passage cartwheel = Measured(*document, motion, 1);
   CHECK(cartwheel.name == "Cartwheel");
   CHECK(cartwheel.travel_m < -2.0);
   CHECK(cartwheel.turns > 0.9);  // a cartwheel to the left turns counterclockwise
   CHECK(cartwheel.turns < 1.1);
-  const Part jump = Measured(*document, motion, 2);
+  const Passage jump = Measured(*document, motion, 2);
   CHECK(jump.name == "Jump");
   CHECK(jump.rise_m > 0.8);
   CHECK(jump.longest_flight > 50);
   CHECK(std::abs(jump.turns) < 0.2);
-  const Part again = Measured(*document, motion, 3);
+  const Passage again = Measured(*document, motion, 3);
   CHECK(again.name == "Shuffle");
   CHECK(again.travel_m > 1.0);
   CHECK(std::abs(again.turns) < 0.1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The voice of the page: no text of the tables of shell/words/languages has one of these habits, in English or in
+// The voice of the page: no text of the tables of shell/words/languages and shell/words/hints has one of these habits, in English or in
 // German. Each habit names its reason, with a text that had it.
 import assert from 'node:assert/strict';
 import { readdir, readFile } from 'node:fs/promises';
@@ -8,6 +8,7 @@ import { before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
 const TABLES = fileURLToPath(new URL('../../shell/words/languages/', import.meta.url));
+const HINTS = fileURLToPath(new URL('../../shell/words/hints/', import.meta.url));
 
 /** @typedef {{habit: RegExp, reason: string, example: string, allowed?: string[]}} Habit */
 
@@ -59,7 +60,8 @@ const tables = new Map();
 before(async () => {
   for (const file of await readdir(TABLES)) {
     const { words, errors } = JSON.parse(await readFile(join(TABLES, file), 'utf8'));
-    tables.set(file, [words, errors].flatMap(Object.entries));
+    const [hints, english] = await Promise.all([file, 'en.json'].map(async (name) => JSON.parse(await readFile(join(HINTS, name), 'utf8'))));
+    tables.set(file, [...[words, errors].flatMap(Object.entries), ...Object.keys(english).map((id) => /** @type {[string, string]} */ ([english[id], hints[id] ?? '']))]);
   }
 });
 

@@ -34,9 +34,9 @@ export function fits(node, before, role) {
   return node.type === 'range' ? role === 'slider' || role === 'textbox' : isNumber(role);
 }
 
-/** Whether it can have the focus. @param {MirrorWidget} widget */
-export function takesKeyboard({ id, role, state }) {
-  return !state.disabled && (BUTTONS.has(role) || role === 'slider' || isNumber(role) || id === 'stage');
+/** Whether it can have the focus. Disabled ones can, so that their reason is read. @param {MirrorWidget} widget */
+export function takesKeyboard({ id, role }) {
+  return BUTTONS.has(role) || role === 'slider' || isNumber(role) || id === 'stage';
 }
 
 /** Whether it is a button beside a number. Tab skips these, because arrow keys on the number do the same. @param {MirrorWidget} widget */
@@ -83,7 +83,7 @@ export function setAttribute(node, name, value) {
  * @param {boolean} withValue  false: keeps the old value, because a screen reader would announce every change
  */
 export function update(node, widget, withValue) {
-  const { role, label, value, state, rect } = widget;
+  const { role, label, value, hint = '', state, rect } = widget;
   const { style } = node;
   style.left = `${rect.x}px`;
   style.top = `${rect.y}px`;
@@ -109,9 +109,10 @@ export function update(node, widget, withValue) {
     if (role === 'combobox') setText(node, value);
   } else {
     setText(node, role === 'note' && value ? `${label}: ${value}` : label);
-    // Other roles express "on" and "off" themselves.
-    if (role === 'button' || role === 'option') setAttribute(node, 'aria-description', value || undefined);
   }
+  // Other roles express their value themselves.
+  const aside = (role === 'button' || role === 'option') && !hint.startsWith(value) ? `${value.replace(/\.$/, '')}. ${hint}` : hint;
+  setAttribute(node, 'aria-description', aside || undefined);
   if (role === 'combobox') setAttribute(node, 'aria-haspopup', 'listbox');
 }
 

@@ -66,12 +66,12 @@ import { trLater } from '../languages/language.js';
  * The values of a slider or a field. step 0: any value.
  * @typedef {{low: number, high: number, step: number, now: number}} WidgetRange
  */
-/** A widget for the mirror, perhaps out of sight, or a text ("heading", "paragraph"). @typedef {Widget & {range?: WidgetRange, part: number}} MirrorWidget */
+/** A widget for the mirror, perhaps out of sight, or a text ("heading", "paragraph"). hint: what it does. @typedef {Widget & {range?: WidgetRange, hint?: string, part: number}} MirrorWidget */
 /** A named part of the canvas. parent: index of the enclosing part, or -1. @typedef {{id: string, label: string, role: string, parent: number}} MirrorPart */
 /** keyboard: whether the focus ring is shown; waiting: a request to a widget is not done yet. @typedef {{keyboard: boolean, waiting: boolean, parts: MirrorPart[], widgets: MirrorWidget[]}} MirrorState */
 
 /** A measure of a motion. @typedef {{name: string, label: string, unit: string, decimals: number, value: number | null}} Measure */
-/** The measures of the shown motion. sense: the controller's, or empty; broke: the simulation failed. @typedef {{terms: Measure[], sense: string, rules: number, broke: boolean}} Measures */
+/** The measures of the shown motion. sense: the controller's, or empty; broke: the simulation failed; preview: not the document's motion yet. @typedef {{terms: Measure[], sense: string, rules: number, broke: boolean, preview: boolean}} Measures */
 
 /** A command of shell/session/commands.h. @typedef {{id: string, group: string, title: string, whyNot: string, keys: string[]}} CanvasCommand */
 
@@ -156,6 +156,8 @@ export class App {
   setTheme({ palette, scale }) { this.#with(palette, (at) => this.module._gs_set_theme(at, scale)); }
   /** @param {string} table  JSON of languages/*.json; empty: English @returns {boolean} false: it is invalid, and nothing has changed */
   setLanguage(table) { return this.#with(table, (at) => this.module._gs_set_language(at)) !== 0; }
+  /** @param {string} table  JSON of hints/*.json @returns {boolean} false: it is invalid, and nothing has changed */
+  setHints(table) { return this.#with(table, (at) => this.module._gs_set_hints(at)) !== 0; }
   /** @param {number} perSecond  maximum frame rate; 0: the display's */
   setFrameRate(perSecond) { this.module._gs_set_frame_rate(perSecond); }
   /** @param {boolean} playing */
@@ -194,7 +196,7 @@ export class App {
     return this.#with(name, (at) => this.module._gs_key(at, onCanvas ? 1 : 0, repeated ? 1 : 0)) !== 0;
   }
 
-  /** Sets the shown panels and the locks. @param {{panels?: string, lock?: string}} options @returns {string} empty, or a sentence, with nothing changed */
+  /** Sets the shown panels and the locks. @param {{panels?: string, lock?: string, live?: string}} options @returns {string} empty, or a sentence, with nothing changed */
   arrange(options) { return this.#with(JSON.stringify(options), (at) => this.#text(this.module._gs_arrange(at))); }
   /** @returns {Measures} */
   measures() { return JSON.parse(this.#text(this.module._gs_measures())); }

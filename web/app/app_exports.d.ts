@@ -48,6 +48,11 @@ export interface AppExports {
    * @return 0: it is not such a table, and nothing has changed
    */
   _gs_set_language(table: Pointer): number;
+  /**
+   * Sets the sentences of the tooltips. @param table of shell/words/hints, as JSON
+   * @return 0: it is not such a table, and nothing has changed
+   */
+  _gs_set_hints(table: Pointer): number;
   /** Sets the greatest frame rate; 0: that of the display. */
   _gs_set_frame_rate(perSecond: number): void;
   _gs_play(playing: number): void;

@@ -22,6 +22,8 @@ export interface PageForApp {
   startSearch(document: Uint8Array, workers: number): void;
   /** Runs a trial of the lab like a search. The application may request the next trial during the final report of this one. */
   startTrial(document: Uint8Array, workers: number, trial: { words: string, finished: number, total: number }): void;
+  /** Runs a search whose reports only the application reads. */
+  startPreview(document: Uint8Array, workers: number): void;
   /** Runs a search of the queue. The application may request the next search during the final report of this one. */
   startQueued(document: Uint8Array, workers: number, words: string): void;
   /** Stores a found motion for the next visit. An empty text removes it. */

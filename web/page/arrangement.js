@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // How a lesson sets up the page: the shown panels, the locks and the goal. They come from the address
-// (?panels=style,search&lock=figure&goal=distance>=8) or from a script. docs/embedding.md documents them.
+// (?panels=style,search&lock=figure&goal=distance>=8), as does whether Live is on (?live=off), or from a script. docs/embedding.md documents them.
 import { banner } from '../browser/dom.js';
 import { sentence } from '../share/address.js';
 import { followLanguage, tr } from '../languages/language.js';
 
 /** @typedef {import('../app/app.js').App} App */
-/** Options that are left out stay as they are. @typedef {{panels?: string, lock?: string, goal?: string}} ArrangementOptions */
+/** Options that are left out stay as they are. @typedef {{panels?: string, lock?: string, goal?: string, live?: string}} ArrangementOptions */
 
-const NAMES = /** @type {const} */ (['panels', 'lock', 'goal']);
+const NAMES = /** @type {const} */ (['panels', 'lock', 'goal', 'live']);
 
 /** The example that the address asks for: ?open=there-and-back */
 export const namedExample = () => new URLSearchParams(location.search).get('open') ?? '';
@@ -16,7 +16,7 @@ export const namedExample = () => new URLSearchParams(location.search).get('open
 /** Whether the address sets up the page, as lessons do. */
 export function arranged() {
   const address = new URLSearchParams(location.search);
-  return NAMES.some((name) => address.has(name));
+  return NAMES.some((name) => name !== 'live' && address.has(name));
 }
 
 /**

@@ -33,16 +33,19 @@ export class Commands {
   /** @type {(() => Command[])[]} */
   #sources = [];
   #singleKeys = remembered(SINGLE_KEYS_KEY) !== 'off';
-  /** Whether the focus was last moved by a pointer, so that no ring shows it. */
-  #pointed = false;
 
   /** @param {App} app @param {Mirror} mirror */
   constructor(app, mirror) {
     this.app = app;
     this.mirror = mirror;
-    addEventListener('pointerdown', () => { this.#pointed = true; }, { capture: true });
-    addEventListener('keydown', ({ key }) => { if (/^(Tab|Arrow|F6|Escape)/.test(key)) this.#pointed = false; }, { capture: true });
+    addEventListener('pointerdown', () => this.#point(true), { capture: true });
+    addEventListener('keydown', ({ key }) => { if (/^(Tab|Arrow|F6|Escape)/.test(key)) this.#point(false); }, { capture: true });
   }
+
+  /** Whether the focus was last moved by a pointer, so that no ring shows it. A browser would show one after any key. */
+  get #pointed() { return 'pointed' in document.documentElement.dataset; }
+  /** @param {boolean} on */
+  #point(on) { document.documentElement.toggleAttribute('data-pointed', on); }
 
   /** @param {Command[]} commands  of the page, with English titles */
   add(commands) { this.#own.push(...commands); }

@@ -88,6 +88,7 @@ async function start() {
       maxWorkers: () => navigator.hardwareConcurrency || 2,
       startSearch: (document, workers) => void parts?.searches.start(document, workers),
       startTrial: (document, workers, trial) => void parts?.searches.start(document, workers, { trial }),
+      startPreview: (document, workers) => void parts?.searches.start(document, workers, { preview: true }),
       startQueued: (document, workers, title) => void parts?.searches.start(document, workers, { queued: title }),
       openDialog: (command) => commands?.runOwn(command),
       askName: (id, name, usual) => {
@@ -238,6 +239,7 @@ function addCommands(commands, address, autosave) {
   commands.addSource(() => autosave.commands());
   // The first motion does not need these.
   void gaitsmith.ready.then(() => import('../share/dropping.js')).then(({ startDropping }) => startDropping(app), () => {});
+  void gaitsmith.ready.then(() => import('../languages/hints.js')).then(({ startHints }) => startHints(app), () => {});
   void gaitsmith.ready.then(() => import('../share/examples.js')).then(({ EXAMPLES, openExample }) => {
     commands.addSource(() => Object.entries(EXAMPLES).map(([name, title]) => (
       { id: `example/${name}`, group: 'Examples', title: tr('Open example: {1}', tr(title)), keys: [], run: () => void openExample(app, statusLine, name) })));

@@ -111,7 +111,7 @@ export class SearchClient {
    * @param {number} workers       evaluators, at least 1
    */
   start(document, workers) {
-    this.#endTeam();
+    this.release();
     this.#document = document;
     this.#workers = Math.max(1, Math.floor(workers));
     this.#paused = false;
@@ -157,6 +157,19 @@ export class SearchClient {
     const lastReport = this.#team ? this.#lastReport : NO_REPORT;
     this.#endTeam();
     return { ...lastReport, state: 'stopped', rate: 0, secondsLeft: 0 };
+  }
+
+  /**
+   * Ends the running search and keeps its workers for the next one, if they answer.
+   * @returns {SearchReport} as close() does
+   */
+  release() {
+    const team = this.#team;
+    if (!team?.coordinatorReady || team.silentMs > TICK_MS) return this.drop();
+    this.#send({ type: 'stop' });
+    const report = this.#lastReport;
+    this.#makeIdle(team);
+    return { ...report, state: 'stopped', rate: 0, secondsLeft: 0 };
   }
 
   // Workers of a search.

@@ -40,6 +40,8 @@ export class Searches extends EventTarget {
   #trial = null;
   /** Whether the running search came from the queue. */
   #queued = false;
+  /** Whether only the application reads the running search's reports. */
+  #preview = false;
   #labOver = false; // whether the lab has ended; its last trial may still report
   /** Requests to send once the workers exist. @type {('pause' | 'resume' | 'stop')[]} */
   #pendingRequests = [];
@@ -84,15 +86,16 @@ export class Searches extends EventTarget {
   }
 
   /** Whether a search improves the document on the page. */
-  get improving() { return this.searching && this.#trial === null && !this.#queued; }
+  get improving() { return this.searching && this.#trial === null && !this.#queued && !this.#preview; }
 
   /**
    * @param {Uint8Array} document @param {number} workers
-   * @param {{trial?: Trial, queued?: string}} [as]  a trial of the lab, or the title of a queued search
+   * @param {{trial?: Trial, queued?: string, preview?: boolean}} [as]  a trial of the lab, the title of a queued search,
+   * or one whose reports only the application reads
    */
-  async start(document, workers, { trial, queued } = {}) {
+  async start(document, workers, { trial, queued, preview = false } = {}) {
     const run = ++this.#run;
-    this.#settle?.resolve(this.#client?.drop() ?? { ...NO_REPORT, state: 'stopped' });
+    this.#settle?.resolve(this.#client?.release() ?? { ...NO_REPORT, state: 'stopped' });
     this.ended = new Promise((resolve, reject) => { this.#settle = { resolve, reject }; });
     this.ended.catch(() => {}); // the banner shows the error even if no caller awaits this
     this.searching = true;
@@ -100,11 +103,12 @@ export class Searches extends EventTarget {
     this.#curve = new Uint8Array(0);
     this.#trial = trial ?? null;
     this.#queued = queued !== undefined;
+    this.#preview = preview;
     this.#labOver = false;
     if (trial) {
       this.#words = { doing: (paused) => trialWords(trial, paused), unit: '', workers };
       if (trial.finished === 0) this.statusLine.say('');
-    } else {
+    } else if (!preview) {
       this.#words = queued === undefined ? { ...wordsOf(this.app), workers }
         : { doing: (paused) => (paused ? tr('Paused: queue: {1}', queued) : tr('Queue: {1}', queued)), unit: '', workers };
       this.statusLine.say('');
@@ -155,6 +159,7 @@ export class Searches extends EventTarget {
     const trial = this.#trial;
     const words = this.#words;
     const queued = this.#queued;
+    const preview = this.#preview;
     const settle = this.#settle;
     if (ended) {
       this.searching = false;
@@ -167,6 +172,10 @@ export class Searches extends EventTarget {
       this.#client?.drop();
       this.#settle = settle;
       return this.#fail(error instanceof Error ? error : new Error(String(error)));
+    }
+    if (preview) {
+      if (ended) settle?.resolve(report);
+      return;
     }
     if (trial) {
       if (!ended && !this.#labOver) this.statusLine.show(labReport(report, trial), words);

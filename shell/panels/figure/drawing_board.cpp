@@ -11,8 +11,6 @@
 namespace gaitsmith::shell {
 namespace {
 
-constexpr float kBoardHeight = 268.0f;
-
 struct Board {
   Skeleton skeleton;
   std::vector<ImVec2> metres;  // endpoints
@@ -27,33 +25,57 @@ struct Board {
   }
 };
 
-Board LayOut(const Figure& figure, const DrawingBoardState& state, const ImRect& rect) {
-  Board board{.skeleton = Skeleton(figure), .metres = {}, .canvas = {}, .scale = state.scale};
-  board.metres = PoseOf(board.skeleton, {});
+/// What of the view stays in place.
+std::size_t StillOf(const DrawingBoardState& state) {
+  return static_cast<std::size_t>(std::max(state.still, 0));
+}
+
+// Leaves room to draw around the figure. A blank board is as high as a person.
+void Fit(DrawingBoardState& state, const Board& board, ImVec2 size) {
   ImVec2 low = board.metres[0];
   ImVec2 high = low;
   for (const ImVec2& p : board.metres) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  ImVec2 origin;  // canvas position of endpoint 0
-  if (state.still >= 0) {
-    const ImVec2 still = board.metres[static_cast<std::size_t>(state.still)];
-    origin = {state.anchor.x + (board.metres[0].x - still.x) * board.scale,
-              state.anchor.y - (board.metres[0].y - still.y) * board.scale};
-  } else {
-    // Leaves room to draw around the figure.
-    board.scale = 0.64f * std::min(rect.GetHeight() / std::max(high.y - low.y, 0.1f),
-                                   rect.GetWidth() / std::max(high.x - low.x, 0.1f));
-    const ImVec2 middle = rect.GetCenter();
-    origin = {middle.x + (board.metres[0].x - 0.5f * (low.x + high.x)) * board.scale,
-              middle.y - (board.metres[0].y - 0.5f * (low.y + high.y)) * board.scale};
-  }
+  constexpr float kBlankM = 2.0f;
+  state.scale = state.blank ? size.y / kBlankM
+                            : 0.64f * std::min(size.y / std::max(high.y - low.y, 0.1f),
+                                               size.x / std::max(high.x - low.x, 0.1f));
+  state.size = size;
+  const ImVec2 fixed = board.metres[StillOf(state)];
+  state.anchor = {0.5f * size.x + (fixed.x - 0.5f * (low.x + high.x)) * state.scale,
+                  0.5f * size.y - (fixed.y - 0.5f * (low.y + high.y)) * state.scale};
+}
+
+Board Placed(const Figure& figure, const DrawingBoardState& state, const ImRect& rect) {
+  Board board{.skeleton = Skeleton(figure), .metres = {}, .canvas = {}, .scale = state.scale};
+  board.metres = PoseOf(board.skeleton, {});
+  const ImVec2 fixed = board.metres[StillOf(state)];
   for (const ImVec2& p : board.metres) {
-    board.canvas.emplace_back(origin.x + (p.x - board.metres[0].x) * board.scale,
-                              origin.y - (p.y - board.metres[0].y) * board.scale);
+    board.canvas.emplace_back(rect.Min.x + state.anchor.x + (p.x - fixed.x) * board.scale,
+                              rect.Min.y + state.anchor.y - (p.y - fixed.y) * board.scale);
   }
   return board;
+}
+
+Board LayOut(const Figure& figure, DrawingBoardState& state, const ImRect& rect) {
+  constexpr float kEdge = 8.0f;
+  Board board = Placed(figure, state, rect);
+  const bool resized = state.size.x != rect.GetWidth() || state.size.y != rect.GetHeight();
+  const bool outside = std::ranges::any_of(board.canvas, [&](ImVec2 p) {
+    return p.x < rect.Min.x + kEdge || p.x > rect.Max.x - kEdge || p.y < rect.Min.y + kEdge ||
+           p.y > rect.Max.y - kEdge;
+  });
+  if (state.scale > 0.0f && !resized && (!outside || state.still >= 0)) return board;
+  Fit(state, board, rect.GetSize());
+  return Placed(figure, state, rect);
+}
+
+/// Makes endpoint 0 the one that stays.
+void Settle(DrawingBoardState& state, const Board& board, const ImRect& rect) {
+  state.endpoint = state.turning = state.still = DrawingBoardState::kNone;
+  state.anchor = {board.canvas[0].x - rect.Min.x, board.canvas[0].y - rect.Min.y};
 }
 
 int EndpointAt(const Board& board, ImVec2 pointer, float within) {
@@ -99,6 +121,7 @@ void DrawBoard(Ui& ui, const Board& board, const DrawingBoardState& state, const
       }
     }
   }
+  if (state.blank) return;
   const float width = std::clamp(RodWidth(board.skeleton, board.scale), 6.0f, 15.0f);
   DrawRods(list, board.skeleton, board.canvas, {.rods = p.ink, .width = width});
   for (int limb = 0; limb < board.skeleton.rods; ++limb) {
@@ -115,7 +138,7 @@ void DrawBoard(Ui& ui, const Board& board, const DrawingBoardState& state, const
 }
 
 // Begins a drag of the endpoint or, if there is none nearby, of the rod under the pointer.
-void Begin(DrawingBoardState& state, const Board& board, ImVec2 pointer, float near) {
+void Begin(DrawingBoardState& state, const Board& board, ImVec2 pointer, float near, const ImRect& rect) {
   constexpr int kNone = DrawingBoardState::kNone;
   state.endpoint = EndpointAt(board, pointer, near);
   state.turning = kNone;
@@ -133,8 +156,8 @@ void Begin(DrawingBoardState& state, const Board& board, ImVec2 pointer, float n
   } else {
     return;
   }
-  state.scale = board.scale;
-  state.anchor = board.canvas[static_cast<std::size_t>(state.still)];
+  const ImVec2 still = board.canvas[static_cast<std::size_t>(state.still)];
+  state.anchor = {still.x - rect.Min.x, still.y - rect.Min.y};
 }
 
 // The figure after the drag.
@@ -152,21 +175,28 @@ Figure Moved(const DrawnFigure& drawn, const DrawingBoardState& state, ImVec2 ta
 
 }  // namespace
 
-void DrawDrawingBoard(Ui& ui, Session& session, DrawingBoardState& state) {
-  const ImRect rect = ui.Row(kBoardHeight);
+void DrawDrawingBoard(Ui& ui, Session& session, DrawingBoardState& state, const ImRect& rect) {
   const Figure& figure = session.Doc().figure;
   const Touch touch = ui.Area(
       "figure/board", rect, Grab::kDrag,
       {.label = Tr("Drawing board"),
        .role = "img",
-       .value = Tr("Rod {1} of {2}", std::clamp(state.rod, 0, figure.Rods() - 1) + 1, figure.Rods())});
+       .value = state.blank
+                    ? Tr("Nothing is drawn yet.")
+                    : Tr("Rod {1} of {2}", std::clamp(state.rod, 0, figure.Rods() - 1) + 1, figure.Rods())});
   const ImVec2 pointer = ImGui::GetIO().MousePos;
   const float near = ui.Look().touch ? 26.0f : 15.0f;
   Board board = LayOut(figure, state, rect);
-  if (touch.began) Begin(state, board, pointer, near);
+  if (touch.began && state.blank) {
+    state.endpoint = state.still = 0;
+    state.anchor = {pointer.x - rect.Min.x, pointer.y - rect.Min.y};
+    board = LayOut(figure, state, rect);
+  } else if (touch.began) {
+    Begin(state, board, pointer, near, rect);
+  }
 
   const DrawnFigure drawn{.figure = figure, .skeleton = board.skeleton, .points = board.metres};
-  const bool growing = state.tool == DrawingTool::kGrow && state.endpoint >= 0;
+  const bool growing = state.endpoint >= 0 && (state.tool == DrawingTool::kGrow || state.blank);
   const bool held = state.endpoint >= 0 || state.turning >= 0;
   // On a phone the board fills the panel: a touch that grabs nothing must still scroll.
   if (touch.held && !held && ui.Look().touch) ImGui::ClearActiveID();
@@ -182,11 +212,14 @@ void DrawDrawingBoard(Ui& ui, Session& session, DrawingBoardState& state) {
     const ImVec2 from =
         state.endpoint >= 0 ? board.canvas[static_cast<std::size_t>(state.endpoint)] : pointer;
     if (growing && std::hypot(pointer.x - from.x, pointer.y - from.y) > near) {
-      Figure grown = WithRodFrom(drawn, state.endpoint, tip());
+      Figure grown =
+          state.blank ? RodBetween(board.metres[0], tip()) : WithRodFrom(drawn, state.endpoint, tip());
       grown.name = kOwnFigure;
       if (session.ReplaceFigure(grown)) state.rod = session.Doc().figure.Rods() - 1;
+      state.blank = false;
+      board = Placed(session.Doc().figure, state, rect);
     }
-    state.endpoint = state.turning = state.still = DrawingBoardState::kNone;
+    Settle(state, board, rect);
     board = LayOut(session.Doc().figure, state, rect);
   }
   if (!touch.visible) return;

@@ -101,6 +101,12 @@ Figure SingleRod() {
   return {.name = "", .rods = {{.length_m = 1.0f, .mass_kg = 1.0f, .rest_rad = 0.5f * kPiF}}};
 }
 
+Figure RodBetween(ImVec2 from, ImVec2 to) {
+  const float length_m = RoundLength(Distance(from, to));
+  return {.name = "",
+          .rods = {{.length_m = length_m, .mass_kg = length_m, .rest_rad = RoundAngle(Direction(from, to))}}};
+}
+
 Figure WithRodFrom(const DrawnFigure& drawn, int endpoint, ImVec2 target) {
   const int limb = std::max(0, endpoint - 1);
   Figure figure = drawn.figure;

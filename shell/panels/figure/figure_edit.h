@@ -33,6 +33,8 @@ struct DrawnFigure {
 
 /// A figure of one upright rod, to start a drawing.
 [[nodiscard]] Figure SingleRod();
+/// A figure of one rod from here to there [m], of 1 kg per metre.
+[[nodiscard]] Figure RodBetween(ImVec2 from, ImVec2 to);
 
 /// Adds a rod from this endpoint, with the figure's average mass per metre.
 [[nodiscard]] Figure WithRodFrom(const DrawnFigure&, int endpoint, ImVec2 target);

@@ -120,12 +120,13 @@ void DrawProblems(Ui& ui, Session& session, FigurePanelState& state) {
 
 }  // namespace
 
-void DrawOwnFigure(Session& session, FigurePanelState& state) {
+void DrawOwnFigure(Session& session, FigurePanelState& state, bool on_stage) {
   Figure single = SingleRod();
   single.name = kOwnFigure;
   session.ReplaceFigure(single);
   Reset(state.board);
   state.board.tool = DrawingTool::kGrow;
+  state.board.blank = state.on_stage = on_stage;
 }
 
 void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
@@ -158,8 +159,10 @@ void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
     Reset(state.board);
   }
   ui.Gap(8.0f);
-  DrawDrawingBoard(ui, session, state.board);
-  ui.Gap(8.0f);
+  if (!state.on_stage) {
+    DrawDrawingBoard(ui, session, state.board, ui.Row(kBoardHeight));
+    ui.Gap(8.0f);
+  }
   ui.Paragraph(
       Tr(state.board.tool == DrawingTool::kMove
              ? "Drag a joint or a tip to change a rod. Drag a rod to rotate it and everything attached."
@@ -174,7 +177,7 @@ void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
   if (ui.Button("figure/mirror", {row.Min, {middle - 4.0f, row.Max.y}}, Tr("Mirror all")))
     session.ReplaceFigure(Mirrored(session.Doc().figure));
   if (ui.Button("figure/fresh", {{middle + 4.0f, row.Min.y}, row.Max}, Tr("Draw your own")))
-    DrawOwnFigure(session, state);
+    DrawOwnFigure(session, state, false);
 }
 
 }  // namespace gaitsmith::shell

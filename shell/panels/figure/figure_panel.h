@@ -11,10 +11,11 @@ namespace gaitsmith::shell {
 struct FigurePanelState {
   DrawingBoardState board;
   bool gallery_open = false;
+  bool on_stage = false;  // the board takes the place of the stage
 };
 
-/// Replaces the figure by one rod, to which a person adds others on the drawing board.
-void DrawOwnFigure(Session&, FigurePanelState&);
+/// Begins a figure of a person's own: with a blank board on the stage, or with one rod on the panel's board.
+void DrawOwnFigure(Session&, FigurePanelState&, bool on_stage);
 
 void DrawFigurePanel(Ui&, Session&, FigurePanelState&);
 

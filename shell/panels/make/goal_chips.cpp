@@ -24,8 +24,9 @@ bool DrawChip(Ui& ui, Goal goal, const Figure& figure, bool chosen, const ImRect
   const std::string label = Tr(WordsOf(goal).label);
   const Touch touch =
       ui.Area("goal/" + std::string(kGoalNames[static_cast<std::size_t>(goal)]), rect, Grab::kPress,
-              {.label = offered ? label : label + ". " + WhyNotOffered(goal, figure.name),
+              {.label = label,
                .role = "radio",
+               .why_not = offered ? "" : WhyNotOffered(goal, figure.name),
                .state = {.checked = chosen}},
               offered);
   pointed |= touch.focused || ImGui::IsMouseHoveringRect(rect.Min, rect.Max);
@@ -82,7 +83,7 @@ void DrawGoalChips(Ui& ui, Session& session) {
   const ImRect note = ui.Row(18.0f);
   ui.Letters().DrawElided(ui.Canvas(), Type::kNote, {note.Min.x, note.GetCenter().y}, note.GetWidth(),
                           ui.Ink().second_ink, line);
-  if (pressed) session.Set([&](Document& d) { SetGoal(*pressed, d); });
+  if (pressed) session.ChangeGoal([&](Document& d) { SetGoal(*pressed, d); });
 }
 
 }  // namespace gaitsmith::shell

@@ -6,6 +6,7 @@
 
 #include "core/document/standing.h"
 #include "shell/panels/make/goal_chips.h"
+#include "shell/stage/live_switch.h"
 #include "shell/words/control_modes.h"
 #include "shell/words/language.h"
 #include "shell/words/wording.h"
@@ -94,7 +95,8 @@ void DrawMakePanel(Ui& ui, Session& session) {
   DrawSenses(ui, session);
   ui.Gap(14.0f);
   DrawEffort(ui, session);
-  ui.Gap(16.0f);
+  ui.Gap(14.0f);
+  DrawLiveSwitch(ui, session, "make/live");
   if (ui.Button("make/advanced", ui.ControlRow(), Tr("Advanced: all settings"))) session.ShowAll();
 }
 

@@ -44,15 +44,7 @@ bool DrawSquare(Ui& ui, const EliteMap& map, MotionStrips& poses, const ImRect& 
     if (const MotionStrip* pose = poses.Of(map.CellName(height, slip, turns), motion))
       DrawMotionPose(ui, *pose, inside, fill);
   }
-  if (touch.hovered) {
-    ui.Canvas()->AddRect(rect.Min, rect.Max, p.ink, 2.0f, 0, 1.5f);
-    const std::string score = Fixed(elite->score.fitness, 1);
-    const float room = 0.5f * ui.Letters().Width(Type::kSmall, score) + 4.0f;
-    const ImVec2 centre(rect.GetCenter().x, rect.Min.y - 10.0f);
-    ImDrawList* over = ImGui::GetForegroundDrawList();
-    over->AddRectFilled({centre.x - room, centre.y - 9.0f}, {centre.x + room, centre.y + 9.0f}, p.ink, 4.0f);
-    ui.Letters().Draw(over, Type::kSmall, centre, p.panel, score, Align::kCentre);
-  }
+  if (touch.hovered) ui.Canvas()->AddRect(rect.Min, rect.Max, p.ink, 2.0f, 0, 1.5f);
   ui.DrawFocus(touch, rect, 2.0f);
   return touch.pressed;
 }

@@ -18,11 +18,6 @@ namespace {
 constexpr float kStripHeight = 54.0f;
 constexpr float kLine = 17.0f;  // height of a text line
 
-std::string ScoreText(const FoundMotion& found) {
-  if (!found.Moves()) return Tr("failed");
-  return found.Score() <= kVoidScore ? Tr("no score") : Fixed(found.Score(), 2);
-}
-
 /// The found controller's kind, senses and rules. The document's settings for the next search may differ.
 struct Control {
   ControllerKind kind;
@@ -118,9 +113,9 @@ CardAction DrawButtons(Ui& ui, const Session& session, const FoundMotions::Entry
     action = CardAction::kAgain;
   if (buttons.Put(id + "/delete", Icon::kClose, Tr("Delete: {1}", scene))) action = CardAction::kDelete;
   const ImRect rest = buttons.Rest();
-  const std::string score = ScoreText(found);
+  const std::string metres = MetresText(found);
   ui.Letters().Draw(ui.Canvas(), Type::kStrong, {rest.Max.x - 6.0f, rest.GetCenter().y},
-                    ui.Ink().ScoreInk(found.Score()), score, Align::kRight);
+                    ui.Ink().ScoreInk(found.Score()), metres, Align::kRight);
   return action;
 }
 
@@ -139,6 +134,14 @@ void DrawWords(const Ui& ui, const FoundMotion& found, ImVec2 at, float width) {
 
 std::string CardName(const FoundMotion& found) {
   return found.name.empty() ? SearchTitle(found.document) : found.name;
+}
+
+std::string MetresText(const FoundMotion& found) {
+  if (!found.Moves()) return Tr("failed");
+  const Terms& terms = found.terms;
+  if (terms.broke_physics) return Tr("no score");
+  const bool jump = found.document.task.kind == TaskKind::kJump;
+  return Fixed(jump ? terms.max_cm_height_m - terms.start_height_m : terms.travel_m, 1) + " m";
 }
 
 std::string SceneText(const FoundMotion& found) {

@@ -14,6 +14,8 @@ enum class CardAction { kNothing, kShow, kInsert, kKeep, kRename, kAgain, kDelet
 
 /// The name given by a person, or else the title of its search.
 [[nodiscard]] std::string CardName(const FoundMotion&);
+/// What it reached, "12.3 m"; without a motion the reason.
+[[nodiscard]] std::string MetresText(const FoundMotion&);
 /// The name and the control mode, in a sentence.
 [[nodiscard]] std::string SceneText(const FoundMotion&);
 

@@ -26,13 +26,6 @@ std::string RailName(const FoundMotion& found) {
   return TrTitle(d.controllers[static_cast<std::size_t>(d.timeline[0].controller)].name);
 }
 
-std::string Metres(const FoundMotion& found) {
-  if (found.terms.broke_physics) return Tr("no score");
-  const Terms& terms = found.terms;
-  const bool jump = found.document.task.kind == TaskKind::kJump;
-  return Fixed(jump ? terms.max_cm_height_m - terms.start_height_m : terms.travel_m, 1) + " m";
-}
-
 /// @return whether it was pressed
 bool DrawRailCard(Ui& ui, const Session& session, const FoundMotions::Entry& entry, MotionStrips& strips,
                   const ImRect& card) {
@@ -56,7 +49,7 @@ bool DrawRailCard(Ui& ui, const Session& session, const FoundMotions::Entry& ent
                     {{card.Min.x + 6.0f, card.Min.y + 5.0f}, {card.Max.x - 6.0f, card.Max.y - kCaption}},
                     share);
   const float y = card.Max.y - 0.5f * kCaption;
-  const std::string metres = Metres(found);
+  const std::string metres = MetresText(found);
   const float room = card.GetWidth() - 22.0f - ui.Letters().Width(Type::kStrong, metres);
   ui.Letters().DrawElided(ui.Canvas(), shown ? Type::kStrong : Type::kBody, {card.Min.x + 8.0f, y}, room,
                           p.ink, name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Task, duration, weights, and the present score term by term.
+// Task, duration, weights, the measures, and folded away the score term by term.
 #include "shell/panels/style/style_panel.h"
 
 #include <algorithm>
@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "core/document/style_weights.h"
+#include "shell/stage/live_switch.h"
+#include "shell/widgets/fold.h"
 #include "shell/words/language.h"
 #include "shell/words/style_words.h"
 #include "shell/words/wording.h"
@@ -74,14 +76,25 @@ class ScoreTable {
   float y_;  // top of the next line
 };
 
+/// Metres and other measures, without weights.
+void DrawMeasures(Ui& ui, const Session& session) {
+  const Terms& terms = session.Player().TermsNow();
+  const TaskKind kind = session.Doc().task.kind;
+  const ImRect head = ui.Row(Fonts::LineHeight(Type::kStrong) + 4.0f);
+  const float y = head.GetCenter().y;
+  ui.Letters().Draw(ui.Canvas(), Type::kStrong, {head.Min.x, y}, ui.Ink().ink, Tr("So far"));
+  ui.Letters().Draw(ui.Canvas(), Type::kNote, {head.Max.x, y}, ui.Ink().second_ink,
+                    Tr("at {1} s", Fixed(session.Player().TimeS(), 2)), Align::kRight);
+  ui.Fact(PrimaryLabel(kind), AmountText(Primary(session.Doc().task, terms), 2) + " m");
+  for (std::size_t i = 0; i < kStyleTerms; ++i) {
+    const TermWords& words = TermTexts()[i];
+    ui.Fact(Tr(words.label), ValueText(words, terms.Style(static_cast<StyleTerm>(i))));
+  }
+}
+
 void DrawScore(Ui& ui, const Session& session) {
   const Task& task = session.Doc().task;
   const Terms& terms = session.Player().TermsNow();
-  const ImRect head = ui.Row(Fonts::LineHeight(Type::kStrong) + 4.0f);
-  const float y = head.GetCenter().y;
-  ui.Letters().Draw(ui.Canvas(), Type::kStrong, {head.Min.x, y}, ui.Ink().ink, Tr("Score so far"));
-  ui.Letters().Draw(ui.Canvas(), Type::kNote, {head.Max.x, y}, ui.Ink().second_ink,
-                    Tr("at {1} s", Fixed(session.Player().TimeS(), 2)), Align::kRight);
   const float fitness = Fitness(task, terms);
   ScoreTable table(ui, kStyleTerms + 4);  // plus head, primary term, sum and end
   // The whole sum as one note for screen readers.
@@ -131,6 +144,7 @@ void DrawWeights(Ui& ui, Session& session) {
   ui.Paragraph(Tr("Gentle weights usually leave the goal the larger part of the score. Strong ones may not."),
                Type::kNote);
   ui.Gap(8.0f);
+  DrawLiveSwitch(ui, session, "style/live");
   const StyleWeights usual = UsualWeights(session.Doc()), gentle = GentleWeights(session.Doc());
   for (std::size_t i = 0; i < kStyleTerms; ++i) {
     const TermWords& words = TermTexts()[i];
@@ -152,13 +166,13 @@ void DrawWeights(Ui& ui, Session& session) {
 
 }  // namespace
 
-void DrawStylePanel(Ui& ui, Session& session) {
+void DrawStylePanel(Ui& ui, Session& session, StylePanelState& state) {
   const Task& task = session.Doc().task;
   const std::array<std::string, 4> tasks = {Tr("Travel, either way"), Tr("Travel to the right"),
                                             Tr("Travel to the left"), Tr("Jump")};
   int kind = static_cast<int>(task.kind);
   if (ui.Combo("style/task", Tr("Goal"), tasks, kind)) {
-    session.Set([&](Document& d) { d.task.kind = static_cast<TaskKind>(kind); });
+    session.ChangeGoal([&](Document& d) { d.task.kind = static_cast<TaskKind>(kind); });
   }
   ui.Paragraph(PrimaryLine(task.kind), Type::kNote);
   ui.Gap(8.0f);
@@ -169,7 +183,8 @@ void DrawStylePanel(Ui& ui, Session& session) {
     session.Timeline().SetDuration(static_cast<int>(std::lround(duration * 100.0)));
   }
   ui.Gap(10.0f);
-  DrawScore(ui, session);
+  DrawMeasures(ui, session);
+  if (DrawFold(ui, "style/sum", Tr("How it is scored"), "", state.sum)) DrawScore(ui, session);
   ui.Gap(14.0f);
   DrawWeights(ui, session);
   ui.Gap(8.0f);

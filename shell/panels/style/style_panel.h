@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The Style panel: the weights that define a good motion, and the score of the present one.
+// The Style panel: the weights that define a good motion, and what the present one measures.
 #pragma once
 
 #include "shell/session/session.h"
@@ -7,6 +7,10 @@
 
 namespace gaitsmith::shell {
 
-void DrawStylePanel(Ui&, Session&);
+struct StylePanelState {
+  bool sum = false;  // whether the parts of the score are unfolded
+};
+
+void DrawStylePanel(Ui&, Session&, StylePanelState&);
 
 }  // namespace gaitsmith::shell

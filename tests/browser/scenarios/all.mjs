@@ -11,8 +11,11 @@ import { EXPORT_SCENARIOS } from './export.mjs';
 import { FAULT_SCENARIOS } from './fault.mjs';
 import { FIGURE_SCENARIOS } from './figure.mjs';
 import { GALLERY_SCENARIOS } from './gallery.mjs';
+import { LIVE_SCENARIOS } from './live.mjs';
 import { FINGER_SCENARIOS } from './finger.mjs';
+import { FIRST_SCREEN_SCENARIOS } from './first_screen.mjs';
 import { GRAPHICS_SCENARIOS } from './graphics.mjs';
+import { HINT_SCENARIOS } from './hints.mjs';
 import { HISTORY_SCENARIOS } from './history.mjs';
 import { KEPT_WORK_SCENARIOS } from './kept_work.mjs';
 import { LAB_SCENARIOS } from './lab.mjs';
@@ -238,6 +241,7 @@ export const MAIN_SCENARIOS = [
     await fresh.forward(200);
     const before = await fresh.hash();
     await fresh.click('panels/2');
+    await fresh.click('style/sum');
     const note = (await fresh.widgets()).find(({ id }) => id === 'style/score');
     assert.match(note?.value ?? '', /^Score .*: travel.* m; slip .* m times 0\.5 adds .*; upright .* times 4\.0 .*\. Not weighed: .*effort/);
     const stage = (await fresh.widgets()).find(({ id }) => id === 'stage')?.rect ?? { x: 0, y: 0, width: 0, height: 0 };
@@ -268,6 +272,7 @@ export const MAIN_SCENARIOS = [
 export const SCENARIOS = [
   ...MAIN_SCENARIOS,
   ...LAB_SCENARIOS,
+  ...HINT_SCENARIOS,
   ...HISTORY_SCENARIOS,
   ...KEPT_WORK_SCENARIOS,
   ...PALETTE_SCENARIOS,
@@ -278,6 +283,7 @@ export const SCENARIOS = [
   ...MESSAGE_SCENARIOS,
   ...FAULT_SCENARIOS,
   ...OUTAGE_SCENARIOS,
+  ...FIRST_SCREEN_SCENARIOS,
   ...GRAPHICS_SCENARIOS,
   ...SHARE_SCENARIOS,
   ...SUITE_SCENARIOS,
@@ -288,6 +294,7 @@ export const SCENARIOS = [
   ...EXPORT_SCENARIOS,
   ...FIGURE_SCENARIOS,
   ...GALLERY_SCENARIOS,
+  ...LIVE_SCENARIOS,
   ...RULE_SCENARIOS,
   ...WALK_SCENARIOS,
   ...FINGER_SCENARIOS,

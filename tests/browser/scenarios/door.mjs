@@ -132,7 +132,7 @@ async function goals({ browser, address }) {
 
 /** Motions lie in a row: a press shows one, nothing moves under the pointer, and the goal stays. @param {Visit} visit */
 async function rail({ browser, address }) {
-  const page = await PageDriver.open(browser, address, { newcomer: true, plays: true });
+  const page = await PageDriver.open(browser, address, { newcomer: true, plays: true, live: false });
   await page.click('stage/teach');
   await metres(page, 1);
   const first = await page.hash();

@@ -15,6 +15,7 @@ class QuietHost final : public Host {
  public:
   [[nodiscard]] int MaxWorkers() const override { return 1; }
   void StartSearch(const Document& document, int) override { started.push_back(document); }
+  void StartPreview(const Document& document, int) override { previews.push_back(document); }
   void StartTrial(const Document&, int, const TrialWords&) override {}
   void PauseSearch() override {}
   void ResumeSearch() override {}
@@ -30,7 +31,8 @@ class QuietHost final : public Host {
   void StoreFound(const std::string& id, const std::string& text) override { stored[id] = text; }
   [[nodiscard]] double NowS() const override { return 1000.0 + static_cast<double>(started.size()); }
 
-  std::vector<Document> started;  // searches, in order
+  std::vector<Document> started;   // searches, in order
+  std::vector<Document> previews;  // searches of Live, in order
   std::map<std::string, std::string> stored;
   int stops = 0;
   int changes = 0;               // reported changes of the document or the queue

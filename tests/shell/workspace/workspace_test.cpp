@@ -37,7 +37,8 @@ using Calls = std::vector<std::string>;
 
 Workspace::Followers Noting(RecordingHost& host) {
   return {.motion = [&host](bool opened) { host.calls.emplace_back(opened ? "opened" : "motion"); },
-          .settings = [&host] { host.calls.emplace_back("settings"); }};
+          .settings = [&host] { host.calls.emplace_back("settings"); },
+          .edited = [&host](Parts) { host.calls.emplace_back("edited"); }};
 }
 
 }  // namespace
@@ -50,11 +51,11 @@ TEST_CASE("workspace: followers are called before the host, and only for relevan
   workspace.Show(*ShippedDocuments().Motion("star-man-shuffle"), true);
   CHECK(host.Take() == Calls{"opened", "host"});
   REQUIRE(workspace.Change([](Document& d) { d.environment.friction = 0.25f; }));
-  CHECK(host.Take() == Calls{"status", "motion", "host"});  // the status line is cleared first
+  CHECK(host.Take() == Calls{"status", "motion", "host", "edited"});  // the status line is cleared first
   REQUIRE(workspace.Change([](Document& d) { d.environment.friction = 0.25f; }));  // no change
   CHECK(host.Take().empty());
   REQUIRE(workspace.Set([](Document& d) { ++d.search.seed; }));
-  CHECK(host.Take() == Calls{"status", "settings", "host"});
+  CHECK(host.Take() == Calls{"status", "settings", "host", "edited"});
   workspace.SetView([](View& view) { view.trail = !view.trail; });
   CHECK(host.Take() == Calls{"host"});
   workspace.SelectClip(1000);
