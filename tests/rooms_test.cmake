@@ -10,6 +10,7 @@ set(shell_rooms
     "search:"
     "study:"
     "export:"
+    "body:"
     "words:"
     "workspace: embedded search words"
     "results: search study words workspace"
@@ -17,7 +18,7 @@ set(shell_rooms
     "catalogue: embedded export words workspace"
     "command_line: embedded search study export words catalogue"
     "widgets: embedded export words"
-    "stage: words session widgets"
+    "stage: body words session widgets"
     "timeline: words session widgets"
     "panels/figure: words session widgets stage"
     "panels/controller: words session widgets stage"
@@ -36,13 +37,14 @@ set(web_rooms
     "access: browser languages"
     "search: browser catalogue languages app"
     "storage: browser languages"
-    "share: browser catalogue languages search"
-    "page: browser catalogue languages app access search storage share"
+    "dialogs: languages"
+    "share: browser catalogue languages search dialogs"
+    "page: browser catalogue languages app access search storage dialogs share"
     "book: page"
     "package:")
 # Rooms that never include a window's libraries, because the session's tests run without a window. They use only one
 # another.
-set(windowless embedded search study export words workspace results session catalogue command_line)
+set(windowless embedded search study export body words workspace results session catalogue command_line)
 
 set(faults "")
 macro(fault text)

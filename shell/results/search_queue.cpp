@@ -41,6 +41,15 @@ bool SearchQueue::Add(const Document& document) {
   return true;
 }
 
+void SearchQueue::Restore(std::span<const Document> searches) {
+  removed_.clear();
+  for (const Document& search : searches) {
+    if (waiting_.size() > kMax) break;
+    waiting_.push_back({++numbers_, SearchOf(search)});
+  }
+  Notify();
+}
+
 void SearchQueue::Remove(int number) {
   const auto entry = std::ranges::find(waiting_, number, &Entry::number);
   if (entry == waiting_.end()) return;

@@ -38,6 +38,9 @@ class SearchQueue {
 
   /// Adds a document at the end. @param document valid. @return false: the queue is full
   bool Add(const Document& document);
+  /// Adds the searches of an earlier visit. One of them may have been running then, so they may be one more
+  /// than kMax. Further ones are ignored.
+  void Restore(std::span<const Document> searches);
   /// Ignores numbers that no longer wait.
   void Remove(int number);
   /// Swaps a search with the one before it.

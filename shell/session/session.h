@@ -60,6 +60,10 @@ class Session {
   /// documents.
   [[nodiscard]] Arrangement& Layout() { return workspace_.Layout(); }
   [[nodiscard]] const Arrangement& Layout() const { return workspace_.Layout(); }
+  /// Whether the host has dialogs, for example to share.
+  [[nodiscard]] bool HasDialogs() const { return workspace_.TheHost().HasDialogs(); }
+  /// @param command  of the host, such as "document/share"
+  void OpenDialog(const std::string& command) { workspace_.TheHost().OpenDialog(command); }
   /// The latest sentence for the reader, or empty.
   [[nodiscard]] std::string& Notice() { return workspace_.Notice(); }
 

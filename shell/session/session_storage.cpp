@@ -66,7 +66,7 @@ bool Session::RestoreVisit(std::string_view text) {
   if (!workspace_.Past().Restore(steps)) return false;
   simple_ = simple->boolean;
   if (live != nullptr) live_.Switch(live->boolean);
-  for (const Document& search : searches) queue_.List().Add(search);
+  queue_.List().Restore(searches);
   workspace_.Redraw();
   const std::size_t waiting = queue_.List().Waiting().size();
   if (waiting > 0) workspace_.Report(Tr("{1} until you press Run queue.", WaitingWords(waiting)));

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/physics/pose.h"
-#include "shell/stage/head_drawing.h"
+#include "core/numeric/scalar_math.h"
+#include "shell/body/body_parts.h"
 
 namespace gaitsmith::shell {
 
@@ -17,6 +17,8 @@ constexpr float kQuarter = 0.5f * static_cast<float>(kPi);
 
 /// Bodies smaller than this show no rods or joints [points].
 constexpr float kLeastWithRods = 120.0f, kLeastWithJoints = 80.0f;
+/// The least radius of an eye [points].
+constexpr float kLeastEye = 1.1f;
 
 /// A limb whose radius swells between its ends, by `belly` halfway, as one shape.
 void DrawSwollenLimb(ImDrawList* list, ImVec2 from, float from_radius, ImVec2 to, float to_radius,
@@ -84,25 +86,18 @@ void DrawBody(ImDrawList* list, const Skeleton& bones, const FigureLook& look,
     return endpoints[static_cast<std::size_t>(bones.limbs[rod].start)];
   };
   const auto radius = [&](float metres) { return std::max(0.6f, metres * scale + ink.grow); };
-  const auto draw = [&](Side side, ImU32 colour) {
-    for (std::size_t rod = 1; rod < rods; ++rod) {
-      const FigureLook::Limb& limb = look.limbs[rod];
-      if (limb.side != side || static_cast<int>(rod) == look.head_rod) continue;
-      DrawLimb(list, start_of(rod), radius(limb.start_m), endpoints[rod + 1], radius(limb.end_m), colour);
+  std::vector<BodyPoint> points;
+  for (const ImVec2& point : endpoints) points.push_back({point.x / scale, -point.y / scale});
+  const auto on_canvas = [&](BodyPoint point) { return ImVec2(point.x * scale, -point.y * scale); };
+  for (const BodyPart& part : BodyPartsOf(bones, look, points)) {
+    const ImU32 colour = part.far && ink.far != 0 ? ink.far : ink.body;
+    const ImVec2 from = on_canvas(part.from), to = on_canvas(part.to);
+    if (part.belly_m > 0.0f) {
+      DrawSwollenLimb(list, from, radius(part.from_m), to, radius(part.to_m), part.belly_m * scale, colour);
+    } else {
+      DrawLimb(list, from, radius(part.from_m), to, radius(part.to_m), colour);
     }
-  };
-  draw(Side::kFar, ink.far != 0 ? ink.far : ink.body);
-  draw(Side::kMiddle, ink.body);
-  const FigureLook::Limb& root = look.limbs[0];
-  if (look.head_rod != 0) {
-    DrawSwollenLimb(list, endpoints[0], radius(root.start_m), endpoints[1], radius(root.end_m),
-                    look.belly_m * scale, ink.body);
   }
-  if (look.hub_m > 0.0f) list->AddCircleFilled(endpoints[0], radius(look.hub_m), ink.body);
-  draw(Side::kNear, ink.body);
-  const auto head = static_cast<std::size_t>(std::max(look.head_rod, 0));
-  const HeadPlace place{.neck = start_of(head), .tip = endpoints[head + 1], .scale = scale, .grow = ink.grow};
-  if (look.head_rod >= 0) DrawHead(list, look, place, ink.body);
 
   ImVec2 least = endpoints[0], most = endpoints[0];
   for (const ImVec2& point : endpoints) {
@@ -114,7 +109,8 @@ void DrawBody(ImDrawList* list, const Skeleton& bones, const FigureLook& look,
     if (look.limbs[rod].side != Side::kFar)
       list->AddLine(start_of(rod), endpoints[rod + 1], ink.rods, size > 2.0f * kLeastWithRods ? 1.5f : 1.0f);
   }
-  if (look.head_rod >= 0 && ink.eye != 0) DrawEye(list, look, place, ink.eye);
+  if (const auto eye = EyeOf(bones, look, points); eye && ink.eye != 0)
+    list->AddCircleFilled(on_canvas(eye->at), std::max(kLeastEye, eye->radius_m * scale), ink.eye);
   if (ink.joints == 0 || size < kLeastWithJoints) return;
   list->AddCircleFilled(endpoints[0], 0.55f * radius(look.middle_m), ink.joints);
   for (std::size_t rod = 0; rod < rods; ++rod) {
@@ -147,19 +143,8 @@ void DrawRods(ImDrawList* list, const Skeleton& skeleton, std::span<const ImVec2
 }
 
 std::vector<ImVec2> PoseOf(const Skeleton& skeleton, std::span<const float> angle_rad) {
-  std::array<Lane<1>::F, kMaxJoints> angles{};
-  for (std::size_t joint = 0; joint < angle_rad.size(); ++joint)
-    angles[joint] = Lane<1>::Splat(angle_rad[joint]);
-  Pose<1> pose;
-  PoseFigure<1>(skeleton, angles, pose);
-  // PoseFigure lays the root rod along x. Rotate the figure back to its drawn direction.
-  const SineCosine turn = SinCos(skeleton.start_angle_rad);
   std::vector<ImVec2> points;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(skeleton.endpoints); ++k) {
-    const float x = pose.endpoint_x[k][0];
-    const float y = pose.endpoint_y[k][0];
-    points.emplace_back(x * turn.cosine - y * turn.sine, x * turn.sine + y * turn.cosine);
-  }
+  for (const BodyPoint& point : EndpointsOf(skeleton, angle_rad)) points.emplace_back(point.x, point.y);
   return points;
 }
 

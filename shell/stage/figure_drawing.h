@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/physics/skeleton.h"
-#include "shell/stage/figure_look.h"
+#include "shell/body/figure_look.h"
 
 namespace gaitsmith::shell {
 
@@ -49,8 +49,7 @@ void DrawCapsule(ImDrawList*, ImVec2 from, ImVec2 to, float width, ImU32 colour)
 /// An arrow with an outline, so that it stands out from the figure.
 void DrawArrow(ImDrawList*, ImVec2 from, ImVec2 to, ImU32 colour, ImU32 edge);
 
-/// The figure's endpoints relative to its centre of mass [m], y upwards, for these joint angles: one per
-/// joint, or none for the rest pose.
+/// The points of EndpointsOf, as the canvas takes them.
 [[nodiscard]] std::vector<ImVec2> PoseOf(const Skeleton&, std::span<const float> angle_rad);
 
 /// The direction of a vector, counterclockwise from the right, y upwards [rad].

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/document/document.h"
-#include "shell/stage/figure_look.h"
+#include "shell/body/figure_look.h"
 #include "shell/widgets/widgets.h"
 
 namespace gaitsmith::shell {

@@ -22,8 +22,9 @@ struct Action {
   const char* id;
   std::string label;
   std::function<void()> run;
+  int rank = 0;        // where not all fit, the highest ranks go into the menu
+  bool right = false;  // at the right end of the row
   ButtonLook look = ButtonLook::kOutlined;
-  bool last = false;  // at the right end of the row
 };
 
 // Only what the arrangement allows, and nothing that would cut off a search of the queue.
@@ -36,40 +37,68 @@ std::vector<Action> FoundActions(Session& session) {
   };
   const bool repeats = session.Search().WouldRepeat() && !layout.Locks(LockedPart::kSearch);
   const char* another = repeats ? Tr("Try another") : TeachWords(session.Doc());
-  add(free, {"stage/another", another, [&session] { session.Synthesize(); }, ButtonLook::kPrimary});
+  add(free, {"stage/another", another, [&session] { session.Synthesize(); }, 0, false, ButtonLook::kPrimary});
   add(!layout.Locks(LockedPart::kWorld),
-      {"stage/push", Tr("Push it"), [&session] { session.World().Shove(); }});
+      {"stage/push", Tr("Push it"), [&session] { session.World().Shove(); }, 1});
   const bool styled = free && !layout.Locks(LockedPart::kStyle);
-  add(styled, {"stage/calmer", Tr("Calmer"), [&session] { session.TryManner(Manner::kCalmer); }});
-  add(styled, {"stage/quicker", Tr("Quicker"), [&session] { session.TryManner(Manner::kQuicker); }});
-  add(styled, {"stage/higher", Tr("Higher"), [&session] { session.TryManner(Manner::kHigher); }});
-  add(free, {"stage/five", Tr("Try 5 more"), [&session] { session.TryMore(); }});
+  add(styled, {"stage/calmer", Tr("Calmer"), [&session] { session.TryManner(Manner::kCalmer); }, 3});
+  add(styled, {"stage/quicker", Tr("Quicker"), [&session] { session.TryManner(Manner::kQuicker); }, 4});
+  add(styled, {"stage/higher", Tr("Higher"), [&session] { session.TryManner(Manner::kHigher); }, 7});
+  add(free, {"stage/five", Tr("Try 5 more"), [&session] { session.TryMore(); }, 8});
   add(layout.Shows(IndexOf(Panel::kTimeline)) && !layout.Locks(LockedPart::kTimeline),
-      {"stage/chain", Tr("Add to timeline"), [&session] { session.Timeline().AddClip(); },
-       ButtonLook::kOutlined, true});
+      {"stage/chain", Tr("Add to timeline"), [&session] { session.Timeline().AddClip(); }, 5, true});
+  const auto dialog = [&](const char* id, const char* label, const char* command, int rank) {
+    add(session.HasDialogs(), {id, label, [&session, command] { session.OpenDialog(command); }, rank, true});
+  };
+  dialog("stage/share", Tr("Share"), "document/share", 2);
+  dialog("stage/export", Tr("Export"), "document/export", 6);
   return actions;
 }
 
-// Buttons from both ends of the row. Those that do not fit are left out, the last of the list first.
+// Takes away actions until the others have room, those of the highest ranks. @return what was taken away
+std::vector<Action> TakeExcess(std::vector<Action>& actions,
+                               const std::function<float(const Action&)>& width_of, float room,
+                               float menu_width) {
+  std::vector<Action> excess;
+  const auto used = [&] {
+    float width = excess.empty() ? -kGap : menu_width;
+    for (const Action& action : actions) width += width_of(action) + kGap;
+    return width;
+  };
+  while (!actions.empty() && used() > room) {
+    const auto least = std::ranges::max_element(actions, {}, &Action::rank);
+    excess.push_back(std::move(*least));
+    actions.erase(least);
+  }
+  std::ranges::sort(excess, {}, &Action::rank);
+  return excess;
+}
+
+// Buttons from both ends of the row. Those that do not fit are in a menu at the right end.
 void DrawRow(Ui& ui, const ImRect& row, std::vector<Action> actions) {
   const auto width_of = [&](const Action& action) {
     const Type type = action.look == ButtonLook::kPrimary ? Type::kStrong : Type::kBody;
     return ui.Letters().Width(type, action.label) + 30.0f;
   };
-  float used = -kGap;
-  const auto over = std::ranges::find_if(actions, [&](const Action& action) {
-    used += width_of(action) + kGap;
-    return used > row.GetWidth();
-  });
-  actions.erase(over, actions.end());
-  float left = row.Min.x, right = row.Max.x;
+  const char* more = Tr("More");
+  const float menu_width = ui.Letters().Width(Type::kBody, more) + 46.0f;
+  const std::vector<Action> excess = TakeExcess(actions, width_of, row.GetWidth(), menu_width);
+  float left = row.Min.x, right = row.Max.x - (excess.empty() ? 0.0f : menu_width + kGap);
+  for (const Action& action : actions) right -= action.right ? width_of(action) + kGap : 0.0f;
+  right += kGap;
   std::function<void()> chosen;
   for (const Action& action : actions) {
+    float& x = action.right ? right : left;
     const float width = width_of(action);
-    const float x = action.last ? right - width : left;
     if (ui.Button(action.id, {{x, row.Min.y}, {x + width, row.Max.y}}, action.label, action.look))
       chosen = action.run;
-    (action.last ? right : left) += action.last ? -width - kGap : width + kGap;
+    x += width + kGap;
+  }
+  if (!excess.empty()) {
+    std::vector<std::string> labels;
+    for (const Action& action : excess) labels.push_back(action.label);
+    const int picked = ui.Menu("stage/more", {{row.Max.x - menu_width, row.Min.y}, row.Max}, more, labels);
+    if (picked >= 0) chosen = excess[static_cast<std::size_t>(picked)].run;
   }
   if (chosen) chosen();
 }

@@ -106,6 +106,8 @@ class Ui {
   /// @param other text shown if no entry is selected (-1)
   bool Combo(std::string_view id, std::string_view label, std::span<const std::string> options, int& selected,
              std::string_view other = "");
+  /// A button that opens a list of actions. @return the one that was pressed, or -1
+  int Menu(std::string_view id, const ImRect&, std::string_view label, std::span<const std::string> actions);
   /// @param names  this function translates them. @return whether a tab was pressed, also the selected one
   bool Tabs(std::string_view id, const ImRect&, std::string_view label, std::span<const char* const> names,
             int& selected);
@@ -139,6 +141,10 @@ class Ui {
   /// A touch on a slider may begin a scroll. It acts on the slider only when it moves sideways, or is lifted
   /// in place.
   void AwaitFinger(Touch&, bool was_held) const;
+  /// The list of a combo box or a menu, if it is open. @param box  the list lies below or above it, as wide.
+  /// @return the option that was pressed, or -1
+  int PickFrom(const std::string& popup, const ImRect& box, std::string_view label,
+               std::span<const std::string> options, int selected);
   ImU32 ButtonInk(ButtonLook, const ImRect&, const Touch&, bool enabled) const;
   void DrawKnob(ImVec2 centre, const Touch&, ImU32 colour) const;
 

@@ -7,6 +7,12 @@
 
 namespace gaitsmith::shell {
 
+namespace {
+
+constexpr float kChevronRoom = 18.0f;  // of a menu's arrow
+
+}  // namespace
+
 bool Ui::Segmented(std::string_view id, const ImRect& rect, std::string_view label,
                    std::span<const char* const> options, int& selected) {
   const PartScope part_of = Part(id, "radiogroup", label);
@@ -66,35 +72,66 @@ bool Ui::Combo(std::string_view id, std::string_view label, std::span<const std:
     DrawFocus(touch, box);
   }
 
-  bool changed = false;
+  const int picked = PickFrom(popup, box, label.empty() ? Tr("Choose") : label, options, selected);
+  const bool changed = picked >= 0 && picked != selected;
+  if (changed) selected = picked;
+  return changed;
+}
+
+int Ui::Menu(std::string_view id, const ImRect& rect, std::string_view label,
+             std::span<const std::string> actions) {
+  const std::string popup(id);
+  const bool open = ImGui::IsPopupOpen(popup.c_str());
+  const Touch touch = Area(id, rect, Grab::kPress,
+                           {.label = std::string(label), .role = "button", .state = {.expanded = open}});
+  if (touch.pressed) ImGui::OpenPopup(popup.c_str());
+  if (touch.visible) {
+    const ImU32 ink = ButtonInk(ButtonLook::kOutlined, rect, touch, true);
+    const float across = Letters().Width(Type::kBody, label);
+    const float left = rect.GetCenter().x - 0.5f * (across + kChevronRoom);
+    Letters().Draw(Canvas(), Type::kBody, {left, rect.GetCenter().y}, ink, label);
+    DrawIcon(Canvas(), Icon::kChevronUp, {left + across + 12.0f, rect.GetCenter().y}, 12.0f, ink);
+    DrawFocus(touch, rect);
+  }
+  float width = rect.GetWidth();
+  for (const std::string& action : actions)
+    width = std::max(width, Letters().Width(Type::kBody, action) + 44.0f);
+  return PickFrom(popup, {{rect.Max.x - width, rect.Min.y}, rect.Max}, label, actions, -1);
+}
+
+int Ui::PickFrom(const std::string& popup, const ImRect& box, std::string_view label,
+                 std::span<const std::string> options, int selected) {
+  int picked = -1;
   const float height = theme_.ControlHeight() * static_cast<float>(options.size()) + 10.0f;
-  const bool below = box.Max.y + 4.0f + height < ImGui::GetIO().DisplaySize.y;
-  ImGui::SetNextWindowPos({box.Min.x, below ? box.Max.y + 4.0f : std::max(4.0f, box.Min.y - 4.0f - height)});
+  const ImVec2 room = ImGui::GetIO().DisplaySize;
+  const bool below = box.Max.y + 4.0f + height < room.y;
+  ImGui::SetNextWindowPos(
+      {std::max(4.0f, box.Min.x), below ? box.Max.y + 4.0f : std::max(4.0f, box.Min.y - 4.0f - height)});
   ImGui::SetNextWindowSize({box.GetWidth(), height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {5.0f, 5.0f});
   if (ImGui::BeginPopup(popup.c_str(), ImGuiWindowFlags_NoMove)) {
-    const PartScope part = Part(popup + "/list", "listbox", label.empty() ? Tr("Choose") : label);
+    const PartScope part = Part(popup + "/list", "listbox", label);
     for (int i = 0; i < static_cast<int>(options.size()); ++i) {
       const std::string& option = options[static_cast<std::size_t>(i)];
       const ImRect line = ControlRow();
       const Touch pick = Area(popup + "/" + std::to_string(i), line, Grab::kPress,
                               {.label = option, .role = "option", .state = {.selected = i == selected}});
       ImDrawList* list = Canvas();
-      if (pick.hovered || pick.focused) list->AddRectFilled(line.Min, line.Max, p.soft, 6.0f);
+      if (pick.hovered || pick.focused) list->AddRectFilled(line.Min, line.Max, Ink().soft, 6.0f);
       Letters().DrawElided(list, i == selected ? Type::kStrong : Type::kBody,
-                           {line.Min.x + 8.0f, line.GetCenter().y}, line.GetWidth() - 34.0f, p.ink, option);
+                           {line.Min.x + 8.0f, line.GetCenter().y}, line.GetWidth() - 34.0f, Ink().ink,
+                           option);
       if (i == selected)
-        DrawIcon(list, Icon::kCheck, {line.Max.x - 14.0f, line.GetCenter().y}, 12.0f, p.accent);
+        DrawIcon(list, Icon::kCheck, {line.Max.x - 14.0f, line.GetCenter().y}, 12.0f, Ink().accent);
       if (pick.pressed) {
-        changed = i != selected;
-        selected = i;
+        picked = i;
         ImGui::CloseCurrentPopup();
       }
     }
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar();
-  return changed;
+  return picked;
 }
 
 bool Ui::Tabs(std::string_view id, const ImRect& rect, std::string_view label,

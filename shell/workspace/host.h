@@ -61,6 +61,10 @@ class Host {
   /// @param name  its present name, or empty. @param usual  what is shown if the name is empty
   virtual void AskName(const std::string& /*id*/, const std::string& /*name*/, const std::string& /*usual*/) {
   }
+  /// Whether the host supports OpenDialog.
+  [[nodiscard]] virtual bool HasDialogs() const { return false; }
+  /// Opens a dialog of the host by its command, such as "document/share".
+  virtual void OpenDialog(const std::string& /*command*/) {}
   /// This machine's clock, since 1970 [s]; 0: no clock.
   [[nodiscard]] virtual double NowS() const { return 0.0; }
   /// Called when the first frame is on the screen.

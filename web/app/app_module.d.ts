@@ -28,6 +28,8 @@ export interface PageForApp {
   startQueued(document: Uint8Array, workers: number, words: string): void;
   /** Stores a found motion for the next visit. An empty text removes it. */
   storeFound(id: string, text: string): void;
+  /** Opens a dialog by the command of the page that does so. */
+  openDialog(command: string): void;
   askName(id: string, name: string, usual: string): void;
   /** The lab is over, and has no more trials. */
   labEnded(): void;

@@ -3,9 +3,9 @@
 // (language_choice.js fetches them). The canvas has the same tables.
 import { withdrawAnnouncements } from '../browser/announcer.js';
 
-/** A table of shell/words/languages. @typedef {{decimal_mark: string, group_mark: string, words: Record<string, string>, errors: Record<string, string>}} Table */
+/** A table of shell/words/languages. @typedef {{decimal_mark: string, group_mark: string, words: Record<string, string>, errors: Record<string, string>, titles: Record<string, string>}} Table */
 
-const ENGLISH = { code: 'en', text: '', decimalMark: '.', groupMark: ',', words: /** @type {Map<string, string>} */ (new Map()) };
+const ENGLISH = { code: 'en', text: '', decimalMark: '.', groupMark: ',', words: /** @type {Map<string, string>} */ (new Map()), titles: /** @type {Record<string, string>} */ ({}) };
 // The numbers and "quoted" parts of a sentence, as in shell/words/language.cpp.
 const INSERT = /"[^"]*"|(?<![\d_])-?\d(?:\d|[.,](?=\d)|e(?=[+-])|(?<=e)[+-](?=\d))*/g;
 
@@ -21,6 +21,9 @@ export function tr(english, ...inserts) {
 
 /** Marks a text that tr translates later, for example in a table. @param {string} english */
 export const trLater = (english) => english;
+
+/** Translates the title of a shipped motion, or the name of a shipped figure. @param {string} english */
+export const trTitle = (english) => current.titles[english] ?? english;
 
 /**
  * Translates a complete sentence, for example from core, perhaps after a place such as "rod 2: ". In the table its
@@ -80,8 +83,8 @@ export function setLanguage(code, text) {
 /** @param {string} code @param {string} text @returns {typeof ENGLISH | null} null: not a table */
 function languageOf(code, text) {
   try {
-    const { decimal_mark: decimalMark, group_mark: groupMark, words, errors } = /** @type {Table} */ (JSON.parse(text));
-    return { code, text, decimalMark, groupMark, words: new Map([...Object.entries(errors), ...Object.entries(words)]) };
+    const { decimal_mark: decimalMark, group_mark: groupMark, words, errors, titles } = /** @type {Table} */ (JSON.parse(text));
+    return { code, text, decimalMark, groupMark, words: new Map([...Object.entries(errors), ...Object.entries(words)]), titles };
   } catch {
     return null;
   }

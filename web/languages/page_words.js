@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Translates the texts of index.html, and sets up the list of languages in the header. Scripts that change a text
+// Translates the texts of HTML files, and sets up the list of languages in the header. Scripts that change a text
 // translate it themselves.
 import { element } from '../browser/dom.js';
 import { followLanguage, language, tr } from './language.js';
@@ -11,17 +11,20 @@ const FOREIGN = '[translate=no], noscript, svg';
 /** Call before any script changes a text. */
 export function startPageWords() {
   const list = element('language', HTMLSelectElement);
-  const words = wordsOf(document.body);
+  followWords(document.body);
   for (const [code, name] of Object.entries(LANGUAGES)) {
     const option = new Option(name, code);
     option.lang = code;
     list.append(option);
   }
   list.addEventListener('change', () => void chooseLanguage(list.value));
-  followLanguage(() => {
-    for (const write of words) write();
-    list.value = language();
-  });
+  followLanguage(() => { list.value = language(); });
+}
+
+/** Keeps the English texts of a part of the page translated. @param {HTMLElement} root */
+export function followWords(root) {
+  const words = wordsOf(root);
+  followLanguage(() => { for (const write of words) write(); });
 }
 
 /** Functions that translate one text each. @param {HTMLElement} root @returns {(() => void)[]} */
@@ -35,7 +38,7 @@ function wordsOf(root) {
     if (!/\p{L}/u.test(english) || node.parentElement?.closest(FOREIGN)) continue;
     words.push(() => { node.data = before + tr(english) + after; });
   }
-  for (const node of root.querySelectorAll(ATTRIBUTES.map((name) => `[${name}]`).join())) {
+  for (const node of [root, ...root.querySelectorAll(ATTRIBUTES.map((name) => `[${name}]`).join())]) {
     for (const name of ATTRIBUTES) {
       const english = node.getAttribute(name);
       if (english) words.push(() => node.setAttribute(name, tr(english)));

@@ -55,6 +55,9 @@ export class Commands {
   /** A command's action: clicks the button with this id. @param {string} id @returns {() => void} */
   static click(id) { return () => element(id).click(); }
 
+  /** Runs a command of the page. @param {string} id */
+  runOwn(id) { this.#own.find((command) => command.id === id)?.run(); }
+
   /** All commands, by group. @returns {Command[]} */
   all() {
     const canvas = this.app.commands().map((command) => ({ ...command, run: () => { this.app.run(command.id); } }));

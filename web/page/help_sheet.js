@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The list of keys: every command with a key, by group.
+// The list of keys: every command with a key, by group. Loaded on first use.
 import { element } from '../browser/dom.js';
 import { tr } from '../languages/language.js';
 import { capOf, closeOnBackdrop } from './palette.js';
@@ -7,7 +7,16 @@ import { capOf, closeOnBackdrop } from './palette.js';
 /** @typedef {import('./commands.js').Command} Command */
 /** @typedef {import('./commands.js').Commands} Commands */
 
-export class HelpSheet {
+/** @type {HelpSheet | undefined} */
+let only;
+
+/** @param {Commands} commands */
+export function openHelp(commands) {
+  only ??= new HelpSheet(commands);
+  only.open();
+}
+
+class HelpSheet {
   #dialog = element('help', HTMLDialogElement);
   #single = element('help-single', HTMLInputElement);
 

@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: MIT
-// The dialog that names a result.
+// The dialog that names a result. Loaded on first use.
 import { element, onClick, setText } from '../browser/dom.js';
 import { trSentence } from '../languages/language.js';
 
 /** @typedef {import('../app/app.js').App} App */
 
-export class Naming {
+/** @type {Naming | undefined} */
+let only;
+
+/** @param {App} app @param {string} id @param {string} name  the current name, or empty @param {string} usual  shown if it is empty */
+export function askName(app, id, name, usual) {
+  only ??= new Naming(app);
+  only.ask(id, name, usual);
+}
+
+class Naming {
   #dialog = element('name-dialog', HTMLDialogElement);
   #text = element('name-text', HTMLInputElement);
   #error = element('name-error');

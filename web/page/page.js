@@ -8,16 +8,15 @@ import { Commands } from './commands.js';
 import { Gaitsmith } from './api.js';
 import { Lab } from './lab.js';
 import { Mirror } from '../access/mirror.js';
-import { Naming } from './naming.js';
 import { Narrator } from '../access/narrator.js';
 import { Searches } from '../search/searches.js';
 import { StatusLine } from '../access/status_line.js';
-import { TransitionMaps } from '../search/transition_maps.js';
 import { banner, element, offerFile, onClick, setText } from '../browser/dom.js';
 import { HistoryButtons, followViewer, startHeader } from './header.js';
 import { KeptResults } from '../storage/kept_results.js';
 import { compiledEngine, createWorker } from '../search/compiled_engine.js';
 import { compiledModule } from '../browser/compiled_module.js';
+import { dialogs } from '../dialogs/dialogs.js';
 import { guardKeys } from '../access/keys.js';
 import { followLanguage, tr, trLater, trSentence } from '../languages/language.js';
 import { LANGUAGES, chooseLanguage, startLanguage } from '../languages/language_choice.js';
@@ -27,6 +26,7 @@ import { startSharing } from '../share/sharing.js';
 import { chooseTheme, followTheme, nextTheme, startTheme, THEMES } from './theme.js';
 
 const HINT_AFTER_MS = 5000;
+const REST_MS = 1000;
 const canvas = element('canvas', HTMLCanvasElement);
 const embedded = window.parent !== window;
 
@@ -49,8 +49,19 @@ start().catch((error) => {
 
 async function start() {
   setTimeout(() => { element('loading-hint').hidden = false; }, HINT_AFTER_MS);
-  /** @type {{app: App, searches: Searches, transitions: TransitionMaps, lab: Lab, arrangement: Arrangement, address: Address, autosave: Autosave, results: KeptResults, naming: Naming, buttons: HistoryButtons, commands: Commands, canvas: HTMLCanvasElement} | null} */
+  /** @type {{app: App, searches: Searches, lab: Lab, arrangement: Arrangement, address: Address, autosave: Autosave, results: KeptResults, buttons: HistoryButtons, commands: Commands, canvas: HTMLCanvasElement} | null} */
   let parts = null;
+
+  /** @type {Promise<import('../search/transition_maps.js').TransitionMaps> | null} */
+  let transitions = null;
+  const loadTransitionMaps = async () => {
+    const { TransitionMaps } = await import('../search/transition_maps.js');
+    return new TransitionMaps({
+      engine: compiledEngine,
+      createWorker,
+      listener: { mapped: (part) => parts?.app.transitionsMapped(part), failed: (generation) => parts?.app.transitionsFailed(generation) },
+    });
+  };
 
   // A trap may have left the application's data inconsistent, so none of it is saved from now on.
   const crashed = (/** @type {Error} */ error) => {
@@ -79,7 +90,10 @@ async function start() {
       startTrial: (document, workers, trial) => void parts?.searches.start(document, workers, { trial }),
       startPreview: (document, workers) => void parts?.searches.start(document, workers, { preview: true }),
       startQueued: (document, workers, title) => void parts?.searches.start(document, workers, { queued: title }),
-      askName: (id, name, usual) => parts?.naming.ask(id, name, usual),
+      openDialog: (command) => commands?.runOwn(command),
+      askName: (id, name, usual) => {
+        void openDialog(async () => (await import('./naming.js')).askName(app, id, name, usual));
+      },
       storeFound: (id, text) => parts?.results.store(id, text),
       labEnded: () => {
         parts?.searches.labEnded();
@@ -89,8 +103,14 @@ async function start() {
       pauseSearch: () => parts?.searches.pause(),
       resumeSearch: () => parts?.searches.resume(),
       stopSearch: () => parts?.searches.stop(),
-      startTransitionMap: (document, generation) => void parts?.transitions.start(document, generation),
-      stopTransitionMap: () => parts?.transitions.stop(),
+      startTransitionMap: (document, generation) => {
+        transitions ??= loadTransitionMaps();
+        void transitions.then((maps) => maps.start(document, generation), () => {
+          transitions = null;
+          parts?.app.transitionsFailed(generation);
+        });
+      },
+      stopTransitionMap: () => void transitions?.then((maps) => maps.stop(), () => {}),
       status: (sentence) => statusLine.say(sentence),
       documentChanged: (title) => {
         showTitle(title);
@@ -105,7 +125,10 @@ async function start() {
         performance.mark('gaitsmith-first-frame');
         // The first frame does not need these, so they must not delay it.
         if (parts) parts.results.restore(parts.app);
-        setTimeout(() => parts?.searches.standBy(), 1000);
+        setTimeout(() => {
+          void parts?.searches.standBy();
+          Promise.all([dialogs(), import('./palette.js')]).catch(() => {}); // the next use tries again
+        }, REST_MS);
         gaitsmith.firstFrame();
       },
       leaveCanvas: () => canvas.blur(), // not for the Tab key, which MirrorKeys handles
@@ -116,11 +139,6 @@ async function start() {
   app.lendTypeface();
   if (!app.running()) throw new Error(trLater('this browser has no WebGL 2'));
   const searches = new Searches(app, statusLine);
-  const transitions = new TransitionMaps({
-    engine: compiledEngine,
-    createWorker,
-    listener: { mapped: (part) => app.transitionsMapped(part), failed: (generation) => app.transitionsFailed(generation) },
-  });
   const address = new Address(app, () => searches.improving);
   followTheme((look) => app.setTheme(look));
   followLanguage((table) => {
@@ -131,7 +149,7 @@ async function start() {
   autosave.begin({ example, text, arranged: arranged(), mode: askedMode() });
   showTitle(app.title());
   commands = new Commands(app, new Mirror(app, canvas));
-  parts = { app, searches, transitions, lab: new Lab(app), arrangement: new Arrangement(app, gaitsmith), address, autosave, results: new KeptResults(statusLine), naming: new Naming(app), buttons: new HistoryButtons(app), commands, canvas };
+  parts = { app, searches, lab: new Lab(app), arrangement: new Arrangement(app, gaitsmith), address, autosave, results: new KeptResults(statusLine), buttons: new HistoryButtons(app), commands, canvas };
   followViewer(parts);
   gaitsmith.begin(parts);
   void parts.arrangement.begin();
@@ -159,7 +177,7 @@ async function start() {
     home.ariaLabel = home.title = tr('Open this in a tab of its own');
     (await import('../share/embedding.js')).startEmbedding(gaitsmith);
   }
-  addCommands(commands, { address, autosave, dialogs: loadLater(commands) });
+  addCommands(commands, address, autosave);
 
   // SDL cancels every touch. Browsers log a warning if it is too late to cancel one, as on a busy page.
   for (const type of ['touchstart', 'touchmove', 'touchend']) {
@@ -179,72 +197,58 @@ function showTitle(title) {
   document.title = title ? `${title} — Gaitsmith` : 'Gaitsmith';
 }
 
-/** The dialog and the exporters are loaded on first use. @param {App} app @param {StatusLine} statusLine */
-async function openExport(app, statusLine) {
+let opening = false;
+
+/**
+ * Opens a dialog. Its HTML, style and code are loaded on first use.
+ * @param {() => Promise<void>} open @param {string} [fault]  if that fails
+ */
+async function openDialog(open, fault = trLater('The dialog could not be loaded.')) {
+  if (opening) return; // a second click
+  opening = true;
   try {
-    (await import('../share/export.js')).openExport(app, statusLine);
+    await dialogs();
+    await open();
   } catch {
-    statusLine.say(tr('The export could not be loaded.'));
+    statusLine.say(tr(fault));
+  } finally {
+    opening = false;
   }
 }
 
-/** @param {App} app @param {StatusLine} statusLine */
-async function openTour(app, statusLine) {
-  try {
-    (await import('./tour.js')).startTour(app, canvas);
-  } catch {
-    statusLine.say(tr('The tour could not be loaded.'));
-  }
-}
-
-/** @param {App} app @param {Address} address @param {StatusLine} statusLine */
-async function openShare(app, address, statusLine) {
-  try {
-    (await import('../share/share.js')).openShare(app, address);
-  } catch {
-    statusLine.say(tr('The dialog could not be loaded.'));
-  }
-}
-
-/** @typedef {{palette: import('./palette.js').Palette, help: import('./help_sheet.js').HelpSheet}} Dialogs */
-/** What the first motion does not need. @param {Commands} commands @returns {Promise<Dialogs>} */
-async function loadLater(commands) {
-  await gaitsmith.ready;
-  const [{ Palette }, { HelpSheet }, { startDropping }, { startHints }] = await Promise.all([
-    import('./palette.js'), import('./help_sheet.js'), import('../share/dropping.js'), import('../languages/hints.js')]);
-  startDropping(commands.app);
-  startHints(commands.app);
-  return { palette: new Palette(commands), help: new HelpSheet(commands) };
-}
-
-/** Adds the page's own commands. @param {Commands} commands @param {{address: Address, autosave: Autosave, dialogs: Promise<Dialogs>}} parts */
-function addCommands(commands, { address, autosave, dialogs }) {
-  dialogs.catch(() => {}); // reported when one is opened
-  const open = (/** @type {keyof Dialogs} */ name) => void dialogs.then((loaded) => loaded[name].open(), () => statusLine.say(tr('The dialog could not be loaded.')));
+/** Adds the page's own commands. @param {Commands} commands @param {Address} address @param {Autosave} autosave */
+function addCommands(commands, address, autosave) {
+  const { app } = commands;
   const click = Commands.click;
+  const openPalette = () => void openDialog(() => import('./palette.js').then((palette) => palette.openPalette(commands)));
+  const openHelp = () => void openDialog(() => import('./help_sheet.js').then((sheet) => sheet.openHelp(commands)));
+  const openExport = () => void openDialog(() => import('../share/export.js').then((dialog) => dialog.openExport(app, statusLine)), trLater('The export could not be loaded.'));
+  const openTour = () => void openDialog(() => import('./tour.js').then((tour) => tour.startTour(app, canvas)), trLater('The tour could not be loaded.'));
   commands.add([
     { id: 'motion/describe', group: 'Motion', title: trLater('Describe the motion'), keys: ['w'], run: click('describe') },
     { id: 'document/open', group: 'Document', title: trLater('Open a file or a link'), keys: ['Ctrl+o'], pressed: ['Ctrl+v'], run: click('open') },
     { id: 'document/save', group: 'Document', title: trLater('Save as a file'), keys: ['Ctrl+s'], run: click('save') },
-    { id: 'document/export', group: 'Document', title: trLater('Export as picture, video or data'), keys: [], run: () => void openExport(commands.app, statusLine) },
+    { id: 'document/export', group: 'Document', title: trLater('Export as picture, video or data'), keys: [], run: openExport },
     { id: 'document/share', group: 'Document', title: trLater('Share: link, QR code, embed code'), keys: [], run: click('share') },
     { id: 'document/copy-link', group: 'Document', title: trLater('Copy link'), keys: ['c'], pressed: ['Ctrl+c'], run: click('copy-link') },
     { id: 'view/theme', group: 'View', title: trLater('Next theme'), keys: ['t'], run: nextTheme },
-    { id: 'help/commands', group: 'Help', title: trLater('Find a command'), keys: ['Ctrl+k'], run: () => open('palette') },
-    { id: 'help/keys', group: 'Help', title: trLater('All keys'), keys: ['?', 'F1'], run: () => open('help') },
-    { id: 'help/tour', group: 'Help', title: trLater('Tour of the playground'), keys: [], run: () => void openTour(commands.app, statusLine) },
+    { id: 'help/commands', group: 'Help', title: trLater('Find a command'), keys: ['Ctrl+k'], run: openPalette },
+    { id: 'help/keys', group: 'Help', title: trLater('All keys'), keys: ['?', 'F1'], run: openHelp },
+    { id: 'help/tour', group: 'Help', title: trLater('Tour of the playground'), keys: [], run: openTour },
   ]);
   commands.addSource(() => autosave.commands());
   // The first motion does not need these.
+  void gaitsmith.ready.then(() => import('../share/dropping.js')).then(({ startDropping }) => startDropping(app), () => {});
+  void gaitsmith.ready.then(() => import('../languages/hints.js')).then(({ startHints }) => startHints(app), () => {});
   void gaitsmith.ready.then(() => import('../share/examples.js')).then(({ EXAMPLES, openExample }) => {
     commands.addSource(() => Object.entries(EXAMPLES).map(([name, title]) => (
-      { id: `example/${name}`, group: 'Examples', title: tr('Open example: {1}', tr(title)), keys: [], run: () => void openExample(commands.app, statusLine, name) })));
+      { id: `example/${name}`, group: 'Examples', title: tr('Open example: {1}', tr(title)), keys: [], run: () => void openExample(app, statusLine, name) })));
   }, () => {});
   commands.addSource(() => Object.entries(THEMES).map(([theme, name]) => (
     { id: `view/theme/${theme}`, group: 'View', title: tr('Theme: {1}', tr(name)), keys: [], run: () => chooseTheme(theme) })));
   commands.addSource(() => Object.entries(LANGUAGES).map(([code, name]) => (
     { id: `view/language/${code}`, group: 'View', title: tr('Language: {1}', name), keys: [], run: () => void chooseLanguage(code) })));
-  onClick('new', () => commands.app.run('document/new'));
+  onClick('new', () => app.run('document/new'));
   onClick('home', (event) => {
     if (event.ctrlKey || event.metaKey || event.shiftKey) return; // opens a new tab or window
     if (embedded) { // opens the document in a new tab, where there is more room
@@ -252,9 +256,10 @@ function addCommands(commands, { address, autosave, dialogs }) {
       return;
     }
     event.preventDefault();
-    commands.app.run('document/new');
+    app.run('document/new');
   });
-  onClick('share', () => void openShare(commands.app, address, statusLine));
-  onClick('commands', () => open('palette'));
-  onClick('keys', () => open('help'));
+  onClick('open', () => void openDialog(() => import('../share/opening.js').then((dialog) => dialog.openOpen(app, statusLine))));
+  onClick('share', () => void openDialog(() => import('../share/share.js').then((dialog) => dialog.openShare(app, address))));
+  onClick('commands', openPalette);
+  onClick('keys', openHelp);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The palette: a list of all commands, filtered while typing. The focus stays in the text field, and arrows move
+// The palette: a list of all commands, filtered while typing. Loaded on first use. The focus stays in the text field, and arrows move
 // through the list (ARIA's combobox with a listbox).
 import { element, setText } from '../browser/dom.js';
 import { keyCap } from '../access/keys.js';
@@ -10,7 +10,16 @@ import { tr } from '../languages/language.js';
 
 const PAGE = 8;
 
-export class Palette {
+/** @type {Palette | undefined} */
+let only;
+
+/** @param {Commands} commands */
+export function openPalette(commands) {
+  only ??= new Palette(commands);
+  only.open();
+}
+
+class Palette {
   #dialog = element('palette', HTMLDialogElement);
   #input = element('palette-input', HTMLInputElement);
   #list = element('palette-list');

@@ -27,6 +27,7 @@
 #include "core/document/transition.h"
 #include "core/search/evaluation_score.h"
 #include "core/search/spread.h"
+#include "shell/body/body_parts.h"
 #include "shell/export/exporters.h"
 
 #define GS_EXPORT extern "C" __attribute__((used, visibility("default")))
@@ -105,6 +106,8 @@ struct MotionRole {
   Motion motion;
   std::vector<int> starts = {};     // of each rod: the endpoint where it begins
   std::vector<float> numbers = {};  // all frames, one after another
+  shell::FigureLook look = {};
+  std::vector<float> body = {};
   std::string text = {};
 };
 
@@ -301,6 +304,7 @@ GS_EXPORT MotionRole* gs_motion_open(std::size_t size) {
   const Skeleton& bones = role->motion.Bones();
   for (int rod = 0; rod < bones.rods; ++rod)
     role->starts.push_back(bones.limbs[static_cast<std::size_t>(rod)].start);
+  role->look = shell::LookOf(role->document.figure.name, bones);
   for (int i = 0; i < role->motion.Frames(); ++i) {
     const Motion::Frame& frame = role->motion.At(i);
     const auto& timeline = role->document.timeline;
@@ -323,6 +327,32 @@ GS_EXPORT int gs_motion_rods(const MotionRole* role) { return role->motion.Bones
 GS_EXPORT const int* gs_motion_starts(const MotionRole* role) { return role->starts.data(); }
 /// For each frame: the active controller (-1: none), the centre of mass, every endpoint [m].
 GS_EXPORT const float* gs_motion_numbers(const MotionRole* role) { return role->numbers.data(); }
+/// The figure's outline in a frame: gs_motion_body_size() numbers, 8 for each part of BodyPartsOf and for its
+/// eye: x, y, radius at both ends [m], how far the radius swells halfway [m], and 0 for a near part, 1 for a
+/// far one, 2 for the eye.
+/// @param frame clamped to the motion
+GS_EXPORT const float* gs_motion_body(MotionRole* role, int frame) {
+  const int shown = std::clamp(frame, 0, role->motion.Frames() - 1);
+  const Motion::Frame& at = role->motion.At(shown);
+  const Skeleton& bones = role->motion.Bones();
+  std::vector<shell::BodyPoint> endpoints;
+  for (int k = 0; k < bones.endpoints; ++k) {
+    const Motion::Point point = role->motion.Endpoint(shown, k);
+    endpoints.push_back({static_cast<float>(at.x_m + static_cast<double>(point.x)), at.y_m + point.y});
+  }
+  role->body.clear();
+  const auto add = [&](shell::BodyPoint from, float from_m, shell::BodyPoint to, float to_m, float belly_m,
+                       float tone) {
+    role->body.insert(role->body.end(), {from.x, from.y, from_m, to.x, to.y, to_m, belly_m, tone});
+  };
+  for (const shell::BodyPart& part : shell::BodyPartsOf(bones, role->look, endpoints))
+    add(part.from, part.from_m, part.to, part.to_m, part.belly_m, part.far ? 1.0f : 0.0f);
+  if (const auto eye = shell::EyeOf(bones, role->look, endpoints))
+    add(eye->at, eye->radius_m, eye->at, eye->radius_m, 0.0f, 2.0f);
+  return role->body.data();
+}
+/// Of the last gs_motion_body().
+GS_EXPORT std::size_t gs_motion_body_size(const MotionRole* role) { return role->body.size(); }
 
 // Exported files, gs_motion_text_size() bytes.
 /// @param words_size bytes of FilmStripWords in the input area, with a 0 byte after each

@@ -240,6 +240,9 @@ export class TransitionMap {
   close() { this.engine.module._gs_map_close(this.handle); }
 }
 
+/** Numbers in a part of RecordedMotion.body. */
+export const BODY_LENGTH = 8;
+
 /** The motion of a document's figure, for drawing and as files for other programs. */
 export class RecordedMotion {
   /** @param {Engine} engine @param {number} handle */
@@ -260,6 +263,16 @@ export class RecordedMotion {
     const at = module._gs_motion_numbers(handle);
     /** All frames, one after another. */
     this.numbers = new Float32Array(engine.bytesAt(at, 4 * this.stride * this.frames).buffer);
+  }
+
+  /**
+   * The figure's outline in a frame: BODY_LENGTH numbers for each part and for the eye, in the order of drawing: x, y and
+   * radius at both ends, how far the radius swells halfway [m], and 0 for a near part, 1 for a far one, 2 for the eye.
+   * @param {number} frame @returns {Float32Array}
+   */
+  body(frame) {
+    const at = this.engine.module._gs_motion_body(this.handle, frame);
+    return new Float32Array(this.engine.bytesAt(at, 4 * this.engine.module._gs_motion_body_size(this.handle)).buffer);
   }
 
   /** @param {number} poses @param {string[]} words  FilmStripWords of shell/export/film_strip.h, in order */

@@ -73,6 +73,15 @@ export interface EngineExports {
   _gs_motion_starts(role: Pointer): Pointer;
   /** For each frame: the active controller (-1: none), the centre of mass, every endpoint [m]. */
   _gs_motion_numbers(role: Pointer): Pointer;
+  /**
+   * The figure's outline in a frame: gs_motion_body_size() numbers, 8 for each part of BodyPartsOf and for its
+   * eye: x, y, radius at both ends [m], how far the radius swells halfway [m], and 0 for a near part, 1 for a
+   * far one, 2 for the eye.
+   * @param frame clamped to the motion
+   */
+  _gs_motion_body(role: Pointer, frame: number): Pointer;
+  /** Of the last gs_motion_body(). */
+  _gs_motion_body_size(role: Pointer): number;
   /** @param words_size bytes of FilmStripWords in the input area, with a 0 byte after each */
   _gs_motion_film_strip(role: Pointer, wordsSize: number, poses: number): Pointer;
   /** A file that needs no words. @param id_size of an exporter's id in the input area */

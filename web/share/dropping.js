@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A file or a link dropped on the page. A hint during the drag shows what will happen.
 import { banner, element } from '../browser/dom.js';
-import { textOf } from './sharing.js';
+import { textOf } from './file_text.js';
 import { sentence } from './address.js';
 import { tr } from '../languages/language.js';
 

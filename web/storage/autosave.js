@@ -19,6 +19,7 @@ import { remember, remembered } from '../browser/storage.js';
 
 const REST_MS = 2000;
 const TAB_KEY = 'gaitsmith-here'; // state of this tab
+const VIEWER_KEY = 'gaitsmith-viewer'; // set while this tab shows the viewer
 const DISMISSED_KEY = 'gaitsmith-dismissed'; // works up to this time are not offered again
 
 export class Autosave {
@@ -41,6 +42,7 @@ export class Autosave {
     address.onWrite = () => {
       this.#storeTabState();
       addOwnAddress(location.hash.slice(1));
+      remember(VIEWER_KEY, null, 'sessionStorage');
     };
     addEventListener('pagehide', () => this.save());
     addEventListener('visibilitychange', () => { if (document.hidden) this.save(); });
@@ -77,11 +79,12 @@ export class Autosave {
       }
     }
     this.app.forgetPast();
-    const received = opened && !arranged && !this.#embedded && !sameWork && arrival() === 'navigate' && !isOwnAddress(payload)
+    const received = opened && !arranged && !this.#embedded && !sameWork && this.#arrives() && !isOwnAddress(payload)
       && keptWorks().every(({ link }) => link !== payload);
     if (mode === 'view' || (received && mode !== 'edit')) this.app.setViewing(true);
     else if (mode === 'edit' && opened) this.address.forgetEdit();
     if (this.#embedded) return;
+    remember(VIEWER_KEY, this.app.viewing() ? 'on' : null, 'sessionStorage');
     if (opened && !this.app.viewing()) addOwnAddress(payload);
     if (sameWork && typeof tabState?.visit === 'string') this.app.restoreVisit(tabState.visit);
     this.#started = true;
@@ -92,6 +95,9 @@ export class Autosave {
     if (payload && last && last.id !== this.#id && last.link !== this.#written
       && last.when > Number(remembered(DISMISSED_KEY))) this.#offer(last);
   }
+
+  /** Whether the page comes to its address as a stranger would: by a link, or by a reload of the viewer. */
+  #arrives() { return arrival() === 'navigate' || (arrival() === 'reload' && remembered(VIEWER_KEY, 'sessionStorage') !== null); }
 
   /**
    * Call after every change of the document. The first change is stored as soon as the code that made it returns, later

@@ -10,6 +10,7 @@ import { AXE_SCENARIOS } from './axe.mjs';
 import { EXPORT_SCENARIOS } from './export.mjs';
 import { FAULT_SCENARIOS } from './fault.mjs';
 import { FIGURE_SCENARIOS } from './figure.mjs';
+import { GALLERY_SCENARIOS } from './gallery.mjs';
 import { LIVE_SCENARIOS } from './live.mjs';
 import { FINGER_SCENARIOS } from './finger.mjs';
 import { FIRST_SCREEN_SCENARIOS } from './first_screen.mjs';
@@ -34,6 +35,7 @@ import { WORLD_SCENARIOS } from './world.mjs';
 import { RULE_SCENARIOS } from './rule.mjs';
 import { THEME_SCENARIOS } from './theme.mjs';
 import { DOOR_SCENARIOS } from './door.mjs';
+import { NEWCOMER_SCENARIOS } from './newcomer.mjs';
 import { TOUR_SCENARIOS } from './tour.mjs';
 import { TYPING_SCENARIOS } from './typing.mjs';
 import { VIEWER_SCENARIOS } from './viewer.mjs';
@@ -264,7 +266,6 @@ export const MAIN_SCENARIOS = [
     assert.deepEqual(fresh.complaints, []);
     await fresh.close();
   }],
-
 ];
 
 /** @type {Scenario[]} */
@@ -289,10 +290,10 @@ export const SCENARIOS = [
   ...MIRROR_SCENARIOS,
   ...LOOP_SCENARIOS,
   ...AXE_SCENARIOS,
-
   ...WORLD_SCENARIOS,
   ...EXPORT_SCENARIOS,
   ...FIGURE_SCENARIOS,
+  ...GALLERY_SCENARIOS,
   ...LIVE_SCENARIOS,
   ...RULE_SCENARIOS,
   ...WALK_SCENARIOS,
@@ -300,6 +301,7 @@ export const SCENARIOS = [
   ...THEME_SCENARIOS,
   ...TYPING_SCENARIOS,
   ...DOOR_SCENARIOS,
+  ...NEWCOMER_SCENARIOS,
   ...VIEWER_SCENARIOS,
   ...TOUR_SCENARIOS,
   ...LANGUAGE_SCENARIOS,

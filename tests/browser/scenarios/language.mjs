@@ -40,7 +40,7 @@ async function asTheBrowser({ browser, address }) {
   const headline = () => document.querySelector('#mirror')?.textContent ?? '';
   assert.match(await page.call('headline', headline), /Dieser Strauß kann sich noch nicht bewegen\./);
   await page.call('start', () => window.gaitsmith.run('help/tour'));
-  await page.until('the tour', () => !document.querySelector('#tour')?.hasAttribute('hidden'), 10000);
+  await page.until('the tour', () => document.querySelector('#tour:not([hidden])') !== null, 10000);
   assert.deepEqual([await page.text('#tour-title'), await page.text('#tour-next')], ['Das hat niemand animiert', 'Weiter']);
   // An open dialog changes, too.
   await chooseInHeader(page, 'en', ENGLISH);
@@ -192,7 +192,7 @@ async function nothingLeft({ browser, address, figures }) {
 
   await run('help/tour');
   for (let step = 1; step <= 6; step++) {
-    await page.until('the card', () => !document.querySelector('#tour')?.hasAttribute('hidden'), 5000);
+    await page.until('the card', () => document.querySelector('#tour:not([hidden])') !== null, 5000);
     await checkPage(`step ${step} of the tour`);
     await page.press('Enter');
   }

@@ -58,7 +58,7 @@ async function stranger(visit) {
   for (const text of [await page.text('#title'), 'Nobody animated this. A computer found it.', 'Drag the figure to push it.', 'Make your own', 'How it works']) {
     assert.ok(text && mirror.includes(text), text);
   }
-  assert.equal(await page.call('tour', () => document.querySelector('#tour')?.hasAttribute('hidden')), true);
+  assert.equal(await page.call('tour', () => document.querySelector('#tour:not([hidden])')), null);
   assert.equal(await page.call('undo', () => window.gaitsmith.canUndo()), false);
 
   // A push is not the person's work: neither the address nor the storage keeps it.
@@ -156,7 +156,13 @@ async function own(visit) {
 
   const received = await PageDriver.open(visit.browser, link, STRANGER);
   await received.reload();
-  assert.deepEqual(await shown(received), WORKBENCH, 'a reload');
+  assert.deepEqual(await shown(received), VIEWER, 'a reload of the viewer');
+  await received.reload();
+  assert.deepEqual(await shown(received), VIEWER, 'and another one');
+  await received.click('stage/make');
+  assert.deepEqual(await shown(received), WORKBENCH);
+  await received.reload();
+  assert.deepEqual(await shown(received), WORKBENCH, 'what is one\'s own stays so');
   const complaints = [page, unchanged, received].flatMap((one) => one.complaints);
   assert.deepEqual(complaints.filter((text) => !text.includes('favicon.ico')), []); // Firefox asks for it after a step back
   await received.close();

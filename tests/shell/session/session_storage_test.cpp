@@ -55,6 +55,26 @@ TEST_CASE("session: a reload keeps Undo, Redo and the queue", "[shell][session][
   CHECK_FALSE(next.CanUndo());
 }
 
+TEST_CASE("session: a reload keeps a full queue and the search of it that runs",
+          "[shell][session][storage]") {
+  QuietHost host;
+  Session session(host);
+  Queue(session, 100);
+  REQUIRE(session.Queue().Run());
+  for (std::uint32_t seed = 101; !session.Queue().List().Full(); ++seed) Queue(session, seed);
+  const std::string stored = session.StoreVisit();
+
+  QuietHost next_host;
+  Session next(next_host);
+  REQUIRE(next.RestoreVisit(stored));
+  const std::vector<std::uint32_t> seeds = Seeds(next);
+  REQUIRE(seeds.size() == SearchQueue::kMax + 1);
+  CHECK(seeds.front() == 100);
+  CHECK(seeds.back() == 150);
+  CHECK(next.StoreVisit() == stored);  // also at the next reload
+  CHECK_FALSE(next.Queue().Add(next.Doc()));
+}
+
 TEST_CASE("session: a reload keeps the choices of a first visit, or all panels",
           "[shell][session][storage]") {
   QuietHost host;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How figures are clothed.
-#include "shell/stage/figure_look.h"
+#include "shell/body/figure_look.h"
 
 #include <catch_amalgamated.hpp>
 #include <filesystem>

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Where a figure's endpoints are for given joint angles.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/physics/skeleton.h"
+
+namespace gaitsmith::shell {
+
+/// A point of a figure [m], y upwards.
+struct BodyPoint {
+  float x = 0.0f, y = 0.0f;
+};
+
+/// The figure's endpoints relative to its centre of mass, as it was drawn, for these joint angles: one per
+/// joint, or none for the rest pose.
+[[nodiscard]] std::vector<BodyPoint> EndpointsOf(const Skeleton&, std::span<const float> angle_rad);
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: MIT
+// What a newcomer reaches, and with how many presses: by mouse, by finger and by keys. The page is used only as a person
+// would use it. Each scenario opens its own pages in a new profile.
+import assert from 'node:assert/strict';
+import { PageDriver } from '../page_driver.mjs';
+import { Fingers, Mouse } from '../pointers.mjs';
+
+/** @typedef {import('./all.mjs').Visit} Visit */
+/** @typedef {'mouse' | 'finger' | 'keys'} Means */
+
+const MEANS = /** @type {const} */ (['mouse', 'finger', 'keys']);
+const TAB_STOPS = 80;
+
+/** A person who counts the presses. A drag is one press; by keys, Enter is. */
+class Newcomer {
+  presses = 0;
+
+  /** @param {PageDriver} page @param {Means} means */
+  constructor(page, means) {
+    this.page = page;
+    this.means = means;
+    this.pointer = means === 'finger' ? new Fingers(page) : new Mouse(page);
+  }
+
+  /** @param {Visit} visit @param {Means} means */
+  static async arrive({ browser, address }, means) {
+    const page = await PageDriver.open(browser, address, { newcomer: true, plays: true });
+    if (means === 'finger') await page.becomePhone();
+    await page.frames(10);
+    return new Newcomer(page, means);
+  }
+
+  /** Presses a control of the canvas; one that has no room is in the menu "More". @param {string} id @returns {Promise<void>} */
+  async press(id) {
+    const { page } = this;
+    const there = () => page.widgets().then((all) => all.find((widget) => widget.id === id));
+    const widget = await there();
+    if (!widget) {
+      const label = LABELS[id];
+      assert.ok(label, `no ${id}, and no place where it may be`);
+      await this.press('stage/more');
+      await page.until(label, `window.gaitsmith.widgets().some(({ role, label }) => role === 'option' && label === ${JSON.stringify(label)})`, 5000);
+      const option = (await page.widgets()).find((one) => one.role === 'option' && one.label === label);
+      assert.ok(option);
+      return this.press(option.id);
+    }
+    this.presses++;
+    if (this.means === 'keys') await this.#enter(`[data-id="${id}"]`);
+    else if (this.means === 'mouse') await page.click(id);
+    else {
+      await this.#rest(id);
+      await this.pointer.tap(await this.pointer.centre(id));
+    }
+    await page.frames(6);
+  }
+
+  /** Presses a control of the page. @param {string} selector */
+  async pressElement(selector) {
+    this.presses++;
+    await this.page.until(selector, `document.querySelector(${JSON.stringify(selector)})?.checkVisibility() ?? false`, 10000);
+    if (this.means === 'keys') return this.#enter(selector);
+    const box = await (await this.page.page.$(selector))?.boundingBox();
+    assert.ok(box);
+    await this.pointer.tap({ x: box.x + box.width / 2, y: box.y + box.height / 2 });
+  }
+
+  /** Chooses a figure of the row by its name. @param {string} name */
+  async choose(name) {
+    const tile = (await this.page.widgets()).find(({ id, label }) => id.startsWith('figures/') && label === name);
+    assert.ok(tile, `${name} is in the row of figures`);
+    await this.press(tile.id);
+    await this.page.until(name, `window.gaitsmith.document().figure.name === ${JSON.stringify(name)}`, 5000);
+  }
+
+  /** @param {import('../pointers.mjs').Point} from @param {import('../pointers.mjs').Point} to */
+  async drag(from, to) {
+    this.presses++;
+    await this.pointer.drag(from, to);
+  }
+
+  /** Teaches, and waits for the motion. @param {number} [results] */
+  async teach(results = 1) {
+    const ids = (await this.page.widgets()).map(({ id }) => id);
+    await this.press(ids.includes('stage/teach') ? 'stage/teach' : 'stage/another');
+    await this.page.until('the end of the search', `window.gaitsmith.results().length >= ${results}`);
+    await this.page.until('it can be used', () => window.gaitsmith.widgets().some(({ id }) => id === 'stage/another'), 10000);
+  }
+
+  /** @param {number} presses  at most so many were needed */
+  async leave(presses) {
+    assert.ok(this.presses <= presses, `${this.presses} presses by ${this.means}, at most ${presses}`);
+    assert.deepEqual(this.page.complaints, []);
+    await this.page.close();
+  }
+
+  /** Moves the focus with Tab, and by arrows within lists, until it is there, then presses Enter. @param {string} selector */
+  async #enter(selector) {
+    const { page } = this;
+    const reached = () => page.call('focus', `document.activeElement?.matches(${JSON.stringify(selector)}) ?? false`);
+    const within = () => page.call('list', `(() => {
+      const list = document.querySelector(${JSON.stringify(selector)})?.closest('[role=tablist], [role=radiogroup], [role=listbox]');
+      return Boolean(list?.contains(document.activeElement));
+    })()`);
+    for (let stops = 0; !await reached(); stops++) {
+      assert.ok(stops < TAB_STOPS, `the keys reach no ${selector}`);
+      await page.press(await within() ? 'ArrowDown' : 'Tab');
+    }
+    await page.press('Enter');
+  }
+
+  /** Waits until a widget no longer moves. @param {string} id */
+  async #rest(id) {
+    for (let last = '', tries = 0; tries < 100; tries++, await this.page.frames()) {
+      const place = JSON.stringify((await this.pointer.find(id))?.rect);
+      if (place === last) return;
+      last = place;
+    }
+    assert.fail(`${id} does not rest`);
+  }
+}
+
+/** Actions of the stage that may be in the menu. @type {Record<string, string>} */
+const LABELS = { 'stage/push': 'Push it', 'stage/chain': 'Add to timeline', 'stage/share': 'Share', 'stage/export': 'Export' };
+
+/** Runs a story by mouse, finger and keys. @param {(visit: Visit, means: Means) => Promise<void>} story @returns {(visit: Visit) => Promise<void>} */
+const byAll = (story) => async (visit) => { for (const means of MEANS) await story(visit, means); };
+
+/** @param {Visit} visit @param {Means} means */
+async function sprint(visit, means) {
+  const person = await Newcomer.arrive(visit, means);
+  await person.teach();
+  assert.ok(Number((await person.page.call('measures', () => window.gaitsmith.measures())).travel ?? 0) >= 0, 'it moves');
+  assert.ok((await person.page.call('metres', () => window.gaitsmith.results()[0].score ?? 0)) >= 16, '2 m/s for eight seconds');
+  await person.leave(1);
+}
+
+/** @param {Visit} visit @param {Means} means */
+async function goals(visit, means) {
+  const acrobat = await Newcomer.arrive(visit, means);
+  await acrobat.choose('Acrobat');
+  await acrobat.press('goal/cartwheel');
+  await acrobat.teach();
+  assert.ok(Number((await acrobat.page.call('measures', () => window.gaitsmith.measures())).rotations) >= 1, 'it turns over');
+  await acrobat.leave(3);
+  const horse = await Newcomer.arrive(visit, means);
+  await horse.choose('Horse');
+  await horse.press('goal/calm');
+  await horse.teach();
+  const { effort } = await horse.page.call('measures', () => window.gaitsmith.measures());
+  const joints = await horse.page.call('joints', () => (window.gaitsmith.document().figure?.rods?.length ?? 0) - 1);
+  assert.ok(Number(effort) <= joints * 8, 'its joints turn by at most 1 rad/s for eight seconds');
+  await horse.leave(3);
+}
+
+/** @param {Visit} visit @param {Means} means */
+async function push(visit, means) {
+  const person = await Newcomer.arrive(visit, means);
+  await person.teach();
+  const before = await person.page.hash();
+  await person.press('stage/push');
+  await person.page.until('pushed', () => (window.gaitsmith.document().pushes ?? []).length === 1, 5000);
+  assert.notEqual(await person.page.hash(), before);
+  await person.leave(2);
+}
+
+/** @param {Visit} visit @param {Means} means */
+async function chain(visit, means) {
+  const person = await Newcomer.arrive(visit, means);
+  await person.teach();
+  await person.press('stage/chain');
+  await person.page.until('two clips', () => (/** @type {{timeline?: unknown[]}} */ (window.gaitsmith.document()).timeline ?? []).length === 2, 5000);
+  await person.leave(means === 'finger' ? 3 : 2); // a phone has it under "More"
+}
+
+/** @param {Visit} visit @param {Means} means */
+async function share(visit, means) {
+  const person = await Newcomer.arrive(visit, means);
+  await person.teach();
+  await person.press('stage/share');
+  await person.page.until('the dialog', () => document.querySelector('#share-dialog[open]') !== null, 10000);
+  const link = await person.page.call('link', () => /** @type {HTMLTextAreaElement} */ (document.querySelector('#share-link')).value);
+  await person.pressElement('#share-copy');
+  await person.page.until('it is copied, or selected to be copied', () => document.querySelector('#share-said')?.textContent !== '', 5000);
+  const friend = await PageDriver.open(visit.browser, link, { newcomer: true, plays: true });
+  assert.equal(await friend.hash(), await person.page.hash(), 'a friend sees the same motion');
+  assert.ok((await friend.widgets()).some(({ id }) => id === 'stage/make'), 'in the viewer');
+  await friend.close();
+  await person.leave(3);
+}
+
+/** @param {Visit} visit @param {Means} means */
+async function own(visit, means) {
+  const person = await Newcomer.arrive(visit, means);
+  const { page } = person;
+  await person.press('figures/draw');
+  await page.until('the board', () => window.gaitsmith.widgets().some(({ id }) => id === 'figure/board'), 5000);
+  const rods = () => page.call('rods', () => window.gaitsmith.document().figure.rods?.length ?? 0);
+  assert.equal(await rods(), 1);
+  for (const side of [-1, 1]) {
+    const before = await rods();
+    if (means === 'keys') await person.press('figure/grow');
+    else await grow(person, side);
+    assert.equal(await rods(), before + 1, `rod ${before + 1}`);
+  }
+  await person.teach();
+  assert.ok(Math.abs(await page.call('metres', () => window.gaitsmith.results()[0].score ?? 0)) > 0.5, 'it moves');
+  await person.leave(4);
+}
+
+/** Drags a rod from an end of the figure on the board. @param {Newcomer} person @param {number} side */
+async function grow(person, side) {
+  const board = (await person.page.widgets()).find(({ id }) => id === 'figure/board');
+  assert.ok(board);
+  const { x, y, width, height } = board.rect;
+  await person.drag({ x: x + width / 2, y: y + height / 2 }, { x: x + width / 2 + side * 60, y: y + height / 2 });
+}
+
+/** Controls on the canvas and of the page that a person sees. @param {PageDriver} page */
+async function controls(page) {
+  const canvas = (await page.widgets()).filter(({ role, id }) => !['img', 'note', 'heading', 'paragraph', 'scrollbar'].includes(role) && id !== 'stage');
+  const html = await page.call('controls', () => [...document.querySelectorAll('a[href], button, select, input, textarea')]
+    .filter((node) => !node.closest('#mirror, #in-words, dialog') && node.checkVisibility()).length);
+  return { canvas: canvas.map(({ id }) => id.replace(/[0-9a-f]{16}/, 'motion')), html };
+}
+
+/**
+ * Later features enter through More, Advanced or a goal: the first screens must not grow.
+ * @param {Visit} visit
+ */
+async function count({ browser, address }) {
+  for (const [width, height, first, found] of /** @type {const} */ ([[1280, 720, [0, 0], [0, 0]], [390, 844, [0, 0], [0, 0]]])) {
+    const page = await PageDriver.open(browser, address, { newcomer: true, plays: true });
+    await page.page.setViewport({ width, height, deviceScaleFactor: 1 });
+    await page.frames(10);
+    const before = await controls(page);
+    assert.deepEqual([before.canvas.length, before.html], first, `the first screen, ${width} by ${height}: ${before.canvas.join(' ')}`);
+    await page.click('stage/teach');
+    await page.until('the end of the search', () => window.gaitsmith.results().length > 0);
+    await page.until('the actions', () => window.gaitsmith.widgets().some(({ id }) => id === 'stage/another'), 10000);
+    await page.frames(10);
+    const after = await controls(page);
+    assert.deepEqual([after.canvas.length, after.html], found, `the found screen, ${width} by ${height}: ${after.canvas.join(' ')}`);
+    assert.deepEqual(page.complaints, []);
+    await page.close();
+  }
+}
+
+/** @type {[string, (visit: Visit) => Promise<void>][]} */
+export const NEWCOMER_SCENARIOS = [
+  ['a newcomer has a sprinting bird after one press', byAll(sprint)],
+  ['a newcomer has a cartwheel and a calm gait after three presses each', byAll(goals)],
+  ['a newcomer pushes the bird with the second press', byAll(push)],
+  ['a newcomer chains a pair with the second press', byAll(chain)],
+  ['a newcomer shares a link with the third press, and a friend sees the motion', byAll(share)],
+  ['a newcomer draws a figure that moves, within four presses', byAll(own)],
+  ['the first screen and the screen of the first motion have no more controls than before', count],
+];

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// A small picture of a motion: the figure runs over its ground and the view follows it, or, where little should move,
+// some of its poses stand side by side.
+import { mixed, paintBody } from './body_painting.js';
+
+/** @typedef {import('../search/engine.js').RecordedMotion} RecordedMotion */
+/** The page's colours. @typedef {{paper: string, ink: string, ink2: string, line: string, soft: string}} Colours */
+
+const FRAMES_PER_S = 100;
+const POSES = 4;
+const GROUND = 0.82; // of the height
+const FAR_SHARE = 0.57; // how much of the body's colour far limbs keep, as on the stage
+const FIGURE_SHARE = 0.52; // of the height, for the figure as it starts
+const LEAST_ACROSS_M = 1.6;
+const REST_S = 0.8; // at the end, before it begins again
+
+export class MotionPicture {
+  /** Metres from the ground to the top of the figure as it starts, and its centre's height. */
+  #height = 0.1;
+  #centre = 0;
+
+  /** @param {RecordedMotion} motion */
+  constructor(motion) {
+    this.motion = motion;
+    const heights = this.#endpoints(0).map(([, y]) => y);
+    this.#height = Math.max(0.1, ...heights);
+    this.#centre = motion.numbers[2];
+  }
+
+  /** Paints the moment at this time of a clock. @param {HTMLCanvasElement} canvas @param {number} seconds @param {Colours} colours */
+  play(canvas, seconds, colours) {
+    const { frames } = this.motion;
+    const at = Math.floor((seconds * FRAMES_PER_S) % (frames + REST_S * FRAMES_PER_S));
+    const frame = Math.min(at, frames - 1);
+    const { context, width, height, scale } = this.#begin(canvas, colours);
+    const [x, y] = this.#middle(frame);
+    // The view rises with a jump.
+    const ground = GROUND * height + Math.max(0, y - Math.max(1.5 * this.#centre, (0.35 * height) / scale)) * scale;
+    const left = width / 2 - x * scale;
+    this.#paintGround(context, { left, ground, scale }, width, height, colours);
+    this.#paintFigure(context, frame, { left, ground, scale }, colours);
+  }
+
+  /** Paints some poses side by side. @param {HTMLCanvasElement} canvas @param {Colours} colours */
+  strip(canvas, colours) {
+    const { context, width, height, scale } = this.#begin(canvas, colours);
+    const smaller = Math.min(scale, (0.9 * width) / POSES / this.#span());
+    const ground = GROUND * height;
+    this.#paintGround(context, { left: 0, ground, scale: 0 }, width, height, colours);
+    for (let pose = 0; pose < POSES; pose++) {
+      const frame = Math.round((pose * (this.motion.frames - 1)) / (POSES - 1));
+      const [x, y] = this.#middle(frame);
+      const lifted = Math.max(0, y * smaller - 0.55 * height);
+      this.#paintFigure(context, frame, { left: ((pose + 0.5) / POSES) * width - x * smaller, ground: ground + lifted, scale: smaller }, colours);
+    }
+  }
+
+  close() { this.motion.close(); }
+
+  /** @param {HTMLCanvasElement} canvas @param {Colours} colours */
+  #begin(canvas, colours) {
+    const density = Math.min(2, devicePixelRatio || 1);
+    const [width, height] = [canvas.clientWidth, canvas.clientHeight];
+    if (canvas.width !== Math.round(width * density)) canvas.width = Math.round(width * density);
+    if (canvas.height !== Math.round(height * density)) canvas.height = Math.round(height * density);
+    const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+    context.setTransform(density, 0, 0, density, 0, 0);
+    context.fillStyle = colours.paper;
+    context.fillRect(0, 0, width, height);
+    return { context, width, height, scale: Math.min((FIGURE_SHARE * height) / this.#height, width / LEAST_ACROSS_M) };
+  }
+
+  /**
+   * The ground with a mark at every metre; scale 0: without marks.
+   * @param {CanvasRenderingContext2D} context @param {import('./body_painting.js').View} view
+   * @param {number} width @param {number} height @param {Colours} colours
+   */
+  #paintGround(context, { left, ground, scale }, width, height, { soft, ink2 }) {
+    if (ground > height) return;
+    context.fillStyle = soft;
+    context.fillRect(0, ground, width, height - ground);
+    context.fillStyle = ink2;
+    context.fillRect(0, ground, width, 1);
+    for (let metre = Math.ceil(-left / scale); scale > 0 && left + metre * scale < width; metre++) {
+      context.fillRect(Math.round(left + metre * scale), ground, 1, metre % 5 === 0 ? 7 : 4);
+    }
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {number} frame @param {import('./body_painting.js').View} view @param {Colours} colours */
+  #paintFigure(context, frame, view, { paper, ink }) {
+    paintBody(context, this.motion.body(frame), view, { body: ink, far: mixed(paper, ink, FAR_SHARE), eye: paper });
+  }
+
+  /** The centre of mass [m]. @param {number} frame @returns {[number, number]} */
+  #middle(frame) {
+    const { numbers, stride } = this.motion;
+    return [numbers[frame * stride + 1], numbers[frame * stride + 2]];
+  }
+
+  /** @param {number} frame @returns {[number, number][]} */
+  #endpoints(frame) {
+    const { numbers, stride, endpoints } = this.motion;
+    return Array.from({ length: endpoints }, (_, k) => [numbers[frame * stride + 3 + 2 * k], numbers[frame * stride + 4 + 2 * k]]);
+  }
+
+  /** Width of the figure as it starts [m]. */
+  #span() {
+    const across = this.#endpoints(0).map(([x]) => x);
+    return Math.max(0.3, Math.max(...across) - Math.min(...across), this.#height);
+  }
+}
