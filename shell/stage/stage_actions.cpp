@@ -70,7 +70,7 @@ std::vector<Action> TakeExcess(std::vector<Action>& actions,
     excess.push_back(std::move(*least));
     actions.erase(least);
   }
-  std::ranges::sort(excess, {}, &Action::rank);
+  std::ranges::reverse(excess);
   return excess;
 }
 

@@ -52,19 +52,21 @@ async function press(browser, address, figure) {
   await new Promise((resolve) => { setTimeout(resolve, 500); });
   const { x, y } = await middle(page, 'stage/teach');
   const seen = page.evaluate((least, good, limit) => new Promise((resolve) => {
-    let start = 0, firstMs = null, goodMs = null, endMs = null, best = 0;
+    let start = 0, best = 0;
+    /** @type {Record<'firstMs' | 'goodMs' | 'endMs', number | null>} */
+    const times = { firstMs: null, goodMs: null, endMs: null };
     const standing = JSON.stringify(window.gaitsmith.measures());
     addEventListener('pointerdown', () => { start = performance.now(); }, { once: true, capture: true });
-    window.gaitsmith.on('done', () => { endMs ??= performance.now() - start; });
+    window.gaitsmith.on('done', () => { times.endMs ??= performance.now() - start; });
     const look = () => {
       const now = performance.now() - start;
       if (start > 0) {
         const measures = window.gaitsmith.measures();
         if (JSON.stringify(measures) !== standing) best = Math.max(best, Number(measures.distance ?? 0));
-        if (best >= least) firstMs ??= now;
-        if (best >= good) goodMs ??= now;
-        if ((endMs !== null && now > endMs + 500) || now > limit) {
-          resolve({ firstMs, goodMs, endMs, best });
+        if (best >= least) times.firstMs ??= now;
+        if (best >= good) times.goodMs ??= now;
+        if ((times.endMs !== null && now > times.endMs + 500) || now > limit) {
+          resolve({ ...times, best });
           return;
         }
       }
@@ -156,10 +158,12 @@ async function drag(browser, address, { what, id, ready }) {
 /** @param {Page} page @param {string} id */
 const shows = (page, id) => page.evaluate((wanted) => (window.gaitsmith.widgets().find((widget) => widget.id === wanted)?.rect.height ?? 0) >= 17, id);
 
+/** @returns {never} */
+function fail() { throw new Error('no Chromium: ./dev setup browsers'); }
+
 const [folder = join(ROOT, 'build/site'), runs = '3', only = ''] = process.argv.slice(2);
 const address = await serve(folder);
-const browser = await startChromium();
-if (!browser) throw new Error('no Chromium: ./dev setup browsers');
+const browser = await startChromium() ?? fail();
 const times = Array.from({ length: Number(runs) });
 const figures = Object.keys(GOOD).filter((name) => name.includes(only));
 const show = (/** @type {number | null} */ ms) => (ms === null ? '–' : (ms / 1000).toFixed(2));

@@ -26,8 +26,8 @@ Passage Measured(const Document& d, const Motion& motion, std::size_t clip) {
   const Motion::Frame& first = motion.At(begin);
   const Motion::Frame& last = motion.At(end);
   Passage part{.name = d.controllers[static_cast<std::size_t>(d.timeline[clip].controller)].name,
-            .travel_m = last.x_m - first.x_m,
-            .turns = (last.turn_rad - first.turn_rad) / (2.0 * kPi)};
+               .travel_m = last.x_m - first.x_m,
+               .turns = (last.turn_rad - first.turn_rad) / (2.0 * kPi)};
   for (int frame = begin; frame <= end; ++frame)
     part.rise_m = std::max(part.rise_m, static_cast<double>(motion.At(frame).y_m - first.y_m));
   part.longest_flight = test::LongestFlight(motion, begin, end);

@@ -8,7 +8,6 @@ import { Commands } from './commands.js';
 import { Gaitsmith } from './api.js';
 import { Lab } from './lab.js';
 import { Mirror } from '../access/mirror.js';
-import { Narrator } from '../access/narrator.js';
 import { Searches } from '../search/searches.js';
 import { StatusLine } from '../access/status_line.js';
 import { banner, element, offerFile, onClick, setText } from '../browser/dom.js';
@@ -21,7 +20,6 @@ import { guardKeys } from '../access/keys.js';
 import { followLanguage, tr, trLater, trSentence } from '../languages/language.js';
 import { LANGUAGES, chooseLanguage, startLanguage } from '../languages/language_choice.js';
 import { startPageWords } from '../languages/page_words.js';
-import { startOffline } from '../storage/offline.js';
 import { startSharing } from '../share/sharing.js';
 import { chooseTheme, followTheme, nextTheme, startTheme, THEMES } from './theme.js';
 
@@ -159,17 +157,18 @@ async function start() {
     autosave.save();
   });
   startSharing(app, address, statusLine);
-  void gaitsmith.ready.then(() => startOffline({
+  // The first motion needs neither.
+  void gaitsmith.ready.then(() => import('../storage/offline.js')).then(({ startOffline }) => startOffline({
     leave: () => {
       address.write();
       autosave.save();
     },
-  }));
+  }), () => {});
+  void gaitsmith.ready.then(() => import('../access/narrator.js')).then(({ Narrator }) => { new Narrator(app); }, () => {});
   if (matchMedia('(prefers-reduced-motion: reduce)').matches) {
     app.setCalm(true);
     app.play(false);
   }
-  new Narrator(app);
   if (embedded) {
     document.documentElement.dataset.embedded = '';
     const home = element('home', HTMLAnchorElement);
