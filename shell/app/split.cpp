@@ -22,7 +22,7 @@ void DrawSplit(Ui& ui, Split& split, const SplitPlace& at, float least, float mo
       at.upright ? ImRect({at.border - half, along.Min.x}, {at.border + half, along.Max.x}) : along;
   const float now = at.edge - at.border;
   const Touch touch =
-      ui.Area("split", rect, Grab::kArrows,
+      ui.Area("panel/split", rect, Grab::kArrows,
               {.label = Tr("Room for the panel"),
                .role = "slider",
                .value = Fixed(now, 0),

@@ -10,17 +10,13 @@ const PATIENCE_MS = 60000;
 /** @param {number} ms */
 export const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
-/** @param {string} address @returns {string} */
-function withoutLive(address) {
-  const [before, ...payload] = address.split('#');
-  return [before + (before.includes('?') ? '&live=off' : '?live=off'), ...payload].join('#');
-}
-
 export class PageDriver {
   /** Console errors, failed requests, requests to other hosts. @type {string[]} */
   complaints = [];
   /** Whether the motion plays after the page has loaded. */
   plays = false;
+  /** Whether Live is as for everybody. */
+  live = false;
 
   /** @param {Page} page */
   constructor(page) {
@@ -42,6 +38,7 @@ export class PageDriver {
     const page = await context.newPage();
     const driver = new PageDriver(page);
     driver.plays = plays;
+    driver.live = live;
     const { complaints } = driver;
     page.on('console', (message) => {
       if (['error', 'warn', 'assert'].includes(message.type()) && !/WebGL|GPU|GL Driver|software/i.test(message.text())) {
@@ -66,8 +63,7 @@ export class PageDriver {
     const bare = !beside && !newcomer && !/[?#]/.test(address);
     // A link opens the viewer for a stranger, and the workbench with ?edit.
     const there = newcomer ? address : address.replace(/^([^?#]*)#/, '$1?edit#');
-    const opened = bare ? `${address}?open=star-man-shuffle` : there;
-    await driver.arrive(() => page.goto(live ? opened : withoutLive(opened)));
+    await driver.arrive(() => page.goto(bare ? `${address}?open=star-man-shuffle` : there));
     return driver;
   }
 
@@ -100,6 +96,7 @@ export class PageDriver {
     await this.call('ready', () => window.gaitsmith.ready.then(() => true));
     // A person is slower than the mirror.
     await this.until('the mirror', () => document.querySelector('#mirror [id^=on-canvas]') !== null);
+    if (!this.live) await this.page.evaluate(() => window.gaitsmith.arrange({ live: 'off' }));
     if (!this.plays) await this.play(false);
   }
 

@@ -11,6 +11,7 @@ const POSES = 4;
 const GROUND = 0.82; // of the height
 const FAR_SHARE = 0.57; // how much of the body's colour far limbs keep, as on the stage
 const FIGURE_SHARE = 0.52; // of the height, for the figure as it starts
+const WIDTH_SHARE = 0.6; // of the width, for a figure longer than high
 const LEAST_ACROSS_M = 1.6;
 const REST_S = 0.8; // at the end, before it begins again
 
@@ -67,7 +68,8 @@ export class MotionPicture {
     context.setTransform(density, 0, 0, density, 0, 0);
     context.fillStyle = colours.paper;
     context.fillRect(0, 0, width, height);
-    return { context, width, height, scale: Math.min((FIGURE_SHARE * height) / this.#height, width / LEAST_ACROSS_M) };
+    const scale = Math.min((FIGURE_SHARE * height) / this.#height, (WIDTH_SHARE * width) / this.#span(), width / LEAST_ACROSS_M);
+    return { context, width, height, scale };
   }
 
   /**

@@ -133,11 +133,11 @@ async function givesRoom({ browser, address }) {
   const mouse = new Mouse(page);
   const width = async () => (await mouse.find('stage'))?.rect.width ?? 0;
   const before = await width();
-  const border = await mouse.centre('split');
+  const border = await mouse.centre('panel/split');
   await mouse.drag(border, { x: border.x - 100, y: border.y });
   assert.ok(Math.abs(await width() - (before - 100)) <= 2, `${before} to ${await width()}`);
   const wide = await width();
-  const moved = await mouse.centre('split');
+  const moved = await mouse.centre('panel/split');
   await mouse.drag(moved, { x: 5, y: moved.y });
   assert.ok(await width() >= 0.4 * 1280, 'the panel never takes the stage');
   assert.ok(await width() < wide);

@@ -81,7 +81,7 @@ class Newcomer {
   /** Teaches, and waits for the motion. @param {number} [results] */
   async teach(results = 1) {
     const ids = (await this.page.widgets()).map(({ id }) => id);
-    await this.press(ids.includes('stage/teach') ? 'stage/teach' : 'stage/another');
+    await this.press(['stage/teach', 'draw/teach'].find((id) => ids.includes(id)) ?? 'stage/another');
     await this.page.until('the end of the search', `window.gaitsmith.results().length >= ${results}`);
     await this.page.until('it can be used', () => window.gaitsmith.widgets().some(({ id }) => id === 'stage/another'), 10000);
   }
@@ -195,24 +195,18 @@ async function own(visit, means) {
   await person.press('figures/draw');
   await page.until('the board', () => window.gaitsmith.widgets().some(({ id }) => id === 'figure/board'), 5000);
   const rods = () => page.call('rods', () => window.gaitsmith.document().figure.rods?.length ?? 0);
-  assert.equal(await rods(), 1);
-  for (const side of [-1, 1]) {
-    const before = await rods();
-    if (means === 'keys') await person.press('figure/grow');
-    else await grow(person, side);
-    assert.equal(await rods(), before + 1, `rod ${before + 1}`);
+  const board = (await page.widgets()).find(({ id }) => id === 'figure/board');
+  assert.ok(board);
+  const { x, y, width, height } = board.rect;
+  const at = (/** @type {number} */ right, /** @type {number} */ down) => ({ x: x + right * width, y: y + down * height });
+  for (const foot of [0.35, 0.65]) { // two legs
+    if (means === 'keys') await person.press('draw/grow');
+    else await person.drag(at(0.5, 0.3), at(foot, 0.8));
   }
+  assert.equal(await rods(), 2);
   await person.teach();
   assert.ok(Math.abs(await page.call('metres', () => window.gaitsmith.results()[0].score ?? 0)) > 0.5, 'it moves');
   await person.leave(4);
-}
-
-/** Drags a rod from an end of the figure on the board. @param {Newcomer} person @param {number} side */
-async function grow(person, side) {
-  const board = (await person.page.widgets()).find(({ id }) => id === 'figure/board');
-  assert.ok(board);
-  const { x, y, width, height } = board.rect;
-  await person.drag({ x: x + width / 2, y: y + height / 2 }, { x: x + width / 2 + side * 60, y: y + height / 2 });
 }
 
 /** Controls on the canvas and of the page that a person sees. @param {PageDriver} page */
@@ -228,7 +222,7 @@ async function controls(page) {
  * @param {Visit} visit
  */
 async function count({ browser, address }) {
-  for (const [width, height, first, found] of /** @type {const} */ ([[1280, 720, [0, 0], [0, 0]], [390, 844, [0, 0], [0, 0]]])) {
+  for (const [width, height, first, found] of /** @type {const} */ ([[1280, 720, [24, 13], [32, 13]], [390, 844, [13, 5], [20, 5]]])) {
     const page = await PageDriver.open(browser, address, { newcomer: true, plays: true });
     await page.page.setViewport({ width, height, deviceScaleFactor: 1 });
     await page.frames(10);
