@@ -77,7 +77,9 @@ void App::Draw() {
   Ui ui(theme, window_.Registry(), window_.Behind());
   if (const WidgetRequest* due = window_.Registry().Requests().Due(); due != nullptr && due->begins)
     session_.BeginGesture();
-  session_.Following().Hold(ImGui::GetActiveID() != 0 && ImGui::IsMouseDown(ImGuiMouseButton_Left));
+  // While a number is typed its digits are no wishes of their own.
+  session_.Following().Hold(ImGui::GetIO().WantTextInput ||
+                            (ImGui::GetActiveID() != 0 && ImGui::IsMouseDown(ImGuiMouseButton_Left)));
 
   ImGui::SetNextWindowPos({0.0f, 0.0f});
   ImGui::SetNextWindowSize(size);

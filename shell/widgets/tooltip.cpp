@@ -17,8 +17,10 @@ constexpr float kSlack = 8.0f;  // of a finger that stays
 
 bool ByFinger() { return ImGui::GetIO().MouseSource == ImGuiMouseSource_TouchScreen; }
 
-// The stage has none: it would cover the motion.
-bool HasTooltip(const Widget& widget) { return widget.id != "stage" && widget.role != "textbox"; }
+// The stage has none: it would cover the motion. A finger that rests on a board is about to draw.
+bool HasTooltip(const Widget& widget) {
+  return widget.id != "stage" && widget.role != "textbox" && !(ByFinger() && widget.role == "img");
+}
 
 ImRect PlaceBeside(const ImRect& control, ImVec2 size) {
   const ImVec2 window = ImGui::GetIO().DisplaySize;

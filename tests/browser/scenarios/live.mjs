@@ -2,7 +2,7 @@
 // Live: the page searches on while a control is held. And drawing on the empty stage, and the border of the panel. Each
 // scenario opens its own pages.
 import assert from 'node:assert/strict';
-import { PageDriver } from '../page_driver.mjs';
+import { PageDriver, sleep } from '../page_driver.mjs';
 import { Fingers, Mouse } from '../pointers.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
@@ -108,7 +108,16 @@ async function drawsOnStage({ browser, address }) {
   assert.equal((await finger.find('draw/teach'))?.state.disabled, true, 'nothing is drawn yet');
   const at = (/** @type {number} */ x, /** @type {number} */ y) => ({ x: board.x + x * board.width, y: board.y + y * board.height });
   const hip = at(0.4, 0.35);
-  await finger.drag(hip, at(0.65, 0.35));
+  // A finger that rests before it draws, draws: no tooltip takes the stroke away.
+  const touch = await page.page.touchscreen.touchStart(hip.x, hip.y);
+  await sleep(700);
+  await page.frames(4);
+  for (const right of [0.5, 0.65]) {
+    await touch.move(at(right, 0.35).x, hip.y);
+    await page.frames(2);
+  }
+  await touch.end();
+  await page.frames(6);
   assert.equal(await rods(), 1);
   // Each next stroke begins where the first one did: the board has not moved under the finger.
   await finger.drag(hip, at(0.3, 0.75));
