@@ -96,6 +96,7 @@ void DrawRow(Ui& ui, const ImRect& row, std::vector<Action> actions) {
   }
   if (!excess.empty()) {
     std::vector<std::string> labels;
+    labels.reserve(excess.size());
     for (const Action& action : excess) labels.push_back(action.label);
     const int picked = ui.Menu("stage/more", {{row.Max.x - menu_width, row.Min.y}, row.Max}, more, labels);
     if (picked >= 0) chosen = excess[static_cast<std::size_t>(picked)].run;

@@ -205,6 +205,12 @@ export class PageDriver {
     await this.clickAt(box.x + box.width / 2, box.y + box.height / 2);
   }
 
+  /** Opens the list of commands, whose parts are loaded the first time. */
+  async openPalette() {
+    await this.press('Control+k');
+    await this.until('the palette', () => document.querySelector('#palette')?.hasAttribute('open') ?? false, 10000);
+  }
+
   /**
    * Measures the picture of the stage: the spread of its pixels' brightness, and a checksum.
    * @returns {Promise<{spread: number, sum: number}>}

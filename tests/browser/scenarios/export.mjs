@@ -108,7 +108,7 @@ async function everyFormat(visit) {
 async function byKeyboard(visit) {
   const page = await openShort(visit);
   await page.page.focus('canvas');
-  await page.press('Control+k');
+  await page.openPalette();
   await page.page.keyboard.type('export picture');
   await page.press('Enter');
   await page.until('the dialog', () => document.querySelector('#export-dialog')?.hasAttribute('open') ?? false);

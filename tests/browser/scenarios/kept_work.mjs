@@ -165,7 +165,7 @@ async function linkWins({ browser, address }) {
   assert.equal(await offered(third), false);
   const fourth = await PageDriver.open(browser, link, { beside: mine });
   assert.equal(await offered(fourth), false);
-  await fourth.press('Control+k');
+  await fourth.openPalette();
   await fourth.page.keyboard.type('kept mine');
   await fourth.press('Enter');
   assert.equal(await stateOf(fourth), state);

@@ -79,7 +79,7 @@ async function chosen({ browser, address }) {
   assert.match(await page.call('title', () => document.querySelector('#undo')?.getAttribute('title') ?? ''), /^Rückgängig \(/);
   for (const [words, expected] of /** @type {const} */ ([['sprache eng', ENGLISH], ['language deu', GERMAN]])) {
     await page.page.focus('canvas');
-    await page.press('Control+k');
+    await page.openPalette();
     await page.page.keyboard.type(words);
     await page.press('Enter');
     await page.until('the other language', `document.documentElement.lang === '${expected.code}'`, 10000);

@@ -33,7 +33,7 @@ async function byKeyboard({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   await page.page.focus('canvas');
   await page.until('the examples', () => window.gaitsmith.commands().some(({ id }) => id === 'example/there-and-back'), 5000);
-  await page.press('Control+k');
+  await page.openPalette();
   const all = await palette(page);
   assert.deepEqual([all.role, all.listRole, all.selected, all.chosen], ['combobox', 'listbox', 0, 0]);
   assert.equal(all.count, `${all.titles.length} commands`);
@@ -62,7 +62,7 @@ async function byKeyboard({ browser, address }) {
   assert.equal(await paletteIsOpen(page), false);
   assert.equal(await page.call('focus', () => document.activeElement?.id), 'canvas');
 
-  await page.press('Control+k');
+  await page.openPalette();
   await page.page.keyboard.type('task beryl');
   const found = await palette(page);
   assert.deepEqual(found.titles, ['Choose task: Beryl Biped travels']);
@@ -70,12 +70,12 @@ async function byKeyboard({ browser, address }) {
   assert.equal(await paletteIsOpen(page), false);
   await page.frames();
   assert.equal(await page.call('title', () => window.gaitsmith.document().title), 'Beryl Biped travels');
-  await page.press('Control+k');
+  await page.openPalette();
   await page.page.keyboard.type('undo');
   await page.press('Enter');
   assert.equal(await page.call('title', () => window.gaitsmith.document().title), 'Mr. Star-Man shuffles');
   // A command that opens a dialog.
-  await page.press('Control+k');
+  await page.openPalette();
   await page.page.keyboard.type('open link');
   await page.press('Enter');
   assert.ok(await page.call('dialog', () => document.querySelector('#open-dialog')?.hasAttribute('open')));
