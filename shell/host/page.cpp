@@ -22,7 +22,6 @@
 #include "shell/results/progress_record.h"
 #include "shell/session/commands.h"
 #include "shell/session/moment_words.h"
-#include "shell/words/hints.h"
 #include "shell/words/language.h"
 
 namespace gaitsmith::shell {
@@ -215,10 +214,6 @@ EMSCRIPTEN_KEEPALIVE int gs_set_language(const char* table) {
   page.window->RequestFrame();
   return 1;
 }
-
-/// Sets the sentences of the tooltips. @param table of shell/words/hints, as JSON
-/// @return 0: it is not such a table, and nothing has changed
-EMSCRIPTEN_KEEPALIVE int gs_set_hints(const char* table) { return SetHints(table) ? 1 : 0; }
 
 /// Sets the greatest frame rate; 0: that of the display.
 EMSCRIPTEN_KEEPALIVE void gs_set_frame_rate(double per_second) { ThePage().pace.Limit(per_second); }

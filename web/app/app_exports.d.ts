@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Written by web/build/border.mjs from shell/host/page.cpp and shell/host/page_typeface.cpp: change those.
+// Written by web/build/border.mjs from shell/host/page.cpp and shell/host/page_hints.cpp and shell/host/page_typeface.cpp: change those.
 
 /** An address in the module's memory; 0 is null. */
 export type Pointer = number;
@@ -48,11 +48,6 @@ export interface AppExports {
    * @return 0: it is not such a table, and nothing has changed
    */
   _gs_set_language(table: Pointer): number;
-  /**
-   * Sets the sentences of the tooltips. @param table of shell/words/hints, as JSON
-   * @return 0: it is not such a table, and nothing has changed
-   */
-  _gs_set_hints(table: Pointer): number;
   /** Sets the greatest frame rate; 0: that of the display. */
   _gs_set_frame_rate(perSecond: number): void;
   _gs_play(playing: number): void;
@@ -124,6 +119,8 @@ export interface AppExports {
   _gs_transitions_mapped(generation: number, first: number, scores: Pointer, count: number, usual: number): void;
   /** Reports that no more parts of this generation's map will arrive. */
   _gs_transitions_failed(generation: number): void;
+  /** @param table of shell/words/hints, as JSON. @return 0: it is not such a table, and nothing has changed */
+  _gs_set_hints(table: Pointer): number;
   /** A TrueType file. */
   _gs_typeface(semibold: number): Pointer;
   _gs_typeface_size(semibold: number): number;
