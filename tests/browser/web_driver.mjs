@@ -1,11 +1,27 @@
 // SPDX-License-Identifier: MIT
-// A browser that speaks W3C WebDriver: the few commands that the tests of WebKit need.
+// A browser that speaks W3C WebDriver: the few commands that the tests of WebKit need. What Puppeteer's pages have, too,
+// has the same name here, so that a PageDriver can drive either.
 import assert from 'node:assert/strict';
 import { sleep } from './page_driver.mjs';
 
 const PATIENCE_MS = 60000;
 
+/** Keys that W3C WebDriver knows by characters of their own. @type {Record<string, string>} */
+const KEYS = { Tab: '\ue004', Enter: '\ue007', Shift: '\ue008', Control: '\ue009', Escape: '\ue00c', ArrowLeft: '\ue012', ArrowUp: '\ue013', ArrowRight: '\ue014', ArrowDown: '\ue015' };
+
 export class WebDriver {
+  /** What a mouse does, one step at a time. */
+  mouse = {
+    move: (/** @type {number} */ x, /** @type {number} */ y) => this.#point({ type: 'pointerMove', duration: 0, x: Math.round(x), y: Math.round(y) }),
+    down: () => this.#point({ type: 'pointerDown', button: 0 }),
+    up: () => this.#point({ type: 'pointerUp', button: 0 }),
+  };
+  keyboard = {
+    down: (/** @type {string} */ key) => this.#type([{ type: 'keyDown', value: KEYS[key] ?? key }]),
+    up: (/** @type {string} */ key) => this.#type([{ type: 'keyUp', value: KEYS[key] ?? key }]),
+    press: (/** @type {string} */ key) => this.#type([{ type: 'keyDown', value: KEYS[key] ?? key }, { type: 'pause', duration: 30 }, { type: 'keyUp', value: KEYS[key] ?? key }]),
+  };
+
   /** @param {string} session  its address @param {string} version  of the browser */
   constructor(session, version) {
     this.session = session;
@@ -32,33 +48,36 @@ export class WebDriver {
   close() { return command('DELETE', this.session); }
 
   /**
-   * Evaluates a function in the page. @template {unknown[]} A, R
-   * @param {(...values: A) => R | Promise<R>} body  uses only its arguments and the page @param {A} values
+   * Evaluates a function, or an expression, in the page. @template {unknown[]} A, R
+   * @param {((...values: A) => R | Promise<R>) | string} body  uses only its arguments and the page @param {A} values
    * @returns {Promise<R>}
    */
   async evaluate(body, ...values) {
+    const call = typeof body === 'string' ? `() => (${body})` : body;
     const { value, fault } = await this.#post('execute/async', { args: values, script: `
       const values = [...arguments], finish = values.pop();
-      Promise.resolve().then(() => (${body})(...values)).then((value) => finish({ value }), (error) => finish({ fault: String(error) }));` });
+      Promise.resolve().then(() => (${call})(...values)).then((value) => finish({ value }), (error) => finish({ fault: String(error) }));` });
     assert.equal(fault, undefined);
     return value;
   }
 
-  /** Waits until a condition in the page holds. @param {string} what @param {() => boolean} condition */
-  async until(what, condition) {
-    for (const start = Date.now(); !await this.evaluate(condition); await sleep(50))
-      assert.ok(Date.now() - start < PATIENCE_MS, `waited in vain for: ${what}`);
-  }
-
-  /** Clicks with the mouse, slowly as PageDriver does. @param {number} x @param {number} y */
-  clickAt(x, y) {
-    const pause = { type: 'pause', duration: 100 };
-    return this.#post('actions', { actions: [{ type: 'pointer', id: 'mouse', parameters: { pointerType: 'mouse' },
-      actions: [{ type: 'pointerMove', duration: 0, x: Math.round(x), y: Math.round(y) }, pause, { type: 'pointerDown', button: 0 }, pause, { type: 'pointerUp', button: 0 }, pause] }] });
+  /** An element's place. @param {string} selector */
+  async $(selector) {
+    const box = await this.evaluate((where) => {
+      const { x, y, width, height } = document.querySelector(where)?.getBoundingClientRect() ?? {};
+      return x === undefined ? null : { x, y, width, height };
+    }, selector);
+    return box && { boundingBox: async () => box };
   }
 
   /** The window's picture, PNG as base64. @returns {Promise<string>} */
   screenshot() { return command('GET', `${this.session}/screenshot`); }
+
+  /** @param {object} step */
+  #point(step) { return this.#post('actions', { actions: [{ type: 'pointer', id: 'mouse', parameters: { pointerType: 'mouse' }, actions: [step] }] }); }
+
+  /** @param {object[]} steps */
+  #type(steps) { return this.#post('actions', { actions: [{ type: 'key', id: 'keyboard', actions: steps }] }); }
 
   /** @param {string} name @param {object} body */
   #post(name, body) { return command('POST', `${this.session}/${name}`, body); }

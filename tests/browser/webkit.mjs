@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Tests the built page in WebKit, the engine of Safari, against Chromium and the pinned hashes:
 //   node tests/browser/webkit.mjs [folder, default build/site]
-// Puppeteer does not drive WebKit, so this is a short visit, not the scenarios of run.mjs. Prints each result. The exit
-// status is 1 if one fails, 77 without WebKit's driver.
+// Puppeteer does not drive WebKit, so this is a short visit with a newcomer's stories by mouse and by keys, not all
+// scenarios of run.mjs. Prints each result. The exit status is 1 if one fails, 77 without WebKit's driver.
 import assert from 'node:assert/strict';
 import { mkdir, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { ROOT, serve, startChromium, startWebKit, stopAll } from './browsers.mjs';
 import { documentsIn, goldenLinks, goldenMotions } from './goldens.mjs';
-import { brightness, PageDriver, sleep } from './page_driver.mjs';
-import { WebDriver } from './web_driver.mjs';
+import { brightness, PageDriver } from './page_driver.mjs';
+import { NEWCOMER_STORIES } from './scenarios/newcomer.mjs';
+import { WebKitPage } from './webkit_page.mjs';
 
 const LEFT_OUT = 77;
 
@@ -30,8 +31,8 @@ const address = await serve(process.argv[2] ?? join(ROOT, 'build/site'));
 const chromium = await startChromium();
 assert.ok(chromium, 'Chromium is installed (./dev setup browsers)');
 const there = await PageDriver.open(chromium, address);
-let webkit = await WebDriver.open(driver);
-console.log(`WebKit: ${webkit.version}`);
+let webkit = await WebKitPage.enter(driver, `${address}?open=star-man-shuffle`);
+console.log(`WebKit: ${webkit.browser.version}`);
 
 let passed = 0;
 let failed = 0;
@@ -48,30 +49,6 @@ async function check(claim, body) {
   }
 }
 
-/** Opens an address, waits for the first frame, leaves the tour and pauses. @param {WebDriver} browser @param {string} where */
-async function visit(browser, where) {
-  await browser.go(where);
-  await browser.until('the page', () => 'gaitsmith' in window);
-  await browser.evaluate(() => window.gaitsmith.ready.then(() => true));
-  await browser.until('the mirror', () => document.querySelector('#mirror [id^=on-canvas]') !== null);
-  await browser.evaluate(() => {
-    const skip = document.querySelector('#tour:not([hidden]) #tour-skip');
-    if (skip instanceof HTMLElement) skip.click();
-    if (window.gaitsmith.widgets().some(({ id, label }) => id === 'transport/play' && label === 'Pause')) window.gaitsmith.run('motion/play');
-  });
-}
-
-/** Clicks a widget of the canvas with the mouse, when it no longer moves. @param {string} id */
-async function click(id) {
-  const rectOf = () => webkit.evaluate((wanted) => window.gaitsmith.widgets().find((widget) => widget.id === wanted)?.rect, id);
-  let rect, last;
-  for (const since = Date.now(); !rect || JSON.stringify(rect) !== JSON.stringify(last); await sleep(100)) {
-    assert.ok(Date.now() - since < 10000, `no widget ${id} at rest on the canvas`);
-    [last, rect] = [rect, await rectOf()];
-  }
-  await webkit.clickAt(rect.x + rect.width / 2, rect.y + rect.height / 2);
-}
-
 /** The document from which all searches start. */
 const [start] = await documentsIn('examples');
 
@@ -84,20 +61,19 @@ async function search(text, options) {
 }
 
 await check('opens and draws', async () => {
-  await visit(webkit, address);
-  const stage = await webkit.evaluate(() => window.gaitsmith.widgets().find(({ id }) => id === 'stage')?.rect);
-  const png = await webkit.screenshot();
+  const stage = (await webkit.widgets()).find(({ id }) => id === 'stage')?.rect;
+  const png = await webkit.browser.screenshot();
   await mkdir(join(ROOT, 'build/screenshots'), { recursive: true });
   await writeFile(join(ROOT, 'build/screenshots/webkit.png'), png, 'base64');
-  const { spread } = await webkit.evaluate(brightness, png, stage);
+  const { spread } = await webkit.browser.evaluate(brightness, png, stage);
   assert.ok(spread > 10, `the stage is blank: spread ${spread}`);
-  assert.equal(await webkit.evaluate(() => document.querySelector('#banner')?.hasAttribute('hidden')), true);
+  assert.equal(await webkit.browser.evaluate(() => document.querySelector('#banner')?.hasAttribute('hidden')), true);
 });
 await check('golden motions and links, examples, gallery and lessons have their pinned hashes', async () => {
   const goldens = (await Promise.all([goldenMotions(), goldenLinks(), ...['examples', 'examples/gallery', 'examples/lessons'].map(documentsIn)])).flat();
   const pinned = goldens.filter(({ hash }) => hash);
   assert.ok(pinned.length > 60, `only ${pinned.length} pinned hashes`);
-  const hashes = await webkit.evaluate((texts) => texts.map((text) => {
+  const hashes = await webkit.browser.evaluate((texts) => texts.map((text) => {
     window.gaitsmith.open(text);
     return window.gaitsmith.hash();
   }), pinned.map(({ text }) => text));
@@ -106,7 +82,7 @@ await check('golden motions and links, examples, gallery and lessons have their 
 });
 for (const options of SEARCHES) {
   await check(`${options.algorithm} with ${options.sense} ends with the link of Chromium`, async () => {
-    const here = await webkit.evaluate(search, start.text, options);
+    const here = await webkit.browser.evaluate(search, start.text, options);
     const chromiums = await there.page.evaluate(search, start.text, options);
     assert.equal(here.found.state, 'done');
     assert.deepEqual(here.found, chromiums.found);
@@ -114,28 +90,33 @@ for (const options of SEARCHES) {
   });
 }
 await check('a click on Synthesize starts a search in workers, which finds a motion', async () => {
-  const before = await webkit.evaluate((text) => {
+  const before = await webkit.browser.evaluate((text) => {
     window.gaitsmith.open(text);
     window.gaitsmith.open({ ...window.gaitsmith.document(), hash: undefined, search: { seed: 5, evaluations: 8000 } });
     Object.assign(window, { testRates: [] });
     window.gaitsmith.on('progress', () => /** @type {any} */ (window).testRates.push(document.querySelector('#rate')?.textContent));
     return window.gaitsmith.hash();
   }, start.text);
-  await click('panels/3');
-  await click('search/start');
+  await webkit.click('panels/3');
+  await webkit.click('search/start');
   await webkit.until('the end', () => document.querySelector('#status')?.textContent?.startsWith('Search done') ?? false);
-  const { rates, hash } = await webkit.evaluate(() => ({ rates: /** @type {any} */ (window).testRates, hash: window.gaitsmith.hash() }));
+  const { rates, hash } = await webkit.browser.evaluate(() => ({ rates: /** @type {any} */ (window).testRates, hash: window.gaitsmith.hash() }));
   assert.match(rates.join(), /on \d+ worker/);
   assert.notEqual(hash, before);
 });
 await check('a link of Chromium shows the same motion, bit for bit, in a fresh profile', async () => {
   const [link, hash] = [await there.link(), await there.hash()];
-  await webkit.close(); // the driver has one browser at a time
-  webkit = await WebDriver.open(driver);
-  await visit(webkit, link);
-  assert.equal(await webkit.evaluate(() => window.gaitsmith.hash()), hash);
+  webkit = await WebKitPage.enter(driver, link);
+  assert.equal(await webkit.hash(), hash);
 });
-await webkit.close();
+for (const [claim, story] of NEWCOMER_STORIES) {
+  await check(`a newcomer ${claim}`, async () => {
+    for (const means of /** @type {const} */ (['mouse', 'keys'])) {
+      await story((link = address) => WebKitPage.enter(driver, link, { newcomer: true }), means);
+    }
+  });
+}
+await WebKitPage.leave();
 await chromium.close();
 stopAll();
 console.log(`\n${passed} passed, ${failed} failed`);

@@ -7,6 +7,7 @@ import { Fingers, Mouse } from '../pointers.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
 /** @typedef {'mouse' | 'finger' | 'keys'} Means */
+/** How a person comes in: opens the page as somebody new, or a link. @typedef {(link?: string) => Promise<PageDriver>} Door */
 
 const MEANS = /** @type {const} */ (['mouse', 'finger', 'keys']);
 const TAB_STOPS = 80;
@@ -22,9 +23,9 @@ class Newcomer {
     this.pointer = means === 'finger' ? new Fingers(page) : new Mouse(page);
   }
 
-  /** @param {Visit} visit @param {Means} means */
-  static async arrive({ browser, address }, means) {
-    const page = await PageDriver.open(browser, address, { newcomer: true, plays: true });
+  /** @param {Door} door @param {Means} means */
+  static async arrive(door, means) {
+    const page = await door();
     if (means === 'finger') await page.becomePhone();
     await page.frames(10);
     return new Newcomer(page, means);
@@ -60,7 +61,7 @@ class Newcomer {
     await this.page.until(selector, `document.querySelector(${JSON.stringify(selector)})?.checkVisibility() ?? false`, 10000);
     if (this.means === 'keys') return this.#enter(selector);
     const box = await (await this.page.page.$(selector))?.boundingBox();
-    assert.ok(box);
+    assert.ok(box, `no visible ${selector}`);
     await this.pointer.tap({ x: box.x + box.width / 2, y: box.y + box.height / 2 });
   }
 
@@ -122,28 +123,25 @@ class Newcomer {
 /** Actions of the stage that may be in the menu. @type {Record<string, string>} */
 const LABELS = { 'stage/push': 'Push it', 'stage/calmer': 'Calmer', 'stage/chain': 'Add to timeline', 'stage/share': 'Share', 'stage/export': 'Export' };
 
-/** Runs a story by mouse, finger and keys. @param {(visit: Visit, means: Means) => Promise<void>} story @returns {(visit: Visit) => Promise<void>} */
-const byAll = (story) => async (visit) => { for (const means of MEANS) await story(visit, means); };
-
-/** @param {Visit} visit @param {Means} means */
-async function sprint(visit, means) {
-  const person = await Newcomer.arrive(visit, means);
+/** @param {Door} door @param {Means} means */
+async function sprint(door, means) {
+  const person = await Newcomer.arrive(door, means);
   await person.teach();
   assert.ok(Number((await person.page.call('measures', () => window.gaitsmith.measures())).travel ?? 0) >= 0, 'it moves');
   assert.ok((await person.page.call('metres', () => window.gaitsmith.results()[0].score ?? 0)) >= 16, '2 m/s for eight seconds');
   await person.leave(1);
 }
 
-/** @param {Visit} visit @param {Means} means */
-async function goals(visit, means) {
-  const acrobat = await Newcomer.arrive(visit, means);
+/** @param {Door} door @param {Means} means */
+async function goals(door, means) {
+  const acrobat = await Newcomer.arrive(door, means);
   await acrobat.choose('Acrobat');
   await acrobat.press('goal/cartwheel');
   await acrobat.teach();
   assert.ok(Number((await acrobat.page.call('measures', () => window.gaitsmith.measures())).rotations) >= 1, 'it turns over');
   await acrobat.leave(3);
-  if (means === 'finger') return calmer(visit); // a phone's row of figures has no room for the horse
-  const horse = await Newcomer.arrive(visit, means);
+  if (means === 'finger') return calmer(door); // a phone's row of figures has no room for the horse
+  const horse = await Newcomer.arrive(door, means);
   await horse.choose('Horse');
   await horse.press('goal/calm');
   await horse.teach();
@@ -153,9 +151,9 @@ async function goals(visit, means) {
   await horse.leave(3);
 }
 
-/** A calm gait from a quick one. @param {Visit} visit */
-async function calmer(visit) {
-  const person = await Newcomer.arrive(visit, 'finger');
+/** A calm gait from a quick one. @param {Door} door */
+async function calmer(door) {
+  const person = await Newcomer.arrive(door, 'finger');
   const effort = () => person.page.call('effort', () => Number(window.gaitsmith.measures().effort));
   await person.teach();
   const before = await effort();
@@ -165,9 +163,9 @@ async function calmer(visit) {
   await person.leave(3);
 }
 
-/** @param {Visit} visit @param {Means} means */
-async function push(visit, means) {
-  const person = await Newcomer.arrive(visit, means);
+/** @param {Door} door @param {Means} means */
+async function push(door, means) {
+  const person = await Newcomer.arrive(door, means);
   await person.teach();
   const before = await person.page.hash();
   await person.press('stage/push');
@@ -176,34 +174,35 @@ async function push(visit, means) {
   await person.leave(2);
 }
 
-/** @param {Visit} visit @param {Means} means */
-async function chain(visit, means) {
-  const person = await Newcomer.arrive(visit, means);
+/** @param {Door} door @param {Means} means */
+async function chain(door, means) {
+  const person = await Newcomer.arrive(door, means);
   await person.teach();
   await person.press('stage/chain');
   await person.page.until('two clips', () => (/** @type {{timeline?: unknown[]}} */ (window.gaitsmith.document()).timeline ?? []).length === 2, 5000);
   await person.leave(means === 'finger' ? 3 : 2); // a phone has it under "More"
 }
 
-/** @param {Visit} visit @param {Means} means */
-async function share(visit, means) {
-  const person = await Newcomer.arrive(visit, means);
+/** @param {Door} door @param {Means} means */
+async function share(door, means) {
+  const person = await Newcomer.arrive(door, means);
   await person.teach();
   await person.press('stage/share');
   await person.page.until('the dialog', () => document.querySelector('#share-dialog[open]') !== null, 10000);
   const link = await person.page.call('link', () => /** @type {HTMLTextAreaElement} */ (document.querySelector('#share-link')).value);
   await person.pressElement('#share-copy');
   await person.page.until('it is copied, or selected to be copied', () => document.querySelector('#share-said')?.textContent !== '', 5000);
-  const friend = await PageDriver.open(visit.browser, link, { newcomer: true, plays: true });
-  assert.equal(await friend.hash(), await person.page.hash(), 'a friend sees the same motion');
+  const hash = await person.page.hash();
+  await person.leave(3);
+  const friend = await door(link);
+  assert.equal(await friend.hash(), hash, 'a friend sees the same motion');
   assert.ok((await friend.widgets()).some(({ id }) => id === 'stage/make'), 'in the viewer');
   await friend.close();
-  await person.leave(3);
 }
 
-/** @param {Visit} visit @param {Means} means */
-async function own(visit, means) {
-  const person = await Newcomer.arrive(visit, means);
+/** @param {Door} door @param {Means} means */
+async function own(door, means) {
+  const person = await Newcomer.arrive(door, means);
   const { page } = person;
   await person.press('figures/draw');
   await page.until('the board', () => window.gaitsmith.widgets().some(({ id }) => id === 'figure/board'), 5000);
@@ -254,13 +253,20 @@ async function count({ browser, address }) {
   }
 }
 
+/** What a newcomer does. @type {[string, (door: Door, means: Means) => Promise<void>][]} */
+export const NEWCOMER_STORIES = [
+  ['has a sprinting bird after one press', sprint],
+  ['has a cartwheel and a calm gait after three presses each', goals],
+  ['pushes the bird with the second press', push],
+  ['chains a pair with the second press', chain],
+  ['shares a link with the third press, and a friend sees the motion', share],
+  ['draws a figure that moves, within four presses', own],
+];
+
 /** @type {[string, (visit: Visit) => Promise<void>][]} */
 export const NEWCOMER_SCENARIOS = [
-  ['a newcomer has a sprinting bird after one press', byAll(sprint)],
-  ['a newcomer has a cartwheel and a calm gait after three presses each', byAll(goals)],
-  ['a newcomer pushes the bird with the second press', byAll(push)],
-  ['a newcomer chains a pair with the second press', byAll(chain)],
-  ['a newcomer shares a link with the third press, and a friend sees the motion', byAll(share)],
-  ['a newcomer draws a figure that moves, within four presses', byAll(own)],
+  ...NEWCOMER_STORIES.map(([claim, story]) => /** @type {[string, (visit: Visit) => Promise<void>]} */ ([`a newcomer ${claim}`, async ({ browser, address }) => {
+    for (const means of MEANS) await story((link = address) => PageDriver.open(browser, link, { newcomer: true, plays: true }), means);
+  }])),
   ['the first screen and the screen of the first motion have no more controls than before', count],
 ];
