@@ -7,6 +7,8 @@ import assert from 'node:assert/strict';
 /** @typedef {import('../../web/app/app.js').Widget} Widget */
 
 const PATIENCE_MS = 60000;
+/** Runs the scenarios of what the canvas alone decides, by the same module in every browser. */
+export const ONE_BROWSER = 'Chromium';
 /** @param {number} ms */
 export const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 

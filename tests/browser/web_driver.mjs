@@ -16,6 +16,7 @@ export class WebDriver {
     down: () => this.#point({ type: 'pointerDown', button: 0 }),
     up: () => this.#point({ type: 'pointerUp', button: 0 }),
   };
+
   keyboard = {
     down: (/** @type {string} */ key) => this.#type([{ type: 'keyDown', value: KEYS[key] ?? key }]),
     up: (/** @type {string} */ key) => this.#type([{ type: 'keyUp', value: KEYS[key] ?? key }]),

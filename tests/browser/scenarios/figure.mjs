@@ -2,7 +2,7 @@
 // The drawing board: a rod made longer, a limb copied and deleted, a figure mirrored. Each scenario opens its own page.
 import assert from 'node:assert/strict';
 import { Mouse } from '../pointers.mjs';
-import { PageDriver } from '../page_driver.mjs';
+import { ONE_BROWSER, PageDriver } from '../page_driver.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
 
@@ -67,8 +67,8 @@ async function copiesAndMirrors(visit) {
   await page.close();
 }
 
-/** @type {[string, (visit: Visit) => Promise<void>][]} */
+/** @type {import('./all.mjs').Scenario[]} */
 export const FIGURE_SCENARIOS = [
   ['a rod made longer changes the motion, and Undo brings the old one back', lengthens],
-  ['a limb copied and deleted, a figure mirrored; Undo brings back each', copiesAndMirrors],
+  ['a limb copied and deleted, a figure mirrored; Undo brings back each', copiesAndMirrors, ONE_BROWSER],
 ];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The first screen and the stage at the sizes of a desk, a small window and a phone: what is there, and that nothing covers anything.
 import assert from 'node:assert/strict';
-import { PageDriver } from '../page_driver.mjs';
+import { ONE_BROWSER, PageDriver } from '../page_driver.mjs';
 import { Mouse } from '../pointers.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
@@ -84,10 +84,10 @@ async function foldedScore({ browser, address }) {
   await page.close();
 }
 
-/** @type {[string, (visit: Visit) => Promise<void>][]} */
+/** @type {import('./all.mjs').Scenario[]} */
 export const FIRST_SCREEN_SCENARIOS = [
-  ['first screen: the choices and no transport at every size, and a transport with the motion', nothingToPlay],
-  ['first screen: Follow covers nothing at any size', follow],
+  ['first screen: the choices and no transport at every size, and a transport with the motion', nothingToPlay, ONE_BROWSER],
+  ['first screen: Follow covers nothing at any size', follow, ONE_BROWSER],
   ['first screen: no focus ring around the canvas after a click, and one by keyboard', noRing],
-  ['first screen: the Style panel shows metres first, and the sum when unfolded', foldedScore],
+  ['first screen: the Style panel shows metres first, and the sum when unfolded', foldedScore, ONE_BROWSER],
 ];

@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import { activate, active, settle } from '../assistive.mjs';
 import { ROOT } from '../browsers.mjs';
 import { Mouse } from '../pointers.mjs';
-import { PageDriver, sleep } from '../page_driver.mjs';
+import { ONE_BROWSER, PageDriver, sleep } from '../page_driver.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
 
@@ -74,7 +74,7 @@ class Census {
 }
 
 /** @param {Visit} visit */
-async function everyControl({ browser, address, name }) {
+async function everyControl({ browser, address }) {
   const table = await tableOf();
   const census = new Census(table);
   const fresh = await PageDriver.open(browser, address, { newcomer: true });
@@ -82,6 +82,7 @@ async function everyControl({ browser, address, name }) {
   await census.take(fresh, 'first screen');
   await fresh.click('stage/teach');
   await fresh.until('a motion', () => window.gaitsmith.results().length > 0);
+  await fresh.play(false);
   await census.take(fresh, 'found');
   for (const tab of [0, 1, 2]) {
     await fresh.click(`dock/${tab}`);
@@ -155,12 +156,9 @@ async function everyControl({ browser, address, name }) {
   await page.click('timeline/add');
   await page.click('timeline/mirror');
   await census.take(page, 'two clips');
-  await page.page.setViewport({ width: 1280, height: 720 });
-  if (name === 'Chromium') {
-    await page.page.setViewport({ width: 390, height: 844 });
-    await census.take(page, 'phone');
-    await page.page.setViewport({ width: 844, height: 390 });
-    await census.take(page, 'low phone');
+  for (const [width, height] of [[390, 844], [844, 390]]) {
+    await page.page.setViewport({ width, height });
+    await census.take(page, `${width} by ${height}`);
   }
   const link = await page.link();
   assert.deepEqual(page.complaints, []);
@@ -292,9 +290,9 @@ async function disabledOne({ browser, address }) {
 
 /** @type {[string, (visit: Visit) => Promise<void>, string?][]} */
 export const HINT_SCENARIOS = [
-  ['hints: every control of the canvas has a sentence, for assistive tools, too', everyControl],
+  ['hints: every control of the canvas has a sentence, for assistive tools, too', everyControl, ONE_BROWSER],
   ['hints: a tooltip comes under a resting pointer, stays when pointed at, and Escape hides it', pointedAt],
   ['hints: a tooltip comes with the keyboard\'s focus, within the window', focused],
   ['hints: a finger that stays shows the tooltip and presses nothing', heldByFinger, 'Chromium'],
-  ['hints: the keyboard reaches a disabled goal and its reason', disabledOne],
+  ['hints: the keyboard reaches a disabled goal and its reason', disabledOne, ONE_BROWSER],
 ];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Undo, Redo, New, and files dropped on the page. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
-import { PageDriver } from '../page_driver.mjs';
+import { ONE_BROWSER, PageDriver } from '../page_driver.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
 
@@ -193,11 +193,11 @@ async function dropping({ browser, address }) {
   await page.close();
 }
 
-/** @type {[string, (visit: Visit) => Promise<void>][]} */
+/** @type {import('./all.mjs').Scenario[]} */
 export const HISTORY_SCENARIOS = [
   ['three edits undone and done again, by key, button and script, are the same documents and motions', threeEdits],
-  ['a search is one step back and forth', searchIsOneStep],
+  ['a search is one step back and forth', searchIsOneStep, ONE_BROWSER],
   ['New asks nothing, says how to go back, and Undo does', newAsksNothing],
-  ['the status line keeps no sentence of an earlier action', noStaleSentence],
+  ['the status line keeps no sentence of an earlier action', noStaleSentence, ONE_BROWSER],
   ['a dropped document opens; other files are refused, and change nothing', dropping],
 ];

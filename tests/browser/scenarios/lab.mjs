@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The lab, used by a person and by a script. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
-import { PageDriver } from '../page_driver.mjs';
+import { ONE_BROWSER, PageDriver } from '../page_driver.mjs';
 import { settle } from '../assistive.mjs';
 import { nativeCurves } from '../native.mjs';
 
@@ -123,9 +123,9 @@ async function namesPushes({ browser, address }) {
   await page.close();
 }
 
-/** @type {[string, (visit: Visit) => Promise<void>][]} */
+/** @type {import('./all.mjs').Scenario[]} */
 export const LAB_SCENARIOS = [
   ['the lab, by clicks from a link, draws curves and saves what the command line finds; the motion stays', byClicks],
-  ['the lab says when its trials include a push', namesPushes],
-  ['the lab by script gives rows, can be stopped, and excludes a search', byScript],
+  ['the lab says when its trials include a push', namesPushes, ONE_BROWSER],
+  ['the lab by script gives rows, can be stopped, and excludes a search', byScript, ONE_BROWSER],
 ];

@@ -78,7 +78,7 @@ async function byKeyboard({ browser, address }) {
   await page.openPalette();
   await page.page.keyboard.type('open link');
   await page.press('Enter');
-  assert.ok(await page.call('dialog', () => document.querySelector('#open-dialog')?.hasAttribute('open')));
+  await page.until('the dialog', () => document.querySelector('#open-dialog')?.hasAttribute('open') ?? false, 10000);
   assert.deepEqual(page.complaints, []);
   await page.close();
 }

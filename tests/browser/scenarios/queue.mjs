@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The queue of searches, their results, and what survives a reload. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
-import { PageDriver, sleep } from '../page_driver.mjs';
+import { ONE_BROWSER, PageDriver, sleep } from '../page_driver.mjs';
 import { stateOf } from './history.mjs';
 import { nativeHash } from '../native.mjs';
 
@@ -317,14 +317,14 @@ async function forbidden({ browser, address }) {
   await page.close();
 }
 
-/** @type {[string, (visit: Visit) => Promise<void>][]} */
+/** @type {import('./all.mjs').Scenario[]} */
 export const QUEUE_SCENARIOS = [
   ['a queue of searches runs by itself and leaves the stage alone; a result shown is what its seed finds', runsThrough],
   ['a queue waits after Stop, resumes on request, and can be cleared', stopped],
   ['a queue goes on where no frame is drawn', unseen],
-  ['a queue goes on after one that fails', oneFails],
+  ['a queue goes on after one that fails', oneFails, ONE_BROWSER],
   ['a queue by script: added to, full, and told of with links of its own', byScript],
   ['results outlive a reload, with marks and deletions, and two tabs do not lose each other\'s', afterReload],
   ['results where storage is forbidden: said once, and here until one leaves', forbidden],
-  ['the population\'s spread is told and drawn, where there is a population', spread],
+  ['the population\'s spread is told and drawn, where there is a population', spread, ONE_BROWSER],
 ];

@@ -2,7 +2,7 @@
 // The rules of a controller, read and changed by hand, and the gallery of figures. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
 import { Mouse } from '../pointers.mjs';
-import { PageDriver } from '../page_driver.mjs';
+import { ONE_BROWSER, PageDriver } from '../page_driver.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
 
@@ -165,9 +165,9 @@ async function gallery({ browser, address }) {
   await page.close();
 }
 
-/** @type {[string, (visit: Visit) => Promise<void>][]} */
+/** @type {import('./all.mjs').Scenario[]} */
 export const RULE_SCENARIOS = [
   ['a rule is opened, its interval and its pose are dragged, copied and deleted; Undo brings the motion back', byMouse],
   ['a rule is changed by the keyboard alone, and the one in focus is explained', byKeyboard],
-  ['the gallery shows all figures, and one of them takes the stage', gallery],
+  ['the gallery shows all figures, and one of them takes the stage', gallery, ONE_BROWSER],
 ];

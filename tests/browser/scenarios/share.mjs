@@ -6,7 +6,7 @@ import { createRequire } from 'node:module';
 import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { ROOT } from '../browsers.mjs';
-import { PageDriver } from '../page_driver.mjs';
+import { ONE_BROWSER, PageDriver } from '../page_driver.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
 /** @type {(data: Uint8ClampedArray, width: number, height: number) => {data: string} | null} */
@@ -227,8 +227,8 @@ async function wrongAddress({ browser, address }) {
 export const SHARE_SCENARIOS = [
   ['Share has the link, a code that a camera reads, and lines that put it into another page', shareDialog],
   ['links that are damaged, cut, newer, too long or none say so and what to do', linksThatCannotBeOpened],
-  ['golden links with any one byte changed, or cut anywhere, are refused', damagedLinks],
+  ['golden links with any one byte changed, or cut anywhere, are refused', damagedLinks, ONE_BROWSER],
   ['an address shows panels, locks parts and sets a goal that is ticked', lessonInTheAddress],
-  ['every wrong option of an address is named, and the right ones count', wrongAddress],
-  ['the goals of all lessons can be read, are measured, and are still to be reached', goalsOfLessons],
+  ['every wrong option of an address is named, and the right ones count', wrongAddress, ONE_BROWSER],
+  ['the goals of all lessons can be read, are measured, and are still to be reached', goalsOfLessons, ONE_BROWSER],
 ];

@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import { activate, setValue } from '../assistive.mjs';
 import { ROOT } from '../browsers.mjs';
 import { Mouse } from '../pointers.mjs';
-import { PageDriver } from '../page_driver.mjs';
+import { ONE_BROWSER, PageDriver } from '../page_driver.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
 /** @typedef {import('../../../web/app/app.js').FoundMotion} FoundMotion */
@@ -243,7 +243,7 @@ async function longLink({ browser, address }) {
 
 /** @type {[string, (visit: Visit) => Promise<void>, string?][]} */
 export const SUITE_SCENARIOS = [
-  ['a suite in one press: named, sorted, kept, made again', suite],
+  ['a suite in one press: named, sorted, kept, made again', suite, ONE_BROWSER],
   ['Figure 12 of the paper, chained by mouse and by keys alone', figure12],
   ['a link that is too long says so, and offers a file', longLink],
 ];

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { activate, setValue, settle } from '../assistive.mjs';
 import { Mouse } from '../pointers.mjs';
 import { nativeHash } from '../native.mjs';
-import { PageDriver } from '../page_driver.mjs';
+import { ONE_BROWSER, PageDriver } from '../page_driver.mjs';
 import { stateOf } from './history.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
@@ -208,7 +208,7 @@ async function oneRuler({ browser, address }) {
 export const TIMELINE_SCENARIOS = [
   ['clips are chained by mouse, and undone', byMouse],
   ['clips are chained by keys and assistive tools alone', byKeys],
-  ['the clips and the scrubber share one ruler', oneRuler],
-  ['a clip snaps to the nearest good moment of its transition map', snapsToBest],
-  ['a result is chained, and repaired from where it takes over', withResults],
+  ['the clips and the scrubber share one ruler', oneRuler, ONE_BROWSER],
+  ['a clip snaps to the nearest good moment of its transition map', snapsToBest, ONE_BROWSER],
+  ['a result is chained, and repaired from where it takes over', withResults, ONE_BROWSER],
 ];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The tour of the playground, which a person asks for. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
-import { PageDriver } from '../page_driver.mjs';
+import { ONE_BROWSER, PageDriver } from '../page_driver.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
 
@@ -55,8 +55,8 @@ async function skipped({ browser, address }) {
   await page.close();
 }
 
-/** @type {[string, (visit: Visit) => Promise<void>][]} */
+/** @type {import('./all.mjs').Scenario[]} */
 export const TOUR_SCENARIOS = [
   ['the tour shows six parts of the page, on a desk and on a phone', sixSteps],
-  ['the tour comes only when asked for, and ends with Escape', skipped],
+  ['the tour comes only when asked for, and ends with Escape', skipped, ONE_BROWSER],
 ];

@@ -3,7 +3,7 @@
 // pages.
 import assert from 'node:assert/strict';
 import { Fingers, Mouse } from '../pointers.mjs';
-import { PageDriver, sleep } from '../page_driver.mjs';
+import { ONE_BROWSER, PageDriver, sleep } from '../page_driver.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
 
@@ -255,12 +255,12 @@ async function onPhone(visit) {
   for (const one of [page, low]) await one.close();
 }
 
-/** @type {[string, (visit: Visit) => Promise<void>][]} */
+/** @type {import('./all.mjs').Scenario[]} */
 export const VIEWER_SCENARIOS = [
   ['the viewer plays for a stranger, a drag pushes, Make your own opens the workbench for good', stranger],
   ['the viewer works by keys, and a panel, a figure or a search leaves it', byKeys],
   ['the viewer is not for what the browser knows: reload, back, bookmark', own],
-  ['the viewer comes with ?view and the workbench with ?edit, and mistakes are reported', switches],
+  ['the viewer comes with ?view and the workbench with ?edit, and mistakes are reported', switches, ONE_BROWSER],
   ['the viewer stays out of frames unless they ask for it', framed],
   ['the viewer on a phone: buttons for fingers, a pull pushes, the rules open', onPhone],
 ];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Changes of a figure's world, by number and by hand. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
-import { PageDriver } from '../page_driver.mjs';
+import { ONE_BROWSER, PageDriver } from '../page_driver.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
 
@@ -153,10 +153,10 @@ async function sideBySide({ browser, address }) {
   await page.close();
 }
 
-/** @type {[string, (visit: Visit) => Promise<void>][]} */
+/** @type {import('./all.mjs').Scenario[]} */
 export const WORLD_SCENARIOS = [
   ['the world by number: a push and a slope change the motion, a link carries them, reset takes them back', byNumber],
   ['the world by hand: a foot pulled on the stage is pushed, Undo takes it back; zoom and follow', byHand],
-  ['a style tried from the shown motion leaves the search as it was, shows what was before as a ghost, and can be undone', style],
-  ['timer and senses side by side: a search finds the other, and a push meets both', sideBySide],
+  ['a style tried from the shown motion leaves the search as it was, shows what was before as a ghost, and can be undone', style, ONE_BROWSER],
+  ['timer and senses side by side: a search finds the other, and a push meets both', sideBySide, ONE_BROWSER],
 ];
