@@ -202,12 +202,12 @@ void DrawWorldCard(Ui& ui, Session& session, WorldCardState& state, const ImRect
   ImGui::PopStyleVar();
   DrawGroundAndGravity(ui, session);
   ui.Gap(8.0f);
+  DrawLiveSwitch(ui, session, "world/live");
   DrawPushes(ui, session, state);
   ui.Gap(8.0f);
   DrawGhostChoice(ui, session);
   ui.Gap(8.0f);
   ui.Switch("world/rods", Tr("Show rods only"), state.rods_only);
-  DrawLiveSwitch(ui, session, "world/live");
   ui.Gap(8.0f);
   if (ui.Button("world/reset", ui.ControlRow(), Tr("Back to the world as opened"), ButtonLook::kOutlined,
                 session.World().Changed())) {

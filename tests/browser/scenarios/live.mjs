@@ -11,6 +11,7 @@ import { Fingers, Mouse } from '../pointers.mjs';
 async function world({ browser, address }) {
   const page = await PageDriver.open(browser, address, { plays: true, live: true });
   await page.click('world/open');
+  await page.until('the card', () => window.gaitsmith.widgets().some(({ id }) => id === 'world/live'), 5000);
   await page.frames(6);
   return { page, pointer: new Mouse(page) };
 }
