@@ -74,7 +74,10 @@ async function press(browser, address, figure) {
     };
     requestAnimationFrame(look);
   }), LEAST_M, GOOD[figure] ?? Infinity, LIMIT_MS);
-  await page.mouse.click(x, y);
+  // Slower than a frame: else the canvas has not seen what is under the pointer.
+  await page.mouse.move(x, y);
+  await new Promise((resolve) => { setTimeout(resolve, 100); });
+  await page.mouse.click(x, y, { delay: 60 });
   const times = /** @type {Omit<Press, 'figure'>} */ (await seen);
   await page.browserContext().close();
   return { figure, ...times };
