@@ -149,14 +149,16 @@ async function keysWork({ browser, address }) {
 async function sheet({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   const open = () => page.call('open', () => document.querySelector('#help')?.hasAttribute('open') ?? false);
+  const opens = (/** @type {string} */ key) => page.until(`the sheet, by ${key}`, () => document.querySelector('#help')?.hasAttribute('open') ?? false, 10000);
   for (const key of ['?', 'F1']) {
     await page.page.focus('canvas');
     await page.press(key);
-    assert.ok(await open(), key);
+    await opens(key);
     await page.press('Escape');
     assert.equal(await open(), false);
   }
   await page.clickElement('#keys');
+  await opens('the button');
   const caps = await page.call('caps', () => [...document.querySelectorAll('#help kbd')].map((cap) => cap.textContent ?? ''));
   assert.equal(new Set(caps).size, caps.length, `a key stands for two things: ${caps}`);
   for (const cap of ['Space', 'S', '1', '5', 'Home', '?', 'T']) assert.ok(caps.includes(cap), `no ${cap}`);
@@ -169,12 +171,13 @@ async function sheet({ browser, address }) {
   await page.press('1');
   assert.equal(await panel(), before);
   await page.press('F1');
-  assert.ok(await open());
+  await opens('F1');
   await page.reload();
   await page.page.focus('canvas');
   await page.press('1');
   assert.equal(await panel(), before);
   await page.clickElement('#keys');
+  await opens('the button');
   await page.clickElement('#help-single');
   await page.press('Escape');
   await page.page.focus('canvas');
