@@ -73,7 +73,7 @@ async function drive(name, start) {
   return visit;
 }
 
-// Half of the pixels a side, because software graphics need most of the time. Pictures have all of them.
+// Half of the pixels a side, because software graphics need most of the time. Firefox and the pictures have all of them.
 const BROWSERS = /** @type {const} */ ({ Chromium: () => startChromium({ width: 1280, height: 720, deviceScaleFactor: 0.5 }), Firefox: startFirefox });
 const chosen = Object.entries(BROWSERS).filter(([name]) => [name.toLowerCase(), ''].includes(process.env.BROWSER ?? ''));
 assert.ok(chosen.length > 0, `BROWSER is chromium or firefox, not ${process.env.BROWSER}`);

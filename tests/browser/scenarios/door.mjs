@@ -50,6 +50,15 @@ async function firstPress({ browser, address }) {
 }
 
 /** @param {Visit} visit */
+async function byKey({ browser, address }) {
+  const page = await PageDriver.open(browser, address, { newcomer: true, plays: true });
+  await page.press('Enter');
+  assert.ok(await metres(page, 1) >= BIRD_METRES);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
 async function lessMotion({ browser, address }) {
   const page = await PageDriver.open(browser, address, { newcomer: true, plays: true, before: () => {
     const { matchMedia } = window;
@@ -126,6 +135,7 @@ async function addresses({ browser, address }) {
 /** @type {import('./all.mjs').Scenario[]} */
 export const DOOR_SCENARIOS = [
   ['a newcomer teaches a bird to sprint, tries another, calms it, and finds all panels', firstPress],
+  ['a newcomer teaches the bird by the Enter key', byKey],
   ['a newcomer compares motions in a row, chains two, and takes another figure', rail, ONE_BROWSER],
   ['with reduced motion the first press finds a gait, and nothing plays by itself', lessMotion],
   ['an address opens an example by its name, and all its mistakes are reported', addresses],

@@ -208,7 +208,7 @@ async function stillness({ browser, address, name }) {
 }
 
 /** A look reads the widgets and compares each with its element. Measured: 5 to 9 readings. */
-const MOST_READINGS = 30;
+const MOST_READINGS = 20;
 
 /** @param {Visit} visit */
 async function cheap({ browser, address, figures }) {

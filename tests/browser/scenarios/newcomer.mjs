@@ -7,7 +7,7 @@ import { Fingers, Mouse } from '../pointers.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
 /** @typedef {'mouse' | 'finger' | 'keys'} Means */
-/** How a person comes in: opens the page as somebody new, or a link. @typedef {(link?: string) => Promise<PageDriver>} Door */
+/** Opens the page, or a link, as a new visitor. @typedef {(link?: string) => Promise<PageDriver>} Door */
 
 const MEANS = /** @type {const} */ (['mouse', 'finger', 'keys']);
 const TAB_STOPS = 80;
@@ -50,6 +50,7 @@ class Newcomer {
     else if (this.means === 'mouse') await page.click(id);
     else {
       await this.#rest(id);
+      await this.#largeEnough(id);
       await this.pointer.tap(await this.pointer.centre(id));
     }
     await page.frames(6);
@@ -87,7 +88,7 @@ class Newcomer {
     await this.page.until('it can be used', () => window.gaitsmith.widgets().some(({ id }) => id === 'stage/another'), 10000);
   }
 
-  /** @param {number} presses  at most so many were needed @param {string} what  for what */
+  /** @param {number} presses  at most so many were needed @param {string} what  they were for */
   spent(presses, what) { assert.ok(this.presses <= presses, `${this.presses} presses by ${this.means} ${what}, at most ${presses}`); }
 
   async leave() {
@@ -108,6 +109,13 @@ class Newcomer {
       await page.press(await within() ? 'ArrowDown' : 'Tab');
     }
     await page.press('Enter');
+  }
+
+  /** What a finger presses is 44 px high and on the screen. @param {string} id */
+  async #largeEnough(id) {
+    const { x, width, height } = (await this.pointer.find(id))?.rect ?? assert.fail(`no ${id}`);
+    const across = await this.page.call('width', () => innerWidth);
+    assert.ok(height >= 44 && x >= 0 && x + width <= across, `${id} is ${height} px high, from ${x} to ${x + width} of ${across}`);
   }
 
   /** Waits until a widget no longer moves. @param {string} id */
@@ -137,10 +145,10 @@ async function bird(door, means) {
   person.spent(2, 'to push');
   await page.until('pushed', () => (window.gaitsmith.document().pushes ?? []).length === 1, 5000);
   assert.notEqual(await page.hash(), hash);
-  await page.page.evaluate(() => window.gaitsmith.undo());
+  await page.press('Control+z'); // a push is a step of Undo
   await page.until('as before', `window.gaitsmith.hash() === '${hash}'`, 5000);
 
-  person.presses = 1;
+  person.presses = 1; // from the sprint on
   await person.press('stage/share');
   await page.until('the dialog', () => document.querySelector('#share-dialog[open]') !== null, 10000);
   const link = await page.call('link', () => /** @type {HTMLTextAreaElement} */ (document.querySelector('#share-link')).value);

@@ -326,5 +326,5 @@ export const QUEUE_SCENARIOS = [
   ['a queue by script: added to, full, and told of with links of its own', byScript],
   ['results outlive a reload, with marks and deletions, and two tabs do not lose each other\'s', afterReload],
   ['results where storage is forbidden: said once, and here until one leaves', forbidden],
-  ['the population\'s spread is told and drawn, where there is a population', spread, ONE_BROWSER],
+  ['the spread of a population is described and drawn', spread, ONE_BROWSER],
 ];
