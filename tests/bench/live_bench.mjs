@@ -2,7 +2,8 @@
 // How soon a person sees something, in Chromium: node tests/bench/live_bench.mjs [folder, default build/site] [runs]
 // 1. From the press on a standing figure to its first gait, and to a good one: half of the median that 40,000 evaluations
 //    of SPHC find (docs/studies/first-press). For every shipped figure, each in a new tab.
-// 2. Live: from a change during a drag to the first preview for it, and the longest time between two frames.
+// 2. Live: from a change during a drag to the first preview for it, and the longest time between two frames, beside the
+//    same drag without Live: what the machine needs for drawing alone.
 // 3. The first press again, with workers at a quarter of their speed.
 // Writes build/bench-live.json and prints the tables of docs/performance.md.
 import { readFileSync, readdirSync } from 'node:fs';
@@ -15,7 +16,7 @@ import { slowSite } from './slow_site.mjs';
 /** @typedef {import('../browser/browsers.mjs').Browser} Browser */
 /** @typedef {import('../browser/browsers.mjs').Page} Page */
 /** Milliseconds; null: not within the limit. @typedef {{figure: string, firstMs: number | null, goodMs: number | null, endMs: number | null, best: number}} Press */
-/** @typedef {{what: string, previewMs: number | null, searches: number, frames: number, longestFrameMs: number, framesOver33: number}} Drag */
+/** @typedef {{what: string, live: 'on' | 'off', previewMs: number | null, searches: number, frames: number, longestFrameMs: number, framesOver33: number}} Drag */
 
 const STUDY = join(ROOT, 'docs/studies/first-press');
 const LIMIT_MS = 15000;
@@ -94,9 +95,10 @@ const SLIDERS = [
 /**
  * Drags a slider for two seconds, ten steps a second, and holds it.
  * @param {Browser} browser @param {string} address @param {{what: string, id: string, ready: string[]}} slider
+ * @param {'on' | 'off'} live
  * @returns {Promise<Drag>}
  */
-async function drag(browser, address, { what, id, ready }) {
+async function drag(browser, address, { what, id, ready }, live) {
   const page = await (await browser.createBrowserContext()).newPage();
   await page.evaluateOnNewDocument(() => {
     const log = /** @type {any} */ (window).benchLog = { began: /** @type {number[]} */ ([]), moved: /** @type {number[]} */ ([]), frames: /** @type {[number, string][]} */ ([]) };
@@ -109,6 +111,7 @@ async function drag(browser, address, { what, id, ready }) {
   });
   await page.goto(`${address}?open=star-man-shuffle`);
   await page.evaluate((settled) => window.gaitsmith.ready.then(() => new Promise((resolve) => { setTimeout(resolve, settled); })), SETTLED_MS);
+  await page.evaluate((switched) => window.gaitsmith.arrange({ live: switched }), live);
   for (const step of ready) {
     if (step.startsWith('!')) await page.evaluate((command) => window.gaitsmith.run(command), step.slice(1));
     else {
@@ -150,6 +153,7 @@ async function drag(browser, address, { what, id, ready }) {
   const gaps = frames.slice(1).map((/** @type {[number, string]} */ [ms], /** @type {number} */ i) => ms - frames[i][0]);
   return {
     what,
+    live,
     previewMs: shown < 0 ? null : frames[shown][0] - last,
     searches: began.length,
     frames: frames.length,
@@ -192,14 +196,16 @@ console.log('| figure | first gait, s | good one, s | end, s | good from, m | fo
 const pressed = await presses(figures, address);
 console.log('Workers at a quarter of their speed:');
 const slow = await presses(figures, await slowSite(folder));
-console.log('| dragged | preview, s | searches begun | longest frame, ms | frames over 33 ms |\n|---|---|---|---|---|');
+console.log('| dragged | Live | preview, s | searches begun | longest frame, ms | frames over 33 ms |\n|---|---|---|---|---|---|');
 /** @type {Drag[]} */
 const dragged = [];
 for (const slider of SLIDERS) {
   for (const _ of times) {
-    const row = await drag(browser, address, slider);
-    dragged.push(row);
-    console.log(`| ${row.what} | ${show(row.previewMs)} | ${row.searches} | ${row.longestFrameMs.toFixed(0)} | ${row.framesOver33} of ${row.frames} |`);
+    for (const live of /** @type {const} */ (['on', 'off'])) {
+      const row = await drag(browser, address, slider, live);
+      dragged.push(row);
+      console.log(`| ${row.what} | ${live} | ${show(row.previewMs)} | ${row.searches} | ${row.longestFrameMs.toFixed(0)} | ${row.framesOver33} of ${row.frames} |`);
+    }
   }
 }
 await keep('live', { browser: await browser.version(), pressed, slow, dragged });
