@@ -255,7 +255,7 @@ bool SearchRun::IsDisturbedBy(const Document& next) const {
 
 bool SearchRun::ShowImprovement(double seconds) {
   // Shortest time between improvements on the screen [s]: a new motion every frame would be unreadable.
-  constexpr double kShortestShow = 0.8;
+  constexpr double kShortestShow = 0.5;
   shown_for_s_ += seconds;
   if (improvement_.empty() || shown_for_s_ < kShortestShow || !job_) return false;
   shown_for_s_ = 0.0;

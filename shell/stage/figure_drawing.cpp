@@ -23,7 +23,7 @@ constexpr float kLeastEye = 1.1f;
 /// A limb whose radius swells between its ends, by `belly` halfway, as one shape.
 void DrawSwollenLimb(ImDrawList* list, ImVec2 from, float from_radius, ImVec2 to, float to_radius,
                      float belly, ImU32 colour) {
-  constexpr int kSteps = 12;
+  constexpr int kSteps = 8;
   const float angle = std::atan2(to.y - from.y, to.x - from.x);
   const ImVec2 across(-std::sin(angle), std::cos(angle));
   const auto side = [&](int step, float sign) {

@@ -126,9 +126,12 @@ void DrawTrail(const Scene& s, double from_s) {
       continue;
     }
     while (length >= due) {
-      const float share = due / length;
-      before = {before.x + (point.x - before.x) * share, before.y + (point.y - before.y) * share};
-      if (s.rect.Contains(before)) s.list->AddCircleFilled(before, 0.95f, s.ui.Ink().second_ink, 8);
+      const ImVec2 along((point.x - before.x) / length, (point.y - before.y) / length);
+      before = {before.x + due * along.x, before.y + due * along.y};
+      // A short line looks like a dot and has a twelfth of a disc's triangles.
+      if (s.rect.Contains(before))
+        s.list->AddLine({before.x - along.x, before.y - along.y}, {before.x + along.x, before.y + along.y},
+                        s.ui.Ink().second_ink, 2.0f);
       length -= due;
       due = kSpacing;
     }
