@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Uses a page like assistive tools: by roles and names, without pointer and keys.
 import assert from 'node:assert/strict';
-import { sleep } from './page_driver.mjs';
+import { PATIENCE_MS, sleep } from './page_driver.mjs';
 
 /** @typedef {import('./page_driver.mjs').PageDriver} PageDriver */
 
@@ -16,7 +16,7 @@ export async function byRole(page, role, name) {
     const found = tree ? await page.page.$(`::-p-aria([name="${name}"][role="${role}"])`)
       : (await page.page.evaluateHandle(seek, role, name)).asElement();
     if (found) return found;
-    assert.ok(Date.now() - start < 5000, `no ${role} "${name}"`);
+    assert.ok(Date.now() - start < PATIENCE_MS, `no ${role} "${name}"`);
   }
 }
 

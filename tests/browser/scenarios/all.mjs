@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { ROOT } from '../browsers.mjs';
-import { PageDriver, sleep } from '../page_driver.mjs';
+import { PATIENCE_MS, PageDriver, sleep } from '../page_driver.mjs';
 import { AXE_SCENARIOS } from './axe.mjs';
 import { EXPORT_SCENARIOS } from './export.mjs';
 import { FAULT_SCENARIOS } from './fault.mjs';
@@ -90,7 +90,7 @@ export const MAIN_SCENARIOS = [
     await page.click('panels/3');
     await watchFrames(page);
     await page.click('search/start');
-    await page.until('a search', () => /** @type {any} */ (window).testBests.length > 2, 10000);
+    await page.until('a search', () => /** @type {any} */ (window).testBests.length > 2);
     assert.match(await page.status(), /Searching with SPHC/);
     await page.until('the end', () => document.querySelector('#status')?.textContent?.startsWith('Search done') ?? false);
     const stall = await longestFrame(page);
@@ -106,7 +106,7 @@ export const MAIN_SCENARIOS = [
     await page.play(true);
     const before = await page.stage();
     for (const start = Date.now(); (await page.stage()).sum === before.sum; await sleep(100))
-      assert.ok(Date.now() - start < 5000, 'it does not move');
+      assert.ok(Date.now() - start < PATIENCE_MS, 'it does not move');
     await page.play(false);
     assert.equal((await page.stage()).sum, (await page.stage()).sum, 'a paused motion stands still');
   }],
@@ -115,7 +115,7 @@ export const MAIN_SCENARIOS = [
     const { page } = visit;
     await page.click('panels/1');
     await page.click('controller/senses/0');
-    await page.until('the timer', () => window.gaitsmith.document().senses?.kind === 'timer', 5000);
+    await page.until('the timer', () => window.gaitsmith.document().senses?.kind === 'timer');
     await page.click('panels/3');
     const before = await page.hash();
     await page.page.evaluate(() => window.gaitsmith.on('done', () => Object.assign(window, { testDone: true })));
@@ -162,7 +162,7 @@ export const MAIN_SCENARIOS = [
   }],
 
   ['the address follows the document at rest', async ({ page }) => {
-    await page.until('the address', () => location.href === window.gaitsmith.link(), 3000);
+    await page.until('the address', () => location.href === window.gaitsmith.link());
   }],
 
   ['one worker and two find the same motion', async (visit) => {
@@ -204,7 +204,7 @@ export const MAIN_SCENARIOS = [
     const before = await page.hash();
     const link = await page.link();
     await page.page.evaluate((hash) => { location.hash = hash; }, link.slice(link.indexOf('#'), -7));
-    await page.until('a banner', () => !document.querySelector('#banner')?.hasAttribute('hidden'), 3000);
+    await page.until('a banner', () => !document.querySelector('#banner')?.hasAttribute('hidden'));
     const text = await page.call('banner', () => document.querySelector('#banner-text')?.textContent ?? '');
     assert.match(text, /link/);
     assert.match(text, /cut|damaged|truncated|ends|short/);
@@ -308,7 +308,7 @@ export const SCENARIOS = [
     await show(text);
     assert.equal(await note(), undefined);
     assert.match(await fresh.status(), /^Opened /);
-    await fresh.until('the address at rest', () => location.href === window.gaitsmith.link(), 3000);
+    await fresh.until('the address at rest', () => location.href === window.gaitsmith.link());
     await fresh.page.evaluate((hash) => { location.hash = hash; }, link.slice(link.indexOf('#')));
     await fresh.frames(6);
     assert.match(await note() ?? '', /differs from the one its maker saw/);

@@ -36,13 +36,13 @@ async function firstPress({ browser, address }) {
   assert.ok(await page.call('weight', () => (window.gaitsmith.document().task?.weights?.effort ?? 0) < 0));
   // Another goal makes the stage's button teach again.
   await page.click('goal/high-jump');
-  await page.until('another lesson', () => window.gaitsmith.widgets().some(({ id, label }) => id === 'stage/another' && label === 'Teach it to jump'), 5000);
+  await page.until('another lesson', () => window.gaitsmith.widgets().some(({ id, label }) => id === 'stage/another' && label === 'Teach it to jump'));
   // All panels, and back.
   await page.click('make/advanced');
-  await page.until('the panels', () => window.gaitsmith.widgets().some(({ id }) => id === 'panels/2'), 5000);
+  await page.until('the panels', () => window.gaitsmith.widgets().some(({ id }) => id === 'panels/2'));
   assert.ok(!(await ids(page)).some((id) => id.startsWith('goal/')));
   await page.page.evaluate(() => window.gaitsmith.run('view/simple'));
-  await page.until('the choices', () => window.gaitsmith.widgets().some(({ id }) => id === 'goal/far'), 5000);
+  await page.until('the choices', () => window.gaitsmith.widgets().some(({ id }) => id === 'goal/far'));
   await page.reload();
   assert.ok((await ids(page)).includes('goal/far'), 'a reload keeps the choices');
   assert.deepEqual(page.complaints, []);
@@ -86,7 +86,7 @@ async function rail({ browser, address }) {
   await page.until('two cards', () => window.gaitsmith.widgets().filter(({ id }) => /^rail\/[0-9a-f]{16}$/.test(id)).length === 2);
   const before = await cards();
   await page.click(before[1].id);
-  await page.until('the first motion', `window.gaitsmith.hash() === ${JSON.stringify(first)}`, 5000);
+  await page.until('the first motion', `window.gaitsmith.hash() === ${JSON.stringify(first)}`);
   await page.frames(5);
   const after = await cards();
   assert.deepEqual(after.map(({ id, rect }) => [id, rect]), before.map(({ id, rect }) => [id, rect]), 'nothing moves');
@@ -94,8 +94,8 @@ async function rail({ browser, address }) {
   assert.ok((await page.widgets()).some(({ id, state }) => id === 'goal/head-up' && state.checked), 'the goal stays');
   // A second clip opens the timeline; another motion does not take its place without a question.
   await page.click('stage/chain');
-  await page.until('two clips', () => (/** @type {{timeline?: unknown[]}} */ (window.gaitsmith.document()).timeline ?? []).length === 2, 5000);
-  await page.until('the timeline', () => window.gaitsmith.widgets().some(({ id }) => id === 'timeline/add'), 5000);
+  await page.until('two clips', () => (/** @type {{timeline?: unknown[]}} */ (window.gaitsmith.document()).timeline ?? []).length === 2);
+  await page.until('the timeline', () => window.gaitsmith.widgets().some(({ id }) => id === 'timeline/add'));
   const chained = await page.hash();
   await page.click('dock/1');
   await page.frames(5);
@@ -106,14 +106,14 @@ async function rail({ browser, address }) {
   await page.frames(5);
   await page.click(before[0].id);
   await page.click('rail/replace');
-  await page.until('one clip', () => (/** @type {{timeline?: unknown[]}} */ (window.gaitsmith.document()).timeline ?? []).length === 1, 5000);
+  await page.until('one clip', () => (/** @type {{timeline?: unknown[]}} */ (window.gaitsmith.document()).timeline ?? []).length === 1);
   // Another figure is one press away.
   await page.click('dock/0');
   await page.frames(5);
   const frog = (await page.widgets()).find(({ id, label }) => id.startsWith('figures/') && label === 'Frog');
   assert.ok(frog);
   await page.click(frog.id);
-  await page.until('the frog', () => window.gaitsmith.document().figure?.name === 'Frog', 5000);
+  await page.until('the frog', () => window.gaitsmith.document().figure?.name === 'Frog');
   assert.deepEqual(page.complaints, []);
   await page.close();
 }
@@ -121,12 +121,12 @@ async function rail({ browser, address }) {
 /** @param {Visit} visit */
 async function addresses({ browser, address }) {
   const page = await PageDriver.open(browser, `${address}?open=there-and-back`);
-  await page.until('the example', () => window.gaitsmith.document().title === 'There and back', 10000);
+  await page.until('the example', () => window.gaitsmith.document().title === 'There and back');
   assert.equal(await page.call('undo', () => window.gaitsmith.canUndo()), false);
   await page.close();
   const wrong = await PageDriver.open(browser, `${address}?open=unicorn&panels=kitchen`);
   const banner = () => document.querySelector('#banner-text')?.textContent ?? '';
-  await wrong.until('the banner', () => !document.querySelector('#banner')?.hasAttribute('hidden'), 10000);
+  await wrong.until('the banner', () => !document.querySelector('#banner')?.hasAttribute('hidden'));
   assert.match(await wrong.call('banner', banner), /kitchen.*unicorn/s, 'all mistakes are reported');
   assert.deepEqual([...page.complaints, ...wrong.complaints], []);
   await wrong.close();

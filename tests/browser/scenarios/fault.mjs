@@ -217,14 +217,14 @@ async function pageTraps({ browser, address }) {
     window.gaitsmith.open({ ...document, hash: undefined, title: 'Before the trap', environment: { friction: 0.2 } });
   });
   const before = await workOf(page);
-  await page.until('the address', () => location.href === window.gaitsmith.link(), 5000);
+  await page.until('the address', () => location.href === window.gaitsmith.link());
   const ended = page.call('search', () => {
     const search = window.gaitsmith.synthesize({ evaluations: 1000000, workers: 1 }).then(() => 'found', String);
     window.gaitsmith.on('progress', () => Object.assign(window, { testTrap: true }));
     return search;
   });
   assert.match(await ended, /unreachable/);
-  await page.until('a word about it', () => /stopped working.*reload to continue/.test(document.querySelector('#banner-text')?.textContent ?? ''), 5000);
+  await page.until('a word about it', () => /stopped working.*reload to continue/.test(document.querySelector('#banner-text')?.textContent ?? ''));
   assert.equal(await liveWorkers(page), 0);
   await page.reload();
   assert.ok(page.complaints.length < 10 && page.complaints.every((text) => /unreachable/.test(text)), page.complaints.join('\n'));

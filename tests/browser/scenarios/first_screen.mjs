@@ -24,7 +24,7 @@ async function nothingToPlay({ browser, address, name }) {
     assert.ok(!before.includes('stage/settings'), where);
     await page.click('stage/teach');
     await page.until('a motion', () => window.gaitsmith.results().length > 0);
-    await page.until('its transport', () => window.gaitsmith.widgets().some(({ id }) => id === 'transport/play'), 5000);
+    await page.until('its transport', () => window.gaitsmith.widgets().some(({ id }) => id === 'transport/play'));
     assert.deepEqual(page.complaints, []);
     await page.close();
   }
@@ -76,10 +76,10 @@ async function foldedScore({ browser, address }) {
   await page.click('panels/2');
   await page.frames(4);
   const texts = () => page.call('texts', () => [...document.querySelectorAll('#mirror p')].map((node) => node.textContent ?? ''));
-  await page.until('metres', () => [...document.querySelectorAll('#mirror p')].some((node) => /^Travel.*: .* m$/.test(node.textContent ?? '')), 5000);
+  await page.until('metres', () => [...document.querySelectorAll('#mirror p')].some((node) => /^Travel.*: .* m$/.test(node.textContent ?? '')));
   assert.ok(!(await texts()).some((text) => text.includes('Score')), 'the sum is folded away');
   await page.click('style/sum');
-  await page.until('the sum', () => window.gaitsmith.widgets().some(({ id }) => id === 'style/score'), 5000);
+  await page.until('the sum', () => window.gaitsmith.widgets().some(({ id }) => id === 'style/score'));
   assert.deepEqual(page.complaints, []);
   await page.close();
 }

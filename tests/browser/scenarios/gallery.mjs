@@ -12,8 +12,8 @@ const MOTIONS = 36;
 /** Opens the dialog and waits until a card is painted. @param {PageDriver} page */
 async function opened(page) {
   await page.press('Control+o');
-  await page.until('the gallery', `document.querySelectorAll('#open-gallery button').length === ${MOTIONS}`, 10000);
-  await page.until('a picture', () => (document.querySelector('#open-gallery canvas')?.getAttribute('width') ?? '') !== '', 10000);
+  await page.until('the gallery', `document.querySelectorAll('#open-gallery button').length === ${MOTIONS}`);
+  await page.until('a picture', () => (document.querySelector('#open-gallery canvas')?.getAttribute('width') ?? '') !== '');
   await page.frames(10);
 }
 
@@ -52,7 +52,7 @@ async function plays({ browser, address }) {
   assert.equal(await page.hash(), before);
   // By mouse, and again: the pictures start anew.
   await page.clickElement('#open');
-  await page.until('a card', () => document.activeElement?.closest('#open-gallery') !== null, 10000);
+  await page.until('a card', () => document.activeElement?.closest('#open-gallery') !== null);
   await page.clickElement('#open-gallery li:nth-child(2) button');
   assert.equal(await page.call('document', () => window.gaitsmith.document().title), 'A walk without a body');
   assert.deepEqual(page.complaints, []);
@@ -68,14 +68,14 @@ async function refuses({ browser, address }) {
   await page.page.focus('#open-text');
   await page.page.keyboard.type('https://example.org/#AZ4nonsense');
   await page.press('Enter');
-  await page.until('a sentence', () => document.querySelector('#open-error')?.textContent !== '', 5000);
+  await page.until('a sentence', () => document.querySelector('#open-error')?.textContent !== '');
   assert.equal(await shown(page), true);
   const input = /** @type {import('../../../web/node_modules/puppeteer-core/lib/types.d.ts').ElementHandle<HTMLInputElement>} */ (await page.page.$('#file'));
   await input.uploadFile(join(ROOT, 'web/icon-180.png'));
-  await page.until('another one', () => document.querySelector('#open-error')?.textContent?.includes('not a Gaitsmith document') ?? false, 5000);
+  await page.until('another one', () => document.querySelector('#open-error')?.textContent?.includes('not a Gaitsmith document') ?? false);
   assert.equal(await page.hash(), before);
   await input.uploadFile(join(ROOT, 'examples/gallery/frog-hop.json'));
-  await page.until('the frog', () => window.gaitsmith.document().title === 'Frog hops', 5000);
+  await page.until('the frog', () => window.gaitsmith.document().title === 'Frog hops');
   assert.equal(await shown(page), false);
   // A link that is pasted anywhere in the dialog opens.
   await opened(page);
@@ -84,7 +84,7 @@ async function refuses({ browser, address }) {
     clipboardData.setData('text/plain', text);
     document.activeElement?.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
   }, link);
-  await page.until('the link', `window.gaitsmith.hash() === ${JSON.stringify(before)}`, 5000);
+  await page.until('the link', `window.gaitsmith.hash() === ${JSON.stringify(before)}`);
   await opened(page);
   await page.press('Escape');
   assert.equal(await shown(page), false);

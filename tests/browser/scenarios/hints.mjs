@@ -40,7 +40,7 @@ const tooltip = async (page) => (await page.widgets()).find(({ role }) => role =
 
 /** @param {PageDriver} page */
 async function untilTooltip(page) {
-  await page.until('a tooltip', () => window.gaitsmith.widgets().some(({ role }) => role === 'tooltip'), 5000);
+  await page.until('a tooltip', () => window.gaitsmith.widgets().some(({ role }) => role === 'tooltip'));
   return await tooltip(page) ?? assert.fail('it has gone');
 }
 
@@ -204,10 +204,10 @@ async function pointedAt({ browser, address }) {
   // In German, too.
   await page.page.evaluate(() => window.gaitsmith.run('view/language/de'));
   const german = await tableOf('de');
-  await page.until('German words', () => window.gaitsmith.widgets().some(({ id, label }) => id === 'stage/calmer' && label !== 'Calmer'), 8000);
+  await page.until('German words', () => window.gaitsmith.widgets().some(({ id, label }) => id === 'stage/calmer' && label !== 'Calmer'));
   const place = (await page.widgets()).find(({ id }) => id === 'stage/calmer')?.rect ?? assert.fail('no button');
   await page.page.mouse.move(place.x + place.width / 2, place.y + place.height / 2);
-  await page.until('German', `window.gaitsmith.widgets().some(({ role, label }) => role === 'tooltip' && label === ${JSON.stringify(german['stage/calmer'])})`, 8000);
+  await page.until('German', `window.gaitsmith.widgets().some(({ role, label }) => role === 'tooltip' && label === ${JSON.stringify(german['stage/calmer'])})`);
   assert.deepEqual(page.complaints, []);
   await page.close();
 }
@@ -260,7 +260,7 @@ async function heldByFinger({ browser, address }) {
   assert.ok((await page.widgets()).some(({ id }) => id === 'stage/teach'), 'nothing was pressed');
   // A short touch presses it, as before.
   await page.page.touchscreen.tap(teach.x + 40, teach.y + teach.height / 2);
-  await page.until('a search', () => !window.gaitsmith.widgets().some(({ id }) => id === 'stage/teach'), 10000);
+  await page.until('a search', () => !window.gaitsmith.widgets().some(({ id }) => id === 'stage/teach'));
   assert.deepEqual(page.complaints, []);
   await page.close();
 }

@@ -104,7 +104,7 @@ async function newAsksNothing({ browser, address }) {
   for (const selector of ['#new', '#home']) {
     await page.click('panels/4');
     await page.clickElement(selector);
-    await page.until('the Search panel', () => window.gaitsmith.widgets().some(({ id }) => id === 'search/start'), 5000);
+    await page.until('the Search panel', () => window.gaitsmith.widgets().some(({ id }) => id === 'search/start'));
     assert.equal(await page.call('clips', () => /** @type {any} */ (window.gaitsmith.document()).controllers?.length ?? 0), 0);
     assert.match(await page.status(), /^This ostrich can’t move yet\. Undo restores/);
     await page.press('Control+z');
@@ -119,24 +119,24 @@ async function noStaleSentence({ browser, address }) {
   await page.clickElement('#save');
   assert.match(await page.status(), /^Saved as .*\.json$/);
   await page.press('m');
-  await page.until('the next sentence', () => document.querySelector('#status')?.textContent === 'Mirrored: clip 1 goes the other way.', 5000);
+  await page.until('the next sentence', () => document.querySelector('#status')?.textContent === 'Mirrored: clip 1 goes the other way.');
   await page.press('d');
-  await page.until('an empty line', () => document.querySelector('#status')?.textContent === '', 5000);
+  await page.until('an empty line', () => document.querySelector('#status')?.textContent === '');
   await page.press('Control+z');
   assert.equal(await page.status(), 'Undone: the timeline.');
   await page.page.evaluate(() => { document.dispatchEvent(new ClipboardEvent('copy', { clipboardData: new DataTransfer(), bubbles: true, cancelable: true })); });
   assert.equal(await page.status(), '', 'Copy link has its own confirmation');
   // While a search is paused, the line goes back to what the search does.
   await page.call('search', () => { void window.gaitsmith.synthesize({ evaluations: 1000000 }); });
-  await page.until('a search', () => /^Searching/.test(document.querySelector('#status')?.textContent ?? ''), 20000);
+  await page.until('a search', () => /^Searching/.test(document.querySelector('#status')?.textContent ?? ''));
   await page.call('pause', () => window.gaitsmith.pause());
-  await page.until('the pause', () => /^Paused/.test(document.querySelector('#status')?.textContent ?? ''), 20000);
+  await page.until('the pause', () => /^Paused/.test(document.querySelector('#status')?.textContent ?? ''));
   await page.page.evaluate(() => { window.gaitsmith.run('view/world'); });
   await page.frames(4);
   await page.press('q');
-  await page.until('a sentence', () => /^Added to the queue/.test(document.querySelector('#status')?.textContent ?? ''), 5000);
+  await page.until('a sentence', () => /^Added to the queue/.test(document.querySelector('#status')?.textContent ?? ''));
   await page.call('clear', () => window.gaitsmith.run('queue/clear'));
-  await page.until('the pause again', () => /^Paused/.test(document.querySelector('#status')?.textContent ?? ''), 5000);
+  await page.until('the pause again', () => /^Paused/.test(document.querySelector('#status')?.textContent ?? ''));
   await page.close();
 }
 
@@ -177,14 +177,14 @@ async function dropping({ browser, address }) {
   ]);
   for (const [sentence, files] of bad) {
     assert.ok(await drop(page, files), 'no hint');
-    await page.until('a banner', () => !document.querySelector('#banner')?.hasAttribute('hidden'), 3000);
+    await page.until('a banner', () => !document.querySelector('#banner')?.hasAttribute('hidden'));
     assert.match(await banner(), sentence);
     assert.equal(await stateOf(page), before);
     await page.clickElement('#banner-close');
   }
   assert.equal(await page.call('undo', () => window.gaitsmith.canUndo()), false);
   await drop(page, [{ name: 'good.json', text: good }]);
-  await page.until('the document', () => window.gaitsmith.document().title === 'Dropped', 3000);
+  await page.until('the document', () => window.gaitsmith.document().title === 'Dropped');
   assert.equal(await banner(), '');
   assert.ok(await page.call('hint', () => document.querySelector('#drop-hint')?.hasAttribute('hidden')));
   await page.call('undo', () => window.gaitsmith.undo());

@@ -95,15 +95,15 @@ async function reloadKeepsQueue({ browser, address }) {
 async function reloadWithOldAddress({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   await work(page, 'First');
-  await page.until('its address', () => location.hash.length > 1 && location.href === window.gaitsmith.link(), 5000);
+  await page.until('its address', () => location.hash.length > 1 && location.href === window.gaitsmith.link());
   const old = await page.call('address', () => location.href);
   await work(page, 'Then another');
   const state = await stateOf(page);
-  await page.until('its address', () => location.href === window.gaitsmith.link(), 5000);
+  await page.until('its address', () => location.href === window.gaitsmith.link());
   await page.page.evaluate((href) => { history.replaceState(null, '', href); }, old);
   await page.reload();
   assert.equal(await stateOf(page), state);
-  await page.until('its address again', () => location.href === window.gaitsmith.link(), 5000);
+  await page.until('its address again', () => location.href === window.gaitsmith.link());
   assert.equal(await leave(page), 1);
   assert.deepEqual(page.complaints, []);
   await page.close();
@@ -131,7 +131,7 @@ async function reloadMidSearch({ browser, address }) {
   assert.notEqual(await page.call('address', () => location.href), await page.link(), 'the address must not follow a search');
   await page.reload();
   assert.equal(await stateOf(page), state);
-  await page.until('the address', () => location.hash === '' || location.href === window.gaitsmith.link(), 3000);
+  await page.until('the address', () => location.hash === '' || location.href === window.gaitsmith.link());
   assert.deepEqual(page.complaints, []);
   await page.close();
 }
@@ -203,7 +203,7 @@ async function forbidden({ browser, address }) {
     },
   });
   await work(page, 'Not to be kept');
-  await page.until('a sentence', () => /does not let the page keep your work/.test(document.querySelector('#status')?.textContent ?? ''), 5000);
+  await page.until('a sentence', () => /does not let the page keep your work/.test(document.querySelector('#status')?.textContent ?? ''));
   await work(page, 'Nor this one');
   assert.match(await page.status(), /^Opened Nor this one/);
   await sleep(2600); // longer than the page waits before it stores
@@ -221,7 +221,7 @@ async function full({ browser, address }) {
     before: () => { Storage.prototype.setItem = () => { throw new DOMException('full', 'QuotaExceededError'); }; },
   });
   await work(page, 'No room');
-  await page.until('a sentence', () => /does not let the page keep your work/.test(document.querySelector('#status')?.textContent ?? ''), 5000);
+  await page.until('a sentence', () => /does not let the page keep your work/.test(document.querySelector('#status')?.textContent ?? ''));
   assert.deepEqual(page.complaints, []);
   await page.close();
 }
@@ -273,7 +273,7 @@ async function graphicsLost({ browser, address }) {
     const context = canvas?.getContext('webgl2') ?? canvas?.getContext('webgl');
     context?.getExtension('WEBGL_lose_context')?.loseContext();
   });
-  await page.until('a word about it', () => /graphics of this page were lost/.test(document.body.innerText), 5000);
+  await page.until('a word about it', () => /graphics of this page were lost/.test(document.body.innerText));
   await page.reload();
   assert.equal(await stateOf(page), state);
   await page.frames(4);

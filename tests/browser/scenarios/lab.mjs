@@ -52,7 +52,7 @@ async function byClicks({ browser, address, figures }) {
   await page.until('the end', () => window.gaitsmith.widgets().some(({ id }) => id === 'lab/start')
     && (document.querySelector('#status')?.textContent ?? '').startsWith('Lab done: 4 of 4'));
   await page.click('lab/save');
-  await page.until('a file', () => /** @type {any} */ (window).testFiles.length === 1, 3000);
+  await page.until('a file', () => /** @type {any} */ (window).testFiles.length === 1);
   const csv = await page.call('file', () => /** @type {Promise<string>} */ (/** @type {any} */ (window).testFiles[0].text()));
   const [, columns, ...rows] = csv.trimEnd().split('\n');
   assert.equal(columns, 'problem,search,seed,evaluation,best');

@@ -28,7 +28,7 @@ function germanBrowser() {
 /** @param {PageDriver} page @param {string} code @param {object} expected */
 async function chooseInHeader(page, code, expected) {
   await page.page.select('#language', code);
-  await page.until(code, `document.documentElement.lang === '${code}'`, 10000);
+  await page.until(code, `document.documentElement.lang === '${code}'`);
   await page.frames(4);
   assert.deepEqual(await shownLanguage(page), expected);
 }
@@ -40,7 +40,7 @@ async function asTheBrowser({ browser, address }) {
   const headline = () => document.querySelector('#mirror')?.textContent ?? '';
   assert.match(await page.call('headline', headline), /Dieser Strauß kann sich noch nicht bewegen\./);
   await page.call('start', () => window.gaitsmith.run('help/tour'));
-  await page.until('the tour', () => document.querySelector('#tour:not([hidden])') !== null, 10000);
+  await page.until('the tour', () => document.querySelector('#tour:not([hidden])') !== null);
   assert.deepEqual([await page.text('#tour-title'), await page.text('#tour-next')], ['Das hat niemand animiert', 'Weiter']);
   // An open dialog changes, too.
   await chooseInHeader(page, 'en', ENGLISH);
@@ -82,7 +82,7 @@ async function chosen({ browser, address }) {
     await page.openPalette();
     await page.page.keyboard.type(words);
     await page.press('Enter');
-    await page.until('the other language', `document.documentElement.lang === '${expected.code}'`, 10000);
+    await page.until('the other language', `document.documentElement.lang === '${expected.code}'`);
     assert.deepEqual(await shownLanguage(page), expected);
     assert.equal(await page.call('focus', () => document.activeElement?.id), 'canvas');
   }
@@ -130,10 +130,10 @@ async function nothingLeft({ browser, address, figures }) {
   // One English announcement is shown and the next one waits. Neither may stay.
   for (const shown of [true, false]) {
     await page.page.evaluate(() => document.getElementById('describe')?.click());
-    if (shown) await page.until('the announcement', () => document.querySelector('#spoken span') !== null, 10000);
+    if (shown) await page.until('the announcement', () => document.querySelector('#spoken span') !== null);
   }
   await page.page.select('#language', 'de');
-  await page.until('the language', () => document.documentElement.lang === 'de', 10000);
+  await page.until('the language', () => document.documentElement.lang === 'de');
   assert.equal(await page.text('#save'), '«Save»');
   await wordsOn(page); // discards earlier messages
   await page.page.evaluate(() => {
@@ -177,7 +177,7 @@ async function nothingLeft({ browser, address, figures }) {
   await checkPage('the end, paused');
 
   await page.page.evaluate(() => void window.gaitsmith.synthesize({ evaluations: 60000, seed: 5 }).catch(() => {}));
-  await page.until('a rate', () => Boolean(document.querySelector('#rate')?.textContent), 30000);
+  await page.until('a rate', () => Boolean(document.querySelector('#rate')?.textContent));
   await checkPage('a search');
   await page.page.evaluate(() => window.gaitsmith.pause());
   await checkPage('a search, paused');
@@ -192,7 +192,7 @@ async function nothingLeft({ browser, address, figures }) {
 
   await run('help/tour');
   for (let step = 1; step <= 6; step++) {
-    await page.until('the card', () => document.querySelector('#tour:not([hidden])') !== null, 5000);
+    await page.until('the card', () => document.querySelector('#tour:not([hidden])') !== null);
     await checkPage(`step ${step} of the tour`);
     await page.press('Enter');
   }

@@ -11,7 +11,7 @@ import { Fingers, Mouse } from '../pointers.mjs';
 async function world({ browser, address }) {
   const page = await PageDriver.open(browser, address, { plays: true, live: true });
   await page.click('world/open');
-  await page.until('the card', () => window.gaitsmith.widgets().some(({ id }) => id === 'world/live'), 5000);
+  await page.until('the card', () => window.gaitsmith.widgets().some(({ id }) => id === 'world/live'));
   await page.frames(6);
   return { page, pointer: new Mouse(page) };
 }
@@ -24,7 +24,7 @@ async function typeGravity(page, pointer, text) {
   const slider = (await pointer.find('world/gravity'))?.rect;
   assert.ok(slider);
   await pointer.tap({ x: slider.x + slider.width - 12, y: slider.y + 6 });
-  await page.until('a field', () => window.gaitsmith.widgets().some(({ role }) => role === 'textbox'), 5000);
+  await page.until('a field', () => window.gaitsmith.widgets().some(({ role }) => role === 'textbox'));
   await page.press('Control+a');
   for (const letter of text) await page.press(letter);
   await page.press('Enter');
@@ -54,7 +54,7 @@ async function dragsGravity(visit) {
   const end = await page.hash();
   assert.notEqual(end, before);
   await page.press('Control+z');
-  await page.until('as before', `window.gaitsmith.hash() === ${JSON.stringify(before)}`, 5000);
+  await page.until('as before', `window.gaitsmith.hash() === ${JSON.stringify(before)}`);
   assert.equal(await page.call('undo', () => window.gaitsmith.canUndo()), false, 'one step');
   assert.deepEqual(page.complaints, []);
   await page.close();
@@ -74,7 +74,7 @@ async function switchesOff(visit) {
   const { page, pointer } = await world(visit);
   await pointer.press('world/live');
   await typeGravity(page, pointer, '5');
-  await page.until('the change', () => window.gaitsmith.document().environment?.gravity_mps2 === 5, 5000);
+  await page.until('the change', () => window.gaitsmith.document().environment?.gravity_mps2 === 5);
   const replayed = await page.hash();
   await page.frames(40);
   assert.equal(await page.hash(), replayed);

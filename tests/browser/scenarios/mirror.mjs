@@ -155,7 +155,7 @@ async function saidInWords({ browser, address }) {
     ?.getAttribute('aria-describedby') ?? '')?.textContent), before);
   // A key reads it out.
   await page.press('w');
-  await page.until('the words', `window.testSaid.some((words) => words.startsWith('Mr. Star-Man travels '))`, 5000);
+  await page.until('the words', `window.testSaid.some((words) => words.startsWith('Mr. Star-Man travels '))`);
   const asked = (await announcements()).length;
   await page.press('.', 4);
   await sleep(1500);

@@ -40,7 +40,7 @@ class Newcomer {
       const label = LABELS[id];
       assert.ok(label, `no ${id}, and no place where it may be`);
       await this.press('stage/more');
-      await page.until(label, `window.gaitsmith.widgets().some(({ role, label }) => role === 'option' && label === ${JSON.stringify(label)})`, 5000);
+      await page.until(label, `window.gaitsmith.widgets().some(({ role, label }) => role === 'option' && label === ${JSON.stringify(label)})`);
       const option = (await page.widgets()).find((one) => one.role === 'option' && one.label === label);
       assert.ok(option);
       return this.press(option.id);
@@ -59,7 +59,7 @@ class Newcomer {
   /** Presses a control of the page. @param {string} selector */
   async pressElement(selector) {
     this.presses++;
-    await this.page.until(selector, `document.querySelector(${JSON.stringify(selector)})?.checkVisibility() ?? false`, 10000);
+    await this.page.until(selector, `document.querySelector(${JSON.stringify(selector)})?.checkVisibility() ?? false`);
     if (this.means === 'keys') return this.#enter(selector);
     const box = await (await this.page.page.$(selector))?.boundingBox();
     assert.ok(box, `no visible ${selector}`);
@@ -71,7 +71,7 @@ class Newcomer {
     const tile = (await this.page.widgets()).find(({ id, label }) => id.startsWith('figures/') && label === name);
     assert.ok(tile, `${name} is in the row of figures`);
     await this.press(tile.id);
-    await this.page.until(name, `window.gaitsmith.document().figure.name === ${JSON.stringify(name)}`, 5000);
+    await this.page.until(name, `window.gaitsmith.document().figure.name === ${JSON.stringify(name)}`);
   }
 
   /** @param {import('../pointers.mjs').Point} from @param {import('../pointers.mjs').Point} to */
@@ -85,7 +85,7 @@ class Newcomer {
     const ids = (await this.page.widgets()).map(({ id }) => id);
     await this.press(['stage/teach', 'draw/teach'].find((id) => ids.includes(id)) ?? 'stage/another');
     await this.page.until('the end of the search', `window.gaitsmith.results().length >= ${results}`);
-    await this.page.until('it can be used', () => window.gaitsmith.widgets().some(({ id }) => id === 'stage/another'), 10000);
+    await this.page.until('it can be used', () => window.gaitsmith.widgets().some(({ id }) => id === 'stage/another'));
   }
 
   /** @param {number} presses  at most so many were needed @param {string} what  they were for */
@@ -152,24 +152,24 @@ async function bird(door, means) {
 
   await person.press('stage/push');
   person.spent(2, 'to push');
-  await page.until('pushed', () => (window.gaitsmith.document().pushes ?? []).length === 1, 5000);
+  await page.until('pushed', () => (window.gaitsmith.document().pushes ?? []).length === 1);
   assert.notEqual(await page.hash(), hash);
   await page.press('Control+z'); // a push is a step of Undo
-  await page.until('as before', `window.gaitsmith.hash() === '${hash}'`, 5000);
+  await page.until('as before', `window.gaitsmith.hash() === '${hash}'`);
 
   person.presses = 1; // from the sprint on
   await person.press('stage/share');
-  await page.until('the dialog', () => document.querySelector('#share-dialog[open]') !== null, 10000);
+  await page.until('the dialog', () => document.querySelector('#share-dialog[open]') !== null);
   const link = await page.call('link', () => /** @type {HTMLTextAreaElement} */ (document.querySelector('#share-link')).value);
   await person.pressElement('#share-copy');
   person.spent(3, 'to share');
-  await page.until('it is copied, or selected to be copied', () => document.querySelector('#share-said')?.textContent !== '', 5000);
+  await page.until('it is copied, or selected to be copied', () => document.querySelector('#share-said')?.textContent !== '');
   await page.call('close', () => /** @type {HTMLDialogElement} */ (document.querySelector('#share-dialog')).close());
 
   person.presses = 1;
   await person.press('stage/chain');
   person.spent(means === 'finger' ? 3 : 2, 'to chain'); // a phone has it under "More"
-  await page.until('two clips', () => (/** @type {{timeline?: unknown[]}} */ (window.gaitsmith.document()).timeline ?? []).length === 2, 5000);
+  await page.until('two clips', () => (/** @type {{timeline?: unknown[]}} */ (window.gaitsmith.document()).timeline ?? []).length === 2);
   await person.leave();
 
   const friend = await door(link);
@@ -207,7 +207,7 @@ async function calmer(door) {
   const before = await effort();
   await person.press('stage/calmer');
   await person.page.until('the calmer one', () => window.gaitsmith.results().length === 2);
-  await person.page.until('it is shown', `Number(window.gaitsmith.measures().effort) < ${0.9 * before}`, 10000);
+  await person.page.until('it is shown', `Number(window.gaitsmith.measures().effort) < ${0.9 * before}`);
   person.spent(3, 'for a calmer gait');
   await person.leave();
 }
@@ -217,7 +217,7 @@ async function own(door, means) {
   const person = await Newcomer.arrive(door, means);
   const { page } = person;
   await person.press('figures/draw');
-  await page.until('the board', () => window.gaitsmith.widgets().some(({ id }) => id === 'figure/board'), 5000);
+  await page.until('the board', () => window.gaitsmith.widgets().some(({ id }) => id === 'figure/board'));
   const rods = () => page.call('rods', () => window.gaitsmith.document().figure.rods?.length ?? 0);
   const board = (await page.widgets()).find(({ id }) => id === 'figure/board');
   assert.ok(board);
@@ -257,7 +257,7 @@ async function count({ browser, address }) {
     assert.deepEqual([before.canvas.length, before.html], first, `the first screen, ${width} by ${height}: ${before.canvas.join(' ')}`);
     await page.click('stage/teach');
     await page.until('the end of the search', () => window.gaitsmith.results().length > 0);
-    await page.until('the actions', () => window.gaitsmith.widgets().some(({ id }) => id === 'stage/another'), 10000);
+    await page.until('the actions', () => window.gaitsmith.widgets().some(({ id }) => id === 'stage/another'));
     await page.frames(10);
     const after = await controls(page);
     assert.deepEqual([after.canvas.length, after.html], found, `the found screen, ${width} by ${height}: ${after.canvas.join(' ')}`);

@@ -70,7 +70,7 @@ async function graphicsLost(visit) {
     Object.assign(window, { testGraphics: extension });
     extension?.loseContext();
   });
-  await page.until('a word about it', () => /graphics of this page were lost/.test(document.querySelector('#banner-text')?.textContent ?? ''), 5000);
+  await page.until('a word about it', () => /graphics of this page were lost/.test(document.querySelector('#banner-text')?.textContent ?? ''));
   const hash = await expected(visit);
   await page.page.bringToFront();
   assert.equal(await ended(page), hash, 'the search ends right');
@@ -106,7 +106,7 @@ async function clocks(visit) {
     // Pause and resume use clocks, too.
     await begin(page, { evaluations: 12000 });
     await page.call('pause', () => { window.gaitsmith.pause(); });
-    await page.until('a pause', () => /^Paused/.test(document.querySelector('#status')?.textContent ?? ''), 10000);
+    await page.until('a pause', () => /^Paused/.test(document.querySelector('#status')?.textContent ?? ''));
     await jump(page, -3600e3 * hours);
     await page.call('resume', () => { window.gaitsmith.resume(); });
     await ended(page);
@@ -185,8 +185,8 @@ async function storageFills(visit) {
   });
   assert.ok(room > 2e6, `the storage is full with ${room} characters`);
   assert.equal(await ended(page), hash);
-  await page.until('a word about it', () => /no room for more results|does not let the page keep your work/.test(document.querySelector('#status')?.textContent ?? ''), 10000);
-  await page.until('the address', () => location.href === window.gaitsmith.link(), 5000);
+  await page.until('a word about it', () => /no room for more results|does not let the page keep your work/.test(document.querySelector('#status')?.textContent ?? ''));
+  await page.until('the address', () => location.href === window.gaitsmith.link());
   assert.equal((await page.call('results', () => window.gaitsmith.results())).length, 1);
   const state = await stateOf(page);
   await page.reload();
@@ -264,7 +264,7 @@ async function newVersion(visit) {
     const before = await page.call('undo', () => window.gaitsmith.canUndo());
     assert.equal(before, true);
     await page.call('pause', () => { window.gaitsmith.pause(); });
-    await page.until('a pause', () => /^Paused/.test(document.querySelector('#status')?.textContent ?? ''), 10000);
+    await page.until('a pause', () => /^Paused/.test(document.querySelector('#status')?.textContent ?? ''));
     // Wait for the last improvement: until the state no longer changes.
     const best = await stateAtRest(page);
     await page.arrive(() => page.clickElement('#update-go'));

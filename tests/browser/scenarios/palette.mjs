@@ -32,7 +32,7 @@ const paletteIsOpen = (page) => page.call('open', () => document.querySelector('
 async function byKeyboard({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   await page.page.focus('canvas');
-  await page.until('the examples', () => window.gaitsmith.commands().some(({ id }) => id === 'example/there-and-back'), 5000);
+  await page.until('the examples', () => window.gaitsmith.commands().some(({ id }) => id === 'example/there-and-back'));
   await page.openPalette();
   const all = await palette(page);
   assert.deepEqual([all.role, all.listRole, all.selected, all.chosen], ['combobox', 'listbox', 0, 0]);
@@ -78,7 +78,7 @@ async function byKeyboard({ browser, address }) {
   await page.openPalette();
   await page.page.keyboard.type('open link');
   await page.press('Enter');
-  await page.until('the dialog', () => document.querySelector('#open-dialog')?.hasAttribute('open') ?? false, 10000);
+  await page.until('the dialog', () => document.querySelector('#open-dialog')?.hasAttribute('open') ?? false);
   assert.deepEqual(page.complaints, []);
   await page.close();
 }
@@ -130,9 +130,9 @@ async function keysWork({ browser, address }) {
   assert.equal(await page.call('presses', () => /** @type {any} */ (window).testPresses), 1);
   await page.page.focus('canvas');
   await page.press('s');
-  await page.until('a search', () => window.gaitsmith.widgets().some(({ id }) => id === 'search/stop'), 20000);
+  await page.until('a search', () => window.gaitsmith.widgets().some(({ id }) => id === 'search/stop'));
   await page.press('s');
-  await page.until('its end', () => /^Search stopped/.test(document.querySelector('#status')?.textContent ?? ''), 20000);
+  await page.until('its end', () => /^Search stopped/.test(document.querySelector('#status')?.textContent ?? ''));
 
   // Digits go to an open number field.
   await new Mouse(page).press('search/seed'); // below the curve now
@@ -149,7 +149,7 @@ async function keysWork({ browser, address }) {
 async function sheet({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   const open = () => page.call('open', () => document.querySelector('#help')?.hasAttribute('open') ?? false);
-  const opens = (/** @type {string} */ key) => page.until(`the sheet, by ${key}`, () => document.querySelector('#help')?.hasAttribute('open') ?? false, 10000);
+  const opens = (/** @type {string} */ key) => page.until(`the sheet, by ${key}`, () => document.querySelector('#help')?.hasAttribute('open') ?? false);
   for (const key of ['?', 'F1']) {
     await page.page.focus('canvas');
     await page.press(key);
@@ -208,6 +208,7 @@ async function narrow({ browser, address, name }) {
     await page.clickElement('#palette form button');
     await page.clickElement('#more');
     await page.clickElement('#keys');
+    await page.until('the sheet', () => document.querySelector('#help')?.hasAttribute('open') ?? false);
     assert.deepEqual(await outside(), []);
     await page.clickElement('#help button[type=submit]');
   }

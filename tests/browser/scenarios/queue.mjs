@@ -82,7 +82,7 @@ async function runsThrough({ browser, address }) {
   await page.until('the end', () => document.querySelector('#status')?.textContent?.startsWith('Third · travel: Search done') ?? false);
   assert.equal(await stateOf(page), before, 'the stage belongs to the document in hand');
   await page.until('an empty queue, as drawn', () =>
-    window.gaitsmith.widgets().find(({ id }) => id === 'queue')?.value === 'empty', 10000);
+    window.gaitsmith.widgets().find(({ id }) => id === 'queue')?.value === 'empty');
 
   await toEnd(page);
 

@@ -108,7 +108,7 @@ async function lessonInTheAddress({ browser, address }) {
   const page = await PageDriver.open(browser, `${address}?panels=style,search&lock=style,world&goal=distance>=1,rotations>=500`);
   const ids = await page.call('commands', () => window.gaitsmith.commands().map(({ id }) => id));
   assert.deepEqual(ids.filter((id) => id.startsWith('panel/')), ['panel/Style', 'panel/Search']);
-  await page.until('the goal', () => document.querySelector('#goal li.met') !== null, 10000);
+  await page.until('the goal', () => document.querySelector('#goal li.met') !== null);
   assert.equal(await page.text('#goal li.met'), ' Distance ≥ 1 m (now 18.33 m)');
   await page.call('events', () => {
     const seen = /** @type {object[]} */ ([]);
@@ -117,7 +117,7 @@ async function lessonInTheAddress({ browser, address }) {
     return true;
   });
   await page.call('goal', () => window.gaitsmith.arrange({ goal: 'distance >= 1, sense = physical' }).then(() => true));
-  await page.until('the goal reached', () => document.querySelector('#goal')?.classList.contains('met') === true, 10000);
+  await page.until('the goal reached', () => document.querySelector('#goal')?.classList.contains('met') === true);
   await page.until('its event', () => /** @type {any} */ (window).testGoals.at(-1)?.met === true);
 
   // Also while the motion is paused.
@@ -214,11 +214,11 @@ async function goalsOfLessons({ browser, address }) {
 /** Every wrong option of an address is named, and the right ones are applied. @param {Visit} visit */
 async function wrongAddress({ browser, address }) {
   const page = await PageDriver.open(browser, `${address}?panels=kitchen&lock=garage&goal=distance>=1`);
-  await page.until('the faults', () => document.querySelector('#banner')?.getAttribute('hidden') === null, 10000);
+  await page.until('the faults', () => document.querySelector('#banner')?.getAttribute('hidden') === null);
   const text = await page.text('#banner-text');
   assert.match(text, /kitchen/);
   assert.match(text, /garage/);
-  await page.until('the goal', () => document.querySelector('#goal li') !== null, 10000);
+  await page.until('the goal', () => document.querySelector('#goal li') !== null);
   assert.deepEqual(page.complaints, []);
   await page.close();
 }

@@ -207,7 +207,7 @@ async function figure12({ browser, address }) {
 /** @param {Visit} visit */
 async function longLink({ browser, address }) {
   const page = await PageDriver.open(browser, address);
-  await page.until('the dialogs, which a resting page loads', () => document.querySelector('#link-dialog') !== null, 10000);
+  await page.until('the dialogs, which a resting page loads', () => document.querySelector('#link-dialog') !== null);
   const example = JSON.parse(await readFile(join(ROOT, 'examples/figure-12.json'), 'utf8'));
   const copy = async (/** @type {any} */ document) => {
     const length = await page.page.evaluate((one) => {

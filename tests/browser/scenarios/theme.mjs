@@ -105,7 +105,7 @@ async function mainButtons({ browser, address }) {
     await page.page.hover('#copy-link');
     assert.ok(await contrast('#copy-link') >= 4.5, `${theme}: under the mouse ${await contrast('#copy-link')}`);
     await page.page.click('#open');
-    await page.until('the dialog', () => document.querySelector('#open-dialog')?.hasAttribute('open') ?? false, 10000);
+    await page.until('the dialog', () => document.querySelector('#open-dialog')?.hasAttribute('open') ?? false);
     await page.page.hover('#open-go');
     assert.ok(await contrast('#open-go') >= 4.5, `${theme}: in a dialog, under the mouse`);
     await page.page.keyboard.press('Escape');

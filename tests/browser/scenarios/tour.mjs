@@ -25,7 +25,7 @@ async function sixSteps({ browser, address }) {
     const titles = new Set();
     for (let step = 1; step <= 6; step++) {
       await page.frames(8);
-      await page.until('the card is in its place', () => document.querySelector('#tour:not([hidden])') !== null, 5000);
+      await page.until('the card is in its place', () => document.querySelector('#tour:not([hidden])') !== null);
       const { card, mark, count, title } = await tourState(page);
       assert.equal(count, `${step} of 6`);
       titles.add(title);
@@ -48,7 +48,7 @@ async function skipped({ browser, address }) {
   await page.frames(8);
   assert.equal((await tourState(page)).card.shown, false, 'nobody has asked for it');
   await page.call('start', () => window.gaitsmith.run('help/tour'));
-  await page.until('the tour', () => document.querySelector('#tour:not([hidden])') !== null, 10000);
+  await page.until('the tour', () => document.querySelector('#tour:not([hidden])') !== null);
   await page.press('Escape');
   assert.equal((await tourState(page)).card.shown, false);
   assert.deepEqual(page.complaints, []);

@@ -87,7 +87,7 @@ const seed = (page) => page.call('seed', () => /** @type {any} */ (window.gaitsm
 
 /** @param {PageDriver} page @param {number} wanted @param {string} how */
 async function assertSearches(page, wanted, how) {
-  await page.until(`a search ${how}`, () => window.gaitsmith.widgets().some(({ id }) => id === 'search/stop'), 5000);
+  await page.until(`a search ${how}`, () => window.gaitsmith.widgets().some(({ id }) => id === 'search/stop'));
   assert.equal(await seed(page), wanted, how);
   await page.call('stop', () => window.gaitsmith.stop());
   await page.until('its end', () => window.gaitsmith.widgets().some(({ id }) => id === 'search/start'));
@@ -138,7 +138,7 @@ async function typesTheNewNumber({ browser, address }) {
     const document = window.gaitsmith.document();
     window.gaitsmith.open({ ...document, hash: undefined, task: { ...document.task, duration_steps: 730 }, view: { panel: 2 } });
   });
-  await page.until('the slider', () => /^7\.3/.test(window.gaitsmith.widgets().find(({ id }) => id === 'style/duration')?.value ?? ''), 5000);
+  await page.until('the slider', () => /^7\.3/.test(window.gaitsmith.widgets().find(({ id }) => id === 'style/duration')?.value ?? ''));
   await page.press('Enter');
   assert.equal(await page.call('field', () => /** @type {HTMLInputElement} */ (document.querySelector('#on-canvas-style-duration')).value), '7.3');
   await page.close();

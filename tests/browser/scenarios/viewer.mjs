@@ -65,7 +65,7 @@ async function stranger(visit) {
   const before = await page.hash();
   await pull(page, new Mouse(page));
   assert.notEqual(await page.hash(), before);
-  await page.until('the hint has done its work', () => !document.querySelector('#mirror')?.textContent?.includes('Drag the figure'), 5000);
+  await page.until('the hint has done its work', () => !document.querySelector('#mirror')?.textContent?.includes('Drag the figure'));
   await page.call('leave', () => dispatchEvent(new Event('pagehide')));
   assert.deepEqual(await page.call('works', () => Object.keys(localStorage).filter((key) => /work|own/.test(key))), []);
   assert.equal(await place(page), link);
@@ -96,12 +96,12 @@ async function byKeys(visit) {
   const link = await sharedLink(visit);
   const page = await PageDriver.open(visit.browser, link, STRANGER);
   await page.press(' ');
-  await page.until('paused', () => window.gaitsmith.widgets().some(({ id, label }) => id === 'transport/play' && label === 'Play'), 5000);
+  await page.until('paused', () => window.gaitsmith.widgets().some(({ id, label }) => id === 'transport/play' && label === 'Play'));
   const focused = (/** @type {string} */ id) => page.call('focus', `document.activeElement?.getAttribute('data-id') === '${id}'`);
   for (let stops = 0; stops < 30 && !await focused('stage/how'); stops++) await page.press('Tab');
   assert.ok(await focused('stage/how'));
   await page.press('Enter');
-  await page.until('the rules', () => window.gaitsmith.widgets().some(({ id }) => id === 'controller/why'), 5000);
+  await page.until('the rules', () => window.gaitsmith.widgets().some(({ id }) => id === 'controller/why'));
   assert.deepEqual(await shown(page), WORKBENCH);
   assert.equal(await page.call('undo', () => window.gaitsmith.canUndo()), false, 'opening a panel is no change');
   assert.ok(await page.call('place', () => document.querySelector('#mirror')?.contains(document.activeElement)), 'the focus stays on the canvas');
@@ -112,7 +112,7 @@ async function byKeys(visit) {
   assert.deepEqual(await shown(other), WORKBENCH);
   const third = await PageDriver.open(visit.browser, link, STRANGER);
   await third.call('another link', () => { location.hash = window.gaitsmith.link().split('#')[1].slice(0, 30); });
-  await third.until('the banner', () => !document.querySelector('#banner')?.hasAttribute('hidden'), 5000);
+  await third.until('the banner', () => !document.querySelector('#banner')?.hasAttribute('hidden'));
   assert.deepEqual(await shown(third), VIEWER, 'a damaged link changes nothing');
   await third.call('figure', () => window.gaitsmith.run('document/new'));
   await third.frames();
@@ -136,7 +136,7 @@ async function own(visit) {
   const link = await sharedLink(visit);
   const page = await PageDriver.open(visit.browser, visit.address);
   await page.call('work', () => window.gaitsmith.open({ ...window.gaitsmith.document(), hash: undefined, title: 'Mine', environment: { friction: 0.3 } }));
-  await page.until('its address', () => location.href === window.gaitsmith.link(), 5000);
+  await page.until('its address', () => location.href === window.gaitsmith.link());
   const mine = await page.link();
   await page.reload();
   assert.deepEqual(await shown(page), WORKBENCH);
@@ -176,7 +176,7 @@ async function switches(visit) {
   const opens = async (query, expected, banner) => {
     const page = await PageDriver.open(visit.browser, `${bare}${query}#${payload}`, STRANGER);
     if (banner) {
-      await page.until('the banner', () => !document.querySelector('#banner')?.hasAttribute('hidden'), 5000);
+      await page.until('the banner', () => !document.querySelector('#banner')?.hasAttribute('hidden'));
       assert.match(await page.text('#banner-text'), banner);
     }
     assert.deepEqual(await shown(page), expected, query);
@@ -238,7 +238,7 @@ async function onPhone(visit) {
   const finger = new Fingers(page);
   await pull(page, finger);
   await finger.tap(await finger.centre('stage/how'));
-  await page.until('the rules', () => window.gaitsmith.widgets().some(({ id }) => id.startsWith('controller/')), 5000);
+  await page.until('the rules', () => window.gaitsmith.widgets().some(({ id }) => id.startsWith('controller/')));
   assert.deepEqual(await shown(page), WORKBENCH);
   assert.deepEqual(page.complaints, []);
 

@@ -131,7 +131,7 @@ async function sideBySide({ browser, address }) {
   const described = () => page.text('#description');
   await page.click('controller/compare');
   await page.until('a timer beside the senses', () =>
-    window.gaitsmith.widgets().some(({ id, label }) => id === 'controller/compare' && label === 'Stop comparing'), 30000);
+    window.gaitsmith.widgets().some(({ id, label }) => id === 'controller/compare' && label === 'Stop comparing'));
   await page.until('the description follows', () => /Beside it, timer/.test(document.querySelector('#description')?.textContent ?? ''));
   assert.equal(await page.hash(), before, 'the shown motion is as it was');
   await page.click('world/open');
@@ -148,7 +148,7 @@ async function sideBySide({ browser, address }) {
   assert.notEqual(await at('end'), calm, 'the other was pushed too');
   await page.click('controller/compare');
   assert.equal((await widget(page, 'controller/compare'))?.label, 'Compare with a timer');
-  await page.until('the description has one motion again', () => !/Beside it/.test(document.querySelector('#description')?.textContent ?? ''), 5000);
+  await page.until('the description has one motion again', () => !/Beside it/.test(document.querySelector('#description')?.textContent ?? ''));
   assert.deepEqual(page.complaints, []);
   await page.close();
 }
