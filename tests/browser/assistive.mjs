@@ -48,7 +48,21 @@ export async function setValue(page, role, name, value) {
 /** Waits until the canvas has drawn the change and the mirror shows it. @param {PageDriver} page */
 export async function settle(page) {
   await page.frames(5);
-  await sleep(300);
+  // In the page, whose own timers come first: on a busy machine they are all late.
+  await page.call('rest', () => new Promise((resolve) => { setTimeout(resolve, 300); }));
+}
+
+/**
+ * Waits until a widget or an element of the page has the keyboard.
+ * @param {PageDriver} page @param {string | RegExp} id @param {string} [message]
+ */
+export async function reached(page, id, message = '') {
+  const there = (/** @type {string} */ one) => (typeof id === 'string' ? one === id : id.test(one));
+  for (const start = Date.now(); ; await sleep(50)) {
+    const one = await active(page);
+    if (there(one)) return;
+    assert.ok(Date.now() - start < PATIENCE_MS, `${one} has the keyboard, not ${id} ${message}`);
+  }
 }
 
 /** @param {PageDriver} page */

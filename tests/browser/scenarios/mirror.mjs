@@ -2,7 +2,7 @@
 // The mirror of the canvas: it is complete, the Tab key has a consistent order, and announcements are right. Each
 // scenario opens its own pages.
 import assert from 'node:assert/strict';
-import { activate, active, scrubbed, settle } from '../assistive.mjs';
+import { activate, active, reached, scrubbed, settle } from '../assistive.mjs';
 import { PageDriver, sleep } from '../page_driver.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
@@ -93,7 +93,7 @@ async function oneOrder({ browser, address }) {
   await activate(page, 'tab', 'Style');
   await page.page.focus('#copy-link');
   await page.press('Tab');
-  assert.equal(await active(page), 'describe', 'the words come right after the header');
+  await reached(page, 'describe', 'the words come right after the header');
   // One more Tab would go to the browser's own controls.
   const atEnd = () => page.call('end', () => [...document.querySelectorAll('#mirror [tabindex="0"]')].at(-1) === document.activeElement);
   /** @type {string[]} */
@@ -121,11 +121,11 @@ async function oneOrder({ browser, address }) {
   // After a click on the canvas, Tab continues from there. Escape and Tab leave.
   await page.click('transport/step');
   await page.press('Tab');
-  assert.equal(await active(page), 'transport/scrub');
+  await reached(page, 'transport/scrub');
   await page.press('Escape');
-  assert.equal(await active(page), 'body');
+  await reached(page, 'body');
   await page.press('Tab');
-  assert.equal(await active(page), 'footer');
+  await reached(page, 'footer');
   // Without the focus, the canvas shows no ring.
   await page.page.focus('#describe');
   await page.frames(4);
