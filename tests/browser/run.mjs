@@ -51,6 +51,16 @@ const whole = !main && wanted === '';
 const scenarios = main ? MAIN_SCENARIOS : SCENARIOS;
 const site = process.argv[2] ?? join(ROOT, 'build/site');
 const address = await serve(site);
+/**
+ * Closes what a failed scenario has left open: a page that plays takes the processor from all that follow.
+ * @param {import('./browsers.mjs').Browser} browser @param {unknown[]} kept
+ */
+async function closeOthers(browser, kept) {
+  for (const context of browser.browserContexts()) {
+    if (!kept.includes(context)) await context.close().catch(() => {});
+  }
+}
+
 /** Runs all scenarios in one browser. @param {string} name @param {() => Promise<import('./browsers.mjs').Browser | null>} start */
 async function drive(name, start) {
   const browser = await start();
@@ -60,7 +70,12 @@ async function drive(name, start) {
   }
   console.log(`${name}: ${await browser.version()}`);
   const visit = /** @type {import('./scenarios/all.mjs').Visit} */ ({ name, browser, site, address, found: {}, link: '', figures: {} });
-  for (const [claim, body] of scenarios.filter(([text, , only = name]) => text.includes(wanted) && only === name)) await check(`${name}: ${claim}`, () => body(visit));
+  for (const [claim, body] of scenarios.filter(([text, , only = name]) => text.includes(wanted) && only === name)) {
+    const before = failed;
+    const contexts = browser.browserContexts();
+    await check(`${name}: ${claim}`, () => body(visit));
+    if (failed > before) await closeOthers(browser, [...contexts, visit.page?.page.browserContext()]);
+  }
   await check(`${name}: golden motions and links have their pinned hashes`, async () => {
     const page = await PageDriver.open(browser, address);
     visit.figures['golden motions'] = await checkGoldens(page, await goldenMotions(), true);
