@@ -59,6 +59,12 @@ Result<void> CheckNumber(float value, float low, float high, int rod, const char
 
 }  // namespace
 
+float SizeOf(const Figure& figure) {
+  float length = 0.0f;
+  for (const Rod& rod : figure.rods) length += rod.length_m;
+  return length / std::sqrt(static_cast<float>(figure.rods.size()));
+}
+
 bool SameTree(const Figure& one, const Figure& other) {
   return std::ranges::equal(one.rods, other.rods, [](const Rod& a, const Rod& b) {
     return a.parent == b.parent && a.parent_end == b.parent_end;

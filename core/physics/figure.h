@@ -38,6 +38,10 @@ struct Figure {
   [[nodiscard]] int Endpoints() const { return Rods() + 1; }
 };
 
+/// A length typical of the figure, by which motions of different figures can be compared [m]: the length of
+/// all rods over the root of their number, between those of a star and of a chain.
+[[nodiscard]] float SizeOf(const Figure&);
+
 /// A figure's name up to a comma: "Ostrich" of "Ostrich, mirrored". Edited copies keep what their figure is.
 [[nodiscard]] constexpr std::string_view KindOf(std::string_view name) {
   return name.substr(0, name.find(','));

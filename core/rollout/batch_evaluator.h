@@ -51,7 +51,8 @@ class PlantEvaluator final : public BatchEvaluator {
       Rollout<PlantOf, W> rollout(body_, problem_.environment, problem_.start, problem_.pushes);
       if (!moments_.empty()) rollout.BeginAt(moments_[begin]);
       rollout.Follow(controllers);
-      Measure(rollout, ports_.Count(), problem_.task, std::span(scored).first(results.size()), hashed);
+      Measure(rollout, ports_.Count(), problem_.task, std::span(scored).first(results.size()), hashed,
+              problem_.traits_size_m);
       for (std::size_t i = 0; i < results.size(); ++i) {
         if (begins > 1) {
           AddToMean(results[i], scored[i], static_cast<int>(begin));

@@ -12,6 +12,7 @@ void AddToMean(Evaluation& mean, const Evaluation& next, int before) {
   add(mean.terms.travel_m, next.terms.travel_m);
   add(mean.terms.start_height_m, next.terms.start_height_m);
   for (const StyleTermRow& term : kStyleTable) add(mean.terms.*term.value, next.terms.*term.value);
+  for (std::size_t i = 0; i < kTraits; ++i) add(mean.traits[i], next.traits[i]);
   mean.terms.broke_physics = broken;
   const bool is_void = (before > 0 && mean.fitness <= kVoidScore) || next.fitness <= kVoidScore;
   add(mean.fitness, next.fitness);

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "core/rollout/evaluation.h"
+#include "core/rollout/gait_meter.h"
 #include "core/rollout/rollout.h"
 #include "core/rollout/style_meter.h"
 
@@ -15,16 +16,22 @@ namespace gaitsmith {
 /// @param ports of the plant
 /// @param results out: one for each of the first lanes, without hashes
 /// @param hashes  one for each lane; each step is added to them. Empty: no hashes
+/// @param traits_size_m as Problem's: 0: no traits
 template <template <int> class PlantOf, int W>
 void Measure(Rollout<PlantOf, W>& rollout, const PortCount& ports, const Task& task,
-             std::span<Evaluation> results, std::span<TrajectoryHash> hashes = {}) {
+             std::span<Evaluation> results, std::span<TrajectoryHash> hashes = {},
+             float traits_size_m = 0.0f) {
   const PlantOf<W>& plant = rollout.PlantNow();
   // Most searches give the further terms no weight. Then they are not measured.
-  const FurtherTerms weighted = WeightedFurtherTerms(task);
+  const bool looks = traits_size_m > 0.0f;
+  const FurtherTerms weighted = looks ? kAllFurtherTerms : WeightedFurtherTerms(task);
   std::optional<StyleMeter<PlantOf<W>>> meter;
   if (weighted != FurtherTerms{}) meter.emplace(plant, ports, weighted, kStep);
+  std::optional<GaitMeter<PlantOf<W>>> gait;
+  if (looks) gait.emplace(plant, ports, traits_size_m, kStep);
   rollout.RunTo(rollout.StepNow() + task.duration_steps, kNothing, [&] {
     if (meter) meter->Add();
+    if (gait) gait->Add();
     for (std::size_t lane = 0; lane < hashes.size(); ++lane)
       plant.AddTo(hashes[lane], static_cast<int>(lane));
   });
@@ -32,6 +39,7 @@ void Measure(Rollout<PlantOf, W>& rollout, const PortCount& ports, const Task& t
     Evaluation result;
     result.terms = plant.TermsOf(static_cast<int>(i));
     if (meter) meter->Put(static_cast<int>(i), result.terms);
+    if (gait) result.traits = gait->TraitsOf(static_cast<int>(i), result.terms);
     result.fitness = Fitness(task, result.terms);
     results[i] = result;
   }

@@ -13,6 +13,11 @@ void PutScore(BitWriter& out, const Score& score) {
   }
 }
 
+// Traits of a motion that broke physics need not be finite.
+void TakeBits(BitReader& in, Traits& traits) {
+  for (float& value : traits) value = std::bit_cast<float>(static_cast<std::uint32_t>(in.Take(32)));
+}
+
 Score TakeScore(BitReader& in) {
   Score score{};
   for (float* value : {&score.fitness, &score.style[0], &score.style[1], &score.style[2]}) {
@@ -62,7 +67,10 @@ void BatchSearch::Save(BitWriter& out) const {
   out.Put(static_cast<std::uint32_t>(evaluations_), 32);
   PutGenome(out, best_, best_fitness_);
   out.Put(scores_.size(), 32);
-  for (const Score& score : scores_) PutScore(out, score);
+  for (const Score& score : scores_) {
+    PutScore(out, score);
+    if (ReadsTraits()) PutTraits(out, score.traits);
+  }
   SaveState(out);
   curve_.Save(out);
 }
@@ -76,6 +84,7 @@ bool BatchSearch::Read(BitReader& in) {
   scores_.clear();
   for (int i = 0; i < scored && !in.Overrun(); ++i) {
     scores_.push_back(TakeScore(in));
+    if (ReadsTraits()) TakeBits(in, scores_.back().traits);
     if (!(scores_.back().fitness < std::numeric_limits<float>::infinity())) return false;
   }
   batch_.clear();
@@ -123,6 +132,15 @@ bool TakePopulation(BitReader& in, std::vector<Individual>& population, std::siz
     population.push_back(std::move(one));
   }
   return true;
+}
+
+void PutTraits(BitWriter& out, const Traits& traits) {
+  for (const float value : traits) out.Put(std::bit_cast<std::uint32_t>(value), 32);
+}
+
+bool TakeTraits(BitReader& in, Traits& traits) {
+  TakeBits(in, traits);
+  return std::ranges::all_of(traits, [](float value) { return value - value == 0.0f; });
 }
 
 void PutReal(BitWriter& out, double value) { out.Put(std::bit_cast<std::uint64_t>(value), 64); }

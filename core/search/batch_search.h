@@ -34,6 +34,8 @@ class BatchSearch : public Search {
   virtual void Absorb(std::span<const Genome> batch, std::span<const Score> scores) = 0;
   /// Receives the part of a batch that was scored before the budget ended. No batch is proposed after it.
   virtual void AbsorbRest(std::span<const Genome>, std::span<const Score>) {}
+  /// Whether scores have traits that a saved search must keep.
+  [[nodiscard]] virtual bool ReadsTraits() const { return false; }
   virtual void SaveState(BitWriter&) const = 0;
   /// @return false if this cannot be a state of this search; it may then have been loaded in part. Reading
   /// past the end gives zeros, so implementations need not check for it.
@@ -73,6 +75,10 @@ struct Individual {
 void PutPopulation(BitWriter&, const std::vector<Individual>&);
 /// @param most maximum number of members. @return false if this cannot be a population
 [[nodiscard]] bool TakePopulation(BitReader&, std::vector<Individual>&, std::size_t most, std::size_t genes);
+
+void PutTraits(BitWriter&, const Traits&);
+/// @return false unless all are finite
+[[nodiscard]] bool TakeTraits(BitReader&, Traits&);
 
 void PutReal(BitWriter&, double);
 /// @return false unless the value is finite

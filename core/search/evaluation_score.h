@@ -13,7 +13,8 @@ namespace gaitsmith {
 /// uses.
 [[nodiscard]] inline Score ScoreOf(const Evaluation& evaluation) {
   return {evaluation.fitness,
-          {evaluation.terms.max_cm_height_m, evaluation.terms.slip_sum_m, evaluation.terms.rotations}};
+          {evaluation.terms.max_cm_height_m, evaluation.terms.slip_sum_m, evaluation.terms.rotations},
+          evaluation.traits};
 }
 
 /// The controllers that a search of the problem tries. @param start its first genome; empty: random

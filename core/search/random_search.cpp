@@ -26,7 +26,8 @@ std::vector<Genome> RandomSearch::Ask(int wanted) {
 }
 
 void RandomSearch::Tell(std::span<const Score> scores) {
-  for (const auto& [value, style] : scores) {
+  for (const Score& score : scores) {
+    const float value = score.fitness;
     if (value > best_fitness_ || best_.empty()) {
       best_ = Draw(evaluations_);
       if (value > best_fitness_) best_fitness_ = value;

@@ -17,6 +17,7 @@
 #include "core/numeric/bit_stream.h"
 #include "core/numeric/error.h"
 #include "core/search/operators.h"
+#include "core/signal/traits.h"
 
 namespace gaitsmith {
 
@@ -124,6 +125,7 @@ struct SearchSettings {
 struct Score {
   float fitness = 0.0f;
   std::array<float, 3> style = {};  // unweighted secondary terms in the order of Table 3, for MAP-Elites
+  Traits traits = {};               // if the problem measures them, for Brood
 };
 
 /// A fitness at or below this means that there is no real motion (the evaluator's kVoidScore is -1e9).

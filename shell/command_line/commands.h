@@ -35,6 +35,8 @@ using Outcome = std::expected<void, Refusal>;
 [[nodiscard]] Outcome SwitchesCommand(Words words);
 [[nodiscard]] Outcome NewCommand(Words words);
 [[nodiscard]] Outcome GoalsCommand(Words words);
+[[nodiscard]] Outcome BreedCommand(Words words);
+[[nodiscard]] Outcome TasteCommand(Words words);
 [[nodiscard]] Outcome HashCommand(Words words);
 [[nodiscard]] Outcome ValidateCommand(Words words);
 [[nodiscard]] Outcome MeasureCommand(Words words);

@@ -48,6 +48,10 @@ constexpr auto kCommands = std::to_array<Command>({
      "goals --search ALG --seeds N --evaluations E --out CSV [--figure F …] [--goal G …] [--strength X …]\n"
      "             [--first-seed S] [--shard I/N] [--threads K]\n"
      "  gaitsmith goals --summary CSV"},
+    {"breed", gaitsmith::shell::BreedCommand,
+     "breed DOC … --out-prefix PATH [--difference X] [--seed S] [--children N] [--evaluations E]\n"
+     "             [--keep goal|rule=N|joint=N …] [--threads K]"},
+    {"taste", gaitsmith::shell::TasteCommand, "taste CSV [--out DOC]"},
     {"hash", gaitsmith::shell::HashCommand, "hash DOC [--lanes 1|2|4|8|16] [--out DOC]"},
     {"validate", gaitsmith::shell::ValidateCommand, "validate DOC"},
     {"measure", gaitsmith::shell::MeasureCommand, "measure DOC"},

@@ -111,26 +111,31 @@ SearchProgress RunParallelSearch(const Problem& problem, const SearchSettings& s
                                  const std::function<void(const SearchProgress&)>& report,
                                  const Genome& start) {
   const auto search = MakeSearch(settings, SpaceOf(problem, start));
+  return RunToEnd(problem, *search, settings.evaluations, threads, control, report);
+}
+
+SearchProgress RunToEnd(const Problem& problem, Search& search, int budget, int threads,
+                        SearchControl& control, const std::function<void(const SearchProgress&)>& report) {
   Crew crew(problem, threads);
-  SearchProgress progress{.state = SearchState::kRunning, .budget = settings.evaluations, .workers = threads};
+  SearchProgress progress{.state = SearchState::kRunning, .budget = budget, .workers = threads};
   double working_s = 0.0;
   auto last_report = Clock::now() - std::chrono::seconds(1);
 
   const auto update = [&] {
-    progress.evaluations = search->Evaluations();
+    progress.evaluations = search.Evaluations();
     progress.evaluations_per_second = working_s > 0.0 ? progress.evaluations / working_s : 0.0;
     progress.seconds_left = progress.evaluations_per_second > 0.0
                                 ? (progress.budget - progress.evaluations) / progress.evaluations_per_second
                                 : 0.0;
-    progress.best_fitness = search->BestFitness();
-    progress.best_genome = search->BestGenome();
-    progress.curve = search->Curve();
-    progress.spread = SpreadOf(search->PopulationFitness());
+    progress.best_fitness = search.BestFitness();
+    progress.best_genome = search.BestGenome();
+    progress.curve = search.Curve();
+    progress.spread = SpreadOf(search.PopulationFitness());
   };
 
   // Five rounds of lanes for each thread: enough work for all, and little waste when a climb improves.
   const int wanted = threads * Evaluator::kDefaultLanes * 5;
-  while (!search->Done()) {
+  while (!search.Done()) {
     if (control.Paused() && !control.Cancelled()) {
       progress.state = SearchState::kPaused;
       update();
@@ -140,9 +145,9 @@ SearchProgress RunParallelSearch(const Problem& problem, const SearchSettings& s
     progress.state = SearchState::kRunning;
 
     const auto batch_start = Clock::now();
-    const std::vector<Genome> genomes = search->Ask(wanted);
+    const std::vector<Genome> genomes = search.Ask(wanted);
     if (genomes.empty()) break;
-    search->Tell(crew.Evaluate(genomes));
+    search.Tell(crew.Evaluate(genomes));
     working_s += SecondsSince(batch_start);
     if (SecondsSince(last_report) < 1.0 / 30.0) continue;
     last_report = Clock::now();
@@ -151,10 +156,10 @@ SearchProgress RunParallelSearch(const Problem& problem, const SearchSettings& s
     report(progress);
   }
   progress.attempt.clear();
-  progress.state = search->Done() ? SearchState::kDone : SearchState::kStopped;
+  progress.state = search.Done() ? SearchState::kDone : SearchState::kStopped;
   update();
   BitWriter state;
-  search->Save(state);
+  search.Save(state);
   progress.saved = state.Bytes();
   report(progress);
   return progress;

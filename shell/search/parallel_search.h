@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "core/rollout/problem.h"
+#include "core/search/search.h"
 #include "shell/search/search_progress.h"
 
 namespace gaitsmith::shell {
@@ -31,6 +32,11 @@ class SearchControl {
 
 /// Cores of this machine, at least 1.
 [[nodiscard]] int Cores();
+
+/// Runs a search that was made by hand.
+/// @param budget    its evaluations
+SearchProgress RunToEnd(const Problem& problem, Search& search, int budget, int threads,
+                        SearchControl& control, const std::function<void(const SearchProgress&)>& report);
 
 /// @param problem   valid
 /// @param threads   >= 1

@@ -57,6 +57,31 @@ same "$(sed -n 's/.*"name": "\([a-z]*\)".*"number": \([0-9]*\).*/\1 \2/p' catalo
   "figure 0 controller 1 style 2 search 3 lab 4 timeline 5 " "numbers of panels in links"
 refuses 'all: catalogue takes no words' "$gaitsmith" catalogue all
 
+# Children of picked motions: the same for any number of threads, and picks of a next round.
+breed() { "$gaitsmith" breed star-man-shuffle --evaluations 300 --seed 5 "$@"; }
+breed --out-prefix kid --threads 1 >kids.csv || fault "breed"
+same "$(wc -l <kids.csv)" 10 "a heading and nine children"
+same "$(head -1 kids.csv | cut -d, -f1-4)" "child,file,fitness,travel" "the heading of breed"
+same "$(awk -F, 'NR == 4 { print $NF }' kids.csv)" "$("$gaitsmith" hash kid-3.json)" "the hash of a child"
+for kid in 1 9; do "$gaitsmith" validate kid-$kid.json >/dev/null || fault "kid-$kid.json"; done
+breed --out-prefix kin --threads 3 >kin.csv
+same "$(sed 's/kin/kid/' kin.csv)" "$(cat kids.csv)" "children of three threads"
+"$gaitsmith" breed kid-2.json kid-7.json --evaluations 300 --children 4 --difference 0.8 --keep goal --keep rule=2 --keep joint=1 \
+  --out-prefix grandkid >grandkids.csv || fault "a second round"
+same "$(wc -l <grandkids.csv)" 5 "four children"
+
+# What somebody seems to like, who prefers each time the child that slips less.
+{ echo first,second,verdict
+  awk -F, 'NR > 1 { file[NR] = $2; slip[NR] = $6 }
+    END { for (i = 2; i <= NR; ++i) for (k = 2; k < i; ++k) print file[i] "," file[k] "," (slip[i] < slip[k] ? "first" : "second") }' kids.csv
+} >taste.csv
+"$gaitsmith" taste taste.csv --out liked.json >taste.txt || fault "taste"
+same "$(head -1 taste.txt)" "trait,unit,scale,weight,doubt,likes" "the heading of taste"
+same "$(grep '^slip,' taste.txt | cut -d, -f6)" less "what is liked"
+"$gaitsmith" validate liked.json >/dev/null || fault "liked.json"
+awk '/"slip_sum"/ { exit !($2 + 0 < 0) }' liked.json || fault "the weight of slip that was learned"
+same "$("$gaitsmith" taste taste.csv --out -)" "$(cat liked.json)" "a document on standard output"
+
 # All terms of a motion, in one row.
 "$gaitsmith" measure "$golden" >measured.csv || fault "measure"
 same "$(head -1 measured.csv)" "travel,max_cm_height,slip_sum,rotations,effort,upright,smoothness,head_height,fitness,hash" "header"
@@ -362,6 +387,26 @@ refuses '--handover one.json@0: must be from 0.01 to 119.99 s' "$gaitsmith" synt
 refuses '--handover star-man-shuffle@2: is of another figure, "Mr. Star-Man"; the search is for "Hopper"' \
   "$gaitsmith" synthesize --figure hopper --handover star-man-shuffle@2 --out precious.json
 refuses '--handover hopper-jump@2: has no controller' "$gaitsmith" synthesize --figure hopper --handover hopper-jump@2 --out precious.json
+wrong 2 "--out-prefix: say what the children's files begin with" "$gaitsmith" breed star-man-shuffle
+wrong 2 'DOC: give at least one document' "$gaitsmith" breed --out-prefix precious
+wrong 1 'hopper-jump: has no motion to breed from' "$gaitsmith" breed hopper-jump --out-prefix precious
+wrong 1 'has another figure than star-man-shuffle' "$gaitsmith" breed star-man-shuffle "$jump" --out-prefix precious
+wrong 1 'its controller has another kind, other senses or another number of rules' "$gaitsmith" breed star-man-shuffle usual.json --out-prefix precious
+wrong 2 '--difference: must be from 0 to 1' "$gaitsmith" breed star-man-shuffle --difference 1.5 --out-prefix precious
+wrong 2 '--children: must be a whole number from 1 to 16, is "17"' "$gaitsmith" breed star-man-shuffle --children 17 --out-prefix precious
+wrong 2 '--keep: must be goal, rule=N or joint=N, is leg=1' "$gaitsmith" breed star-man-shuffle --keep leg=1 --out-prefix precious
+wrong 2 '--keep: rule must be a whole number from 1 to 10, is 11' "$gaitsmith" breed star-man-shuffle --keep rule=11 --out-prefix precious
+wrong 2 '--keep: joint must be a whole number from 1 to 4, is 1.5' "$gaitsmith" breed star-man-shuffle --keep joint=1.5 --out-prefix precious
+wrong 2 'CSV: give exactly one file' "$gaitsmith" taste
+wrong 1 'precious.json:1: must be the heading first,second,verdict' "$gaitsmith" taste precious.json
+printf 'first,second,verdict\nkid-1.json,kid-2.json,maybe\n' >bad.csv
+wrong 1 'bad.csv:2: "maybe" is unknown: choose from first, second, neither' "$gaitsmith" taste bad.csv --out precious.json
+printf 'first,second,verdict\nkid-1.json,first\n' >bad.csv
+wrong 1 'bad.csv:2: must be first,second,verdict' "$gaitsmith" taste bad.csv --out precious.json
+printf 'first,second,verdict\nkid-1.json,%s,first\n' "$jump" >bad.csv
+wrong 1 'has another figure than the motions before' "$gaitsmith" taste bad.csv --out precious.json
+printf 'first,second,verdict\n' >bad.csv
+wrong 1 'bad.csv: has no comparison' "$gaitsmith" taste bad.csv --out precious.json
 wrong 2 '--out: say where to write the rows' "$gaitsmith" switches "$jump" trial.json
 wrong 2 'DOC: give at least two documents' "$gaitsmith" switches --out precious.json "$jump"
 wrong 2 '--times: must be a whole number from 1 to 1000, is "0"' "$gaitsmith" switches --times 0 --out precious.json "$jump" trial.json
@@ -374,7 +419,7 @@ cmp -s results.csv results-before.csv && cmp -s curves.csv curves-before.csv || 
 same "$(cat precious.json)" keep "a file after refused commands"
 refuses 'cannot be read' "$gaitsmith" hash nowhere.json
 refuses 'was cut' "$gaitsmith" link decode "$(head -c 100 link.txt)"
-for command in compare suite merge switches; do
+for command in compare suite merge switches breed taste; do
   "$gaitsmith" help | grep -q "gaitsmith $command " || fault "help on $command"
   "$gaitsmith" $command --help | grep -q "gaitsmith $command " || fault "$command --help"
 done

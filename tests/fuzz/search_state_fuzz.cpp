@@ -9,7 +9,7 @@
 #include <span>
 
 #include "core/document/document.h"
-#include "core/search/search.h"
+#include "core/search/brood.h"
 
 namespace {
 
@@ -19,7 +19,9 @@ Document SmallProblem(const std::uint8_t* head) {
   Document d;
   d.figure.rods = {Rod{}, Rod{.parent = 0}, Rod{.parent = 1}};
   d.rules = 2;
-  d.search.algorithm = static_cast<Algorithm>(head[0] % kAlgorithmNames.size());
+  // One more than there are algorithms: breeding.
+  d.search.algorithm =
+      static_cast<Algorithm>(head[0] % (kAlgorithmNames.size() + 1) % kAlgorithmNames.size());
   d.search.seed = head[0];
   d.search.evaluations = 300;
   d.search.population = 4;
@@ -38,7 +40,22 @@ Score ScoreOf(const Genome& genome) {
   std::uint32_t sum = 2166136261u;
   for (const Gene gene : genome) sum = (sum ^ gene) * 16777619u;
   const float share = static_cast<float>(sum >> 8) * (1.0f / 16777216.0f);
-  return {sum % 17 == 0 ? -1e9f : share, {share, 1.0f - share, share * share}};
+  Traits traits{};
+  for (std::size_t i = 0; i + 1 < kTraits; ++i)
+    traits[i] = static_cast<float>((sum >> i) % 64) * kTraitTable[i].scale / 16.0f;
+  return {sum % 17 == 0 ? -1e9f : share, {share, 1.0f - share, share * share}, traits};
+}
+
+std::unique_ptr<Search> SearchFor(const Document& d, const std::uint8_t* head) {
+  if (head[0] % (kAlgorithmNames.size() + 1) != kAlgorithmNames.size())
+    return MakeSearch(d.search, SpaceOf(d));
+  const SearchSpace space = SpaceOf(d);
+  BreedWish wish;
+  for (std::uint64_t parent = 0; parent < 2; ++parent) {
+    RandomStream random(d.search.seed, parent, 0);
+    wish.parents.push_back(RandomGenome(space.shape, d.senses, Variation{}, random));
+  }
+  return std::make_unique<Brood>(d.search, space, wish);
 }
 
 bool Round(Search& search) {
@@ -62,7 +79,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size < 2) return 0;
   const Document d = SmallProblem(data);
   if (!Validate(d)) std::abort();
-  const auto search = MakeSearch(d.search, SpaceOf(d));
+  const auto search = SearchFor(d, data);
   for (int round = 0; round < data[1] % 40; ++round) {
     if (!Round(*search)) break;
   }
@@ -75,7 +92,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   if (size - at == 1) state.resize(state.size() * data[at] / 256);
 
-  const auto other = MakeSearch(d.search, SpaceOf(d));
+  const auto other = SearchFor(d, data);
   BitReader in(state);
   const auto loaded = other->Load(in);
   if (!loaded) {

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "core/document/taste_weights.h"
+
+#include <algorithm>
+
+namespace gaitsmith {
+
+namespace {
+
+/// Least log-odds of a plain difference in the primary term.
+constexpr float kLeastPrimary = 0.5f;
+constexpr float kMostWeight = 1000.0f;
+
+/// A style term's trait, and how much of the term one unit of the trait is.
+struct Measure {
+  Trait trait;
+  float per_trait;
+};
+
+}  // namespace
+
+std::array<float, kStyleTerms> WeightsOf(const Taste& taste, const Document& d) {
+  const float size_m = SizeOf(d.figure);
+  const float seconds = static_cast<float>(d.task.duration_steps) * kStep;
+  const auto joints = static_cast<float>(std::max(1, d.figure.Joints()));
+  const std::array<Measure, kStyleTerms> measures = {{
+      {Trait::kHeight, size_m},
+      {Trait::kSlip, size_m * seconds},
+      {Trait::kTurns, seconds},
+      {Trait::kEffort, seconds * joints},
+      {Trait::kUpright, 1.0f},
+      {Trait::kSmoothness, 1.0f},
+      {Trait::kHeadHeight, size_m},
+  }};
+  const auto worth = [&](const Measure& measure) {
+    return TraitOf(taste.Weights(), measure.trait) /
+           kTraitTable[static_cast<std::size_t>(measure.trait)].scale / measure.per_trait;
+  };
+  const bool jumps = d.task.kind == TaskKind::kJump;
+  const Measure primary = {jumps ? Trait::kHeight : Trait::kSpeed, jumps ? size_m : size_m * seconds};
+  const float least =
+      kLeastPrimary / kTraitTable[static_cast<std::size_t>(primary.trait)].scale / primary.per_trait;
+  float metre = worth(primary);
+  if (d.task.kind == TaskKind::kTravelLeft) metre = -metre;
+  if (d.task.kind == TaskKind::kTravel) metre = std::abs(metre);
+  metre = std::max(metre, least);
+
+  std::array<float, kStyleTerms> weights{};
+  for (std::size_t term = 0; term < weights.size(); ++term) {
+    if (jumps && measures[term].trait == primary.trait) continue;  // it is the primary term
+    if (SureOf(taste, measures[term].trait))
+      weights[term] = std::clamp(worth(measures[term]) / metre, -kMostWeight, kMostWeight);
+  }
+  return weights;
+}
+
+}  // namespace gaitsmith

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "core/search/taste.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <vector>
+
+#include "core/numeric/scalar_math.h"
+
+namespace gaitsmith {
+
+namespace {
+
+constexpr auto kSize = static_cast<Eigen::Index>(kTraits);
+using Vector = Eigen::Matrix<double, kSize, 1>;
+using Matrix = Eigen::Matrix<double, kSize, kSize>;
+
+constexpr int kMostSteps = 50;
+constexpr double kSmallStep = 1e-9;
+constexpr double kPrecision =
+    1.0 / (static_cast<double>(Taste::kPriorDoubt) * static_cast<double>(Taste::kPriorDoubt));
+
+double Logistic(double x) {
+  const double e = Exp(-std::abs(x));
+  return x >= 0.0 ? 1.0 / (1.0 + e) : e / (1.0 + e);
+}
+
+/// In scales, at most 3: what differs more than plainly does not count for more and more.
+Vector Difference(const Traits& first, const Traits& second) {
+  Vector difference;
+  for (std::size_t i = 0; i < kTraits; ++i) {
+    const auto scaled = static_cast<double>((first[i] - second[i]) / kTraitTable[i].scale);
+    difference[static_cast<Eigen::Index>(i)] = std::clamp(scaled, -3.0, 3.0);
+  }
+  return difference;
+}
+
+/// The share of a comparison that went to the first motion.
+double ShareOfFirst(Verdict verdict) {
+  return verdict == Verdict::kFirst ? 1.0 : verdict == Verdict::kSecond ? 0.0 : 0.5;
+}
+
+}  // namespace
+
+Taste::Taste(std::span<const Comparison> comparisons) {
+  std::vector<Vector> differences;
+  differences.reserve(comparisons.size());
+  for (const Comparison& one : comparisons) differences.push_back(Difference(one.first, one.second));
+
+  // Newton's method on the logarithm of the posterior, which is concave.
+  Vector weights = Vector::Zero();
+  Matrix precision;
+  for (int step = 0; step < kMostSteps; ++step) {
+    Vector slope = -kPrecision * weights;
+    precision = kPrecision * Matrix::Identity();
+    for (std::size_t i = 0; i < differences.size(); ++i) {
+      const double chance = Logistic(weights.dot(differences[i]));
+      slope += (ShareOfFirst(comparisons[i].verdict) - chance) * differences[i];
+      precision += chance * (1.0 - chance) * differences[i] * differences[i].transpose();
+    }
+    const Vector change = precision.llt().solve(slope);
+    // Far from the maximum a whole step may overshoot.
+    const double longest = change.cwiseAbs().maxCoeff();
+    weights += longest > 1.0 ? Vector(change / longest) : change;
+    if (longest < kSmallStep) break;
+  }
+  const Matrix covariance = precision.llt().solve(Matrix::Identity());
+  for (std::size_t i = 0; i < kTraits; ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    weights_[i] = static_cast<float>(weights[at]);
+    doubts_[i] = static_cast<float>(std::sqrt(covariance(at, at)));
+  }
+}
+
+float Taste::ChanceOfFirst(const Traits& first, const Traits& second) const {
+  double worth = 0.0;
+  const Vector difference = Difference(first, second);
+  for (std::size_t i = 0; i < kTraits; ++i)
+    worth += static_cast<double>(weights_[i]) * difference[static_cast<Eigen::Index>(i)];
+  return static_cast<float>(Logistic(worth));
+}
+
+}  // namespace gaitsmith

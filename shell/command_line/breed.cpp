@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// gaitsmith breed: one round of breeding, from motions that somebody picked.
+#include <cstdio>
+
+#include "core/document/json.h"
+#include "core/search/brood.h"
+#include "core/search/evaluation_score.h"
+#include "shell/command_line/arguments.h"
+#include "shell/command_line/commands.h"
+#include "shell/command_line/files.h"
+#include "shell/search/parallel_search.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+constexpr int kRoundEvaluations = 2000;
+
+/// The picked documents: the first one gives figure, ground and goal, each one its first controller.
+struct Picks {
+  Document document;
+  std::vector<Genome> parents;
+};
+
+Result<Picks> ReadPicks(const std::vector<std::string>& paths) {
+  Picks picks;
+  for (const std::string& path : paths) {
+    const auto document = ReadDocument(path);
+    if (!document) return std::unexpected(document.error());
+    if (document->timeline.empty()) return Fail(ErrorCode::kMissing, path, "has no motion to breed from");
+    const Controller& parent = FirstControllerOf(*document);
+    if (picks.parents.empty()) {
+      picks.document = *document;
+      picks.document.senses = parent.senses;
+      picks.document.rules = parent.rules;
+      picks.document.kind = parent.kind;
+      picks.document.search.start = picks.document.search.in_place_of = -1;
+      picks.document.search.handovers.clear();
+    } else if (!SameTree(document->figure, picks.document.figure)) {
+      return Fail(ErrorCode::kStructure, path, "has another figure than " + paths.front());
+    } else if (!FitsSearch(picks.document, parent)) {
+      return Fail(ErrorCode::kStructure, path,
+                  "its controller has another kind, other senses or another number of rules than that of " +
+                      paths.front());
+    }
+    picks.parents.push_back(parent.genes);
+  }
+  return picks;
+}
+
+Result<int> ReadIndex(std::string_view text, std::string_view what, int count) {
+  const auto number = ParseNumber(text, "--keep");
+  if (!number) return std::unexpected(number.error());
+  const int index = *number >= 1.0 && *number <= count ? static_cast<int>(*number) : 0;
+  if (index == 0 || index != *number) {
+    return Fail(ErrorCode::kOutOfRange, "--keep",
+                std::string(what) + " must be a whole number from 1 to " + std::to_string(count) + ", is " +
+                    std::string(text));
+  }
+  return index - 1;
+}
+
+/// Reads --keep goal, --keep rule=N and --keep joint=N.
+Result<void> ReadKept(const Arguments& arguments, const ControllerShape& shape, BreedWish& wish) {
+  for (const std::string& kept : arguments.All("keep")) {
+    const std::size_t sign = kept.find('=');
+    const std::string what = kept.substr(0, sign);
+    if (kept == "goal") {
+      wish.keep_goal = true;
+      continue;
+    }
+    if (sign == std::string::npos || (what != "rule" && what != "joint"))
+      return Fail(ErrorCode::kSyntax, "--keep", "must be goal, rule=N or joint=N, is " + kept);
+    if (shape.Kind() != ControllerKind::kRules)
+      return Fail(ErrorCode::kStructure, "--keep", "a network has no rules whose " + what + " could be kept");
+    const bool rule = what == "rule";
+    const auto index =
+        ReadIndex(kept.substr(sign + 1), what, rule ? shape.Bank().rules : shape.Bank().joints);
+    if (!index) return std::unexpected(index.error());
+    (rule ? wish.kept_rules : wish.kept_joints).push_back(*index);
+  }
+  return {};
+}
+
+/// Least distance to the other children.
+float NearestOf(const std::vector<Brood::Member>& children, std::size_t child) {
+  float nearest = 1.0f;
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    if (i != child) nearest = std::min(nearest, TraitDistance(children[i].traits, children[child].traits));
+  }
+  return nearest;
+}
+
+float DistanceToPicks(const Brood& brood, const Traits& traits) {
+  float nearest = 1.0f;
+  for (const Brood::Member& parent : brood.Parents())
+    nearest = std::min(nearest, TraitDistance(parent.traits, traits));
+  return nearest;
+}
+
+void PrintHeading() {
+  std::printf("child,file,fitness,travel");
+  for (const std::string_view name : kStyleTermNames) std::printf(",%s", std::string(name).c_str());
+  std::printf(",from_parent,from_others,hash\n");
+}
+
+Result<void> WriteChild(const Document& picked, const Brood& brood, std::size_t child,
+                        const std::string& prefix) {
+  const Brood::Member& member = brood.Children()[child];
+  Document document = picked;
+  document.controllers = {{"bred", picked.kind, picked.senses, picked.rules, member.genome}};
+  document.timeline = {{.controller = 0, .start_step = 0}};
+  document.duration_steps = document.task.duration_steps;
+  const Motion motion = Simulate(document);
+  document.hash = motion.Hash();
+  const std::string file = prefix + "-" + std::to_string(child + 1) + ".json";
+  if (auto written = WriteText(file, EncodeJson(document)); !written) return written;
+  const Terms& terms = motion.TermsAt(motion.Frames() - 1);
+  std::printf("%zu,%s,%.9g,%.9g", child + 1, file.c_str(), static_cast<double>(member.fitness),
+              static_cast<double>(terms.travel_m));
+  for (int term = 0; term < kStyleTerms; ++term)
+    std::printf(",%.9g", static_cast<double>(terms.Style(static_cast<StyleTerm>(term))));
+  std::printf(",%.3f,%.3f,%s\n", static_cast<double>(DistanceToPicks(brood, member.traits)),
+              static_cast<double>(NearestOf(brood.Children(), child)), HashText(motion.Hash()).c_str());
+  return {};
+}
+
+}  // namespace
+
+Outcome BreedCommand(Words words) {
+  static constexpr std::string_view kOptions[] = {"difference", "seed",    "evaluations", "children",
+                                                  "keep",       "threads", "out-prefix"};
+  const auto arguments = Arguments::Parse(words, kOptions);
+  if (!arguments) return WrongCall(arguments.error());
+  const std::string prefix = arguments->Last("out-prefix");
+  if (prefix.empty())
+    return WrongCall({ErrorCode::kMissing, "--out-prefix", "say what the children's files begin with"});
+  const std::size_t count = arguments->Positional().size();
+  if (count == 0)
+    return WrongCall(
+        {ErrorCode::kMissing, "DOC", "give at least one document, the motions that were picked"});
+  if (count > kMaxBrood)
+    return WrongCall(
+        {ErrorCode::kTooMany, "DOC",
+         "at most " + std::to_string(kMaxBrood) + " documents, there are " + std::to_string(count)});
+  auto picks = ReadPicks(arguments->Positional());
+  if (!picks) return std::unexpected(picks.error());
+  const Document& document = picks->document;
+
+  BreedWish wish;
+  wish.parents = picks->parents;
+  const auto difference = ParseNumber(arguments->Last("difference", "0.3"), "--difference");
+  if (!difference) return WrongCall(difference.error());
+  if (!(*difference >= 0.0 && *difference <= 1.0))
+    return WrongCall({ErrorCode::kOutOfRange, "--difference", "must be from 0 to 1"});
+  wish.difference = static_cast<float>(*difference);
+  const auto children = arguments->Integer("children", 1, kMaxBrood, wish.children);
+  if (!children) return WrongCall(children.error());
+  wish.children = static_cast<int>(*children);
+  const auto seed = arguments->Integer("seed", 0, std::numeric_limits<std::uint32_t>::max(), 1);
+  if (!seed) return WrongCall(seed.error());
+  const auto evaluations = arguments->Integer("evaluations", 200, 1'000'000, kRoundEvaluations);
+  if (!evaluations) return WrongCall(evaluations.error());
+  const auto threads = arguments->Integer("threads", 1, 256, Cores());
+  if (!threads) return WrongCall(threads.error());
+
+  Problem problem = ProblemOf(document);
+  problem.traits_size_m = SizeOf(document.figure);
+  const SearchSpace space = SpaceOf(problem);
+  if (auto kept = ReadKept(*arguments, space.shape, wish); !kept) return WrongCall(kept.error());
+  SearchSettings settings;
+  settings.seed = static_cast<std::uint32_t>(*seed);
+  settings.evaluations = static_cast<int>(*evaluations);
+
+  Brood brood(settings, space, wish);
+  SearchControl control;
+  RunToEnd(problem, brood, settings.evaluations, static_cast<int>(*threads), control,
+           [](const SearchProgress&) {});
+  if (brood.Children().empty())
+    return Fail(ErrorCode::kStructure, arguments->Positional().front(), "none of its children moves");
+  PrintHeading();
+  for (std::size_t child = 0; child < brood.Children().size(); ++child) {
+    if (auto written = WriteChild(document, brood, child, prefix); !written)
+      return std::unexpected(written.error());
+  }
+  return {};
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// gaitsmith taste: what somebody seems to like, from a file of comparisons.
+#include "core/search/taste.h"
+
+#include <cstdio>
+#include <map>
+
+#include "core/document/json.h"
+#include "core/document/taste_weights.h"
+#include "core/rollout/evaluator.h"
+#include "shell/command_line/arguments.h"
+#include "shell/command_line/commands.h"
+#include "shell/command_line/files.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+constexpr std::size_t kMostRows = 100'000;
+
+/// Looks at motions, at each once.
+class Viewer {
+ public:
+  Result<Traits> TraitsOf(const std::string& path, const std::string& where) {
+    if (const auto known = seen_.find(path); known != seen_.end()) return known->second;
+    const auto document = ReadDocument(path);
+    if (!document) return std::unexpected(document.error());
+    if (document->timeline.empty()) return Fail(ErrorCode::kMissing, where, path + " has no motion");
+    if (!first_) {
+      first_ = *document;
+    } else if (!SameTree(document->figure, first_->figure)) {
+      return Fail(ErrorCode::kStructure, where, path + " has another figure than the motions before");
+    }
+    const Controller& controller = FirstControllerOf(*document);
+    Problem problem = ReplayProblem(*document, controller);
+    problem.traits_size_m = SizeOf(document->figure);
+    const Evaluation seen = Evaluator(problem).Evaluate(std::vector<Genome>{controller.genes}).front();
+    if (!(seen.fitness > kVoidScore)) return Fail(ErrorCode::kOutOfRange, where, path + " breaks physics");
+    return seen_[path] = seen.traits;
+  }
+  /// The first document. Call after one was looked at.
+  [[nodiscard]] const Document& First() const { return *first_; }
+
+ private:
+  std::map<std::string, Traits> seen_;
+  std::optional<Document> first_;
+};
+
+std::vector<std::string> LinesOf(const std::string& text) {
+  std::vector<std::string> lines(1);
+  for (const char c : text) {
+    if (c == '\n') {
+      lines.emplace_back();
+    } else if (c != '\r') {
+      lines.back() += c;
+    }
+  }
+  if (lines.back().empty()) lines.pop_back();
+  return lines;
+}
+
+Result<Comparison> ReadRow(const std::string& row, const std::string& where, Viewer& viewer) {
+  const std::size_t one = row.find(','), two = row.rfind(',');
+  if (one == std::string::npos || one == two)
+    return Fail(ErrorCode::kSyntax, where, "must be first,second,verdict");
+  const auto verdict = IndexOf(kVerdictNames, row.substr(two + 1), where);
+  if (!verdict) return std::unexpected(verdict.error());
+  const auto first = viewer.TraitsOf(row.substr(0, one), where);
+  if (!first) return std::unexpected(first.error());
+  const auto second = viewer.TraitsOf(row.substr(one + 1, two - one - 1), where);
+  if (!second) return std::unexpected(second.error());
+  return Comparison{*first, *second, static_cast<Verdict>(*verdict)};
+}
+
+Result<std::vector<Comparison>> ReadComparisons(const std::string& path, Viewer& viewer) {
+  const auto text = ReadText(path);
+  if (!text) return std::unexpected(text.error());
+  const std::vector<std::string> lines = LinesOf(*text);
+  if (lines.empty() || lines.front() != "first,second,verdict")
+    return Fail(ErrorCode::kSyntax, path + ":1", "must be the heading first,second,verdict");
+  if (lines.size() == 1) return Fail(ErrorCode::kMissing, path, "has no comparison");
+  if (lines.size() > kMostRows)
+    return Fail(ErrorCode::kTooMany, path, "has more than " + std::to_string(kMostRows) + " rows");
+  std::vector<Comparison> comparisons;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const auto row = ReadRow(lines[i], path + ":" + std::to_string(i + 1), viewer);
+    if (!row) return std::unexpected(row.error());
+    comparisons.push_back(*row);
+  }
+  return comparisons;
+}
+
+const char* LikingOf(const Taste& taste, Trait trait) {
+  if (!SureOf(taste, trait)) return "unsure";
+  return TraitOf(taste.Weights(), trait) > 0.0f ? "more" : "less";
+}
+
+}  // namespace
+
+Outcome TasteCommand(Words words) {
+  static constexpr std::string_view kOptions[] = {"out"};
+  const auto arguments = Arguments::Parse(words, kOptions);
+  if (!arguments) return WrongCall(arguments.error());
+  if (arguments->Positional().size() != 1)
+    return WrongCall({ErrorCode::kMissing, "CSV", "give exactly one file of comparisons"});
+  Viewer viewer;
+  const auto comparisons = ReadComparisons(arguments->Positional().front(), viewer);
+  if (!comparisons) return std::unexpected(comparisons.error());
+  const Taste taste(*comparisons);
+
+  if (arguments->Has("out")) {
+    Document document = viewer.First();
+    document.task.weights = WeightsOf(taste, document);
+    if (auto written = WriteText(arguments->Last("out"), EncodeJson(document)); !written)
+      return std::unexpected(written.error());
+    if (arguments->Last("out") == "-") return {};
+  }
+  std::printf("trait,unit,scale,weight,doubt,likes\n");
+  for (std::size_t i = 0; i < kTraits; ++i) {
+    const TraitRow& row = kTraitTable[i];
+    std::printf("%s,%s,%g,%.3f,%.3f,%s\n", std::string(row.name).c_str(), std::string(row.unit).c_str(),
+                static_cast<double>(row.scale), static_cast<double>(taste.Weights()[i]),
+                static_cast<double>(taste.Doubts()[i]), LikingOf(taste, static_cast<Trait>(i)));
+  }
+  return {};
+}
+
+}  // namespace gaitsmith::shell
