@@ -153,10 +153,13 @@ GS_EXPORT EvaluatorRole* gs_evaluator_open(std::size_t size) {
 GS_EXPORT void gs_evaluator_close(EvaluatorRole* role) { delete role; }
 GS_EXPORT std::size_t gs_evaluator_genes(const EvaluatorRole* role) { return role->genes; }
 
+constexpr std::size_t kScoreLength = 4 + kTraits;
+static_assert(sizeof(Score) == kScoreLength * sizeof(float) && kScoreLength == 17,
+              "as SCORE_LENGTH of engine.js");
+
 /// Scores `count` genomes that lie one after another in the input area, 16 bits a gene.
-/// @return `count` scores of four floats: fitness, greatest height, slip, rotations; null if the input is too
-/// short
-static_assert(sizeof(Score) == 4 * sizeof(float));
+/// @return `count` scores of floats: fitness, greatest height, slip, rotations, then the traits; null if the
+/// input is too short
 GS_EXPORT const Score* gs_evaluator_run(EvaluatorRole* role, std::size_t count) {
   if (input.size() / sizeof(Gene) / role->genes < count) {
     Note({ErrorCode::kTruncated, "genomes", "fewer than announced"});
@@ -216,9 +219,9 @@ GS_EXPORT bool gs_search_tell(SearchRole* role, std::size_t count) {
     return false;
   }
   const std::size_t asked = role->asked.front();
-  const bool whole = count == 4 * asked;
+  const bool whole = count == kScoreLength * asked;
   if ((!whole && count != asked) || input.size() < count * sizeof(float)) {
-    Note({ErrorCode::kStructure, "fitness", "must be one number, or four, for every genome asked"});
+    Note({ErrorCode::kStructure, "fitness", "must be one number, or a whole score, for every genome asked"});
     return false;
   }
   if (whole) {

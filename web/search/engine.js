@@ -109,8 +109,8 @@ export class Engine {
   }
 }
 
-/** Numbers in the score of a genome: fitness, greatest height, slip, rotations. */
-export const SCORE_LENGTH = 4;
+/** Numbers in the score of a genome: fitness, greatest height, slip, rotations, then the traits. */
+export const SCORE_LENGTH = 17;
 
 /** Scores genomes of one problem. */
 export class Evaluator {

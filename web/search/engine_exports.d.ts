@@ -15,8 +15,8 @@ export interface EngineExports {
   _gs_evaluator_genes(role: Pointer): number;
   /**
    * Scores `count` genomes that lie one after another in the input area, 16 bits a gene.
-   * @return `count` scores of four floats: fitness, greatest height, slip, rotations; null if the input is too
-   * short
+   * @return `count` scores of floats: fitness, greatest height, slip, rotations, then the traits; null if the
+   * input is too short
    */
   _gs_evaluator_run(role: Pointer, count: number): Pointer;
   _gs_search_open(size: number): Pointer;
