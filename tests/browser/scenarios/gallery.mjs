@@ -79,6 +79,7 @@ async function refuses({ browser, address }) {
   assert.equal(await shown(page), false);
   // A link that is pasted anywhere in the dialog opens.
   await opened(page);
+  await page.until('the keyboard is in the dialog', () => document.activeElement?.closest('dialog') !== null);
   await page.page.evaluate((text) => {
     const clipboardData = new DataTransfer();
     clipboardData.setData('text/plain', text);
