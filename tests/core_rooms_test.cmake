@@ -9,7 +9,8 @@ set(rooms
   "physics  -> numeric signal"
   "rollout  -> numeric signal control physics"
   "search   -> numeric signal control rollout"
-  "document -> numeric signal control physics rollout search")
+  "document -> numeric signal control physics rollout search"
+  "breeding -> numeric signal control document search")
 
 set(faults "")
 set(known "")

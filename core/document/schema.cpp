@@ -49,7 +49,9 @@ void Describe(Archive& ar, Task& task) {
   ar.Group("weights", [&] {
     for (std::size_t term = 0; term < kStyleTerms; ++term) {
       const StyleTermRow& row = kStyleTable[term];
-      const auto weight = [&] { ar.Real(row.name, task.weights[term], -1000.0f, 1000.0f, 0.0f); };
+      const auto weight = [&] {
+        ar.Real(row.name, task.weights[term], -kMaxStyleWeight, kMaxStyleWeight, 0.0f);
+      };
       if (row.since == 1) {
         weight();
       } else {

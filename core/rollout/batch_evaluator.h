@@ -52,7 +52,7 @@ class PlantEvaluator final : public BatchEvaluator {
       if (!moments_.empty()) rollout.BeginAt(moments_[begin]);
       rollout.Follow(controllers);
       Measure(rollout, ports_.Count(), problem_.task, std::span(scored).first(results.size()), hashed,
-              problem_.traits_size_m);
+              problem_.traits ? size_m_ : 0.0f);
       for (std::size_t i = 0; i < results.size(); ++i) {
         if (begins > 1) {
           AddToMean(results[i], scored[i], static_cast<int>(begin));
@@ -72,6 +72,7 @@ class PlantEvaluator final : public BatchEvaluator {
   ControllerShape shape_;
   std::vector<Moment<PlantOf, 1>> moments_;  // one for each of the problem's beginnings
   bool with_hash_;
+  float size_m_ = SizeOf(problem_.figure);
 };
 
 }  // namespace gaitsmith

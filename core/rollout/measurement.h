@@ -16,19 +16,18 @@ namespace gaitsmith {
 /// @param ports of the plant
 /// @param results out: one for each of the first lanes, without hashes
 /// @param hashes  one for each lane; each step is added to them. Empty: no hashes
-/// @param traits_size_m as Problem's: 0: no traits
+/// @param size_m  of the figure, for traits; 0: no traits
 template <template <int> class PlantOf, int W>
 void Measure(Rollout<PlantOf, W>& rollout, const PortCount& ports, const Task& task,
-             std::span<Evaluation> results, std::span<TrajectoryHash> hashes = {},
-             float traits_size_m = 0.0f) {
+             std::span<Evaluation> results, std::span<TrajectoryHash> hashes = {}, float size_m = 0.0f) {
   const PlantOf<W>& plant = rollout.PlantNow();
   // Most searches give the further terms no weight. Then they are not measured.
-  const bool looks = traits_size_m > 0.0f;
+  const bool looks = size_m > 0.0f;
   const FurtherTerms weighted = looks ? kAllFurtherTerms : WeightedFurtherTerms(task);
   std::optional<StyleMeter<PlantOf<W>>> meter;
   if (weighted != FurtherTerms{}) meter.emplace(plant, ports, weighted, kStep);
   std::optional<GaitMeter<PlantOf<W>>> gait;
-  if (looks) gait.emplace(plant, ports, traits_size_m, kStep);
+  if (looks) gait.emplace(plant, ports, size_m, kStep);
   rollout.RunTo(rollout.StepNow() + task.duration_steps, kNothing, [&] {
     if (meter) meter->Add();
     if (gait) gait->Add();

@@ -37,10 +37,8 @@ struct Problem {
   /// is scored from each of them, and its score is the mean: this finds robust controllers [Fukunaga 1994,
   /// section 6].
   std::vector<Beginning> beginnings = {};
-  /// The size of the figure (SizeOf) if evaluations measure how motions look, else 0: it costs a fifth of a
-  /// rollout.
-  float traits_size_m = 0.0f;
-  int model = 1;  // version of the physical model, which chooses the plant, [1, kModelVersion]
+  bool traits = false;  // whether evaluations measure how motions look
+  int model = 1;        // version of the physical model, which chooses the plant, [1, kModelVersion]
 
   /// The shape of the controllers that the search tries.
   [[nodiscard]] ControllerShape Shape() const;

@@ -17,10 +17,13 @@ enum class TaskKind {
   kJump,         // greatest height of the centre of mass above its start [m]
 };
 
+/// Greatest weight of a secondary term, in both directions.
+inline constexpr float kMaxStyleWeight = 1000.0f;
+
 struct Task {
   TaskKind kind = TaskKind::kTravel;
   int duration_steps = 500;                     // T in whole steps, [1, kMaxSteps]; 5 to 10 s in the paper
-  std::array<float, kStyleTerms> weights = {};  // of the secondary terms, [-1000, 1000]
+  std::array<float, kStyleTerms> weights = {};  // of the secondary terms, [-kMaxStyleWeight, kMaxStyleWeight]
 };
 
 /// Score of a motion that broke physics: worse than any real one.

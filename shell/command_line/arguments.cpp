@@ -61,13 +61,16 @@ std::string Arguments::Last(std::string_view option, std::string_view fallback) 
 Result<long long> Arguments::Integer(std::string_view option, long long low, long long high,
                                      long long fallback) const {
   if (!Has(option)) return fallback;
-  const std::string& text = All(option).back();
+  return ParseWhole(All(option).back(), low, high, "--" + std::string(option));
+}
+
+Result<long long> ParseWhole(std::string_view text, long long low, long long high, std::string_view what) {
   long long value = 0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (fault != std::errc{} || end != text.data() + text.size() || value < low || value > high) {
-    return Fail(ErrorCode::kOutOfRange, "--" + std::string(option),
+    return Fail(ErrorCode::kOutOfRange, std::string(what),
                 "must be a whole number from " + std::to_string(low) + " to " + std::to_string(high) +
-                    ", is \"" + text + "\"");
+                    ", is \"" + std::string(text) + "\"");
   }
   return value;
 }

@@ -43,6 +43,10 @@ class Arguments {
 [[nodiscard]] Result<int> IndexOf(std::span<const std::string_view> names, std::string_view name,
                                   std::string_view where);
 
+/// The whole text as a whole number in [low, high]. @param what for the error
+[[nodiscard]] Result<long long> ParseWhole(std::string_view text, long long low, long long high,
+                                           std::string_view what);
+
 /// The whole text as a number. @param what for the error
 [[nodiscard]] Result<double> ParseNumber(std::string_view text, std::string_view what);
 

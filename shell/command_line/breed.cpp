@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// gaitsmith breed: one round of breeding, from motions that somebody picked.
+// gaitsmith breed: one round of breeding from picked motions.
 #include <cstdio>
 
+#include "core/breeding/brood.h"
 #include "core/document/json.h"
-#include "core/search/brood.h"
 #include "core/search/evaluation_score.h"
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
@@ -47,18 +47,6 @@ Result<Picks> ReadPicks(const std::vector<std::string>& paths) {
   return picks;
 }
 
-Result<int> ReadIndex(std::string_view text, std::string_view what, int count) {
-  const auto number = ParseNumber(text, "--keep");
-  if (!number) return std::unexpected(number.error());
-  const int index = *number >= 1.0 && *number <= count ? static_cast<int>(*number) : 0;
-  if (index == 0 || index != *number) {
-    return Fail(ErrorCode::kOutOfRange, "--keep",
-                std::string(what) + " must be a whole number from 1 to " + std::to_string(count) + ", is " +
-                    std::string(text));
-  }
-  return index - 1;
-}
-
 /// Reads --keep goal, --keep rule=N and --keep joint=N.
 Result<void> ReadKept(const Arguments& arguments, const ControllerShape& shape, BreedWish& wish) {
   for (const std::string& kept : arguments.All("keep")) {
@@ -73,10 +61,10 @@ Result<void> ReadKept(const Arguments& arguments, const ControllerShape& shape, 
     if (shape.Kind() != ControllerKind::kRules)
       return Fail(ErrorCode::kStructure, "--keep", "a network has no rules whose " + what + " could be kept");
     const bool rule = what == "rule";
-    const auto index =
-        ReadIndex(kept.substr(sign + 1), what, rule ? shape.Bank().rules : shape.Bank().joints);
-    if (!index) return std::unexpected(index.error());
-    (rule ? wish.kept_rules : wish.kept_joints).push_back(*index);
+    const auto number = ParseWhole(kept.substr(sign + 1), 1, rule ? shape.Bank().rules : shape.Bank().joints,
+                                   "--keep " + what);
+    if (!number) return std::unexpected(number.error());
+    (rule ? wish.kept_rules : wish.kept_joints).push_back(static_cast<int>(*number) - 1);
   }
   return {};
 }
@@ -87,13 +75,6 @@ float NearestOf(const std::vector<Brood::Member>& children, std::size_t child) {
   for (std::size_t i = 0; i < children.size(); ++i) {
     if (i != child) nearest = std::min(nearest, TraitDistance(children[i].traits, children[child].traits));
   }
-  return nearest;
-}
-
-float DistanceToPicks(const Brood& brood, const Traits& traits) {
-  float nearest = 1.0f;
-  for (const Brood::Member& parent : brood.Parents())
-    nearest = std::min(nearest, TraitDistance(parent.traits, traits));
   return nearest;
 }
 
@@ -119,7 +100,7 @@ Result<void> WriteChild(const Document& picked, const Brood& brood, std::size_t 
               static_cast<double>(terms.travel_m));
   for (int term = 0; term < kStyleTerms; ++term)
     std::printf(",%.9g", static_cast<double>(terms.Style(static_cast<StyleTerm>(term))));
-  std::printf(",%.3f,%.3f,%s\n", static_cast<double>(DistanceToPicks(brood, member.traits)),
+  std::printf(",%.3f,%.3f,%s\n", static_cast<double>(brood.DistanceToParents(member.traits)),
               static_cast<double>(NearestOf(brood.Children(), child)), HashText(motion.Hash()).c_str());
   return {};
 }
@@ -164,7 +145,7 @@ Outcome BreedCommand(Words words) {
   if (!threads) return WrongCall(threads.error());
 
   Problem problem = ProblemOf(document);
-  problem.traits_size_m = SizeOf(document.figure);
+  problem.traits = true;
   const SearchSpace space = SpaceOf(problem);
   if (auto kept = ReadKept(*arguments, space.shape, wish); !kept) return WrongCall(kept.error());
   SearchSettings settings;

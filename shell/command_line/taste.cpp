@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// gaitsmith taste: what somebody seems to like, from a file of comparisons.
-#include "core/search/taste.h"
+// gaitsmith taste: learns a person's taste from a file of comparisons.
+#include "core/breeding/taste.h"
 
 #include <cstdio>
 #include <map>
 
+#include "core/breeding/taste_weights.h"
 #include "core/document/json.h"
-#include "core/document/taste_weights.h"
 #include "core/rollout/evaluator.h"
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
@@ -32,7 +32,7 @@ class Viewer {
     }
     const Controller& controller = FirstControllerOf(*document);
     Problem problem = ReplayProblem(*document, controller);
-    problem.traits_size_m = SizeOf(document->figure);
+    problem.traits = true;
     const Evaluation seen = Evaluator(problem).Evaluate(std::vector<Genome>{controller.genes}).front();
     if (!(seen.fitness > kVoidScore)) return Fail(ErrorCode::kOutOfRange, where, path + " breaks physics");
     return seen_[path] = seen.traits;

@@ -70,7 +70,7 @@ same "$(sed 's/kin/kid/' kin.csv)" "$(cat kids.csv)" "children of three threads"
   --out-prefix grandkid >grandkids.csv || fault "a second round"
 same "$(wc -l <grandkids.csv)" 5 "four children"
 
-# What somebody seems to like, who prefers each time the child that slips less.
+# A taste that prefers the child that slips less, each time.
 { echo first,second,verdict
   awk -F, 'NR > 1 { file[NR] = $2; slip[NR] = $6 }
     END { for (i = 2; i <= NR; ++i) for (k = 2; k < i; ++k) print file[i] "," file[k] "," (slip[i] < slip[k] ? "first" : "second") }' kids.csv
@@ -395,8 +395,8 @@ wrong 1 'its controller has another kind, other senses or another number of rule
 wrong 2 '--difference: must be from 0 to 1' "$gaitsmith" breed star-man-shuffle --difference 1.5 --out-prefix precious
 wrong 2 '--children: must be a whole number from 1 to 16, is "17"' "$gaitsmith" breed star-man-shuffle --children 17 --out-prefix precious
 wrong 2 '--keep: must be goal, rule=N or joint=N, is leg=1' "$gaitsmith" breed star-man-shuffle --keep leg=1 --out-prefix precious
-wrong 2 '--keep: rule must be a whole number from 1 to 10, is 11' "$gaitsmith" breed star-man-shuffle --keep rule=11 --out-prefix precious
-wrong 2 '--keep: joint must be a whole number from 1 to 4, is 1.5' "$gaitsmith" breed star-man-shuffle --keep joint=1.5 --out-prefix precious
+wrong 2 '--keep rule: must be a whole number from 1 to 10, is "11"' "$gaitsmith" breed star-man-shuffle --keep rule=11 --out-prefix precious
+wrong 2 '--keep joint: must be a whole number from 1 to 4, is "1.5"' "$gaitsmith" breed star-man-shuffle --keep joint=1.5 --out-prefix precious
 wrong 2 'CSV: give exactly one file' "$gaitsmith" taste
 wrong 1 'precious.json:1: must be the heading first,second,verdict' "$gaitsmith" taste precious.json
 printf 'first,second,verdict\nkid-1.json,kid-2.json,maybe\n' >bad.csv

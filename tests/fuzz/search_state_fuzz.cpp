@@ -9,7 +9,7 @@
 #include <span>
 
 #include "core/document/document.h"
-#include "core/search/brood.h"
+#include "core/breeding/brood.h"
 
 namespace {
 

@@ -15,7 +15,7 @@ Problem Held(const Figure& figure) {
   problem.figure = figure;
   problem.task.duration_steps = 50;
   problem.rules = 1;
-  problem.traits_size_m = SizeOf(figure);
+  problem.traits = true;
   return problem;
 }
 
@@ -69,7 +69,7 @@ TEST_CASE("traits: measuring them changes no motion, and no lane differs", "[tra
     const std::vector<Genome> genomes(5, d.controllers.front().genes);
     const Evaluation plain = Evaluator(problem, true).Evaluate(genomes).front();
     CHECK(plain.traits == Traits{});
-    problem.traits_size_m = SizeOf(d.figure);
+    problem.traits = true;
     const Evaluation looked = Evaluator(problem, true).Evaluate(genomes).front();
     CHECK(looked.trajectory_hash == plain.trajectory_hash);
     CHECK(looked.fitness == plain.fitness);
@@ -89,7 +89,7 @@ TEST_CASE("traits: like motions of a small and a large figure have like traits",
   large.start.drop_height_m *= 4.0f;
   large.start.velocity_x_mps *= 4.0f;
   large.environment.gravity_mps2 *= 4.0f;
-  large.traits_size_m = SizeOf(large.figure);
+  large.traits = true;
   CHECK(TraitDistance(TraitsOfHeld(small), TraitsOfHeld(large)) < 0.01f);
 }
 

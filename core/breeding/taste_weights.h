@@ -3,8 +3,8 @@
 // every search.
 #pragma once
 
+#include "core/breeding/taste.h"
 #include "core/document/style_weights.h"
-#include "core/search/taste.h"
 
 namespace gaitsmith {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/search/taste.h"
+#include "core/breeding/taste.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

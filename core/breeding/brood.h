@@ -3,13 +3,12 @@
 // person chooses the manner, the search keeps it alive.
 //
 // 1. Scores the parents.
-// 2. Births: children of one parent or hybrids of two, changed where they act (rule_moves.h), the more the
-// greater the
-//    wished difference. Of those that move, children are chosen that look different from one another and from
-//    the parents, but not too different from the nearest parent.
+// 2. Births: children of one parent or hybrids of two, changed where they act (rule_moves.h). A greater
+// wished
+//    difference means more changes. Of those that move, children are chosen that look different from one
+//    another and from the parents, but not too different from the nearest parent.
 // 3. Climbs from each child at the same time. A change is kept if the motion becomes better at the goal and
-// still looks
-//    different from all other children.
+//    still looks different from all other children.
 //
 // How motions look is measured by their traits (signal/traits.h), so the scores must have them.
 #pragma once
@@ -43,6 +42,8 @@ class Brood final : public BatchSearch {
   [[nodiscard]] const std::vector<Member>& Children() const { return children_; }
   /// The parents that were scored, in their order.
   [[nodiscard]] const std::vector<Member>& Parents() const { return parents_; }
+  /// From the nearest parent. Infinite before the parents are scored.
+  [[nodiscard]] float DistanceToParents(const Traits&) const;
   [[nodiscard]] std::vector<float> PopulationFitness() const override;
 
  private:
@@ -60,7 +61,6 @@ class Brood final : public BatchSearch {
                               const Genome& model, RandomStream&) const;
   void PutBackKept(Genome& child, const Genome& model) const;
   [[nodiscard]] std::vector<Sighting> See(const Genome&) const;
-  [[nodiscard]] float DistanceToParents(const Traits&) const;
   /// Least distance between children, and the greatest to the nearest parent.
   [[nodiscard]] float Apart(int leniency) const;
   [[nodiscard]] float Reach(int leniency) const;

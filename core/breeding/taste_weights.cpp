@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/document/taste_weights.h"
+#include "core/breeding/taste_weights.h"
 
 #include <algorithm>
 
@@ -9,7 +9,6 @@ namespace {
 
 /// Least log-odds of a plain difference in the primary term.
 constexpr float kLeastPrimary = 0.5f;
-constexpr float kMostWeight = 1000.0f;
 
 /// A style term's trait, and how much of the term one unit of the trait is.
 struct Measure {
@@ -49,7 +48,7 @@ std::array<float, kStyleTerms> WeightsOf(const Taste& taste, const Document& d) 
   for (std::size_t term = 0; term < weights.size(); ++term) {
     if (jumps && measures[term].trait == primary.trait) continue;  // it is the primary term
     if (SureOf(taste, measures[term].trait))
-      weights[term] = std::clamp(worth(measures[term]) / metre, -kMostWeight, kMostWeight);
+      weights[term] = std::clamp(worth(measures[term]) / metre, -kMaxStyleWeight, kMaxStyleWeight);
   }
   return weights;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // gaitsmith suite: searches for a controller for every combination of senses, task and style, and stores each
 // with its motion.
-#include "shell/command_line/suite_options.h"
-#include "shell/command_line/suite_report.h"
+#include "shell/command_line/suite/suite_options.h"
+#include "shell/command_line/suite/suite_report.h"
 #include "shell/command_line/trial_crew.h"
 #include "shell/search/parallel_search.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Children move, look different from one another, keep what is locked, are better at the goal than at birth,
 // and are the same however the batches are cut.
-#include "core/search/brood.h"
+#include "core/breeding/brood.h"
 
 #include "core/document/json.h"
 #include "core/search/evaluation_score.h"
@@ -29,7 +29,7 @@ struct Round {
   }
   static Problem Looked(const Document& d) {
     Problem problem = ReplayProblem(d, d.controllers.front());
-    problem.traits_size_m = SizeOf(d.figure);
+    problem.traits = true;
     return problem;
   }
   [[nodiscard]] Brood Make() const { return {settings, space, wish}; }
@@ -203,7 +203,7 @@ TEST_CASE("brood: networks, a single rod and a figure that cannot move", "[searc
 
   round.problem.kind = ControllerKind::kRules;
   round.problem.figure = LyingRod();
-  round.problem.traits_size_m = SizeOf(round.problem.figure);
+  round.problem.traits = true;
   round.space = SpaceOf(round.problem);
   round.wish.parents = {RandomGenome(round.space.shape, round.problem.senses, Variation{}, random)};
   const Brood lying = Bred(round);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person seems to like, learned from comparisons of two motions. The chance that one is preferred is
+// A person's taste, learned from comparisons of two motions. The chance that one is preferred is
 // the logistic function of the difference of their worths [Bradley Terry 1952], and the worth is linear in
 // the traits, as in learning a reward from preferences [Sadigh 2017]. Weights have a Gaussian prior. Their
 // posterior is approximated by a Gaussian at its maximum (Laplace), which gives a doubt for each weight.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A hidden taste is found again from comparisons, doubt falls with their number, and what contradicts itself
 // says nothing.
-#include "core/search/taste.h"
+#include "core/breeding/taste.h"
 
 #include <catch_amalgamated.hpp>
 
+#include "core/breeding/taste_weights.h"
 #include "core/document/standing.h"
-#include "core/document/taste_weights.h"
 #include "core/numeric/random.h"
 #include "core/numeric/scalar_math.h"
 #include "tests/scene.h"
@@ -28,7 +28,7 @@ double Worth(const Traits& weights, const Traits& traits) {
   return worth;
 }
 
-/// Comparisons by somebody with these weights, who errs as the model says.
+/// Random comparisons by a person with these weights and the model's errors.
 std::vector<Comparison> ComparedBy(const Traits& weights, int count, std::uint64_t seed) {
   std::vector<Comparison> comparisons;
   RandomStream random(seed, 0, 0);
@@ -157,8 +157,8 @@ TEST_CASE("taste: its weights order motions of a document as the taste does", "[
   CHECK(weights[static_cast<std::size_t>(StyleTerm::kRotations)] * turns ==
         Catch::Approx(metres).epsilon(0.25));
   CHECK(weights[static_cast<std::size_t>(StyleTerm::kSlipSum)] == Catch::Approx(-1.0f).epsilon(0.25));
-  // Whoever does not care about distance cannot say so in a document, but weights stay within what it can
-  // hold.
+  // A taste without interest in distance: documents have no weight for distance, but the other weights stay
+  // in range.
   const auto lazy = WeightsOf(Taste(ComparedBy(With(Trait::kTurns, 3.0f), 400, 12)), d);
   CHECK(lazy[static_cast<std::size_t>(StyleTerm::kRotations)] >
         weights[static_cast<std::size_t>(StyleTerm::kRotations)]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shell/command_line/suite_options.h"
+#include "shell/command_line/suite/suite_options.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/search/brood.h"
+#include "core/breeding/brood.h"
 
 #include <limits>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shell/command_line/suite_report.h"
+#include "shell/command_line/suite/suite_report.h"
 
 #include <algorithm>
 #include <array>
