@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <span>
 
-#include "core/document/document.h"
 #include "core/breeding/brood.h"
+#include "core/document/document.h"
 
 namespace {
 
