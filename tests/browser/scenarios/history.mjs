@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Undo, Redo, New, and files dropped on the page. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
-import { ONE_BROWSER, PageDriver } from '../page_driver.mjs';
+import { ONE_BROWSER, PATIENCE_MS, PageDriver } from '../page_driver.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
 
@@ -146,17 +146,22 @@ async function noStaleSentence({ browser, address }) {
  * @returns {Promise<boolean>} whether the hint was visible
  */
 async function drop(page, files) {
-  const hinted = await page.page.evaluate((list) => {
+  const hinted = await page.page.evaluate(async (list, patience) => {
     const dataTransfer = new DataTransfer();
     for (const { name, text, bytes } of list) dataTransfer.items.add(new File([text ?? new Uint8Array(bytes ?? [])], name));
     const canvas = /** @type {Element} */ (document.querySelector('canvas'));
     const send = (/** @type {string} */ type) =>
       canvas.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
-    send('dragover');
-    const box = document.querySelector('#drop-hint')?.getBoundingClientRect();
+    // A drag sends these all the time, at first perhaps before the page has loaded what answers.
+    let width = 0;
+    for (const start = performance.now(); width <= 100 && performance.now() - start < patience;) {
+      send('dragover');
+      width = document.querySelector('#drop-hint')?.getBoundingClientRect().width ?? 0;
+      await new Promise((resolve) => { setTimeout(resolve, 20); });
+    }
     send('drop');
-    return (box?.width ?? 0) > 100;
-  }, files);
+    return width > 100;
+  }, files, PATIENCE_MS);
   await page.frames();
   return hinted;
 }
