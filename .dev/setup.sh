@@ -15,7 +15,7 @@ PACKAGES=(build-essential cmake ninja-build git python3 clang-$LLVM lld-$LLVM ll
           clang-tidy-$LLVM libclang-rt-$LLVM-dev patchelf libsdl2-dev libgl-dev libbenchmark-dev
           doxygen  # makes the reference from core's comments
           parallel) # tests the documented way to distribute a study
-BROWSERS=(chromium firefox-esr xvfb xauth)
+BROWSERS=(chromium chromium-headless-shell firefox-esr xvfb xauth)
 WEBKIT=webkit2gtk-driver # some systems lack it; their tests leave WebKit out
 MEASURES=(valgrind libbox2d-dev) # instruction counts; the engine for comparison
 AARCH64=(g++-aarch64-linux-gnu qemu-user-static) # another processor, for determinism

@@ -10,6 +10,14 @@ const pushes = (page) => page.call('pushes', () => window.gaitsmith.document().p
 /** @param {PageDriver} page @param {string} id */
 const widget = async (page, id) => (await page.widgets()).find((candidate) => candidate.id === id);
 
+/** Turns the wheel over the World card. @param {PageDriver} page @param {number} deltaY */
+async function scroll(page, deltaY) {
+  const button = (await widget(page, 'world/open'))?.rect ?? { x: 0, y: 0, height: 0 };
+  await page.page.mouse.move(button.x, button.y + button.height + 100);
+  await page.page.mouse.wheel({ deltaY });
+  await page.frames();
+}
+
 /** @param {Visit} visit */
 async function byNumber({ browser, address }) {
   const page = await PageDriver.open(browser, address);
@@ -41,10 +49,7 @@ async function byNumber({ browser, address }) {
   await page.click('world/sway');
   assert.notEqual(await page.hash(), level, 'ground that rocks');
   assert.ok(await widget(page, 'world/sway-period'), 'how fast it rocks can be set');
-  const card = await widget(page, 'world/slope');
-  await page.page.mouse.move((card?.rect.x ?? 0) + 40, (card?.rect.y ?? 0) + 100);
-  await page.page.mouse.wheel({ deltaY: 2000 });
-  await page.frames();
+  await scroll(page, 2000);
   await page.click('world/reset');
   assert.equal(await page.hash(), calm, 'reset');
   assert.equal((await widget(page, 'world/reset'))?.state.disabled, true);
@@ -109,6 +114,7 @@ async function style({ browser, address }) {
   await page.until('the trial to end', () => /^Search done/.test(document.querySelector('#status')?.textContent ?? ''));
   assert.deepEqual(await search(), own, 'a trial changed the settings of the real search');
   await page.click('world/open');
+  await scroll(page, 2000);
   assert.equal((await widget(page, 'world/ghost'))?.value, 'Before the last search');
   if (await page.hash() !== before) await page.clickElement('#undo');
   await page.frames();
@@ -135,7 +141,9 @@ async function sideBySide({ browser, address }) {
   await page.until('the description follows', () => /Beside it, timer/.test(document.querySelector('#description')?.textContent ?? ''));
   assert.equal(await page.hash(), before, 'the shown motion is as it was');
   await page.click('world/open');
+  await scroll(page, 2000);
   assert.match((await widget(page, 'world/ghost'))?.value ?? '', /timer/);
+  await scroll(page, -2000);
   const at = async (/** @type {string} */ end) => {
     await page.call('go', `window.gaitsmith.run('motion/${end}')`);
     await page.until('it is told', `/[Aa]fter ${end === 'end' ? '10.00' : '0.00'} s/.test(document.querySelector('#description').textContent)`);
