@@ -30,9 +30,9 @@ Score TakeScore(BitReader& in) {
 
 std::vector<Genome> BatchSearch::Ask(int wanted) {
   if (batch_.empty()) batch_ = Propose();
-  const auto left = std::min(batch_.size() - scores_.size(),
-                             static_cast<std::size_t>(settings_.evaluations - evaluations_));
-  const auto first = batch_.begin() + static_cast<std::ptrdiff_t>(scores_.size());
+  const auto left = std::min(batch_.size() - head_.scores.size(),
+                             static_cast<std::size_t>(settings_.evaluations - head_.evaluations));
+  const auto first = batch_.begin() + static_cast<std::ptrdiff_t>(head_.scores.size());
   return {first,
           first + static_cast<std::ptrdiff_t>(std::min(left, static_cast<std::size_t>(std::max(1, wanted))))};
 }
@@ -44,30 +44,30 @@ void BatchSearch::Tell(std::span<const Score> scores) {
     if (!(score.fitness < std::numeric_limits<float>::infinity())) {
       score.fitness = -std::numeric_limits<float>::infinity();
     }
-    const bool better = score.fitness > best_fitness_;
-    ++evaluations_;
-    if (better || best_.empty()) {
-      best_ = batch_[scores_.size()];
-      best_fitness_ = score.fitness;
-      curve_.Add(evaluations_, best_fitness_);
+    const bool better = score.fitness > head_.best_fitness;
+    ++head_.evaluations;
+    if (better || head_.best.empty()) {
+      head_.best = batch_[head_.scores.size()];
+      head_.best_fitness = score.fitness;
+      curve_.Add(head_.evaluations, head_.best_fitness);
     }
-    scores_.push_back(score);
+    head_.scores.push_back(score);
   }
-  curve_.SettleTo(evaluations_);
-  if (scores_.size() < batch_.size()) {
-    if (Done()) AbsorbRest(std::span(batch_).first(scores_.size()), scores_);
+  curve_.SettleTo(head_.evaluations);
+  if (head_.scores.size() < batch_.size()) {
+    if (Done()) AbsorbRest(std::span(batch_).first(head_.scores.size()), head_.scores);
     return;
   }
-  Absorb(batch_, scores_);
+  Absorb(batch_, head_.scores);
   batch_.clear();
-  scores_.clear();
+  head_.scores.clear();
 }
 
 void BatchSearch::Save(BitWriter& out) const {
-  out.Put(static_cast<std::uint32_t>(evaluations_), 32);
-  PutGenome(out, best_, best_fitness_);
-  out.Put(scores_.size(), 32);
-  for (const Score& score : scores_) {
+  out.Put(static_cast<std::uint32_t>(head_.evaluations), 32);
+  PutGenome(out, head_.best, head_.best_fitness);
+  out.Put(head_.scores.size(), 32);
+  for (const Score& score : head_.scores) {
     PutScore(out, score);
     if (ReadsTraits()) PutTraits(out, score.traits);
   }
@@ -75,24 +75,29 @@ void BatchSearch::Save(BitWriter& out) const {
   curve_.Save(out);
 }
 
-bool BatchSearch::Read(BitReader& in) {
-  if (!TakeCount(in, evaluations_, settings_.evaluations)) return false;
-  if (!TakeGenome(in, best_, best_fitness_, space_.shape.Genes())) return false;
-  if ((evaluations_ > 0) == best_.empty()) return false;
+bool TakeBatchHead(BitReader& in, BatchHead& head, int budget, std::size_t genes, bool traits) {
+  if (!TakeCount(in, head.evaluations, budget)) return false;
+  if (!TakeGenome(in, head.best, head.best_fitness, genes)) return false;
+  if ((head.evaluations > 0) == head.best.empty()) return false;
   int scored = 0;
-  if (!TakeCount(in, scored, evaluations_)) return false;
-  scores_.clear();
+  if (!TakeCount(in, scored, head.evaluations)) return false;
+  head.scores.clear();
   for (int i = 0; i < scored && !in.Overrun(); ++i) {
-    scores_.push_back(TakeScore(in));
-    if (ReadsTraits()) TakeBits(in, scores_.back().traits);
-    if (!(scores_.back().fitness < std::numeric_limits<float>::infinity())) return false;
+    head.scores.push_back(TakeScore(in));
+    if (traits) TakeBits(in, head.scores.back().traits);
+    if (!(head.scores.back().fitness < std::numeric_limits<float>::infinity())) return false;
   }
+  return true;
+}
+
+bool BatchSearch::Read(BitReader& in) {
+  if (!TakeBatchHead(in, head_, settings_.evaluations, space_.shape.Genes(), ReadsTraits())) return false;
   batch_.clear();
   if (!LoadState(in)) return false;
   curve_.Load(in);
-  if (in.Overrun() || scores_.empty()) return true;
+  if (in.Overrun() || head_.scores.empty()) return true;
   batch_ = Propose();
-  return scores_.size() < batch_.size();
+  return head_.scores.size() < batch_.size();
 }
 
 Result<void> BatchSearch::Load(BitReader& in) {

@@ -11,15 +11,26 @@
 
 namespace gaitsmith {
 
+/// What the saved state of every such search begins with.
+struct BatchHead {
+  int evaluations = 0;
+  Genome best;
+  float best_fitness = -std::numeric_limits<float>::infinity();
+  std::vector<Score> scores;  // of the batch, received so far
+};
+/// @param budget the search's evaluations. @param traits whether scores have them
+/// @return false if it cannot be a search's; it may then have been taken in part
+[[nodiscard]] bool TakeBatchHead(BitReader&, BatchHead&, int budget, std::size_t genes, bool traits = false);
+
 class BatchSearch : public Search {
  public:
   using Search::Tell;
   [[nodiscard]] std::vector<Genome> Ask(int wanted) final;
   void Tell(std::span<const Score> scores) final;
-  [[nodiscard]] int Evaluations() const final { return evaluations_; }
-  [[nodiscard]] bool Done() const final { return evaluations_ >= settings_.evaluations; }
-  [[nodiscard]] const Genome& BestGenome() const final { return best_; }
-  [[nodiscard]] float BestFitness() const final { return best_fitness_; }
+  [[nodiscard]] int Evaluations() const final { return head_.evaluations; }
+  [[nodiscard]] bool Done() const final { return head_.evaluations >= settings_.evaluations; }
+  [[nodiscard]] const Genome& BestGenome() const final { return head_.best; }
+  [[nodiscard]] float BestFitness() const final { return head_.best_fitness; }
   [[nodiscard]] const std::vector<CurvePoint>& Curve() const final { return curve_.Points(); }
   void Save(BitWriter&) const final;
   [[nodiscard]] Result<void> Load(BitReader&) final;
@@ -57,10 +68,7 @@ class BatchSearch : public Search {
   SearchSettings settings_;
   SearchSpace space_;
   std::vector<Genome> batch_;  // empty until the first Ask
-  std::vector<Score> scores_;  // of the batch, received so far
-  int evaluations_ = 0;
-  Genome best_;
-  float best_fitness_ = -std::numeric_limits<float>::infinity();
+  BatchHead head_;
   ProgressCurve curve_;
 };
 

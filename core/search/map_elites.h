@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/search/batch_search.h"
+#include "core/search/elites.h"
 
 namespace gaitsmith {
 
@@ -12,13 +13,9 @@ class MapElites final : public BatchSearch {
  public:
   MapElites(const SearchSettings& settings, const SearchSpace& space);
 
-  struct Elite {
-    Genome genome;  // empty until a motion falls into this cell
-    Score score;
-  };
   [[nodiscard]] std::vector<float> PopulationFitness() const override;
-  /// bins^3 cells. The index of a cell is (height bin * bins + slip bin) * bins + rotations bin.
-  [[nodiscard]] const std::vector<Elite>& Cells() const { return cells_; }
+  /// As Elites::Cells.
+  [[nodiscard]] const std::vector<Elite>& Cells() const { return elites_.Cells(); }
 
  private:
   [[nodiscard]] std::vector<Genome> Propose() const override;
@@ -26,10 +23,8 @@ class MapElites final : public BatchSearch {
   void AbsorbRest(std::span<const Genome> batch, std::span<const Score> scores) override;
   void SaveState(BitWriter&) const override;
   [[nodiscard]] bool LoadState(BitReader&) override;
-  /// @return Cells().size() for a void motion or a style that is not finite
-  [[nodiscard]] std::size_t CellOf(const Score&) const;
 
-  std::vector<Elite> cells_;
+  Elites elites_;
   int generation_ = 0;
 };
 

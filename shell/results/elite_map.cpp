@@ -5,7 +5,6 @@
 #include <functional>
 #include <string_view>
 
-#include "core/numeric/bit_stream.h"
 #include "shell/results/found_motions.h"
 #include "shell/words/language.h"
 #include "shell/words/search_words.h"
@@ -15,19 +14,16 @@ namespace gaitsmith::shell {
 
 std::optional<EliteMap> EliteMap::Of(const Document& searched, std::span<const std::uint8_t> state) {
   if (searched.search.algorithm != Algorithm::kMapElites || state.empty()) return std::nullopt;
-  // Only read, so it needs no genome to start from and looks at no motion.
-  const Problem problem = ProblemOf(searched);
-  MapElites search(searched.search, {problem.Shape(), problem.senses, {}, {}});
-  BitReader in(state);
-  if (!search.Load(in)) return std::nullopt;
+  const auto elites = ElitesOf(searched.search, ProblemOf(searched).Shape().Genes(), state);
+  if (!elites) return std::nullopt;
   EliteMap map;
   map.searched_ = searched;
   map.bins_ = searched.search.elites.bins;
-  map.cells_ = search.Cells();
+  map.cells_ = elites->Cells();
   map.sum_ = std::hash<std::string_view>{}({reinterpret_cast<const char*>(state.data()), state.size()});
   map.ranges_.fill({map.bins_, -1});
   for (std::size_t cell = 0; cell < map.cells_.size(); ++cell) {
-    const MapElites::Elite& elite = map.cells_[cell];
+    const Elite& elite = map.cells_[cell];
     if (elite.genome.empty()) continue;
     const bool first = map.ranges_[0].last < 0;
     map.least_ = first ? elite.score.fitness : std::min(map.least_, elite.score.fitness);
@@ -46,7 +42,7 @@ std::string EliteMap::Title() const { return SearchTitle(searched_) + ", " + Sea
 
 int EliteMap::Count() const {
   return static_cast<int>(
-      std::ranges::count_if(cells_, [](const MapElites::Elite& elite) { return !elite.genome.empty(); }));
+      std::ranges::count_if(cells_, [](const Elite& elite) { return !elite.genome.empty(); }));
 }
 
 int EliteMap::Count(int turns) const {
@@ -57,8 +53,8 @@ int EliteMap::Count(int turns) const {
   return count;
 }
 
-const MapElites::Elite* EliteMap::At(int height, int slip, int turns) const {
-  const MapElites::Elite& elite = cells_[Index(height, slip, turns)];
+const Elite* EliteMap::At(int height, int slip, int turns) const {
+  const Elite& elite = cells_[Index(height, slip, turns)];
   return elite.genome.empty() ? nullptr : &elite;
 }
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/document/document.h"
-#include "core/search/map_elites.h"
+#include "core/search/elites.h"
 
 namespace gaitsmith::shell {
 
@@ -41,7 +41,7 @@ class EliteMap {
   /// Identifies the map and one of its cells, to remember a picture of it.
   [[nodiscard]] std::string CellName(int height, int slip, int turns) const;
   /// The motion of a cell; null if the cell is empty. @param height, slip, turns  bins, [0, Bins())
-  [[nodiscard]] const MapElites::Elite* At(int height, int slip, int turns) const;
+  [[nodiscard]] const Elite* At(int height, int slip, int turns) const;
   /// The range of a bin, as text; the last bin has no upper end. @param axis 0 height [m], 1 slip [m], 2
   /// turns
   [[nodiscard]] std::string RangeText(int axis, int bin) const;
@@ -63,7 +63,7 @@ class EliteMap {
 
   Document searched_;
   int bins_ = 1;
-  std::vector<MapElites::Elite> cells_;
+  std::vector<Elite> cells_;
   std::array<Range, 3> ranges_{};
   std::size_t sum_ = 0;  // of the state's bytes: tells two maps apart
   float least_ = 0.0f, best_ = 0.0f;

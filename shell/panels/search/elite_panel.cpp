@@ -18,7 +18,7 @@ constexpr float kLegible = 26.0f;    // edge from which a pose can be recognised
 /// Draws a cell of the map. @return whether it was clicked
 bool DrawSquare(Ui& ui, const EliteMap& map, MotionStrips& poses, const ImRect& rect, int height, int slip,
                 int turns) {
-  const MapElites::Elite* elite = map.At(height, slip, turns);
+  const Elite* elite = map.At(height, slip, turns);
   const Palette& p = ui.Ink();
   if (elite == nullptr) {
     ui.Canvas()->AddRectFilled(rect.Min, rect.Max, Mix(p.panel, p.soft, 0.7f), 2.0f);

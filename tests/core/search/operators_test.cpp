@@ -179,7 +179,7 @@ TEST_CASE("MAP-Elites: every cell holds the fittest of its style", "[search]") {
   REQUIRE(search.Cells().size() == 64);
   CHECK(best.size() >= 30);
   for (std::size_t cell = 0; cell < search.Cells().size(); ++cell) {
-    const MapElites::Elite& elite = search.Cells()[cell];
+    const Elite& elite = search.Cells()[cell];
     REQUIRE(elite.genome.empty() == !best.contains(cell));
     if (!elite.genome.empty()) REQUIRE(elite.score.fitness == best[cell]);
   }
