@@ -10,7 +10,7 @@ set(rooms
   "rollout  -> numeric signal control physics"
   "search   -> numeric signal control rollout"
   "document -> numeric signal control physics rollout search"
-  "breeding -> numeric signal control document search")
+  "breeding -> numeric signal control rollout document search")
 
 set(faults "")
 set(known "")

@@ -69,6 +69,8 @@ Taste::Taste(std::span<const Comparison> comparisons) {
     const auto at = static_cast<Eigen::Index>(i);
     weights_[i] = static_cast<float>(weights[at]);
     doubts_[i] = static_cast<float>(std::sqrt(covariance(at, at)));
+    for (std::size_t j = 0; j < kTraits; ++j)
+      covariance_[i][j] = static_cast<float>(covariance(at, static_cast<Eigen::Index>(j)));
   }
 }
 
@@ -78,6 +80,19 @@ float Taste::ChanceOfFirst(const Traits& first, const Traits& second) const {
   for (std::size_t i = 0; i < kTraits; ++i)
     worth += static_cast<double>(weights_[i]) * difference[static_cast<Eigen::Index>(i)];
   return static_cast<float>(Logistic(worth));
+}
+
+float Taste::Telling(const Traits& first, const Traits& second) const {
+  const Vector difference = Difference(first, second);
+  double variance = 0.0;
+  for (std::size_t i = 0; i < kTraits; ++i) {
+    for (std::size_t j = 0; j < kTraits; ++j) {
+      variance += difference[static_cast<Eigen::Index>(i)] * difference[static_cast<Eigen::Index>(j)] *
+                  static_cast<double>(covariance_[i][j]);
+    }
+  }
+  const auto chance = static_cast<double>(ChanceOfFirst(first, second));
+  return static_cast<float>(0.5 * Log(1.0 + chance * (1.0 - chance) * std::max(0.0, variance)));
 }
 
 }  // namespace gaitsmith

@@ -35,11 +35,17 @@ class Taste {
   /// The chance that the first motion is preferred to the second, (0, 1), without regard to doubt.
   [[nodiscard]] float ChanceOfFirst(const Traits& first, const Traits& second) const;
 
+  /// How much the answer would tell about the weights, in nats: half the logarithm of 1 + p (1 − p) v, where
+  /// v is the variance of the difference's worth [Houlsby 2011]. At least 0; 0 for two motions that look
+  /// alike.
+  [[nodiscard]] float Telling(const Traits& first, const Traits& second) const;
+
   /// Standard deviation of each weight before the first comparison.
   static constexpr float kPriorDoubt = 2.0f;
 
  private:
   Traits weights_{}, doubts_{};
+  std::array<Traits, kTraits> covariance_{};
 };
 
 }  // namespace gaitsmith

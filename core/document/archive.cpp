@@ -117,6 +117,45 @@ Result<void> CheckKind(ControllerKind kind, const SenseSpec& senses, const std::
   return {};
 }
 
+Result<void> CheckControllers(const Document& d, const std::vector<Controller>& list, const char* name) {
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Controller& c = list[i];
+    if (auto senses = CheckSenses(c.senses, Element(name, i, "senses")); !senses) return senses;
+    if (auto kind = CheckKind(c.kind, c.senses, Element(name, i, "kind")); !kind) return kind;
+    const std::size_t genes = c.Shape(CountPorts(d.model, d.figure)).Genes();
+    if (c.genes.size() != genes) {
+      return Fail(ErrorCode::kStructure, Element(name, i, "rules"),
+                  "is for another figure: it has " + std::to_string(c.genes.size()) +
+                      " genes, this figure needs " + std::to_string(genes));
+    }
+  }
+  return {};
+}
+
+Result<void> CheckLineage(const Document& d) {
+  const auto& [founders, rounds, shown] = d.lineage;
+  if (auto fits = CheckControllers(d, founders, "lineage.founders"); !fits) return fits;
+  for (std::size_t i = 1; i < founders.size(); ++i) {
+    if (!SameShape(founders[i], founders[0]))
+      return Fail(ErrorCode::kStructure, Element("lineage.founders", i, "senses"),
+                  "founders must have the same kind, senses and number of rules");
+  }
+  if (founders.empty() != rounds.empty())
+    return Fail(ErrorCode::kMissing, "lineage", "needs founders and rounds, or neither");
+  if (static_cast<std::size_t>(shown) >= std::max<std::size_t>(1, rounds.size()))
+    return Fail(ErrorCode::kStructure, "lineage.shown", "there is no round " + std::to_string(shown));
+  for (std::size_t i = 0; i < rounds.size(); ++i) {
+    const BreedRound& round = rounds[i];
+    if (round.parent >= static_cast<int>(i))
+      return Fail(ErrorCode::kStructure, Element("lineage.rounds", i, "parent"), "must be an earlier round");
+    const std::size_t choices = round.parent < 0 ? founders.size() : kLitter;
+    if (round.picks == 0 || round.picks >> choices != 0)
+      return Fail(ErrorCode::kOutOfRange, Element("lineage.rounds", i, "picks"),
+                  "must pick from " + std::to_string(choices) + " motions, one bit each");
+  }
+  return {};
+}
+
 /// Checks the settings of a search that depend on each other.
 Result<void> CheckSearch(const Document& d) {
   const SearchSettings& search = d.search;
@@ -183,17 +222,8 @@ Result<void> CheckReferences(const Document& d) {
   }
   if (auto senses = CheckSenses(d.senses, "senses"); !senses) return senses;
   if (auto kind = CheckKind(d.kind, d.senses, "kind"); !kind) return kind;
-  for (std::size_t i = 0; i < d.controllers.size(); ++i) {
-    const Controller& c = d.controllers[i];
-    if (auto senses = CheckSenses(c.senses, Element("controllers", i, "senses")); !senses) return senses;
-    if (auto kind = CheckKind(c.kind, c.senses, Element("controllers", i, "kind")); !kind) return kind;
-    const std::size_t genes = c.Shape(CountPorts(d.model, d.figure)).Genes();
-    if (c.genes.size() != genes) {
-      return Fail(ErrorCode::kStructure, Element("controllers", i, "rules"),
-                  "is for another figure: it has " + std::to_string(c.genes.size()) +
-                      " genes, this figure needs " + std::to_string(genes));
-    }
-  }
+  if (auto fits = CheckControllers(d, d.controllers, "controllers"); !fits) return fits;
+  if (auto lineage = CheckLineage(d); !lineage) return lineage;
   if (auto search = CheckSearch(d); !search) return search;
   for (std::size_t i = 0; i < d.timeline.size(); ++i) {
     const Clip& clip = d.timeline[i];

@@ -80,6 +80,10 @@ int EndOf(const Document& d, std::size_t clip) {
   return clip + 1 < d.timeline.size() ? d.timeline[clip + 1].start_step : d.duration_steps;
 }
 
+bool SameShape(const Controller& a, const Controller& b) {
+  return a.kind == b.kind && a.senses == b.senses && a.rules == b.rules;
+}
+
 bool FitsSearch(const Document& d, const Controller& controller) {
   return controller.kind == d.kind && controller.senses == d.senses && controller.rules == d.rules;
 }

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/document/lineage.h"
 #include "core/numeric/error.h"
 #include "core/rollout/motion.h"
 #include "core/search/search.h"
@@ -47,6 +48,7 @@ struct Document {
   std::vector<Clip> timeline;  // sorted by start, the first at 0
   int duration_steps = 500;    // of the displayed motion, [1, kMaxSteps]
   View view;
+  Lineage lineage;                    // how the motion was bred, if it was
   std::optional<std::uint64_t> hash;  // of the trajectory, as the author's machine computed it
 };
 
@@ -70,6 +72,10 @@ struct Document {
 /// The problem defined by the search settings.
 [[nodiscard]] Problem ProblemOf(const Document&);
 [[nodiscard]] SearchSpace SpaceOf(const Document&);
+
+/// Whether two controllers of one figure have the same kind, senses and number of rules, so that their genes
+/// mean the same.
+[[nodiscard]] bool SameShape(const Controller&, const Controller&);
 
 /// Whether a search of the document can begin with this controller.
 [[nodiscard]] bool FitsSearch(const Document&, const Controller&);

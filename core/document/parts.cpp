@@ -37,6 +37,7 @@ constexpr auto kFieldRows = std::to_array<FieldRow>({
     {"timeline", "", Part::kTimeline},
     {"duration_steps", "", Part::kDuration},
     {"view", "", Part::kView},
+    {"lineage", "", Part::kLineage},
     {"hash", "", Part::kHash},
 });
 
@@ -167,8 +168,6 @@ void CopyParts(const Document& from, Parts parts, Document& to) {
   Describe(archive, to);
 }
 
-bool SameBehaviour(const Controller& a, const Controller& b) {
-  return a.kind == b.kind && a.rules == b.rules && a.senses == b.senses && a.genes == b.genes;
-}
+bool SameBehaviour(const Controller& a, const Controller& b) { return SameShape(a, b) && a.genes == b.genes; }
 
 }  // namespace gaitsmith

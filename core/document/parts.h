@@ -29,9 +29,10 @@ enum class Part {
   kTimeline,
   kDuration,  // of the motion shown
   kView,
+  kLineage,
   kHash,
 };
-inline constexpr int kPartCount = 17;
+inline constexpr int kPartCount = 18;
 
 /// A set of parts.
 class Parts {

@@ -139,6 +139,25 @@ void Describe(Archive& ar, View& view) {
   ar.Flag("poses", view.poses, standard.poses);
 }
 
+void Describe(Archive& ar, BreedRound& round) {
+  const BreedRound standard;
+  ar.Text("name", round.name);
+  ar.Integer("parent", round.parent, -1, kMaxBreedRounds - 1, standard.parent);
+  ar.Natural("picks", round.picks, standard.picks);
+  ar.Natural("seed", round.seed, standard.seed);
+  ar.Real("difference", round.difference, 0.0f, 1.0f, standard.difference);
+  ar.Flag("keep_goal", round.keep_goal, standard.keep_goal);
+  ar.Natural("kept_rules", round.kept_rules, standard.kept_rules);
+  ar.Natural("kept_joints", round.kept_joints, standard.kept_joints);
+  ar.Group("task", [&] { Describe(ar, round.task); });
+}
+
+void Describe(Archive& ar, Lineage& lineage, const PortCount& ports) {
+  ar.List("founders", lineage.founders, kMaxFounders, [&](Controller& c) { Describe(ar, c, ports); });
+  ar.List("rounds", lineage.rounds, kMaxBreedRounds, [&](BreedRound& round) { Describe(ar, round); });
+  ar.Integer("shown", lineage.shown, 0, kMaxBreedRounds - 1, 0);
+}
+
 }  // namespace
 
 void Describe(Archive& ar, Figure& figure) {
@@ -194,6 +213,7 @@ void Describe(Archive& ar, Document& d) {
   ar.List("timeline", d.timeline, kMaxClips, [&](Clip& clip) { Describe(ar, clip); });
   ar.Integer("duration_steps", d.duration_steps, 1, kMaxSteps, standard.duration_steps);
   ar.Group("view", [&] { Describe(ar, d.view); });
+  ar.Since(4, [&] { ar.Group("lineage", [&] { Describe(ar, d.lineage, ports); }); });
   ar.Hash("hash", d.hash);
 }
 

@@ -2,9 +2,9 @@
 // gaitsmith breed: one round of breeding from picked motions.
 #include <cstdio>
 
-#include "core/breeding/brood.h"
+#include "core/breeding/litter.h"
 #include "core/document/json.h"
-#include "core/search/evaluation_score.h"
+#include "core/rollout/models.h"
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"
@@ -13,42 +13,35 @@
 namespace gaitsmith::shell {
 namespace {
 
-constexpr int kRoundEvaluations = 2000;
-
 /// The picked documents: the first one gives figure, ground and goal, each one its first controller.
 struct Picks {
   Document document;
-  std::vector<Genome> parents;
+  std::vector<Controller> parents;
 };
 
 Result<Picks> ReadPicks(const std::vector<std::string>& paths) {
   Picks picks;
   for (const std::string& path : paths) {
-    const auto document = ReadDocument(path);
+    auto document = ReadDocument(path);
     if (!document) return std::unexpected(document.error());
     if (document->timeline.empty()) return Fail(ErrorCode::kMissing, path, "has no motion to breed from");
     const Controller& parent = FirstControllerOf(*document);
-    if (picks.parents.empty()) {
-      picks.document = *document;
-      picks.document.senses = parent.senses;
-      picks.document.rules = parent.rules;
-      picks.document.kind = parent.kind;
-      picks.document.search.start = picks.document.search.in_place_of = -1;
-      picks.document.search.handovers.clear();
+    picks.parents.push_back(parent);
+    if (picks.parents.size() == 1) {
+      picks.document = std::move(*document);
     } else if (!SameTree(document->figure, picks.document.figure)) {
       return Fail(ErrorCode::kStructure, path, "has another figure than " + paths.front());
-    } else if (!FitsSearch(picks.document, parent)) {
+    } else if (!SameShape(parent, picks.parents.front())) {
       return Fail(ErrorCode::kStructure, path,
                   "its controller has another kind, other senses or another number of rules than that of " +
                       paths.front());
     }
-    picks.parents.push_back(parent.genes);
   }
   return picks;
 }
 
 /// Reads --keep goal, --keep rule=N and --keep joint=N.
-Result<void> ReadKept(const Arguments& arguments, const ControllerShape& shape, BreedWish& wish) {
+Result<void> ReadKept(const Arguments& arguments, const ControllerShape& shape, BreedRound& wish) {
   for (const std::string& kept : arguments.All("keep")) {
     const std::size_t sign = kept.find('=');
     const std::string what = kept.substr(0, sign);
@@ -64,7 +57,7 @@ Result<void> ReadKept(const Arguments& arguments, const ControllerShape& shape, 
     const auto number = ParseWhole(kept.substr(sign + 1), 1, rule ? shape.Bank().rules : shape.Bank().joints,
                                    "--keep " + what);
     if (!number) return std::unexpected(number.error());
-    (rule ? wish.kept_rules : wish.kept_joints).push_back(static_cast<int>(*number) - 1);
+    (rule ? wish.kept_rules : wish.kept_joints) |= 1u << (*number - 1);
   }
   return {};
 }
@@ -84,13 +77,13 @@ void PrintHeading() {
   std::printf(",from_parent,from_others,hash\n");
 }
 
-Result<void> WriteChild(const Document& picked, const Brood& brood, std::size_t child,
+/// @param family the picked document, with its lineage
+/// @param repeats whether the lineage leads to this child
+Result<void> WriteChild(const Document& family, bool repeats, const Brood& brood, std::size_t child,
                         const std::string& prefix) {
   const Brood::Member& member = brood.Children()[child];
-  Document document = picked;
-  document.controllers = {{"bred", picked.kind, picked.senses, picked.rules, member.genome}};
-  document.timeline = {{.controller = 0, .start_step = 0}};
-  document.duration_steps = document.task.duration_steps;
+  Document document = ChildOf(family, member.genome);
+  if (!repeats) document.lineage = {};
   const Motion motion = Simulate(document);
   document.hash = motion.Hash();
   const std::string file = prefix + "-" + std::to_string(child + 1) + ".json";
@@ -125,42 +118,40 @@ Outcome BreedCommand(Words words) {
          "at most " + std::to_string(kMaxBrood) + " documents, there are " + std::to_string(count)});
   auto picks = ReadPicks(arguments->Positional());
   if (!picks) return std::unexpected(picks.error());
-  const Document& document = picks->document;
 
-  BreedWish wish;
-  wish.parents = picks->parents;
+  BreedRound wish;
+  wish.task = picks->document.task;
   const auto difference = ParseNumber(arguments->Last("difference", "0.3"), "--difference");
   if (!difference) return WrongCall(difference.error());
   if (!(*difference >= 0.0 && *difference <= 1.0))
     return WrongCall({ErrorCode::kOutOfRange, "--difference", "must be from 0 to 1"});
   wish.difference = static_cast<float>(*difference);
-  const auto children = arguments->Integer("children", 1, kMaxBrood, wish.children);
+  const auto children = arguments->Integer("children", 1, kMaxBrood, kLitter);
   if (!children) return WrongCall(children.error());
-  wish.children = static_cast<int>(*children);
   const auto seed = arguments->Integer("seed", 0, std::numeric_limits<std::uint32_t>::max(), 1);
   if (!seed) return WrongCall(seed.error());
+  wish.seed = static_cast<std::uint32_t>(*seed);
   const auto evaluations = arguments->Integer("evaluations", 200, 1'000'000, kRoundEvaluations);
   if (!evaluations) return WrongCall(evaluations.error());
   const auto threads = arguments->Integer("threads", 1, 256, Cores());
   if (!threads) return WrongCall(threads.error());
+  const ControllerShape shape =
+      picks->parents.front().Shape(CountPorts(picks->document.model, picks->document.figure));
+  if (auto kept = ReadKept(*arguments, shape, wish); !kept) return WrongCall(kept.error());
 
-  Problem problem = ProblemOf(document);
-  problem.traits = true;
-  const SearchSpace space = SpaceOf(problem);
-  if (auto kept = ReadKept(*arguments, space.shape, wish); !kept) return WrongCall(kept.error());
-  SearchSettings settings;
-  settings.seed = static_cast<std::uint32_t>(*seed);
-  settings.evaluations = static_cast<int>(*evaluations);
-
-  Brood brood(settings, space, wish);
+  const Document nursery = NurseryOf(picks->document, picks->parents, wish);
+  const auto brood = BroodOf(nursery, static_cast<int>(*evaluations), static_cast<int>(*children));
   SearchControl control;
-  RunToEnd(problem, brood, settings.evaluations, static_cast<int>(*threads), control,
-           [](const SearchProgress&) {});
-  if (brood.Children().empty())
+  RunToEnd(NurseryProblem(nursery), *brood, static_cast<int>(*evaluations), static_cast<int>(*threads),
+           control, [](const SearchProgress&) {});
+  if (brood->Children().empty())
     return Fail(ErrorCode::kStructure, arguments->Positional().front(), "none of its children moves");
+  Document family = picks->document;
+  family.lineage = nursery.lineage;
+  const bool repeats = *evaluations == kRoundEvaluations && *children == kLitter;
   PrintHeading();
-  for (std::size_t child = 0; child < brood.Children().size(); ++child) {
-    if (auto written = WriteChild(document, brood, child, prefix); !written)
+  for (std::size_t child = 0; child < brood->Children().size(); ++child) {
+    if (auto written = WriteChild(family, repeats, *brood, child, prefix); !written)
       return std::unexpected(written.error());
   }
   return {};

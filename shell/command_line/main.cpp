@@ -51,7 +51,7 @@ constexpr auto kCommands = std::to_array<Command>({
     {"breed", gaitsmith::shell::BreedCommand,
      "breed DOC … --out-prefix PATH [--difference X] [--seed S] [--children N] [--evaluations E]\n"
      "             [--keep goal|rule=N|joint=N …] [--threads K]"},
-    {"taste", gaitsmith::shell::TasteCommand, "taste CSV [--out DOC]"},
+    {"taste", gaitsmith::shell::TasteCommand, "taste CSV [--ask DOC --ask DOC …] [--out DOC]"},
     {"hash", gaitsmith::shell::HashCommand, "hash DOC [--lanes 1|2|4|8|16] [--out DOC]"},
     {"validate", gaitsmith::shell::ValidateCommand, "validate DOC"},
     {"measure", gaitsmith::shell::MeasureCommand, "measure DOC"},

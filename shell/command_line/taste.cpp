@@ -94,19 +94,49 @@ const char* LikingOf(const Taste& taste, Trait trait) {
   return TraitOf(taste.Weights(), trait) > 0.0f ? "more" : "less";
 }
 
+/// Prints the two of these motions whose comparison would tell most.
+Result<void> PrintQuestion(const Taste& taste, const std::vector<std::string>& paths, Viewer& viewer) {
+  std::vector<Traits> traits;
+  for (const std::string& path : paths) {
+    const auto seen = viewer.TraitsOf(path, "--ask");
+    if (!seen) return std::unexpected(seen.error());
+    traits.push_back(*seen);
+  }
+  std::size_t first = 0, second = 1;
+  float most = -1.0f;
+  for (std::size_t i = 0; i < traits.size(); ++i) {
+    for (std::size_t k = i + 1; k < traits.size(); ++k) {
+      const float telling = taste.Telling(traits[i], traits[k]);
+      if (telling > most) {
+        most = telling;
+        first = i;
+        second = k;
+      }
+    }
+  }
+  std::printf("first,second,telling\n%s,%s,%.4f\n", paths[first].c_str(), paths[second].c_str(),
+              static_cast<double>(most));
+  return {};
+}
+
 }  // namespace
 
 Outcome TasteCommand(Words words) {
-  static constexpr std::string_view kOptions[] = {"out"};
+  static constexpr std::string_view kOptions[] = {"ask", "out"};
   const auto arguments = Arguments::Parse(words, kOptions);
   if (!arguments) return WrongCall(arguments.error());
   if (arguments->Positional().size() != 1)
     return WrongCall({ErrorCode::kMissing, "CSV", "give exactly one file of comparisons"});
+  const std::vector<std::string>& asked = arguments->All("ask");
+  if (asked.size() == 1) return WrongCall({ErrorCode::kMissing, "--ask", "give at least two documents"});
   Viewer viewer;
   const auto comparisons = ReadComparisons(arguments->Positional().front(), viewer);
   if (!comparisons) return std::unexpected(comparisons.error());
   const Taste taste(*comparisons);
 
+  if (!asked.empty()) {
+    if (auto printed = PrintQuestion(taste, asked, viewer); !printed) return std::unexpected(printed.error());
+  }
   if (arguments->Has("out")) {
     Document document = viewer.First();
     document.task.weights = WeightsOf(taste, document);
@@ -114,6 +144,7 @@ Outcome TasteCommand(Words words) {
       return std::unexpected(written.error());
     if (arguments->Last("out") == "-") return {};
   }
+  if (!asked.empty()) return {};
   std::printf("trait,unit,scale,weight,doubt,likes\n");
   for (std::size_t i = 0; i < kTraits; ++i) {
     const TraitRow& row = kTraitTable[i];

@@ -106,6 +106,8 @@ std::optional<Document> Workspace::Edited(const Edit& edit) {
     const bool fits = index < next.controllers.size() && FitsSearch(next, next.controllers[index]);
     if (!fits) start = -1;
   }
+  // Its children would not be the same ones any more.
+  if (!next.lineage.rounds.empty() && !SameParts(next, document_, kScene)) next.lineage = {};
   if (const auto valid = Validate(next); !valid) {
     Say(Tr("Not possible: {1}.", TrError(valid.error())));
     return std::nullopt;

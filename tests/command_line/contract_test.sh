@@ -82,6 +82,16 @@ same "$(grep '^slip,' taste.txt | cut -d, -f6)" less "what is liked"
 awk '/"slip_sum"/ { exit !($2 + 0 < 0) }' liked.json || fault "the weight of slip that was learned"
 same "$("$gaitsmith" taste taste.csv --out -)" "$(cat liked.json)" "a document on standard output"
 
+# The two children whose comparison would tell most.
+"$gaitsmith" taste taste.csv --ask kid-1.json --ask kid-2.json --ask kid-3.json --out asked.json >question.csv || fault "a question"
+same "$(head -1 question.csv)" "first,second,telling" "the heading of a question"
+same "$(wc -l <question.csv)" 2 "one question"
+same "$(cat asked.json)" "$(cat liked.json)" "a document beside a question"
+# Children of the usual size have their picks with them.
+"$gaitsmith" breed star-man-shuffle --out-prefix heir >/dev/null || fault "breed with standard options"
+grep -q '"lineage"' heir-9.json || fault "the lineage of a child"
+grep -q '"lineage"' kid-1.json && fault "a lineage that cannot be bred again"
+
 # All terms of a motion, in one row.
 "$gaitsmith" measure "$golden" >measured.csv || fault "measure"
 same "$(head -1 measured.csv)" "travel,max_cm_height,slip_sum,rotations,effort,upright,smoothness,head_height,fitness,hash" "header"
@@ -398,6 +408,7 @@ wrong 2 '--keep: must be goal, rule=N or joint=N, is leg=1' "$gaitsmith" breed s
 wrong 2 '--keep rule: must be a whole number from 1 to 10, is "11"' "$gaitsmith" breed star-man-shuffle --keep rule=11 --out-prefix precious
 wrong 2 '--keep joint: must be a whole number from 1 to 4, is "1.5"' "$gaitsmith" breed star-man-shuffle --keep joint=1.5 --out-prefix precious
 wrong 2 'CSV: give exactly one file' "$gaitsmith" taste
+wrong 2 '--ask: give at least two documents' "$gaitsmith" taste precious.json --ask precious.json
 wrong 1 'precious.json:1: must be the heading first,second,verdict' "$gaitsmith" taste precious.json
 printf 'first,second,verdict\nkid-1.json,kid-2.json,maybe\n' >bad.csv
 wrong 1 'bad.csv:2: "maybe" is unknown: choose from first, second, neither' "$gaitsmith" taste bad.csv --out precious.json

@@ -104,6 +104,10 @@ TEST_CASE("golden links: every link of version 3 opens with its motion", "[golde
   CheckLinks(3, 3);
 }
 
+TEST_CASE("golden links: every link of version 4 opens with its motion", "[golden][links]") {
+  CheckLinks(4, 3);
+}
+
 // Separate cases, which run side by side: this is the longest test.
 TEST_CASE("golden links: no link of version 1 that was changed in one byte or cut short opens",
           "[golden][links]") {
@@ -118,6 +122,11 @@ TEST_CASE("golden links: no link of version 2 that was changed in one byte or cu
 TEST_CASE("golden links: no link of version 3 that was changed in one byte or cut short opens",
           "[golden][links]") {
   CheckDamage(3);
+}
+
+TEST_CASE("golden links: no link of version 4 that was changed in one byte or cut short opens",
+          "[golden][links]") {
+  CheckDamage(4);
 }
 
 }  // namespace gaitsmith::test

@@ -98,6 +98,7 @@ Document Full() {
   d.controllers = {controller, controller};
   d.timeline = {{.controller = 0, .start_step = 0}, {.controller = 1, .start_step = 100}};
   d.search.handovers = {{.controller = 1, .step = 50}};
+  d.lineage = {.founders = {controller, controller}, .rounds = {BreedRound{}, BreedRound{}}};
   d.hash = 0x1234;
   return d;
 }
@@ -124,6 +125,7 @@ const std::map<std::string, Part>& ExpectedParts() {
       {"timeline", Part::kTimeline},
       {"duration_steps", Part::kDuration},
       {"view", Part::kView},
+      {"lineage", Part::kLineage},
       {"hash", Part::kHash},
   };
   return kParts;
