@@ -39,7 +39,8 @@ set(web_rooms
     "storage: browser languages"
     "dialogs: languages"
     "share: browser catalogue languages search dialogs"
-    "page: browser catalogue languages app access search storage dialogs share"
+    "breed: browser languages search dialogs share"
+    "page: browser catalogue languages app access search storage dialogs share breed"
     "book: page"
     "package:")
 # Rooms that never include a window's libraries, because the session's tests run without a window. They use only one

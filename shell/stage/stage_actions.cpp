@@ -41,17 +41,19 @@ std::vector<Action> FoundActions(Session& session) {
   add(!layout.Locks(LockedPart::kWorld),
       {"stage/push", Tr("Push it"), [&session] { session.World().Shove(); }, 1});
   const bool styled = free && !layout.Locks(LockedPart::kStyle);
-  add(styled, {"stage/calmer", Tr("Calmer"), [&session] { session.TryManner(Manner::kCalmer); }, 3});
-  add(styled, {"stage/quicker", Tr("Quicker"), [&session] { session.TryManner(Manner::kQuicker); }, 4});
-  add(styled, {"stage/higher", Tr("Higher"), [&session] { session.TryManner(Manner::kHigher); }, 7});
-  add(free, {"stage/five", Tr("Try 5 more"), [&session] { session.TryMore(); }, 8});
+  add(styled, {"stage/calmer", Tr("Calmer"), [&session] { session.TryManner(Manner::kCalmer); }, 4});
+  add(styled, {"stage/quicker", Tr("Quicker"), [&session] { session.TryManner(Manner::kQuicker); }, 5});
+  add(styled, {"stage/higher", Tr("Higher"), [&session] { session.TryManner(Manner::kHigher); }, 8});
+  add(free, {"stage/five", Tr("Try 5 more"), [&session] { session.TryMore(); }, 9});
   add(layout.Shows(IndexOf(Panel::kTimeline)) && !layout.Locks(LockedPart::kTimeline),
-      {"stage/chain", Tr("Add to timeline"), [&session] { session.Timeline().AddClip(); }, 5, true});
+      {"stage/chain", Tr("Add to timeline"), [&session] { session.Timeline().AddClip(); }, 6, true});
   const auto dialog = [&](const char* id, const char* label, const char* command, int rank) {
     add(session.HasDialogs(), {id, label, [&session, command] { session.OpenDialog(command); }, rank, true});
   };
+  if (free && !layout.Locks(LockedPart::kController) && !layout.Locks(LockedPart::kSearch))
+    dialog("stage/breed", Tr("Breed"), "motion/breed", 3);
   dialog("stage/share", Tr("Share"), "document/share", 2);
-  dialog("stage/export", Tr("Export"), "document/export", 6);
+  dialog("stage/export", Tr("Export"), "document/export", 7);
   return actions;
 }
 

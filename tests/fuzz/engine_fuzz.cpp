@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Simulates messages to workers: any calls of the engine's interface (web/search/engine.cpp) in any order,
-// with any documents, genomes, scores and saved states, valid, damaged or invented. Each call succeeds or
-// fails with a message. Its results are finite and in the engine's own memory. Input bytes: the document,
+// Simulates messages to workers: any calls of the engine's interface (web/search/engine_border.h) in any
+// order, with any documents, genomes, scores and saved states, valid, damaged or invented. Each call succeeds
+// or fails with a message. Its results are finite and in the engine's own memory. Input bytes: the document,
 // then calls with their data.
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,10 @@
 #include "core/document/json_value.h"
 #include "core/rollout/evaluator.h"
 #include "core/search/search.h"
-#include "web/search/engine.cpp"  // NOLINT: the interface has no header, only a declaration for JavaScript
+// The interface has no header, only a declaration for JavaScript.
+#include "web/search/engine.cpp"           // NOLINT
+#include "web/search/engine_breeding.cpp"  // NOLINT
+#include "web/search/engine_motion.cpp"    // NOLINT
 
 namespace {
 
@@ -65,6 +68,21 @@ Document SmallProblem(Bytes& bytes) {
     d.timeline.push_back({clip, clip * 15});
   }
   d.search.in_place_of = bytes.Signed() % 4;
+  for (int round = 0; round < bytes.Next() % 4; ++round) {
+    if (round == 0)
+      d.lineage.founders = {
+          {"", d.kind, d.senses, d.rules, RandomGenome(SpaceOf(d).shape, d.senses, Variation{}, random)}};
+    const int parent = bytes.Signed() % (round + 1) - (bytes.Next() % 2);
+    d.lineage.rounds.push_back({.name = "",
+                                .parent = std::max(-1, std::min(parent, round - 1)),
+                                .picks = parent < 0 ? 1u : 1u + bytes.Next(),
+                                .seed = bytes.Next(),
+                                .difference = static_cast<float>(bytes.Next()) / 255.0f,
+                                .keep_goal = bytes.Next() % 2 == 0,
+                                .kept_rules = bytes.Next(),
+                                .kept_joints = bytes.Next(),
+                                .task = d.task});
+  }
   return d;
 }
 
@@ -119,9 +137,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<std::size_t> asked;
   std::vector<std::uint8_t> saved;
   for (int calls = 0; calls < 40 && !bytes.Empty(); ++calls) {
-    switch (bytes.Next() % 11) {
+    switch (bytes.Next() % 15) {
       case 0:
-        Opened(evaluating, gs_evaluator_open, BringDamaged(bytes, document));
+        Opened(
+            evaluating, [&](std::size_t all) { return gs_evaluator_open(all, bytes.Next() % 2 == 0); },
+            BringDamaged(bytes, document));
         break;
       case 1: {
         if (!evaluating) break;
@@ -187,6 +207,49 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         for (const shell::ExporterRow& row : shell::kExporters) {
           if (gs_motion_file(showing.get(), Bring({row.id.begin(), row.id.end()})) == nullptr) std::abort();
         }
+        break;
+      }
+      case 10: {
+        Opened(searching, gs_brood_open, BringDamaged(bytes, document));
+        asked.clear();
+        break;
+      }
+      case 11: {
+        if (!searching) break;
+        const std::size_t children = gs_brood_children(searching.get());
+        for (std::size_t i = 0; i < children; ++i) {
+          if (std::isnan(gs_brood_scores(searching.get())[i].fitness)) std::abort();
+        }
+        break;
+      }
+      case 12: {
+        std::vector<std::uint8_t> family = document;
+        const std::vector<std::uint8_t> genomes = bytes.Take(bytes.Next() * 8u);
+        family.insert(family.end(), genomes.begin(), genomes.end());
+        Bring(family);
+        const std::uint8_t* made =
+            bytes.Next() % 2 == 0 ? gs_child(document.size()) : gs_nursery(document.size(), bytes.Signed());
+        if (made == nullptr) {
+          Refused();
+        } else if (!DecodeBinary({made, gs_document_size()})) {
+          std::abort();
+        }
+        break;
+      }
+      case 13: {
+        const std::size_t count =
+            Bring(bytes.Take(bytes.Next() * 8u)) / ((2 * kTraits + 1) * sizeof(float)) + bytes.Next() % 2;
+        TasteRole* taste = gs_taste_open(count);
+        if (taste == nullptr) {
+          Refused();
+          break;
+        }
+        for (std::size_t i = 0; i < kTraits; ++i) {
+          if (!std::isfinite(gs_taste_weights(taste)[i]) || !(gs_taste_doubts(taste)[i] > 0.0f)) std::abort();
+        }
+        static_cast<void>(gs_taste_telling(taste));
+        if (gs_taste_document(taste, Bring(document)) == nullptr) Refused();
+        gs_taste_close(taste);
         break;
       }
       default: {

@@ -8,20 +8,21 @@ let loaded = null;
 
 /** Await this before using an element of dialogs.html. Rejected if loading fails. The next call tries again. */
 export function dialogs() {
-  loaded ??= load();
+  loaded ??= loadPart(new URL('dialogs', import.meta.url).href, document.body);
   loaded.catch(() => { loaded = null; });
   return loaded;
 }
 
-async function load() {
+/** Adds a part of the page with its style. @param {string} address  of its .html and .css, without these endings @param {Element} parent */
+export async function loadPart(address, parent) {
   // The style comes first, so that nothing is ever shown without it.
-  const [page] = await Promise.all([documentAt(new URL('dialogs.html', import.meta.url)), styleAt(new URL('dialogs.css', import.meta.url))]);
+  const [page] = await Promise.all([documentAt(`${address}.html`), styleAt(`${address}.css`)]);
   const parts = /** @type {HTMLElement[]} */ ([...page.body.children]);
-  document.body.append(...parts);
+  parent.append(...parts);
   for (const part of parts) followWords(part);
 }
 
-/** Not with fetch, because the page's policy forbids scripts to parse HTML from text. @param {URL} address @returns {Promise<Document>} */
+/** Not with fetch, because the page's policy forbids scripts to parse HTML from text. @param {string} address @returns {Promise<Document>} */
 function documentAt(address) {
   return new Promise((resolve, reject) => {
     const request = new XMLHttpRequest();
@@ -33,10 +34,10 @@ function documentAt(address) {
   });
 }
 
-/** @param {URL} address @returns {Promise<void>} */
+/** @param {string} address @returns {Promise<void>} */
 function styleAt(address) {
   return new Promise((resolve, reject) => {
-    const link = Object.assign(document.createElement('link'), { rel: 'stylesheet', href: address.href });
+    const link = Object.assign(document.createElement('link'), { rel: 'stylesheet', href: address });
     link.onload = () => resolve();
     link.onerror = () => {
       link.remove();

@@ -76,7 +76,7 @@ export class Commands {
   /** @param {KeyboardEvent} event @returns {boolean} whether a command handled it */
   handle(event) {
     const { target } = event;
-    if (!(target instanceof Element) || event.isComposing || document.querySelector('dialog[open]')) return false;
+    if (!(target instanceof Element) || event.isComposing || document.querySelector('dialog[open], #breed:not([hidden])')) return false;
     const name = keyName(event);
     const mirrored = this.mirror.contains(target);
     if (mirrored ? this.mirror.keys.wants(target, name) : target.matches(TEXT_FIELDS)) return false;

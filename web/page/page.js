@@ -222,9 +222,11 @@ function addCommands(commands, address, autosave) {
   const openPalette = () => void openDialog(() => import('./palette.js').then((palette) => palette.openPalette(commands)));
   const openHelp = () => void openDialog(() => import('./help_sheet.js').then((sheet) => sheet.openHelp(commands)));
   const openExport = () => void openDialog(() => import('../share/export.js').then((dialog) => dialog.openExport(app, statusLine)), trLater('The export could not be loaded.'));
+  const openBreed = () => void openDialog(() => import('../breed/breed.js').then((breed) => breed.openBreed({ app, changed: gaitsmith })), trLater('Breeding could not be loaded.'));
   const openTour = () => void openDialog(() => import('./tour.js').then((tour) => tour.startTour(app, canvas)), trLater('The tour could not be loaded.'));
   commands.add([
     { id: 'motion/describe', group: 'Motion', title: trLater('Describe the motion'), keys: ['w'], run: click('describe') },
+    { id: 'motion/breed', group: 'Motion', title: trLater('Breed: pick motions, their children come next'), keys: [], run: openBreed },
     { id: 'document/open', group: 'Document', title: trLater('Open a file or a link'), keys: ['Ctrl+o'], pressed: ['Ctrl+v'], run: click('open') },
     { id: 'document/save', group: 'Document', title: trLater('Save as a file'), keys: ['Ctrl+s'], run: click('save') },
     { id: 'document/export', group: 'Document', title: trLater('Export as picture, video or data'), keys: [], run: openExport },

@@ -53,19 +53,51 @@ export class Engine {
    * @param {string} text  JSON, or a link
    */
   documentFromText(text) {
-    const size = this.put(new TextEncoder().encode(text));
-    const bytes = this.orThrow(this.module._gs_document_from_text(size));
-    return this.bytesAt(bytes, this.module._gs_document_size());
+    return this.#document(this.module._gs_document_from_text(this.put(new TextEncoder().encode(text))));
   }
 
-  /** @param {Uint8Array} document @returns {Evaluator} */
-  evaluator(document) {
-    return new Evaluator(this, this.orThrow(this.module._gs_evaluator_open(this.put(document))));
+  /** A document as JSON. @param {Uint8Array} document @returns {object} */
+  json(document) { return JSON.parse(this.textAt(this.orThrow(this.module._gs_document_json(this.put(document))))); }
+
+  /** The payload of a document's link. @param {Uint8Array} document */
+  link(document) { return this.textAt(this.orThrow(this.module._gs_document_link(this.put(document)))); }
+
+  /** @param {Uint8Array} document @param {boolean} [traits]  whether they are measured, too @returns {Evaluator} */
+  evaluator(document, traits = false) {
+    return new Evaluator(this, this.orThrow(this.module._gs_evaluator_open(this.put(document), traits ? 1 : 0)));
   }
 
   /** @param {Uint8Array} document @returns {Search} */
   search(document) {
     return new Search(this, this.orThrow(this.module._gs_search_open(this.put(document))));
+  }
+
+  /** A search for the children of a nursery. @param {Uint8Array} nursery @returns {Search} */
+  brood(nursery) {
+    return new Search(this, this.orThrow(this.module._gs_brood_open(this.put(nursery))));
+  }
+
+  /**
+   * The document in which the children of a round of a lineage are bred.
+   * @param {Uint8Array} document @param {number} round
+   * @param {Uint16Array[]} litter  children of the round's parent, in their order
+   */
+  nursery(document, round, litter) {
+    return this.#document(this.module._gs_nursery(this.#putWithGenomes(document, litter), round));
+  }
+
+  /** A document that shows a child. @param {Uint8Array} document  with a lineage @param {Uint16Array} genome */
+  child(document, genome) {
+    return this.#document(this.module._gs_child(this.#putWithGenomes(document, [genome])));
+  }
+
+  /** How motions look, in numbers (core/signal/traits.h). @returns {{name: string, unit: string, scale: number}[]} */
+  get traits() { return JSON.parse(this.textAt(this.module._gs_traits())); }
+
+  /** @param {Comparison[]} comparisons @returns {Taste} */
+  taste(comparisons) {
+    this.put(Float32Array.from(comparisons.flatMap(({ first, second, verdict }) => [...first, ...second, verdict])));
+    return new Taste(this, this.orThrow(this.module._gs_taste_open(comparisons.length)));
   }
 
   /** @param {Uint8Array} document  whose search names the clip @returns {TransitionMap} */
@@ -102,6 +134,25 @@ export class Engine {
     throw new EngineError(JSON.parse(this.textAt(this.module._gs_error())));
   }
 
+  /** @param {number} taste  a handle @param {Uint8Array} document */
+  tasteDocument(taste, document) { return this.#document(this.module._gs_taste_document(taste, this.put(document))); }
+
+  /** @param {number} at  of the kept document; 0 after a failure */
+  #document(at) { return this.bytesAt(this.orThrow(at), this.module._gs_document_size()); }
+
+  /** @param {Uint8Array} document @param {Uint16Array[]} genomes @returns {number} bytes of the document */
+  #putWithGenomes(document, genomes) {
+    const all = new Uint8Array(document.length + genomes.reduce((sum, { byteLength }) => sum + byteLength, 0));
+    all.set(document);
+    let at = document.length;
+    for (const genome of genomes) {
+      all.set(new Uint8Array(genome.buffer, genome.byteOffset, genome.byteLength), at);
+      at += genome.byteLength;
+    }
+    this.put(all);
+    return document.length;
+  }
+
   /** A text that ends with a 0 byte. @param {number} at */
   textAt(at) {
     const heap = this.module.HEAPU8;
@@ -109,8 +160,15 @@ export class Engine {
   }
 }
 
+/**
+ * The children of a brood. genomes: one after another; scores: SCORE_LENGTH numbers for each
+ * @typedef {{genomes: Uint16Array, scores: Float32Array}} Litter
+ */
+
+/** Numbers that say how a motion looks. */
+export const TRAITS = 13;
 /** Numbers in the score of a genome: fitness, greatest height, slip, rotations, then the traits. */
-export const SCORE_LENGTH = 17;
+export const SCORE_LENGTH = 4 + TRAITS;
 
 /** Scores genomes of one problem. */
 export class Evaluator {
@@ -200,6 +258,15 @@ export class Search {
     return at ? JSON.parse(this.engine.textAt(at)) : null;
   }
 
+  /** @returns {Litter | null} null: it does not breed */
+  get litter() {
+    const { module } = this.engine;
+    const count = module._gs_brood_children(this.handle);
+    if (count === 0) return null;
+    const genomes = this.#genesAt(module._gs_search_genomes(this.handle), count);
+    return { genomes, scores: new Float32Array(this.engine.bytesAt(module._gs_brood_scores(this.handle), 4 * SCORE_LENGTH * count).buffer) };
+  }
+
   /** The whole state, to continue later or elsewhere. Call only between a tell and an ask. */
   save() {
     const at = this.engine.module._gs_search_save(this.handle);
@@ -238,6 +305,33 @@ export class TransitionMap {
   }
 
   close() { this.engine.module._gs_map_close(this.handle); }
+}
+
+/** verdict: 0 the first motion is preferred, 1 the second, 2 neither @typedef {{first: Float32Array, second: Float32Array, verdict: number}} Comparison */
+
+/** A person's taste, learned from comparisons (core/breeding/taste.h). */
+export class Taste {
+  /** @param {Engine} engine @param {number} handle */
+  constructor(engine, handle) {
+    this.engine = engine;
+    this.handle = handle;
+    const numbers = (/** @type {number} */ at) => new Float32Array(engine.bytesAt(at, 4 * TRAITS).buffer);
+    /** Of each trait: by how much a plain difference raises the log-odds that a motion is preferred. */
+    this.weights = numbers(engine.module._gs_taste_weights(handle));
+    /** Standard deviation of each weight. */
+    this.doubts = numbers(engine.module._gs_taste_doubts(handle));
+  }
+
+  /** How much a comparison would tell, in nats. @param {Float32Array} first @param {Float32Array} second  traits */
+  telling(first, second) {
+    this.engine.put(Float32Array.of(...first, ...second));
+    return this.engine.module._gs_taste_telling(this.handle);
+  }
+
+  /** The document with the taste as the weights of its task. @param {Uint8Array} document */
+  weigh(document) { return this.engine.tasteDocument(this.handle, document); }
+
+  close() { this.engine.module._gs_taste_close(this.handle); }
 }
 
 /** Numbers in a part of RecordedMotion.body. */

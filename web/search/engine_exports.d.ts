@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Written by web/build/border.mjs from web/search/engine.cpp: change those.
+// Written by web/build/border.mjs from web/search/engine.cpp and web/search/engine_motion.cpp and web/search/engine_breeding.cpp: change those.
 
 /** An address in the module's memory; 0 is null. */
 export type Pointer = number;
@@ -10,7 +10,12 @@ export interface EngineExports {
   /** @return the document's bytes, gs_document_size() of them */
   _gs_document_from_text(size: number): Pointer;
   _gs_document_size(): number;
-  _gs_evaluator_open(size: number): Pointer;
+  /** The document as JSON, ending with a 0 byte. */
+  _gs_document_json(size: number): Pointer;
+  /** The payload of a document's link, ending with a 0 byte. */
+  _gs_document_link(size: number): Pointer;
+  /** @param traits whether they are measured, too */
+  _gs_evaluator_open(size: number, traits: number): Pointer;
   _gs_evaluator_close(role: Pointer): void;
   _gs_evaluator_genes(role: Pointer): number;
   /**
@@ -87,4 +92,37 @@ export interface EngineExports {
   /** A file that needs no words. @param id_size of an exporter's id in the input area */
   _gs_motion_file(role: Pointer, idSize: number): Pointer;
   _gs_motion_text_size(role: Pointer): number;
+  /**
+   * The nursery of a round of the document's lineage. The genomes are the children of the round's parent.
+   * @return the nursery's bytes, gs_document_size() of them
+   */
+  _gs_nursery(size: number, round: number): Pointer;
+  /**
+   * A document that shows the child with the genome that follows. @return its bytes, gs_document_size() of
+   * them
+   */
+  _gs_child(size: number): Pointer;
+  /** A search for the children of a nursery (core/breeding/litter.h). Its evaluators must measure traits. */
+  _gs_brood_open(size: number): Pointer;
+  /**
+   * The children of a brood: how many, their genomes one after another, and their scores as
+   * gs_evaluator_run returns them.
+   */
+  _gs_brood_children(role: Pointer): number;
+  _gs_brood_scores(role: Pointer): Pointer;
+  /** Names, units and scales of the traits, as a JSON list, ending with a 0 byte. */
+  _gs_traits(): Pointer;
+  /**
+   * Learns from `count` comparisons in the input area: the traits of two motions, then the place of the
+   * verdict in kVerdictNames, as floats.
+   */
+  _gs_taste_open(count: number): Pointer;
+  _gs_taste_close(role: Pointer): void;
+  /** A number for each trait, as Taste::Weights and Taste::Doubts. */
+  _gs_taste_weights(role: Pointer): Pointer;
+  _gs_taste_doubts(role: Pointer): Pointer;
+  /** How much a comparison of two motions would tell, whose traits are in the input area; -1 if they are not. */
+  _gs_taste_telling(role: Pointer): number;
+  /** The document with the taste as the weights of its task. @return its bytes, gs_document_size() of them */
+  _gs_taste_document(role: Pointer, size: number): Pointer;
 }

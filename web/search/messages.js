@@ -32,6 +32,7 @@
  * @property {Uint8Array} document        core/document/binary.h
  * @property {Uint8Array | null} state    of a checkpoint to continue from
  * @property {number} workers             expected number of evaluators: sets the size of a batch, not the result
+ * @property {boolean} [breeds]           whether the document is a nursery, whose children are wanted
  */
 
 /**
@@ -42,6 +43,7 @@
  * @property {WebAssembly.Module} engine
  * @property {Uint8Array} document
  * @property {MessagePort} port           transferred; the coordinator gets the other end
+ * @property {boolean} [breeds]           whether traits are measured, too
  */
 
 /**
@@ -108,8 +110,10 @@
  * coordinator.
  * @typedef {{type: 'progress', report: SearchReport, evaluators: number[]}} Progress
  */
+/** The children of a brood. @typedef {import('./engine.js').Litter} Litter */
 /**
- * The last message of a search, with a complete report. @typedef {{type: 'finished', report: SearchReport}} Finished
+ * The last message of a search, with a complete report, and the children if it breeds.
+ * @typedef {{type: 'finished', report: SearchReport, litter: Litter | null}} Finished
  */
 /**
  * The whole state of the search, about once a second, from which a new coordinator can continue.

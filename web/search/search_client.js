@@ -18,8 +18,8 @@ import { unreachable } from './messages.js';
 /**
  * Receives the client's events.
  * @typedef {object} SearchListener
- * @property {(report: SearchReport) => void} progress  at most about 30 times a second; the last one has state 'done'
- * or 'stopped'
+ * @property {(report: SearchReport, litter?: import('./engine.js').Litter | null) => void} progress  at most about 30
+ * times a second; the last one has state 'done' or 'stopped', and the children if it breeds
  * @property {(sentence: string) => void} incident      a worker died and was replaced
  * @property {(error: Error) => void} failed            the search is over without a result
  */
@@ -64,6 +64,7 @@ export class SearchClient {
   /** @type {Uint8Array} */
   #document = new Uint8Array();
   #workers = 1;
+  #breeds = false;
   #paused = false;
   /** Runs from the request to stop until the coordinator has stopped. @type {ReturnType<typeof setTimeout> | null} */
   #stopping = null;
@@ -109,11 +110,13 @@ export class SearchClient {
    * Runs the document's search and drops a running one.
    * @param {Uint8Array} document  binary form
    * @param {number} workers       evaluators, at least 1
+   * @param {boolean} [breeds]     whether the document is a nursery, whose children are wanted
    */
-  start(document, workers) {
+  start(document, workers, breeds = false) {
     this.release();
     this.#document = document;
     this.#workers = Math.max(1, Math.floor(workers));
+    this.#breeds = breeds;
     this.#paused = false;
     this.#lastReport = NO_REPORT;
     this.#checkpoint = null;
@@ -197,6 +200,7 @@ export class SearchClient {
       document: this.#document,
       state: this.#checkpoint?.state ?? null,
       workers: this.#workers,
+      breeds: this.#breeds,
     };
     coordinator.postMessage(role);
     if (this.#paused) this.#send({ type: 'pause' });
@@ -274,7 +278,7 @@ export class SearchClient {
       if (team === this.#team) this.#replace(team, evaluator, event.message);
     };
     /** @type {Role} */
-    const role = { type: 'evaluate', run: team.run, engine: this.engine, document: this.#document, port: port1 };
+    const role = { type: 'evaluate', run: team.run, engine: this.engine, document: this.#document, port: port1, breeds: this.#breeds };
     worker.postMessage(role, [port1]);
   }
 
@@ -303,7 +307,7 @@ export class SearchClient {
       case 'finished':
         if (message.report.state === 'done') this.#makeIdle(team);
         else this.#endTeam();
-        this.listener.progress(message.report);
+        this.listener.progress(message.report, message.litter);
         break;
       case 'checkpoint':
         this.#checkpoint = message;

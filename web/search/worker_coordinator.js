@@ -93,10 +93,10 @@ export class Coordinator {
    * @param {(error: unknown) => void} die  ends the role after an error
    * @param {number} [longestMs]  longest time for a slice
    */
-  constructor(engine, { document, state, workers }, post, die, longestMs = LONGEST_SLICE_MS) {
+  constructor(engine, { document, state, workers, breeds }, post, die, longestMs = LONGEST_SLICE_MS) {
     this.longestMs = longestMs;
     this.die = die;
-    this.search = engine.search(document);
+    this.search = breeds ? engine.brood(document) : engine.search(document);
     if (state) this.search.load(state);
     this.workers = workers;
     this.#measure.evaluations = this.search.evaluations;
@@ -290,7 +290,7 @@ export class Coordinator {
   #finish(state) {
     this.#state = state;
     this.disconnect();
-    this.post({ type: 'finished', report: this.#summary(true) });
+    this.post({ type: 'finished', report: this.#summary(true), litter: this.search.litter });
   }
 
   /** Stops receiving messages. */

@@ -10,8 +10,8 @@
  * @param {(error: unknown) => void} die  ends the role after an error
  * @returns {import('./worker_roles.js').ActiveRole}
  */
-export function startEvaluator(engine, { document, port }, die) {
-  const evaluator = engine.evaluator(document);
+export function startEvaluator(engine, { document, port, breeds }, die) {
+  const evaluator = engine.evaluator(document, breeds);
   /** @param {MessageEvent<CoordinatorToEvaluator>} event */
   port.onmessage = ({ data }) => {
     let scores;

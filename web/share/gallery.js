@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The shipped motions as cards. Each card in sight plays its real motion, which the engine simulates.
 import { element } from '../browser/dom.js';
-import { MotionPicture } from './motion_picture.js';
+import { GridKeys } from '../browser/grid_keys.js';
+import { MotionPicture, pageColours } from './motion_picture.js';
 import { Engine } from '../search/engine.js';
 import { compiledEngine } from '../search/compiled_engine.js';
 import { fixed, followLanguage, tr, trTitle } from '../languages/language.js';
@@ -10,10 +11,10 @@ import { fixed, followLanguage, tr, trTitle } from '../languages/language.js';
 /** @typedef {{shipped: Shipped, button: HTMLButtonElement, canvas: HTMLCanvasElement, picture: MotionPicture | null, inSight: boolean, painted: boolean}} Card */
 
 const FRAME_MS = 1000 / 30;
-const COLOURS = /** @type {const} */ (['paper', 'ink', 'ink2', 'line', 'soft']);
 
 export class Gallery {
   #list = element('open-gallery');
+  #keys = new GridKeys(this.#list, () => this.#cards.map(({ button }) => button));
   /** @type {Card[]} */
   #cards = [];
   /** @type {Engine | null} */
@@ -27,8 +28,6 @@ export class Gallery {
   /** @param {(shipped: Shipped) => void} choose */
   constructor(choose) {
     this.choose = choose;
-    this.#list.addEventListener('keydown', (event) => this.#key(event));
-    this.#list.addEventListener('focusin', ({ target }) => this.#rove(this.#cards.findIndex(({ button }) => button === target)));
     addEventListener('resize', () => { for (const card of this.#cards) card.painted = false; });
   }
 
@@ -39,7 +38,7 @@ export class Gallery {
     const [shipped, code] = await Promise.all([this.#cards.length ? [] : motions(), compiledEngine()]);
     this.#engine ??= await Engine.load(code);
     for (const one of shipped) this.#add(one);
-    if (shipped.length) this.#rove(0);
+    this.#keys.rove();
     for (const { button } of this.#cards) this.#sight.observe(button);
     this.#next();
   }
@@ -53,7 +52,7 @@ export class Gallery {
   }
 
   /** Focuses the card that was focused last, or the first one. */
-  focus() { this.#cards.find(({ button }) => button.tabIndex === 0)?.button.focus(); }
+  focus() { this.#keys.focus(); }
 
   /** @param {Shipped} shipped */
   #add(shipped) {
@@ -94,8 +93,7 @@ export class Gallery {
     this.#next();
     if (now - this.#drawn < FRAME_MS - 4) return;
     this.#drawn = now;
-    const style = getComputedStyle(document.documentElement);
-    const colours = /** @type {import('./motion_picture.js').Colours} */ (Object.fromEntries(COLOURS.map((name) => [name, style.getPropertyValue(`--${name}`).trim()])));
+    const colours = pageColours();
     // One simulation a frame, so that scrolling stays smooth.
     const next = this.#cards.find((card) => card.inSight && !card.picture);
     if (next && this.#engine) next.picture = new MotionPicture(this.#engine.motion(this.#engine.documentFromText(next.shipped.link)));
@@ -105,26 +103,6 @@ export class Gallery {
       else card.picture.play(card.canvas, now / 1000, colours);
       card.painted = true;
     }
-  }
-
-  /** Makes one card the list's only stop of the Tab key. @param {number} index */
-  #rove(index) {
-    if (index < 0) return;
-    for (const [i, { button }] of this.#cards.entries()) button.tabIndex = i === index ? 0 : -1;
-  }
-
-  /** @param {KeyboardEvent} event */
-  #key(event) {
-    const at = this.#cards.findIndex(({ button }) => button === document.activeElement);
-    if (at < 0 || event.ctrlKey || event.metaKey || event.altKey) return;
-    const tops = this.#cards.map(({ button }) => button.offsetTop);
-    const across = tops.filter((top) => top === tops[0]).length;
-    const steps = /** @type {Record<string, number>} */ ({ ArrowRight: 1, ArrowLeft: -1, ArrowDown: across, ArrowUp: -across, Home: -at, End: tops.length });
-    if (!(event.key in steps)) return;
-    event.preventDefault();
-    const { button } = this.#cards[Math.min(Math.max(at + steps[event.key], 0), tops.length - 1)];
-    button.focus();
-    button.scrollIntoView({ block: 'nearest' });
   }
 }
 

@@ -6,6 +6,7 @@ import { mixed, paintBody } from './body_painting.js';
 /** @typedef {import('../search/engine.js').RecordedMotion} RecordedMotion */
 /** The page's colours. @typedef {{paper: string, ink: string, ink2: string, line: string, soft: string}} Colours */
 
+const COLOURS = /** @type {const} */ (['paper', 'ink', 'ink2', 'line', 'soft']);
 const FRAMES_PER_S = 100;
 const POSES = 4;
 const GROUND = 0.82; // of the height
@@ -14,6 +15,11 @@ const FIGURE_SHARE = 0.52; // of the height, for the figure as it starts
 const WIDTH_SHARE = 0.6; // of the width, for a figure longer than high
 const LEAST_ACROSS_M = 1.6;
 const REST_S = 0.8; // at the end, before it begins again
+
+export function pageColours() {
+  const style = getComputedStyle(document.documentElement);
+  return /** @type {Colours} */ (Object.fromEntries(COLOURS.map((name) => [name, style.getPropertyValue(`--${name}`).trim()])));
+}
 
 export class MotionPicture {
   /** Metres from the ground to the top of the figure as it starts, and its centre's height. */

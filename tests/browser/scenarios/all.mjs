@@ -7,6 +7,7 @@ import { join } from 'node:path';
 import { ROOT } from '../browsers.mjs';
 import { PATIENCE_MS, PageDriver, sleep } from '../page_driver.mjs';
 import { AXE_SCENARIOS } from './axe.mjs';
+import { BREED_SCENARIOS } from './breed.mjs';
 import { EXPORT_SCENARIOS } from './export.mjs';
 import { FAULT_SCENARIOS } from './fault.mjs';
 import { FIGURE_SCENARIOS } from './figure.mjs';
@@ -261,6 +262,7 @@ export const SCENARIOS = [
   ...EXPORT_SCENARIOS,
   ...FIGURE_SCENARIOS,
   ...GALLERY_SCENARIOS,
+  ...BREED_SCENARIOS,
   ...LIVE_SCENARIOS,
   ...RULE_SCENARIOS,
   ...WALK_SCENARIOS,

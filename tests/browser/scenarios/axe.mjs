@@ -73,6 +73,13 @@ async function noViolations({ browser, address, figures }) {
       await page.until('the dialog that exports', () => document.querySelector('#export-dialog')?.hasAttribute('open') ?? false);
       await checkPage(place('the dialog that exports'));
       await page.press('Escape');
+      await page.call('breed', () => window.gaitsmith.run('motion/breed'));
+      await page.until('nine motions', () => [...document.querySelectorAll('#breed-tiles .tile')].filter((tile) => tile.ariaLabel).length === 9);
+      await page.press('2');
+      await page.press('n');
+      await page.until('their children', () => document.querySelectorAll('#breed-rounds canvas.picked').length === 1);
+      await checkPage(place('breeding'));
+      await page.press('Escape');
       await page.page.evaluate(() => { location.hash = '#AZ4'; });
       await checkPage(place('an error'));
       await page.clickElement('#banner-close');

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// A motion behind the engine's border: its frames, its figure's outline, and exported files.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shell/body/body_parts.h"
+#include "shell/export/exporters.h"
+#include "web/search/engine_border.h"
+
+namespace gaitsmith {
+namespace {
+
+struct MotionRole {
+  Document document;
+  Motion motion;
+  std::vector<int> starts = {};     // of each rod: the endpoint where it begins
+  std::vector<float> numbers = {};  // all frames, one after another
+  shell::FigureLook look = {};
+  std::vector<float> body = {};
+  std::string text = {};
+};
+
+const char* Keep(MotionRole* role, std::string text) {
+  role->text = std::move(text);
+  return role->text.data();
+}
+
+}  // namespace
+}  // namespace gaitsmith
+
+using namespace gaitsmith;  // NOLINT: everything below is the border
+
+GS_EXPORT MotionRole* gs_motion_open(std::size_t size) {
+  auto document = TakeDocument(size);
+  if (!document) return nullptr;
+  Motion motion = Simulate(*document);
+  auto* role = new MotionRole{.document = std::move(*document), .motion = std::move(motion)};
+  const Skeleton& bones = role->motion.Bones();
+  for (int rod = 0; rod < bones.rods; ++rod)
+    role->starts.push_back(bones.limbs[static_cast<std::size_t>(rod)].start);
+  role->look = shell::LookOf(role->document.figure.name, bones);
+  for (int i = 0; i < role->motion.Frames(); ++i) {
+    const Motion::Frame& frame = role->motion.At(i);
+    const auto& timeline = role->document.timeline;
+    const int clip = frame.clip;
+    role->numbers.push_back(
+        static_cast<float>(clip < 0 ? -1 : timeline[static_cast<std::size_t>(clip)].controller));
+    role->numbers.insert(role->numbers.end(), {static_cast<float>(frame.x_m), frame.y_m});
+    for (int k = 0; k < bones.endpoints; ++k) {
+      const Motion::Point point = role->motion.Endpoint(i, k);
+      role->numbers.push_back(static_cast<float>(frame.x_m + static_cast<double>(point.x)));
+      role->numbers.push_back(frame.y_m + point.y);
+    }
+  }
+  return role;
+}
+GS_EXPORT void gs_motion_close(MotionRole* role) { delete role; }
+GS_EXPORT int gs_motion_frames(const MotionRole* role) { return role->motion.Frames(); }
+GS_EXPORT int gs_motion_rods(const MotionRole* role) { return role->motion.Bones().rods; }
+/// For each rod the endpoint at its start; rod i ends at endpoint i + 1.
+GS_EXPORT const int* gs_motion_starts(const MotionRole* role) { return role->starts.data(); }
+/// For each frame: the active controller (-1: none), the centre of mass, every endpoint [m].
+GS_EXPORT const float* gs_motion_numbers(const MotionRole* role) { return role->numbers.data(); }
+/// The figure's outline in a frame: gs_motion_body_size() numbers, 8 for each part of BodyPartsOf and for its
+/// eye: x, y, radius at both ends [m], how far the radius swells halfway [m], and 0 for a near part, 1 for a
+/// far one, 2 for the eye.
+/// @param frame clamped to the motion
+GS_EXPORT const float* gs_motion_body(MotionRole* role, int frame) {
+  const int shown = std::clamp(frame, 0, role->motion.Frames() - 1);
+  const Motion::Frame& at = role->motion.At(shown);
+  const Skeleton& bones = role->motion.Bones();
+  std::vector<shell::BodyPoint> endpoints;
+  for (int k = 0; k < bones.endpoints; ++k) {
+    const Motion::Point point = role->motion.Endpoint(shown, k);
+    endpoints.push_back({static_cast<float>(at.x_m + static_cast<double>(point.x)), at.y_m + point.y});
+  }
+  role->body.clear();
+  const auto add = [&](shell::BodyPoint from, float from_m, shell::BodyPoint to, float to_m, float belly_m,
+                       float tone) {
+    role->body.insert(role->body.end(), {from.x, from.y, from_m, to.x, to.y, to_m, belly_m, tone});
+  };
+  for (const shell::BodyPart& part : shell::BodyPartsOf(bones, role->look, endpoints))
+    add(part.from, part.from_m, part.to, part.to_m, part.belly_m, part.far ? 1.0f : 0.0f);
+  if (const auto eye = shell::EyeOf(bones, role->look, endpoints))
+    add(eye->at, eye->radius_m, eye->at, eye->radius_m, 0.0f, 2.0f);
+  return role->body.data();
+}
+/// Of the last gs_motion_body().
+GS_EXPORT std::size_t gs_motion_body_size(const MotionRole* role) { return role->body.size(); }
+
+// Exported files, gs_motion_text_size() bytes.
+/// @param words_size bytes of FilmStripWords in the input area, with a 0 byte after each
+GS_EXPORT const char* gs_motion_film_strip(MotionRole* role, std::size_t words_size, int poses) {
+  shell::FilmStripOptions options{.poses = poses};
+  const std::string_view words(reinterpret_cast<const char*>(Input().data()), words_size);
+  std::size_t at = 0;
+  for (std::string* word : {&options.words.description, &options.words.slope, &options.words.decimal_mark}) {
+    const std::size_t end = words.find('\0', at);
+    if (end == std::string_view::npos) {
+      Note({ErrorCode::kTruncated, "words", "fewer than expected"});
+      return nullptr;
+    }
+    *word = words.substr(at, end - at);
+    at = end + 1;
+  }
+  return Keep(role, shell::FilmStripSvg(role->document, role->motion, options));
+}
+/// A file that needs no words. @param id_size of an exporter's id in the input area
+GS_EXPORT const char* gs_motion_file(MotionRole* role, std::size_t id_size) {
+  const std::string_view id(reinterpret_cast<const char*>(Input().data()), id_size);
+  const auto row = std::ranges::find(shell::kExporters, id, &shell::ExporterRow::id);
+  if (row == shell::kExporters.end()) {
+    Note({ErrorCode::kUnknownName, "", "there is no such export"});
+    return nullptr;
+  }
+  return Keep(role, row->make(role->document, role->motion, {}));
+}
+GS_EXPORT std::size_t gs_motion_text_size(const MotionRole* role) { return role->text.size(); }
