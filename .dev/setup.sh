@@ -15,7 +15,8 @@ PACKAGES=(build-essential cmake ninja-build git python3 clang-$LLVM lld-$LLVM ll
           clang-tidy-$LLVM libclang-rt-$LLVM-dev patchelf libsdl2-dev libgl-dev libbenchmark-dev
           doxygen  # makes the reference from core's comments
           parallel) # tests the documented way to distribute a study
-BROWSERS=(chromium chromium-headless-shell firefox-esr xvfb xauth)
+BROWSERS=(chromium firefox-esr xvfb xauth)
+HEADLESS=chromium-headless-shell # the same engine without windows; some systems lack it
 WEBKIT=webkit2gtk-driver # some systems lack it; their tests leave WebKit out
 MEASURES=(valgrind libbox2d-dev) # instruction counts; the engine for comparison
 AARCH64=(g++-aarch64-linux-gnu qemu-user-static) # another processor, for determinism
@@ -224,6 +225,7 @@ setup_browsers() {
   mkdir -p "$T"; touch "$LOG"
   command -v apt-get >/dev/null || { say "no apt here: the browser tests use the Chrome and Firefox they find"; return; }
   apt_need "${BROWSERS[@]}"
+  ( apt_need "$HEADLESS" ) || say "$HEADLESS cannot be installed here: the tests drive the whole browser"
   ( apt_need "$WEBKIT" ) || say "$WEBKIT cannot be installed here: the tests leave WebKit out"
 }
 

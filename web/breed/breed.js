@@ -68,7 +68,7 @@ class Breed {
     const simulate = (/** @type {Child} */ child) => engine.motion(this.family.childDocument(child));
     this.simulate = simulate;
     this.tiles = new Tiles(element('breed-tiles'), { simulate, traits: this.likes.traits, picked: () => this.#update(), menu: (child, from) => this.#menu(child, from) });
-    this.tree = new FamilyTree(element('breed-rounds'), { simulate, show: (round) => this.#go(() => this.family.show(round)) });
+    this.tree = new FamilyTree(element('breed-rounds'), { simulate, show: (round) => this.#go(() => this.family.show(round)), name: (name) => this.#name(name) });
     this.wasPlaying = app.playing();
     app.play(false);
     for (const id of COVERED) element(id).inert = true;
@@ -131,6 +131,7 @@ class Breed {
   /** @param {KeyboardEvent} event */
   #key(event) {
     const typed = event.target instanceof HTMLInputElement && event.target.type !== 'checkbox';
+    if (event.target instanceof HTMLInputElement && event.target.type === 'text') return; // has keys of its own
     const control = event.ctrlKey || event.metaKey;
     const letter = event.key.toLowerCase();
     let done = true;
@@ -175,6 +176,13 @@ class Breed {
     const fault = change();
     if (fault) toast(trSentence(fault));
     else void this.#show();
+  }
+
+  /** Names the shown round. @param {string} name */
+  #name(name) {
+    const fault = this.family.name(name);
+    if (fault) toast(trSentence(fault));
+    this.tree.draw(this.family);
   }
 
   #next() {
@@ -266,6 +274,10 @@ class Breed {
         this.likes.learn(this.#children.filter((other) => other !== child), [child]);
         this.#ask();
         toast(tr('Noted: you prefer the others to this one.'));
+      }],
+      [tr('Add to timeline'), () => {
+        const fault = this.family.chain(child);
+        toast(fault ? trSentence(fault) : tr('Added to the end of the timeline. Undo takes it away.'));
       }],
       [tr('Save to the results'), () => this.#take(child, 'found/keep')],
     ]);

@@ -10,10 +10,12 @@
 /** What a person wishes of children. task: what they become better at @typedef {{difference: number, keepGoal: boolean, keptRules: number, keptJoints: number, task: object}} Wish */
 
 export const MOST_ROUNDS = 128;
+const MOST_GROWN = 256;
+
+/** The children of rounds, by what they follow from. @type {Map<string, Child[]>} */
+const litters = new Map();
 
 export class Family {
-  /** The children of rounds, by what they follow from. @type {Map<string, Child[]>} */
-  #grown = new Map();
   /** @type {DocumentJson} */
   #document;
   /** @type {Lineage} */
@@ -56,7 +58,7 @@ export class Family {
   }
 
   /** The children of a round, if they are grown. @param {number} round @returns {Child[] | undefined} */
-  grown(round) { return this.#grown.get(this.#key(round)); }
+  grown(round) { return litters.get(this.#key(round)); }
 
   /**
    * The children of a round. Grows those before it as well.
@@ -68,13 +70,14 @@ export class Family {
     let litter = /** @type {Child[]} */ ([]);
     for (const [generation, at] of line.entries()) {
       const key = this.#key(at);
-      const known = this.#grown.get(key);
+      const known = litters.get(key);
       if (!known) {
         begin(generation + 1);
         const nursery = this.engine.nursery(this.#bytes(this.#lineage), at, litter.map(({ genome }) => genome));
-        this.#grown.set(key, await this.nursery.grow(nursery));
+        if (litters.size >= MOST_GROWN) litters.clear();
+        litters.set(key, await this.nursery.grow(nursery));
       }
-      litter = /** @type {Child[]} */ (this.#grown.get(key));
+      litter = /** @type {Child[]} */ (litters.get(key));
     }
     return litter;
   }
@@ -108,6 +111,18 @@ export class Family {
 
   /** Makes a child the document's motion. @param {Child} child @returns {string} as of breed */
   use(child) { return this.#open(this.#lineage, child); }
+
+  /** Adds a child to the end of the document's timeline. @param {Child} child @returns {string} as of breed */
+  chain(child) {
+    const { controllers = [], timeline = [], duration_steps: end = 500, task = {} } = this.#document;
+    const { controllers: [added] = [] } = /** @type {DocumentJson} */ (this.engine.json(this.childDocument(child)));
+    const fault = this.app.open(JSON.stringify({
+      ...this.#document, hash: undefined, controllers: [...controllers, added],
+      timeline: [...timeline, { controller: controllers.length, start_step: end }], duration_steps: end + (task.duration_steps ?? 500),
+    }));
+    this.follow();
+    return fault;
+  }
 
   /** @param {Wish} wish @returns {Round} */
   #wished({ difference, keepGoal, keptRules, keptJoints, task }) {

@@ -3,6 +3,7 @@
 // by side, branches below one another.
 import { mixed, paintBody } from '../share/body_painting.js';
 import { pageColours } from '../share/motion_picture.js';
+import { icon } from './icon.js';
 import { tr } from '../languages/language.js';
 
 /** @typedef {import('./family.js').Family} Family */
@@ -19,10 +20,12 @@ export class FamilyTree {
 
   /**
    * @param {HTMLElement} list
-   * @param {{simulate: (child: Child) => import('../search/engine.js').RecordedMotion, show: (round: number) => void}} uses
+   * @param {{simulate: (child: Child) => import('../search/engine.js').RecordedMotion, show: (round: number) => void, name: (name: string) => void}} uses
+   * name: names the shown round
    */
-  constructor(list, { simulate, show }) {
+  constructor(list, { simulate, show, name }) {
     this.list = list;
+    this.name = name;
     this.simulate = simulate;
     this.show = show;
   }
@@ -51,6 +54,7 @@ export class FamilyTree {
       button.ariaLabel = chosen.length ? tr('{1}, {2} picked', label.textContent, chosen.length) : label.textContent;
       button.addEventListener('click', () => this.show(i));
       item.append(button);
+      if (i === family.shown) item.append(this.#pen(item, label.textContent, round.name ?? ''));
       return item;
     }));
     const current = this.list.querySelector('[aria-current]');
@@ -69,6 +73,34 @@ export class FamilyTree {
 
   /** @type {WeakMap<HTMLCanvasElement, Pose>} */
   #painted = new WeakMap();
+
+  /** A button that turns into a field for the name. @param {HTMLElement} item @param {string} shown @param {string} name */
+  #pen(item, shown, name) {
+    const pen = Object.assign(document.createElement('button'), { type: 'button', className: 'icon', ariaLabel: tr('Name “{1}”', shown), title: tr('Name “{1}”', shown) });
+    pen.append(icon('M4 13.5 13 4.5l2.5 2.5-9 9H4z', ''));
+    pen.addEventListener('click', () => {
+      const field = Object.assign(document.createElement('input'), { type: 'text', value: name, placeholder: shown, maxLength: 40, ariaLabel: tr('Name of the generation') });
+      let over = false;
+      const end = (/** @type {boolean} */ keep) => {
+        if (over) return;
+        over = true;
+        field.replaceWith(pen);
+        if (keep && field.value.trim() !== name) this.name(field.value.trim());
+        const next = this.list.querySelector('[aria-current]');
+        if (next instanceof HTMLElement) next.focus();
+      };
+      field.addEventListener('keydown', (event) => {
+        if (event.key !== 'Enter' && event.key !== 'Escape') return;
+        event.stopPropagation();
+        end(event.key === 'Enter');
+      });
+      field.addEventListener('blur', () => end(true));
+      pen.replaceWith(field);
+      field.select();
+    });
+    item.classList.add('named');
+    return pen;
+  }
 
   /** @param {Child} child @param {boolean} picked */
   #picture(child, picked) {

@@ -3,6 +3,7 @@
 import { GridKeys } from '../browser/grid_keys.js';
 import { MotionPicture, pageColours } from '../share/motion_picture.js';
 import { differences } from './traits.js';
+import { icon } from './icon.js';
 import { fixed, tr } from '../languages/language.js';
 
 /** @typedef {import('./nursery.js').Child} Child */
@@ -140,16 +141,4 @@ export class Tiles {
       tile.painted = still;
     }
   }
-}
-
-/** @param {string} path @param {string} name */
-function icon(path, name) {
-  const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-  svg.setAttribute('viewBox', '0 0 20 20');
-  svg.setAttribute('aria-hidden', 'true');
-  svg.setAttribute('class', name);
-  const line = document.createElementNS('http://www.w3.org/2000/svg', 'path');
-  line.setAttribute('d', path);
-  svg.append(line);
-  return svg;
 }

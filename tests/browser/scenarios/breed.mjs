@@ -97,6 +97,13 @@ async function breeds(visit) {
   await page.until('the children before', () => (window.gaitsmith.document().lineage?.rounds.length ?? 0) === 3);
   await page.until('their names', `document.querySelector('#breed-tiles .tile')?.ariaLabel === ${JSON.stringify(second[0])}`);
 
+  // A name for the branch.
+  await page.clickElement('#breed-rounds .icon');
+  await page.page.keyboard.type('Hops');
+  await page.press('Enter');
+  assert.equal((await lineage(page)).rounds[1].name, 'Hops');
+  assert.match((await generations(page))[1], /^Hops/);
+
   // To the stage, by the menu.
   await page.clickElement('#breed-tiles li:nth-child(3) .more');
   await page.clickElement('#breed-menu button:first-child');
@@ -143,6 +150,10 @@ async function tastes(visit) {
   assert.ok(weights.some((weight) => weight !== 0), 'the taste is the document’s style');
   await clickInPanel(page, '#likes-forget');
   assert.match(await page.call('words', () => document.querySelector('#likes-from')?.textContent ?? ''), /^Nothing is known yet/);
+  // Into the timeline, by the menu.
+  await page.clickElement('#breed-tiles li:nth-child(4) .more');
+  await page.clickElement('#breed-menu button:nth-child(4)');
+  assert.equal(await page.call('clips', () => window.gaitsmith.document().timeline?.length), 2);
   await page.clickElement('#breed-done');
   assert.equal(await hidden(page, 'breed'), true);
   assert.deepEqual(page.complaints, []);
