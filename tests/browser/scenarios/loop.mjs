@@ -174,7 +174,7 @@ async function loopByKeyboard({ browser, address }) {
   assert.equal(await value('world/endpoint'), 'Endpoint 1');
   await reached(page, 'world/endpoint');
   await page.press('Enter');
-  await settle(page);
+  await reached(page, /^world\/endpoint\//, 'the list is open again');
   await page.press('Escape');
   await settle(page);
   await reached(page, 'world/endpoint');

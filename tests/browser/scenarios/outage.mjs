@@ -16,7 +16,7 @@ import { PlainServer } from '../plain_server.mjs';
 /** @typedef {import('./all.mjs').Visit} Visit */
 
 const SITE = process.argv[2] ?? join(ROOT, 'build/site');
-const SEARCH = { seed: 9, evaluations: 20000, sense: 'physical', workers: 2 };
+const SEARCH = { seed: 9, evaluations: 10000, sense: 'physical', workers: 2 };
 
 /** Starts a search and waits for its middle. ended() waits for its end. @param {PageDriver} page @param {object} [options] */
 async function begin(page, options = {}) {
@@ -104,13 +104,13 @@ async function clocks(visit) {
     assert.equal(await ended(page), hash, `${hours} h`);
     assert.match(await page.status(), /^Search done/);
     // Pause and resume use clocks, too.
-    await begin(page, { evaluations: 12000 });
+    await begin(page, { evaluations: 6000 });
     await page.call('pause', () => { window.gaitsmith.pause(); });
     await page.until('a pause', () => /^Paused/.test(document.querySelector('#status')?.textContent ?? ''));
     await jump(page, -3600e3 * hours);
     await page.call('resume', () => { window.gaitsmith.resume(); });
     await ended(page);
-    assert.match(await page.status(), /after 12,000 tries/, `${hours} h, paused`);
+    assert.match(await page.status(), /after 6,000 tries/, `${hours} h, paused`);
   }
   assert.ok(await liveWorkers(page) <= 3);
   assert.deepEqual(page.complaints, []);
@@ -147,7 +147,7 @@ async function twoTabs(visit) {
   const hash = await expected(visit);
   const one = await PageDriver.open(visit.browser, visit.address);
   const two = await PageDriver.open(visit.browser, visit.address, { beside: one });
-  await begin(two, { evaluations: 30000 });
+  await begin(two, { evaluations: 15000 });
   await one.page.bringToFront();
   await begin(one);
   const [first, second] = [await ended(one), await ended(two)];
@@ -253,7 +253,7 @@ async function newVersion(visit) {
     }
     await promisify(execFile)(process.execPath, [join(ROOT, 'web/build/seal.mjs'), server.folder]);
 
-    await begin(page, { evaluations: 12000 });
+    await begin(page, { evaluations: 6000 });
     await page.call('update', async () => { await (await navigator.serviceWorker.ready).update(); return true; });
     await page.until('the offer', () => document.querySelector('#update')?.hasAttribute('hidden') === false);
     await ended(page);
