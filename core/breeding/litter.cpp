@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/breeding/litter.h"
 
-#include <string_view>
 #include <utility>
 
 #include "core/document/parts.h"
@@ -97,8 +96,6 @@ Document ChildOf(const Document& document, Genome child) {
   shown.search.start = shown.search.in_place_of = -1;
   shown.search.handovers.clear();
   shown.title = shown.figure.name;
-  if (constexpr std::string_view kBred = ", bred"; shown.title.size() + kBred.size() <= kMaxNameBytes)
-    shown.title += kBred;
   shown.hash.reset();
   return shown;
 }

@@ -14,6 +14,7 @@ namespace {
 constexpr float kGap = 8.0f;
 constexpr float kMargin = 16.0f;
 constexpr float kLeastStage = 230.0f;  // lower ones have no room for buttons
+constexpr std::size_t kMostInRow = 9;  // with the menu: more are hard to take in
 constexpr float kRulerRoom = 48.0f;    // of the ruler and the letters, below the ground line
 
 bool Searches(Session& session) { return session.Search().Running() && session.Search().ShowsImprovements(); }
@@ -41,7 +42,7 @@ std::vector<Action> FoundActions(Session& session) {
   add(!layout.Locks(LockedPart::kWorld),
       {"stage/push", Tr("Push it"), [&session] { session.World().Shove(); }, 1});
   const bool styled = free && !layout.Locks(LockedPart::kStyle);
-  add(styled, {"stage/calmer", Tr("Calmer"), [&session] { session.TryManner(Manner::kCalmer); }, 4});
+  add(styled, {"stage/calmer", Tr("Calmer"), [&session] { session.TryManner(Manner::kCalmer); }, 3});
   add(styled, {"stage/quicker", Tr("Quicker"), [&session] { session.TryManner(Manner::kQuicker); }, 5});
   add(styled, {"stage/higher", Tr("Higher"), [&session] { session.TryManner(Manner::kHigher); }, 8});
   add(free, {"stage/five", Tr("Try 5 more"), [&session] { session.TryMore(); }, 9});
@@ -51,13 +52,14 @@ std::vector<Action> FoundActions(Session& session) {
     add(session.HasDialogs(), {id, label, [&session, command] { session.OpenDialog(command); }, rank, true});
   };
   if (free && !layout.Locks(LockedPart::kController) && !layout.Locks(LockedPart::kSearch))
-    dialog("stage/breed", Tr("Breed"), "motion/breed", 3);
+    dialog("stage/breed", Tr("Breed"), "motion/breed", 4);
   dialog("stage/share", Tr("Share"), "document/share", 2);
   dialog("stage/export", Tr("Export"), "document/export", 7);
   return actions;
 }
 
-// Takes away actions until the others have room, those of the highest ranks. @return what was taken away
+// Takes away actions until the others have room and are few enough, those of the highest ranks. @return what
+// was taken away
 std::vector<Action> TakeExcess(std::vector<Action>& actions,
                                const std::function<float(const Action&)>& width_of, float room,
                                float menu_width) {
@@ -67,7 +69,8 @@ std::vector<Action> TakeExcess(std::vector<Action>& actions,
     for (const Action& action : actions) width += width_of(action) + kGap;
     return width;
   };
-  while (!actions.empty() && used() > room) {
+  const auto count = [&] { return actions.size() + (excess.empty() ? 0 : 1); };
+  while (!actions.empty() && (used() > room || count() > kMostInRow)) {
     const auto least = std::ranges::max_element(actions, {}, &Action::rank);
     excess.push_back(std::move(*least));
     actions.erase(least);

@@ -18,14 +18,17 @@ export const DATA = ['#title'];
 /** Runs in the page before its scripts: replaces German by the test language, and records short messages. */
 export function speakPseudo() {
   const originalFetch = window.fetch;
+  const marked = (/** @type {string} */ words) => words.split(/(\{\d\})/).map((part) => (/^(\{\d\})?$/.test(part) ? part : `«${part}»`)).join('');
   window.fetch = async (...request) => {
     const response = await originalFetch(...request);
+    if (response.url.endsWith('/hints/de.json')) {
+      const hints = Object.entries(await response.json());
+      return new Response(JSON.stringify(Object.fromEntries(hints.map(([id, words]) => [id, marked(words)]))));
+    }
     if (!response.url.endsWith('/languages/de.json')) return response;
     const table = await response.json();
     for (const words of [table.words, table.errors, table.titles]) {
-      for (const english of Object.keys(words)) {
-        words[english] = english.split(/(\{\d\})/).map((part) => (/^(\{\d\})?$/.test(part) ? part : `«${part}»`)).join('');
-      }
+      for (const english of Object.keys(words)) words[english] = marked(english);
     }
     return new Response(JSON.stringify(table));
   };

@@ -90,6 +90,8 @@ export class Tiles {
     button.addEventListener('click', () => this.toggle(index));
     const more = Object.assign(document.createElement('button'), { type: 'button', className: 'icon more' });
     more.append(icon(DOTS, ''));
+    button.ariaLabel = tr('Motion {1}', index + 1);
+    more.ariaLabel = more.title = tr('More for motion {1}', index + 1);
     more.addEventListener('click', () => this.menu(child, more));
     item.append(button, more);
     return { child, item, button, canvas, metres, picture: null, painted: '' };

@@ -94,7 +94,11 @@ export async function webm({ motion, title, signal, onProgress }) {
     recorder.onstop = resolve;
     recorder.onerror = () => reject(new Error('the browser stopped recording'));
   });
+  // On a busy machine recorders need a while to begin, and would miss a short motion. A drawing is what wakes them.
+  const started = new Promise((resolve) => { recorder.onstart = resolve; });
+  film.draw(0);
   recorder.start();
+  await Promise.race([started, ended]);
   const start = performance.now();
   let recordedMs = 0;
   try {

@@ -65,7 +65,7 @@ async function noViolations({ browser, address, figures }) {
       for (const [key, what] of [['Control+k', 'the palette'], ['F1', 'the sheet of keys'], ['Control+o', 'the dialog that opens']]) {
         await page.page.focus('canvas');
         await page.press(key);
-        assert.ok(await page.call('dialog', () => document.querySelector('dialog[open]') !== null), `${what} does not open`);
+        await page.until(what, () => document.querySelector('dialog[open]') !== null);
         await checkPage(place(what));
         await page.press('Escape');
       }
@@ -74,7 +74,7 @@ async function noViolations({ browser, address, figures }) {
       await checkPage(place('the dialog that exports'));
       await page.press('Escape');
       await page.call('breed', () => window.gaitsmith.run('motion/breed'));
-      await page.until('nine motions', () => [...document.querySelectorAll('#breed-tiles .tile')].filter((tile) => tile.ariaLabel).length === 9);
+      await page.until('nine motions', () => [...document.querySelectorAll('#breed-tiles .tile')].filter((tile) => /** @type {HTMLElement} */ (tile).title).length === 9);
       await page.press('2');
       await page.press('n');
       await page.until('their children', () => document.querySelectorAll('#breed-rounds canvas.picked').length === 1);

@@ -158,7 +158,7 @@ async function nothingLeft({ browser, address, figures }) {
   for (const [key, what] of [['Control+k', 'the palette'], ['F1', 'the sheet of keys'], ['Control+o', 'the dialog that opens']]) {
     await page.page.focus('canvas');
     await page.press(key);
-    assert.ok(await page.call('dialog', () => document.querySelector('dialog[open]') !== null), `${what} does not open`);
+    await page.until(what, () => document.querySelector('dialog[open]') !== null);
     if (key === 'Control+o') await page.clickElement('#open-go'); // with nothing to open
     await checkPage(what);
     if (key === 'Control+k') {
@@ -167,6 +167,15 @@ async function nothingLeft({ browser, address, figures }) {
     }
     await page.press('Escape');
   }
+  await run('motion/breed');
+  await page.until('nine motions', () => [...document.querySelectorAll('#breed-tiles .tile')].filter((tile) => /** @type {HTMLElement} */ (tile).title).length === 9);
+  await page.press('2');
+  await page.press('n');
+  await page.until('their children', () => document.querySelectorAll('#breed-rounds canvas.picked').length === 1);
+  await page.clickElement('#breed-tiles li:nth-child(1) .more');
+  await checkPage('breeding');
+  await page.press('Escape');
+  await page.press('Escape');
   await page.clickElement('#copy-link');
   await checkPage('the link to copy');
   await page.press('Escape');
