@@ -93,7 +93,7 @@ check_aarch64() {
 # contract.
 check_threads() {
   cmake -G Ninja -B build/threads -DCMAKE_UNITY_BUILD=ON -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER="clang++-$LLVM" \
-    -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g -fsanitize=thread" >/dev/null
+    -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1 -fsanitize=thread" >/dev/null
   cmake --build build/threads --target gaitsmith gaitsmith_shell_tests
   build/threads/tests/gaitsmith_shell_tests
   tests/command_line/contract_test.sh build/threads/shell/gaitsmith .

@@ -16,7 +16,7 @@ const grown = (page) => page.until('nine children', () => {
 /** The tiles' names. @param {PageDriver} page */
 const names = (page) => page.call('names', () => [...document.querySelectorAll('#breed-tiles .tile')].map((tile) => tile.ariaLabel ?? ''));
 /** @param {PageDriver} page */
-const generations = (page) => page.call('generations', () => [...document.querySelectorAll('#breed-rounds button')].map((round) => round.textContent ?? ''));
+const generations = (page) => page.call('generations', () => [...document.querySelectorAll('#breed-rounds button:not(.icon)')].map((round) => round.textContent ?? ''));
 /** @param {PageDriver} page */
 const lineage = (page) => page.call('lineage', () => window.gaitsmith.document().lineage ?? { rounds: [] });
 
