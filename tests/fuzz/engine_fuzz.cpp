@@ -67,7 +67,6 @@ Document SmallProblem(Bytes& bytes) {
         {"", d.kind, d.senses, d.rules, RandomGenome(SpaceOf(d).shape, d.senses, Variation{}, random)});
     d.timeline.push_back({clip, clip * 15});
   }
-  d.search.in_place_of = bytes.Signed() % 4;
   for (int round = 0; round < bytes.Next() % 4; ++round) {
     if (round == 0)
       d.lineage.founders = {
@@ -83,6 +82,7 @@ Document SmallProblem(Bytes& bytes) {
                                 .kept_joints = bytes.Next(),
                                 .task = d.task});
   }
+  d.search.in_place_of = bytes.Signed() % 4;
   return d;
 }
 

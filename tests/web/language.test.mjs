@@ -86,7 +86,7 @@ before(async () => {
   ofShell = new Set(shell.flatMap((text) => literals(text, ['Tr', 'TrLater', 'PageText'], '"')));
   const page = await texts('web', /^(?!book\/|package\/).*\.js$/);
   ofPage = new Set(page.flatMap((text) => literals(text, ['tr', 'trLater'], '\'"`')));
-  ofMarkup = new Set((await texts('web', /^(index|dialogs\/dialogs)\.html$/)).flatMap(markup));
+  ofMarkup = new Set((await texts('web', /^(index|breed\/breed|dialogs\/dialogs)\.html$/)).flatMap(markup));
 });
 
 test('language: literals are found in all the ways they are written', () => {

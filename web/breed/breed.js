@@ -235,7 +235,7 @@ class Breed {
     element('breed-next').ariaDisabled = String(busy || picks === 0 || this.family.full);
     element('breed-others').ariaDisabled = String(busy || this.family.full);
     setText(element('breed-count'), picks > 0 ? tr('{1} picked', picks) : '');
-    if (!busy) setText(element('breed-hint'), this.family.full ? tr('This family is full. Go back to an ancestor, or press Done and breed anew.')
+    if (!busy) setText(element('breed-hint'), this.family.full ? tr('This family is full. Go back to an ancestor, or press Done and begin another.')
       : picks > 0 ? tr('Their children come next.') : tr('Pick any number. Their children come next.'));
   }
 

@@ -64,7 +64,7 @@ export class Likes {
     element('likes').replaceChildren(...rows.map(bar));
     element('likes-from').textContent = this.count === 1 ? tr('Guessed from one comparison.')
       : this.count ? tr('Guessed from {1} comparisons. Grey: not sure yet.', this.count)
-        : tr('Nothing is known yet. Every pick says that you prefer it to the others.');
+        : tr('Nothing is known yet. Each pick counts as better than the others.');
     for (const id of ['likes-search', 'likes-use', 'likes-forget']) element(id).hidden = this.count === 0;
   }
 

@@ -12,6 +12,7 @@
 #include "core/breeding/litter.h"
 #include "core/breeding/taste_weights.h"
 #include "core/document/archive.h"
+#include "core/document/binary.h"
 #include "core/document/json_value.h"
 #include "web/search/engine_border.h"
 
@@ -26,6 +27,15 @@ std::vector<Genome> TakeGenomes(std::size_t size, std::size_t genes) {
     size += genes * sizeof(Gene);
   }
   return genomes;
+}
+
+/// Keeps a document with genomes that came from outside. @return null, with a noted error, if it is invalid
+const std::uint8_t* KeepChecked(const Document& document) {
+  const std::uint8_t* bytes = KeepDocument(document);
+  const auto read = DecodeBinary(EncodeBinary(document));
+  if (read) return bytes;
+  Note(read.error());
+  return nullptr;
 }
 
 struct TasteRole {
@@ -47,7 +57,7 @@ GS_EXPORT const std::uint8_t* gs_nursery(std::size_t size, int round) {
   const auto litter =
       founders.empty() ? std::vector<Genome>{} : TakeGenomes(size, founders.front().genes.size());
   const auto nursery = NurseryOf(*document, round, litter);
-  if (nursery) return KeepDocument(*nursery);
+  if (nursery) return KeepChecked(*nursery);
   Note(nursery.error());
   return nullptr;
 }
@@ -59,7 +69,7 @@ GS_EXPORT const std::uint8_t* gs_child(std::size_t size) {
   const auto& founders = document->lineage.founders;
   const auto genomes =
       founders.empty() ? std::vector<Genome>{} : TakeGenomes(size, founders.front().genes.size());
-  if (!genomes.empty()) return KeepDocument(ChildOf(*document, genomes.front()));
+  if (!genomes.empty()) return KeepChecked(ChildOf(*document, genomes.front()));
   Note({ErrorCode::kMissing, "lineage", "has no such child"});
   return nullptr;
 }
@@ -68,7 +78,8 @@ GS_EXPORT const std::uint8_t* gs_child(std::size_t size) {
 GS_EXPORT SearchRole* gs_brood_open(std::size_t size) {
   const auto nursery = TakeDocument(size);
   if (!nursery) return nullptr;
-  if (nursery->lineage.rounds.empty()) {
+  if (nursery->lineage.rounds.empty() || nursery->search.in_place_of >= 0 ||
+      !FitsSearch(*nursery, nursery->lineage.founders.front())) {
     Note({ErrorCode::kMissing, "lineage", "has no round to breed"});
     return nullptr;
   }
