@@ -158,6 +158,7 @@ class Breed {
       this.#children = children;
       this.tiles.show(children);
       this.tree.draw(this.family);
+      this.#root.scrollTop = 0; // on phones all of it scrolls, and the new motions are at its top
       this.#update();
       this.#ask();
       announce(children.length === 0 ? tr('None of the children moves. Pick others, or let them differ less.')
