@@ -5,7 +5,7 @@
 // budget may end in the middle of a batch.
 #pragma once
 
-#include "core/search/genome_bits.h"
+#include "core/control/genome_bits.h"
 #include "core/search/progress_curve.h"
 #include "core/search/search.h"
 

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/search/genome_bits.h"
+#include "core/control/genome_bits.h"
 
 namespace gaitsmith {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/search/genome_bits.h"
+#include "core/control/genome_bits.h"
 
 namespace gaitsmith {
 

@@ -67,13 +67,12 @@ class Breed {
     this.likes = new Likes(engine);
     const simulate = (/** @type {Child} */ child) => engine.motion(this.family.childDocument(child));
     this.simulate = simulate;
-    this.tiles = new Tiles(element('breed-tiles'), { simulate, traits: this.likes.traits, picked: () => this.#update(), menu: (child, from) => this.#menu(child, from) });
+    this.tiles = new Tiles(element('breed-tiles'), { simulate, traits: this.likes.traits, picked: () => this.#update(), menu: (child, from) => this.#menu(child, from), signal: this.#ending.signal });
     this.tree = new FamilyTree(element('breed-rounds'), { simulate, show: (round) => this.#go(() => this.family.show(round)), name: (name) => this.#name(name) });
     this.wasPlaying = app.playing();
     app.play(false);
     for (const id of COVERED) element(id).inert = true;
     this.#root.hidden = false;
-    document.documentElement.dataset.breeding = '';
     this.#listen(changed);
     this.#offerParts();
     void this.#show().then(() => this.tiles.focus());
@@ -112,7 +111,10 @@ class Breed {
         this.#ask();
       });
     }
-    this.#root.addEventListener('keydown', (event) => this.#key(event), { signal });
+    // After a click beside all controls the page's body has the keyboard.
+    document.addEventListener('keydown', (event) => {
+      if (event.target === document.body || (event.target instanceof Node && this.#root.contains(event.target))) this.#key(event);
+    }, { signal });
     // Undo, Redo, and documents that scripts open.
     changed.addEventListener('changed', () => {
       if (!this.app.document().timeline?.length) this.close();
@@ -130,7 +132,6 @@ class Breed {
 
   /** @param {KeyboardEvent} event */
   #key(event) {
-    const typed = event.target instanceof HTMLInputElement && event.target.type !== 'checkbox';
     if (event.target instanceof HTMLInputElement && event.target.type === 'text') return; // has keys of its own
     const control = event.ctrlKey || event.metaKey;
     const letter = event.key.toLowerCase();
@@ -139,8 +140,8 @@ class Breed {
     else if (control && letter === 'y') this.app.redo();
     else if (control || event.altKey) done = false;
     else if (event.key === 'Escape') element('breed-menu').matches(':popover-open') ? element('breed-menu').hidePopover() : this.close();
-    else if (/^[1-9]$/.test(event.key) && !typed) this.tiles.toggle(Number(event.key) - 1);
-    else if (letter === 'n' && !typed) this.#next();
+    else if (/^[1-9]$/.test(event.key)) this.tiles.toggle(Number(event.key) - 1);
+    else if (letter === 'n') this.#next();
     else done = false;
     if (done) event.preventDefault();
   }
@@ -323,7 +324,6 @@ class Breed {
     this.likes.close();
     for (const id of COVERED) element(id).inert = false;
     this.#root.hidden = true;
-    delete document.documentElement.dataset.breeding;
     if (this.wasPlaying) this.app.play(true);
     element('canvas').focus();
   }

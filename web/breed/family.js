@@ -9,7 +9,7 @@
 /** @typedef {{founders: object[], rounds: Round[], shown?: number}} Lineage */
 /** What a person wishes of children. task: what they become better at @typedef {{difference: number, keepGoal: boolean, keptRules: number, keptJoints: number, task: object}} Wish */
 
-export const MOST_ROUNDS = 128;
+const MOST_ROUNDS = 128; // as kMaxBreedRounds of core/document/lineage.h, which refuses more
 const MOST_GROWN = 256;
 
 /** The children of rounds, by what they follow from. @type {Map<string, Child[]>} */
@@ -39,8 +39,6 @@ export class Family {
   get round() { return this.rounds[this.shown]; }
   get document() { return this.#document; }
   get full() { return this.rounds.length >= MOST_ROUNDS; }
-  /** Number of parents of the first round. */
-  get founders() { return this.#lineage.founders.length; }
 
   /** Reads the document anew, after Undo for example. @returns {boolean} whether the family is another one, or shows another round */
   follow() {

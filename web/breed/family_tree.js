@@ -2,7 +2,7 @@
 // The family tree: each round with poses of those who became parents, or of its first children. Generations stand side
 // by side, branches below one another.
 import { mixed, paintBody } from '../share/body_painting.js';
-import { pageColours } from '../share/motion_picture.js';
+import { FAR_SHARE, pageColours } from '../share/motion_picture.js';
 import { icon } from './icon.js';
 import { tr } from '../languages/language.js';
 
@@ -11,7 +11,6 @@ import { tr } from '../languages/language.js';
 /** A moment of a child, to be painted at any time. @typedef {{body: Float32Array, x: number, height: number}} Pose */
 
 const SHOWN = 3;
-const FAR_SHARE = 0.57; // as on the stage
 const GROUND = 0.86;
 
 export class FamilyTree {

@@ -28,10 +28,11 @@ export class Tiles {
    * @param {import('./traits.js').Trait[]} uses.traits
    * @param {() => void} uses.picked  called after a pick
    * @param {(child: Child, from: HTMLElement) => void} uses.menu
+   * @param {AbortSignal} uses.signal  ends the keys
    */
-  constructor(list, { simulate, traits, picked, menu }) {
+  constructor(list, { simulate, traits, picked, menu, signal }) {
     this.list = list;
-    this.#keys = new GridKeys(list, () => this.#tiles.map(({ button }) => button));
+    this.#keys = new GridKeys(list, () => this.#tiles.map(({ button }) => button), signal);
     this.simulate = simulate;
     this.traits = traits;
     this.picked = picked;

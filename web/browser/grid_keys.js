@@ -4,14 +4,14 @@
 export class GridKeys {
   #stop = 0;
 
-  /** @param {HTMLElement} grid @param {() => HTMLButtonElement[]} buttons  in order */
-  constructor(grid, buttons) {
+  /** @param {HTMLElement} grid @param {() => HTMLButtonElement[]} buttons  in order @param {AbortSignal} [signal]  ends it */
+  constructor(grid, buttons, signal) {
     this.buttons = buttons;
-    grid.addEventListener('keydown', (event) => this.#key(event));
+    grid.addEventListener('keydown', (event) => this.#key(event), { signal });
     grid.addEventListener('focusin', ({ target }) => {
       const at = buttons().findIndex((button) => button === target);
       if (at >= 0) this.rove(at);
-    });
+    }, { signal });
   }
 
   /** Makes a button the stop. Call after the buttons have changed. @param {number} [index]  without: the last stop */

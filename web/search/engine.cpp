@@ -195,7 +195,7 @@ GS_EXPORT std::size_t gs_search_ask(SearchRole* role, int wanted) {
 GS_EXPORT bool gs_search_asks_ahead(const SearchRole* role) { return role->search->AsksAhead(); }
 GS_EXPORT const Gene* gs_search_genomes(const SearchRole* role) { return role->genomes.data(); }
 
-/// Takes a score for each genome of the oldest ask without scores, in its order, from the input area: four
+/// Takes a score for each genome of the oldest ask without scores, in its order, from the input area: its
 /// floats as gs_evaluator_run returns them, or the fitness alone for searches that need no more. Call once
 /// for each ask.
 /// @param count floats

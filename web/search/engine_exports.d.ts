@@ -37,7 +37,7 @@ export interface EngineExports {
   _gs_search_asks_ahead(role: Pointer): number;
   _gs_search_genomes(role: Pointer): Pointer;
   /**
-   * Takes a score for each genome of the oldest ask without scores, in its order, from the input area: four
+   * Takes a score for each genome of the oldest ask without scores, in its order, from the input area: its
    * floats as gs_evaluator_run returns them, or the fitness alone for searches that need no more. Call once
    * for each ask.
    * @param count floats

@@ -24,9 +24,7 @@ import { unreachable } from './messages.js';
  * @property {(error: Error) => void} failed            the search is over without a result
  */
 
-/**
- * @typedef {{worker: Worker, ready: boolean, waitedMs: number}} Evaluator  waitedMs: time since its last sign of life
- */
+/** waitedMs: time since its last sign of life. @typedef {{worker: Worker, ready: boolean, waitedMs: number}} Evaluator */
 /**
  * @typedef {object} Team  the workers of one search
  * @property {number} run
@@ -55,9 +53,7 @@ const IDLE_MS = 5 * 60000;
 export class SearchClient {
   /** @type {Team | null} */
   #team = null;
-  /**
-   * Workers without a search: new ones, or those of the last search if it was done and no worker died. @type {Worker[]}
-   */
+  /** Without a search: new ones, or those of the last search if it was done and none died. @type {Worker[]} */
   #idle = [];
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #idleTimer;
