@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Tests the built page in Chromium and Firefox:
 //   node tests/browser/run.mjs [folder, default build/site] [words of the scenarios to run, default all; --main: MAIN_SCENARIOS]
-// BROWSER=chromium or BROWSER=firefox selects one browser.
+// BROWSER=chromium or BROWSER=firefox selects one browser, which then runs every scenario that it can run.
 // Writes pictures to build/screenshots. Prints each result and fails if a scenario fails.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { goldenLinks, goldenMotions } from './goldens.mjs';
 import { PageDriver } from './page_driver.mjs';
 import { ROOT, serve, startChromium, startFirefox, stopAll } from './browsers.mjs';
-import { MAIN_SCENARIOS, SCENARIOS } from './scenarios/all.mjs';
+import { MAIN_SCENARIOS, ONCE, SCENARIOS } from './scenarios/all.mjs';
 import { takePictures } from './pictures.mjs';
 import { nativeHash } from './native.mjs';
 
@@ -70,7 +70,8 @@ async function drive(name, start) {
   }
   console.log(`${name}: ${await browser.version()}`);
   const visit = /** @type {import('./scenarios/all.mjs').Visit} */ ({ name, browser, site, address, found: {}, link: '', figures: {} });
-  for (const [claim, body] of scenarios.filter(([text, , only = name]) => text.includes(wanted) && only === name)) {
+  const here = [name, name === chosen[0]?.[0] ? ONCE : name];
+  for (const [claim, body] of scenarios.filter(([text, , where = name]) => text.includes(wanted) && here.includes(where))) {
     const before = failed;
     const contexts = browser.browserContexts();
     await check(`${name}: ${claim}`, () => body(visit));

@@ -61,7 +61,17 @@ import { nativeHash } from '../native.mjs';
 /** Short searches, because the claims do not depend on length. */
 const EVALUATIONS = 8000;
 
-/** A claim, its test, and the only browser that can run it, if there is just one. @typedef {[string, (visit: Visit) => Promise<void>, string?]} Scenario */
+/**
+ * A claim, its test, and where it runs: a browser's name if no other can run it, ONCE for one browser of a whole run.
+ * @typedef {[string, (visit: Visit) => Promise<void>, string?]} Scenario
+ */
+export const ONCE = 'once';
+/**
+ * Scenarios of the canvas, of searches and of our own workers, which run the same code in every browser. A whole run does
+ * not repeat them in the second browser, because that took a third of its time. BROWSER=firefox runs them there.
+ * @param {Scenario[]} scenarios @returns {Scenario[]}
+ */
+const once = (scenarios) => scenarios.map(([claim, body, where = ONCE]) => [claim, body, where]);
 /** A whole visit in a few minutes. @type {Scenario[]} */
 export const MAIN_SCENARIOS = [
   ['opens without a complaint, and draws', async (visit) => {
@@ -239,40 +249,40 @@ export const MAIN_SCENARIOS = [
 /** @type {Scenario[]} */
 export const SCENARIOS = [
   ...MAIN_SCENARIOS,
-  ...LAB_SCENARIOS,
-  ...HINT_SCENARIOS,
+  ...once(LAB_SCENARIOS),
+  ...once(HINT_SCENARIOS),
   ...HISTORY_SCENARIOS,
   ...KEPT_WORK_SCENARIOS,
   ...PALETTE_SCENARIOS,
   ...QUEUE_SCENARIOS,
-  ...TIMELINE_SCENARIOS,
+  ...once(TIMELINE_SCENARIOS),
   ...OFFLINE_SCENARIOS,
   ...SECURITY_SCENARIOS,
-  ...MESSAGE_SCENARIOS,
-  ...FAULT_SCENARIOS,
-  ...OUTAGE_SCENARIOS,
+  ...once(MESSAGE_SCENARIOS),
+  ...once(FAULT_SCENARIOS),
+  ...once(OUTAGE_SCENARIOS),
   ...FIRST_SCREEN_SCENARIOS,
   ...GRAPHICS_SCENARIOS,
   ...SHARE_SCENARIOS,
-  ...SUITE_SCENARIOS,
+  ...once(SUITE_SCENARIOS),
   ...MIRROR_SCENARIOS,
-  ...LOOP_SCENARIOS,
+  ...once(LOOP_SCENARIOS),
   ...AXE_SCENARIOS,
-  ...WORLD_SCENARIOS,
+  ...once(WORLD_SCENARIOS),
   ...EXPORT_SCENARIOS,
-  ...FIGURE_SCENARIOS,
+  ...once(FIGURE_SCENARIOS),
   ...GALLERY_SCENARIOS,
-  ...BREED_SCENARIOS,
-  ...LIVE_SCENARIOS,
-  ...RULE_SCENARIOS,
-  ...WALK_SCENARIOS,
-  ...FINGER_SCENARIOS,
-  ...THEME_SCENARIOS,
+  ...once(BREED_SCENARIOS),
+  ...once(LIVE_SCENARIOS),
+  ...once(RULE_SCENARIOS),
+  ...once(WALK_SCENARIOS),
+  ...once(FINGER_SCENARIOS),
+  ...once(THEME_SCENARIOS),
   ...TYPING_SCENARIOS,
   ...DOOR_SCENARIOS,
   ...NEWCOMER_SCENARIOS,
   ...VIEWER_SCENARIOS,
-  ...TOUR_SCENARIOS,
+  ...once(TOUR_SCENARIOS),
   ...LANGUAGE_SCENARIOS,
 
   ['Undo waits until there is something to undo', async ({ browser, address }) => {

@@ -145,7 +145,7 @@ async function lessonInTheAddress({ browser, address }) {
   await wrong.close();
 }
 
-/** Shipped links with every other character at every place, and cut at every place. @param {Visit} visit */
+/** Shipped links with every other character at every seventh place, and cut there. Native tests try every place. @param {Visit} visit */
 async function damagedLinks({ name, browser, address, figures }) {
   const page = await PageDriver.open(browser, address);
   const links = (await Promise.all([1, 2, 3].map((version) => readFile(join(ROOT, `tests/golden/links/version-${version}.txt`), 'utf8'))))
@@ -165,15 +165,18 @@ async function damagedLinks({ name, browser, address, figures }) {
       const text = new TextEncoder().encode(payload);
       /** @type {string[]} */
       const bad = opens(text) ? [] : ['the link itself is refused'];
-      text.forEach((right, at) => {
+      let count = 0;
+      for (let at = 0; at < text.length; at += 7) {
+        const right = text[at] ?? 0;
         for (const byte of bytes) {
           text[at] = byte;
           if (byte !== right && opens(text)) bad.push(`byte ${byte} at ${at}`);
         }
         text[at] = right;
         if (opens(text.subarray(0, at))) bad.push(`cut at ${at}`);
-      });
-      return { count: text.length * bytes.length, opened: bad };
+        count += bytes.length;
+      }
+      return { count, opened: bad };
     }, link);
     assert.deepEqual(opened, [], link.slice(0, 40));
     tried += count;
@@ -227,7 +230,7 @@ async function wrongAddress({ browser, address }) {
 export const SHARE_SCENARIOS = [
   ['Share has the link, a code that a camera reads, and lines that put it into another page', shareDialog],
   ['links that are damaged, cut, newer, too long or none say so and what to do', linksThatCannotBeOpened],
-  ['golden links with any one byte changed, or cut anywhere, are refused', damagedLinks, ONE_BROWSER],
+  ['golden links with one byte changed, or cut, are refused', damagedLinks, ONE_BROWSER],
   ['an address shows panels, locks parts and sets a goal that is ticked', lessonInTheAddress],
   ['every wrong option of an address is named, and the right ones count', wrongAddress, ONE_BROWSER],
   ['the goals of all lessons can be read, are measured, and are still to be reached', goalsOfLessons, ONE_BROWSER],
