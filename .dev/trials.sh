@@ -78,6 +78,9 @@ aarch64() {
   qemu-aarch64-static build/aarch64/tests/gaitsmith_tests "[golden],[determinism]"
 }
 
+# Every level of optimisation; ./dev test has the lowest and the highest.
+determinism() { check_builds tests release tidy gcc-O0 gcc-O2 clang-O2 clang-O3-avx2 gcc-O3-avx2; }
+
 mutate() {
   local shard=1/1
   if [[ ${1:-} == */* ]]; then shard=$1; shift; fi

@@ -25,6 +25,21 @@ double Logistic(double x) {
   return x >= 0.0 ? 1.0 / (1.0 + e) : e / (1.0 + e);
 }
 
+constexpr double kLeastUnit = 0.15;  // of a scale: smaller differences are not seen
+
+/// How much of a scale counts as a plain difference, from what was compared: eyes adapt to what is shown, so
+/// if all motions differ little in a trait, little is plain.
+Vector Units(std::span<const Vector> differences) {
+  Vector units = Vector::Ones();
+  for (Eigen::Index i = 0; i < kSize; ++i) {
+    double sum = 0.0;
+    for (const Vector& one : differences) sum += one[i] * one[i];
+    if (sum > 0.0)
+      units[i] = std::clamp(std::sqrt(sum / static_cast<double>(differences.size())), kLeastUnit, 1.0);
+  }
+  return units;
+}
+
 /// In scales, at most 3: what differs more than plainly does not count for more and more.
 Vector Difference(const Traits& first, const Traits& second) {
   Vector difference;
@@ -46,6 +61,8 @@ Taste::Taste(std::span<const Comparison> comparisons) {
   std::vector<Vector> differences;
   differences.reserve(comparisons.size());
   for (const Comparison& one : comparisons) differences.push_back(Difference(one.first, one.second));
+  const Vector units = Units(differences);
+  for (Vector& one : differences) one = one.cwiseQuotient(units);
 
   // Newton's method on the logarithm of the posterior, which is concave.
   Vector weights = Vector::Zero();
@@ -64,7 +81,9 @@ Taste::Taste(std::span<const Comparison> comparisons) {
     weights += longest > 1.0 ? Vector(change / longest) : change;
     if (longest < kSmallStep) break;
   }
-  const Matrix covariance = precision.llt().solve(Matrix::Identity());
+  weights = weights.cwiseQuotient(units);
+  const Matrix to_scales = units.cwiseInverse().asDiagonal();
+  const Matrix covariance = to_scales * precision.llt().solve(Matrix::Identity()) * to_scales;
   for (std::size_t i = 0; i < kTraits; ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     weights_[i] = static_cast<float>(weights[at]);

@@ -10,6 +10,10 @@ namespace {
 /// Least log-odds of a plain difference in the primary term.
 constexpr float kLeastPrimary = 0.5f;
 
+/// The least weight that counts, in doubts: half-known weights help sooner than they mislead (tuned in
+/// docs/studies/taste).
+constexpr float kLeastWeight = 0.5f;
+
 /// A style term's trait, and how much of the term one unit of the trait is.
 struct Measure {
   Trait trait;
@@ -47,7 +51,8 @@ std::array<float, kStyleTerms> WeightsOf(const Taste& taste, const Document& d) 
   std::array<float, kStyleTerms> weights{};
   for (std::size_t term = 0; term < weights.size(); ++term) {
     if (jumps && measures[term].trait == primary.trait) continue;  // it is the primary term
-    if (SureOf(taste, measures[term].trait))
+    const Trait trait = measures[term].trait;
+    if (std::abs(TraitOf(taste.Weights(), trait)) > kLeastWeight * TraitOf(taste.Doubts(), trait))
       weights[term] = std::clamp(worth(measures[term]) / metre, -kMaxStyleWeight, kMaxStyleWeight);
   }
   return weights;

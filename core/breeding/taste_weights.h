@@ -14,9 +14,9 @@ namespace gaitsmith {
 }
 
 /// Weights for the document's task with which its fitness orders motions as the taste does, as far as style
-/// terms can: a metre of the primary term stays worth 1. Terms of which the taste is not sure get 0. If the
-/// taste does not care for the primary term, its metre still counts a little, because documents have no
-/// weight for it.
+/// terms can: a metre of the primary term stays worth 1. Terms whose weight is far smaller than its doubt get
+/// 0. If the taste does not care for the primary term, its metre still counts a little, because documents
+/// have no weight for it.
 [[nodiscard]] std::array<float, kStyleTerms> WeightsOf(const Taste&, const Document&);
 
 }  // namespace gaitsmith

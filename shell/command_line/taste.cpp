@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <map>
 
+#include "core/breeding/motion_traits.h"
 #include "core/breeding/taste_weights.h"
 #include "core/document/json.h"
-#include "core/rollout/evaluator.h"
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"
@@ -24,18 +24,14 @@ class Viewer {
     if (const auto known = seen_.find(path); known != seen_.end()) return known->second;
     const auto document = ReadDocument(path);
     if (!document) return std::unexpected(document.error());
-    if (document->timeline.empty()) return Fail(ErrorCode::kMissing, where, path + " has no motion");
     if (!first_) {
       first_ = *document;
     } else if (!SameTree(document->figure, first_->figure)) {
       return Fail(ErrorCode::kStructure, where, path + " has another figure than the motions before");
     }
-    const Controller& controller = FirstControllerOf(*document);
-    Problem problem = ReplayProblem(*document, controller);
-    problem.traits = true;
-    const Evaluation seen = Evaluator(problem).Evaluate(std::vector<Genome>{controller.genes}).front();
-    if (!(seen.fitness > kVoidScore)) return Fail(ErrorCode::kOutOfRange, where, path + " breaks physics");
-    return seen_[path] = seen.traits;
+    const auto traits = MotionTraits(*document);
+    if (!traits) return Fail(traits.error().code, where, path + " " + traits.error().what);
+    return seen_[path] = *traits;
   }
   /// The first document. Call after one was looked at.
   [[nodiscard]] const Document& First() const { return *first_; }

@@ -27,6 +27,8 @@ addToLibrary({
   gs_page_store_found: (id, text) => { callPage('storeFound', UTF8ToString(id), UTF8ToString(text)); },
   gs_page_ask_name__deps: ['$callPage', '$UTF8ToString'],
   gs_page_ask_name: (id, name, usual) => { callPage('askName', UTF8ToString(id), UTF8ToString(name), UTF8ToString(usual)); },
+  gs_page_learn_from__deps: ['$callPage', '$UTF8ToString'],
+  gs_page_learn_from: (id, more) => { callPage('learnFrom', UTF8ToString(id), more !== 0); },
   gs_page_open_dialog__deps: ['$callPage', '$UTF8ToString'],
   gs_page_open_dialog: (command) => { callPage('openDialog', UTF8ToString(command)); },
   gs_page_lab_ended__deps: ['$callPage'],

@@ -22,6 +22,7 @@ void gs_page_start_queued(const std::uint8_t* document, std::size_t bytes, int w
 void gs_page_start_preview(const std::uint8_t* document, std::size_t bytes, int workers);
 void gs_page_store_found(const char* id, const char* text);
 void gs_page_ask_name(const char* id, const char* name, const char* usual);
+void gs_page_learn_from(const char* id, int more);
 void gs_page_open_dialog(const char* command);
 void gs_page_lab_ended();
 void gs_page_save_text(const char* name, const char* text);
@@ -65,6 +66,8 @@ class WebHost final : public Host {
   void AskName(const std::string& id, const std::string& name, const std::string& usual) override {
     gs_page_ask_name(id.c_str(), name.c_str(), usual.c_str());
   }
+  [[nodiscard]] bool CanLearn() const override { return true; }
+  void LearnFrom(const std::string& id, bool more) override { gs_page_learn_from(id.c_str(), more ? 1 : 0); }
   [[nodiscard]] bool HasDialogs() const override { return true; }
   void OpenDialog(const std::string& command) override { gs_page_open_dialog(command.c_str()); }
   [[nodiscard]] double NowS() const override { return 1e-3 * emscripten_date_now(); }

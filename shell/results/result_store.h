@@ -33,6 +33,10 @@ class ResultStore {
   [[nodiscard]] bool CanAskName() const { return workspace_.TheHost().CanAskName(); }
   /// Asks the person for the name of a found motion.
   void AskName(const std::string& id) const;
+  /// Whether the host learns what the person likes.
+  [[nodiscard]] bool CanLearn() const { return workspace_.TheHost().CanLearn(); }
+  /// The person wants more, or less, like a found motion.
+  void LearnFrom(const std::string& id, bool more) const { workspace_.TheHost().LearnFrom(id, more); }
 
  private:
   Workspace& workspace_;

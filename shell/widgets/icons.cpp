@@ -93,6 +93,21 @@ void DrawIcon(ImDrawList* list, Icon icon, ImVec2 centre, float size, ImU32 colo
       pen.Stroke(
           {{-0.7f, 0.7f}, {-0.55f, 0.2f}, {0.4f, -0.75f}, {0.75f, -0.4f}, {-0.2f, 0.55f}, {-0.7f, 0.7f}});
       break;
+    case Icon::kHeart:
+    case Icon::kNoHeart:
+      pen.Stroke({{0.0f, 0.75f},
+                  {-0.65f, 0.1f},
+                  {-0.8f, -0.25f},
+                  {-0.65f, -0.6f},
+                  {-0.35f, -0.68f},
+                  {0.0f, -0.35f},
+                  {0.35f, -0.68f},
+                  {0.65f, -0.6f},
+                  {0.8f, -0.25f},
+                  {0.65f, 0.1f},
+                  {0.0f, 0.75f}});
+      if (icon == Icon::kNoHeart) pen.Stroke({{-0.8f, 0.8f}, {0.8f, -0.8f}});
+      break;
   }
 }
 

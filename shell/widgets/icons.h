@@ -21,7 +21,9 @@ enum class Icon {
   kStop,
   kBookmark,  // an outline, and filled for saved motions
   kBookmarkFull,
-  kPencil
+  kPencil,
+  kHeart,
+  kNoHeart  // struck through
 };
 
 /// @param size edge of the icon's square [points]; 14 suits 13 px type

@@ -61,6 +61,10 @@ class Host {
   /// @param name  its present name, or empty. @param usual  what is shown if the name is empty
   virtual void AskName(const std::string& /*id*/, const std::string& /*name*/, const std::string& /*usual*/) {
   }
+  /// Whether the host supports LearnFrom.
+  [[nodiscard]] virtual bool CanLearn() const { return false; }
+  /// Learns that the person wants more, or less, like a found motion.
+  virtual void LearnFrom(const std::string& /*id*/, bool /*more*/) {}
   /// Whether the host supports OpenDialog.
   [[nodiscard]] virtual bool HasDialogs() const { return false; }
   /// Opens a dialog of the host by its command, such as "document/share".

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every lesson has its parts and opens valid documents, and its goal is not met when it opens.
-// lessons_on_control_test.cpp and lessons_on_search_test.cpp measure the numbers in lessons. tests/web checks
+// lessons_on_*_test.cpp measure the numbers in lessons. tests/web checks
 // how a page displays the text.
 #include <algorithm>
 #include <catch_amalgamated.hpp>
@@ -17,9 +17,9 @@ namespace gaitsmith::test {
 
 namespace {
 
-const std::vector<std::string> kLessons = {"1-a-rule",  "2-how-search-finds",  "3-timer-or-senses",
-                                           "4-style",   "5-which-search-wins", "6-wind-up-toys",
-                                           "7-chaining"};
+const std::vector<std::string> kLessons = {"1-a-rule",   "2-how-search-finds",  "3-timer-or-senses",
+                                           "4-style",    "5-which-search-wins", "6-wind-up-toys",
+                                           "7-chaining", "8-the-judge"};
 
 }  // namespace
 

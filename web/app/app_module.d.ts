@@ -29,6 +29,7 @@ export interface PageForApp {
   /** Stores a found motion for the next visit. An empty text removes it. */
   storeFound(id: string, text: string): void;
   /** Opens a dialog by the command of the page that does so. */
+  learnFrom(id: string, more: boolean): void;
   openDialog(command: string): void;
   askName(id: string, name: string, usual: string): void;
   /** The lab is over, and has no more trials. */

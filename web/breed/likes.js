@@ -10,6 +10,7 @@ import { TRAITS } from '../search/engine.js';
 /** @typedef {import('../search/engine.js').Engine} Engine */
 /** @typedef {import('../search/engine.js').Comparison} Comparison */
 /** @typedef {import('./nursery.js').Child} Child */
+/** @typedef {{traits: Float32Array}} Seen */
 
 const KEY = 'gaitsmith-taste';
 const MOST = 600; // comparisons, the newest
@@ -30,7 +31,7 @@ export class Likes {
 
   get count() { return this.#comparisons.length; }
 
-  /** Each picked motion is preferred to each that was left. @param {Child[]} picked @param {Child[]} left */
+  /** Each picked motion is preferred to each that was left. @param {Seen[]} picked @param {Seen[]} left */
   learn(picked, left) {
     this.#add(picked.flatMap((one) => left.map((other) => ({ first: one.traits, second: other.traits, verdict: 0 }))));
   }

@@ -92,6 +92,9 @@ async function start() {
       askName: (id, name, usual) => {
         void openDialog(async () => (await import('./naming.js')).askName(app, id, name, usual));
       },
+      learnFrom: (id, more) => {
+        void openDialog(async () => (await import('../breed/judge.js')).learnFrom({ app, changed: gaitsmith }, id, more), trLater('Breeding could not be loaded.'));
+      },
       storeFound: (id, text) => parts?.results.store(id, text),
       labEnded: () => {
         parts?.searches.labEnded();

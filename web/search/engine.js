@@ -91,6 +91,12 @@ export class Engine {
     return this.#document(this.module._gs_child(this.#putWithGenomes(document, [genome])));
   }
 
+  /** How the motion of a document looks. @param {Uint8Array} document @returns {Float32Array} a number for each trait */
+  traitsOf(document) {
+    const at = this.orThrow(this.module._gs_document_traits(this.put(document)));
+    return new Float32Array(this.bytesAt(at, 4 * TRAITS).buffer);
+  }
+
   /** How motions look, in numbers (core/signal/traits.h). @returns {{name: string, unit: string, scale: number}[]} */
   get traits() { return JSON.parse(this.textAt(this.module._gs_traits())); }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/breeding/litter.h"
+#include "core/breeding/motion_traits.h"
 #include "core/breeding/taste_weights.h"
 #include "core/document/archive.h"
 #include "core/document/binary.h"
@@ -118,6 +119,19 @@ GS_EXPORT const char* gs_traits() {
     return json + "]";
   }();
   return kTraitsJson.c_str();
+}
+/// The traits of a document's motion, kTraits floats; null if it has none.
+GS_EXPORT const float* gs_document_traits(std::size_t size) {
+  static Traits kept;
+  const auto document = TakeDocument(size);
+  if (!document) return nullptr;
+  const auto traits = MotionTraits(*document);
+  if (!traits) {
+    Note(traits.error());
+    return nullptr;
+  }
+  kept = *traits;
+  return kept.data();
 }
 /// Learns from `count` comparisons in the input area: the traits of two motions, then the place of the
 /// verdict in kVerdictNames, as floats.

@@ -112,6 +112,8 @@ export interface EngineExports {
   _gs_brood_scores(role: Pointer): Pointer;
   /** Names, units and scales of the traits, as a JSON list, ending with a 0 byte. */
   _gs_traits(): Pointer;
+  /** The traits of a document's motion, kTraits floats; null if it has none. */
+  _gs_document_traits(size: number): Pointer;
   /**
    * Learns from `count` comparisons in the input area: the traits of two motions, then the place of the
    * verdict in kVerdictNames, as floats.

@@ -11,6 +11,7 @@ const TERMS = ['max_cm_height', 'slip_sum', 'rotations', 'effort', 'upright', 's
 const ROUNDS = 10;
 const QUESTIONS = 15;
 const PICKS = 3;
+const TURN = 5; // the round from which children that are good at the goal are preferred to ones that differ much
 
 const gaitsmith = resolve(process.argv[2] ?? '');
 const tune = process.argv.includes('--tune');
@@ -80,7 +81,7 @@ function byEye({ seed, first, worth, measured }, learns) {
   let parents = [first];
   let best = worth(measured(first));
   for (let round = 1; round <= ROUNDS; round++) {
-    const children = shownBy(run('breed', ...parents, '--seed', String(round), '--difference', '0.4', '--out-prefix', `${prefix}-${round}`))
+    const children = shownBy(run('breed', ...parents, '--seed', String(round), '--difference', '0.4', ...(round >= TURN ? ['--keep', 'goal'] : []), '--out-prefix', `${prefix}-${round}`))
       .sort((a, b) => worth(b.measures) - worth(a.measures));
     best = Math.max(best, worth(children[0]?.measures ?? {}));
     course.push(best);
@@ -110,7 +111,7 @@ function byPairs({ seed, first, worth, measured }) {
   const prefix = `pairs-${seed}`;
   const comparisons = ['first,second,verdict'];
   const course = /** @type {number[]} */ ([]);
-  let pool = shownBy(run('breed', first, '--seed', '1', '--difference', '0.6', '--out-prefix', `${prefix}-a`));
+  const pool = shownBy(run('breed', first, '--seed', '1', '--difference', '0.6', '--out-prefix', `${prefix}-a`));
   let best = Math.max(worth(measured(first)), ...pool.map(({ measures }) => worth(measures)));
   for (let question = 1; question <= QUESTIONS; question++) {
     const asked = pool.slice(-18);
@@ -120,11 +121,13 @@ function byPairs({ seed, first, worth, measured }) {
     comparisons.push(`${one.file},${other.file},${worth(one.measures) > worth(other.measures) ? 'first' : 'second'}`);
     writeFileSync(join(folder, `${prefix}.csv`), `${comparisons.join('\n')}\n`);
     run('taste', `${prefix}.csv`, '--out', `${prefix}-wish.json`);
-    run('synthesize', '--problem', `${prefix}-wish.json`, '--search', 'pose-cycle', '--evaluations', '4000', '--seed', String(question), '--out', `${prefix}-found.json`);
-    const found = measured(`${prefix}-found.json`);
+    const file = `${prefix}-found-${question}.json`;
+    run('synthesize', '--problem', `${prefix}-wish.json`, '--search', 'pose-cycle', '--evaluations', '4000', '--seed', String(question), '--out', file);
+    const found = measured(file);
+    pool.push({ file, measures: found });
     best = Math.max(best, worth(found));
     course.push(best);
-    if (question % 5 === 0) pool = [...pool, ...shownBy(run('breed', `${prefix}-found.json`, '--seed', String(question), '--difference', '0.6', '--out-prefix', `${prefix}-${question}`))];
+    if (question % 5 === 0) pool.push(...shownBy(run('breed', file, '--seed', String(question), '--difference', '0.6', '--out-prefix', `${prefix}-${question}`)));
   }
   return course;
 }

@@ -111,9 +111,16 @@ CardAction DrawButtons(Ui& ui, const Session& session, const FoundMotions::Entry
                   Tr("Make again, with the same seed and settings: {1}", scene),
                   found.origin != Origin::kByHand))
     action = CardAction::kAgain;
+  if (found.Moves() && session.Results().CanLearn()) {
+    if (buttons.Put(id + "/more", Icon::kHeart, Tr("More like this: {1}", scene)))
+      action = CardAction::kMoreLike;
+    if (buttons.Put(id + "/less", Icon::kNoHeart, Tr("Less like this: {1}", scene)))
+      action = CardAction::kLessLike;
+  }
   if (buttons.Put(id + "/delete", Icon::kClose, Tr("Delete: {1}", scene))) action = CardAction::kDelete;
   const ImRect rest = buttons.Rest();
   const std::string metres = MetresText(found);
+  if (ui.Letters().Width(Type::kStrong, metres) > rest.GetWidth() - 6.0f) return action;  // on phones
   ui.Letters().Draw(ui.Canvas(), Type::kStrong, {rest.Max.x - 6.0f, rest.GetCenter().y},
                     ui.Ink().ScoreInk(found.Score()), metres, Align::kRight);
   return action;

@@ -10,7 +10,7 @@
 
 namespace gaitsmith::shell {
 
-enum class CardAction { kNothing, kShow, kInsert, kKeep, kRename, kAgain, kDelete };
+enum class CardAction { kNothing, kShow, kInsert, kKeep, kRename, kAgain, kMoreLike, kLessLike, kDelete };
 
 /// The name given by a person, or else the title of its search.
 [[nodiscard]] std::string CardName(const FoundMotion&);

@@ -68,6 +68,10 @@ void Do(Session& session, CardAction action, const std::string& id) {
     case CardAction::kAgain:
       session.Queue().Repeat(id);
       return;
+    case CardAction::kMoreLike:
+    case CardAction::kLessLike:
+      session.Results().LearnFrom(id, action == CardAction::kMoreLike);
+      return;
     case CardAction::kDelete:
       session.Results().Motions().Remove(id);
       return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Breeding by eye: nine motions, picks, the family tree, taste, and links. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
+import { Mouse } from '../pointers.mjs';
 import { PageDriver, sleep } from '../page_driver.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
@@ -160,8 +161,32 @@ async function tastes(visit) {
   await page.close();
 }
 
+/** On the cards of results: more and less like this. @param {Visit} visit */
+async function cards({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const pointer = new Mouse(page);
+  const learned = () => page.call('learned', () => /** @type {unknown[]} */ (JSON.parse(localStorage.getItem('gaitsmith-taste') ?? '[]')).length);
+  await page.call('three results', async () => {
+    for (const seed of [1, 2, 3]) await window.gaitsmith.synthesize({ seed, evaluations: 400 });
+  });
+  const [newest, , oldest] = await page.call('results', () => window.gaitsmith.results().map(({ id, hash }) => ({ id, hash })));
+  await page.click('panels/3');
+  await pointer.press(`found/${newest.id}/less`);
+  await page.until('it is noted', () => document.querySelector('#toast')?.textContent === 'Noted: you prefer the other results to this one.');
+  assert.equal(await learned(), 2, 'two others are preferred');
+  assert.equal(await page.hash(), newest.hash, 'the stage stays');
+  await pointer.press(`found/${oldest.id}/more`);
+  await grown(page);
+  assert.equal(await page.hash(), oldest.hash, 'what is bred from is on the stage');
+  assert.equal(await learned(), 4);
+  assert.equal(await page.call('words', () => document.querySelector('#likes-from')?.textContent), 'Guessed from 4 comparisons. Grey: not sure yet.');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
 /** @type {import('./all.mjs').Scenario[]} */
 export const BREED_SCENARIOS = [
   ['breeds: nine children of picks, a family tree, Undo, and a link that grows the same children', breeds],
   ['learns a taste from picks and answers, keeps it, and makes it the style', tastes],
+  ['a result’s card: more like this breeds from it, less like this is remembered', cards],
 ];

@@ -10,6 +10,7 @@
 #include "core/document/json.h"
 #include "core/document/link.h"
 #include "core/search/evaluation_score.h"
+#include "tests/litter.h"
 #include "tests/scene.h"
 #include "tests/search_run.h"
 
@@ -37,15 +38,8 @@ Document Family() {
 }
 
 std::vector<Genome> Grown(const Document& nursery) {
-  const auto brood = BroodOf(nursery);
-  const Evaluator evaluator(NurseryProblem(nursery));
-  while (!brood->Done()) {
-    std::vector<Score> scores;
-    for (const Evaluation& one : evaluator.Evaluate(brood->Ask(64))) scores.push_back(ScoreOf(one));
-    brood->Tell(scores);
-  }
   std::vector<Genome> children;
-  for (const Brood::Member& child : brood->Children()) children.push_back(child.genome);
+  for (const Brood::Member& child : ChildrenOf(nursery)) children.push_back(child.genome);
   return children;
 }
 

@@ -133,6 +133,27 @@ TEST_CASE("taste: contradictions, neither, and the same motion twice say that no
   CHECK(Taste(alike).Weights() == Traits{});
 }
 
+TEST_CASE("taste: a small difference that decides is found among large ones that do not", "[taste]") {
+  // As with the first children of a motion that does not turn: all turn little, and they lie in all ways.
+  RandomStream random(3, 1, 4);
+  std::vector<Comparison> comparisons;
+  for (int i = 0; i < 60; ++i) {
+    Comparison one{RandomTraits(random), RandomTraits(random), Verdict::kFirst};
+    float& first = one.first[static_cast<std::size_t>(Trait::kTurns)];
+    float& second = one.second[static_cast<std::size_t>(Trait::kTurns)];
+    first *= 0.2f;
+    second *= 0.2f;
+    if (first < second) one.verdict = Verdict::kSecond;
+    comparisons.push_back(one);
+  }
+  const Taste taste(comparisons);
+  CHECK(SureOf(taste, Trait::kTurns));
+  for (std::size_t i = 0; i < kTraits; ++i) {
+    if (i == static_cast<std::size_t>(Trait::kTurns)) continue;
+    CHECK(std::abs(taste.Weights()[i]) < 0.5f * TraitOf(taste.Weights(), Trait::kTurns));
+  }
+}
+
 TEST_CASE("taste: thousands of unanimous comparisons stay finite", "[taste]") {
   Comparison one;
   one.first = With(Trait::kSpeed, 1e6f);
