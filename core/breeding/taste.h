@@ -30,7 +30,8 @@ class Taste {
   /// How much more likely, in log-odds, a motion is preferred that plainly has more of each trait (a
   /// TraitRow's scale). 0 if nothing is known.
   [[nodiscard]] const Traits& Weights() const { return weights_; }
-  /// Standard deviation of each weight; kPriorDoubt if nothing is known.
+  /// Standard deviation of each weight; kPriorDoubt if nothing is known, more if the shown motions differ too
+  /// little in the trait to show a preference of plain differences.
   [[nodiscard]] const Traits& Doubts() const { return doubts_; }
   /// The chance that the first motion is preferred to the second, (0, 1), without regard to doubt.
   [[nodiscard]] float ChanceOfFirst(const Traits& first, const Traits& second) const;

@@ -22,8 +22,11 @@ class Judge {
 
   /// @return the child that turns over most
   Document NextGeneration() {
-    const Document nursery =
-        NurseryOf(first_, parents_, {.seed = ++generation_, .difference = 0.5f, .task = first_.task});
+    BreedRound wish;
+    wish.seed = ++generation_;
+    wish.difference = 0.5f;
+    wish.task = first_.task;
+    const Document nursery = NurseryOf(first_, parents_, wish);
     std::vector<Document> children;
     for (const Brood::Member& child : ChildrenOf(nursery)) children.push_back(ChildOf(nursery, child.genome));
     std::ranges::stable_sort(children, std::greater(),

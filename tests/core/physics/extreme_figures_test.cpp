@@ -58,20 +58,20 @@ std::vector<Figure> Extremes() {
           Chain("sixteen in a row", kMaxRods, 0.3f)};
 }
 
-struct Beginning {
+struct ExtremeStart {
   const char* name;
   StartState start;
   std::vector<Push> pushes;
 };
 
-const std::vector<Beginning>& Beginnings() {
-  static const std::vector<Beginning> kBeginnings = {
+const std::vector<ExtremeStart>& ExtremeStarts() {
+  static const std::vector<ExtremeStart> kStarts = {
       {"stands", {}, {}},
       {"thrown at the ground", {0.0f, 100.0f, -100.0f, 40.0f}, {}},
       {"thrown away", {100.0f, -100.0f, 100.0f, -40.0f}, {}},
       {"struck", {}, {{2, 0, 1e6f, -1e6f}, {20, kCentreOfMass, -1e6f, -1e6f}}},
   };
-  return kBeginnings;
+  return kStarts;
 }
 
 /// The fastest rules that a document can contain.
@@ -111,7 +111,7 @@ TEST_CASE("extremes: figures keep the laws and their bits, whatever world they a
   for (const Figure& figure : Extremes()) {
     for (const float gravity : {0.0f, 9.8f, 100.0f}) {
       for (const float friction : {0.0f, 0.8f, 10.0f}) {
-        for (const Beginning& beginning : Beginnings()) {
+        for (const ExtremeStart& beginning : ExtremeStarts()) {
           CAPTURE(figure.name, gravity, friction, beginning.name);
           Document document;
           document.figure = figure;
