@@ -29,8 +29,8 @@ class Judge {
     const Document nursery = NurseryOf(first_, parents_, wish);
     std::vector<Document> children;
     for (const Brood::Member& child : ChildrenOf(nursery)) children.push_back(ChildOf(nursery, child.genome));
-    std::ranges::stable_sort(children, std::greater(),
-                             [](const Document& child) { return TermsOf(child).rotations; });
+    std::ranges::sort(children, std::greater(),
+                      [](const Document& child) { return TermsOf(child).rotations; });
     parents_ = {children[0].controllers[0], children[1].controllers[0]};
     for (std::size_t picked = 0; picked < 2; ++picked) {
       for (std::size_t left = 2; left < children.size(); ++left)

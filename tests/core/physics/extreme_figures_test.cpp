@@ -11,7 +11,7 @@ namespace gaitsmith::test {
 
 namespace {
 
-constexpr int kSteps = 150;
+constexpr int kMotionSteps = 150;
 constexpr float kPiRad = 3.1415927f;
 
 /// A chain of rods.
@@ -119,10 +119,10 @@ TEST_CASE("extremes: figures keep the laws and their bits, whatever world they a
           document.environment.friction = friction;
           document.start = beginning.start;
           document.pushes = beginning.pushes;
-          document.task.duration_steps = document.duration_steps = kSteps;
+          document.task.duration_steps = document.duration_steps = kMotionSteps;
           const auto attempt = [&] {
             ++motions;
-            sound += Try(document) > kSteps ? 1 : 0;
+            sound += Try(document) > kMotionSteps ? 1 : 0;
           };
           attempt();
           document.timeline = {{.controller = 0, .start_step = 0}};
@@ -149,7 +149,7 @@ TEST_CASE("extremes: on the steepest ground that rocks as fast as it may", "[phy
                             .slope_rad = -0.6f,
                             .sway_rad = 0.6f,
                             .sway_period_s = 0.5f};
-    document.task.duration_steps = document.duration_steps = 2 * kSteps;
+    document.task.duration_steps = document.duration_steps = 2 * kMotionSteps;
     Try(document);
     document.controllers = {Hasty(figure, SenseKind::kPhysical)};
     document.timeline = {{.controller = 0, .start_step = 0}};
