@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Takes pictures of the page, in build/screenshots: each panel in each theme on three screens.
 //   node tests/browser/pictures.mjs [words of the pictures to take, default all]
+//   node tests/browser/pictures.mjs door    what a newcomer meets, on five screens
 //   node tests/browser/pictures.mjs docs    the pictures of docs/pictures.md, in docs/pictures, of the README, and the link preview
 import assert from 'node:assert/strict';
 import { copyFile, mkdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { PageDriver } from './page_driver.mjs';
+import { PageDriver, sleep } from './page_driver.mjs';
 import { ROOT, serve, startChromium, stopAll } from './browsers.mjs';
 
 /** @type {[string, number, number, number][]} */
@@ -69,6 +70,71 @@ export async function takePictures(browser, address, wanted = '') {
   return count;
 }
 
+/** Presses a button that may be in the menu. @param {PageDriver} driver @param {string} selector */
+const press = (driver, selector) => driver.call('press', `document.querySelector('${selector}').click()`);
+
+/** What a newcomer meets, after the first screen. @type {Record<string, (driver: PageDriver) => Promise<unknown>>} */
+const STATES = {
+  first: () => Promise.resolve(),
+  found: async (driver) => {
+    await driver.click('stage/teach');
+    await driver.until('the gait', () => window.gaitsmith.results().length === 1);
+    await driver.until('the actions', () => window.gaitsmith.widgets().some(({ id }) => id === 'stage/another'));
+    await driver.until('two seconds of it', () => Number(window.gaitsmith.widgets().find(({ id }) => id === 'transport/scrub')?.value.replace(' s', '')) > 2);
+  },
+  share: async (driver) => {
+    await press(driver, '#share');
+    await driver.until('the dialog', () => document.querySelector('#share-dialog[open]') !== null);
+    await sleep(500);
+  },
+  open: async (driver) => {
+    await driver.page.evaluate(() => /** @type {HTMLDialogElement} */ (document.querySelector('#share-dialog')).close());
+    await press(driver, '#open');
+    await driver.until('the gallery', () => document.querySelectorAll('#open-dialog img, #open-dialog canvas').length > 3);
+    await sleep(1500);
+  },
+  breed: async (driver) => {
+    await driver.press('Escape');
+    await driver.press('Control+k');
+    await driver.page.keyboard.type('Breed');
+    await driver.press('Enter');
+    await driver.until('nine children', () => [...document.querySelectorAll('#breed-tiles .tile')].filter((tile) => /** @type {HTMLElement} */ (tile).title).length === 9);
+    await driver.press('2');
+    await sleep(1500);
+  },
+  drawing: async (driver) => {
+    await driver.press('Escape');
+    await press(driver, '#new');
+    const drawn = (await driver.widgets()).some(({ id }) => id === 'figures/draw');
+    if (!drawn) return; // low windows have no room for the row beside the stage
+    await driver.click('figures/draw');
+    await driver.until('the board', () => window.gaitsmith.widgets().some(({ id }) => id === 'figure/board'));
+  },
+};
+/** @type {[string, number, number, number, string][]} */
+const DOORS = [['desk', 1280, 720, 1, 'light'], ['large', 1920, 1080, 1, 'dark'], ['phone', 390, 844, 2, 'light'], ['sideways', 844, 390, 2, 'dark'],
+  ['tablet', 820, 1180, 1, 'light'], ['desk', 1280, 720, 1, 'projector'], ['desk', 1280, 720, 1, 'contrast']];
+
+/** Takes pictures of what a newcomer meets. @param {import('./browsers.mjs').Browser} browser @param {string} address @returns {Promise<number>} how many */
+async function takeDoor(browser, address) {
+  let count = 0;
+  for (const [screen, width, height, deviceScaleFactor, theme] of DOORS) {
+    const driver = await PageDriver.open(browser, address, { newcomer: true, plays: true });
+    await driver.page.setViewport({ width, height, deviceScaleFactor });
+    await driver.page.evaluate((name) => window.gaitsmith.run(`view/theme/${name}`), theme);
+    await driver.frames(10);
+    for (const [state, reach] of Object.entries(STATES)) {
+      await reach(driver);
+      await driver.frames(4);
+      await driver.page.screenshot({ path: /** @type {`${string}.png`} */ (join(FOLDER, `door-${screen}-${theme}-${state}.png`)) });
+      count++;
+    }
+    assert.deepEqual(driver.complaints, []);
+    await driver.close();
+  }
+  return count;
+}
+
 /** Takes the picture that chat programs show for a link: a figure that has moved far. @param {import('./browsers.mjs').Browser} browser @param {string} address */
 async function takePreview(browser, address) {
   const driver = await PageDriver.open(browser, `${address}?panels=none`);
@@ -100,7 +166,8 @@ if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   const browser = await startChromium();
   assert.ok(browser, 'Chromium is installed (./dev setup browsers)');
   const docs = process.argv[2] === 'docs';
-  console.log(`${await takePictures(browser, address, docs ? '' : process.argv[2])} pictures in build/screenshots`);
+  if (docs || process.argv[2] === 'door') console.log(`${await takeDoor(browser, address)} pictures of the door in build/screenshots`);
+  if (process.argv[2] !== 'door') console.log(`${await takePictures(browser, address, docs ? '' : process.argv[2])} pictures in build/screenshots`);
   if (docs) {
     await takePreview(browser, address);
     await takeFirstPress(browser, address);

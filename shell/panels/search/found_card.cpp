@@ -112,9 +112,9 @@ CardAction DrawButtons(Ui& ui, const Session& session, const FoundMotions::Entry
                   found.origin != Origin::kByHand))
     action = CardAction::kAgain;
   if (found.Moves() && session.Results().CanLearn()) {
-    if (buttons.Put(id + "/more", Icon::kHeart, Tr("More like this: {1}", scene)))
+    if (buttons.Put(id + "/like", Icon::kHeart, Tr("More like this: {1}", scene)))
       action = CardAction::kMoreLike;
-    if (buttons.Put(id + "/less", Icon::kNoHeart, Tr("Less like this: {1}", scene)))
+    if (buttons.Put(id + "/dislike", Icon::kNoHeart, Tr("Less like this: {1}", scene)))
       action = CardAction::kLessLike;
   }
   if (buttons.Put(id + "/delete", Icon::kClose, Tr("Delete: {1}", scene))) action = CardAction::kDelete;

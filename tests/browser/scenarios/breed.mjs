@@ -171,11 +171,11 @@ async function cards({ browser, address }) {
   });
   const [newest, , oldest] = await page.call('results', () => window.gaitsmith.results().map(({ id, hash }) => ({ id, hash })));
   await page.click('panels/3');
-  await pointer.press(`found/${newest.id}/less`);
+  await pointer.press(`found/${newest.id}/dislike`);
   await page.until('it is noted', () => document.querySelector('#toast')?.textContent === 'Noted: you prefer the other results to this one.');
   assert.equal(await learned(), 2, 'two others are preferred');
   assert.equal(await page.hash(), newest.hash, 'the stage stays');
-  await pointer.press(`found/${oldest.id}/more`);
+  await pointer.press(`found/${oldest.id}/like`);
   await grown(page);
   assert.equal(await page.hash(), oldest.hash, 'what is bred from is on the stage');
   assert.equal(await learned(), 4);
