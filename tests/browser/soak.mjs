@@ -26,8 +26,8 @@ const MAX_GROWTH_WITH_CODE = 1.1;
 const OWN = new Set(['array', 'string', 'concatenated string', 'sliced string', 'object', 'object shape', 'closure', 'regexp', 'number', 'symbol', 'bigint']);
 const MAX_SLOWDOWN = 2;
 const EDITS = 6; // between two measurements
-const WARM_ROUNDS = 6; // in which every search and every action comes once
-const LEAST_ROUNDS = 8; // measured, however slow the machine
+const CYCLE = 6; // rounds in which every search and every action comes once
+const LEAST_ROUNDS = 2 * CYCLE; // measured, however slow the machine
 
 const browser = await startChromium();
 if (!browser) throw new Error('Chromium is not installed (./dev setup browsers)');
@@ -197,7 +197,7 @@ const formatted = (sample) => Object.entries(sample).map(([name, value]) => (nam
 let round = 1;
 const full = Date.now();
 for (; round <= MAX_RESULTS + 20; round++) await search({ algorithm: 'rgt', seed: round, evaluations: 40 });
-for (const first = round; round < first + WARM_ROUNDS; round++) await work(round);
+for (const first = round; round < first + CYCLE; round++) await work(round);
 await weigh();
 console.log(`warm after ${Math.round((Date.now() - full) / 1000)} s, with ${await page.call('results', () => window.gaitsmith.results().length)} results`);
 
@@ -212,9 +212,11 @@ for (let line = start + LINE_MS; Date.now() - start < seconds * 1000 || samples.
   line += LINE_MS * Math.max(1, Math.ceil((Date.now() - line) / LINE_MS));
 }
 
-const quarter = samples.length / 4;
-const second = samples.slice(Math.floor(quarter), Math.floor(2 * quarter));
-const last = samples.slice(Math.floor(3 * quarter));
+// A quarter, or a whole cycle, because rounds of different kinds hold different memory.
+const part = Math.max(CYCLE, Math.floor(samples.length / 4));
+const from = Math.min(Math.floor(samples.length / 4), samples.length - 2 * part);
+const second = samples.slice(from, from + part);
+const last = samples.slice(-part);
 const wrong = /** @type {string[]} */ ([]);
 const lines = [`soak of ${Math.round((Date.now() - start) / 1000)} s: ${samples.length} rounds; medians of the second and of the last quarter`];
 const of = (/** @type {Sample[]} */ part, /** @type {string} */ name) => median(part.map((sample) => sample[name]));
