@@ -14,33 +14,17 @@ import { nativeHash } from './native.mjs';
 
 let passed = 0;
 let failed = 0;
-let again = 0; // passed at the second try
 
-/**
- * @param {string} name @param {() => Promise<void>} body
- * @param {() => Promise<void>} [tidy]  called after a failure. With it the body gets a second try: where a machine is so
- *   busy that a press comes frames late, a scenario may miss it. What is wrong in the page fails twice.
- */
-async function check(name, body, tidy) {
+/** @param {string} name @param {() => Promise<void>} body */
+async function check(name, body) {
   const start = performance.now();
   try {
     await body();
     passed++;
     console.log(`ok      ${name} (${((performance.now() - start) / 1000).toFixed(1)} s)`);
   } catch (error) {
-    console.log(`${tidy ? 'again ' : 'FAILED'}  ${name}\n        ${error instanceof Error ? error.message.replaceAll('\n', '\n        ') : error}`);
-    if (!tidy) {
-      failed++;
-      return;
-    }
-    again++;
-    await tidy();
-    const before = failed;
-    await check(name, body);
-    if (failed > before) {
-      again--;
-      await tidy();
-    }
+    failed++;
+    console.log(`FAILED  ${name}\n        ${error instanceof Error ? error.message.replaceAll('\n', '\n        ') : error}`);
   }
 }
 
@@ -88,8 +72,10 @@ async function drive(name, start) {
   const visit = /** @type {import('./scenarios/all.mjs').Visit} */ ({ name, browser, site, address, found: {}, link: '', figures: {} });
   const here = [name, name === chosen[0]?.[0] ? ONCE : name];
   for (const [claim, body] of scenarios.filter(([text, , where = name]) => text.includes(wanted) && here.includes(where))) {
+    const before = failed;
     const contexts = browser.browserContexts();
-    await check(`${name}: ${claim}`, () => body(visit), () => closeOthers(browser, [...contexts, visit.page?.page.browserContext()]));
+    await check(`${name}: ${claim}`, () => body(visit));
+    if (failed > before) await closeOthers(browser, [...contexts, visit.page?.page.browserContext()]);
   }
   await check(`${name}: golden motions and links have their pinned hashes`, async () => {
     const page = await PageDriver.open(browser, address);
@@ -122,5 +108,5 @@ for (const { name, browser, figures } of [first, ...others]) {
   for (const [what, value] of Object.entries(figures)) console.log(`${name}: ${what}: ${value}`);
 }
 stopAll();
-console.log(`\n${passed} passed, ${again} of them at the second try, ${failed} failed`);
+console.log(`\n${passed} passed, ${failed} failed`);
 process.exitCode = failed ? 1 : 0;

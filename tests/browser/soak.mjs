@@ -218,7 +218,7 @@ const from = Math.min(Math.floor(samples.length / 4), samples.length - 2 * part)
 const second = samples.slice(from, from + part);
 const last = samples.slice(-part);
 const wrong = /** @type {string[]} */ ([]);
-const lines = [`soak of ${Math.round((Date.now() - start) / 1000)} s: ${samples.length} rounds; medians of the second and of the last quarter`];
+const lines = [`soak of ${Math.round((Date.now() - start) / 1000)} s: ${samples.length} rounds; medians of the second and of the last quarter, or of whole cycles`];
 const of = (/** @type {Sample[]} */ part, /** @type {string} */ name) => median(part.map((sample) => sample[name]));
 const machine = of(last, 'machine, ms') / of(second, 'machine, ms');
 for (const name of Object.keys(samples[0] ?? {})) {

@@ -68,7 +68,7 @@ const EVALUATIONS = 8000;
 export const ONCE = 'once';
 /**
  * Scenarios of the canvas, of searches and of our own workers, which run the same code in every browser. A whole run does
- * not repeat them in the second browser, because that took a third of its time. BROWSER=firefox runs them there.
+ * not repeat them in the second browser (docs/design.md, 59). BROWSER=firefox runs them there.
  * @param {Scenario[]} scenarios @returns {Scenario[]}
  */
 const once = (scenarios) => scenarios.map(([claim, body, where = ONCE]) => [claim, body, where]);
