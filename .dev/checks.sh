@@ -124,7 +124,7 @@ check_webkit() { node tests/browser/webkit.mjs; }
 main_scenarios() { BROWSER=chromium node tests/browser/run.mjs build/site --main; }
 
 # Long enough to see a leak. ./dev soak runs longer.
-check_soak() { node tests/browser/soak.mjs 75; }
+check_soak() { node tests/browser/soak.mjs 120; }
 
 # Exit status of a stage that this machine cannot run: neither passed nor failed.
 LEFT_OUT=77
