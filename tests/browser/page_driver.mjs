@@ -105,6 +105,8 @@ export class PageDriver {
 
   /** Plays or pauses the motion, if the canvas shows the button. @param {boolean} playing */
   async play(playing) {
+    // A search that just ended starts what it found: the label is the frame's that follows.
+    await this.frames();
     const label = (await this.widgets()).find(({ id }) => id === 'transport/play')?.label;
     if (label && (label === 'Play') === playing) await this.page.evaluate(() => window.gaitsmith.run('motion/play'));
   }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The Open dialog: shipped motions that play, files and links. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
+import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { ROOT } from '../browsers.mjs';
 import { PageDriver, sleep } from '../page_driver.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
 
-const MOTIONS = 36;
+const MOTIONS = readdirSync(join(ROOT, 'examples/gallery')).filter((name) => name.endsWith('.json')).length;
 
 /** Opens the dialog and waits until a card is painted. @param {PageDriver} page */
 async function opened(page) {
