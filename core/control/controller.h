@@ -42,18 +42,27 @@ class ControllerShape {
   ControllerShape(ControllerKind kind, int units, SenseKind senses, const PortCount& ports)
       : kind_(kind), bank_(units, senses, ports), network_(units, ports) {}
 
+  /// The same, with genes of a body after those of the controller: one component more.
+  [[nodiscard]] ControllerShape WithBody(std::size_t genes) const {
+    ControllerShape shape = *this;
+    shape.body_ = genes;
+    return shape;
+  }
+
   [[nodiscard]] ControllerKind Kind() const { return kind_; }
   [[nodiscard]] const BankShape& Bank() const { return bank_; }           // only for rules
   [[nodiscard]] const NetworkShape& Network() const { return network_; }  // only for a network
-  [[nodiscard]] std::size_t Genes() const { return Begin(Components()); }
+  [[nodiscard]] std::size_t Genes() const { return Begin(Units()) + body_; }
+  /// Those of a body, at the end. 0: searches do not change it.
+  [[nodiscard]] std::size_t BodyGenes() const { return body_; }
 
   /// Number of components, which crossover exchanges as a whole and a mutation draws anew: a bank's rules, a
-  /// network's nodes.
-  [[nodiscard]] int Components() const {
-    return kind_ == ControllerKind::kNetwork ? network_.Nodes() : bank_.rules;
-  }
+  /// network's nodes, and the body.
+  [[nodiscard]] int Components() const { return Units() + (body_ > 0 ? 1 : 0); }
   /// The genes of a component by what they mean.
   [[nodiscard]] GeneGroups GroupsOf(int component) const {
+    if (component == Units())
+      return GeneGroups(Begin(component)).Add("body", GeneRole::kList, static_cast<int>(body_));
     return kind_ == ControllerKind::kNetwork ? network_.GroupsOf(component) : bank_.GroupsOf(component);
   }
   /// Calls back with the index of the low end of every interval. The high end is the next gene.
@@ -68,14 +77,21 @@ class ControllerShape {
   }
   /// The first gene of a component. Begin(Components()) is the number of all genes.
   [[nodiscard]] std::size_t Begin(int component) const {
+    if (component > Units()) return Genes();
     if (kind_ == ControllerKind::kNetwork) return network_.Node(component);
     return static_cast<std::size_t>(component) * static_cast<std::size_t>(bank_.GenesPerRule());
   }
 
  private:
+  /// A bank's rules, a network's nodes.
+  [[nodiscard]] int Units() const {
+    return kind_ == ControllerKind::kNetwork ? network_.Nodes() : bank_.rules;
+  }
+
   ControllerKind kind_ = ControllerKind::kRules;
   BankShape bank_;
   NetworkShape network_;
+  std::size_t body_ = 0;
 };
 
 /// A controller as a document holds it.

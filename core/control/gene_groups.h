@@ -16,6 +16,8 @@ using Gene = std::uint16_t;
 using Genome = std::vector<Gene>;
 
 inline constexpr Gene kGeneMax = 65535;
+/// A body's gene of this value leaves its part as it is.
+inline constexpr Gene kUnchangedGene = 32768;
 
 enum class GeneRole {
   /// Pairs of a low and a high end, low <= high, one pair for each sense. A pair over the whole grid (0 to

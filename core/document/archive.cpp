@@ -220,6 +220,13 @@ Result<void> CheckReferences(const Document& d) {
   if (auto figure = Validate(d.figure); !figure) {
     return Fail(figure.error().code, "figure." + figure.error().where, figure.error().what);
   }
+  if (!d.drawn.empty()) {
+    const Figure drawn{"", d.drawn};
+    if (auto figure = Validate(drawn); !figure)
+      return Fail(figure.error().code, "drawn" + figure.error().where.substr(4), figure.error().what);
+    if (!SameTree(drawn, d.figure))
+      return Fail(ErrorCode::kStructure, "drawn", "must have the rods of the figure, attached alike");
+  }
   if (auto senses = CheckSenses(d.senses, "senses"); !senses) return senses;
   if (auto kind = CheckKind(d.kind, d.senses, "kind"); !kind) return kind;
   if (auto fits = CheckControllers(d, d.controllers, "controllers"); !fits) return fits;

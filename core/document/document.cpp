@@ -57,9 +57,16 @@ Script ScriptOf(const Document& d) {
 
 Motion Simulate(const Document& d) { return Motion(ScriptOf(d)); }
 
+Figure AsDrawn(const Document& d) { return {d.figure.name, d.drawn.empty() ? d.figure.rods : d.drawn}; }
+
 Problem ProblemOf(const Document& d) {
   Problem problem = {d.figure, d.environment, d.start, d.pushes, d.task, d.senses, d.rules, d.kind};
   problem.model = d.model;
+  if (d.search.body != BodyFreedom::kNone) {
+    problem.bodies = {AsDrawn(d), kBodyTimes[static_cast<std::size_t>(d.search.body)]};
+    // Without a controller to start from, nothing of what was found before counts.
+    if (d.search.start < 0) problem.figure = problem.bodies->drawn;
+  }
   if (d.search.in_place_of >= 0) {
     const auto clip = static_cast<std::size_t>(d.search.in_place_of);
     const int start = d.timeline[clip].start_step;
@@ -95,12 +102,31 @@ Problem ReplayProblem(const Document& d, const Controller& controller) {
   problem.kind = controller.kind;
   problem.task.duration_steps = d.duration_steps;
   problem.beginnings.clear();
+  problem.figure = d.figure;
+  problem.bodies.reset();
   return problem;
 }
 
 SearchSpace SpaceOf(const Document& d) {
-  const int start = d.search.start;
-  return SpaceOf(ProblemOf(d), start < 0 ? Genome{} : d.controllers[static_cast<std::size_t>(start)].genes);
+  const Problem problem = ProblemOf(d);
+  if (d.search.start < 0) return SpaceOf(problem);
+  Genome start = d.controllers[static_cast<std::size_t>(d.search.start)].genes;
+  start.resize(problem.Shape().Genes(), kUnchangedGene);
+  return SpaceOf(problem, std::move(start));
+}
+
+Controller TakeFound(const Document& searched, Genome genome, Document& to) {
+  const Problem problem = ProblemOf(searched);
+  if (problem.bodies) {
+    const std::size_t of_body = problem.Shape().BodyGenes();
+    if (genome.size() >= of_body) {
+      to.drawn = problem.bodies->drawn.rods;
+      to.figure.rods = problem.WithBodyOf(genome).figure.rods;
+      genome.resize(genome.size() - of_body);
+      if (to.drawn == to.figure.rods) to.drawn.clear();
+    }
+  }
+  return {"", searched.kind, searched.senses, searched.rules, std::move(genome)};
 }
 
 std::string HashText(std::uint64_t hash) {

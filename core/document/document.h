@@ -36,6 +36,7 @@ struct Document {
   /// Version of the physical model, [1, kModelVersion]. A literal, because old documents keep their model.
   int model = 1;
   Figure figure;
+  std::vector<Rod> drawn;  // the figure's rods before a search changed the body; empty if none did
   Environment environment;
   StartState start;
   std::vector<Push> pushes;  // sorted by step
@@ -69,9 +70,16 @@ struct Document {
 /// be before the clip's start if the motion ends earlier. @param clip an index of the timeline
 [[nodiscard]] int EndOf(const Document& document, std::size_t clip);
 
+/// The figure as it was before a search changed its body.
+[[nodiscard]] Figure AsDrawn(const Document&);
+
 /// The problem defined by the search settings.
 [[nodiscard]] Problem ProblemOf(const Document&);
 [[nodiscard]] SearchSpace SpaceOf(const Document&);
+
+/// Gives a document the body of a genome that the search of `searched` found, if that changes bodies.
+/// @param to may be `searched`; its figure has the same tree. @return the genome's controller, without a name
+[[nodiscard]] Controller TakeFound(const Document& searched, Genome genome, Document& to);
 
 /// Whether two controllers of one figure have the same kind, senses and number of rules, so that their genes
 /// mean the same.

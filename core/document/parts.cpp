@@ -21,6 +21,7 @@ constexpr auto kFieldRows = std::to_array<FieldRow>({
     {"title", "", Part::kTitle},
     {"model", "", Part::kModel},
     {"figure", "", Part::kFigure},
+    {"drawn", "", Part::kFigure},
     {"environment", "", Part::kEnvironment},
     {"start", "", Part::kStart},
     {"pushes", "", Part::kPushes},

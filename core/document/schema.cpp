@@ -193,6 +193,7 @@ void Describe(Archive& ar, SearchSettings& search) {
   ar.Since(2, [&] { ar.Group("elites", [&] { Describe(ar, search.elites); }); });
   ar.Since(2, [&] { ar.Group("two_stage", [&] { Describe(ar, search.two_stage); }); });
   ar.Since(3, [&] { ar.Choice("heedless", search.variation.heedless, kHeedlessNames, vary.heedless); });
+  ar.Since(5, [&] { ar.Choice("body", search.body, kBodyFreedomNames, standard.body); });
 }
 
 void Describe(Archive& ar, Document& d) {
@@ -214,6 +215,7 @@ void Describe(Archive& ar, Document& d) {
   ar.Integer("duration_steps", d.duration_steps, 1, kMaxSteps, standard.duration_steps);
   ar.Group("view", [&] { Describe(ar, d.view); });
   ar.Since(4, [&] { ar.Group("lineage", [&] { Describe(ar, d.lineage, ports); }); });
+  ar.Since(5, [&] { ar.List("drawn", d.drawn, kMaxRods, [&](Rod& rod) { Describe(ar, rod); }); });
   ar.Hash("hash", d.hash);
 }
 

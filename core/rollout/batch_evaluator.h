@@ -2,6 +2,7 @@
 // Scores a batch of genomes side by side, with the plant of one model. Evaluator chooses the plant.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <span>
@@ -74,5 +75,48 @@ class PlantEvaluator final : public BatchEvaluator {
   bool with_hash_;
   float size_m_ = SizeOf(problem_.figure);
 };
+
+/// For problems in which genomes have bodies. The lanes of a plant share one, so only genomes with the same
+/// body are simulated side by side.
+template <template <int> class PlantOf, int W>
+class BodyEvaluator final : public BatchEvaluator {
+ public:
+  BodyEvaluator(const Problem& problem, bool with_hash)
+      : problem_(problem), body_genes_(problem.Shape().BodyGenes()), with_hash_(with_hash) {}
+
+  [[nodiscard]] std::size_t Lanes() const override { return W; }
+
+  void Evaluate(std::span<const std::span<const Gene>> genomes,
+                std::span<Evaluation> results) const override {
+    std::vector<char> scored(genomes.size(), 0);
+    for (std::size_t first = 0; first < genomes.size(); ++first) {
+      if (scored[first] != 0) continue;
+      std::vector<std::size_t> alike;
+      std::vector<std::span<const Gene>> controllers;
+      for (std::size_t i = first; i < genomes.size(); ++i) {
+        if (!std::ranges::equal(genomes[i].last(body_genes_), genomes[first].last(body_genes_))) continue;
+        scored[i] = 1;
+        alike.push_back(i);
+        controllers.push_back(genomes[i].first(genomes[i].size() - body_genes_));
+      }
+      std::vector<Evaluation> evaluations(alike.size());
+      PlantEvaluator<PlantOf, W>(problem_.WithBodyOf(genomes[first]), with_hash_)
+          .Evaluate(controllers, evaluations);
+      for (std::size_t i = 0; i < alike.size(); ++i) results[alike[i]] = evaluations[i];
+    }
+  }
+
+ private:
+  Problem problem_;
+  std::size_t body_genes_;
+  bool with_hash_;
+};
+
+/// The evaluator that a problem needs.
+template <template <int> class PlantOf, int W>
+std::shared_ptr<const BatchEvaluator> BatchEvaluatorOf(const Problem& problem, bool with_hash) {
+  if (problem.bodies) return std::make_shared<BodyEvaluator<PlantOf, W>>(problem, with_hash);
+  return std::make_shared<PlantEvaluator<PlantOf, W>>(problem, with_hash);
+}
 
 }  // namespace gaitsmith

@@ -11,7 +11,7 @@ namespace gaitsmith {
 Evaluator::Evaluator(const Problem& problem, bool with_hash)
     : Evaluator(WithPlantOf(
           problem.model, [&]<template <int> class PlantOf>() -> std::shared_ptr<const BatchEvaluator> {
-            return std::make_shared<PlantEvaluator<PlantOf, kDefaultLanes>>(problem, with_hash);
+            return BatchEvaluatorOf<PlantOf, kDefaultLanes>(problem, with_hash);
           })) {}
 
 std::vector<Evaluation> Evaluator::Evaluate(std::span<const std::span<const Gene>> genomes) const {

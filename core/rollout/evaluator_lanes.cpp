@@ -13,15 +13,15 @@ template <template <int> class PlantOf>
 std::shared_ptr<const BatchEvaluator> OfWidth(const Problem& problem, int lanes, bool with_hash) {
   switch (lanes) {
     case 1:
-      return std::make_shared<PlantEvaluator<PlantOf, 1>>(problem, with_hash);
+      return BatchEvaluatorOf<PlantOf, 1>(problem, with_hash);
     case 2:
-      return std::make_shared<PlantEvaluator<PlantOf, 2>>(problem, with_hash);
+      return BatchEvaluatorOf<PlantOf, 2>(problem, with_hash);
     case 4:
-      return std::make_shared<PlantEvaluator<PlantOf, 4>>(problem, with_hash);
+      return BatchEvaluatorOf<PlantOf, 4>(problem, with_hash);
     case 8:
-      return std::make_shared<PlantEvaluator<PlantOf, 8>>(problem, with_hash);
+      return BatchEvaluatorOf<PlantOf, 8>(problem, with_hash);
     default:
-      return std::make_shared<PlantEvaluator<PlantOf, 16>>(problem, with_hash);
+      return BatchEvaluatorOf<PlantOf, 16>(problem, with_hash);
   }
 }
 

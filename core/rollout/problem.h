@@ -2,11 +2,13 @@
 // A motion-synthesis problem: everything except the genome that determines a score.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "core/control/controller.h"
 #include "core/physics/environment.h"
-#include "core/physics/figure.h"
+#include "core/rollout/body_shape.h"
 #include "core/rollout/task.h"
 
 namespace gaitsmith {
@@ -39,13 +41,17 @@ struct Problem {
   std::vector<Beginning> beginnings = {};
   bool traits = false;  // whether evaluations measure how motions look
   int model = 1;        // version of the physical model, which chooses the plant, [1, kModelVersion]
+  /// The bodies that genomes may have, of which `figure` is the unchanged one. Nothing: all have that.
+  std::optional<BodyRange> bodies = {};
 
-  /// The shape of the controllers that the search tries.
+  /// The shape of the genomes that the search tries: controllers, and bodies if they may change.
   [[nodiscard]] ControllerShape Shape() const;
-  /// The shape for a plant that is not a model of documents.
+  /// The shape of the controllers alone.
   [[nodiscard]] ControllerShape ShapeFor(const PortCount& ports) const {
     return {kind, rules, senses.kind, ports};
   }
+  /// The problem of all genomes that have the body of this one, in which only controllers differ.
+  [[nodiscard]] Problem WithBodyOf(std::span<const Gene> genome) const;
 };
 
 }  // namespace gaitsmith

@@ -6,8 +6,9 @@
 
 namespace gaitsmith {
 
-std::vector<Sighting> SightingsOf(const Problem& problem, std::span<const Gene> genes, int count) {
-  if (problem.kind != ControllerKind::kRules) return {};
+std::vector<Sighting> SightingsOf(const Problem& searched, std::span<const Gene> genes, int count) {
+  if (searched.kind != ControllerKind::kRules) return {};
+  const Problem problem = searched.WithBodyOf(genes);
   return WithPlantOf(problem.model, [&]<template <int> class PlantOf>() {
     const typename PlantOf<1>::Body body(problem.figure);
     const Ports ports = PlantOf<1>::PortsOf(body);

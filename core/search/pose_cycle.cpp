@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/numeric/scalar_math.h"
 #include "core/search/rule_moves.h"
 
 namespace gaitsmith {
@@ -22,7 +23,13 @@ constexpr double kNarrowest = 1e-4;
 constexpr int kChildren = 4;         // of a climb's generation: one register
 constexpr std::size_t kMemory = 50;  // generations after which the climb forgets how good its parent was
 constexpr int kSightings = 32;
-constexpr int kMaxStream = 1000;  // exceeds every population
+constexpr int kMaxStream = 1000;    // exceeds every population
+constexpr int kPerBody = 4;         // genomes of the first batch that share a body: one register
+constexpr int kBodyTurn = 3;        // every so many generations of the climb change the body
+constexpr double kBodyMoves = 3.0;  // genes of a body that change at a time, on average
+constexpr double kLeastBodyStep = 0.01;
+constexpr double kBodyStepRatio = 30.0;
+constexpr int kBodyStream = kMaxStream - 1;
 
 /// Indices of the scores, the greatest fitness first; equals stay in order.
 std::vector<std::size_t> BestFirst(std::span<const Score> scores) {
@@ -65,6 +72,34 @@ std::pair<CycleForm, std::vector<double>> PoseCycle::Draw(int individual) const 
   return {form, DrawPoint(form, Space().shape.Bank(), random)};
 }
 
+Genome PoseCycle::DrawBody(int individual) const {
+  Genome body(Space().shape.BodyGenes(), kUnchangedGene);
+  if (individual < kPerBody) return body;  // the drawn one
+  RandomStream random = Stream(individual / kPerBody * kMaxStream + kBodyStream, 0);
+  for (Gene& gene : body) gene = random.Gene();
+  return body;
+}
+
+Genome PoseCycle::GenomeOf(const CycleForm& form, std::span<const double> point,
+                           std::span<const Gene> body) const {
+  Genome genome = CycleAt(form, point, Space().shape.Bank(), Space().senses.kind);
+  genome.insert(genome.end(), body.begin(), body.end());
+  return genome;
+}
+
+Genome PoseCycle::MoveBody(const Genome& parent, RandomStream& random) const {
+  const std::size_t genes = Space().shape.BodyGenes();
+  const double chance = std::min(1.0, kBodyMoves / static_cast<double>(genes));
+  Genome child = parent;
+  const double step = kLeastBodyStep * Exp(random.Uniform() * Log(kBodyStepRatio));
+  do {
+    for (std::size_t i = child.size() - genes; i < child.size(); ++i) {
+      if (random.Chance(chance)) child[i] = GeneOf(child[i] * (1.0 / kGeneMax) + step * random.Normal());
+    }
+  } while (child == parent);
+  return child;
+}
+
 PoseCycle::Contender PoseCycle::Enter(const CycleForm& form, std::vector<double> point, int stream) const {
   Contender one;
   one.form = form;
@@ -87,8 +122,13 @@ std::vector<Genome> PoseCycle::Propose() const {
   std::vector<Genome> batch;
   const ControllerShape& shape = Space().shape;
   if (!parent_.genome.empty()) {
+    const bool body = shape.BodyGenes() > 0 && generation_ % kBodyTurn == 0;
     for (int k = 0; k < kChildren; ++k) {
       RandomStream random = Stream(k, generation_);
+      if (body && shape.Kind() == ControllerKind::kRules) {
+        batch.push_back(MoveBody(parent_.genome, random));
+        continue;
+      }
       batch.push_back(shape.Kind() == ControllerKind::kRules
                           ? MoveRules(parent_.genome, sightings_, shape.Bank(), random)
                           : Perturb(parent_.genome, shape, Space().senses, Settings().variation, random));
@@ -98,7 +138,7 @@ std::vector<Genome> PoseCycle::Propose() const {
   for (const Contender& one : contenders_) {
     if (!InRung(one)) continue;
     for (const auto& point : PointsOf(one))
-      batch.push_back(CycleAt(one.form, point, shape.Bank(), Space().senses.kind));
+      batch.push_back(GenomeOf(one.form, point, BodyIn(one.best.genome)));
   }
   if (!batch.empty()) return batch;
   if (!Space().start.empty()) return {Space().start};
@@ -108,7 +148,7 @@ std::vector<Genome> PoseCycle::Propose() const {
       continue;
     }
     const auto [form, point] = Draw(k);
-    batch.push_back(CycleAt(form, point, shape.Bank(), Space().senses.kind));
+    batch.push_back(GenomeOf(form, point, DrawBody(k)));
   }
   return batch;
 }
@@ -167,7 +207,7 @@ void PoseCycle::BeginRace(std::span<const Score> scores) {
     const std::size_t drawn = order[static_cast<std::size_t>(i)];
     const auto [form, point] = Draw(static_cast<int>(drawn));
     contenders_.push_back(Enter(form, point, i + 1));
-    contenders_.back().best = {CycleAt(form, point, Space().shape.Bank(), Space().senses.kind),
+    contenders_.back().best = {GenomeOf(form, point, DrawBody(static_cast<int>(drawn))),
                                scores[drawn].fitness};
   }
   rung_ = kFirstRung;
@@ -186,7 +226,7 @@ void PoseCycle::Adapt(Contender& one, std::span<const Score> scores) {
   const float fitness = scores[order.front()].fitness;
   one.stale = fitness > one.best.fitness + kGain ? 0 : one.stale + 1;
   if (fitness > one.best.fitness) {
-    one.best = {CycleAt(one.form, ranked.front(), Space().shape.Bank(), Space().senses.kind), fitness};
+    one.best = {GenomeOf(one.form, ranked.front(), BodyIn(one.best.genome)), fitness};
   }
   one.ended = one.stale > kPatience || !one.distribution.Sound() || one.distribution.Spread() < kNarrowest;
 }

@@ -10,6 +10,10 @@
 //    or as the parent was some generations before: late acceptance [Burke Bykov 2017]. So the climb can leave
 //    a summit; the search keeps the best of all.
 //
+// Where the body may change, each contender has its own throughout the race, the first of them the drawn one,
+// and every third generation of the climb changes the body alone. So most genomes that are proposed together
+// share a body, which lets them be simulated side by side.
+//
 // A search that is given a start begins with the third step. Networks have no rules: the best of some random
 // ones is perturbed.
 #pragma once
@@ -47,6 +51,16 @@ class PoseCycle final : public BatchSearch {
   /// Whether the controllers can be pose cycles.
   [[nodiscard]] bool HasCycles() const;
   [[nodiscard]] std::pair<CycleForm, std::vector<double>> Draw(int individual) const;
+  /// The genes of the body that an individual of the first batch has.
+  [[nodiscard]] Genome DrawBody(int individual) const;
+  /// The genome of a point, with the body of another genome.
+  [[nodiscard]] Genome GenomeOf(const CycleForm&, std::span<const double> point,
+                                std::span<const Gene> body) const;
+  [[nodiscard]] std::span<const Gene> BodyIn(const Genome& genome) const {
+    return std::span(genome).last(Space().shape.BodyGenes());
+  }
+  /// A genome of which only the body differs.
+  [[nodiscard]] Genome MoveBody(const Genome& parent, RandomStream&) const;
   [[nodiscard]] Contender Enter(const CycleForm&, std::vector<double> point, int stream) const;
   [[nodiscard]] bool InRung(const Contender& one) const { return !one.ended && one.evaluations < rung_; }
   /// The points of a contender's next generation, clamped to the cube.

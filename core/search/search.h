@@ -98,6 +98,16 @@ struct Handover {
   int step = 0;  // [0, kMaxSteps - 1]
 };
 
+/// How far a search may change the figure's body.
+enum class BodyFreedom {
+  kNone,    // it stays as it is
+  kLittle,  // parts may become a quarter longer, heavier or wider, or as much shorter …
+  kLot,     // … twice as long, or half as long
+};
+inline constexpr std::array<std::string_view, 3> kBodyFreedomNames = {"none", "little", "lot"};
+/// By how many times a part may differ from what was drawn.
+inline constexpr std::array<float, 3> kBodyTimes = {1.0f, 1.25f, 2.0f};
+
 struct SearchSettings {
   Algorithm algorithm = Algorithm::kSphc;
   std::uint32_t seed = 1;
@@ -105,6 +115,7 @@ struct SearchSettings {
   int population = 10;        // SPHC, [2, 1000]; Table 2: 10
   int reseed_interval = 200;  // SPHC: generations between reseedings, [1, 1 million]; Table 2: 200
   Variation variation;
+  BodyFreedom body = BodyFreedom::kNone;
   int start = -1;  // controller of the document that the search starts with; -1: a random one
   /// The clip that the controller replaces. The controller is scored from the state in which the clips before
   /// it leave the figure, for the duration of the clip. -1: scored from the start, for the duration of the

@@ -74,8 +74,8 @@ Outcome SynthesizeCommand(Words words) {
       [&](const SearchProgress& progress) { bar.Draw(progress); }, SpaceOf(document).start);
 
   const auto algorithm = kAlgorithmNames[static_cast<std::size_t>(document.search.algorithm)];
-  const Controller controller{"found by " + std::string(algorithm), document.kind, document.senses,
-                              document.rules, found.best_genome};
+  Controller controller = TakeFound(document, found.best_genome, document);
+  controller.name = "found by " + std::string(algorithm);
   if (auto put = PutFound(controller, request->own, document); !put) return std::unexpected(put.error());
   document.hash = Simulate(document).Hash();
   if (auto written = WriteText(arguments->Last("out"), EncodeJson(document)); !written) return written;

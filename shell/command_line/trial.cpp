@@ -36,7 +36,7 @@ std::optional<std::vector<std::string>> RunTrial(const Study& study, std::size_t
     evaluations += search->Evaluations() - before;
   }
   Document found = document;
-  found.controllers.push_back({"", document.kind, document.senses, document.rules, search->BestGenome()});
+  found.controllers.push_back(TakeFound(document, search->BestGenome(), found));
   found.timeline = {{static_cast<int>(found.controllers.size()) - 1, 0}};
   found.duration_steps = document.task.duration_steps;
   const Motion motion = Simulate(found);

@@ -28,11 +28,7 @@ std::string FoundId(const Document& document) {
 
 Document FoundDocument(const Document& searched, Genome genes) {
   Document found = SearchOf(searched);
-  found.controllers.push_back({.name = "",
-                               .kind = found.kind,
-                               .senses = found.senses,
-                               .rules = found.rules,
-                               .genes = std::move(genes)});
+  found.controllers.push_back(TakeFound(found, std::move(genes), found));
   const auto added = static_cast<int>(found.controllers.size()) - 1;
   found.controllers.back().name = MotionName(found, added);
   found.timeline = {{.controller = added, .start_step = 0}};

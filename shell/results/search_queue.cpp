@@ -25,6 +25,11 @@ Document SearchOf(const Document& document) {
     search.controllers.push_back(std::move(start));
     search.search.start = 0;
   }
+  // Without a controller to start from, nothing of what was found before counts, the body included.
+  if (search.search.body != BodyFreedom::kNone && search.search.start < 0) {
+    search.figure = AsDrawn(search);
+    search.drawn.clear();
+  }
   search.duration_steps = search.task.duration_steps;
   return search;
 }

@@ -261,21 +261,16 @@ bool SearchRun::ShowImprovement(double seconds) {
   shown_for_s_ = 0.0;
   Genome genes = std::exchange(improvement_, {});
   if (!ShowsImprovements()) return false;
-  const Document& searched = job_->document;
-  ShowController({.name = "",
-                  .kind = searched.kind,
-                  .senses = searched.senses,
-                  .rules = searched.rules,
-                  .genes = std::move(genes)});
+  ShowGenome(std::move(genes));
   return true;
 }
 
-// Gives the searched clip this controller. Other clips keep theirs, and controllers without a clip are
-// removed.
-void SearchRun::ShowController(Controller controller) {
+// Gives the searched clip this genome's controller. Other clips keep theirs, and controllers without a clip
+// are removed.
+void SearchRun::ShowGenome(Genome genes) {
   const bool first = workspace_.Doc().timeline.empty();
   auto next = workspace_.Edited([&](Document& d) {
-    d.controllers.push_back(std::move(controller));
+    d.controllers.push_back(TakeFound(job_->document, std::move(genes), d));
     const int added = static_cast<int>(d.controllers.size()) - 1;
     if (d.timeline.empty()) d.timeline.push_back({0, 0});
     const int clip = std::clamp(job_->clip, 0, static_cast<int>(d.timeline.size()) - 1);

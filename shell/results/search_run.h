@@ -119,7 +119,7 @@ class SearchRun {
   };
   [[nodiscard]] Document ShortClimb() const;
   void Prepare(Document wanted, Source, int occasion);
-  void ShowController(Controller);
+  void ShowGenome(Genome);
   void RecordResult();
   void ReportEnd(const std::string& of_queue, const std::string& found);
 

@@ -24,14 +24,11 @@ void Attempts::Begin(const Document& searched) {
 void Attempts::Add(const Genome& genes, double now_s) {
   if (genes.empty() || now_s - added_s_ < kEveryS) return;
   added_s_ = now_s;
-  searched_.controllers = {{.name = "",
-                            .kind = searched_.kind,
-                            .senses = searched_.senses,
-                            .rules = searched_.rules,
-                            .genes = genes}};
-  if (!Validate(searched_)) return;  // a report that does not fit the search
+  Document tried = searched_;
+  tried.controllers = {TakeFound(searched_, genes, tried)};
+  if (!Validate(tried)) return;  // a report that does not fit the search
   if (shown_.size() == kMost) shown_.pop_front();
-  shown_.emplace_back().Load(searched_, true);
+  shown_.emplace_back().Load(tried, true);
   if (shown_.back().Shown().TermsAt(shown_.back().Shown().Frames() - 1).broke_physics) shown_.pop_back();
 }
 

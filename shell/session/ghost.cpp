@@ -41,6 +41,7 @@ void Ghost::Load(const Documents& documents) {
   if (kind_ == Kind::kNone) return;
   Document document = kind_ == Kind::kEarlier ? documents.earlier : documents.shown;
   if (kind_ == Kind::kFound) {
+    document.figure = found_.figure;
     document.controllers = found_.controllers;
     document.timeline = found_.timeline;
   } else if (kind_ == Kind::kController) {

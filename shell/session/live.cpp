@@ -99,6 +99,7 @@ void Live::StartFinal(Document wanted) {
 void Live::SearchAnew() {
   if (!changed_ || search_.Busy()) return;
   Document wanted = SearchedWith(workspace_.Doc(), kQuickEvaluations, workspace_.Doc().search.seed);
+  wanted.search.body = workspace_.Doc().search.body;
   StartFinal(std::move(wanted));
 }
 

@@ -135,6 +135,7 @@ bool Session::ReplaceFigure(const Figure& figure) {
   const bool fits = SameTree(figure, Doc().figure);
   const Edit edit = [&](Document& d) {
     d.figure = figure;
+    d.drawn.clear();
     if (fits) return;
     Strip(d);
     d.title = figure.name;
@@ -151,6 +152,22 @@ bool Session::ReplaceFigure(const Figure& figure) {
         "The old controllers do not fit the changed figure, so they were removed. Undo brings them back."));
   }
   return changed;
+}
+
+bool Session::CanTryBrain(const Document& other) const {
+  return SameTree(other.figure, Doc().figure) && other.figure.rods != Doc().figure.rods;
+}
+
+void Session::TryBrain(const std::string& id) {
+  const FoundMotions::Entry* entry = results_.Motions().Find(id);
+  if (entry == nullptr || !CanTryBrain(entry->motion.document)) return;
+  Document tried = entry->motion.document;
+  tried.figure = Doc().figure;
+  tried.drawn = Doc().drawn;
+  tried.hash.reset();
+  KeepGoal(Doc(), tried);
+  if (!Replace(std::move(tried), true)) return;
+  workspace_.Say(Tr("Another brain drives this body. Undo restores the previous version."));
 }
 
 void Session::ChooseFigure(int index) {

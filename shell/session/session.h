@@ -85,6 +85,10 @@ class Session {
   void ChangeGoal(const Edit& edit);
   /// Changes the view, which Undo ignores.
   void SetView(const std::function<void(View&)>& edit) { workspace_.SetView(edit); }
+  /// Whether the controllers of a document would drive the figure in hand with another body than their own.
+  [[nodiscard]] bool CanTryBrain(const Document& other) const;
+  /// Lets the controllers of a result drive the figure in hand, whose body stays.
+  void TryBrain(const std::string& id);
   /// Changes the figure: controllers that do not fit are removed, with a sentence that says so.
   bool ReplaceFigure(const Figure& figure);
 

@@ -108,6 +108,10 @@ void DrawIcon(ImDrawList* list, Icon icon, ImVec2 centre, float size, ImU32 colo
                   {0.0f, 0.75f}});
       if (icon == Icon::kNoHeart) pen.Stroke({{-0.8f, 0.8f}, {0.8f, -0.8f}});
       break;
+    case Icon::kSwap:
+      pen.Stroke({{-0.8f, -0.35f}, {0.75f, -0.35f}, {0.4f, -0.75f}});
+      pen.Stroke({{0.8f, 0.35f}, {-0.75f, 0.35f}, {-0.4f, 0.75f}});
+      break;
   }
 }
 

@@ -23,7 +23,8 @@ enum class Icon {
   kBookmarkFull,
   kPencil,
   kHeart,
-  kNoHeart  // struck through
+  kNoHeart,  // struck through
+  kSwap
 };
 
 /// @param size edge of the icon's square [points]; 14 suits 13 px type

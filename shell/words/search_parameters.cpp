@@ -12,6 +12,8 @@ namespace {
 constexpr std::array<const char*, 2> kReadings = {TrLater("Per child"), TrLater("Per component")};
 constexpr std::array<const char*, 2> kCopies = {TrLater("Kept"), TrLater("Perturbed")};
 constexpr std::array<const char*, 2> kHeedless = {TrLater("Allowed"), TrLater("Forbidden")};
+constexpr std::array<const char*, 3> kBodies = {TrLater("Stays as it is"), TrLater("May change a little"),
+                                                TrLater("May change a lot")};
 constexpr std::array<const char*, 2> kCmaGenes = {TrLater("Of used senses"), TrLater("All")};
 constexpr std::array<const char*, 3> kCovariances = {TrLater("Automatic"), TrLater("Full"),
                                                      TrLater("Variances only")};
@@ -25,6 +27,13 @@ const std::vector<Row>& AlgorithmRows() {
   using S = SearchSettings;
   using namespace settings_group;
   static const std::vector<Row> kRows = {
+      {0,
+       {"search/body", TrLater("The body"),
+        TrLater(
+            "Lengths, masses and joint limits may change by a quarter, or to twice and half. Total length "
+            "and mass stay."),
+        ChoiceParameter{kBodies, [](const S& s) { return static_cast<int>(s.body); },
+                        [](S& s, int i) { s.body = static_cast<BodyFreedom>(i); }}}},
       {kClimbs,
        {"search/population", TrLater("Population"), TrLater("Number of parallel candidates."),
         WholeParameter{2, 1000, 1, [](S& s) -> int& { return s.population; }}}},

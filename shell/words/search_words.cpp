@@ -25,8 +25,11 @@ std::string SearchName(const Document& d) {
 }
 
 std::string SearchLine(const Document& d) {
-  return Tr("{1} · seed {2} · {3} evaluations", AlgorithmName(d.search.algorithm),
-            std::to_string(d.search.seed), Grouped(d.search.evaluations));
+  const std::string line = Tr("{1} · seed {2} · {3} evaluations", AlgorithmName(d.search.algorithm),
+                              std::to_string(d.search.seed), Grouped(d.search.evaluations));
+  if (d.search.body == BodyFreedom::kNone) return line;
+  return line + " · " +
+         Tr(d.search.body == BodyFreedom::kLittle ? "body may change a little" : "body may change a lot");
 }
 
 std::string ControlModeWords(ControllerKind kind, const SenseSpec& senses) {

@@ -161,18 +161,22 @@ export class PageDriver {
     })`);
   }
 
-  /** Clicks a widget of the canvas with the mouse, when it no longer moves. @param {string} id */
-  async click(id) {
+  /** Where a widget of the canvas is, when it no longer moves. @param {string} id */
+  async placeOf(id) {
     let last = '';
     for (const start = Date.now(); ; await this.frames()) {
       const widget = (await this.widgets()).find((candidate) => candidate.id === id);
       const place = widget ? JSON.stringify(widget.rect) : '';
-      if (widget && place === last) {
-        return this.clickAt(widget.rect.x + widget.rect.width / 2, widget.rect.y + widget.rect.height / 2);
-      }
+      if (widget && place === last) return widget.rect;
       last = place;
       assert.ok(Date.now() - start < PATIENCE_MS, `no widget ${id} at rest on the canvas`);
     }
+  }
+
+  /** Clicks a widget of the canvas with the mouse, when it no longer moves. @param {string} id */
+  async click(id) {
+    const { x, y, width, height } = await this.placeOf(id);
+    return this.clickAt(x + width / 2, y + height / 2);
   }
 
   /** Clicks slowly: the canvas hovers in one frame, presses in the next and releases in a third. @param {number} x @param {number} y */

@@ -106,6 +106,13 @@ test('language: every text of the canvas and of the page has its translation', (
   }
 });
 
+test('language: every motion of the gallery has a translated title', async () => {
+  for (const document of await texts('examples/gallery', /\.json$/)) {
+    const { title } = JSON.parse(document);
+    for (const [file, { titles }] of tables) assert.ok(titles[title], `${file}: ${title}`);
+  }
+});
+
 test('language: every translated text is used', async () => {
   const core = (await texts('core', /\.(h|cpp)$/)).join('\n');
   const named = core + [...await texts('shell', /\.(h|cpp)$/), ...await texts('examples', /\.json$/)].join('\n');

@@ -145,6 +145,12 @@ void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
   ui.Gap(6.0f);
   DrawProblems(ui, session, state);
   ui.Gap(10.0f);
+  if (!session.Doc().drawn.empty()) {
+    ui.Paragraph(Tr("A search changed this body."), Type::kNote);
+    if (ui.Button("figure/as-drawn", ui.ControlRow(), Tr("Back to the drawn body")))
+      session.ReplaceFigure(AsDrawn(session.Doc()));
+    ui.Gap(10.0f);
+  }
   static constexpr std::array<const char*, 2> kTools = {TrLater("Move"), TrLater("Add a rod")};
   const ImRect tools = ui.Row(ui.Look().touch ? 44.0f : 34.0f);
   int tool = static_cast<int>(state.board.tool);

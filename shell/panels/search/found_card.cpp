@@ -117,6 +117,9 @@ CardAction DrawButtons(Ui& ui, const Session& session, const FoundMotions::Entry
     if (buttons.Put(id + "/dislike", Icon::kNoHeart, Tr("Less like this: {1}", scene)))
       action = CardAction::kLessLike;
   }
+  if (found.Moves() && session.CanTryBrain(found.document) &&
+      buttons.Put(id + "/brain", Icon::kSwap, Tr("Try on the body in hand: {1}", scene)))
+    action = CardAction::kBrain;
   if (buttons.Put(id + "/delete", Icon::kClose, Tr("Delete: {1}", scene))) action = CardAction::kDelete;
   const ImRect rest = buttons.Rest();
   const std::string metres = MetresText(found);

@@ -10,7 +10,18 @@
 
 namespace gaitsmith::shell {
 
-enum class CardAction { kNothing, kShow, kInsert, kKeep, kRename, kAgain, kMoreLike, kLessLike, kDelete };
+enum class CardAction {
+  kNothing,
+  kShow,
+  kInsert,
+  kKeep,
+  kRename,
+  kAgain,
+  kMoreLike,
+  kLessLike,
+  kBrain,
+  kDelete
+};
 
 /// The name given by a person, or else the title of its search.
 [[nodiscard]] std::string CardName(const FoundMotion&);

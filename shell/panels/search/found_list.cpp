@@ -72,6 +72,9 @@ void Do(Session& session, CardAction action, const std::string& id) {
     case CardAction::kLessLike:
       session.Results().LearnFrom(id, action == CardAction::kMoreLike);
       return;
+    case CardAction::kBrain:
+      session.TryBrain(id);
+      return;
     case CardAction::kDelete:
       session.Results().Motions().Remove(id);
       return;

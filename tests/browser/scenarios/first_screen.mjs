@@ -37,7 +37,7 @@ async function follow({ browser, address, name }) {
     const where = `${size.width}×${size.height}`;
     await page.page.setViewport(size);
     await page.frames(6);
-    const stage = (await page.widgets()).find(({ id }) => id === 'stage')?.rect ?? assert.fail('no stage');
+    const stage = await page.placeOf('stage');
     const at = { x: stage.x + stage.width - 60, y: stage.y + 0.6 * stage.height };
     await new Mouse(page).drag(at, { x: at.x - 80, y: at.y });
     const all = await page.widgets();

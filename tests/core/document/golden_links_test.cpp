@@ -108,6 +108,10 @@ TEST_CASE("golden links: every link of version 4 opens with its motion", "[golde
   CheckLinks(4, 3);
 }
 
+TEST_CASE("golden links: every link of version 5 opens with its motion", "[golden][links]") {
+  CheckLinks(5, 2);
+}
+
 // Separate cases, which run side by side: this is the longest test.
 TEST_CASE("golden links: no link of version 1 that was changed in one byte or cut short opens",
           "[golden][links]") {
@@ -127,6 +131,11 @@ TEST_CASE("golden links: no link of version 3 that was changed in one byte or cu
 TEST_CASE("golden links: no link of version 4 that was changed in one byte or cut short opens",
           "[golden][links]") {
   CheckDamage(4);
+}
+
+TEST_CASE("golden links: no link of version 5 that was changed in one byte or cut short opens",
+          "[golden][links]") {
+  CheckDamage(5);
 }
 
 }  // namespace gaitsmith::test

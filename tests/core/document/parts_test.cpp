@@ -92,6 +92,7 @@ Document Full() {
   d.figure = {"Hinge", {Rod{}, Rod{}}};
   d.figure.rods[1].parent = 0;
   d.figure.rods[1].length_m = 2.0f;
+  d.drawn = d.figure.rods;
   d.pushes = {{.step = 3, .endpoint = 0, .impulse_x_ns = 1.0f}};
   Controller controller{.name = "One", .senses = d.senses, .rules = 2, .genes = {}};
   controller.genes.assign(BankShape(2, d.senses.kind, 2).Genes(), 7);
@@ -126,6 +127,7 @@ const std::map<std::string, Part>& ExpectedParts() {
       {"duration_steps", Part::kDuration},
       {"view", Part::kView},
       {"lineage", Part::kLineage},
+      {"drawn", Part::kFigure},
       {"hash", Part::kHash},
   };
   return kParts;
