@@ -9,10 +9,10 @@
 namespace gaitsmith {
 
 Evaluator::Evaluator(const Problem& problem, bool with_hash)
-    : Evaluator(WithPlantOf(
-          problem.model, [&]<template <int> class PlantOf>() -> std::shared_ptr<const BatchEvaluator> {
-            return BatchEvaluatorOf<PlantOf, kDefaultLanes>(problem, with_hash);
-          })) {}
+    : Evaluator(WithPlantOf(problem.model,
+                            [&]<template <int> class PlantOf>() -> std::shared_ptr<const BatchEvaluator> {
+                              return BatchEvaluatorOf<PlantOf, kDefaultLanes>(problem, with_hash);
+                            })) {}
 
 std::vector<Evaluation> Evaluator::Evaluate(std::span<const std::span<const Gene>> genomes) const {
   std::vector<Evaluation> results(genomes.size());

@@ -2,7 +2,7 @@
 // The coordinator's role: runs the search's ask/tell loop, sends each batch to the evaluators in slices, and puts the
 // scores back in order. An evaluator that ends a slice already has the next one, so it does not wait for the
 // coordinator. The next slice may come from a second batch if the search can propose one before it has the scores of
-// the first. Only core decides which genomes to score and how to use a score. So the result is the same for any number
+// the first. A batch that fits side by side into one engine is scored here: sending it takes longer. Only core decides which genomes to score and how to use a score. So the result is the same for any number
 // of evaluators, even if some die.
 import { SCORE_LENGTH } from './engine.js';
 import { unreachable } from './messages.js';
@@ -43,6 +43,8 @@ const HIGH_WASTE = 1.12;
 const LOW_WASTE = 1.04;
 // Longest time for a slice, so that pause and stop take effect soon.
 const LONGEST_SLICE_MS = 100;
+// After this long messages are read between batches that are scored here.
+const HERE_MS = 10;
 const TICK_MS = 500;
 // An evaluator is replaced after this long without an answer, or after this many times its usual time if that is
 // longer.
@@ -85,6 +87,10 @@ export class Coordinator {
   #spread = null;
   #spreadMs = -Infinity;
   #spreadRestMs = 0;
+  /** Scores small batches here; null until the first. @type {import('./engine.js').Evaluator | null} */
+  #own = null;
+  /** Comes back to them after messages. */
+  #again = new MessageChannel();
 
   /**
    * @param {import('./engine.js').Engine} engine
@@ -97,6 +103,8 @@ export class Coordinator {
     this.longestMs = longestMs;
     this.die = die;
     this.search = breeds ? engine.brood(document) : engine.search(document);
+    this.evaluatorOf = () => engine.evaluator(document, breeds);
+    this.#again.port1.onmessage = () => this.#act(() => this.#assignWork());
     if (state) this.search.load(state);
     this.workers = workers;
     this.#measure.evaluations = this.search.evaluations;
@@ -168,8 +176,27 @@ export class Coordinator {
     this.#assignWork();
   }
 
+  /** Scores batches that leave nothing to share, as long as such come. Another batch waits for #assignWork. */
+  #scoreHere() {
+    const start = performance.now();
+    while (this.#state === 'running' && this.#batches.length === 0) {
+      if (since(start) > HERE_MS) {
+        this.#again.port2.postMessage(null);
+        return;
+      }
+      const batch = this.#ask();
+      if (!batch || batch.genomes.length > LANES * this.search.genes) return;
+      this.#batches = [];
+      this.#own ??= this.evaluatorOf();
+      batch.scores = this.#own.score(batch.genomes);
+      this.#simulated += batch.genomes.length / this.search.genes;
+      this.#take(batch);
+    }
+  }
+
   /** Gives every evaluator work until it has enough. Those with the least work come first. */
   #assignWork() {
+    if (this.#evaluators.size > 0) this.#scoreHere();
     for (let level = 0; level < SLICES_PER_EVALUATOR; level++) {
       for (const evaluator of this.#evaluators.values()) {
         if (evaluator.slices.length > level) continue;
@@ -239,15 +266,15 @@ export class Coordinator {
     batch.scores.set(scores, SCORE_LENGTH * slice.first);
     batch.missing--;
     while (this.#batches.length > 0 && this.#batches[0].missing === 0) {
-      const done = /** @type {Batch} */ (this.#batches.shift());
-      this.search.tell(done.scores);
-      this.#attempt = done.genomes.slice(0, this.search.genes);
-      this.#batchDone();
+      this.#take(/** @type {Batch} */ (this.#batches.shift()));
     }
     this.#assignWork();
   }
 
-  #batchDone() {
+  /** @param {Batch} done  the oldest one, with all scores */
+  #take(done) {
+    this.search.tell(done.scores);
+    this.#attempt = done.genomes.slice(0, this.search.genes);
     this.#fitBatchSize();
     const now = performance.now();
     if (now < (this.#rateSamples.at(-1)?.ms ?? 0)) this.#rateSamples = [];
@@ -296,11 +323,15 @@ export class Coordinator {
   /** Stops receiving messages. */
   disconnect() {
     clearInterval(this.ticker);
+    this.#again.port1.close();
     for (const evaluator of this.#evaluators.values()) closePort(evaluator);
     this.#evaluators.clear();
   }
 
-  free() { this.search.close(); }
+  free() {
+    this.search.close();
+    this.#own?.close();
+  }
 
   /** At max fifty times as old as the time it takes to compute. @param {boolean} refresh */
   #spreadNow(refresh) {

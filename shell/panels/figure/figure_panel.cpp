@@ -147,6 +147,7 @@ void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
   ui.Gap(10.0f);
   if (!session.Doc().drawn.empty()) {
     ui.Paragraph(Tr("A search changed this body."), Type::kNote);
+    ui.Gap(4.0f);
     if (ui.Button("figure/as-drawn", ui.ControlRow(), Tr("Back to the drawn body")))
       session.ReplaceFigure(AsDrawn(session.Doc()));
     ui.Gap(10.0f);
