@@ -2,7 +2,7 @@
 // The table of docs/search.md, "Bodies that evolve", from the result files beside this one:
 //   node docs/studies/bodies/summarise.mjs build/release/shell/gaitsmith
 import { execFileSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { holm } from '../holm.mjs';
 
@@ -30,7 +30,7 @@ function ranks(a, b) {
 }
 
 const PROBLEMS = ['star-man-travel', 'beryl-travel', 'fred-travel', 'inchworm-travel', 'hopper-jump'];
-const rows = [4000, 40000].flatMap((evaluations) => PROBLEMS.map((problem) => ({
+const rows = [4000, 40000].filter((evaluations) => existsSync(fileURLToPath(new URL(`hopper-jump-lot-${evaluations}.csv`, import.meta.url)))).flatMap((evaluations) => PROBLEMS.map((problem) => ({
   problem, evaluations, name: (/** @type {string} */ body) => `${problem}-${body}-${evaluations}` })));
 const tests = rows.flatMap(({ name }) => ['little', 'lot'].map((body) => ranks(name(body), name('none'))));
 const adjusted = holm(tests.map(({ p }) => p));

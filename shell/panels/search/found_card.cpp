@@ -118,7 +118,7 @@ CardAction DrawButtons(Ui& ui, const Session& session, const FoundMotions::Entry
       action = CardAction::kLessLike;
   }
   if (found.Moves() && session.CanTryBrain(found.document) &&
-      buttons.Put(id + "/brain", Icon::kSwap, Tr("Try on the body in hand: {1}", scene)))
+      buttons.Put(id + "/brain", Icon::kSwap, Tr("Try on the shown body: {1}", scene)))
     action = CardAction::kBrain;
   if (buttons.Put(id + "/delete", Icon::kClose, Tr("Delete: {1}", scene))) action = CardAction::kDelete;
   const ImRect rest = buttons.Rest();
