@@ -85,35 +85,29 @@ BodyShape::BodyShape(const BodyRange& range, const Figure& now)
   joints_.Number();
 }
 
-std::vector<int> BodyShape::ChildrenOf(int rod, RodEnd end) const {
-  std::vector<int> children;
-  for (int i = 0; i < range_.drawn.Rods(); ++i) {
-    const Rod& child = range_.drawn.rods[static_cast<std::size_t>(i)];
-    if (child.parent == rod && child.parent_end == end) children.push_back(i);
+std::vector<std::size_t> BodyShape::LimbAt(std::size_t rod) const {
+  std::vector<std::size_t> limb = {rod};
+  for (std::size_t at = 0; at < limb.size(); ++at) {
+    for (std::size_t i = 0; i < range_.drawn.rods.size(); ++i) {
+      if (range_.drawn.rods[i].parent == static_cast<int>(limb[at])) limb.push_back(i);
+    }
   }
-  return children;
+  return limb;
 }
 
-bool BodyShape::Alike(int one, int other, bool mirrored, std::vector<std::array<int, 2>>& pairs) const {
-  const Rod& a = range_.drawn.rods[static_cast<std::size_t>(one)];
-  const Rod& b = range_.drawn.rods[static_cast<std::size_t>(other)];
-  const bool same_limits = mirrored ? a.min_rad == -b.max_rad && a.max_rad == -b.min_rad
-                                    : a.min_rad == b.min_rad && a.max_rad == b.max_rad;
-  if (a.length_m != b.length_m || a.mass_kg != b.mass_kg || !same_limits) return false;
-  pairs.push_back({one, other});
-  for (const RodEnd end : {RodEnd::kStart, RodEnd::kEnd}) {
-    std::vector<int> mine = ChildrenOf(one, end), others = ChildrenOf(other, end);
-    if (mine.size() != others.size()) return false;
-    for (const int child : mine) {
-      const auto match = std::ranges::find_if(others, [&](int candidate) {
-        const std::size_t before = pairs.size();
-        const bool alike = Alike(child, candidate, mirrored, pairs);
-        if (!alike) pairs.resize(before);
-        return alike;
-      });
-      if (match == others.end()) return false;
-      others.erase(match);
-    }
+bool BodyShape::Alike(const std::vector<std::size_t>& one, const std::vector<std::size_t>& other,
+                      bool mirrored) const {
+  if (one.size() != other.size()) return false;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    const Rod &a = range_.drawn.rods[one[i]], &b = range_.drawn.rods[other[i]];
+    const bool same_limits = mirrored ? a.min_rad == -b.max_rad && a.max_rad == -b.min_rad
+                                      : a.min_rad == b.min_rad && a.max_rad == b.max_rad;
+    if (a.length_m != b.length_m || a.mass_kg != b.mass_kg || !same_limits || a.parent_end != b.parent_end)
+      return false;
+    const auto parent = [&](const std::vector<std::size_t>& limb, const Rod& rod) {
+      return std::ranges::find(limb, static_cast<std::size_t>(rod.parent)) - limb.begin();
+    };
+    if (parent(one, a) != parent(other, b)) return false;
   }
   return true;
 }
@@ -160,20 +154,16 @@ void BodyShape::FindHalves() {
 
 /// Limbs at the same end of the same rod, such as two legs at a hip.
 void BodyShape::FindPairs() {
-  for (int one = 0; one < range_.drawn.Rods(); ++one) {
-    const Rod& rod = range_.drawn.rods[static_cast<std::size_t>(one)];
-    if (rod.parent == kNoParent) continue;
-    for (const int other : ChildrenOf(rod.parent, rod.parent_end)) {
-      if (other <= one) continue;
-      for (const bool mirrored : {false, true}) {
-        std::vector<std::array<int, 2>> pairs;
-        if (!Alike(one, other, mirrored, pairs)) continue;
-        for (const auto& [mine, others] : pairs) {
-          const auto a = static_cast<std::size_t>(mine), b = static_cast<std::size_t>(others);
-          rods_.Share(a, b);
-          ShareJoint(a, b, mirrored);
-        }
-        break;
+  const std::vector<Rod>& rods = range_.drawn.rods;
+  for (std::size_t i = 0; i < rods.size(); ++i) {
+    for (std::size_t k = i + 1; k < rods.size(); ++k) {
+      if (rods[i].parent == kNoParent || rods[i].parent != rods[k].parent) continue;
+      const std::vector<std::size_t> one = LimbAt(i), other = LimbAt(k);
+      const bool same = Alike(one, other, false);
+      if (!same && !Alike(one, other, true)) continue;
+      for (std::size_t part = 0; part < one.size(); ++part) {
+        rods_.Share(one[part], other[part]);
+        ShareJoint(one[part], other[part], !same);
       }
     }
   }

@@ -4,7 +4,6 @@
 // factor of what was drawn, the total length and the total mass stay, and parts that were alike stay alike.
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -54,9 +53,11 @@ class BodyShape {
 
   void FindHalves();
   void FindPairs();
-  /// Whether two limbs are alike, or mirror each other, and if so which of their rods correspond.
-  [[nodiscard]] bool Alike(int one, int other, bool mirrored, std::vector<std::array<int, 2>>& pairs) const;
-  [[nodiscard]] std::vector<int> ChildrenOf(int rod, RodEnd end) const;
+  /// A rod and all that hangs on it, the nearest first.
+  [[nodiscard]] std::vector<std::size_t> LimbAt(std::size_t rod) const;
+  /// Whether two limbs are alike, or mirror each other.
+  [[nodiscard]] bool Alike(const std::vector<std::size_t>& one, const std::vector<std::size_t>& other,
+                           bool mirrored) const;
   void ShareJoint(std::size_t one, std::size_t other, bool mirrored);
 
   BodyRange range_;
