@@ -107,13 +107,14 @@ Problem ReplayProblem(const Document& d, const Controller& controller) {
   return problem;
 }
 
-SearchSpace SpaceOf(const Document& d) {
-  const Problem problem = ProblemOf(d);
-  if (d.search.start < 0) return SpaceOf(problem);
+Genome StartOf(const Document& d) {
+  if (d.search.start < 0) return {};
   Genome start = d.controllers[static_cast<std::size_t>(d.search.start)].genes;
-  start.resize(problem.Shape().Genes(), kUnchangedGene);
-  return SpaceOf(problem, std::move(start));
+  start.resize(ProblemOf(d).Shape().Genes(), kUnchangedGene);
+  return start;
 }
+
+SearchSpace SpaceOf(const Document& d) { return SpaceOf(ProblemOf(d), StartOf(d)); }
 
 Controller TakeFound(const Document& searched, Genome genome, Document& to) {
   const Problem problem = ProblemOf(searched);

@@ -76,6 +76,8 @@ struct Document {
 /// The problem defined by the search settings.
 [[nodiscard]] Problem ProblemOf(const Document&);
 [[nodiscard]] SearchSpace SpaceOf(const Document&);
+/// The genome that the search begins with; empty: a random one.
+[[nodiscard]] Genome StartOf(const Document&);
 
 /// Gives a document the body of a genome that the search of `searched` found, if that changes bodies.
 /// @param to may be `searched`; its figure has the same tree. @return the genome's controller, without a name

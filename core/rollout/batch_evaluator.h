@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/rollout/beginning.h"
@@ -19,8 +21,11 @@ class BatchEvaluator {
   /// Maximum number of genomes in a batch.
   [[nodiscard]] virtual std::size_t Lanes() const = 0;
   /// @param genomes of the problem's shape, 1 to Lanes() of them @param results out: one for each genome
-  virtual void Evaluate(std::span<const std::span<const Gene>> genomes,
-                        std::span<Evaluation> results) const = 0;
+  /// @param watch   of as many genomes, from the first of the problem's beginnings; networks have no rules,
+  /// so
+  ///                nothing is recorded of them
+  virtual void Evaluate(std::span<const std::span<const Gene>> genomes, std::span<Evaluation> results,
+                        const Watch& watch) const = 0;
 };
 
 template <template <int> class PlantOf, int W>
@@ -40,8 +45,8 @@ class PlantEvaluator final : public BatchEvaluator {
 
   [[nodiscard]] std::size_t Lanes() const override { return W; }
 
-  void Evaluate(std::span<const std::span<const Gene>> genomes,
-                std::span<Evaluation> results) const override {
+  void Evaluate(std::span<const std::span<const Gene>> genomes, std::span<Evaluation> results,
+                const Watch& watch) const override {
     const Controllers<W> controllers = DecodeControllers<W>(shape_, problem_.senses, genomes, ports_, kStep);
     std::array<TrajectoryHash, W> hashes;
     const std::span<TrajectoryHash> hashed =
@@ -52,8 +57,12 @@ class PlantEvaluator final : public BatchEvaluator {
       Rollout<PlantOf, W> rollout(body_, problem_.environment, problem_.start, problem_.pushes);
       if (!moments_.empty()) rollout.BeginAt(moments_[begin]);
       rollout.Follow(controllers);
+      std::optional<SightingRecorder<W>> sees;
+      if (watch.count > 0 && begin == 0 && shape_.Kind() == ControllerKind::kRules)
+        sees.emplace(shape_.Bank(), problem_.senses.kind, rollout.StepNow(), problem_.task.duration_steps,
+                     watch);
       Measure(rollout, ports_.Count(), problem_.task, std::span(scored).first(results.size()), hashed,
-              problem_.traits ? size_m_ : 0.0f);
+              problem_.traits ? size_m_ : 0.0f, sees ? &*sees : nullptr);
       for (std::size_t i = 0; i < results.size(); ++i) {
         if (begins > 1) {
           AddToMean(results[i], scored[i], static_cast<int>(begin));
@@ -86,8 +95,8 @@ class BodyEvaluator final : public BatchEvaluator {
 
   [[nodiscard]] std::size_t Lanes() const override { return W; }
 
-  void Evaluate(std::span<const std::span<const Gene>> genomes,
-                std::span<Evaluation> results) const override {
+  void Evaluate(std::span<const std::span<const Gene>> genomes, std::span<Evaluation> results,
+                const Watch& watch) const override {
     std::vector<char> scored(genomes.size(), 0);
     for (std::size_t first = 0; first < genomes.size(); ++first) {
       if (scored[first] != 0) continue;
@@ -100,9 +109,13 @@ class BodyEvaluator final : public BatchEvaluator {
         controllers.push_back(genomes[i].first(genomes[i].size() - body_genes_));
       }
       std::vector<Evaluation> evaluations(alike.size());
+      std::vector<std::vector<Sighting>> sightings(watch.count > 0 ? alike.size() : 0);
       PlantEvaluator<PlantOf, W>(problem_.WithBodyOf(genomes[first]), with_hash_)
-          .Evaluate(controllers, evaluations);
-      for (std::size_t i = 0; i < alike.size(); ++i) results[alike[i]] = evaluations[i];
+          .Evaluate(controllers, evaluations, {watch.count, sightings});
+      for (std::size_t i = 0; i < alike.size(); ++i) {
+        results[alike[i]] = evaluations[i];
+        if (watch.count > 0) watch.of_genomes[alike[i]] = std::move(sightings[i]);
+      }
     }
   }
 

@@ -8,6 +8,7 @@
 
 #include "core/rollout/evaluation.h"
 #include "core/rollout/problem.h"
+#include "core/rollout/sighting_recorder.h"
 
 namespace gaitsmith {
 
@@ -34,8 +35,13 @@ class Evaluator {
   /// @return an evaluation for each, in order
   [[nodiscard]] std::vector<Evaluation> Evaluate(std::span<const std::span<const Gene>> genomes) const;
   [[nodiscard]] std::vector<Evaluation> Evaluate(std::span<const Genome> genomes) const;
+  /// The same, with sightings of each motion.
+  [[nodiscard]] std::vector<Evaluation> Evaluate(std::span<const Genome> genomes, const Watch& watch) const;
 
  private:
+  [[nodiscard]] std::vector<Evaluation> EvaluateAll(std::span<const std::span<const Gene>> genomes,
+                                                    const Watch& watch) const;
+
   std::shared_ptr<const BatchEvaluator> batch_;
 };
 

@@ -8,6 +8,7 @@
 #include "core/rollout/evaluation.h"
 #include "core/rollout/gait_meter.h"
 #include "core/rollout/rollout.h"
+#include "core/rollout/sighting_recorder.h"
 #include "core/rollout/style_meter.h"
 
 namespace gaitsmith {
@@ -17,9 +18,11 @@ namespace gaitsmith {
 /// @param results out: one for each of the first lanes, without hashes
 /// @param hashes  one for each lane; each step is added to them. Empty: no hashes
 /// @param size_m  of the figure, for traits; 0: no traits
+/// @param sees    null: nothing is recorded
 template <template <int> class PlantOf, int W>
 void Measure(Rollout<PlantOf, W>& rollout, const PortCount& ports, const Task& task,
-             std::span<Evaluation> results, std::span<TrajectoryHash> hashes = {}, float size_m = 0.0f) {
+             std::span<Evaluation> results, std::span<TrajectoryHash> hashes = {}, float size_m = 0.0f,
+             SightingRecorder<W>* sees = nullptr) {
   const PlantOf<W>& plant = rollout.PlantNow();
   // Most searches give the further terms no weight. Then they are not measured.
   const bool looks = size_m > 0.0f;
@@ -28,9 +31,11 @@ void Measure(Rollout<PlantOf, W>& rollout, const PortCount& ports, const Task& t
   if (weighted != FurtherTerms{}) meter.emplace(plant, ports, weighted, kStep);
   std::optional<GaitMeter<PlantOf<W>>> gait;
   if (looks) gait.emplace(plant, ports, size_m, kStep);
+  if (sees != nullptr) sees->Add(rollout.Control(), rollout.StepNow());
   rollout.RunTo(rollout.StepNow() + task.duration_steps, kNothing, [&] {
     if (meter) meter->Add();
     if (gait) gait->Add();
+    if (sees != nullptr) sees->Add(rollout.Control(), rollout.StepNow());
     for (std::size_t lane = 0; lane < hashes.size(); ++lane)
       plant.AddTo(hashes[lane], static_cast<int>(lane));
   });

@@ -3,7 +3,6 @@
 // passes.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "core/control/sighting.h"
@@ -15,7 +14,6 @@ namespace gaitsmith {
 /// @param genes of the problem's shape
 /// @param count number of sightings, evenly spaced, the last one at the end; at least 1
 /// @return empty for a network, which has no rules
-[[nodiscard]] std::vector<Sighting> SightingsOf(const Problem& problem, std::span<const Gene> genes,
-                                                int count);
+[[nodiscard]] std::vector<Sighting> SightingsOf(const Problem& problem, const Genome& genes, int count);
 
 }  // namespace gaitsmith

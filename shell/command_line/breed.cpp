@@ -142,8 +142,8 @@ Outcome BreedCommand(Words words) {
   const Document nursery = NurseryOf(picks->document, picks->parents, wish);
   const auto brood = BroodOf(nursery, static_cast<int>(*evaluations), static_cast<int>(*children));
   SearchControl control;
-  RunToEnd(NurseryProblem(nursery), *brood, static_cast<int>(*evaluations), static_cast<int>(*threads),
-           control, [](const SearchProgress&) {});
+  RunToEnd(Scorer(NurseryProblem(nursery)), *brood, static_cast<int>(*evaluations),
+           static_cast<int>(*threads), control, [](const SearchProgress&) {});
   if (brood->Children().empty())
     return Fail(ErrorCode::kStructure, arguments->Positional().front(), "none of its children moves");
   Document family = picks->document;

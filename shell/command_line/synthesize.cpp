@@ -71,7 +71,7 @@ Outcome SynthesizeCommand(Words words) {
   SearchControl control;
   const SearchProgress found = RunParallelSearch(
       ProblemOf(document), document.search, static_cast<int>(*threads), control,
-      [&](const SearchProgress& progress) { bar.Draw(progress); }, SpaceOf(document).start);
+      [&](const SearchProgress& progress) { bar.Draw(progress); }, StartOf(document));
 
   const auto algorithm = kAlgorithmNames[static_cast<std::size_t>(document.search.algorithm)];
   Controller controller = TakeFound(document, found.best_genome, document);

@@ -23,16 +23,13 @@ std::optional<std::vector<std::string>> RunTrial(const Study& study, std::size_t
   const StudyPlan::Trial place = study.plan.At(trial);
   const Document document = TrialDocument(study, place.problem, place.search, place.seed);
   const Problem problem = ProblemOf(document);
-  const Evaluator evaluator(problem);
-  const auto search = MakeSearch(document.search, SpaceOf(document));
-  std::vector<Score> scores;
+  const Scorer scorer(problem);
+  const auto search = MakeSearch(document.search, scorer.Space(StartOf(document)));
   while (!search->Done()) {
     if (stop()) return std::nullopt;
     const int before = search->Evaluations();
     const std::vector<Genome> genomes = search->Ask(kAskedTogether);
-    scores.clear();
-    for (const Evaluation& evaluation : evaluator.Evaluate(genomes)) scores.push_back(ScoreOf(evaluation));
-    search->Tell(scores);
+    search->Tell(scorer.ScoresOf(genomes));
     evaluations += search->Evaluations() - before;
   }
   Document found = document;

@@ -26,7 +26,7 @@ void NativeHost::StartSearch(const Document& document, int workers) {
   }
   control_ = std::make_unique<SearchControl>();
   searcher_ = std::jthread([this, control = control_.get(), problem = ProblemOf(document),
-                            settings = document.search, start = SpaceOf(document).start, workers] {
+                            settings = document.search, start = StartOf(document), workers] {
     RunParallelSearch(
         problem, settings, workers, *control,
         [this](const SearchProgress& progress) {

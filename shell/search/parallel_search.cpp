@@ -22,7 +22,8 @@ double SecondsSince(Clock::time_point start) {
 
 class Crew {
  public:
-  Crew(const Problem& problem, int threads) : evaluator_(problem), start_(threads), finish_(threads) {
+  /// @param scorer must outlive the crew
+  Crew(const Scorer& scorer, int threads) : scorer_(scorer), start_(threads), finish_(threads) {
     // The calling thread is one of the threads.
     for (int i = 1; i < threads; ++i) {
       helpers_.emplace_back([this] {
@@ -43,6 +44,7 @@ class Crew {
   Crew& operator=(const Crew&) = delete;
 
   const std::vector<Score>& Evaluate(const std::vector<Genome>& genomes) {
+    if (genomes.size() <= kPiece) return scores_ = scorer_.ScoresOf(genomes);
     genomes_ = &genomes;
     scores_.assign(genomes.size(), {.fitness = kVoidScore});
     next_ = 0;
@@ -53,18 +55,18 @@ class Crew {
   }
 
  private:
-  // Evaluates pieces of the batch until none is left. A piece is the number of genomes that are simulated
-  // side by side.
+  static constexpr std::size_t kPiece = Evaluator::kDefaultLanes;  // genomes that are simulated side by side
+
+  // Evaluates pieces of the batch until none is left.
   void TakePieces() {
-    constexpr std::size_t kPiece = Evaluator::kDefaultLanes;
     for (std::size_t at = next_.fetch_add(kPiece); at < genomes_->size(); at = next_.fetch_add(kPiece)) {
       const std::size_t count = std::min(kPiece, genomes_->size() - at);
-      const auto results = evaluator_.Evaluate(std::span(*genomes_).subspan(at, count));
+      const auto results = scorer_.ForPieces().Evaluate(std::span(*genomes_).subspan(at, count));
       for (std::size_t i = 0; i < count; ++i) scores_[at + i] = ScoreOf(results[i]);
     }
   }
 
-  Evaluator evaluator_;
+  const Scorer& scorer_;
   std::barrier<> start_, finish_;
   std::atomic<std::size_t> next_ = 0;
   const std::vector<Genome>* genomes_ = nullptr;
@@ -110,13 +112,14 @@ SearchProgress RunParallelSearch(const Problem& problem, const SearchSettings& s
                                  SearchControl& control,
                                  const std::function<void(const SearchProgress&)>& report,
                                  const Genome& start) {
-  const auto search = MakeSearch(settings, SpaceOf(problem, start));
-  return RunToEnd(problem, *search, settings.evaluations, threads, control, report);
+  const Scorer scorer(problem);
+  const auto search = MakeSearch(settings, scorer.Space(start));
+  return RunToEnd(scorer, *search, settings.evaluations, threads, control, report);
 }
 
-SearchProgress RunToEnd(const Problem& problem, Search& search, int budget, int threads,
-                        SearchControl& control, const std::function<void(const SearchProgress&)>& report) {
-  Crew crew(problem, threads);
+SearchProgress RunToEnd(const Scorer& scorer, Search& search, int budget, int threads, SearchControl& control,
+                        const std::function<void(const SearchProgress&)>& report) {
+  Crew crew(scorer, threads);
   SearchProgress progress{.state = SearchState::kRunning, .budget = budget, .workers = threads};
   double working_s = 0.0;
   auto last_report = Clock::now() - std::chrono::seconds(1);

@@ -7,8 +7,7 @@
 #include <functional>
 #include <mutex>
 
-#include "core/rollout/problem.h"
-#include "core/search/search.h"
+#include "core/search/evaluation_score.h"
 #include "shell/search/search_progress.h"
 
 namespace gaitsmith::shell {
@@ -35,8 +34,8 @@ class SearchControl {
 
 /// Runs a search that was made by hand.
 /// @param budget    its evaluations
-SearchProgress RunToEnd(const Problem& problem, Search& search, int budget, int threads,
-                        SearchControl& control, const std::function<void(const SearchProgress&)>& report);
+SearchProgress RunToEnd(const Scorer& scorer, Search& search, int budget, int threads, SearchControl& control,
+                        const std::function<void(const SearchProgress&)>& report);
 
 /// @param problem   valid
 /// @param threads   >= 1

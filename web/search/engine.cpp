@@ -168,8 +168,10 @@ GS_EXPORT const Score* gs_evaluator_run(EvaluatorRole* role, std::size_t count) 
 GS_EXPORT SearchRole* gs_search_open(std::size_t size) {
   const auto document = TakeDocument(size);
   if (!document) return nullptr;
-  const SearchSpace space = SpaceOf(*document);
-  return new SearchRole{.search = MakeSearch(document->search, space),
+  const Scorer scorer(ProblemOf(*document));
+  const SearchSpace space = scorer.Space(StartOf(*document));
+  return new SearchRole{.scorer = scorer,
+                        .search = MakeSearch(document->search, space),
                         .budget = document->search.evaluations,
                         .genes = space.shape.Genes(),
                         .asked = {},
@@ -216,6 +218,21 @@ GS_EXPORT bool gs_search_tell(SearchRole* role, std::size_t count) {
     role->search->Tell(std::span(reinterpret_cast<const float*>(Input().data()), asked));
   }
   role->asked.erase(role->asked.begin());
+  return true;
+}
+/// Scores the genomes of the last ask here and tells the search. No other ask may be open.
+GS_EXPORT bool gs_search_score(SearchRole* role) {
+  if (role->asked.size() != 1) {
+    Note({ErrorCode::kStructure, "genomes", "must be those of the only open ask"});
+    return false;
+  }
+  std::vector<Genome> genomes;
+  for (std::size_t i = 0; i < role->asked.front(); ++i) {
+    const auto first = role->genomes.begin() + static_cast<std::ptrdiff_t>(i * role->genes);
+    genomes.emplace_back(first, first + static_cast<std::ptrdiff_t>(role->genes));
+  }
+  role->search->Tell(role->scorer.ScoresOf(genomes));
+  role->asked.clear();
   return true;
 }
 GS_EXPORT int gs_search_evaluations(const SearchRole* role) { return role->search->Evaluations(); }

@@ -240,6 +240,9 @@ export class Search {
     this.engine.orThrow(this.engine.module._gs_search_tell(this.handle, scores.length));
   }
 
+  /** Scores the genomes of the only ask without scores in this engine, and tells. */
+  scoreHere() { this.engine.orThrow(this.engine.module._gs_search_score(this.handle)); }
+
   get evaluations() { return this.engine.module._gs_search_evaluations(this.handle); }
   get done() { return this.engine.module._gs_search_done(this.handle) !== 0; }
   get bestFitness() { return this.engine.module._gs_search_best_fitness(this.handle); }

@@ -20,6 +20,7 @@
 
 #include "core/breeding/brood.h"
 #include "core/document/document.h"
+#include "core/search/evaluation_score.h"
 
 #define GS_EXPORT extern "C" __attribute__((used, visibility("default")))
 
@@ -39,6 +40,7 @@ const std::uint8_t* KeepDocument(const Document&);
 
 /// A search at work.
 struct SearchRole {
+  Scorer scorer;  // of its genomes, where they are not worth sending to evaluators
   std::unique_ptr<Search> search;
   const Brood* brood = nullptr;  // the same search, if it breeds
   int budget;

@@ -86,7 +86,8 @@ GS_EXPORT SearchRole* gs_brood_open(std::size_t size) {
   }
   auto brood = BroodOf(*nursery);
   const Brood* same = brood.get();
-  return new SearchRole{.search = std::move(brood),
+  return new SearchRole{.scorer = Scorer(NurseryProblem(*nursery)),
+                        .search = std::move(brood),
                         .brood = same,
                         .budget = kRoundEvaluations,
                         .genes = nursery->lineage.founders.front().genes.size(),

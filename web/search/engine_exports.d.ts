@@ -43,6 +43,8 @@ export interface EngineExports {
    * @param count floats
    */
   _gs_search_tell(role: Pointer, count: number): number;
+  /** Scores the genomes of the last ask here and tells the search. No other ask may be open. */
+  _gs_search_score(role: Pointer): number;
   _gs_search_evaluations(role: Pointer): number;
   _gs_search_done(role: Pointer): number;
   _gs_search_best_fitness(role: Pointer): number;

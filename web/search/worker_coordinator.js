@@ -87,9 +87,7 @@ export class Coordinator {
   #spread = null;
   #spreadMs = -Infinity;
   #spreadRestMs = 0;
-  /** Scores small batches here; null until the first. @type {import('./engine.js').Evaluator | null} */
-  #own = null;
-  /** Comes back to them after messages. */
+  /** Comes back to batches that are scored here after messages. */
   #again = new MessageChannel();
 
   /**
@@ -103,7 +101,6 @@ export class Coordinator {
     this.longestMs = longestMs;
     this.die = die;
     this.search = breeds ? engine.brood(document) : engine.search(document);
-    this.evaluatorOf = () => engine.evaluator(document, breeds);
     this.#again.port1.onmessage = () => this.#act(() => this.#assignWork());
     if (state) this.search.load(state);
     this.workers = workers;
@@ -187,10 +184,9 @@ export class Coordinator {
       const batch = this.#ask();
       if (!batch || batch.genomes.length > LANES * this.search.genes) return;
       this.#batches = [];
-      this.#own ??= this.evaluatorOf();
-      batch.scores = this.#own.score(batch.genomes);
+      this.search.scoreHere();
       this.#simulated += batch.genomes.length / this.search.genes;
-      this.#take(batch);
+      this.#batchDone(batch);
     }
   }
 
@@ -266,14 +262,15 @@ export class Coordinator {
     batch.scores.set(scores, SCORE_LENGTH * slice.first);
     batch.missing--;
     while (this.#batches.length > 0 && this.#batches[0].missing === 0) {
-      this.#take(/** @type {Batch} */ (this.#batches.shift()));
+      const done = /** @type {Batch} */ (this.#batches.shift());
+      this.search.tell(done.scores);
+      this.#batchDone(done);
     }
     this.#assignWork();
   }
 
-  /** @param {Batch} done  the oldest one, with all scores */
-  #take(done) {
-    this.search.tell(done.scores);
+  /** @param {Batch} done  whose scores the search was told */
+  #batchDone(done) {
     this.#attempt = done.genomes.slice(0, this.search.genes);
     this.#fitBatchSize();
     const now = performance.now();
@@ -328,10 +325,7 @@ export class Coordinator {
     this.#evaluators.clear();
   }
 
-  free() {
-    this.search.close();
-    this.#own?.close();
-  }
+  free() { this.search.close(); }
 
   /** At max fifty times as old as the time it takes to compute. @param {boolean} refresh */
   #spreadNow(refresh) {
