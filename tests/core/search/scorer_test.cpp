@@ -33,6 +33,7 @@ TEST_CASE("scorer: sightings recorded beside a score are those of a motion of it
         d.task.duration_steps = steps;
         const Problem problem = ProblemOf(d);
         std::vector<Genome> genomes;
+        genomes.reserve(7);
         for (std::uint64_t i = 0; i < 7; ++i) genomes.push_back(Random(problem, i));
         std::vector<std::vector<Sighting>> seen(genomes.size());
         const auto watched = Evaluator(problem).Evaluate(genomes, {32, seen});
