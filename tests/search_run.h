@@ -56,6 +56,13 @@ inline Outcome RunSearchOf(const Document& document) {
   });
 }
 
+/// What a bank sensed during a motion of its own, evenly spaced. Empty for a network.
+inline std::vector<Sighting> SightingsOf(const Problem& problem, const Genome& genes, int count) {
+  std::vector<Sighting> sightings;
+  static_cast<void>(Evaluator(problem).Evaluate(std::span(&genes, 1), {count, std::span(&sightings, 1)}));
+  return sightings;
+}
+
 inline bool Same(const Outcome& a, const Outcome& b) {
   return a.best == b.best && a.fitness == b.fitness &&
          std::ranges::equal(a.curve, b.curve, [](const auto& p, const auto& q) {

@@ -15,7 +15,7 @@ namespace gaitsmith {
 /// The bodies that a search may try.
 struct BodyRange {
   Figure drawn;             // its rods are the middle of the range; valid
-  float most_times = 1.0f;  // how many times longer, heavier or wider a part may be, or shorter …, (1, 10]
+  float most_times = 1.0f;  // the most that a number may be multiplied or divided by, (1, 10]
 };
 
 class BodyShape {

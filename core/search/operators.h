@@ -58,8 +58,8 @@ struct SearchSpace {
   ControllerShape shape;
   SenseSpec senses;
   Genome start = {};  // first genome of every search, where refiners begin; empty: random
-  /// Simulates a bank once more and returns that number of sightings of its motion (rollout/sightings.h), the
-  /// same each time. Empty if searches work without physics.
+  /// That number of sightings of a bank's motion, evenly spaced, the last one at its end, the same each time.
+  /// Empty if searches work without physics.
   std::function<std::vector<Sighting>(const Genome&, int)> sightings = {};
 };
 

@@ -101,8 +101,8 @@ struct Handover {
 /// How far a search may change the figure's body.
 enum class BodyFreedom {
   kNone,    // it stays as it is
-  kLittle,  // parts may become a quarter longer, heavier or wider, or as much shorter …
-  kLot,     // … twice as long, or half as long
+  kLittle,  // lengths, masses and joint limits are multiplied or divided by 1.25 at most
+  kLot,     // by 2 at most
 };
 inline constexpr std::array<std::string_view, 3> kBodyFreedomNames = {"none", "little", "lot"};
 /// By how many times a part may differ from what was drawn.

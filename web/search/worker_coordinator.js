@@ -2,8 +2,9 @@
 // The coordinator's role: runs the search's ask/tell loop, sends each batch to the evaluators in slices, and puts the
 // scores back in order. An evaluator that ends a slice already has the next one, so it does not wait for the
 // coordinator. The next slice may come from a second batch if the search can propose one before it has the scores of
-// the first. A batch that fits side by side into one engine is scored here: sending it takes longer. Only core decides which genomes to score and how to use a score. So the result is the same for any number
-// of evaluators, even if some die.
+// the first. A batch that fits side by side into one engine is scored here: sending it takes longer. Only core decides
+// which genomes to score and how to use a score. So the result is the same for any number of evaluators, even if some
+// die.
 import { SCORE_LENGTH } from './engine.js';
 import { unreachable } from './messages.js';
 
@@ -173,26 +174,30 @@ export class Coordinator {
     this.#assignWork();
   }
 
-  /** Scores batches that leave nothing to share, as long as such come. Another batch waits for #assignWork. */
+  /**
+   * Scores batches that leave nothing to share, as long as such come. Another batch waits for #assignWork.
+   * @returns {boolean} whether it goes on after messages were read
+   */
   #scoreHere() {
     const start = performance.now();
     while (this.#state === 'running' && this.#batches.length === 0) {
       if (since(start) > HERE_MS) {
         this.#again.port2.postMessage(null);
-        return;
+        return true;
       }
       const batch = this.#ask();
-      if (!batch || batch.genomes.length > LANES * this.search.genes) return;
+      if (!batch || batch.genomes.length > LANES * this.search.genes) return false;
       this.#batches = [];
       this.search.scoreHere();
       this.#simulated += batch.genomes.length / this.search.genes;
       this.#batchDone(batch);
     }
+    return false;
   }
 
   /** Gives every evaluator work until it has enough. Those with the least work come first. */
   #assignWork() {
-    if (this.#evaluators.size > 0) this.#scoreHere();
+    if (this.#evaluators.size > 0 && this.#scoreHere()) return;
     for (let level = 0; level < SLICES_PER_EVALUATOR; level++) {
       for (const evaluator of this.#evaluators.values()) {
         if (evaluator.slices.length > level) continue;

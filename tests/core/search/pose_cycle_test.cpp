@@ -2,7 +2,6 @@
 // Pose cycles cycle, moves of rules touch what acts, and the search finds with 1,000 evaluations what hill
 // climbing does not.
 #include "core/document/json.h"
-#include "core/rollout/sightings.h"
 #include "core/search/evaluation_score.h"
 #include "core/search/pose_cycle_form.h"
 #include "core/search/rule_moves.h"

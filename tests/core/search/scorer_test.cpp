@@ -2,7 +2,6 @@
 // A scorer remembers what small batches sensed, and no search can tell.
 #include <algorithm>
 
-#include "core/rollout/sightings.h"
 #include "core/search/evaluation_score.h"
 #include "tests/scene.h"
 #include "tests/search_run.h"
