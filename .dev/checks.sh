@@ -161,7 +161,7 @@ growth() { # seconds, name
 # The lines of a failed stage that name what failed, because a long log hides them.
 failures() { # name
   printf '\n%s:\n' "$1"
-  grep -E -A4 'FAILED|^ *not ok|✖|\*\*\*|error:|warning:|differ' "$STAGES/$1.log" | cut -c 1-300 | head -40 || tail -5 "$STAGES/$1.log"
+  grep -v '^ok ' "$STAGES/$1.log" | grep -E -A4 'FAILED|^ *not ok|✖|\*\*\*|error:|warning:|differ' | cut -c 1-300 | head -40 || tail -5 "$STAGES/$1.log"
 }
 
 # Prints each stage's time, what failed, and the number of passed stages. Fails if a stage failed.
