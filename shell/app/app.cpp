@@ -137,7 +137,9 @@ void App::DrawDesk(Ui& ui, const ImRect& whole) {
   if (shown.empty() && !choices) return;
   ui.VerticalLine(panel_x, whole.Min.y, whole.Max.y);
   DrawSplit(ui, beside_, {panel_x, whole.Max.x, whole.Min.y, whole.Max.y, true}, kLeastPanel, widest);
-  if (choices) return DrawChoices(ui, {{panel_x + 1.0f, whole.Min.y}, whole.Max});
+  const ImRect beside({panel_x + 1.0f, whole.Min.y}, whole.Max);
+  if (choices && low_) return DrawDock(ui, beside, DockTab::kGoal);
+  if (choices) return DrawChoices(ui, beside);
   const float tab_height = ui.Look().touch ? kTouchTabHeight : kTabHeight;
   const ImRect tabs({panel_x + 1.0f, whole.Min.y}, {whole.Max.x, whole.Min.y + tab_height});
   const int panel = DrawTabs(ui, tabs, shown);
@@ -157,7 +159,7 @@ bool App::OffersChoices() const {
   const auto open = [&](Panel panel) {
     return layout.Shows(IndexOf(panel)) && !layout.LocksPanel(IndexOf(panel));
   };
-  const bool room = low_ ? !phone_ && Invites(session_) : wide_ || phone_ || tall_ || Invites(session_);
+  const bool room = low_ ? !phone_ : wide_ || phone_ || tall_ || Invites(session_);
   return session_.Simple() && !session_.Viewing() && room && open(Panel::kStyle) &&
          open(Panel::kController) && open(Panel::kSearch) && !layout.Locks(LockedPart::kSearch);
 }
@@ -191,14 +193,17 @@ void App::DrawDock(Ui& ui, const ImRect& rect, DockTab first) {
   if (clips > clips_before_ && clips > 1) dock_ = DockTab::kTimeline;
   clips_before_ = clips;
   if (dock_ < first) dock_ = DockTab::kMotions;
+  // A low first screen has as few choices as a high one.
+  const DockTab last = low_ && Invites(session_) ? DockTab::kFigures : DockTab::kTimeline;
+  if (dock_ > last) dock_ = first;
   std::vector<const char*> names;
   for (const Tab& tab : kTabs) {
-    if (tab.tab >= first) names.push_back(tab.label);
+    if (tab.tab >= first && tab.tab <= last) names.push_back(tab.label);
   }
-  int chosen = static_cast<int>(dock_) - static_cast<int>(kTabs.size() - names.size());
+  int chosen = static_cast<int>(dock_) - static_cast<int>(first);
   const ImRect tabs(rect.Min, {rect.Max.x, rect.Min.y + DockTabHeight(ui)});
   if (ui.Tabs("dock", tabs, Tr("Below the stage"), names, chosen))
-    dock_ = static_cast<DockTab>(chosen + static_cast<int>(kTabs.size() - names.size()));
+    dock_ = static_cast<DockTab>(chosen + static_cast<int>(first));
   const ImRect inside({rect.Min.x, tabs.Max.y}, rect.Max);
   switch (dock_) {
     case DockTab::kGoal:

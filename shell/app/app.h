@@ -62,8 +62,8 @@ class App {
   [[nodiscard]] float PlaybackHeight(const Ui&, float width) const;
   void DrawChoices(Ui&, const ImRect&);
   void DrawSettingsButton(Ui&, const ImRect& stage);
-  /// What lies below the stage beside the choices, in the order of the tabs. The goal is a tab where the
-  /// choices have no panel of their own.
+  /// What lies below the stage beside the choices, in the order of the tabs; on a low canvas in their place.
+  /// The goal is a tab where the choices have no panel of their own.
   enum class DockTab { kGoal, kFigures, kMotions, kTimeline };
   /// @param first the tabs from this one on
   void DrawDock(Ui&, const ImRect&, DockTab first);

@@ -26,7 +26,7 @@ std::string SearchName(const Document& d) {
 
 std::string SearchLine(const Document& d) {
   std::string line = Tr("{1} · seed {2} · {3} evaluations", AlgorithmName(d.search.algorithm),
-                              std::to_string(d.search.seed), Grouped(d.search.evaluations));
+                        std::to_string(d.search.seed), Grouped(d.search.evaluations));
   if (d.search.body == BodyFreedom::kNone) return line;
   return line + " · " +
          Tr(d.search.body == BodyFreedom::kLittle ? "body may change a little" : "body may change a lot");

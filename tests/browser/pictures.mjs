@@ -73,11 +73,26 @@ export async function takePictures(browser, address, wanted = '') {
 /** Presses a button that may be in the menu. @param {PageDriver} driver @param {string} selector */
 const press = (driver, selector) => driver.call('press', `document.querySelector('${selector}').click()`);
 
+/** @param {PageDriver} driver @param {(x: number, y: number) => Promise<void>} use */
+async function atButton(driver, use) {
+  const { x, y, width, height } = await driver.placeOf('stage/teach');
+  await use(x + width / 2, y + height / 2);
+}
+
 /** What a newcomer meets, after the first screen. @type {Record<string, (driver: PageDriver) => Promise<unknown>>} */
 const STATES = {
   first: () => Promise.resolve(),
+  focused: (driver) => driver.press('Tab', 3),
+  hovered: (driver) => atButton(driver, (x, y) => driver.page.mouse.move(x, y)),
+  pressed: (driver) => atButton(driver, async (x, y) => {
+    await driver.page.mouse.move(x, y);
+    await driver.page.mouse.down();
+  }),
+  busy: async (driver) => {
+    await driver.page.mouse.up();
+    await driver.until('a search', () => window.gaitsmith.widgets().some(({ id }) => id === 'stage/stop'));
+  },
   found: async (driver) => {
-    await driver.click('stage/teach');
     await driver.until('the gait', () => window.gaitsmith.results().length === 1);
     await driver.until('the actions', () => window.gaitsmith.widgets().some(({ id }) => id === 'stage/another'));
     await driver.until('two seconds of it', () => Number(window.gaitsmith.widgets().find(({ id }) => id === 'transport/scrub')?.value.replace(' s', '')) > 2);

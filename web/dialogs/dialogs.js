@@ -8,7 +8,7 @@ let loaded = null;
 
 /** Await this before using an element of dialogs.html. Rejected if loading fails. The next call tries again. */
 export function dialogs() {
-  loaded ??= loadPart(new URL('dialogs', import.meta.url).href, document.body);
+  loaded ??= loadPart(new URL('../dialogs/dialogs', import.meta.url).href, document.body);
   loaded.catch(() => { loaded = null; });
   return loaded;
 }

@@ -61,7 +61,7 @@ async function useLanguage(code) {
 async function load(code) {
   try {
     const signal = AbortSignal.timeout(TIMEOUT_MS);
-    const response = await fetch(new URL(`${code}.json`, import.meta.url), { signal });
+    const response = await fetch(new URL(`../languages/${code}.json`, import.meta.url), { signal });
     return response.ok ? await response.text() : null;
   } catch {
     return null;

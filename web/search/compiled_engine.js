@@ -20,7 +20,7 @@ export function compiledEngine() {
 
 async function load() {
   if (!hasWorkers) ({ PageWorker } = await import('./page_worker.js'));
-  return compiledModule(new URL('engine_module.wasm', import.meta.url));
+  return compiledModule(new URL('../search/engine_module.wasm', import.meta.url));
 }
 
 /** A worker without a role yet. */

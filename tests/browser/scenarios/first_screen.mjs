@@ -22,9 +22,16 @@ async function nothingToPlay({ browser, address, name }) {
     assert.ok(before.includes('stage/teach') && !before.some((id) => id.startsWith('transport/')), `${where}: ${before}`);
     assert.ok(before.some((id) => id.startsWith('goal/')), `${where}: the choices are there`);
     assert.ok(!before.includes('stage/settings'), where);
+    if (size.height < 440) { // the figures are a tab beside the goal
+      await page.click('dock/1');
+      await page.frames();
+    }
+    assert.ok((await page.widgets()).some(({ id }) => id === 'figures/draw'), `${where}: figures to choose from`);
     await page.click('stage/teach');
     await page.until('a motion', () => window.gaitsmith.results().length > 0);
     await page.until('its transport', () => window.gaitsmith.widgets().some(({ id }) => id === 'transport/play'));
+    const after = (await page.widgets()).map(({ id }) => id);
+    assert.ok(after.includes('dock/0') && !after.some((id) => id.startsWith('panels/')), `${where}: no panel before it is asked for: ${after}`);
     assert.deepEqual(page.complaints, []);
     await page.close();
   }

@@ -118,7 +118,7 @@ async function update(visit) {
     const hash = await page.hash();
 
     // A new version: one script and one page differ.
-    const script = join(server.folder, 'page/header.js');
+    const script = join(server.folder, 'page/page.js');
     await writeFile(script, `${await readFile(script, 'utf8')}\nwindow.testNew = 'script';\n`);
     const index = join(server.folder, 'index.html');
     await writeFile(index, (await readFile(index, 'utf8')).replace('<html lang="en">', '<html lang="en" data-new>'));
@@ -152,9 +152,9 @@ async function halfAVersion(visit) {
     await page.reload();
     const before = server.requested.filter((path) => path.endsWith('/naming.js')).length;
     // An incomplete upload: the service worker is new, but a file does not match its hash.
-    await writeFile(join(server.folder, 'page/header.js'), 'window.testNew = "whole";\n');
+    await writeFile(join(server.folder, 'page/page.js'), 'window.testNew = "whole";\n');
     await run(process.execPath, [join(ROOT, 'web/build/seal.mjs'), server.folder]);
-    await writeFile(join(server.folder, 'page/header.js'), 'window.testNew = "half";\n');
+    await writeFile(join(server.folder, 'page/page.js'), 'window.testNew = "half";\n');
     const state = await page.call('update', async () => {
       const registration = await navigator.serviceWorker.ready;
       await registration.update().catch(() => {});

@@ -247,7 +247,7 @@ async function newVersion(visit) {
     const page = await PageDriver.open(visit.browser, server.address());
     await page.until('the service worker', `(async () => (await navigator.serviceWorker.ready).active?.state === 'activated')()`);
     await page.reload(); // now through the service worker
-    for (const script of ['search/worker.js', 'page/header.js']) {
+    for (const script of ['search/worker.js', 'page/page.js']) {
       const path = join(server.folder, script);
       await writeFile(path, `${await readFile(path, 'utf8')}\nself.testNew = true;\n`);
     }

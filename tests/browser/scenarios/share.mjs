@@ -80,6 +80,18 @@ async function shareDialog({ browser, address }) {
 }
 
 /** @param {Visit} visit */
+async function firstMotion({ browser, address }) {
+  const page = await PageDriver.open(browser, address, { newcomer: true });
+  await page.click('stage/teach');
+  await page.until('the motion', () => window.gaitsmith.results().length === 1);
+  await page.clickElement('#share');
+  await page.until('the code', () => document.querySelector('#share-code svg') !== null);
+  assert.equal(await read(page), await page.link());
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
 async function linksThatCannotBeOpened({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   const hash = await page.hash();
@@ -229,6 +241,7 @@ async function wrongAddress({ browser, address }) {
 /** @type {typeof import('./all.mjs').SCENARIOS} */
 export const SHARE_SCENARIOS = [
   ['Share has the link, a code that a camera reads, and lines that put it into another page', shareDialog],
+  ['the code of a first motion can be read too', firstMotion, ONE_BROWSER],
   ['links that are damaged, cut, newer, too long or none say so and what to do', linksThatCannotBeOpened],
   ['golden links with one byte changed, or cut, are refused', damagedLinks, ONE_BROWSER],
   ['an address shows panels, locks parts and sets a goal that is ticked', lessonInTheAddress],
