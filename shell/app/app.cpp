@@ -210,7 +210,7 @@ void App::DrawDock(Ui& ui, const ImRect& rect, DockTab first) {
       DrawChoices(ui, inside);
       break;
     case DockTab::kFigures:
-      DrawFigures(ui, {inside.Min, {inside.Max.x, std::min(inside.Max.y, inside.Min.y + kFigureRowHeight)}});
+      DrawFigures(ui, inside);
       break;
     case DockTab::kMotions:
       if (DrawFoundRail(

@@ -243,7 +243,7 @@ void DrawTimeline(Ui& ui, Session& session, const ImRect& rect) {
                     heading);
   const float hint_x = narrow ? left + ui.Letters().Width(Type::kStrong, heading) + 8.0f : left;
   // Tools are in the heading's row if they fit, else in rows below the ruler.
-  const float below = band.rect.Max.y + TransitionStripHeight(session) + 24.0f;
+  const ImRect below({left, band.rect.Max.y + TransitionStripHeight(session) + 24.0f}, {right, rect.Max.y});
   const float tools_x = DrawTimelineTools(ui, session, {{hint_x, row - half}, {right, row + half}}, below);
   const std::string hint = HintOf(session);
   if (tools_x - 10.0f > hint_x + 40.0f) {

@@ -79,23 +79,21 @@ std::vector<ImRect> RowOf(const Ui& ui, const std::vector<Tool>& tools, float he
 
 }  // namespace
 
-float DrawTimelineTools(Ui& ui, Session& session, const ImRect& row, float below) {
+float DrawTimelineTools(Ui& ui, Session& session, const ImRect& row, const ImRect& below) {
   std::vector<Tool> tools = ToolsOf(session);
-  const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
-  const float first = ImGui::GetWindowPos().x + kPanelPadding;
-  const bool room_below = below + ui.Look().ControlHeight() <= bottom;
+  const bool room_below = ui.Look().ControlHeight() <= below.GetHeight();
   const bool in_row = RowOf(ui, tools, row.GetHeight()).back().Max.x <= row.GetWidth() || !room_below;
   const auto places_of = [&] {
-    return in_row ? RowOf(ui, tools, row.GetHeight()) : RowsOf(ui, tools, row.Max.x - first);
+    return in_row ? RowOf(ui, tools, row.GetHeight()) : RowsOf(ui, tools, below.GetWidth());
   };
-  const ImVec2 room = in_row ? row.GetSize() : ImVec2(row.Max.x - first, bottom - below);
+  const ImVec2 room = in_row ? row.GetSize() : below.GetSize();
   std::vector<ImRect> places = places_of();
   // Tools left out here remain in the command palette.
   while (tools.size() > 1 && (places.back().Max.x > room.x || places.back().Max.y > room.y)) {
     tools.erase(std::ranges::max_element(tools, {}, &Tool::spare));
     places = places_of();
   }
-  const ImVec2 at = in_row ? ImVec2(row.Max.x - places.back().Max.x, row.Min.y) : ImVec2(first, below);
+  const ImVec2 at = in_row ? ImVec2(row.Max.x - places.back().Max.x, row.Min.y) : below.Min;
   const Tool* used = nullptr;
   for (std::size_t i = 0; i < tools.size(); ++i) {
     ImRect place = places[i];

@@ -8,8 +8,8 @@
 namespace gaitsmith::shell {
 
 /// @param row   free part of the heading's row
-/// @param below top of the rows used if that row is too short [points]
+/// @param below the place for rows if that row is too short
 /// @return the left edge of the tools in the row, or the row's right edge if they are below
-float DrawTimelineTools(Ui&, Session&, const ImRect& row, float below);
+float DrawTimelineTools(Ui&, Session&, const ImRect& row, const ImRect& below);
 
 }  // namespace gaitsmith::shell

@@ -54,7 +54,7 @@ import { trLater } from '../languages/language.js';
  * @property {string} link           payload of its document
  */
 
-/** The part of a document's search that the page reads. @typedef {{algorithm?: string}} SearchJson */
+/** The part of a document's search that the page reads. @typedef {{algorithm?: string, body?: string}} SearchJson */
 /**
  * A document as JSON (docs/formats.md): the parts that the page reads.
  * @typedef {{title?: string, figure: {name?: string, rods?: object[]}, kind?: string, senses?: {kind?: string}, search?: SearchJson,

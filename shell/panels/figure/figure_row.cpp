@@ -63,13 +63,15 @@ FigureRowChoice DrawFigureRow(Ui& ui, const Session& session, const ImRect& rect
   const float room = rect.GetWidth() - 2.0f * kEdge + kSpacing;
   const auto cards = static_cast<std::size_t>(
       std::max(3.0f, room / ((rect.GetWidth() < kNarrow ? kNarrowTile : kTile) + kSpacing)));
-  const std::vector<int> row = RowOf(figures, chosen, cards - 2);
-  const float width = room / static_cast<float>(row.size() + 2) - kSpacing;
-  float x = rect.Min.x + kEdge;
+  const auto rows = static_cast<std::size_t>(std::max(1.0f, rect.GetHeight() / kFigureRowHeight));
+  const std::vector<int> row = RowOf(figures, chosen, rows * cards - 2);
+  const float width = room / static_cast<float>(std::min(cards, row.size() + 2)) - kSpacing;
+  std::size_t drawn = 0;
   const auto next = [&] {
-    const ImRect card({x, rect.Min.y + 12.0f}, {x + width, rect.Max.y - 10.0f});
-    x += width + kSpacing;
-    return card;
+    const float x = rect.Min.x + kEdge + static_cast<float>(drawn % cards) * (width + kSpacing);
+    const float y = rect.Min.y + static_cast<float>(drawn / cards) * (kFigureRowHeight - kSpacing);
+    ++drawn;
+    return ImRect({x, y + 12.0f}, {x + width, std::min(rect.Max.y, y + kFigureRowHeight) - 10.0f});
   };
   choice.draw = DrawCard(ui, "figures/draw", next(), Icon::kPencil, Tr("Draw your own"), Tr("Draw your own"));
   {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The figures to begin with, in a row below a stage whose figure cannot move yet.
+// The figures to begin with, in a row below a stage whose figure cannot move yet, or in a few where it is
+// high enough.
 #pragma once
 
 #include "shell/session/session.h"
@@ -15,7 +16,7 @@ struct FigureRowChoice {
   int figure = -1;    // an index of ShippedDocuments::Figures, or none
 };
 
-/// As many figures as fit. The chosen one is always among them.
+/// As many figures as fit, in rows of kFigureRowHeight. The chosen one is always among them.
 FigureRowChoice DrawFigureRow(Ui&, const Session&, const ImRect&);
 
 }  // namespace gaitsmith::shell

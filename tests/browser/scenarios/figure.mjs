@@ -67,8 +67,48 @@ async function copiesAndMirrors(visit) {
   await page.close();
 }
 
+/** @param {Visit} visit */
+async function evolves({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const pointer = new Mouse(page);
+  const rodsOf = (/** @type {PageDriver} */ driver) => driver.call('rods', () => JSON.stringify(window.gaitsmith.document().figure.rods));
+  const drawn = await rodsOf(page);
+  await page.call('a short search', () => {
+    window.gaitsmith.open({ ...window.gaitsmith.document(), hash: undefined, search: { algorithm: 'pose-cycle', seed: 2, evaluations: 600 } });
+    return true;
+  });
+  await page.click('panels/3');
+  await pointer.press('search/body');
+  await pointer.press('search/body/2');
+  await page.until('a lot', () => window.gaitsmith.document().search?.body === 'lot');
+  await pointer.press('search/start');
+  await page.until('the result', () => window.gaitsmith.results().length === 1 && /^Search done/.test(document.querySelector('#status')?.textContent ?? ''));
+  const found = await rodsOf(page);
+  assert.notEqual(found, drawn, 'the search changed the body');
+  const link = await page.link();
+
+  // Back to the drawn body. Then the controller that was found drives it.
+  await page.click('panels/0');
+  await pointer.press('figure/as-drawn');
+  await page.frames();
+  assert.equal(await rodsOf(page), drawn);
+  assert.equal(await pointer.find('figure/as-drawn'), undefined);
+  await page.click('panels/3');
+  await pointer.press(`found/${await page.call('result', () => window.gaitsmith.results()[0].id)}/brain`);
+  await page.frames();
+  assert.equal(await rodsOf(page), drawn, 'the body stays');
+  assert.equal(await page.call('clips', () => window.gaitsmith.document().timeline?.length), 1);
+  assert.match(await page.status(), /Another brain/);
+
+  const second = await PageDriver.open(browser, link, { beside: page });
+  assert.equal(await rodsOf(second), found, 'a link has the found body');
+  assert.deepEqual([page.complaints, second.complaints], [[], []]);
+  await page.close();
+}
+
 /** @type {import('./all.mjs').Scenario[]} */
 export const FIGURE_SCENARIOS = [
   ['a rod made longer changes the motion, and Undo brings the old one back', lengthens],
   ['a limb copied and deleted, a figure mirrored; Undo brings back each', copiesAndMirrors, ONE_BROWSER],
+  ['a search that may change the body finds another, links have it, the drawn one comes back and takes its brain', evolves, ONE_BROWSER],
 ];
