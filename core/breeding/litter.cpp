@@ -62,6 +62,9 @@ Result<Document> NurseryOf(const Document& document, int round, std::span<const 
 
 Problem NurseryProblem(const Document& nursery) {
   Problem problem = ProblemOf(nursery);
+  // Founders have no genes of a body: breeding keeps it.
+  problem.figure = nursery.figure;
+  problem.bodies.reset();
   problem.traits = true;
   return problem;
 }

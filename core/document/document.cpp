@@ -123,6 +123,7 @@ Controller TakeFound(const Document& searched, Genome genome, Document& to) {
     if (genome.size() >= of_body) {
       to.drawn = problem.bodies->drawn.rods;
       to.figure.rods = problem.WithBodyOf(genome).figure.rods;
+      to.lineage = {};  // its children would be others on this body
       genome.resize(genome.size() - of_body);
       if (to.drawn == to.figure.rods) to.drawn.clear();
     }

@@ -29,6 +29,12 @@ struct FoundMotion {
   std::string name = {};  // given by a person, at most kMaxNameBytes; may be empty
 
   [[nodiscard]] bool Moves() const { return !document.timeline.empty(); }
+  /// Whether its search can be run again. One that started from a motion and changed the body began with a
+  /// body that no document has.
+  [[nodiscard]] bool CanRepeat() const {
+    return origin != Origin::kByHand &&
+           (document.search.start < 0 || document.search.body == BodyFreedom::kNone);
+  }
   /// kVoidScore if there is no motion.
   [[nodiscard]] float Score() const;
 };

@@ -56,7 +56,7 @@ void QueueRun::AddSuite(const SuiteChoice& choice) {
 
 bool QueueRun::Repeat(const std::string& id) {
   const FoundMotions::Entry* entry = results_.Motions().Find(id);
-  if (entry == nullptr || entry->motion.origin == Origin::kByHand) return false;
+  if (entry == nullptr || !entry->motion.CanRepeat()) return false;
   const Document document = SearchOf(entry->motion.document);
   if (Busy()) return Add(document);
   search_.Begin(document, SearchRun::Source::kQueue);

@@ -25,6 +25,8 @@ Document SearchOf(const Document& document) {
     search.controllers.push_back(std::move(start));
     search.search.start = 0;
   }
+  // A family belongs to one body.
+  if (search.search.body != BodyFreedom::kNone) search.lineage = {};
   // Without a controller to start from, nothing of what was found before counts, the body included.
   if (search.search.body != BodyFreedom::kNone && search.search.start < 0) {
     search.figure = AsDrawn(search);

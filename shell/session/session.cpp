@@ -90,6 +90,9 @@ bool Session::Replace(Document document, bool same_problem) {
   Arrangement locks = Layout();
   for (const LockedPart part : {LockedPart::kController, LockedPart::kSearch, LockedPart::kTimeline})
     locks.locked[static_cast<std::size_t>(part)] &= !same_problem;
+  // A search that may change the body leaves the drawn one, which is what is locked.
+  const bool same_body = AsDrawn(document).rods == AsDrawn(Doc()).rods;
+  locks.locked[static_cast<std::size_t>(LockedPart::kFigure)] &= !(same_problem && same_body);
   if (workspace_.Refuses(locks, document)) return false;
   const bool rested = Doc().timeline.empty();
   LeaveViewer();
@@ -164,6 +167,7 @@ void Session::TryBrain(const std::string& id) {
   Document tried = entry->motion.document;
   tried.figure = Doc().figure;
   tried.drawn = Doc().drawn;
+  tried.lineage = {};
   tried.hash.reset();
   KeepGoal(Doc(), tried);
   if (!Replace(std::move(tried), true)) return;

@@ -38,6 +38,7 @@ Document OnlyProblem(const Document& given) {
   document.model = given.model;
   document.figure = given.figure;
   document.figure.name.clear();
+  document.drawn = given.drawn;
   document.environment = given.environment;
   document.start = given.start;
   document.pushes = given.pushes;

@@ -16,6 +16,8 @@ export const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 export class PageDriver {
   /** Console errors, failed requests, requests to other hosts. @type {string[]} */
   complaints = [];
+  /** Rises with each page that is left. */
+  visit = 0;
   /** Whether the motion plays after the page has loaded. */
   plays = false;
   /** Whether Live is as for everybody. */
@@ -49,9 +51,12 @@ export class PageDriver {
       }
     });
     page.on('pageerror', (error) => complaints.push(`uncaught: ${error}`));
-    // Leaving a page cancels its requests.
+    // Leaving a page cancels its requests. Firefox does not always name that as the reason.
+    const visits = new WeakMap();
+    page.on('request', (request) => visits.set(request, driver.visit));
     page.on('requestfailed', (request) => {
-      if (!/ABORTED/i.test(request.failure()?.errorText ?? '')) complaints.push(`request failed: ${request.url()}`);
+      const why = request.failure()?.errorText ?? '';
+      if (!/ABORTED/i.test(why) && visits.get(request) === driver.visit) complaints.push(`request failed: ${request.url()} ${why}`);
     });
     page.on('response', (response) => {
       if (response.status() >= 400) complaints.push(`${response.status()}: ${response.url()}`);
@@ -89,6 +94,7 @@ export class PageDriver {
    */
   async arrive(leave) {
     await this.page.evaluate(() => { document.documentElement.dataset.left = 'true'; });
+    this.visit++;
     await leave();
     for (const start = Date.now(); ; await sleep(50)) {
       const there = await this.page.evaluate(() => !document.documentElement.dataset.left && 'gaitsmith' in window)

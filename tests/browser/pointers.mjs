@@ -87,7 +87,7 @@ export class Fingers extends Pointer {
   /** @param {Point} at */
   async tap({ x, y }) {
     const touch = await this.page.page.touchscreen.touchStart(x, y);
-    await this.page.frames();
+    await this.page.frames(1); // on a busy machine more would be a long press
     await touch.end();
     await this.page.frames(6);
   }

@@ -83,6 +83,7 @@ Document SmallProblem(Bytes& bytes) {
                                 .task = d.task});
   }
   d.search.in_place_of = bytes.Signed() % 4;
+  d.search.body = static_cast<BodyFreedom>(bytes.Next() % 3);
   return d;
 }
 
@@ -137,7 +138,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<std::size_t> asked;
   std::vector<std::uint8_t> saved;
   for (int calls = 0; calls < 40 && !bytes.Empty(); ++calls) {
-    switch (bytes.Next() % 15) {
+    switch (bytes.Next() % 16) {
       case 0:
         Opened(
             evaluating, [&](std::size_t all) { return gs_evaluator_open(all, bytes.Next() % 2 == 0); },
@@ -172,6 +173,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (!searching) break;
         Tell(bytes, searching.get(), asked.empty() ? 3 : asked.front());
         if (!asked.empty()) asked.erase(asked.begin());
+        break;
+      case 14:
+        if (!searching) break;
+        if (!gs_search_score(searching.get())) {
+          Refused();
+          break;
+        }
+        asked.clear();
+        if (std::isnan(gs_search_best_fitness(searching.get()))) std::abort();
         break;
       case 5: {
         if (!searching || !asked.empty()) break;

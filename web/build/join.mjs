@@ -51,6 +51,7 @@ const { output } = await site.generate({
   entryFileNames: '[name].js',
   chunkFileNames: '[name].js',
   hoistTransitiveImports: false,
+  minifyInternalExports: false, // a later script of another version must not find another function under the same letter
   manualChunks: (id) => (joined.includes(nameOf(id)) ? PAGE : nameOf(id)).replace(/\.js$/, ''),
 });
 await site.close();

@@ -222,7 +222,7 @@ GS_EXPORT bool gs_search_tell(SearchRole* role, std::size_t count) {
 }
 /// Scores the genomes of the last ask here and tells the search. No other ask may be open.
 GS_EXPORT bool gs_search_score(SearchRole* role) {
-  if (role->asked.size() != 1) {
+  if (role->asked.size() != 1 || role->genomes.size() != role->asked.front() * role->genes) {
     Note({ErrorCode::kStructure, "genomes", "must be those of the only open ask"});
     return false;
   }

@@ -90,6 +90,7 @@ export class Coordinator {
   #spreadRestMs = 0;
   /** Comes back to batches that are scored here after messages. */
   #again = new MessageChannel();
+  #comesBack = false; // a message of #again is on its way
 
   /**
    * @param {import('./engine.js').Engine} engine
@@ -102,7 +103,10 @@ export class Coordinator {
     this.longestMs = longestMs;
     this.die = die;
     this.search = breeds ? engine.brood(document) : engine.search(document);
-    this.#again.port1.onmessage = () => this.#act(() => this.#assignWork());
+    this.#again.port1.onmessage = () => {
+      this.#comesBack = false;
+      this.#act(() => this.#assignWork());
+    };
     if (state) this.search.load(state);
     this.workers = workers;
     this.#measure.evaluations = this.search.evaluations;
@@ -182,7 +186,8 @@ export class Coordinator {
     const start = performance.now();
     while (this.#state === 'running' && this.#batches.length === 0) {
       if (since(start) > HERE_MS) {
-        this.#again.port2.postMessage(null);
+        if (!this.#comesBack) this.#again.port2.postMessage(null);
+        this.#comesBack = true;
         return true;
       }
       const batch = this.#ask();

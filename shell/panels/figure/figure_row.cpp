@@ -68,9 +68,11 @@ FigureRowChoice DrawFigureRow(Ui& ui, const Session& session, const ImRect& rect
   const float width = room / static_cast<float>(std::min(cards, row.size() + 2)) - kSpacing;
   std::size_t drawn = 0;
   const auto next = [&] {
-    const float x = rect.Min.x + kEdge + static_cast<float>(drawn % cards) * (width + kSpacing);
-    const float y = rect.Min.y + static_cast<float>(drawn / cards) * (kFigureRowHeight - kSpacing);
+    const std::size_t column = drawn % cards;
+    const std::size_t above = drawn / cards;
     ++drawn;
+    const float x = rect.Min.x + kEdge + static_cast<float>(column) * (width + kSpacing);
+    const float y = rect.Min.y + static_cast<float>(above) * (kFigureRowHeight - kSpacing);
     return ImRect({x, y + 12.0f}, {x + width, std::min(rect.Max.y, y + kFigureRowHeight) - 10.0f});
   };
   choice.draw = DrawCard(ui, "figures/draw", next(), Icon::kPencil, Tr("Draw your own"), Tr("Draw your own"));

@@ -108,8 +108,7 @@ CardAction DrawButtons(Ui& ui, const Session& session, const FoundMotions::Entry
   if (session.Results().CanAskName() && buttons.Put(id + "/rename", Icon::kPencil, Tr("Name: {1}", scene)))
     action = CardAction::kRename;
   if (buttons.Put(id + "/again", Icon::kRestart,
-                  Tr("Make again, with the same seed and settings: {1}", scene),
-                  found.origin != Origin::kByHand))
+                  Tr("Make again, with the same seed and settings: {1}", scene), found.CanRepeat()))
     action = CardAction::kAgain;
   if (found.Moves() && session.Results().CanLearn()) {
     if (buttons.Put(id + "/like", Icon::kHeart, Tr("More like this: {1}", scene)))

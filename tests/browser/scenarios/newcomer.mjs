@@ -276,7 +276,10 @@ export const NEWCOMER_STORIES = [
 /** @type {import('./all.mjs').Scenario[]} */
 export const NEWCOMER_SCENARIOS = [
   ...NEWCOMER_STORIES.map(([claim, story]) => /** @type {[string, (visit: Visit) => Promise<void>]} */ ([`a newcomer ${claim}`, async ({ browser, address }) => {
-    for (const means of MEANS) await story((link = address) => PageDriver.open(browser, link, { newcomer: true, plays: true }), means);
+    for (const means of MEANS) {
+      await story((link = address) => PageDriver.open(browser, link, { newcomer: true, plays: true }), means)
+        .catch((error) => assert.fail(`by ${means}: ${error instanceof Error ? error.message : error}`));
+    }
   }])),
   ['the first screen and the screen of the first motion have no more controls than before', count, ONE_BROWSER],
 ];

@@ -99,6 +99,21 @@ TEST_CASE("litter: a nursery has no pushes, and its own goal", "[breeding]") {
   CHECK(NurseryProblem(*nursery).traits);
 }
 
+TEST_CASE("litter: breeding keeps the body that a search may change", "[breeding]") {
+  Document d = Family();
+  d.search.body = BodyFreedom::kLot;
+  std::vector<Genome> children(kLitter, d.controllers.front().genes);
+  const auto nursery = NurseryOf(d, 1, children);
+  REQUIRE(nursery);
+  const Problem problem = NurseryProblem(*nursery);
+  CHECK_FALSE(problem.bodies);
+  CHECK(problem.figure.rods == d.figure.rods);
+  const auto brood = BroodOf(*nursery, 40, 9);
+  const auto asked = brood->Ask(10);
+  REQUIRE(!asked.empty());
+  CHECK(asked.front().size() == d.controllers.front().genes.size());
+}
+
 TEST_CASE("litter: a child's document moves as the child did, without pushes", "[breeding]") {
   Document d = Family();
   d.pushes = {{.step = 10, .impulse_x_ns = 5.0f}};

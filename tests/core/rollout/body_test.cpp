@@ -120,7 +120,7 @@ TEST_CASE("bodies: a genome's score is that of its controller on its body, in an
   const Problem problem = ProblemOf(d);
   const ControllerShape shape = problem.Shape();
   std::vector<Genome> genomes;
-  for (std::uint64_t i = 0; i < 12; ++i) {
+  for (std::size_t i = 0; i < 12; ++i) {
     RandomStream random(i, 1, 1);
     genomes.push_back(RandomGenome(shape, d.senses, Variation{}, random));
     // Some neighbours share a body.

@@ -81,6 +81,11 @@ TEST_CASE("body: a result's controller drives the body in hand", "[shell][sessio
   CHECK(host.status == "Another brain drives this body. Undo restores the previous version.");
   session.Undo();
   CHECK(session.Doc().controllers.front().genes == second.controllers.front().genes);
+  // A search that started from a motion began with a body that no document has.
+  FoundMotion found{.document = second, .origin = Origin::kDone};
+  CHECK(found.CanRepeat());
+  found.document.search.start = 0;
+  CHECK_FALSE(found.CanRepeat());
   // Not for a figure with another tree.
   session.ChooseFigure(0);
   CHECK_FALSE(session.CanTryBrain(first));
