@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Joins the scripts that the page loads first into page/page.js: one file compresses better than thirty and is one
+// Joins the scripts that the page loads first into page/page.js: one file compresses better than many and is one
 // request. Scripts that are loaded later keep their files.
 //
 //   node web/build/join.mjs <folder of the site>
+import { execFile } from 'node:child_process';
 import { readFile, rm, writeFile } from 'node:fs/promises';
 import { join, relative, resolve, sep } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
 import { rollup } from 'rollup';
-import { minify } from 'terser';
 
 const PAGE = 'page/page.js';
 const APPLICATION = 'app/app_module.js';
@@ -58,9 +60,10 @@ await site.close();
 await Promise.all(joined.filter((name) => name !== PAGE).map((name) => rm(join(folder, name))));
 for (const part of output) {
   if (part.type !== 'chunk') throw new Error(`join: ${part.fileName} is no script`);
-  const { code = '' } = await minify(part.code, { module: true, compress: { passes: 2 } });
-  await writeFile(join(folder, part.fileName), code);
+  await writeFile(join(folder, part.fileName), part.code);
 }
+const minify = fileURLToPath(new URL('minify.mjs', import.meta.url));
+await promisify(execFile)(process.execPath, [minify, folder, folder, ...output.map(({ fileName }) => join(folder, fileName))]);
 
 // The browser asks for all first files at once, before it has read one.
 const index = join(folder, 'index.html');

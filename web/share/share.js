@@ -7,8 +7,8 @@ import { followLanguage, grouped, tr } from '../languages/language.js';
 /** @typedef {import('../app/app.js').App} App */
 /** @typedef {import('./address.js').Address} Address */
 
-// A camera across a room reads up to about this many modules (version 20) from a projector.
-const MAX_QR_LENGTH = 1000; // 105 squares a side; the first motion of a newcomer has 870 letters
+// At most 105 squares a side (version 22), for a camera across a room. A newcomer's first motion has a link of about 870.
+const MAX_QR_LENGTH = 1000;
 const QUIET = 4; // modules of margin, as the standard requires
 
 /** @type {ShareDialog | null} */
