@@ -2,11 +2,11 @@
 // The coordinator's role: runs the search's ask/tell loop, sends each batch to the evaluators in slices, and puts the
 // scores back in order. An evaluator that ends a slice already has the next one, so it does not wait for the
 // coordinator. The next slice may come from a second batch if the search can propose one before it has the scores of
-// the first. A batch that fits side by side into one engine is scored here: sending it takes longer. Only core decides
-// which genomes to score and how to use a score. So the result is the same for any number of evaluators, even if some
-// die.
+// the first. A small batch is scored here: sending it takes longer. Only core decides which genomes to score and how to
+// use a score. So the result is the same for any number of evaluators, even if some die.
 import { SCORE_LENGTH } from './engine.js';
 import { unreachable } from './messages.js';
+import { BatchSize, cut, LANES } from './worker_batches.js';
 
 /** @typedef {import('./messages.js').SearchRequest} SearchRequest */
 /** @typedef {import('./messages.js').CoordinatorMessage} CoordinatorMessage */
@@ -28,24 +28,15 @@ import { unreachable } from './messages.js';
  * @property {number} waitedMs       time since then, counted in ticks so that a machine's sleep does not count
  */
 
-// Number of motions that the engine simulates in parallel. A slice that is not a multiple leaves lanes empty.
-const LANES = 4;
-// Genomes per evaluator and batch. Larger batches lose less time between batches. But a search that looks ahead wastes
-// more, above all at its start, when every fourth guess is an improvement. So the size follows the waste, measured over
-// several batches. It never changes the result.
-const BATCH_SIZES = [LANES, 2 * LANES, 3 * LANES, 5 * LANES, 10 * LANES];
-const FIRST_BATCH_SIZE = 2;
 const MAX_BATCHES = 2; // batches that may wait for scores at once
 const SLICES_PER_EVALUATOR = 2;
-const BATCHES_PER_MEASURE = 16;
-// Simulated ÷ counted. Measured over the first 20,000 evaluations of a population of ten: 1.07 with 40 a batch, 1.17
-// with 80.
-const HIGH_WASTE = 1.12;
-const LOW_WASTE = 1.04;
 // Longest time for a slice, so that pause and stop take effect soon.
 const LONGEST_SLICE_MS = 100;
+// A batch is scored here if that takes less than this: two messages between busy cores take longer.
+const MESSAGES_MS = 4;
+const MOST_HERE = 4 * LANES; // genomes of such a batch
 // After this long messages are read between batches that are scored here.
-const HERE_MS = 10;
+const HERE_MS = 50;
 const TICK_MS = 500;
 // An evaluator is replaced after this long without an answer, or after this many times its usual time if that is
 // longer.
@@ -62,6 +53,8 @@ const SPREAD_REST = 50;
  * @param {number} ms  an earlier performance.now()
  */
 const since = (ms) => (performance.now() < ms ? Infinity : performance.now() - ms);
+/** @param {number} before  0: nothing @param {number} now */
+const smooth = (before, now) => (before > 0 ? 0.8 * before + 0.2 * now : now);
 
 export class Coordinator {
   /** @type {Map<number, Evaluator>} */
@@ -73,9 +66,8 @@ export class Coordinator {
   /** @type {SearchReport['state']} */
   #state = 'running';
   #simulated = 0;
-  #batchSize = FIRST_BATCH_SIZE; // index into BATCH_SIZES
-  #measure = { batches: 0, simulated: 0, evaluations: 0 }; // counts since the last choice of the batch size
   #genomeMs = 0; // an evaluator's time for one genome, smoothed
+  #hereMs = 0; // the same here, without messages
   /** Recent progress, for the rate. @type {{ms: number, evaluations: number}[]} */
   #rateSamples = [];
   #progressMs = -Infinity;
@@ -109,7 +101,7 @@ export class Coordinator {
     };
     if (state) this.search.load(state);
     this.workers = workers;
-    this.#measure.evaluations = this.search.evaluations;
+    this.batchSize = new BatchSize(this.search.evaluations);
     this.post = post;
     this.ticker = setInterval(() => this.#act(() => this.#tick()), TICK_MS);
   }
@@ -179,7 +171,7 @@ export class Coordinator {
   }
 
   /**
-   * Scores batches that leave nothing to share, as long as such come. Another batch waits for #assignWork.
+   * Scores small batches, as long as such come. Another batch waits for #assignWork.
    * @returns {boolean} whether it goes on after messages were read
    */
   #scoreHere() {
@@ -191,13 +183,21 @@ export class Coordinator {
         return true;
       }
       const batch = this.#ask();
-      if (!batch || batch.genomes.length > LANES * this.search.genes) return false;
+      if (!batch || !this.#fitsHere(batch.genomes.length / this.search.genes)) return false;
       this.#batches = [];
+      const count = batch.genomes.length / this.search.genes;
+      const begin = performance.now();
       this.search.scoreHere();
-      this.#simulated += batch.genomes.length / this.search.genes;
+      this.#hereMs = smooth(this.#hereMs, since(begin) / count);
+      this.#simulated += count;
       this.#batchDone(batch);
     }
     return false;
+  }
+
+  /** @param {number} count  of a batch's genomes */
+  #fitsHere(count) {
+    return count <= LANES || (!this.search.asksAhead && count <= MOST_HERE && count * this.#hereMs <= MESSAGES_MS);
   }
 
   /** Gives every evaluator work until it has enough. Those with the least work come first. */
@@ -245,7 +245,7 @@ export class Coordinator {
       if (pending === 0) this.#finish('done');
       return null;
     }
-    const genomes = this.search.ask(BATCH_SIZES[this.#batchSize] * this.workers);
+    const genomes = this.search.ask(this.batchSize.perEvaluator * this.workers);
     const count = genomes.length / this.search.genes;
     if (count === 0) return null;
     const share = Math.ceil(count / Math.max(1, this.#evaluators.size));
@@ -266,7 +266,7 @@ export class Coordinator {
     // Limited by ticks, since the clock may jump.
     const ms = Math.min(since(evaluator.startedMs), evaluator.waitedMs + TICK_MS) / slice.count;
     this.#startClock(evaluator);
-    this.#genomeMs = this.#genomeMs > 0 ? 0.8 * this.#genomeMs + 0.2 * ms : ms;
+    this.#genomeMs = smooth(this.#genomeMs, ms);
     this.#simulated += slice.count;
     const { batch } = slice;
     batch.scores.set(scores, SCORE_LENGTH * slice.first);
@@ -282,7 +282,7 @@ export class Coordinator {
   /** @param {Batch} done  whose scores the search was told */
   #batchDone(done) {
     this.#attempt = done.genomes.slice(0, this.search.genes);
-    this.#fitBatchSize();
+    this.batchSize.fit(this.#simulated, this.search.evaluations);
     const now = performance.now();
     if (now < (this.#rateSamples.at(-1)?.ms ?? 0)) this.#rateSamples = [];
     this.#rateSamples.push({ ms: now, evaluations: this.search.evaluations });
@@ -293,15 +293,6 @@ export class Coordinator {
       this.post({ type: 'checkpoint', state, evaluations: this.search.evaluations }, [state.buffer]);
     }
     if (since(this.#progressMs) >= PROGRESS_MS) this.#report();
-  }
-
-  #fitBatchSize() {
-    if (++this.#measure.batches < BATCHES_PER_MEASURE) return;
-    const { evaluations } = this.search;
-    const waste = (this.#simulated - this.#measure.simulated) / Math.max(1, evaluations - this.#measure.evaluations);
-    if (waste > HIGH_WASTE) this.#batchSize = Math.max(0, this.#batchSize - 1);
-    if (waste < LOW_WASTE) this.#batchSize = Math.min(BATCH_SIZES.length - 1, this.#batchSize + 1);
-    this.#measure = { batches: 0, simulated: this.#simulated, evaluations };
   }
 
   #tick() {
@@ -382,18 +373,4 @@ export class Coordinator {
 function closePort({ port }) {
   port.onmessage = null;
   port.close();
-}
-
-/**
- * Cuts genomes into slices of at most `max`, as evenly as whole lanes allow.
- * @param {number} count  of genomes @param {number} max
- * @returns {Span[]}
- */
-export function cut(count, max) {
-  const rows = Math.ceil(count / LANES);
-  const slices = Math.max(1, Math.ceil(rows / Math.ceil(max / LANES)));
-  return Array.from({ length: slices }, (_, i) => {
-    const first = LANES * Math.floor((i * rows) / slices);
-    return { first, count: Math.min(count, LANES * Math.floor(((i + 1) * rows) / slices)) - first };
-  });
 }
