@@ -202,7 +202,7 @@ void App::DrawDock(Ui& ui, const ImRect& rect, DockTab first) {
   }
   int chosen = static_cast<int>(dock_) - static_cast<int>(first);
   const ImRect tabs(rect.Min, {rect.Max.x, rect.Min.y + DockTabHeight(ui)});
-  if (ui.Tabs("dock", tabs, Tr("Below the stage"), names, chosen))
+  if (ui.Tabs("dock", tabs, low_ ? Tr("Beside the stage") : Tr("Below the stage"), names, chosen))
     dock_ = static_cast<DockTab>(chosen + static_cast<int>(first));
   const ImRect inside({rect.Min.x, tabs.Max.y}, rect.Max);
   switch (dock_) {
