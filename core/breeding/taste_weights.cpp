@@ -15,7 +15,7 @@ constexpr float kLeastPrimary = 0.5f;
 constexpr float kLeastWeight = 0.5f;
 
 /// A style term's trait, and how much of the term one unit of the trait is.
-struct Measure {
+struct Yardstick {
   Trait trait;
   float per_trait;
 };
@@ -26,7 +26,7 @@ std::array<float, kStyleTerms> WeightsOf(const Taste& taste, const Document& d) 
   const float size_m = SizeOf(d.figure);
   const float seconds = static_cast<float>(d.task.duration_steps) * kStep;
   const auto joints = static_cast<float>(std::max(1, d.figure.Joints()));
-  const std::array<Measure, kStyleTerms> measures = {{
+  const std::array<Yardstick, kStyleTerms> measures = {{
       {Trait::kHeight, size_m},
       {Trait::kSlip, size_m * seconds},
       {Trait::kTurns, seconds},
@@ -35,12 +35,12 @@ std::array<float, kStyleTerms> WeightsOf(const Taste& taste, const Document& d) 
       {Trait::kSmoothness, 1.0f},
       {Trait::kHeadHeight, size_m},
   }};
-  const auto worth = [&](const Measure& measure) {
+  const auto worth = [&](const Yardstick& measure) {
     return TraitOf(taste.Weights(), measure.trait) /
            kTraitTable[static_cast<std::size_t>(measure.trait)].scale / measure.per_trait;
   };
   const bool jumps = d.task.kind == TaskKind::kJump;
-  const Measure primary = {jumps ? Trait::kHeight : Trait::kSpeed, jumps ? size_m : size_m * seconds};
+  const Yardstick primary = {jumps ? Trait::kHeight : Trait::kSpeed, jumps ? size_m : size_m * seconds};
   const float least =
       kLeastPrimary / kTraitTable[static_cast<std::size_t>(primary.trait)].scale / primary.per_trait;
   float metre = worth(primary);

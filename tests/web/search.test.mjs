@@ -9,9 +9,10 @@ import { assertSame, engine, fromWeb, newClient, newWorker, problem, run } from 
 /** @typedef {import('../../web/search/messages.js').SearchReport} SearchReport */
 /** @typedef {import('./search_run.mjs').Run} Run */
 
-for (const algorithm of ['sphc', 'rgt', 'gga', 'shc', 'cma-es', 'map-elites']) {
-  test(`${algorithm}: one, two and three workers find the same`, async () => {
-    const document = problem({ algorithm });
+for (const settings of [{ algorithm: 'sphc' }, { algorithm: 'rgt' }, { algorithm: 'gga' }, { algorithm: 'shc' }, { algorithm: 'cma-es' },
+  { algorithm: 'map-elites' }, { algorithm: 'pose-cycle' }, { algorithm: 'pose-cycle', body: 'lot' }, { algorithm: 'sphc', body: 'little' }]) {
+  test(`${Object.values(settings).join(', body=')}: one, two and three workers find the same`, async () => {
+    const document = problem(settings);
     const [one, two, three] = [await run(document, 1), await run(document, 2), await run(document, 3)];
     assert.equal(one.last.evaluations, 3000);
     assert.ok(one.last.bestFitness > 0.5);

@@ -16,7 +16,7 @@
 namespace gaitsmith::shell::test {
 namespace {
 
-Document Example(const std::string& name) {
+Document ShippedMotion(const std::string& name) {
   return DecodeJson(gaitsmith::test::ReadFile("examples/" + name + ".json")).value();
 }
 
@@ -149,7 +149,7 @@ void CheckForwardKinematics(const Document& document) {
 
 TEST_CASE("export: the film strip has the requested number of poses, each with its letter") {
   for (const char* name : {"star-man-shuffle", "there-and-back", "beryl-wind-up", "star-man-network"}) {
-    const Document document = Example(name);
+    const Document document = ShippedMotion(name);
     const Motion motion = Simulate(document);
     for (const int poses : {3, 8, 9, 10, 19, 26}) {
       const std::string svg = FilmStripSvg(document, motion, {.poses = poses});
@@ -163,7 +163,7 @@ TEST_CASE("export: the film strip has the requested number of poses, each with i
 }
 
 TEST_CASE("export: names on a film strip are escaped") {
-  Document document = Example("star-man-shuffle");
+  Document document = ShippedMotion("star-man-shuffle");
   document.title = "</title><script>alert(1)</script> & \"so\" 'on'";
   document.figure.name = "<b>{1}</b>";
   FilmStripOptions options;
@@ -177,13 +177,13 @@ TEST_CASE("export: names on a film strip are escaped") {
 }
 
 TEST_CASE("export: poses of a film strip do not overlap, and times are clamped to the motion") {
-  Document document = Example("there-and-back");
+  Document document = ShippedMotion("there-and-back");
   document.duration_steps = 1;
   const Motion shortest = Simulate(document);
   CHECK(Count(FilmStripSvg(document, shortest, {.poses = 26, .from_s = 5.0, .to_s = 7.0}),
               "<g class=\"pose\"") == 26);
   // Distant poses share one ground, in the order of time.
-  const Document far = Example("star-man-shuffle");
+  const Document far = ShippedMotion("star-man-shuffle");
   const std::string shared = FilmStripSvg(far, Simulate(far), {.poses = 3});
   CHECK(Count(shared, "rx=\"7\"") == 0);
   CHECK(Count(FilmStripSvg(far, Simulate(far), {.poses = 12}), "rx=\"7\"") == 12);
@@ -191,9 +191,9 @@ TEST_CASE("export: poses of a film strip do not overlap, and times are clamped t
 
 TEST_CASE("export: forward kinematics of the glTF scene yields the motion's endpoints") {
   for (const char* name : {"star-man-shuffle", "there-and-back", "beryl-wind-up", "star-man-network"})
-    CheckForwardKinematics(Example(name));
+    CheckForwardKinematics(ShippedMotion(name));
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    Document document = Example("star-man-shuffle");
+    Document document = ShippedMotion("star-man-shuffle");
     document.figure = gaitsmith::test::RandomFigure(seed);
     document.controllers = {gaitsmith::test::RandomController(document.figure, {}, seed)};
     document.timeline = {{0, 0}};
@@ -205,7 +205,7 @@ TEST_CASE("export: forward kinematics of the glTF scene yields the motion's endp
 }
 
 TEST_CASE("export: a slope tilts the whole glTF scene") {
-  Document document = Example("star-man-shuffle");
+  Document document = ShippedMotion("star-man-shuffle");
   const auto root = [&document] {
     const Gltf gltf(SkeletonGltf(document, Simulate(document)));
     return Gltf::At(gltf.Json(), "nodes").items[0];
@@ -216,7 +216,7 @@ TEST_CASE("export: a slope tilts the whole glTF scene") {
 }
 
 TEST_CASE("export: the centre of mass of a CSV is that of its nodes") {
-  const Document document = Example("beryl-wind-up");
+  const Document document = ShippedMotion("beryl-wind-up");
   const Motion motion = Simulate(document);
   const Skeleton& bones = motion.Bones();
   std::istringstream csv(TrajectoryCsv(document, motion));

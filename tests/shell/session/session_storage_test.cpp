@@ -8,7 +8,7 @@ namespace gaitsmith::shell::test {
 
 namespace {
 
-void SetFriction(Session& session, float friction) {
+void DragFriction(Session& session, float friction) {
   session.BeginGesture();
   REQUIRE(session.Change([friction](Document& d) { d.environment.friction = friction; }));
 }
@@ -31,9 +31,9 @@ void Queue(Session& session, std::uint32_t seed) {
 TEST_CASE("session: a reload keeps Undo, Redo and the queue", "[shell][session][storage]") {
   QuietHost host;
   Session session(host);
-  SetFriction(session, 0.3f);
-  SetFriction(session, 0.4f);
-  SetFriction(session, 0.5f);
+  DragFriction(session, 0.3f);
+  DragFriction(session, 0.4f);
+  DragFriction(session, 0.5f);
   session.Undo();
   for (const std::uint32_t seed : {5u, 6u}) Queue(session, seed);
   REQUIRE(session.Queue().Run());
@@ -93,7 +93,7 @@ TEST_CASE("session: a reload keeps the choices of a first visit, or all panels",
 TEST_CASE("session: damaged data of a visit is ignored as a whole", "[shell][session][storage]") {
   QuietHost host;
   Session session(host);
-  SetFriction(session, 0.3f);
+  DragFriction(session, 0.3f);
   Queue(session, 5);
   const std::string good = session.StoreVisit();
   QuietHost next_host;
