@@ -120,6 +120,13 @@ void BodyShape::ShareJoint(std::size_t one, std::size_t other, bool mirrored) {
       sides_[i] = sides_[i] == Sides::kOwn ? Sides::kMirrored : Sides::kOwn;
   }
   joints_.Share(one, other);
+  // Limbs like one in the middle turn as far to both sides, too.
+  const auto alike = [&](std::size_t i) { return joints_.Shares(i, one); };
+  bool both = false;
+  for (std::size_t i = 0; i < sides_.size(); ++i) both = both || (alike(i) && sides_[i] == Sides::kBoth);
+  for (std::size_t i = 0; i < sides_.size() && both; ++i) {
+    if (alike(i)) sides_[i] = Sides::kBoth;
+  }
 }
 
 /// The halves of a figure that is its own mirror image.

@@ -95,6 +95,34 @@ TEST_CASE("bodies: what was symmetric or alike stays so", "[rollout][body]") {
   CHECK(pairs == 3);
 }
 
+TEST_CASE("bodies: a limb in the middle stays like its two neighbours", "[rollout][body]") {
+  Figure drawn;
+  drawn.name = "trident";
+  Rod shaft;
+  shaft.rest_rad = 1.5707964f;
+  drawn.rods.push_back(shaft);
+  for (const float rest_rad : {0.6f, 0.0f, -0.6f}) {
+    Rod prong;
+    prong.parent = 0;
+    prong.rest_rad = rest_rad;
+    prong.min_rad = -0.8f;
+    prong.max_rad = 0.8f;
+    drawn.rods.push_back(prong);
+  }
+  REQUIRE(Validate(drawn));
+  REQUIRE(SymmetryOf(drawn));
+  const BodyShape shape({drawn, 2.0f}, drawn);
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    CAPTURE(seed);
+    const Figure figure = shape.FigureOf(RandomBody(shape, seed));
+    CHECK(SymmetryOf(figure));
+    for (const std::size_t prong : {1u, 2u, 3u}) {
+      CHECK(figure.rods[prong].min_rad == figure.rods[1].min_rad);
+      CHECK(figure.rods[prong].max_rad == -figure.rods[1].min_rad);
+    }
+  }
+}
+
 TEST_CASE("bodies: unchanged genes give the same body to the bit, also from one that was found",
           "[rollout][body]") {
   for (const std::string& name : ShippedFigureFiles()) {
