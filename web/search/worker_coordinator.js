@@ -66,6 +66,8 @@ export class Coordinator {
   /** @type {SearchReport['state']} */
   #state = 'running';
   #simulated = 0;
+  /** @type {BatchSize} */
+  #batchSize;
   #genomeMs = 0; // an evaluator's time for one genome, smoothed
   #hereMs = 0; // the same here, without messages
   /** Recent progress, for the rate. @type {{ms: number, evaluations: number}[]} */
@@ -101,7 +103,7 @@ export class Coordinator {
     };
     if (state) this.search.load(state);
     this.workers = workers;
-    this.batchSize = new BatchSize(this.search.evaluations);
+    this.#batchSize = new BatchSize(this.search.evaluations);
     this.post = post;
     this.ticker = setInterval(() => this.#act(() => this.#tick()), TICK_MS);
   }
@@ -183,9 +185,9 @@ export class Coordinator {
         return true;
       }
       const batch = this.#ask();
-      if (!batch || !this.#fitsHere(batch.genomes.length / this.search.genes)) return false;
+      const count = batch ? batch.genomes.length / this.search.genes : 0;
+      if (!batch || !this.#fitsHere(count)) return false;
       this.#batches = [];
-      const count = batch.genomes.length / this.search.genes;
       const begin = performance.now();
       this.search.scoreHere();
       this.#hereMs = smooth(this.#hereMs, since(begin) / count);
@@ -245,7 +247,7 @@ export class Coordinator {
       if (pending === 0) this.#finish('done');
       return null;
     }
-    const genomes = this.search.ask(this.batchSize.perEvaluator * this.workers);
+    const genomes = this.search.ask(this.#batchSize.perEvaluator * this.workers);
     const count = genomes.length / this.search.genes;
     if (count === 0) return null;
     const share = Math.ceil(count / Math.max(1, this.#evaluators.size));
@@ -282,7 +284,7 @@ export class Coordinator {
   /** @param {Batch} done  whose scores the search was told */
   #batchDone(done) {
     this.#attempt = done.genomes.slice(0, this.search.genes);
-    this.batchSize.fit(this.#simulated, this.search.evaluations);
+    this.#batchSize.fit(this.#simulated, this.search.evaluations);
     const now = performance.now();
     if (now < (this.#rateSamples.at(-1)?.ms ?? 0)) this.#rateSamples = [];
     this.#rateSamples.push({ ms: now, evaluations: this.search.evaluations });
