@@ -2,6 +2,7 @@
 #include "core/breeding/taste_weights.h"
 
 #include <algorithm>
+#include <array>
 
 namespace gaitsmith {
 
@@ -26,7 +27,7 @@ std::array<float, kStyleTerms> WeightsOf(const Taste& taste, const Document& d) 
   const float size_m = SizeOf(d.figure);
   const float seconds = static_cast<float>(d.task.duration_steps) * kStep;
   const auto joints = static_cast<float>(std::max(1, d.figure.Joints()));
-  const std::array<Yardstick, kStyleTerms> measures = {{
+  const auto measures = std::to_array<Yardstick>({
       {Trait::kHeight, size_m},
       {Trait::kSlip, size_m * seconds},
       {Trait::kTurns, seconds},
@@ -34,7 +35,7 @@ std::array<float, kStyleTerms> WeightsOf(const Taste& taste, const Document& d) 
       {Trait::kUpright, 1.0f},
       {Trait::kSmoothness, 1.0f},
       {Trait::kHeadHeight, size_m},
-  }};
+  });
   const auto worth = [&](const Yardstick& measure) {
     return TraitOf(taste.Weights(), measure.trait) /
            kTraitTable[static_cast<std::size_t>(measure.trait)].scale / measure.per_trait;
@@ -48,8 +49,9 @@ std::array<float, kStyleTerms> WeightsOf(const Taste& taste, const Document& d) 
   if (d.task.kind == TaskKind::kTravel) metre = std::abs(metre);
   metre = std::max(metre, least);
 
-  std::array<float, kStyleTerms> weights{};
-  for (std::size_t term = 0; term < weights.size(); ++term) {
+  std::array<float, kStyleTerms> weights = d.task.weights;  // of what was shown: they stay
+  for (std::size_t term = 0; term < measures.size(); ++term) {
+    weights[term] = 0.0f;
     if (jumps && measures[term].trait == primary.trait) continue;  // it is the primary term
     const Trait trait = measures[term].trait;
     if (std::abs(TraitOf(taste.Weights(), trait)) > kLeastWeight * TraitOf(taste.Doubts(), trait))

@@ -132,6 +132,21 @@ Result<void> CheckControllers(const Document& d, const std::vector<Controller>& 
   return {};
 }
 
+/// @param where of a task
+Result<void> CheckShown(const Demonstration& shown, const Figure& figure, const std::string& where) {
+  for (std::size_t i = 1; i < shown.way.size(); ++i) {
+    if (shown.way[i].step <= shown.way[i - 1].step)
+      return Fail(ErrorCode::kStructure, where + "." + Element("shown.way", i, "step"),
+                  "must be after the point before it");
+  }
+  const auto joints = static_cast<std::size_t>(figure.Joints());
+  if (!shown.pose_rad.empty() && shown.pose_rad.size() != joints)
+    return Fail(ErrorCode::kStructure, where + ".shown.pose",
+                "must have one angle for each of the " + std::to_string(joints) + " joints, has " +
+                    std::to_string(shown.pose_rad.size()));
+  return {};
+}
+
 Result<void> CheckLineage(const Document& d) {
   const auto& [founders, rounds, shown] = d.lineage;
   if (auto fits = CheckControllers(d, founders, "lineage.founders"); !fits) return fits;
@@ -146,6 +161,8 @@ Result<void> CheckLineage(const Document& d) {
     return Fail(ErrorCode::kStructure, "lineage.shown", "there is no round " + std::to_string(shown));
   for (std::size_t i = 0; i < rounds.size(); ++i) {
     const BreedRound& round = rounds[i];
+    const std::string task = "lineage.rounds[" + std::to_string(i) + "].task";
+    if (auto fits = CheckShown(round.task.shown, d.figure, task); !fits) return fits;
     if (round.parent >= static_cast<int>(i))
       return Fail(ErrorCode::kStructure, Element("lineage.rounds", i, "parent"), "must be an earlier round");
     const std::size_t choices = round.parent < 0 ? founders.size() : kLitter;
@@ -230,6 +247,7 @@ Result<void> CheckReferences(const Document& d) {
   if (auto senses = CheckSenses(d.senses, "senses"); !senses) return senses;
   if (auto kind = CheckKind(d.kind, d.senses, "kind"); !kind) return kind;
   if (auto fits = CheckControllers(d, d.controllers, "controllers"); !fits) return fits;
+  if (auto shown = CheckShown(d.task.shown, d.figure, "task"); !shown) return shown;
   if (auto lineage = CheckLineage(d); !lineage) return lineage;
   if (auto search = CheckSearch(d); !search) return search;
   for (std::size_t i = 0; i < d.timeline.size(); ++i) {

@@ -52,7 +52,8 @@ Script ScriptOf(const Document& d) {
           .controllers = d.controllers,
           .clips = d.timeline,
           .steps = d.duration_steps,
-          .model = d.model};
+          .model = d.model,
+          .shown = d.task.shown};
 }
 
 Motion Simulate(const Document& d) { return Motion(ScriptOf(d)); }

@@ -72,8 +72,8 @@ Drawn DrawnOf(const Figure& figure) {
 
 Task TaskOf(Goal goal, float strength, Task task) {
   task.kind = goal == Goal::kHighJump ? TaskKind::kJump : TaskKind::kTravelRight;
-  task.weights = GoalWeights(goal);
-  for (float& weight : task.weights) weight *= strength;
+  const std::array<float, kStyleTerms> weights = GoalWeights(goal);
+  for (std::size_t term = 0; term < kFreeTerms; ++term) task.weights[term] = weights[term] * strength;
   return task;
 }
 

@@ -28,7 +28,7 @@ inline constexpr std::array<float, 6> kGoalStrengths = {1.0f, 2.0f, 3.0f, 4.0f, 
 /// gets the middle one.
 [[nodiscard]] float StrengthOf(Goal, std::string_view figure);
 
-/// Sets kind and weights of the document's task. Keeps the duration.
+/// Sets kind and weights of the document's task. Keeps the duration, and what was shown with its weights.
 void SetGoal(Goal, float strength, Document&);
 /// As above, with the figure's own strength.
 void SetGoal(Goal, Document&);

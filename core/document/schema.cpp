@@ -42,6 +42,18 @@ void Describe(Archive& ar, Push& push) {
   ar.Real("impulse_y_ns", push.impulse_y_ns, -1e6f, 1e6f, 0.0f);
 }
 
+void Describe(Archive& ar, Demonstration& shown) {
+  ar.List("way", shown.way, kMaxWayPoints, [&](WayPoint& point) {
+    ar.Integer("step", point.step, 0, kMaxSteps, 0);
+    ar.Real("x_m", point.x_m, -10'000.0f, 10'000.0f, 0.0f);
+    ar.Real("y_m", point.y_m, 0.0f, 10'000.0f, 0.0f);
+  });
+  ar.Integer("pose_step", shown.pose_step, 1, kMaxSteps, Demonstration{}.pose_step);
+  ar.Real("pose_turn_rad", shown.pose_turn_rad, -6.2831855f, 6.2831855f, 0.0f);
+  ar.List("pose", shown.pose_rad, kMaxJoints,
+          [&](float& angle_rad) { ar.Real("angle_rad", angle_rad, -3.1415927f, 3.1415927f, 0.0f); });
+}
+
 void Describe(Archive& ar, Task& task) {
   const Task standard;
   ar.Choice("kind", task.kind, kTaskNames, standard.kind);
@@ -59,6 +71,7 @@ void Describe(Archive& ar, Task& task) {
       }
     }
   });
+  ar.Since(6, [&] { ar.Group("shown", [&] { Describe(ar, task.shown); }); });
 }
 
 void Describe(Archive& ar, SenseSpec& senses) {

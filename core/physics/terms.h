@@ -17,6 +17,8 @@ enum class StyleTerm {
   kUpright,
   kSmoothness,
   kHeadHeight,
+  kOnWay,
+  kInPose,
 };
 
 /// The measurements of one motion.
@@ -33,6 +35,8 @@ struct Terms {
   float upright = 0.0f;            // mean of cos(turn of the root rod from the drawn pose), [-1, 1]
   float smoothness_radps2 = 0.0f;  // minus the mean of |change of a joint's rate| per second; 0 is smoothest
   float head_height_m = 0.0f;      // mean height of the head (Skeleton::head) above ground
+  float on_way_m = 0.0f;           // minus the mean distance from a way that was shown; 0 if none was
+  float in_pose_rad = 0.0f;        // minus the mean difference from a pose that was shown; 0 if none was
 
   [[nodiscard]] float Style(StyleTerm term) const;
 };
@@ -61,8 +65,12 @@ inline constexpr auto kStyleTable = std::to_array<StyleTermRow>({
     {"upright", "", &Terms::upright, 2, 5.0f, 5.0f},
     {"smoothness", "rad/s^2", &Terms::smoothness_radps2, 2, 0.2f, 0.2f},
     {"head_height", "m", &Terms::head_height_m, 2, 2.0f, 2.0f},
+    {"on_way", "m", &Terms::on_way_m, 6, 10.0f, 2.0f},
+    {"in_pose", "rad", &Terms::in_pose_rad, 6, 20.0f, 5.0f},
 });
 inline constexpr int kStyleTerms = static_cast<int>(kStyleTable.size());
+/// Number of the terms that need nothing but a motion. The others are measured against what was shown.
+inline constexpr int kFreeTerms = static_cast<int>(StyleTerm::kOnWay);
 
 inline constexpr std::array<std::string_view, kStyleTerms> kStyleTermNames = [] {
   std::array<std::string_view, kStyleTerms> names;

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/rollout/evaluation.h"
 #include "core/rollout/gait_meter.h"
@@ -31,10 +32,18 @@ void Measure(Rollout<PlantOf, W>& rollout, const PortCount& ports, const Task& t
   if (weighted != FurtherTerms{}) meter.emplace(plant, ports, weighted, kStep);
   std::optional<GaitMeter<PlantOf<W>>> gait;
   if (looks) gait.emplace(plant, ports, size_m, kStep);
+  std::vector<DemonstrationMeter> compared;
+  if (task.shown != Demonstration{}) compared.assign(W, DemonstrationMeter(task.shown));
   if (sees != nullptr) sees->Add(rollout.Control(), rollout.StepNow());
   rollout.RunTo(rollout.StepNow() + task.duration_steps, kNothing, [&] {
     if (meter) meter->Add();
     if (gait) gait->Add();
+    for (std::size_t lane = 0; lane < compared.size(); ++lane) {
+      const auto at = static_cast<int>(lane);
+      const Snapshot now = plant.Observe(at);
+      compared[lane].Add(now.x_m, static_cast<double>(now.y_m), now.turn_rad,
+                         [&](std::size_t joint) { return plant.Read().position[joint][at]; });
+    }
     if (sees != nullptr) sees->Add(rollout.Control(), rollout.StepNow());
     for (std::size_t lane = 0; lane < hashes.size(); ++lane)
       plant.AddTo(hashes[lane], static_cast<int>(lane));
@@ -43,6 +52,7 @@ void Measure(Rollout<PlantOf, W>& rollout, const PortCount& ports, const Task& t
     Evaluation result;
     result.terms = plant.TermsOf(static_cast<int>(i));
     if (meter) meter->Put(static_cast<int>(i), result.terms);
+    if (!compared.empty()) compared[i].Put(result.terms);
     if (gait) result.traits = gait->TraitsOf(static_cast<int>(i), result.terms);
     result.fitness = Fitness(task, result.terms);
     results[i] = result;

@@ -37,6 +37,7 @@ Motion::~Motion() = default;
 Motion::Motion(std::unique_ptr<MotionRecorder> recorder, const Script& script)
     : skeleton_(script.figure), step_s_(script.step_s), recorder_(std::move(recorder)) {
   recorder_->Record(script, log_);
+  MeasureAgainst(script.shown);
 }
 
 Motion::Motion(Motion known, int parting, std::unique_ptr<MotionRecorder> recorder, const Script& script)
@@ -47,6 +48,19 @@ Motion::Motion(Motion known, int parting, std::unique_ptr<MotionRecorder> record
     log_.Truncate(recorder_->Rewind(std::min(parting, script.steps)));
   }
   recorder_->Record(script, log_);
+  MeasureAgainst(script.shown);
+}
+
+void Motion::MeasureAgainst(const Demonstration& shown) {
+  DemonstrationMeter meter(shown);
+  for (int frame = 0; frame < Frames(); ++frame) {
+    const Frame& now = At(frame);
+    if (frame > 0) {
+      meter.Add(now.x_m, static_cast<double>(now.y_m), now.turn_rad,
+                [&](std::size_t joint) { return AngleRad(frame, static_cast<int>(joint)); });
+    }
+    meter.Put(log_.terms[static_cast<std::size_t>(frame)]);
+  }
 }
 
 Motion::Motion(const Script& script) : Motion(RecorderOf(script.model), script) {}

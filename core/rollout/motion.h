@@ -25,7 +25,8 @@ struct Script {
   std::span<const Clip> clips;  // sorted by start_step, the first at 0; if empty, the drawn pose is held
   int steps;                    // [0, kMaxSteps]
   float step_s = kStep;
-  int model = 1;  // version of the physical model, [1, kModelVersion]
+  int model = 1;             // version of the physical model, [1, kModelVersion]
+  Demonstration shown = {};  // what is measured, the motion does not depend on it
 };
 
 class Motion {
@@ -67,6 +68,9 @@ class Motion {
     /// Keeps only the first `frame_count` frames.
     void Truncate(int frame_count);
   };
+
+  /// Measures the terms on_way and in_pose of every frame against another demonstration.
+  void MeasureAgainst(const Demonstration&);
 
   [[nodiscard]] const Skeleton& Bones() const { return skeleton_; }
   [[nodiscard]] int Frames() const { return static_cast<int>(log_.frames.size()); }

@@ -19,6 +19,16 @@ float Primary(const Task& task, const Terms& terms) {
   return kVoidScore;
 }
 
+bool CanMeasure(const Task& task, StyleTerm term) {
+  if (term == StyleTerm::kOnWay) return !task.shown.way.empty();
+  return term != StyleTerm::kInPose || !task.shown.pose_rad.empty();
+}
+
+void ForgetShown(Task& task) {
+  task.shown = {};
+  for (std::size_t term = kFreeTerms; term < kStyleTerms; ++term) task.weights[term] = 0.0f;
+}
+
 FurtherTerms WeightedFurtherTerms(const Task& task) {
   FurtherTerms weighted{};
   for (std::size_t i = 0; i < weighted.size(); ++i) weighted[i] = task.weights[kPaperTerms + i] != 0.0f;

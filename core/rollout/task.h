@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/physics/terms.h"
+#include "core/rollout/demonstration.h"
 
 namespace gaitsmith {
 
@@ -24,6 +25,7 @@ struct Task {
   TaskKind kind = TaskKind::kTravel;
   int duration_steps = 500;                     // T in whole steps, [1, kMaxSteps]; 5 to 10 s in the paper
   std::array<float, kStyleTerms> weights = {};  // of the secondary terms, [-kMaxStyleWeight, kMaxStyleWeight]
+  Demonstration shown = {};                     // what the terms on_way and in_pose are measured against
 };
 
 /// Score of a motion that broke physics: worse than any real one.
@@ -31,6 +33,13 @@ inline constexpr float kVoidScore = -1e9f;
 
 /// The primary term alone.
 [[nodiscard]] float Primary(const Task&, const Terms&);
+
+/// Whether the task says what a term is measured against: a way or a pose for on_way and in_pose. The other
+/// terms need nothing.
+[[nodiscard]] bool CanMeasure(const Task&, StyleTerm);
+
+/// Takes away what was shown, and its weights.
+void ForgetShown(Task&);
 
 /// The further terms with a weight other than 0. A search has to measure these.
 [[nodiscard]] FurtherTerms WeightedFurtherTerms(const Task&);

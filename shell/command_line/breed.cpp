@@ -73,7 +73,8 @@ float NearestOf(const std::vector<Brood::Member>& children, std::size_t child) {
 
 void PrintHeading() {
   std::printf("child,file,fitness,travel");
-  for (const std::string_view name : kStyleTermNames) std::printf(",%s", std::string(name).c_str());
+  for (std::size_t term = 0; term < kFreeTerms; ++term)
+    std::printf(",%s", std::string(kStyleTermNames[term]).c_str());
   std::printf(",from_parent,from_others,hash\n");
 }
 
@@ -91,7 +92,7 @@ Result<void> WriteChild(const Document& family, bool repeats, const Brood& brood
   const Terms& terms = motion.TermsAt(motion.Frames() - 1);
   std::printf("%zu,%s,%.9g,%.9g", child + 1, file.c_str(), static_cast<double>(member.fitness),
               static_cast<double>(terms.travel_m));
-  for (int term = 0; term < kStyleTerms; ++term)
+  for (int term = 0; term < kFreeTerms; ++term)
     std::printf(",%.9g", static_cast<double>(terms.Style(static_cast<StyleTerm>(term))));
   std::printf(",%.3f,%.3f,%s\n", static_cast<double>(brood.DistanceToParents(member.traits)),
               static_cast<double>(NearestOf(brood.Children(), child)), HashText(motion.Hash()).c_str());

@@ -25,12 +25,19 @@ Outcome MeasureCommand(Words words) {
     values += text;
   };
   add(terms.travel_m);
-  for (int term = 0; term < kStyleTerms; ++term) {
-    names += "," + std::string(kStyleTermNames[static_cast<std::size_t>(term)]);
-    add(terms.Style(static_cast<StyleTerm>(term)));
-  }
+  const auto add_terms = [&](int first, int end) {
+    for (int term = first; term < end; ++term) {
+      names += "," + std::string(kStyleTermNames[static_cast<std::size_t>(term)]);
+      add(terms.Style(static_cast<StyleTerm>(term)));
+    }
+  };
+  add_terms(0, kFreeTerms);
   add(Fitness(document->task, terms));
-  std::printf("%s,fitness,hash\n%s%s\n", names.c_str(), values.c_str(), HashText(motion.Hash()).c_str());
+  names += ",fitness,hash";
+  values += HashText(motion.Hash()) + ",";
+  add_terms(kFreeTerms, kStyleTerms);  // later columns than the hash
+  values.pop_back();
+  std::printf("%s\n%s\n", names.c_str(), values.c_str());
   return {};
 }
 

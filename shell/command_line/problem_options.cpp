@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
+#include <vector>
 
 #include "core/document/style_weights.h"
 
@@ -62,6 +64,71 @@ Result<void> SetWeight(const std::string& name, const std::string& number, Docum
   return {};
 }
 
+namespace {
+
+/// The numbers of a text with a sign between them, such as 0:0:0.8. @param where for errors
+Result<std::vector<float>> NumbersOf(const std::string& text, char between, const std::string& where) {
+  std::vector<float> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(between, begin), text.size());
+    const auto number = ParseNumber(text.substr(begin, end - begin), where);
+    if (!number) return std::unexpected(number.error());
+    numbers.push_back(static_cast<float>(std::clamp(*number, -1e30, 1e30)));
+    begin = end + 1;
+  }
+  return numbers;
+}
+
+Result<int> StepAt(const std::string& text, const std::string& where, int least) {
+  return WholeSteps(text.substr(0, text.find(':')), where, least, kMaxSteps);
+}
+
+/// A term that was given something to be measured against, but no weight, gets the usual one.
+void WeighShown(StyleTerm term, Document& document) {
+  float& weight = document.task.weights[static_cast<std::size_t>(term)];
+  if (weight == 0.0f) weight = UsualWeights(document)[static_cast<std::size_t>(term)];
+}
+
+Result<void> SetWay(const std::string& text, Document& document) {
+  std::vector<WayPoint> way;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string point = text.substr(begin, end - begin);
+    const auto numbers = NumbersOf(point, ':', "--way");
+    if (!numbers) return std::unexpected(numbers.error());
+    if (numbers->size() != 3)
+      return Fail(ErrorCode::kSyntax, "--way", "must have points SECONDS:X:Y, has \"" + point + "\"");
+    const auto step = StepAt(point, "--way", 0);
+    if (!step) return std::unexpected(step.error());
+    way.push_back({*step, (*numbers)[1], (*numbers)[2]});
+    begin = end + 1;
+  }
+  document.task.shown.way = std::move(way);
+  WeighShown(StyleTerm::kOnWay, document);
+  return {};
+}
+
+Result<void> SetPose(const std::string& text, Document& document) {
+  const auto numbers = NumbersOf(text, ':', "--pose");
+  if (!numbers) return std::unexpected(numbers.error());
+  const auto joints = static_cast<std::size_t>(document.figure.Joints());
+  if (numbers->size() != 2 + joints)
+    return Fail(ErrorCode::kSyntax, "--pose",
+                "must be SECONDS:TURN and the angles of the " + std::to_string(joints) +
+                    " joints, all with colons between them, has " + std::to_string(numbers->size()) +
+                    " numbers");
+  const auto step = StepAt(text, "--pose", 1);
+  if (!step) return std::unexpected(step.error());
+  Demonstration& shown = document.task.shown;
+  shown.pose_step = *step;
+  shown.pose_turn_rad = (*numbers)[1];
+  shown.pose_rad.assign(numbers->begin() + 2, numbers->end());
+  WeighShown(StyleTerm::kInPose, document);
+  return {};
+}
+
+}  // namespace
+
 Result<void> SetProblemOptions(const Arguments& arguments, Document& document) {
   if (arguments.Has("duration")) {
     const auto duration = WholeSteps(arguments.Last("duration"), "--duration", 1);
@@ -83,6 +150,12 @@ Result<void> SetProblemOptions(const Arguments& arguments, Document& document) {
         !set) {
       return set;
     }
+  }
+  if (arguments.Has("way")) {
+    if (auto set = SetWay(arguments.Last("way"), document); !set) return set;
+  }
+  if (arguments.Has("pose")) {
+    if (auto set = SetPose(arguments.Last("pose"), document); !set) return set;
   }
   return {};
 }

@@ -14,16 +14,20 @@ namespace {
 // In the order of Origin.
 constexpr std::array<std::string_view, 4> kOriginNames = {"done", "stopped", "failed", "by-hand"};
 
-// Calls `use` on the terms in the order of the text: the two that are not style terms, then the style table.
-template <class T, class Use>
-void ForEachTerm(T& terms, Use use) {
-  use(terms.travel_m);
-  use(terms.start_height_m);
-  for (const StyleTermRow& row : kStyleTable) use(terms.*row.value);
+// Number of style terms in the text. Those that are measured against what was shown are left out if nothing
+// was. Older texts may have fewer, since new terms are only appended.
+std::size_t StyleTermsOf(const Document& document) {
+  return static_cast<std::size_t>(document.task.shown == Demonstration{} ? kFreeTerms : kStyleTerms);
 }
 
-// Number of terms in the text. Older texts may have fewer, since new terms are only appended.
-constexpr std::size_t kKnownTerms = 2 + kStyleTable.size();
+// Calls `use` on the terms in the order of the text: the two that are not style terms, then the style table.
+template <class T, class Use>
+void ForEachTerm(const Document& document, T& terms, Use use) {
+  use(terms.travel_m);
+  use(terms.start_height_m);
+  for (std::size_t term = 0; term < StyleTermsOf(document); ++term) use(terms.*kStyleTable[term].value);
+}
+
 constexpr std::size_t kMinTerms = 2 + kPaperTerms;
 
 std::string Exact(double value, int digits) {
@@ -44,7 +48,7 @@ std::string EncodeFound(const FoundMotion& found) {
   // The terms of a motion that broke physics may be NaN or infinite, and are not used.
   std::string terms = found.terms.broke_physics ? "null" : "";
   if (terms.empty()) {
-    ForEachTerm(found.terms, [&](float value) {
+    ForEachTerm(found.document, found.terms, [&](float value) {
       terms += (terms.empty() ? "[" : ",") + Exact(static_cast<double>(value), 9);
     });
     terms += "]";
@@ -94,14 +98,16 @@ Result<FoundMotion> DecodeFound(std::string_view text) {
   const bool numbers = terms->kind == Kind::kArray && std::ranges::all_of(values, [](const JsonValue& value) {
                          return value.kind == Kind::kNumber;
                        });
-  if (!numbers || values.size() < kMinTerms || values.size() > kKnownTerms) return Bad("terms");
-  if (values.size() < kKnownTerms) {
+  const std::size_t known = 2 + StyleTermsOf(found.document);
+  if (!numbers || values.size() < kMinTerms || values.size() > known) return Bad("terms");
+  if (values.size() < known) {
     // Stored before the last terms were added: measure them now.
     if (found.Moves()) found.terms = Measured(found.document, found.origin, found.evaluations).terms;
     return found;
   }
   std::size_t next = 0;
-  ForEachTerm(found.terms, [&](float& value) { value = static_cast<float>(values[next++].number); });
+  ForEachTerm(found.document, found.terms,
+              [&](float& value) { value = static_cast<float>(values[next++].number); });
   return found;
 }
 

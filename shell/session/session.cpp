@@ -31,9 +31,11 @@ void Strip(Document& document) {
 
 // The next search of a document that is opened has the goal of the one before.
 void KeepGoal(const Document& before, Document& document) {
-  if (const auto goal = GoalOf(before)) return SetGoal(*goal, document);
-  document.task.kind = before.task.kind;
-  document.task.weights = before.task.weights;
+  const int duration = document.task.duration_steps;
+  document.task = before.task;
+  document.task.duration_steps = duration;
+  if (!SameTree(before.figure, document.figure)) ForgetShown(document.task);
+  if (const auto goal = GoalOf(before)) SetGoal(*goal, document);
 }
 
 }  // namespace
@@ -46,6 +48,7 @@ Session::Session(Host& host)
       live_(workspace_, search_),
       queue_(workspace_, lab_.Trials(), search_, results_),
       world_(workspace_),
+      teacher_(workspace_),
       comparison_(workspace_, world_, search_, queue_, results_),
       timeline_(workspace_, search_, comparison_, results_) {
   workspace_.SetFollowers({.motion =
@@ -53,6 +56,7 @@ Session::Session(Host& host)
                                  if (opened || Doc().timeline.empty()) attempts_.Clear();
                                  if (opened) live_.Drop();
                                  world_.Follow(opened);
+                                 teacher_.Follow(opened);
                                  comparison_.Follow();
                                  timeline_.Transitions().Follow();
                                },
@@ -141,6 +145,7 @@ bool Session::ReplaceFigure(const Figure& figure) {
     d.drawn.clear();
     if (fits) return;
     Strip(d);
+    ForgetShown(d.task);
     d.title = figure.name;
   };
   const auto next = workspace_.Edited(edit);

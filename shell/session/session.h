@@ -3,8 +3,8 @@
 // part that owns its state: timeline, world, comparison, search, queue, results and lab.
 //
 // Dependencies go one way. All parts read and change the document through the workspace, and each part knows
-// only those before it in this list: workspace, results, search, live, lab, queue, world, comparison,
-// timeline. The session knows all parts and forwards events from earlier parts to later ones.
+// only those before it in this list: workspace, results, search, live, lab, queue, world, teacher,
+// comparison, timeline. The session knows all parts and forwards events from earlier parts to later ones.
 #pragma once
 
 #include <functional>
@@ -18,6 +18,7 @@
 #include "shell/session/attempts.h"
 #include "shell/session/live.h"
 #include "shell/session/motion_comparison.h"
+#include "shell/session/teacher.h"
 #include "shell/session/timeline_editor.h"
 #include "shell/session/world_editor.h"
 #include "shell/workspace/shipped_documents.h"
@@ -40,6 +41,8 @@ class Session {
   [[nodiscard]] const TimelineEditor& Timeline() const { return timeline_; }
   [[nodiscard]] WorldEditor& World() { return world_; }
   [[nodiscard]] const WorldEditor& World() const { return world_; }
+  [[nodiscard]] Teacher& Teaching() { return teacher_; }
+  [[nodiscard]] const Teacher& Teaching() const { return teacher_; }
   [[nodiscard]] MotionComparison& Comparison() { return comparison_; }
   [[nodiscard]] const MotionComparison& Comparison() const { return comparison_; }
   [[nodiscard]] SearchRun& Search() { return search_; }
@@ -181,6 +184,7 @@ class Session {
   Live live_;
   QueueRun queue_;
   WorldEditor world_;
+  Teacher teacher_;
   MotionComparison comparison_;
   TimelineEditor timeline_;
   Attempts attempts_;

@@ -29,6 +29,17 @@ struct Camera {
             Bounded(origin.y - along * sine - above * cosine)};
   }
 
+  struct Place {
+    double x_m;  // along the ground
+    float y_m;   // above it
+  };
+  /// The place that ToScreen draws at this point.
+  [[nodiscard]] Place ToMetres(ImVec2 point) const {
+    const float right = point.x - origin.x - pivot, up = origin.y - point.y;
+    const float along = right * cosine + up * sine, above = up * cosine - right * sine;
+    return {left_m + static_cast<double>((along + pivot) / scale), above / scale};
+  }
+
  private:
   static float Bounded(float points) {
     constexpr float kFar = 1e6f;

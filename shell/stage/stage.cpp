@@ -63,7 +63,11 @@ void DrawRemark(const Scene& s, float y, float clear) {
     letters.DrawElided(s.list, Type::kNote, at, clear, colour, sentence);
     s.ui.DescribeText(sentence, {{at.x, at.y - 9.0f}, {at.x + clear, at.y + 9.0f}});
   };
-  if (s.session.Following().Previewing()) {
+  if (s.session.Teaching().InHand() == Teacher::Tool::kWay) {
+    remark(p.accent, Tr("Drag along the way that the figure's centre should take."));
+  } else if (s.session.Teaching().InHand() == Teacher::Tool::kPose) {
+    remark(p.accent, Tr("Drag the limbs of the coloured pose. Drag its body to turn all of it."));
+  } else if (s.session.Following().Previewing()) {
     remark(p.accent, Tr("Preview: let go to keep what is found."));
   } else if (terms.broke_physics) {
     remark(p.bad, Tr("The simulation failed, so this motion doesn't count."));
@@ -163,7 +167,8 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
   const ImRect open(rect.Min, {rect.Max.x - covered, rect.Max.y});
   const bool viewing = session.Viewing();
   const bool acts = viewing || HasStageActions(session, open);
-  const bool invites = acts && Invites(session);
+  const bool teaching = !viewing && session.Teaching().InHand() != Teacher::Tool::kNone;
+  const bool invites = acts && Invites(session) && !teaching;
   const bool beside = invites && InvitesBeside(open);
   const float ground_y = ui.Look().Snap(rect.Max.y - GroundRoom(rect.GetHeight(), acts && !beside));
   const auto framing = invites ? std::optional(InvitationFraming(open)) : std::nullopt;
@@ -186,9 +191,14 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
   scene.list->PushClipRect(own.Min, own.Max, true);
   const std::vector<ImVec2> endpoints = DrawScene(scene);
   const bool pinching = state.pinch.Holds();
-  const bool pushing = !pinching && PushByHand(ui, session, state.push, touch, scene.camera, endpoints);
-  const bool panned = !pinching && !pushing && Pan(state, touch, scene.camera.scale);
-  if (touch.pressed && !pinching && !pushing && !panned) session.Player().Play(!session.Player().Playing());
+  if (!viewing) DrawShown(scene, state.teach, touch.hovered);
+  if (teaching && !pinching) TeachByHand(session, state.teach, scene, touch, state.gaze);
+  if (!teaching) state.teach = {};
+  const bool pushing =
+      !pinching && !teaching && PushByHand(ui, session, state.push, touch, scene.camera, endpoints);
+  const bool panned = !pinching && !pushing && !teaching && Pan(state, touch, scene.camera.scale);
+  if (touch.pressed && !pinching && !pushing && !panned && !teaching)
+    session.Player().Play(!session.Player().Playing());
   const Controller* shown = session.Timeline().ShownController();
   const std::string name = two && shown != nullptr ? ControlModeWords(shown->kind, shown->senses) : "";
   const bool moved = !invites && (state.gaze.zoom != 1.0f || state.gaze.pan_m != 0.0);

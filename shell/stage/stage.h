@@ -6,6 +6,7 @@
 #include "shell/stage/pinch.h"
 #include "shell/stage/push_gesture.h"
 #include "shell/stage/scene.h"
+#include "shell/stage/teach_gesture.h"
 #include "shell/stage/world_card.h"
 #include "shell/widgets/widgets.h"
 
@@ -16,6 +17,7 @@ struct StageState {
   CameraSettings gaze;
   bool panning = false;
   PushGesture push;
+  TeachGesture teach;
   Pinch pinch;
   WorldCardState world;
   bool asks_for_rules = false;  // a button of the viewer was pressed: the rules should be shown

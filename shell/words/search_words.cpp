@@ -15,7 +15,8 @@ std::string SearchTitle(const Document& d) {
       (d.figure.name.empty() ? Tr("A figure") : TrTitle(d.figure.name)) + " · " + TaskWords(d.task.kind);
   for (std::size_t i = 0; i < kStyleTerms; ++i) {
     const float weight = d.task.weights[i];
-    if (weight != 0.0f) title += ", " + Tr(weight > 0.0f ? "more {1}" : "less {1}", Tr(TermTexts()[i].word));
+    if (weight != 0.0f && CanMeasure(d.task, static_cast<StyleTerm>(i)))
+      title += ", " + Tr(weight > 0.0f ? "more {1}" : "less {1}", Tr(TermTexts()[i].word));
   }
   return title;
 }

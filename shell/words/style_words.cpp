@@ -25,6 +25,10 @@ const std::array<TermWords, kStyleTerms>& TermTexts() {
        TrLater("0 when joints never change speed"), "rad/s²", TrLater("per rad/s²"), 1},
       {"style/head", TrLater("Head height"), TrLater("head height"), TrLater("average height of the head"),
        "m", TrLater("per m"), 2},
+      {"style/way", TrLater("On the way"), TrLater("on the way"),
+       TrLater("0 on the way that you drew, less beside it"), "m", TrLater("per m"), 2},
+      {"style/pose", TrLater("In the pose"), TrLater("in the pose"),
+       TrLater("0 in the pose that you showed, less in others"), "rad", TrLater("per rad"), 2},
   });
   static_assert(kTexts.size() == kStyleTerms, "every term needs its words");
   return kTexts;
@@ -103,6 +107,7 @@ std::string ScoreWords(const Task& task, const Terms& terms) {
   if (fitness <= kVoidScore) return Tr("No score: the simulation failed.");
   std::string sum, rest;
   for (std::size_t i = 0; i < kStyleTerms; ++i) {
+    if (!CanMeasure(task, static_cast<StyleTerm>(i))) continue;
     const TermWords& words = TermTexts()[i];
     const float value = terms.Style(static_cast<StyleTerm>(i));
     const float weight = task.weights[i];

@@ -30,6 +30,9 @@ class Playback {
   /// Simulates the document. Keeps the present time unless `start_over`.
   void Load(const Document& document, bool start_over);
 
+  /// Measures the shown motion against another demonstration.
+  void MeasureAgainst(const Demonstration& shown) { motion_->MeasureAgainst(shown); }
+
   /// @return true when the picture changed
   bool Advance(double seconds);
   void Play(bool playing) { playing_ = playing; }

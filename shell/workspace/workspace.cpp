@@ -143,6 +143,7 @@ bool Workspace::Set(const Edit& edit) {
   if (changed.Empty()) return true;
   Report("");
   Remember();
+  if (next->task.shown != document_.task.shown) player_.MeasureAgainst(next->task.shown);
   document_ = std::move(*next);
   followers_.settings();
   Redraw();

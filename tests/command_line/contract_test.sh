@@ -94,7 +94,7 @@ grep -q '"lineage"' kid-1.json && fault "a lineage that cannot be bred again"
 
 # All terms of a motion, in one row.
 "$gaitsmith" measure "$golden" >measured.csv || fault "measure"
-same "$(head -1 measured.csv)" "travel,max_cm_height,slip_sum,rotations,effort,upright,smoothness,head_height,fitness,hash" "header"
+same "$(head -1 measured.csv)" "travel,max_cm_height,slip_sum,rotations,effort,upright,smoothness,head_height,fitness,hash,on_way,in_pose" "header"
 same "$(wc -l <measured.csv)" 2 "rows of measure"
 same "$(sed -n 2p measured.csv | cut -d, -f10)" "$hash" "hash in measure"
 # column <number> <document>
@@ -111,6 +111,20 @@ grep -q '"effort"' plain.json && fault "a weight of 0 is in the document"
 awk -v lazy="$(column 5 lazy.json)" -v plain="$(column 5 plain.json)" 'BEGIN { exit !(lazy < plain) }' || fault "less effort was not found"
 awk -F, 'NR == 2 { d = ($1 < 0 ? -$1 : $1) - $5 + 0.5 * $8 - $9; exit !(d * d < 1e-8) }' <("$gaitsmith" measure lazy.json) ||
   fault "fitness is not the sum of its terms"
+
+# A way and a pose that the figure is shown.
+teach() { "$gaitsmith" synthesize --figure inchworm --task travel --sense timer=0.8 --duration 3 --evaluations 600 --seed 2 --out "$@"; }
+teach led.json --way 0:0:0.2,3:-1.5:0.2 || fault "--way"
+teach free.json
+"$gaitsmith" validate led.json >/dev/null || fault "led.json"
+grep -q '"on_way": 10' led.json || fault "a way has no weight"
+same "$(column 11 free.json)" 0 "on_way without a way"
+awk -v way="$(column 11 led.json)" 'BEGIN { exit !(way < 0 && way > -0.75) }' || fault "the way was not met"
+for wrong in "--way 0:0" "--way 1:0:2,1:3:2" "--way x:0:2" "--pose 1:0:2" "--pose 99999:0:0"; do
+  # shellcheck disable=SC2086
+  teach wrong.json $wrong 2>wrong.txt && fault "$wrong"
+  [ -s wrong.txt ] && [ ! -e wrong.json ] || fault "$wrong says nothing, or writes"
+done
 
 # The number of threads does not change the document.
 find() { "$gaitsmith" synthesize --figure inchworm --task travel --sense timer=0.8 --weight slip_sum=0.5 --search "$1" \

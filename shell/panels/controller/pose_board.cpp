@@ -5,22 +5,14 @@
 #include <array>
 #include <cmath>
 
-#include "core/numeric/scalar_math.h"
 #include "shell/stage/figure_drawing.h"
+#include "shell/stage/limb_grip.h"
 #include "shell/words/language.h"
 
 namespace gaitsmith::shell {
 namespace {
 
 constexpr float kBoardHeight = 184.0f;
-constexpr float kPiF = static_cast<float>(kPi);
-
-float Wrapped(float angle) {
-  while (angle > kPiF) angle -= 2.0f * kPiF;
-  while (angle < -kPiF) angle += 2.0f * kPiF;
-  return angle;
-}
-
 /// The pose on the canvas: endpoint 0 stays where it is while limbs turn.
 struct Picture {
   const Skeleton& bones;
@@ -53,51 +45,6 @@ Picture LayOut(const Skeleton& bones, const std::vector<ImVec2>& metres, const R
            middle.y - (metres[0].y - extent.GetCenter().y) * scale}};
 }
 
-ImVec2 StartOf(const Skeleton& bones, const std::vector<ImVec2>& points, int limb) {
-  return points[static_cast<std::size_t>(bones.limbs[static_cast<std::size_t>(limb)].start)];
-}
-
-// Counterclockwise from the right [rad]. Canvas y points down.
-float CanvasDirection(ImVec2 from, ImVec2 to) { return std::atan2(from.y - to.y, to.x - from.x); }
-
-float DirectionOf(const Skeleton& bones, const std::vector<ImVec2>& points, int limb) {
-  return CanvasDirection(StartOf(bones, points, limb), points[static_cast<std::size_t>(limb) + 1]);
-}
-
-// The nearest limb with a joint. Where limbs meet, the one whose middle is nearest to the pointer.
-int LimbAt(const Skeleton& bones, const std::vector<ImVec2>& points, ImVec2 pointer, float within) {
-  int found = -1;
-  for (int limb = 1; limb < bones.rods; ++limb) {
-    const ImVec2 a = StartOf(bones, points, limb);
-    const ImVec2 b = points[static_cast<std::size_t>(limb) + 1];
-    const ImVec2 along(b.x - a.x, b.y - a.y);
-    const float square = std::max(1e-6f, along.x * along.x + along.y * along.y);
-    const float share = ((pointer.x - a.x) * along.x + (pointer.y - a.y) * along.y) / square;
-    const float inside = std::clamp(share, 0.2f, 1.0f);
-    const float distance = std::hypot(pointer.x - a.x - inside * along.x, pointer.y - a.y - inside * along.y);
-    if (distance >= within) continue;
-    within = distance;
-    found = limb;
-  }
-  return found;
-}
-
-// Draws the joint's limits as an arc.
-void DrawReach(ImDrawList* list, const Skeleton& bones, const std::vector<ImVec2>& points, int limb,
-               float angle, ImU32 colour) {
-  const Skeleton::Limb& bone = bones.limbs[static_cast<std::size_t>(limb)];
-  const ImVec2 joint = StartOf(bones, points, limb);
-  const ImVec2 tip = points[static_cast<std::size_t>(limb) + 1];
-  const float radius = std::hypot(tip.x - joint.x, tip.y - joint.y);
-  const float zero = DirectionOf(bones, points, limb) - angle;
-  const float first = -(zero + bone.max_rad), last = -(zero + bone.min_rad);
-  for (const float end : {first, last}) {
-    list->AddLine(joint, {joint.x + radius * std::cos(end), joint.y + radius * std::sin(end)}, colour, 1.5f);
-  }
-  list->PathArcTo(joint, radius, first, last, 48);
-  list->PathStroke(colour, 0, 3.0f);
-}
-
 }  // namespace
 
 std::optional<PoseEdit> DrawPoseBoard(Ui& ui, const Skeleton& bones, const std::vector<float>& angles,
@@ -117,19 +64,17 @@ std::optional<PoseEdit> DrawPoseBoard(Ui& ui, const Skeleton& bones, const std::
     state.limb = LimbAt(bones, points, ImGui::GetIO().MouseClickedPos[0], near);
     state.scale = picture.scale;
     state.origin = picture.origin;
-    if (state.limb > 0) {
-      const ImVec2 joint = StartOf(bones, points, state.limb);
-      state.grip_rad = CanvasDirection(joint, pointer) - DirectionOf(bones, points, state.limb);
-    }
+    if (state.limb > 0)
+      state.grip_rad =
+          GripOf(bones, points, state.limb, StartOf(bones, points, state.limb), pointer).grip_rad;
   }
 
   std::optional<PoseEdit> edit;
   if (touch.held && state.limb > 0) {
     const auto joint = static_cast<std::size_t>(state.limb) - 1;
     const Skeleton::Limb& bone = bones.limbs[static_cast<std::size_t>(state.limb)];
-    const float wanted = CanvasDirection(StartOf(bones, points, state.limb), pointer) - state.grip_rad;
-    // Turn the shorter way, so that a limb at one limit does not flip to the other.
-    const float turn = Wrapped(wanted - DirectionOf(bones, points, state.limb));
+    const float turn =
+        TurnToward(bones, points, {state.limb, state.grip_rad}, StartOf(bones, points, state.limb), pointer);
     edit = PoseEdit{static_cast<int>(joint), std::clamp(angles[joint] + turn, bone.min_rad, bone.max_rad)};
     if (std::abs(edit->angle_rad - angles[joint]) < 1e-4f) edit.reset();
   }

@@ -87,6 +87,7 @@ void DrawMeasures(Ui& ui, const Session& session) {
                     Tr("at {1} s", Fixed(session.Player().TimeS(), 2)), Align::kRight);
   ui.Fact(PrimaryLabel(kind), AmountText(Primary(session.Doc().task, terms), 2) + " m");
   for (std::size_t i = 0; i < kStyleTerms; ++i) {
+    if (!CanMeasure(session.Doc().task, static_cast<StyleTerm>(i))) continue;
     const TermWords& words = TermTexts()[i];
     ui.Fact(Tr(words.label), ValueText(words, terms.Style(static_cast<StyleTerm>(i))));
   }
@@ -96,7 +97,10 @@ void DrawScore(Ui& ui, const Session& session) {
   const Task& task = session.Doc().task;
   const Terms& terms = session.Player().TermsNow();
   const float fitness = Fitness(task, terms);
-  ScoreTable table(ui, kStyleTerms + 4);  // plus head, primary term, sum and end
+  int lines = 4;  // head, primary term, sum and end
+  for (int term = 0; term < kStyleTerms; ++term)
+    lines += CanMeasure(task, static_cast<StyleTerm>(term)) ? 1 : 0;
+  ScoreTable table(ui, lines);
   // The whole sum as one note for screen readers.
   ImGui::PushItemFlag(ImGuiItemFlags_NoNav | ImGuiItemFlags_NoTabStop, true);
   ui.Area("style/score", table.Whole(), Grab::kNothing,
@@ -106,6 +110,7 @@ void DrawScore(Ui& ui, const Session& session) {
   const float primary = Primary(task, terms);
   table.Line(PrimaryLabel(task.kind), AmountText(primary, 2) + " m", "", AmountText(primary, 2));
   for (std::size_t i = 0; i < kStyleTerms; ++i) {
+    if (!CanMeasure(task, static_cast<StyleTerm>(i))) continue;
     const TermWords& words = TermTexts()[i];
     const float value = terms.Style(static_cast<StyleTerm>(i));
     const float weight = task.weights[i];
@@ -147,6 +152,7 @@ void DrawWeights(Ui& ui, Session& session) {
   DrawLiveSwitch(ui, session, "style/live");
   const StyleWeights usual = UsualWeights(session.Doc()), gentle = GentleWeights(session.Doc());
   for (std::size_t i = 0; i < kStyleTerms; ++i) {
+    if (!CanMeasure(task, static_cast<StyleTerm>(i))) continue;
     const TermWords& words = TermTexts()[i];
     const auto unit = static_cast<double>(usual[i]);
     double units = static_cast<double>(task.weights[i]) / unit;
@@ -186,6 +192,8 @@ void DrawStylePanel(Ui& ui, Session& session, StylePanelState& state) {
   DrawMeasures(ui, session);
   if (DrawFold(ui, "style/sum", Tr("How it is scored"), "", state.sum)) DrawScore(ui, session);
   ui.Gap(14.0f);
+  DrawExampleForm(ui, session, state.example);
+  ui.Gap(8.0f);
   DrawWeights(ui, session);
   ui.Gap(8.0f);
   if (!session.Search().Running()) {

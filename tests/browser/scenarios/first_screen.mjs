@@ -43,6 +43,11 @@ async function follow({ browser, address, name }) {
   for (const size of sizesFor(name)) {
     const where = `${size.width}×${size.height}`;
     await page.page.setViewport(size);
+    // On a busy machine the page is laid out much later.
+    await page.until(`${where}: a page of this size`, () => {
+      const rects = window.gaitsmith.widgets().map(({ rect }) => rect);
+      return rects.every(({ x, y, width, height }) => x + width <= innerWidth + 1 && y + height <= innerHeight + 1);
+    });
     await page.frames(6);
     const stage = await page.placeOf('stage');
     const at = { x: stage.x + stage.width - 60, y: stage.y + 0.6 * stage.height };

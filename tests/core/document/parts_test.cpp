@@ -99,7 +99,11 @@ Document Full() {
   d.controllers = {controller, controller};
   d.timeline = {{.controller = 0, .start_step = 0}, {.controller = 1, .start_step = 100}};
   d.search.handovers = {{.controller = 1, .step = 50}};
-  d.lineage = {.founders = {controller, controller}, .rounds = {BreedRound{}, BreedRound{}}};
+  d.task.shown.way = {{.step = 5, .x_m = 1.0f, .y_m = 2.0f}, {.step = 50, .x_m = 2.0f, .y_m = 1.0f}};
+  d.task.shown.pose_rad = {0.5f};
+  BreedRound round;
+  round.task = d.task;
+  d.lineage = {.founders = {controller, controller}, .rounds = {round, round}};
   d.hash = 0x1234;
   return d;
 }

@@ -20,7 +20,7 @@ namespace gaitsmith::test {
 
 namespace {
 
-constexpr std::size_t kFurther = kStyleTerms - kPaperTerms;
+constexpr std::size_t kFurther = kFreeTerms - kPaperTerms;
 
 float Style(const Terms& terms, std::size_t term) { return terms.Style(static_cast<StyleTerm>(term)); }
 
@@ -160,7 +160,7 @@ TEST_CASE("style: the terms of the goldens have the same bits on every machine",
   for (const std::string& name : GoldenMotions()) {
     const Motion motion = Simulate(DecodeJson(ReadFile(name)).value());
     for (int i = 0; i < motion.Frames(); ++i) {
-      for (std::size_t term = 0; term < kStyleTerms; ++term) hash.Add(Style(motion.TermsAt(i), term));
+      for (std::size_t term = 0; term < kFreeTerms; ++term) hash.Add(Style(motion.TermsAt(i), term));
     }
   }
   CHECK(HashText(hash.Value()) == "570daa8126cd6a97");
@@ -284,7 +284,7 @@ TEST_CASE("style: further weights travel in JSON and links, and cost a version o
   plain.hash = Simulate(plain).Hash();
   const std::string json = EncodeJson(plain);
   REQUIRE(EncodeBinary(plain)[0] == 1);
-  for (std::size_t term = kPaperTerms; term < kStyleTerms; ++term) {
+  for (std::size_t term = kPaperTerms; term < kFreeTerms; ++term) {
     const std::string name(kStyleTermNames[term]);
     CAPTURE(name);
     REQUIRE(json.find("\"" + name + "\"") == std::string::npos);

@@ -269,7 +269,7 @@ TEST_CASE("found motions: texts from before the last terms are read, and the ter
   REQUIRE(found.terms.effort_rad > 0.0f);
   const std::string text = EncodeFound(found);
   const std::size_t first = text.find("\"terms\":[") + 9;
-  for (std::size_t left = kStyleTable.size() + 1; left >= 5; --left) {
+  for (std::size_t left = kFreeTerms + 1; left >= 5; --left) {
     CAPTURE(left);
     std::size_t end = first;
     for (std::size_t number = 0; number < left; ++number) end = text.find(',', end + 1);
