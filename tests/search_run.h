@@ -8,6 +8,7 @@
 
 #include "core/document/document.h"
 #include "core/rollout/evaluator.h"
+#include "core/rollout/models.h"
 #include "core/search/search.h"
 
 namespace gaitsmith::test {
@@ -56,10 +57,37 @@ inline Outcome RunSearchOf(const Document& document) {
   });
 }
 
-/// What a bank sensed during a motion of its own, evenly spaced. Empty for a network.
+/// What a bank sensed during a motion of its own, evenly spaced, as the recorded motion has it. Empty for a
+/// network.
+/// @param problem without beginnings
 inline std::vector<Sighting> SightingsOf(const Problem& problem, const Genome& genes, int count) {
+  if (problem.kind != ControllerKind::kRules) return {};
+  REQUIRE(problem.beginnings.empty());
+  const Problem own = problem.bodies ? problem.WithBodyOf(genes) : problem;
+  const auto controller_genes =
+      static_cast<std::ptrdiff_t>(genes.size() - (problem.bodies ? problem.Shape().BodyGenes() : 0));
+  const std::vector<Controller> controllers = {
+      {"", own.kind, own.senses, own.rules, Genome(genes.begin(), genes.begin() + controller_genes)}};
+  const std::vector<Clip> clips = {{.controller = 0, .start_step = 0}};
+  const int duration = own.task.duration_steps;
+  const Motion motion(Script{.figure = own.figure,
+                             .environment = own.environment,
+                             .start = own.start,
+                             .pushes = own.pushes,
+                             .controllers = controllers,
+                             .clips = clips,
+                             .steps = duration,
+                             .model = own.model});
+  const int senses = SenseCount(own.senses.kind, CountPorts(own.model, own.figure));
+  const Edges edges = EdgesOf(own.senses.kind);
   std::vector<Sighting> sightings;
-  static_cast<void>(Evaluator(problem).Evaluate(std::span(&genes, 1), {count, std::span(&sightings, 1)}));
+  for (int i = 1; i <= count; ++i) {
+    const int frame = duration * i / count;
+    Sighting& sighting = sightings.emplace_back();
+    sighting.rule = motion.At(frame).rule;
+    for (int sense = 0; sense < senses; ++sense)
+      sighting.senses.push_back(Encode(motion.Sense(frame, sense), edges.low, edges.high));
+  }
   return sightings;
 }
 

@@ -35,6 +35,9 @@ Result<Picks> ReadPicks(const std::vector<std::string>& paths) {
       return Fail(ErrorCode::kStructure, path,
                   "its controller has another kind, other senses or another number of rules than that of " +
                       paths.front());
+    } else if (document->figure.rods != picks.document.figure.rods) {
+      std::fprintf(stderr, "gaitsmith breed: %s has another body; all children get that of %s\n",
+                   path.c_str(), paths.front().c_str());
     }
   }
   return picks;

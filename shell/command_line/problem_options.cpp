@@ -143,6 +143,12 @@ Result<void> SetProblemOptions(const Arguments& arguments, Document& document) {
     if (!kind) return std::unexpected(kind.error());
     document.kind = static_cast<ControllerKind>(*kind);
   }
+  if (arguments.Has("way")) {
+    if (auto set = SetWay(arguments.Last("way"), document); !set) return set;
+  }
+  if (arguments.Has("pose")) {
+    if (auto set = SetPose(arguments.Last("pose"), document); !set) return set;
+  }
   for (const std::string& weight : arguments.All("weight")) {
     const std::size_t equals = std::min(weight.find('='), weight.size());
     const std::string number = weight.substr(std::min(equals + 1, weight.size()));
@@ -150,12 +156,6 @@ Result<void> SetProblemOptions(const Arguments& arguments, Document& document) {
         !set) {
       return set;
     }
-  }
-  if (arguments.Has("way")) {
-    if (auto set = SetWay(arguments.Last("way"), document); !set) return set;
-  }
-  if (arguments.Has("pose")) {
-    if (auto set = SetPose(arguments.Last("pose"), document); !set) return set;
   }
   return {};
 }

@@ -17,24 +17,23 @@ constexpr double kDegree = kPi / 180.0;
 double SecondsOf(int step) { return static_cast<double>(step) * static_cast<double>(kStep); }
 
 /// The tool's button, and beside it one that forgets what was shown.
-void DrawTool(Ui& ui, Session& session, const char* id, Teacher::Tool tool, const char* take, bool shown,
-              void (Teacher::*forget)()) {
+void DrawTool(Ui& ui, Session& session, const char* id, const char* forget_id, Teacher::Tool tool,
+              const char* take, bool shown, void (Teacher::*forget)()) {
   const ImRect row = ui.ControlRow();
   const float split = shown ? row.Min.x + 0.62f * row.GetWidth() : row.Max.x;
   const bool in_hand = session.Teaching().InHand() == tool;
   if (ui.Button(id, {row.Min, {split - (shown ? 8.0f : 0.0f), row.Max.y}}, in_hand ? Tr("Put it away") : take,
                 in_hand ? ButtonLook::kPrimary : ButtonLook::kOutlined))
     session.Teaching().Take(in_hand ? Teacher::Tool::kNone : tool);
-  if (shown && ui.Button(std::string(id) + "/forget", {{split, row.Min.y}, row.Max}, Tr("Forget it"),
-                         ButtonLook::kOutlined, true,
-                         tool == Teacher::Tool::kWay ? Tr("Forget the way") : Tr("Forget the pose")))
+  if (shown && ui.Button(forget_id, {{split, row.Min.y}, row.Max}, Tr("Forget it"), ButtonLook::kOutlined,
+                         true, tool == Teacher::Tool::kWay ? Tr("Forget the way") : Tr("Forget the pose")))
     (session.Teaching().*forget)();
   ui.Gap(6.0f);
 }
 
 void DrawWay(Ui& ui, Session& session, ExampleFormState& state) {
   const std::vector<WayPoint>& way = session.Teaching().Shown().way;
-  DrawTool(ui, session, "example/way", Teacher::Tool::kWay,
+  DrawTool(ui, session, "example/way", "example/way/forget", Teacher::Tool::kWay,
            way.empty() ? Tr("Draw a way on the stage") : Tr("Draw another way"), !way.empty(),
            &Teacher::ForgetWay);
   if (!way.empty()) {
@@ -67,7 +66,7 @@ void DrawWay(Ui& ui, Session& session, ExampleFormState& state) {
 
 void DrawPose(Ui& ui, Session& session, ExampleFormState& state) {
   const Demonstration& shown = session.Teaching().Shown();
-  DrawTool(ui, session, "example/pose", Teacher::Tool::kPose,
+  DrawTool(ui, session, "example/pose", "example/pose/forget", Teacher::Tool::kPose,
            shown.pose_rad.empty() ? Tr("Pose it at this moment") : Tr("Change the pose"),
            !shown.pose_rad.empty(), &Teacher::ForgetPose);
   if (shown.pose_rad.empty()) return;
