@@ -84,6 +84,7 @@ inline std::vector<Sighting> SightingsOf(const Problem& problem, const Genome& g
   for (int i = 1; i <= count; ++i) {
     const int frame = duration * i / count;
     Sighting& sighting = sightings.emplace_back();
+    sighting.senses.reserve(static_cast<std::size_t>(senses));
     sighting.rule = motion.At(frame).rule;
     for (int sense = 0; sense < senses; ++sense)
       sighting.senses.push_back(Encode(motion.Sense(frame, sense), edges.low, edges.high));

@@ -60,6 +60,7 @@ TEST_CASE(
   Motion motion = MotionOf(ShippedFigure("mr-star-man"), Environment{}, start, {}, {}, {}, 150);
   for (const float beside : {0.0f, 0.75f}) {
     Demonstration shown;
+    shown.way.reserve(31);
     for (int step = 0; step <= 150; step += 5) {
       const Motion::Frame& frame = motion.At(step);
       shown.way.push_back({step, static_cast<float>(frame.x_m) + beside, frame.y_m});
@@ -79,6 +80,7 @@ TEST_CASE("demonstration: the pose is measured at its moment alone, without whol
   const auto joints = static_cast<std::size_t>(motion.Bones().joints);
   Demonstration shown;
   shown.pose_step = 130;
+  shown.pose_rad.reserve(joints);
   for (std::size_t j = 0; j < joints; ++j)
     shown.pose_rad.push_back(motion.AngleRad(130, static_cast<int>(j)));
   for (const double turns : {0.0, 1.0, -3.0}) {
@@ -100,6 +102,7 @@ TEST_CASE("demonstration: the evaluator measures what the recorded motion does, 
   const Evaluator evaluator(problem);
   RandomStream random(7, 0, 0);
   std::vector<Genome> genomes;
+  genomes.reserve(9);
   for (int i = 0; i < 9; ++i)
     genomes.push_back(RandomGenome(problem.Shape(), d.senses, d.search.variation, random));
   const std::vector<Evaluation> all = evaluator.Evaluate(genomes);
