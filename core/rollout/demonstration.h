@@ -22,15 +22,26 @@ struct WayPoint {
 };
 
 struct Demonstration {
+  // Out of line, because every copy of a task, a problem or a document has one: a kilobyte of the page.
+  Demonstration();
+  Demonstration(const Demonstration&);
+  Demonstration(Demonstration&&) noexcept;
+  Demonstration& operator=(const Demonstration&);
+  Demonstration& operator=(Demonstration&&) noexcept;
+  ~Demonstration();
+
   std::vector<WayPoint> way;    // by step, no two at the same; empty: no way is shown
   int pose_step = 1;            // of the scored motion, [1, kMaxSteps]
   float pose_turn_rad = 0.0f;   // direction of the root rod, counterclockwise from the ground's right
   std::vector<float> pose_rad;  // angle of each joint; empty: no pose is shown
-  bool operator==(const Demonstration&) const = default;
+  bool operator==(const Demonstration&) const;
 
   /// The way at a step from its first point to its last, straight between two points. The way has points.
   [[nodiscard]] std::array<double, 2> WayAt(int step) const;
 };
+
+/// A turn without whole turns, [-pi, pi].
+[[nodiscard]] double WithoutWholeTurns(double turn_rad);
 
 /// Measures one motion against a demonstration, step by step.
 class DemonstrationMeter {
@@ -46,7 +57,7 @@ class DemonstrationMeter {
     if (!shown_->way.empty() && step_ >= shown_->way.front().step && step_ <= shown_->way.back().step)
       AddGap(x_m, y_m);
     if (shown_->pose_rad.empty() || step_ != shown_->pose_step) return;
-    double gap = ShorterTurn(turn_rad - static_cast<double>(shown_->pose_turn_rad));
+    double gap = std::abs(WithoutWholeTurns(turn_rad - static_cast<double>(shown_->pose_turn_rad)));
     for (std::size_t joint = 0; joint < shown_->pose_rad.size(); ++joint)
       gap += std::abs(static_cast<double>(angle(joint)) - static_cast<double>(shown_->pose_rad[joint]));
     pose_gap_rad_ = gap / static_cast<double>(shown_->pose_rad.size() + 1);
@@ -60,8 +71,6 @@ class DemonstrationMeter {
 
  private:
   void AddGap(double x_m, double y_m);
-  /// The size of a turn without whole turns, [0, pi].
-  static double ShorterTurn(double turn_rad);
 
   const Demonstration* shown_;
   int step_ = 0, way_steps_ = 0;

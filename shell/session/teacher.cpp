@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "core/document/style_weights.h"
-#include "core/numeric/scalar_math.h"
 #include "shell/words/language.h"
 
 namespace gaitsmith::shell {
@@ -31,8 +29,8 @@ std::vector<WayPoint> Evenly(const std::vector<WayPoint>& drawn, std::size_t cou
     while (next + 1 < drawn.size() && along[next] < at) ++next;
     const float piece = along[next] - along[next - 1];
     const float share = piece > 0.0f ? std::clamp((at - along[next - 1]) / piece, 0.0f, 1.0f) : 0.0f;
-    points.push_back({0, std::lerp(drawn[next - 1].x_m, drawn[next].x_m, share),
-                      std::lerp(drawn[next - 1].y_m, drawn[next].y_m, share)});
+    const WayPoint &from = drawn[next - 1], &to = drawn[next];
+    points.push_back({0, from.x_m + share * (to.x_m - from.x_m), from.y_m + share * (to.y_m - from.y_m)});
   }
   return points;
 }
@@ -119,7 +117,7 @@ void Teacher::ShowPoseNow() {
   const int frame = player.Frame();
   shown.pose_step = std::clamp(frame, 1, workspace_.Doc().task.duration_steps);
   const double turn = motion.At(frame).turn_rad;
-  shown.pose_turn_rad = static_cast<float>(std::remainder(turn, 2.0 * kPi));
+  shown.pose_turn_rad = static_cast<float>(WithoutWholeTurns(turn));
   shown.pose_rad.clear();
   for (int joint = 0; joint < workspace_.Doc().figure.Joints(); ++joint)
     shown.pose_rad.push_back(motion.AngleRad(frame, joint));
@@ -134,7 +132,7 @@ void Teacher::TurnJoint(std::size_t joint, float angle_rad) {
 
 void Teacher::TurnWhole(float turn_rad) {
   Demonstration shown = Shown();
-  shown.pose_turn_rad = static_cast<float>(std::remainder(static_cast<double>(turn_rad), 2.0 * kPi));
+  shown.pose_turn_rad = static_cast<float>(WithoutWholeTurns(static_cast<double>(turn_rad)));
   Show(std::move(shown));
 }
 

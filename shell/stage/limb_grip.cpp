@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/numeric/scalar_math.h"
+#include "core/rollout/demonstration.h"
 
 namespace gaitsmith::shell {
 namespace {
@@ -63,7 +63,8 @@ LimbGrip GripOf(const Skeleton& bones, const std::vector<ImVec2>& points, int li
 float TurnToward(const Skeleton& bones, const std::vector<ImVec2>& points, const LimbGrip& grip, ImVec2 pivot,
                  ImVec2 pointer) {
   const float wanted = CanvasDirection(pivot, pointer) - grip.grip_rad;
-  return std::remainder(wanted - DirectionOf(bones, points, grip.limb), 2.0f * static_cast<float>(kPi));
+  const float turn = wanted - DirectionOf(bones, points, grip.limb);
+  return static_cast<float>(WithoutWholeTurns(static_cast<double>(turn)));
 }
 
 }  // namespace gaitsmith::shell
