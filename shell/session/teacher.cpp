@@ -49,12 +49,11 @@ void Teacher::Take(Tool tool) {
 
 void Teacher::Show(Demonstration shown) {
   workspace_.Set([&](Document& d) {
-    d.task.shown = std::move(shown);
-    const StyleWeights usual = UsualWeights(d);
-    for (const StyleTerm term : {StyleTerm::kOnWay, StyleTerm::kInPose}) {
-      float& weight = d.task.weights[static_cast<std::size_t>(term)];
-      if (!CanMeasure(d.task, term)) weight = 0.0f;
-      if (CanMeasure(d.task, term) && weight == 0.0f) weight = usual[static_cast<std::size_t>(term)];
+    std::swap(d.task.shown, shown);
+    for (std::size_t term = kFreeTerms; term < kStyleTerms; ++term) {
+      const bool can = CanMeasure(d.task, static_cast<StyleTerm>(term));
+      if (can == CanMeasure(workspace_.Doc().task, static_cast<StyleTerm>(term))) continue;
+      d.task.weights[term] = can ? UsualWeights(d)[term] : 0.0f;
     }
   });
 }

@@ -47,7 +47,7 @@ class Teacher {
   void Follow(bool opened);
 
  private:
-  /// Changes what is shown. What the task had no weight for gets the usual one, what is gone has none.
+  /// Changes what is shown. What is new gets the usual weight, what is gone has none.
   void Show(Demonstration);
 
   Workspace& workspace_;

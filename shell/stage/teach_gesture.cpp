@@ -21,20 +21,18 @@ ImVec2 OnStage(const Scene& s, const WayPoint& point) {
   return s.camera.ToScreen(static_cast<double>(point.x_m), point.y_m);
 }
 
-int PoseFrame(const Scene& s, const Demonstration& shown) {
-  return std::clamp(shown.pose_step, 0, s.player.Shown().Frames() - 1);
+/// The centre of mass of the shown motion at the pose's moment, raised as bodies are. It rests while the pose
+/// is turned.
+Camera::Place PoseCentre(const Scene& s, const TeachGesture& gesture) {
+  if (gesture.grip.limb != LimbGrip::kNone) return gesture.centre;
+  const Motion& motion = s.player.Shown();
+  const Motion::Frame& frame =
+      motion.At(std::min(s.session.Teaching().Shown().pose_step, motion.Frames() - 1));
+  return {frame.x_m, frame.y_m + (s.rods_only ? 0.0f : LookOf(s.player.FigureName(), motion.Bones()).sole_m)};
 }
 
-/// The centre of mass of the shown motion at the pose's moment, on the canvas, raised as bodies are.
-ImVec2 PoseCentre(const Scene& s, const Demonstration& shown) {
-  const Motion::Frame& frame = s.player.Shown().At(PoseFrame(s, shown));
-  const float sole_m = s.rods_only ? 0.0f : LookOf(s.player.FigureName(), s.player.Shown().Bones()).sole_m;
-  return s.camera.ToScreen(frame.x_m, frame.y_m + sole_m);
-}
-
-std::vector<ImVec2> PoseOnStage(const Scene& s, const Demonstration& shown) {
+std::vector<ImVec2> PoseOnStage(const Scene& s, const Demonstration& shown, ImVec2 centre) {
   const Skeleton& bones = s.player.Shown().Bones();
-  const ImVec2 centre = PoseCentre(s, shown);
   // Clockwise on the canvas, whose y points down; the slope turns the ground.
   const float turn = shown.pose_turn_rad - bones.start_angle_rad + std::atan2(s.camera.sine, s.camera.cosine);
   const float cosine = std::cos(turn), sine = std::sin(turn);
@@ -77,13 +75,15 @@ void TurnPoseByHand(Session& session, TeachGesture& gesture, const Scene& s, con
   const Demonstration& shown = session.Teaching().Shown();
   if (shown.pose_rad.empty()) return;
   const Skeleton& bones = s.player.Shown().Bones();
-  const std::vector<ImVec2> points = PoseOnStage(s, shown);
-  const ImVec2 pointer = ImGui::GetIO().MousePos, centre = PoseCentre(s, shown);
+  const Camera::Place place = PoseCentre(s, gesture);
+  const ImVec2 pointer = ImGui::GetIO().MousePos, centre = s.camera.ToScreen(place.x_m, place.y_m);
+  const std::vector<ImVec2> points = PoseOnStage(s, shown, centre);
   const auto pivot = [&](int limb) { return limb == 0 ? centre : StartOf(bones, points, limb); };
   const float near = s.ui.Look().touch ? kFingerGrip : kRodGrip;
   if (stage.began) {
     const int limb = LimbAt(bones, points, ImGui::GetIO().MouseClickedPos[0], near, 0);
     gesture.grip = limb == LimbGrip::kNone ? LimbGrip{} : GripOf(bones, points, limb, pivot(limb), pointer);
+    gesture.centre = place;
   }
   const int limb = gesture.grip.limb;
   if (!stage.held || limb == LimbGrip::kNone) {
@@ -107,7 +107,8 @@ void DrawWay(const Scene& s, const std::vector<ImVec2>& points) {
 
 void DrawPose(const Scene& s, const TeachGesture& gesture, const Demonstration& shown, bool pointed) {
   const Skeleton& bones = s.player.Shown().Bones();
-  const std::vector<ImVec2> points = PoseOnStage(s, shown);
+  const Camera::Place place = PoseCentre(s, gesture);
+  const std::vector<ImVec2> points = PoseOnStage(s, shown, s.camera.ToScreen(place.x_m, place.y_m));
   const Palette& p = s.ui.Ink();
   const float width = std::max(4.0f, 0.7f * RodWidth(bones, s.camera.scale));
   const bool turns = s.session.Teaching().InHand() == Teacher::Tool::kPose;

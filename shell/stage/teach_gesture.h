@@ -11,6 +11,7 @@ namespace gaitsmith::shell {
 struct TeachGesture {
   std::vector<WayPoint> drawn;  // the way so far, on the ground
   LimbGrip grip;
+  Camera::Place centre{0.0, 0.0f};  // of the pose while it is turned: the motion may change meanwhile
 };
 
 /// The stage's drag, while the teacher has a tool in hand.

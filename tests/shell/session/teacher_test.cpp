@@ -68,7 +68,9 @@ TEST_CASE("teacher: points move between their neighbours, and the centre's place
   const WayPoint next = teacher.Shown().way[4];
   teacher.MovePoint(3, {9999, 5.0f, -3.0f});
   CHECK(teacher.Shown().way[3] == WayPoint{next.step - 1, 5.0f, 0.0f});
+  session.Set([](Document& d) { d.task.weights[static_cast<std::size_t>(StyleTerm::kOnWay)] = 0.0f; });
   teacher.RemovePoint(3);
+  CHECK(WeightOf(session, StyleTerm::kOnWay) == 0.0f);  // a person's own weight stays
   CHECK(teacher.Shown().way.size() == Teacher::kDrawnPoints - 1);
   session.Player().SeekFrame(1.0);
   teacher.AddPlaceNow();
