@@ -141,17 +141,11 @@ std::string SliderText(const TermWords& words, float weight, float usual, float 
   return text + " · " + (std::abs(weight) <= gentle ? Tr("gentle") : Tr("strong"));
 }
 
-void DrawWeights(Ui& ui, Session& session) {
+/// The sliders of the terms from `first` to before `end` that can be measured.
+void DrawSliders(Ui& ui, Session& session, std::size_t first, std::size_t end) {
   const Task& task = session.Doc().task;
-  const bool any = std::ranges::any_of(task.weights, [](float weight) { return weight != 0.0f; });
-  ui.Heading(Tr("Style"));
-  ui.Paragraph(Tr("Right asks for more, left for less. 1 is typical."), Type::kNote);
-  ui.Paragraph(Tr("Gentle weights usually leave the goal the larger part of the score. Strong ones may not."),
-               Type::kNote);
-  ui.Gap(8.0f);
-  DrawLiveSwitch(ui, session, "style/live");
   const StyleWeights usual = UsualWeights(session.Doc()), gentle = GentleWeights(session.Doc());
-  for (std::size_t i = 0; i < kStyleTerms; ++i) {
+  for (std::size_t i = first; i < end; ++i) {
     if (!CanMeasure(task, static_cast<StyleTerm>(i))) continue;
     const TermWords& words = TermTexts()[i];
     const auto unit = static_cast<double>(usual[i]);
@@ -165,6 +159,22 @@ void DrawWeights(Ui& ui, Session& session) {
     ui.Paragraph(Tr(words.line), Type::kNote);
     ui.Gap(8.0f);
   }
+}
+
+void DrawWeights(Ui& ui, Session& session, StylePanelState& state) {
+  const Task& task = session.Doc().task;
+  const bool any = std::ranges::any_of(task.weights, [](float weight) { return weight != 0.0f; });
+  ui.Heading(Tr("Style"));
+  ui.Paragraph(Tr("Right asks for more, left for less. 1 is typical."), Type::kNote);
+  ui.Paragraph(Tr("Gentle weights usually leave the goal the larger part of the score. Strong ones may not."),
+               Type::kNote);
+  ui.Gap(8.0f);
+  DrawLiveSwitch(ui, session, "style/live");
+  DrawSliders(ui, session, 0, kFreeTerms);
+  // Terms of what is shown come below its form, so that showing something moves nothing above.
+  DrawExampleForm(ui, session, state.example);
+  DrawSliders(ui, session, kFreeTerms, kStyleTerms);
+  ui.Gap(8.0f);
   if (ui.Button("style/reset", ui.ControlRow(), Tr("Reset all weights to 0"), ButtonLook::kOutlined, any)) {
     session.Set([](Document& d) { d.task.weights = {}; });
   }
@@ -192,9 +202,7 @@ void DrawStylePanel(Ui& ui, Session& session, StylePanelState& state) {
   DrawMeasures(ui, session);
   if (DrawFold(ui, "style/sum", Tr("How it is scored"), "", state.sum)) DrawScore(ui, session);
   ui.Gap(14.0f);
-  DrawExampleForm(ui, session, state.example);
-  ui.Gap(8.0f);
-  DrawWeights(ui, session);
+  DrawWeights(ui, session, state);
   ui.Gap(8.0f);
   if (!session.Search().Running()) {
     if (ui.Button("style/try", ui.Row(ui.Look().MainHeight()), Tr("Quick try from this motion"),

@@ -61,6 +61,13 @@ class Newcomer {
     this.presses++;
     await this.page.until(selector, `document.querySelector(${JSON.stringify(selector)})?.checkVisibility() ?? false`);
     if (this.means === 'keys') return this.#enter(selector);
+    // A dialog that just opened may still be laid out: press where the element rests and is on top.
+    await this.page.until(`${selector} on top`, `(() => {
+      const pressed = document.querySelector(${JSON.stringify(selector)}), { left, top, width, height } = pressed.getBoundingClientRect();
+      const place = [left, top, width, height].join(), rests = pressed.dataset.place === place;
+      pressed.dataset.place = place;
+      return rests && pressed.contains(document.elementFromPoint(left + width / 2, top + height / 2));
+    })()`);
     const box = await (await this.page.page.$(selector))?.boundingBox();
     assert.ok(box, `no visible ${selector}`);
     await this.pointer.tap({ x: box.x + box.width / 2, y: box.y + box.height / 2 });
