@@ -8,6 +8,7 @@ import { Commands } from './commands.js';
 import { Gaitsmith } from './api.js';
 import { Lab } from './lab.js';
 import { Mirror } from '../access/mirror.js';
+import { Rest } from '../app/rest.js';
 import { Searches } from '../search/searches.js';
 import { StatusLine } from '../access/status_line.js';
 import { banner, element, offerFile, onClick, setText } from '../browser/dom.js';
@@ -75,10 +76,17 @@ async function start() {
   const shipped = example ? import('../share/examples.js').then(({ firstText }) => firstText(example, statusLine), () => '') : '';
   // Load language and application in parallel. The first frame needs both.
   const [{ default: createApp }, code, text] = await Promise.all([import('../app/app_module.js'), compiledModule(new URL('../app/app_module.wasm', import.meta.url)), shipped, languageReady]);
+  const rest = new Rest(crashed);
+  // The door does without the rest at first. Everything else may show a panel at once.
+  const atTheDoor = location.hash.length < 2 && location.search === '';
   const module = await createApp({
     canvas,
     instantiateWasm: (imports, receive) => {
-      void WebAssembly.instantiate(code, imports).then((instance) => receive(instance, code));
+      void WebAssembly.instantiate(code, { ...imports, placeholder: rest.placeholder }).then(async (instance) => {
+        rest.begin(instance, code);
+        if (!atTheDoor) await rest.load().catch(crashed);
+        receive(instance, code);
+      });
       return {};
     },
     onAbort: () => crashed(new Error('aborted')),
@@ -125,6 +133,7 @@ async function start() {
         element('loading').hidden = true;
         performance.mark('gaitsmith-first-frame');
         // The first frame does not need these, so they must not delay it.
+        if (atTheDoor) rest.load().catch(crashed);
         if (parts) parts.results.restore(parts.app);
         setTimeout(() => {
           void parts?.searches.standBy();

@@ -32,6 +32,7 @@ import { SECURITY_SCENARIOS } from './security.mjs';
 import { SHARE_SCENARIOS } from './share.mjs';
 import { STYLE_SCENARIOS } from './style.mjs';
 import { SUITE_SCENARIOS } from './suite.mjs';
+import { REST_SCENARIOS } from './rest.mjs';
 import { TEACH_SCENARIOS } from './teach.mjs';
 import { TIMELINE_SCENARIOS } from './timeline.mjs';
 import { WORLD_SCENARIOS } from './world.mjs';
@@ -88,6 +89,7 @@ export const MAIN_SCENARIOS = [
     const { gzip, files } = await bytesUntilFirstMotion(visit.browser, visit.address);
     visit.figures['first load, gzip (KB)'] = Math.round(gzip / 1000);
     assert.ok(gzip <= 450_000, `${gzip} bytes: ${JSON.stringify(files, null, 1)}`);
+    assert.equal(files['/app/app_rest.wasm'], undefined, 'the door needs nothing of the rest (shell/host/later.txt)');
   }, 'Chromium'],
 
   ['a click on Synthesize starts a search, and the best improves', async (visit) => {
@@ -274,7 +276,7 @@ export const SCENARIOS = [
   ...once(FIGURE_SCENARIOS),
   ...GALLERY_SCENARIOS,
   ...once(BREED_SCENARIOS),
-  ...once(TEACH_SCENARIOS),
+  ...REST_SCENARIOS, ...once(TEACH_SCENARIOS),
   ...once(LIVE_SCENARIOS),
   ...once(RULE_SCENARIOS),
   ...once(WALK_SCENARIOS),
