@@ -177,6 +177,7 @@ async function takeFirstPress(browser, address) {
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
+  await mkdir(FOLDER, { recursive: true });
   const address = await serve(join(ROOT, 'build/site'));
   const browser = await startChromium();
   assert.ok(browser, 'Chromium is installed (./dev setup browsers)');
