@@ -41,7 +41,8 @@ set(web_rooms
     "share: browser catalogue languages search dialogs"
     "breed: browser languages search dialogs share"
     "page: browser catalogue languages app access search storage dialogs share breed"
-    "book: page"
+    "classroom: catalogue search share page"
+    "book: page classroom"
     "package:")
 # Rooms that never include a window's libraries, because the session's tests run without a window. They use only one
 # another.

@@ -8,6 +8,8 @@ import { attributes, escaped } from './html.mjs';
 /** @typedef {(markdown: Markdown, page: Page, content: string, line: number) => Promise<string>} Block */
 
 const CHOICE = /^\(([ x])\)\s+(.+?)\s*(?:\|\s*(.+))?$/;
+/** A slider: "0 to 40 by 1 m". */
+const RANGE = /^(-?[\d.]+) to (-?[\d.]+)(?: by ([\d.]+))?(?: (\S+))?$/;
 /** The calls that a button may make (docs/embedding.md). */
 const CALLS = ['open', 'synthesize', 'stop', 'pause', 'resume', 'lab', 'undo', 'redo', 'run', 'arrange'];
 const TICK = '<svg class="tick" viewBox="0 0 20 20" aria-hidden="true"><circle cx="10" cy="10" r="8.5"/><path d="M6 10.4l2.8 2.8L14.2 7.4"/></svg>';
@@ -31,6 +33,7 @@ async function goal(markdown, page, content, line) {
   const fault = faultOfGoal(conditions, markdown.links.playground);
   if (fault) markdown.faults.add(page.source, line + 1, fault);
   if (words.length === 0) markdown.faults.add(page.source, line, 'a goal needs a line with its words');
+  page.lesson?.goals.push(conditions.trim());
   return `<section class="goal"${attributes({ 'data-goal': conditions.trim() })} aria-label="Goal">
 ${TICK}
 <div>
@@ -51,6 +54,7 @@ async function quiz(markdown, page, content, line) {
     if (!words || !why) markdown.faults.add(page.source, line + 2 + i, 'an answer is written "( ) words | explanation", the right one with an x');
     return { right: mark === 'x', words: await markdown.inline(page, line, words ?? ''), why: await markdown.inline(page, line, why ?? '') };
   }));
+  page.lesson?.quizzes.push({ question: plain(question), answers: lines.map((text) => plain(CHOICE.exec(text)?.[2] ?? '')), right: choices.findIndex(({ right }) => right) });
   if (choices.filter(({ right }) => right).length !== 1) markdown.faults.add(page.source, line, 'one answer of a quiz is right: "(x)"');
   return `<fieldset class="quiz">
 <legend>${await markdown.inline(page, line, question)}</legend>
@@ -65,6 +69,30 @@ ${choices.map(({ words, right, why }) => `<li><span class="answer">${words}</spa
 </fieldset>
 `;
 }
+
+/** What a reader expects, before trying: a choice or a number. No answer is right. @type {Block} */
+async function predict(markdown, page, content, line) {
+  const [question = '', ...lines] = content.trim().split('\n');
+  const name = `predict-${line}`;
+  const [, low, high, step = '1', unit = ''] = RANGE.exec(lines[0] ?? '') ?? [];
+  const answers = lines.map((text) => CHOICE.exec(text)?.[2] ?? '');
+  if (low === undefined && (answers.length < 2 || answers.includes('') || lines.some((text) => /^\(x\)|\|/.test(text)))) {
+    markdown.faults.add(page.source, line + 1, 'a prediction has two or more lines "( ) words", or one such as "0 to 40 by 1 m"');
+  }
+  page.lesson?.predictions.push({ question: plain(question), answers: low === undefined ? answers.map(plain) : [], ...low === undefined ? {} : { unit } });
+  const choices = await Promise.all(answers.map((words) => markdown.inline(page, line, words)));
+  const body = low === undefined
+    ? choices.map((words, i) => `<p><input type="radio"${attributes({ name, id: `${name}-${i}`, value: String(i) })}> <label for="${name}-${i}">${words}</label></p>`).join('\n')
+    : `<p class="slide"><input type="range"${attributes({ id: name, min: low, max: high, step, value: String((Number(low) + Number(high)) / 2), 'aria-label': plain(question), 'data-unit': unit })}> <output${attributes({ for: name })}>?</output></p>`;
+  return `<fieldset class="predict">
+<legend>${await markdown.inline(page, line, question)}</legend>
+${body}
+</fieldset>
+`;
+}
+
+/** Without the marks of Markdown. @param {string} text */
+const plain = (text) => text.replace(/[*`]/g, '');
 
 /** @type {Block} */
 async function action(markdown, page, content, line) {
@@ -86,4 +114,4 @@ async function action(markdown, page, content, line) {
 }
 
 /** Blocks by the word after the fence. @type {Record<string, Block>} */
-export const BLOCKS = { goal, quiz, do: action };
+export const BLOCKS = { goal, predict, quiz, do: action };

@@ -23,6 +23,8 @@ import { readReference, REFERENCE } from './reference.mjs';
 import { searchIndex } from './search_index.mjs';
 import { htmlPage } from './template.mjs';
 import { textPage } from './text_page.mjs';
+import { wallPage } from './wall_page.mjs';
+import { lessonFacts } from './lesson_facts.mjs';
 import { tokens } from './tokens.mjs';
 
 /** @typedef {import('./lesson_page.mjs').LessonPage} LessonPage */
@@ -33,14 +35,17 @@ import { tokens } from './tokens.mjs';
 
 const HERE = dirname(fileURLToPath(import.meta.url));
 const ROOT = join(HERE, '../..');
-const SCRIPTS = ['find.js', 'lesson.js', 'look.js', 'player.js', 'progress.js', 'quiz.js', 'shelf.js'];
-const STYLES = ['book.css', 'lesson.css', 'reference.css'];
+const SCRIPTS = ['find.js', 'hand_in.js', 'kept_answers.js', 'lesson.js', 'look.js', 'notice.js', 'player.js', 'progress.js', 'quiz.js', 'shelf.js'];
+const STYLES = ['book.css', 'lesson.css', 'reference.css', 'wall.css'];
 
 /** @param {string} file @param {string | Uint8Array} contents */
 async function put(file, contents) {
   await mkdir(dirname(file), { recursive: true });
   await writeFile(file, contents);
 }
+
+/** @param {Page} page @returns {page is LessonPage} */
+const isLesson = (page) => page.lesson !== undefined;
 
 /** Renders all pages. Throws if a page has an error. @param {string} site */
 async function read(site) {
@@ -58,17 +63,18 @@ async function read(site) {
   }
   const sheets = await compose(pages, rendered, links, reference);
   faults.orThrow();
-  return { sheets, rendered, links, reference };
+  const facts = lessonFacts(pages.filter(isLesson), links.playground);
+  return { sheets, rendered, links, reference, facts };
 }
 
 /** @param {Page[]} pages @param {Map<Page, Rendered>} rendered @param {Links} links @param {Reference | undefined} reference @returns {Promise<Sheet[]>} */
 async function compose(pages, rendered, links, reference) {
   const of = (/** @type {Page} */ page) => /** @type {Rendered} */ (rendered.get(page));
   const groups = grouped(pages);
-  const lessons = pages.filter(/** @returns {page is LessonPage} */ (page) => page.lesson !== undefined);
+  const lessons = pages.filter(isLesson);
   const entries = groups.map((group) => ({ ...group, pages: /** @type {import('./index_page.mjs').Entry[]} */ (group.pages.map((page) => ({ ...page, title: of(page).title, sentence: of(page).sentence }))) }));
   if (reference) entries.find(({ id }) => id === 'for-engineers')?.pages.splice(1, 0, { ...REFERENCE, name: 'reference' });
-  const sheets = [indexPage(entries), ...reference?.sheets ?? []];
+  const sheets = [indexPage(entries), wallPage(), ...reference?.sheets ?? []];
   for (const { title, pages: groupPages } of groups) {
     for (const page of groupPages) sheets.push(page.lesson ? await lessonPage(/** @type {LessonPage} */ (page), of(page), lessons, links) : textPage(page, of(page), title));
   }
@@ -92,13 +98,14 @@ function headerLinks({ address, kind }, sheets) {
 /** @param {string} site */
 async function build(site) {
   const book = join(site, 'book');
-  const { sheets, rendered, links, reference } = await read(site);
+  const { sheets, rendered, links, reference, facts } = await read(site);
   await rm(book, { recursive: true, force: true });
   const texts = await Promise.all(sheets.map(async (sheet) => {
     const html = htmlPage(sheet, headerLinks(sheet, sheets));
     await put(join(book, sheet.address), html);
     return html;
   }));
+  await put(join(book, 'lessons.json'), JSON.stringify(facts));
   await put(join(book, 'search.json'), searchIndex([...[...rendered].map(([{ address }, { title, sections }]) => ({ address, title, sections })), ...reference?.searched ?? []]));
   for (const [name, { many, few, manyByNight, fewByNight }] of links.strips) {
     await put(join(book, `strips/${name}.svg`), many.svg);

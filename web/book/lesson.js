@@ -2,6 +2,9 @@
 // A lesson's page. Its links open documents in the playground beside the text, its buttons control the playground, and
 // the playground checks its goals.
 import { Player } from './player.js';
+import { keepAnswers } from './kept_answers.js';
+import { startHandIn } from './hand_in.js';
+import { holdNotice } from './notice.js';
 import { storeProgress, progressOf } from './progress.js';
 import { startQuizzes } from './quiz.js';
 
@@ -17,6 +20,8 @@ const goals = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('.goal
 const player = new Player(frame);
 /** The goal that the playground checks. */
 let watched = frame.dataset.goal;
+/** Call when a goal is reached. */
+const showNotice = holdNotice(lesson);
 /** The panels that the playground shows if there is room. */
 let panels = frame.dataset.panels ?? 'all';
 // As in lesson.css: half a small screen has room only for the stage.
@@ -49,6 +54,9 @@ function arrange(wanted) {
   return player.call('arrange', Object.fromEntries(options));
 }
 
+/** The payload of the shown motion's link. @returns {Promise<string>} */
+const motionNow = async () => String(await player.call('link')).split('#')[1] ?? '';
+
 /** Call when the room for panels has changed. */
 const arrangePanels = () => arrange({}).catch(() => {});
 
@@ -77,7 +85,10 @@ function updateGoal(box, met) {
   const goal = box.dataset.goal ?? '';
   if (!met && box.classList.contains('met')) return; // a goal stays reached
   showGoal(box, met ? 'met' : 'set');
-  if (met) storeProgress(lesson, { goals: [...new Set([...progressOf(lesson).goals, goal])] });
+  if (!met) return;
+  storeProgress(lesson, { goals: [...new Set([...progressOf(lesson).goals, goal])] });
+  showNotice();
+  void motionNow().then((motion) => storeProgress(lesson, { motion }), () => {});
 }
 
 /** Makes the playground check this goal instead of any other. @param {HTMLElement} box */
@@ -158,3 +169,5 @@ done.checked = progressOf(lesson).done;
 done.addEventListener('change', () => storeProgress(lesson, { done: done.checked }));
 markOpen(frame.dataset.open);
 startQuizzes();
+keepAnswers(lesson); // after the quizzes: what was answered shows its explanation again
+startHandIn(lesson, motionNow);

@@ -93,6 +93,7 @@ export class Links {
     }
     try {
       const payload = await this.playground.payload(join(this.root, file));
+      page.lesson?.opens.add(payload);
       const opens = { payload, ...Object.fromEntries(parameters) };
       // Without ?edit a link to a bare document opens the viewer.
       const query = parameters.size ? parameters : new URLSearchParams('edit');

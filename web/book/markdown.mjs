@@ -5,6 +5,7 @@ import { BLOCKS } from './blocks.mjs';
 import { cards } from './cards.mjs';
 import { firstSentence, HeadingNames } from './headings.mjs';
 import { attributes, escaped } from './html.mjs';
+import { sections as lessonSections } from './sections.mjs';
 
 /** @typedef {import('markdown-it/lib/token.mjs').default} Token */
 /** @typedef {import('./headings.mjs').Heading} Heading */
@@ -75,7 +76,7 @@ export class Markdown {
     if (titles.length !== (page.lesson ? 0 : 1)) {
       this.faults.add(page.source, page.before + 1, page.lesson ? 'the title of a lesson stands between its --- lines, not in a heading of its own' : 'a page has one heading of the first order');
     }
-    const html = this.#markdown.renderer.render(cards(tokens), { html: false }, {});
+    const html = this.#markdown.renderer.render(page.lesson ? lessonSections(tokens) : cards(tokens), { html: false }, {});
     return { html, title: sections[0].heading, sentence: firstSentence(paragraph), headings, sections };
   }
 

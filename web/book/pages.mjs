@@ -15,7 +15,11 @@ import { frontMatter } from './front_matter.mjs';
  * @property {number} before   lines of the file before the body
  * @property {Lesson} [lesson]
  */
-/** @typedef {{number: number, title: string, minutes: number, fields: Map<string, Field>}} Lesson */
+/** @typedef {import('../classroom/judge.js').Question} Question */
+/**
+ * goals, predictions and quizzes: in their order in the text; opens: payloads of its documents. Known once it is rendered.
+ * @typedef {{number: number, title: string, minutes: number, fields: Map<string, Field>, goals: string[], predictions: Question[], quizzes: Question[], opens: Set<string>}} Lesson
+ */
 
 const KEYS = ['title', 'minutes', 'open', 'panels', 'lock', 'goal'];
 const NEEDED = ['title', 'minutes', 'open'];
@@ -51,6 +55,6 @@ async function readLesson(root, file, faults) {
   if (!(Number.isInteger(minutes) && minutes > 0)) faults.add(source, fields.get('minutes')?.line ?? 1, '"minutes" is a whole number');
   const number = Number(/^(\d+)-/.exec(name)?.[1]);
   if (!(number > 0)) faults.add(source, 1, 'a lesson\'s file begins with its number and a hyphen');
-  const lesson = { number, title: fields.get('title')?.value ?? name, minutes, fields };
+  const lesson = { number, title: fields.get('title')?.value ?? name, minutes, fields, goals: [], predictions: [], quizzes: [], opens: new Set() };
   return { source, address: `lessons/${name}.html`, name, body, before, lesson };
 }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The finished lessons and reached goals, in the browser's storage.
+// Finished lessons, reached goals, predictions and answers, in the browser's storage.
 
 const KEY = 'gaitsmith-lessons';
 
-/** Progress in a lesson. @typedef {{done: boolean, goals: string[]}} Done */
+/**
+ * Progress in a lesson. goals: reached, by their conditions; predictions and answers: in the order of the text, null: none; motion: the last
+ * one that reached a goal, as a link's payload; seen: whether Notice was opened.
+ * @typedef {{done: boolean, goals: string[], predictions: (number | null)[], answers: (number | null)[], text: string, motion: string, seen: boolean}} Done
+ */
 
 /** @returns {Record<string, Done>} by the lessons' names */
 function stored() {
@@ -17,8 +21,10 @@ function stored() {
 
 /** @param {string} lesson @returns {Done} */
 export function progressOf(lesson) {
-  const { done, goals } = stored()[lesson] ?? {};
-  return { done: done === true, goals: Array.isArray(goals) ? goals : [] };
+  const { done, goals, predictions, answers, text, motion, seen } = stored()[lesson] ?? {};
+  const list = (/** @type {any} */ value) => (Array.isArray(value) ? value : []);
+  const words = (/** @type {any} */ value) => (typeof value === 'string' ? value : '');
+  return { done: done === true, goals: list(goals), predictions: list(predictions), answers: list(answers), text: words(text), motion: words(motion), seen: seen === true };
 }
 
 /** @param {string} lesson @param {Partial<Done>} change */

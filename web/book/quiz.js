@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Quiz questions of a lesson. Choosing an answer shows its explanation. Nothing is stored or sent.
+// Quiz questions of a lesson. Choosing an answer shows its explanation.
 
 /** @param {HTMLElement} quiz */
 function start(quiz) {

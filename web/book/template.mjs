@@ -11,6 +11,7 @@ import { attributes, escaped } from './html.mjs';
  * @property {string} body       HTML of main and its siblings
  * @property {string[]} [styles]   beside those of every page
  * @property {string[]} [scripts]  modules
+ * @property {boolean} [engine]   whether the page runs the engine, which the policy must allow
  */
 /** A link in the header. current: to this page, or to its group. @typedef {{name: string, address: string, current?: 'page' | 'true'}} HeaderLink */
 
@@ -21,14 +22,14 @@ const MARK = '<svg viewBox="-1.15 -1.15 2.3 2.3" aria-hidden="true"><path d="M0 
 export const upFrom = (address) => '../'.repeat(address.split('/').length - 1);
 
 /** @param {Sheet} sheet @param {HeaderLink[]} headerLinks */
-export function htmlPage({ title, description, address, kind, body, styles = [], scripts = [] }, headerLinks) {
+export function htmlPage({ title, description, address, kind, body, styles = [], scripts = [], engine = false }, headerLinks) {
   const up = upFrom(address);
   const whole = title === 'Gaitsmith' ? title : `${title} · Gaitsmith`;
   return `<!doctype html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="${POLICY}">
+<meta http-equiv="Content-Security-Policy" content="${engine ? POLICY.replace('script-src', 'script-src \'wasm-unsafe-eval\'') : POLICY}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>${escaped(whole)}</title>
 <meta${attributes({ name: 'description', content: description })}>

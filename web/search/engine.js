@@ -390,6 +390,12 @@ export class RecordedMotion {
     return this.#text(this.engine.module._gs_motion_file(this.handle, size));
   }
 
+  /**
+   * The terms of the whole motion, whether its simulation failed, and its hash.
+   * @returns {{terms: {name: string, value: number | null}[], broke: boolean, hash: string}}
+   */
+  measures() { return JSON.parse(this.#text(this.engine.module._gs_motion_measures(this.handle))); }
+
   close() { this.engine.module._gs_motion_close(this.handle); }
 
   /** @param {number} at */

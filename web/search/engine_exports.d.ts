@@ -93,6 +93,8 @@ export interface EngineExports {
   _gs_motion_film_strip(role: Pointer, wordsSize: number, poses: number): Pointer;
   /** A file that needs no words. @param id_size of an exporter's id in the input area */
   _gs_motion_file(role: Pointer, idSize: number): Pointer;
+  /** The terms of the whole motion by name, whether its simulation failed, and its hash, as JSON. */
+  _gs_motion_measures(role: Pointer): Pointer;
   _gs_motion_text_size(role: Pointer): number;
   /**
    * The nursery of a round of the document's lineage. The genomes are the children of the round's parent.

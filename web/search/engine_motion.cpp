@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // A motion behind the engine's border: its frames, its figure's outline, and exported files.
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/document/archive.h"
+#include "core/document/json_value.h"
 #include "shell/body/body_parts.h"
 #include "shell/export/exporters.h"
 #include "web/search/engine_border.h"
@@ -118,5 +121,21 @@ GS_EXPORT const char* gs_motion_file(MotionRole* role, std::size_t id_size) {
     return nullptr;
   }
   return Keep(role, row->make(role->document, role->motion, {}));
+}
+/// The terms of the whole motion by name, whether its simulation failed, and its hash, as JSON.
+GS_EXPORT const char* gs_motion_measures(MotionRole* role) {
+  const Terms& terms = role->motion.TermsAt(role->motion.Frames() - 1);
+  std::string json = "{\"terms\":[";
+  const auto add = [&json](std::string_view name, float value) {
+    if (!json.ends_with('[')) json += ',';
+    json += "{\"name\":" + QuoteJson(name) +
+            ",\"value\":" + (std::isfinite(value) ? RealText(value) : std::string("null")) + "}";
+  };
+  add("distance", std::abs(terms.travel_m));
+  add("travel", terms.travel_m);
+  for (std::size_t i = 0; i < kStyleTerms; ++i)
+    add(kStyleTermNames[i], terms.Style(static_cast<StyleTerm>(i)));
+  json += "],\"broke\":" + std::string(terms.broke_physics ? "true" : "false");
+  return Keep(role, json + ",\"hash\":" + QuoteJson(HashText(role->motion.Hash())) + "}");
 }
 GS_EXPORT std::size_t gs_motion_text_size(const MotionRole* role) { return role->text.size(); }

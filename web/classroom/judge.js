@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// Simulates what was handed in and compares it with its lesson. Nothing that a link claims is believed, except what a
+// student wrote and chose.
+import { isMet, parseGoal } from '../page/goal_conditions.js';
+
+/** @typedef {import('../search/engine.js').Engine} Engine */
+/** @typedef {import('../search/engine.js').RecordedMotion} RecordedMotion */
+/** @typedef {import('../page/goal_conditions.js').Condition} Condition */
+/** @typedef {import('../page/goal_conditions.js').Tables} Tables */
+/** @typedef {import('./collected.js').Entry} Entry */
+/** A choice (answers) or a slider (unit). right: its number; none in a prediction. @typedef {{question: string, answers: string[], unit?: string, right?: number}} Question */
+/**
+ * A lesson as the book's build writes it. worlds: of the documents that it opens, as of worldOf(); figures: their figures, as JSON.
+ * @typedef {{name: string, title: string, goals: string[], predictions: Question[], quizzes: Question[], worlds: string[][], figures: string[]}} LessonFacts
+ */
+/** @typedef {{question: string, given: string, right: boolean | null}} Answer  right: null in a prediction or if there is no answer */
+/** @typedef {{text: string, met: boolean}} Judged */
+/**
+ * @typedef {object} Row
+ * @property {string} name
+ * @property {string} lesson       its title
+ * @property {string} fault        why there is no motion; '': there is one, or none was handed in
+ * @property {RecordedMotion | null} motion
+ * @property {string} link         payload of the motion
+ * @property {Judged[]} conditions
+ * @property {boolean | null} met  null: there was no goal, or no motion
+ * @property {string[]} changed    what differs from what the lesson opens
+ * @property {string} hash
+ * @property {Answer[]} predictions
+ * @property {Answer[]} answers
+ * @property {string} text
+ */
+
+const SIGNS = { '>=': '≥', '<=': '≤', '>': '>', '<': '<', '=': '=' };
+
+/** The world of a document in words, such as ["slope 2°", "friction 0.8", "1 push"]. @param {any} document  JSON @returns {string[]} */
+export function worldOf({ environment = {}, pushes = [] }) {
+  const words = Object.entries(environment).map(([name, value]) => {
+    if (name === 'slope_rad') return `slope ${rounded((Number(value) * 180) / Math.PI)}°`;
+    if (name === 'gravity_mps2') return `gravity ${rounded(Number(value))} m/s²`;
+    return `${name.replaceAll('_', ' ')} ${typeof value === 'number' ? rounded(value) : JSON.stringify(value)}`;
+  });
+  return [...words, pushes.length === 1 ? '1 push' : `${pushes.length === 0 ? 'no' : pushes.length} pushes`];
+}
+
+/** @param {any} document  JSON */
+export const figureOf = ({ figure }) => JSON.stringify(figure.rods);
+
+export class Judge {
+  /** @param {Engine} engine @param {Tables} tables @param {LessonFacts[]} lessons */
+  constructor(engine, tables, lessons) {
+    this.engine = engine;
+    this.tables = tables;
+    this.lessons = lessons;
+  }
+
+  /** @param {Entry} entry @param {string} goal  for motions without a lesson @returns {Row} */
+  judge(entry, goal) {
+    /** @type {Row} */
+    const row = { name: '', lesson: '', fault: '', motion: null, link: '', conditions: [], met: null, changed: [], hash: '', predictions: [], answers: [], text: '' };
+    if (entry.fault !== undefined) return { ...row, name: entry.source, fault: entry.fault };
+    const { work } = entry;
+    const facts = this.lessons.find(({ name }) => name === work.lesson);
+    row.name = work.name;
+    row.text = work.text;
+    row.lesson = facts?.title ?? work.lesson;
+    if (facts) {
+      row.predictions = facts.predictions.map((question, i) => answered(question, work.predictions[i] ?? null));
+      row.answers = facts.quizzes.map((question, i) => answered(question, work.answers[i] ?? null));
+    }
+    const text = entry.document ?? work.motion;
+    if (text === '') return row;
+    try {
+      this.#simulate(row, text, facts, facts ? facts.goals : [goal].filter(Boolean));
+    } catch (error) {
+      row.fault = error instanceof Error ? error.message : String(error);
+    }
+    return row;
+  }
+
+  /** @param {Row} row @param {string} text  link or JSON @param {LessonFacts | undefined} facts @param {string[]} goals */
+  #simulate(row, text, facts, goals) {
+    const bytes = this.engine.documentFromText(text);
+    const document = /** @type {any} */ (this.engine.json(bytes));
+    row.link = this.engine.link(bytes);
+    row.motion = this.engine.motion(bytes);
+    const measured = row.motion.measures();
+    row.hash = measured.hash;
+    const controller = document.controllers?.[document.timeline?.[0]?.controller ?? -1];
+    const measures = /** @type {any} */ ({
+      ...measured, rules: controller?.rules?.length ?? 0,
+      sense: controller === undefined ? '' : controller.kind === 'network' ? 'network' : controller.senses?.kind ?? 'physical',
+    });
+    row.conditions = goals.flatMap((each) => parseGoal(each, this.tables)).map((condition) => judged(condition, measures));
+    row.met = row.conditions.length === 0 ? null : row.conditions.every(({ met }) => met);
+    const world = worldOf(document);
+    const usual = facts?.worlds ?? [worldOf(this.engine.json(this.engine.documentFromText(JSON.stringify({ ...document, environment: undefined, pushes: undefined }))))];
+    const changes = usual.map((known) => world.filter((part) => !known.includes(part))).sort((one, other) => one.length - other.length);
+    row.changed.push(...changes[0] ?? []);
+    if (facts && !facts.figures.includes(figureOf(document))) row.changed.push('another figure');
+  }
+}
+
+/** @param {Question} question @param {number | null} given @returns {Answer} */
+function answered({ question, answers, unit, right }, given) {
+  const words = given === null ? '' : unit === undefined ? answers[given] ?? '' : `${given} ${unit}`.trim();
+  return { question, given: words, right: right === undefined || words === '' ? null : given === right };
+}
+
+/** @param {Condition} condition @param {any} measures @returns {Judged} */
+function judged(condition, measures) {
+  const { name, relation, wanted } = condition;
+  const value = name === 'sense' || name === 'rules' ? measures[name] : measures.terms.find((/** @type {{name: string}} */ term) => term.name === name)?.value ?? measures[name];
+  const shown = typeof value === 'number' ? rounded(value) : value ?? '–';
+  return { text: `${name} ${shown} (${SIGNS[relation]} ${wanted})`, met: isMet(condition, measures) };
+}
+
+/** @param {number} value */
+const rounded = (value) => String(Math.round(value * 100) / 100);

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// What a student hands in: a motion, and what was predicted, answered and written. Travels as the part of a link after
+// '#', or as a file.
+//
+//   #H1.<payload of the motion's link, may be empty>.<base64url of JSON>
+
+/** Choices and sliders in their order in the lesson; null: not given. */
+/**
+ * @typedef {object} Work
+ * @property {string} lesson               name of its file, such as '1-a-rule'; '': a motion without a lesson
+ * @property {(number | null)[]} predictions  number of the choice, or the slider's value
+ * @property {(number | null)[]} answers   number of the choice
+ * @property {string} text                 what was written under Explain
+ * @property {string} name                 only if typed
+ * @property {string} motion               payload of its link; '': none
+ */
+
+const MARK = 'H1';
+const MOST = { predictions: 20, answers: 40, text: 4000, name: 80, data: 40000, motion: 200000 };
+
+/** @returns {Work} */
+export const emptyWork = () => ({ lesson: '', predictions: [], answers: [], text: '', name: '', motion: '' });
+
+/** The part of its link after '#'. @param {Work} work */
+export function encodeWork({ motion, ...rest }) {
+  return `${MARK}.${motion}.${toBase64url(new TextEncoder().encode(JSON.stringify(rest)))}`;
+}
+
+/** The text of its file. @param {Work} work */
+export const workFile = (work) => `${JSON.stringify({ gaitsmith_work: 1, ...work }, null, 1)}\n`;
+
+/** @param {string} fragment  without '#' @returns {Work} throws an Error with a sentence */
+export function decodeWork(fragment) {
+  const [mark, motion = '', data, ...more] = fragment.split('.');
+  if (!/^H\d+$/.test(mark)) throw new Error('This is not work that was handed in.');
+  if (mark !== MARK) throw new Error('This work comes from a newer version of Gaitsmith.');
+  if (data === undefined || data === '' || more.length > 0) throw new Error('The link is cut off or has something added.');
+  if (data.length > MOST.data) throw new Error('The link is too long.');
+  return checked({ ...objectIn(utf8(fromBase64url(data))), motion });
+}
+
+/** Whether a file's text is meant to be work. @param {string} text */
+export const isWorkFile = (text) => /^\s*\{\s*"gaitsmith_work"/.test(text);
+
+/** @param {string} text @returns {Work} throws an Error with a sentence */
+export function readWorkFile(text) {
+  if (text.length > MOST.data + MOST.motion) throw new Error('The file is too long.');
+  const { gaitsmith_work: version, ...work } = objectIn(text);
+  if (version !== 1) throw new Error('This file comes from a newer version of Gaitsmith.');
+  return checked(work);
+}
+
+/** @param {string} text @returns {Record<string, unknown>} */
+function objectIn(text) {
+  /** @type {unknown} */
+  let value;
+  try {
+    value = JSON.parse(text);
+  } catch {
+    throw new Error('Some characters are damaged or missing.');
+  }
+  if (value === null || typeof value !== 'object' || Array.isArray(value)) throw new Error('Some characters are damaged or missing.');
+  return /** @type {Record<string, unknown>} */ (value);
+}
+
+/** @param {Record<string, unknown>} value @returns {Work} */
+function checked(value) {
+  const { lesson, predictions, answers, text, name, motion, ...others } = value;
+  const [stranger] = Object.keys(others);
+  if (stranger !== undefined) throw new Error(`The work has a part that is not known here: “${stranger.slice(0, 40)}”.`);
+  const fault = (/** @type {string} */ what) => new Error(`The work is damaged: ${what}.`);
+  if (typeof lesson !== 'string' || !/^[a-z0-9-]{0,60}$/.test(lesson)) throw fault('“lesson” is not a lesson’s name');
+  const list = (/** @type {unknown} */ values, /** @type {'predictions' | 'answers'} */ key, /** @type {(number: number) => boolean} */ fits) => {
+    if (!Array.isArray(values) || values.length > MOST[key] || !values.every((each) => each === null || (typeof each === 'number' && fits(each)))) throw fault(`“${key}” is not a list of numbers`);
+    return /** @type {(number | null)[]} */ (values);
+  };
+  const words = (/** @type {unknown} */ given, /** @type {'text' | 'name'} */ key) => {
+    if (typeof given !== 'string' || given.length > MOST[key]) throw fault(`“${key}” is not a text of at most ${MOST[key]} characters`);
+    return given;
+  };
+  if (typeof motion !== 'string' || motion.length > MOST.motion || !/^[\w-]*$/.test(motion)) throw fault('its motion has characters that no link has');
+  return {
+    lesson, motion,
+    predictions: list(predictions, 'predictions', Number.isFinite),
+    answers: list(answers, 'answers', (number) => Number.isInteger(number) && number >= 0 && number < 100),
+    text: words(text, 'text'),
+    name: words(name, 'name'),
+  };
+}
+
+/** @param {Uint8Array} bytes */
+function toBase64url(bytes) {
+  return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join('')).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
+}
+
+/** @param {string} text */
+function fromBase64url(text) {
+  try {
+    if (!/^[\w-]*$/.test(text)) throw new Error('no base64url');
+    return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (letter) => letter.charCodeAt(0));
+  } catch {
+    throw new Error('Some characters are damaged or missing.');
+  }
+}
+
+/** @param {Uint8Array} bytes */
+function utf8(bytes) {
+  try {
+    return new TextDecoder('utf-8', { fatal: true }).decode(bytes);
+  } catch {
+    throw new Error('Some characters are damaged or missing.');
+  }
+}
