@@ -6,7 +6,7 @@ import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import { decodeWork, emptyWork, encodeWork, isWorkFile, readWorkFile, workFile } from '../../web/classroom/work.js';
+import { decodeWork, emptyWork, encodeWork, isWorkFile, readWorkFile, workFile } from '../../web/share/work.js';
 import { collect, fromFile } from '../../web/classroom/collected.js';
 import { copies, csvOf, sorted } from '../../web/classroom/table.js';
 

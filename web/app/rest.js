@@ -15,6 +15,7 @@ export class Rest {
       return this.#table?.get(Number(place))(...values);
     },
   });
+
   /** @type {WebAssembly.Exports} */
   #first = {};
   /** @type {WebAssembly.Table | undefined} */
@@ -43,9 +44,7 @@ export class Rest {
       if (this.#here) return;
       if (!code) continue;
       this.#check(code);
-      await WebAssembly.instantiate(code, { primary: this.#first }); // puts its functions into the table
-      this.#here = true;
-      return;
+      return this.#keep(await WebAssembly.instantiate(code, { primary: this.#first }));
     }
   }
 
@@ -59,12 +58,15 @@ export class Rest {
       if (request.status !== 200) throw new Error(`${request.status}`);
       const code = new WebAssembly.Module(Uint8Array.from(request.responseText, (letter) => letter.charCodeAt(0)));
       this.#check(code);
-      this.#here = new WebAssembly.Instance(code, { primary: this.#first }) !== null;
+      this.#keep(new WebAssembly.Instance(code, { primary: this.#first }));
     } catch (error) {
       this.#failed(error instanceof Error ? error : new Error(String(error)));
       throw error;
     }
   }
+
+  /** The table holds its functions. @param {WebAssembly.Instance} _ */
+  #keep(_) { this.#here = true; }
 
   /** @param {WebAssembly.Module} code */
   #check(code) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Hands in a lesson: a link, or a file, with the motion and what was predicted, answered and written.
-import { encodeWork, workFile } from '../classroom/work.js';
+import { encodeWork, workFile } from '../share/work.js';
 import { progressOf } from './progress.js';
 
-/** @typedef {import('../classroom/work.js').Work} Work */
+/** @typedef {import('../share/work.js').Work} Work */
 
 /** @param {string} id */
 const find = (id) => /** @type {HTMLElement} */ (document.getElementById(id));

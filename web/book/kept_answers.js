@@ -18,7 +18,7 @@ export function keepAnswers(lesson) {
       });
     });
   }
-  const field = document.getElementById('explain');
+  const field = document.getElementById('sentences');
   if (!(field instanceof HTMLTextAreaElement)) return;
   field.value = before.text;
   field.addEventListener('input', () => storeProgress(lesson, { text: field.value }));

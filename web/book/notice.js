@@ -4,7 +4,7 @@ import { progressOf, storeProgress } from './progress.js';
 
 /** @param {string} lesson @returns {() => void} call when a goal is reached */
 export function holdNotice(lesson) {
-  const notice = document.getElementById('notice');
+  const notice = document.getElementById('observations');
   const { seen, goals } = progressOf(lesson);
   if (!notice || seen || goals.length > 0 || !document.querySelector('.goal')) return () => {};
   const wait = document.createElement('p');

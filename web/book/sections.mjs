@@ -9,8 +9,8 @@ function html(content) {
   return token;
 }
 
-const FIELD = `<p class="write"><label for="explain">Your sentences</label>
-<textarea id="explain" rows="4" maxlength="4000"></textarea></p>
+const FIELD = `<p class="write"><label for="sentences">Your sentences</label>
+<textarea id="sentences" rows="4" maxlength="4000"></textarea></p>
 `;
 
 /** @param {Token[]} tokens  of a lesson @returns {Token[]} */
@@ -25,7 +25,7 @@ export function sections(tokens) {
       section = tokens[i + 1].content;
     }
     out.push(token);
-    if (section === 'Notice' && token.type === 'heading_close' && token.tag === 'h2') out.push(html('<div id="notice">\n'));
+    if (section === 'Notice' && token.type === 'heading_close' && token.tag === 'h2') out.push(html('<div id="observations">\n'));
     if (section === 'Explain' && token.type === 'paragraph_close' && !written) {
       written = true;
       out.push(html(FIELD));

@@ -34,12 +34,12 @@ nothing is stored: print the wall or save it as a table before you close the pag
 <button id="wall-csv" type="button" class="bordered">Save as CSV</button>
 <button id="wall-clear" type="button" class="bordered">Clear</button>
 </div>
-<div class="scroll" tabindex="0" role="region" aria-label="Table">
+<section class="scroll" tabindex="0" aria-label="Table">
 <table id="wall-table">
 <thead><tr><td></td><th scope="col">Name</th><th scope="col">Motion</th><th scope="col">Goal</th><th scope="col">Look at this</th><th scope="col">Written</th></tr></thead>
 <tbody></tbody>
 </table>
-</div>
+</section>
 <h2>Answers side by side</h2>
 <div id="wall-answers"></div>
 <h2>In their own words</h2>

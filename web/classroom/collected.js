@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Finds what students sent in pasted text and in files: links to works and motions, one or several a line.
-import { decodeWork, emptyWork, isWorkFile, readWorkFile } from './work.js';
+import { decodeWork, emptyWork, isWorkFile, readWorkFile } from '../share/work.js';
 
-/** @typedef {import('./work.js').Work} Work */
+/** @typedef {import('../share/work.js').Work} Work */
 /**
  * document: text of a saved motion's file.
  * @typedef {{work: Work, document?: string, source: string, fault?: undefined} | {fault: string, source: string}} Entry

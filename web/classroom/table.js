@@ -8,7 +8,7 @@
 export function sorted(rows, order) {
   const place = new Map(rows.map((row, i) => [row, i]));
   const byPlace = (/** @type {Row} */ a, /** @type {Row} */ b) => (place.get(a) ?? 0) - (place.get(b) ?? 0);
-  const rank = ({ met, fault }) => (met === true ? 0 : met === false ? 1 : fault === '' ? 2 : 3);
+  const rank = (/** @type {Row} */ { met, fault }) => (met === true ? 0 : met === false ? 1 : fault === '' ? 2 : 3);
   /** @type {Record<Order, (a: Row, b: Row) => number>} */
   const compare = {
     arrival: () => 0,

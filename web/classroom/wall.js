@@ -125,12 +125,10 @@ order.addEventListener('change', show);
 addEventListener('dragover', (event) => event.preventDefault());
 addEventListener('drop', (event) => {
   event.preventDefault();
-  const { files: dropped, types } = event.dataTransfer ?? { files: [], types: [] };
-  if (dropped.length > 0) void addFiles(dropped);
-  else if (types.includes('text/plain')) {
-    const { entries: found, idle } = collect(event.dataTransfer?.getData('text/plain') ?? '');
-    void add(found, idle);
-  }
+  const { files: dropped = [] } = event.dataTransfer ?? {};
+  if (dropped.length > 0) return void addFiles(dropped);
+  const { entries: found, idle } = collect(event.dataTransfer?.getData('text/plain') ?? '');
+  if (found.length > 0) void add(found, idle);
 });
 find('wall-clear', HTMLButtonElement).addEventListener('click', () => {
   entries = [];
@@ -146,5 +144,7 @@ find('wall-show', HTMLButtonElement).addEventListener('click', () => gallery.ope
 // The book's switch between light and dark follows the system.
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', show);
 
+goal.value = new URLSearchParams(location.search).get('goal') ?? '';
+if (goal.value) /** @type {HTMLDetailsElement} */ (goal.closest('details')).open = true;
 // A link to a student's work opens the wall with that work.
-if (location.hash.length > 1) void add(collect(location.href).entries);
+if (location.hash.length > 1) void add(collect(location.href).entries).then(() => results.scrollIntoView());

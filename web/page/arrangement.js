@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// How a lesson sets up the page: the shown panels, the locks and the goal. They come from the address
+// How a lesson or an assignment sets up the page: the shown panels, the locks, the goal and the task. They come from the address
 // (?panels=style,search&lock=figure&goal=distance>=8), as does whether Live is on (?live=off), or from a script. docs/embedding.md documents them.
-import { banner } from '../browser/dom.js';
+import { banner, element, setText } from '../browser/dom.js';
+import { dialogs } from '../dialogs/dialogs.js';
 import { sentence } from '../share/address.js';
 import { followLanguage, tr } from '../languages/language.js';
 
 /** @typedef {import('../app/app.js').App} App */
-/** Options that are left out stay as they are. @typedef {{panels?: string, lock?: string, goal?: string, live?: string}} ArrangementOptions */
+/** Options that are left out stay as they are. task: '': none. @typedef {{panels?: string, lock?: string, goal?: string, live?: string, task?: string}} ArrangementOptions */
 
-const NAMES = /** @type {const} */ (['panels', 'lock', 'goal', 'live']);
+const NAMES = /** @type {const} */ (['panels', 'lock', 'goal', 'live', 'task']);
+const MOST_TASK = 500; // characters
 
 /** The example that the address asks for: ?open=there-and-back */
 export const namedExample = () => new URLSearchParams(location.search).get('open') ?? '';
@@ -69,13 +71,25 @@ export class Arrangement {
   }
 
   /** @param {ArrangementOptions} options */
-  async #set({ goal, ...shown }) {
+  async #set({ goal, task, ...shown }) {
+    if (task !== undefined && (typeof task !== 'string' || task.length > MOST_TASK)) throw new Error(tr('task: at most {1} characters', MOST_TASK));
     const bar = goal ? new (await import('./goal.js')).GoalBar(this.app, this.gaitsmith, goal) : null; // throws
     const fault = this.app.arrange(shown);
     if (fault) throw new Error(fault);
+    if (task !== undefined) this.#showTask(task);
     if (goal === undefined) return;
     this.#bar?.close();
     this.#bar = bar;
     bar?.show();
+  }
+
+  /** @param {string} task */
+  #showTask(task) {
+    element('task').hidden = task === '';
+    setText(element('task-text'), task);
+    element('task-hand-in', HTMLButtonElement).onclick = async () => {
+      await dialogs();
+      (await import('./hand_in.js')).openHandIn(() => this.gaitsmith.link());
+    };
   }
 }

@@ -11,6 +11,16 @@ import { fixed, tr } from '../languages/language.js';
 /** @typedef {import('../app/app.js').Measures} Measures */
 /** @typedef {import('./goal_conditions.js').Condition} Condition */
 
+/** Why a text is no goal, or ''. @param {string} text */
+export function faultOfGoal(text) {
+  try {
+    parseGoal(text, { control_modes, terms });
+    return '';
+  } catch (error) {
+    return /** @type {Error} */ (error).message;
+  }
+}
+
 export class GoalBar {
   #row = element('goal');
   #list = element('goal-list');

@@ -2,7 +2,7 @@
 // The Share dialog: the link, its QR code, and the HTML that embeds the playground with this motion.
 import { element, onClick, setText } from '../browser/dom.js';
 import { panels } from '../catalogue/catalogue.js';
-import { followLanguage, grouped, tr } from '../languages/language.js';
+import { followLanguage, grouped, tr, trLater } from '../languages/language.js';
 
 /** @typedef {import('../app/app.js').App} App */
 /** @typedef {import('./address.js').Address} Address */
@@ -11,21 +11,29 @@ import { followLanguage, grouped, tr } from '../languages/language.js';
 const MAX_QR_LENGTH = 1000;
 const QUIET = 4; // modules of margin, as the standard requires
 
+/** Parts that a link can lock (docs/embedding.md). */
+const locks = [
+  { name: 'figure', label: trLater('Figure') }, { name: 'controller', label: trLater('Controller') }, { name: 'style', label: trLater('Style') },
+  { name: 'search', label: trLater('Search') }, { name: 'timeline', label: trLater('Timeline') }, { name: 'world', label: trLater('World') },
+];
+
 /** @type {ShareDialog | null} */
 let dialog = null;
 
-/** @param {App} app @param {Address} address */
-export function openShare(app, address) {
-  dialog ??= new ShareDialog(app, address);
+/** Why a text is no goal, or ''. @typedef {(goal: string) => Promise<string>} GoalCheck */
+
+/** @param {App} app @param {Address} address @param {GoalCheck} checkGoal */
+export function openShare(app, address, checkGoal) {
+  dialog ??= new ShareDialog(app, address, checkGoal);
   dialog.open();
 }
 
-/** A ticked checkbox whose label follows the language. @param {typeof panels[number]} panel */
-function checkbox({ name, label }) {
+/** A checkbox whose label follows the language. @param {{readonly name: string, readonly label: string}} part @param {boolean} defaultChecked */
+function checkbox({ name, label }, defaultChecked) {
   const words = document.createTextNode('');
   followLanguage(() => { words.data = ` ${tr(label)}`; });
   const box = document.createElement('label');
-  box.append(Object.assign(document.createElement('input'), { type: 'checkbox', value: name, defaultChecked: true }), words);
+  box.append(Object.assign(document.createElement('input'), { type: 'checkbox', value: name, defaultChecked }), words);
   return box;
 }
 
@@ -36,20 +44,26 @@ class ShareDialog {
   #words = element('share-words');
   #snippet = element('share-snippet', HTMLTextAreaElement);
   #panels = element('share-panels');
-  #lock = element('share-lock', HTMLInputElement);
+  #locks = element('share-locks');
+  #goal = element('share-goal', HTMLInputElement);
+  #task = element('share-task', HTMLTextAreaElement);
+  #set = element('share-set', HTMLTextAreaElement);
   #height = element('share-height', HTMLInputElement);
 
-  /** @param {App} app @param {Address} address */
-  constructor(app, address) {
+  /** @param {App} app @param {Address} address @param {GoalCheck} checkGoal */
+  constructor(app, address, checkGoal) {
     this.app = app;
     this.address = address;
-    for (const panel of panels) this.#panels.append(checkbox(panel));
-    this.#panels.addEventListener('change', () => this.#write());
-    for (const field of [this.#lock, this.#height]) field.addEventListener('input', () => this.#write());
-    for (const field of [this.#link, this.#snippet]) field.addEventListener('focus', () => field.select());
+    this.checkGoal = checkGoal;
+    for (const panel of panels) this.#panels.append(checkbox(panel, true));
+    for (const part of locks) this.#locks.append(checkbox(part, false));
+    for (const field of [this.#panels, this.#locks, this.#height, this.#goal, this.#task]) field.addEventListener('input', () => this.#write());
+    this.#goal.addEventListener('change', () => void this.#check());
+    for (const field of [this.#link, this.#snippet, this.#set]) field.addEventListener('focus', () => field.select());
     onClick('share-larger', () => this.#dialog.classList.toggle('large'));
     onClick('share-copy', () => void this.#copy(this.#link));
     onClick('share-copy-snippet', () => void this.#copy(this.#snippet));
+    onClick('share-copy-set', () => void this.#copy(this.#set));
   }
 
   open() {
@@ -85,17 +99,29 @@ class ShareDialog {
     this.#code.replaceChildren(svg);
   }
 
-  /** Writes the HTML for embedding, with the chosen options. */
+  /** Writes the link and the HTML for embedding, with the chosen options. */
   #write() {
-    const boxes = /** @type {HTMLInputElement[]} */ ([...this.#panels.querySelectorAll('input')]);
-    const shown = boxes.filter(({ checked }) => checked).map(({ value }) => value);
+    const chosen = (/** @type {HTMLElement} */ group) => [...group.querySelectorAll('input')].filter(({ checked }) => checked).map(({ value }) => value);
+    const shown = chosen(this.#panels), locked = chosen(this.#locks), goal = this.#goal.value.replaceAll(' ', ''), task = this.#task.value.trim();
     const address = new URL(this.#link.value);
     address.search = '';
-    if (shown.length < boxes.length) address.searchParams.set('panels', shown.join(',') || 'none');
-    if (this.#lock.checked) address.searchParams.set('lock', 'figure');
+    if (shown.length < panels.length) address.searchParams.set('panels', shown.join(',') || 'none');
+    if (locked.length > 0) address.searchParams.set('lock', locked.join(','));
+    if (goal) address.searchParams.set('goal', goal);
+    if (task) address.searchParams.set('task', task);
     const source = address.href.replaceAll('%2C', ',');
+    this.#set.value = address.search ? source : `${source.split('#')[0]}?edit#${source.split('#')[1]}`;
+    const wall = new URL('../book/wall.html', import.meta.url);
+    if (goal) wall.searchParams.set('goal', goal);
+    element('share-wall', HTMLAnchorElement).href = wall.href;
     const height = Math.min(2000, Math.max(300, Number(this.#height.value) || 600));
     this.#snippet.value = `<iframe src="${escaped(source)}"\n  title="${escaped(this.app.title() || 'Gaitsmith')}" width="100%" height="${height}"\n  allow="clipboard-write; fullscreen" style="border:0"></iframe>`;
+  }
+
+  async #check() {
+    const fault = this.#goal.value.trim() === '' ? '' : await this.checkGoal(this.#goal.value);
+    setText(element('share-goal-fault'), fault);
+    this.#goal.setAttribute('aria-invalid', String(fault !== ''));
   }
 
   /** @param {HTMLTextAreaElement} field */

@@ -32,6 +32,7 @@ import { SECURITY_SCENARIOS } from './security.mjs';
 import { SHARE_SCENARIOS } from './share.mjs';
 import { STYLE_SCENARIOS } from './style.mjs';
 import { SUITE_SCENARIOS } from './suite.mjs';
+import { CLASSROOM_SCENARIOS } from './classroom.mjs';
 import { REST_SCENARIOS } from './rest.mjs';
 import { TEACH_SCENARIOS } from './teach.mjs';
 import { TIMELINE_SCENARIOS } from './timeline.mjs';
@@ -276,7 +277,7 @@ export const SCENARIOS = [
   ...once(FIGURE_SCENARIOS),
   ...GALLERY_SCENARIOS,
   ...once(BREED_SCENARIOS),
-  ...REST_SCENARIOS, ...once(TEACH_SCENARIOS),
+  ...CLASSROOM_SCENARIOS, ...REST_SCENARIOS, ...once(TEACH_SCENARIOS),
   ...once(LIVE_SCENARIOS),
   ...once(RULE_SCENARIOS),
   ...once(WALK_SCENARIOS),

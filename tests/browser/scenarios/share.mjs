@@ -47,7 +47,7 @@ async function shareDialog({ browser, address }) {
 
   await page.clickElement('#share-embed summary');
   await page.clickElement('#share-panels [value=lab]');
-  await page.clickElement('#share-lock');
+  await page.clickElement('#share-locks input[value=figure]');
   const lines = await valueOf(page, '#share-snippet');
   await page.press('Escape');
   const embeddingPage = await page.page.browserContext().newPage();
