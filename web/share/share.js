@@ -48,6 +48,8 @@ class ShareDialog {
   #goal = element('share-goal', HTMLInputElement);
   #task = element('share-task', HTMLTextAreaElement);
   #set = element('share-set', HTMLTextAreaElement);
+  /** The link of the QR code. */
+  #drawn = '';
   #height = element('share-height', HTMLInputElement);
 
   /** @param {App} app @param {Address} address @param {GoalCheck} checkGoal */
@@ -69,7 +71,6 @@ class ShareDialog {
   open() {
     this.#link.value = this.address.link();
     this.#write();
-    void this.#draw();
     this.#dialog.classList.remove('large');
     setText(element('share-said'), '');
     this.#dialog.showModal();
@@ -78,7 +79,7 @@ class ShareDialog {
   }
 
   async #draw() {
-    const link = this.#link.value;
+    const link = this.#drawn;
     this.#code.hidden = element('share-larger').hidden = link.length > MAX_QR_LENGTH;
     setText(this.#words, link.length > MAX_QR_LENGTH
       ? tr('This link is too long for a QR code that cameras read across a room: {1} characters, and at most {2} fit. Fewer rules or a timer make it shorter.', grouped(link.length), grouped(MAX_QR_LENGTH))
@@ -111,6 +112,12 @@ class ShareDialog {
     if (task) address.searchParams.set('task', task);
     const source = address.href.replaceAll('%2C', ',');
     this.#set.value = address.search ? source : `${source.split('#')[0]}?edit#${source.split('#')[1]}`;
+    // The code leads to the assignment, if there is one.
+    const drawn = goal || task || locked.length > 0 ? source : this.#link.value;
+    if (drawn !== this.#drawn) {
+      this.#drawn = drawn;
+      void this.#draw();
+    }
     const wall = new URL('../book/wall.html', import.meta.url);
     if (goal) wall.searchParams.set('goal', goal);
     element('share-wall', HTMLAnchorElement).href = wall.href;
