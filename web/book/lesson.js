@@ -5,6 +5,7 @@ import { Player } from './player.js';
 import { keepAnswers } from './kept_answers.js';
 import { startHandIn } from './hand_in.js';
 import { holdNotice } from './notice.js';
+import { startReport } from './report.js';
 import { storeProgress, progressOf } from './progress.js';
 import { startQuizzes } from './quiz.js';
 
@@ -20,6 +21,7 @@ const goals = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('.goal
 const player = new Player(frame);
 /** The goal that the playground checks. */
 let watched = frame.dataset.goal;
+startReport(lesson);
 /** Call when a goal is reached. */
 const showNotice = holdNotice(lesson);
 /** The panels that the playground shows if there is room. */

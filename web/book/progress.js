@@ -2,6 +2,10 @@
 // Finished lessons, reached goals, predictions and answers, in the browser's storage.
 
 const KEY = 'gaitsmith-lessons';
+/** Called after each change. @type {Set<() => void>} */
+const followers = new Set();
+/** Where the browser forbids storage: lasts until the page is closed. @type {Record<string, Done>} */
+let unstored = {};
 
 /**
  * Progress in a lesson. goals: reached, by their conditions; predictions and answers: in the order of the text, null: none; motion: the last
@@ -13,9 +17,9 @@ const KEY = 'gaitsmith-lessons';
 function stored() {
   try {
     const value = JSON.parse(localStorage.getItem(KEY) ?? '{}');
-    return value && typeof value === 'object' ? value : {};
+    return { ...value && typeof value === 'object' ? value : {}, ...unstored };
   } catch {
-    return {};
+    return unstored;
   }
 }
 
@@ -29,16 +33,22 @@ export function progressOf(lesson) {
 
 /** @param {string} lesson @param {Partial<Done>} change */
 export function storeProgress(lesson, change) {
+  const all = { ...stored(), [lesson]: { ...progressOf(lesson), ...change } };
   try {
-    localStorage.setItem(KEY, JSON.stringify({ ...stored(), [lesson]: { ...progressOf(lesson), ...change } }));
+    localStorage.setItem(KEY, JSON.stringify(all));
   } catch {
-    // Without storage the progress lasts until the page is closed.
+    unstored = all;
   }
+  for (const follower of followers) follower();
 }
+
+/** @param {() => void} changed  called after each change that this page makes */
+export function followProgress(changed) { followers.add(changed); }
 
 export function hasProgress() { return Object.keys(stored()).length > 0; }
 
 export function clearProgress() {
+  unstored = {};
   try {
     localStorage.removeItem(KEY);
   } catch {
