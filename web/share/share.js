@@ -49,6 +49,8 @@ class ShareDialog {
     for (const field of [this.#link, this.#snippet]) field.addEventListener('focus', () => field.select());
     onClick('share-larger', () => this.#dialog.classList.toggle('large'));
     onClick('share-copy', () => void this.#copy(this.#link));
+    onClick('share-send', () => void this.#send());
+    element('share-send').hidden = !('share' in navigator);
     onClick('share-copy-snippet', () => void this.#copy(this.#snippet));
   }
 
@@ -96,6 +98,17 @@ class ShareDialog {
     const source = address.href.replaceAll('%2C', ',');
     const height = Math.min(2000, Math.max(300, Number(this.#height.value) || 600));
     this.#snippet.value = `<iframe src="${escaped(source)}"\n  title="${escaped(this.app.title() || 'Gaitsmith')}" width="100%" height="${height}"\n  allow="clipboard-write; fullscreen" style="border:0"></iframe>`;
+  }
+
+  /** Offers the link to the device's other apps, as phones do. */
+  async #send() {
+    setText(element('share-said'), '');
+    try {
+      await navigator.share({ title: this.app.title() || 'Gaitsmith', url: this.#link.value });
+    } catch (error) {
+      if (error instanceof DOMException && error.name === 'AbortError') return; // the person has changed their mind
+      setText(element('share-said'), tr('The link could not be sent from here. Copy it instead.'));
+    }
   }
 
   /** @param {HTMLTextAreaElement} field */
