@@ -44,6 +44,6 @@ function entry({ address, name, title, sentence, lesson, goals = [], strip }) {
   const minutes = lesson ? ` <small>${lesson.minutes} minutes</small>` : '';
   const picture = lesson && strip ? `<span class="strip">${stripPictures(strip, strip.alt, (way) => way, { few: true })}</span>\n` : '';
   const reached = lesson && goals.length > 0 ? `\n<p class="reached">${goals.map(() => RING).join('')} <span>${goals.length === 1 ? 'One goal' : `${goals.length} goals`}</span></p>` : '';
-  return `<li${attributes({ 'data-lesson': lesson && name, 'data-goals': lesson && JSON.stringify(goals) })}>${picture}<a href="${address}">${number}${escaped(title)}</a>${minutes}
+  return `<li${attributes({ 'data-lesson': lesson && name, 'data-goals': lesson && JSON.stringify(goals) })}>${picture}<div><a href="${address}">${number}${escaped(title)}</a>${minutes}</div>
 <p>${escaped(sentence)}</p>${reached}</li>`;
 }

@@ -28,9 +28,9 @@ for (const name of names) files[`${TOP}/${name}`] = [await readFile(join(folder,
 await writeFile(file, zipSync(files));
 const { size } = await stat(file);
 
-await copyFile(file, join(folder, basename(file)));
 const page = await readFile(join(folder, PAGE), 'utf8');
-const linked = page.replace(`<strong>${WORDS}</strong>`, `<a href="../${basename(file)}" download><strong>${WORDS}</strong></a> (${(size / 1e6).toFixed(1)} MB)`);
+const linked = page.replace(`<strong>${WORDS}</strong>`, `<a href="../${basename(file)}" download>${WORDS}</a> (${(size / 1e6).toFixed(1)} MB)`);
 if (linked === page) throw new Error(`zip: ${PAGE} has no words "${WORDS}" to link`);
 await writeFile(join(folder, PAGE), linked);
+await copyFile(file, join(folder, basename(file)));
 console.log(`== ${names.length} files in ${file}, ${Math.round(size / 1000)} KB`);
