@@ -113,7 +113,12 @@ if (lessons.length > 0) {
     assert.ok(await page.$eval('#done', (node) => /** @type {HTMLInputElement} */ (node).checked));
     await page.goto(`${address}book/index.html`);
     await page.waitForSelector('.shelf .done', PATIENCE);
+    const first = '.lessons li:first-child';
+    assert.match(await page.$eval(`${first} .reached`, (node) => node.textContent ?? ''), /reached/);
+    assert.equal(await page.$$eval(`${first} .tick.met`, (nodes) => nodes.length), 1);
+    assert.equal(await page.$$eval('.lessons .strip .by-day img', (nodes) => nodes.length), lessons.length, 'each lesson has its strip');
     await page.click('#forget');
+    assert.equal(await page.$('.lessons .met'), null);
     assert.equal(await page.$('.shelf .done'), null);
     assert.equal(await page.evaluate(() => localStorage.getItem('gaitsmith-lessons')), null);
   });
@@ -164,6 +169,34 @@ await check('book: the theme is the one that was chosen in the playground', asyn
 });
 
 await mkdir(PICTURES, { recursive: true });
+await check('book: a printed lesson is a worksheet of at most two pages, without answers', async (page) => {
+  for (const name of lessons) {
+    await page.goto(`${address}book/${name}`);
+    for (const format of /** @type {const} */ (['A4', 'Letter'])) {
+      const pages = Buffer.from(await page.pdf({ format })).toString('latin1').match(/\/Type\s*\/Page\b/g)?.length ?? 0;
+      assert.ok(pages >= 1 && pages <= 2, `${name} has ${pages} pages of ${format}`);
+    }
+  }
+  await page.goto(`${address}book/${lessons[0]}`);
+  await page.click('.quiz input'); // its explanation is not printed either
+  await page.emulateMediaType('print');
+  const { text, hidden, lines, box } = await page.evaluate(() => ({
+    text: document.body.innerText,
+    hidden: [...document.querySelectorAll('iframe, .quiz details, .feedback, .goal button, .goal .state, p.done, .around, header nav')].filter((node) => node.checkVisibility()).length,
+    lines: [null, '::after'].map((part) => getComputedStyle(/** @type {Element} */ (document.querySelector('#explain + p')), part).borderBottomStyle),
+    box: getComputedStyle(/** @type {Element} */ (document.querySelector('.goal')), '::before').borderTopStyle,
+  }));
+  assert.match(text, /^Name\s+Date/);
+  assert.doesNotMatch(text, /Right[.:]|The playground stands here/);
+  assert.deepEqual([hidden, lines, box], [0, ['solid', 'solid'], 'solid']);
+  const split = await page.$$eval('.quiz, .goal', (nodes) => nodes.filter((node) => getComputedStyle(node).breakInside !== 'avoid').length);
+  assert.equal(split, 0, 'no question is on two pages');
+  await page.setViewport({ width: 794, height: 1123 });
+  await page.screenshot({ path: join(PICTURES, 'printed.png'), fullPage: true });
+  await page.emulateMediaType();
+  assert.equal(await page.$eval('.worksheet', (node) => node.checkVisibility()), false);
+});
+
 for (const theme of ['light', 'dark', 'projector', 'contrast']) {
   await check(`book: axe finds nothing, and no page is wider than its screen (${theme})`, async (page) => {
     /** @type {string[]} */

@@ -17,6 +17,7 @@ import { indexPage } from './index_page.mjs';
 import { lessonPage } from './lesson_page.mjs';
 import { Links } from './links.mjs';
 import { Markdown } from './markdown.mjs';
+import { missingPage } from './missing_page.mjs';
 import { readPages } from './pages.mjs';
 import { Playground } from './playground.mjs';
 import { readReference, REFERENCE } from './reference.mjs';
@@ -35,7 +36,7 @@ import { tokens } from './tokens.mjs';
 
 const HERE = dirname(fileURLToPath(import.meta.url));
 const ROOT = join(HERE, '../..');
-const SCRIPTS = ['find.js', 'hand_in.js', 'kept_answers.js', 'lesson.js', 'look.js', 'notice.js', 'player.js', 'progress.js', 'quiz.js', 'report.js', 'shelf.js'];
+const SCRIPTS = ['find.js', 'hand_in.js', 'kept_answers.js', 'lesson.js', 'look.js', 'notice.js', 'player.js', 'progress.js', 'quiz.js', 'report.js', 'shelf.js', 'stored.js'];
 const STYLES = ['book.css', 'lesson.css', 'reference.css', 'wall.css'];
 
 /** @param {string} file @param {string | Uint8Array} contents */
@@ -72,14 +73,17 @@ async function compose(pages, rendered, links, reference) {
   const of = (/** @type {Page} */ page) => /** @type {Rendered} */ (rendered.get(page));
   const groups = grouped(pages);
   const lessons = pages.filter(isLesson);
-  const entries = groups.map((group) => ({ ...group, pages: /** @type {import('./index_page.mjs').Entry[]} */ (group.pages.map((page) => ({ ...page, title: of(page).title, sentence: of(page).sentence }))) }));
+  const entries = groups.map((group) => ({ ...group, pages: /** @type {import('./index_page.mjs').Entry[]} */ (group.pages.map((page) => ({ ...page, title: of(page).title, sentence: of(page).sentence, strip: of(page).strip, goals: goalsOf(page) }))) }));
   if (reference) entries.find(({ id }) => id === 'for-engineers')?.pages.splice(1, 0, { ...REFERENCE, name: 'reference' });
-  const sheets = [indexPage(entries), wallPage(), ...reference?.sheets ?? []];
+  const sheets = [indexPage(entries), missingPage(), wallPage(), ...reference?.sheets ?? []];
   for (const { title, pages: groupPages } of groups) {
     for (const page of groupPages) sheets.push(page.lesson ? await lessonPage(/** @type {LessonPage} */ (page), of(page), lessons, links) : textPage(page, of(page), title));
   }
   return sheets;
 }
+
+/** The conditions of a lesson's goals, as the reader's progress has them. @param {Page} page */
+const goalsOf = ({ body }) => [...body.matchAll(/^```goal\n(.+)$/gm)].map(([, conditions]) => conditions.trim());
 
 /** The links in a page's header. @param {Sheet} sheet @param {Sheet[]} sheets @returns {import('./template.mjs').HeaderLink[]} */
 function headerLinks({ address, kind }, sheets) {

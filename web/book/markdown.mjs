@@ -6,6 +6,7 @@ import { cards } from './cards.mjs';
 import { firstSentence, HeadingNames } from './headings.mjs';
 import { attributes, escaped } from './html.mjs';
 import { sections as lessonSections } from './sections.mjs';
+import { stripPictures } from './strip_pictures.mjs';
 
 /** @typedef {import('markdown-it/lib/token.mjs').default} Token */
 /** @typedef {import('./headings.mjs').Heading} Heading */
@@ -13,7 +14,8 @@ import { sections as lessonSections } from './sections.mjs';
 /** @typedef {import('./links.mjs').Opens} Opens */
 /** @typedef {import('./pages.mjs').Page} Page */
 /** Text under a heading. @typedef {{heading: string, id: string, text: string}} Section */
-/** @typedef {{html: string, title: string, sentence: string, headings: Heading[], sections: Section[]}} Rendered */
+/** The first film strip of a page, and its words. @typedef {{name: string, strips: import('./playground.mjs').Strips, alt: string}} Strip */
+/** @typedef {{html: string, title: string, sentence: string, headings: Heading[], sections: Section[], strip?: Strip}} Rendered */
 
 const NUMBER = /^[-−+<>≤≥±~≈]?\s*\d[\d.,]*(\s*[\p{L}%²/·]+)?$/u;
 const WIDE_CODE = 30; // characters; wider code may need scrolling, also with keys
@@ -23,6 +25,8 @@ const opening = ({ payload, panels, lock, goal }) => ({ 'data-open': payload, 'd
 
 export class Markdown {
   #markdown = new MarkdownIt({ html: false });
+  /** @type {Map<Page, Strip>} */
+  #firstStrips = new Map();
 
   /** @param {Links} links */
   constructor(links) {
@@ -77,7 +81,7 @@ export class Markdown {
       this.faults.add(page.source, page.before + 1, page.lesson ? 'the title of a lesson stands between its --- lines, not in a heading of its own' : 'a page has one heading of the first order');
     }
     const html = this.#markdown.renderer.render(page.lesson ? lessonSections(tokens) : cards(tokens), { html: false }, {});
-    return { html, title: sections[0].heading, sentence: firstSentence(paragraph), headings, sections };
+    return { html, title: sections[0].heading, sentence: firstSentence(paragraph), headings, sections, strip: this.#firstStrips.get(page) };
   }
 
   /** Renders inline text of a block. @param {Page} page @param {number} line @param {string} text */
@@ -119,16 +123,11 @@ export class Markdown {
   async #strip(page, image, line, path, linked) {
     const { href, opens } = await this.links.resolve(page, line, path);
     if (!opens) return;
-    const { name, strips } = await this.links.strip(page, path);
+    const strip = await this.links.strip(page, path);
     const alt = image.content;
+    if (!this.#firstStrips.has(page)) this.#firstStrips.set(page, { ...strip, alt });
     if (alt.trim() === '') this.faults.add(page.source, line, 'a film strip needs words in its square brackets, for who cannot see it');
-    const picture = (/** @type {string} */ when, /** @type {string} */ ending) => {
-      const file = (/** @type {string} */ which) => this.links.way(page, `strips/${name}${which}${ending}.svg`);
-      const { many, few } = strips;
-      return `<picture class="${when}"><source media="(max-width: 40em)"${attributes({ srcset: file('-few'), width: String(few.width), height: String(few.height) })}>`
-        + `<img${attributes({ src: file(''), alt, width: String(many.width), height: String(many.height), loading: 'lazy' })}></picture>`;
-    };
-    const pictures = picture('by-day', '') + picture('by-night', '-night');
+    const pictures = stripPictures(strip, alt, (address) => this.links.way(page, address));
     const shown = `<span class="strip">${pictures}</span>`;
     image.type = 'html_inline';
     image.content = linked ? shown : `<a${attributes({ class: 'strip', href, ...(page.lesson ? opening(opens) : {}) })}>${pictures}</a>`;

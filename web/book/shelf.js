@@ -1,14 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Marks finished lessons on the book's first page.
+// Shows on the book's first page what the reader has done: finished lessons and reached goals.
 import { clearProgress, hasProgress, progressOf } from './progress.js';
 
 const note = document.getElementById('progress');
 const lessons = /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('[data-lesson]'));
 
+/** @param {HTMLElement} item  of a lesson @param {string[]} reached */
+function showGoals(item, reached) {
+  const words = item.querySelector('.reached span');
+  if (!words) return;
+  /** @type {string[]} */
+  const goals = JSON.parse(item.dataset.goals ?? '[]');
+  const met = goals.map((goal) => reached.includes(goal));
+  for (const [i, ring] of item.querySelectorAll('.reached .tick').entries()) ring.classList.toggle('met', met[i]);
+  const count = met.filter(Boolean).length;
+  words.textContent = goals.length === 1 ? (count ? 'Goal reached' : 'One goal') : count ? `${count} of ${goals.length} goals reached` : `${goals.length} goals`;
+}
+
 function mark() {
   for (const item of lessons) {
     item.querySelector('.done')?.remove();
-    if (!progressOf(item.dataset.lesson ?? '').done) continue;
+    const { done: finished, goals } = progressOf(item.dataset.lesson ?? '');
+    showGoals(item, goals);
+    if (!finished) continue;
     const done = document.createElement('small');
     done.className = 'done';
     done.textContent = 'done';

@@ -18,6 +18,9 @@ import { attributes, escaped } from './html.mjs';
 const POLICY = 'default-src \'self\'; script-src \'self\'; style-src \'self\'; img-src \'self\' data:; frame-src \'self\'; form-action \'self\'; base-uri \'none\'; object-src \'none\'';
 const MARK = '<svg viewBox="-1.15 -1.15 2.3 2.3" aria-hidden="true"><path d="M0 0L0 -1M0 0L.95 -.31M0 0L.59 .81M0 0L-.59 .81M0 0L-.95 -.31"/></svg>';
 
+/** The first line of a printed lesson. */
+const WORKSHEET = '<p class="worksheet"><span>Name</span> <span>Date</span></p>\n';
+
 /** The relative path from an address of the book to its root. @param {string} address */
 export const upFrom = (address) => '../'.repeat(address.split('/').length - 1);
 
@@ -42,7 +45,7 @@ export function htmlPage({ title, description, address, kind, body, styles = [],
 <link rel="icon" href="${up}../favicon.svg" type="image/svg+xml">
 <script src="${up}look.js"></script>
 ${['tokens.css', 'book.css', ...styles].map((file) => `<link rel="stylesheet" href="${up}${file}">`).join('\n')}
-${scripts.map((file) => `<script type="module" src="${up}${file}"></script>`).join('\n')}
+${[...scripts, 'stored.js'].map((file) => `<script type="module" src="${up}${file}"></script>`).join('\n')}
 </head>
 <body class="${kind}">
 <a class="skip" href="#main">Skip to the text</a>
@@ -54,7 +57,7 @@ ${headerLinks.map((link) => `      <li><a${attributes({ href: up + link.address,
     </ul>
   </nav>
 ${address === 'index.html' || kind === 'lesson' ? '' : finder(up)}</header>
-${body}
+${kind === 'lesson' ? WORKSHEET : ''}${body}
 ${kind === 'lesson' ? '' : footer(up)}</body>
 </html>
 `;

@@ -6,6 +6,9 @@
 import { createHash } from 'node:crypto';
 import { readdir, readFile, writeFile } from 'node:fs/promises';
 import { join, relative, sep } from 'node:path';
+import { gzipSync } from 'node:zlib';
+
+const MAX_BOOK_GZIP = 1.5e6; // what a visitor's idle page may fetch for later
 
 const [folder, address = ''] = process.argv.slice(2);
 if (!folder) throw new Error('seal: which folder?');
@@ -14,7 +17,7 @@ const base = address && new URL(address.endsWith('/') ? address : `${address}/`)
 const names = (await readdir(folder, { recursive: true, withFileTypes: true }))
   .filter((entry) => entry.isFile())
   .map((entry) => relative(folder, join(entry.parentPath ?? entry.path, entry.name)).split(sep).join('/'))
-  .filter((name) => name !== 'service_worker.js')
+  .filter((name) => name !== 'service_worker.js' && !name.endsWith('.zip'))
   .sort();
 
 // Programs that read og:image expect an absolute address. Some also understand a relative one.
@@ -34,9 +37,15 @@ for (const name of names) {
   hashes[name] = `sha256-${createHash('sha256').update(bytes).digest('base64')}`;
   all.update(`${name}\n${hashes[name]}\n`);
 }
-// The service worker stores the book, its pictures and the packages only when they are first read.
-const page = names.filter((name) => !/^(book|package)\//.test(name) && !/(^|\/)(LICENSE|preview\.png)$/.test(name) && !name.endsWith('.txt'));
-const site = { version: all.digest('hex').slice(0, 16), page, hashes };
+// The playground, and what the page for missing pages needs, are stored at once. The book follows when the page is idle.
+// The API reference, the large pictures, the packages and the licences of libraries are only stored when they are read.
+const atOnce = (/** @type {string} */ name) => /^book\/(missing\.html|tokens\.css|book\.css|look\.js)$/.test(name)
+  || (!/^(book|package)\//.test(name) && !/(^|\/)(LICENSE|preview\.png)$/.test(name) && !name.endsWith('.txt'));
+const page = names.filter(atOnce);
+const book = names.filter((name) => (/^book\/(?!reference\/|pictures[./])/.test(name) || name === 'LICENSE') && !name.endsWith('.txt') && !atOnce(name));
+const gzip = (await Promise.all(book.map(async (name) => gzipSync(await readFile(join(folder, name))).length))).reduce((sum, size) => sum + size, 0);
+if (gzip > MAX_BOOK_GZIP) throw new Error(`seal: the stored part of the book has ${gzip} bytes, compressed, and may have ${MAX_BOOK_GZIP}`);
+const site = { version: all.digest('hex').slice(0, 16), page, book, hashes };
 const script = await readFile(new URL('../storage/service_worker.js', import.meta.url), 'utf8');
 await writeFile(join(folder, 'service_worker.js'), `self.SITE = ${JSON.stringify(site)};\n${script}`);
-console.log(`== ${names.length} files sealed, ${page.length} for the page without a network; version ${site.version}`);
+console.log(`== ${names.length} files sealed, ${page.length} for the page without a network, ${book.length} for the book (${Math.round(gzip / 1000)} KB, compressed); version ${site.version}`);

@@ -169,12 +169,16 @@ async function start() {
     autosave.save();
   });
   startSharing(app, address, statusLine);
+  const firstMotion = atTheDoor ? new Promise((resolve) => { searches.addEventListener('done', resolve, { once: true }); }) : gaitsmith.ready;
   // The first motion needs neither.
   void gaitsmith.ready.then(() => import('../storage/offline.js')).then(({ startOffline }) => startOffline({
     leave: () => {
       address.write();
       autosave.save();
     },
+    firstMotion,
+    busy: () => searches.searching,
+    say: (sentence) => statusLine.say(sentence),
   }), () => {});
   void gaitsmith.ready.then(() => import('../access/narrator.js')).then(({ Narrator }) => { new Narrator(app); }, () => {});
   if (matchMedia('(prefers-reduced-motion: reduce)').matches) {

@@ -64,6 +64,8 @@ class ShareDialog {
     for (const field of [this.#link, this.#snippet, this.#set]) field.addEventListener('focus', () => field.select());
     onClick('share-larger', () => this.#dialog.classList.toggle('large'));
     onClick('share-copy', () => void this.#copy(this.#link));
+    onClick('share-send', () => void this.#send());
+    element('share-send').hidden = !('share' in navigator);
     onClick('share-copy-snippet', () => void this.#copy(this.#snippet));
     onClick('share-copy-set', () => void this.#copy(this.#set));
   }
@@ -129,6 +131,17 @@ class ShareDialog {
     const fault = this.#goal.value.trim() === '' ? '' : await this.checkGoal(this.#goal.value);
     setText(element('share-goal-fault'), fault);
     this.#goal.setAttribute('aria-invalid', String(fault !== ''));
+  }
+
+  /** Offers the link to the device's other apps, as phones do. */
+  async #send() {
+    setText(element('share-said'), '');
+    try {
+      await navigator.share({ title: this.app.title() || 'Gaitsmith', url: this.#link.value });
+    } catch (error) {
+      if (error instanceof DOMException && error.name === 'AbortError') return; // the person has changed their mind
+      setText(element('share-said'), tr('The link could not be sent from here. Copy it instead.'));
+    }
   }
 
   /** @param {HTMLTextAreaElement} field */

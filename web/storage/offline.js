@@ -1,26 +1,42 @@
 // SPDX-License-Identifier: MIT
-// The page without a network. A service worker stores one complete version of it. A new version is first downloaded
+// The page without a network. A service worker stores one complete version of it, and later the book. A new version is first downloaded
 // completely, beside the old one. It takes over when no page uses the old one, or on request if this is the only page.
 // So a page never mixes two versions.
 import { element, onClick, setText } from '../browser/dom.js';
 import { tr } from '../languages/language.js';
 import { scriptAddress } from '../browser/trusted.js';
+import { mayStoreBook, storeBook, untilIdle } from './store_book.js';
 
 const CHECK_EVERY_MS = 3600e3; // the page may stay open for weeks
 
 /** The version that waits to take over. @type {ServiceWorker | null} */
 let waiting = null;
 
-/** @param {{leave: () => void}} hooks  leave: called before the page reloads itself */
-export async function startOffline({ leave }) {
+/**
+ * leave: called before the page reloads itself; firstMotion: resolved when there is one; busy: whether a search runs;
+ * say: shows a sentence.
+ * @typedef {{leave: () => void, firstMotion: Promise<unknown>, busy: () => boolean, say: (sentence: string) => void}} Hooks
+ */
+
+/** @param {Hooks} hooks */
+export async function startOffline(hooks) {
   try {
     // Pages inside other pages store nothing.
     if (window.top !== window || !navigator.serviceWorker) return;
     const registration = await navigator.serviceWorker.register(scriptAddress('service_worker.js'), { updateViaCache: 'none' });
-    follow(registration, leave);
+    follow(registration, hooks.leave);
+    if (mayStoreBook()) await storeLater(hooks);
   } catch {
     return; // no secure connection, no storage, or no such file: the page still works, but only online
   }
+}
+
+/** Stores the book when nothing else needs the processor or the network. @param {Hooks} hooks */
+async function storeLater({ firstMotion, busy, say }) {
+  await firstMotion;
+  do await untilIdle(); while (busy());
+  const { complete, fetched } = await storeBook();
+  if (complete && fetched) say(tr('Everything is stored now. Gaitsmith works without a network, with its lessons and its gallery.'));
 }
 
 /** @param {ServiceWorkerRegistration} registration @param {() => void} leave */

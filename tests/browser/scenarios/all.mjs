@@ -30,6 +30,7 @@ import { PALETTE_SCENARIOS } from './palette.mjs';
 import { QUEUE_SCENARIOS } from './queue.mjs';
 import { SECURITY_SCENARIOS } from './security.mjs';
 import { SHARE_SCENARIOS } from './share.mjs';
+import { STORED_SCENARIOS } from './stored.mjs';
 import { STYLE_SCENARIOS } from './style.mjs';
 import { SUITE_SCENARIOS } from './suite.mjs';
 import { CLASSROOM_SCENARIOS } from './classroom.mjs';
@@ -261,6 +262,7 @@ export const SCENARIOS = [
   ...QUEUE_SCENARIOS,
   ...once(TIMELINE_SCENARIOS),
   ...OFFLINE_SCENARIOS,
+  ...STORED_SCENARIOS,
   ...SECURITY_SCENARIOS,
   ...once(MESSAGE_SCENARIOS),
   ...once(FAULT_SCENARIOS),

@@ -16,7 +16,7 @@ import { PlainServer } from '../plain_server.mjs';
 const run = promisify(execFile);
 
 /** Runs a test on a host with a copy of the site. @param {Visit} visit @param {(server: PlainServer) => Promise<void>} body */
-async function onHost(visit, body) {
+export async function onHost(visit, body) {
   const folder = await mkdtemp(join(tmpdir(), 'site-'));
   await cp(visit.site, folder, { recursive: true });
   const server = new PlainServer(folder, '/some/where/');
@@ -30,13 +30,13 @@ async function onHost(visit, body) {
 }
 
 /** Waits until the page's own service worker, not one of a parent folder, has stored the whole page. @param {PageDriver} page */
-const untilStored = (page) => page.until('the service worker', `(async () => {
+export const untilStored = (page) => page.until('the service worker', `(async () => {
   const registration = await navigator.serviceWorker.getRegistration();
   return registration?.scope === new URL('.', location.href).href && registration.active?.state === 'activated';
 })()`);
 
 /** Runs a search, which must find a motion. @param {PageDriver} page */
-const searches = (page) => page.call('search', async () => {
+export const searches = (page) => page.call('search', async () => {
   const { hash, report } = await window.gaitsmith.synthesize({ seed: 3, evaluations: 2000, algorithm: 'sphc' });
   return { hash, state: report.state };
 });

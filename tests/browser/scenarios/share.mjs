@@ -79,6 +79,41 @@ async function shareDialog({ browser, address }) {
   await page.close();
 }
 
+/** A phone sends the link to another app. @param {Visit} visit */
+async function send({ browser, address }) {
+  const page = await PageDriver.open(browser, address, { before: () => {
+    const sent = /** @type {object[]} */ ([]);
+    Object.assign(window, { testSent: sent, testFault: '' });
+    Object.defineProperty(navigator, 'share', { configurable: true, value: async (/** @type {object} */ data) => {
+      sent.push(data);
+      const fault = /** @type {any} */ (window).testFault;
+      if (fault) throw new DOMException('no', fault);
+    } });
+  } });
+  await page.clickElement('#share');
+  await page.until('the dialog', () => document.querySelector('#share-dialog')?.hasAttribute('open') ?? false);
+  /** @param {string} fault @param {number} times */
+  const press = async (fault, times) => {
+    await page.page.evaluate((name) => Object.assign(window, { testFault: name }), fault);
+    await page.clickElement('#share-send');
+    await page.until('the call', `window.testSent.length === ${times}`);
+    await page.frames();
+    return page.text('#share-said');
+  };
+  assert.equal(await press('', 1), '');
+  assert.deepEqual(await page.call('sent', () => /** @type {any} */ (window).testSent[0]), { title: await page.text('#title'), url: await page.link() });
+  assert.equal(await press('AbortError', 2), '', 'a changed mind is no error');
+  assert.match(await press('NotAllowedError', 3), /Copy it instead/);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+
+  const without = await PageDriver.open(browser, address, { before: () => { delete (/** @type {any} */ (Navigator.prototype).share); } });
+  await without.clickElement('#share');
+  await without.until('the dialog', () => document.querySelector('#share-dialog')?.hasAttribute('open') ?? false);
+  assert.equal(await without.call('hidden', () => document.querySelector('#share-send')?.hasAttribute('hidden')), true);
+  await without.close();
+}
+
 /** @param {Visit} visit */
 async function firstMotion({ browser, address }) {
   const page = await PageDriver.open(browser, address, { newcomer: true });
@@ -241,6 +276,7 @@ async function wrongAddress({ browser, address }) {
 /** @type {typeof import('./all.mjs').SCENARIOS} */
 export const SHARE_SCENARIOS = [
   ['Share has the link, a code that a camera reads, and lines that put it into another page', shareDialog],
+  ['where the device can send links to other apps, Share has a button for it', send],
   ['the code of a first motion can be read too', firstMotion, ONE_BROWSER],
   ['links that are damaged, cut, newer, too long or none say so and what to do', linksThatCannotBeOpened],
   ['golden links with one byte changed, or cut, are refused', damagedLinks, ONE_BROWSER],
