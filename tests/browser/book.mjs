@@ -87,6 +87,7 @@ if (lessons.length > 0) {
 
   await check('book: a link of a lesson opens beside it, and says that it is open', async (page) => {
     const many = await goToLessonWith(page, 'main a[data-open]', 'data-open', 2);
+    await page.$$eval('.wait button', (buttons) => buttons.forEach((button) => button.click())); // the link may be under Notice
     const link = /** @type {NonNullable<Awaited<ReturnType<Page['$']>>>} */ (await page.waitForSelector('main a[data-open]:not([aria-current])', PATIENCE));
     const payload = await link.evaluate((node) => node.getAttribute('data-open'));
     await link.click();

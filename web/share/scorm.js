@@ -10,10 +10,10 @@
 
 const DEPTH = 20; // of frames; a loop among them would have no end
 /** Characters of suspend data. */
-const MOST_STATE = { '1.2': 4096, '2004': 64000 };
+const MOST_STATE = { 1.2: 4096, 2004: 64000 };
 const NAMES = /** @type {const} */ ({
-  '1.2': { begin: 'LMSInitialize', get: 'LMSGetValue', set: 'LMSSetValue', save: 'LMSCommit', end: 'LMSFinish', fault: 'LMSGetLastError', words: 'LMSGetErrorString' },
-  '2004': { begin: 'Initialize', get: 'GetValue', set: 'SetValue', save: 'Commit', end: 'Terminate', fault: 'GetLastError', words: 'GetErrorString' },
+  1.2: { begin: 'LMSInitialize', get: 'LMSGetValue', set: 'LMSSetValue', save: 'LMSCommit', end: 'LMSFinish', fault: 'LMSGetLastError', words: 'LMSGetErrorString' },
+  2004: { begin: 'Initialize', get: 'GetValue', set: 'SetValue', save: 'Commit', end: 'Terminate', fault: 'GetLastError', words: 'GetErrorString' },
 });
 
 /** The learning system that shows this page: in a frame above it, or in the window that opened it. @param {Window} [start] */

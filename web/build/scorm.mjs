@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// A package of each lesson for learning systems, in both versions of SCORM. Each holds the site, so that it needs no other
+// host; the API reference is left out.
+//
+//   node web/build/scorm.mjs <folder of the sealed site> <folder for the packages>
+import { mkdir, readFile, writeFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { scormFiles } from '../share/scorm_package.js';
+import { filesOf, namesIn, zipped } from './zipped.mjs';
+
+const [folder, out] = process.argv.slice(2);
+if (!folder || !out) throw new Error('scorm: which folder, and where to?');
+
+// The service worker would take over addresses of the learning system.
+const names = (await namesIn(folder)).filter((name) => !/^(package\/|book\/(reference|pictures)\/|book\/search\.json|service_worker\.js)/.test(name));
+const site = await filesOf(folder, names);
+await mkdir(out, { recursive: true });
+/** @type {{name: string, title: string}[]} */
+const lessons = JSON.parse(await readFile(join(folder, 'book/lessons.json'), 'utf8'));
+for (const { name, title } of lessons) {
+  for (const version of /** @type {const} */ (['1.2', '2004'])) {
+    const added = scormFiles({ name, title, version, launch: `book/lessons/${name}.html?scorm`, files: names });
+    const texts = Object.fromEntries(Object.entries(added).map(([file, text]) => [file, new TextEncoder().encode(text)]));
+    await writeFile(join(out, `${name}-scorm-${version}.zip`), zipped({ ...site, ...texts }));
+  }
+}
+console.log(`== ${2 * lessons.length} SCORM packages in ${out}`);
