@@ -125,13 +125,14 @@ async function fromTheBook(visit) {
     await page.evaluate(async () => {
       const registration = await navigator.serviceWorker.ready;
       await registration.update();
-      const { installing } = registration;
-      await new Promise((resolve) => installing?.addEventListener('statechange', () => { if (installing.state === 'installed') resolve(null); }));
+      const pause = () => new Promise((resolve) => setTimeout(resolve, 50));
+      while (!registration.waiting) await pause();
+      const next = registration.waiting;
       const { port1, port2 } = new MessageChannel();
       const answer = new Promise((resolve) => { port1.onmessage = resolve; });
-      installing?.postMessage({ type: 'take-over' }, [port2]);
+      next.postMessage({ type: 'take-over' }, [port2]);
       await answer;
-      await new Promise((resolve) => { if (installing?.state === 'activated') resolve(null); else installing?.addEventListener('statechange', resolve); });
+      while (next.state !== 'activated') await pause();
     });
     await page.goto(`${server.address()}book/index.html`);
     await page.waitForSelector('#stored:not([hidden])', PATIENCE);
