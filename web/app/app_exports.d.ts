@@ -11,7 +11,7 @@ export interface AppExports {
    * Opens JSON, a link or the payload of a link. @return an empty text, or a sentence with the error and its
    * location
    */
-  _gs_open(text: Pointer, bytes: number): Pointer;
+  _gs_open(text: Pointer, bytes: number, bred: number): Pointer;
   _gs_document_json(): Pointer;
   /** The payload of a link, without an address. */
   _gs_link(): Pointer;
