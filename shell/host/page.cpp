@@ -325,7 +325,7 @@ EMSCRIPTEN_KEEPALIVE const char* gs_rename_found(const char* options) {
 }
 /// Restores a found motion of an earlier visit. @return its id; empty: the text is invalid
 EMSCRIPTEN_KEEPALIVE const char* gs_restore_found(const char* text) {
-  return Reply(TheSession().Results().Motions().Restore(text));
+  return Reply(TheSession().RestoreFound(text));
 }
 
 /// Sets the shown panels and the locks. @param options JSON object. @return an empty text, or a sentence

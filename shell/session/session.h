@@ -118,6 +118,8 @@ class Session {
   [[nodiscard]] std::string StoreVisit() const;
   /// @return false: the text is damaged, and nothing has changed
   bool RestoreVisit(std::string_view text);
+  /// Restores a found motion of an earlier visit. @return its id; empty: the text is invalid
+  std::string RestoreFound(std::string_view text);
 
   // Opening other documents. Undo restores the previous one.
   /// @param text JSON, or a link, or the payload of a link
