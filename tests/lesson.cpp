@@ -77,36 +77,46 @@ Terms TermsOf(const Document& document) {
   return motion.TermsAt(motion.Frames() - 1);
 }
 
-bool Meets(const std::string& goal, const Document& document) {
+std::vector<Condition> ConditionsOf(const std::string& goal) {
+  std::istringstream parts(goal);
+  std::vector<Condition> conditions;
+  for (std::string part; std::getline(parts, part, ',');) {
+    std::istringstream words(part);
+    Condition condition;
+    REQUIRE(words >> condition.name >> condition.relation >> condition.wanted);
+    conditions.push_back(condition);
+  }
+  REQUIRE_FALSE(conditions.empty());
+  return conditions;
+}
+
+bool Compare(double has, const Condition& condition) {
+  const double wanted = std::stod(condition.wanted);
+  if (condition.relation == "!=") return has != wanted;
+  REQUIRE((condition.relation == ">=" || condition.relation == "<="));
+  return condition.relation == ">=" ? has >= wanted : has <= wanted;
+}
+
+bool Reaches(const std::string& goal, const Document& document) {
   const Terms terms = TermsOf(document);
   const Controller& controller =
       document.controllers[static_cast<std::size_t>(document.timeline[0].controller)];
-  std::istringstream conditions(goal);
-  std::string condition;
   bool all = !terms.broke_physics;
-  while (std::getline(conditions, condition, ',')) {
-    std::istringstream parts(condition);
-    std::string name, relation, wanted;
-    REQUIRE(parts >> name >> relation >> wanted);
-    if (name == "sense") {
-      all &=
-          relation == "=" && wanted == (controller.senses.kind == SenseKind::kTimer ? "timer" : "physical");
-      continue;
-    }
+  for (const Condition& condition : ConditionsOf(goal)) {
+    const std::string& name = condition.name;
     const auto term = std::ranges::find(kStyleTermNames, name);
-    float has = 0.0f;
-    if (name == "travel") {
-      has = terms.travel_m;
+    if (name == "sense") {
+      all &= condition.wanted == (controller.senses.kind == SenseKind::kTimer ? "timer" : "physical");
+    } else if (name == "travel") {
+      all &= Compare(static_cast<double>(terms.travel_m), condition);
     } else if (name == "distance") {
-      has = std::abs(terms.travel_m);
+      all &= Compare(std::abs(static_cast<double>(terms.travel_m)), condition);
     } else if (name == "rules") {
-      has = static_cast<float>(controller.rules);
-    } else {
-      REQUIRE(term != kStyleTermNames.end());
-      has = terms.Style(static_cast<StyleTerm>(term - kStyleTermNames.begin()));
+      all &= Compare(controller.rules, condition);
+    } else if (term != kStyleTermNames.end()) {
+      all &= Compare(static_cast<double>(terms.Style(static_cast<StyleTerm>(term - kStyleTermNames.begin()))),
+                     condition);
     }
-    REQUIRE((relation == ">=" || relation == "<="));
-    all &= relation == ">=" ? has >= std::stof(wanted) : has <= std::stof(wanted);
   }
   return all;
 }

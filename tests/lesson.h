@@ -32,8 +32,16 @@ Document Shipped(const std::string& path);
 
 Terms TermsOf(const Document& document);
 
-/// Whether the whole motion meets a goal of the playground (web/page/goal_conditions.js).
-bool Meets(const std::string& goal, const Document& document);
+/// A condition of a goal, as web/page/goal_conditions.js reads it.
+struct Condition {
+  std::string name, relation, wanted;
+};
+std::vector<Condition> ConditionsOf(const std::string& goal);
+bool Compare(double has, const Condition& condition);
+
+/// Whether the whole motion meets those conditions of a goal that a motion alone can meet. The others, such
+/// as "controller = new", are those of lesson_goals_test.cpp.
+bool Reaches(const std::string& goal, const Document& document);
 
 struct Found {
   Document document;  // with the found controller as its only clip

@@ -126,10 +126,11 @@ extern "C" {
 /// @return 0: WebGL is unavailable, and no other function may be called
 EMSCRIPTEN_KEEPALIVE int gs_running() { return ThePage().app ? 1 : 0; }
 
-/// Opens JSON, a link or the payload of a link. @return an empty text, or a sentence with the error and its
-/// location
-EMSCRIPTEN_KEEPALIVE const char* gs_open(const char* text, int bytes) {
-  const auto opened = TheSession().Open({text, static_cast<std::size_t>(bytes)});
+/// Opens JSON, a link or the payload of a link. @param bred  from the open document
+/// @return an empty text, or a sentence with the error and its location
+EMSCRIPTEN_KEEPALIVE const char* gs_open(const char* text, int bytes, int bred) {
+  const auto opened = TheSession().Open({text, static_cast<std::size_t>(bytes)},
+                                        bred != 0 ? OpenedFrom::kBreeding : OpenedFrom::kOutside);
   return Reply(opened ? "" : TrError(opened.error()));
 }
 
@@ -279,7 +280,7 @@ EMSCRIPTEN_KEEPALIVE const char* gs_synthesize(const char* options) {
     WithoutLocks([&] { session.Set([&](Document& d) { d = changed; }); });
   }
   session.Search().SetWorkers(workers);
-  session.Search().Synthesize();
+  session.Search().SynthesizeForScript();
   return Reply("");
 }
 
@@ -324,7 +325,7 @@ EMSCRIPTEN_KEEPALIVE const char* gs_rename_found(const char* options) {
 }
 /// Restores a found motion of an earlier visit. @return its id; empty: the text is invalid
 EMSCRIPTEN_KEEPALIVE const char* gs_restore_found(const char* text) {
-  return Reply(TheSession().Results().Motions().Restore(text));
+  return Reply(TheSession().RestoreFound(text));
 }
 
 /// Sets the shown panels and the locks. @param options JSON object. @return an empty text, or a sentence

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "core/document/json_value.h"
 #include "core/document/link.h"
@@ -24,6 +25,13 @@ std::string Exact(double value, int digits) {
 std::string SearchMembers(const SearchSettings& search, int evaluations) {
   return ",\"algorithm\":" + QuoteJson(kAlgorithmNames[static_cast<std::size_t>(search.algorithm)]) +
          ",\"seed\":" + std::to_string(search.seed) + ",\"evaluations\":" + std::to_string(evaluations);
+}
+
+bool IsUsualWorld(const Document& document) {
+  const StartState &start = document.start, usual;
+  return document.environment == Environment{} && start.drop_height_m == usual.drop_height_m &&
+         start.velocity_x_mps == usual.velocity_x_mps && start.velocity_y_mps == usual.velocity_y_mps &&
+         start.spin_radps == usual.spin_radps;
 }
 
 }  // namespace
@@ -75,9 +83,22 @@ std::string MeasuresJson(const Session& session) {
     add(kStyleTermNames[i], Tr(words.label), *words.unit == '\0' ? "" : Tr(words.unit), words.decimals,
         terms.Style(static_cast<StyleTerm>(i)));
   }
+  const Document& document = session.Doc();
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+  const auto seconds = [](int step) { return static_cast<float>(step) * kStep; };
+  const bool one_push = document.pushes.size() == 1, switches = document.timeline.size() > 1;
+  add("seed", Tr("Seed"), "", 0, static_cast<float>(session.Origins().SeedOf(document)));
+  add("pushes", Tr("Pushes"), "", 0, static_cast<float>(document.pushes.size()));
+  add("push_right", Tr("Push to the right"), "N s", 1, one_push ? document.pushes[0].impulse_x_ns : kNone);
+  add("push_time", Tr("Time of the push"), "s", 2, one_push ? seconds(document.pushes[0].step) : kNone);
+  add("switch", Tr("Last switch"), "s", 2, switches ? seconds(document.timeline.back().start_step) : kNone);
+  add("generations", Tr("Generations bred here"), "", 0,
+      static_cast<float>(session.Origins().GenerationsOf(document)));
   const Controller* controller = session.Timeline().ShownController();
   const std::string_view sense = controller == nullptr ? "" : ControlModeOf(*controller).name;
   return json + "],\"sense\":" + QuoteJson(sense) +
+         ",\"controller\":" + QuoteJson(session.Origins().Of(document)) +
+         ",\"world\":" + QuoteJson(IsUsualWorld(document) ? "usual" : "other") +
          ",\"rules\":" + std::to_string(controller == nullptr ? 0 : controller->rules) +
          ",\"broke\":" + (terms.broke_physics ? "true" : "false") +
          ",\"preview\":" + (session.Following().Previewing() ? "true" : "false") + "}";

@@ -17,9 +17,11 @@ namespace gaitsmith::shell {
 [[nodiscard]] std::string FoundJson(const FoundMotions&);
 
 /// The numbers of the whole motion: {"terms": [{"name", "label", "unit", "decimals", "value"}], "sense",
-/// "rules", "broke"}. The terms are "distance", which is |travel|, "travel", and those of Table 3 and
-/// docs/style.md. "sense" is "physical", "timer", "network" or, without a controller, empty. "broke" is true
-/// if the motion broke physics, and then no term is valid.
+/// "controller", "world", "rules", "broke", "preview"}. The terms are "distance", which is |travel|,
+/// "travel", those of Table 3 and docs/style.md, and those of docs/embedding.md that are no terms of a score;
+/// "value" is null if the motion has none. "controller" is as of Provenance::Of, "world" is "usual" or
+/// "other". "sense" is "physical", "timer", "network" or, without a controller, empty. "broke" is true if the
+/// motion broke physics, and then no term is valid.
 [[nodiscard]] std::string MeasuresJson(const Session&);
 
 }  // namespace gaitsmith::shell

@@ -230,7 +230,7 @@ void SearchRun::RecordResult() {
 // A search of the queue improves the open document only if the document's own search is the same.
 bool SearchRun::ShowsImprovements() const {
   if (!job_) return false;
-  if (job_->source == Source::kDocument) return true;
+  if (job_->source != Source::kQueue) return true;
   return !job_->hidden && workspace_.Doc().timeline.size() < 2 && job_->document.search.start < 0 &&
          SameSearch(workspace_.Doc(), job_->document);
 }
@@ -287,6 +287,7 @@ void SearchRun::ShowGenome(Genome genes) {
   const auto clip = std::min(static_cast<std::size_t>(std::max(job_->clip, 0)), next->timeline.size() - 1);
   const int shown = next->timeline[clip].controller;
   next->controllers[static_cast<std::size_t>(shown)].name = MotionName(*next, shown, next->controllers);
+  followers_.shown(job_->document, job_->source, next->controllers[static_cast<std::size_t>(shown)]);
   workspace_.Notice().clear();
   workspace_.Remember(job_->occasion);
   next->hash.reset();

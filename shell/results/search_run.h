@@ -22,12 +22,14 @@ class SearchRun {
   /// Evaluations of the short climbs that TryStyle and ImproveClip run.
   static constexpr int kTryEvaluations = 4000;
   /// Where a search comes from.
-  enum class Source { kDocument, kQueue };
+  enum class Source { kDocument, kScript, kQueue };
 
   /// @param lab  no search can run while the lab runs
   SearchRun(Workspace&, const Lab& lab, ResultStore&);
 
   struct Followers {
+    /// Called when a search shows a better controller.
+    std::function<void(const Document& searched, Source, const Controller&)> shown;
     /// Called when a search has ended, with the id of its result.
     std::function<void(const std::string& id)> found;
     /// Called when a search has ended by itself, so that the next one may start.
@@ -39,6 +41,7 @@ class SearchRun {
   enum class UndoStep { kMotion, kMotionAndGesture };  // nothing else, or what the present gesture changed
   /// Starts the open document's own search.
   void Synthesize(UndoStep step = UndoStep::kMotion) { Begin(workspace_.Doc(), Source::kDocument, step); }
+  void SynthesizeForScript() { Begin(workspace_.Doc(), Source::kScript); }
   /// Whether that search has run to its end before, and would find the same motion again.
   [[nodiscard]] bool WouldRepeat() const;
   /// Runs a short climb from the shown motion, in the chosen style. @return whether it runs

@@ -62,16 +62,23 @@ Session::Session(Host& host)
                                },
                            .settings = [this] { timeline_.Transitions().Follow(); },
                            .edited = [this](Parts changed) { live_.OnEdit(changed); }});
-  search_.SetFollowers({.found = [this](const std::string& id) { comparison_.ShowIfRequested(id); },
+  search_.SetFollowers({.shown =
+                            [this](const Document& searched, SearchRun::Source source, const Controller& c) {
+                              const bool script = source == SearchRun::Source::kScript;
+                              provenance_.AddFound(searched, c, script ? FoundBy::kScript : FoundBy::kPerson);
+                            },
+                        .found = [this](const std::string& id) { comparison_.ShowIfRequested(id); },
                         .ended = [this] { queue_.RunNext(); }});
   workspace_.Show(*shipped_.Motion("star-man-shuffle"), true);
+  provenance_.AddOpened(Doc());
 }
 
-Result<void> Session::Open(std::string_view text) {
+Result<void> Session::Open(std::string_view text, OpenedFrom from) {
   const auto first = text.find_first_not_of(" \t\r\n");
   const bool json = first != std::string_view::npos && text[first] == '{';
   auto document = json ? DecodeJson(text) : DecodeLink(text);
   if (!document) return std::unexpected(document.error());
+  if (from == OpenedFrom::kOutside) provenance_.AddOpened(*document);
   const bool rested = Doc().timeline.empty();
   simple_ = false;
   search_.Abandon();
@@ -117,6 +124,7 @@ void Session::WakeFrom(bool rested) {
 bool Session::Begin(std::string_view example) {
   auto document = example.empty() ? std::optional(shipped_.FirstFigure()) : shipped_.Motion(example);
   if (!document) return false;
+  provenance_.AddOpened(*document);
   workspace_.Show(std::move(*document), true);
   simple_ = example.empty();
   if (simple_) Player().Play(false);
@@ -194,6 +202,7 @@ void Session::ChooseProblem(int index) {
 
 void Session::ChooseExample(const Document& example) {
   if (!Replace(example)) return;
+  provenance_.AddOpened(example);
   workspace_.Say(Tr("{1}. Undo restores the previous version.", TrTitle(Doc().title)));
 }
 

@@ -18,6 +18,7 @@
 #include "shell/session/attempts.h"
 #include "shell/session/live.h"
 #include "shell/session/motion_comparison.h"
+#include "shell/session/provenance.h"
 #include "shell/session/teacher.h"
 #include "shell/session/timeline_editor.h"
 #include "shell/session/world_editor.h"
@@ -28,6 +29,9 @@ namespace gaitsmith::shell {
 
 /// How the next try should differ from the shown motion.
 enum class Manner { kCalmer, kQuicker, kHigher };
+
+/// Whether a document comes from outside, or was bred from the open one.
+enum class OpenedFrom { kOutside, kBreeding };
 
 /// Whose goal the next search has after a motion is opened.
 enum class NextGoal { kOwn, kOfOpen };
@@ -57,6 +61,7 @@ class Session {
   [[nodiscard]] LabRun& Lab() { return lab_; }
   [[nodiscard]] const LabRun& Lab() const { return lab_; }
   [[nodiscard]] const ShippedDocuments& Shipped() const { return shipped_; }
+  [[nodiscard]] const Provenance& Origins() const { return provenance_; }
   [[nodiscard]] Playback& Player() { return workspace_.Player(); }
   [[nodiscard]] const Playback& Player() const { return workspace_.Player(); }
   /// Visible panels and locked parts. Locks restrict a person's edits, not searches, scripts or opened
@@ -113,10 +118,12 @@ class Session {
   [[nodiscard]] std::string StoreVisit() const;
   /// @return false: the text is damaged, and nothing has changed
   bool RestoreVisit(std::string_view text);
+  /// Restores a found motion of an earlier visit. @return its id; empty: the text is invalid
+  std::string RestoreFound(std::string_view text);
 
   // Opening other documents. Undo restores the previous one.
   /// @param text JSON, or a link, or the payload of a link
-  [[nodiscard]] Result<void> Open(std::string_view text);
+  [[nodiscard]] Result<void> Open(std::string_view text, OpenedFrom from = OpenedFrom::kOutside);
   /// Shows the first document of a visit. There is nothing to undo.
   /// @param example  a shipped motion, such as "star-man-shuffle"; empty: a figure that cannot move yet
   /// @return false: there is no such motion
@@ -189,6 +196,7 @@ class Session {
   TimelineEditor timeline_;
   Attempts attempts_;
   ShippedDocuments shipped_;
+  Provenance provenance_;
   bool simple_ = false;
   bool viewing_ = false;
   double now_s_ = 1.0;     // time during which the motion played

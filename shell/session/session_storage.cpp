@@ -46,6 +46,13 @@ std::string Session::StoreVisit() const {
          (live_.Chosen() ? std::string(R"(,"live":)") + (*live_.Chosen() ? "true" : "false") : "") + "}";
 }
 
+std::string Session::RestoreFound(std::string_view text) {
+  std::string id = results_.Motions().Restore(text);
+  if (const FoundMotions::Entry* entry = results_.Motions().Find(id); entry != nullptr)
+    provenance_.AddOpened(entry->motion.document);
+  return id;
+}
+
 bool Session::RestoreVisit(std::string_view text) {
   const auto json = ParseJson(text);
   History::Stored steps;
@@ -64,6 +71,10 @@ bool Session::RestoreVisit(std::string_view text) {
     searches.push_back(std::move(*search));
   }
   if (!workspace_.Past().Restore(steps)) return false;
+  for (const auto* side : {&steps.past, &steps.future}) {
+    for (const std::string& payload : *side)
+      if (const auto document = DecodeLink(payload)) provenance_.AddOpened(*document);
+  }
   simple_ = simple->boolean;
   if (live != nullptr) live_.Switch(live->boolean);
   queue_.List().Restore(searches);

@@ -50,7 +50,7 @@ TEST_CASE("lessons: each has its parts, and opens documents that are valid", "[l
       CHECK(document->hash);
     }
     const auto opened = DecodeJson(ReadFile(lesson.links[0]));
-    CHECK_FALSE(Meets(lesson.fields.at("goal"), *opened));
+    CHECK_FALSE(Reaches(lesson.fields.at("goal"), *opened));
   }
   for (const std::string& path : LessonDocuments()) {
     CAPTURE(path);

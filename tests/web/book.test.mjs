@@ -171,6 +171,25 @@ if (!SITE) {
     }
   });
 
+  test('book: the answers of the lessons are reached only from the page for teachers, and the search does not find them', async () => {
+    const answers = join(book, 'lesson-answers.html');
+    const from = [...pages].filter(([file, { root }]) => file !== answers && root.querySelectorAll('[href*="lesson-answers"]').length > 0).map(([file]) => relative(book, file));
+    assert.deepEqual(from, ['teachers.html']);
+    assert.equal(pages.get(join(book, 'teachers.html'))?.root.querySelectorAll('header [href*="lesson-answers"]').length, 0);
+    assert.doesNotMatch(await readFile(join(book, 'search.json'), 'utf8'), /lesson-answers/);
+    const words = (/** @type {string} */ file) => pages.get(join(book, file))?.root.querySelector('main').text ?? '';
+    const lessons = (await readdir(join(ROOT, 'docs/lessons'))).length;
+    assert.equal(pages.get(answers)?.root.querySelectorAll('ol > li').length, lessons, 'an answer to each Explain');
+    // The right answer to every question of a lesson.
+    for (const [file, { root }] of pages) {
+      for (const quiz of root.querySelectorAll('.quiz')) {
+        const right = quiz.querySelector(`label[for=${quiz.querySelector('[data-right]').id}]`).text;
+        assert.ok(words('lesson-answers.html').includes(right), `${relative(book, file)}: ${right}`);
+        assert.ok(!words('teachers.html').includes(right), `teachers.html: ${right}`);
+      }
+    }
+  });
+
   test('book: every link, anchor and picture leads somewhere on the site, and nothing else is loaded', () => {
     for (const [file, { root }] of pages) {
       for (const node of root.querySelectorAll('[href], [src], [srcset], [action]')) {

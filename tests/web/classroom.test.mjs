@@ -102,6 +102,13 @@ test('the judge simulates, compares with the goal and says what was changed', as
   assert.deepEqual(helped.changed, ['slope -5.73°', '1 push']);
   const other = engine.link(engine.documentFromText(await readFile(join(ROOT, 'examples/star-man-shuffle.json'), 'utf8')));
   assert.ok(judge.judge({ work: { ...sent, motion: other }, source: '' }, '').changed.includes('another figure'));
+  // What a link cannot show is not held against anyone; what it shows is compared.
+  const judgedBy = (/** @type {string} */ goal, /** @type {Uint8Array} */ motion) => judge.judge({ work: { ...emptyWork(), motion: engine.link(motion) }, source: '' }, goal);
+  assert.deepEqual(judgedBy('controller = new, seed != 3, travel >= 20', bytes).conditions.map(({ met }) => met), [null, null, true]);
+  assert.equal(judgedBy('controller = new', bytes).met, null);
+  assert.deepEqual(judgedBy('pushes = 1, push_right >= 1, push_time = 1, world = usual', tilted).conditions.map(({ met }) => met), [true, true, true, false]);
+  assert.equal(judgedBy('pushes = 0, world = usual', bytes).met, true);
+  assert.equal(judgedBy('switch > 0', bytes).met, false, 'a motion of one clip has no switch');
   // Without a lesson the goal is the teacher's.
   const free = judge.judge({ work: { ...emptyWork(), motion: other }, source: '' }, 'distance >= 1000');
   assert.deepEqual([free.met, free.changed], [false, []]);

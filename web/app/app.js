@@ -73,7 +73,7 @@ import { trLater } from '../languages/language.js';
 /** keyboard: whether the focus ring is shown; waiting: a request to a widget is not done yet. @typedef {{keyboard: boolean, waiting: boolean, parts: MirrorPart[], widgets: MirrorWidget[]}} MirrorState */
 
 /** A measure of a motion. @typedef {{name: string, label: string, unit: string, decimals: number, value: number | null}} Measure */
-/** The measures of the shown motion. sense: the controller's, or empty; broke: the simulation failed; preview: not the document's motion yet. @typedef {{terms: Measure[], sense: string, rules: number, broke: boolean, preview: boolean}} Measures */
+/** The measures of the shown motion. sense: the controller's, or empty; controller: 'opened', 'changed', 'new', or empty; world: 'usual' or 'other'; broke: the simulation failed; preview: not the document's motion yet. @typedef {{terms: Measure[], sense: string, controller: string, world: string, rules: number, broke: boolean, preview: boolean}} Measures */
 
 /** A command of shell/session/commands.h. @typedef {{id: string, group: string, title: string, whyNot: string, keys: string[]}} CanvasCommand */
 
@@ -89,16 +89,17 @@ export class App {
   /**
    * Opens a document in the workbench.
    * @param {string} text  JSON, a link, or the payload of one
+   * @param {boolean} [bred]  from the open document, so that goals count it as new
    * @returns {string} empty, or core's sentence about the error and its place, with nothing changed
    */
-  open(text) {
-    const fault = this.show(text);
+  open(text, bred = false) {
+    const fault = this.show(text, bred);
     if (!fault) this.setViewing(false);
     return fault;
   }
 
-  /** Like open, but in the viewer if that is shown. @param {string} text @returns {string} */
-  show(text) { return this.#with(text, (at, bytes) => this.#text(this.module._gs_open(at, bytes))); }
+  /** Like open, but in the viewer if that is shown. @param {string} text @param {boolean} [bred] @returns {string} */
+  show(text, bred = false) { return this.#with(text, (at, bytes) => this.#text(this.module._gs_open(at, bytes, Number(bred)))); }
   /** Shows the open motion in the viewer, or leaves it for the workbench. @param {boolean} viewing */
   setViewing(viewing) { this.module._gs_set_viewing(viewing ? 1 : 0); }
   /** Whether the viewer is shown. */

@@ -8,10 +8,10 @@ export interface AppExports {
   /** @return 0: WebGL is unavailable, and no other function may be called */
   _gs_running(): number;
   /**
-   * Opens JSON, a link or the payload of a link. @return an empty text, or a sentence with the error and its
-   * location
+   * Opens JSON, a link or the payload of a link. @param bred  from the open document
+   * @return an empty text, or a sentence with the error and its location
    */
-  _gs_open(text: Pointer, bytes: number): Pointer;
+  _gs_open(text: Pointer, bytes: number, bred: number): Pointer;
   _gs_document_json(): Pointer;
   /** The payload of a link, without an address. */
   _gs_link(): Pointer;

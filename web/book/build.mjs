@@ -10,7 +10,7 @@ import { createRequire } from 'node:module';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
-import { grouped, LESSONS } from './contents.mjs';
+import { grouped, LESSONS, UNLISTED } from './contents.mjs';
 import { cutFaces } from './faces.mjs';
 import { Faults } from './faults.mjs';
 import { indexPage } from './index_page.mjs';
@@ -73,7 +73,7 @@ async function compose(pages, rendered, links, reference) {
   const of = (/** @type {Page} */ page) => /** @type {Rendered} */ (rendered.get(page));
   const groups = grouped(pages);
   const lessons = pages.filter(isLesson);
-  const entries = groups.map((group) => ({ ...group, pages: /** @type {import('./index_page.mjs').Entry[]} */ (group.pages.map((page) => ({ ...page, title: of(page).title, sentence: of(page).sentence, strip: of(page).strip, goals: goalsOf(page) }))) }));
+  const entries = groups.map((group) => ({ ...group, pages: /** @type {import('./index_page.mjs').Entry[]} */ (group.pages.filter(({ name }) => !UNLISTED.has(name)).map((page) => ({ ...page, title: of(page).title, sentence: of(page).sentence, strip: of(page).strip, goals: goalsOf(page) }))) }));
   if (reference) entries.find(({ id }) => id === 'for-engineers')?.pages.splice(1, 0, { ...REFERENCE, name: 'reference' });
   const sheets = [indexPage(entries), missingPage(), wallPage(), ...reference?.sheets ?? []];
   for (const { title, pages: groupPages } of groups) {
@@ -110,7 +110,7 @@ async function build(site) {
     return html;
   }));
   await put(join(book, 'lessons.json'), JSON.stringify(facts));
-  await put(join(book, 'search.json'), searchIndex([...[...rendered].map(([{ address }, { title, sections }]) => ({ address, title, sections })), ...reference?.searched ?? []]));
+  await put(join(book, 'search.json'), searchIndex([...[...rendered].filter(([{ name }]) => !UNLISTED.has(name)).map(([{ address }, { title, sections }]) => ({ address, title, sections })), ...reference?.searched ?? []]));
   for (const [name, { many, few, manyByNight, fewByNight }] of links.strips) {
     await put(join(book, `strips/${name}.svg`), many.svg);
     await put(join(book, `strips/${name}-few.svg`), few.svg);

@@ -4,11 +4,14 @@
 /** Names of files in docs/. Files without a group are in the last one. @type {{title: string, id: string, names: string[]}[]} */
 const GROUPS = [
   { title: 'Gallery', id: 'gallery', names: ['gallery', 'pictures'] },
-  { title: 'For teachers', id: 'for-teachers', names: ['teachers', 'writing-lessons'] },
+  { title: 'For teachers', id: 'for-teachers', names: ['teachers', 'writing-lessons', 'lesson-answers'] },
   { title: 'The playground', id: 'the-playground', names: ['animation', 'style', 'accessibility'] },
   { title: 'The engine', id: 'the-engine', names: ['physics', 'search', 'determinism', 'reliability', 'performance', 'related-work'] },
   { title: 'For engineers', id: 'for-engineers', names: ['engineers', 'embedding', 'command-line', 'formats', 'architecture', 'design'] },
 ];
+
+/** Pages that only other pages lead to: not in the list of pages, nor in the search. @type {ReadonlySet<string>} */
+export const UNLISTED = new Set(['lesson-answers']);
 
 export const LESSONS = { title: 'Lessons', id: 'lessons' };
 

@@ -212,7 +212,7 @@ class Breed {
 
   /** @returns {boolean} whether the document has the learned weights now */
   #useTaste() {
-    const fault = this.app.open(this.engine.link(this.#weighed()));
+    const fault = this.app.open(this.engine.link(this.#weighed()), true);
     toast(fault ? trSentence(fault) : tr('What you like is the style of the next search now. Undo takes it back.'));
     this.family.follow();
     return !fault;

@@ -117,7 +117,7 @@ export class Family {
     const fault = this.app.open(JSON.stringify({
       ...this.#document, hash: undefined, controllers: [...controllers, added],
       timeline: [...timeline, { controller: controllers.length, start_step: end }], duration_steps: end + (task.duration_steps ?? 500),
-    }));
+    }), true);
     this.follow();
     return fault;
   }
@@ -138,7 +138,7 @@ export class Family {
   /** @param {Lineage} lineage @param {Child | null} child  the document's new motion, or none @returns {string} */
   #open(lineage, child) {
     const bytes = this.#bytes(lineage);
-    const fault = this.app.open(this.engine.link(child ? this.engine.child(bytes, child.genome) : bytes));
+    const fault = this.app.open(this.engine.link(child ? this.engine.child(bytes, child.genome) : bytes), true);
     if (!fault) this.follow();
     return fault;
   }

@@ -14,7 +14,7 @@ import { isMet, parseGoal } from '../page/goal_conditions.js';
  * @typedef {{name: string, title: string, goals: string[], predictions: Question[], quizzes: Question[], worlds: string[][], figures: string[]}} LessonFacts
  */
 /** @typedef {{question: string, given: string, right: boolean | null}} Answer  right: null in a prediction or if there is no answer */
-/** @typedef {{text: string, met: boolean}} Judged */
+/** met: null: it cannot be judged by the motion. @typedef {{text: string, met: boolean | null}} Judged */
 /**
  * @typedef {object} Row
  * @property {string} name
@@ -31,7 +31,10 @@ import { isMet, parseGoal } from '../page/goal_conditions.js';
  * @property {string} text
  */
 
-const SIGNS = { '>=': '≥', '<=': '≤', '>': '>', '<': '<', '=': '=' };
+/** Conditions about the way to a motion, which only the page where it was made knows. */
+const UNSEEN = ['controller', 'seed', 'generations'];
+const STEP_S = 0.01;
+const SIGNS = { '>=': '≥', '<=': '≤', '>': '>', '<': '<', '=': '=', '!=': '≠' };
 
 /** The world of a document in words, such as ["slope 2°", "friction 0.8", "1 push"]. @param {any} document  JSON @returns {string[]} */
 export function worldOf({ environment = {}, pushes = [] }) {
@@ -86,16 +89,14 @@ export class Judge {
     row.motion = this.engine.motion(bytes);
     const measured = row.motion.measures();
     row.hash = measured.hash;
-    const controller = document.controllers?.[document.timeline?.[0]?.controller ?? -1];
-    const measures = /** @type {any} */ ({
-      ...measured, rules: controller?.rules?.length ?? 0,
-      sense: controller === undefined ? '' : controller.kind === 'network' ? 'network' : controller.senses?.kind ?? 'physical',
-    });
+    const usualWorld = worldOf(this.engine.json(this.engine.documentFromText(JSON.stringify({ ...document, environment: undefined, pushes: undefined }))));
+    const measures = { ...measured, ...ofDocument(document), world: sameWorld(document, usualWorld) ? 'usual' : 'other' };
+    measures.terms = [...measured.terms, ...measures.numbers];
     row.conditions = goals.flatMap((each) => parseGoal(each, this.tables)).map((condition) => judged(condition, measures));
-    row.met = row.conditions.length === 0 ? null : row.conditions.every(({ met }) => met);
+    const seen = row.conditions.filter(({ met }) => met !== null);
+    row.met = seen.length === 0 ? null : seen.every(({ met }) => met);
     const world = worldOf(document);
-    const usual = facts?.worlds ?? [worldOf(this.engine.json(this.engine.documentFromText(JSON.stringify({ ...document, environment: undefined, pushes: undefined }))))];
-    const changes = usual.map((known) => world.filter((part) => !known.includes(part))).sort((one, other) => one.length - other.length);
+    const changes = (facts?.worlds ?? [usualWorld]).map((known) => world.filter((part) => !known.includes(part))).sort((one, other) => one.length - other.length);
     row.changed.push(...changes[0] ?? []);
     if (facts && !facts.figures.includes(figureOf(document))) row.changed.push('another figure');
   }
@@ -107,10 +108,28 @@ function answered({ question, answers, unit, right }, given) {
   return { question, given: words, right: right === undefined || words === '' ? null : given === right };
 }
 
+/** What goals ask of a document. @param {any} document  JSON */
+function ofDocument({ controllers = [], timeline = [], pushes = [] }) {
+  const controller = controllers[timeline[0]?.controller ?? -1];
+  const push = pushes.length === 1 ? pushes[0] : null;
+  return {
+    rules: controller?.rules?.length ?? 0,
+    sense: controller === undefined ? '' : controller.kind === 'network' ? 'network' : controller.senses?.kind ?? 'physical',
+    numbers: [
+      { name: 'pushes', value: pushes.length }, { name: 'push_right', value: push && push.impulse_x_ns }, { name: 'push_time', value: push && push.step * STEP_S },
+      { name: 'switch', value: timeline.length > 1 ? timeline.at(-1).start_step * STEP_S : null },
+    ],
+  };
+}
+
+/** But for pushes, which have a condition of their own. @param {any} document  JSON @param {string[]} usual  worldOf() */
+const sameWorld = (document, usual) => worldOf({ ...document, pushes: [] }).every((part) => usual.includes(part));
+
 /** @param {Condition} condition @param {any} measures @returns {Judged} */
 function judged(condition, measures) {
   const { name, relation, wanted } = condition;
-  const value = name === 'sense' || name === 'rules' ? measures[name] : measures.terms.find((/** @type {{name: string}} */ term) => term.name === name)?.value ?? measures[name];
+  if (UNSEEN.includes(name)) return { text: `${name} ${SIGNS[relation]} ${wanted}: not seen in a motion`, met: null };
+  const value = measures[name] ?? measures.terms.find((/** @type {{name: string}} */ term) => term.name === name)?.value;
   const shown = typeof value === 'number' ? rounded(value) : value ?? '–';
   return { text: `${name} ${shown} (${SIGNS[relation]} ${wanted})`, met: isMet(condition, measures) };
 }

@@ -34,7 +34,7 @@ export function rowOf(row, number, same, site) {
   if (row.fault) work.append(made('p', row.fault, 'fault'));
   const goal = made('td');
   if (row.met !== null) goal.append(made('strong', row.met ? '✓ reached' : '✗ not reached', row.met ? 'good' : 'bad'));
-  for (const { text, met } of row.conditions) goal.append(made('p', `${met ? '✓' : '✗'} ${text}`));
+  for (const { text, met } of row.conditions) goal.append(made('p', `${met === null ? '·' : met ? '✓' : '✗'} ${text}`));
   const remarks = made('td');
   for (const word of row.changed) remarks.append(made('p', word, 'warned'));
   if (same !== undefined) remarks.append(made('p', `same motion as ${same}`, 'warned'));

@@ -141,7 +141,7 @@ export class Gaitsmith extends EventTarget {
    * @returns {Promise<void>} rejected with a sentence, and nothing changed, if the options are invalid
    */
   async arrange(options) { return this.#loadedParts().arrangement.set(options); }
-  /** The shown motion's measures: distance, travel, style terms, sense, rules, broke. @returns {Record<string, number | string | boolean>} */
+  /** The shown motion's measures: distance, travel, style terms, where it comes from, sense, rules, broke. null: it has no such number. @returns {Record<string, number | string | boolean | null>} */
   measures() {
     const { terms, ...others } = this.#loadedParts().app.measures();
     return { ...Object.fromEntries(terms.map(({ name, value }) => [name, value])), ...others };

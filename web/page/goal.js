@@ -76,7 +76,9 @@ export class GoalBar {
 /** "Distance ≥ 8 m (now 5.21 m)" @param {Condition} condition @param {Measures} measures */
 function conditionText({ name, relation, wanted }, measures) {
   if (name === 'sense') return tr('decided by {1}', tr(control_modes.find((mode) => mode.name === wanted)?.words ?? ''));
-  const sign = { '>=': '≥', '<=': '≤' }[/** @type {string} */ (relation)] ?? relation;
+  if (name === 'world') return tr('in the usual world');
+  if (name === 'controller') return wanted === 'new' ? tr('found here by your own search') : tr('only with rules that were opened');
+  const sign = { '>=': '≥', '<=': '≤', '!=': '≠' }[/** @type {string} */ (relation)] ?? relation;
   if (name === 'rules') return tr('{1} {2} {3} (now {4})', tr('Rules'), sign, wanted, measures.rules);
   const { label, unit, decimals, value } = /** @type {import('../app/app.js').Measure} */ (measures.terms.find((term) => term.name === name));
   const amount = (/** @type {number} */ number, /** @type {number} */ places) => `${fixed(number, places)}${unit && ` ${unit}`}`;

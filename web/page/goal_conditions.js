@@ -4,13 +4,14 @@
 import { tr } from '../languages/language.js';
 
 /** @typedef {import('../app/app.js').Measures} Measures */
-/** @typedef {'>=' | '<=' | '>' | '<' | '='} Relation */
-/** @typedef {{name: string, relation: Relation, wanted: number | string}} Condition  wanted: a string only for the sense */
+/** @typedef {'>=' | '<=' | '>' | '<' | '=' | '!='} Relation */
+/** @typedef {'sense' | 'controller' | 'world'} WordName */
+/** @typedef {{name: string, relation: Relation, wanted: number | string}} Condition  wanted: a string only for a WordName */
 
 /** @typedef {{readonly terms: readonly {readonly name: string}[], readonly control_modes: readonly {readonly name: string}[]}} Tables */
 
-/** Distances of the centre of mass: in either direction, and to the right. */
-const DISTANCES = ['distance', 'travel'];
+/** Numbers that are not terms of the style (docs/embedding.md). */
+const NUMBERS = ['distance', 'travel', 'rules', 'seed', 'pushes', 'push_right', 'push_time', 'switch', 'generations'];
 const MAX_CONDITIONS = 6;
 
 /**
@@ -19,30 +20,34 @@ const MAX_CONDITIONS = 6;
  * @returns {Condition[]} throws an Error with a sentence if the text is invalid
  */
 export function parseGoal(text, { terms, control_modes: modes }) {
-  const numbers = [...DISTANCES, ...terms.map(({ name }) => name), 'rules'];
+  const numbers = [...NUMBERS, ...terms.map(({ name }) => name)];
+  /** @type {Record<string, string[]>} */
+  const words = { sense: modes.map(({ name }) => name), controller: ['opened', 'new'], world: ['usual'] };
   const parts = text.split(',').map((part) => part.trim()).filter((part) => part !== '');
   if (parts.length === 0 || parts.length > MAX_CONDITIONS) throw new Error(tr('goal: give one to {1} conditions, with commas between them', MAX_CONDITIONS));
   return parts.map((part) => {
-    const [, name, relation, value] = /^([a-z_]+)\s*(>=|<=|>|<|=)\s*(\S+)$/.exec(part) ?? [];
+    const [, name, relation, value] = /^([a-z_]+)\s*(>=|<=|!=|>|<|=)\s*(\S+)$/.exec(part) ?? [];
     const number = Number(value);
-    const known = name === 'sense' ? relation === '=' && modes.some((mode) => mode.name === value)
-      : numbers.includes(name) && Number.isFinite(number);
+    const isWord = Object.hasOwn(words, name);
+    const known = isWord ? relation === '=' && words[name].includes(value) : numbers.includes(name) && Number.isFinite(number);
     if (!known) throw new Error(tr('goal: “{1}” is not a condition. Examples: distance >= 8, sense = physical', part));
-    return { name, relation: /** @type {Relation} */ (relation), wanted: name === 'sense' ? value : number };
+    return { name, relation: /** @type {Relation} */ (relation), wanted: isWord ? value : number };
   });
 }
 
 /** @param {Condition} condition @param {Measures} measures */
 export function isMet({ name, relation, wanted }, measures) {
   if (measures.broke) return false;
-  if (name === 'sense') return measures.sense === wanted;
-  const measured = name === 'rules' ? measures.rules : measures.terms.find((term) => term.name === name)?.value ?? NaN;
-  const limit = Number(wanted);
+  if (typeof wanted === 'string') return measures[/** @type {WordName} */ (name)] === wanted;
+  // A number that the motion does not have meets nothing, also not "!=".
+  const measured = name === 'rules' ? measures.rules : measures.terms.find((term) => term.name === name)?.value ?? null;
+  if (measured === null) return false;
   switch (relation) {
-    case '>=': return measured >= limit;
-    case '<=': return measured <= limit;
-    case '>': return measured > limit;
-    case '<': return measured < limit;
-    default: return measured === limit;
+    case '>=': return measured >= wanted;
+    case '<=': return measured <= wanted;
+    case '>': return measured > wanted;
+    case '<': return measured < wanted;
+    case '!=': return measured !== wanted;
+    default: return measured === wanted;
   }
 }

@@ -66,6 +66,7 @@ async function breeds(visit) {
   assert.deepEqual([round.parent, round.picks, round.seed ?? 1], [0, 0b10010, 1]);
   assert.deepEqual((await generations(page)).length, 2);
   assert.notEqual(await page.hash(), before, 'the first pick is the motion now');
+  assert.equal(await page.call('measures', () => window.gaitsmith.measures().generations), 2, 'what goals count');
 
   // What was picked says what is liked.
   assert.equal(await hidden(page, 'likes-use'), false);

@@ -261,6 +261,34 @@ async function goalsOfLessons({ browser, address }) {
   await page.close();
 }
 
+/**
+ * What a lesson's link opens and what its button finds does not count as the reader's own, and what the reader's search
+ * finds does. tests/examples/lesson_goals.json has the goals of all lessons.
+ * @param {Visit} visit
+ */
+async function ownMotions({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const goal = 'max_cm_height >= 4, controller = new, world = usual, pushes = 0, seed != 3';
+  const hopper = (/** @type {string} */ name) => readFile(join(ROOT, `examples/lessons/5-${name}-hopper.json`), 'utf8');
+  const open = async (/** @type {string} */ name) => page.page.evaluate((json) => window.gaitsmith.open(json), await hopper(name));
+  /** @param {string} what */
+  const unmet = async (what) => {
+    await page.frames();
+    await page.page.evaluate((wanted) => window.gaitsmith.arrange({ goal: wanted }), goal);
+    const waits = await page.page.evaluate(() => [...document.querySelectorAll('#goal li:not(.met)')].map(({ textContent }) => textContent));
+    assert.deepEqual(waits, [' found here by your own search'], what);
+  };
+  await open('population');
+  await unmet('a link');
+  await open('stuck');
+  await page.call('a script', () => window.gaitsmith.synthesize({ algorithm: 'sphc', seed: 4, evaluations: 5000 }).then(() => true));
+  await unmet('a script');
+  await page.page.evaluate(() => window.gaitsmith.run('search/synthesize'));
+  await page.until('the goal reached', () => document.querySelector('#goal')?.classList.contains('met') === true);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
 /** Every wrong option of an address is named, and the right ones are applied. @param {Visit} visit */
 async function wrongAddress({ browser, address }) {
   const page = await PageDriver.open(browser, `${address}?panels=kitchen&lock=garage&goal=distance>=1`);
@@ -282,5 +310,6 @@ export const SHARE_SCENARIOS = [
   ['golden links with one byte changed, or cut, are refused', damagedLinks, ONE_BROWSER],
   ['an address shows panels, locks parts and sets a goal that is ticked', lessonInTheAddress],
   ['every wrong option of an address is named, and the right ones count', wrongAddress, ONE_BROWSER],
+  ['a goal asks for a motion of one’s own: not that of a link, nor that of a script', ownMotions, ONE_BROWSER],
   ['the goals of all lessons can be read, are measured, and are still to be reached', goalsOfLessons, ONE_BROWSER],
 ];
