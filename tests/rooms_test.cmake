@@ -43,7 +43,7 @@ set(web_rooms
     "page: browser catalogue languages app access search storage dialogs share breed"
     "classroom: catalogue search share page"
     "book: storage share page classroom"
-    "package:")
+    "package: build share")
 # Rooms that never include a window's libraries, because the session's tests run without a window. They use only one
 # another.
 set(windowless embedded search study export body words workspace results session catalogue command_line)

@@ -104,9 +104,9 @@ test('the judge simulates, compares with the goal and says what was changed', as
   assert.ok(judge.judge({ work: { ...sent, motion: other }, source: '' }, '').changed.includes('another figure'));
   // What a link cannot show is not held against anyone; what it shows is compared.
   const judgedBy = (/** @type {string} */ goal, /** @type {Uint8Array} */ motion) => judge.judge({ work: { ...emptyWork(), motion: engine.link(motion) }, source: '' }, goal);
-  assert.deepEqual(judgedBy('controller = new, seed != 3, travel >= 20', bytes).conditions.map((condition) => condition.met), [null, null, true]);
+  assert.deepEqual(judgedBy('controller = new, seed != 3, travel >= 20', bytes).conditions.map((/** @type {any} */ condition) => condition.met), [null, null, true]);
   assert.equal(judgedBy('controller = new', bytes).met, null);
-  assert.deepEqual(judgedBy('pushes = 1, push_right >= 1, push_time = 1, world = usual', tilted).conditions.map((condition) => condition.met), [true, true, true, false]);
+  assert.deepEqual(judgedBy('pushes = 1, push_right >= 1, push_time = 1, world = usual', tilted).conditions.map((/** @type {any} */ condition) => condition.met), [true, true, true, false]);
   assert.equal(judgedBy('pushes = 0, world = usual', bytes).met, true);
   assert.equal(judgedBy('switch > 0', bytes).met, false, 'a motion of one clip has no switch');
   // Without a lesson the goal is the teacher's.

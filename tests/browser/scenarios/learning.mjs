@@ -26,7 +26,7 @@ const courseOf = (version) => `<!doctype html><meta charset="utf-8"><title>Cours
 async function packages({ site, browser }) {
   const folder = await mkdtemp(join(tmpdir(), 'gaitsmith-scorm-'));
   try {
-    await promisify(execFile)(process.execPath, [join(ROOT, 'web/build/scorm.mjs'), site, join(folder, 'zip')]);
+    await promisify(execFile)(process.execPath, [join(ROOT, 'web/package/scorm.mjs'), site, join(folder, 'zip')]);
     for (const version of /** @type {const} */ (['1.2', '2004'])) {
       const files = unzipSync(await readFile(join(folder, `zip/${LESSON}-scorm-${version}.zip`)));
       assert.ok(files['imsmanifest.xml'] && files['launch.html'] && !files['service_worker.js']);

@@ -2,11 +2,11 @@
 // A package of each lesson for learning systems, in both versions of SCORM. Each holds the site, so that it needs no other
 // host; the API reference is left out.
 //
-//   node web/build/scorm.mjs <folder of the sealed site> <folder for the packages>
+//   node web/package/scorm.mjs <folder of the sealed site> <folder for the packages>
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { scormFiles } from '../share/scorm_package.js';
-import { filesOf, namesIn, zipped } from './zipped.mjs';
+import { filesOf, namesIn, zipped } from '../build/zipped.mjs';
 
 const [folder, out] = process.argv.slice(2);
 if (!folder || !out) throw new Error('scorm: which folder, and where to?');
