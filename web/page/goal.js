@@ -56,7 +56,9 @@ export class GoalBar {
     this.#row.classList.toggle('met', all);
     this.#list.replaceChildren(...this.conditions.map((condition, i) => {
       const item = document.createElement('li');
-      item.className = met[i] ? 'met' : '';
+      // On a phone a guard is shown only when it fails.
+      const guard = condition.name === 'world' || condition.wanted === 'opened';
+      item.className = met[i] ? `met${guard ? ' guard' : ''}` : '';
       const mark = document.createElement('span');
       mark.className = 'mark';
       mark.setAttribute('role', 'img');
