@@ -42,7 +42,8 @@ set(web_rooms
     "breed: browser languages search dialogs share"
     "page: browser catalogue languages app access search storage dialogs share breed"
     "classroom: catalogue search share page"
-    "book: storage share page classroom"
+    "explorable: search share"
+    "book: storage share page classroom explorable"
     "package: build share")
 # Rooms that never include a window's libraries, because the session's tests run without a window. They use only one
 # another.

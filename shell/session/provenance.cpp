@@ -49,6 +49,7 @@ std::vector<std::span<const Gene>> PartsOf(const Document& document, const Contr
   if (controller.kind == ControllerKind::kNetwork) return {genes};
   const ControllerShape shape = controller.Shape(CountPorts(document.model, document.figure));
   std::vector<std::span<const Gene>> parts;
+  parts.reserve(static_cast<std::size_t>(controller.rules));
   for (int rule = 0; rule < controller.rules; ++rule)
     parts.push_back(genes.subspan(shape.Begin(rule), shape.Begin(rule + 1) - shape.Begin(rule)));
   return parts;

@@ -81,7 +81,11 @@ function markup(html) {
 
 before(async () => {
   for (const file of await readdir(TABLES))
-    tables.set(file, JSON.parse(await readFile(join(TABLES, file), 'utf8')));
+    const text = await readFile(join(TABLES, file), 'utf8');
+    tables.set(file, JSON.parse(text));
+    // The application refuses a table that has a text twice; JSON.parse does not.
+    const texts = [...text.matchAll(/^ {4}("(?:[^"\\]|\\.)*"): /gm)].map(([, name]) => name);
+    assert.deepEqual(texts.filter((name, i) => texts.indexOf(name) !== i), [], `${file} has texts twice`);
   const shell = await texts('shell', /\.(h|cpp)$/);
   ofShell = new Set(shell.flatMap((text) => literals(text, ['Tr', 'TrLater', 'PageText'], '"')));
   const page = await texts('web', /^(?!book\/|package\/).*\.js$/);

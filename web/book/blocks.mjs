@@ -2,6 +2,7 @@
 // The blocks that only lessons have: a goal, a quiz question, and a button that controls the playground.
 import { parseGoal } from '../page/goal_conditions.js';
 import { attributes, escaped } from './html.mjs';
+import { SCENES } from '../explorable/scenes.js';
 
 /** @typedef {import('./markdown.mjs').Markdown} Markdown */
 /** @typedef {import('./pages.mjs').Page} Page */
@@ -113,5 +114,27 @@ async function action(markdown, page, content, line) {
 `;
 }
 
+/** A live stage (web/explorable), on any page. @type {Block} */
+async function stage(markdown, page, content, line) {
+  /** @type {{kind?: string, open?: string, label?: string}} */
+  let given = {};
+  try {
+    given = JSON.parse(content);
+  } catch {
+    markdown.faults.add(page.source, line + 1, 'a stage is written as JSON');
+  }
+  const { kind = '', open = '', label = '', ...options } = given;
+  if (!Object.hasOwn(SCENES, kind)) markdown.faults.add(page.source, line + 1, `"kind" is one of ${Object.keys(SCENES).join(', ')}`);
+  if (label === '') markdown.faults.add(page.source, line + 1, '"label" says what is seen, for who cannot see it');
+  const { href, opens } = await markdown.links.resolve(page, line + 1, open);
+  if (!opens) markdown.faults.add(page.source, line + 1, '"open" names a document of examples');
+  return `<figure class="stage"${attributes({ 'data-kind': kind, 'data-open': opens?.payload, 'data-options': JSON.stringify(options) })}>
+<canvas role="img"${attributes({ 'aria-label': label })}></canvas>
+<div class="controls"></div>
+<figcaption><span class="said" role="status"></span> <a${attributes({ href })}>Open in the playground</a></figcaption>
+</figure>
+`;
+}
+
 /** Blocks by the word after the fence. @type {Record<string, Block>} */
-export const BLOCKS = { goal, predict, quiz, do: action };
+export const BLOCKS = { goal, predict, quiz, do: action, stage };

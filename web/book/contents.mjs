@@ -3,6 +3,7 @@
 
 /** Names of files in docs/. Files without a group are in the last one. @type {{title: string, id: string, names: string[]}[]} */
 const GROUPS = [
+  { title: 'Begin here', id: 'begin-here', names: ['how-things-learn-to-move'] },
   { title: 'Gallery', id: 'gallery', names: ['gallery', 'pictures'] },
   { title: 'For teachers', id: 'for-teachers', names: ['teachers', 'writing-lessons', 'lesson-answers'] },
   { title: 'The playground', id: 'the-playground', names: ['animation', 'style', 'accessibility'] },

@@ -138,7 +138,7 @@ export class Markdown {
   async #block(page, token, line) {
     const kind = token.info.trim();
     if (!Object.hasOwn(BLOCKS, kind)) return;
-    if (!page.lesson) {
+    if (!page.lesson && kind !== 'stage') {
       this.faults.add(page.source, line, `only lessons have blocks of the kind "${kind}"`);
       return;
     }

@@ -21,6 +21,7 @@ ${parts.map(({ id, text }) => `<li><a href="#${id}">${escaped(text.replace(DATE,
   return {
     title, description: sentence, address: page.address,
     kind: page.name === 'gallery' ? 'page wide' : 'page',
+    ...html.includes('<figure class="stage"') ? { styles: ['explorable.css'], scripts: ['../explorable/explorable.js'], engine: true } : {},
     body: `<div class="spread">
 <main id="main" tabindex="-1">
 ${group === title ? '' : `<p class="group">${escaped(group)}</p>\n`}${html}</main>

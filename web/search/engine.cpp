@@ -2,6 +2,7 @@
 // Documents, evaluators, searches and transition maps behind the engine's border.
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <optional>
 #include <span>
@@ -176,6 +177,26 @@ GS_EXPORT SearchRole* gs_search_open(std::size_t size) {
                         .genes = space.shape.Genes(),
                         .asked = {},
                         .genomes = {}};
+}
+/// A document that shows the genome that follows, which a search of the document may have found.
+/// @return its bytes, gs_document_size() of them
+GS_EXPORT const std::uint8_t* gs_shown(std::size_t size) {
+  const auto document = TakeDocument(size);
+  if (!document) return nullptr;
+  Genome genome((Input().size() - size) / sizeof(Gene));
+  if (genome.size() != Scorer(ProblemOf(*document)).Space(StartOf(*document)).shape.Genes()) {
+    Note({ErrorCode::kOutOfRange, "genome", "has another number of genes"});
+    return nullptr;
+  }
+  std::memcpy(genome.data(), Input().data() + size, genome.size() * sizeof(Gene));
+  Document shown = *document;
+  shown.controllers = {TakeFound(*document, std::move(genome), shown)};
+  shown.timeline = {{.controller = 0, .start_step = 0}};
+  shown.duration_steps = shown.task.duration_steps;
+  shown.search.start = -1;
+  shown.lineage = {};
+  shown.hash.reset();
+  return KeepDocument(shown);
 }
 GS_EXPORT void gs_search_close(SearchRole* role) { delete role; }
 GS_EXPORT std::size_t gs_search_genes(const SearchRole* role) { return role->genes; }

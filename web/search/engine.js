@@ -30,10 +30,11 @@ export class Engine {
   /**
    * @param {WebAssembly.Module} [compiled]  a module compiled before, e.g. by the page; else engine_module.wasm is
    * fetched
+   * @param {typeof createEngine} [create]  of another build of the engine
    * @returns {Promise<Engine>}
    */
-  static async load(compiled) {
-    if (!compiled) return new Engine(await createEngine());
+  static async load(compiled, create = createEngine) {
+    if (!compiled) return new Engine(await create());
     return new Engine(await new Promise((resolve, reject) => {
       createEngine({
         instantiateWasm(imports, receive) {
@@ -89,6 +90,11 @@ export class Engine {
   /** A document that shows a child. @param {Uint8Array} document  with a lineage @param {Uint16Array} genome */
   child(document, genome) {
     return this.#document(this.module._gs_child(this.#putWithGenomes(document, [genome])));
+  }
+
+  /** A document that shows a genome of its search. @param {Uint8Array} document @param {Uint16Array} genome */
+  shown(document, genome) {
+    return this.#document(this.module._gs_shown(this.#putWithGenomes(document, [genome])));
   }
 
   /** How the motion of a document looks. @param {Uint8Array} document @returns {Float32Array} a number for each trait */

@@ -25,6 +25,11 @@ export interface EngineExports {
    */
   _gs_evaluator_run(role: Pointer, count: number): Pointer;
   _gs_search_open(size: number): Pointer;
+  /**
+   * A document that shows the genome that follows, which a search of the document may have found.
+   * @return its bytes, gs_document_size() of them
+   */
+  _gs_shown(size: number): Pointer;
   _gs_search_close(role: Pointer): void;
   _gs_search_genes(role: Pointer): number;
   _gs_search_budget(role: Pointer): number;

@@ -34,6 +34,7 @@ import { STORED_SCENARIOS } from './stored.mjs';
 import { STYLE_SCENARIOS } from './style.mjs';
 import { SUITE_SCENARIOS } from './suite.mjs';
 import { CLASSROOM_SCENARIOS } from './classroom.mjs';
+import { EXPLORABLE_SCENARIOS } from './explorable.mjs';
 import { LEARNING_SCENARIOS } from './learning.mjs';
 import { REST_SCENARIOS } from './rest.mjs';
 import { TEACH_SCENARIOS } from './teach.mjs';
@@ -280,7 +281,7 @@ export const SCENARIOS = [
   ...once(FIGURE_SCENARIOS),
   ...GALLERY_SCENARIOS,
   ...once(BREED_SCENARIOS),
-  ...CLASSROOM_SCENARIOS, ...LEARNING_SCENARIOS, ...REST_SCENARIOS, ...once(TEACH_SCENARIOS),
+  ...CLASSROOM_SCENARIOS, ...EXPLORABLE_SCENARIOS, ...LEARNING_SCENARIOS, ...REST_SCENARIOS, ...once(TEACH_SCENARIOS),
   ...once(LIVE_SCENARIOS),
   ...once(RULE_SCENARIOS),
   ...once(WALK_SCENARIOS),
