@@ -19,11 +19,11 @@ export async function openToFirstFrame(browser, address) {
 /** Every file that the page loads before its first frame, gzipped. @param {Browser} browser @param {string} address */
 export async function bytesUntilFirstMotion(browser, address) {
   const page = await (await browser.createBrowserContext()).newPage();
-  /** @type {Promise<[string, number, number]>[]} */
+  /** By path: plain and compressed size; null: its page was closed. @type {[string, Promise<[number, number] | null>][]} */
   const files = [];
   page.on('response', (response) => {
     if (response.status() !== 200) return;
-    files.push(response.buffer().then((body) => [new URL(response.url()).pathname, body.length, gzipSync(body, { level: 9 }).length]));
+    files.push([new URL(response.url()).pathname, response.buffer().then((body) => [body.length, gzipSync(body, { level: 9 }).length], () => null)]);
   });
   await page.goto(address);
   // By the page's own clock: on a busy machine much may have arrived by the time that we hear of the first frame.
@@ -31,14 +31,20 @@ export async function bytesUntilFirstMotion(browser, address) {
     const [{ startTime: shown }] = performance.getEntriesByName('gaitsmith-first-frame');
     return [location.pathname, ...performance.getEntriesByType('resource').filter(({ startTime }) => startTime < shown).map(({ name }) => new URL(name).pathname)];
   })));
-  const loaded = (await Promise.all(files)).filter(([path]) => first.has(path));
+  const loaded = await Promise.all(files.filter(([path]) => first.has(path)).map(async ([path, sizes]) => {
+    const [plain, gzip] = await sizes ?? fail(path);
+    return { path, plain, gzip };
+  }));
   await page.browserContext().close();
   return {
-    gzip: loaded.reduce((sum, [, , gzip]) => sum + gzip, 0),
-    plain: loaded.reduce((sum, [, plain]) => sum + plain, 0),
-    files: Object.fromEntries(loaded.map(([path, , gzip]) => [path, gzip])),
+    gzip: loaded.reduce((sum, { gzip }) => sum + gzip, 0),
+    plain: loaded.reduce((sum, { plain }) => sum + plain, 0),
+    files: Object.fromEntries(loaded.map(({ path, gzip }) => [path, gzip])),
   };
 }
+
+/** @param {string} path @returns {never} */
+function fail(path) { throw new Error(`${path} could not be read`); }
 
 /**
  * WebAssembly memory by algorithm: of the page's application after a search, and of an engine in both roles of a
