@@ -35,6 +35,7 @@ TEST_CASE("lessons: each has its parts, and opens documents that are valid", "[l
     CHECK(lesson.words >= 250);
     CHECK(lesson.words <= 450);
     for (const char* part : {"## Do ", "## Notice ", "## Explain "}) Says(lesson, part);
+    REQUIRE(lesson.fences.contains("predict"));
     REQUIRE(lesson.fences.contains("quiz"));
     CHECK(lesson.fences.at("quiz").size() <= 2);
     REQUIRE(lesson.fences.contains("goal"));
