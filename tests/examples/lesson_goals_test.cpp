@@ -13,7 +13,7 @@
 
 namespace gaitsmith::test {
 
-TEST_CASE("lessons: a goal is reached by the way that is meant, and by no other", "[lessons]") {
+TEST_CASE("lessons: each goal is reached as intended, and by no side door", "[lessons]") {
   const auto table = ParseJson(ReadFile("tests/examples/lesson_goals.json"));
   REQUIRE(table);
   CHECK(table->names.size() == 8);

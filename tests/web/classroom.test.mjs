@@ -57,7 +57,7 @@ test('no damage makes a work unreadable without a sentence', () => {
   }
 });
 
-test('pasted text: names before links, several on a line, and lines that are none', () => {
+test('pasted text: names before links, several links on a line, and lines without a link', () => {
   const link = `https://example.org/g/book/wall.html#${encodeWork({ ...work(), name: '' })}`;
   const { entries, idle } = collect(`Dear Ms Smith,\n\nAnna: ${link}\nBen – https://example.org/g/#AZ4x.\n${link} ${link}\nhttps://example.org/g/\nhttps://example.org/#<script>`);
   assert.equal(idle, 1);

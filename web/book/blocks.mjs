@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The blocks that only lessons have: a goal, a quiz question, and a button that controls the playground.
-import { parseGoal } from '../page/goal_conditions.js';
+import { faultOfGoal } from '../page/goal_conditions.js';
 import { attributes, escaped } from './html.mjs';
 import { SCENES } from '../explorable/scenes.js';
 
@@ -15,23 +15,10 @@ const RANGE = /^(-?[\d.]+) to (-?[\d.]+)(?: by ([\d.]+))?(?: (\S+))?$/;
 const CALLS = ['open', 'synthesize', 'stop', 'pause', 'resume', 'lab', 'undo', 'redo', 'run', 'arrange'];
 const TICK = '<svg class="tick" viewBox="0 0 20 20" aria-hidden="true"><circle cx="10" cy="10" r="8.5"/><path d="M6 10.4l2.8 2.8L14.2 7.4"/></svg>';
 
-/**
- * The error in the conditions of a goal, or an empty string.
- * @param {string} conditions @param {import('./links.mjs').Playground} playground
- */
-export function faultOfGoal(conditions, { tables }) {
-  try {
-    parseGoal(conditions, tables);
-    return '';
-  } catch (error) {
-    return /** @type {Error} */ (error).message;
-  }
-}
-
 /** @type {Block} */
 async function goal(markdown, page, content, line) {
   const [conditions = '', ...words] = content.trim().split('\n');
-  const fault = faultOfGoal(conditions, markdown.links.playground);
+  const fault = faultOfGoal(conditions, markdown.links.playground.tables);
   if (fault) markdown.faults.add(page.source, line + 1, fault);
   if (words.length === 0) markdown.faults.add(page.source, line, 'a goal needs a line with its words');
   page.lesson?.goals.push(conditions.trim());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page of a lesson: text, and the playground beside it.
 import { attributes, escaped } from './html.mjs';
-import { faultOfGoal } from './blocks.mjs';
+import { faultOfGoal } from '../page/goal_conditions.js';
 import { LESSONS } from './contents.mjs';
 import { playgroundAddress } from './playground.mjs';
 import { upFrom } from './template.mjs';
@@ -34,7 +34,7 @@ export async function lessonPage(page, { html, sentence }, all, links) {
   const { opens } = open ? await links.resolve(page, open.line, open.value) : { opens: undefined };
   if (open && !opens) links.faults.add(page.source, open.line, '"open" names a document of examples');
   const goal = fields.get('goal');
-  const fault = goal && faultOfGoal(goal.value, links.playground);
+  const fault = goal && faultOfGoal(goal.value, links.playground.tables);
   if (fault) links.faults.add(page.source, goal.line, fault);
   /** @type {[string, string][]} */
   const query = [['lang', 'en']];

@@ -4,9 +4,10 @@
 //
 //   node web/build/seal.mjs <folder> [address, e.g. https://example.org/gaitsmith/]
 import { createHash } from 'node:crypto';
-import { readdir, readFile, writeFile } from 'node:fs/promises';
-import { join, relative, sep } from 'node:path';
+import { readFile, writeFile } from 'node:fs/promises';
+import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
+import { namesIn } from './zipped.mjs';
 
 const MAX_BOOK_GZIP = 1.5e6; // what a visitor's idle page may fetch for later
 
@@ -14,11 +15,7 @@ const [folder, address = ''] = process.argv.slice(2);
 if (!folder) throw new Error('seal: which folder?');
 const base = address && new URL(address.endsWith('/') ? address : `${address}/`).href;
 
-const names = (await readdir(folder, { recursive: true, withFileTypes: true }))
-  .filter((entry) => entry.isFile())
-  .map((entry) => relative(folder, join(entry.parentPath ?? entry.path, entry.name)).split(sep).join('/'))
-  .filter((name) => name !== 'service_worker.js' && !name.endsWith('.zip'))
-  .sort();
+const names = (await namesIn(folder)).filter((name) => name !== 'service_worker.js');
 
 // Programs that read og:image expect an absolute address. Some also understand a relative one.
 for (const name of names.filter((each) => each.endsWith('.html'))) {

@@ -14,7 +14,7 @@ const FEATURES = ['--enable-simd', '--enable-bulk-memory', '--enable-sign-ext', 
   '--enable-multivalue'];
 /** @param {string} program @param {string[]} options */
 const run = (program, options) => execFileSync(join(programs, program), [file, ...FEATURES, ...options],
-  { encoding: 'utf8', maxBuffer: 1 << 28, stdio: ['ignore', 'pipe', 'ignore'] });
+  { encoding: 'utf8', maxBuffer: 1 << 28, stdio: ['ignore', 'pipe', 'pipe'] });
 
 const starts = readFileSync(entrances, 'utf8').split('\n').filter((line) => line && !line.startsWith('#'));
 /** @param {string} name  with other characters than letters and digits written as \\ and their code */

@@ -60,7 +60,7 @@ export function searched(json, { weights, task, ...search }) {
 
 /** A search that goes on in small pieces and remembers every improvement. */
 export class Climb {
-  /** The best of each improvement: after how many tries, its score and its genome. @type {{tries: number, score: number, genome: Uint16Array}[]} */
+  /** Each improvement: number of tries until then, score and genome. @type {{tries: number, score: number, genome: Uint16Array}[]} */
   history = [];
 
   /** @param {Engine} engine @param {Json} json  with the search that is wanted */
@@ -74,7 +74,7 @@ export class Climb {
   get done() { return this.search.done; }
   get budget() { return this.search.budget; }
 
-  /** Searches for so many milliseconds. @param {number} ms */
+  /** @param {number} ms  time to search [ms] */
   goOn(ms) {
     const end = performance.now() + ms;
     while (!this.search.done && performance.now() < end) this.step();
@@ -88,7 +88,7 @@ export class Climb {
     if (score > (this.history.at(-1)?.score ?? -Infinity)) this.history.push({ tries: this.search.evaluations, score, genome: this.search.bestGenome });
   }
 
-  /** The document that shows the best after so many tries. @param {number} [tries] @returns {Uint8Array | null} null: there is none yet */
+  /** A document with the best motion found within this number of tries. @param {number} [tries] @returns {Uint8Array | null} null: none is found yet */
   best(tries = Infinity) {
     const found = this.history.filter((each) => each.tries <= tries).at(-1) ?? this.history[0];
     return found ? this.engine.shown(this.document, found.genome) : null;

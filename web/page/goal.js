@@ -4,7 +4,7 @@
 import { announce } from '../browser/announcer.js';
 import { element } from '../browser/dom.js';
 import { control_modes, terms } from '../catalogue/catalogue.js';
-import { isMet, parseGoal } from './goal_conditions.js';
+import { faultOfGoal, isMet, parseGoal } from './goal_conditions.js';
 import { fixed, tr } from '../languages/language.js';
 
 /** @typedef {import('../app/app.js').App} App */
@@ -12,14 +12,7 @@ import { fixed, tr } from '../languages/language.js';
 /** @typedef {import('./goal_conditions.js').Condition} Condition */
 
 /** Why a text is no goal, or ''. @param {string} text */
-export function faultOfGoal(text) {
-  try {
-    parseGoal(text, { control_modes, terms });
-    return '';
-  } catch (error) {
-    return /** @type {Error} */ (error).message;
-  }
-}
+export const goalFault = (text) => faultOfGoal(text, { control_modes, terms });
 
 export class GoalBar {
   #row = element('goal');

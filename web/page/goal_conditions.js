@@ -35,6 +35,16 @@ export function parseGoal(text, { terms, control_modes: modes }) {
   });
 }
 
+/** Why a text is no goal, or ''. @param {string} text @param {Tables} tables */
+export function faultOfGoal(text, tables) {
+  try {
+    parseGoal(text, tables);
+    return '';
+  } catch (error) {
+    return /** @type {Error} */ (error).message;
+  }
+}
+
 /** @param {Condition} condition @param {Measures} measures */
 export function isMet({ name, relation, wanted }, measures) {
   if (measures.broke) return false;

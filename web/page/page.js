@@ -276,7 +276,7 @@ function addCommands(commands, address, autosave) {
     app.run('document/new');
   });
   onClick('open', () => void openDialog(() => import('../share/opening.js').then((dialog) => dialog.openOpen(app, statusLine))));
-  onClick('share', () => void openDialog(() => import('../share/share.js').then((dialog) => dialog.openShare(app, address, (text) => import('./goal.js').then(({ faultOfGoal }) => faultOfGoal(text))))));
+  onClick('share', () => void openDialog(() => import('../share/share.js').then((dialog) => dialog.openShare(app, address, (text) => import('./goal.js').then(({ goalFault }) => goalFault(text))))));
   onClick('commands', openPalette);
   onClick('keys', openHelp);
 }
