@@ -22,6 +22,8 @@ export class Rest {
   #table;
   #pair = '';
   #here = false;
+  /** @type {Promise<WebAssembly.Module | null> | null} */
+  #asked = null;
   #failed;
 
   /** @param {(error: Error) => void} failed  called where a function cannot be had: the application cannot go on */
@@ -36,11 +38,16 @@ export class Rest {
     this.#pair = pairOf(code);
   }
 
+  /** Begins to load it, beside the first part. */
+  ask() { this.#asked = compiledModule(ADDRESS).catch(() => null); }
+
   /** Loads it by and by. Without a network it tries again later. @returns {Promise<void>} rejected: it is of another version */
   async load() {
     for (const ms of AGAIN_MS) {
       await new Promise((resolve) => { setTimeout(resolve, ms); });
-      const code = await compiledModule(ADDRESS).catch(() => null);
+      if (!this.#asked) this.ask();
+      const code = await this.#asked;
+      this.#asked = null;
       if (this.#here) return;
       if (!code) continue;
       this.#check(code);

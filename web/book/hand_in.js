@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Hands in a lesson: a link, or a file, with the motion and what was predicted, answered and written.
+import { copyField } from '../share/copying.js';
 import { encodeWork, workFile } from '../share/work.js';
 import { progressOf } from './progress.js';
 
@@ -34,15 +35,7 @@ export function startHandIn(lesson, current) {
     setTimeout(() => URL.revokeObjectURL(address), 60000);
     state.textContent = missing(progressOf(lesson));
   });
-  find('hand-in-copy').addEventListener('click', async () => {
-    try {
-      await navigator.clipboard.writeText(link.value);
-      state.textContent = 'Copied.';
-    } catch {
-      link.select();
-      state.textContent = 'The browser did not allow copying. The link is selected: press Ctrl+C or ⌘C.';
-    }
-  });
+  find('hand-in-copy').addEventListener('click', async () => { state.textContent = await copyField(link); });
 }
 
 /** What is not done yet. @param {import('./progress.js').Done} done */

@@ -37,8 +37,8 @@ const STEP_S = 0.01;
 const SIGNS = { '>=': '≥', '<=': '≤', '>': '>', '<': '<', '=': '=', '!=': '≠' };
 
 /** The world of a document in words, such as ["slope 2°", "friction 0.8", "1 push"]. @param {any} document  JSON @returns {string[]} */
-export function worldOf({ environment = {}, pushes = [] }) {
-  const words = Object.entries(environment).map(([name, value]) => {
+export function worldOf({ environment = {}, start = {}, pushes = [] }) {
+  const words = Object.entries({ ...environment, ...start }).map(([name, value]) => {
     if (name === 'slope_rad') return `slope ${rounded((Number(value) * 180) / Math.PI)}°`;
     if (name === 'gravity_mps2') return `gravity ${rounded(Number(value))} m/s²`;
     return `${name.replaceAll('_', ' ')} ${typeof value === 'number' ? rounded(value) : JSON.stringify(value)}`;
@@ -89,7 +89,7 @@ export class Judge {
     row.motion = this.engine.motion(bytes);
     const measured = row.motion.measures();
     row.hash = measured.hash;
-    const usualWorld = worldOf(this.engine.json(this.engine.documentFromText(JSON.stringify({ ...document, environment: undefined, pushes: undefined }))));
+    const usualWorld = worldOf(this.engine.json(this.engine.documentFromText(JSON.stringify({ ...document, environment: undefined, start: undefined, pushes: undefined }))));
     const measures = { ...measured, ...ofDocument(document), world: sameWorld(document, usualWorld) ? 'usual' : 'other' };
     measures.terms = [...measured.terms, ...measures.numbers];
     row.conditions = goals.flatMap((each) => parseGoal(each, this.tables)).map((condition) => judged(condition, measures));

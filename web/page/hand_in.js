@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The dialog that hands in an assignment: a link for the wall, with the shown motion and what was written.
 import { element, onClick, setText } from '../browser/dom.js';
-import { tr } from '../languages/language.js';
+import { copyField } from '../share/copying.js';
 import { emptyWork, encodeWork } from '../share/work.js';
 
 /** @type {(() => string) | null} */
@@ -22,15 +22,7 @@ function begin() {
   for (const id of ['work-text', 'work-name']) element(id).addEventListener('input', write);
   const link = element('work-link', HTMLTextAreaElement);
   link.addEventListener('focus', () => link.select());
-  onClick('work-copy', async () => {
-    try {
-      await navigator.clipboard.writeText(link.value);
-      setText(element('work-said'), tr('Copied'));
-    } catch {
-      link.select(); // the person copies by hand
-      setText(element('work-said'), tr('The browser did not allow copying by itself. The text is selected: press Ctrl+C or ⌘C.'));
-    }
-  });
+  onClick('work-copy', async () => setText(element('work-said'), await copyField(link)));
 }
 
 function write() {

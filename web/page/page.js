@@ -74,11 +74,12 @@ async function start() {
 
   const example = location.hash.length < 2 ? namedExample() : '';
   const shipped = example ? import('../share/examples.js').then(({ firstText }) => firstText(example, statusLine), () => '') : '';
-  // Load language and application in parallel. The first frame needs both.
-  const [{ default: createApp }, code, text] = await Promise.all([import('../app/app_module.js'), compiledModule(new URL('../app/app_module.wasm', import.meta.url)), shipped, languageReady]);
   const rest = new Rest(crashed);
   // The door does without the rest at first. Everything else may show a panel at once.
   const atTheDoor = location.hash.length < 2 && location.search === '';
+  if (!atTheDoor) rest.ask();
+  // Load language and application in parallel. The first frame needs both.
+  const [{ default: createApp }, code, text] = await Promise.all([import('../app/app_module.js'), compiledModule(new URL('../app/app_module.wasm', import.meta.url)), shipped, languageReady]);
   const module = await createApp({
     canvas,
     instantiateWasm: (imports, receive) => {

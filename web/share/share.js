@@ -2,6 +2,7 @@
 // The Share dialog: the link, its QR code, and the HTML that embeds the playground with this motion.
 import { element, onClick, setText } from '../browser/dom.js';
 import { panels } from '../catalogue/catalogue.js';
+import { copyField } from './copying.js';
 import { followLanguage, grouped, tr, trLater } from '../languages/language.js';
 
 /** @typedef {import('../app/app.js').App} App */
@@ -145,15 +146,7 @@ class ShareDialog {
   }
 
   /** @param {HTMLTextAreaElement} field */
-  async #copy(field) {
-    try {
-      await navigator.clipboard.writeText(field.value);
-      setText(element('share-said'), tr('Copied'));
-    } catch {
-      field.select(); // the person copies by hand
-      setText(element('share-said'), tr('The browser did not allow copying by itself. The text is selected: press Ctrl+C or ⌘C.'));
-    }
-  }
+  async #copy(field) { setText(element('share-said'), await copyField(field)); }
 }
 
 /** Escapes text for an attribute in double quotes. @param {string} text */
