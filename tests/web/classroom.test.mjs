@@ -110,7 +110,7 @@ test('the judge simulates, compares with the goal and says what was changed', as
   assert.equal(judgedBy('pushes = 0, world = usual', bytes).met, true);
   const thrown = engine.documentFromText(JSON.stringify({ ...json, hash: undefined, start: { ...json.start, velocity_x_mps: 20 } }));
   assert.equal(judgedBy('world = usual', thrown).met, false, 'a figure that is thrown has help');
-  assert.deepEqual(judge.judge({ work: { ...sent, motion: engine.link(thrown) }, source: '' }, '').changed, ['velocity x mps 20']);
+  assert.deepEqual(judge.judge({ work: { ...sent, motion: engine.link(thrown) }, source: '' }, '').changed, ['velocity x 20']);
   assert.equal(judgedBy('switch > 0', bytes).met, false, 'a motion of one clip has no switch');
   // Without a lesson the goal is the teacher's.
   const free = judge.judge({ work: { ...emptyWork(), motion: other }, source: '' }, 'distance >= 1000');

@@ -41,7 +41,7 @@ export function worldOf({ environment = {}, start = {}, pushes = [] }) {
   const words = Object.entries({ ...environment, ...start }).map(([name, value]) => {
     if (name === 'slope_rad') return `slope ${rounded((Number(value) * 180) / Math.PI)}°`;
     if (name === 'gravity_mps2') return `gravity ${rounded(Number(value))} m/s²`;
-    return `${name.replaceAll('_', ' ')} ${typeof value === 'number' ? rounded(value) : JSON.stringify(value)}`;
+    return `${name.replace(/_(mps|radps|m|rad)$/, '').replaceAll('_', ' ')} ${typeof value === 'number' ? rounded(value) : JSON.stringify(value)}`;
   });
   return [...words, pushes.length === 1 ? '1 push' : `${pushes.length === 0 ? 'no' : pushes.length} pushes`];
 }

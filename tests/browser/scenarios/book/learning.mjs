@@ -7,12 +7,12 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { promisify } from 'node:util';
 import { createRequire } from 'node:module';
-import { ROOT } from '../browsers.mjs';
-import { ONE_BROWSER, PATIENCE_MS } from '../page_driver.mjs';
-import { PlainServer } from '../plain_server.mjs';
+import { ROOT } from '../../browsers.mjs';
+import { ONE_BROWSER, PATIENCE_MS } from '../../page_driver.mjs';
+import { PlainServer } from '../../plain_server.mjs';
 
-/** @typedef {import('./all.mjs').Visit} Visit */
-/** @typedef {import('../browsers.mjs').Page} Page */
+/** @typedef {import('../all.mjs').Visit} Visit */
+/** @typedef {import('../../browsers.mjs').Page} Page */
 
 const { unzipSync } = createRequire(join(ROOT, 'web/package.json'))('fflate');
 const LESSON = '1-a-rule';
@@ -53,7 +53,7 @@ async function packages({ site, browser }) {
   }
 }
 
-/** @param {import('../browsers.mjs').Browser} browser @param {string} address @param {'1.2' | '2004'} version */
+/** @param {import('../../browsers.mjs').Browser} browser @param {string} address @param {'1.2' | '2004'} version */
 async function visitCourse(browser, address, version) {
   const context = await browser.createBrowserContext();
   const course = await context.newPage();
@@ -120,7 +120,7 @@ async function visitCourse(browser, address, version) {
   await other.close();
 }
 
-/** @type {import('./all.mjs').Scenario[]} */
+/** @type {import('../all.mjs').Scenario[]} */
 export const LEARNING_SCENARIOS = [
   ['lessons report to a learning system, by SCORM 1.2 and 2004, in frames and pop-ups', packages, ONE_BROWSER],
 ];

@@ -3,11 +3,11 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { ROOT } from '../browsers.mjs';
-import { ONE_BROWSER, PageDriver, PATIENCE_MS } from '../page_driver.mjs';
+import { ROOT } from '../../browsers.mjs';
+import { ONE_BROWSER, PageDriver, PATIENCE_MS } from '../../page_driver.mjs';
 
-/** @typedef {import('./all.mjs').Visit} Visit */
-/** @typedef {import('../browsers.mjs').Page} Page */
+/** @typedef {import('../all.mjs').Visit} Visit */
+/** @typedef {import('../../browsers.mjs').Page} Page */
 
 /** @param {Visit} visit @param {string} path */
 async function open({ browser, address }, path) {
@@ -120,7 +120,7 @@ async function assignment(visit) {
   await wall.browserContext().close();
 }
 
-/** @type {import('./all.mjs').Scenario[]} */
+/** @type {import('../all.mjs').Scenario[]} */
 export const CLASSROOM_SCENARIOS = [
   ['a lesson is handed in by a link, and the wall simulates and judges it', lesson, ONE_BROWSER],
   ['an assignment is made in Share, done, handed in and judged', assignment, ONE_BROWSER],

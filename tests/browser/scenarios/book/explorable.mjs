@@ -2,9 +2,9 @@
 // "How things learn to move": light, soon alive, and each stage answers a drag.
 import assert from 'node:assert/strict';
 import { gzipSync } from 'node:zlib';
-import { ONE_BROWSER, PATIENCE_MS } from '../page_driver.mjs';
+import { ONE_BROWSER, PATIENCE_MS } from '../../page_driver.mjs';
 
-/** @typedef {import('./all.mjs').Visit} Visit */
+/** @typedef {import('../all.mjs').Visit} Visit */
 
 /** @param {Visit} visit */
 async function explorable(visit) {
@@ -47,7 +47,7 @@ async function explorable(visit) {
   await page.browserContext().close();
 }
 
-/** @type {import('./all.mjs').Scenario[]} */
+/** @type {import('../all.mjs').Scenario[]} */
 export const EXPLORABLE_SCENARIOS = [
   ['the explorable is light, and each of its stages answers', explorable, ONE_BROWSER],
 ];
