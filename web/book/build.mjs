@@ -36,7 +36,7 @@ import { tokens } from './tokens.mjs';
 
 const HERE = dirname(fileURLToPath(import.meta.url));
 const ROOT = join(HERE, '../..');
-const SCRIPTS = ['find.js', 'hand_in.js', 'kept_answers.js', 'lesson.js', 'look.js', 'notice.js', 'player.js', 'progress.js', 'quiz.js', 'report.js', 'shelf.js', 'stored.js'];
+const SCRIPTS = ['find.js', 'lesson.js', 'look.js', 'player.js', 'quiz.js', 'shelf.js', 'stored.js'];
 const STYLES = ['book.css', 'lesson.css', 'explorable.css', 'reference.css', 'wall.css'];
 
 /** @param {string} file @param {string | Uint8Array} contents */

@@ -2,11 +2,11 @@
 // A lesson's page. Its links open documents in the playground beside the text, its buttons control the playground, and
 // the playground checks its goals.
 import { Player } from './player.js';
-import { keepAnswers } from './kept_answers.js';
-import { startHandIn } from './hand_in.js';
-import { holdNotice } from './notice.js';
-import { startReport } from './report.js';
-import { storeProgress, progressOf } from './progress.js';
+import { keepAnswers } from '../classroom/kept_answers.js';
+import { startHandIn } from '../classroom/hand_in.js';
+import { holdNotice } from '../classroom/notice.js';
+import { startReport } from '../classroom/report.js';
+import { storeProgress, progressOf } from '../classroom/progress.js';
 import { startQuizzes } from './quiz.js';
 
 const GOAL_STATES = { '': '', set: 'The playground watches for it.', met: 'Reached.' };

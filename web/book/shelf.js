@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Shows on the book's first page what the reader has done: finished lessons and reached goals.
-import { clearProgress, hasProgress, progressOf } from './progress.js';
+import { clearProgress, hasProgress, progressOf } from '../classroom/progress.js';
 
 const note = document.getElementById('progress');
 const lessons = /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('[data-lesson]'));
