@@ -2,6 +2,7 @@
 // A browser that speaks W3C WebDriver: the few commands that the tests of WebKit need. What Puppeteer's pages have, too,
 // has the same name here, so that a PageDriver can drive either.
 import assert from 'node:assert/strict';
+import { request } from 'node:http';
 import { sleep } from './page_driver.mjs';
 
 const PATIENCE_MS = 60000;
@@ -84,10 +85,21 @@ export class WebDriver {
   #post(name, body) { return command('POST', `${this.session}/${name}`, body); }
 }
 
-/** @param {string} method @param {string} address @param {object} [body] */
+/**
+ * Each command has a connection of its own: the driver may close one that is kept while the next command is being sent.
+ * @param {string} method @param {string} address @param {object} [body]
+ */
 async function command(method, address, body) {
-  const answer = await fetch(address, { method, body: body && JSON.stringify(body) });
-  const { value } = await answer.json();
-  assert.ok(answer.ok, `${method} ${address}: ${value?.error}: ${value?.message}`);
+  const { status, text } = await new Promise((resolve, reject) => {
+    const bytes = Buffer.from(body ? JSON.stringify(body) : '');
+    request(address, { method, agent: false, headers: { 'content-type': 'application/json', 'content-length': bytes.length } }, async (answer) => {
+      answer.setEncoding('utf8');
+      let text = '';
+      for await (const part of answer) text += part;
+      resolve({ status: answer.statusCode, text });
+    }).on('error', reject).end(bytes);
+  });
+  const { value } = JSON.parse(text);
+  assert.equal(status, 200, `${method} ${address}: ${value?.error}: ${value?.message}`);
   return value;
 }

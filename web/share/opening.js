@@ -79,6 +79,7 @@ class OpenDialog {
   }
 
   #closed() {
+    if (this.#dialog.open) return; // the event came late, and the dialog is open again
     this.#gallery.hide();
     // In a folded menu the button that had the focus is hidden.
     if (document.activeElement === document.body) element('more').focus();

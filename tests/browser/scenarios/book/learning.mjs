@@ -8,7 +8,7 @@ import { dirname, join } from 'node:path';
 import { promisify } from 'node:util';
 import { createRequire } from 'node:module';
 import { ROOT } from '../../browsers.mjs';
-import { ONE_BROWSER, PATIENCE_MS } from '../../page_driver.mjs';
+import { ONE_BROWSER, PATIENCE_MS, sleep } from '../../page_driver.mjs';
 import { PlainServer } from '../../plain_server.mjs';
 
 /** @typedef {import('../all.mjs').Visit} Visit */
@@ -17,6 +17,20 @@ import { PlainServer } from '../../plain_server.mjs';
 const { unzipSync } = createRequire(join(ROOT, 'web/package.json'))('fflate');
 const LESSON = '1-a-rule';
 const SYSTEMS = { 1.2: { api: 'API', made: 'Scorm12API', script: 'scorm12.min.js' }, 2004: { api: 'API_1484_11', made: 'Scorm2004API', script: 'scorm2004.min.js' } };
+
+/**
+ * Waits in a page or a frame. Puppeteer's own waiting may be lost for ever in a frame that is navigated just then.
+ * @param {string} what  is waited for @param {Page | import('../../../../web/node_modules/puppeteer-core/lib/types.d.ts').Frame} where
+ * @param {(value: any) => boolean} condition @param {unknown} [value]
+ */
+async function until(what, where, condition, value) {
+  for (const start = Date.now(); !await where.evaluate(condition, value).catch(() => false); await sleep(50)) {
+    assert.ok(Date.now() - start < PATIENCE_MS, `waited in vain for: ${what}`);
+  }
+}
+
+/** @param {string} words @param {Parameters<typeof until>[1]} where */
+const untilSaid = (words, where) => until(words, where, (text) => document.body.textContent?.includes(text) ?? false, words);
 
 /** A learning system's page, which shows the package as it is asked to. @param {'1.2' | '2004'} version */
 const courseOf = (version) => `<!doctype html><meta charset="utf-8"><title>Course</title><script src="${SYSTEMS[version].script}"></script>
@@ -68,7 +82,7 @@ async function visitCourse(browser, address, version) {
   // In a frame: answers and sentences are reported as they are given.
   await course.evaluate(() => { document.body.append(Object.assign(document.createElement('iframe'), { src: 'content/launch.html', width: 900, height: 600 })); });
   const lesson = await course.waitForFrame((frame) => frame.url().includes(`${LESSON}.html?scorm`), { timeout: PATIENCE_MS });
-  await lesson.waitForFunction(() => /Reported to the learning system: 0 of 100/.test(document.body.textContent ?? ''), { timeout: PATIENCE_MS });
+  await untilSaid('Reported to the learning system: 0 of 100', lesson);
   assert.equal(await value(status), 'incomplete');
   await lesson.evaluate(() => {
     /** @type {HTMLElement} */ (document.querySelector('.quiz input[data-right]')).click();
@@ -76,18 +90,18 @@ async function visitCourse(browser, address, version) {
     field.value = 'Because it lands.';
     field.dispatchEvent(new Event('input'));
   });
-  await lesson.waitForFunction(() => /Reported to the learning system: 33 of 100/.test(document.body.textContent ?? ''), { timeout: PATIENCE_MS });
+  await untilSaid('Reported to the learning system: 33 of 100', lesson);
   assert.equal(await value(raw), '33');
   const state = await value('cmi.suspend_data');
   assert.match(state, /^H1\./);
   // The goal, by the events of the playground
   const played = await course.waitForFrame((frame) => frame.url().includes('panels=controller'), { timeout: PATIENCE_MS });
-  await played.waitForFunction(() => window.gaitsmith?.ready !== undefined, { timeout: PATIENCE_MS });
+  await until('the playground', played, () => window.gaitsmith?.ready !== undefined);
   await played.evaluate(() => window.gaitsmith.ready.then(() => true));
   const json = JSON.parse(await readFile(join(ROOT, 'examples/gallery/kangaroo-hop.json'), 'utf8'));
   const { rules } = json.controllers[0];
   await played.evaluate((text) => window.gaitsmith.open(text), JSON.stringify({ ...json, hash: undefined, controllers: [{ ...json.controllers[0], rules: [rules[0], rules[2]] }] }));
-  await lesson.waitForFunction(() => /67 of 100, passed/.test(document.body.textContent ?? ''), { timeout: PATIENCE_MS });
+  await untilSaid('67 of 100, passed', lesson);
   assert.equal(await value(status), version === '1.2' ? 'passed' : 'completed');
   if (version === '2004') assert.equal(await value('cmi.success_status'), 'passed');
   const kept = await value('cmi.suspend_data');
@@ -105,18 +119,18 @@ async function visitCourse(browser, address, version) {
   const opened = new Promise((resolve) => { again.once('popup', resolve); });
   await again.evaluate(() => { window.open('content/launch.html'); });
   const popup = /** @type {Page} */ (await opened);
-  await popup.waitForFunction(() => /67 of 100, passed/.test(document.body?.textContent ?? ''), { timeout: PATIENCE_MS });
+  await untilSaid('67 of 100, passed', popup);
   assert.equal(await popup.evaluate(() => /** @type {HTMLTextAreaElement} */ (document.querySelector('#sentences')).value), 'Because it lands.');
   assert.ok(await popup.evaluate(() => document.querySelector('.goal.met') !== null && document.querySelector('.quiz input:checked') !== null));
   await popup.close();
-  await again.waitForFunction((old) => {
+  await until('the end of the visit', again, (old) => {
     const { API, API_1484_11: newer } = /** @type {any} */ (window);
     return old ? API.isTerminated() : newer.isTerminated();
-  }, { timeout: PATIENCE_MS }, version === '1.2');
+  }, version === '1.2');
 
   // Alone: it works, and says so.
   await again.goto(`${address}content/launch.html`);
-  await again.waitForFunction(() => /No learning system was found/.test(document.body?.textContent ?? ''), { timeout: PATIENCE_MS });
+  await untilSaid('No learning system was found', again);
   await other.close();
 }
 
