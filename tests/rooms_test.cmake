@@ -29,7 +29,6 @@ set(shell_rooms
     "app: words workspace session widgets stage timeline panels/figure panels/controller panels/style panels/search panels/make panels/lab"
     "host: embedded search catalogue words workspace results session app")
 set(web_rooms
-    "build:"
     "browser:"
     "catalogue:"
     "languages: browser catalogue"
@@ -39,6 +38,7 @@ set(web_rooms
     "storage: browser languages"
     "dialogs: languages"
     "share: browser catalogue languages search dialogs"
+    "build: share"
     "breed: browser languages search dialogs share"
     "page: browser catalogue languages app access search storage dialogs share breed"
     "classroom: catalogue search share page"

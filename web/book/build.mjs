@@ -7,7 +7,7 @@
 import { execFile } from 'node:child_process';
 import { copyFile, mkdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
-import { dirname, join, resolve } from 'node:path';
+import { basename, dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
 import { grouped, LESSONS, UNLISTED } from './contents.mjs';
@@ -24,6 +24,7 @@ import { readReference, REFERENCE } from './reference.mjs';
 import { searchIndex } from './search_index.mjs';
 import { htmlPage } from './template.mjs';
 import { textPage } from './text_page.mjs';
+import { packagesPage } from './teaching/packages_page.mjs';
 import { wallPage } from './wall_page.mjs';
 import { lessonFacts } from './lesson_facts.mjs';
 import { tokens } from './tokens.mjs';
@@ -37,7 +38,7 @@ import { tokens } from './tokens.mjs';
 const HERE = dirname(fileURLToPath(import.meta.url));
 const ROOT = join(HERE, '../..');
 const SCRIPTS = ['find.js', 'lesson.js', 'look.js', 'player.js', 'quiz.js', 'shelf.js', 'stored.js'];
-const STYLES = ['book.css', 'lesson.css', 'explorable.css', 'reference.css', 'wall.css'];
+const STYLES = ['book.css', 'lesson.css', 'explorable.css', 'reference.css', 'wall.css', 'teaching/teaching.css'];
 
 /** @param {string} file @param {string | Uint8Array} contents */
 async function put(file, contents) {
@@ -75,7 +76,7 @@ async function compose(pages, rendered, links, reference) {
   const lessons = pages.filter(isLesson);
   const entries = groups.map((group) => ({ ...group, pages: /** @type {import('./index_page.mjs').Entry[]} */ (group.pages.filter(({ name }) => !UNLISTED.has(name)).map((page) => ({ ...page, title: of(page).title, sentence: of(page).sentence, strip: of(page).strip, goals: goalsOf(page) }))) }));
   if (reference) entries.find(({ id }) => id === 'for-engineers')?.pages.splice(1, 0, { ...REFERENCE, name: 'reference' });
-  const sheets = [indexPage(entries), missingPage(), wallPage(), ...reference?.sheets ?? []];
+  const sheets = [indexPage(entries), missingPage(), wallPage(), packagesPage(lessons), ...reference?.sheets ?? []];
   for (const { title, pages: groupPages } of groups) {
     for (const page of groupPages) sheets.push(page.lesson ? await lessonPage(/** @type {LessonPage} */ (page), of(page), lessons, links) : textPage(page, of(page), title));
   }
@@ -119,7 +120,7 @@ async function build(site) {
   }
   for (const [file, address] of links.images) await put(join(book, address), await readFile(join(ROOT, file)));
   await put(join(book, 'tokens.css'), await tokens(join(ROOT, 'web/page/style.css')));
-  for (const file of STYLES) await copyFile(join(HERE, file), join(book, file));
+  for (const file of STYLES) await copyFile(join(HERE, file), join(book, basename(file)));
   await promisify(execFile)(process.execPath, [join(ROOT, 'web/build/minify.mjs'), book, HERE, ...SCRIPTS.map((file) => join(HERE, file))]);
   // With comments, because others read and copy this file.
   await copyFile(join(HERE, 'player.js'), join(site, 'player.js'));

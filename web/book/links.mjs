@@ -14,7 +14,7 @@ import { playgroundAddress } from './playground.mjs';
 /** @typedef {{source: string, line: number, page: Page, anchor: string}} Reference */
 
 /** Files of the repository that the site contains, and their addresses. @type {Record<string, string>} */
-const SHIPPED = { 'web/index.html': 'index.html', 'web/book/player.js': 'player.js', 'web/book/wall_page.mjs': 'book/wall.html', LICENSE: 'LICENSE' };
+const SHIPPED = { 'web/index.html': 'index.html', 'web/book/player.js': 'player.js', 'web/book/wall_page.mjs': 'book/wall.html', 'web/book/teaching/packages_page.mjs': 'book/packages.html', LICENSE: 'LICENSE' };
 const PARAMETERS = ['panels', 'lock', 'goal'];
 const IMAGE = /\.(png|svg|jpg|webp)$/;
 

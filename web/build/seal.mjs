@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The last step of building a site. Writes the site's files and their hashes into the service worker, and the public
-// address, if there is one, into the pages, for link previews in chat programs.
+// The last step of building a site. Writes the site's files and their hashes into the service worker, and those that a
+// SCORM package holds into files.json (web/share/scorm_maker.js). Writes the public address, if there is one, into the
+// pages, for link previews in chat programs.
 //
 //   node web/build/seal.mjs <folder> [address, e.g. https://example.org/gaitsmith/]
 import { createHash } from 'node:crypto';
 import { readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
+import { isPackaged } from '../share/scorm_package.js';
 import { namesIn } from './zipped.mjs';
 
 const MAX_BOOK_GZIP = 1.5e6; // what a visitor's idle page may fetch for later
@@ -15,7 +17,8 @@ const [folder, address = ''] = process.argv.slice(2);
 if (!folder) throw new Error('seal: which folder?');
 const base = address && new URL(address.endsWith('/') ? address : `${address}/`).href;
 
-const names = (await namesIn(folder)).filter((name) => name !== 'service_worker.js');
+const WRITTEN = ['service_worker.js', 'files.json'];
+const names = (await namesIn(folder)).filter((name) => !WRITTEN.includes(name));
 
 // Programs that read og:image expect an absolute address. Some also understand a relative one.
 for (const name of names.filter((each) => each.endsWith('.html'))) {
@@ -29,11 +32,15 @@ for (const name of names.filter((each) => each.endsWith('.html'))) {
 /** @type {Record<string, string>} */
 const hashes = {};
 const all = createHash('sha256');
-for (const name of names) {
-  const bytes = await readFile(join(folder, name));
-  hashes[name] = `sha256-${createHash('sha256').update(bytes).digest('base64')}`;
+/** @param {string} name */
+async function addHash(name) {
+  hashes[name] = `sha256-${createHash('sha256').update(await readFile(join(folder, name))).digest('base64')}`;
   all.update(`${name}\n${hashes[name]}\n`);
 }
+for (const name of names) await addHash(name);
+await writeFile(join(folder, 'files.json'), JSON.stringify(Object.fromEntries(names.filter(isPackaged).map((name) => [name, hashes[name]]))));
+names.push('files.json');
+await addHash('files.json');
 // The playground, and what the page for missing pages needs, are stored at once. The book follows when the page is idle.
 // The API reference, the large pictures, the packages and the licences of libraries are only stored when they are read.
 const atOnce = (/** @type {string} */ name) => /^book\/(missing\.html|tokens\.css|book\.css|look\.js)$/.test(name)

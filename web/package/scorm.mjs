@@ -5,14 +5,13 @@
 //   node web/package/scorm.mjs <folder of the sealed site> <folder for the packages>
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { scormFiles } from '../share/scorm_package.js';
+import { isPackaged, scormFiles } from '../share/scorm_package.js';
 import { filesOf, namesIn, zipped } from '../build/zipped.mjs';
 
 const [folder, out] = process.argv.slice(2);
 if (!folder || !out) throw new Error('scorm: which folder, and where to?');
 
-// The service worker would take over addresses of the learning system.
-const names = (await namesIn(folder)).filter((name) => !/^(package\/|book\/(reference|pictures)\/|book\/search\.json|service_worker\.js)/.test(name));
+const names = (await namesIn(folder)).filter(isPackaged);
 const site = await filesOf(folder, names);
 await mkdir(out, { recursive: true });
 /** @type {{name: string, title: string}[]} */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How a lesson or an assignment sets up the page: the shown panels, the locks, the goal and the task. They come from the address
-// (?panels=style,search&lock=figure&goal=distance>=8), as does whether Live is on (?live=off), or from a script. docs/embedding.md documents them.
+// (?panels=style,search&lock=figure&goal=distance>=8), as do whether Live is on (?live=off) and whether a learning system is around the page (?scorm), or from a script. docs/embedding.md documents them.
 import { banner, element, setText } from '../browser/dom.js';
 import { dialogs } from '../dialogs/dialogs.js';
 import { sentence } from '../share/address.js';
@@ -36,6 +36,8 @@ export class Arrangement {
   /** @type {import('./goal.js').GoalBar | null} */
   #bar = null;
   #pending = Promise.resolve();
+  /** To a learning system. @type {import('./assignment_report.js').AssignmentReport | null} */
+  #report = null;
 
   /** @param {App} app @param {import('./api.js').Gaitsmith} gaitsmith  dispatches the 'goal' events */
   constructor(app, gaitsmith) {
@@ -59,6 +61,7 @@ export class Arrangement {
       && !Object.hasOwn((await import('../share/examples.js')).EXAMPLES, example)) {
       faults.push(tr('There is no example “{1}”.', example));
     }
+    if (address.has('scorm')) await this.#startReport(address.get('goal') ?? '').catch(({ message }) => { faults.push(sentence(message)); });
     if (askedMode() === null) faults.push(tr('“view” and “edit” take no value, and exclude each other.'));
     if (faults.length) banner(tr('The address of this page has a mistake: {1}', faults.join(' ')));
   }
@@ -83,13 +86,24 @@ export class Arrangement {
     bar?.show();
   }
 
+  /** For an assignment in a SCORM package. @param {string} goal */
+  async #startReport(goal) {
+    if (goal === '') throw new Error(tr('“scorm” needs a goal, because it reports when the goal is reached'));
+    const { AssignmentReport } = await import('./assignment_report.js');
+    const report = new AssignmentReport(this.app, this.gaitsmith, goal);
+    this.#showTask(element('task-text').textContent ?? '');
+    element('task').hidden = false;
+    this.#report = report;
+    report.begin();
+  }
+
   /** @param {string} task */
   #showTask(task) {
     element('task').hidden = task === '';
     setText(element('task-text'), task);
     element('task-hand-in', HTMLButtonElement).onclick = async () => {
       await dialogs();
-      (await import('./hand_in.js')).openHandIn(() => this.gaitsmith.link());
+      (await import('./hand_in.js')).openHandIn(() => this.gaitsmith.link(), this.#report);
     };
   }
 }

@@ -7,11 +7,17 @@ import { emptyWork, encodeWork } from '../share/work.js';
 /** @type {(() => string) | null} */
 let current = null;
 
-/** @param {() => string} link  of the shown motion */
-export function openHandIn(link) {
+/** What keeps the sentences. @typedef {{text: string, onText: () => void}} Keeper */
+/** @type {Keeper | null} */
+let keeper = null;
+
+/** @param {() => string} link  of the shown motion @param {Keeper | null} [keep] */
+export function openHandIn(link, keep = null) {
   const first = current === null;
   current = link;
+  keeper = keep;
   if (first) begin();
+  if (keeper) element('work-text', HTMLTextAreaElement).value = keeper.text;
   setText(element('work-said'), '');
   write();
   element('work-dialog', HTMLDialogElement).showModal();
@@ -22,6 +28,11 @@ function begin() {
   for (const id of ['work-text', 'work-name']) element(id).addEventListener('input', write);
   const link = element('work-link', HTMLTextAreaElement);
   link.addEventListener('focus', () => link.select());
+  element('work-text').addEventListener('input', () => {
+    if (!keeper) return;
+    keeper.text = element('work-text', HTMLTextAreaElement).value.trim();
+    keeper.onText();
+  });
   onClick('work-copy', async () => setText(element('work-said'), await copyField(link)));
 }
 

@@ -3,6 +3,12 @@
 
 /** @typedef {'1.2' | '2004'} Version */
 
+/**
+ * Whether a package holds this file of the site. The service worker would take over addresses of the learning system.
+ * @param {string} name
+ */
+export const isPackaged = (name) => !/^(package\/|book\/(reference|pictures)\/|book\/search\.json|service_worker\.js|files\.json)/.test(name);
+
 /** @param {string} text */
 const escaped = (text) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');
 

@@ -69,6 +69,7 @@ class ShareDialog {
     element('share-send').hidden = !('share' in navigator);
     onClick('share-copy-snippet', () => void this.#copy(this.#snippet));
     onClick('share-copy-set', () => void this.#copy(this.#set));
+    onClick('share-scorm', () => void this.#save());
   }
 
   open() {
@@ -132,6 +133,22 @@ class ShareDialog {
     const fault = this.#goal.value.trim() === '' ? '' : await this.checkGoal(this.#goal.value);
     setText(element('share-goal-fault'), fault);
     this.#goal.setAttribute('aria-invalid', String(fault !== ''));
+  }
+
+  /** Saves a SCORM package, whose goal decides when it is passed. */
+  async #save() {
+    const said = element('share-scorm-said');
+    await this.#check();
+    if (this.#goal.value.trim() === '' || this.#goal.getAttribute('aria-invalid') === 'true') {
+      setText(said, tr('A package needs a goal above, because it reports when the goal is reached.'));
+      return this.#goal.focus();
+    }
+    try {
+      const { saveScormPackage } = await import('./share_scorm.js');
+      await saveScormPackage(this.#set.value, this.app.title() || 'Gaitsmith');
+    } catch {
+      setText(said, tr('A part of the page could not be loaded. Reload the page, and try again.'));
+    }
   }
 
   /** Offers the link to the device's other apps, as phones do. */
