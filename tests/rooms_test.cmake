@@ -43,7 +43,7 @@ set(web_rooms
     "page: browser catalogue languages app access search storage dialogs share breed"
     "classroom: catalogue search share page"
     "explorable: search share"
-    "book: storage page classroom explorable"
+    "book: catalogue search share storage page classroom explorable"
     "package: build share")
 # Rooms that never include a window's libraries, because the session's tests run without a window. They use only one
 # another.

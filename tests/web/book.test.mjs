@@ -73,7 +73,7 @@ async function lessonOf(body, reference) {
   const faults = new Faults();
   const pages = await readPages(root, faults);
   const playground = /** @type {any} */ ({ payload: async () => 'AbC', tables: { terms: [{ name: 'rotations' }], control_modes: [{ name: 'physical' }, { name: 'timer' }, { name: 'network' }] } });
-  const { html } = await new Markdown(new Links(root, pages, playground, faults, reference)).render(pages[0]);
+  const { html } = await new Markdown(new Links((file) => existsSync(join(root, file)), pages, playground, faults, reference)).render(pages[0]);
   await rm(root, { recursive: true });
   return { html, faults: faults.sentences };
 }

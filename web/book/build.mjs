@@ -5,10 +5,11 @@
 //
 // Needs the site's engine, which opens the documents that pages link to. Prints errors of pages with file and line.
 import { execFile } from 'node:child_process';
+import { existsSync } from 'node:fs';
 import { copyFile, mkdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { basename, dirname, join, resolve } from 'node:path';
-import { fileURLToPath } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
 import { grouped, LESSONS, UNLISTED } from './contents.mjs';
 import { cutFaces } from './faces.mjs';
@@ -24,7 +25,10 @@ import { readReference, REFERENCE } from './reference.mjs';
 import { searchIndex } from './search_index.mjs';
 import { htmlPage } from './template.mjs';
 import { textPage } from './text_page.mjs';
+import { bundled } from './teaching/bundle.mjs';
+import { newLessonPage } from './teaching/new_lesson_page.mjs';
 import { packagesPage } from './teaching/packages_page.mjs';
+import { sources } from './teaching/sources.mjs';
 import { wallPage } from './wall_page.mjs';
 import { lessonFacts } from './lesson_facts.mjs';
 import { tokens } from './tokens.mjs';
@@ -49,20 +53,25 @@ async function put(file, contents) {
 /** @param {Page} page @returns {page is LessonPage} */
 const isLesson = (page) => page.lesson !== undefined;
 
+/** @param {string} site  the built one */
+async function playgroundOf(site) {
+  const { Engine } = await import(pathToFileURL(join(site, 'search/engine.js')).href);
+  const tables = await import(pathToFileURL(join(site, 'catalogue/catalogue.js')).href);
+  return new Playground(await Engine.load(), tables, (file) => readFile(join(ROOT, file), 'utf8'));
+}
+
 /** Renders all pages. Throws if a page has an error. @param {string} site */
 async function read(site) {
   const faults = new Faults();
   const pages = await readPages(ROOT, faults);
   const reference = await readReference(ROOT, pages);
   if (!reference) console.log('book: without the API reference, for Doxygen is not installed');
-  const links = new Links(ROOT, pages, await Playground.load(site), faults, reference?.addresses);
+  const links = new Links((file) => existsSync(join(ROOT, file)), pages, await playgroundOf(site), faults, reference?.addresses);
   const markdown = new Markdown(links);
   /** @type {Map<Page, Rendered>} */
   const rendered = new Map();
   for (const page of pages) rendered.set(page, await markdown.render(page));
-  for (const { source, line, page, anchor } of links.references) {
-    if (!rendered.get(page)?.headings.some(({ id }) => id === anchor)) faults.add(source, line, `${page.source} has no heading "#${anchor}"`);
-  }
+  links.checkAnchors((page) => rendered.get(page)?.headings.map(({ id }) => id) ?? []);
   const sheets = await compose(pages, rendered, links, reference);
   faults.orThrow();
   const facts = lessonFacts(pages.filter(isLesson), links.playground);
@@ -76,7 +85,7 @@ async function compose(pages, rendered, links, reference) {
   const lessons = pages.filter(isLesson);
   const entries = groups.map((group) => ({ ...group, pages: /** @type {import('./index_page.mjs').Entry[]} */ (group.pages.filter(({ name }) => !UNLISTED.has(name)).map((page) => ({ ...page, title: of(page).title, sentence: of(page).sentence, strip: of(page).strip, goals: goalsOf(page) }))) }));
   if (reference) entries.find(({ id }) => id === 'for-engineers')?.pages.splice(1, 0, { ...REFERENCE, name: 'reference' });
-  const sheets = [indexPage(entries), missingPage(), wallPage(), packagesPage(lessons), ...reference?.sheets ?? []];
+  const sheets = [indexPage(entries), missingPage(), wallPage(), packagesPage(lessons), newLessonPage(links.playground.tables), ...reference?.sheets ?? []];
   for (const { title, pages: groupPages } of groups) {
     for (const page of groupPages) sheets.push(page.lesson ? await lessonPage(/** @type {LessonPage} */ (page), of(page), lessons, links) : textPage(page, of(page), title));
   }
@@ -110,6 +119,10 @@ async function build(site) {
     await put(join(book, sheet.address), html);
     return html;
   }));
+  await put(join(book, 'sources.json'), JSON.stringify(await sources(ROOT, rendered, links)));
+  const { code, licences } = await bundled(join(HERE, 'teaching/new_lesson.js'));
+  await put(join(book, 'new_lesson.js'), code);
+  await put(join(book, 'new_lesson.LICENSE.txt'), licences);
   await put(join(book, 'lessons.json'), JSON.stringify(facts));
   await put(join(book, 'search.json'), searchIndex([...[...rendered].filter(([{ name }]) => !UNLISTED.has(name)).map(([{ address }, { title, sections }]) => ({ address, title, sections })), ...reference?.searched ?? []]));
   for (const [name, { many, few, manyByNight, fewByNight }] of links.strips) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Resolves the links and images of a page. Its Markdown names files of the repository, which have other addresses in
-// the book.
-import { existsSync } from 'node:fs';
-import { join, posix } from 'node:path';
+// the book. Also runs in the page that previews a lesson, so it reads no files itself.
+import { stamp } from '../share/stamp.js';
 import { playgroundAddress } from './playground.mjs';
 
 /** @typedef {import('./faults.mjs').Faults} Faults */
@@ -14,7 +13,9 @@ import { playgroundAddress } from './playground.mjs';
 /** @typedef {{source: string, line: number, page: Page, anchor: string}} Reference */
 
 /** Files of the repository that the site contains, and their addresses. @type {Record<string, string>} */
-const SHIPPED = { 'web/index.html': 'index.html', 'web/book/player.js': 'player.js', 'web/book/wall_page.mjs': 'book/wall.html', 'web/book/teaching/packages_page.mjs': 'book/packages.html', LICENSE: 'LICENSE' };
+const SHIPPED = { 'web/index.html': 'index.html', 'web/book/player.js': 'player.js', 'web/book/wall_page.mjs': 'book/wall.html', 'web/book/teaching/packages_page.mjs': 'book/packages.html', 'web/book/teaching/new_lesson_page.mjs': 'book/new-lesson.html', LICENSE: 'LICENSE' };
+/** A link to this file with a motion behind the '#' opens that motion. */
+export const PLAYGROUND = 'web/index.html';
 const PARAMETERS = ['panels', 'lock', 'goal'];
 const IMAGE = /\.(png|svg|jpg|webp)$/;
 
@@ -27,11 +28,11 @@ export class Links {
   strips = new Map();
 
   /**
-   * @param {string} root @param {Page[]} pages @param {Playground} playground @param {Faults} faults
+   * @param {(file: string) => boolean} has  whether the repository has a file @param {Page[]} pages @param {Playground} playground @param {Faults} faults
    * @param {Map<string, string>} [reference]  addresses of core's headers and folders; without it links to them are text
    */
-  constructor(root, pages, playground, faults, reference) {
-    this.root = root;
+  constructor(has, pages, playground, faults, reference) {
+    this.has = has;
     this.playground = playground;
     this.faults = faults;
     this.reference = reference;
@@ -55,12 +56,13 @@ export class Links {
       const at = anchor === undefined ? '' : `#${anchor}`;
       return { href: path ? this.way(page, other.address) + at : at };
     }
-    if (file in SHIPPED) return { href: this.way(page, `../${SHIPPED[file]}${query && `?${query}`}`) };
-    if (!existsSync(join(this.root, file))) return this.#fault(page, line, `there is no file "${file}" to link to`);
+    if (file === PLAYGROUND && anchor) return this.#motion(page, line, 'this motion', () => this.playground.payloadOf(anchor), query);
+    if (Object.hasOwn(SHIPPED, file)) return { href: this.way(page, `../${SHIPPED[file]}${query && `?${query}`}`) };
+    if (!this.has(file)) return this.#fault(page, line, `there is no file "${file}" to link to`);
     const reference = file.replace(/\/$/, '');
     if (this.reference?.has(reference)) return { href: this.way(page, this.reference.get(reference) ?? '') };
     if (!this.reference && /^core(\/|$)/.test(reference)) return { href: '' };
-    if (file.endsWith('.json')) return this.#document(page, line, file, query);
+    if (file.endsWith('.json')) return this.#motion(page, line, `"${file}"`, () => this.playground.payload(file), query);
     if (IMAGE.test(file)) return { href: this.image(page, line, path) };
     return this.#fault(page, line, `"${file}" is not on the site: name it without a link`);
   }
@@ -68,7 +70,7 @@ export class Links {
   /** The address of an image. The image is copied later. @param {Page} page @param {number} line @param {string} path */
   image(page, line, path) {
     const file = this.file(page, path);
-    if (!IMAGE.test(file) || !file.startsWith('docs/') || !existsSync(join(this.root, file))) {
+    if (!IMAGE.test(file) || !file.startsWith('docs/') || !this.has(file)) {
       return this.#fault(page, line, `"${file}" is no image in docs/`).href;
     }
     const address = file.slice('docs/'.length);
@@ -76,36 +78,47 @@ export class Links {
     return this.way(page, address);
   }
 
-  /** A document's film strips and their file name. @param {Page} page @param {string} path */
+  /** The film strips of a document, or of a motion in a link, and their file name. @param {Page} page @param {string} path */
   async strip(page, path) {
-    const file = this.file(page, path);
-    const name = file.replace(/^examples\//, '').replace(/\.json$/, '').replace(/[^\w-]+/g, '-');
-    const strips = this.strips.get(name) ?? await this.playground.strips(join(this.root, file));
+    const file = this.file(page, path), [, payload = ''] = path.split('#');
+    const name = file === PLAYGROUND ? `motion-${stamp(payload)}` : file.replace(/^examples\//, '').replace(/\.json$/, '').replace(/[^\w-]+/g, '-');
+    const strips = this.strips.get(name) ?? await (file === PLAYGROUND ? this.playground.stripsOf(payload) : this.playground.strips(file));
     this.strips.set(name, strips);
     return { name, strips };
   }
 
-  /** @param {Page} page @param {number} line @param {string} file @param {string} query @returns {Promise<Link>} */
-  async #document(page, line, file, query) {
+  /** Adds a fault for each link to a heading that is not there. @param {(page: Page) => string[]} idsOf  of its headings */
+  checkAnchors(idsOf) {
+    for (const { source, line, page, anchor } of this.references) {
+      if (!idsOf(page).includes(anchor)) this.faults.add(source, line, `${page.source} has no heading "#${anchor}"`);
+    }
+  }
+
+  /** @param {Page} page @param {number} line @param {string} name @param {() => Promise<string>} read  its payload @param {string} query @returns {Promise<Link>} */
+  async #motion(page, line, name, read, query) {
     const parameters = new URLSearchParams(query);
     for (const key of parameters.keys()) {
       if (!PARAMETERS.includes(key)) this.faults.add(page.source, line, `a document is opened with ${PARAMETERS.join(', ')}, not "${key}"`);
     }
     try {
-      const payload = await this.playground.payload(join(this.root, file));
+      const payload = await read();
       page.lesson?.opens.add(payload);
       const opens = { payload, ...Object.fromEntries(parameters) };
       // Without ?edit a link to a bare document opens the viewer.
       const query = parameters.size ? parameters : new URLSearchParams('edit');
       return { href: this.way(page, `../${playgroundAddress(payload, query)}`), opens };
     } catch (error) {
-      return this.#fault(page, line, `"${file}" does not open in the playground: ${error instanceof Error ? error.message : error}`);
+      return this.#fault(page, line, `${name} does not open in the playground: ${error instanceof Error ? error.message : error}`);
     }
   }
 
   /** The path in the repository. @param {Page} page @param {string} path */
   file(page, path) {
-    return posix.normalize(posix.join(posix.dirname(page.source), decodeURI(path.replace(/[?#].*$/, ''))));
+    try {
+      return decodeURI(new URL(path.replace(/[?#].*$/, ''), `file:///${page.source}`).pathname.slice(1));
+    } catch {
+      return path; // no address at all, and no file
+    }
   }
 
   /** @param {Page} page @param {number} line @param {string} sentence @returns {Link} */

@@ -112,7 +112,7 @@ export class Markdown {
         linked = false;
         child.hidden = !leads;
       } else if (child.type === 'image') {
-        if (/\.json(\?|$)/.test(href)) await this.#strip(page, child, line, href, linked);
+        if (/\.json(\?|$)|#./.test(href)) await this.#strip(page, child, line, href, linked);
         else child.attrSet('src', this.links.image(page, line, href));
         child.attrSet('loading', 'lazy');
       }
@@ -122,7 +122,7 @@ export class Markdown {
   /** Renders an image of a document as its film strip. @param {Page} page @param {Token} image @param {number} line @param {string} path @param {boolean} linked */
   async #strip(page, image, line, path, linked) {
     const { href, opens } = await this.links.resolve(page, line, path);
-    if (!opens) return;
+    if (!opens) return image.attrSet('src', href);
     const strip = await this.links.strip(page, path);
     const alt = image.content;
     if (!this.#firstStrips.has(page)) this.#firstStrips.set(page, { ...strip, alt });

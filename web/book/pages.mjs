@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Reads the book's pages from docs/, in order, and the front matter of lessons.
+// Reads the book's pages from docs/, in order.
 import { readdir, readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
-import { frontMatter } from './front_matter.mjs';
+import { lessonOf } from './teaching/lesson_file.mjs';
 
 /** @typedef {import('./faults.mjs').Faults} Faults */
 /** @typedef {import('./front_matter.mjs').Field} Field */
@@ -21,9 +21,6 @@ import { frontMatter } from './front_matter.mjs';
  * @typedef {{number: number, title: string, minutes: number, fields: Map<string, Field>, goals: string[], predictions: Question[], quizzes: Question[], opens: Set<string>}} Lesson
  */
 
-const KEYS = ['title', 'minutes', 'open', 'panels', 'lock', 'goal'];
-const NEEDED = ['title', 'minutes', 'open'];
-
 /** @param {string} folder */
 async function markdownIn(folder) {
   const names = await readdir(folder).catch(() => /** @type {string[]} */ ([]));
@@ -37,24 +34,14 @@ export async function readPages(root, faults) {
     const name = basename(file, '.md');
     return { source: `docs/${file}`, address: `${name}.html`, name, body, before: 0 };
   }));
-  const lessons = await Promise.all((await markdownIn(join(root, 'docs/lessons'))).map((file) => readLesson(root, file, faults)));
-  lessons.sort((a, b) => a.lesson.number - b.lesson.number);
-  lessons.forEach((page, i) => {
-    if (i > 0 && lessons[i - 1].lesson.number === page.lesson.number) faults.add(page.source, 1, `there are two lessons ${page.lesson.number}`);
+  const lessons = await Promise.all((await markdownIn(join(root, 'docs/lessons'))).map(async (file) => lessonOf(await readFile(join(root, 'docs/lessons', file), 'utf8'), file, faults)));
+  const numbered = lessons.filter(({ lesson }) => lesson.number > 0).sort((a, b) => a.lesson.number - b.lesson.number);
+  numbered.forEach((page, i) => {
+    if (i > 0 && numbered[i - 1].lesson.number === page.lesson.number) faults.add(page.source, 1, `there are two lessons ${page.lesson.number}`);
   });
-  return [...lessons, ...pages];
-}
-
-/** @param {string} root @param {string} file @param {Faults} faults */
-async function readLesson(root, file, faults) {
-  const source = `docs/lessons/${file}`;
-  const name = basename(file, '.md');
-  const { fields, body, before } = frontMatter(await readFile(join(root, source), 'utf8'), source, KEYS, faults);
-  for (const key of NEEDED) if (!fields.has(key)) faults.add(source, 1, `a lesson needs "${key}:" between its --- lines`);
-  const minutes = Number(fields.get('minutes')?.value ?? 1);
-  if (!(Number.isInteger(minutes) && minutes > 0)) faults.add(source, fields.get('minutes')?.line ?? 1, '"minutes" is a whole number');
-  const number = Number(/^(\d+)-/.exec(name)?.[1]);
-  if (!(number > 0)) faults.add(source, 1, 'a lesson\'s file begins with its number and a hyphen');
-  const lesson = { number, title: fields.get('title')?.value ?? name, minutes, fields, goals: [], predictions: [], quizzes: [], opens: new Set() };
-  return { source, address: `lessons/${name}.html`, name, body, before, lesson };
+  // Lessons without a number come behind the others, in the order of their names.
+  const last = numbered.at(-1)?.lesson.number ?? 0;
+  const others = lessons.filter(({ lesson }) => !(lesson.number > 0));
+  others.forEach(({ lesson }, i) => { lesson.number = last + 1 + i; });
+  return [...numbered, ...others, ...pages];
 }

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Uses the site's engine to make addresses and film strips from documents.
-import { readFile } from 'node:fs/promises';
-import { join } from 'node:path';
-import { pathToFileURL } from 'node:url';
+// Uses the site's engine to make addresses and film strips from documents. Also runs in the page that previews a lesson.
 import { dayStrip, nightStrip } from './strip_colours.mjs';
 
 /** @typedef {import('../search/engine.js').Engine} Engine */
@@ -14,30 +11,31 @@ const POSES = { many: 8, few: 4 };
 const WORDS = ['{1} poses of {2} from {3} s to {4} s, lettered {5} to {6}.', 'ground tilted by {1}°, drawn level', '.'];
 
 export class Playground {
-  /** By path. @type {Map<string, Opened>} */
+  /** By file, or by payload. @type {Map<string, Opened>} */
   #opened = new Map();
 
-  /** @param {Engine} engine @param {import('../page/goal_conditions.js').Tables} tables */
-  constructor(engine, tables) {
+  /** @param {Engine} engine @param {import('../page/goal_conditions.js').Tables} tables @param {(file: string) => Promise<string>} read  the text of a file of the repository, or its link */
+  constructor(engine, tables, read) {
     this.engine = engine;
     this.tables = tables;
+    this.read = read;
   }
 
-  /** @param {string} site  the built one */
-  static async load(site) {
-    const { Engine } = await import(pathToFileURL(join(site, 'search/engine.js')).href);
-    const tables = await import(pathToFileURL(join(site, 'catalogue/catalogue.js')).href);
-    return new Playground(await Engine.load(), tables);
-  }
+  /** The part of a document's link after '#'. Throws core's sentence. @param {string} file */
+  async payload(file) { return (await this.#open(file)).payload; }
 
-  /** The part of a document's link after '#'. Throws core's sentence. @param {string} path */
-  async payload(path) {
-    return (await this.#open(path)).payload;
-  }
+  /** The same of a link's payload, in its present form. Throws core's sentence. @param {string} payload */
+  async payloadOf(payload) { return (await this.#open(payload, payload)).payload; }
 
-  /** @param {string} path @returns {Promise<Strips>} */
-  async strips(path) {
-    const motion = this.engine.motion((await this.#open(path)).document);
+  /** @param {string} file */
+  async strips(file) { return this.#strips(await this.#open(file)); }
+
+  /** @param {string} payload  of a link */
+  async stripsOf(payload) { return this.#strips(await this.#open(payload, payload)); }
+
+  /** @param {Opened} opened @returns {Strips} */
+  #strips({ document }) {
+    const motion = this.engine.motion(document);
     try {
       const many = dayStrip(motion.filmStrip(POSES.many, WORDS), 'many');
       const few = dayStrip(motion.filmStrip(POSES.few, WORDS), 'few');
@@ -47,13 +45,13 @@ export class Playground {
     }
   }
 
-  /** @param {string} path */
-  async #open(path) {
-    let opened = this.#opened.get(path);
+  /** @param {string} name @param {string} [text]  JSON, or a link's payload; else that of the file */
+  async #open(name, text) {
+    let opened = this.#opened.get(name);
     if (!opened) {
-      const document = this.engine.documentFromText(await readFile(path, 'utf8'));
-      opened = { document, payload: Buffer.from(document).toString('base64url') };
-      this.#opened.set(path, opened);
+      const document = this.engine.documentFromText(text ?? await this.read(name));
+      opened = { document, payload: this.engine.link(document) };
+      this.#opened.set(name, opened);
     }
     return opened;
   }

@@ -42,11 +42,12 @@ await writeFile(join(folder, 'files.json'), JSON.stringify(Object.fromEntries(na
 names.push('files.json');
 await addHash('files.json');
 // The playground, and what the page for missing pages needs, are stored at once. The book follows when the page is idle.
-// The API reference, the large pictures, the packages and the licences of libraries are only stored when they are read.
+// The API reference, the large pictures, what writes lessons, the packages and the licences of libraries are only stored
+// when they are read.
 const atOnce = (/** @type {string} */ name) => /^book\/(missing\.html|tokens\.css|book\.css|look\.js)$/.test(name)
   || (!/^(book|package)\//.test(name) && !/(^|\/)(LICENSE|preview\.png)$/.test(name) && !name.endsWith('.txt'));
 const page = names.filter(atOnce);
-const book = names.filter((name) => (/^book\/(?!reference\/|pictures[./])/.test(name) || name === 'LICENSE') && !name.endsWith('.txt') && !atOnce(name));
+const book = names.filter((name) => (/^book\/(?!reference\/|pictures[./]|new[-_]lesson\.|sources\.json)/.test(name) || name === 'LICENSE') && !name.endsWith('.txt') && !atOnce(name));
 const gzip = (await Promise.all(book.map(async (name) => gzipSync(await readFile(join(folder, name))).length))).reduce((sum, size) => sum + size, 0);
 if (gzip > MAX_BOOK_GZIP) throw new Error(`seal: the stored part of the book has ${gzip} bytes, compressed, and may have ${MAX_BOOK_GZIP}`);
 const site = { version: all.digest('hex').slice(0, 16), page, book, hashes };

@@ -3,7 +3,8 @@
 import { element, onClick, setText } from '../browser/dom.js';
 import { panels } from '../catalogue/catalogue.js';
 import { copyField } from './copying.js';
-import { followLanguage, grouped, tr, trLater } from '../languages/language.js';
+import { followLanguage, grouped, tr } from '../languages/language.js';
+import { locks } from './locks.js';
 
 /** @typedef {import('../app/app.js').App} App */
 /** @typedef {import('./address.js').Address} Address */
@@ -11,12 +12,6 @@ import { followLanguage, grouped, tr, trLater } from '../languages/language.js';
 // At most 105 squares a side (version 22), for a camera across a room. A newcomer's first motion has a link of about 870.
 const MAX_QR_LENGTH = 1000;
 const QUIET = 4; // modules of margin, as the standard requires
-
-/** Parts that a link can lock (docs/embedding.md). */
-const locks = [
-  { name: 'figure', label: trLater('Figure') }, { name: 'controller', label: trLater('Controller') }, { name: 'style', label: trLater('Style') },
-  { name: 'search', label: trLater('Search') }, { name: 'timeline', label: trLater('Timeline') }, { name: 'world', label: trLater('World') },
-];
 
 /** @type {ShareDialog | null} */
 let dialog = null;

@@ -4,6 +4,7 @@ import { element, offerFile, setText } from '../browser/dom.js';
 import { tr } from '../languages/language.js';
 import { makeScormPackage } from './scorm_maker.js';
 import { fileName } from './sharing.js';
+import { stamp } from './stamp.js';
 
 /** Of the package that is being made. @type {AbortController | null} */
 let making = null;
@@ -14,6 +15,7 @@ export async function saveScormPackage(assignment, title) {
   const said = element('share-scorm-said'), progress = element('share-scorm-progress', HTMLProgressElement), cancel = element('share-scorm-cancel', HTMLButtonElement);
   const version = /** @type {import('./scorm_package.js').Version} */ (element('share-scorm-version', HTMLSelectElement).value);
   const { search, hash } = new URL(assignment);
+  // Learning systems know packages by their names.
   const name = `${fileName(title).normalize('NFD').replace(/[^a-z0-9-]/g, '').slice(0, 40) || 'assignment'}-${stamp(search + hash)}`;
   making = new AbortController();
   const { signal } = making;
@@ -39,11 +41,4 @@ export async function saveScormPackage(assignment, title) {
     dialog.removeEventListener('close', stop);
     if (dialog.open) element('share-scorm').focus();
   }
-}
-
-/** Tells the packages of two assignments apart, which learning systems know by their names. @param {string} text */
-function stamp(text) {
-  let hash = 0x811c9dc5;
-  for (let i = 0; i < text.length; i++) hash = Math.imul(hash ^ text.charCodeAt(i), 0x01000193) >>> 0;
-  return hash.toString(36);
 }

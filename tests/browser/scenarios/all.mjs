@@ -36,6 +36,7 @@ import { SUITE_SCENARIOS } from './suite.mjs';
 import { CLASSROOM_SCENARIOS } from './book/classroom.mjs';
 import { EXPLORABLE_SCENARIOS } from './book/explorable.mjs';
 import { LEARNING_SCENARIOS } from './book/learning.mjs';
+import { NEW_LESSON_SCENARIOS } from './book/new_lesson.mjs';
 import { REST_SCENARIOS } from './rest.mjs';
 import { TEACH_SCENARIOS } from './teach.mjs';
 import { TIMELINE_SCENARIOS } from './timeline.mjs';
@@ -281,7 +282,7 @@ export const SCENARIOS = [
   ...once(FIGURE_SCENARIOS),
   ...GALLERY_SCENARIOS,
   ...once(BREED_SCENARIOS),
-  ...CLASSROOM_SCENARIOS, ...EXPLORABLE_SCENARIOS, ...LEARNING_SCENARIOS, ...REST_SCENARIOS, ...once(TEACH_SCENARIOS),
+  ...CLASSROOM_SCENARIOS, ...EXPLORABLE_SCENARIOS, ...LEARNING_SCENARIOS, ...NEW_LESSON_SCENARIOS, ...REST_SCENARIOS, ...once(TEACH_SCENARIOS),
   ...once(LIVE_SCENARIOS),
   ...once(RULE_SCENARIOS),
   ...once(WALK_SCENARIOS),

@@ -10,10 +10,10 @@ import { promisify } from 'node:util';
 import { ROOT } from '../../browsers.mjs';
 import { ONE_BROWSER, PATIENCE_MS, PageDriver } from '../../page_driver.mjs';
 import { Course, inCourse, until, untilSaid, VERSIONS } from './learning_system.mjs';
+import { recordFiles, saved } from './saved_files.mjs';
 
 /** @typedef {import('../all.mjs').Visit} Visit */
 /** @typedef {import('../../browsers.mjs').Browser} Browser */
-/** @typedef {import('../../browsers.mjs').Page} Page */
 /** @typedef {import('./learning_system.mjs').Version} Version */
 /** @typedef {import('./learning_system.mjs').Place} Place */
 
@@ -83,33 +83,6 @@ async function doLesson(browser, address, version) {
   await again.page.goto(`${address}content/launch.html`);
   await untilSaid('No learning system was found', again.page);
   await again.close();
-}
-
-/** Runs in a page before its scripts: records what it saves. */
-function recordFiles() {
-  const offered = /** @type {{name: string, blob: Blob}[]} */ ([]), blobs = new Map();
-  Object.assign(window, { testOffered: offered });
-  const create = URL.createObjectURL.bind(URL), click = HTMLAnchorElement.prototype.click;
-  URL.createObjectURL = (blob) => {
-    const url = create(blob);
-    blobs.set(url, blob);
-    return url;
-  };
-  HTMLAnchorElement.prototype.click = function () {
-    if (this.download) offered.push({ name: this.download, blob: blobs.get(this.href) });
-    else click.call(this);
-  };
-}
-
-/** The files that the page has saved since the last time. @param {Page} page @returns {Promise<{name: string, bytes: Buffer}[]>} */
-async function saved(page) {
-  const files = await page.evaluate(() => Promise.all(/** @type {any} */ (window).testOffered.splice(0).map(async (/** @type {{name: string, blob: Blob}} */ { name, blob }) => {
-    const bytes = new Uint8Array(await blob.arrayBuffer());
-    let text = '';
-    for (let i = 0; i < bytes.length; i += 30000) text += String.fromCharCode(...bytes.subarray(i, i + 30000));
-    return { name, text: btoa(text) };
-  })));
-  return files.map(({ name, text }) => ({ name, bytes: Buffer.from(text, 'base64') }));
 }
 
 /** The button is below the fold of the dialog. @param {PageDriver} page */
