@@ -31,15 +31,15 @@ test('a link and a file keep every part of a work', () => {
 test('damaged, newer and hostile work is refused with a sentence', () => {
   const link = encodeWork(work()), [, motion, data] = link.split('.');
   const packed = (/** @type {unknown} */ value) => `H1.${motion}.${Buffer.from(JSON.stringify(value)).toString('base64url')}`;
-  const { motion: _, ...parts } = work();
+  const { motion: _, quiz: __, ...parts } = work();
   for (const [bad, why] of /** @type {[string, RegExp][]} */ ([
-    [`H2.${motion}.${data}`, /newer/], [`H1.${motion}`, /cut off/], [`${link}.x`, /cut off/], [`H1.${motion}.${data.slice(0, -5)}`, /damaged/],
+    [`H3.${motion}.${data}`, /newer/], [`H1.${motion}`, /cut off/], [`${link}.x`, /cut off/], [`H1.${motion}.${data.slice(0, -5)}`, /damaged/],
     [`H1.a b.${data}`, /characters/], ['X', /not work/], [packed([]), /damaged/], [packed(null), /damaged/], [packed({ ...parts, extra: 1 }), /not known here: “extra”/],
     [packed({ ...parts, lesson: '../../x' }), /lesson/], [packed({ ...parts, answers: [0.5] }), /answers/], [packed({ ...parts, predictions: ['1'] }), /predictions/],
     [packed({ ...parts, text: 'x'.repeat(4001) }), /4000/], [packed({ ...parts, name: 1 }), /name/], [packed({ ...parts, answers: Array(41).fill(0) }), /answers/],
     [`H1..${'A'.repeat(40001)}`, /too long/], [`H1..${Buffer.from([0xff, 0xfe]).toString('base64url')}`, /damaged/],
   ])) assert.throws(() => decodeWork(bad), why, bad.slice(0, 60));
-  assert.throws(() => readWorkFile('{"gaitsmith_work": 2}'), /newer/);
+  assert.throws(() => readWorkFile('{"gaitsmith_work": 3}'), /newer/);
   assert.throws(() => readWorkFile('{"gaitsmith_work": 1, '), /damaged/);
 });
 

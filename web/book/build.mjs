@@ -28,6 +28,7 @@ import { textPage } from './text_page.mjs';
 import { bundled } from './teaching/bundle.mjs';
 import { newLessonPage } from './teaching/new_lesson_page.mjs';
 import { packagesPage } from './teaching/packages_page.mjs';
+import { quizPage } from './teaching/quiz_page.mjs';
 import { sources } from './teaching/sources.mjs';
 import { wallPage } from './wall_page.mjs';
 import { lessonFacts } from './lesson_facts.mjs';
@@ -85,7 +86,7 @@ async function compose(pages, rendered, links, reference) {
   const lessons = pages.filter(isLesson);
   const entries = groups.map((group) => ({ ...group, pages: /** @type {import('./index_page.mjs').Entry[]} */ (group.pages.filter(({ name }) => !UNLISTED.has(name)).map((page) => ({ ...page, title: of(page).title, sentence: of(page).sentence, strip: of(page).strip, goals: goalsOf(page) }))) }));
   if (reference) entries.find(({ id }) => id === 'for-engineers')?.pages.splice(1, 0, { ...REFERENCE, name: 'reference' });
-  const sheets = [indexPage(entries), missingPage(), wallPage(), packagesPage(lessons), newLessonPage(links.playground.tables), ...reference?.sheets ?? []];
+  const sheets = [indexPage(entries), missingPage(), wallPage(), packagesPage(lessons), newLessonPage(links.playground.tables), quizPage(), ...reference?.sheets ?? []];
   for (const { title, pages: groupPages } of groups) {
     for (const page of groupPages) sheets.push(page.lesson ? await lessonPage(/** @type {LessonPage} */ (page), of(page), lessons, links) : textPage(page, of(page), title));
   }

@@ -5,7 +5,7 @@
 const GROUPS = [
   { title: 'Begin here', id: 'begin-here', names: ['how-things-learn-to-move'] },
   { title: 'Gallery', id: 'gallery', names: ['gallery', 'pictures'] },
-  { title: 'For teachers', id: 'for-teachers', names: ['teachers', 'writing-lessons', 'lesson-answers'] },
+  { title: 'For teachers', id: 'for-teachers', names: ['teachers', 'writing-lessons', 'does-it-teach', 'lesson-answers'] },
   { title: 'The playground', id: 'the-playground', names: ['animation', 'style', 'accessibility'] },
   { title: 'The engine', id: 'the-engine', names: ['physics', 'search', 'determinism', 'reliability', 'performance', 'related-work'] },
   { title: 'For engineers', id: 'for-engineers', names: ['engineers', 'embedding', 'command-line', 'formats', 'architecture', 'design'] },

@@ -3,7 +3,7 @@
 // the playground checks its goals.
 import { Player } from './player.js';
 import { keepAnswers } from '../classroom/kept_answers.js';
-import { startHandIn } from '../classroom/hand_in.js';
+import { startLessonHandIn } from '../classroom/hand_in.js';
 import { holdNotice } from '../classroom/notice.js';
 import { startReport } from '../classroom/report.js';
 import { storeProgress, progressOf } from '../classroom/progress.js';
@@ -172,4 +172,4 @@ done.addEventListener('change', () => storeProgress(lesson, { done: done.checked
 markOpen(frame.dataset.open);
 startQuizzes();
 keepAnswers(lesson); // after the quizzes: what was answered shows its explanation again
-startHandIn(lesson, motionNow);
+startLessonHandIn(lesson, motionNow);

@@ -3,6 +3,7 @@
 import { attributes, escaped } from './html.mjs';
 import { faultOfGoal } from '../page/goal_conditions.js';
 import { LESSONS } from './contents.mjs';
+import { handIn } from './teaching/hand_in.mjs';
 import { playgroundAddress } from './playground.mjs';
 import { upFrom } from './template.mjs';
 
@@ -10,18 +11,6 @@ import { upFrom } from './template.mjs';
 /** @typedef {import('./markdown.mjs').Rendered} Rendered */
 /** @typedef {import('./pages.mjs').Lesson} Lesson */
 /** @typedef {import('./pages.mjs').Page & {lesson: Lesson}} LessonPage */
-
-const HAND_IN = `<section id="hand-in" hidden>
-<h2 id="hand-in-heading">Hand in</h2>
-<p>One link holds your motion, your predictions, your answers and your sentences. It is not sent: give it to your teacher as you usually do.</p>
-<p class="write"><label for="hand-in-name">Your name or initials, if your teacher wants them</label>
-<input type="text" id="hand-in-name" maxlength="80" autocomplete="off"></p>
-<p class="do"><button type="button" id="hand-in-make" class="primary">Make the link</button> <button type="button" id="hand-in-file" class="bordered">Save as a file</button> <span class="state" role="status"></span></p>
-<p class="write" id="hand-in-made" hidden><label for="hand-in-link">The link</label>
-<textarea id="hand-in-link" rows="3" readonly spellcheck="false" translate="no"></textarea>
-<button type="button" id="hand-in-copy" class="bordered">Copy</button></p>
-</section>
-`;
 
 /**
  * @param {LessonPage} page @param {Rendered} rendered @param {LessonPage[]} all  lessons, in order @param {Links} links
@@ -51,7 +40,7 @@ export async function lessonPage(page, { html, sentence }, all, links) {
 <main id="main" tabindex="-1"${attributes({ 'data-lesson': page.name })}>
 <p class="group"><a href="${up}index.html#${LESSONS.id}">${LESSONS.title}</a> · ${number} of ${all.length} · ${minutes} minutes</p>
 <h1>${escaped(title)}</h1>
-${html}${HAND_IN}<p class="done"><label><input type="checkbox" id="done" disabled> I have done this lesson</label></p>
+${html}${handIn('One link holds your motion, your predictions, your answers and your sentences.')}<p class="done"><label><input type="checkbox" id="done" disabled> I have done this lesson</label></p>
 ${around(all[at - 1], all[at + 1], up)}</main>
 <aside aria-label="The playground">
 <div id="shelf" hidden>

@@ -13,7 +13,10 @@ import { playgroundAddress } from './playground.mjs';
 /** @typedef {{source: string, line: number, page: Page, anchor: string}} Reference */
 
 /** Files of the repository that the site contains, and their addresses. @type {Record<string, string>} */
-const SHIPPED = { 'web/index.html': 'index.html', 'web/book/player.js': 'player.js', 'web/book/wall_page.mjs': 'book/wall.html', 'web/book/teaching/packages_page.mjs': 'book/packages.html', 'web/book/teaching/new_lesson_page.mjs': 'book/new-lesson.html', LICENSE: 'LICENSE' };
+const SHIPPED = {
+  'web/index.html': 'index.html', 'web/book/player.js': 'player.js', LICENSE: 'LICENSE', 'web/book/wall_page.mjs': 'book/wall.html',
+  'web/book/teaching/packages_page.mjs': 'book/packages.html', 'web/book/teaching/new_lesson_page.mjs': 'book/new-lesson.html', 'web/book/teaching/quiz_page.mjs': 'book/quiz.html',
+};
 /** A link to this file with a motion behind the '#' opens that motion. */
 export const PLAYGROUND = 'web/index.html';
 const PARAMETERS = ['panels', 'lock', 'goal'];

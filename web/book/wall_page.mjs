@@ -45,6 +45,17 @@ nothing is stored: print the wall or save it as a table before you close the pag
 <h2>In their own words</h2>
 <div id="wall-sentences"></div>
 </section>
+<section id="wall-quiz" hidden aria-labelledby="wall-quiz-heading">
+<h2 id="wall-quiz-heading">Before and after</h2>
+<p></p>
+<div class="row tools"><button id="wall-quiz-csv" type="button" class="bordered">Save as CSV</button></div>
+<section class="scroll" tabindex="0" aria-label="Table of the questions">
+<table>
+<thead><tr><th scope="col">Question</th><th scope="col">Right before</th><th scope="col">Right after</th><th scope="col">Only after</th><th scope="col">Only before</th><th scope="col">Both times</th><th scope="col">Neither</th></tr></thead>
+<tbody></tbody>
+</table>
+</section>
+</section>
 <dialog id="wall-gallery" aria-label="Class gallery">
 <div class="row"><label><input type="checkbox"> Show names</label> <button type="button" class="bordered">Close</button></div>
 <ul></ul>

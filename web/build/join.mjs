@@ -13,7 +13,7 @@ import { rollup } from 'rollup';
 const PAGE = 'page/page.js';
 const APPLICATION = 'app/app_module.js';
 /** Workers, embedding pages, the book and tests also load these. They must not start the page. */
-const SHARED = ['engine.js', 'catalogue/catalogue.js', 'classroom/packages.js', 'classroom/wall.js', 'explorable/explorable.js', 'share/copying.js', 'share/scorm.js', 'share/scorm_maker.js', 'share/stamp.js', 'share/work.js', 'search/compiled_engine.js', 'search/engine.js', 'search/search_client.js', 'search/worker.js'];
+const SHARED = ['engine.js', 'catalogue/catalogue.js', 'classroom/before_after.js', 'classroom/packages.js', 'classroom/wall.js', 'explorable/explorable.js', 'share/copying.js', 'share/scorm.js', 'share/scorm_maker.js', 'share/stamp.js', 'share/work.js', 'search/compiled_engine.js', 'search/engine.js', 'search/search_client.js', 'search/worker.js'];
 
 const folder = resolve(process.argv[2] ?? 'build/site');
 /** @param {string} id  an absolute path */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Hands in a lesson: a link, or a file, with the motion and what was predicted, answered and written.
+// The section "Hand in" of a page: a link, or a file, with what a student did there.
 import { copyField } from '../share/copying.js';
-import { encodeWork, workFile } from '../share/work.js';
+import { emptyWork, encodeWork, workFile } from '../share/work.js';
 import { progressOf } from './progress.js';
 
 /** @typedef {import('../share/work.js').Work} Work */
@@ -9,33 +9,36 @@ import { progressOf } from './progress.js';
 /** @param {string} id */
 const find = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 
-/** @param {string} lesson @param {() => Promise<string>} current  payload of the motion in the playground */
-export function startHandIn(lesson, current) {
+/** @param {string} name  of the file, without ending @param {() => Promise<Work>} made  without a name @param {() => string} remark  after it is made */
+export function startHandIn(name, made, remark) {
   const section = find('hand-in');
   const state = /** @type {HTMLElement} */ (section.querySelector('.state'));
   const link = /** @type {HTMLTextAreaElement} */ (find('hand-in-link'));
-  section.hidden = false;
 
-  /** @returns {Promise<Work>} */
-  const work = async () => {
-    const { predictions, answers, text, motion } = progressOf(lesson);
-    const name = /** @type {HTMLInputElement} */ (find('hand-in-name')).value.trim();
-    return { lesson, predictions, answers, text, name, motion: motion || await current().catch(() => '') };
-  };
+  const work = async () => ({ ...await made(), name: /** @type {HTMLInputElement} */ (find('hand-in-name')).value.trim() });
   find('hand-in-make').addEventListener('click', async () => {
-    link.value = `${new URL('../wall.html', location.href).href}#${encodeWork(await work())}`;
+    link.value = `${new URL('../book/wall.html', import.meta.url).href}#${encodeWork(await work())}`;
     find('hand-in-made').hidden = false;
-    state.textContent = missing(progressOf(lesson));
+    state.textContent = remark();
     link.focus();
     link.select();
   });
   find('hand-in-file').addEventListener('click', async () => {
     const address = URL.createObjectURL(new Blob([workFile(await work())], { type: 'application/json' }));
-    Object.assign(document.createElement('a'), { href: address, download: `hand-in-${lesson}.json` }).click();
+    Object.assign(document.createElement('a'), { href: address, download: `${name}.json` }).click();
     setTimeout(() => URL.revokeObjectURL(address), 60000);
-    state.textContent = missing(progressOf(lesson));
+    state.textContent = remark();
   });
   find('hand-in-copy').addEventListener('click', async () => { state.textContent = await copyField(link); });
+}
+
+/** @param {string} lesson @param {() => Promise<string>} current  payload of the motion in the playground */
+export function startLessonHandIn(lesson, current) {
+  find('hand-in').hidden = false;
+  startHandIn(`hand-in-${lesson}`, async () => {
+    const { predictions, answers, text, motion } = progressOf(lesson);
+    return { ...emptyWork(), lesson, predictions, answers, text, motion: motion || await current().catch(() => '') };
+  }, () => missing(progressOf(lesson)));
 }
 
 /** What is not done yet. @param {import('./progress.js').Done} done */

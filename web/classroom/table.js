@@ -47,8 +47,11 @@ export function csvOf(rows, site) {
     ...padded(row.predictions.map(({ given }) => given), predictions), ...padded(row.answers.map(({ given }) => given), answers),
     ...padded(row.answers.map(({ right }) => (right === null ? '' : right ? 'yes' : 'no')), answers), row.link && `${site}#${row.link}`,
   ]);
-  return [head, ...lines].map((cells) => `${cells.map(cell).join(',')}\r\n`).join('');
+  return csvOfCells([head, ...lines]);
 }
+
+/** Comma-separated values. @param {(string | number)[][]} rows  the first is the header */
+export const csvOfCells = (rows) => rows.map((cells) => `${cells.map(cell).join(',')}\r\n`).join('');
 
 /** A text that begins like a formula would be run by a spreadsheet. @param {string | number} value */
 function cell(value) {

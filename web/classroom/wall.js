@@ -7,6 +7,7 @@ import { parseGoal } from '../page/goal_conditions.js';
 import { collect, fromFile } from './collected.js';
 import { Judge } from './judge.js';
 import { answerTables, rowOf, sentences } from './wall_rows.js';
+import { showQuiz } from './wall_quiz.js';
 import { ClassGallery } from './class_gallery.js';
 import { copies, csvOf, sorted } from './table.js';
 
@@ -59,7 +60,7 @@ async function judgeAll(remark = '') {
     parseGoalField();
     judge ??= loadJudge();
     const with_ = await judge;
-    for (const entry of entries) {
+    for (const entry of entries.filter((each) => !quizOf(each))) {
       if (mine !== round) return;
       rows.push(with_.judge(entry, goal.value.trim()));
       if (rows.length % 5 === 0) await new Promise((resolve) => { setTimeout(resolve); });
@@ -71,9 +72,14 @@ async function judgeAll(remark = '') {
   }
   if (mine !== round) return;
   show();
+  const asked = showQuiz(entries.flatMap((entry) => quizOf(entry) ?? []));
   const met = rows.filter((row) => row.met === true).length, faulty = rows.filter(({ fault }) => fault !== '').length;
-  state.textContent = `${rows.length === 1 ? '1 piece of work' : `${rows.length} pieces of work`}, ${met} with the goal reached${faulty > 0 ? `, ${faulty} that cannot be read` : ''}.${remark}`;
+  const works = asked !== '' && rows.length === 0 ? '' : `${rows.length === 1 ? '1 piece of work' : `${rows.length} pieces of work`}, ${met} with the goal reached${faulty > 0 ? `, ${faulty} that cannot be read` : ''}.`;
+  state.textContent = `${works}${asked}${remark}`.trim();
 }
+
+/** Results of the questions before and after have no motion, and a table of their own. @param {Entry} entry */
+const quizOf = (entry) => (entry.fault === undefined && entry.work.quiz ? entry.work : null);
 
 function parseGoalField() {
   goal.removeAttribute('aria-invalid');

@@ -5,7 +5,7 @@
 /** @typedef {import('./judge.js').Answer} Answer */
 
 /** @param {string} tag @param {string} [text] @param {string} [kind]  class */
-function made(tag, text = '', kind = '') {
+export function made(tag, text = '', kind = '') {
   const element = document.createElement(tag);
   element.textContent = text;
   if (kind) element.className = kind;
@@ -13,7 +13,7 @@ function made(tag, text = '', kind = '') {
 }
 
 /** @param {HTMLElement} parent @param {(Node | string)[]} children */
-function filled(parent, ...children) {
+export function filled(parent, ...children) {
   parent.append(...children);
   return parent;
 }

@@ -3,6 +3,7 @@
 // '#', or as a file.
 //
 //   #H1.<payload of the motion's link, may be empty>.<base64url of JSON>
+//   #H2.….…  the same with the answers of the quiz before and after the lessons
 
 /** Choices and sliders in their order in the lesson; null: not given. */
 /**
@@ -13,30 +14,45 @@
  * @property {string} text                 what was written under Explain
  * @property {string} name                 only if typed
  * @property {string} motion               payload of its link; '': none
+ * @property {Quiz | null} quiz            only in the second form
+ */
+/**
+ * Answers before and after the lessons, by their number; one more than the last: "I do not know"; a list is null until its round
+ * is finished, and one of them is not. set: of the questions (web/classroom/questions.js)
+ * @typedef {{set: string, before: (number | null)[] | null, after: (number | null)[] | null}} Quiz
  */
 
-const MARK = 'H1';
-const MOST = { predictions: 20, answers: 40, text: 4000, name: 80, data: 40000, motion: 200000 };
+/** The form that older pages read, and the one with a quiz. */
+const MARKS = { plain: 'H1', quiz: 'H2' };
+const FORMS = { plain: 1, quiz: 2 };
+const MOST = { predictions: 20, answers: 40, text: 4000, name: 80, data: 40000, motion: 200000, quiz: 40 };
 
 /** @returns {Work} */
-export const emptyWork = () => ({ lesson: '', predictions: [], answers: [], text: '', name: '', motion: '' });
+export const emptyWork = () => ({ lesson: '', predictions: [], answers: [], text: '', name: '', motion: '', quiz: null });
 
 /** The part of its link after '#'. @param {Work} work */
 export function encodeWork({ motion, ...rest }) {
-  return `${MARK}.${motion}.${toBase64url(new TextEncoder().encode(JSON.stringify(rest)))}`;
+  return `${MARKS[formOf(rest)]}.${motion}.${toBase64url(new TextEncoder().encode(JSON.stringify(parts(rest))))}`;
 }
 
+/** @param {{quiz: Quiz | null}} work */
+const formOf = ({ quiz }) => (quiz ? 'quiz' : 'plain');
+
+/** Without a quiz that is not there, as in the first form. @template {{quiz: Quiz | null}} T @param {T} work */
+const parts = ({ quiz, ...rest }) => (quiz ? { ...rest, quiz } : rest);
+
 /** The text of its file. @param {Work} work */
-export const workFile = (work) => `${JSON.stringify({ gaitsmith_work: 1, ...work }, null, 1)}\n`;
+export const workFile = (work) => `${JSON.stringify({ gaitsmith_work: FORMS[formOf(work)], ...parts(work) }, null, 1)}\n`;
 
 /** @param {string} fragment  without '#' @returns {Work} throws an Error with a sentence */
 export function decodeWork(fragment) {
   const [mark, motion = '', data, ...more] = fragment.split('.');
   if (!/^H\d+$/.test(mark)) throw new Error('This is not work that was handed in.');
-  if (mark !== MARK) throw new Error('This work comes from a newer version of Gaitsmith.');
+  const form = mark === MARKS.plain ? 'plain' : 'quiz';
+  if (mark !== MARKS[form]) throw new Error('This work comes from a newer version of Gaitsmith.');
   if (data === undefined || data === '' || more.length > 0) throw new Error('The link is cut off or has something added.');
   if (data.length > MOST.data) throw new Error('The link is too long.');
-  return checked({ ...objectIn(utf8(fromBase64url(data))), motion });
+  return checked({ ...objectIn(utf8(fromBase64url(data))), motion }, form);
 }
 
 /** Whether a file's text is meant to be work. @param {string} text */
@@ -46,8 +62,9 @@ export const isWorkFile = (text) => /^\s*\{\s*"gaitsmith_work"/.test(text);
 export function readWorkFile(text) {
   if (text.length > MOST.data + MOST.motion) throw new Error('The file is too long.');
   const { gaitsmith_work: version, ...work } = objectIn(text);
-  if (version !== 1) throw new Error('This file comes from a newer version of Gaitsmith.');
-  return checked(work);
+  const form = version === FORMS.plain ? 'plain' : 'quiz';
+  if (version !== FORMS[form]) throw new Error('This file comes from a newer version of Gaitsmith.');
+  return checked(work, form);
 }
 
 /** @param {string} text @returns {Record<string, unknown>} */
@@ -63,10 +80,10 @@ function objectIn(text) {
   return /** @type {Record<string, unknown>} */ (value);
 }
 
-/** @param {Record<string, unknown>} value @returns {Work} */
-function checked(value) {
-  const { lesson, predictions, answers, text, name, motion, ...others } = value;
-  const [stranger] = Object.keys(others);
+/** @param {Record<string, unknown>} value @param {keyof typeof FORMS} form @returns {Work} */
+function checked(value, form) {
+  const { lesson, predictions, answers, text, name, motion, quiz, ...others } = value;
+  const [stranger] = [...Object.keys(others), ...form === 'plain' && quiz !== undefined ? ['quiz'] : []];
   if (stranger !== undefined) throw new Error(`The work has a part that is not known here: “${stranger.slice(0, 40)}”.`);
   const fault = (/** @type {string} */ what) => new Error(`The work is damaged: ${what}.`);
   if (typeof lesson !== 'string' || !/^[a-z0-9-]{0,60}$/.test(lesson)) throw fault('“lesson” is not a lesson’s name');
@@ -85,7 +102,19 @@ function checked(value) {
     answers: list(answers, 'answers', (number) => Number.isInteger(number) && number >= 0 && number < 100),
     text: words(text, 'text'),
     name: words(name, 'name'),
+    quiz: form === 'quiz' ? checkedQuiz(quiz) : null,
   };
+}
+
+/** @param {unknown} value @returns {Quiz} */
+function checkedQuiz(value) {
+  const fault = new Error('The work is damaged: “quiz” is not the answers of a quiz.');
+  if (value === null || typeof value !== 'object') throw fault;
+  const { set, before, after, ...others } = /** @type {Record<string, unknown>} */ (value);
+  const isRound = (/** @type {unknown} */ round) => round === null || (Array.isArray(round) && round.length <= MOST.quiz
+    && round.every((each) => each === null || (Number.isInteger(each) && each >= 0 && each < 100)));
+  if (typeof set !== 'string' || !/^[a-z0-9]{1,8}$/.test(set) || !isRound(before) || !isRound(after) || (before === null && after === null) || Object.keys(others).length > 0) throw fault;
+  return /** @type {Quiz} */ ({ set, before, after });
 }
 
 /** @param {Uint8Array} bytes */

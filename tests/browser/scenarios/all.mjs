@@ -33,6 +33,7 @@ import { SHARE_SCENARIOS } from './share.mjs';
 import { STORED_SCENARIOS } from './stored.mjs';
 import { STYLE_SCENARIOS } from './style.mjs';
 import { SUITE_SCENARIOS } from './suite.mjs';
+import { BEFORE_AFTER_SCENARIOS } from './book/before_after.mjs';
 import { CLASSROOM_SCENARIOS } from './book/classroom.mjs';
 import { EXPLORABLE_SCENARIOS } from './book/explorable.mjs';
 import { LEARNING_SCENARIOS } from './book/learning.mjs';
@@ -282,7 +283,7 @@ export const SCENARIOS = [
   ...once(FIGURE_SCENARIOS),
   ...GALLERY_SCENARIOS,
   ...once(BREED_SCENARIOS),
-  ...CLASSROOM_SCENARIOS, ...EXPLORABLE_SCENARIOS, ...LEARNING_SCENARIOS, ...NEW_LESSON_SCENARIOS, ...REST_SCENARIOS, ...once(TEACH_SCENARIOS),
+  ...BEFORE_AFTER_SCENARIOS, ...CLASSROOM_SCENARIOS, ...EXPLORABLE_SCENARIOS, ...LEARNING_SCENARIOS, ...NEW_LESSON_SCENARIOS, ...REST_SCENARIOS, ...once(TEACH_SCENARIOS),
   ...once(LIVE_SCENARIOS),
   ...once(RULE_SCENARIOS),
   ...once(WALK_SCENARIOS),

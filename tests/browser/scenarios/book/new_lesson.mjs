@@ -70,8 +70,7 @@ async function write(visit) {
     const field = /** @type {HTMLTextAreaElement} */ (document.getElementById('lesson-text'));
     field.setSelectionRange(field.value.indexOf('## Notice'), field.value.indexOf('## Notice'));
   });
-  const summaries = await page.$$('#lesson-insert summary');
-  for (const summary of summaries) await summary.click();
+  await page.$$eval('#lesson-insert details', (parts) => { for (const part of parts) part.open = true; });
   // A goal that is none, and a motion that does not open, are not inserted.
   await page.type('#goal-conditions', 'distence >= 1');
   await page.type('#goal-words', 'Go a metre.');
@@ -83,7 +82,7 @@ async function write(visit) {
   await insert(page, 'motion', /does not open/);
   await page.$eval('#motion-link', (field, link) => { /** @type {HTMLInputElement} */ (field).value = link; }, `${visit.address}?edit#${second}`);
   await insert(page, 'motion', /^Inserted/);
-  await page.click('#motion-strip');
+  await page.$eval('#motion-strip', (box) => /** @type {HTMLElement} */ (box).click());
   await insert(page, 'motion', /^Inserted/);
   await page.type('#predict-question', 'How far?');
   await page.type('#predict-answers', '0 to 40 by 1 m');
@@ -99,13 +98,13 @@ async function write(visit) {
   assert.deepEqual(await page.evaluate(() => ['.goal', '.quiz', '.predict', 'a[href*="index.html?"]', '.strip img[src^="data:image/svg+xml,"]', '#shown-notice']
     .map((kind) => document.querySelectorAll(`#lesson-preview ${kind}`).length)), [1, 1, 1, 2, 2, 1]);
   // The preview's question answers.
-  await page.click('#lesson-preview .quiz input');
+  await page.$eval('#lesson-preview .quiz input', (choice) => /** @type {HTMLElement} */ (choice).click());
   await until('the explanation', page, () => /Right\. Yes\./.test(document.querySelector('#lesson-preview .feedback')?.textContent ?? ''));
   // The draft stays.
   await page.reload();
   await previewed(page);
   assert.deepEqual(await faults(page), []);
-  await page.click('#lesson-save');
+  await page.$eval('#lesson-save', (button) => /** @type {HTMLElement} */ (button).click());
   const [{ name, bytes }] = await saved(page);
   assert.equal(name, 'uber-hopping-falling.md');
   const text = bytes.toString('utf8');
