@@ -51,7 +51,7 @@ nothing is stored: print the wall or save it as a table before you close the pag
 <div class="row tools"><button id="wall-quiz-csv" type="button" class="bordered">Save as CSV</button></div>
 <section class="scroll" tabindex="0" aria-label="Table of the questions">
 <table>
-<thead><tr><th scope="col">Question</th><th scope="col">Right before</th><th scope="col">Right after</th><th scope="col">Only after</th><th scope="col">Only before</th><th scope="col">Both times</th><th scope="col">Neither</th></tr></thead>
+<thead><tr><th scope="col">Question</th><th scope="col">Right before</th><th scope="col">Right after</th><th scope="col">Right only after</th><th scope="col">Right only before</th><th scope="col">Right both times</th><th scope="col">Never right</th></tr></thead>
 <tbody></tbody>
 </table>
 </section>

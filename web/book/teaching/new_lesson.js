@@ -197,7 +197,7 @@ async function openFile(file) {
     return;
   }
   fill(await file.text());
-  opened = file.name.endsWith('.md') ? file.name : '';
+  opened = /^[a-z0-9-]{1,60}\.md$/.test(file.name) ? file.name : '';
   state.textContent = `Opened ${file.name}.`;
   changed();
 }

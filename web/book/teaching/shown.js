@@ -34,7 +34,7 @@ function clean(element, address) {
 
 /** @param {Element} element @param {string} href @param {string} address */
 function link(element, href, address) {
-  const target = URL.canParse(href, address) ? new URL(href, address) : null;
+  const target = addressOf(href, address);
   if (element.localName !== 'a' || !target || !['http:', 'https:', 'mailto:'].includes(target.protocol)) return element.removeAttribute('href');
   if (href.startsWith('#')) return element.setAttribute('href', `#${PREFIX}${href.slice(1)}`);
   element.setAttribute('href', target.href);
@@ -43,4 +43,13 @@ function link(element, href, address) {
 }
 
 /** A drawing of ours, or a file of this site. @param {string} source @param {string} address */
-const isPicture = (source, address) => source.startsWith('data:image/svg+xml,') || (!source.startsWith('#') && URL.canParse(source, address) && new URL(source, address).origin === location.origin);
+const isPicture = (source, address) => source.startsWith('data:image/svg+xml,') || (!source.startsWith('#') && addressOf(source, address)?.origin === location.origin);
+
+/** @param {string} text @param {string} base @returns {URL | null} */
+function addressOf(text, base) {
+  try {
+    return new URL(text, base);
+  } catch {
+    return null;
+  }
+}

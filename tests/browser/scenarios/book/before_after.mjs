@@ -29,7 +29,7 @@ const press = (page, selector) => page.$eval(selector, (node) => /** @type {HTML
 async function answer(page, answers) {
   for (const [i, given] of answers.entries()) {
     await page.focus(`#ask-${i + 1}-0`);
-    await page.keyboard.press('Space');
+    await page.keyboard.press(' ');
     for (let k = 0; k < given; k++) await page.keyboard.press('ArrowDown');
   }
   await page.focus('#questions [type=submit]');
