@@ -123,6 +123,10 @@ async function assignmentPackage({ browser, address }) {
     assert.match(name, new RegExp(`^mr-star-man.*-scorm-${version}\\.zip$`));
     await inCourse(bytes, version, (course) => doAssignment(browser, course, version));
   }
+  // On a phone nothing is cut off, also while a package is made.
+  await page.page.setViewport({ width: 390, height: 844 });
+  await page.page.evaluate(() => { for (const id of ['progress', 'cancel']) /** @type {HTMLElement} */ (document.getElementById(`share-scorm-${id}`)).hidden = false; });
+  assert.equal(await page.page.$eval('#share-dialog', ({ scrollWidth, clientWidth }) => scrollWidth - clientWidth), 0, 'the dialog scrolls sideways');
   // A file that does not come.
   await page.page.setRequestInterception(true);
   page.page.on('request', (request) => void (/judge\.js/.test(request.url()) ? request.abort() : request.continue()));
