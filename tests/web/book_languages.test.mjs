@@ -12,7 +12,7 @@ import { promisify } from 'node:util';
 import { Faults } from '../../web/book/faults.mjs';
 import { liveTexts, liveWords } from '../../web/book/languages/live_words.mjs';
 import { laidOver } from '../../web/book/languages/overlay.mjs';
-import { prepared } from '../../web/book/languages/prepared.mjs';
+import { prepared } from '../../web/languages/prepared.mjs';
 import { compareWithOriginal } from '../../web/book/languages/same_structure.mjs';
 import { ENGLISH, readLanguages } from '../../web/book/languages/words.mjs';
 import { readPages } from '../../web/book/pages.mjs';

@@ -6,7 +6,7 @@
 import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { prepared } from '../book/languages/prepared.mjs';
+import { prepared } from './prepared.mjs';
 import { BOOK, CANVAS, HINTS, bookWords, canvasTexts, pagesOf, tableOf } from './tables.mjs';
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));

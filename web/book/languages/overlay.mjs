@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Blocks of a translated page have only words. What is not words comes from the English block: a goal's conditions, which
 // answer is right, what a button calls, what a stage opens.
+import { WORDS } from '../../languages/prepared.mjs';
 import { numbersIn } from './numbers.mjs';
 
 /** @typedef {import('../faults.mjs').Faults} Faults */
 /** @typedef {import('../pages.mjs').Page} Page */
 /** @typedef {(english: string, translated: string, say: (sentence: string) => void, pages: {original: Page, page: Page}) => string} Overlay */
-
-/** The keys of a block's JSON that are words. */
-export const WORDS = ['label', 'slider', 'says', 'names'];
 
 /** @type {Overlay} */
 function goal(english, translated, say) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // An English page, prepared for translation: only what is words, and links that lead from one folder deeper.
-import { WORDS } from './overlay.mjs';
+
+/** The keys of a block's JSON that are words. */
+export const WORDS = ['label', 'slider', 'says', 'names'];
 
 /** @param {string} text  of a file in docs/ @param {string[]} translated  names in docs/ of all pages that languages have @returns {string} of its file in docs/<code>/ */
 export function prepared(text, translated) {
