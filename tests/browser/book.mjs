@@ -160,6 +160,7 @@ await check('book: a lesson speaks its language, in what its scripts say too, an
     await page.click('.goal button');
     await page.waitForFunction(() => document.querySelector('.goal .state')?.textContent, PATIENCE);
     await page.click('#hand-in-make');
+    await page.waitForFunction(() => document.querySelector('#hand-in .state')?.textContent, PATIENCE);
     const said = await page.$$eval('.goal .state, #hand-in .state, .wait', (nodes) => nodes.map((node) => node.textContent ?? ''));
     assert.equal(said.length, 3);
     for (const words of said) assert.doesNotMatch(words, /watches|missing|First|^$/);

@@ -71,8 +71,8 @@ test('language: every text of the canvas and of the page has its translation', (
   }
 });
 
-test('language: every motion of the gallery has a translated title', async () => {
-  for (const document of await texts('examples/gallery', /\.json$/)) {
+test('language: every motion of the gallery and of the lessons has a translated title', async () => {
+  for (const document of [...await texts('examples/gallery', /\.json$/), ...await texts('examples/lessons', /\.json$/)]) {
     const { title } = JSON.parse(document);
     for (const [file, { titles }] of tables) assert.ok(titles[title], `${file}: ${title}`);
   }

@@ -44,7 +44,7 @@ function partsOf(body, strict) {
 }
 
 /** @param {Token} token */
-const shapeOf = ({ type, tag, info, content }) => (type === 'fence' && !info.trim() || type === 'code_block' ? content : `${type} ${tag} ${info.trim()}`);
+const shapeOf = ({ type, tag, info, content }) => ((type === 'fence' && !info.trim()) || type === 'code_block' ? content : `${type} ${tag} ${info.trim()}`);
 
 /** @param {Token} token */
 const nameOf = ({ type, tag, info }) => NAMES[type] ?? (type === 'heading_open' ? `a heading ${'#'.repeat(Number(tag.slice(1)))}`
