@@ -182,6 +182,7 @@ if (SITE) {
       const lesson = await readFile(join(SITE, 'book', folder, 'lessons/1-a-rule.html'), 'utf8');
       assert.match(lesson, new RegExp(`index\\.html\\?lang=${code}&amp;`));
       assert.match(lesson, /id="explain"/, 'headings have the same names in all languages');
+      /** @type {any[][]} */
       const [facts, originals] = await Promise.all(['', folder].map(async (where) => JSON.parse(await readFile(join(SITE, 'book', where, 'lessons.json'), 'utf8'))));
       const shape = (/** @type {any} */ { name: lessonName, goals, worlds, figures, predictions, quizzes }) => ({ lessonName, goals, worlds, figures, right: quizzes.map((/** @type {any} */ { right }) => right),
         counts: [...predictions, ...quizzes].map((/** @type {any} */ { answers }) => answers.length) });
