@@ -4,7 +4,8 @@
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
 import { existsSync } from 'node:fs';
-import { readFile, readdir } from 'node:fs/promises';
+import { mkdir, mkdtemp, readFile, readdir, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
@@ -15,6 +16,7 @@ import { laidOver } from '../../web/book/languages/overlay.mjs';
 import { prepared } from '../../web/languages/prepared.mjs';
 import { compareWithOriginal } from '../../web/book/languages/same_structure.mjs';
 import { ENGLISH, readLanguages } from '../../web/book/languages/words.mjs';
+import { Links } from '../../web/book/links.mjs';
 import { readPages } from '../../web/book/pages.mjs';
 import { BOOK, CANVAS, HINTS, bookWords, filesIn, pagesOf, tableOf } from '../../web/languages/tables.mjs';
 
@@ -146,6 +148,23 @@ test('a prepared page has only words, and passes as a translation of itself', as
       assert.ok(existsSync(there) || existsSync(there.replace('docs/xx/', 'docs/')), `${name}: ${path}`);
     }
   }
+});
+
+test('a link to a page without a translation leads to the English page', async () => {
+  const root = await mkdtemp(join(tmpdir(), 'languages-'));
+  const files = { 'docs/a.md': '# A\n\n[x](lessons/1-x.md)\n', 'docs/de/a.md': '# A\n\n[x](lessons/1-x.md) [a](a.md)\n', 'docs/lessons/1-x.md': '---\ntitle: X\nminutes: 5\nopen: a.json\n---\nX\n',
+    'web/book/words/de.json': '{}', 'shell/words/languages/de.json': '{"name": "Deutsch", "decimal_mark": ",", "group_mark": ".", "words": {}, "errors": {}, "titles": {}}' };
+  for (const [file, text] of Object.entries(files)) {
+    await mkdir(join(root, file, '..'), { recursive: true });
+    await writeFile(join(root, file), text);
+  }
+  const faults = new Faults();
+  const pages = await readPages(root, faults);
+  const german = /** @type {Page} */ (pages.find(({ source }) => source === 'docs/de/a.md'));
+  const links = new Links(root, pages, /** @type {any} */ ({}), faults);
+  assert.deepEqual([await links.resolve(german, 3, 'lessons/1-x.md'), await links.resolve(german, 3, 'a.md')], [{ href: '../lessons/1-x.html' }, { href: '../de/a.html' }]);
+  assert.deepEqual(faults.sentences, []);
+  await rm(root, { recursive: true });
 });
 
 test('the command that lists what is missing finds everything for a new language, and nothing for the others', async () => {

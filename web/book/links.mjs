@@ -49,7 +49,8 @@ export class Links {
     if (/^(https?:|mailto:)/.test(href)) return { href };
     const [path, query = '', anchor] = /^([^?#]*)(?:\?([^#]*))?(?:#(.*))?$/.exec(href)?.slice(1) ?? [href];
     const file = path ? this.file(source, path) : page.source;
-    const other = this.pages.get(file);
+    // What is not translated yet is shown in English.
+    const other = this.pages.get(file) ?? this.pages.get(file.replace(`docs/${page.language.folder}`, 'docs/'));
     if (other) {
       if (anchor !== undefined) this.references.push({ source: page.source, line, page: other, anchor });
       const at = anchor === undefined ? '' : `#${anchor}`;
