@@ -3,6 +3,7 @@
 // the book.
 import { existsSync } from 'node:fs';
 import { join, posix } from 'node:path';
+import { upFrom } from './html.mjs';
 import { playgroundAddress } from './playground.mjs';
 
 /** @typedef {import('./faults.mjs').Faults} Faults */
@@ -40,16 +41,16 @@ export class Links {
 
   /** The relative address, from a page, of an address in the book ('../': in the site). @param {Page} page @param {string} address */
   way(page, address) {
-    const up = page.address.includes('/') ? '../' : '';
-    return up + address;
+    return upFrom(page.address) + address;
   }
 
-  /** @param {Page} page @param {number} line @param {string} href @returns {Promise<Link>} */
-  async resolve(page, line, href) {
+  /** @param {Page} page @param {number} line @param {string} href @param {string} [source]  the file that names it @returns {Promise<Link>} */
+  async resolve(page, line, href, source = page.source) {
     if (/^(https?:|mailto:)/.test(href)) return { href };
     const [path, query = '', anchor] = /^([^?#]*)(?:\?([^#]*))?(?:#(.*))?$/.exec(href)?.slice(1) ?? [href];
-    const file = path ? this.file(page, path) : page.source;
-    const other = this.pages.get(file);
+    const file = path ? this.file(source, path) : page.source;
+    // What is not translated yet is shown in English.
+    const other = this.pages.get(file) ?? this.pages.get(file.replace(`docs/${page.language.folder}`, 'docs/'));
     if (other) {
       if (anchor !== undefined) this.references.push({ source: page.source, line, page: other, anchor });
       const at = anchor === undefined ? '' : `#${anchor}`;
@@ -67,7 +68,7 @@ export class Links {
 
   /** The address of an image. The image is copied later. @param {Page} page @param {number} line @param {string} path */
   image(page, line, path) {
-    const file = this.file(page, path);
+    const file = this.file(page.source, path);
     if (!IMAGE.test(file) || !file.startsWith('docs/') || !existsSync(join(this.root, file))) {
       return this.#fault(page, line, `"${file}" is no image in docs/`).href;
     }
@@ -78,7 +79,7 @@ export class Links {
 
   /** A document's film strips and their file name. @param {Page} page @param {string} path */
   async strip(page, path) {
-    const file = this.file(page, path);
+    const file = this.file(page.source, path);
     const name = file.replace(/^examples\//, '').replace(/\.json$/, '').replace(/[^\w-]+/g, '-');
     const strips = this.strips.get(name) ?? await this.playground.strips(join(this.root, file));
     this.strips.set(name, strips);
@@ -103,9 +104,9 @@ export class Links {
     }
   }
 
-  /** The path in the repository. @param {Page} page @param {string} path */
-  file(page, path) {
-    return posix.normalize(posix.join(posix.dirname(page.source), decodeURI(path.replace(/[?#].*$/, ''))));
+  /** The path in the repository. @param {string} source  the file that names it @param {string} path */
+  file(source, path) {
+    return posix.normalize(posix.join(posix.dirname(source), decodeURI(path.replace(/[?#].*$/, ''))));
   }
 
   /** @param {Page} page @param {number} line @param {string} sentence @returns {Link} */

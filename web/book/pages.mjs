@@ -3,6 +3,8 @@
 import { readdir, readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
 import { frontMatter } from './front_matter.mjs';
+import { readTranslations } from './languages/translations.mjs';
+import { ENGLISH, readLanguages } from './languages/words.mjs';
 
 /** @typedef {import('./faults.mjs').Faults} Faults */
 /** @typedef {import('./front_matter.mjs').Field} Field */
@@ -14,6 +16,8 @@ import { frontMatter } from './front_matter.mjs';
  * @property {string} body     Markdown
  * @property {number} before   lines of the file before the body
  * @property {Lesson} [lesson]
+ * @property {import('./languages/words.mjs').Language} language
+ * @property {Page} [original]  the English page, of a translation
  */
 /** @typedef {import('../classroom/judge.js').Question} Question */
 /**
@@ -30,19 +34,23 @@ async function markdownIn(folder) {
   return names.filter((name) => name.endsWith('.md')).sort();
 }
 
-/** @param {string} root  of the repository @param {Faults} faults @returns {Promise<Page[]>} lessons first, in their order */
-export async function readPages(root, faults) {
+/** @param {string} root  of the repository @param {Faults} faults @param {import('./languages/words.mjs').Language[]} [languages]  English first @returns {Promise<Page[]>} lessons first, in their order; translations after all English pages */
+export async function readPages(root, faults, languages = undefined) {
   const pages = await Promise.all((await markdownIn(join(root, 'docs'))).map(async (file) => {
     const body = await readFile(join(root, 'docs', file), 'utf8');
     const name = basename(file, '.md');
-    return { source: `docs/${file}`, address: `${name}.html`, name, body, before: 0 };
+    return { source: `docs/${file}`, address: `${name}.html`, name, body, before: 0, language: ENGLISH };
   }));
   const lessons = await Promise.all((await markdownIn(join(root, 'docs/lessons'))).map((file) => readLesson(root, file, faults)));
   lessons.sort((a, b) => a.lesson.number - b.lesson.number);
   lessons.forEach((page, i) => {
     if (i > 0 && lessons[i - 1].lesson.number === page.lesson.number) faults.add(page.source, 1, `there are two lessons ${page.lesson.number}`);
   });
-  return [...lessons, ...pages];
+  /** @type {Page[]} */
+  const originals = [...lessons, ...pages];
+  const [, ...others] = languages ?? await readLanguages(root);
+  const translations = await Promise.all(others.map((language) => readTranslations(root, language, originals, faults)));
+  return [...originals, ...translations.flat()];
 }
 
 /** @param {string} root @param {string} file @param {Faults} faults */
@@ -56,5 +64,5 @@ async function readLesson(root, file, faults) {
   const number = Number(/^(\d+)-/.exec(name)?.[1]);
   if (!(number > 0)) faults.add(source, 1, 'a lesson\'s file begins with its number and a hyphen');
   const lesson = { number, title: fields.get('title')?.value ?? name, minutes, fields, goals: [], predictions: [], quizzes: [], opens: new Set() };
-  return { source, address: `lessons/${name}.html`, name, body, before, lesson };
+  return { source, address: `lessons/${name}.html`, name, body, before, lesson, language: ENGLISH };
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Hands in a lesson: a link, or a file, with the motion and what was predicted, answered and written.
+import { tr } from '../languages/language.js';
 import { copyField } from '../share/copying.js';
 import { encodeWork, workFile } from '../share/work.js';
 import { progressOf } from './progress.js';
@@ -43,10 +44,10 @@ function missing({ goals, predictions, answers, text }) {
   const count = (/** @type {string} */ kind) => document.querySelectorAll(`.${kind}`).length;
   const given = (/** @type {(number | null)[]} */ values) => values.filter((value) => value !== null && value !== undefined).length;
   const parts = [
-    goals.length < count('goal') && 'the goal is not reached',
-    given(predictions) < count('predict') && 'no prediction',
-    given(answers) < count('quiz') && 'questions are open',
-    text.trim() === '' && 'no sentences',
+    goals.length < count('goal') && tr('the goal is not reached'),
+    given(predictions) < count('predict') && tr('no prediction'),
+    given(answers) < count('quiz') && tr('questions are open'),
+    text.trim() === '' && tr('no sentences'),
   ].filter(Boolean);
-  return parts.length === 0 ? 'Complete.' : `Still missing: ${parts.join(', ')}.`;
+  return parts.length === 0 ? tr('Complete.') : tr('Still missing: {1}.', parts.join(', '));
 }

@@ -2,6 +2,7 @@
 // The page where a teacher collects a class's work. Everything happens in this page: it sends nothing.
 import { Engine } from '../search/engine.js';
 import { control_modes, terms } from '../catalogue/catalogue.js';
+import { tr, trSentence } from '../languages/language.js';
 import { MotionPicture, pageColours } from '../share/motion_picture.js';
 import { parseGoal } from '../page/goal_conditions.js';
 import { collect, fromFile } from './collected.js';
@@ -13,7 +14,7 @@ import { copies, csvOf, sorted } from './table.js';
 /** @typedef {import('./collected.js').Entry} Entry */
 /** @typedef {import('./judge.js').Row} Row */
 
-const SITE = new URL('../', location.href).href;
+const SITE = new URL('../', import.meta.url).href;
 /** @template {HTMLElement} T @param {string} id @param {new () => T} kind @returns {T} */
 const find = (id, kind) => {
   const found = document.getElementById(id);
@@ -38,7 +39,7 @@ const tables = { terms, control_modes };
 /** @type {Promise<Judge> | null} */
 let judge = null;
 const loadJudge = async () => {
-  const [engine, response] = await Promise.all([Engine.load(), fetch(new URL('../book/lessons.json', import.meta.url))]);
+  const [engine, response] = await Promise.all([Engine.load(), fetch('lessons.json')]);
   return new Judge(engine, tables, await response.json());
 };
 const gallery = new ClassGallery(find('wall-gallery', HTMLDialogElement));
@@ -46,7 +47,7 @@ const gallery = new ClassGallery(find('wall-gallery', HTMLDialogElement));
 /** @param {Entry[]} more @param {number} [idle]  lines without a link */
 async function add(more, idle = 0) {
   entries = [...entries, ...more];
-  await judgeAll(idle > 0 ? ` ${idle === 1 ? '1 line has' : `${idle} lines have`} no link.` : '');
+  await judgeAll(idle === 0 ? '' : ` ${idle === 1 ? tr('1 line has no link.') : tr('{1} lines have no link.', idle)}`);
 }
 
 /** Simulates everything anew, because the goal may have changed. @param {string} [remark] */
@@ -54,7 +55,7 @@ async function judgeAll(remark = '') {
   const mine = ++round;
   for (const { motion } of rows) motion?.close();
   rows = [];
-  state.textContent = 'Simulating …';
+  state.textContent = tr('Simulating …');
   try {
     parseGoalField();
     judge ??= loadJudge();
@@ -66,13 +67,14 @@ async function judgeAll(remark = '') {
     }
   } catch (error) {
     judge = null;
-    state.textContent = error instanceof Error ? error.message : String(error);
+    state.textContent = trSentence(error instanceof Error ? error.message : String(error));
     return;
   }
   if (mine !== round) return;
   show();
   const met = rows.filter((row) => row.met === true).length, faulty = rows.filter(({ fault }) => fault !== '').length;
-  state.textContent = `${rows.length === 1 ? '1 piece of work' : `${rows.length} pieces of work`}, ${met} with the goal reached${faulty > 0 ? `, ${faulty} that cannot be read` : ''}.${remark}`;
+  const count = rows.length === 1 ? tr('1 piece of work') : tr('{1} pieces of work', rows.length);
+  state.textContent = (faulty > 0 ? tr('{1}, {2} with the goal reached, {3} that cannot be read.', count, met, faulty) : tr('{1}, {2} with the goal reached.', count, met)) + remark;
 }
 
 function parseGoalField() {
@@ -103,14 +105,14 @@ function show() {
 async function addFiles(chosen) {
   /** @type {Entry[]} */
   const found = [];
-  for (const file of chosen) found.push(...file.size > 5_000_000 ? [{ fault: 'This file is too large.', source: file.name }] : fromFile(file.name, await file.text()));
+  for (const file of chosen) found.push(...file.size > 5_000_000 ? [{ fault: tr('This file is too large.'), source: file.name }] : fromFile(file.name, await file.text()));
   await add(found);
 }
 
 find('wall-add', HTMLButtonElement).addEventListener('click', () => {
   const { entries: found, idle } = collect(pasted.value);
   if (found.length === 0) {
-    state.textContent = 'There is no link in this text.';
+    state.textContent = tr('There is no link in this text.');
     return;
   }
   pasted.value = '';
@@ -132,7 +134,7 @@ addEventListener('drop', (event) => {
 });
 find('wall-clear', HTMLButtonElement).addEventListener('click', () => {
   entries = [];
-  void judgeAll().then(() => { state.textContent = 'The wall is empty.'; });
+  void judgeAll().then(() => { state.textContent = tr('The wall is empty.'); });
 });
 find('wall-print', HTMLButtonElement).addEventListener('click', () => print());
 find('wall-csv', HTMLButtonElement).addEventListener('click', () => {
