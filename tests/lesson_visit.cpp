@@ -19,6 +19,7 @@
 #include "shell/host/script_options.h"
 #include "tests/litter.h"
 #include "tests/scene.h"
+#include "tests/style_map.h"
 
 namespace gaitsmith::test {
 
@@ -90,6 +91,9 @@ void LessonVisit::Do(const JsonValue& step) {
     change([&](Document& d) { REQUIRE(MoveSwitch(d, 1, StepAt(value.number))); });
   } else if (what == "snap") {
     Snap(StepAt(value.number));
+  } else if (what == "square") {
+    const auto bin = [&](std::size_t axis) { return static_cast<int>(value.items[axis].number); };
+    session_.ShowElite(MapOf(host_.started.back()).MotionAt(bin(0), bin(1), bin(2)));
   } else if (what == "breed") {
     Breed(static_cast<int>(number));
   } else {

@@ -41,9 +41,9 @@ set(web_rooms
     "build: share"
     "breed: browser languages search dialogs share"
     "page: browser catalogue languages app access search storage dialogs share breed"
-    "classroom: catalogue search share page"
-    "explorable: search share"
-    "book: catalogue search share storage page classroom explorable"
+    "classroom: catalogue languages search share page"
+    "explorable: languages search share"
+    "book: catalogue languages search share storage page classroom explorable"
     "package: build share")
 # Rooms that never include a window's libraries, because the session's tests run without a window. They use only one
 # another.

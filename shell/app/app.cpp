@@ -347,6 +347,7 @@ void App::DrawContents(Ui& ui, Panel panel) {
       break;
     case Panel::kController:
       DrawControllerPanel(ui, session_, controller_panel_);
+      stage_.felt_rule = controller_panel_.LookedAt();
       break;
     case Panel::kStyle:
       DrawStylePanel(ui, session_, style_panel_);

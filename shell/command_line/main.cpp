@@ -24,7 +24,8 @@ constexpr auto kCommands = std::to_array<Command>({
     {"export", gaitsmith::shell::ExportCommand, "export DOC {exporters} [--poses N] [--from S] [--to S]"},
     {"synthesize", gaitsmith::shell::SynthesizeCommand,
      "synthesize --figure F --task T --sense physical|timer=SECONDS --weight TERM=W\n"
-     "             --search ALG --evaluations N --seed S --out DOC [--curve CSV] [--threads K]\n"
+     "             --search ALG --evaluations N --seed S --out DOC [--curve CSV] [--styles DIR] [--threads "
+     "K]\n"
      "             [--controller rules|network] [--rules N] [--duration SECONDS]\n"
      "             [--search-option NAME=VALUE] [--problem DOC | --from DOC] [--handover DOC@SECONDS …]\n"
      "  gaitsmith synthesize --repair DOC --clip N --out DOC [--task T] [--weight TERM=W] [--search ALG] …"},

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 
 #include "core/document/json.h"
+#include "core/search/elites.h"
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"
@@ -50,13 +52,45 @@ std::string CurveCsv(const std::vector<Search::CurvePoint>& curve) {
   return csv;
 }
 
+/// Writes the motion of every style that the search has found, and a table of them.
+/// @param own  how many controllers the document has of its own, as in Request
+Result<void> WriteStyles(const std::filesystem::path& folder, const Document& searched, int own,
+                         const SearchProgress& found) {
+  std::error_code fault;
+  std::filesystem::create_directories(folder, fault);
+  if (fault)
+    return Fail(ErrorCode::kMissing, "--styles " + folder.string(), "cannot be made: " + fault.message());
+  const auto elites = ElitesOf(searched.search, ProblemOf(searched).Shape().Genes(), found.saved);
+  std::string csv = "height_bin,slip_bin,turns_bin,fitness,max_cm_height,slip_sum,rotations,file\n";
+  const auto bins = static_cast<std::size_t>(searched.search.elites.bins);
+  for (std::size_t cell = 0; elites && cell < elites->Cells().size(); ++cell) {
+    const Elite& elite = elites->Cells()[cell];
+    if (elite.genome.empty()) continue;
+    const std::string height = std::to_string(cell / bins / bins), slip = std::to_string(cell / bins % bins),
+                      turns = std::to_string(cell % bins);
+    Document document = searched;
+    Controller controller = TakeFound(searched, elite.genome, document);
+    controller.name = "found by map-elites";
+    if (auto put = PutFound(controller, own, document); !put) return std::unexpected(put.error());
+    document.hash = Simulate(document).Hash();
+    const std::string name = height + "-" + slip + "-" + turns + ".json";
+    if (auto written = WriteText((folder / name).string(), EncodeJson(document)); !written) return written;
+    char values[80];
+    const auto& [high, slid, turned] = elite.score.style;
+    std::snprintf(values, sizeof values, ",%.9g,%.9g,%.9g,%.9g,", static_cast<double>(elite.score.fitness),
+                  static_cast<double>(high), static_cast<double>(slid), static_cast<double>(turned));
+    csv += height + "," + slip + "," + turns + values + name + "\n";
+  }
+  return WriteText((folder / "styles.csv").string(), csv);
+}
+
 }  // namespace
 
 Outcome SynthesizeCommand(Words words) {
   static constexpr std::string_view kOptions[] = {
-      "figure",     "task",    "sense",   "weight", "search",   "evaluations", "seed",
-      "out",        "curve",   "threads", "rules",  "duration", "from",        "search-option",
-      "controller", "problem", "repair",  "clip",   "handover", "way",         "pose"};
+      "figure", "task",    "sense",    "weight",   "search", "evaluations",   "seed",       "out",
+      "curve",  "threads", "rules",    "duration", "from",   "search-option", "controller", "problem",
+      "repair", "clip",    "handover", "way",      "pose",   "styles"};
   const auto arguments = Arguments::ParseOptions(words, kOptions);
   if (!arguments) return std::unexpected(arguments.error());
   if (!arguments->Has("out"))
@@ -67,6 +101,10 @@ Outcome SynthesizeCommand(Words words) {
   const auto threads = arguments->Integer("threads", 1, 256, Cores());
   if (!threads) return std::unexpected(threads.error());
 
+  if (arguments->Has("styles") && document.search.algorithm != Algorithm::kMapElites)
+    return Fail(ErrorCode::kStructure, "--styles", "goes with --search map-elites, which keeps every style");
+
+  const Document searched = document;
   ProgressBar bar;
   SearchControl control;
   const SearchProgress found = RunParallelSearch(
@@ -79,6 +117,10 @@ Outcome SynthesizeCommand(Words words) {
   if (auto put = PutFound(controller, request->own, document); !put) return std::unexpected(put.error());
   document.hash = Simulate(document).Hash();
   if (auto written = WriteText(arguments->Last("out"), EncodeJson(document)); !written) return written;
+  if (arguments->Has("styles")) {
+    if (auto written = WriteStyles(arguments->Last("styles"), searched, request->own, found); !written)
+      return written;
+  }
   if (arguments->Has("curve")) return WriteText(arguments->Last("curve"), CurveCsv(found.curve));
   return {};
 }

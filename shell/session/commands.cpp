@@ -12,6 +12,14 @@
 namespace gaitsmith::shell {
 namespace {
 
+// A lock is the first reason why a command is unavailable.
+void Lock(std::vector<Command>& list, const Session& session, std::string_view ids, LockedPart part) {
+  if (!session.Layout().Locks(part)) return;
+  for (Command& command : list) {
+    if (command.id.starts_with(ids)) command.why_not = Tr("Locked here: read only.");
+  }
+}
+
 void AddHistory(std::vector<Command>& list, Session& session) {
   list.push_back({.id = "document/new", .group = TrLater("Document"), .title = Tr("New"), .run = [&session] {
                     session.New();
@@ -223,6 +231,7 @@ std::vector<Command> CommandsOf(Session& session, bool phone) {
   AddTimeline(list, session);
   AddPanels(list, session, phone);
   AddView(list, session);
+  Lock(list, session, "timeline/", LockedPart::kTimeline);
   return list;
 }
 
@@ -252,6 +261,8 @@ std::vector<Command> ShelfOf(Session& session) {
                     .run = [&session, index] { session.ChooseFigure(index); }});
     ++index;
   }
+  Lock(list, session, "task/", LockedPart::kStyle);
+  Lock(list, session, "figure/", LockedPart::kFigure);
   return list;
 }
 

@@ -36,10 +36,9 @@ void DrawBones(const Scene& s, const Playback& player, double time_s, const Body
     DrawRods(s.list, bones, points, {.rods = ink.body, .joints = ink.joints, .width = width});
     return;
   }
-  const FigureLook look = LookOf(player.FigureName(), bones);
-  const float sole = look.sole_m * s.camera.scale;
-  for (ImVec2& point : points) point = {point.x - sole * s.camera.sine, point.y - sole * s.camera.cosine};
-  DrawBody(s.list, bones, look, points, s.camera.scale, ink);
+  const ImVec2 raised = RaisedBySoles(s, player);
+  for (ImVec2& point : points) point = {point.x + raised.x, point.y + raised.y};
+  DrawBody(s.list, bones, LookOf(player.FigureName(), bones), points, s.camera.scale, ink);
 }
 
 // Two ellipses on the ground, smaller and paler the higher the figure is.
@@ -182,6 +181,12 @@ void DrawForces(const Scene& s, const std::vector<ImVec2>& endpoints) {
 }
 
 }  // namespace
+
+ImVec2 RaisedBySoles(const Scene& s, const Playback& player) {
+  if (s.rods_only) return {};
+  const float sole = LookOf(player.FigureName(), player.Shown().Bones()).sole_m * s.camera.scale;
+  return {-sole * s.camera.sine, -sole * s.camera.cosine};
+}
 
 std::vector<ImVec2> DrawScene(const Scene& s) {
   const View& view = s.session.Doc().view;

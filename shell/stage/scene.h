@@ -22,6 +22,9 @@ struct Scene {
   bool rods_only = false;  // draws what is simulated, without a body
 };
 
+/// How far a body is drawn from its rods, because it stands on its soles [points].
+[[nodiscard]] ImVec2 RaisedBySoles(const Scene&, const Playback&);
+
 /// @return the canvas positions of the figure's endpoints
 std::vector<ImVec2> DrawScene(const Scene&);
 

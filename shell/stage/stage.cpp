@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "shell/stage/felt_senses.h"
 #include "shell/stage/invitation.h"
 #include "shell/stage/push_gesture.h"
 #include "shell/stage/scene.h"
@@ -190,6 +192,9 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
   ui.Behind().Fill(rect, ui.Ink().paper);
   scene.list->PushClipRect(own.Min, own.Max, true);
   const std::vector<ImVec2> endpoints = DrawScene(scene);
+  const int felt = std::exchange(state.felt_rule, -1);  // the panel says it again in each frame
+  if (const Controller* driver = session.Timeline().ShownController(); driver != nullptr && !viewing)
+    DrawFeltSenses(scene, *driver, felt, endpoints);
   const bool pinching = state.pinch.Holds();
   if (!viewing) DrawShown(scene, state.teach, touch.hovered);
   if (teaching && !pinching) TeachByHand(session, state.teach, scene, touch, state.gaze);

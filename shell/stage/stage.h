@@ -20,6 +20,7 @@ struct StageState {
   TeachGesture teach;
   Pinch pinch;
   WorldCardState world;
+  int felt_rule = -1;           // what this rule of the selected clip feels is shown on the body; -1: none
   bool asks_for_rules = false;  // a button of the viewer was pressed: the rules should be shown
 };
 

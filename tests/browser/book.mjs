@@ -32,6 +32,8 @@ if (!browser) throw new Error('Chromium is not installed: ./dev setup browsers')
 const axe = await readFile(join(ROOT, 'web/node_modules/axe-core/axe.min.js'), 'utf8');
 const files = (await readdir(join(SITE, 'book'), { recursive: true })).filter((file) => file.endsWith('.html')).sort();
 const lessons = files.filter((file) => file.startsWith('lessons'));
+/** In all languages. */
+const allLessons = files.filter((file) => /(^|\/)lessons\//.test(file));
 const headers = files.filter((file) => file.startsWith('reference'));
 /** @type {string[]} */
 const complaints = [];
@@ -150,6 +152,28 @@ if (lessons.length > 0) {
   });
 }
 
+await check('book: a lesson speaks its language, in what its scripts say too, and leads to the other ones', async (page) => {
+  for (const name of allLessons.filter((file) => !lessons.includes(file) && file.includes('1-'))) {
+    await page.goto(`${address}book/${name}`);
+    const code = name.split('/')[0];
+    assert.match(await page.$eval('#playground', (node) => /** @type {HTMLIFrameElement} */ (node).src), new RegExp(`[?&]lang=${code}&`));
+    await page.click('.goal button');
+    await page.waitForFunction(() => document.querySelector('.goal .state')?.textContent, PATIENCE);
+    await page.click('#hand-in-make');
+    await page.waitForFunction(() => document.querySelector('#hand-in .state')?.textContent, PATIENCE);
+    const said = await page.$$eval('.goal .state, #hand-in .state, .wait', (nodes) => nodes.map((node) => node.textContent ?? ''));
+    assert.equal(said.length, 3);
+    for (const words of said) assert.doesNotMatch(words, /watches|missing|First|^$/);
+    assert.match(await page.$eval('#hand-in-link', (node) => /** @type {HTMLTextAreaElement} */ (node).value), new RegExp(`/book/${code}/wall\\.html#H1`));
+    await Promise.all([page.waitForNavigation(PATIENCE), page.click('.languages a[lang=en]')]);
+    assert.equal(page.url(), `${address}book/${name.slice(3)}`);
+    await waitForText(page, '.languages', 'Deutsch');
+    await page.goto(`${address}book/${code}/index.html`);
+    await page.waitForSelector('#progress:not([hidden])', PATIENCE).catch(() => {});
+    assert.doesNotMatch(await page.$eval('.lessons .reached', (node) => node.textContent ?? ''), /goal/i);
+  }
+});
+
 await check('book: the search is found in by keys', async (page) => {
   await page.goto(`${address}book/physics.html`);
   await page.type('.finder input', 'timer senses');
@@ -171,7 +195,7 @@ await check('book: the theme is the one that was chosen in the playground', asyn
 
 await mkdir(PICTURES, { recursive: true });
 await check('book: a printed lesson is a worksheet of at most two pages, without answers', async (page) => {
-  for (const name of lessons) {
+  for (const name of allLessons) {
     await page.goto(`${address}book/${name}`);
     for (const format of /** @type {const} */ (['A4', 'Letter'])) {
       const pages = Buffer.from(await page.pdf({ format })).toString('latin1').match(/\/Type\s*\/Page\b/g)?.length ?? 0;

@@ -7,7 +7,7 @@ import { ROOT } from './browsers.mjs';
 /** @typedef {import('./page_driver.mjs').PageDriver} PageDriver */
 
 // Names are the same in every language. Names of documents and figures are read from examples/.
-const NAMES = ['Gaitsmith', 'English', 'Deutsch', 'RG&T', 'SPHC', 'GGA', 'SSGA', 'SHC', 'MPGA', 'Nelder–Mead', 'Powell', 'CMA-ES', 'MAP-Elites'];
+const NAMES = ['Gaitsmith', 'English', 'Deutsch', 'Español', 'RG&T', 'SPHC', 'GGA', 'SSGA', 'SHC', 'MPGA', 'Nelder–Mead', 'Powell', 'CMA-ES', 'MAP-Elites'];
 const UNITS = ['N s', 'rad/s²', 'rad/s', 'rad', 'm/s', 'kg', 'ms', 'min', 'MB', 'm', 's', 'h', 'N'];
 // Single letters are keys, letters of poses, or quantities. F1 is a key.
 const SIGNS = /(?<![\p{L}\d])(\p{L}|F\d+)(?![\p{L}\d])/gu;

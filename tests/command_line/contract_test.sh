@@ -153,6 +153,19 @@ refuses 'no other option' "$gaitsmith" goals --summary goals.csv --seeds 2
 sed 's/acrobat\.far\.2/acrobat-far/g' goals.csv >odd.csv
 refuses 'must be FIGURE.GOAL.STRENGTH' "$gaitsmith" goals --summary odd.csv
 
+# MAP-Elites keeps the best motion of every style, each as a document.
+styles() { "$gaitsmith" synthesize --task travel --search "$1" --evaluations 600 --seed 9 --out kept.json --styles kept; }
+styles map-elites || fault "synthesize --styles"
+same "$(head -1 kept/styles.csv)" "height_bin,slip_bin,turns_bin,fitness,max_cm_height,slip_sum,rotations,file" "columns of styles"
+[ "$(wc -l <kept/styles.csv)" -gt 3 ] || fault "too few styles"
+while IFS=, read -r _ _ _ fitness height _ _ file; do
+  same "$("$gaitsmith" measure "kept/$file" | tail -1 | cut -d, -f2)" "$height" "height of $file"
+  same "$("$gaitsmith" validate "kept/$file" >/dev/null && echo valid)" valid "$file"
+  echo "$fitness"
+done < <(tail -n +2 kept/styles.csv) >kept/fitness
+same "$(sort -g kept/fitness | tail -1)" "$("$gaitsmith" measure kept.json | awk -F, 'NR == 1 { while ($++i != "fitness"); } END { print $i }')" "the best style"
+refuses 'goes with --search map-elites' styles sphc
+
 # A search can start from an earlier result, and the new document records this.
 "$gaitsmith" synthesize --from one.json --search powell --evaluations 50 --search-option refine.step=0.05 --out refined.json \
   --curve refined.csv || fault "synthesize --from"

@@ -6,6 +6,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { counted, points, pupils, quizCsv } from '../../web/classroom/quiz_results.js';
 import { QUESTIONS, SET } from '../../web/classroom/questions.js';
+import { readLanguages } from '../../web/book/languages/words.mjs';
 import { decodeWork, emptyWork, encodeWork, isWorkFile, readWorkFile, workFile } from '../../web/share/work.js';
 
 const DOCS = join(import.meta.dirname, '../../docs');
@@ -17,14 +18,17 @@ const random = (seed) => () => {
   return seed / 2 ** 32;
 };
 
-test('quiz: eight questions with four different answers, whose right ones are not always in the same place', () => {
+test('quiz: eight questions with four different answers, whose right ones are not always in the same place', async () => {
   assert.equal(QUESTIONS.length, 8);
-  for (const { question, answers, right, why } of QUESTIONS) {
-    assert.ok(/[?]$/.test(question) && /[.]$/.test(why) && new Set(answers).size === 4 && answers[right], question);
-    assert.ok(answers.every((words) => words.length < 2.6 * Math.min(...answers.map(({ length }) => length)) + 30), `lengths give it away: ${question}`);
+  for (const { code, tr } of await readLanguages(join(DOCS, '..'))) {
+    const asked = QUESTIONS.map(({ question, answers, right, why }) => ({ question: tr(question), answers: answers.map((words) => tr(words)), right, why: tr(why) }));
+    for (const { question, answers, right, why } of asked) {
+      assert.ok(/[?]$/.test(question) && /[.]$/.test(why) && new Set(answers).size === 4 && answers[right], question);
+      assert.ok(answers.every((words) => words.length < 2.6 * Math.min(...answers.map(({ length }) => length)) + 30), `lengths give it away: ${question}`);
+    }
+    const longest = asked.filter(({ answers, right }) => answers.every(({ length }) => length <= answers[right].length)).length;
+    assert.ok(longest <= 4, `the longest answer is right ${longest} times (${code})`);
   }
-  const longest = QUESTIONS.filter(({ answers, right }) => answers.every(({ length }) => length <= answers[right].length)).length;
-  assert.ok(longest <= 4, `the longest answer is right ${longest} times`);
   for (let place = 0; place < 4; place++) assert.equal(QUESTIONS.filter(({ right }) => right === place).length, 2, `place ${place}`);
 });
 

@@ -16,6 +16,7 @@ import { frontMatter } from '../../web/book/front_matter.mjs';
 import { firstSentence, HeadingNames } from '../../web/book/headings.mjs';
 import { Links } from '../../web/book/links.mjs';
 import { Markdown } from '../../web/book/markdown.mjs';
+import { readLanguages } from '../../web/book/languages/words.mjs';
 import { readPages } from '../../web/book/pages.mjs';
 import { firstComment, notes, forDoxygen } from '../../web/book/reference/comments.mjs';
 
@@ -164,7 +165,8 @@ if (!SITE) {
   const hasId = (file, id) => (pages.get(file)?.root ?? parse(readFileSync(file, 'utf8'))).getElementById(id) !== null;
 
   test('book: every file of docs is a page', async () => {
-    for (const folder of ['docs', 'docs/lessons']) {
+    const languages = (await readLanguages(ROOT)).map(({ folder }) => folder);
+    for (const folder of languages.flatMap((each) => [join('docs', each), join('docs', each, 'lessons')]).filter((each) => existsSync(join(ROOT, each)))) {
       for (const file of (await readdir(join(ROOT, folder))).filter((name) => name.endsWith('.md'))) {
         assert.ok(pages.has(join(book, relative(join(ROOT, 'docs'), join(ROOT, folder, file.replace(/md$/, 'html'))))), file);
       }
@@ -172,20 +174,24 @@ if (!SITE) {
   });
 
   test('book: the answers of the lessons are reached only from the page for teachers, and the search does not find them', async () => {
-    const answers = join(book, 'lesson-answers.html');
-    const from = [...pages].filter(([file, { root }]) => file !== answers && root.querySelectorAll('[href*="lesson-answers"]').length > 0).map(([file]) => relative(book, file));
-    assert.deepEqual(from, ['teachers.html']);
-    assert.equal(pages.get(join(book, 'teachers.html'))?.root.querySelectorAll('header [href*="lesson-answers"]').length, 0);
-    assert.doesNotMatch(await readFile(join(book, 'search.json'), 'utf8'), /lesson-answers/);
-    const words = (/** @type {string} */ file) => pages.get(join(book, file))?.root.querySelector('main').text ?? '';
     const lessons = (await readdir(join(ROOT, 'docs/lessons'))).length;
-    assert.equal(pages.get(answers)?.root.querySelectorAll('ol > li').length, lessons, 'an answer to each Explain');
+    const languages = (await readLanguages(ROOT)).filter(({ folder }) => pages.has(join(book, folder, 'lesson-answers.html')));
+    const answerPages = languages.map(({ folder }) => `${folder}lesson-answers.html`);
+    const from = [...pages].filter(([file, { root }]) => !answerPages.includes(relative(book, file)) && root.querySelectorAll('[href*="lesson-answers"]').length > 0).map(([file]) => relative(book, file));
+    assert.deepEqual(from.sort(), languages.map(({ folder }) => `${folder}teachers.html`).sort());
+    const words = (/** @type {string} */ file) => pages.get(join(book, file))?.root.querySelector('main').text ?? '';
+    for (const { folder } of languages) {
+      assert.equal(pages.get(join(book, folder, 'teachers.html'))?.root.querySelectorAll('header [href*="lesson-answers"]').length, 0);
+      assert.doesNotMatch(await readFile(join(book, folder, 'search.json'), 'utf8'), /lesson-answers/);
+      assert.equal(pages.get(join(book, folder, 'lesson-answers.html'))?.root.querySelectorAll('ol > li').length, lessons, 'an answer to each Explain');
+    }
     // The right answer to every question of a lesson.
     for (const [file, { root }] of pages) {
+      const folder = relative(book, file).replace(/lessons\/.*$/, '');
       for (const quiz of root.querySelectorAll('.quiz')) {
         const right = quiz.querySelector(`label[for=${quiz.querySelector('[data-right]').id}]`).text;
-        assert.ok(words('lesson-answers.html').includes(right), `${relative(book, file)}: ${right}`);
-        assert.ok(!words('teachers.html').includes(right), `teachers.html: ${right}`);
+        assert.ok(words(`${folder}lesson-answers.html`).includes(right), `${relative(book, file)}: ${right}`);
+        assert.ok(!words(`${folder}teachers.html`).includes(right), `${folder}teachers.html: ${right}`);
       }
     }
   });

@@ -7,6 +7,8 @@ import { join } from 'node:path';
 import { before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { fixed } from '../../web/languages/language.js';
+import { canvasTexts, filesIn } from '../../web/languages/tables.mjs';
+import { bookTexts, textsPassedTo } from '../../web/languages/texts.mjs';
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 const TABLES = join(ROOT, 'shell/words/languages');
@@ -27,48 +29,7 @@ let ofPage;
 let ofMarkup;
 
 /** @param {string} folder  in the repository @param {RegExp} names @returns {Promise<string[]>} the files' texts */
-async function texts(folder, names) {
-  const files = await readdir(join(ROOT, folder), { recursive: true });
-  const chosen = files.filter((file) => names.test(file) && !file.includes('node_modules')).sort();
-  return Promise.all(chosen.map((file) => readFile(join(ROOT, folder, file), 'utf8')));
-}
-
-const ESCAPES = /** @type {Record<string, string>} */ ({ n: '\n', t: '\t' });
-/** @param {string} quoted  with its quotes */
-const unquoted = (quoted) => quoted.slice(1, -1).replace(/\\u([0-9a-fA-F]{4})|\\(.)/gs,
-  (_, code, letter) => (code ? String.fromCharCode(parseInt(code, 16)) : ESCAPES[letter] ?? letter));
-
-/** A comment, a literal, or one other character. @param {string} source @param {string} quotes */
-function tokens(source, quotes) {
-  const literals = [...quotes].map((quote) => `${quote}(?:\\\\.|[^${quote}\\\\])*${quote}`);
-  const token = new RegExp(`//[^\\n]*|/\\*.*?\\*/|${literals.join('|')}|[A-Za-z_0-9]+|.`, 'gs');
-  return (source.match(token) ?? []).filter((text) => !/^(\/\/|\/\*)/.test(text));
-}
-
-/**
- * All literals in the first arguments of these functions. Adjacent literals are joined.
- * @param {string} source @param {string[]} functions @param {string} quotes  characters that start a literal
- */
-function literals(source, functions, quotes) {
-  const found = [];
-  const all = tokens(source, quotes);
-  for (let i = 0; i + 1 < all.length; i++) {
-    if (!functions.includes(all[i] ?? '') || all[i + 1] !== '(') continue;
-    let text = null;
-    for (let k = i + 2, depth = 1; depth > 0 && k < all.length; k++) {
-      const token = all[k] ?? '';
-      const literal = token.length > 1 && quotes.includes(token.charAt(0));
-      if (literal) text = (text ?? '') + unquoted(token);
-      if (literal || /^\s$/.test(token)) continue;
-      if (text !== null) found.push(text);
-      text = null;
-      if ('([{'.includes(token)) depth++;
-      if (')]}'.includes(token)) depth--;
-      if (token === ',' && depth === 1) break;
-    }
-  }
-  return found;
-}
+const texts = (folder, names) => filesIn(ROOT, folder, names);
 
 /** @param {string} html */
 function markup(html) {
@@ -88,19 +49,17 @@ before(async () => {
     assert.ok(parts.flat().length > 300, `${file} is not written as it is read here`);
     for (const names of parts) assert.deepEqual(names.filter((name, i) => names.indexOf(name) !== i), [], `${file} has texts twice`);
   }
-  const shell = await texts('shell', /\.(h|cpp)$/);
-  ofShell = new Set(shell.flatMap((text) => literals(text, ['Tr', 'TrLater', 'PageText'], '"')));
-  const page = await texts('web', /^(?!book\/|package\/).*\.js$/);
-  ofPage = new Set(page.flatMap((text) => literals(text, ['tr', 'trLater'], '\'"`')));
+  ({ shell: ofShell, page: ofPage } = await canvasTexts(ROOT));
   ofMarkup = new Set((await texts('web', /^(index|breed\/breed|dialogs\/dialogs)\.html$/)).flatMap(markup));
 });
 
 test('language: literals are found in all the ways they are written', () => {
   const source = `Tr("one"), TrLater("two " // Tr("no")
     "parts"); Tr(a ? "three" : b(c, "within") ? "four" : "five {1}", "insert"); Str("no"); Tr(name); Tr("a \\"b\\"")`;
-  assert.deepEqual(literals(source, ['Tr', 'TrLater'], '"'),
+  assert.deepEqual(textsPassedTo(source, ['Tr', 'TrLater'], '"'),
     ['one', 'two parts', 'three', 'within', 'four', 'five {1}', 'a "b"']);
-  assert.deepEqual(literals('tr(\'it is\', x) + tr(`so`) + xtr(\'no\') + x.tr(\'yes\')', ['tr'], '\'"`'), ['it is', 'so', 'yes']);
+  assert.deepEqual(textsPassedTo('tr(\'it is\', x) + tr(`so`) + xtr(\'no\') + x.tr(\'yes\')', ['tr'], '\'"`'), ['it is', 'so', 'yes']);
+  assert.deepEqual(bookTexts('const a = `<p>${tr(\'it\\\'s\')} ${up ? `${tr(\'two {1}\', 2)}` : trLater(\'three\')}`; str(\'no\'); x.tr(\'yes\')'), ['it\'s', 'two {1}', 'three', 'yes']);
   assert.deepEqual(markup('<p title="A &amp; B">  some\n text <!-- <b>no</b> --></p>'), ['A & B', 'some text']);
 });
 
@@ -112,8 +71,8 @@ test('language: every text of the canvas and of the page has its translation', (
   }
 });
 
-test('language: every motion of the gallery has a translated title', async () => {
-  for (const document of await texts('examples/gallery', /\.json$/)) {
+test('language: every motion of the gallery and of the lessons has a translated title', async () => {
+  for (const document of [...await texts('examples/gallery', /\.json$/), ...await texts('examples/lessons', /\.json$/)]) {
     const { title } = JSON.parse(document);
     for (const [file, { titles }] of tables) assert.ok(titles[title], `${file}: ${title}`);
   }

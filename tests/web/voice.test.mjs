@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The voice of the page: no text of the tables of shell/words/languages and shell/words/hints has one of these habits, in English or in
-// German. Each habit names its reason, with a text that had it.
+// The voice of the page: no text of the tables of shell/words/languages and shell/words/hints has one of these habits, in English, German
+// or Spanish. Neither have the translated words of the book. Each habit names its reason, with a text that had it.
 import assert from 'node:assert/strict';
 import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -9,6 +9,7 @@ import { fileURLToPath } from 'node:url';
 
 const TABLES = fileURLToPath(new URL('../../shell/words/languages/', import.meta.url));
 const HINTS = fileURLToPath(new URL('../../shell/words/hints/', import.meta.url));
+const BOOK = fileURLToPath(new URL('../../web/book/words/', import.meta.url));
 
 /** @typedef {{habit: RegExp, reason: string, example: string, allowed?: string[]}} Habit */
 
@@ -54,6 +55,18 @@ const GERMAN = [
   { habit: /\b(the|and|with|this|undo|redo|press|click|rule|rules)\b/i, reason: 'nothing is left in English', example: 'Rule 1' },
 ];
 
+/** @type {Habit[]} */
+const SPANISH = [
+  { habit: /(?<!\p{L})(tú|te|ti|tu|tus|puedes|quieres|haz|pulsa|usted|ustedes|vosotros|vuestr[oa]s?)(?!\p{L})/iu, reason: 'the reader is addressed by the infinitive', example: 'Aquí puedes elegir' },
+  { habit: /por favor/i, reason: 'the infinitive needs no courtesy', example: 'solo uno, por favor' },
+  { habit: /línea temporal|cronograma/i, reason: 'the timeline is the línea de tiempo', example: 'la línea temporal' },
+  { habit: /trabajador/i, reason: 'a worker is a worker', example: 'dos trabajadores' },
+  { habit: /[“”„]/, reason: 'quotation marks are « »', example: 'el “clip”' },
+  { habit: /(^|[^¿])\b(Qué|Cuál|Cómo)\b[^.]*\?/, reason: 'a question begins with ¿', example: 'Cuál gusta más?' },
+  { habit: /\b(the|and|with|this|undo|redo|press|click|rules?)\b/i, reason: 'nothing is left in English', example: 'Rule 1' },
+];
+const LANGUAGES = { 'de.json': GERMAN, 'es.json': SPANISH };
+
 /** @type {Map<string, [string, string][]>} pairs of an English text and its translation, by file */
 const tables = new Map();
 
@@ -73,14 +86,14 @@ const faults = (habits, texts) =>
   habits.flatMap((habit) => texts.filter((text) => has(habit, text)).map((text) => `${habit.reason}: “${text}”`));
 
 test('voice: each habit is found', () => {
-  for (const habit of [...EVERYWHERE, ...ENGLISH, ...GERMAN])
+  for (const habit of [...EVERYWHERE, ...ENGLISH, ...GERMAN, ...SPANISH])
     assert.deepEqual(faults([habit], [habit.example]), [`${habit.reason}: “${habit.example}”`]);
 });
 
 test('voice: what is allowed is a text of the tables', () => {
   for (const [file, pairs] of tables) {
     const texts = pairs.flat();
-    const unused = [...ENGLISH, ...(file === 'de.json' ? GERMAN : [])].flatMap(({ allowed = [] }) => allowed).filter((text) => !texts.includes(text));
+    const unused = [...ENGLISH, ...LANGUAGES[/** @type {keyof typeof LANGUAGES} */ (file)] ?? []].flatMap(({ allowed = [] }) => allowed).filter((text) => !texts.includes(text));
     assert.deepEqual(unused, [], file);
   }
 });
@@ -91,7 +104,10 @@ test('voice: the English texts have no habit', () => {
   assert.deepEqual(faults([...EVERYWHERE, ...ENGLISH], [...texts]), []);
 });
 
-test('voice: the German texts have no habit', () => {
-  const texts = (tables.get('de.json') ?? []).map(([, german]) => german);
-  assert.deepEqual(faults([...EVERYWHERE, ...GERMAN], texts), []);
+test('voice: the German and Spanish texts have no habit', async () => {
+  for (const [file, habits] of Object.entries(LANGUAGES)) {
+    const texts = (tables.get(file) ?? []).map(([, translated]) => translated);
+    const book = Object.values(JSON.parse(await readFile(join(BOOK, file), 'utf8')));
+    assert.deepEqual(faults([...EVERYWHERE, ...habits], [...texts, ...book]), [], file);
+  }
 });

@@ -8,6 +8,9 @@ import { SCENES } from '../explorable/scenes.js';
 /** @typedef {import('./pages.mjs').Page} Page */
 /** @typedef {(markdown: Markdown, page: Page, content: string, line: number) => Promise<string>} Block */
 
+/** The file that names what a block opens. @param {Page} page */
+const sourceOf = ({ original, source }) => original?.source ?? source;
+
 const CHOICE = /^\(([ x])\)\s+(.+?)\s*(?:\|\s*(.+))?$/;
 /** A slider: "0 to 40 by 1 m". */
 const RANGE = /^(-?[\d.]+) to (-?[\d.]+)(?: by ([\d.]+))?(?: (\S+))?$/;
@@ -22,12 +25,13 @@ async function goal(markdown, page, content, line) {
   if (fault) markdown.faults.add(page.source, line + 1, fault);
   if (words.length === 0) markdown.faults.add(page.source, line, 'a goal needs a line with its words');
   page.lesson?.goals.push(conditions.trim());
-  return `<section class="goal"${attributes({ 'data-goal': conditions.trim() })} aria-label="Goal">
+  const { tr } = page.language;
+  return `<section class="goal"${attributes({ 'data-goal': conditions.trim(), 'aria-label': tr('Goal') })}>
 ${TICK}
 <div>
 <p>${await markdown.inline(page, line, words.join('\n'))}</p>
 <p class="state" role="status"></p>
-<button type="button" class="bordered" hidden>Set this goal</button>
+<button type="button" class="bordered" hidden>${tr('Set this goal')}</button>
 </div>
 </section>
 `;
@@ -35,6 +39,7 @@ ${TICK}
 
 /** @type {Block} */
 async function quiz(markdown, page, content, line) {
+  const { tr } = page.language;
   const [question = '', ...lines] = content.trim().split('\n');
   const name = `quiz-${line}`;
   const choices = await Promise.all(lines.map(async (text, i) => {
@@ -49,9 +54,9 @@ async function quiz(markdown, page, content, line) {
 ${choices.map(({ words, right }, i) => `<p><input type="radio"${attributes({ name, id: `${name}-${i}`, value: String(i), 'data-right': right ? '' : undefined })}> <label for="${name}-${i}">${words}</label></p>`).join('\n')}
 <div class="feedback" role="status"></div>
 <details>
-<summary>Answers</summary>
+<summary>${tr('Answers')}</summary>
 <ol>
-${choices.map(({ words, right, why }) => `<li><span class="answer">${words}</span> <span class="why"><strong>${right ? 'Right.' : 'No.'}</strong> ${why}</span></li>`).join('\n')}
+${choices.map(({ words, right, why }) => `<li><span class="answer">${words}</span> <span class="why"><strong>${right ? tr('Right.') : tr('No.')}</strong> ${why}</span></li>`).join('\n')}
 </ol>
 </details>
 </fieldset>
@@ -96,7 +101,7 @@ async function action(markdown, page, content, line) {
   if (!Array.isArray(args)) markdown.faults.add(page.source, line + 1, '"args" is a list');
   if (typeof label !== 'string' || label === '') markdown.faults.add(page.source, line + 1, '"label" says what stands on the button');
   const resolvedArgs = call === 'open' && /\.json$/.test(String(args[0]))
-    ? [(await markdown.links.resolve(page, line + 1, args[0])).opens?.payload] : args;
+    ? [(await markdown.links.resolve(page, line + 1, args[0], sourceOf(page))).opens?.payload] : args;
   return `<p class="do"><button type="button" class="primary"${attributes({ 'data-call': call, 'data-args': JSON.stringify(resolvedArgs) })} disabled>${escaped(String(label))}</button> <span class="state" role="status"></span></p>
 `;
 }
@@ -113,12 +118,12 @@ async function stage(markdown, page, content, line) {
   const { kind = '', open = '', label = '', ...options } = given;
   if (!Object.hasOwn(SCENES, kind)) markdown.faults.add(page.source, line + 1, `"kind" is one of ${Object.keys(SCENES).join(', ')}`);
   if (label === '') markdown.faults.add(page.source, line + 1, '"label" says what is seen, for who cannot see it');
-  const { href, opens } = await markdown.links.resolve(page, line + 1, open);
+  const { href, opens } = await markdown.links.resolve(page, line + 1, open, sourceOf(page));
   if (!opens) markdown.faults.add(page.source, line + 1, '"open" names a document of examples');
   return `<figure class="stage"${attributes({ 'data-kind': kind, 'data-open': opens?.payload, 'data-options': JSON.stringify(options) })}>
 <canvas role="img"${attributes({ 'aria-label': label })}></canvas>
 <div class="controls"></div>
-<figcaption><span class="said" role="status"></span> <a${attributes({ href })}>Open in the playground</a></figcaption>
+<figcaption><span class="said" role="status"></span> <a${attributes({ href })}>${page.language.tr('Open in the playground')}</a></figcaption>
 </figure>
 `;
 }

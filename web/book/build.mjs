@@ -16,6 +16,8 @@ import { cutFaces } from './faces.mjs';
 import { Faults } from './faults.mjs';
 import { indexPage } from './index_page.mjs';
 import { lessonPage } from './lesson_page.mjs';
+import { liveTexts, liveWords, liveWordsOf } from './languages/live_words.mjs';
+import { ENGLISH, readLanguages } from './languages/words.mjs';
 import { Links } from './links.mjs';
 import { Markdown } from './markdown.mjs';
 import { missingPage } from './missing_page.mjs';
@@ -34,6 +36,7 @@ import { wallPage } from './wall_page.mjs';
 import { lessonFacts } from './lesson_facts.mjs';
 import { tokens } from './tokens.mjs';
 
+/** @typedef {import('./languages/words.mjs').Language} Language */
 /** @typedef {import('./lesson_page.mjs').LessonPage} LessonPage */
 /** @typedef {import('./markdown.mjs').Rendered} Rendered */
 /** @typedef {import('./pages.mjs').Page} Page */
@@ -64,7 +67,8 @@ async function playgroundOf(site) {
 /** Renders all pages. Throws if a page has an error. @param {string} site */
 async function read(site) {
   const faults = new Faults();
-  const pages = await readPages(ROOT, faults);
+  const languages = await readLanguages(ROOT);
+  const pages = await readPages(ROOT, faults, languages);
   const reference = await readReference(ROOT, pages);
   if (!reference) console.log('book: without the API reference, for Doxygen is not installed');
   const links = new Links((file) => existsSync(join(ROOT, file)), pages, await playgroundOf(site), faults, reference?.addresses);
@@ -73,50 +77,70 @@ async function read(site) {
   const rendered = new Map();
   for (const page of pages) rendered.set(page, await markdown.render(page));
   links.checkAnchors((page) => rendered.get(page)?.headings.map(({ id }) => id) ?? []);
-  const sheets = await compose(pages, rendered, links, reference);
+  const sheets = await compose(languages, pages, rendered, links, reference);
   faults.orThrow();
-  const facts = lessonFacts(pages.filter(isLesson), links.playground);
-  return { sheets, rendered, links, reference, facts };
+  const facts = languages.map((language) => ({ language, lessons: lessonFacts(lessonsIn(language, pages), links.playground) }));
+  return { sheets, rendered, links, reference, languages, facts };
 }
 
-/** @param {Page[]} pages @param {Map<Page, Rendered>} rendered @param {Links} links @param {Reference | undefined} reference @returns {Promise<Sheet[]>} */
-async function compose(pages, rendered, links, reference) {
-  const of = (/** @type {Page} */ page) => /** @type {Rendered} */ (rendered.get(page));
-  const groups = grouped(pages);
-  const lessons = pages.filter(isLesson);
-  const entries = groups.map((group) => ({ ...group, pages: /** @type {import('./index_page.mjs').Entry[]} */ (group.pages.filter(({ name }) => !UNLISTED.has(name)).map((page) => ({ ...page, title: of(page).title, sentence: of(page).sentence, strip: of(page).strip, goals: goalsOf(page) }))) }));
-  if (reference) entries.find(({ id }) => id === 'for-engineers')?.pages.splice(1, 0, { ...REFERENCE, name: 'reference' });
-  const sheets = [indexPage(entries), missingPage(), wallPage(), packagesPage(lessons), newLessonPage(links.playground.tables), quizPage(), ...reference?.sheets ?? []];
-  for (const { title, pages: groupPages } of groups) {
-    for (const page of groupPages) sheets.push(page.lesson ? await lessonPage(/** @type {LessonPage} */ (page), of(page), lessons, links) : textPage(page, of(page), title));
+/** @param {Language[]} languages @param {Page[]} pages @param {Map<Page, Rendered>} rendered @param {Links} links @param {Reference | undefined} reference @returns {Promise<Sheet[]>} */
+async function compose(languages, pages, rendered, links, reference) {
+  const sheets = [missingPage(), ...reference?.sheets ?? []];
+  for (const language of languages) {
+    const own = pages.filter((page) => page.language === language);
+    const lessons = lessonsIn(language, pages);
+    const entries = grouped([...lessons, ...own.filter((page) => !isLesson(page))])
+      .map((group) => ({ ...group, pages: group.pages.filter(({ name }) => !UNLISTED.has(name)).map((page) => entryOf(page, of(rendered, page))) }));
+    if (reference && language === ENGLISH) entries.find(({ id }) => id === 'for-engineers')?.pages.splice(1, 0, { ...REFERENCE, name: 'reference' });
+    sheets.push(indexPage(entries, language), wallPage(language), packagesPage(lessons, language), quizPage(language), newLessonPage(links.playground.tables, language));
+    for (const { title, pages: groupPages } of grouped(own)) {
+      for (const page of groupPages) sheets.push(isLesson(page) ? await lessonPage(page, of(rendered, page), lessons, links) : textPage(page, of(rendered, page), title));
+    }
   }
   return sheets;
 }
 
-/** The conditions of a lesson's goals, as the reader's progress has them. @param {Page} page */
-const goalsOf = ({ body }) => [...body.matchAll(/^```goal\n(.+)$/gm)].map(([, conditions]) => conditions.trim());
+/** @param {Map<Page, Rendered>} rendered @param {Page} page */
+const of = (rendered, page) => /** @type {Rendered} */ (rendered.get(page));
+
+/** @param {Page} page @param {Rendered} rendered @returns {import('./index_page.mjs').Entry} */
+const entryOf = (page, { title, sentence, strip }) => ({ ...page, title, sentence, strip, goals: page.lesson?.goals });
+
+/** All lessons, in this language if there is a translation, else in English. @param {Language} language @param {Page[]} pages */
+const lessonsIn = (language, pages) => pages.filter(isLesson).filter(({ original }) => !original)
+  .map((lesson) => pages.filter(isLesson).find((page) => page.original === lesson && page.language === language) ?? lesson);
 
 /** The links in a page's header. @param {Sheet} sheet @param {Sheet[]} sheets @returns {import('./template.mjs').HeaderLink[]} */
-function headerLinks({ address, kind }, sheets) {
+function headerLinks({ address, kind, language = ENGLISH }, sheets) {
+  const { code, folder, tr } = language;
   const has = (/** @type {string} */ one) => sheets.some((sheet) => sheet.address === one);
   const here = (/** @type {string} */ one) => (address === one ? /** @type {const} */ ('page') : undefined);
+  const english = folder && 'en';
+  const teachers = [`${folder}teachers.html`, 'teachers.html'].find(has);
   return [
-    { name: 'Playground', address: '../' },
-    ...(sheets.some((sheet) => sheet.kind === 'lesson') ? [{ name: 'Lessons', address: `index.html#${LESSONS.id}`, current: kind === 'lesson' ? /** @type {const} */ ('true') : undefined }] : []),
-    ...(has('gallery.html') ? [{ name: 'Gallery', address: 'gallery.html', current: here('gallery.html') }] : []),
-    { name: 'Teachers', ...(has('teachers.html') ? { address: 'teachers.html', current: here('teachers.html') } : { address: 'index.html#for-teachers' }) },
-    ...(has(REFERENCE.address) ? [{ name: 'API', address: REFERENCE.address, current: here(REFERENCE.address) ?? (kind.includes('reference') ? /** @type {const} */ ('true') : undefined) }] : []),
-    { name: 'Docs', address: 'index.html', current: here('index.html') },
+    { name: tr('Playground'), address: folder ? `../?lang=${code}` : '../' },
+    ...(sheets.some((sheet) => sheet.kind === 'lesson') ? [{ name: tr('Lessons'), address: `${folder}index.html#${LESSONS.id}`, current: kind === 'lesson' ? /** @type {const} */ ('true') : undefined }] : []),
+    ...(has('gallery.html') ? [{ name: tr('Gallery'), address: 'gallery.html', current: here('gallery.html'), language: english || undefined }] : []),
+    { name: tr('Teachers'), ...(teachers ? { address: teachers, current: here(teachers) } : { address: `${folder}index.html#for-teachers` }) },
+    ...(has(REFERENCE.address) && !folder ? [{ name: 'API', address: REFERENCE.address, current: here(REFERENCE.address) ?? (kind.includes('reference') ? /** @type {const} */ ('true') : undefined) }] : []),
+    { name: tr('Docs'), address: `${folder}index.html`, current: here(`${folder}index.html`) },
   ];
+}
+
+/** The same page in all its languages. @param {Sheet} sheet @param {Sheet[]} sheets @returns {import('./languages/switch.mjs').Version[]} */
+function versionsOf({ address, language = ENGLISH }, sheets) {
+  const name = address.slice(language.folder.length);
+  return sheets.filter(({ address: other, language: { folder } = ENGLISH }) => other === folder + name).map(({ address: other, language: its = ENGLISH }) => ({ address: other, language: its }))
+    .sort((one, two) => Number(two.language === ENGLISH) - Number(one.language === ENGLISH));
 }
 
 /** @param {string} site */
 async function build(site) {
   const book = join(site, 'book');
-  const { sheets, rendered, links, reference, facts } = await read(site);
+  const { sheets, rendered, links, reference, languages, facts } = await read(site);
   await rm(book, { recursive: true, force: true });
   const texts = await Promise.all(sheets.map(async (sheet) => {
-    const html = htmlPage(sheet, headerLinks(sheet, sheets));
+    const html = htmlPage(sheet, headerLinks(sheet, sheets), versionsOf(sheet, sheets));
     await put(join(book, sheet.address), html);
     return html;
   }));
@@ -124,8 +148,13 @@ async function build(site) {
   const { code, licences } = await bundled(join(HERE, 'teaching/new_lesson.js'));
   await put(join(book, 'new_lesson.js'), code);
   await put(join(book, 'new_lesson.LICENSE.txt'), licences);
-  await put(join(book, 'lessons.json'), JSON.stringify(facts));
-  await put(join(book, 'search.json'), searchIndex([...[...rendered].filter(([{ name }]) => !UNLISTED.has(name)).map(([{ address }, { title, sections }]) => ({ address, title, sections })), ...reference?.searched ?? []]));
+  for (const { language, lessons } of facts) await put(join(book, language.folder, 'lessons.json'), JSON.stringify(lessons));
+  for (const language of languages) {
+    const own = [...rendered].filter(([page]) => page.language === language && !UNLISTED.has(page.name)).map(([{ address }, { title, sections }]) => ({ address: address.slice(language.folder.length), title, sections }));
+    await put(join(book, language.folder, 'search.json'), searchIndex([...own, ...language === ENGLISH ? reference?.searched ?? [] : []]));
+  }
+  const live = await liveTexts(join(HERE, '..'));
+  for (const language of languages.filter((each) => each !== ENGLISH)) await put(join(book, liveWordsOf(language)), liveWords(language, live));
   for (const [name, { many, few, manyByNight, fewByNight }] of links.strips) {
     await put(join(book, `strips/${name}.svg`), many.svg);
     await put(join(book, `strips/${name}-few.svg`), few.svg);
@@ -141,7 +170,7 @@ async function build(site) {
   const minisearch = join(dirname(createRequire(import.meta.url).resolve('minisearch')), '../..');
   await copyFile(join(minisearch, 'dist/es/index.js'), join(book, 'minisearch.js'));
   await copyFile(join(minisearch, 'LICENSE.txt'), join(book, 'minisearch.LICENSE.txt'));
-  await cutFaces(join(book, 'faces'), texts.join(''));
+  await cutFaces(join(book, 'faces'), texts.join('') + JSON.stringify(languages.map(({ words }) => words)));
   console.log(`book: ${sheets.length} pages, ${links.strips.size} film strips`);
 }
 

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
 // The groups of the book's pages. Lessons come first.
+import { trLater } from '../languages/language.js';
 
 /** Names of files in docs/. Files without a group are in the last one. @type {{title: string, id: string, names: string[]}[]} */
 const GROUPS = [
-  { title: 'Begin here', id: 'begin-here', names: ['how-things-learn-to-move'] },
-  { title: 'Gallery', id: 'gallery', names: ['gallery', 'pictures'] },
-  { title: 'For teachers', id: 'for-teachers', names: ['teachers', 'writing-lessons', 'does-it-teach', 'lesson-answers'] },
-  { title: 'The playground', id: 'the-playground', names: ['animation', 'style', 'accessibility'] },
-  { title: 'The engine', id: 'the-engine', names: ['physics', 'search', 'determinism', 'reliability', 'performance', 'related-work'] },
-  { title: 'For engineers', id: 'for-engineers', names: ['engineers', 'embedding', 'command-line', 'formats', 'architecture', 'design'] },
+  { title: trLater('Begin here'), id: 'begin-here', names: ['how-things-learn-to-move'] },
+  { title: trLater('Gallery'), id: 'gallery', names: ['gallery', 'pictures'] },
+  { title: trLater('For teachers'), id: 'for-teachers', names: ['teachers', 'writing-lessons', 'does-it-teach', 'languages', 'lesson-answers'] },
+  { title: trLater('The playground'), id: 'the-playground', names: ['animation', 'style', 'accessibility'] },
+  { title: trLater('The engine'), id: 'the-engine', names: ['physics', 'search', 'determinism', 'reliability', 'performance', 'related-work'] },
+  { title: trLater('For engineers'), id: 'for-engineers', names: ['engineers', 'embedding', 'command-line', 'formats', 'architecture', 'design'] },
 ];
 
 /** Pages that only other pages lead to: not in the list of pages, nor in the search. @type {ReadonlySet<string>} */
 export const UNLISTED = new Set(['lesson-answers']);
 
-export const LESSONS = { title: 'Lessons', id: 'lessons' };
+export const LESSONS = { title: trLater('Lessons'), id: 'lessons' };
 
 /**
  * The groups that have pages, in order.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The search of the book. Its index is fetched on first use.
+import { tr } from '../languages/language.js';
 import MiniSearch from './minisearch.js';
 
 /** @typedef {{href: string, title: string, heading: string, text: string, terms: string[]}} Found */
@@ -68,11 +69,11 @@ async function find() {
     list.replaceChildren(...found.slice(0, MAX_RESULTS).map(item));
     list.hidden = found.length === 0;
     groups.hidden = words !== '';
-    count.textContent = words === '' ? '' : found.length === 0 ? 'Nothing has these words.'
-      : found.length > MAX_RESULTS ? `The best ${MAX_RESULTS} of ${found.length} places` : found.length === 1 ? 'One place' : `${found.length} places`;
+    count.textContent = words === '' ? '' : found.length === 0 ? tr('Nothing has these words.')
+      : found.length > MAX_RESULTS ? tr('The best {1} of {2} places', MAX_RESULTS, found.length) : found.length === 1 ? tr('One place') : tr('{1} places', found.length);
     history.replaceState(null, '', words === '' ? location.pathname + location.hash : `?q=${encodeURIComponent(words)}`);
   } catch {
-    count.textContent = 'The search could not be loaded.';
+    count.textContent = tr('The search could not be loaded.');
   }
 }
 

@@ -7,9 +7,11 @@ import { startLessonHandIn } from '../classroom/hand_in.js';
 import { holdNotice } from '../classroom/notice.js';
 import { startReport } from '../classroom/report.js';
 import { storeProgress, progressOf } from '../classroom/progress.js';
+import { tr, trLater, trSentence } from '../languages/language.js';
 import { startQuizzes } from './quiz.js';
 
-const GOAL_STATES = { '': '', set: 'The playground watches for it.', met: 'Reached.' };
+const GOAL_STATES = { '': '', set: trLater('The playground watches for it.'), met: trLater('Reached.') };
+trLater('the playground does not answer'); // player.js says so, and is copied by others: it has no languages
 
 const lesson = document.querySelector('main')?.dataset.lesson ?? '';
 const frame = /** @type {HTMLIFrameElement} */ (document.getElementById('playground'));
@@ -30,7 +32,7 @@ let panels = frame.dataset.panels ?? 'all';
 const small = matchMedia('(max-width: 56em)');
 
 /** The sentence for a failed call. @param {unknown} error */
-const sentence = (error) => `That did not work: ${error instanceof Error ? error.message : error}`;
+const sentence = (error) => tr('That did not work: {1}', trSentence(error instanceof Error ? error.message : String(error)));
 
 /** Marks the link whose document is open in the playground. @param {string | undefined} payload */
 function markOpen(payload) {
@@ -44,7 +46,7 @@ function markOpen(payload) {
 function showPlayground(shown) {
   document.body.classList.toggle('folded', !shown);
   fold.setAttribute('aria-expanded', String(shown));
-  fold.textContent = shown ? 'Hide the playground' : 'Show the playground';
+  fold.textContent = shown ? tr('Hide the playground') : tr('Show the playground');
 }
 
 /** @param {{panels?: string, lock?: string, goal?: string}} wanted  undefined values change nothing */
@@ -79,7 +81,8 @@ async function follow(link) {
 function showGoal(box, state) {
   const words = box.querySelector('.state');
   box.classList.toggle('met', state === 'met');
-  if (words && words.textContent !== GOAL_STATES[state]) words.textContent = GOAL_STATES[state];
+  const text = GOAL_STATES[state] && tr(GOAL_STATES[state]);
+  if (words && words.textContent !== text) words.textContent = text;
 }
 
 /** @param {HTMLElement} box @param {boolean} met */
@@ -111,12 +114,12 @@ async function runButton(button, state) {
   if (button.getAttribute('aria-disabled') === 'true') return;
   showPlayground(true);
   button.setAttribute('aria-disabled', 'true'); // not `disabled`, because a disabled button loses the focus
-  state.textContent = 'Working …';
+  state.textContent = tr('Working …');
   try {
     const [first, ...others] = JSON.parse(args);
     const answer = await (call === 'arrange' ? arrange(first) : player.call(call, first, ...others));
     if (call === 'open') markOpen(first);
-    state.textContent = call === 'run' && answer === false ? 'That is not possible now.' : 'Done.';
+    state.textContent = call === 'run' && answer === false ? tr('That is not possible now.') : tr('Done.');
   } catch (error) {
     state.textContent = sentence(error);
   }

@@ -2,6 +2,7 @@
 // Resolves the links and images of a page. Its Markdown names files of the repository, which have other addresses in
 // the book. Also runs in the page that previews a lesson, so it reads no files itself.
 import { stamp } from '../share/stamp.js';
+import { upFrom } from './html.mjs';
 import { playgroundAddress } from './playground.mjs';
 
 /** @typedef {import('./faults.mjs').Faults} Faults */
@@ -13,9 +14,10 @@ import { playgroundAddress } from './playground.mjs';
 /** @typedef {{source: string, line: number, page: Page, anchor: string}} Reference */
 
 /** Files of the repository that the site contains, and their addresses. @type {Record<string, string>} */
-const SHIPPED = {
-  'web/index.html': 'index.html', 'web/book/player.js': 'player.js', LICENSE: 'LICENSE', 'web/book/wall_page.mjs': 'book/wall.html',
-  'web/book/teaching/packages_page.mjs': 'book/packages.html', 'web/book/teaching/new_lesson_page.mjs': 'book/new-lesson.html', 'web/book/teaching/quiz_page.mjs': 'book/quiz.html',
+const SHIPPED = { 'web/index.html': 'index.html', 'web/book/player.js': 'player.js', LICENSE: 'LICENSE' };
+/** Pages of the book that are no text, in each language. @type {Record<string, string>} */
+const TOOLS = {
+  'web/book/wall_page.mjs': 'wall.html', 'web/book/teaching/packages_page.mjs': 'packages.html', 'web/book/teaching/new_lesson_page.mjs': 'new-lesson.html', 'web/book/teaching/quiz_page.mjs': 'quiz.html',
 };
 /** A link to this file with a motion behind the '#' opens that motion. */
 export const PLAYGROUND = 'web/index.html';
@@ -44,16 +46,16 @@ export class Links {
 
   /** The relative address, from a page, of an address in the book ('../': in the site). @param {Page} page @param {string} address */
   way(page, address) {
-    const up = page.address.includes('/') ? '../' : '';
-    return up + address;
+    return upFrom(page.address) + address;
   }
 
-  /** @param {Page} page @param {number} line @param {string} href @returns {Promise<Link>} */
-  async resolve(page, line, href) {
+  /** @param {Page} page @param {number} line @param {string} href @param {string} [source]  the file that names it @returns {Promise<Link>} */
+  async resolve(page, line, href, source = page.source) {
     if (/^(https?:|mailto:)/.test(href)) return { href };
     const [path, query = '', anchor] = /^([^?#]*)(?:\?([^#]*))?(?:#(.*))?$/.exec(href)?.slice(1) ?? [href];
-    const file = path ? this.file(page, path) : page.source;
-    const other = this.pages.get(file);
+    const file = path ? this.file(source, path) : page.source;
+    // What is not translated yet is shown in English.
+    const other = this.pages.get(file) ?? this.pages.get(file.replace(`docs/${page.language.folder}`, 'docs/'));
     if (other) {
       if (anchor !== undefined) this.references.push({ source: page.source, line, page: other, anchor });
       const at = anchor === undefined ? '' : `#${anchor}`;
@@ -61,6 +63,7 @@ export class Links {
     }
     if (file === PLAYGROUND && anchor) return this.#motion(page, line, 'this motion', () => this.playground.payloadOf(anchor), query);
     if (Object.hasOwn(SHIPPED, file)) return { href: this.way(page, `../${SHIPPED[file]}${query && `?${query}`}`) };
+    if (Object.hasOwn(TOOLS, file)) return { href: this.way(page, page.language.folder + TOOLS[file] + (query && `?${query}`)) };
     if (!this.has(file)) return this.#fault(page, line, `there is no file "${file}" to link to`);
     const reference = file.replace(/\/$/, '');
     if (this.reference?.has(reference)) return { href: this.way(page, this.reference.get(reference) ?? '') };
@@ -72,7 +75,7 @@ export class Links {
 
   /** The address of an image. The image is copied later. @param {Page} page @param {number} line @param {string} path */
   image(page, line, path) {
-    const file = this.file(page, path);
+    const file = this.file(page.source, path);
     if (!IMAGE.test(file) || !file.startsWith('docs/') || !this.has(file)) {
       return this.#fault(page, line, `"${file}" is no image in docs/`).href;
     }
@@ -83,7 +86,7 @@ export class Links {
 
   /** The film strips of a document, or of a motion in a link, and their file name. @param {Page} page @param {string} path */
   async strip(page, path) {
-    const file = this.file(page, path), [, payload = ''] = path.split('#');
+    const file = this.file(page.source, path), [, payload = ''] = path.split('#');
     const name = file === PLAYGROUND ? `motion-${stamp(payload)}` : file.replace(/^examples\//, '').replace(/\.json$/, '').replace(/[^\w-]+/g, '-');
     const strips = this.strips.get(name) ?? await (file === PLAYGROUND ? this.playground.stripsOf(payload) : this.playground.strips(file));
     this.strips.set(name, strips);
@@ -115,10 +118,10 @@ export class Links {
     }
   }
 
-  /** The path in the repository. @param {Page} page @param {string} path */
-  file(page, path) {
+  /** The path in the repository. @param {string} source  the file that names it @param {string} path */
+  file(source, path) {
     try {
-      return decodeURI(new URL(path.replace(/[?#].*$/, ''), `file:///${page.source}`).pathname.slice(1));
+      return decodeURI(new URL(path.replace(/[?#].*$/, ''), `file:///${source}`).pathname.slice(1));
     } catch {
       return path; // no address at all, and no file
     }

@@ -6,6 +6,7 @@ import { cards } from './cards.mjs';
 import { firstSentence, HeadingNames } from './headings.mjs';
 import { attributes, escaped } from './html.mjs';
 import { sections as lessonSections } from './sections.mjs';
+import { laidOver } from './languages/overlay.mjs';
 import { stripPictures } from './strip_pictures.mjs';
 
 /** @typedef {import('markdown-it/lib/token.mjs').default} Token */
@@ -27,6 +28,8 @@ export class Markdown {
   #markdown = new MarkdownIt({ html: false });
   /** @type {Map<Page, Strip>} */
   #firstStrips = new Map();
+  /** Of pages with translations. @type {Map<Page, {headings: Heading[], blocks: string[]}>} */
+  #originals = new Map();
 
   /** @param {Links} links */
   constructor(links) {
@@ -47,7 +50,7 @@ export class Markdown {
     };
   }
 
-  /** @param {Page} page @returns {Promise<Rendered>} */
+  /** A translation after its original. @param {Page} page @returns {Promise<Rendered>} */
   async render(page) {
     const tokens = this.#markdown.parse(page.body, {});
     const names = new HeadingNames();
@@ -55,12 +58,16 @@ export class Markdown {
     const headings = [];
     /** @type {Section[]} */
     const sections = [{ heading: page.lesson?.title ?? '', id: '', text: '' }];
+    const original = page.original && this.#originals.get(page.original);
+    /** @type {string[]} */
+    const blocks = [];
     let paragraph = '';
     for (const [i, token] of tokens.entries()) {
       const line = page.before + (token.map?.[0] ?? 0) + 1;
       if (token.type === 'heading_open') {
         const text = plain(tokens[i + 1]);
-        const heading = { level: Number(token.tag.slice(1)), text, id: names.name(text) };
+        // A heading has the same name in all languages, so that a change of language stays at the place.
+        const heading = { level: Number(token.tag.slice(1)), text, id: original?.headings[headings.length]?.id ?? names.name(text) };
         headings.push(heading);
         if (heading.level === 1) sections[0].heading = text;
         else {
@@ -72,6 +79,8 @@ export class Markdown {
         if (tokens[i - 1].type !== 'heading_open') sections[sections.length - 1].text += `${plain(token)}\n`;
         await this.#connect(page, token, line);
       } else if (token.type === 'fence') {
+        token.content = laidOver(token.info.trim(), original?.blocks[blocks.length] ?? '', page, line, token.content, this.faults);
+        blocks.push(token.content);
         await this.#block(page, token, line);
         if (!token.meta) sections[sections.length - 1].text += `${token.content}\n`;
       }
@@ -80,7 +89,8 @@ export class Markdown {
     if (titles.length !== (page.lesson ? 0 : 1)) {
       this.faults.add(page.source, page.before + 1, page.lesson ? 'the title of a lesson stands between its --- lines, not in a heading of its own' : 'a page has one heading of the first order');
     }
-    const html = this.#markdown.renderer.render(page.lesson ? lessonSections(tokens) : cards(tokens), { html: false }, {});
+    const html = this.#markdown.renderer.render(page.lesson ? lessonSections(tokens, page.language.tr) : cards(tokens), { html: false }, {});
+    if (!page.original) this.#originals.set(page, { headings, blocks });
     return { html, title: sections[0].heading, sentence: firstSentence(paragraph), headings, sections, strip: this.#firstStrips.get(page) };
   }
 

@@ -2,6 +2,8 @@
 // Reads the book's pages from docs/, in order.
 import { readdir, readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
+import { readTranslations } from './languages/translations.mjs';
+import { ENGLISH, readLanguages } from './languages/words.mjs';
 import { lessonOf } from './teaching/lesson_file.mjs';
 
 /** @typedef {import('./faults.mjs').Faults} Faults */
@@ -14,6 +16,8 @@ import { lessonOf } from './teaching/lesson_file.mjs';
  * @property {string} body     Markdown
  * @property {number} before   lines of the file before the body
  * @property {Lesson} [lesson]
+ * @property {import('./languages/words.mjs').Language} language
+ * @property {Page} [original]  the English page, of a translation
  */
 /** @typedef {import('../classroom/judge.js').Question} Question */
 /**
@@ -27,12 +31,12 @@ async function markdownIn(folder) {
   return names.filter((name) => name.endsWith('.md')).sort();
 }
 
-/** @param {string} root  of the repository @param {Faults} faults @returns {Promise<Page[]>} lessons first, in their order */
-export async function readPages(root, faults) {
+/** @param {string} root  of the repository @param {Faults} faults @param {import('./languages/words.mjs').Language[]} [languages]  English first @returns {Promise<Page[]>} lessons first, in their order; translations after all English pages */
+export async function readPages(root, faults, languages = undefined) {
   const pages = await Promise.all((await markdownIn(join(root, 'docs'))).map(async (file) => {
     const body = await readFile(join(root, 'docs', file), 'utf8');
     const name = basename(file, '.md');
-    return { source: `docs/${file}`, address: `${name}.html`, name, body, before: 0 };
+    return { source: `docs/${file}`, address: `${name}.html`, name, body, before: 0, language: ENGLISH };
   }));
   const lessons = await Promise.all((await markdownIn(join(root, 'docs/lessons'))).map(async (file) => lessonOf(await readFile(join(root, 'docs/lessons', file), 'utf8'), file, faults)));
   const numbered = lessons.filter(({ lesson }) => lesson.number > 0).sort((a, b) => a.lesson.number - b.lesson.number);
@@ -43,5 +47,9 @@ export async function readPages(root, faults) {
   const last = numbered.at(-1)?.lesson.number ?? 0;
   const others = lessons.filter(({ lesson }) => !(lesson.number > 0));
   others.forEach(({ lesson }, i) => { lesson.number = last + 1 + i; });
-  return [...numbered, ...others, ...pages];
+  /** @type {Page[]} */
+  const originals = [...numbered, ...others, ...pages];
+  const [, ...foreign] = languages ?? await readLanguages(root);
+  const translations = await Promise.all(foreign.map((language) => readTranslations(root, language, originals, faults)));
+  return [...originals, ...translations.flat()];
 }

@@ -9,26 +9,29 @@ function html(content) {
   return token;
 }
 
-const FIELD = `<p class="write"><label for="sentences">Your sentences</label>
+/** @param {Translate} tr */
+const field = (tr) => `<p class="write"><label for="sentences">${tr('Your sentences')}</label>
 <textarea id="sentences" rows="4" maxlength="4000"></textarea></p>
 `;
 
-/** @param {Token[]} tokens  of a lesson @returns {Token[]} */
-export function sections(tokens) {
+/** @typedef {import('./languages/words.mjs').Translate} Translate */
+
+/** @param {Token[]} tokens  of a lesson, with the names of the English headings @param {Translate} tr @returns {Token[]} */
+export function sections(tokens, tr) {
   /** @type {Token[]} */
   const out = [];
   let section = '', written = false;
-  const end = () => { if (section === 'Notice') out.push(html('</div>\n')); };
-  for (const [i, token] of tokens.entries()) {
+  const end = () => { if (section === 'notice') out.push(html('</div>\n')); };
+  for (const token of tokens) {
     if (token.type === 'heading_open' && token.tag === 'h2') {
       end();
-      section = tokens[i + 1].content;
+      section = String(token.attrGet('id'));
     }
     out.push(token);
-    if (section === 'Notice' && token.type === 'heading_close' && token.tag === 'h2') out.push(html('<div id="observations">\n'));
-    if (section === 'Explain' && token.type === 'paragraph_close' && !written) {
+    if (section === 'notice' && token.type === 'heading_close' && token.tag === 'h2') out.push(html('<div id="observations">\n'));
+    if (section === 'explain' && token.type === 'paragraph_close' && !written) {
       written = true;
-      out.push(html(FIELD));
+      out.push(html(field(tr)));
     }
   }
   end();

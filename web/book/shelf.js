@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Shows on the book's first page what the reader has done: finished lessons and reached goals.
+import { tr } from '../languages/language.js';
 import { clearProgress, hasProgress, progressOf } from '../classroom/progress.js';
 
 const note = document.getElementById('progress');
@@ -14,7 +15,8 @@ function showGoals(item, reached) {
   const met = goals.map((goal) => reached.includes(goal));
   for (const [i, ring] of item.querySelectorAll('.reached .tick').entries()) ring.classList.toggle('met', met[i]);
   const count = met.filter(Boolean).length;
-  words.textContent = goals.length === 1 ? (count ? 'Goal reached' : 'One goal') : count ? `${count} of ${goals.length} goals reached` : `${goals.length} goals`;
+  if (goals.length === 1) words.textContent = count ? tr('Goal reached') : tr('One goal');
+  else words.textContent = count ? tr('{1} of {2} goals reached', count, goals.length) : tr('{1} goals', goals.length);
 }
 
 function mark() {
@@ -25,7 +27,7 @@ function mark() {
     if (!finished) continue;
     const done = document.createElement('small');
     done.className = 'done';
-    done.textContent = 'done';
+    done.textContent = tr('done');
     item.querySelector('a')?.after(' ', done);
   }
   if (note) note.hidden = !hasProgress();

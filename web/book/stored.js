@@ -19,7 +19,7 @@ async function start() {
   await untilStarted();
   await untilIdle();
   await navigator.serviceWorker.register(new URL('../service_worker.js', import.meta.url), { updateViaCache: 'none' });
-  const { complete } = await storeBook();
+  const { complete } = await storeBook(document.documentElement.lang);
   if (complete && note) note.hidden = false;
 }
 

@@ -47,10 +47,18 @@ await addHash('files.json');
 const atOnce = (/** @type {string} */ name) => /^book\/(missing\.html|tokens\.css|book\.css|look\.js)$/.test(name)
   || (!/^(book|package)\//.test(name) && !/(^|\/)(LICENSE|preview\.png)$/.test(name) && !name.endsWith('.txt'));
 const page = names.filter(atOnce);
-const book = names.filter((name) => (/^book\/(?!reference\/|pictures[./]|new[-_]lesson\.|sources\.json)/.test(name) || name === 'LICENSE') && !name.endsWith('.txt') && !atOnce(name));
-const gzip = (await Promise.all(book.map(async (name) => gzipSync(await readFile(join(folder, name))).length))).reduce((sum, size) => sum + size, 0);
+const book = names.filter((name) => (/^book\/(?!reference\/|pictures[./]|(?:\w\w\/)?new[-_]lesson\.|sources\.json)/.test(name) || name === 'LICENSE') && !name.endsWith('.txt') && !atOnce(name));
+// A visitor stores the book in English and in the page's language.
+/** By language; '': English and what all need. @type {Map<string, number>} */
+const sizes = new Map();
+for (const name of book) {
+  const language = /^book\/(?:words\/)?([a-z]{2})(?:\/|\.js$)/.exec(name)?.[1] ?? '';
+  sizes.set(language, (sizes.get(language) ?? 0) + gzipSync(await readFile(join(folder, name))).length);
+}
+const { '': english = 0, ...others } = Object.fromEntries(sizes);
+const gzip = english + Math.max(0, ...Object.values(others));
 if (gzip > MAX_BOOK_GZIP) throw new Error(`seal: the stored part of the book has ${gzip} bytes, compressed, and may have ${MAX_BOOK_GZIP}`);
 const site = { version: all.digest('hex').slice(0, 16), page, book, hashes };
 const script = await readFile(new URL('../storage/service_worker.js', import.meta.url), 'utf8');
 await writeFile(join(folder, 'service_worker.js'), `self.SITE = ${JSON.stringify(site)};\n${script}`);
-console.log(`== ${names.length} files sealed, ${page.length} for the page without a network, ${book.length} for the book (${Math.round(gzip / 1000)} KB, compressed); version ${site.version}`);
+console.log(`== ${names.length} files sealed, ${page.length} for the page without a network, ${book.length} for the book (${Math.round(english / 1000)} KB, compressed${Object.entries(others).map(([code, size]) => `, ${code} ${Math.round(size / 1000)} KB`).join('')}); version ${site.version}`);

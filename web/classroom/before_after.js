@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page with the eight questions: a round before the lessons, without feedback, and one after them, with feedback. The
 // answers are kept in the browser.
+import { tr } from '../languages/language.js';
 import { emptyWork } from '../share/work.js';
 import { startHandIn } from './hand_in.js';
 import { QUESTIONS, SET, UNKNOWN } from './questions.js';
@@ -54,14 +55,14 @@ function show() {
   form.hidden = round === '' && after === null;
   finish.hidden = round === '';
   begin.hidden = round !== '' || after !== null;
-  begin.textContent = before === null ? 'Begin the first round' : 'Begin the second round';
+  begin.textContent = before === null ? tr('Begin the first round') : tr('Begin the second round');
   other.hidden = round !== '' || finished;
   forget.hidden = !finished && round === '';
   find('hand-in').hidden = !finished || round !== '';
-  if (round !== '') state.textContent = round === 'before' ? 'First round, before the lessons.' : 'Second round, after the lessons.';
-  else if (after !== null) state.textContent = `Both rounds are over. ${before === null ? '' : `First round: ${right(before)} of ${QUESTIONS.length} right. `}Second round: ${right(after)} of ${QUESTIONS.length} right.`;
-  else if (before !== null) state.textContent = 'The first round is finished. Do the lessons, and come back for the second round. Or hand in the first round now.';
-  else state.textContent = 'The first round comes before the lessons.';
+  if (round !== '') state.textContent = round === 'before' ? tr('First round, before the lessons.') : tr('Second round, after the lessons.');
+  else if (after !== null) state.textContent = [tr('Both rounds are over.'), before && tr('First round: {1} of {2} right.', right(before), QUESTIONS.length), tr('Second round: {1} of {2} right.', right(after), QUESTIONS.length)].filter(Boolean).join(' ');
+  else if (before !== null) state.textContent = tr('The first round is finished. Do the lessons, and come back for the second round. Or hand in the first round now.');
+  else state.textContent = tr('The first round comes before the lessons.');
   fields.forEach((field, i) => {
     const chosen = round === '' ? after?.[i] ?? null : given[i];
     for (const input of field.querySelectorAll('input')) {
@@ -78,10 +79,10 @@ function explain(field, i) {
   const { before, after, round } = kept, { answers, right: wanted, why } = QUESTIONS[i];
   box.hidden = round !== '' || after === null;
   if (box.hidden || after === null) return box.replaceChildren();
-  const words = (/** @type {number | null} */ given) => (given === null ? 'no answer' : `“${answers[given] ?? UNKNOWN}”`);
+  const words = (/** @type {number | null} */ given) => (given === null ? tr('no answer') : tr('“{1}”', tr(answers[given] ?? UNKNOWN)));
   box.classList.toggle('right', after[i] === wanted);
-  const first = before === null || before[i] === after[i] ? '' : ` Your first answer was ${words(before[i])}`;
-  box.textContent = `${after[i] === wanted ? 'Right.' : `Right is ${words(wanted)}`} ${why}${first}`;
+  const first = before === null || before[i] === after[i] ? '' : tr('Your first answer was {1}', words(before[i]));
+  box.textContent = [after[i] === wanted ? tr('Right.') : tr('Right is {1}', words(wanted)), tr(why), first].filter(Boolean).join(' ');
 }
 
 form.addEventListener('change', ({ target }) => {
@@ -96,7 +97,7 @@ form.addEventListener('submit', (event) => {
   if (kept.round === '') return;
   const open = kept.given.indexOf(null);
   if (open >= 0) {
-    find('round-missing').textContent = `Question ${open + 1} has no answer. “${UNKNOWN}” is an answer, too.`;
+    find('round-missing').textContent = tr('Question {1} has no answer. “{2}” is an answer, too.', open + 1, tr(UNKNOWN));
     fields[open].querySelector('input')?.focus();
     return;
   }
@@ -114,7 +115,7 @@ other.addEventListener('click', () => start('after'));
 forget.addEventListener('click', () => {
   if (forget.dataset.asked === undefined) {
     forget.dataset.asked = '';
-    forget.textContent = 'Forget both rounds?';
+    forget.textContent = tr('Forget both rounds?');
     return;
   }
   unask();
@@ -124,10 +125,10 @@ forget.addEventListener('click', () => {
 forget.addEventListener('blur', unask);
 function unask() {
   delete forget.dataset.asked;
-  forget.textContent = 'Forget my answers';
+  forget.textContent = tr('Forget my answers');
 }
 
 find('rounds').hidden = false;
 show();
 startHandIn('before-and-after', () => Promise.resolve({ ...emptyWork(), quiz: { set: SET, before: kept.before, after: kept.after } }),
-  () => (kept.before !== null && kept.after !== null ? 'Both rounds are in it.' : `Only the ${kept.before === null ? 'second' : 'first'} round is in it.`));
+  () => (kept.before !== null && kept.after !== null ? tr('Both rounds are in it.') : kept.before === null ? tr('Only the second round is in it.') : tr('Only the first round is in it.')));

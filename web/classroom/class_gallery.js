@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The class's motions, all moving, for the projector.
+import { tr } from '../languages/language.js';
 import { MotionPicture, pageColours } from '../share/motion_picture.js';
 
 /** @typedef {import('./judge.js').Row} Row */
@@ -31,7 +32,7 @@ export class ClassGallery {
       if (!row.motion) return [];
       const canvas = document.createElement('canvas'), item = document.createElement('li'), name = document.createElement('span');
       canvas.setAttribute('role', 'img');
-      canvas.ariaLabel = `Motion ${rows.indexOf(row) + 1}`;
+      canvas.ariaLabel = tr('Motion {1}', rows.indexOf(row) + 1);
       name.textContent = row.name;
       item.append(canvas, name);
       this.#list.append(item);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Finds what students sent in pasted text and in files: links to works and motions, one or several a line.
+import { tr } from '../languages/language.js';
 import { decodeWork, emptyWork, isWorkFile, readWorkFile } from '../share/work.js';
 
 /** @typedef {import('../share/work.js').Work} Work */
@@ -14,7 +15,7 @@ const SHOWN = 60; // characters of a source
 
 /** @param {string} text @returns {{entries: Entry[], idle: number}} idle: lines without a link */
 export function collect(text) {
-  if (text.length > MOST_CHARACTERS) return { entries: [{ fault: 'This text is too long for a class’s links.', source: 'pasted text' }], idle: 0 };
+  if (text.length > MOST_CHARACTERS) return { entries: [{ fault: tr('This text is too long for a class’s links.'), source: tr('pasted text') }], idle: 0 };
   /** @type {Entry[]} */
   const entries = [];
   let idle = 0;
@@ -24,7 +25,7 @@ export function collect(text) {
     if (links.length === 0) idle++;
     const label = line.split(/[\s<>"']+/).filter((part) => part !== '' && !links.includes(part)).join(' ').replace(/^[\s,;:–-]+|[\s,;:–-]+$/g, '').slice(0, 80);
     for (const link of links) {
-      if (entries.length === MOST_ENTRIES) return { entries: [...entries, { fault: `More than ${MOST_ENTRIES} links: the others are left out.`, source: '' }], idle };
+      if (entries.length === MOST_ENTRIES) return { entries: [...entries, { fault: tr('More than {1} links: the others are left out.', MOST_ENTRIES), source: '' }], idle };
       entries.push(fromLink(link, links.length === 1 ? label : ''));
     }
   }
@@ -37,7 +38,7 @@ export function fromFile(name, text) {
   if (isWorkFile(text)) return [attempt(source, () => ({ work: readWorkFile(text), source }))];
   if (/^\s*\{/.test(text)) return [{ work: { ...emptyWork(), name: name.replace(/\.\w+$/, '').slice(0, 80) }, document: text, source }];
   const { entries } = collect(text);
-  return entries.length > 0 ? entries : [{ fault: 'This file has no link and no motion.', source }];
+  return entries.length > 0 ? entries : [{ fault: tr('This file has no link and no motion.'), source }];
 }
 
 /** @param {string} link @param {string} label @returns {Entry} */
@@ -45,7 +46,7 @@ function fromLink(link, label) {
   const at = link.indexOf('#');
   const payload = at < 0 ? '' : link.slice(at + 1).replace(/[).,;]+$/, '');
   const source = link.length > SHOWN ? `${link.slice(0, SHOWN)}…` : link;
-  if (payload === '') return { fault: 'This address has nothing after a “#”, so it holds no motion.', source };
+  if (payload === '') return { fault: tr('This address has nothing after a “#”, so it holds no motion.'), source };
   return attempt(source, () => {
     const work = /^H\d+\./.test(payload) ? decodeWork(payload) : { ...emptyWork(), motion: plain(payload) };
     return { work: { ...work, name: work.name || label }, source };
@@ -54,7 +55,7 @@ function fromLink(link, label) {
 
 /** @param {string} payload */
 function plain(payload) {
-  if (!/^[\w-]+$/.test(payload)) throw new Error('The part after “#” has characters that no link has.');
+  if (!/^[\w-]+$/.test(payload)) throw new Error(tr('The part after “#” has characters that no link has.'));
   return payload;
 }
 

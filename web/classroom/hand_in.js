@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The section "Hand in" of a page: a link, or a file, with what a student did there.
+import { bookPage, tr } from '../languages/language.js';
 import { copyField } from '../share/copying.js';
 import { emptyWork, encodeWork, workFile } from '../share/work.js';
 import { progressOf } from './progress.js';
@@ -17,7 +18,7 @@ export function startHandIn(name, made, remark) {
 
   const work = async () => ({ ...await made(), name: /** @type {HTMLInputElement} */ (find('hand-in-name')).value.trim() });
   find('hand-in-make').addEventListener('click', async () => {
-    link.value = `${new URL('../book/wall.html', import.meta.url).href}#${encodeWork(await work())}`;
+    link.value = `${new URL(`../${bookPage('wall.html')}`, import.meta.url).href}#${encodeWork(await work())}`;
     find('hand-in-made').hidden = false;
     state.textContent = remark();
     link.focus();
@@ -46,10 +47,10 @@ function missing({ goals, predictions, answers, text }) {
   const count = (/** @type {string} */ kind) => document.querySelectorAll(`.${kind}`).length;
   const given = (/** @type {(number | null)[]} */ values) => values.filter((value) => value !== null && value !== undefined).length;
   const parts = [
-    goals.length < count('goal') && 'the goal is not reached',
-    given(predictions) < count('predict') && 'no prediction',
-    given(answers) < count('quiz') && 'questions are open',
-    text.trim() === '' && 'no sentences',
+    goals.length < count('goal') && tr('the goal is not reached'),
+    given(predictions) < count('predict') && tr('no prediction'),
+    given(answers) < count('quiz') && tr('questions are open'),
+    text.trim() === '' && tr('no sentences'),
   ].filter(Boolean);
-  return parts.length === 0 ? 'Complete.' : `Still missing: ${parts.join(', ')}.`;
+  return parts.length === 0 ? tr('Complete.') : tr('Still missing: {1}.', parts.join(', '));
 }

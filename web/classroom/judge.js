@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Simulates what was handed in and compares it with its lesson. Nothing that a link claims is believed, except what a
 // student wrote and chose.
+import { fixedText, tr, trLater, trSentence } from '../languages/language.js';
 import { isMet, parseGoal } from '../page/goal_conditions.js';
 
 /** @typedef {import('../search/engine.js').Engine} Engine */
@@ -34,6 +35,8 @@ import { isMet, parseGoal } from '../page/goal_conditions.js';
 /** Conditions about the way to a motion, which only the page where it was made knows. */
 const UNSEEN = ['controller', 'seed', 'generations'];
 const STEP_S = 0.01;
+/** What worldOf() says of usual changes. Other fields of a document have their own names. */
+[trLater('slope {1}°'), trLater('gravity {1} m/s²'), trLater('friction {1}'), trLater('no pushes'), trLater('{1} push'), trLater('{1} pushes'), trLater('velocity x {1}'), trLater('velocity y {1}')].forEach(String);
 const SIGNS = { '>=': '≥', '<=': '≤', '>': '>', '<': '<', '=': '=', '!=': '≠' };
 
 /** The world of a document in words, such as ["slope 2°", "friction 0.8", "1 push"]. @param {any} document  JSON @returns {string[]} */
@@ -76,7 +79,7 @@ export class Judge {
     try {
       this.#simulate(row, text, facts, facts ? facts.goals : [goal].filter(Boolean));
     } catch (error) {
-      row.fault = error instanceof Error ? error.message : String(error);
+      row.fault = trSentence(error instanceof Error ? error.message : String(error));
     }
     return row;
   }
@@ -97,8 +100,8 @@ export class Judge {
     row.met = seen.length === 0 ? null : seen.every(({ met }) => met);
     const world = worldOf(document);
     const changes = (facts?.worlds ?? [usualWorld]).map((known) => world.filter((part) => !known.includes(part))).sort((one, other) => one.length - other.length);
-    row.changed.push(...changes[0] ?? []);
-    if (facts && !facts.figures.includes(figureOf(document))) row.changed.push('another figure');
+    row.changed.push(...(changes[0] ?? []).map(trSentence));
+    if (facts && !facts.figures.includes(figureOf(document))) row.changed.push(tr('another figure'));
   }
 }
 
@@ -128,9 +131,9 @@ const sameWorld = (document, usual) => worldOf({ ...document, pushes: [] }).ever
 /** @param {Condition} condition @param {any} measures @returns {Judged} */
 function judged(condition, measures) {
   const { name, relation, wanted } = condition;
-  if (UNSEEN.includes(name)) return { text: `${name} ${SIGNS[relation]} ${wanted}: not seen in a motion`, met: null };
+  if (UNSEEN.includes(name)) return { text: tr('{1}: not seen in a motion', `${name} ${SIGNS[relation]} ${wanted}`), met: null };
   const value = measures[name] ?? measures.terms.find((/** @type {{name: string}} */ term) => term.name === name)?.value;
-  const shown = typeof value === 'number' ? rounded(value) : value ?? '–';
+  const shown = typeof value === 'number' ? fixedText(Math.round(value * 100) / 100) : value ?? '–';
   return { text: `${name} ${shown} (${SIGNS[relation]} ${wanted})`, met: isMet(condition, measures) };
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Saves a lesson as a SCORM package.
+import { fixed, tr } from '../languages/language.js';
 import { makeScormPackage } from '../share/scorm_maker.js';
 
 const form = /** @type {HTMLFormElement} */ (document.getElementById('package'));
@@ -18,22 +19,23 @@ let making = null;
 async function make() {
   if (making) return;
   making = new AbortController();
-  const { signal } = making, name = lesson.value, chosen = /** @type {import('../share/scorm_package.js').Version} */ (version.value);
+  const { signal } = making, name = lesson.value, { text: title, dataset: { page } } = lesson.selectedOptions[0];
+  const chosen = /** @type {import('../share/scorm_package.js').Version} */ (version.value);
   progress.value = 0;
   progress.hidden = cancel.hidden = false;
-  state.textContent = 'Collecting the files …';
+  state.textContent = tr('Collecting the files …');
   try {
     const file = `${name}-scorm-${chosen}.zip`;
     const bytes = await makeScormPackage({
-      name, title: lesson.selectedOptions[0].text, launch: `book/lessons/${name}.html?scorm`, version: chosen, signal,
+      name, title, launch: `book/${page}?scorm`, version: chosen, signal,
       onProgress: (share) => { progress.value = share; },
     });
     const address = URL.createObjectURL(bytes);
     Object.assign(document.createElement('a'), { href: address, download: file }).click();
     setTimeout(() => URL.revokeObjectURL(address), 60000);
-    state.textContent = `Saved as ${file}, ${(bytes.size / 1e6).toFixed(1)} MB.`;
+    state.textContent = tr('Saved as {1}, {2} MB.', file, fixed(bytes.size / 1e6, 1));
   } catch (error) {
-    state.textContent = signal.aborted ? 'Cancelled.' : `The package could not be made: ${error instanceof Error ? error.message : error}.`;
+    state.textContent = signal.aborted ? `${tr('Cancelled')}.` : tr('The package could not be made: {1}.', error instanceof Error ? error.message : String(error));
   }
   making = null;
   progress.hidden = cancel.hidden = true;

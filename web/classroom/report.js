@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reports a lesson to a learning system, if the lesson comes in a SCORM package (?scorm).
+import { tr } from '../languages/language.js';
 import { decodeWork, emptyWork, encodeWork } from '../share/work.js';
 import { findApi } from '../share/scorm.js';
 import { followProgress, progressOf, storeProgress } from './progress.js';
@@ -16,7 +17,7 @@ export function startReport(lesson) {
   document.querySelector('p.done')?.before(line);
   const say = (/** @type {string} */ sentence) => { line.textContent = sentence; };
   const system = findApi();
-  if (!system) return say('No learning system was found around this page. The lesson works, and nothing will be reported.');
+  if (!system) return say(tr('No learning system was found around this page. The lesson works, and nothing will be reported.'));
   try {
     const kept = system.begin();
     if (kept) restore(lesson, kept);
@@ -28,15 +29,16 @@ export function startReport(lesson) {
       const state = system.holds(whole) ? whole : encodeWork({ ...emptyWork(), lesson, predictions: done.predictions, answers: done.answers, text: done.text.slice(0, 1000) });
       try {
         system.report({ ...parts, state: parts.reached ? `${state}.reached` : state });
-        say(`Reported to the learning system: ${Math.round(parts.score)} of 100${parts.reached ? ', passed' : ''}.`);
+        const score = Math.round(parts.score);
+        say(parts.reached ? tr('Reported to the learning system: {1} of 100, passed.', score) : tr('Reported to the learning system: {1} of 100.', score));
       } catch (error) {
-        say(`The learning system refuses the report: ${/** @type {Error} */ (error).message}`);
+        say(tr('The learning system refuses the report: {1}', /** @type {Error} */ (error).message));
       }
     };
     report();
     followProgress(report);
   } catch (error) {
-    say(`The learning system refuses this lesson: ${/** @type {Error} */ (error).message}`);
+    say(tr('The learning system refuses this lesson: {1}', /** @type {Error} */ (error).message));
   }
 }
 

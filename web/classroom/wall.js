@@ -2,6 +2,7 @@
 // The page where a teacher collects a class's work. Everything happens in this page: it sends nothing.
 import { Engine } from '../search/engine.js';
 import { control_modes, terms } from '../catalogue/catalogue.js';
+import { tr, trSentence } from '../languages/language.js';
 import { MotionPicture, pageColours } from '../share/motion_picture.js';
 import { parseGoal } from '../page/goal_conditions.js';
 import { collect, fromFile } from './collected.js';
@@ -14,7 +15,7 @@ import { copies, csvOf, sorted } from './table.js';
 /** @typedef {import('./collected.js').Entry} Entry */
 /** @typedef {import('./judge.js').Row} Row */
 
-const SITE = new URL('../', location.href).href;
+const SITE = new URL('../', import.meta.url).href;
 /** @template {HTMLElement} T @param {string} id @param {new () => T} kind @returns {T} */
 const find = (id, kind) => {
   const found = document.getElementById(id);
@@ -39,7 +40,7 @@ const tables = { terms, control_modes };
 /** @type {Promise<Judge> | null} */
 let judge = null;
 const loadJudge = async () => {
-  const [engine, response] = await Promise.all([Engine.load(), fetch(new URL('../book/lessons.json', import.meta.url))]);
+  const [engine, response] = await Promise.all([Engine.load(), fetch('lessons.json')]);
   return new Judge(engine, tables, await response.json());
 };
 const gallery = new ClassGallery(find('wall-gallery', HTMLDialogElement));
@@ -47,7 +48,7 @@ const gallery = new ClassGallery(find('wall-gallery', HTMLDialogElement));
 /** @param {Entry[]} more @param {number} [idle]  lines without a link */
 async function add(more, idle = 0) {
   entries = [...entries, ...more];
-  await judgeAll(idle > 0 ? ` ${idle === 1 ? '1 line has' : `${idle} lines have`} no link.` : '');
+  await judgeAll(idle === 0 ? '' : idle === 1 ? tr('1 line has no link.') : tr('{1} lines have no link.', idle));
 }
 
 /** Simulates everything anew, because the goal may have changed. @param {string} [remark] */
@@ -55,7 +56,7 @@ async function judgeAll(remark = '') {
   const mine = ++round;
   for (const { motion } of rows) motion?.close();
   rows = [];
-  state.textContent = 'Simulating …';
+  state.textContent = tr('Simulating …');
   try {
     parseGoalField();
     judge ??= loadJudge();
@@ -67,15 +68,16 @@ async function judgeAll(remark = '') {
     }
   } catch (error) {
     judge = null;
-    state.textContent = error instanceof Error ? error.message : String(error);
+    state.textContent = trSentence(error instanceof Error ? error.message : String(error));
     return;
   }
   if (mine !== round) return;
   show();
   const asked = showQuiz(entries.flatMap((entry) => quizOf(entry) ?? []));
   const met = rows.filter((row) => row.met === true).length, faulty = rows.filter(({ fault }) => fault !== '').length;
-  const works = asked !== '' && rows.length === 0 ? '' : `${rows.length === 1 ? '1 piece of work' : `${rows.length} pieces of work`}, ${met} with the goal reached${faulty > 0 ? `, ${faulty} that cannot be read` : ''}.`;
-  state.textContent = `${works}${asked}${remark}`.trim();
+  const count = rows.length === 1 ? tr('1 piece of work') : tr('{1} pieces of work', rows.length);
+  const works = faulty > 0 ? tr('{1}, {2} with the goal reached, {3} that cannot be read.', count, met, faulty) : tr('{1}, {2} with the goal reached.', count, met);
+  state.textContent = [asked !== '' && rows.length === 0 ? '' : works, asked, remark].filter(Boolean).join(' ');
 }
 
 /** Results of the questions before and after have no motion, and a table of their own. @param {Entry} entry */
@@ -109,14 +111,14 @@ function show() {
 async function addFiles(chosen) {
   /** @type {Entry[]} */
   const found = [];
-  for (const file of chosen) found.push(...file.size > 5_000_000 ? [{ fault: 'This file is too large.', source: file.name }] : fromFile(file.name, await file.text()));
+  for (const file of chosen) found.push(...file.size > 5_000_000 ? [{ fault: tr('This file is too large.'), source: file.name }] : fromFile(file.name, await file.text()));
   await add(found);
 }
 
 find('wall-add', HTMLButtonElement).addEventListener('click', () => {
   const { entries: found, idle } = collect(pasted.value);
   if (found.length === 0) {
-    state.textContent = 'There is no link in this text.';
+    state.textContent = tr('There is no link in this text.');
     return;
   }
   pasted.value = '';
@@ -138,7 +140,7 @@ addEventListener('drop', (event) => {
 });
 find('wall-clear', HTMLButtonElement).addEventListener('click', () => {
   entries = [];
-  void judgeAll().then(() => { state.textContent = 'The wall is empty.'; });
+  void judgeAll().then(() => { state.textContent = tr('The wall is empty.'); });
 });
 find('wall-print', HTMLButtonElement).addEventListener('click', () => print());
 find('wall-csv', HTMLButtonElement).addEventListener('click', () => {

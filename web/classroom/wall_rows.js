@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The wall's rows and tables as elements. What students wrote enters as text only.
+import { tr, trSentence } from '../languages/language.js';
 
 /** @typedef {import('./judge.js').Row} Row */
 /** @typedef {import('./judge.js').Answer} Answer */
@@ -25,23 +26,23 @@ export function rowOf(row, number, same, site) {
     const link = /** @type {HTMLAnchorElement} */ (made('a'));
     link.href = `${site}?view#${row.link}`;
     link.target = '_blank';
-    link.ariaLabel = `Open the motion of number ${number}`;
+    link.ariaLabel = tr('Open the motion of number {1}', number);
     const canvas = made('canvas');
     canvas.ariaHidden = 'true';
     link.append(canvas);
     work.append(link);
   }
-  if (row.fault) work.append(made('p', row.fault, 'fault'));
+  if (row.fault) work.append(made('p', trSentence(row.fault), 'fault'));
   const goal = made('td');
-  if (row.met !== null) goal.append(made('strong', row.met ? '✓ reached' : '✗ not reached', row.met ? 'good' : 'bad'));
+  if (row.met !== null) goal.append(made('strong', row.met ? `✓ ${tr('reached')}` : `✗ ${tr('not reached')}`, row.met ? 'good' : 'bad'));
   for (const { text, met } of row.conditions) goal.append(made('p', `${met === null ? '·' : met ? '✓' : '✗'} ${text}`));
   const remarks = made('td');
   for (const word of row.changed) remarks.append(made('p', word, 'warned'));
-  if (same !== undefined) remarks.append(made('p', `same motion as ${same}`, 'warned'));
+  if (same !== undefined) remarks.append(made('p', tr('same motion as {1}', same), 'warned'));
   const written = made('td');
-  for (const { question, given } of row.predictions.filter((each) => each.given)) written.append(filled(made('p'), made('small', `Predicted: ${question} `), given));
+  for (const { question, given } of row.predictions.filter((each) => each.given)) written.append(filled(made('p'), made('small', `${tr('Predicted: {1}', question)} `), given));
   const right = row.answers.filter((answer) => answer.right).length;
-  if (row.answers.length > 0) written.append(made('p', `${right} of ${row.answers.length} questions right`));
+  if (row.answers.length > 0) written.append(made('p', tr('{1} of {2} questions right', right, row.answers.length)));
   if (row.text) written.append(made('blockquote', row.text));
   const line = made('tr');
   line.append(filled(made('td'), String(number)), filled(made('th'), row.name || '–', ...row.lesson ? [made('small', row.lesson)] : []), work, goal, remarks, written);
@@ -57,7 +58,7 @@ export function answerTables(rows) {
     for (const { question, given, right } of [...row.predictions, ...row.answers]) {
       const answers = questions.get(question) ?? [];
       questions.set(question, answers);
-      const words = given || 'no answer';
+      const words = given || tr('no answer');
       const same = answers.find((answer) => answer.given === words);
       const name = row.name || String(i + 1);
       if (same) same.names.push(name);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Brings the live stages of a text to life: one engine for all, and only what is in sight works.
 import createSmall from '../search/small_engine_module.js';
+import { tr, trSentence } from '../languages/language.js';
 import { Engine } from '../search/engine.js';
 import { LiveStage } from './live_stage.js';
 import { SCENES } from './scenes.js';
@@ -43,6 +44,6 @@ try {
 } catch (error) {
   for (const figure of figures) {
     const line = figure.querySelector('.said');
-    if (line) line.textContent = `The stage cannot run here: ${error instanceof Error ? error.message : error}`;
+    if (line) line.textContent = tr('The stage cannot run here: {1}', trSentence(error instanceof Error ? error.message : String(error)));
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A small stage in a text: it plays a motion, has controls of its own, and a line that says what happens.
+import { fixed } from '../languages/language.js';
 import { MotionPicture, pageColours } from '../share/motion_picture.js';
 import { Climb, measured } from './changes.js';
 
@@ -140,7 +141,7 @@ export class LiveStage {
       Object.assign(/** @type {object} */ (all.get(label)), { value, unit });
       const most = Math.max(1e-9, ...[...all.values()].map((each) => each.value));
       for (const [name, each] of all) {
-        each.item.textContent = `${name}: ${each.value.toFixed(1)} ${each.unit}`;
+        each.item.textContent = `${name}: ${fixed(each.value, 1)} ${each.unit}`;
         each.item.style.setProperty('--share', String(Math.max(0, each.value) / most));
       }
     };

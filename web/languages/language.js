@@ -53,6 +53,9 @@ export const fixedText = (value) => String(Number(value.toPrecision(6))).replace
 /** The number that a person typed. NaN: not a number. @param {string} text */
 export const numberOf = (text) => (text.trim() === '' ? NaN : Number(text.replace(current.decimalMark, '.')));
 
+/** The book's page in the present language, from the site's root. @param {string} name  of a page that every language has */
+export const bookPage = (name) => `book/${current.code === 'en' ? '' : `${current.code}/`}${name}`;
+
 /** For dates: the browser's locale if it has the same language. */
 export const locale = () => navigator.languages.find((tag) => primaryCode(tag) === current.code) ?? current.code;
 export const language = () => current.code;

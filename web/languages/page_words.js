@@ -2,7 +2,7 @@
 // Translates the texts of HTML files, and sets up the list of languages in the header. Scripts that change a text
 // translate it themselves.
 import { element } from '../browser/dom.js';
-import { followLanguage, language, tr } from './language.js';
+import { bookPage, followLanguage, language, tr } from './language.js';
 import { LANGUAGES, chooseLanguage } from './language_choice.js';
 
 const ATTRIBUTES = ['aria-label', 'title', 'placeholder'];
@@ -18,7 +18,11 @@ export function startPageWords() {
     list.append(option);
   }
   list.addEventListener('change', () => void chooseLanguage(list.value));
-  followLanguage(() => { list.value = language(); });
+  const learn = element('learn', HTMLAnchorElement);
+  followLanguage(() => {
+    list.value = language();
+    learn.href = bookPage('index.html');
+  });
 }
 
 /** Keeps the English texts of a part of the page translated. @param {HTMLElement} root */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The dialog that hands in an assignment: a link for the wall, with the shown motion and what was written.
 import { element, onClick, setText } from '../browser/dom.js';
+import { bookPage } from '../languages/language.js';
 import { copyField } from '../share/copying.js';
 import { emptyWork, encodeWork } from '../share/work.js';
 
@@ -43,5 +44,5 @@ function write() {
     name: element('work-name', HTMLInputElement).value.trim(),
     motion: current?.().split('#')[1] ?? '',
   };
-  element('work-link', HTMLTextAreaElement).value = `${new URL('../book/wall.html', import.meta.url).href}#${encodeWork(work)}`;
+  element('work-link', HTMLTextAreaElement).value = `${new URL(`../${bookPage('wall.html')}`, import.meta.url).href}#${encodeWork(work)}`;
 }

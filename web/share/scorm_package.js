@@ -7,7 +7,7 @@
  * Whether a package holds this file of the site. The service worker would take over addresses of the learning system.
  * @param {string} name
  */
-export const isPackaged = (name) => !/^(package\/|book\/(reference|pictures)\/|book\/search\.json|service_worker\.js|files\.json)/.test(name);
+export const isPackaged = (name) => !/^(package\/|book\/(reference|pictures)\/|book\/(\w\w\/)?search\.json|service_worker\.js|files\.json)/.test(name);
 
 /** @param {string} text */
 const escaped = (text) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');

@@ -3,7 +3,7 @@
 import { element, onClick, setText } from '../browser/dom.js';
 import { panels } from '../catalogue/catalogue.js';
 import { copyField } from './copying.js';
-import { followLanguage, grouped, tr } from '../languages/language.js';
+import { bookPage, followLanguage, grouped, tr } from '../languages/language.js';
 import { locks } from './locks.js';
 
 /** @typedef {import('../app/app.js').App} App */
@@ -117,7 +117,7 @@ class ShareDialog {
       this.#drawn = drawn;
       void this.#draw();
     }
-    const wall = new URL('../book/wall.html', import.meta.url);
+    const wall = new URL(`../${bookPage('wall.html')}`, import.meta.url);
     if (goal) wall.searchParams.set('goal', goal);
     element('share-wall', HTMLAnchorElement).href = wall.href;
     const height = Math.min(2000, Math.max(300, Number(this.#height.value) || 600));

@@ -4,6 +4,9 @@
 //
 //   #H1.<payload of the motion's link, may be empty>.<base64url of JSON>
 //   #H2.….…  the same with the answers of the quiz before and after the lessons
+//
+// Its errors are English. Pages translate them with trSentence.
+import { trLater } from '../languages/language.js';
 
 /** Choices and sliders in their order in the lesson; null: not given. */
 /**
@@ -47,11 +50,11 @@ export const workFile = (work) => `${JSON.stringify({ gaitsmith_work: FORMS[form
 /** @param {string} fragment  without '#' @returns {Work} throws an Error with a sentence */
 export function decodeWork(fragment) {
   const [mark, motion = '', data, ...more] = fragment.split('.');
-  if (!/^H\d+$/.test(mark)) throw new Error('This is not work that was handed in.');
+  if (!/^H\d+$/.test(mark)) throw new Error(trLater('This is not work that was handed in.'));
   const form = mark === MARKS.plain ? 'plain' : 'quiz';
-  if (mark !== MARKS[form]) throw new Error('This work comes from a newer version of Gaitsmith.');
-  if (data === undefined || data === '' || more.length > 0) throw new Error('The link is cut off or has something added.');
-  if (data.length > MOST.data) throw new Error('The link is too long.');
+  if (mark !== MARKS[form]) throw new Error(trLater('This work comes from a newer version of Gaitsmith.'));
+  if (data === undefined || data === '' || more.length > 0) throw new Error(trLater('The link is cut off or has something added.'));
+  if (data.length > MOST.data) throw new Error(trLater('The link is too long.'));
   return checked({ ...objectIn(utf8(fromBase64url(data))), motion }, form);
 }
 
@@ -60,10 +63,10 @@ export const isWorkFile = (text) => /^\s*\{\s*"gaitsmith_work"/.test(text);
 
 /** @param {string} text @returns {Work} throws an Error with a sentence */
 export function readWorkFile(text) {
-  if (text.length > MOST.data + MOST.motion) throw new Error('The file is too long.');
+  if (text.length > MOST.data + MOST.motion) throw new Error(trLater('The file is too long.'));
   const { gaitsmith_work: version, ...work } = objectIn(text);
   const form = version === FORMS.plain ? 'plain' : 'quiz';
-  if (version !== FORMS[form]) throw new Error('This file comes from a newer version of Gaitsmith.');
+  if (version !== FORMS[form]) throw new Error(trLater('This file comes from a newer version of Gaitsmith.'));
   return checked(work, form);
 }
 
@@ -74,9 +77,9 @@ function objectIn(text) {
   try {
     value = JSON.parse(text);
   } catch {
-    throw new Error('Some characters are damaged or missing.');
+    throw new Error(trLater('Some characters are damaged or missing.'));
   }
-  if (value === null || typeof value !== 'object' || Array.isArray(value)) throw new Error('Some characters are damaged or missing.');
+  if (value === null || typeof value !== 'object' || Array.isArray(value)) throw new Error(trLater('Some characters are damaged or missing.'));
   return /** @type {Record<string, unknown>} */ (value);
 }
 
@@ -84,18 +87,18 @@ function objectIn(text) {
 function checked(value, form) {
   const { lesson, predictions, answers, text, name, motion, quiz, ...others } = value;
   const [stranger] = [...Object.keys(others), ...form === 'plain' && quiz !== undefined ? ['quiz'] : []];
-  if (stranger !== undefined) throw new Error(`The work has a part that is not known here: “${stranger.slice(0, 40)}”.`);
-  const fault = (/** @type {string} */ what) => new Error(`The work is damaged: ${what}.`);
-  if (typeof lesson !== 'string' || !/^[a-z0-9-]{0,60}$/.test(lesson)) throw fault('“lesson” is not a lesson’s name');
+  if (stranger !== undefined) throw new Error(`${trLater('The work has a part that is not known here')}: “${stranger.slice(0, 40)}”.`);
+  const fault = (/** @type {string} */ what) => new Error(`${trLater('The work is damaged')}: ${what}`);
+  if (typeof lesson !== 'string' || !/^[a-z0-9-]{0,60}$/.test(lesson)) throw fault(trLater('“lesson” is not a lesson’s name.'));
   const list = (/** @type {unknown} */ values, /** @type {'predictions' | 'answers'} */ key, /** @type {(number: number) => boolean} */ fits) => {
-    if (!Array.isArray(values) || values.length > MOST[key] || !values.every((each) => each === null || (typeof each === 'number' && fits(each)))) throw fault(`“${key}” is not a list of numbers`);
+    if (!Array.isArray(values) || values.length > MOST[key] || !values.every((each) => each === null || (typeof each === 'number' && fits(each)))) throw fault(key === 'answers' ? trLater('“answers” is not a list of numbers.') : trLater('“predictions” is not a list of numbers.'));
     return /** @type {(number | null)[]} */ (values);
   };
   const words = (/** @type {unknown} */ given, /** @type {'text' | 'name'} */ key) => {
-    if (typeof given !== 'string' || given.length > MOST[key]) throw fault(`“${key}” is not a text of at most ${MOST[key]} characters`);
+    if (typeof given !== 'string' || given.length > MOST[key]) throw fault((key === 'text' ? trLater('“text” is not a text of at most {1} characters.') : trLater('“name” is not a text of at most {1} characters.')).replace('{1}', String(MOST[key])));
     return given;
   };
-  if (typeof motion !== 'string' || motion.length > MOST.motion || !/^[\w-]*$/.test(motion)) throw fault('its motion has characters that no link has');
+  if (typeof motion !== 'string' || motion.length > MOST.motion || !/^[\w-]*$/.test(motion)) throw fault(trLater('its motion has characters that no link has.'));
   return {
     lesson, motion,
     predictions: list(predictions, 'predictions', Number.isFinite),
@@ -108,7 +111,7 @@ function checked(value, form) {
 
 /** @param {unknown} value @returns {Quiz} */
 function checkedQuiz(value) {
-  const fault = new Error('The work is damaged: “quiz” is not the answers of a quiz.');
+  const fault = new Error(`${trLater('The work is damaged')}: ${trLater('“quiz” is not the answers of a quiz.')}`);
   if (value === null || typeof value !== 'object') throw fault;
   const { set, before, after, ...others } = /** @type {Record<string, unknown>} */ (value);
   const isRound = (/** @type {unknown} */ round) => round === null || (Array.isArray(round) && round.length <= MOST.quiz
@@ -128,7 +131,7 @@ function fromBase64url(text) {
     if (!/^[\w-]*$/.test(text)) throw new Error('no base64url');
     return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (letter) => letter.charCodeAt(0));
   } catch {
-    throw new Error('Some characters are damaged or missing.');
+    throw new Error(trLater('Some characters are damaged or missing.'));
   }
 }
 
@@ -137,6 +140,6 @@ function utf8(bytes) {
   try {
     return new TextDecoder('utf-8', { fatal: true }).decode(bytes);
   } catch {
-    throw new Error('Some characters are damaged or missing.');
+    throw new Error(trLater('Some characters are damaged or missing.'));
   }
 }

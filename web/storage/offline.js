@@ -3,7 +3,7 @@
 // completely, beside the old one. It takes over when no page uses the old one, or on request if this is the only page.
 // So a page never mixes two versions.
 import { element, onClick, setText } from '../browser/dom.js';
-import { tr } from '../languages/language.js';
+import { language, tr } from '../languages/language.js';
 import { scriptAddress } from '../browser/trusted.js';
 import { mayStoreBook, storeBook, untilIdle } from './store_book.js';
 
@@ -35,7 +35,7 @@ export async function startOffline(hooks) {
 async function storeLater({ firstMotion, busy, say }) {
   await firstMotion;
   do await untilIdle(); while (busy());
-  const { complete, fetched } = await storeBook();
+  const { complete, fetched } = await storeBook(language());
   if (complete && fetched) say(tr('Everything is stored now. Gaitsmith works without a network, with its lessons and its gallery.'));
 }
 

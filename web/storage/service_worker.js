@@ -25,7 +25,7 @@ worker.addEventListener('fetch', (/** @type {any} */ event) => {
 });
 worker.addEventListener('message', (/** @type {any} */ event) => {
   if (event.data?.type === 'take-over') event.waitUntil(takeOver(event.ports[0]));
-  if (event.data?.type === 'store-book') event.waitUntil(storeBook(event.ports[0]));
+  if (event.data?.type === 'store-book') event.waitUntil(storeBook(event.data.language, event.ports[0]));
 });
 
 /** Stores the whole playground. If this fails, the old version stays active. */
@@ -51,11 +51,11 @@ async function keepBook() {
   } catch { /* storeBook fetches what is missing */ }
 }
 
-/** Stores what is missing of the book, and reports whether it is complete. @param {MessagePort} port */
-async function storeBook(port) {
+/** Stores what is missing of the book in English and in one language, and reports whether it is complete. @param {string} language @param {MessagePort} port */
+async function storeBook(language, port) {
   const cache = await caches.open(CACHE);
   const stored = await storedIn(cache);
-  const waiting = site.book.filter((path) => !stored.has(ROOT + path));
+  const waiting = site.book.filter((path) => [undefined, language].includes(languageOf(path)) && !stored.has(ROOT + path));
   const fetches = waiting.length;
   const fetchNext = async () => {
     for (let path = waiting.shift(); path !== undefined; path = waiting.shift()) await cache.put(ROOT + path, await fetched(path, 'low'));
@@ -64,6 +64,9 @@ async function storeBook(port) {
   waiting.length = 0; // after a failure the next visit continues
   port.postMessage({ complete, fetched: fetches > 0 });
 }
+
+/** The language of a file of the book. undefined: everybody needs it. @param {string} path */
+const languageOf = (path) => /^book\/(?:words\/)?([a-z]{2})(?:\/|\.js$)/.exec(path)?.[1];
 
 /** The addresses that a cache has. @param {Cache} cache */
 const storedIn = async (cache) => new Set((await cache.keys()).map(({ url }) => url));

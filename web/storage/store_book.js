@@ -13,14 +13,15 @@ export async function untilIdle() {
 }
 
 /**
- * Stores what is missing, in the service worker that this page has registered.
+ * Stores what is missing of the book in English and in the page's language, in the service worker that this page has registered.
+ * @param {string} language
  * @returns {Promise<{complete: boolean, fetched: boolean}>} complete: all is stored; fetched: something was missing
  */
-export async function storeBook() {
+export async function storeBook(language) {
   const { active } = await navigator.serviceWorker.ready;
   return new Promise((resolve) => {
     const { port1, port2 } = new MessageChannel();
     port1.onmessage = ({ data }) => resolve(data);
-    active?.postMessage({ type: 'store-book' }, [port2]);
+    active?.postMessage({ type: 'store-book', language }, [port2]);
   });
 }

@@ -11,6 +11,9 @@ namespace gaitsmith::shell {
 struct ControllerPanelState {
   RuleWhyState why;
   RuleEditorState editor;
+
+  /// The rule that a person looks at: under the pointer, with the focus, or open in the editor; -1: none.
+  [[nodiscard]] int LookedAt() const { return why.pointed_at >= 0 ? why.pointed_at : editor.rule; }
 };
 
 void DrawControllerPanel(Ui&, Session&, ControllerPanelState&);

@@ -32,6 +32,29 @@ async function activeRule(page) {
   return assert.fail('no active rule on the panel');
 }
 
+/** What a rule feels shows on the body, and goes with the pointer. @param {Visit} visit */
+async function felt({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  await page.click('panels/1');
+  const card = await activeRule(page);
+  const pointer = new Mouse(page);
+  const stage = await widget(page, 'stage');
+  assert.ok(stage);
+  const away = { x: stage.rect.x + 30, y: stage.rect.y + stage.rect.height - 30 };
+  await page.page.mouse.move(away.x, away.y);
+  await page.frames(10);
+  const bare = await page.stage();
+  const { x, y } = await pointer.centre(card.id);
+  await page.page.mouse.move(x, y);
+  await page.frames(10);
+  assert.notEqual((await page.stage()).sum, bare.sum, 'the body shows what the rule feels');
+  await page.page.mouse.move(away.x, away.y);
+  await page.frames(10);
+  assert.equal((await page.stage()).sum, bare.sum, 'and no longer');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
 /** @param {Visit} visit */
 async function byMouse({ browser, address }) {
   const page = await PageDriver.open(browser, address);
@@ -167,6 +190,7 @@ async function gallery({ browser, address }) {
 
 /** @type {import('./all.mjs').Scenario[]} */
 export const RULE_SCENARIOS = [
+  ['the body shows what a rule feels, while the pointer is on its card', felt],
   ['a rule is opened, its interval and its pose are dragged, copied and deleted; Undo brings the motion back', byMouse],
   ['a rule is changed by the keyboard alone, and the one in focus is explained', byKeyboard],
   ['the gallery shows all figures, and one of them takes the stage', gallery, ONE_BROWSER],

@@ -40,6 +40,7 @@ async function afterTheFirstMotion(visit) {
     await untilComplete(page);
     assert.ok(fetchedBook(server).length > 100);
     assert.ok(!server.requested.some((path) => /book\/(reference\/|pictures[./])|\/package\/|\.zip$/.test(path)), 'what is too large is left out');
+    assert.ok(!server.requested.some((path) => /\/book\/(words\/)?(de|es)[/.]/.test(path)), 'so is the book in other languages');
     assert.deepEqual(page.complaints, []);
 
     server.away = true;
@@ -184,10 +185,28 @@ async function takenAlong(visit) {
   });
 }
 
+/** @param {Visit} visit */
+async function inAnotherLanguage(visit) {
+  await onHost(visit, async (server) => {
+    const page = await (await visit.browser.createBrowserContext()).newPage();
+    await page.goto(`${server.address()}book/de/index.html`);
+    await page.waitForSelector('#stored:not([hidden])', PATIENCE);
+    assert.ok(!server.requested.some((path) => /\/book\/(words\/)?es[/.]/.test(path)), 'but no other one');
+    server.away = true;
+    await page.goto(`${server.address()}book/de/lessons/8-the-judge.html`);
+    await untilPlayground(page);
+    assert.match(await textOf(page), /Selbst das Urteil fällen.*Abgeben/);
+    await page.goto(`${server.address()}book/es/index.html`);
+    assert.match(await textOf(page), /book\/es\/index\.html is not stored/);
+    await page.browserContext().close();
+  });
+}
+
 /** @type {typeof import('./all.mjs').SCENARIOS} */
 export const STORED_SCENARIOS = [
   ['after the first motion everything is stored, and what is not has a page that says so', afterTheFirstMotion],
   ['with Save-Data the book is not stored, and its pages say so without a network', halfStored],
   ['the book alone stores everything, too, and a new version fetches only what has changed', fromTheBook],
+  ['a page of the book in another language stores the book in that language, too', inAnotherLanguage],
   ['the whole site in one file is the same each time, and runs from any folder', takenAlong],
 ];

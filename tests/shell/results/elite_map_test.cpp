@@ -5,12 +5,10 @@
 #include <catch_amalgamated.hpp>
 #include <set>
 
-#include "core/numeric/bit_stream.h"
-#include "core/rollout/evaluator.h"
-#include "core/search/evaluation_score.h"
 #include "shell/words/wording.h"
 #include "tests/scene.h"
 #include "tests/shell/session/quiet_host.h"
+#include "tests/style_map.h"
 
 namespace gaitsmith::shell::test {
 namespace {
@@ -27,31 +25,12 @@ Document StyleProblem() {
   return d;
 }
 
-SearchProgress Searched(const Document& d) {
-  const Evaluator evaluator(ProblemOf(d));
-  const auto search = MakeSearch(d.search, SpaceOf(d));
-  while (!search->Done()) {
-    std::vector<Score> scores;
-    for (const Evaluation& one : evaluator.Evaluate(search->Ask(40))) scores.push_back(ScoreOf(one));
-    search->Tell(scores);
-  }
-  BitWriter state;
-  search->Save(state);
-  return {.state = SearchState::kDone,
-          .evaluations = search->Evaluations(),
-          .budget = d.search.evaluations,
-          .best_fitness = search->BestFitness(),
-          .curve = search->Curve(),
-          .best_genome = search->BestGenome(),
-          .saved = state.Bytes()};
-}
-
 }  // namespace
 
 TEST_CASE("elite map: every motion has the style of its cell, and the map has the best motion",
           "[shell][elites]") {
   const Document d = StyleProblem();
-  const SearchProgress done = Searched(d);
+  const SearchProgress done = gaitsmith::test::SearchedToEnd(d);
   const auto map = EliteMap::Of(d, done.saved);
   REQUIRE(map);
   CHECK(map->Count() > 3);
@@ -81,7 +60,7 @@ TEST_CASE("elite map: every motion has the style of its cell, and the map has th
 
 TEST_CASE("elite map: its ranges are just those of its motions", "[shell][elites]") {
   const Document d = StyleProblem();
-  const auto map = EliteMap::Of(d, Searched(d).saved);
+  const auto map = EliteMap::Of(d, gaitsmith::test::SearchedToEnd(d).saved);
   REQUIRE(map);
   std::array<std::set<int>, 3> filled;
   std::set<std::string> names;
@@ -105,7 +84,7 @@ TEST_CASE("elite map: its ranges are just those of its motions", "[shell][elites
 
 TEST_CASE("elite map: rejects states of other searches", "[shell][elites]") {
   const Document d = StyleProblem();
-  const SearchProgress done = Searched(d);
+  const SearchProgress done = gaitsmith::test::SearchedToEnd(d);
   CHECK_FALSE(EliteMap::Of(d, {}));
   for (std::size_t size = 0; size < done.saved.size(); size += 97)
     CHECK_FALSE(EliteMap::Of(d, std::span(done.saved).first(size)));
@@ -123,7 +102,7 @@ TEST_CASE("elite map: a session has the map of its last MAP-Elites search and ca
   const std::string before = State(session);
   CHECK_FALSE(session.Search().Elites());
   session.Search().Synthesize();
-  SearchProgress done = Searched(host.started.back());
+  SearchProgress done = gaitsmith::test::SearchedToEnd(host.started.back());
   session.OnSearchProgress(done);
   REQUIRE(session.Search().Elites());
   CHECK(session.Search().Elites()->Count() > 3);

@@ -294,6 +294,15 @@ TEST_CASE("commands: keys and names are unique, and every available command runs
     CHECK(Validate(session.Doc()));
   }
   CHECK(std::ranges::find(ids, "example/star-man-shuffle") != ids.end());
+  REQUIRE_FALSE(LockParts("figure,style,timeline", session.Layout()));
+  std::vector<Command> locked = CommandsOf(session, true);
+  for (Command& command : ShelfOf(session)) locked.push_back(std::move(command));
+  for (const Command& command : locked) {
+    CAPTURE(command.id);
+    const bool changes = command.id.starts_with("timeline/") || command.id.starts_with("task/") ||
+                         command.id.starts_with("figure/");
+    CHECK((command.why_not == Tr("Locked here: read only.")) == changes);
+  }
   CHECK(CommandsOf(session, false).size() + 1 == CommandsOf(session, true).size());  // the timeline's panel
 }
 

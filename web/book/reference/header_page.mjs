@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page of a header of core.
 import { firstSentence } from '../headings.mjs';
-import { attributes, escaped } from '../html.mjs';
-import { upFrom } from '../template.mjs';
+import { attributes, escaped, upFrom } from '../html.mjs';
 import { firstComment, notes } from './comments.mjs';
 import { addressOf } from './names.mjs';
 import { description, drawing } from './prose.mjs';

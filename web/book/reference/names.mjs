@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Links for the names in texts and signatures of the reference.
 import { attributes, escaped } from '../html.mjs';
-import { upFrom } from '../template.mjs';
+import { upFrom } from '../html.mjs';
 
 /** @typedef {import('./symbols.mjs').Symbol} Symbol */
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Makes one script of what the page for new lessons needs of the book's build and of markdown-it. Scripts of other rooms
-// stay where the site has them.
+// stay where the site has them, which has none that end in .mjs.
 import { readFile } from 'node:fs/promises';
 import { dirname, join, relative, resolve, sep } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -28,7 +28,7 @@ export async function bundled(entry) {
         if (!importer) return source;
         const file = source.startsWith('.') ? resolve(dirname(importer), source) : await packaged(source);
         const place = relative(WEB, file).split(sep).join('/');
-        return /^(book|node_modules)\//.test(place) ? file : { id: `../${place}`, external: 'absolute' };
+        return /^(book|node_modules)\/|\.mjs$/.test(place) ? file : { id: `../${place}`, external: 'absolute' };
       },
     }],
   });

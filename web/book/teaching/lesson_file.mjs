@@ -2,6 +2,7 @@
 // The file of a lesson: its text, and what stands between its --- lines. Used by the build and by the page where lessons
 // are written.
 import { frontMatter } from '../front_matter.mjs';
+import { ENGLISH } from '../languages/english.mjs';
 
 /** @typedef {import('../faults.mjs').Faults} Faults */
 /** @typedef {import('../lesson_page.mjs').LessonPage} LessonPage */
@@ -21,7 +22,7 @@ export function lessonOf(text, file, faults) {
   if (!/^(?!0)[a-z0-9-]{1,60}$/.test(name)) faults.add(source, 1, 'the name of a lesson\'s file has small letters, digits and hyphens, at most 60');
   const number = Number(/^(\d+)-/.exec(name)?.[1] ?? 0);
   const lesson = { number, title: fields.get('title')?.value ?? name, minutes, fields, goals: [], predictions: [], quizzes: [], opens: new Set() };
-  return { source, address: `lessons/${name}.html`, name, body, before, lesson };
+  return { source, address: `lessons/${name}.html`, name, body, before, lesson, language: ENGLISH };
 }
 
 /** The text of a file. @param {Record<string, string>} fields  by KEYS; empty ones are left out @param {string} body */

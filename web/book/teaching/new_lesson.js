@@ -2,6 +2,7 @@
 // The page where a lesson is written. The preview is made by the code of the book's build, and the saved file is what the
 // build takes. The draft stays in this browser.
 import * as tables from '../../catalogue/catalogue.js';
+import { tr, trSentence } from '../../languages/language.js';
 import { faultOfGoal } from '../../page/goal_conditions.js';
 import { Engine } from '../../search/engine.js';
 import { Faults } from '../faults.mjs';
@@ -70,7 +71,7 @@ function fill(file) {
 
 const loadPreview = async () => {
   const [engine, response] = await Promise.all([Engine.load(), fetch(new URL('sources.json', import.meta.url))]);
-  if (!response.ok) throw new Error('what a lesson may link to could not be loaded');
+  if (!response.ok) throw new Error(tr('what a lesson may link to could not be loaded'));
   return new Preview(engine, tables, await response.json());
 };
 
@@ -92,14 +93,14 @@ async function show() {
     preview ??= loadPreview();
     const { html, faults, before } = await (await preview).render(file, fileName());
     if (mine !== round) return;
-    article.replaceChildren(...shown(html, new URL('lessons/x.html', location.href).href));
+    article.replaceChildren(...shown(html, new URL('lessons/x.html', import.meta.url).href));
     startQuizzes();
     list.replaceChildren(...faults.map((fault) => faultItem(fault, before, file)));
-    find('faults-heading').textContent = faults.length === 0 ? 'Nothing to correct' : 'To correct';
+    find('faults-heading').textContent = faults.length === 0 ? tr('Nothing to correct') : tr('To correct');
     article.dataset.shown = String(mine);
   } catch (error) {
     preview = null;
-    state.textContent = `The preview could not be made: ${error instanceof Error ? error.message : error}. Reload the page to try again. Your text is kept.`;
+    state.textContent = tr('The preview could not be made: {1}. Reload the page to try again. Your text is kept.', error instanceof Error ? error.message : String(error));
   }
 }
 
@@ -109,7 +110,7 @@ function faultItem({ line, sentence }, before, file) {
   const header = line <= before;
   const key = /^(\w+):/.exec(file.split('\n')[line - 1] ?? '')?.[1] ?? KEYS.find((each) => sentence.includes(`"${each}`)) ?? 'title';
   button.type = 'button';
-  button.textContent = header ? `Above the text: ${sentence}` : `Line ${line - before}: ${sentence}`;
+  button.textContent = header ? tr('Above the text: {1}', sentence) : tr('Line {1}: {2}', line - before, sentence);
   button.addEventListener('click', () => {
     if (header) return find(['panels', 'lock'].includes(key) ? 'lesson-title' : `lesson-${key}`).focus();
     const lines = text.value.split('\n'), from = lines.slice(0, line - before - 1).join('\n').length + (line - before > 1 ? 1 : 0);
@@ -138,13 +139,13 @@ const value = (/** @type {string} */ id) => /** @type {HTMLInputElement | HTMLTe
 
 inserter('motion', async () => {
   const link = motionLink(value('motion-link')), words = value('motion-words');
-  if (!link) return 'Paste the whole link, from “Copy link” in the playground.';
-  if (!words) return 'Write the words that the reader sees.';
+  if (!link) return tr('Paste the whole link, from “Copy link” in the playground.');
+  if (!words) return tr('Write the words that the reader sees.');
   try {
     preview ??= loadPreview();
     await (await preview).playground.payloadOf(link.split('#')[1]);
   } catch (error) {
-    return `This link does not open: ${error instanceof Error ? error.message : error}`;
+    return tr('This link does not open: {1}', trSentence(error instanceof Error ? error.message : String(error)));
   }
   const { inserted, end } = motion(text.value, link, words, input('motion-strip').checked);
   insert(inserted);
@@ -152,31 +153,31 @@ inserter('motion', async () => {
   text.value = `${text.value.trimEnd()}\n${/^\[motion-\d+\]:.*$/.test(text.value.trimEnd().split('\n').at(-1) ?? '') ? '' : '\n'}${end}\n`;
   text.setSelectionRange(at, at);
   changed();
-  return 'Inserted. Its link is at the end of the text.';
+  return tr('Inserted. Its link is at the end of the text.');
 });
 inserter('goal', () => {
   const fault = faultOfGoal(value('goal-conditions'), tables);
-  if (fault) return fault;
-  if (!value('goal-words')) return 'Write the goal in words, too.';
+  if (fault) return trSentence(fault);
+  if (!value('goal-words')) return tr('Write the goal in words, too.');
   insert(goal(value('goal-conditions'), value('goal-words')));
-  return 'Inserted.';
+  return tr('Inserted.');
 });
 inserter('predict', () => {
   const answers = value('predict-answers').split('\n').filter((/** @type {string} */ line) => line.trim() !== '');
-  if (!value('predict-question') || answers.length === 0) return 'A prediction has a question, and answers or a slider.';
+  if (!value('predict-question') || answers.length === 0) return tr('A prediction has a question, and answers or a slider.');
   insert(prediction(value('predict-question'), answers));
-  return 'Inserted.';
+  return tr('Inserted.');
 });
 inserter('quiz', () => {
   const right = /** @type {HTMLInputElement} */ (document.querySelector('[name=quiz-right]:checked')).value;
   const answers = ['1', '2', '3'].map((i) => ({ answer: value(`quiz-answer-${i}`), why: value(`quiz-why-${i}`), right: i === right })).filter(({ answer }) => answer !== '');
   if (!value('quiz-question') || answers.length < 2 || !answers.some((each) => each.right) || answers.some(({ why }) => why === '')) {
-    return 'A question has two or three answers, each with an explanation, and one is right.';
+    return tr('A question has two or three answers, each with an explanation, and one is right.');
   }
   insert(quiz(value('quiz-question'), answers));
-  return 'Inserted.';
+  return tr('Inserted.');
 });
-input('goal-conditions').addEventListener('change', () => { find('goal-state').textContent = value('goal-conditions') ? faultOfGoal(value('goal-conditions'), tables) : ''; });
+input('goal-conditions').addEventListener('change', () => { find('goal-state').textContent = value('goal-conditions') ? trSentence(faultOfGoal(value('goal-conditions'), tables)) : ''; });
 input('lesson-open').addEventListener('change', () => {
   input('lesson-open').value = motionLink(value('lesson-open')) || value('lesson-open');
   changed();
@@ -187,18 +188,18 @@ find('lesson-save').addEventListener('click', () => {
   const address = URL.createObjectURL(new Blob([written()], { type: 'text/markdown' }));
   Object.assign(document.createElement('a'), { href: address, download: fileName() }).click();
   setTimeout(() => URL.revokeObjectURL(address), 60000);
-  state.textContent = `Saved as ${fileName()}.${list.children.length > 0 ? ' There is something to correct before the book takes it.' : ''}`;
+  state.textContent = [`${tr('Saved as {1}', fileName())}.`, list.children.length > 0 && tr('There is something to correct before the book takes it.')].filter(Boolean).join(' ');
 });
 /** @param {File | undefined} file */
 async function openFile(file) {
   if (!file) return;
   if (file.size > MOST_BYTES) {
-    state.textContent = 'This file is too large for a lesson.';
+    state.textContent = tr('This file is too large for a lesson.');
     return;
   }
   fill(await file.text());
   opened = /^[a-z0-9-]{1,60}\.md$/.test(file.name) ? file.name : '';
-  state.textContent = `Opened ${file.name}.`;
+  state.textContent = tr('Opened {1}.', file.name);
   changed();
 }
 input('lesson-file').addEventListener('change', async ({ target }) => {
@@ -211,17 +212,17 @@ const clear = find('lesson-clear');
 clear.addEventListener('click', () => {
   if (clear.dataset.asked === undefined) {
     clear.dataset.asked = '';
-    clear.textContent = 'Start over: forget this text?';
+    clear.textContent = tr('Start over: forget this text?');
     return;
   }
   begin('');
-  state.textContent = 'This is a new lesson.';
+  state.textContent = tr('This is a new lesson.');
   changed();
 });
 clear.addEventListener('blur', forgetQuestion);
 function forgetQuestion() {
   delete clear.dataset.asked;
-  clear.textContent = 'Start over';
+  clear.textContent = tr('Start over');
 }
 
 /** @param {string} draft */

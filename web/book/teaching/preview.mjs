@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Makes the page of a lesson from its file's text as the book's build does, in the browser.
 import { Faults } from '../faults.mjs';
+import { ENGLISH } from '../languages/english.mjs';
 import { lessonPage } from '../lesson_page.mjs';
 import { Links } from '../links.mjs';
 import { Markdown } from '../markdown.mjs';
@@ -34,7 +35,7 @@ export class Preview {
 
   /** @param {import('../../search/engine.js').Engine} engine @param {import('../../page/goal_conditions.js').Tables} tables @param {Sources} sources */
   constructor(engine, tables, { pages, images, documents }) {
-    this.#pages = pages.map(({ source, address }) => ({ source, address, name: '', body: '', before: 0 }));
+    this.#pages = pages.map(({ source, address }) => ({ source, address, name: '', body: '', before: 0, language: ENGLISH }));
     this.#ids = new Map(pages.map(({ source, ids }) => [source, ids]));
     this.#known = new Set([...pages.map(({ source }) => source), ...images, ...Object.keys(documents)]);
     this.playground = new Playground(engine, tables, async (file) => documents[file]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a new lesson may link to: the pages of the book with their headings, its pictures, and the documents of examples/.
+// What a new lesson may link to: the English pages of the book with their headings, its pictures, and the documents of examples/.
 import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 
@@ -14,5 +14,5 @@ export async function sources(root, rendered, { images, playground }) {
     const { controllers } = JSON.parse(await readFile(join(root, file), 'utf8'));
     if (controllers) documents[file] = await playground.payload(file); // a figure or a problem has none
   }
-  return { pages: [...rendered].map(([{ source, address }, { headings }]) => ({ source, address, ids: headings.map(({ id }) => id) })), images: [...images.keys()], documents };
+  return { pages: [...rendered].filter(([{ original }]) => !original).map(([{ source, address }, { headings }]) => ({ source, address, ids: headings.map(({ id }) => id) })), images: [...images.keys()], documents };
 }

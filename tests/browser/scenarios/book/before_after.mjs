@@ -105,7 +105,30 @@ async function bothRounds(visit) {
   await wall.browserContext().close();
 }
 
+/** The questions, what is said about the answers, and the wall are in the page's language. @param {Visit} visit */
+async function inGerman(visit) {
+  const { page, complaints } = await open(visit, 'book/de/quiz.html');
+  await says(page, 'round-state', 'Die erste Runde kommt vor den Lektionen.');
+  await press(page, '#round-after');
+  const shown = await page.$eval('#questions', (form) => /** @type {HTMLElement} */ (form).innerText);
+  assert.match(shown, /1\. Ein Putzroboter hat zwei Regeln.*Weiß ich nicht/s);
+  for (const { question, answers } of QUESTIONS) for (const words of [question, ...answers]) assert.ok(!shown.includes(words), words);
+  await answer(page, RIGHT.map((right, i) => (i === 0 ? 4 : right)));
+  await says(page, 'round-state', 'Zweite Runde: 7 von 8 richtig.');
+  const [first, , third] = await page.$$eval('.feedback', (boxes) => boxes.map((box) => box.textContent ?? ''));
+  assert.match(first, /^Richtig ist „Nirgends: .*“ Die Regeln kennen keinen Raum\./);
+  assert.match(third, /^Richtig\. Eine Uhr spürt nichts\./);
+  const link = await handedIn(page);
+  assert.match(link, /book\/de\/wall\.html#H2\./);
+  await page.goto(link);
+  await says(page, 'wall-state', '1 Ergebnis der Fragen vorher und nachher.');
+  assert.match(await page.$eval('#wall-quiz', (section) => section.textContent ?? ''), /1 Person, 0 mit beiden Runden\. Die Zahlen zeigen nicht.*Putzroboter.*✓ Nirgends.*0 von 1/s);
+  assert.deepEqual(complaints, []);
+  await page.browserContext().close();
+}
+
 /** @type {import('../all.mjs').Scenario[]} */
 export const BEFORE_AFTER_SCENARIOS = [
   ['eight questions are answered before and after the lessons, and the wall counts them', bothRounds, ONE_BROWSER],
+  ['the questions before and after are asked and explained in German', inGerman, ONE_BROWSER],
 ];

@@ -52,6 +52,13 @@ async function lesson(visit) {
   assert.deepEqual(faults, []);
   await page.browserContext().close();
 
+  // The wall in another language has the lesson's questions in it.
+  const { page: german, faults: none } = await open(visit, `book/de/wall.html${new URL(link).hash}`);
+  await says(german, '#wall-state', /^1 Arbeit, 1 mit erreichtem Ziel\.$/);
+  assert.match(await german.evaluate(() => document.querySelector('#wall-table tbody tr')?.textContent ?? ''), /1\. Was eine Reiz-Reaktions-Regel ist.*✓ erreicht.*zwei.*1 von 2 Fragen richtig/s);
+  assert.deepEqual(none, []);
+  await german.browserContext().close();
+
   // What the teacher gets.
   const { page: wall, faults: more } = await open(visit, new URL(link).pathname.slice(1) + new URL(link).hash);
   await says(wall, '#wall-state', /1 piece of work, 1 with the goal reached/);

@@ -43,6 +43,8 @@ async function explorable(visit) {
   // What is out of sight rests.
   const begun = await page.evaluate(() => document.querySelectorAll('figure.stage.live').length);
   assert.equal(begun, count);
+  await page.goto(`${visit.address}book/de/how-things-learn-to-move.html`);
+  await page.waitForFunction(() => document.querySelector('figure.stage .said')?.textContent === '25,9 m in 8 s.' && document.querySelector('figure.stage label span')?.textContent === 'Zeitpunkt', { timeout: PATIENCE_MS });
   assert.deepEqual(faults, []);
   await page.browserContext().close();
 }
