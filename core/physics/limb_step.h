@@ -96,8 +96,8 @@ class LimbStep {
     s_.lifting_work_j = lift * world_.weight_n;
     s_.greatest_height_m = L::Max(s_.greatest_height_m, s_.height_m);
     const F work = s_.normal_work_j + s_.friction_work_j + s_.lifting_work_j;
-    s_.broken |= ~((lift <= kMaxPenetration) & (work <= world_.max_ground_work_j) &
-                   (fastest * h <= kMaxTurnPerStep));
+    s_.broken |=
+        ~((lift <= kMaxPenetration) & (work <= world_.max_ground_work_j) & (fastest * h <= kMaxTurnPerStep));
   }
 
   /// Directions of the rods and places of the endpoints, from the angles. Computed afresh in each step, so
@@ -144,7 +144,8 @@ class LimbStep {
     MeasureMass<W>(body_, cosine_, sine_, inertia_);
     MeasureBias<W>(body_, cosine_, sine_, turning_, inertia_);
     base_[0] = s_.angular_momentum;
-    for (std::size_t i = 1; i < rods_; ++i) base_[i] = s_.momentum[i] + 0.5f * world_.step_s * inertia_.bias[i];
+    for (std::size_t i = 1; i < rods_; ++i)
+      base_[i] = s_.momentum[i] + 0.5f * world_.step_s * inertia_.bias[i];
   }
 
   void Run() {
@@ -201,8 +202,8 @@ class LimbStep {
 
   /// The speed that a joint's rule, or its stop, asks for [rad/s].
   [[nodiscard]] F Wanted(std::size_t i) const {
-    const F edge = L::Select(s_.stop_side[i] > 0.0f, L::Splat(body_.limbs[i].max_rad),
-                             L::Splat(body_.limbs[i].min_rad));
+    const F edge =
+        L::Select(s_.stop_side[i] > 0.0f, L::Splat(body_.limbs[i].max_rad), L::Splat(body_.limbs[i].min_rad));
     return L::Select(s_.stop_side[i] != 0.0f, edge - s_.angle_rad[i - 1], asked_turn_[i - 1]) *
            world_.inverse_step;
   }
@@ -222,9 +223,10 @@ class LimbStep {
       const F side = s_.torque_side[i], stop = s_.stop_side[i];
       // From one greatest torque to the other a joint passes through what its rule asks for.
       const F asks = body_.firmness[i] * (asked_turn_[i - 1] * world_.inverse_step - speed[i]);
-      const F strained = L::Select(impulse > most, L::Splat(1.0f), L::Select(impulse < -most, L::Splat(-1.0f), F{}));
-      const F next_side = L::Select(stop != 0.0f, side,
-                                    L::Select(side == 0.0f, strained, L::Select(side * asks < most, F{}, side)));
+      const F strained =
+          L::Select(impulse > most, L::Splat(1.0f), L::Select(impulse < -most, L::Splat(-1.0f), F{}));
+      const F next_side = L::Select(
+          stop != 0.0f, side, L::Select(side == 0.0f, strained, L::Select(side * asks < most, F{}, side)));
       const F end = s_.angle_rad[i - 1] + h * speed[i];
       const F beyond = L::Select(end > body_.limbs[i].max_rad + kStopMargin, L::Splat(1.0f),
                                  L::Select(end < body_.limbs[i].min_rad - kStopMargin, L::Splat(-1.0f), F{}));
@@ -301,7 +303,8 @@ class LimbStep {
     const F fall = L::Select(up > 0.0f, F{}, L::Splat(0.5f * world_.fall_y));
     return world_.step_s * (s_.velocity_y - fall + up * world_.inverse_mass);
   }
-  [[nodiscard]] F PathXOf(const std::array<F, kMaxEndpoints>& normal, const std::array<F, kMaxEndpoints>& tangent) const {
+  [[nodiscard]] F PathXOf(const std::array<F, kMaxEndpoints>& normal,
+                          const std::array<F, kMaxEndpoints>& tangent) const {
     const F fall = L::Select(SumOf(normal) > 0.0f, F{}, L::Splat(0.5f * world_.fall_x));
     return world_.step_s * (s_.velocity_x - fall + SumOf(tangent) * world_.inverse_mass);
   }

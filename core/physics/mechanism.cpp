@@ -47,7 +47,8 @@ Mechanism::Mechanism(const Figure& figure) : Skeleton(figure) {
   // The inertia that a joint feels in the drawn pose, the root free: M_jj - M_j0^2 / M_00.
   std::array<double, kMaxRods> direction{};
   for (std::size_t i = 1; i < n; ++i)
-    direction[i] = direction[static_cast<std::size_t>(limbs[i].parent)] + static_cast<double>(limbs[i].rest_rad);
+    direction[i] =
+        direction[static_cast<std::size_t>(limbs[i].parent)] + static_cast<double>(limbs[i].rest_rad);
   const auto inertia = [&](std::size_t one, std::size_t two) {
     double sum = 0.0;
     for (std::size_t a = 0; a < n; ++a) {

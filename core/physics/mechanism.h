@@ -26,8 +26,8 @@ struct Mechanism : Skeleton {
   /// Bit mask of the endpoints beyond each joint, by limb; the root has all of them.
   std::array<std::int32_t, kMaxRods> beyond{};
   // By limb; of the joint where it starts. The root's are 0.
-  std::array<float, kMaxRods> torque_nm{};     // greatest
-  std::array<float, kMaxRods> firmness{};      // stiffness times the effective inertia at rest [kg m^2]
+  std::array<float, kMaxRods> torque_nm{};      // greatest
+  std::array<float, kMaxRods> firmness{};       // stiffness times the effective inertia at rest [kg m^2]
   std::array<float, kMaxRods> stop_firmness{};  // of a joint limit [kg m^2]
 };
 

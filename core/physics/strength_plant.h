@@ -90,16 +90,9 @@ class StrengthPlant {
 
   [[nodiscard]] Snapshot Observe(int lane) const {
     const LimbState<W>& s = state_;
-    return {s.distance_m[lane],
-            s.height_m[lane],
-            s.velocity_x[lane],
-            s.velocity_y[lane],
-            s.turn_rad[lane],
-            s.angular_momentum[lane],
-            s.normal_work_j[lane],
-            s.friction_work_j[lane],
-            s.friction_gain_j[lane],
-            s.lifting_work_j[lane]};
+    return {s.distance_m[lane],      s.height_m[lane],         s.velocity_x[lane],    s.velocity_y[lane],
+            s.turn_rad[lane],        s.angular_momentum[lane], s.normal_work_j[lane], s.friction_work_j[lane],
+            s.friction_gain_j[lane], s.lifting_work_j[lane]};
   }
   [[nodiscard]] std::array<float, 2> ContactPoint(int contact, int lane) const {
     const auto k = static_cast<std::size_t>(contact);
