@@ -50,13 +50,14 @@ class LimbStep {
     const float h = world_.step_s;
     const LimbNumbers<W> turning = TurningOf<W>(body_, speed_);
     MeasureBias<W>(body_, cosine_, sine_, turning, inertia_);
-    const LimbNumbers<W> momenta = inertia_.Momenta(rods_, speed_);
     F fastest{};
     for (std::size_t a = 0; a < rods_; ++a) fastest = L::Max(fastest, L::Abs(turning[a]));
     const F inverse_inertia = 1.0f / inertia_.mass[0][0];
     for (std::size_t i = 1; i < rods_; ++i) {
       s_.root_answer[i] = inertia_.mass[i][0] * inverse_inertia;
-      s_.momentum[i] = momenta[i] + 0.5f * h * inertia_.bias[i];
+      // With the bias at the speeds that were found, not half of that which was foreseen: otherwise a step of
+      // a single round would be accurate to first order only.
+      s_.momentum[i] += h * inertia_.bias[i] + (given_[i] + impulse_[i]);
       s_.joint_impulse[i] = impulse_[i];
       s_.joint_turn[i - 1] = h * speed_[i];
       s_.angle_rad[i - 1] += s_.joint_turn[i - 1];
