@@ -219,9 +219,11 @@ class LimbStep {
     const bool single = round >= kSingleChoices, last = round + 1 == kLimbRounds;
     I changed{};
     for (std::size_t i = rods_; i-- > 1;) {
-      const F impulse = momenta[i] - base_[i] - given[i];
       const float most = body_.torque_nm[i] * h;
       const F side = s_.torque_side[i], stop = s_.stop_side[i];
+      // At its greatest torque a joint's impulse is known, and the rounding of the speeds must not add up.
+      const F impulse =
+          L::Select((side != 0.0f) & (stop == 0.0f), side * most, momenta[i] - base_[i] - given[i]);
       // From one greatest torque to the other a joint passes through what its rule asks for.
       const F asks = body_.firmness[i] * (asked_turn_[i - 1] * world_.inverse_step - speed[i]);
       const F strained =
