@@ -25,6 +25,18 @@ inline constexpr float kStopMargin = 1e-4f;
 /// An endpoint may end this far below ground [m] before the contacts are solved again.
 inline constexpr float kLimbSink = 2e-5f;
 
+/// What a turn by a small angle adds to a direction, as Turn (scalar_math.h), but accurate however small.
+template <int W>
+void TurnedBy(typename Lane<W>::F angle, typename Lane<W>::F sine, typename Lane<W>::F cosine,
+              typename Lane<W>::F& more_sine, typename Lane<W>::F& more_cosine) {
+  using F = typename Lane<W>::F;
+  const F z = angle * angle;
+  const F s = angle * (1.0f - z * (1.0f / 6.0f) * (1.0f - z * (1.0f / 20.0f) * (1.0f - z * (1.0f / 42.0f))));
+  const F less = z * 0.5f * (1.0f - z * (1.0f / 12.0f) * (1.0f - z * (1.0f / 30.0f)));
+  more_sine = cosine * s - sine * less;
+  more_cosine = -(sine * s) - cosine * less;
+}
+
 template <int W>
 class LimbStep {
   using L = Lane<W>;
@@ -72,7 +84,7 @@ class LimbStep {
     for (std::size_t k = 0; k <= rods_; ++k) {
       along += tangent_[k];
       up += normal_[k];
-      const F slide = path_x + (end_x_[k] - s_.endpoint_x[k]);
+      const F slide = path_x + move_x_[k];
       const F rise = path_y + (end_y_[k] - s_.endpoint_y[k]);
       const I bears = (normal_[k] > 0.0f) & (s_.last_normal[k] > 0.0f);
       s_.slip_m += L::Select(bears, L::Abs(slide), F{});
@@ -252,28 +264,26 @@ class LimbStep {
       changed |= height + next_y_[k] < -kLimbSink;
       normal_[k] = L::Select(open, normal[k], normal_[k]);
       tangent_[k] = L::Select(open, tangent[k], tangent_[k]);
-      end_x_[k] = L::Select(open, next_x_[k], end_x_[k]);
+      move_x_[k] = L::Select(open, next_move_x_[k], move_x_[k]);
       end_y_[k] = L::Select(open, next_y_[k], end_y_[k]);
     }
     known = L::Select(open, touching, known);
-    next_x_ = end_x_;
+    next_move_x_ = move_x_;
     next_y_ = end_y_;
     next_height_ = s_.height_m + PathYOf(normal_);
     return open & changed;
   }
 
-  /// Endpoints at the end of the step, from the centre of mass.
+  /// Endpoints at the end of the step, from the centre of mass. What they move by is not the difference of
+  /// two places, whose rounding is the same in every step at rest, and would let figures creep.
   void PlaceEnd(const LimbNumbers<W>& speed, const std::array<F, kMaxEndpoints>& normal) {
     const LimbNumbers<W> turning = TurningOf<W>(body_, speed);
     LimbNumbers<W> cosine, sine;
-    for (std::size_t a = 0; a < rods_; ++a) {
-      sine[a] = s_.sine[a];
-      cosine[a] = s_.cosine[a];
-      Turn<W>(world_.step_s * turning[a], sine[a], cosine[a]);
-    }
-    const LimbArms<W> arms(body_, cosine, sine);
-    next_x_ = arms.x;
-    next_y_ = arms.y;
+    for (std::size_t a = 0; a < rods_; ++a)
+      TurnedBy<W>(world_.step_s * turning[a], s_.sine[a], s_.cosine[a], sine[a], cosine[a]);
+    const LimbArms<W> moves(body_, cosine, sine);
+    next_move_x_ = moves.x;
+    for (std::size_t k = 0; k <= rods_; ++k) next_y_[k] = s_.endpoint_y[k] + moves.y[k];
     next_height_ = s_.height_m + PathYOf(normal);
   }
   [[nodiscard]] I NearGround() const {
@@ -290,7 +300,7 @@ class LimbStep {
     const F path_x = world_.step_s * (s_.velocity_x + SumOf(tangent) * world_.inverse_mass);
     for (std::size_t k = 0; k <= rods_; ++k) {
       v_n[k] = (height + next_y_[k]) * world_.inverse_step;
-      v_t[k] = (path_x + (next_x_[k] - s_.endpoint_x[k])) * world_.inverse_step;
+      v_t[k] = (path_x + next_move_x_[k]) * world_.inverse_step;
     }
   }
 
@@ -328,9 +338,9 @@ class LimbStep {
   LimbNumbers<W> impulse_{};  // of each joint [N m s]
   LimbNumbers<W> given_{};    // momenta by the ground
   std::array<F, kMaxEndpoints> normal_{}, tangent_{};
-  std::array<F, kMaxEndpoints> end_x_{}, end_y_{};
+  std::array<F, kMaxEndpoints> move_x_{}, end_y_{};  // of the endpoints, see PlaceEnd
   // Of the present round.
-  std::array<F, kMaxEndpoints> next_x_{}, next_y_{};
+  std::array<F, kMaxEndpoints> next_move_x_{}, next_y_{};
   F next_height_{};
 };
 
