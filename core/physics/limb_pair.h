@@ -122,6 +122,11 @@ class LimbPair {
       for (std::size_t c = p + 1; c < 4; ++c) left -= row[p][c] * found[c];
       found[p] = left / row[p][p];
     }
+    // At the edge of the cone, not beside it by the rounding of the elimination.
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (modes[i] != Mode::kStick)
+        found[2 * i + 1] = (modes[i] == Mode::kRight ? friction : -friction) * found[2 * i];
+    }
     I fits = lanes;
     for (std::size_t i = 0; i < 2; ++i) {
       const F n = found[2 * i], t = found[2 * i + 1];
