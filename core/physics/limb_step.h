@@ -25,6 +25,18 @@ inline constexpr float kStopMargin = 1e-4f;
 /// An endpoint may end this far below ground [m] before the contacts are solved again.
 inline constexpr float kLimbSink = 2e-5f;
 
+/// What a turn by a small angle adds to a direction, as Turn (scalar_math.h), but accurate however small.
+template <int W>
+void TurnedBy(typename Lane<W>::F angle, typename Lane<W>::F sine, typename Lane<W>::F cosine,
+              typename Lane<W>::F& more_sine, typename Lane<W>::F& more_cosine) {
+  using F = typename Lane<W>::F;
+  const F z = angle * angle;
+  const F s = angle * (1.0f - z * (1.0f / 6.0f) * (1.0f - z * (1.0f / 20.0f) * (1.0f - z * (1.0f / 42.0f))));
+  const F less = z * 0.5f * (1.0f - z * (1.0f / 12.0f) * (1.0f - z * (1.0f / 30.0f)));
+  more_sine = cosine * s - sine * less;
+  more_cosine = -(sine * s) - cosine * less;
+}
+
 template <int W>
 class LimbStep {
   using L = Lane<W>;
@@ -50,13 +62,14 @@ class LimbStep {
     const float h = world_.step_s;
     const LimbNumbers<W> turning = TurningOf<W>(body_, speed_);
     MeasureBias<W>(body_, cosine_, sine_, turning, inertia_);
-    const LimbNumbers<W> momenta = inertia_.Momenta(rods_, speed_);
     F fastest{};
     for (std::size_t a = 0; a < rods_; ++a) fastest = L::Max(fastest, L::Abs(turning[a]));
     const F inverse_inertia = 1.0f / inertia_.mass[0][0];
     for (std::size_t i = 1; i < rods_; ++i) {
       s_.root_answer[i] = inertia_.mass[i][0] * inverse_inertia;
-      s_.momentum[i] = momenta[i] + 0.5f * h * inertia_.bias[i];
+      // With the bias at the speeds that were found, not half of that which was foreseen: otherwise a step of
+      // a single round would be accurate to first order only.
+      s_.momentum[i] += h * inertia_.bias[i] + (given_[i] + impulse_[i]);
       s_.joint_impulse[i] = impulse_[i];
       s_.joint_turn[i - 1] = h * speed_[i];
       s_.angle_rad[i - 1] += s_.joint_turn[i - 1];
@@ -71,7 +84,7 @@ class LimbStep {
     for (std::size_t k = 0; k <= rods_; ++k) {
       along += tangent_[k];
       up += normal_[k];
-      const F slide = path_x + (end_x_[k] - s_.endpoint_x[k]);
+      const F slide = path_x + move_x_[k];
       const F rise = path_y + (end_y_[k] - s_.endpoint_y[k]);
       const I bears = (normal_[k] > 0.0f) & (s_.last_normal[k] > 0.0f);
       s_.slip_m += L::Select(bears, L::Abs(slide), F{});
@@ -218,9 +231,11 @@ class LimbStep {
     const bool single = round >= kSingleChoices, last = round + 1 == kLimbRounds;
     I changed{};
     for (std::size_t i = rods_; i-- > 1;) {
-      const F impulse = momenta[i] - base_[i] - given[i];
       const float most = body_.torque_nm[i] * h;
       const F side = s_.torque_side[i], stop = s_.stop_side[i];
+      // At its greatest torque a joint's impulse is known, and the rounding of the speeds must not add up.
+      const F impulse =
+          L::Select((side != 0.0f) & (stop == 0.0f), side * most, momenta[i] - base_[i] - given[i]);
       // From one greatest torque to the other a joint passes through what its rule asks for.
       const F asks = body_.firmness[i] * (asked_turn_[i - 1] * world_.inverse_step - speed[i]);
       const F strained =
@@ -249,28 +264,26 @@ class LimbStep {
       changed |= height + next_y_[k] < -kLimbSink;
       normal_[k] = L::Select(open, normal[k], normal_[k]);
       tangent_[k] = L::Select(open, tangent[k], tangent_[k]);
-      end_x_[k] = L::Select(open, next_x_[k], end_x_[k]);
+      move_x_[k] = L::Select(open, next_move_x_[k], move_x_[k]);
       end_y_[k] = L::Select(open, next_y_[k], end_y_[k]);
     }
     known = L::Select(open, touching, known);
-    next_x_ = end_x_;
+    next_move_x_ = move_x_;
     next_y_ = end_y_;
     next_height_ = s_.height_m + PathYOf(normal_);
     return open & changed;
   }
 
-  /// Endpoints at the end of the step, from the centre of mass.
+  /// Endpoints at the end of the step, from the centre of mass. What they move by is not the difference of
+  /// two places, whose rounding is the same in every step at rest, and would let figures creep.
   void PlaceEnd(const LimbNumbers<W>& speed, const std::array<F, kMaxEndpoints>& normal) {
     const LimbNumbers<W> turning = TurningOf<W>(body_, speed);
     LimbNumbers<W> cosine, sine;
-    for (std::size_t a = 0; a < rods_; ++a) {
-      sine[a] = s_.sine[a];
-      cosine[a] = s_.cosine[a];
-      Turn<W>(world_.step_s * turning[a], sine[a], cosine[a]);
-    }
-    const LimbArms<W> arms(body_, cosine, sine);
-    next_x_ = arms.x;
-    next_y_ = arms.y;
+    for (std::size_t a = 0; a < rods_; ++a)
+      TurnedBy<W>(world_.step_s * turning[a], s_.sine[a], s_.cosine[a], sine[a], cosine[a]);
+    const LimbArms<W> moves(body_, cosine, sine);
+    next_move_x_ = moves.x;
+    for (std::size_t k = 0; k <= rods_; ++k) next_y_[k] = s_.endpoint_y[k] + moves.y[k];
     next_height_ = s_.height_m + PathYOf(normal);
   }
   [[nodiscard]] I NearGround() const {
@@ -287,7 +300,7 @@ class LimbStep {
     const F path_x = world_.step_s * (s_.velocity_x + SumOf(tangent) * world_.inverse_mass);
     for (std::size_t k = 0; k <= rods_; ++k) {
       v_n[k] = (height + next_y_[k]) * world_.inverse_step;
-      v_t[k] = (path_x + (next_x_[k] - s_.endpoint_x[k])) * world_.inverse_step;
+      v_t[k] = (path_x + next_move_x_[k]) * world_.inverse_step;
     }
   }
 
@@ -325,9 +338,9 @@ class LimbStep {
   LimbNumbers<W> impulse_{};  // of each joint [N m s]
   LimbNumbers<W> given_{};    // momenta by the ground
   std::array<F, kMaxEndpoints> normal_{}, tangent_{};
-  std::array<F, kMaxEndpoints> end_x_{}, end_y_{};
+  std::array<F, kMaxEndpoints> move_x_{}, end_y_{};  // of the endpoints, see PlaceEnd
   // Of the present round.
-  std::array<F, kMaxEndpoints> next_x_{}, next_y_{};
+  std::array<F, kMaxEndpoints> next_move_x_{}, next_y_{};
   F next_height_{};
 };
 
