@@ -240,8 +240,10 @@ class LimbStep {
       const F asks = body_.firmness[i] * (asked_turn_[i - 1] * world_.inverse_step - speed[i]);
       const F strained =
           L::Select(impulse > most, L::Splat(1.0f), L::Select(impulse < -most, L::Splat(-1.0f), F{}));
-      const F next_side = L::Select(
-          stop != 0.0f, side, L::Select(side == 0.0f, strained, L::Select(side * asks < most, F{}, side)));
+      // A limp joint has no rule to pass through.
+      const I eases = most > 0.0f ? side * asks < most : I{};
+      const F next_side =
+          L::Select(stop != 0.0f, side, L::Select(side == 0.0f, strained, L::Select(eases, F{}, side)));
       const F end = s_.angle_rad[i - 1] + h * speed[i];
       const F beyond = L::Select(end > body_.limbs[i].max_rad + kStopMargin, L::Splat(1.0f),
                                  L::Select(end < body_.limbs[i].min_rad - kStopMargin, L::Splat(-1.0f), F{}));
