@@ -111,6 +111,8 @@ Motion MotionOf(const Figure& figure, const Environment& environment, const Star
 
 std::vector<std::string> GoldenMotions() { return DocumentsIn("tests/golden/motions"); }
 
+std::vector<std::string> GoldenLimitedMotions() { return DocumentsIn("tests/golden/limited"); }
+
 std::vector<std::string> ShippedDocuments() {
   std::vector<std::string> names = DocumentsIn("examples");
   for (std::string& name : GalleryDocuments()) names.push_back(std::move(name));

@@ -39,6 +39,8 @@ Motion MotionOf(const Figure& figure, const Environment& environment, const Star
 
 /// The names of all golden documents of tests/golden/motions, sorted.
 std::vector<std::string> GoldenMotions();
+/// The same for joints of limited strength, model 2.
+std::vector<std::string> GoldenLimitedMotions();
 
 /// The documents of examples/, of its gallery and of its lessons, each sorted by name.
 std::vector<std::string> ShippedDocuments();

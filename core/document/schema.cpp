@@ -16,6 +16,8 @@ void Describe(Archive& ar, Rod& rod) {
   ar.Real("rest_rad", rod.rest_rad, -6.2831855f, 6.2831855f, standard.rest_rad);
   ar.Real("min_rad", rod.min_rad, -3.1415927f, 0.0f, standard.min_rad);
   ar.Real("max_rad", rod.max_rad, 0.0f, 3.1415927f, standard.max_rad);
+  ar.Since(7, [&] { ar.Real("strength", rod.strength, 0.0f, 1000.0f, standard.strength); });
+  ar.Since(7, [&] { ar.Real("stiffness", rod.stiffness, 1.0f, 1e6f, standard.stiffness); });
 }
 
 void Describe(Archive& ar, Environment& environment) {

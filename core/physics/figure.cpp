@@ -85,6 +85,8 @@ Result<void> Validate(const Figure& figure) {
     if (auto ok = CheckNumber(rod.rest_rad, -2 * kPiRad, 2 * kPiRad, i, "rest_rad"); !ok) return ok;
     if (auto ok = CheckNumber(rod.min_rad, -kPiRad, 0.0f, i, "min_rad"); !ok) return ok;
     if (auto ok = CheckNumber(rod.max_rad, 0.0f, kPiRad, i, "max_rad"); !ok) return ok;
+    if (auto ok = CheckNumber(rod.strength, 0.0f, 1000.0f, i, "strength"); !ok) return ok;
+    if (auto ok = CheckNumber(rod.stiffness, 1.0f, 1e6f, i, "stiffness"); !ok) return ok;
   }
   return CheckTree(figure);
 }

@@ -25,6 +25,10 @@ struct Rod {
   float rest_rad = 0.0f;  // drawn angle relative to the parent (root: to the horizontal), counterclockwise
   float min_rad = -1.0f;  // lower joint limit relative to rest_rad, [-pi, 0]; ignored for the root
   float max_rad = 1.0f;   // upper joint limit relative to rest_rad, [0, pi]; ignored for the root
+  // Of the joint to the parent, from model 2 on; ignored for the root.
+  float strength = 2.0f;  // greatest torque, in M g L of the figure (L its longest rod), [0, 1000]; 0: limp
+  float stiffness =
+      10000.0f;  // how firmly an unlimited joint follows its rule, in effective inertias, [1, 1e6]
 
   bool operator==(const Rod&) const = default;
 };

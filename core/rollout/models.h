@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/physics/figure_plant.h"
+#include "core/physics/strength_plant.h"
 #include "core/rollout/plant.h"
 
 namespace gaitsmith {
@@ -13,7 +14,11 @@ struct PlantList {
 };
 
 /// The plants of all models, in the order of their numbers, which begin at 1.
-using Plants = PlantList<FigurePlant>;
+#ifdef GAITSMITH_FIRST_MODEL
+using Plants = PlantList<FigurePlant>;  // of the small engine, which simulates shipped motions only
+#else
+using Plants = PlantList<FigurePlant, StrengthPlant>;
+#endif
 
 /// The latest physical model. Documents record theirs: a later model gets a new number, and the others stay.
 inline constexpr int kModelVersion = Plants::kSize;

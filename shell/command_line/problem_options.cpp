@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/document/joints.h"
 #include "core/document/style_weights.h"
 
 namespace gaitsmith::shell {
@@ -127,6 +128,22 @@ Result<void> SetPose(const std::string& text, Document& document) {
   return {};
 }
 
+Result<void> SetJoints(const std::string& text, Document& document) {
+  if (text == "strong") {
+    FreeJoints(document);
+    return {};
+  }
+  LimitJoints(document);
+  if (text == "limited") return {};
+  const auto strength = ParseNumber(text, "--joints");
+  if (!strength)
+    return Fail(ErrorCode::kUnknownName, "--joints",
+                "must be strong, limited or a strength in M g L, is \"" + text + "\"");
+  // Validate checks the range.
+  SetJointStrength(static_cast<float>(std::clamp(*strength, -1e30, 1e30)), document);
+  return {};
+}
+
 }  // namespace
 
 Result<void> SetProblemOptions(const Arguments& arguments, Document& document) {
@@ -142,6 +159,9 @@ Result<void> SetProblemOptions(const Arguments& arguments, Document& document) {
     const auto kind = IndexOf(kControllerKindNames, arguments.Last("controller"), "--controller");
     if (!kind) return std::unexpected(kind.error());
     document.kind = static_cast<ControllerKind>(*kind);
+  }
+  if (arguments.Has("joints")) {
+    if (auto set = SetJoints(arguments.Last("joints"), document); !set) return set;
   }
   if (arguments.Has("way")) {
     if (auto set = SetWay(arguments.Last("way"), document); !set) return set;

@@ -17,7 +17,7 @@ namespace gaitsmith::shell {
 class Live {
  public:
   /// What is searched anew after a change.
-  static constexpr Parts kWatched = {Part::kFigure, Part::kEnvironment, Part::kGoal};
+  static constexpr Parts kWatched = {Part::kModel, Part::kFigure, Part::kEnvironment, Part::kGoal};
   /// Evaluations of the search that makes the document, and of each one for the preview.
   static constexpr int kEvaluations = 2000;
   static constexpr int kPreviewEvaluations = 600;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/document/joints.h"
 #include "core/document/parts.h"
 #include "shell/words/language.h"
 #include "shell/words/wording.h"
@@ -48,11 +49,27 @@ void WorldEditor::RemovePush(std::size_t index) {
 bool WorldEditor::Changed() const {
   // Compared member by member: this runs at every frame.
   const Document& shown = workspace_.Doc();
-  return shown.environment != as_opened_.environment || shown.pushes != as_opened_.pushes;
+  const auto strength = [](const Rod& a, const Rod& b) { return a.strength == b.strength; };
+  return shown.environment != as_opened_.environment || shown.pushes != as_opened_.pushes ||
+         shown.model != as_opened_.model ||
+         (HasLimitedJoints(shown) &&
+          !std::ranges::equal(shown.figure.rods, as_opened_.figure.rods, strength));
 }
 
 void WorldEditor::Reset() {
-  workspace_.Change([&](Document& d) { CopyParts(as_opened_, {Part::kEnvironment, Part::kPushes}, d); });
+  workspace_.Change([&](Document& d) {
+    CopyParts(as_opened_, {Part::kEnvironment, Part::kPushes, Part::kModel}, d);
+    for (std::size_t i = 0; i < d.figure.rods.size(); ++i)
+      d.figure.rods[i].strength = as_opened_.figure.rods[i].strength;
+  });
+}
+
+void WorldEditor::LimitJoints(bool limited) {
+  workspace_.Change([limited](Document& d) { limited ? gaitsmith::LimitJoints(d) : FreeJoints(d); });
+}
+
+void WorldEditor::SetJointStrength(float strength) {
+  workspace_.Change([strength](Document& d) { gaitsmith::SetJointStrength(strength, d); });
 }
 
 void WorldEditor::Follow(bool opened) {

@@ -21,7 +21,11 @@ class WorldEditor {
   void Shove();
   /// @param index of the document's pushes
   void RemovePush(std::size_t index);
-  /// Whether ground, gravity or pushes differ from those that were opened.
+  /// Lets the joints give way above their strength, or be as strong as they need to be.
+  void LimitJoints(bool limited);
+  /// @param strength of all joints, in M g L of the figure
+  void SetJointStrength(float strength);
+  /// Whether ground, gravity, pushes or joints differ from those that were opened.
   [[nodiscard]] bool Changed() const;
   void Reset();
   /// The document as it was opened, whose world Reset restores.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/document/joints.h"
 #include "core/numeric/scalar_math.h"
 #include "shell/stage/live_switch.h"
 #include "shell/words/language.h"
@@ -60,6 +61,35 @@ void DrawGroundAndGravity(Ui& ui, Session& session) {
                 Fixed(gravity, 1) + " m/s²")) {
     change(&Environment::gravity_mps2, gravity);
   }
+}
+
+std::string StrengthWords(float strength) {
+  const std::string number = Fixed(strength, 1);
+  if (strength < 1.0f) return Tr("{1} weak", number);
+  if (strength <= 4.0f) return Tr("{1} like an animal", number);
+  return Tr(strength <= 10.0f ? "{1} strong" : "{1} like a machine", number);
+}
+
+void DrawJoints(Ui& ui, Session& session) {
+  static constexpr std::array<const char*, 2> kLimits = {TrLater("Tireless"), TrLater("Limited")};
+  if (session.Doc().figure.Joints() == 0) return;
+  ui.Heading(Tr("Joints"));
+  int limited = HasLimitedJoints(session.Doc()) ? 1 : 0;
+  if (ui.Segmented("world/joints", ui.ControlRow(), Tr("How strong the joints are"), kLimits, limited))
+    session.World().LimitJoints(limited == 1);
+  ui.Gap(4.0f);
+  if (limited == 0) {
+    ui.Paragraph(Tr("They always reach the pose of their rule, however hard that is."), Type::kNote);
+    return;
+  }
+  const float present = JointStrength(session.Doc());
+  double strength = static_cast<double>(present);
+  if (ui.Slider("world/joint-strength", Tr("Strength"), strength,
+                {.low = 0.5, .high = 20.0, .step = 0.1, .logarithmic = true},
+                StrengthWords(present))) {
+    session.World().SetJointStrength(static_cast<float>(strength));
+  }
+  ui.Paragraph(Tr("1 holds the figure’s weight at the end of its longest rod."), Type::kNote);
 }
 
 void DrawPushes(Ui& ui, Session& session, WorldCardState& state) {
@@ -204,6 +234,8 @@ void DrawWorldCard(Ui& ui, Session& session, WorldCardState& state, const ImRect
   ui.Gap(8.0f);
   DrawLiveSwitch(ui, session, "world/live");
   DrawPushes(ui, session, state);
+  ui.Gap(8.0f);
+  DrawJoints(ui, session);
   ui.Gap(8.0f);
   DrawGhostChoice(ui, session);
   ui.Gap(8.0f);

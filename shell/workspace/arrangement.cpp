@@ -44,7 +44,7 @@ constexpr Parts kLockedParts[] = {
     Part::kGoal,
     {Part::kSearch, Part::kTakeover, Part::kTaskLength},
     {Part::kTimeline, Part::kDuration},
-    {Part::kEnvironment, Part::kStart, Part::kPushes},
+    {Part::kModel, Part::kEnvironment, Part::kStart, Part::kPushes},
 };
 static_assert(std::size(kLockedParts) == kLockedPartNames.size());
 

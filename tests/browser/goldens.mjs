@@ -15,7 +15,7 @@ export async function documentsIn(folder) {
   }));
 }
 
-export const goldenMotions = () => documentsIn('tests/golden/motions');
+export const goldenMotions = async () => [...await documentsIn('tests/golden/motions'), ...await documentsIn('tests/golden/limited')];
 
 /** The links that open for ever, of every version of the format. @returns {Promise<Golden[]>} */
 export async function goldenLinks() {

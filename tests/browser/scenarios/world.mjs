@@ -57,6 +57,36 @@ async function byNumber({ browser, address }) {
   await page.close();
 }
 
+/** Joints that give way: the same rules, another motion, which a link carries. @param {Visit} visit */
+async function limitedJoints({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const tireless = await page.hash();
+  await page.click('world/open');
+  await scroll(page, 400);
+  await page.click('world/joints/1');
+  assert.equal(await page.call('model', () => window.gaitsmith.document().model), 2);
+  const limited = await page.hash();
+  assert.notEqual(limited, tireless);
+  const other = await PageDriver.open(browser, await page.link());
+  assert.equal(await other.hash(), limited, 'a link carries the joints');
+  await other.close();
+  const strength = await widget(page, 'world/joint-strength');
+  assert.equal(strength?.value, '2.0 like an animal');
+  await page.click('world/joint-strength');
+  await page.press('Home');
+  assert.equal((await widget(page, 'world/joint-strength'))?.value, '0.5 weak');
+  assert.notEqual(await page.hash(), limited);
+  await page.click('world/joints/0');
+  assert.equal(await page.hash(), tireless, 'strong enough again');
+  await page.click('world/joints/1');
+  await scroll(page, 2000);
+  await page.click('world/reset');
+  assert.equal(await page.hash(), tireless, 'reset');
+  assert.equal(await page.call('strength', () => JSON.stringify(window.gaitsmith.document()).includes('strength')), false);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
 /** @param {Visit} visit */
 async function byHand({ browser, address }) {
   const page = await PageDriver.open(browser, address);
@@ -164,6 +194,7 @@ async function sideBySide({ browser, address }) {
 /** @type {import('./all.mjs').Scenario[]} */
 export const WORLD_SCENARIOS = [
   ['the world by number: a push and a slope change the motion, a link carries them, reset takes them back', byNumber],
+  ['joints that give way change the motion, a link carries them, reset takes them back', limitedJoints],
   ['the world by hand: a foot pulled on the stage is pushed, Undo takes it back; zoom and follow', byHand],
   ['a style tried from the shown motion leaves the search as it was, shows what was before as a ghost, and can be undone', style, ONE_BROWSER],
   ['timer and senses side by side: a search finds the other, and a push meets both', sideBySide, ONE_BROWSER],

@@ -16,8 +16,11 @@
 namespace gaitsmith::test {
 
 TEST_CASE("golden: every motion keeps its hash, in every lane", "[golden][determinism]") {
-  const auto names = GoldenMotions();
+  auto names = GoldenMotions();
   REQUIRE(names.size() >= 8);
+  const auto limited = GoldenLimitedMotions();
+  REQUIRE(limited.size() >= 3);
+  names.insert(names.end(), limited.begin(), limited.end());
   for (const std::string& name : names) {
     CAPTURE(name);
     const auto document = DecodeJson(ReadFile(name));

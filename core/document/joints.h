@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// How strong a document's joints are: as strong as needed (model 1), or limited (model 2).
+#pragma once
+
+#include "core/document/document.h"
+
+namespace gaitsmith {
+
+/// Whether the joints give way above their strength.
+[[nodiscard]] bool HasLimitedJoints(const Document&);
+
+/// The greatest strength of a joint, in M g L of the figure; 0 for a figure without joints.
+[[nodiscard]] float JointStrength(const Document&);
+
+/// Lets the joints be as strong as they need to be.
+void FreeJoints(Document&);
+
+/// Limits the joints. They keep the strengths that their figure gives them.
+void LimitJoints(Document&);
+
+/// Gives all joints one strength [0, 1000], in M g L of the figure.
+void SetJointStrength(float strength, Document&);
+
+}  // namespace gaitsmith

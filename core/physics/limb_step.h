@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: MIT
+// One step of W figures with moving limbs: joints that follow their rules as far as their strength reaches,
+// joint limits that push back, and the ground. All three depend on each other, so the step is solved in
+// rounds until nothing changes.
+//
+// The limbs move by the implicit midpoint rule: with the momenta p at the beginning, the mass matrix M and
+// the bias b at mid-step, M speed = p + h b / 2 + impulses, and p + h b + impulses at the end. Impulses of
+// joints and ground act at mid-step, and there are none without a cause, so the momentum of flight is exact.
+#pragma once
+
+#include "core/physics/joint_response.h"
+#include "core/physics/limb_contacts.h"
+#include "core/physics/limb_state.h"
+
+namespace gaitsmith {
+
+/// Rounds of one step, at most. From kSingleChoices on only one joint at a time changes what it does, the
+/// last that must: then the choice comes to an end for joints alone [Murty 1974].
+inline constexpr int kLimbRounds = 24;
+inline constexpr int kSingleChoices = 4;
+/// Mid-step directions are measured again if a rod turns further than this from where they were taken [rad].
+inline constexpr float kMidTurn = 1e-3f;
+/// A joint is stopped when it would end further than this beyond its limit [rad].
+inline constexpr float kStopMargin = 1e-4f;
+/// An endpoint may end this far below ground [m] before the contacts are solved again.
+inline constexpr float kLimbSink = 2e-5f;
+
+/// What a turn by a small angle adds to a direction, as Turn (scalar_math.h), but accurate however small.
+template <int W>
+void TurnedBy(typename Lane<W>::F angle, typename Lane<W>::F sine, typename Lane<W>::F cosine,
+              typename Lane<W>::F& more_sine, typename Lane<W>::F& more_cosine) {
+  using F = typename Lane<W>::F;
+  const F z = angle * angle;
+  const F s = angle * (1.0f - z * (1.0f / 6.0f) * (1.0f - z * (1.0f / 20.0f) * (1.0f - z * (1.0f / 42.0f))));
+  const F less = z * 0.5f * (1.0f - z * (1.0f / 12.0f) * (1.0f - z * (1.0f / 30.0f)));
+  more_sine = cosine * s - sine * less;
+  more_cosine = -(sine * s) - cosine * less;
+}
+
+template <int W>
+class LimbStep {
+  using L = Lane<W>;
+  using F = typename L::F;
+  using I = typename L::I;
+
+ public:
+  /// @param state gravity is already in its velocity
+  LimbStep(const Mechanism& body, const World& world, const ActuatorTargets<W>& targets, LimbState<W>& state)
+      : body_(body), world_(world), s_(state), rods_(static_cast<std::size_t>(body.rods)) {
+    // What the joints' rules ask for: model 1's response, from where the joints really are.
+    asked_angle_ = s_.angle_rad;
+    asked_rate_ = s_.rate_radps;
+    MoveJoints<W>(body, targets, world.step_s, asked_angle_, asked_rate_, asked_turn_);
+    Foresee();
+    PlaceEnd(speed_, normal_);
+    MeasureMiddle(~I{});
+    Run();
+  }
+
+  /// Makes the end of the step the state.
+  void Conclude() {
+    const float h = world_.step_s;
+    const LimbNumbers<W> turning = TurningOf<W>(body_, speed_);
+    MeasureBias<W>(body_, cosine_, sine_, turning, inertia_);
+    F fastest{};
+    for (std::size_t a = 0; a < rods_; ++a) fastest = L::Max(fastest, L::Abs(turning[a]));
+    const F inverse_inertia = 1.0f / inertia_.mass[0][0];
+    for (std::size_t i = 1; i < rods_; ++i) {
+      s_.root_answer[i] = inertia_.mass[i][0] * inverse_inertia;
+      // With the bias at the speeds that were found, not half of that which was foreseen: otherwise a step of
+      // a single round would be accurate to first order only.
+      s_.momentum[i] += h * inertia_.bias[i] + (given_[i] + impulse_[i]);
+      s_.joint_impulse[i] = impulse_[i];
+      s_.joint_turn[i - 1] = h * speed_[i];
+      s_.angle_rad[i - 1] += s_.joint_turn[i - 1];
+      const I follows = (s_.torque_side[i] == 0.0f) & (s_.stop_side[i] == 0.0f);
+      s_.rate_radps[i - 1] =
+          L::Select(follows, asked_rate_[i - 1], L::Select(s_.stop_side[i] == 0.0f, speed_[i], F{}));
+    }
+    s_.speed = speed_;
+    const F path_x = PathX(), path_y = PathY();
+    s_.normal_work_j = s_.friction_work_j = s_.friction_gain_j = F{};
+    F along{}, up{};
+    for (std::size_t k = 0; k <= rods_; ++k) {
+      along += tangent_[k];
+      up += normal_[k];
+      const F slide = path_x + move_x_[k];
+      const F rise = path_y + (end_y_[k] - s_.endpoint_y[k]);
+      const I bears = (normal_[k] > 0.0f) & (s_.last_normal[k] > 0.0f);
+      s_.slip_m += L::Select(bears, L::Abs(slide), F{});
+      s_.normal_work_j += normal_[k] * rise * world_.inverse_step;
+      const F work = tangent_[k] * slide * world_.inverse_step;
+      s_.friction_work_j += work;
+      s_.friction_gain_j += L::Max(work, F{});
+    }
+    s_.velocity_x += along * world_.inverse_mass;
+    s_.velocity_y += up * world_.inverse_mass;
+    s_.angular_momentum += given_[0];
+    s_.distance_m += L::ToDouble(path_x);
+    s_.turn_rad += L::ToDouble(h * speed_[0]);
+    s_.last_normal = normal_;
+    s_.last_tangent = tangent_;
+    Place();
+    F lowest = s_.endpoint_y[0];
+    for (std::size_t k = 1; k <= rods_; ++k) lowest = L::Min(s_.endpoint_y[k], lowest);
+    const F height = s_.height_m + path_y;
+    const F lift = L::Max(-(height + lowest), F{});
+    s_.height_m = height + lift;
+    s_.lifting_work_j = lift * world_.weight_n;
+    s_.greatest_height_m = L::Max(s_.greatest_height_m, s_.height_m);
+    const F work = s_.normal_work_j + s_.friction_work_j + s_.lifting_work_j;
+    s_.broken |=
+        ~((lift <= kMaxPenetration) & (work <= world_.max_ground_work_j) & (fastest * h <= kMaxTurnPerStep));
+  }
+
+  /// Directions of the rods and places of the endpoints, from the angles. Computed afresh in each step, so
+  /// that errors do not add up.
+  static void PlaceLimbs(const Mechanism& body, LimbState<W>& s) {
+    SinCosOfTurn<W>(s.turn_rad, s.sine[0], s.cosine[0]);
+    for (std::size_t a = 1; a < static_cast<std::size_t>(body.rods); ++a) {
+      const Skeleton::Limb& limb = body.limbs[a];
+      const auto parent = static_cast<std::size_t>(limb.parent);
+      F sine, cosine;
+      SinCos<W>(s.angle_rad[a - 1] + limb.rest_rad, sine, cosine);
+      s.cosine[a] = s.cosine[parent] * cosine - s.sine[parent] * sine;
+      s.sine[a] = s.sine[parent] * cosine + s.cosine[parent] * sine;
+    }
+    const LimbArms<W> arms(body, s.cosine, s.sine);
+    s.endpoint_x = arms.x;
+    s.endpoint_y = arms.y;
+  }
+
+ private:
+  void Place() { PlaceLimbs(body_, s_); }
+
+  /// Guesses the speeds of this step: joints that follow their rules do what these ask for, and the root
+  /// answers as it did in the last step.
+  void Foresee() {
+    speed_ = s_.speed;
+    for (std::size_t i = 1; i < rods_; ++i) {
+      const I follows = (s_.torque_side[i] == 0.0f) & (s_.stop_side[i] == 0.0f);
+      speed_[i] = L::Select(follows, asked_turn_[i - 1] * world_.inverse_step, speed_[i]);
+      speed_[0] -= s_.root_answer[i] * (speed_[i] - s_.speed[i]);
+    }
+  }
+
+  /// The middle of the step as it is known so far, in the given lanes.
+  void MeasureMiddle(const I& lanes) {
+    const LimbNumbers<W> turning = TurningOf<W>(body_, speed_);
+    for (std::size_t a = 0; a < rods_; ++a) {
+      F sine = s_.sine[a], cosine = s_.cosine[a];
+      Turn<W>(0.5f * world_.step_s * turning[a], sine, cosine);
+      sine_[a] = L::Select(lanes, sine, sine_[a]);
+      cosine_[a] = L::Select(lanes, cosine, cosine_[a]);
+      turning_[a] = L::Select(lanes, turning[a], turning_[a]);
+    }
+    MeasureMass<W>(body_, cosine_, sine_, inertia_);
+    MeasureBias<W>(body_, cosine_, sine_, turning_, inertia_);
+    base_[0] = s_.angular_momentum;
+    for (std::size_t i = 1; i < rods_; ++i)
+      base_[i] = s_.momentum[i] + 0.5f * world_.step_s * inertia_.bias[i];
+  }
+
+  void Run() {
+    I open = ~I{};
+    I known{};
+    for (int round = 0; round < kLimbRounds && L::Any(open); ++round) {
+      const LimbArms<W> arms(body_, cosine_, sine_);
+      LimbNumbers<W> firmness, speed;
+      Choose(firmness, speed);
+      const LimbFactor<W> factor(rods_, inertia_, firmness);
+      // The impulses known so far act on the arms as they are now.
+      LimbNumbers<W> given{};
+      std::array<F, kMaxEndpoints> normal = normal_, tangent = tangent_;
+      const LimbContacts<W> before(body_, world_, arms, factor, known);
+      LimbNumbers<W> none{};
+      if (!before.None()) before.Apply(normal, tangent, none, given);
+      for (std::size_t i = 0; i < rods_; ++i) speed[i] += base_[i] + given[i];
+      factor.Solve(speed);
+      const I touching = known | NearGround();
+      const LimbContacts<W> contacts(body_, world_, arms, factor, touching);
+      if (!contacts.None()) {
+        std::array<F, kMaxEndpoints> v_n, v_t;
+        Approach(normal, tangent, v_n, v_t);
+        // From where the last round ended, in a straight line: the way of a limb that is thrown about by
+        // impulses of an earlier round would mean nothing.
+        LimbNumbers<W> since;
+        for (std::size_t i = 0; i < rods_; ++i) since[i] = speed[i] - speed_[i];
+        const std::array<F, kMaxEndpoints> had_n = normal, had_t = tangent;
+        contacts.Solve(since, v_n, v_t, normal, tangent);
+        std::array<F, kMaxEndpoints> more_n, more_t;
+        for (std::size_t k = 0; k <= rods_; ++k) {
+          more_n[k] = normal[k] - had_n[k];
+          more_t[k] = tangent[k] - had_t[k];
+        }
+        contacts.Apply(more_n, more_t, speed, given);
+      }
+      PlaceEnd(speed, normal);
+      open = Accept(open, round, speed, given, normal, tangent, touching, known);
+      if (L::Any(open)) MeasureMiddle(open);
+    }
+  }
+
+  /// The diagonal and the right side of the joints, by what each of them does.
+  void Choose(LimbNumbers<W>& firmness, LimbNumbers<W>& right) const {
+    firmness[0] = right[0] = F{};
+    for (std::size_t i = 1; i < rods_; ++i) {
+      const I stopped = s_.stop_side[i] != 0.0f, strained = s_.torque_side[i] != 0.0f;
+      firmness[i] = L::Select(stopped, L::Splat(body_.stop_firmness[i]),
+                              L::Select(strained, F{}, L::Splat(body_.firmness[i])));
+      const F torque = s_.torque_side[i] * (body_.torque_nm[i] * world_.step_s);
+      right[i] = firmness[i] * Wanted(i) + L::Select(strained & ~stopped, torque, F{});
+    }
+  }
+
+  /// The speed that a joint's rule, or its stop, asks for [rad/s].
+  [[nodiscard]] F Wanted(std::size_t i) const {
+    const F edge =
+        L::Select(s_.stop_side[i] > 0.0f, L::Splat(body_.limbs[i].max_rad), L::Splat(body_.limbs[i].min_rad));
+    return L::Select(s_.stop_side[i] != 0.0f, edge - s_.angle_rad[i - 1], asked_turn_[i - 1]) *
+           world_.inverse_step;
+  }
+
+  /// Takes over what a round found in the open lanes, and chooses again.
+  /// @return the lanes in which something has changed
+  I Accept(const I& open, int round, const LimbNumbers<W>& speed, const LimbNumbers<W>& given,
+           const std::array<F, kMaxEndpoints>& normal, const std::array<F, kMaxEndpoints>& tangent,
+           const I& touching, I& known) {
+    const float h = world_.step_s;
+    const LimbNumbers<W> momenta = inertia_.Momenta(rods_, speed);
+    const bool single = round >= kSingleChoices, last = round + 1 == kLimbRounds;
+    I changed{};
+    for (std::size_t i = rods_; i-- > 1;) {
+      const float most = body_.torque_nm[i] * h;
+      const F side = s_.torque_side[i], stop = s_.stop_side[i];
+      // At its greatest torque a joint's impulse is known, and the rounding of the speeds must not add up.
+      const F impulse =
+          L::Select((side != 0.0f) & (stop == 0.0f), side * most, momenta[i] - base_[i] - given[i]);
+      // From one greatest torque to the other a joint passes through what its rule asks for.
+      const F asks = body_.firmness[i] * (asked_turn_[i - 1] * world_.inverse_step - speed[i]);
+      const F strained =
+          L::Select(impulse > most, L::Splat(1.0f), L::Select(impulse < -most, L::Splat(-1.0f), F{}));
+      // A limp joint has no rule to pass through.
+      const I eases = most > 0.0f ? side * asks < most : I{};
+      const F next_side =
+          L::Select(stop != 0.0f, side, L::Select(side == 0.0f, strained, L::Select(eases, F{}, side)));
+      const F end = s_.angle_rad[i - 1] + h * speed[i];
+      const F beyond = L::Select(end > body_.limbs[i].max_rad + kStopMargin, L::Splat(1.0f),
+                                 L::Select(end < body_.limbs[i].min_rad - kStopMargin, L::Splat(-1.0f), F{}));
+      const F next_stop = L::Select(stop == 0.0f, beyond, L::Select(stop * impulse > 0.0f, F{}, stop));
+      const I wants = (next_side != side) | (next_stop != stop);
+      const I may = last ? I{} : single ? open & ~changed : open;
+      changed |= wants;
+      impulse_[i] = L::Select(open, impulse, impulse_[i]);
+      s_.torque_side[i] = L::Select(may, next_side, side);
+      s_.stop_side[i] = L::Select(may, next_stop, stop);
+    }
+    const LimbNumbers<W> turning = TurningOf<W>(body_, speed);
+    for (std::size_t a = 0; a < rods_; ++a) {
+      changed |= L::Abs(turning[a] - turning_[a]) * h > 2.0f * kMidTurn;
+      speed_[a] = L::Select(open, speed[a], speed_[a]);
+      given_[a] = L::Select(open, given[a], given_[a]);
+    }
+    const F height = s_.height_m + PathYOf(normal);
+    for (std::size_t k = 0; k <= rods_; ++k) {
+      changed |= height + next_y_[k] < -kLimbSink;
+      normal_[k] = L::Select(open, normal[k], normal_[k]);
+      tangent_[k] = L::Select(open, tangent[k], tangent_[k]);
+      move_x_[k] = L::Select(open, next_move_x_[k], move_x_[k]);
+      end_y_[k] = L::Select(open, next_y_[k], end_y_[k]);
+    }
+    known = L::Select(open, touching, known);
+    next_move_x_ = move_x_;
+    next_y_ = end_y_;
+    next_height_ = s_.height_m + PathYOf(normal_);
+    return open & changed;
+  }
+
+  /// Endpoints at the end of the step, from the centre of mass. What they move by is not the difference of
+  /// two places, whose rounding is the same in every step at rest, and would let figures creep.
+  void PlaceEnd(const LimbNumbers<W>& speed, const std::array<F, kMaxEndpoints>& normal) {
+    const LimbNumbers<W> turning = TurningOf<W>(body_, speed);
+    LimbNumbers<W> cosine, sine;
+    for (std::size_t a = 0; a < rods_; ++a)
+      TurnedBy<W>(world_.step_s * turning[a], s_.sine[a], s_.cosine[a], sine[a], cosine[a]);
+    const LimbArms<W> moves(body_, cosine, sine);
+    next_move_x_ = moves.x;
+    for (std::size_t k = 0; k <= rods_; ++k) next_y_[k] = s_.endpoint_y[k] + moves.y[k];
+    next_height_ = s_.height_m + PathYOf(normal);
+  }
+  [[nodiscard]] I NearGround() const {
+    I near{};
+    for (std::size_t k = 0; k <= rods_; ++k) near |= (next_height_ + next_y_[k] < kContactMargin) & (1 << k);
+    return near;
+  }
+  /// Velocities of the endpoints over the whole step, upwards with what is left of the way to the ground.
+  void Approach(const std::array<F, kMaxEndpoints>& normal, const std::array<F, kMaxEndpoints>& tangent,
+                std::array<F, kMaxEndpoints>& v_n, std::array<F, kMaxEndpoints>& v_t) const {
+    // Where something touches, the whole of gravity acts over the step.
+    const F up = SumOf(normal);
+    const F height = s_.height_m + world_.step_s * (s_.velocity_y + up * world_.inverse_mass);
+    const F path_x = world_.step_s * (s_.velocity_x + SumOf(tangent) * world_.inverse_mass);
+    for (std::size_t k = 0; k <= rods_; ++k) {
+      v_n[k] = (height + next_y_[k]) * world_.inverse_step;
+      v_t[k] = (path_x + next_move_x_[k]) * world_.inverse_step;
+    }
+  }
+
+  [[nodiscard]] F SumOf(const std::array<F, kMaxEndpoints>& numbers) const {
+    F sum{};
+    for (std::size_t k = 0; k <= rods_; ++k) sum += numbers[k];
+    return sum;
+  }
+  /// The path of the centre of mass in this step [m]: with half of this step's gravity in flight, which makes
+  /// free fall exact, and with all of it where something touches.
+  [[nodiscard]] F PathYOf(const std::array<F, kMaxEndpoints>& normal) const {
+    const F up = SumOf(normal);
+    const F fall = L::Select(up > 0.0f, F{}, L::Splat(0.5f * world_.fall_y));
+    return world_.step_s * (s_.velocity_y - fall + up * world_.inverse_mass);
+  }
+  [[nodiscard]] F PathXOf(const std::array<F, kMaxEndpoints>& normal,
+                          const std::array<F, kMaxEndpoints>& tangent) const {
+    const F fall = L::Select(SumOf(normal) > 0.0f, F{}, L::Splat(0.5f * world_.fall_x));
+    return world_.step_s * (s_.velocity_x - fall + SumOf(tangent) * world_.inverse_mass);
+  }
+  [[nodiscard]] F PathX() const { return PathXOf(normal_, tangent_); }
+  [[nodiscard]] F PathY() const { return PathYOf(normal_); }
+
+  const Mechanism& body_;
+  const World& world_;
+  LimbState<W>& s_;
+  std::size_t rods_;
+  std::array<F, kMaxJoints> asked_angle_, asked_rate_, asked_turn_;
+  // The middle of the step.
+  LimbNumbers<W> cosine_{}, sine_{}, turning_{};
+  LimbInertia<W> inertia_;
+  LimbNumbers<W> base_;  // momenta at mid-step without impulses
+  // As found so far.
+  LimbNumbers<W> speed_;
+  LimbNumbers<W> impulse_{};  // of each joint [N m s]
+  LimbNumbers<W> given_{};    // momenta by the ground
+  std::array<F, kMaxEndpoints> normal_{}, tangent_{};
+  std::array<F, kMaxEndpoints> move_x_{}, end_y_{};  // of the endpoints, see PlaceEnd
+  // Of the present round.
+  std::array<F, kMaxEndpoints> next_move_x_{}, next_y_{};
+  F next_height_{};
+};
+
+}  // namespace gaitsmith

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// The second physical model: W articulated figures of one kind in one environment, whose joints are only as
+// strong as their figure says. Satisfies the concept Plant of rollout/plant.h.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "core/physics/environment.h"
+#include "core/physics/limb_step.h"
+#include "core/physics/snapshot.h"
+#include "core/physics/terms.h"
+#include "core/physics/trajectory_hash.h"
+#include "core/signal/readings.h"
+
+namespace gaitsmith {
+
+template <int W>
+class StrengthPlant {
+  using L = Lane<W>;
+  using F = typename L::F;
+
+ public:
+  static constexpr int kLanes = W;
+  static constexpr int kModel = 2;
+  using Body = Mechanism;
+  using State = LimbState<W>;
+  using LaneState = LimbState<1>;
+
+  /// @param body must outlive the plant
+  StrengthPlant(const Mechanism& body, const Environment& environment, const StartState& start, float step_s)
+      : body_(body),
+        environment_(environment),
+        world_(body, environment, step_s),
+        start_turn_rad_(static_cast<double>(body.start_angle_rad)) {
+    PlaceAtStart(start);
+  }
+
+  static PortCount CountPorts(const Figure& figure) { return {figure.Joints(), figure.Endpoints()}; }
+  static Ports PortsOf(const Mechanism& body) { return gaitsmith::PortsOf(body); }
+
+  [[nodiscard]] const LimbState<W>& Save() const { return state_; }
+  void Restore(const LimbState<W>& state) { state_ = state; }
+  void BeginAt(const LimbState<1>& state) {
+    SpreadState<W>(state, state_);
+    start_turn_rad_ = state.turn_rad[0];
+  }
+
+  void Give(const Push& push) {
+    LimbState<W>& s = state_;
+    s.velocity_x += L::Splat(push.impulse_x_ns * world_.inverse_mass);
+    s.velocity_y += L::Splat(push.impulse_y_ns * world_.inverse_mass);
+    if (push.endpoint == kCentreOfMass) return;
+    const LimbArms<W> arms(body_, s.cosine, s.sine);
+    LimbNumbers<W> up, along;
+    arms.RowsOf(body_, static_cast<std::size_t>(push.endpoint), up, along);
+    s.angular_momentum += up[0] * push.impulse_y_ns + along[0] * push.impulse_x_ns;
+    for (std::size_t j = 1; j < static_cast<std::size_t>(body_.rods); ++j)
+      s.momentum[j] += up[j] * push.impulse_y_ns + along[j] * push.impulse_x_ns;
+  }
+
+  void Step(int step, const ActuatorTargets<W>& targets) {
+    if (environment_.sway_rad != 0.0f) {
+      const float time_s = static_cast<float>(step) * world_.step_s;
+      world_.Tilt(environment_.gravity_mps2, GroundAngle(environment_, time_s));
+    }
+    // Adding zero turns -0 into +0, so that impulses of zero change no bit.
+    state_.velocity_x = state_.velocity_x + world_.fall_x + 0.0f;
+    state_.velocity_y = state_.velocity_y + world_.fall_y + 0.0f;
+    LimbStep<W>(body_, world_, targets, state_).Conclude();
+  }
+
+  [[nodiscard]] Readings<W> Read() const {
+    const LimbState<W>& s = state_;
+    return {.position = s.angle_rad.data(),
+            .rate = s.rate_radps.data(),
+            .change = s.joint_turn.data(),
+            .impulse = s.last_normal.data(),
+            .height = &s.height_m,
+            .rise = &s.velocity_y};
+  }
+  [[nodiscard]] F Upright() const {
+    F sine, cosine;
+    SinCosOfTurn<W>(state_.turn_rad - static_cast<double>(body_.start_angle_rad), sine, cosine);
+    return cosine;
+  }
+  [[nodiscard]] F HeadHeight() const {
+    return state_.height_m + state_.endpoint_y[static_cast<std::size_t>(body_.head)];
+  }
+
+  [[nodiscard]] Snapshot Observe(int lane) const {
+    const LimbState<W>& s = state_;
+    return {s.distance_m[lane],      s.height_m[lane],         s.velocity_x[lane],    s.velocity_y[lane],
+            s.turn_rad[lane],        s.angular_momentum[lane], s.normal_work_j[lane], s.friction_work_j[lane],
+            s.friction_gain_j[lane], s.lifting_work_j[lane]};
+  }
+  [[nodiscard]] std::array<float, 2> ContactPoint(int contact, int lane) const {
+    const auto k = static_cast<std::size_t>(contact);
+    return {state_.endpoint_x[k][lane], state_.endpoint_y[k][lane]};
+  }
+  [[nodiscard]] std::array<float, 2> ContactForce(int contact, int lane) const {
+    const auto k = static_cast<std::size_t>(contact);
+    return {state_.last_tangent[k][lane] / world_.step_s, state_.last_normal[k][lane] / world_.step_s};
+  }
+
+  [[nodiscard]] Terms TermsOf(int lane) const {
+    const LimbState<W>& s = state_;
+    Terms terms;
+    terms.travel_m = static_cast<float>(s.distance_m[lane]);
+    terms.start_height_m = s.start_height_m[lane];
+    terms.max_cm_height_m = s.greatest_height_m[lane];
+    terms.slip_sum_m = s.slip_m[lane];
+    const double turns = (s.turn_rad[lane] - start_turn_rad_) / (2.0 * kPi);
+    terms.rotations = static_cast<float>(turns < 0.0 ? -turns : turns);
+    terms.broke_physics =
+        s.broken[lane] != 0 || !std::isfinite(s.distance_m[lane]) || !std::isfinite(s.height_m[lane]);
+    return terms;
+  }
+
+  void AddTo(TrajectoryHash& hash, int lane) const {
+    const LimbState<W>& s = state_;
+    hash.Add(s.distance_m[lane]);
+    hash.Add(s.height_m[lane]);
+    hash.Add(s.turn_rad[lane]);
+    for (std::size_t j = 0; j < static_cast<std::size_t>(body_.joints); ++j) hash.Add(s.angle_rad[j][lane]);
+  }
+
+ private:
+  void PlaceAtStart(const StartState& start) {
+    LimbState<W>& s = state_;
+    s.velocity_x = L::Splat(start.velocity_x_mps);
+    s.velocity_y = L::Splat(start.velocity_y_mps);
+    s.turn_rad = L::ToDouble(L::Splat(body_.start_angle_rad));
+    LimbStep<W>::PlaceLimbs(body_, s);
+    s.speed[0] = L::Splat(start.spin_radps);
+    LimbInertia<W> inertia;
+    MeasureMass<W>(body_, s.cosine, s.sine, inertia);
+    s.momentum = inertia.Momenta(static_cast<std::size_t>(body_.rods), s.speed);
+    s.angular_momentum = s.momentum[0];
+    F lowest = s.endpoint_y[0];
+    for (std::size_t k = 1; k < static_cast<std::size_t>(body_.endpoints); ++k)
+      lowest = L::Min(s.endpoint_y[k], lowest);
+    s.height_m = s.start_height_m = s.greatest_height_m = L::Splat(start.drop_height_m) - lowest;
+  }
+
+  const Mechanism& body_;
+  Environment environment_;
+  World world_;
+  LimbState<W> state_;
+  double start_turn_rad_;  // of the root rod
+};
+
+}  // namespace gaitsmith
