@@ -19,7 +19,8 @@ const char* ChangeWords(const Document& a, const Document& b) {
   if (a.controllers.size() == b.controllers.size() && clips) return TrLater("the timeline");
   if (changed.HasAny({Part::kControllers, Part::kTimeline})) return TrLater("the motion");
   if (changed.HasAny(kTask)) return TrLater("the task and its weights");
-  if (changed.HasAny({Part::kModel, Part::kEnvironment, Part::kStart, Part::kPushes})) return TrLater("the surroundings");
+  if (changed.HasAny({Part::kModel, Part::kEnvironment, Part::kStart, Part::kPushes}))
+    return TrLater("the surroundings");
   if (changed.HasAny(Part::kSought)) return TrLater("the senses of the next search");
   return TrLater("settings of the next search");
 }

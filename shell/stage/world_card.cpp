@@ -85,8 +85,7 @@ void DrawJoints(Ui& ui, Session& session) {
   const float present = JointStrength(session.Doc());
   double strength = static_cast<double>(present);
   if (ui.Slider("world/joint-strength", Tr("Strength"), strength,
-                {.low = 0.5, .high = 20.0, .step = 0.1, .logarithmic = true},
-                StrengthWords(present))) {
+                {.low = 0.5, .high = 20.0, .step = 0.1, .logarithmic = true}, StrengthWords(present))) {
     session.World().SetJointStrength(static_cast<float>(strength));
   }
   ui.Paragraph(Tr("1 holds the figure’s weight at the end of its longest rod."), Type::kNote);

@@ -76,7 +76,7 @@ async function predict(markdown, page, content, line) {
   const choices = await Promise.all(answers.map((words) => markdown.inline(page, line, words)));
   const body = low === undefined
     ? choices.map((words, i) => `<p><input type="radio"${attributes({ name, id: `${name}-${i}`, value: String(i) })}> <label for="${name}-${i}">${words}</label></p>`).join('\n')
-    : `<p class="slide"><input type="range"${attributes({ id: name, min: low, max: high, step, value: String((Number(low) + Number(high)) / 2), 'aria-label': plain(question), 'data-unit': unit })}> <output${attributes({ for: name })}>?</output></p>`;
+    : `<p class="slide"><input type="range"${attributes({ id: name, min: low, max: high, step, value: String((Number(low) + Number(high)) / 2), 'aria-label': plain(question), 'data-unit': unit })}> <output${attributes({ for: name })}>?</output><span class="printed">${escaped(unit)}</span></p>`;
   return `<fieldset class="predict">
 <legend>${await markdown.inline(page, line, question)}</legend>
 ${body}
