@@ -35,9 +35,10 @@ class LimbPair {
     I found{};
     std::array<Impulse<W>, 2> best{};
     F least{};
+    I open = ~done;
     const auto offer = [&](Mode one, Mode two) {
       std::array<Impulse<W>, 2> candidate{};
-      const I fits = Try(one, two, friction, candidate, ~done);
+      const I fits = Try(one, two, friction, candidate, open);
       const F sum = L::Abs(candidate[0].tangent + candidate[1].tangent);
       const I better = fits & (~found | (sum < least));
       least = L::Select(better, sum, least);
@@ -48,7 +49,8 @@ class LimbPair {
     offer(Mode::kStick, Mode::kLeft);
     offer(Mode::kRight, Mode::kStick);
     offer(Mode::kLeft, Mode::kStick);
-    if (L::Any(~(done | found))) {
+    open = ~(done | found);
+    if (L::Any(open)) {
       offer(Mode::kRight, Mode::kRight);
       offer(Mode::kLeft, Mode::kLeft);
       offer(Mode::kRight, Mode::kLeft);
