@@ -251,7 +251,14 @@ class LimbStep {
       const I wants = (next_side != side) | (next_stop != stop);
       const I may = last ? I{} : single ? open & ~changed : open;
       changed |= wants;
-      impulse_[i] = L::Select(open, impulse, impulse_[i]);
+      // Where joints and contacts keep changing each other until the rounds run out, a joint's strength still
+      // is its limit, and a stop does not pull.
+      F kept = impulse;
+      if (last) {
+        kept = L::Select(stop == 0.0f, L::Max(L::Min(impulse, L::Splat(most)), L::Splat(-most)),
+                         L::Select(stop * impulse > 0.0f, F{}, impulse));
+      }
+      impulse_[i] = L::Select(open, kept, impulse_[i]);
       s_.torque_side[i] = L::Select(may, next_side, side);
       s_.stop_side[i] = L::Select(may, next_stop, stop);
     }
