@@ -46,7 +46,7 @@ async function insert(page, kind, said) {
 async function inCopy(site, use) {
   const folder = await mkdtemp(join(tmpdir(), 'gaitsmith-book-'));
   try {
-    for (const part of ['docs', 'examples', 'core', 'LICENSE']) await cp(join(ROOT, part), join(folder, part), { recursive: true });
+    for (const part of ['docs', 'examples', 'core', 'shell/words', 'LICENSE']) await cp(join(ROOT, part), join(folder, part), { recursive: true });
     await cp(join(ROOT, 'web'), join(folder, 'web'), { recursive: true, filter: (name) => !name.endsWith('node_modules') });
     await symlink(join(ROOT, 'web/node_modules'), join(folder, 'web/node_modules'));
     await cp(site, join(folder, 'site'), { recursive: true });
@@ -129,7 +129,7 @@ async function write(visit) {
     await add('another-new-one.md', text.replace('Über', 'About'));
     assert.equal(await build(), '', 'the saved file is taken as it is');
     const lessons = JSON.parse(await readFile(join(built, 'lessons.json'), 'utf8'));
-    assert.deepEqual(lessons.slice(-2).map((/** @type {any} */ { title }) => title), ['9. About "Hopping" & falling', '10. Über "Hopping" & falling'], 'two new lessons have two numbers');
+    assert.deepEqual(lessons.slice(-2).map((/** @type {any} */ { title }) => title), ['10. About "Hopping" & falling', '11. Über "Hopping" & falling'], 'two new lessons have two numbers');
     assert.deepEqual([lessons.at(-1).goals, lessons.at(-1).quizzes.length, lessons.at(-1).predictions.length], [['distance >= 1'], 1, 1]);
     const page_ = await readFile(join(built, 'lessons/uber-hopping-falling.html'), 'utf8');
     assert.match(page_, /<h1>Über &quot;Hopping&quot; &amp; falling<\/h1>/);
