@@ -88,14 +88,7 @@ class LimbContacts {
         g = {Along(row_n_[a], answer_n_[b]) + world.inverse_mass, Along(row_n_[a], answer_t_[b]),
              Along(row_t_[a], answer_n_[b]), Along(row_t_[a], answer_t_[b]) + world.inverse_mass};
       }
-      const Coupling<W>& own = mobility_[a][a];
-      Mobility<W>& m = own_[a];
-      m.nn = own.nn;
-      m.nt = own.nt;
-      m.tt = own.tt;
-      m.inverse_determinant = 1.0f / (own.nn * own.tt - own.nt * own.nt);
-      m.right_per_n = 1.0f / (own.nn + friction_ * own.nt);
-      m.left_per_n = 1.0f / (own.nn - friction_ * own.nt);
+      own_[a] = MobilityOf<W>(mobility_[a][a], friction_);
     }
   }
 

@@ -14,6 +14,19 @@ struct Coupling {
   typename Lane<W>::F nn, nt, tn, tt;
 };
 
+/// The answer of an endpoint to its own impulse, as one contact is solved with it.
+template <int W>
+Mobility<W> MobilityOf(const Coupling<W>& own, float friction) {
+  Mobility<W> m;
+  m.nn = own.nn;
+  m.nt = own.nt;
+  m.tt = own.tt;
+  m.inverse_determinant = 1.0f / (own.nn * own.tt - own.nt * own.nt);
+  m.right_per_n = 1.0f / (own.nn + friction * own.nt);
+  m.left_per_n = 1.0f / (own.nn - friction * own.nt);
+  return m;
+}
+
 /// Two contacts of each lane.
 template <int W>
 class LimbPair {
@@ -63,16 +76,8 @@ class LimbPair {
     if (!L::Any(~done)) return done;
     for (std::size_t i = 0; i < 2; ++i) {
       // One bears alone, if that keeps the other from the ground.
-      const Coupling<W>& own = mobility[i][i];
-      Mobility<W> m;
-      m.nn = own.nn;
-      m.nt = own.nt;
-      m.tt = own.tt;
-      m.inverse_determinant = 1.0f / (own.nn * own.tt - own.nt * own.nt);
-      m.right_per_n = 1.0f / (own.nn + friction * own.nt);
-      m.left_per_n = 1.0f / (own.nn - friction * own.nt);
       std::array<Impulse<W>, 2> alone{};
-      alone[i] = SolveOne<W>(m, free_n[i], free_t[i], friction);
+      alone[i] = SolveOne<W>(MobilityOf<W>(mobility[i][i], friction), free_n[i], free_t[i], friction);
       const Coupling<W>& other = mobility[1 - i][i];
       const F away = free_n[1 - i] + (other.nn * alone[i].normal + other.nt * alone[i].tangent);
       const I fits = ~done & (away >= 0.0f);
