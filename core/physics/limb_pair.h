@@ -42,8 +42,7 @@ class LimbPair {
   /// (Painleve's paradox), so the same order applies as in model 1: both endpoints bear before one bears
   /// alone, both stick before one slips, and of the others the least friction is taken.
   /// @return the lanes that have a solution
-  I Solve(float friction, std::array<Impulse<W>, 2>& force) {
-    Reduce();
+  I Solve(float friction, std::array<Impulse<W>, 2>& force) const {
     I done = Try(Mode::kStick, Mode::kStick, friction, force, ~I{});
     if (!L::Any(~done)) return done;
     I found{};
@@ -63,8 +62,7 @@ class LimbPair {
     offer(Mode::kStick, Mode::kLeft);
     offer(Mode::kRight, Mode::kStick);
     offer(Mode::kLeft, Mode::kStick);
-    // Only where none sticks: another lane's need must not offer more to this one.
-    open &= ~found;
+    open = ~(done | found);
     if (L::Any(open)) {
       offer(Mode::kRight, Mode::kRight);
       offer(Mode::kLeft, Mode::kLeft);
@@ -97,63 +95,62 @@ class LimbPair {
     }
   }
 
-  /// While both endpoints stay on the ground, friction decides about everything else: the normal impulses are
-  /// normal_0 - normal_t tangent, and the slides slide_0 + slide_t tangent.
-  void Reduce() {
-    const auto& g = mobility;
-    const F inverse = 1.0f / (g[0][0].nn * g[1][1].nn - g[0][1].nn * g[1][0].nn);
-    const std::array<std::array<F, 2>, 2> stop = {
-        {{g[1][1].nn * inverse, -g[0][1].nn * inverse}, {-g[1][0].nn * inverse, g[0][0].nn * inverse}}};
-    for (std::size_t i = 0; i < 2; ++i) {
-      normal_0_[i] = -(stop[i][0] * free_n[0] + stop[i][1] * free_n[1]);
-      for (std::size_t j = 0; j < 2; ++j) normal_t_[i][j] = stop[i][0] * g[0][j].nt + stop[i][1] * g[1][j].nt;
-    }
-    for (std::size_t i = 0; i < 2; ++i) {
-      slide_0_[i] = free_t[i] + (g[i][0].tn * normal_0_[0] + g[i][1].tn * normal_0_[1]);
-      for (std::size_t j = 0; j < 2; ++j)
-        slide_t_[i][j] = g[i][j].tt - (g[i][0].tn * normal_t_[0][j] + g[i][1].tn * normal_t_[1][j]);
-    }
-  }
-
   /// Solves for what both endpoints do at the same time, and puts it where it is a solution.
   I Try(Mode one, Mode two, float friction, std::array<Impulse<W>, 2>& force, const I& lanes) const {
     const std::array<Mode, 2> modes = {one, two};
-    std::array<std::array<F, 2>, 2> row;  // of the two tangents
-    std::array<F, 2> right;
+    std::array<std::array<F, 5>, 4> row{};  // of normal, tangent, normal, tangent; then the right side
     for (std::size_t i = 0; i < 2; ++i) {
-      if (modes[i] == Mode::kStick) {
-        row[i] = slide_t_[i];
-        right[i] = -slide_0_[i];
-        continue;
+      const std::size_t own = 2 * i;
+      row[own][4] = -free_n[i];
+      for (std::size_t j = 0; j < 2; ++j) {
+        row[own][2 * j] = mobility[i][j].nn;
+        row[own][2 * j + 1] = mobility[i][j].nt;
+        if (modes[i] != Mode::kStick) continue;
+        row[own + 1][2 * j] = mobility[i][j].tn;
+        row[own + 1][2 * j + 1] = mobility[i][j].tt;
       }
-      const float per_n = modes[i] == Mode::kRight ? friction : -friction;
-      for (std::size_t j = 0; j < 2; ++j) row[i][j] = (i == j ? 1.0f : 0.0f) + per_n * normal_t_[i][j];
-      right[i] = per_n * normal_0_[i];
+      if (modes[i] == Mode::kStick) {
+        row[own + 1][4] = -free_t[i];
+      } else {
+        row[own + 1][own] = L::Splat(modes[i] == Mode::kRight ? -friction : friction);
+        row[own + 1][own + 1] = L::Splat(1.0f);
+      }
     }
-    const F inverse = 1.0f / (row[0][0] * row[1][1] - row[0][1] * row[1][0]);
-    const std::array<F, 2> t = {(right[0] * row[1][1] - right[1] * row[0][1]) * inverse,
-                                (right[1] * row[0][0] - right[0] * row[1][0]) * inverse};
-    I fits = lanes;
-    std::array<Impulse<W>, 2> found;
+    // All four at once: without friction the two normal impulses of close feet could hardly be told apart.
+    for (std::size_t p = 0; p < 4; ++p) {
+      const F inverse = 1.0f / row[p][p];
+      for (std::size_t r = p + 1; r < 4; ++r) {
+        const F share = row[r][p] * inverse;
+        for (std::size_t c = p + 1; c < 5; ++c) row[r][c] -= share * row[p][c];
+      }
+    }
+    std::array<F, 4> found;
+    for (std::size_t p = 4; p-- > 0;) {
+      F left = row[p][4];
+      for (std::size_t c = p + 1; c < 4; ++c) left -= row[p][c] * found[c];
+      found[p] = left / row[p][p];
+    }
+    // At the edge of the cone, not beside it by the rounding of the elimination.
     for (std::size_t i = 0; i < 2; ++i) {
-      const F n = normal_0_[i] - (normal_t_[i][0] * t[0] + normal_t_[i][1] * t[1]);
+      if (modes[i] != Mode::kStick)
+        found[2 * i + 1] = (modes[i] == Mode::kRight ? friction : -friction) * found[2 * i];
+    }
+    I fits = lanes;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const F n = found[2 * i], t = found[2 * i + 1];
       fits &= n >= 0.0f;
       if (modes[i] == Mode::kStick) {
-        found[i] = {n, t[i]};
-        fits &= L::Abs(t[i]) <= friction * n;
+        fits &= L::Abs(t) <= friction * n;
         continue;
       }
-      const bool right_side = modes[i] == Mode::kRight;
-      found[i] = {n, (right_side ? friction : -friction) * n};
-      const F slide = slide_0_[i] + (slide_t_[i][0] * t[0] + slide_t_[i][1] * t[1]);
-      fits &= right_side ? slide <= 0.0f : slide >= 0.0f;
+      F slide = free_t[i];
+      for (std::size_t j = 0; j < 2; ++j)
+        slide += mobility[i][j].tn * found[2 * j] + mobility[i][j].tt * found[2 * j + 1];
+      fits &= modes[i] == Mode::kRight ? slide <= 0.0f : slide >= 0.0f;
     }
-    Put(fits, found, force);
+    Put(fits, {Impulse<W>{found[0], found[1]}, Impulse<W>{found[2], found[3]}}, force);
     return fits;
   }
-
-  std::array<F, 2> normal_0_, slide_0_;
-  std::array<std::array<F, 2>, 2> normal_t_, slide_t_;
 };
 
 }  // namespace gaitsmith

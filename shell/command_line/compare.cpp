@@ -38,8 +38,7 @@ Outcome CompareCommand(Words words) {
   static constexpr std::string_view kOptions[] = {
       "problem",    "search", "trials",  "first-seed", "evaluations", "points",
       "controller", "sense",  "weight",  "duration",   "shard",       "threads",
-      "out",        "curves", "summary", "way",        "pose",
-      "joints"};
+      "out",        "curves", "summary", "way",        "pose",        "joints"};
   const auto arguments = Arguments::ParseOptions(words, kOptions);
   if (!arguments) return WrongCall(arguments.error());
   if (arguments->Has("summary")) {

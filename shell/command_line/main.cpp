@@ -26,7 +26,8 @@ constexpr auto kCommands = std::to_array<Command>({
      "synthesize --figure F --task T --sense physical|timer=SECONDS --weight TERM=W\n"
      "             --search ALG --evaluations N --seed S --out DOC [--curve CSV] [--styles DIR] [--threads "
      "K]\n"
-     "             [--controller rules|network] [--rules N] [--duration SECONDS] [--joints strong|limited|STRENGTH]\n"
+     "             [--controller rules|network] [--rules N] [--duration SECONDS] [--joints "
+     "strong|limited|STRENGTH]\n"
      "             [--search-option NAME=VALUE] [--problem DOC | --from DOC] [--handover DOC@SECONDS …]\n"
      "  gaitsmith synthesize --repair DOC --clip N --out DOC [--task T] [--weight TERM=W] [--search ALG] …"},
     {"compare", gaitsmith::shell::CompareCommand,
