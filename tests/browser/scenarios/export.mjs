@@ -150,7 +150,7 @@ async function cancelled(visit) {
   const begin = async () => {
     await page.clickElement('#export-formats label:has([value=gif])');
     await page.clickElement('#export-go');
-    await page.until('progress', () => Number(document.querySelector('progress')?.value) > 0);
+    await page.until('progress', () => Number(document.querySelector('progress#export-progress')?.getAttribute('value')) > 0);
   };
   const making = () => page.call('making', () => !document.querySelector('#export-progress')?.hasAttribute('hidden'));
   await open(page);
