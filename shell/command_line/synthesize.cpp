@@ -66,20 +66,23 @@ Result<void> WriteStyles(const std::filesystem::path& folder, const Document& se
   for (std::size_t cell = 0; elites && cell < elites->Cells().size(); ++cell) {
     const Elite& elite = elites->Cells()[cell];
     if (elite.genome.empty()) continue;
-    const std::string height = std::to_string(cell / bins / bins), slip = std::to_string(cell / bins % bins),
-                      turns = std::to_string(cell % bins);
+    std::string name, row;
+    for (const std::size_t bin : {cell / bins / bins, cell / bins % bins, cell % bins}) {
+      name.append(name.empty() ? "" : "-").append(std::to_string(bin));
+      row.append(std::to_string(bin)).append(",");
+    }
+    name.append(".json");
     Document document = searched;
     Controller controller = TakeFound(searched, elite.genome, document);
     controller.name = "found by map-elites";
     if (auto put = PutFound(controller, own, document); !put) return std::unexpected(put.error());
     document.hash = Simulate(document).Hash();
-    const std::string name = height + "-" + slip + "-" + turns + ".json";
     if (auto written = WriteText((folder / name).string(), EncodeJson(document)); !written) return written;
     char values[80];
     const auto& [high, slid, turned] = elite.score.style;
-    std::snprintf(values, sizeof values, ",%.9g,%.9g,%.9g,%.9g,", static_cast<double>(elite.score.fitness),
+    std::snprintf(values, sizeof values, "%.9g,%.9g,%.9g,%.9g,", static_cast<double>(elite.score.fitness),
                   static_cast<double>(high), static_cast<double>(slid), static_cast<double>(turned));
-    csv += height + "," + slip + "," + turns + values + name + "\n";
+    csv.append(row).append(values).append(name).append("\n");
   }
   return WriteText((folder / "styles.csv").string(), csv);
 }
