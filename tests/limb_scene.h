@@ -11,8 +11,8 @@
 
 namespace gaitsmith::test {
 
-/// A figure of so many rods: a random tree, lengths 0.3 to 1.2 m, masses 0.2 to 2 kg, any rest angles, joints
-/// that turn freely by 1.5 rad to each side.
+/// A random tree with this number of rods. They are 0.3 to 1.2 m long and weigh 0.2 to 2 kg; the rest angles
+/// are random, and each joint can turn by 1.5 rad to each side.
 [[nodiscard]] Figure RandomTree(std::uint64_t seed, int rods, float strength, float stiffness = 10000.0f);
 
 /// Targets that every lane's joints follow with one time constant. @param target_rad of each joint

@@ -11,7 +11,7 @@
 
 namespace gaitsmith {
 
-/// Sweeps over the contacts of one round, at most. Two contacts need one or two.
+/// Sweeps over the contacts of one round, at most. One contact needs one, and two are solved without sweeps.
 inline constexpr int kLimbSweeps = 50;
 
 /// Where the endpoints are at one instant, and how each speed moves them.
@@ -92,10 +92,11 @@ class LimbContacts {
     }
   }
 
-  /// Solves for the impulses. @param since speeds that the velocities do not contain yet
-  /// @param velocity_n, velocity_t of each endpoint with the present impulses; of n
-  /// what is left of the way to the ground counts as well [m/s]
-  /// @param normal, tangent impulses of each endpoint; in: the present ones
+  /// Solves for the impulses.
+  /// @param since  speeds that the velocities do not contain yet [rad/s]
+  /// @param velocity_n, velocity_t  of each endpoint with the present impulses [m/s]; what is left of the way
+  /// to the ground counts in n
+  /// @param normal, tangent  impulses of each endpoint [N s]; in: the present ones, out: the solution
   void Solve(const LimbNumbers<W>& since, const std::array<F, kMaxEndpoints>& velocity_n,
              const std::array<F, kMaxEndpoints>& velocity_t, std::array<F, kMaxEndpoints>& normal,
              std::array<F, kMaxEndpoints>& tangent) const {

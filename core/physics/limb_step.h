@@ -4,8 +4,9 @@
 // rounds until nothing changes.
 //
 // The limbs move by the implicit midpoint rule: with the momenta p at the beginning, the mass matrix M and
-// the bias b at mid-step, M speed = p + h b / 2 + impulses, and p + h b + impulses at the end. Impulses of
-// joints and ground act at mid-step, and there are none without a cause, so the momentum of flight is exact.
+// the bias b at mid-step, M speed = p + h b / 2 + impulses, and p + h b + impulses at the end. The impulses of
+// joints and ground act at the beginning of the step. Only the ground changes the angular momentum of the
+// whole figure, so flight keeps it exactly.
 #pragma once
 
 #include "core/physics/joint_response.h"

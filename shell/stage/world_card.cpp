@@ -71,7 +71,7 @@ std::string StrengthWords(float strength) {
 }
 
 void DrawJoints(Ui& ui, Session& session) {
-  static constexpr std::array<const char*, 2> kLimits = {TrLater("Tireless"), TrLater("Limited")};
+  static constexpr std::array<const char*, 2> kLimits = {TrLater("Unlimited"), TrLater("Limited")};
   if (session.Doc().figure.Joints() == 0) return;
   ui.Heading(Tr("Joints"));
   int limited = HasLimitedJoints(session.Doc()) ? 1 : 0;

@@ -60,13 +60,13 @@ async function byNumber({ browser, address }) {
 /** Joints that give way: the same rules, another motion, which a link carries. @param {Visit} visit */
 async function limitedJoints({ browser, address }) {
   const page = await PageDriver.open(browser, address);
-  const tireless = await page.hash();
+  const unlimited = await page.hash();
   await page.click('world/open');
   await scroll(page, 400);
   await page.click('world/joints/1');
   assert.equal(await page.call('model', () => window.gaitsmith.document().model), 2);
   const limited = await page.hash();
-  assert.notEqual(limited, tireless);
+  assert.notEqual(limited, unlimited);
   const other = await PageDriver.open(browser, await page.link());
   assert.equal(await other.hash(), limited, 'a link carries the joints');
   await other.close();
@@ -78,11 +78,11 @@ async function limitedJoints({ browser, address }) {
   assert.match(changed, /^3\.\d like an animal$/, 'about the middle of the slider');
   assert.notEqual(await page.hash(), limited);
   await page.click('world/joints/0');
-  assert.equal(await page.hash(), tireless, 'strong enough again');
+  assert.equal(await page.hash(), unlimited, 'strong enough again');
   await page.click('world/joints/1');
   await scroll(page, 2000);
   await page.click('world/reset');
-  assert.equal(await page.hash(), tireless, 'reset');
+  assert.equal(await page.hash(), unlimited, 'reset');
   assert.equal(await page.call('strength', () => JSON.stringify(window.gaitsmith.document()).includes('strength')), false);
   assert.deepEqual(page.complaints, []);
   await page.close();

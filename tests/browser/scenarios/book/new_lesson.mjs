@@ -71,7 +71,7 @@ async function write(visit) {
     field.setSelectionRange(field.value.indexOf('## Notice'), field.value.indexOf('## Notice'));
   });
   await page.$$eval('#lesson-insert details', (parts) => { for (const part of parts) part.open = true; });
-  // A goal that is none, and a motion that does not open, are not inserted.
+  // A goal with a fault is not inserted, nor is a motion that does not open.
   await page.type('#goal-conditions', 'distence >= 1');
   await page.type('#goal-words', 'Go a metre.');
   await insert(page, 'goal', /“distence >= 1” is not a condition/);
