@@ -57,6 +57,18 @@ inline void Turn(typename Lane<W>::F angle, typename Lane<W>::F& sine, typename 
   sine = turned;
 }
 
+/// What a turn by a small angle adds to a direction, as Turn, but accurate however small [rad].
+template <int W>
+inline void TurnedBy(typename Lane<W>::F angle, typename Lane<W>::F sine, typename Lane<W>::F cosine,
+                     typename Lane<W>::F& more_sine, typename Lane<W>::F& more_cosine) {
+  using F = typename Lane<W>::F;
+  const F z = angle * angle;
+  const F s = angle * (1.0f - z * (1.0f / 6.0f) * (1.0f - z * (1.0f / 20.0f) * (1.0f - z * (1.0f / 42.0f))));
+  const F less = z * 0.5f * (1.0f - z * (1.0f / 12.0f) * (1.0f - z * (1.0f / 30.0f)));
+  more_sine = cosine * s - sine * less;
+  more_cosine = -(sine * s) - cosine * less;
+}
+
 /// sin and cos of an accumulated angle in double precision [rad]. Whole turns are removed first.
 template <int W>
 inline void SinCosOfTurn(typename Lane<W>::D turn, typename Lane<W>::F& sine, typename Lane<W>::F& cosine) {

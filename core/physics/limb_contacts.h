@@ -55,6 +55,17 @@ struct LimbArms {
       t[j] -= y[endpoint] - y[pivot];
     }
   }
+
+  /// Adds the momenta that the ground's impulses on the endpoints give.
+  void AddMomenta(const Mechanism& body, const std::array<F, kMaxEndpoints>& normal,
+                  const std::array<F, kMaxEndpoints>& tangent, LimbNumbers<W>& momenta) const {
+    LimbNumbers<W> n, t;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(body.endpoints); ++k) {
+      RowsOf(body, k, n, t);
+      for (std::size_t j = 0; j < static_cast<std::size_t>(body.rods); ++j)
+        momenta[j] += n[j] * normal[k] + t[j] * tangent[k];
+    }
+  }
 };
 
 /// All contacts of W figures in one round. The contacts are the endpoints that touch in any lane; in lanes

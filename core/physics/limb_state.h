@@ -24,18 +24,20 @@ struct LimbState {
   F angular_momentum{};  // about the centre of mass [kg m^2/s]
   D turn_rad{};          // of the root rod, whole turns included
   std::array<F, kMaxJoints> angle_rad{};
-  std::array<F, kMaxJoints>
-      rate_radps{};                    // as the joint's rule or its freedom leaves it at the end of a step
-  std::array<F, kMaxRods> momentum{};  // [1..]: of all limbs beyond a joint, about it [kg m^2/s]
-  std::array<F, kMaxRods> speed{};     // mean of the last step: of the root, then of each joint [rad/s]
-  std::array<F, kMaxRods>
-      root_answer{};  // how the root turned back from each joint's turning in the last step
+  // As the joint's rule, or its freedom, leaves it at the end of a step.
+  std::array<F, kMaxJoints> rate_radps{};
+  // From index 1 on: of all limbs beyond a joint, about it [kg m^2/s].
+  std::array<F, kMaxRods> momentum{};
+  // Mean of the last step: of the root, then of each joint [rad/s].
+  std::array<F, kMaxRods> speed{};
+  // How the root turned back from each joint's turning in the last step.
+  std::array<F, kMaxRods> root_answer{};
   std::array<F, kMaxRods> cosine{}, sine{};                 // of each rod's direction
   std::array<F, kMaxEndpoints> endpoint_x{}, endpoint_y{};  // from the centre of mass [m]
   std::array<F, kMaxRods> torque_side{};  // 0: the joint follows its rule; 1, -1: at its greatest torque
   std::array<F, kMaxRods> stop_side{};    // 1, -1: at its upper, lower limit; 0: at neither
-  std::array<F, kMaxEndpoints> last_normal{},
-      last_tangent{};                       // impulses of the ground in the last step [N s]
+  // Impulses of the ground in the last step [N s].
+  std::array<F, kMaxEndpoints> last_normal{}, last_tangent{};
   std::array<F, kMaxJoints> joint_turn{};   // in the last step [rad]
   std::array<F, kMaxRods> joint_impulse{};  // of the muscles and stops in the last step [N m s]
 

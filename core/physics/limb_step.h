@@ -4,11 +4,12 @@
 // rounds until nothing changes.
 //
 // The limbs move by the implicit midpoint rule: with the momenta p at the beginning, the mass matrix M and
-// the bias b at mid-step, M speed = p + h b / 2 + impulses, and p + h b + impulses at the end. The impulses of
-// joints and ground act at the beginning of the step. Only the ground changes the angular momentum of the
+// the bias b at mid-step, M speed = p + h b / 2 + impulses, and p + h b + impulses at the end. The impulses
+// of joints and ground act at the beginning of the step. Only the ground changes the angular momentum of the
 // whole figure, so flight keeps it exactly.
 #pragma once
 
+#include "core/numeric/scalar_math.h"
 #include "core/physics/joint_response.h"
 #include "core/physics/limb_contacts.h"
 #include "core/physics/limb_state.h"
@@ -25,18 +26,6 @@ inline constexpr float kMidTurn = 1e-3f;
 inline constexpr float kStopMargin = 1e-4f;
 /// An endpoint may end this far below ground [m] before the contacts are solved again.
 inline constexpr float kLimbSink = 2e-5f;
-
-/// What a turn by a small angle adds to a direction, as Turn (scalar_math.h), but accurate however small.
-template <int W>
-void TurnedBy(typename Lane<W>::F angle, typename Lane<W>::F sine, typename Lane<W>::F cosine,
-              typename Lane<W>::F& more_sine, typename Lane<W>::F& more_cosine) {
-  using F = typename Lane<W>::F;
-  const F z = angle * angle;
-  const F s = angle * (1.0f - z * (1.0f / 6.0f) * (1.0f - z * (1.0f / 20.0f) * (1.0f - z * (1.0f / 42.0f))));
-  const F less = z * 0.5f * (1.0f - z * (1.0f / 12.0f) * (1.0f - z * (1.0f / 30.0f)));
-  more_sine = cosine * s - sine * less;
-  more_cosine = -(sine * s) - cosine * less;
-}
 
 template <int W>
 class LimbStep {
@@ -79,7 +68,7 @@ class LimbStep {
           L::Select(follows, asked_rate_[i - 1], L::Select(s_.stop_side[i] == 0.0f, speed_[i], F{}));
     }
     s_.speed = speed_;
-    const F path_x = PathX(), path_y = PathY();
+    const F path_x = PathXOf(normal_, tangent_), path_y = PathYOf(normal_);
     s_.normal_work_j = s_.friction_work_j = s_.friction_gain_j = F{};
     F along{}, up{};
     for (std::size_t k = 0; k <= rods_; ++k) {
@@ -101,7 +90,7 @@ class LimbStep {
     s_.turn_rad += L::ToDouble(h * speed_[0]);
     s_.last_normal = normal_;
     s_.last_tangent = tangent_;
-    Place();
+    PlaceLimbs(body_, s_);
     F lowest = s_.endpoint_y[0];
     for (std::size_t k = 1; k <= rods_; ++k) lowest = L::Min(s_.endpoint_y[k], lowest);
     const F height = s_.height_m + path_y;
@@ -132,8 +121,6 @@ class LimbStep {
   }
 
  private:
-  void Place() { PlaceLimbs(body_, s_); }
-
   /// Guesses the speeds of this step: joints that follow their rules do what these ask for, and the root
   /// answers as it did in the last step.
   void Foresee() {
@@ -173,9 +160,7 @@ class LimbStep {
       // The impulses known so far act on the arms as they are now.
       LimbNumbers<W> given{};
       std::array<F, kMaxEndpoints> normal = normal_, tangent = tangent_;
-      const LimbContacts<W> before(body_, world_, arms, factor, known);
-      LimbNumbers<W> none{};
-      if (!before.None()) before.Apply(normal, tangent, none, given);
+      if (L::Any(known != 0)) arms.AddMomenta(body_, normal, tangent, given);
       for (std::size_t i = 0; i < rods_; ++i) speed[i] += base_[i] + given[i];
       factor.Solve(speed);
       const I touching = known | NearGround();
@@ -269,9 +254,8 @@ class LimbStep {
       speed_[a] = L::Select(open, speed[a], speed_[a]);
       given_[a] = L::Select(open, given[a], given_[a]);
     }
-    const F height = s_.height_m + PathYOf(normal);
     for (std::size_t k = 0; k <= rods_; ++k) {
-      changed |= height + next_y_[k] < -kLimbSink;
+      changed |= next_height_ + next_y_[k] < -kLimbSink;
       normal_[k] = L::Select(open, normal[k], normal_[k]);
       tangent_[k] = L::Select(open, tangent[k], tangent_[k]);
       move_x_[k] = L::Select(open, next_move_x_[k], move_x_[k]);
@@ -331,8 +315,6 @@ class LimbStep {
     const F fall = L::Select(SumOf(normal) > 0.0f, F{}, L::Splat(0.5f * world_.fall_x));
     return world_.step_s * (s_.velocity_x - fall + SumOf(tangent) * world_.inverse_mass);
   }
-  [[nodiscard]] F PathX() const { return PathXOf(normal_, tangent_); }
-  [[nodiscard]] F PathY() const { return PathYOf(normal_); }
 
   const Mechanism& body_;
   const World& world_;

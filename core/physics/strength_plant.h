@@ -4,13 +4,11 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 
 #include "core/physics/environment.h"
 #include "core/physics/limb_step.h"
+#include "core/physics/motion_reports.h"
 #include "core/physics/snapshot.h"
-#include "core/physics/terms.h"
-#include "core/physics/trajectory_hash.h"
 #include "core/signal/readings.h"
 
 namespace gaitsmith {
@@ -103,27 +101,9 @@ class StrengthPlant {
     return {state_.last_tangent[k][lane] / world_.step_s, state_.last_normal[k][lane] / world_.step_s};
   }
 
-  [[nodiscard]] Terms TermsOf(int lane) const {
-    const LimbState<W>& s = state_;
-    Terms terms;
-    terms.travel_m = static_cast<float>(s.distance_m[lane]);
-    terms.start_height_m = s.start_height_m[lane];
-    terms.max_cm_height_m = s.greatest_height_m[lane];
-    terms.slip_sum_m = s.slip_m[lane];
-    const double turns = (s.turn_rad[lane] - start_turn_rad_) / (2.0 * kPi);
-    terms.rotations = static_cast<float>(turns < 0.0 ? -turns : turns);
-    terms.broke_physics =
-        s.broken[lane] != 0 || !std::isfinite(s.distance_m[lane]) || !std::isfinite(s.height_m[lane]);
-    return terms;
-  }
+  [[nodiscard]] Terms TermsOf(int lane) const { return gaitsmith::TermsOf(state_, lane, start_turn_rad_); }
 
-  void AddTo(TrajectoryHash& hash, int lane) const {
-    const LimbState<W>& s = state_;
-    hash.Add(s.distance_m[lane]);
-    hash.Add(s.height_m[lane]);
-    hash.Add(s.turn_rad[lane]);
-    for (std::size_t j = 0; j < static_cast<std::size_t>(body_.joints); ++j) hash.Add(s.angle_rad[j][lane]);
-  }
+  void AddTo(TrajectoryHash& hash, int lane) const { AddPositions(body_, state_, lane, hash); }
 
  private:
   void PlaceAtStart(const StartState& start) {
