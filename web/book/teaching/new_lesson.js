@@ -39,6 +39,10 @@ const input = (/** @type {string} */ id) => find(id, HTMLInputElement);
 const text = find('lesson-text', HTMLTextAreaElement), state = find('lesson-state'), list = find('lesson-faults'), article = find('lesson-preview');
 /** The name of the file that was opened; '': the title's. */
 let opened = '';
+/** The lesson as it was saved, opened or begun last: what another file may replace without a question. */
+let safe = '';
+/** The file that would have replaced something else. */
+let refused = '';
 /** @type {Promise<Preview> | null} */
 let preview = null;
 /** Rises with each change; an older preview is not shown. */
@@ -188,6 +192,7 @@ find('lesson-save').addEventListener('click', () => {
   const address = URL.createObjectURL(new Blob([written()], { type: 'text/markdown' }));
   Object.assign(document.createElement('a'), { href: address, download: fileName() }).click();
   setTimeout(() => URL.revokeObjectURL(address), 60000);
+  safe = written();
   state.textContent = [`${tr('Saved as {1}', fileName())}.`, list.children.length > 0 && tr('There is something to correct before the book takes it.')].filter(Boolean).join(' ');
 });
 /** @param {File | undefined} file */
@@ -197,7 +202,18 @@ async function openFile(file) {
     state.textContent = tr('This file is too large for a lesson.');
     return;
   }
-  fill(await file.text());
+  const lesson = await file.text();
+  if (lessonOf(lesson.replace(/\r\n?/g, '\n'), 'x.md', new Faults()).lesson.fields.size === 0) {
+    state.textContent = tr('{1} is not a lesson: it does not begin with a line of three hyphens and a title.', file.name);
+    return;
+  }
+  if (written() !== safe && refused !== file.name) {
+    refused = file.name;
+    state.textContent = tr('The text here is not saved. Open {1} once more to replace it.', file.name);
+    return;
+  }
+  fill(lesson);
+  safe = written();
   opened = /^[a-z0-9-]{1,60}\.md$/.test(file.name) ? file.name : '';
   state.textContent = tr('Opened {1}.', file.name);
   changed();
@@ -229,7 +245,10 @@ function forgetQuestion() {
 function begin(draft) {
   forgetQuestion();
   opened = '';
-  fill(draft || lessonText({ minutes: '10' }, START));
+  refused = '';
+  fill(lessonText({ minutes: '10' }, START));
+  safe = written();
+  if (draft) fill(draft);
 }
 
 /** @returns {{text: string, opened: string}} */

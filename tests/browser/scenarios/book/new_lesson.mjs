@@ -162,6 +162,15 @@ async function strangers(visit) {
   const folder = await mkdtemp(join(tmpdir(), 'gaitsmith-lesson-'));
   await writeFile(join(folder, 'evil.md'), evil);
   const chooser = /** @type {NonNullable<Awaited<ReturnType<Page['$']>>>} */ (await page.$('#lesson-file'));
+  // What is written here is not lost to a wrong file, nor to a lesson that is opened once.
+  await page.type('#lesson-title', 'My own');
+  await writeFile(join(folder, 'shopping.md'), 'Milk, bread');
+  const says = (/** @type {string} */ words) => until(words, page, (wanted) => document.getElementById('lesson-state')?.textContent?.includes(wanted) ?? false, words);
+  await /** @type {any} */ (chooser).uploadFile(join(folder, 'shopping.md'));
+  await says('shopping.md is not a lesson');
+  await /** @type {any} */ (chooser).uploadFile(join(folder, 'evil.md'));
+  await says('The text here is not saved');
+  assert.equal(await page.$eval('#lesson-title', (field) => /** @type {HTMLInputElement} */ (field).value), 'My own');
   await /** @type {any} */ (chooser).uploadFile(join(folder, 'evil.md'));
   await until('the preview', page, () => /Why\?/.test(document.getElementById('lesson-preview')?.textContent ?? ''));
   const found = await page.evaluate(() => {
