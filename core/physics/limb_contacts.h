@@ -8,11 +8,13 @@
 #include "core/physics/contact.h"
 #include "core/physics/limb_inertia.h"
 #include "core/physics/limb_pair.h"
+#include "core/physics/limb_state.h"
 
 namespace gaitsmith {
 
 /// Sweeps over the contacts of one round, at most. One contact needs one, and two are solved without sweeps.
 inline constexpr int kLimbSweeps = 50;
+inline constexpr int kSmoothSweeps = 400;  // rarely needed, so they may take their time
 
 /// Where the endpoints are at one instant, and how each speed moves them.
 template <int W>
@@ -57,13 +59,12 @@ struct LimbArms {
   }
 
   /// Adds the momenta that the ground's impulses on the endpoints give.
-  void AddMomenta(const Mechanism& body, const std::array<F, kMaxEndpoints>& normal,
-                  const std::array<F, kMaxEndpoints>& tangent, LimbNumbers<W>& momenta) const {
+  void AddMomenta(const Mechanism& body, const EndpointImpulses<W>& force, LimbNumbers<W>& momenta) const {
     LimbNumbers<W> n, t;
     for (std::size_t k = 0; k < static_cast<std::size_t>(body.endpoints); ++k) {
       RowsOf(body, k, n, t);
       for (std::size_t j = 0; j < static_cast<std::size_t>(body.rods); ++j)
-        momenta[j] += n[j] * normal[k] + t[j] * tangent[k];
+        momenta[j] += n[j] * force.normal[k] + t[j] * force.tangent[k];
     }
   }
 };
@@ -87,17 +88,20 @@ class LimbContacts {
       endpoint_[count_] = k;
       present_[count_] = present;
       arms.RowsOf(body, k, row_n_[count_], row_t_[count_]);
-      answer_n_[count_] = row_n_[count_];
-      answer_t_[count_] = row_t_[count_];
-      factor.Solve(answer_n_[count_]);
-      factor.Solve(answer_t_[count_]);
+      inward_n_[count_] = row_n_[count_];
+      inward_t_[count_] = row_t_[count_];
+      factor.SolveInward(inward_n_[count_]);
+      factor.SolveInward(inward_t_[count_]);
       ++count_;
     }
     for (std::size_t a = 0; a < count_; ++a) {
-      for (std::size_t b = 0; b < count_; ++b) {
+      for (std::size_t b = 0; b <= a; ++b) {
+        const F tn = factor.Between(inward_t_[a], inward_n_[b]);
+        const F nt = a == b ? tn : factor.Between(inward_n_[a], inward_t_[b]);
         Coupling<W>& g = mobility_[a][b];
-        g = {Along(row_n_[a], answer_n_[b]) + world.inverse_mass, Along(row_n_[a], answer_t_[b]),
-             Along(row_t_[a], answer_n_[b]), Along(row_t_[a], answer_t_[b]) + world.inverse_mass};
+        g = {factor.Between(inward_n_[a], inward_n_[b]) + world.inverse_mass, nt, tn,
+             factor.Between(inward_t_[a], inward_t_[b]) + world.inverse_mass};
+        mobility_[b][a] = {g.nn, g.tn, g.nt, g.tt};
       }
       own_[a] = MobilityOf<W>(mobility_[a][a], friction_);
     }
@@ -107,10 +111,12 @@ class LimbContacts {
   /// @param since  speeds that the velocities do not contain yet [rad/s]
   /// @param velocity_n, velocity_t  of each endpoint with the present impulses [m/s]; what is left of the way
   /// to the ground counts in n
-  /// @param normal, tangent  impulses of each endpoint [N s]; in: the present ones, out: the solution
+  /// @param before  impulses of each endpoint when contacts were last solved: what bore, slipped or stuck
+  /// then is tried first
+  /// @param force   in: the present impulses, out: the solution
   void Solve(const LimbNumbers<W>& since, const std::array<F, kMaxEndpoints>& velocity_n,
-             const std::array<F, kMaxEndpoints>& velocity_t, std::array<F, kMaxEndpoints>& normal,
-             std::array<F, kMaxEndpoints>& tangent) const {
+             const std::array<F, kMaxEndpoints>& velocity_t, const EndpointImpulses<W>& before,
+             EndpointImpulses<W>& force) const {
     std::array<F, kMaxEndpoints> v_n, v_t;
     for (std::size_t a = 0; a < count_; ++a) {
       v_n[a] = velocity_n[endpoint_[a]] + Along(row_n_[a], since);
@@ -119,19 +125,18 @@ class LimbContacts {
     I number{};
     for (std::size_t a = 0; a < count_; ++a) number -= present_[a];
     I settled = number == 0;
-    if (L::Any(number == 2)) settled |= SolvePairs(number == 2, v_n, v_t, normal, tangent);
+    if (L::Any(number == 2)) settled |= SolvePairs(number == 2, v_n, v_t, before, force);
     for (int sweep = 0; sweep < kLimbSweeps && L::Any(~settled); ++sweep) {
       F moved{};
       for (std::size_t turn = 0; turn < count_; ++turn) {
         const std::size_t a = sweep % 2 == 0 ? turn : count_ - 1 - turn;
-        const F& force_n = normal[endpoint_[a]];
-        const F& force_t = tangent[endpoint_[a]];
+        const F force_n = force.normal[endpoint_[a]], force_t = force.tangent[endpoint_[a]];
         const Mobility<W>& m = own_[a];
         const Impulse<W> solved = SolveOne<W>(m, v_n[a] - (m.nn * force_n + m.nt * force_t),
                                               v_t[a] - (m.nt * force_n + m.tt * force_t), friction_);
         const Impulse<W> push = {solved.normal - force_n, solved.tangent - force_t};
         const I takes_part = present_[a] & ~settled;
-        Set(a, takes_part, solved, v_n, v_t, normal, tangent);
+        Set(a, takes_part, solved, v_n, v_t, force);
         moved = L::Max(moved,
                        L::Select(takes_part, L::Abs(push.normal * m.nn) + L::Abs(push.tangent * m.tt), F{}));
       }
@@ -139,13 +144,35 @@ class LimbContacts {
     }
   }
 
-  /// Adds what further impulses do: to the speeds if the joints may give way, and to the momenta.
-  void Apply(const std::array<F, kMaxEndpoints>& normal, const std::array<F, kMaxEndpoints>& tangent,
-             LimbNumbers<W>& speed, LimbNumbers<W>& momentum) const {
+  /// Solves for the impulses on ground without friction; arguments as above.
+  void SolveSmooth(const LimbNumbers<W>& since, const std::array<F, kMaxEndpoints>& velocity_n,
+                   EndpointImpulses<W>& force) const {
+    std::array<F, kMaxEndpoints> v_n, v_t{};
+    for (std::size_t a = 0; a < count_; ++a) v_n[a] = velocity_n[endpoint_[a]] + Along(row_n_[a], since);
+    I settled{};
+    for (int sweep = 0; sweep < kSmoothSweeps && L::Any(~settled); ++sweep) {
+      F moved{};
+      for (std::size_t turn = 0; turn < count_; ++turn) {
+        const std::size_t a = sweep % 2 == 0 ? turn : count_ - 1 - turn;
+        const F& force_n = force.normal[endpoint_[a]];
+        const F& force_t = force.tangent[endpoint_[a]];
+        const Coupling<W>& own = mobility_[a][a];
+        const F without = v_n[a] - own.nn * force_n - own.nt * force_t;
+        const F push = L::Max(-without / own.nn, F{}) - force_n;
+        const I takes_part = present_[a] & ~settled;
+        moved = L::Max(moved, L::Select(takes_part, L::Abs(push * own.nn) + L::Abs(force_t * own.tt), F{}));
+        Set(a, takes_part, {force_n + push, F{}}, v_n, v_t, force);
+      }
+      settled |= moved <= kContactTolerance;
+    }
+  }
+
+  /// Adds what further impulses do: to the speeds, solved inward, and to the momenta.
+  void Apply(const EndpointImpulses<W>& more, LimbNumbers<W>& inward, LimbNumbers<W>& momentum) const {
     for (std::size_t a = 0; a < count_; ++a) {
-      const F force_n = normal[endpoint_[a]], force_t = tangent[endpoint_[a]];
+      const F force_n = more.normal[endpoint_[a]], force_t = more.tangent[endpoint_[a]];
       for (std::size_t j = 0; j < rods_; ++j) {
-        speed[j] += answer_n_[a][j] * force_n + answer_t_[a][j] * force_t;
+        inward[j] += inward_n_[a][j] * force_n + inward_t_[a][j] * force_t;
         momentum[j] += row_n_[a][j] * force_n + row_t_[a][j] * force_t;
       }
     }
@@ -155,15 +182,14 @@ class LimbContacts {
 
  private:
   /// Gives a contact another impulse in some lanes, and all endpoints their velocities by it.
-  void Set(std::size_t contact, const I& lanes, const Impulse<W>& force, std::array<F, kMaxEndpoints>& v_n,
-           std::array<F, kMaxEndpoints>& v_t, std::array<F, kMaxEndpoints>& normal,
-           std::array<F, kMaxEndpoints>& tangent) const {
-    F& force_n = normal[endpoint_[contact]];
-    F& force_t = tangent[endpoint_[contact]];
-    const F push_n = L::Select(lanes, force.normal - force_n, F{});
-    const F push_t = L::Select(lanes, force.tangent - force_t, F{});
-    force_n = L::Select(lanes, force.normal, force_n);
-    force_t = L::Select(lanes, force.tangent, force_t);
+  void Set(std::size_t contact, const I& lanes, const Impulse<W>& own, std::array<F, kMaxEndpoints>& v_n,
+           std::array<F, kMaxEndpoints>& v_t, EndpointImpulses<W>& force) const {
+    F& force_n = force.normal[endpoint_[contact]];
+    F& force_t = force.tangent[endpoint_[contact]];
+    const F push_n = L::Select(lanes, own.normal - force_n, F{});
+    const F push_t = L::Select(lanes, own.tangent - force_t, F{});
+    force_n = L::Select(lanes, own.normal, force_n);
+    force_t = L::Select(lanes, own.tangent, force_t);
     for (std::size_t b = 0; b < count_; ++b) {
       const Coupling<W>& g = mobility_[b][contact];
       v_n[b] += g.nn * push_n + g.nt * push_t;
@@ -173,21 +199,37 @@ class LimbContacts {
 
   /// Solves two contacts exactly. @return the lanes of `two` that are solved
   I SolvePairs(const I& two, std::array<F, kMaxEndpoints>& v_n, std::array<F, kMaxEndpoints>& v_t,
-               std::array<F, kMaxEndpoints>& normal, std::array<F, kMaxEndpoints>& tangent) const {
+               const EndpointImpulses<W>& before, EndpointImpulses<W>& force) const {
+    LimbPair<W> pair(friction_);
+    std::array<Impulse<W>, 2> found{};
+    if (count_ == 2) {
+      for (std::size_t i = 0; i < 2; ++i) {
+        const std::size_t k = endpoint_[i];
+        found[i] = {force.normal[k], force.tangent[k]};
+        pair.before[i] = {before.normal[k], before.tangent[k]};
+        pair.free_n[i] = v_n[i];
+        pair.free_t[i] = v_t[i];
+        for (std::size_t j = 0; j < 2; ++j) pair.mobility[i][j] = mobility_[i][j];
+      }
+      const I solved = SolvePair(two, pair, found);
+      for (std::size_t i = 0; i < 2; ++i) Set(i, solved, found[i], v_n, v_t, force);
+      return solved;
+    }
     // Each lane's first and second contact.
     std::array<std::array<I, kMaxEndpoints>, 2> is;
-    I before{};
+    I seen{};
     for (std::size_t a = 0; a < count_; ++a) {
-      is[0][a] = present_[a] & (before == 0);
-      is[1][a] = present_[a] & (before == 1);
-      before -= present_[a];
+      is[0][a] = present_[a] & (seen == 0);
+      is[1][a] = present_[a] & (seen == 1);
+      seen -= present_[a];
     }
-    LimbPair<W> pair;
-    std::array<Impulse<W>, 2> had{};
     for (std::size_t i = 0; i < 2; ++i) {
       for (std::size_t a = 0; a < count_; ++a) {
-        had[i] = {L::Select(is[i][a], normal[endpoint_[a]], had[i].normal),
-                  L::Select(is[i][a], tangent[endpoint_[a]], had[i].tangent)};
+        const std::size_t k = endpoint_[a];
+        found[i] = {L::Select(is[i][a], force.normal[k], found[i].normal),
+                    L::Select(is[i][a], force.tangent[k], found[i].tangent)};
+        pair.before[i] = {L::Select(is[i][a], before.normal[k], pair.before[i].normal),
+                          L::Select(is[i][a], before.tangent[k], pair.before[i].tangent)};
         pair.free_n[i] = L::Select(is[i][a], v_n[a], pair.free_n[i]);
         pair.free_t[i] = L::Select(is[i][a], v_t[a], pair.free_t[i]);
         for (std::size_t j = 0; j < 2; ++j) {
@@ -201,20 +243,26 @@ class LimbContacts {
         }
       }
     }
-    for (std::size_t i = 0; i < 2; ++i) {
-      for (std::size_t j = 0; j < 2; ++j) {
-        pair.free_n[i] -= pair.mobility[i][j].nn * had[j].normal + pair.mobility[i][j].nt * had[j].tangent;
-        pair.free_t[i] -= pair.mobility[i][j].tn * had[j].normal + pair.mobility[i][j].tt * had[j].tangent;
-      }
-    }
-    std::array<Impulse<W>, 2> force = had;
-    const I solved = two & pair.Solve(friction_, force);
+    const I solved = SolvePair(two, pair, found);
     for (std::size_t a = 0; a < count_; ++a) {
-      const Impulse<W> own = {L::Select(is[0][a], force[0].normal, force[1].normal),
-                              L::Select(is[0][a], force[0].tangent, force[1].tangent)};
-      Set(a, solved & present_[a], own, v_n, v_t, normal, tangent);
+      const Impulse<W> own = {L::Select(is[0][a], found[0].normal, found[1].normal),
+                              L::Select(is[0][a], found[0].tangent, found[1].tangent)};
+      Set(a, solved & present_[a], own, v_n, v_t, force);
     }
     return solved;
+  }
+
+  /// @param pair   with the velocities under the impulses `found`
+  /// @param found  in: the present impulses, out: the solution
+  I SolvePair(const I& lanes, LimbPair<W>& pair, std::array<Impulse<W>, 2>& found) const {
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (std::size_t j = 0; j < 2; ++j) {
+        const Coupling<W>& g = pair.mobility[i][j];
+        pair.free_n[i] -= g.nn * found[j].normal + g.nt * found[j].tangent;
+        pair.free_t[i] -= g.tn * found[j].normal + g.tt * found[j].tangent;
+      }
+    }
+    return pair.Solve(lanes, found);
   }
 
   F Along(const LimbNumbers<W>& row, const LimbNumbers<W>& answer) const {
@@ -227,7 +275,7 @@ class LimbContacts {
   float friction_;
   std::array<std::size_t, kMaxEndpoints> endpoint_;
   std::array<I, kMaxEndpoints> present_;
-  std::array<LimbNumbers<W>, kMaxEndpoints> row_n_, row_t_, answer_n_, answer_t_;
+  std::array<LimbNumbers<W>, kMaxEndpoints> row_n_, row_t_, inward_n_, inward_t_;
   std::array<std::array<Coupling<W>, kMaxEndpoints>, kMaxEndpoints> mobility_;
   std::array<Mobility<W>, kMaxEndpoints> own_;
 };

@@ -116,15 +116,29 @@ class LimbFactor {
 
   /// Replaces momenta by speeds.
   void Solve(LimbNumbers<W>& numbers) const {
+    SolveInward(numbers);
+    SolveOutward(numbers);
+  }
+  /// The first half of that: what the limbs pass on to the root.
+  void SolveInward(LimbNumbers<W>& numbers) const {
     for (std::size_t i = n_; i-- > 0;) {
       const F share = numbers[i] * inverse_[i];
       for (std::size_t j = 0; j < i; ++j) numbers[j] -= rows_[i][j] * share;
     }
+  }
+  /// The second half: how the limbs answer.
+  void SolveOutward(LimbNumbers<W>& numbers) const {
     for (std::size_t i = 0; i < n_; ++i) {
       F left = numbers[i];
       for (std::size_t j = 0; j < i; ++j) left -= rows_[i][j] * numbers[j];
       numbers[i] = left * inverse_[i];
     }
+  }
+  /// What momenta a, turned into speeds, do along b; both solved inward.
+  F Between(const LimbNumbers<W>& a, const LimbNumbers<W>& b) const {
+    F sum{};
+    for (std::size_t i = 0; i < n_; ++i) sum += a[i] * inverse_[i] * b[i];
+    return sum;
   }
 
  private:

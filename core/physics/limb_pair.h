@@ -35,58 +35,32 @@ class LimbPair {
   using I = typename L::I;
 
  public:
+  explicit LimbPair(float friction) : friction_(friction) {}
+
   std::array<std::array<Coupling<W>, 2>, 2> mobility{};
   std::array<F, 2> free_n{}, free_t{};  // velocities without the two impulses [m/s]
+  std::array<Impulse<W>, 2> before{};   // when contacts were last solved
 
   /// Finds the impulses that satisfy contact and friction at both endpoints. There may be several solutions
-  /// (Painleve's paradox), so the same order applies as in model 1: both endpoints bear before one bears
-  /// alone, both stick before one slips, and of the others the least friction is taken.
+  /// (Painleve's paradox). What the endpoints did before goes first. Then the same order applies as in model
+  /// 1: both bear before one bears alone, both stick before one slips, and of the others the least friction
+  /// is taken.
   /// @return the lanes that have a solution
-  I Solve(float friction, std::array<Impulse<W>, 2>& force) const {
-    I done = Try(Mode::kStick, Mode::kStick, friction, force, ~I{});
-    if (!L::Any(~done)) return done;
-    I found{};
-    std::array<Impulse<W>, 2> best{};
-    F least{};
-    I open = ~done;
-    const auto offer = [&](Mode one, Mode two) {
-      std::array<Impulse<W>, 2> candidate{};
-      const I fits = Try(one, two, friction, candidate, open);
-      const F sum = L::Abs(candidate[0].tangent + candidate[1].tangent);
-      const I better = fits & (~found | (sum < least));
-      least = L::Select(better, sum, least);
-      Put(better, candidate, best);
-      found |= fits;
-    };
-    offer(Mode::kStick, Mode::kRight);
-    offer(Mode::kStick, Mode::kLeft);
-    offer(Mode::kRight, Mode::kStick);
-    offer(Mode::kLeft, Mode::kStick);
-    open = ~(done | found);
-    if (L::Any(open)) {
-      offer(Mode::kRight, Mode::kRight);
-      offer(Mode::kLeft, Mode::kLeft);
-      offer(Mode::kRight, Mode::kLeft);
-      offer(Mode::kLeft, Mode::kRight);
-    }
-    Put(found, best, force);
-    done |= found;
-    if (!L::Any(~done)) return done;
-    for (std::size_t i = 0; i < 2; ++i) {
-      // One bears alone, if that keeps the other from the ground.
-      std::array<Impulse<W>, 2> alone{};
-      alone[i] = SolveOne<W>(MobilityOf<W>(mobility[i][i], friction), free_n[i], free_t[i], friction);
-      const Coupling<W>& other = mobility[1 - i][i];
-      const F away = free_n[1 - i] + (other.nn * alone[i].normal + other.nt * alone[i].tangent);
-      const I fits = ~done & (away >= 0.0f);
-      Put(fits, alone, force);
-      done |= fits;
-    }
-    return done;
+  I Solve(const I& lanes, std::array<Impulse<W>, 2>& force) const {
+    I open = lanes;
+    GoOn(open, force);
+    if (L::Any(open)) open &= ~Try(kStick, kStick, open, force);
+    if (L::Any(open)) BearBoth(open, force);
+    for (std::size_t i = 0; i < 2 && L::Any(open); ++i) open &= ~BearAlone(i, open, force);
+    return lanes & ~open;
   }
 
  private:
-  enum class Mode { kStick, kRight, kLeft };  // of friction: it pushes right, or left
+  /// Lanes in which friction pushes right, or left; in the others the endpoint sticks.
+  struct Friction {
+    I right{}, left{};
+  };
+  static constexpr Friction kStick{}, kRight{~I{}, I{}}, kLeft{I{}, ~I{}};
 
   static void Put(const I& lanes, const std::array<Impulse<W>, 2>& from, std::array<Impulse<W>, 2>& to) {
     for (std::size_t i = 0; i < 2; ++i) {
@@ -95,32 +69,90 @@ class LimbPair {
     }
   }
 
-  /// Solves for what both endpoints do at the same time, and puts it where it is a solution.
-  I Try(Mode one, Mode two, float friction, std::array<Impulse<W>, 2>& force, const I& lanes) const {
-    const std::array<Mode, 2> modes = {one, two};
-    std::array<std::array<F, 5>, 4> row{};  // of normal, tangent, normal, tangent; then the right side
+  /// Lets the endpoints do what they did before, where that is a solution.
+  void GoOn(I& open, std::array<Impulse<W>, 2>& force) const {
+    std::array<I, 2> bore;
+    std::array<Friction, 2> friction;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const F most = friction_ * before[i].normal;
+      bore[i] = before[i].normal > 0.0f;
+      friction[i] = {before[i].tangent >= most, before[i].tangent <= -most};
+    }
+    const I both = open & bore[0] & bore[1];
+    if (L::Any(both)) open &= ~Try(friction[0], friction[1], both, force);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const I alone = open & bore[i] & ~bore[1 - i];
+      if (L::Any(alone)) open &= ~BearAlone(i, alone, force);
+    }
+  }
+
+  /// Lets one or both endpoints slip, with the least friction.
+  void BearBoth(I& open, std::array<Impulse<W>, 2>& force) const {
+    I found{};
+    std::array<Impulse<W>, 2> best{};
+    F least{};
+    const auto offer = [&](const Friction& one, const Friction& two) {
+      std::array<Impulse<W>, 2> candidate{};
+      const I fits = Try(one, two, open, candidate);
+      const F sum = L::Abs(candidate[0].tangent + candidate[1].tangent);
+      const I better = fits & (~found | (sum < least));
+      least = L::Select(better, sum, least);
+      Put(better, candidate, best);
+      found |= fits;
+    };
+    offer(kStick, kRight);
+    offer(kStick, kLeft);
+    offer(kRight, kStick);
+    offer(kLeft, kStick);
+    Put(found, best, force);
+    open &= ~found;
+    if (!L::Any(open)) return;
+    offer(kRight, kRight);
+    offer(kLeft, kLeft);
+    offer(kRight, kLeft);
+    offer(kLeft, kRight);
+    Put(found & open, best, force);
+    open &= ~found;
+  }
+
+  /// Lets one endpoint bear, if that keeps the other from the ground. @return the lanes in which it does
+  I BearAlone(std::size_t endpoint, const I& lanes, std::array<Impulse<W>, 2>& force) const {
+    std::array<Impulse<W>, 2> alone{};
+    alone[endpoint] = SolveOne<W>(MobilityOf<W>(mobility[endpoint][endpoint], friction_), free_n[endpoint],
+                                  free_t[endpoint], friction_);
+    const std::size_t other = 1 - endpoint;
+    const Coupling<W>& by = mobility[other][endpoint];
+    const I fits =
+        lanes & (free_n[other] + (by.nn * alone[endpoint].normal + by.nt * alone[endpoint].tangent) >= 0.0f);
+    Put(fits, alone, force);
+    return fits;
+  }
+
+  /// Solves for what both endpoints do at the same time. @return the lanes in which that is a solution
+  I Try(const Friction& one, const Friction& two, const I& lanes, std::array<Impulse<W>, 2>& force) const {
+    const std::array<Friction, 2> friction = {one, two};
+    std::array<std::array<F, 5>, 4> row;  // of normal, tangent, normal, tangent; then the right side
+    std::array<I, 2> slips;
+    std::array<F, 2> edge;  // of the cone: tangent / normal
     for (std::size_t i = 0; i < 2; ++i) {
       const std::size_t own = 2 * i;
+      slips[i] = friction[i].right | friction[i].left;
+      edge[i] = L::Select(friction[i].right, L::Splat(friction_), L::Splat(-friction_));
       row[own][4] = -free_n[i];
+      row[own + 1][4] = L::Select(slips[i], F{}, -free_t[i]);
       for (std::size_t j = 0; j < 2; ++j) {
         row[own][2 * j] = mobility[i][j].nn;
         row[own][2 * j + 1] = mobility[i][j].nt;
-        if (modes[i] != Mode::kStick) continue;
-        row[own + 1][2 * j] = mobility[i][j].tn;
-        row[own + 1][2 * j + 1] = mobility[i][j].tt;
-      }
-      if (modes[i] == Mode::kStick) {
-        row[own + 1][4] = -free_t[i];
-      } else {
-        row[own + 1][own] = L::Splat(modes[i] == Mode::kRight ? -friction : friction);
-        row[own + 1][own + 1] = L::Splat(1.0f);
+        row[own + 1][2 * j] = L::Select(slips[i], i == j ? -edge[i] : F{}, mobility[i][j].tn);
+        row[own + 1][2 * j + 1] = L::Select(slips[i], L::Splat(i == j ? 1.0f : 0.0f), mobility[i][j].tt);
       }
     }
     // All four at once: without friction the two normal impulses of close feet could hardly be told apart.
+    std::array<F, 4> inverse;
     for (std::size_t p = 0; p < 4; ++p) {
-      const F inverse = 1.0f / row[p][p];
+      inverse[p] = 1.0f / row[p][p];
       for (std::size_t r = p + 1; r < 4; ++r) {
-        const F share = row[r][p] * inverse;
+        const F share = row[r][p] * inverse[p];
         for (std::size_t c = p + 1; c < 5; ++c) row[r][c] -= share * row[p][c];
       }
     }
@@ -128,29 +160,26 @@ class LimbPair {
     for (std::size_t p = 4; p-- > 0;) {
       F left = row[p][4];
       for (std::size_t c = p + 1; c < 4; ++c) left -= row[p][c] * found[c];
-      found[p] = left / row[p][p];
-    }
-    // At the edge of the cone, not beside it by the rounding of the elimination.
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (modes[i] != Mode::kStick)
-        found[2 * i + 1] = (modes[i] == Mode::kRight ? friction : -friction) * found[2 * i];
+      found[p] = left * inverse[p];
     }
     I fits = lanes;
     for (std::size_t i = 0; i < 2; ++i) {
-      const F n = found[2 * i], t = found[2 * i + 1];
-      fits &= n >= 0.0f;
-      if (modes[i] == Mode::kStick) {
-        fits &= L::Abs(t) <= friction * n;
-        continue;
-      }
+      const std::size_t own = 2 * i;
+      // At the edge of the cone, not beside it by the rounding of the elimination.
+      found[own + 1] = L::Select(slips[i], edge[i] * found[own], found[own + 1]);
+      fits &= (found[own] >= 0.0f) & (L::Abs(found[own + 1]) <= friction_ * found[own]);
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
       F slide = free_t[i];
       for (std::size_t j = 0; j < 2; ++j)
         slide += mobility[i][j].tn * found[2 * j] + mobility[i][j].tt * found[2 * j + 1];
-      fits &= modes[i] == Mode::kRight ? slide <= 0.0f : slide >= 0.0f;
+      fits &= ~slips[i] | L::Select(friction[i].right, slide <= 0.0f, slide >= 0.0f);
     }
     Put(fits, {Impulse<W>{found[0], found[1]}, Impulse<W>{found[2], found[3]}}, force);
     return fits;
   }
+
+  float friction_;
 };
 
 }  // namespace gaitsmith

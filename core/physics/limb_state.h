@@ -10,6 +10,12 @@
 
 namespace gaitsmith {
 
+/// The ground's impulses on all endpoints [N s].
+template <int W>
+struct EndpointImpulses {
+  std::array<typename Lane<W>::F, kMaxEndpoints> normal{}, tangent{};
+};
+
 template <int W>
 struct LimbState {
   using L = Lane<W>;
@@ -37,7 +43,7 @@ struct LimbState {
   std::array<F, kMaxRods> torque_side{};  // 0: the joint follows its rule; 1, -1: at its greatest torque
   std::array<F, kMaxRods> stop_side{};    // 1, -1: at its upper, lower limit; 0: at neither
   // Impulses of the ground in the last step [N s].
-  std::array<F, kMaxEndpoints> last_normal{}, last_tangent{};
+  EndpointImpulses<W> last_force;
   std::array<F, kMaxJoints> joint_turn{};   // in the last step [rad]
   std::array<F, kMaxRods> joint_impulse{};  // of the muscles and stops in the last step [N m s]
 
@@ -71,8 +77,8 @@ void SpreadState(const LimbState<1>& one, LimbState<W>& all) {
   spread(one.endpoint_y, all.endpoint_y);
   spread(one.torque_side, all.torque_side);
   spread(one.stop_side, all.stop_side);
-  spread(one.last_normal, all.last_normal);
-  spread(one.last_tangent, all.last_tangent);
+  spread(one.last_force.normal, all.last_force.normal);
+  spread(one.last_force.tangent, all.last_force.tangent);
   if (one.broken[0] != 0) all.broken = ~typename L::I{};
 }
 

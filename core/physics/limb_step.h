@@ -17,9 +17,13 @@
 namespace gaitsmith {
 
 /// Rounds of one step, at most. From kSingleChoices on only one joint at a time changes what it does, the
-/// last that must: then the choice comes to an end for joints alone [Murty 1974].
-inline constexpr int kLimbRounds = 24;
+/// last that must: then the choice comes to an end for joints and smooth ground [Murty 1974].
+inline constexpr int kLimbRounds = 40;
 inline constexpr int kSingleChoices = 4;
+/// With friction there may be no end: rarely, where weak figures fall hard, a joint can neither be at its
+/// limit nor away from it (Painleve's paradox). After this many rounds the ground is smooth until the step
+/// ends.
+inline constexpr int kRoughRounds = 10;
 /// Mid-step directions are measured again if a rod turns further than this from where they were taken [rad].
 inline constexpr float kMidTurn = 1e-3f;
 /// A joint is stopped when it would end further than this beyond its limit [rad].
@@ -42,7 +46,7 @@ class LimbStep {
     asked_rate_ = s_.rate_radps;
     MoveJoints<W>(body, targets, world.step_s, asked_angle_, asked_rate_, asked_turn_);
     Foresee();
-    PlaceEnd(speed_, normal_);
+    PlaceEnd(speed_, force_);
     MeasureMiddle(~I{});
     Run();
   }
@@ -68,18 +72,18 @@ class LimbStep {
           L::Select(follows, asked_rate_[i - 1], L::Select(s_.stop_side[i] == 0.0f, speed_[i], F{}));
     }
     s_.speed = speed_;
-    const F path_x = PathXOf(normal_, tangent_), path_y = PathYOf(normal_);
+    const F path_x = PathXOf(force_), path_y = PathYOf(force_);
     s_.normal_work_j = s_.friction_work_j = s_.friction_gain_j = F{};
     F along{}, up{};
     for (std::size_t k = 0; k <= rods_; ++k) {
-      along += tangent_[k];
-      up += normal_[k];
+      along += force_.tangent[k];
+      up += force_.normal[k];
       const F slide = path_x + move_x_[k];
       const F rise = path_y + (end_y_[k] - s_.endpoint_y[k]);
-      const I bears = (normal_[k] > 0.0f) & (s_.last_normal[k] > 0.0f);
+      const I bears = (force_.normal[k] > 0.0f) & (s_.last_force.normal[k] > 0.0f);
       s_.slip_m += L::Select(bears, L::Abs(slide), F{});
-      s_.normal_work_j += normal_[k] * rise * world_.inverse_step;
-      const F work = tangent_[k] * slide * world_.inverse_step;
+      s_.normal_work_j += force_.normal[k] * rise * world_.inverse_step;
+      const F work = force_.tangent[k] * slide * world_.inverse_step;
       s_.friction_work_j += work;
       s_.friction_gain_j += L::Max(work, F{});
     }
@@ -88,8 +92,7 @@ class LimbStep {
     s_.angular_momentum += given_[0];
     s_.distance_m += L::ToDouble(path_x);
     s_.turn_rad += L::ToDouble(h * speed_[0]);
-    s_.last_normal = normal_;
-    s_.last_tangent = tangent_;
+    s_.last_force = force_;
     PlaceLimbs(body_, s_);
     F lowest = s_.endpoint_y[0];
     for (std::size_t k = 1; k <= rods_; ++k) lowest = L::Min(s_.endpoint_y[k], lowest);
@@ -159,30 +162,37 @@ class LimbStep {
       const LimbFactor<W> factor(rods_, inertia_, firmness);
       // The impulses known so far act on the arms as they are now.
       LimbNumbers<W> given{};
-      std::array<F, kMaxEndpoints> normal = normal_, tangent = tangent_;
-      if (L::Any(known != 0)) arms.AddMomenta(body_, normal, tangent, given);
+      EndpointImpulses<W> force = force_;
+      if (L::Any(known != 0)) arms.AddMomenta(body_, force, given);
       for (std::size_t i = 0; i < rods_; ++i) speed[i] += base_[i] + given[i];
-      factor.Solve(speed);
+      factor.SolveInward(speed);
+      LimbNumbers<W> inward = speed;
+      factor.SolveOutward(speed);
       const I touching = known | NearGround();
       const LimbContacts<W> contacts(body_, world_, arms, factor, touching);
       if (!contacts.None()) {
         std::array<F, kMaxEndpoints> v_n, v_t;
-        Approach(normal, tangent, v_n, v_t);
+        Approach(force, v_n, v_t);
         // From where the last round ended, in a straight line: the way of a limb that is thrown about by
         // impulses of an earlier round would mean nothing.
         LimbNumbers<W> since;
         for (std::size_t i = 0; i < rods_; ++i) since[i] = speed[i] - speed_[i];
-        const std::array<F, kMaxEndpoints> had_n = normal, had_t = tangent;
-        contacts.Solve(since, v_n, v_t, normal, tangent);
-        std::array<F, kMaxEndpoints> more_n, more_t;
-        for (std::size_t k = 0; k <= rods_; ++k) {
-          more_n[k] = normal[k] - had_n[k];
-          more_t[k] = tangent[k] - had_t[k];
+        EndpointImpulses<W> more = force;
+        if (round < kRoughRounds) {
+          contacts.Solve(since, v_n, v_t, round == 0 ? s_.last_force : force_, force);
+        } else {
+          contacts.SolveSmooth(since, v_n, force);
         }
-        contacts.Apply(more_n, more_t, speed, given);
+        for (std::size_t k = 0; k <= rods_; ++k) {
+          more.normal[k] = force.normal[k] - more.normal[k];
+          more.tangent[k] = force.tangent[k] - more.tangent[k];
+        }
+        contacts.Apply(more, inward, given);
+        factor.SolveOutward(inward);
+        speed = inward;
       }
-      PlaceEnd(speed, normal);
-      open = Accept(open, round, speed, given, normal, tangent, touching, known);
+      PlaceEnd(speed, force);
+      open = Accept(open, round, speed, given, force, touching, known);
       if (L::Any(open)) MeasureMiddle(open);
     }
   }
@@ -210,8 +220,7 @@ class LimbStep {
   /// Takes over what a round found in the open lanes, and chooses again.
   /// @return the lanes in which something has changed
   I Accept(const I& open, int round, const LimbNumbers<W>& speed, const LimbNumbers<W>& given,
-           const std::array<F, kMaxEndpoints>& normal, const std::array<F, kMaxEndpoints>& tangent,
-           const I& touching, I& known) {
+           const EndpointImpulses<W>& force, const I& touching, I& known) {
     const float h = world_.step_s;
     const LimbNumbers<W> momenta = inertia_.Momenta(rods_, speed);
     const bool single = round >= kSingleChoices, last = round + 1 == kLimbRounds;
@@ -237,8 +246,7 @@ class LimbStep {
       const I wants = (next_side != side) | (next_stop != stop);
       const I may = last ? I{} : single ? open & ~changed : open;
       changed |= wants;
-      // Where joints and contacts keep changing each other until the rounds run out, a joint's strength still
-      // is its limit, and a stop does not pull.
+      // Should the rounds run out, a joint's strength still is its limit, and a stop does not pull.
       F kept = impulse;
       if (last) {
         kept = L::Select(stop == 0.0f, L::Max(L::Min(impulse, L::Splat(most)), L::Splat(-most)),
@@ -256,21 +264,21 @@ class LimbStep {
     }
     for (std::size_t k = 0; k <= rods_; ++k) {
       changed |= next_height_ + next_y_[k] < -kLimbSink;
-      normal_[k] = L::Select(open, normal[k], normal_[k]);
-      tangent_[k] = L::Select(open, tangent[k], tangent_[k]);
+      force_.normal[k] = L::Select(open, force.normal[k], force_.normal[k]);
+      force_.tangent[k] = L::Select(open, force.tangent[k], force_.tangent[k]);
       move_x_[k] = L::Select(open, next_move_x_[k], move_x_[k]);
       end_y_[k] = L::Select(open, next_y_[k], end_y_[k]);
     }
     known = L::Select(open, touching, known);
     next_move_x_ = move_x_;
     next_y_ = end_y_;
-    next_height_ = s_.height_m + PathYOf(normal_);
+    next_height_ = s_.height_m + PathYOf(force_);
     return open & changed;
   }
 
   /// Endpoints at the end of the step, from the centre of mass. What they move by is not the difference of
   /// two places, whose rounding is the same in every step at rest, and would let figures creep.
-  void PlaceEnd(const LimbNumbers<W>& speed, const std::array<F, kMaxEndpoints>& normal) {
+  void PlaceEnd(const LimbNumbers<W>& speed, const EndpointImpulses<W>& force) {
     const LimbNumbers<W> turning = TurningOf<W>(body_, speed);
     LimbNumbers<W> cosine, sine;
     for (std::size_t a = 0; a < rods_; ++a)
@@ -278,7 +286,7 @@ class LimbStep {
     const LimbArms<W> moves(body_, cosine, sine);
     next_move_x_ = moves.x;
     for (std::size_t k = 0; k <= rods_; ++k) next_y_[k] = s_.endpoint_y[k] + moves.y[k];
-    next_height_ = s_.height_m + PathYOf(normal);
+    next_height_ = s_.height_m + PathYOf(force);
   }
   [[nodiscard]] I NearGround() const {
     I near{};
@@ -286,12 +294,12 @@ class LimbStep {
     return near;
   }
   /// Velocities of the endpoints over the whole step, upwards with what is left of the way to the ground.
-  void Approach(const std::array<F, kMaxEndpoints>& normal, const std::array<F, kMaxEndpoints>& tangent,
-                std::array<F, kMaxEndpoints>& v_n, std::array<F, kMaxEndpoints>& v_t) const {
+  void Approach(const EndpointImpulses<W>& force, std::array<F, kMaxEndpoints>& v_n,
+                std::array<F, kMaxEndpoints>& v_t) const {
     // Where something touches, the whole of gravity acts over the step.
-    const F up = SumOf(normal);
+    const F up = SumOf(force.normal);
     const F height = s_.height_m + world_.step_s * (s_.velocity_y + up * world_.inverse_mass);
-    const F path_x = world_.step_s * (s_.velocity_x + SumOf(tangent) * world_.inverse_mass);
+    const F path_x = world_.step_s * (s_.velocity_x + SumOf(force.tangent) * world_.inverse_mass);
     for (std::size_t k = 0; k <= rods_; ++k) {
       v_n[k] = (height + next_y_[k]) * world_.inverse_step;
       v_t[k] = (path_x + next_move_x_[k]) * world_.inverse_step;
@@ -305,15 +313,14 @@ class LimbStep {
   }
   /// The path of the centre of mass in this step [m]: with half of this step's gravity in flight, which makes
   /// free fall exact, and with all of it where something touches.
-  [[nodiscard]] F PathYOf(const std::array<F, kMaxEndpoints>& normal) const {
-    const F up = SumOf(normal);
+  [[nodiscard]] F PathYOf(const EndpointImpulses<W>& force) const {
+    const F up = SumOf(force.normal);
     const F fall = L::Select(up > 0.0f, F{}, L::Splat(0.5f * world_.fall_y));
     return world_.step_s * (s_.velocity_y - fall + up * world_.inverse_mass);
   }
-  [[nodiscard]] F PathXOf(const std::array<F, kMaxEndpoints>& normal,
-                          const std::array<F, kMaxEndpoints>& tangent) const {
-    const F fall = L::Select(SumOf(normal) > 0.0f, F{}, L::Splat(0.5f * world_.fall_x));
-    return world_.step_s * (s_.velocity_x - fall + SumOf(tangent) * world_.inverse_mass);
+  [[nodiscard]] F PathXOf(const EndpointImpulses<W>& force) const {
+    const F fall = L::Select(SumOf(force.normal) > 0.0f, F{}, L::Splat(0.5f * world_.fall_x));
+    return world_.step_s * (s_.velocity_x - fall + SumOf(force.tangent) * world_.inverse_mass);
   }
 
   const Mechanism& body_;
@@ -329,7 +336,7 @@ class LimbStep {
   LimbNumbers<W> speed_;
   LimbNumbers<W> impulse_{};  // of each joint [N m s]
   LimbNumbers<W> given_{};    // momenta by the ground
-  std::array<F, kMaxEndpoints> normal_{}, tangent_{};
+  EndpointImpulses<W> force_;
   std::array<F, kMaxEndpoints> move_x_{}, end_y_{};  // of the endpoints, see PlaceEnd
   // Of the present round.
   std::array<F, kMaxEndpoints> next_move_x_{}, next_y_{};

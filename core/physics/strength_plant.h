@@ -73,7 +73,7 @@ class StrengthPlant {
     return {.position = s.angle_rad.data(),
             .rate = s.rate_radps.data(),
             .change = s.joint_turn.data(),
-            .impulse = s.last_normal.data(),
+            .impulse = s.last_force.normal.data(),
             .height = &s.height_m,
             .rise = &s.velocity_y};
   }
@@ -98,7 +98,8 @@ class StrengthPlant {
   }
   [[nodiscard]] std::array<float, 2> ContactForce(int contact, int lane) const {
     const auto k = static_cast<std::size_t>(contact);
-    return {state_.last_tangent[k][lane] / world_.step_s, state_.last_normal[k][lane] / world_.step_s};
+    return {state_.last_force.tangent[k][lane] / world_.step_s,
+            state_.last_force.normal[k][lane] / world_.step_s};
   }
 
   [[nodiscard]] Terms TermsOf(int lane) const { return gaitsmith::TermsOf(state_, lane, start_turn_rad_); }

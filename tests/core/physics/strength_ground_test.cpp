@@ -56,9 +56,9 @@ TEST_CASE("strength: the ground pushes and rubs as Coulomb says, and lets nothin
       const LimbState<1>& s = fall.Now();
       REQUIRE(!fall.plant.TermsOf(0).broke_physics);
       for (std::size_t k = 0; k < static_cast<std::size_t>(fall.body.endpoints); ++k) {
-        REQUIRE(s.last_normal[k][0] >= 0.0f);
-        REQUIRE(std::abs(s.last_tangent[k][0]) <=
-                fall.environment.friction * s.last_normal[k][0] * 1.000001f);
+        REQUIRE(s.last_force.normal[k][0] >= 0.0f);
+        REQUIRE(std::abs(s.last_force.tangent[k][0]) <=
+                fall.environment.friction * s.last_force.normal[k][0] * 1.000001f);
         REQUIRE(s.height_m[0] + s.endpoint_y[k][0] > -1e-6f);
       }
       // Measured: 2.0e-5 m, and 3.2e-4 and 2.2e-4 of M g L.

@@ -51,7 +51,7 @@ Bits BitsOf(const Mechanism& body, const LimbState<W>& s, int lane) {
     add(std::span(*of_rods).subspan(1), body.joints);
   }
   for (const auto* of_rods : {&s.speed, &s.cosine, &s.sine}) add(*of_rods, body.rods);
-  for (const auto* of_endpoints : {&s.endpoint_x, &s.endpoint_y, &s.last_normal, &s.last_tangent})
+  for (const auto* of_endpoints : {&s.endpoint_x, &s.endpoint_y, &s.last_force.normal, &s.last_force.tangent})
     add(*of_endpoints, body.endpoints);
   return bits;
 }
