@@ -9,6 +9,7 @@
 //   touched, broken              whether the ground was touched, whether the motion is void
 #include <cmath>
 #include <cstdlib>
+#include <exception>
 #include <iomanip>
 #include <iostream>
 #include <iterator>
@@ -53,7 +54,7 @@ void Fly(const Document& document, double seconds, int per_second) {
 
 }  // namespace
 
-int main(int count, char** words) {
+int main(int count, char** words) try {
   const auto document = DecodeJson(std::string(std::istreambuf_iterator<char>(std::cin), {}));
   if (!document || count < 3) {
     std::cerr << (document ? "flight SECONDS STEPS_PER_SECOND…" : document.error().Sentence()) << '\n';
@@ -62,4 +63,6 @@ int main(int count, char** words) {
   std::cout << std::setprecision(17) << std::boolalpha;
   for (int i = 2; i < count; ++i) Fly(*document, std::atof(words[1]), std::atoi(words[i]));
   return 0;
+} catch (const std::exception&) {
+  return 1;
 }
