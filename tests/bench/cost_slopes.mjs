@@ -23,9 +23,10 @@ function line(points) {
  */
 export function costs(measured) {
   /** @param {string} family @returns {[number, number][]} parameter and time */
-  const points = (family) => measured
+  const points = (family) => /** @type {[number, number][]} */ (measured
     .filter(({ run_name: name, aggregate_name: kind }) => name.startsWith(`${family}/`) && kind === 'median')
-    .map(({ run_name: name, cpu_time: time }) => [Number(/(\d+)$/.exec(name)?.[1]), time]);
+    .map(({ run_name: name, cpu_time: time }) => [Number(/(\d+)$/.exec(name)?.[1]), time]))
+    .sort(([one], [other]) => one - other);
 
   /** @type {Slope[]} */
   const slopes = [];
