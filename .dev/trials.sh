@@ -52,6 +52,14 @@ adversary() {
   build/release/tests/adversary/adversary --out docs/studies/adversary --evaluations 8000 --seeds 1000 --minutes "$minutes"
 }
 
+# Another engine's judgement of model 2, with every figure; ./dev test asks for one. docs/physics.md explains the table.
+peers() {
+  cmake --preset release
+  cmake --build --preset release --target flight
+  node tests/peers/judge.mjs build/release/tests/peers/flight --out docs/studies/peers/mujoco.csv
+  say "the errors: docs/studies/peers/mujoco.csv"
+}
+
 # Joint coverage of the tests of core and shell and of the command line's contract. Lines of templates count once.
 coverage() {
   local build=$ROOT/build/coverage report=build/coverage/report.txt

@@ -18,6 +18,15 @@ float JointStrength(const Document& document) {
   return most;
 }
 
+float MassRatio(const Figure& figure) {
+  const auto [least, most] = std::ranges::minmax(figure.rods, {}, &Rod::mass_kg);
+  return most.mass_kg / least.mass_kg;
+}
+
+bool HasUnequalRods(const Document& document) {
+  return HasLimitedJoints(document) && MassRatio(document.figure) > kMostMassRatio;
+}
+
 void FreeJoints(Document& document) { document.model = FigurePlant<1>::kModel; }
 
 void LimitJoints(Document& document) { document.model = StrengthPlant<1>::kModel; }

@@ -12,6 +12,15 @@ namespace gaitsmith {
 /// The greatest strength of a joint, in M g L of the figure; 0 for a figure without joints.
 [[nodiscard]] float JointStrength(const Document&);
 
+/// How many times as heavy as the lightest rod the heaviest one is, at least 1.
+[[nodiscard]] float MassRatio(const Figure&);
+
+/// Above this mass ratio limited joints may spin the lightest rods until the motion is void.
+inline constexpr float kMostMassRatio = 100.0f;
+
+/// Whether the joints are limited and the mass ratio is above kMostMassRatio: valid, but worth a warning.
+[[nodiscard]] bool HasUnequalRods(const Document&);
+
 /// Lets the joints be as strong as they need to be.
 void FreeJoints(Document&);
 

@@ -5,6 +5,7 @@
 
 #include "shell/command_line/study_options.h"
 #include "shell/command_line/trial_crew.h"
+#include "shell/command_line/warnings.h"
 #include "shell/search/parallel_search.h"
 
 namespace gaitsmith::shell {
@@ -62,6 +63,8 @@ Outcome CompareCommand(Words words) {
   if (!threads) return WrongCall(threads.error());
   const auto study = ReadStudy(*arguments);
   if (!study) return std::unexpected(study.error());
+  for (std::size_t i = 0; i < study->problems.size(); ++i)
+    WarnOfMasses(study->plan.problems[i], study->problems[i]);
   const StudyOutput outputs[] = {{out, StudyTable::kResults}, {curves_path, StudyTable::kCurves}};
   if (auto run = RunTrials(*study, outputs, *shard, static_cast<int>(*threads)); !run) {
     return std::unexpected(run.error());

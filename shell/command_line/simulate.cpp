@@ -3,6 +3,7 @@
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"
+#include "shell/command_line/warnings.h"
 #include "shell/export/exporters.h"
 
 namespace gaitsmith::shell {
@@ -15,6 +16,7 @@ Outcome SimulateCommand(Words words) {
     return Fail(ErrorCode::kMissing, "DOC", "give exactly one document");
   const auto document = ReadDocument(arguments->Positional()[0]);
   if (!document) return std::unexpected(document.error());
+  WarnOfMasses(arguments->Positional()[0], *document);
   return WriteText(arguments->Last("csv", "-"), TrajectoryCsv(*document, Simulate(*document)));
 }
 

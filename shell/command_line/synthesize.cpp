@@ -14,6 +14,7 @@
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"
 #include "shell/command_line/synthesize_request.h"
+#include "shell/command_line/warnings.h"
 #include "shell/search/parallel_search.h"
 
 namespace gaitsmith::shell {
@@ -107,6 +108,7 @@ Outcome SynthesizeCommand(Words words) {
   if (arguments->Has("styles") && document.search.algorithm != Algorithm::kMapElites)
     return Fail(ErrorCode::kStructure, "--styles", "goes with --search map-elites, which keeps every style");
 
+  WarnOfMasses(document.figure.name, document);
   const Document searched = document;
   ProgressBar bar;
   SearchControl control;

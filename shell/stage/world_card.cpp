@@ -89,6 +89,12 @@ void DrawJoints(Ui& ui, Session& session) {
     session.World().SetJointStrength(static_cast<float>(strength));
   }
   ui.Paragraph(Tr("1 holds the figure’s weight at the end of its longest rod."), Type::kNote);
+  if (HasUnequalRods(session.Doc())) {
+    ui.Gap(4.0f);
+    ui.Paragraph(Tr("The heaviest rod weighs {1} times as much as the lightest. Above {2}, motions may fail.",
+                    Fixed(MassRatio(session.Doc().figure), 0), Fixed(kMostMassRatio, 0)),
+                 ui.Ink().accent, Type::kNote);
+  }
 }
 
 void DrawPushes(Ui& ui, Session& session, WorldCardState& state) {

@@ -6,12 +6,15 @@
 #include <array>
 #include <cmath>
 
+#include "core/physics/mechanism.h"
+
 namespace gaitsmith::bench {
 
 namespace {
 
 constexpr float kHalfThicknessM = 0.02f;
-constexpr float kStrongNm = 1000.0f;  // motor torque [N m], enough that prescribed joints never yield
+/// Motor torque [N m], enough that prescribed joints never yield.
+constexpr float kStrongNm = 1000.0f;
 constexpr int kStepsPerTarget = kBox2dSteps / kPeerTargets;
 constexpr std::size_t kPeerRods = 5;
 
@@ -34,10 +37,16 @@ b2Body* AddRod(b2World& world, const b2Vec2& hub, float angle_rad, const Rod& ro
   return body;
 }
 
+/// Greatest torque of a rod's joint [N m], as the document's model has it.
+float MotorTorque(const Document& document, const Mechanism& body, std::size_t rod) {
+  return document.model == 1 ? kStrongNm : body.torque_nm[rod];
+}
+
 }  // namespace
 
 float RunInBox2d(const Workload& peers, int figure) {
   const std::vector<Rod>& rods = peers.document.figure.rods;
+  const Mechanism body(peers.document.figure);  // its limbs are in the order of the star's rods
   b2World world({0.0f, -peers.document.environment.gravity_mps2});
 
   b2BodyDef still;
@@ -61,7 +70,7 @@ float RunInBox2d(const Workload& peers, int figure) {
     const float angle_rad = rods[0].rest_rad + rods[i + 1].rest_rad;
     joint.Initialize(root, AddRod(world, hub, angle_rad, rods[i + 1]), hub);
     joint.enableMotor = true;
-    joint.maxMotorTorque = kStrongNm;
+    joint.maxMotorTorque = MotorTorque(peers.document, body, i + 1);
     joints[i] = static_cast<b2RevoluteJoint*>(world.CreateJoint(&joint));
   }
 

@@ -10,8 +10,8 @@ namespace gaitsmith::bench {
 
 inline constexpr int kBox2dSteps = 600;
 
-/// One rollout in a new world. @return the hub's final position [m], so that the compiler cannot remove the
-/// work
+/// One rollout in a new world, with motors as strong as the workload's joints. @return the hub's final
+/// position [m], so that the compiler cannot remove the work
 [[nodiscard]] float RunInBox2d(const Workload& peers, int figure);
 
 }  // namespace gaitsmith::bench

@@ -4,6 +4,9 @@
 /** @typedef {{name: string, run_name: string, cpu_time: number, aggregate_name?: string}} Measured  by Google Benchmark */
 /** @typedef {{what: string, value: number, relation: '<=' | '', goal: number, unit: string, note?: string}} Slope */
 
+/** Of kGenomes motions of 5 s, which cost_bench measures together. */
+const STEPS_OF_A_RUN = 64 * 500;
+
 /** @param {[number, number][]} points @returns {{slope: number, start: number}} */
 function line(points) {
   const n = points.length;
@@ -20,17 +23,27 @@ function line(points) {
  */
 export function costs(measured) {
   /** @param {string} family @returns {[number, number][]} parameter and time */
-  const points = (family) => measured
+  const points = (family) => /** @type {[number, number][]} */ (measured
     .filter(({ run_name: name, aggregate_name: kind }) => name.startsWith(`${family}/`) && kind === 'median')
-    .map(({ run_name: name, cpu_time: time }) => [Number(/(\d+)$/.exec(name)?.[1]), time]);
+    .map(({ run_name: name, cpu_time: time }) => [Number(/(\d+)$/.exec(name)?.[1]), time]))
+    .sort(([one], [other]) => one - other);
 
   /** @type {Slope[]} */
   const slopes = [];
   for (const [family, what] of [['Star', 'star'], ['Chain', 'chain']]) {
-    const found = points(family);
+    const found = points(`${family}/strong`);
     if (!found.length) continue;
     const { slope } = line(found.map(([x, y]) => [Math.log(x), Math.log(y)]));
     slopes.push({ what: `cost against rods 4 → 16, ${what}: n to the power`, value: slope, relation: '<=', goal: 1.15, unit: '' });
+  }
+  for (const [family, what] of [['Star', 'star'], ['Chain', 'chain']]) {
+    const found = points(`${family}/limited`);
+    if (!found.length) continue;
+    const { slope } = line(found.map(([x, y]) => [Math.log(x), Math.log(y)]));
+    slopes.push({
+      what: `joints of limited strength, rods 2 → 16, ${what}: n to the power`, value: slope, relation: '', goal: 0, unit: '',
+      note: found.map(([rods, time]) => `${rods}: ${Math.round(time / STEPS_OF_A_RUN)} ns`).join(', '),
+    });
   }
   for (const [family, what] of [
     ['Rules/physical', 'a rule of physical senses'], ['Rules/timer', 'a rule of a timer'], ['CaredSenses', 'caring about 1 % more senses'],

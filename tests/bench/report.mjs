@@ -44,6 +44,11 @@ if (rivals) {
   row('a', 'the same under Node', rivals.overBox2d['wasm node'], '', 0, '');
   row('a', 'the same, native gcc', rivals.overBox2d['native gcc'], '', 0, '', `${peers['native gcc']?.median}/s`);
   row('a', 'the same, native clang', rivals.overBox2d['native clang'], '', 0, '', `${peers['native clang']?.median ?? '-'}/s`);
+  const limited = rivals.overBox2dLimited;
+  row('a', 'WASM ÷ Box2D native, joints of limited strength, Chromium', limited['wasm chromium'] ?? limited['wasm node'], '>=', 10, '',
+    `${rivals.motionsPerSecond['peers-limited']['wasm chromium']?.median} against ${rivals.motionsPerSecond['peers-limited'].box2d?.median}/s`);
+  row('a', 'the same under Node', limited['wasm node'], '', 0, '');
+  row('a', 'the same, native gcc', limited['native gcc'], '', 0, '');
   for (const [workload, { node, chromium }] of Object.entries(/** @type {Record<string, any>} */ (rivals.wasmOverFasterNative))) {
     row('b', `WASM ÷ faster native build, ${workload}`, chromium ?? node, '>=', 0.8, '', `Node ${node?.toFixed(2)}`);
   }

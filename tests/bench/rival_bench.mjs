@@ -13,7 +13,8 @@ import { NativeRounds } from './native_rounds.mjs';
 const ROUNDS = 7;
 const ROUND_MS = 250;
 const WARM_UP_MS = 600; // the compiler's second pass has finished by then
-const WORKLOADS = ['peers', 'random', 'gait'];
+const PEERS = ['peers', 'peers-limited']; // the second in model 2, its joints as strong as Box2D's motors
+const WORKLOADS = [...PEERS, 'random', 'gait'];
 const SITE = join(ROOT, 'build/site');
 const FOLDER = join(ROOT, 'build/bench');
 
@@ -60,7 +61,7 @@ for (const build of ['release', 'release-clang']) {
   if (build === 'release') {
     mkdirSync(FOLDER, { recursive: true });
     await native.ask(`write ${FOLDER}`);
-    contestants.box2d = async (workload, ms) => (workload === 'peers' ? Number(await native.ask(`box2d ${ms}`)) : 0);
+    contestants.box2d = async (workload, ms) => (PEERS.includes(workload) ? Number(await native.ask(`box2d ${workload} ${ms}`)) : 0);
   }
 }
 
@@ -124,11 +125,14 @@ function ratio(workload, one, others) {
   return median(ours.map((rate, round) => rate / Math.max(...theirs.map((values) => values[round]))));
 }
 
+/** @param {string} workload */
+const overBox2d = (workload) => Object.fromEntries([...natives, 'wasm node', 'wasm chromium'].map((name) => [name, ratio(workload, name, ['box2d'])]));
 const natives = Object.keys(contestants).filter((name) => name.startsWith('native'));
 await keep('rivals', {
   about,
   motionsPerSecond: perSecond,
-  overBox2d: Object.fromEntries([...natives, 'wasm node', 'wasm chromium'].map((name) => [name, ratio('peers', name, ['box2d'])])),
+  overBox2d: overBox2d('peers'),
+  overBox2dLimited: overBox2d('peers-limited'),
   wasmOverFasterNative: Object.fromEntries(WORKLOADS.map((workload) => [workload, {
     node: ratio(workload, 'wasm node', natives),
     chromium: ratio(workload, 'wasm chromium', natives),

@@ -3,8 +3,9 @@
 // one run. Reads one command per line and answers each with one line:
 //   about                     the compiler and its flags, as JSON
 //   write FOLDER              writes every workload for programs in other languages: NAME.json and NAME.genes
-//   box2d MS                  rollouts per second of processor time of Box2D, peers' scenario, in about MS
-//   WORKLOAD LANES MS         motions per second of processor time of the evaluator, in about MS, one thread
+//   box2d WORKLOAD MS         rollouts per second of processor time of Box2D, in about MS; a scenario of the
+//   peers WORKLOAD LANES MS         motions per second of processor time of the evaluator, in about MS, one
+//   thread
 #include <algorithm>
 #include <ctime>
 #include <fstream>
@@ -52,9 +53,9 @@ double EvaluatorRate(const std::string& name, int lanes, double ms) {
   });
 }
 
-double Box2dRate([[maybe_unused]] double ms) {
+double Box2dRate([[maybe_unused]] const std::string& name, [[maybe_unused]] double ms) {
 #ifdef GAITSMITH_BOX2D
-  const bench::Workload& peers = bench::WorkloadOf("peers");
+  const bench::Workload& peers = bench::WorkloadOf(name);
   int figure = 0;
   volatile float sink = 0.0f;
   return PerSecond(ms, [&] {
@@ -87,7 +88,7 @@ int main() {
   std::string line;
   while (std::getline(std::cin, line)) {
     std::istringstream words(line);
-    std::string command, folder;
+    std::string command, folder, scenario;
     int lanes = 0;
     double ms = 0.0;
     words >> command;
@@ -97,8 +98,8 @@ int main() {
     } else if (command == "write" && words >> folder) {
       Write(folder);
       std::cout << "written" << '\n';
-    } else if (command == "box2d" && words >> ms) {
-      std::cout << Box2dRate(ms) << '\n';
+    } else if (command == "box2d" && words >> scenario >> ms && scenario.starts_with("peers")) {
+      std::cout << Box2dRate(scenario, ms) << '\n';
     } else if (std::ranges::count(bench::kWorkloads, command) == 1 && words >> lanes >> ms) {
       std::cout << EvaluatorRate(command, lanes, ms) << '\n';
     } else {

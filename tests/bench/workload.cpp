@@ -77,6 +77,12 @@ Workload Peers() {
   return peers;
 }
 
+Workload LimitedPeers() {
+  Workload peers = Peers();
+  peers.document.model = 2;
+  return peers;
+}
+
 float PeerTarget(const Workload& peers, int figure, int interval, int joint) {
   const BankShape shape = SpaceOf(peers.document).shape.Bank();
   const Rod& rod = peers.document.figure.rods[static_cast<std::size_t>(joint) + 1];
@@ -90,9 +96,10 @@ const Workload& WorkloadOf(std::string_view name) {
     if (known != name || made.contains(known)) continue;
     const bool timer = name.starts_with("timer");
     const Document document = StarMan(timer ? SenseKind::kTimer : SenseKind::kPhysical);
-    made[known] = name == "peers"          ? Peers()
-                  : name.ends_with("gait") ? Gaits(document)
-                                           : RandomGenomes(document);
+    made[known] = name == "peers"           ? Peers()
+                  : name == "peers-limited" ? LimitedPeers()
+                  : name.ends_with("gait")  ? Gaits(document)
+                                            : RandomGenomes(document);
   }
   return made.at(name);
 }

@@ -35,13 +35,16 @@ inline constexpr int kPeerTargets = 20;
 inline constexpr float kPeerTauS = 0.1f;
 inline constexpr float kPeerFriction = 1.0f;
 [[nodiscard]] Workload Peers();
+/// The same in model 2, all joints with the standard strength.
+[[nodiscard]] Workload LimitedPeers();
 
 /// Target angle of a joint of one of Peers() during an interval, relative to its rest angle [rad].
 [[nodiscard]] float PeerTarget(const Workload& peers, int figure, int interval, int joint);
 
-/// A workload by name: "random", "gait", "timer" (random), "timer-gait", "peers". Cached after the first
-/// call, because gaits require a search.
+/// A workload by name: "random", "gait", "timer" (random), "timer-gait", "peers", "peers-limited". Cached
+/// after the first call, because gaits require a search.
 [[nodiscard]] const Workload& WorkloadOf(std::string_view name);
-inline constexpr std::string_view kWorkloads[] = {"random", "gait", "timer", "timer-gait", "peers"};
+inline constexpr std::string_view kWorkloads[] = {"random",     "gait",  "timer",
+                                                  "timer-gait", "peers", "peers-limited"};
 
 }  // namespace gaitsmith::bench

@@ -49,6 +49,22 @@ same "$(head -1 motion.csv | cut -d, -f1-9)" "t,x,y,vx,vy,phi,L,rule,theta_1" "C
 same "$(wc -l <motion.csv)" 1002 "rows of a 10 s motion"
 same "$(awk -F, '{print NF}' motion.csv | sort -u | wc -l)" 1 "columns in every row"
 
+# Limited joints and very unequal rods: a warning, once, and the command goes on.
+for model in 1 2; do
+  echo '{"model":'$model',"figure":{"name":"Anvil","rods":[{"mass_kg":50},{"parent":0,"mass_kg":0.25}]}}' >anvil-$model.json
+done
+warns() { # times, command…
+  local times=$1; shift
+  "$@" 2>warned || fault "with a warning: $*"
+  same "$(grep -cF 'the heaviest rod weighs 200 times as much as the lightest' warned)" "$times" "warnings of: $*"
+}
+warns 1 "$gaitsmith" simulate anvil-2.json --csv anvil.csv
+warns 1 "$gaitsmith" synthesize --problem anvil-2.json --evaluations 20 --threads 1 --out anvil.json
+warns 1 "$gaitsmith" synthesize --problem anvil-1.json --joints limited --evaluations 20 --threads 1 --out anvil.json
+warns 1 "$gaitsmith" compare --problem anvil-2.json --search sphc --search rgt --trials 2 --evaluations 20 --out anvils.csv --curves anvil-curves.csv
+warns 0 "$gaitsmith" simulate anvil-1.json --csv anvil.csv
+warns 0 "$gaitsmith" synthesize --problem anvil-2.json --joints strong --evaluations 20 --threads 1 --out anvil.json
+
 # Names that other programs may use.
 "$gaitsmith" catalogue >catalogue.json || fault "catalogue"
 same "$(sed -n 's/^  "\([a-z_]*\)": \[$/\1/p' catalogue.json | tr '\n' ' ')" \

@@ -84,6 +84,13 @@ async function limitedJoints({ browser, address }) {
   await page.click('world/reset');
   assert.equal(await page.hash(), unlimited, 'reset');
   assert.equal(await page.call('strength', () => JSON.stringify(window.gaitsmith.document()).includes('strength')), false);
+  // Rods that are too unequal for limited joints.
+  await page.call('open', () => window.gaitsmith.open({ figure: { rods: [{ mass_kg: 40 }, { parent: 0, mass_kg: 0.05 }] } }));
+  const warns = () => /The heaviest rod weighs 800 times as much as the lightest/.test(document.querySelector('#mirror')?.textContent ?? '');
+  await page.until('no warning of strong joints', () => /They always reach the pose/.test(document.querySelector('#mirror')?.textContent ?? ''));
+  assert.equal(await page.call('warning', warns), false);
+  await page.click('world/joints/1');
+  await page.until('a warning', warns);
   assert.deepEqual(page.complaints, []);
   await page.close();
 }
