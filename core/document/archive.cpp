@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/physics/terrain.h"
 #include "core/rollout/models.h"
 
 namespace gaitsmith {
@@ -236,6 +237,13 @@ Result<void> CheckSearch(const Document& d) {
 Result<void> CheckReferences(const Document& d) {
   if (auto figure = Validate(d.figure); !figure) {
     return Fail(figure.error().code, "figure." + figure.error().where, figure.error().what);
+  }
+  if (auto ground = Validate(d.environment.ground); !ground) {
+    return Fail(ground.error().code, "environment." + ground.error().where, ground.error().what);
+  }
+  if (!d.environment.ground.empty() && d.model < kFirstDrawnGround) {
+    return Fail(ErrorCode::kStructure, "environment.ground",
+                "needs limited joints (model 2); in model 1 the ground is level");
   }
   if (!d.drawn.empty()) {
     const Figure drawn{"", d.drawn};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/document/schema.h"
 
+#include "core/physics/terrain.h"
 #include "core/rollout/models.h"
 
 namespace gaitsmith {
@@ -28,6 +29,12 @@ void Describe(Archive& ar, Environment& environment) {
   ar.Since(2, [&] { ar.Real("sway_rad", environment.sway_rad, 0.0f, 0.6f, standard.sway_rad); });
   ar.Since(2,
            [&] { ar.Real("sway_period_s", environment.sway_period_s, 0.5f, 60.0f, standard.sway_period_s); });
+  ar.Since(7, [&] {
+    ar.List("ground", environment.ground, kMaxCorners, [&](Corner& corner) {
+      ar.Real("x_m", corner.x_m, -kMaxCornerX, kMaxCornerX, 0.0f);
+      ar.Real("y_m", corner.y_m, -kMaxCornerY, kMaxCornerY, 0.0f);
+    });
+  });
 }
 
 void Describe(Archive& ar, StartState& start) {

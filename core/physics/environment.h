@@ -9,14 +9,25 @@
 
 namespace gaitsmith {
 
+/// Where two straight pieces of a drawn ground meet.
+struct Corner {
+  float x_m = 0.0f;  // along the ground, from where the centre of mass starts, [-200, 200]
+  float y_m = 0.0f;  // [-20, 20]
+
+  bool operator==(const Corner&) const = default;
+};
+
 /// The ground is the line y = 0 of a frame that tilts with it, so a slope is only a tilted gravity. This is
-/// exact and avoids subtracting two large heights far from the origin.
+/// exact and avoids subtracting two large heights far from the origin. A drawn ground tilts with that line.
 struct Environment {
   float gravity_mps2 = kStandardGravity;  // [0, 100]
   float friction = 0.8f;                  // Coulomb coefficient, [0, 10]
   float slope_rad = 0.0f;                 // uphill to the right, [-0.6, 0.6]
   float sway_rad = 0.0f;                  // amplitude of rocking about the slope, [0, 0.6]
   float sway_period_s = 4.0f;             // [0.5, 60]
+  /// The ground's corners, from left to right (see terrain.h), at most kMaxCorners. None: level ground. From
+  /// model 2 on.
+  std::vector<Corner> ground = {};
 
   bool operator==(const Environment&) const = default;
 };

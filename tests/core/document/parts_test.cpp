@@ -93,6 +93,8 @@ Document Full() {
   d.figure.rods[1].parent = 0;
   d.figure.rods[1].length_m = 2.0f;
   d.drawn = d.figure.rods;
+  d.model = 2;
+  d.environment.ground = {{1.0f, 0.0f}, {2.0f, 0.5f}};
   d.pushes = {{.step = 3, .endpoint = 0, .impulse_x_ns = 1.0f}};
   Controller controller{.name = "One", .senses = d.senses, .rules = 2, .genes = {}};
   controller.genes.assign(BankShape(2, d.senses.kind, 2).Genes(), 7);
