@@ -6,6 +6,7 @@
 #include <array>
 
 #include "core/physics/environment.h"
+#include "core/physics/limb_guard.h"
 #include "core/physics/limb_step.h"
 #include "core/physics/motion_reports.h"
 #include "core/physics/snapshot.h"
@@ -30,6 +31,7 @@ class StrengthPlant {
       : body_(body),
         environment_(environment),
         world_(body, environment, step_s),
+        guard_(body),
         start_turn_rad_(static_cast<double>(body.start_angle_rad)) {
     PlaceAtStart(start);
   }
@@ -65,7 +67,12 @@ class StrengthPlant {
     // Adding zero turns -0 into +0, so that impulses of zero change no bit.
     state_.velocity_x = state_.velocity_x + world_.fall_x + 0.0f;
     state_.velocity_y = state_.velocity_y + world_.fall_y + 0.0f;
+    const typename LimbGuard<W>::Place before = guard_.PlaceOf(state_);
     LimbStep<W>(body_, world_, targets, state_).Conclude();
+    if (guard_.Judge(state_)) {
+      guard_.Rest(before, state_);
+      LimbStep<W>::PlaceLimbs(body_, state_);
+    }
   }
 
   [[nodiscard]] Readings<W> Read() const {
@@ -126,6 +133,7 @@ class StrengthPlant {
   const Mechanism& body_;
   Environment environment_;
   World world_;
+  LimbGuard<W> guard_;
   LimbState<W> state_;
   double start_turn_rad_;  // of the root rod
 };
