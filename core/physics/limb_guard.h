@@ -21,6 +21,10 @@ inline constexpr float kMaxStopSlack = 0.2f;
 inline constexpr float kMaxLostTurning = 0.01f;
 inline constexpr float kMaxLostRate = 0.1f;
 
+/// A motion is void when the ground pulls, or rubs more than Coulomb says by this share. Between a centimetre
+/// and forty metres, rounding errors alone may decide which way a blow moves an endpoint.
+inline constexpr float kMaxConeError = 1e-6f;
+
 template <int W>
 class LimbGuard {
   using L = Lane<W>;
@@ -29,7 +33,8 @@ class LimbGuard {
 
  public:
   /// @param body must outlive the guard
-  explicit LimbGuard(const Mechanism& body) : body_(body) {
+  LimbGuard(const Mechanism& body, float friction)
+      : body_(body), friction_((1.0f + kMaxConeError) * friction) {
     for (std::size_t k = 0; k < static_cast<std::size_t>(body.rods); ++k) {
       for (std::size_t j = 0; j < static_cast<std::size_t>(body.rods); ++j)
         most_[k] += std::abs(body.coupling[j][k]);
@@ -65,7 +70,10 @@ class LimbGuard {
     F most{};
     for (std::size_t k = 0; k < static_cast<std::size_t>(body_.rods); ++k)
       most += most_[k] * ((1.0f + kMaxLostTurning) * L::Abs(turning[k]) + kMaxLostRate);
-    s.broken |= ~((slack <= kMaxStopSlack) & (L::Abs(s.angular_momentum) <= most));
+    I lawful = (slack <= kMaxStopSlack) & (L::Abs(s.angular_momentum) <= most);
+    for (std::size_t k = 0; k <= static_cast<std::size_t>(body_.rods); ++k)
+      lawful &= (s.last_normal[k] >= 0.0f) & (L::Abs(s.last_tangent[k]) <= friction_ * s.last_normal[k]);
+    s.broken |= ~lawful;
     if (!L::Any(s.broken)) return false;
     for (int lane = 0; lane < W; ++lane) {
       if (!IsFinite(s, lane)) return true;
@@ -126,6 +134,7 @@ class LimbGuard {
   }
 
   const Mechanism& body_;
+  float friction_;
   std::array<float, kMaxRods> most_{};  // angular momentum by the turning of each rod, at most [kg m^2]
 };
 

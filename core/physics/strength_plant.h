@@ -31,7 +31,7 @@ class StrengthPlant {
       : body_(body),
         environment_(environment),
         world_(body, environment, step_s),
-        guard_(body),
+        guard_(body, environment.friction),
         start_turn_rad_(static_cast<double>(body.start_angle_rad)) {
     PlaceAtStart(start);
   }

@@ -70,6 +70,13 @@ TEST_CASE("find: limbs that turn through a stop are void", "[physics][strength][
   RequireVoid("turns-through-its-stop");
 }
 
+TEST_CASE("find: a short rod before a long one that the ground pulls is void", "[physics][strength][find]") {
+  // A centimetre and 42 m: which way a blow to the short one's end moves it is decided by rounding errors. Of
+  // the two sides to which it may slip neither fitted, and the ground pulled by 0.04 m/s.
+  const Motion motion = RequireVoid("short-rod-before-a-long-one");
+  CHECK(motion.TermsAt(2).broke_physics);
+}
+
 TEST_CASE("finds of model 2 that remain: stops give way and rounds run out, within what is promised",
           "[physics][strength][find]") {
   struct Find {
