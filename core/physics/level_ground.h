@@ -86,6 +86,15 @@ class LevelGround {
     return sinks;
   }
 
+  /// Lanes in which the ground neither pulls nor rubs more than Coulomb says.
+  [[nodiscard]] I Lawful() const {
+    const float most = (1.0f + kMaxConeError) * world_.friction;
+    I lawful = ~I{};
+    for (std::size_t k = 0; k < endpoints_; ++k)
+      lawful &= (force_.normal[k] >= 0.0f) & (L::Abs(force_.tangent[k]) <= most * force_.normal[k]);
+    return lawful;
+  }
+
   /// Gives the state its velocity, and what the ground did. @param end of the step
   void Conclude(const LimbEnd<W>& end) {
     s_.normal_work_j = s_.friction_work_j = s_.friction_gain_j = F{};

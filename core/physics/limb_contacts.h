@@ -18,6 +18,10 @@ static_assert(kMaxTouches >= kMaxEndpoints);
 inline constexpr int kLimbSweeps = 50;
 inline constexpr int kSmoothSweeps = 400;  // rarely needed, so they may take their time
 
+/// A motion is void when the ground pulls, or rubs more than Coulomb says by this share. Between a centimetre
+/// and forty metres, rounding errors alone may decide which way a blow moves an endpoint.
+inline constexpr float kMaxConeError = 1e-6f;
+
 /// A place where figures may touch the ground, in each lane another one. Impulses and velocities are normal
 /// to the ground there (n) and along it to the right (t).
 template <int W>

@@ -83,8 +83,8 @@ class LimbStep {
     const F lift = ground_.Lift();
     s_.greatest_height_m = L::Max(s_.greatest_height_m, s_.height_m);
     const F work = s_.normal_work_j + s_.friction_work_j + s_.lifting_work_j;
-    s_.broken |=
-        ~((lift <= kMaxPenetration) & (work <= world_.max_ground_work_j) & (fastest * h <= kMaxTurnPerStep));
+    s_.broken |= ~(ground_.Lawful() & (lift <= kMaxPenetration) & (work <= world_.max_ground_work_j) &
+                   (fastest * h <= kMaxTurnPerStep));
   }
 
  private:
