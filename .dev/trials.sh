@@ -33,7 +33,7 @@ fuzz() {
     log=build/fuzz/$name.log
     say "$name: $seconds s"
     "build/fuzz/tests/fuzz/${name}_fuzz" -seed=$seed -max_total_time="$seconds" -artifact_prefix=build/fuzz/ -verbosity=0 -print_final_stats=1 -max_len=20000 \
-      "$corpus/$name" build/fuzz/links examples tests/golden/motions >"$log" 2>&1 || { tail -40 "$log"; die "$name found something: build/fuzz has what it fed"; }
+      "$corpus/$name" build/fuzz/links examples tests/golden/motions tests/golden/limited tests/adversary/finds >"$log" 2>&1 || { tail -40 "$log"; die "$name found something: build/fuzz has what it fed"; }
     runs=$(awk '/number_of_executed_units/ { print $2 }' "$log")
     say "$name: $runs runs, nothing found"
     if [ "$seconds" -ge 600 ]; then
@@ -44,12 +44,14 @@ fuzz() {
   done
 }
 
-# Its findings are a study. docs/physics.md explains them.
+# Its findings are a study. docs/physics.md explains them. Each of the two models gets half of the time.
 adversary() {
-  local minutes=${1:-10}
+  local minutes=${1:-10} program=build/release/tests/adversary/adversary
+  local half=$(awk "BEGIN { print $minutes / 2 }")
   cmake --preset release
   cmake --build --preset release --target adversary
-  build/release/tests/adversary/adversary --out docs/studies/adversary --evaluations 8000 --seeds 1000 --minutes "$minutes"
+  "$program" --out docs/studies/adversary --evaluations 8000 --seeds 1000 --minutes "$half"
+  "$program" --model 2 --out docs/studies/adversary/limited --evaluations 8000 --seeds 1000 --minutes "$half"
 }
 
 # Another engine's judgement of model 2, with every figure; ./dev test asks for one. docs/physics.md explains the table.

@@ -85,6 +85,9 @@ void LessonVisit::Do(const JsonValue& step) {
     change([&](Document& d) { d.environment.slope_rad = static_cast<float>(value.number * kPi / 180.0); });
   } else if (what == "gravity") {
     change([&](Document& d) { d.environment.gravity_mps2 = number; });
+  } else if (what == "joints") {
+    session_.World().LimitJoints(true);
+    session_.World().SetJointStrength(number);
   } else if (what == "drop") {
     change([&](Document& d) { d.start.drop_height_m = number; });
   } else if (what == "switch") {

@@ -2,12 +2,14 @@
 // The laws that the physics keeps in every motion, as numbers: how far a motion is from keeping each law.
 // Used by the laws' tests, the fuzzer and the adversary.
 //
-// Muscles are as strong as they need to be: joint angles are prescribed, so a figure's energy may change by
-// any amount through its joints, and no law limits this. The laws limit ground, gravity and flight. A motion
-// counts as void from the step in which a guard trips (constants.h). The laws hold before it.
+// In model 1 muscles are as strong as they need to be: joint angles are prescribed, so a figure's energy may
+// change by any amount through its joints, and no law limits this. The laws limit ground, gravity and flight.
+// In model 2 the limbs move each other, so what they gain in flight is limited by the joints' strength. A
+// motion counts as void from the step in which a guard trips (constants.h). The laws hold before it.
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
 #include "core/document/document.h"
@@ -32,8 +34,13 @@ enum class Law {
                  // and after them, nor by lifting: gain in a step, over M g l + E
   kGroundGain,   // gains of kGroundWork summed over all steps [per second]
   kLifting,      // distance that the figure is lifted out of the ground [m/s]
+  // Of model 2 only.
+  kLimbWork,  // in flight the limbs gain at most what their joints' strength gives: the rest of the gain in a
+              // step, over M g l plus the energy of body and limbs
+  kLimbGain,  // gains of kLimbWork summed over all steps [per second]
+  kTurning,   // the angular momentum is that of the limbs' turning: difference as a share of all parts
 };
-inline constexpr int kLaws = 13;
+inline constexpr int kLaws = 16;
 
 /// The part of a violation that is rounding or the stated limit of the model. docs/physics.md gives the
 /// reasons.
@@ -42,8 +49,10 @@ struct LawLimit {
   std::string_view unit;
   double most;  // [unit]
 };
-extern const std::array<LawLimit, kLaws> kLawLimits;
-[[nodiscard]] inline const LawLimit& LimitOf(Law law) { return kLawLimits[static_cast<std::size_t>(law)]; }
+/// The limits of a model. @param model [1, kModelVersion]
+[[nodiscard]] const std::array<LawLimit, kLaws>& LawLimits(int model);
+/// Whether a model can break a law at all.
+[[nodiscard]] constexpr bool Concerns(Law law, int model) { return model > 1 || law < Law::kLimbWork; }
 
 /// The largest violation of a law in a motion.
 struct Offence {
@@ -54,10 +63,13 @@ struct Offence {
 struct Offences {
   std::array<Offence, kLaws> of{};
   int judged = 0;  // number of frames before a guard trips
+  int model = 1;   // whose limits count
 
   [[nodiscard]] const Offence& Against(Law law) const { return of[static_cast<std::size_t>(law)]; }
   /// The first law that was violated by more than its limit, or kLaws if there is none.
   [[nodiscard]] int FirstBroken() const;
+  /// The first broken law in words: by how much, and where; empty if there is none.
+  [[nodiscard]] std::string Sentence() const;
 };
 
 /// The M g l of the guard: standard gravity, longest rod [J].

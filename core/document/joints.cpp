@@ -2,6 +2,7 @@
 #include "core/document/joints.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "core/physics/figure_plant.h"
 #include "core/physics/strength_plant.h"
@@ -32,9 +33,29 @@ void FreeJoints(Document& document) { document.model = FigurePlant<1>::kModel; }
 void LimitJoints(Document& document) { document.model = StrengthPlant<1>::kModel; }
 
 void SetJointStrength(float strength, Document& document) {
-  for (Rod& rod : document.figure.rods) {
-    if (rod.parent != kNoParent) rod.strength = strength;
+  for (std::vector<Rod>* rods : {&document.figure.rods, &document.drawn}) {
+    for (Rod& rod : *rods) {
+      if (rod.parent != kNoParent) rod.strength = strength;
+    }
   }
+}
+
+bool SameJoints(const Document& a, const Document& b) {
+  if (a.model != b.model) return false;
+  const auto alike = [](const Rod& one, const Rod& other) {
+    // The root has no joint.
+    return one.parent == kNoParent || (one.strength == other.strength && one.stiffness == other.stiffness);
+  };
+  return !HasLimitedJoints(a) || std::ranges::equal(a.figure.rods, b.figure.rods, alike);
+}
+
+bool SameRods(const Document& a, const Document& b) {
+  const auto alike = [](Rod one, const Rod& other) {
+    one.strength = other.strength;
+    one.stiffness = other.stiffness;
+    return one == other;
+  };
+  return std::ranges::equal(a.figure.rods, b.figure.rods, alike);
 }
 
 }  // namespace gaitsmith

@@ -27,7 +27,13 @@ void FreeJoints(Document&);
 /// Limits the joints. They keep the strengths that their figure gives them.
 void LimitJoints(Document&);
 
-/// Gives all joints one strength [0, 1000], in M g L of the figure.
+/// Gives all joints one strength [0, 1000], in M g L of the figure, also in the body as it was drawn.
 void SetJointStrength(float strength, Document&);
+
+/// Whether the joints of two documents can do the same: both as much as needed, or both limited, with the
+/// same strengths and stiffness. What one controller left can be taken over by another only then.
+[[nodiscard]] bool SameJoints(const Document&, const Document&);
+/// Whether two documents have the same rods, whatever their joints can do.
+[[nodiscard]] bool SameRods(const Document&, const Document&);
 
 }  // namespace gaitsmith

@@ -1,142 +1,106 @@
 // SPDX-License-Identifier: MIT
 // Contacts of figures with moving limbs (model 2). As in contact.h, inelastic and with Coulomb friction, but
-// a blow to an endpoint also moves the joints, as far as they give way.
+// a blow to a limb also moves the joints, as far as they give way.
 #pragma once
 
 #include <array>
+#include <cstddef>
 
-#include "core/physics/contact.h"
 #include "core/physics/limb_inertia.h"
 #include "core/physics/limb_pair.h"
-#include "core/physics/limb_state.h"
 
 namespace gaitsmith {
 
+/// Places where one figure may touch the ground in one step, at most.
+inline constexpr std::size_t kMaxTouches = 20;
+static_assert(kMaxTouches >= kMaxEndpoints);
 /// Sweeps over the contacts of one round, at most. One contact needs one, and two are solved without sweeps.
 inline constexpr int kLimbSweeps = 50;
 inline constexpr int kSmoothSweeps = 400;  // rarely needed, so they may take their time
 
-/// Where the endpoints are at one instant, and how each speed moves them.
+/// A motion is void when the ground pulls, or rubs more than Coulomb says by this share. Between a centimetre
+/// and forty metres, rounding errors alone may decide which way a blow moves an endpoint.
+inline constexpr float kMaxConeError = 1e-6f;
+
+/// A place where figures may touch the ground, in each lane another one. Impulses and velocities are normal
+/// to the ground there (n) and along it to the right (t).
 template <int W>
-struct LimbArms {
+struct LimbTouch {
   using F = typename Lane<W>::F;
-  std::array<F, kMaxEndpoints> x, y;  // endpoints from the centre of mass [m]
-  LimbNumbers<W> pull_x, pull_y;      // how the centre of mass moves with a joint, seen from it [m]
+  typename Lane<W>::I present{};  // lanes in which there is such a place; in others it gets no impulse
+  F normal_x{}, normal_y{};       // out of the ground; (0, 1) on level ground
+  LimbNumbers<W> row_n, row_t;    // its velocity by unit speeds [m]
+  F velocity_n{}, velocity_t{};   // with the present impulse [m/s]; what is left of the way counts in n
+  Impulse<W> before{};            // when contacts were last solved
+  Impulse<W> force{};             // in: the present impulse, out: the solution
+};
 
-  LimbArms(const Mechanism& body, const LimbNumbers<W>& cosine, const LimbNumbers<W>& sine) {
-    const auto n = static_cast<std::size_t>(body.rods);
-    x[0] = y[0] = F{};
-    F centre_x{}, centre_y{};
-    for (std::size_t a = 0; a < n; ++a) {
-      const auto start = static_cast<std::size_t>(body.limbs[a].start);
-      x[a + 1] = x[start] + body.limbs[a].length_m * cosine[a];
-      y[a + 1] = y[start] + body.limbs[a].length_m * sine[a];
-      pull_x[a] = body.centre[a] * cosine[a];
-      pull_y[a] = body.centre[a] * sine[a];
-      centre_x += pull_x[a];
-      centre_y += pull_y[a];
-    }
-    for (std::size_t k = 0; k <= n; ++k) {
-      x[k] -= centre_x;
-      y[k] -= centre_y;
-    }
-    SumBeyond<W>(body, pull_x);
-    SumBeyond<W>(body, pull_y);
-  }
+template <int W>
+struct TouchList {
+  std::size_t count = 0;
+  std::array<LimbTouch<W>, kMaxTouches> touches;
 
-  /// The velocity of an endpoint by unit speeds, upwards (n) and along the ground (t) [m].
-  void RowsOf(const Mechanism& body, std::size_t endpoint, LimbNumbers<W>& n, LimbNumbers<W>& t) const {
-    n[0] = x[endpoint];
-    t[0] = -y[endpoint];
-    for (std::size_t j = 1; j < static_cast<std::size_t>(body.rods); ++j) {
-      n[j] = -pull_x[j];
-      t[j] = pull_y[j];
-      if ((body.beyond[j] >> endpoint & 1) == 0) continue;
-      const auto pivot = static_cast<std::size_t>(body.limbs[j].start);
-      n[j] += x[endpoint] - x[pivot];
-      t[j] -= y[endpoint] - y[pivot];
-    }
-  }
-
-  /// Adds the momenta that the ground's impulses on the endpoints give.
-  void AddMomenta(const Mechanism& body, const EndpointImpulses<W>& force, LimbNumbers<W>& momenta) const {
-    LimbNumbers<W> n, t;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(body.endpoints); ++k) {
-      RowsOf(body, k, n, t);
-      for (std::size_t j = 0; j < static_cast<std::size_t>(body.rods); ++j)
-        momenta[j] += n[j] * force.normal[k] + t[j] * force.tangent[k];
+  /// Adds the momenta that the present impulses give.
+  void AddMomenta(std::size_t rods, LimbNumbers<W>& momenta) const {
+    for (std::size_t a = 0; a < count; ++a) {
+      const LimbTouch<W>& at = touches[a];
+      for (std::size_t j = 0; j < rods; ++j)
+        momenta[j] += at.row_n[j] * at.force.normal + at.row_t[j] * at.force.tangent;
     }
   }
 };
 
-/// All contacts of W figures in one round. The contacts are the endpoints that touch in any lane; in lanes
-/// where one does not, it gets no impulse.
-template <int W>
+/// All contacts of W figures in one round.
+/// @tparam kLevel whether all normals are (0, 1)
+template <int W, bool kLevel>
 class LimbContacts {
   using L = Lane<W>;
   using F = typename L::F;
   using I = typename L::I;
 
  public:
-  /// @param touching bit mask of endpoints per lane
-  LimbContacts(const Mechanism& body, const World& world, const LimbArms<W>& arms,
-               const LimbFactor<W>& factor, const I& touching)
-      : rods_(static_cast<std::size_t>(body.rods)), friction_(world.friction) {
-    for (std::size_t k = 0; k < static_cast<std::size_t>(body.endpoints); ++k) {
-      const I present = (touching & (1 << k)) != 0;
-      if (!L::Any(present)) continue;
-      endpoint_[count_] = k;
-      present_[count_] = present;
-      arms.RowsOf(body, k, row_n_[count_], row_t_[count_]);
-      inward_n_[count_] = row_n_[count_];
-      inward_t_[count_] = row_t_[count_];
-      factor.SolveInward(inward_n_[count_]);
-      factor.SolveInward(inward_t_[count_]);
-      ++count_;
+  LimbContacts(std::size_t rods, const World& world, const LimbFactor<W>& factor, TouchList<W>& list)
+      : rods_(rods), count_(list.count), friction_(world.friction), touches_(list.touches) {
+    for (std::size_t a = 0; a < count_; ++a) {
+      had_[a] = touches_[a].force;
+      inward_n_[a] = touches_[a].row_n;
+      inward_t_[a] = touches_[a].row_t;
+      factor.SolveInward(inward_n_[a]);
+      factor.SolveInward(inward_t_[a]);
     }
     for (std::size_t a = 0; a < count_; ++a) {
       for (std::size_t b = 0; b <= a; ++b) {
         const F tn = factor.Between(inward_t_[a], inward_n_[b]);
         const F nt = a == b ? tn : factor.Between(inward_n_[a], inward_t_[b]);
         Coupling<W>& g = mobility_[a][b];
-        g = {factor.Between(inward_n_[a], inward_n_[b]) + world.inverse_mass, nt, tn,
-             factor.Between(inward_t_[a], inward_t_[b]) + world.inverse_mass};
+        g = {factor.Between(inward_n_[a], inward_n_[b]), nt, tn, factor.Between(inward_t_[a], inward_t_[b])};
+        AddWhole(world.inverse_mass, touches_[a], touches_[b], g);
         mobility_[b][a] = {g.nn, g.tn, g.nt, g.tt};
       }
       own_[a] = MobilityOf<W>(mobility_[a][a], friction_);
     }
   }
 
-  /// Solves for the impulses.
+  /// Solves for the impulses. What the places did before is tried first.
   /// @param since  speeds that the velocities do not contain yet [rad/s]
-  /// @param velocity_n, velocity_t  of each endpoint with the present impulses [m/s]; what is left of the way
-  /// to the ground counts in n
-  /// @param before  impulses of each endpoint when contacts were last solved: what bore, slipped or stuck
-  /// then is tried first
-  /// @param force   in: the present impulses, out: the solution
-  void Solve(const LimbNumbers<W>& since, const std::array<F, kMaxEndpoints>& velocity_n,
-             const std::array<F, kMaxEndpoints>& velocity_t, const EndpointImpulses<W>& before,
-             EndpointImpulses<W>& force) const {
-    std::array<F, kMaxEndpoints> v_n, v_t;
-    for (std::size_t a = 0; a < count_; ++a) {
-      v_n[a] = velocity_n[endpoint_[a]] + Along(row_n_[a], since);
-      v_t[a] = velocity_t[endpoint_[a]] + Along(row_t_[a], since);
-    }
+  void Solve(const LimbNumbers<W>& since) {
+    Begin(since);
     I number{};
-    for (std::size_t a = 0; a < count_; ++a) number -= present_[a];
+    for (std::size_t a = 0; a < count_; ++a) number -= touches_[a].present;
     I settled = number == 0;
-    if (L::Any(number == 2)) settled |= SolvePairs(number == 2, v_n, v_t, before, force);
+    if (L::Any(number == 2)) settled |= SolvePairs(number == 2);
     for (int sweep = 0; sweep < kLimbSweeps && L::Any(~settled); ++sweep) {
       F moved{};
       for (std::size_t turn = 0; turn < count_; ++turn) {
         const std::size_t a = sweep % 2 == 0 ? turn : count_ - 1 - turn;
-        const F force_n = force.normal[endpoint_[a]], force_t = force.tangent[endpoint_[a]];
+        const Impulse<W> force = touches_[a].force;
         const Mobility<W>& m = own_[a];
-        const Impulse<W> solved = SolveOne<W>(m, v_n[a] - (m.nn * force_n + m.nt * force_t),
-                                              v_t[a] - (m.nt * force_n + m.tt * force_t), friction_);
-        const Impulse<W> push = {solved.normal - force_n, solved.tangent - force_t};
-        const I takes_part = present_[a] & ~settled;
-        Set(a, takes_part, solved, v_n, v_t, force);
+        const Impulse<W> solved =
+            SolveOne<W>(m, v_n_[a] - (m.nn * force.normal + m.nt * force.tangent),
+                        v_t_[a] - (m.nt * force.normal + m.tt * force.tangent), friction_);
+        const Impulse<W> push = {solved.normal - force.normal, solved.tangent - force.tangent};
+        const I takes_part = touches_[a].present & ~settled;
+        Set(a, takes_part, solved);
         moved = L::Max(moved,
                        L::Select(takes_part, L::Abs(push.normal * m.nn) + L::Abs(push.tangent * m.tt), F{}));
       }
@@ -144,94 +108,108 @@ class LimbContacts {
     }
   }
 
-  /// Solves for the impulses on ground without friction; arguments as above.
-  void SolveSmooth(const LimbNumbers<W>& since, const std::array<F, kMaxEndpoints>& velocity_n,
-                   EndpointImpulses<W>& force) const {
-    std::array<F, kMaxEndpoints> v_n, v_t{};
-    for (std::size_t a = 0; a < count_; ++a) v_n[a] = velocity_n[endpoint_[a]] + Along(row_n_[a], since);
+  /// Solves for the impulses of ground without friction; argument as above.
+  void SolveSmooth(const LimbNumbers<W>& since) {
+    Begin(since);
     I settled{};
     for (int sweep = 0; sweep < kSmoothSweeps && L::Any(~settled); ++sweep) {
       F moved{};
       for (std::size_t turn = 0; turn < count_; ++turn) {
         const std::size_t a = sweep % 2 == 0 ? turn : count_ - 1 - turn;
-        const F& force_n = force.normal[endpoint_[a]];
-        const F& force_t = force.tangent[endpoint_[a]];
+        const Impulse<W> force = touches_[a].force;
         const Coupling<W>& own = mobility_[a][a];
-        const F without = v_n[a] - own.nn * force_n - own.nt * force_t;
-        const F push = L::Max(-without / own.nn, F{}) - force_n;
-        const I takes_part = present_[a] & ~settled;
-        moved = L::Max(moved, L::Select(takes_part, L::Abs(push * own.nn) + L::Abs(force_t * own.tt), F{}));
-        Set(a, takes_part, {force_n + push, F{}}, v_n, v_t, force);
+        const F without = v_n_[a] - own.nn * force.normal - own.nt * force.tangent;
+        const F push = L::Max(-without / own.nn, F{}) - force.normal;
+        const I takes_part = touches_[a].present & ~settled;
+        moved =
+            L::Max(moved, L::Select(takes_part, L::Abs(push * own.nn) + L::Abs(force.tangent * own.tt), F{}));
+        Set(a, takes_part, {force.normal + push, F{}});
       }
       settled |= moved <= kContactTolerance;
     }
   }
 
-  /// Adds what further impulses do: to the speeds, solved inward, and to the momenta.
-  void Apply(const EndpointImpulses<W>& more, LimbNumbers<W>& inward, LimbNumbers<W>& momentum) const {
+  /// Adds what the impulses have gained by the solution: to the speeds, solved inward, and to the momenta.
+  void Apply(LimbNumbers<W>& inward, LimbNumbers<W>& momenta) const {
     for (std::size_t a = 0; a < count_; ++a) {
-      const F force_n = more.normal[endpoint_[a]], force_t = more.tangent[endpoint_[a]];
+      const LimbTouch<W>& at = touches_[a];
+      const F more_n = at.force.normal - had_[a].normal, more_t = at.force.tangent - had_[a].tangent;
       for (std::size_t j = 0; j < rods_; ++j) {
-        inward[j] += inward_n_[a][j] * force_n + inward_t_[a][j] * force_t;
-        momentum[j] += row_n_[a][j] * force_n + row_t_[a][j] * force_t;
+        inward[j] += inward_n_[a][j] * more_n + inward_t_[a][j] * more_t;
+        momenta[j] += at.row_n[j] * more_n + at.row_t[j] * more_t;
       }
     }
   }
 
-  [[nodiscard]] bool None() const { return count_ == 0; }
-
  private:
-  /// Gives a contact another impulse in some lanes, and all endpoints their velocities by it.
-  void Set(std::size_t contact, const I& lanes, const Impulse<W>& own, std::array<F, kMaxEndpoints>& v_n,
-           std::array<F, kMaxEndpoints>& v_t, EndpointImpulses<W>& force) const {
-    F& force_n = force.normal[endpoint_[contact]];
-    F& force_t = force.tangent[endpoint_[contact]];
-    const F push_n = L::Select(lanes, own.normal - force_n, F{});
-    const F push_t = L::Select(lanes, own.tangent - force_t, F{});
-    force_n = L::Select(lanes, own.normal, force_n);
-    force_t = L::Select(lanes, own.tangent, force_t);
+  /// Adds how the figure as a whole answers.
+  static void AddWhole(float inverse_mass, const LimbTouch<W>& a, const LimbTouch<W>& b, Coupling<W>& g) {
+    if constexpr (kLevel) {
+      g.nn += inverse_mass;
+      g.tt += inverse_mass;
+    } else {
+      const F same = inverse_mass * (a.normal_x * b.normal_x + a.normal_y * b.normal_y);
+      const F across = inverse_mass * (a.normal_x * b.normal_y - a.normal_y * b.normal_x);
+      g.nn += same;
+      g.tt += same;
+      g.nt += across;
+      g.tn -= across;
+    }
+  }
+
+  void Begin(const LimbNumbers<W>& since) {
+    for (std::size_t a = 0; a < count_; ++a) {
+      v_n_[a] = touches_[a].velocity_n + Along(touches_[a].row_n, since);
+      v_t_[a] = touches_[a].velocity_t + Along(touches_[a].row_t, since);
+    }
+  }
+
+  /// Gives a contact another impulse in some lanes, and all contacts their velocities by it.
+  void Set(std::size_t contact, const I& lanes, const Impulse<W>& own) {
+    Impulse<W>& force = touches_[contact].force;
+    const F push_n = L::Select(lanes, own.normal - force.normal, F{});
+    const F push_t = L::Select(lanes, own.tangent - force.tangent, F{});
+    force = {L::Select(lanes, own.normal, force.normal), L::Select(lanes, own.tangent, force.tangent)};
     for (std::size_t b = 0; b < count_; ++b) {
       const Coupling<W>& g = mobility_[b][contact];
-      v_n[b] += g.nn * push_n + g.nt * push_t;
-      v_t[b] += g.tn * push_n + g.tt * push_t;
+      v_n_[b] += g.nn * push_n + g.nt * push_t;
+      v_t_[b] += g.tn * push_n + g.tt * push_t;
     }
   }
 
   /// Solves two contacts exactly. @return the lanes of `two` that are solved
-  I SolvePairs(const I& two, std::array<F, kMaxEndpoints>& v_n, std::array<F, kMaxEndpoints>& v_t,
-               const EndpointImpulses<W>& before, EndpointImpulses<W>& force) const {
+  I SolvePairs(const I& two) {
     LimbPair<W> pair(friction_);
     std::array<Impulse<W>, 2> found{};
     if (count_ == 2) {
       for (std::size_t i = 0; i < 2; ++i) {
-        const std::size_t k = endpoint_[i];
-        found[i] = {force.normal[k], force.tangent[k]};
-        pair.before[i] = {before.normal[k], before.tangent[k]};
-        pair.free_n[i] = v_n[i];
-        pair.free_t[i] = v_t[i];
+        found[i] = touches_[i].force;
+        pair.before[i] = touches_[i].before;
+        pair.free_n[i] = v_n_[i];
+        pair.free_t[i] = v_t_[i];
         for (std::size_t j = 0; j < 2; ++j) pair.mobility[i][j] = mobility_[i][j];
       }
       const I solved = SolvePair(two, pair, found);
-      for (std::size_t i = 0; i < 2; ++i) Set(i, solved, found[i], v_n, v_t, force);
+      for (std::size_t i = 0; i < 2; ++i) Set(i, solved, found[i]);
       return solved;
     }
     // Each lane's first and second contact.
-    std::array<std::array<I, kMaxEndpoints>, 2> is;
+    std::array<std::array<I, kMaxTouches>, 2> is;
     I seen{};
     for (std::size_t a = 0; a < count_; ++a) {
-      is[0][a] = present_[a] & (seen == 0);
-      is[1][a] = present_[a] & (seen == 1);
-      seen -= present_[a];
+      is[0][a] = touches_[a].present & (seen == 0);
+      is[1][a] = touches_[a].present & (seen == 1);
+      seen -= touches_[a].present;
     }
+    const auto take = [](const I& lanes, const Impulse<W>& from, Impulse<W>& to) {
+      to = {L::Select(lanes, from.normal, to.normal), L::Select(lanes, from.tangent, to.tangent)};
+    };
     for (std::size_t i = 0; i < 2; ++i) {
       for (std::size_t a = 0; a < count_; ++a) {
-        const std::size_t k = endpoint_[a];
-        found[i] = {L::Select(is[i][a], force.normal[k], found[i].normal),
-                    L::Select(is[i][a], force.tangent[k], found[i].tangent)};
-        pair.before[i] = {L::Select(is[i][a], before.normal[k], pair.before[i].normal),
-                          L::Select(is[i][a], before.tangent[k], pair.before[i].tangent)};
-        pair.free_n[i] = L::Select(is[i][a], v_n[a], pair.free_n[i]);
-        pair.free_t[i] = L::Select(is[i][a], v_t[a], pair.free_t[i]);
+        take(is[i][a], touches_[a].force, found[i]);
+        take(is[i][a], touches_[a].before, pair.before[i]);
+        pair.free_n[i] = L::Select(is[i][a], v_n_[a], pair.free_n[i]);
+        pair.free_t[i] = L::Select(is[i][a], v_t_[a], pair.free_t[i]);
         for (std::size_t j = 0; j < 2; ++j) {
           for (std::size_t b = 0; b < count_; ++b) {
             const I both = is[i][a] & is[j][b];
@@ -245,9 +223,9 @@ class LimbContacts {
     }
     const I solved = SolvePair(two, pair, found);
     for (std::size_t a = 0; a < count_; ++a) {
-      const Impulse<W> own = {L::Select(is[0][a], found[0].normal, found[1].normal),
-                              L::Select(is[0][a], found[0].tangent, found[1].tangent)};
-      Set(a, solved & present_[a], own, v_n, v_t, force);
+      Impulse<W> own = found[1];
+      take(is[0][a], found[0], own);
+      Set(a, solved & touches_[a].present, own);
     }
     return solved;
   }
@@ -265,19 +243,20 @@ class LimbContacts {
     return pair.Solve(lanes, found);
   }
 
-  F Along(const LimbNumbers<W>& row, const LimbNumbers<W>& answer) const {
+  F Along(const LimbNumbers<W>& row, const LimbNumbers<W>& speeds) const {
     F sum{};
-    for (std::size_t j = 0; j < rods_; ++j) sum += row[j] * answer[j];
+    for (std::size_t j = 0; j < rods_; ++j) sum += row[j] * speeds[j];
     return sum;
   }
 
-  std::size_t rods_, count_ = 0;
+  std::size_t rods_, count_;
   float friction_;
-  std::array<std::size_t, kMaxEndpoints> endpoint_;
-  std::array<I, kMaxEndpoints> present_;
-  std::array<LimbNumbers<W>, kMaxEndpoints> row_n_, row_t_, inward_n_, inward_t_;
-  std::array<std::array<Coupling<W>, kMaxEndpoints>, kMaxEndpoints> mobility_;
-  std::array<Mobility<W>, kMaxEndpoints> own_;
+  std::array<LimbTouch<W>, kMaxTouches>& touches_;
+  std::array<Impulse<W>, kMaxTouches> had_;
+  std::array<F, kMaxTouches> v_n_, v_t_;
+  std::array<LimbNumbers<W>, kMaxTouches> inward_n_, inward_t_;
+  std::array<std::array<Coupling<W>, kMaxTouches>, kMaxTouches> mobility_;
+  std::array<Mobility<W>, kMaxTouches> own_;
 };
 
 }  // namespace gaitsmith

@@ -11,7 +11,8 @@
 
 #include "core/numeric/scalar_math.h"
 #include "core/physics/joint_response.h"
-#include "core/physics/limb_contacts.h"
+#include "core/physics/limb_arms.h"
+#include "core/physics/limb_end.h"
 #include "core/physics/limb_state.h"
 
 namespace gaitsmith {
@@ -28,25 +29,26 @@ inline constexpr int kRoughRounds = 10;
 inline constexpr float kMidTurn = 1e-3f;
 /// A joint is stopped when it would end further than this beyond its limit [rad].
 inline constexpr float kStopMargin = 1e-4f;
-/// An endpoint may end this far below ground [m] before the contacts are solved again.
-inline constexpr float kLimbSink = 2e-5f;
 
-template <int W>
+/// @tparam Ground what the figures stand on during a step: LevelGround or DrawnGround
+template <int W, class Ground>
 class LimbStep {
   using L = Lane<W>;
   using F = typename L::F;
   using I = typename L::I;
 
  public:
-  /// @param state gravity is already in its velocity
-  LimbStep(const Mechanism& body, const World& world, const ActuatorTargets<W>& targets, LimbState<W>& state)
-      : body_(body), world_(world), s_(state), rods_(static_cast<std::size_t>(body.rods)) {
+  /// @param state  gravity is already in its velocity
+  /// @param ground of this state
+  LimbStep(const Mechanism& body, const World& world, const ActuatorTargets<W>& targets, LimbState<W>& state,
+           Ground& ground)
+      : body_(body), world_(world), s_(state), ground_(ground), rods_(static_cast<std::size_t>(body.rods)) {
     // What the joints' rules ask for: model 1's response, from where the joints really are.
     asked_angle_ = s_.angle_rad;
     asked_rate_ = s_.rate_radps;
     MoveJoints<W>(body, targets, world.step_s, asked_angle_, asked_rate_, asked_turn_);
     Foresee();
-    PlaceEnd(speed_, force_);
+    PlaceEnd(speed_, end_);
     MeasureMiddle(~I{});
     Run();
   }
@@ -72,55 +74,17 @@ class LimbStep {
           L::Select(follows, asked_rate_[i - 1], L::Select(s_.stop_side[i] == 0.0f, speed_[i], F{}));
     }
     s_.speed = speed_;
-    const F path_x = PathXOf(force_), path_y = PathYOf(force_);
-    s_.normal_work_j = s_.friction_work_j = s_.friction_gain_j = F{};
-    F along{}, up{};
-    for (std::size_t k = 0; k <= rods_; ++k) {
-      along += force_.tangent[k];
-      up += force_.normal[k];
-      const F slide = path_x + move_x_[k];
-      const F rise = path_y + (end_y_[k] - s_.endpoint_y[k]);
-      const I bears = (force_.normal[k] > 0.0f) & (s_.last_force.normal[k] > 0.0f);
-      s_.slip_m += L::Select(bears, L::Abs(slide), F{});
-      s_.normal_work_j += force_.normal[k] * rise * world_.inverse_step;
-      const F work = force_.tangent[k] * slide * world_.inverse_step;
-      s_.friction_work_j += work;
-      s_.friction_gain_j += L::Max(work, F{});
-    }
-    s_.velocity_x += along * world_.inverse_mass;
-    s_.velocity_y += up * world_.inverse_mass;
+    ground_.Conclude(end_);
     s_.angular_momentum += given_[0];
-    s_.distance_m += L::ToDouble(path_x);
+    s_.distance_m += L::ToDouble(end_.path_x);
     s_.turn_rad += L::ToDouble(h * speed_[0]);
-    s_.last_force = force_;
-    PlaceLimbs(body_, s_);
-    F lowest = s_.endpoint_y[0];
-    for (std::size_t k = 1; k <= rods_; ++k) lowest = L::Min(s_.endpoint_y[k], lowest);
-    const F height = s_.height_m + path_y;
-    const F lift = L::Max(-(height + lowest), F{});
-    s_.height_m = height + lift;
-    s_.lifting_work_j = lift * world_.weight_n;
+    PlaceLimbs<W>(body_, s_);
+    s_.height_m += end_.path_y;
+    const F lift = ground_.Lift();
     s_.greatest_height_m = L::Max(s_.greatest_height_m, s_.height_m);
     const F work = s_.normal_work_j + s_.friction_work_j + s_.lifting_work_j;
-    s_.broken |=
-        ~((lift <= kMaxPenetration) & (work <= world_.max_ground_work_j) & (fastest * h <= kMaxTurnPerStep));
-  }
-
-  /// Directions of the rods and places of the endpoints, from the angles. Computed afresh in each step, so
-  /// that errors do not add up.
-  static void PlaceLimbs(const Mechanism& body, LimbState<W>& s) {
-    SinCosOfTurn<W>(s.turn_rad, s.sine[0], s.cosine[0]);
-    for (std::size_t a = 1; a < static_cast<std::size_t>(body.rods); ++a) {
-      const Skeleton::Limb& limb = body.limbs[a];
-      const auto parent = static_cast<std::size_t>(limb.parent);
-      F sine, cosine;
-      SinCos<W>(s.angle_rad[a - 1] + limb.rest_rad, sine, cosine);
-      s.cosine[a] = s.cosine[parent] * cosine - s.sine[parent] * sine;
-      s.sine[a] = s.sine[parent] * cosine + s.cosine[parent] * sine;
-    }
-    const LimbArms<W> arms(body, s.cosine, s.sine);
-    s.endpoint_x = arms.x;
-    s.endpoint_y = arms.y;
+    s_.broken |= ~(ground_.Lawful() & (lift <= kMaxPenetration) & (work <= world_.max_ground_work_j) &
+                   (fastest * h <= kMaxTurnPerStep));
   }
 
  private:
@@ -154,7 +118,6 @@ class LimbStep {
 
   void Run() {
     I open = ~I{};
-    I known{};
     for (int round = 0; round < kLimbRounds && L::Any(open); ++round) {
       const LimbArms<W> arms(body_, cosine_, sine_);
       LimbNumbers<W> firmness, speed;
@@ -162,37 +125,22 @@ class LimbStep {
       const LimbFactor<W> factor(rods_, inertia_, firmness);
       // The impulses known so far act on the arms as they are now.
       LimbNumbers<W> given{};
-      EndpointImpulses<W> force = force_;
-      if (L::Any(known != 0)) arms.AddMomenta(body_, force, given);
+      ground_.Look(end_, arms, round);
+      ground_.AddMomenta(given);
       for (std::size_t i = 0; i < rods_; ++i) speed[i] += base_[i] + given[i];
       factor.SolveInward(speed);
       LimbNumbers<W> inward = speed;
       factor.SolveOutward(speed);
-      const I touching = known | NearGround();
-      const LimbContacts<W> contacts(body_, world_, arms, factor, touching);
-      if (!contacts.None()) {
-        std::array<F, kMaxEndpoints> v_n, v_t;
-        Approach(force, v_n, v_t);
+      if (ground_.Touches()) {
         // From where the last round ended, in a straight line: the way of a limb that is thrown about by
         // impulses of an earlier round would mean nothing.
         LimbNumbers<W> since;
         for (std::size_t i = 0; i < rods_; ++i) since[i] = speed[i] - speed_[i];
-        EndpointImpulses<W> more = force;
-        if (round < kRoughRounds) {
-          contacts.Solve(since, v_n, v_t, round == 0 ? s_.last_force : force_, force);
-        } else {
-          contacts.SolveSmooth(since, v_n, force);
-        }
-        for (std::size_t k = 0; k <= rods_; ++k) {
-          more.normal[k] = force.normal[k] - more.normal[k];
-          more.tangent[k] = force.tangent[k] - more.tangent[k];
-        }
-        contacts.Apply(more, inward, given);
+        ground_.Solve(factor, end_, since, round >= kRoughRounds, inward, given);
         factor.SolveOutward(inward);
         speed = inward;
       }
-      PlaceEnd(speed, force);
-      open = Accept(open, round, speed, given, force, touching, known);
+      open = Accept(open, round, speed, given);
       if (L::Any(open)) MeasureMiddle(open);
     }
   }
@@ -219,8 +167,7 @@ class LimbStep {
 
   /// Takes over what a round found in the open lanes, and chooses again.
   /// @return the lanes in which something has changed
-  I Accept(const I& open, int round, const LimbNumbers<W>& speed, const LimbNumbers<W>& given,
-           const EndpointImpulses<W>& force, const I& touching, I& known) {
+  I Accept(const I& open, int round, const LimbNumbers<W>& speed, const LimbNumbers<W>& given) {
     const float h = world_.step_s;
     const LimbNumbers<W> momenta = inertia_.Momenta(rods_, speed);
     const bool single = round >= kSingleChoices, last = round + 1 == kLimbRounds;
@@ -262,70 +209,34 @@ class LimbStep {
       speed_[a] = L::Select(open, speed[a], speed_[a]);
       given_[a] = L::Select(open, given[a], given_[a]);
     }
+    LimbEnd<W> end;
+    PlaceEnd(speed, end);
+    changed |= ground_.Accept(open, end);
     for (std::size_t k = 0; k <= rods_; ++k) {
-      changed |= next_height_ + next_y_[k] < -kLimbSink;
-      force_.normal[k] = L::Select(open, force.normal[k], force_.normal[k]);
-      force_.tangent[k] = L::Select(open, force.tangent[k], force_.tangent[k]);
-      move_x_[k] = L::Select(open, next_move_x_[k], move_x_[k]);
-      end_y_[k] = L::Select(open, next_y_[k], end_y_[k]);
+      end_.move_x[k] = L::Select(open, end.move_x[k], end_.move_x[k]);
+      end_.move_y[k] = L::Select(open, end.move_y[k], end_.move_y[k]);
     }
-    known = L::Select(open, touching, known);
-    next_move_x_ = move_x_;
-    next_y_ = end_y_;
-    next_height_ = s_.height_m + PathYOf(force_);
+    end_.path_x = L::Select(open, end.path_x, end_.path_x);
+    end_.path_y = L::Select(open, end.path_y, end_.path_y);
     return open & changed;
   }
 
-  /// Endpoints at the end of the step, from the centre of mass. What they move by is not the difference of
-  /// two places, whose rounding is the same in every step at rest, and would let figures creep.
-  void PlaceEnd(const LimbNumbers<W>& speed, const EndpointImpulses<W>& force) {
+  /// Where the step ends with these speeds, and with the ground's impulses as the present round found them.
+  void PlaceEnd(const LimbNumbers<W>& speed, LimbEnd<W>& end) const {
     const LimbNumbers<W> turning = TurningOf<W>(body_, speed);
     LimbNumbers<W> cosine, sine;
     for (std::size_t a = 0; a < rods_; ++a)
       TurnedBy<W>(world_.step_s * turning[a], s_.sine[a], s_.cosine[a], sine[a], cosine[a]);
     const LimbArms<W> moves(body_, cosine, sine);
-    next_move_x_ = moves.x;
-    for (std::size_t k = 0; k <= rods_; ++k) next_y_[k] = s_.endpoint_y[k] + moves.y[k];
-    next_height_ = s_.height_m + PathYOf(force);
-  }
-  [[nodiscard]] I NearGround() const {
-    I near{};
-    for (std::size_t k = 0; k <= rods_; ++k) near |= (next_height_ + next_y_[k] < kContactMargin) & (1 << k);
-    return near;
-  }
-  /// Velocities of the endpoints over the whole step, upwards with what is left of the way to the ground.
-  void Approach(const EndpointImpulses<W>& force, std::array<F, kMaxEndpoints>& v_n,
-                std::array<F, kMaxEndpoints>& v_t) const {
-    // Where something touches, the whole of gravity acts over the step.
-    const F up = SumOf(force.normal);
-    const F height = s_.height_m + world_.step_s * (s_.velocity_y + up * world_.inverse_mass);
-    const F path_x = world_.step_s * (s_.velocity_x + SumOf(force.tangent) * world_.inverse_mass);
-    for (std::size_t k = 0; k <= rods_; ++k) {
-      v_n[k] = (height + next_y_[k]) * world_.inverse_step;
-      v_t[k] = (path_x + next_move_x_[k]) * world_.inverse_step;
-    }
-  }
-
-  [[nodiscard]] F SumOf(const std::array<F, kMaxEndpoints>& numbers) const {
-    F sum{};
-    for (std::size_t k = 0; k <= rods_; ++k) sum += numbers[k];
-    return sum;
-  }
-  /// The path of the centre of mass in this step [m]: with half of this step's gravity in flight, which makes
-  /// free fall exact, and with all of it where something touches.
-  [[nodiscard]] F PathYOf(const EndpointImpulses<W>& force) const {
-    const F up = SumOf(force.normal);
-    const F fall = L::Select(up > 0.0f, F{}, L::Splat(0.5f * world_.fall_y));
-    return world_.step_s * (s_.velocity_y - fall + up * world_.inverse_mass);
-  }
-  [[nodiscard]] F PathXOf(const EndpointImpulses<W>& force) const {
-    const F fall = L::Select(SumOf(force.normal) > 0.0f, F{}, L::Splat(0.5f * world_.fall_x));
-    return world_.step_s * (s_.velocity_x - fall + SumOf(force.tangent) * world_.inverse_mass);
+    end.move_x = moves.x;
+    end.move_y = moves.y;
+    SetPath(world_, s_, ground_.Sum(), end);
   }
 
   const Mechanism& body_;
   const World& world_;
   LimbState<W>& s_;
+  Ground& ground_;
   std::size_t rods_;
   std::array<F, kMaxJoints> asked_angle_, asked_rate_, asked_turn_;
   // The middle of the step.
@@ -336,11 +247,7 @@ class LimbStep {
   LimbNumbers<W> speed_;
   LimbNumbers<W> impulse_{};  // of each joint [N m s]
   LimbNumbers<W> given_{};    // momenta by the ground
-  EndpointImpulses<W> force_;
-  std::array<F, kMaxEndpoints> move_x_{}, end_y_{};  // of the endpoints, see PlaceEnd
-  // Of the present round.
-  std::array<F, kMaxEndpoints> next_move_x_{}, next_y_{};
-  F next_height_{};
+  LimbEnd<W> end_;
 };
 
 }  // namespace gaitsmith

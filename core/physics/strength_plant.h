@@ -6,6 +6,8 @@
 #include <array>
 
 #include "core/physics/environment.h"
+#include "core/physics/level_ground.h"
+#include "core/physics/limb_guard.h"
 #include "core/physics/limb_step.h"
 #include "core/physics/motion_reports.h"
 #include "core/physics/snapshot.h"
@@ -30,6 +32,7 @@ class StrengthPlant {
       : body_(body),
         environment_(environment),
         world_(body, environment, step_s),
+        guard_(body),
         start_turn_rad_(static_cast<double>(body.start_angle_rad)) {
     PlaceAtStart(start);
   }
@@ -65,7 +68,13 @@ class StrengthPlant {
     // Adding zero turns -0 into +0, so that impulses of zero change no bit.
     state_.velocity_x = state_.velocity_x + world_.fall_x + 0.0f;
     state_.velocity_y = state_.velocity_y + world_.fall_y + 0.0f;
-    LimbStep<W>(body_, world_, targets, state_).Conclude();
+    const typename LimbGuard<W>::Place before = guard_.PlaceOf(state_);
+    LevelGround<W> ground(body_, world_, state_);
+    LimbStep<W, LevelGround<W>>(body_, world_, targets, state_, ground).Conclude();
+    if (guard_.Judge(state_)) {
+      guard_.Rest(before, state_);
+      PlaceLimbs<W>(body_, state_);
+    }
   }
 
   [[nodiscard]] Readings<W> Read() const {
@@ -112,7 +121,7 @@ class StrengthPlant {
     s.velocity_x = L::Splat(start.velocity_x_mps);
     s.velocity_y = L::Splat(start.velocity_y_mps);
     s.turn_rad = L::ToDouble(L::Splat(body_.start_angle_rad));
-    LimbStep<W>::PlaceLimbs(body_, s);
+    PlaceLimbs<W>(body_, s);
     s.speed[0] = L::Splat(start.spin_radps);
     LimbInertia<W> inertia;
     MeasureMass<W>(body_, s.cosine, s.sine, inertia);
@@ -127,6 +136,7 @@ class StrengthPlant {
   const Mechanism& body_;
   Environment environment_;
   World world_;
+  LimbGuard<W> guard_;
   LimbState<W> state_;
   double start_turn_rad_;  // of the root rod
 };

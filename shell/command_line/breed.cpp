@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "core/breeding/litter.h"
+#include "core/document/joints.h"
 #include "core/document/json.h"
 #include "core/rollout/models.h"
 #include "shell/command_line/arguments.h"
@@ -35,7 +36,11 @@ Result<Picks> ReadPicks(const std::vector<std::string>& paths) {
       return Fail(ErrorCode::kStructure, path,
                   "its controller has another kind, other senses or another number of rules than that of " +
                       paths.front());
-    } else if (document->figure.rods != picks.document.figure.rods) {
+    } else if (!SameJoints(*document, picks.document)) {
+      std::fprintf(stderr,
+                   "gaitsmith breed: %s has joints of another strength; all children get those of %s\n",
+                   path.c_str(), paths.front().c_str());
+    } else if (!SameRods(*document, picks.document)) {
       std::fprintf(stderr, "gaitsmith breed: %s has another body; all children get that of %s\n",
                    path.c_str(), paths.front().c_str());
     }

@@ -33,13 +33,14 @@ constexpr auto kCommands = std::to_array<Command>({
     {"compare", gaitsmith::shell::CompareCommand,
      "compare --problem DOC … --search ALG[:OPTION=VALUE…] … --trials N --evaluations E --out CSV\n"
      "             --curves CSV [--first-seed S] [--points P] [--sense physical|timer=SECONDS]\n"
-     "             [--weight TERM=W] [--duration SECONDS] [--shard I/N] [--threads K]\n"
+     "             [--weight TERM=W] [--duration SECONDS] [--joints strong|limited|STRENGTH]\n"
+     "             [--shard I/N] [--threads K]\n"
      "  gaitsmith compare --summary CSV [--summary CSV …] [--search LABEL …]"},
     {"suite", gaitsmith::shell::SuiteCommand,
      "suite --problem DOC | --figure F --search ALG[:OPTION=VALUE…] --seeds N --evaluations E --out CSV\n"
      "             [--sense physical|timer=SECONDS …] [--task T …] [--style NAME=TERM:W[,TERM:W] …]\n"
      "             [--first-seed S] [--duration SECONDS] [--controller rules|network] [--rules N]\n"
-     "             [--shard I/N] [--threads K]\n"
+     "             [--joints strong|limited|STRENGTH] [--shard I/N] [--threads K]\n"
      "  gaitsmith suite --list CSV\n"
      "  gaitsmith suite --extract CSV --out-dir DIR [--best]"},
     {"merge", gaitsmith::shell::MergeCommand, "merge --out CSV [--complete] SHARD …"},

@@ -4,8 +4,10 @@
 #include <atomic>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <thread>
 
+#include "core/document/joints.h"
 #include "core/rollout/evaluator.h"
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
@@ -35,37 +37,44 @@ struct Switch {
   bool success = false;
 };
 
-Result<Candidate> ReadCandidate(const std::string& path, int length) {
-  const auto document = ReadDocument(path);
-  if (!document) return std::unexpected(document.error());
-  if (document->controllers.empty()) return Fail(ErrorCode::kMissing, path, "has no controller");
-  const Controller& controller = FirstControllerOf(*document);
-  Problem problem = ReplayProblem(*document, controller);
+/// @param document has a controller
+Candidate CandidateOf(const Document& document, const std::string& path, int length) {
+  const Controller& controller = FirstControllerOf(document);
+  Problem problem = ReplayProblem(document, controller);
   problem.pushes.clear();
-  problem.task.duration_steps = length > 0 ? length : document->task.duration_steps;
-  return Candidate{.label = std::filesystem::path(path).stem().string(),
-                   .problem = std::move(problem),
-                   .controller = controller,
-                   .duration_steps = document->task.duration_steps};
+  problem.task.duration_steps = length > 0 ? length : document.task.duration_steps;
+  return {.label = std::filesystem::path(path).stem().string(),
+          .problem = std::move(problem),
+          .controller = controller,
+          .duration_steps = document.task.duration_steps};
 }
 
 Result<std::vector<Candidate>> ReadCandidates(const std::vector<std::string>& paths, int length) {
   std::vector<Candidate> all;
+  std::optional<Document> first;
   for (const std::string& path : paths) {
-    auto one = ReadCandidate(path, length);
-    if (!one) return std::unexpected(one.error());
-    if (!all.empty() && one->problem.figure.rods != all.front().problem.figure.rods) {
+    auto document = ReadDocument(path);
+    if (!document) return std::unexpected(document.error());
+    if (document->controllers.empty()) return Fail(ErrorCode::kMissing, path, "has no controller");
+    Candidate one = CandidateOf(*document, path, length);
+    if (!first)
+      first = std::move(*document);
+    else if (!SameRods(*document, *first)) {
       return Fail(ErrorCode::kStructure, path,
                   "is of another figure than " + paths[0] + "; a controller fits its own alone");
+    } else if (!SameJoints(*document, *first)) {
+      return Fail(ErrorCode::kStructure, path,
+                  "has joints of another strength than " + paths[0] +
+                      "; a motion of the one is no motion of the other");
     }
-    if (one->label.find_first_of(",\"\n") != std::string::npos) {
+    if (one.label.find_first_of(",\"\n") != std::string::npos) {
       return Fail(ErrorCode::kSyntax, path,
                   "its name is a label, which can have no comma, quote or line break");
     }
-    if (std::ranges::any_of(all, [&](const Candidate& other) { return other.label == one->label; })) {
-      return Fail(ErrorCode::kStructure, path, "\"" + one->label + "\" is there twice; names must differ");
+    if (std::ranges::any_of(all, [&](const Candidate& other) { return other.label == one.label; })) {
+      return Fail(ErrorCode::kStructure, path, "\"" + one.label + "\" is there twice; names must differ");
     }
-    all.push_back(std::move(*one));
+    all.push_back(std::move(one));
   }
   return all;
 }

@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 
+#include "core/document/joints.h"
 #include "core/document/timeline_edit.h"
 #include "shell/command_line/files.h"
 #include "shell/command_line/problem_options.h"
@@ -86,6 +87,11 @@ Result<Document> ReadRepair(const Arguments& arguments) {
       !fine) {
     return std::unexpected(fine.error());
   }
+  if (auto fine = CheckAbsent(arguments, {"joints"},
+                              "cannot be given with --repair: the other clips would move differently");
+      !fine) {
+    return std::unexpected(fine.error());
+  }
   if (!arguments.Has("clip"))
     return Fail(ErrorCode::kMissing, "--clip", "say which clip of the timeline, counted from 1");
   const std::string where = "--repair " + arguments.Last("repair");
@@ -120,10 +126,15 @@ Result<void> AddHandovers(const Arguments& arguments, Document& document) {
     const auto other = ReadDocument(text.substr(0, mark));
     if (!other) return std::unexpected(other.error());
     if (other->controllers.empty()) return Fail(ErrorCode::kMissing, where, "has no controller");
-    if (other->figure.rods != document.figure.rods) {
+    if (!SameRods(*other, document)) {
       return Fail(ErrorCode::kStructure, where,
                   "is of another figure, \"" + other->figure.name + "\"; the search is for \"" +
                       document.figure.name + "\"");
+    }
+    if (!SameJoints(*other, document)) {
+      return Fail(ErrorCode::kStructure, where,
+                  "has joints of another strength than the search, in which it would leave the figure in "
+                  "another state");
     }
     const auto controller = AddController(document, FirstControllerOf(*other));
     if (!controller) return Fail(controller.error().code, where, controller.error().Sentence());

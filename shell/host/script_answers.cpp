@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "core/document/joints.h"
 #include "core/document/json_value.h"
 #include "core/document/link.h"
 #include "core/document/schema.h"
@@ -29,9 +30,9 @@ std::string SearchMembers(const SearchSettings& search, int evaluations) {
 
 bool IsUsualWorld(const Document& document) {
   const StartState &start = document.start, usual;
-  return document.environment == Environment{} && start.drop_height_m == usual.drop_height_m &&
-         start.velocity_x_mps == usual.velocity_x_mps && start.velocity_y_mps == usual.velocity_y_mps &&
-         start.spin_radps == usual.spin_radps;
+  return !HasLimitedJoints(document) && document.environment == Environment{} &&
+         start.drop_height_m == usual.drop_height_m && start.velocity_x_mps == usual.velocity_x_mps &&
+         start.velocity_y_mps == usual.velocity_y_mps && start.spin_radps == usual.spin_radps;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/document/joints.h"
 #include "core/document/timeline_edit.h"
 #include "shell/words/control_modes.h"
 #include "shell/words/language.h"
@@ -11,12 +12,12 @@
 namespace gaitsmith::shell {
 namespace {
 
-// Whether a found motion has this figure and task and the wanted control mode.
+// Whether a found motion has this figure, with the same joints, this task and the wanted control mode.
 bool FitsComparison(const FoundMotion& found, const Document& wanted) {
   if (!found.Moves()) return false;
   const Document& d = found.document;
   return d.controllers.back().kind == wanted.kind && d.controllers.back().senses.kind == wanted.senses.kind &&
-         d.figure.name == wanted.figure.name && d.figure.rods == wanted.figure.rods &&
+         d.figure.name == wanted.figure.name && SameRods(d, wanted) && SameJoints(d, wanted) &&
          d.task.kind == wanted.task.kind;
 }
 

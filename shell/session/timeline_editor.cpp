@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/document/joints.h"
 #include "core/document/parts.h"
 #include "core/document/timeline_edit.h"
 #include "shell/words/language.h"
@@ -177,7 +178,12 @@ bool TimelineEditor::InsertFound(const std::string& id, std::optional<int> wante
     const auto done = InsertClips(d, inserted, step);
     return Then(done, ClipAt(d, std::min(step + kShortestClip, d.duration_steps - 1)));
   });
-  return workspace_.Doc().timeline.size() != before;
+  if (workspace_.Doc().timeline.size() == before) return false;
+  // A chain moves as its document does: in one model, with one figure.
+  if (!SameJoints(other, workspace_.Doc()))
+    workspace_.Say(
+        Tr("This motion was found with joints of another strength. It may move differently here."));
+  return true;
 }
 
 void TimelineEditor::SetDuration(int steps) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/document/joints.h"
 #include "core/document/parts.h"
@@ -59,8 +60,9 @@ bool WorldEditor::Changed() const {
 void WorldEditor::Reset() {
   workspace_.Change([&](Document& d) {
     CopyParts(as_opened_, {Part::kEnvironment, Part::kPushes, Part::kModel}, d);
-    for (std::size_t i = 0; i < d.figure.rods.size(); ++i)
-      d.figure.rods[i].strength = as_opened_.figure.rods[i].strength;
+    for (std::vector<Rod>* rods : {&d.figure.rods, &d.drawn}) {
+      for (std::size_t i = 0; i < rods->size(); ++i) (*rods)[i].strength = as_opened_.figure.rods[i].strength;
+    }
   });
 }
 

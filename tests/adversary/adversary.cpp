@@ -2,10 +2,10 @@
 // Searches that are rewarded for violating the laws of physics, over figures, grounds, starts, pushes and
 // controllers at once, with the project's own search algorithms. Each find is a bug to fix or a limit to
 // document.
-//   adversary --out FOLDER [--minutes M] [--shard K/N] [--seeds S] [--evaluations E]
-// Appends to FOLDER/found.csv (with shards found-K-of-N.csv), skips cases already in such files, and keeps
-// the worst document of every law and world as FOLDER/LAW-WORLD.json. Prints the worst case of each law at
-// the end.
+//   adversary --out FOLDER [--model 1|2] [--minutes M] [--shard K/N] [--seeds S] [--evaluations E]
+// Each model has its own folder. Appends to FOLDER/found.csv (with shards found-K-of-N.csv), skips cases
+// already in such files, and keeps the worst document of every law and world as FOLDER/LAW-WORLD.json. Prints
+// the worst case of each law at the end.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "core/document/json.h"
+#include "core/rollout/models.h"
 #include "tests/adversary/genes_as_document.h"
 #include "tests/physics_laws.h"
 
@@ -28,13 +29,14 @@ using namespace gaitsmith::test;
 /// A law to violate, or one past the last: equal bits for every lane count.
 constexpr int kBits = kLaws;
 std::string NameOf(int law) {
-  std::string name(law == kBits ? "bits" : kLawLimits[static_cast<std::size_t>(law)].name);
+  std::string name(law == kBits ? "bits" : LawLimits(1)[static_cast<std::size_t>(law)].name);
   for (char& letter : name) letter = letter == ' ' ? '-' : letter;
   return name;
 }
 
 struct Options {
   std::filesystem::path out;
+  int model = 1;
   double minutes = 1e9;
   int shard = 1, shards = 1;
   std::uint32_t seeds = 3;
@@ -43,22 +45,25 @@ struct Options {
 
 struct Case {
   int law;
-  World world;
+  Scope world;
   Algorithm search;
   std::uint32_t seed;
 
   [[nodiscard]] std::string Key() const {
-    return NameOf(law) + "," + std::string(kWorldNames[static_cast<std::size_t>(world)]) + "," +
+    return NameOf(law) + "," + std::string(kScopeNames[static_cast<std::size_t>(world)]) + "," +
            std::string(kAlgorithmNames[static_cast<std::size_t>(search)]) + "," + std::to_string(seed);
   }
 };
 
-std::vector<Case> AllCases(std::uint32_t seeds) {
+std::vector<Case> AllCases(std::uint32_t seeds, int model) {
   std::vector<Case> cases;
   for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
     for (const Algorithm search : {Algorithm::kSphc, Algorithm::kCmaEs, Algorithm::kGga}) {
-      for (const World world : {World::kGait, World::kOrdinary, World::kAny}) {
-        for (int law = 0; law <= kBits; ++law) cases.push_back({law, world, search, seed});
+      for (const Scope world : {Scope::kGait, Scope::kOrdinary, Scope::kAny}) {
+        for (int law = 0; law <= kBits; ++law) {
+          if (law == kBits || Concerns(static_cast<Law>(law), model))
+            cases.push_back({law, world, search, seed});
+        }
       }
     }
   }
@@ -86,7 +91,7 @@ struct Finding {
   Document document;
 };
 
-Finding Run(const Case& one, int evaluations) {
+Finding Run(const Case& one, int model, int evaluations) {
   SearchSettings settings;
   settings.algorithm = one.search;
   settings.seed = one.seed;
@@ -98,7 +103,7 @@ Finding Run(const Case& one, int evaluations) {
   while (!search->Done()) {
     std::vector<float> paid;
     for (const Genome& genome : search->Ask(50)) {
-      Document document = DocumentOf(one.world, IsStill(one.law), genome);
+      Document document = DocumentOf(one.world, model, IsStill(one.law), genome);
       const double pay = Pay(one.law, document);
       paid.push_back(static_cast<float>(std::min(pay, 1e30)));
       if (pay > finding.worst) finding = {pay, std::move(document)};
@@ -114,6 +119,8 @@ bool Parse(int count, char** words, Options& options) {
     const char* value = words[i + 1];
     if (name == "--out")
       options.out = value;
+    else if (name == "--model")
+      options.model = std::stoi(value);
     else if (name == "--minutes")
       options.minutes = std::stod(value);
     else if (name == "--seeds")
@@ -126,7 +133,7 @@ bool Parse(int count, char** words, Options& options) {
       return false;
   }
   return count % 2 == 1 && !options.out.empty() && options.shard >= 1 && options.shard <= options.shards &&
-         options.evaluations >= 4;
+         options.evaluations >= 4 && options.model >= 1 && options.model <= kModelVersion;
 }
 
 /// Adds the rows of a file of findings. The key is the text before the worst value.
@@ -148,7 +155,8 @@ int main(int count, char** words) {
   Options options;
   if (!Parse(count, words, options)) {
     std::fprintf(stderr,
-                 "adversary --out FOLDER [--minutes M] [--shard K/N] [--seeds S] [--evaluations E]\n");
+                 "adversary --out FOLDER [--model 1|2] [--minutes M] [--shard K/N] [--seeds S] "
+                 "[--evaluations E]\n");
     return 2;
   }
   std::filesystem::create_directories(options.out);
@@ -168,7 +176,7 @@ int main(int count, char** words) {
   std::ofstream out(file, std::ios::app);
   if (fresh) out << "law,world,search,seed,evaluations,worst,limit,unit,frame,hash\n";
   const auto began = std::chrono::steady_clock::now();
-  const std::vector<Case> cases = AllCases(options.seeds);
+  const std::vector<Case> cases = AllCases(options.seeds, options.model);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const Case& one = cases[i];
     const std::string key = one.Key();
@@ -178,7 +186,7 @@ int main(int count, char** words) {
     if (std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count() >
         60.0 * options.minutes)
       break;
-    Finding finding = Run(one, options.evaluations);
+    Finding finding = Run(one, options.model, options.evaluations);
     const Motion motion = Simulate(finding.document);
     finding.document.hash = motion.Hash();
     const std::string name = NameOf(one.law);
@@ -187,7 +195,7 @@ int main(int count, char** words) {
     double by = finding.worst;
     LawLimit limit{"bits", "lane counts", 0.0};
     if (one.law < kLaws) {
-      limit = kLawLimits[static_cast<std::size_t>(one.law)];
+      limit = LawLimits(options.model)[static_cast<std::size_t>(one.law)];
       frame = Judge(finding.document, motion).of[static_cast<std::size_t>(one.law)].frame;
     } else if (by < 1.0) {
       by = 0.0;  // the reward was for speed, not for a difference

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/document/joints.h"
 #include "core/document/json.h"
 #include "core/numeric/scalar_math.h"
 
@@ -88,7 +89,24 @@ Push PushOf(bool any, const Figure& figure, Reader& read) {
   return push;
 }
 
-/// Sets everything except the controller.
+/// Sets what the joints can do: all the same, or each its own in any world. A strength of 1000 is as good as
+/// no limit.
+void SetJoints(Scope scope, Reader& read, Document& d) {
+  const bool any = scope == Scope::kAny;
+  const bool alike = !any || read.Below(2) == 0;
+  float strength = 0.0f, stiffness = 0.0f;
+  for (Rod& rod : d.figure.rods) {
+    if (!alike || stiffness == 0.0f) {
+      const int kind = read.Below(8);
+      strength = kind == 0 ? 0.0f : kind == 1 ? 1000.0f : read.Magnitude(0.1f, 100.0f);
+      stiffness = any ? read.Magnitude(1.0f, 1e6f) : read.Magnitude(1e3f, 1e6f);
+    }
+    rod.strength = strength;
+    rod.stiffness = stiffness;
+  }
+}
+
+/// Sets everything except joints and controller.
 void SetScene(bool any, Reader& read, Document& d) {
   d.figure = FigureOf(any, read);
   d.environment.gravity_mps2 = any ? read.Between(0.0f, 100.0f) : read.Between(1.0f, 20.0f);
@@ -114,19 +132,21 @@ SearchSpace SpaceOfDocuments() {
   return {{ControllerKind::kNetwork, hidden, SenseKind::kPhysical, 8}, {}, {}};
 }
 
-Document DocumentOf(World world, bool still, std::span<const Gene> genes) {
-  const bool any = world == World::kAny;
+Document DocumentOf(Scope scope, int model, bool still, std::span<const Gene> genes) {
+  const bool any = scope == Scope::kAny;
   Reader read(genes.first(std::min(genes.size(), kDocumentGenes)));
   Document d;
-  if (world == World::kGait) {
+  if (scope == Scope::kGait) {
     const std::vector<Figure>& figures = ShippedFigures();
     d.figure = figures[static_cast<std::size_t>(read.Below(static_cast<int>(figures.size())))];
   } else {
     SetScene(any, read, d);
   }
+  d.model = model;
+  if (HasLimitedJoints(d)) SetJoints(scope, read, d);
   d.senses.kind = read.Below(2) == 0 ? SenseKind::kTimer : SenseKind::kPhysical;
   d.senses.period_steps = 2 + read.Below(kSteps);
-  d.senses.tau_min_s = world == World::kOrdinary ? 0.07f : 0.02f;
+  d.senses.tau_min_s = scope == Scope::kOrdinary ? 0.07f : 0.02f;
   d.kind = d.senses.kind == SenseKind::kPhysical && read.Below(2) == 0 ? ControllerKind::kNetwork
                                                                        : ControllerKind::kRules;
   d.rules = kRules;

@@ -280,6 +280,46 @@ for _ in $(seq 400); do [ "$(wc -l 2>/dev/null <stopped-suite.csv || echo 0)" -l
 kill -TERM $!; wait $! && fault "a stopped suite exits with 0"
 grep -q 'of 4000 trials are left' err || fault "a stopped suite said '$(cat err)'"
 same "$(sed -n '3s/,.*//p' stopped-suite.csv)" "physical.jump.plain" "what a suite of a problem is without --sense, --task and --style"
+# Limited joints: the motions that synthesize finds, and another study than with strong ones.
+hopping() { "$gaitsmith" suite --figure hopper --search sphc --seeds 1 --first-seed 4 --evaluations 40 "$@"; }
+hopping --joints 1.5 --out limited-suite.csv || fault "a suite with limited joints"
+"$gaitsmith" suite --extract limited-suite.csv --out-dir limited || fault "suite --extract with limited joints"
+"$gaitsmith" synthesize --figure hopper --joints 1.5 --search sphc --evaluations 40 --seed 4 --out limited.json
+same "$("$gaitsmith" hash limited/physical.travel.plain-4.json)" "$("$gaitsmith" hash limited.json)" "what suite and synthesize find with limited joints"
+same "$(grep -c '"model": 2' limited/physical.travel.plain-4.json)" 1 "model of a suite with limited joints"
+refuses 'is of another study' hopping --joints strong --out limited-suite.csv
+hopping --joints strong --out strong-suite.csv && hopping --out plain-suite.csv && cmp -s strong-suite.csv plain-suite.csv ||
+  fault "the joints of a figure are not strong by themselves"
+# Joints that can do something else are another figure's for what one controller takes over from another.
+"$gaitsmith" switches --times 3 --length 2 --out limited-switches.csv limited.json "$root/examples/problems/hopper-jump.json" 2>err &&
+  fault "switches between limited joints and a document without a controller"
+"$gaitsmith" synthesize --figure hopper --search sphc --evaluations 40 --seed 4 --out strong.json
+"$gaitsmith" synthesize --figure hopper --joints 3 --search sphc --evaluations 40 --seed 4 --out stronger.json
+"$gaitsmith" synthesize --figure hopper --joints 1.5 --search sphc --evaluations 40 --seed 5 --out limited-too.json
+for other in strong stronger; do
+  refuses "$other.json: has joints of another strength than limited.json" "$gaitsmith" switches --out none.csv limited.json $other.json
+  refuses "--handover $other.json@2: has joints of another strength than the search" \
+    "$gaitsmith" synthesize --figure hopper --joints 1.5 --handover $other.json@2 --search sphc --evaluations 40 --out none.json
+done
+"$gaitsmith" switches --times 3 --length 2 --out limited-switches.csv limited.json limited-too.json || fault "switches between limited joints"
+same "$(wc -l <limited-switches.csv)" 7 "rows of switches between limited joints"
+"$gaitsmith" synthesize --figure hopper --joints 1.5 --handover limited-too.json@2 --search sphc --evaluations 40 --out takes-over.json ||
+  fault "a handover between limited joints"
+"$gaitsmith" breed limited.json strong.json --evaluations 200 --children 2 --out-prefix mixed >mixed.csv 2>err || fault "breeding of limited and strong joints"
+grep -q 'strong.json has joints of another strength; all children get those of limited.json' err || fault "breed said '$(cat err)'"
+same "$(grep -c '"model": 2' mixed-1.json)" 1 "model of a child"
+[ "$("$gaitsmith" validate mixed-1.json >/dev/null && echo valid)" = valid ] || fault "a child with limited joints is not valid"
+# A push counts, and every option that takes documents takes these.
+"$gaitsmith" measure limited.json >/dev/null && "$gaitsmith" validate limited.json >/dev/null || fault "measure and validate of limited joints"
+for lanes in 1 2 4 8 16; do same "$("$gaitsmith" hash --lanes $lanes limited.json)" "$("$gaitsmith" hash limited.json)" "limited joints in $lanes lanes"; done
+"$gaitsmith" simulate limited.json --csv limited.csv && "$gaitsmith" simulate strong.json --csv strong.csv || fault "simulate limited joints"
+same "$(head -1 limited.csv)" "$(head -1 strong.csv)" "columns of limited joints"
+"$gaitsmith" export limited.json --svg limited.svg --gltf limited.gltf --csv limited-too.csv || fault "export of limited joints"
+cmp -s limited.csv limited-too.csv || fault "export and simulate wrote different numbers"
+"$gaitsmith" link decode "$("$gaitsmith" link encode limited.json)" | cmp -s - limited.json || fault "a link changed limited joints"
+"$gaitsmith" compare --problem limited.json --search sphc --trials 1 --first-seed 4 --evaluations 40 --joints strong --out cs.csv --curves cc.csv &&
+  "$gaitsmith" compare --problem strong.json --search sphc --trials 1 --first-seed 4 --evaluations 40 --out co.csv --curves cd.csv &&
+  same "$(sed -n 3p cs.csv | cut -d, -f2-)" "$(sed -n 3p co.csv | cut -d, -f2-)" "what compare finds with strong joints" || fault "compare with --joints"
 # Each row's motion equals the document of synthesize, with the figure's name.
 "$gaitsmith" suite --extract suite.csv --out-dir all || fault "suite --extract"
 "$gaitsmith" suite --extract suite.csv --best --out-dir best || fault "suite --extract --best"
@@ -310,6 +350,13 @@ best=$(tail -1 repair.csv | cut -d, -f2)
 repair repaired.json 1 again.json || fault "a repair that finds nothing"
 same "$(tail -1 repair.csv)" "1,$best" "what a repair begins with"
 same "$("$gaitsmith" hash again.json)" "$("$gaitsmith" hash repaired.json)" "a repair that finds nothing keeps the motion"
+# A clip of a chain with limited joints is repaired in their model.
+sed 's/"model": 1/"model": 2/' "$root/examples/there-and-back.json" >limited-chain.json
+"$gaitsmith" hash limited-chain.json --out limited-chain.json >/dev/null
+repair limited-chain.json 100 limited-repaired.json || fault "synthesize --repair with limited joints"
+same "$(grep -c '"model": 2' limited-repaired.json)" 1 "model of a repaired document"
+"$gaitsmith" validate limited-repaired.json >/dev/null || fault "a repaired document with limited joints is not valid"
+refuses '--joints: cannot be given with --repair' "$gaitsmith" synthesize --repair limited-chain.json --clip 2 --joints strong --out none.json
 
 # A search with --handover yields an ordinary document.
 handed() { "$gaitsmith" synthesize --figure mr-star-man --evaluations 60 --seed 2 --out "$@"; }
@@ -414,6 +461,9 @@ wrong 2 'weights.slip_sum: must be from -1000 to 1000, is 2000' suite --style a=
 wrong 2 '"physical.travel.plain" is there twice' suite --sense physical --out suite.csv
 wrong 2 '"fly" is unknown: choose from travel' suite --task fly --out suite.csv
 wrong 2 '--search: can be given once' suite --search rgt --out suite.csv
+wrong 2 '--joints: must be strong, limited or a strength in M g L, is "weak"' suite --joints weak --out suite.csv
+wrong 2 'strength: must be from 0 to 1000, is 1001' suite --joints 1001 --out suite.csv
+wrong 2 '--extract: goes with --best and --out-dir alone' "$gaitsmith" suite --extract suite.csv --joints limited --out-dir all
 wrong 2 '--out: must be a file' suite --out -
 wrong 2 '--best: goes with --extract alone' suite --out suite.csv --best
 wrong 2 '--out-dir: say in which folder' "$gaitsmith" suite --extract suite.csv

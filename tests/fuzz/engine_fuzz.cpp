@@ -61,6 +61,11 @@ Document SmallProblem(Bytes& bytes) {
   d.search.two_stage = {.random = 30, .kept = 2};
   if (bytes.Next() % 4 == 0 || d.search.algorithm == Algorithm::kTwoStage) d.kind = ControllerKind::kNetwork;
   if (bytes.Next() % 2 == 0) d.senses.kind = SenseKind::kTimer;
+  if (const std::uint8_t joints = bytes.Next(); joints % 2 == 1) {
+    d.model = 2;
+    d.figure.rods[1].strength = static_cast<float>(joints / 16);
+    d.figure.rods[2].stiffness = joints % 4 == 1 ? 1.0f : 1e6f;
+  }
   RandomStream random(bytes.Next(), 0, 0);
   for (int clip = 0; clip < bytes.Next() % 3; ++clip) {
     d.controllers.push_back(

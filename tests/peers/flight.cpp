@@ -40,7 +40,7 @@ void Fly(const Document& document, double seconds, int per_second) {
       const float most = body.torque_nm[i] * step_s;
       if (most > 0.0f && std::abs(std::abs(now.joint_impulse[i][0]) - most) > 1e-6f * most) ++eased;
     }
-    for (const auto& normal : now.last_normal) touched = touched || normal[0] > 0.0f;
+    for (const auto& normal : now.last_force.normal) touched = touched || normal[0] > 0.0f;
   });
   const LimbState<1> end = rollout.PlantNow().Save();
   std::cout << R"({"root_rad":)" << end.turn_rad[0] << R"(,"joint_rad":[)";

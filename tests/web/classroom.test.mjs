@@ -111,6 +111,12 @@ test('the judge simulates, compares with the goal and says what was changed', as
   const thrown = engine.documentFromText(JSON.stringify({ ...json, hash: undefined, start: { ...json.start, velocity_x_mps: 20 } }));
   assert.equal(judgedBy('world = usual', thrown).met, false, 'a figure that is thrown has help');
   assert.deepEqual(judge.judge({ work: { ...sent, motion: engine.link(thrown) }, source: '' }, '').changed, ['velocity x 20']);
+  const weak = { ...json, model: 2, hash: undefined, figure: { ...json.figure, rods: json.figure.rods.map((/** @type {any} */ rod) => ({ ...rod, strength: 3 })) } };
+  const limited = engine.documentFromText(JSON.stringify(weak));
+  assert.equal(judgedBy('world = usual', limited).met, false, 'limited joints are another world');
+  assert.deepEqual(judge.judge({ work: { ...sent, motion: engine.link(limited) }, source: '' }, '').changed, ['joint strength 3']);
+  const unlimited = engine.documentFromText(JSON.stringify({ ...weak, model: 1 }));
+  assert.equal(judgedBy('world = usual', unlimited).met, true, 'a strength that nothing uses changes nothing');
   assert.equal(judgedBy('switch > 0', bytes).met, false, 'a motion of one clip has no switch');
   // Without a lesson the goal is the teacher's.
   const free = judge.judge({ work: { ...emptyWork(), motion: other }, source: '' }, 'distance >= 1000');

@@ -35,22 +35,28 @@ import { isMet, parseGoal } from '../page/goal_conditions.js';
 /** Conditions about the way to a motion, which only the page where it was made knows. */
 const UNSEEN = ['controller', 'seed', 'generations'];
 const STEP_S = 0.01;
+/** The physical model whose joints are as strong as needed, and what a rod's strength is that is not written (core/physics/figure.h). */
+const STRONG_MODEL = 1, STANDARD_STRENGTH = 2;
 /** What worldOf() says of usual changes. Other fields of a document have their own names. */
-[trLater('slope {1}°'), trLater('gravity {1} m/s²'), trLater('friction {1}'), trLater('no pushes'), trLater('{1} push'), trLater('{1} pushes'), trLater('velocity x {1}'), trLater('velocity y {1}')].forEach(String);
+[trLater('slope {1}°'), trLater('gravity {1} m/s²'), trLater('friction {1}'), trLater('no pushes'), trLater('{1} push'), trLater('{1} pushes'), trLater('velocity x {1}'), trLater('velocity y {1}'), trLater('joint strength {1}')].forEach(String);
 const SIGNS = { '>=': '≥', '<=': '≤', '>': '>', '<': '<', '=': '=', '!=': '≠' };
 
-/** The world of a document in words, such as ["slope 2°", "friction 0.8", "1 push"]. @param {any} document  JSON @returns {string[]} */
-export function worldOf({ environment = {}, start = {}, pushes = [] }) {
+/** The world of a document in words, such as ["slope 2°", "friction 0.8", "1 push"]. Limited joints belong to it. @param {any} document  JSON @returns {string[]} */
+export function worldOf({ model = STRONG_MODEL, figure = { rods: [] }, environment = {}, start = {}, pushes = [] }) {
   const words = Object.entries({ ...environment, ...start }).map(([name, value]) => {
     if (name === 'slope_rad') return `slope ${rounded((Number(value) * 180) / Math.PI)}°`;
     if (name === 'gravity_mps2') return `gravity ${rounded(Number(value))} m/s²`;
     return `${name.replace(/_(mps|radps|m|rad)$/, '').replaceAll('_', ' ')} ${typeof value === 'number' ? rounded(value) : JSON.stringify(value)}`;
   });
-  return [...words, pushes.length === 1 ? '1 push' : `${pushes.length === 0 ? 'no' : pushes.length} pushes`];
+  const joints = model === STRONG_MODEL ? [] : [...new Set(jointsOf(figure).map(({ strength = STANDARD_STRENGTH }) => `joint strength ${rounded(strength)}`))];
+  return [...words, ...joints, pushes.length === 1 ? '1 push' : `${pushes.length === 0 ? 'no' : pushes.length} pushes`];
 }
 
-/** @param {any} document  JSON */
-export const figureOf = ({ figure }) => JSON.stringify(figure.rods);
+/** Without the joints' strength, which belongs to the world. @param {any} document  JSON */
+export const figureOf = ({ figure }) => JSON.stringify(figure.rods, (name, value) => (name === 'strength' || name === 'stiffness' ? undefined : value));
+
+/** The rods that have a joint: all but the root. @param {any} figure  JSON @returns {{strength?: number}[]} */
+const jointsOf = ({ rods }) => rods.filter((/** @type {{parent?: number}} */ { parent = -1 }) => parent >= 0);
 
 export class Judge {
   /** @param {Engine} engine @param {Tables} tables @param {LessonFacts[]} lessons */
@@ -92,7 +98,7 @@ export class Judge {
     row.motion = this.engine.motion(bytes);
     const measured = row.motion.measures();
     row.hash = measured.hash;
-    const usualWorld = worldOf(this.engine.json(this.engine.documentFromText(JSON.stringify({ ...document, environment: undefined, start: undefined, pushes: undefined }))));
+    const usualWorld = worldOf(this.engine.json(this.engine.documentFromText(JSON.stringify({ ...document, model: STRONG_MODEL, environment: undefined, start: undefined, pushes: undefined }))));
     const measures = { ...measured, ...ofDocument(document), world: sameWorld(document, usualWorld) ? 'usual' : 'other' };
     measures.terms = [...measured.terms, ...measures.numbers];
     row.conditions = goals.flatMap((each) => parseGoal(each, this.tables)).map((condition) => judged(condition, measures));

@@ -1,8 +1,9 @@
-// The worst that the adversary has found of each law, world by world, as the table of docs/physics.md.
-//   node docs/studies/adversary/summarise.mjs
+// The worst that the adversary has found of each law, world by world, as the tables of docs/physics.md.
+//   node docs/studies/adversary/summarise.mjs [limited]
+// limited: of model 2
 import { readFile } from 'node:fs/promises';
 
-const rows = (await readFile(new URL('found.csv', import.meta.url), 'utf8')).trim().split('\n').slice(1).map((row) => row.split(','));
+const rows = (await readFile(new URL(`${process.argv[2] ?? '.'}/found.csv`, import.meta.url), 'utf8')).trim().split('\n').slice(1).map((row) => row.split(','));
 const worlds = ['gait', 'ordinary', 'any'];
 const laws = new Map();
 let motions = 0;

@@ -7,8 +7,10 @@
 #include <utility>
 
 #include "core/document/binary.h"
+#include "core/document/joints.h"
 #include "core/document/json.h"
 #include "core/document/link.h"
+#include "core/rollout/evaluator.h"
 #include "core/search/evaluation_score.h"
 #include "tests/litter.h"
 #include "tests/scene.h"
@@ -97,6 +99,32 @@ TEST_CASE("litter: a nursery has no pushes, and its own goal", "[breeding]") {
   CHECK(nursery->task.weights == d.lineage.rounds[1].task.weights);
   CHECK(nursery->controllers.empty());
   CHECK(NurseryProblem(*nursery).traits);
+}
+
+TEST_CASE("litter: limited joints stay limited, from pick to child", "[breeding]") {
+  Document d = Family();
+  d.model = 2;
+  SetJointStrength(3.0f, d);
+  REQUIRE(Validate(d));
+  const auto nursery = NurseryOf(d, 0, {});
+  REQUIRE(nursery);
+  CHECK(nursery->model == 2);
+  const Problem problem = NurseryProblem(*nursery);
+  CHECK(problem.model == 2);
+  CHECK(problem.figure.rods == d.figure.rods);
+  for (const Brood::Member& member : ChildrenOf(*nursery)) {
+    const Document child = ChildOf(d, member.genome);
+    REQUIRE(Validate(child));
+    CHECK(SameJoints(child, d));
+    const Motion motion = Simulate(child);
+    CHECK(motion.TermsAt(motion.Frames() - 1).travel_m != 0.0f);
+    const auto found = Evaluator(problem).Evaluate(std::vector<Genome>{member.genome});
+    CHECK(found[0].fitness == member.fitness);
+  }
+  // From a link the same children.
+  const auto linked = DecodeLink(EncodeLink(d));
+  REQUIRE(linked);
+  CHECK(Grown(*NurseryOf(*linked, 0, {})) == Grown(*nursery));
 }
 
 TEST_CASE("litter: breeding keeps the body that a search may change", "[breeding]") {

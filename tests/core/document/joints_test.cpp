@@ -1,10 +1,74 @@
 // SPDX-License-Identifier: MIT
-// Which documents deserve a warning about the masses of their rods.
+// What documents say of their joints, and when two of them say the same.
 #include "core/document/joints.h"
 
 #include <catch_amalgamated.hpp>
 
-namespace gaitsmith {
+#include "core/document/json.h"
+#include "core/document/link.h"
+#include "tests/scene.h"
+
+namespace gaitsmith::test {
+
+TEST_CASE("joints: the same if both are strong, or limited alike", "[document]") {
+  Document a;
+  a.figure = ShippedFigure("hopper");
+  Document b = a;
+  SetJointStrength(5.0f, b);
+  CHECK(JointStrength(b) == 5.0f);
+  CHECK(SameJoints(a, b));  // a strength that nothing uses
+  LimitJoints(a);
+  CHECK_FALSE(SameJoints(a, b));
+  CHECK_FALSE(SameJoints(b, a));
+  LimitJoints(b);
+  CHECK_FALSE(SameJoints(a, b));
+  CHECK(SameRods(a, b));
+  SetJointStrength(5.0f, a);
+  CHECK(SameJoints(a, b));
+  a.figure.rods[1].stiffness = 77.0f;
+  CHECK_FALSE(SameJoints(a, b));
+  FreeJoints(a);
+  FreeJoints(b);
+  CHECK(SameJoints(a, b));
+  b.figure.rods[1].length_m += 0.1f;
+  CHECK(SameJoints(a, b));
+  CHECK_FALSE(SameRods(a, b));
+  b.figure.rods.pop_back();
+  CHECK_FALSE(SameRods(a, b));
+}
+
+TEST_CASE("joints: a search that changes the body starts with the strength that was set", "[document]") {
+  Document d;
+  d.figure = ShippedFigure("hopper");
+  d.drawn = d.figure.rods;
+  d.figure.rods[1].length_m *= 1.2f;
+  d.search.body = BodyFreedom::kLot;
+  LimitJoints(d);
+  SetJointStrength(7.0f, d);
+  REQUIRE(Validate(d));
+  const Problem problem = ProblemOf(d);
+  REQUIRE(problem.bodies);
+  const Genome genome(problem.Shape().Genes(), 20000);
+  for (const Rod& rod : problem.WithBodyOf(genome).figure.rods) {
+    if (rod.parent != kNoParent) CHECK(rod.strength == 7.0f);
+  }
+}
+
+TEST_CASE("joints: files and links keep them, and the motion", "[document][determinism]") {
+  for (const std::string& name : GoldenLimitedMotions()) {
+    CAPTURE(name);
+    auto d = DecodeJson(ReadFile(name));
+    REQUIRE(d);
+    d->figure.rods.back().strength = 0.1f;
+    d->figure.rods.back().stiffness = 333.0f;
+    d->hash = Simulate(*d).Hash();
+    const auto linked = DecodeLink(EncodeLink(*d));
+    REQUIRE(linked);
+    CHECK(SameJoints(*linked, *d));
+    CHECK(EncodeJson(*linked) == EncodeJson(*d));
+    CHECK(Simulate(*linked).Hash() == *d->hash);
+  }
+}
 
 TEST_CASE("limited joints and rods more unequal than 1:100 are worth a warning, and valid", "[strength]") {
   Document document;
@@ -24,4 +88,4 @@ TEST_CASE("limited joints and rods more unequal than 1:100 are worth a warning, 
   CHECK(MassRatio({"Rod", {{.mass_kg = 7.0f}}}) == 1.0f);
 }
 
-}  // namespace gaitsmith
+}  // namespace gaitsmith::test

@@ -192,8 +192,11 @@ TEST_CASE("composite: four timer controllers fit into a link", "[timeline][docum
 
 TEST_CASE("composite: simulated anew from a change on, it is the same to the bit",
           "[timeline][determinism]") {
-  for (const SenseKind kind : {SenseKind::kTimer, SenseKind::kPhysical}) {
-    const Document first = ThreeClips(kind);
+  for (const auto& [kind, model] :
+       {std::pair(SenseKind::kTimer, 1), {SenseKind::kPhysical, 1}, {SenseKind::kPhysical, 2}}) {
+    Document first = ThreeClips(kind);
+    first.model = model;
+    CAPTURE(model);
     const auto check = [&](const char* what, auto edit, int parts_at) {
       INFO(what);
       Document next = first;
@@ -223,6 +226,8 @@ TEST_CASE("composite: simulated anew from a change on, it is the same to the bit
         },
         0);
     check("another figure", [](Document& d) { d.figure.rods[1].length_m = 0.9f; }, 0);
+    check("other joints", [](Document& d) { d.model = 3 - d.model; }, 0);
+    check("weaker joints", [](Document& d) { d.figure.rods[1].strength = 0.5f; }, 0);
   }
 }
 

@@ -13,12 +13,14 @@
 namespace gaitsmith::test {
 TEST_CASE("transition map: each moment is what the composite would show", "[timeline]") {
   Document d = TwoClips();
+  d.model = GENERATE(1, 2);
   d.task.duration_steps = 150;
   d.task.kind = TaskKind::kTravel;
   d.task.weights[static_cast<std::size_t>(StyleTerm::kUpright)] = 2.0f;
   d.pushes = {{.step = 250, .endpoint = 0, .impulse_x_ns = 3.0f, .impulse_y_ns = 1.0f}};
   const Document request = TransitionRequest(d, 1);
   REQUIRE(Validate(request));
+  CHECK(request.model == d.model);
   const TransitionMap map = TransitionMapOf(request);
   const std::vector<int> steps = TransitionSteps(d, 1);
   REQUIRE(map.Count() == static_cast<int>(steps.size()));
@@ -86,6 +88,12 @@ TEST_CASE("transition map: a request has what the map depends on, and nothing el
   CHECK(bytes(2) != before);
   d.timeline[2].start_step += 5;
   CHECK(bytes(1) != before);
+  const auto strong = bytes(1);
+  d.model = 2;
+  CHECK(bytes(1) != strong);
+  const auto limited = bytes(1);
+  d.figure.rods[1].strength = 3.0f;
+  CHECK(bytes(1) != limited);
   d.task.duration_steps = 3 * kLongestWatch;
   CHECK(TransitionRequest(d, 1).task.duration_steps == kLongestWatch);
   d.task.duration_steps = kLongestWatch - 1;

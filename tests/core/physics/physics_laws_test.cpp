@@ -21,11 +21,7 @@ Document Read(const std::string& name) {
 
 void RequireLawful(const Document& document, const Motion& motion) {
   const Offences offences = Judge(document, motion);
-  const int law = offences.FirstBroken();
-  if (law == kLaws) return;
-  const auto i = static_cast<std::size_t>(law);
-  FAIL(kLawLimits[i].name << ": " << offences.of[i].by << " " << kLawLimits[i].unit << " in frame "
-                          << offences.of[i].frame << " of " << document.title);
+  if (offences.FirstBroken() != kLaws) FAIL(offences.Sentence() << " of " << document.title);
 }
 
 /// A find keeps its bits: it was made before its fault was understood, and links to it may exist.

@@ -97,7 +97,8 @@ TEST_CASE("demonstration: the pose is measured at its moment alone, without whol
 
 TEST_CASE("demonstration: the evaluator measures what the recorded motion does, in all lanes",
           "[task][shown][lanes]") {
-  const Document d = Taught();
+  Document d = Taught();
+  d.model = GENERATE(1, 2);
   const Problem problem = ProblemOf(d);
   const Evaluator evaluator(problem);
   RandomStream random(7, 0, 0);

@@ -4,6 +4,7 @@
 #include <catch_amalgamated.hpp>
 #include <cmath>
 
+#include "core/document/joints.h"
 #include "core/document/json.h"
 #include "core/rollout/evaluator.h"
 #include "tests/scene.h"
@@ -11,6 +12,8 @@
 namespace gaitsmith::test {
 TEST_CASE("handover: in place of a clip, a controller is scored as the composite shows it", "[evaluator]") {
   Document d = TwoClips();
+  d.model = GENERATE(1, 2);
+  CAPTURE(d.model);
   d.task.weights = {0.5f, -0.25f, 2.0f, 0.01f, 0.3f, 0.01f, 0.2f};
   d.search.in_place_of = 1;
   d.pushes = {{.step = 100, .impulse_x_ns = 4.0f}, {.step = 400, .endpoint = 1, .impulse_y_ns = 3.0f}};
@@ -33,7 +36,8 @@ TEST_CASE("handover: in place of a clip, a controller is scored as the composite
 }
 
 TEST_CASE("handover: a beginning of no length is the start", "[evaluator]") {
-  const Document d = TwoClips();
+  Document d = TwoClips();
+  d.model = GENERATE(1, 2);
   const Problem plain = ProblemOf(d);
   Problem begun = plain;
   begun.beginnings.emplace_back();
@@ -43,6 +47,41 @@ TEST_CASE("handover: a beginning of no length is the start", "[evaluator]") {
     const auto b = Evaluator(begun, true).Evaluate(genomes)[0];
     CHECK(a.fitness == b.fitness);
     CHECK(a.trajectory_hash == b.trajectory_hash);
+  }
+}
+
+TEST_CASE("handover: who takes over goes on bit by bit as if nothing had happened",
+          "[evaluator][determinism]") {
+  // A rule that always holds remembers nothing, so a new clip with the same one changes nothing.
+  Document d;
+  d.figure = ShippedFigure("mr-star-man");
+  d.model = GENERATE(1, 2);
+  SetJointStrength(GENERATE(0.0f, 0.4f, 5.0f), d);
+  d.start = {.drop_height_m = 0.3f, .velocity_x_mps = 1.0f, .spin_radps = 1.5f};
+  d.pushes = {{.step = 120, .endpoint = 1, .impulse_x_ns = 6.0f, .impulse_y_ns = 2.0f}};
+  const std::vector<float> pose(static_cast<std::size_t>(d.figure.Joints()), 0.6f);
+  d.controllers = {HoldPose(d.figure, pose, 0.1f)};
+  d.senses = d.controllers[0].senses;
+  d.rules = d.controllers[0].rules;
+  d.timeline = {{.controller = 0, .start_step = 0}};
+  d.duration_steps = 260;
+  const Motion whole = Simulate(d);
+  // In flight, while it lands, in the step of the push and after it.
+  for (const int step : {1, 24, 35, 36, 37, 50, 120, 121, 199}) {
+    CAPTURE(d.model, step);
+    Document chain = d;
+    chain.timeline.push_back({.controller = 0, .start_step = step});
+    REQUIRE(Validate(chain));
+    CHECK(HashText(Simulate(chain).Hash()) == HashText(whole.Hash()));
+    chain.search.in_place_of = 1;
+    for (const int lanes : Evaluator::kLaneCounts) {
+      const std::vector<Genome> genomes(3, d.controllers[0].genes);
+      const auto found = Evaluator(ProblemOf(chain), lanes, false).Evaluate(genomes);
+      float highest = 0.0f;
+      for (int frame = step; frame <= 260; ++frame) highest = std::max(highest, whole.At(frame).y_m);
+      CHECK(found[2].terms.start_height_m == whole.At(step).y_m);
+      CHECK(found[2].terms.max_cm_height_m == highest);
+    }
   }
 }
 

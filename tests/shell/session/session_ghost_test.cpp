@@ -85,6 +85,27 @@ TEST_CASE("session: an earlier result is compared immediately, unless its figure
   CHECK_FALSE(session.Comparison().ChooseFound("0123456789abcdef"));
 }
 
+TEST_CASE("session: with other joints an earlier result is not compared, but searched for again",
+          "[shell][session][ghost]") {
+  QuietHost host;
+  Session session(host);
+  session.Comparison().CompareControlModes();
+  End(session, host, 20000);
+  session.Comparison().Stop();
+  session.World().LimitJoints(true);
+  session.Comparison().CompareControlModes();
+  REQUIRE(host.started.size() == 2);
+  CHECK(host.started.back().model == 2);
+  End(session, host, 30000);
+  CHECK(session.Comparison().Other().Beside());
+  session.Comparison().Stop();
+  session.World().LimitJoints(false);
+  session.World().SetJointStrength(7.0f);  // which strong joints do not use
+  session.Comparison().CompareControlModes();
+  CHECK(host.started.size() == 2);
+  CHECK(session.Comparison().Other().Beside());
+}
+
 TEST_CASE("session: a comparison waits for the running search, and is dropped with it",
           "[shell][session][ghost]") {
   QuietHost host;

@@ -2,6 +2,7 @@
 // Chaining clips by hand: edits, Undo, and searches during edits.
 #include <catch_amalgamated.hpp>
 
+#include "core/document/joints.h"
 #include "shell/words/motion_name.h"
 #include "shell/words/wording.h"
 #include "tests/scene.h"
@@ -122,6 +123,38 @@ TEST_CASE("session: a result is inserted at the shown moment", "[shell][session]
   CHECK_FALSE(session.Timeline().InsertFound(id));
   CHECK(session.Notice().find("other rods") != std::string::npos);
   CHECK(State(session) == before);
+}
+
+TEST_CASE("session: a result with other joints moves as the open document does, and the session says so",
+          "[shell][session][timeline]") {
+  QuietHost host;
+  Session session(host);
+  session.World().LimitJoints(true);
+  session.World().SetJointStrength(5.0f);
+  session.Search().Synthesize();
+  CHECK(host.started.back().model == 2);
+  End(session, host, 20000);
+  const std::string limited = session.Results().Motions().Sorted(FoundMotions::Order::kNewest).front()->id;
+  REQUIRE(session.Timeline().InsertFound(limited));
+  CHECK(session.Notice().empty());
+  CHECK(Simulate(session.Doc()).Hash() == session.Player().Shown().Hash());
+  session.Undo();
+
+  session.BeginGesture();
+  session.World().LimitJoints(false);
+  const std::string before = State(session);
+  session.BeginGesture();
+  REQUIRE(session.Timeline().InsertFound(limited));
+  CHECK(session.Notice() ==
+        "This motion was found with joints of another strength. It may move differently here.");
+  CHECK(session.Doc().model == 1);
+  CHECK(Validate(session.Doc()));
+  CHECK(Simulate(session.Doc()).Hash() == session.Player().Shown().Hash());
+  session.Undo();
+  CHECK(State(session) == before);
+  session.Undo();
+  CHECK(session.Doc().model == 2);
+  CHECK(JointStrength(session.Doc()) == 5.0f);
 }
 
 TEST_CASE("session: clips of searches are named for what they do, and typed names stay",
