@@ -53,7 +53,7 @@ ImU32 GroundColour(const Palette& p) {
   return Mix(p.paper, p.ground, ImGui::ColorConvertU32ToFloat4(p.ground).w);
 }
 
-void DrawGround(Ui& ui, const ImRect& rect, const Camera& camera, const Terrain& terrain) {
+void DrawGround(Ui& ui, const ImRect& rect, const Camera& camera, const Terrain& terrain, float texts_until) {
   const Palette& p = ui.Ink();
   ImDrawList* list = ui.Canvas();
   const double width_m = static_cast<double>(rect.GetWidth() / camera.scale);
@@ -87,6 +87,7 @@ void DrawGround(Ui& ui, const ImRect& rect, const Camera& camera, const Terrain&
     const float half = 0.5f * ui.Letters().Width(Type::kSmall, label) + 2.0f;
     const ImVec2 text = BelowGround(camera, terrain, metres, half, 19.0f);
     if (text.x - half < rect.Min.x || text.x + half > rect.Max.x) continue;
+    if (text.y + 8.0f > texts_until && !terrain.Level()) continue;
     ui.Letters().Draw(list, Type::kSmall, text, p.second_ink, label, Align::kCentre);
   }
   list->AddPolyline(surface.data(), static_cast<int>(surface.size()), p.second_ink, 0, 1.5f);

@@ -12,7 +12,8 @@ namespace gaitsmith::shell {
 [[nodiscard]] ImU32 GroundColour(const Palette&);
 
 /// @param stage the part of the canvas that shows the ground
-void DrawGround(Ui&, const ImRect& stage, const Camera&, const Terrain&);
+/// @param texts_until  labels of a drawn ground end above this height of the canvas
+void DrawGround(Ui&, const ImRect& stage, const Camera&, const Terrain&, float texts_until);
 
 /// Where a text on the ground has its centre, so that no part of it sticks out of a drawn ground.
 /// @param x_m  of its centre @param half_width of the text, and its depth below the ground [points]

@@ -69,8 +69,7 @@ void DrawGroundForm(Ui& ui, Session& session, GroundFormState& state) {
   DrawPresets(ui, session);
   ui.Gap(6.0f);
   const bool drawing = ground.Drawing();
-  if (ui.Button("world/ground-draw", ui.ControlRow(), drawing ? Tr("End drawing") : Tr("Draw the ground"),
-                drawing ? ButtonLook::kPrimary : ButtonLook::kOutlined))
+  if (ui.Button("world/ground-draw", ui.ControlRow(), drawing ? Tr("End drawing") : Tr("Draw the ground")))
     ground.Draw(!drawing);
   ui.Gap(6.0f);
   const std::string count = std::to_string(ground.Corners().size());

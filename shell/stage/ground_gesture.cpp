@@ -43,9 +43,9 @@ std::optional<std::size_t> CornerAt(const Scene& s, ImVec2 point) {
 }
 
 // A long line goes on past the edge of the stage.
-void MoveView(const Scene& s, CameraSettings& gaze) {
+void MoveView(const Scene& s, const ImRect& open, CameraSettings& gaze) {
   const float x = ImGui::GetIO().MousePos.x;
-  const float over = x > s.rect.Max.x - kGroundEdge ? 1.0f : x < s.rect.Min.x + kGroundEdge ? -1.0f : 0.0f;
+  const float over = x > open.Max.x - kGroundEdge ? 1.0f : x < open.Min.x + kGroundEdge ? -1.0f : 0.0f;
   gaze.pan_m += static_cast<double>(over * kViewPerS * ImGui::GetIO().DeltaTime / s.camera.scale);
 }
 
@@ -56,8 +56,8 @@ void MoveHeld(GroundEditor& ground, GroundGesture& gesture, const Scene& s) {
   ground.MoveCorner(*gesture.held, UnderPointer(s), kSnap / s.camera.scale);
 }
 
-void AddPoint(GroundGesture& gesture, const Scene& s, CameraSettings& gaze) {
-  MoveView(s, gaze);
+void AddPoint(GroundGesture& gesture, const Scene& s, const ImRect& open, CameraSettings& gaze) {
+  MoveView(s, open, gaze);
   const ImVec2 pointer = ImGui::GetIO().MousePos;
   if (!gesture.drawn.empty()) {
     const ImVec2 last = OnStage(s.camera, gesture.drawn.back());
@@ -87,7 +87,7 @@ Camera AimAtGround(const Playback& player, const Environment& world, const Camer
 }
 
 void DrawGroundByHand(Session& session, GroundGesture& gesture, const Scene& s, const Touch& stage,
-                      CameraSettings& gaze) {
+                      const ImRect& open, CameraSettings& gaze) {
   GroundEditor& ground = session.Ground();
   if (stage.began)
     gesture = {.drawn = {}, .held = CornerAt(s, ImGui::GetIO().MouseClickedPos[0]), .moved = false};
@@ -95,7 +95,7 @@ void DrawGroundByHand(Session& session, GroundGesture& gesture, const Scene& s, 
     if (gesture.held)
       MoveHeld(ground, gesture, s);
     else
-      AddPoint(gesture, s, gaze);
+      AddPoint(gesture, s, open, gaze);
     return;
   }
   if (stage.pressed && !gesture.moved && gesture.drawn.size() < 2)
@@ -105,7 +105,7 @@ void DrawGroundByHand(Session& session, GroundGesture& gesture, const Scene& s, 
   if (drawn.size() > 1) ground.DrawLine(drawn, kDetail / s.camera.scale);
 }
 
-void DrawCorners(const Scene& s, const GroundGesture& gesture, bool pointed) {
+void DrawCorners(const Scene& s, const GroundGesture& gesture, const ImRect& open, bool pointed) {
   const Palette& p = s.ui.Ink();
   const std::vector<Corner>& corners = s.session.Ground().Corners();
   const auto chosen = s.session.Ground().Chosen();
@@ -130,9 +130,10 @@ void DrawCorners(const Scene& s, const GroundGesture& gesture, bool pointed) {
   const std::string words = Fixed(at.x_m, 1) + " m, " + Tr("{1} m high", Fixed(at.y_m, 2));
   const ImVec2 pointer = ImGui::GetIO().MousePos;
   const float half = 0.5f * s.ui.Letters().Width(Type::kStrong, words) + 8.0f;
-  const float x =
-      std::clamp(pointer.x, s.rect.Min.x + half, std::max(s.rect.Min.x + half, s.rect.Max.x - half));
-  s.ui.Letters().Draw(s.list, Type::kStrong, {x, pointer.y - 26.0f}, p.accent, words, Align::kCentre);
+  const float x = std::clamp(pointer.x, open.Min.x + half, std::max(open.Min.x + half, open.Max.x - half));
+  const ImRect plate({x - half, pointer.y - 40.0f}, {x + half, pointer.y - 16.0f});
+  s.list->AddRectFilled(plate.Min, plate.Max, Fade(p.paper, 0.85f), 5.0f);
+  s.ui.Letters().Draw(s.list, Type::kStrong, plate.GetCenter(), p.accent, words, Align::kCentre);
 }
 
 void DrawGroundTools(Ui& ui, Session& session, CameraSettings& gaze, const ImRect& stage) {

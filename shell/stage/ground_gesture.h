@@ -21,11 +21,13 @@ struct GroundGesture {
                                  const ImRect& rect);
 
 /// The stage's drag, while a person draws the ground.
-void DrawGroundByHand(Session&, GroundGesture&, const Scene&, const Touch& stage, CameraSettings&);
+/// @param open  the part of the stage that no card covers
+void DrawGroundByHand(Session&, GroundGesture&, const Scene&, const Touch& stage, const ImRect& open,
+                      CameraSettings&);
 
 /// Draws the corners, the line so far, and where the pointer is in metres.
 /// @param pointed  the stage is pointed at
-void DrawCorners(const Scene&, const GroundGesture&, bool pointed);
+void DrawCorners(const Scene&, const GroundGesture&, const ImRect& open, bool pointed);
 
 /// The buttons at the upper left of the stage.
 void DrawGroundTools(Ui&, Session&, CameraSettings&, const ImRect& stage);

@@ -73,6 +73,7 @@ void DrawLetter(const Scene& s, double x_m, float y_m, ImU32 colour, int index) 
   const double above_m = static_cast<double>(y_m) - HeightBelow(ground, x_m);
   const double foot_m = x_m - above_m * static_cast<double>(s.camera.sine / s.camera.cosine);
   const ImVec2 at = BelowGround(s.camera, ground, foot_m, kHalfWidth, 0.0f);
+  if (at.y + kDepth > s.texts_until && !ground.Level()) return;
   s.ui.Letters().Draw(s.list, Type::kStrong, {at.x, at.y + kDepth / s.camera.cosine}, colour, LetterOf(index),
                       Align::kCentre);
 }
@@ -196,7 +197,7 @@ std::vector<ImVec2> DrawScene(const Scene& s) {
   const View& view = s.session.Doc().view;
   const bool rests = s.session.Doc().timeline.empty();
   const bool alone = s.session.Tried().Shown().empty();
-  DrawGround(s.ui, s.rect, s.camera, s.player.Ground());
+  DrawGround(s.ui, s.rect, s.camera, s.player.Ground(), s.texts_until);
   const bool poses = view.poses && !rests && alone;
   const Past past = poses ? DrawPast(s) : Past{std::max(0.0, s.player.TimeS() - 4.0), 0};
   if (view.trail && !rests && alone) DrawTrail(s, past.oldest_s);

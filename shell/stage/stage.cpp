@@ -66,7 +66,7 @@ void DrawRemark(const Scene& s, float y, float clear) {
     s.ui.DescribeText(sentence, {{at.x, at.y - 9.0f}, {at.x + clear, at.y + 9.0f}});
   };
   if (s.session.Ground().Drawing()) {
-    remark(p.accent, Tr("Drag to draw the ground. Drag a corner to move it, or press it to choose it."));
+    remark(p.accent, Tr("Drag to draw the ground or to move a corner."));
   } else if (s.session.Teaching().InHand() == Teacher::Tool::kWay) {
     remark(p.accent, Tr("Drag along the way that the figure's centre should take."));
   } else if (s.session.Teaching().InHand() == Teacher::Tool::kPose) {
@@ -199,7 +199,8 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
                     .list = ui.Canvas(),
                     .rect = own,
                     .camera = CameraOf(session, state.gaze, free, ground_y, framing),
-                    .rods_only = state.world.rods_only};
+                    .rods_only = state.world.rods_only,
+                    .texts_until = acts ? ActionRow(ui, session, open, ground_y).Min.y : rect.Max.y};
   ui.Behind().Fill(rect, ui.Ink().paper);
   scene.list->PushClipRect(own.Min, own.Max, true);
   const std::vector<ImVec2> endpoints = DrawScene(scene);
@@ -210,9 +211,9 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
   if (!viewing) DrawShown(scene, state.teach, touch.hovered);
   if (teaching && !pinching) TeachByHand(session, state.teach, scene, touch, state.gaze);
   if (!teaching) state.teach = {};
-  if (drawing && !pinching) DrawGroundByHand(session, state.ground, scene, touch, state.gaze);
+  if (drawing && !pinching) DrawGroundByHand(session, state.ground, scene, touch, free, state.gaze);
   if (!drawing || pinching) state.ground = {};
-  if (drawing) DrawCorners(scene, state.ground, touch.hovered);
+  if (drawing) DrawCorners(scene, state.ground, free, touch.hovered);
   const bool pushing =
       !pinching && !by_hand && PushByHand(ui, session, state.push, touch, scene.camera, endpoints);
   const bool panned = !pinching && !pushing && !by_hand && Pan(state, touch, scene.camera.scale);
