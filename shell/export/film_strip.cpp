@@ -205,7 +205,6 @@ class StripDrawing {
 
   void Ground(const StripCell& cell) {
     const double below = cell.y + cell.height - cell.ground_y;
-    const std::string right = Px(cell.x + cell.width);
     if (layout_.own_ground) {
       out_ += "<rect x=\"" + Px(cell.x) + "\" y=\"" + Px(cell.y) + "\" width=\"" + Px(cell.width) +
               "\" height=\"" + Px(cell.height) + "\" rx=\"7\" fill=\"#fbfaf6\" stroke=\"#e3dfd6\"/>\n";

@@ -188,14 +188,14 @@ void AddGround(std::vector<Command>& list, Session& session) {
                   .group = TrLater("World"),
                   .title = Tr(drawing ? "End drawing the ground" : "Draw the ground on the stage"),
                   .run = [&ground, drawing] { ground.Draw(!drawing); }});
+  if (!drawing) return;
   const auto chosen = ground.Chosen();
-  list.push_back(
-      {.id = "world/ground/remove",
-       .group = TrLater("World"),
-       .title = Tr("Remove the chosen corner of the ground"),
-       .keys = drawing ? std::vector<std::string>{"Delete", "Backspace"} : std::vector<std::string>{},
-       .why_not = chosen ? "" : Tr("No corner is chosen."),
-       .run = [&ground, chosen] { ground.RemoveCorner(*chosen); }});
+  list.push_back({.id = "world/ground/remove",
+                  .group = TrLater("World"),
+                  .title = Tr("Remove the chosen corner of the ground"),
+                  .keys = {"Delete", "Backspace"},
+                  .why_not = chosen ? "" : Tr("No corner is chosen."),
+                  .run = [&ground, chosen] { ground.RemoveCorner(*chosen); }});
 }
 
 void AddPanels(std::vector<Command>& list, Session& session, bool phone) {

@@ -13,7 +13,7 @@ const std::array<const char*, kGroundPresets>& GroundNames() {
 }
 
 std::string GroundWords(const std::optional<KnownGround>& known) {
-  if (!known) return Tr("Drawn by hand");
+  if (!known) return Tr("Hand-drawn");
   const char* name = Tr(GroundNames()[static_cast<std::size_t>(known->preset)]);
   if (known->preset != GroundPreset::kRubble) return name;
   return name + (" " + std::to_string(known->seed));

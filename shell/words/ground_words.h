@@ -13,7 +13,7 @@ namespace gaitsmith::shell {
 /// English, for Tr(), in the order of GroundPreset.
 [[nodiscard]] const std::array<const char*, kGroundPresets>& GroundNames();
 
-/// "Stairs", "Rubble 7". Nothing known: "Drawn by hand".
+/// "Stairs", "Rubble 7". Nothing known: "Hand-drawn".
 [[nodiscard]] std::string GroundWords(const std::optional<KnownGround>&);
 
 }  // namespace gaitsmith::shell

@@ -168,7 +168,7 @@ async function groundByHand({ browser, address }) {
   const block = await corners(page);
   assert.equal(block.length, 4, JSON.stringify(block));
   assert.ok(block[0].x_m === block[1].x_m && block[2].x_m === block[3].x_m && (block[1].y_m ?? 0) > 0.3, JSON.stringify(block));
-  assert.equal((await widget(page, 'world/ground'))?.value, 'Drawn by hand');
+  assert.equal((await widget(page, 'world/ground'))?.value, 'Hand-drawn');
   const drawn = await page.hash();
   // A line over a part of it replaces that part, and Undo brings it back.
   await drawLine(page, [[0.36, 0.5], [0.38, 0.8], [0.42, 0.8], [0.43, 0.5]]);
