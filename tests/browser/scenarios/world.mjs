@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Changes of a figure's world, by number and by hand. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
+import { Fingers } from '../pointers.mjs';
 import { ONE_BROWSER, PageDriver } from '../page_driver.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
@@ -211,6 +212,32 @@ async function groundByHand({ browser, address }) {
   await page.close();
 }
 
+/** On a phone: a finger draws, another drag goes on, and two fingers zoom instead. @param {Visit} visit */
+async function groundByFinger({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  await page.becomePhone();
+  await page.frames(10);
+  const pointer = new Fingers(page);
+  await pointer.press('world/open');
+  await pointer.press('world/ground-draw');
+  const stage = await page.placeOf('stage');
+  const at = (/** @type {number} */ x, /** @type {number} */ y) => ({ x: stage.x + x * stage.width, y: stage.y + y * stage.height });
+  await pointer.drag(at(0.5, 0.66), at(0.7, 0.5));
+  const ramp = await corners(page);
+  assert.equal(ramp.length, 2, JSON.stringify(ramp));
+  assert.ok((ramp[1].y_m ?? 0) > 0.3, JSON.stringify(ramp));
+  await pointer.pinch([at(0.3, 0.4), at(0.5, 0.4)], [at(0.2, 0.4), at(0.6, 0.4)]);
+  assert.deepEqual(await corners(page), ramp, 'two fingers zoom and draw nothing');
+  await page.click('stage/follow');
+  await pointer.tap(at(0.7, 0.5));
+  await pointer.press('stage/corner-remove');
+  assert.ok((await corners(page)).length < 2, 'a corner that is tapped can be removed');
+  await pointer.press('stage/ground-done');
+  assert.equal(await widget(page, 'stage/ground-done'), undefined);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
 /** @param {Visit} visit */
 async function byHand({ browser, address }) {
   const page = await PageDriver.open(browser, address);
@@ -321,6 +348,7 @@ export const WORLD_SCENARIOS = [
   ['joints that give way change the motion, a link carries them, reset takes them back', limitedJoints],
   ['ground that is chosen: stairs and rubble, with limited joints, which a link carries and level ground frees', groundByName],
   ['ground that is drawn: with the mouse, over a part of it, corner by corner, and by numbers; Undo and reset take it back', groundByHand],
+  ['ground that is drawn with a finger on a phone: a corner is tapped and removed, two fingers zoom', groundByFinger, ONE_BROWSER],
   ['the world by hand: a foot pulled on the stage is pushed, Undo takes it back; zoom and follow', byHand],
   ['a style tried from the shown motion leaves the search as it was, shows what was before as a ghost, and can be undone', style, ONE_BROWSER],
   ['timer and senses side by side: a search finds the other, and a push meets both', sideBySide, ONE_BROWSER],
