@@ -6,6 +6,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/document/joints.h"
 #include "core/document/json.h"
 #include "tests/scene.h"
 
@@ -113,6 +114,8 @@ bool Reaches(const std::string& goal, const Document& document) {
       all &= Compare(std::abs(static_cast<double>(terms.travel_m)), condition);
     } else if (name == "rules") {
       all &= Compare(controller.rules, condition);
+    } else if (name == "strength") {
+      all &= HasLimitedJoints(document) && Compare(static_cast<double>(JointStrength(document)), condition);
     } else if (term != kStyleTermNames.end()) {
       all &= Compare(static_cast<double>(terms.Style(static_cast<StyleTerm>(term - kStyleTermNames.begin()))),
                      condition);

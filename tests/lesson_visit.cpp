@@ -181,7 +181,8 @@ bool LessonVisit::Meets(const std::string& goal) const {
     if (const JsonValue* one = measures->Find(condition.name); one != nullptr) {
       all &= one->kind == JsonValue::Kind::kNumber
                  ? Compare(one->number, condition)
-                 : condition.relation == "=" && one->text == condition.wanted;
+                 : condition.relation == "=" && (one->text == condition.wanted ||
+                                                 (condition.wanted == "earth" && one->text == "usual"));
       continue;
     }
     const JsonValue* has = nullptr;

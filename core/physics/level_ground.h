@@ -8,9 +8,6 @@
 
 namespace gaitsmith {
 
-/// An endpoint may end this far below ground [m] before the contacts are solved again.
-inline constexpr float kLimbSink = 2e-5f;
-
 template <int W>
 class LevelGround {
   using L = Lane<W>;

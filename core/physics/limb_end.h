@@ -9,6 +9,9 @@
 
 namespace gaitsmith {
 
+/// A limb may end this deep in the ground [m] before the contacts are solved again.
+inline constexpr float kLimbSink = 2e-5f;
+
 template <int W>
 struct LimbEnd {
   using F = typename Lane<W>::F;

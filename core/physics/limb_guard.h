@@ -38,12 +38,13 @@ class LimbGuard {
 
   /// Where figures are. A void motion whose numbers are no longer finite goes on from there.
   struct Place {
-    typename L::D distance_m, turn_rad;
+    typename L::D place_m, distance_m, turn_rad;
     F height_m, greatest_height_m, slip_m;
     std::array<F, kMaxJoints> angle_rad;
   };
   [[nodiscard]] Place PlaceOf(const LimbState<W>& s) const {
     Place place;
+    place.place_m = s.place_m;
     place.distance_m = s.distance_m;
     place.turn_rad = s.turn_rad;
     place.height_m = s.height_m;
@@ -88,6 +89,7 @@ class LimbGuard {
            s.friction_gain_j, s.lifting_work_j);
       zeros(s.rate_radps, s.momentum, s.speed, s.root_answer, s.torque_side, s.stop_side, s.last_force.normal,
             s.last_force.tangent, s.joint_turn, s.joint_impulse);
+      s.place_m[lane] = place.place_m[lane];
       s.distance_m[lane] = place.distance_m[lane];
       s.turn_rad[lane] = place.turn_rad[lane];
       L::Put(s.height_m, lane, L::At(place.height_m, lane));

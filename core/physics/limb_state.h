@@ -29,6 +29,7 @@ struct LimbState {
   F velocity_x{}, velocity_y{};
   F angular_momentum{};  // about the centre of mass [kg m^2/s]
   D turn_rad{};          // of the root rod, whole turns included
+  D place_m{};           // on drawn ground only: of the centre of mass, wherever measuring began
   std::array<F, kMaxJoints> angle_rad{};
   // As the joint's rule, or its freedom, leaves it at the end of a step.
   std::array<F, kMaxJoints> rate_radps{};
@@ -64,6 +65,7 @@ void SpreadState(const LimbState<1>& one, LimbState<W>& all) {
   all.height_m = all.start_height_m = all.greatest_height_m = L::Splat(one.height_m[0]);
   all.velocity_x = L::Splat(one.velocity_x[0]);
   all.velocity_y = L::Splat(one.velocity_y[0]);
+  all.place_m = one.place_m[0] - typename L::D{};
   all.angular_momentum = L::Splat(one.angular_momentum[0]);
   all.turn_rad = one.turn_rad[0] - typename L::D{};
   spread(one.angle_rad, all.angle_rad);

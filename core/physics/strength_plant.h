@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "core/physics/drawn_ground.h"
 #include "core/physics/environment.h"
 #include "core/physics/level_ground.h"
 #include "core/physics/limb_guard.h"
@@ -32,6 +33,7 @@ class StrengthPlant {
       : body_(body),
         environment_(environment),
         world_(body, environment, step_s),
+        terrain_(environment.ground),
         guard_(body),
         start_turn_rad_(static_cast<double>(body.start_angle_rad)) {
     PlaceAtStart(start);
@@ -41,10 +43,14 @@ class StrengthPlant {
   static Ports PortsOf(const Mechanism& body) { return gaitsmith::PortsOf(body); }
 
   [[nodiscard]] const LimbState<W>& Save() const { return state_; }
-  void Restore(const LimbState<W>& state) { state_ = state; }
+  void Restore(const LimbState<W>& state) {
+    state_ = state;
+    MeasureHeights();
+  }
   void BeginAt(const LimbState<1>& state) {
     SpreadState<W>(state, state_);
     start_turn_rad_ = state.turn_rad[0];
+    MeasureHeights();
   }
 
   void Give(const Push& push) {
@@ -69,12 +75,18 @@ class StrengthPlant {
     state_.velocity_x = state_.velocity_x + world_.fall_x + 0.0f;
     state_.velocity_y = state_.velocity_y + world_.fall_y + 0.0f;
     const typename LimbGuard<W>::Place before = guard_.PlaceOf(state_);
-    LevelGround<W> ground(body_, world_, state_);
-    LimbStep<W, LevelGround<W>>(body_, world_, targets, state_, ground).Conclude();
+    if (terrain_.Level()) {
+      LevelGround<W> ground(body_, world_, state_);
+      LimbStep<W, LevelGround<W>>(body_, world_, targets, state_, ground).Conclude();
+    } else {
+      DrawnGround<W> ground(body_, world_, terrain_, state_);
+      LimbStep<W, DrawnGround<W>>(body_, world_, targets, state_, ground).Conclude();
+    }
     if (guard_.Judge(state_)) {
       guard_.Rest(before, state_);
       PlaceLimbs<W>(body_, state_);
     }
+    MeasureHeights();
   }
 
   [[nodiscard]] Readings<W> Read() const {
@@ -83,7 +95,7 @@ class StrengthPlant {
             .rate = s.rate_radps.data(),
             .change = s.joint_turn.data(),
             .impulse = s.last_force.normal.data(),
-            .height = &s.height_m,
+            .height = terrain_.Level() ? &s.height_m : &height_m_,
             .rise = &s.velocity_y};
   }
   [[nodiscard]] F Upright() const {
@@ -92,7 +104,8 @@ class StrengthPlant {
     return cosine;
   }
   [[nodiscard]] F HeadHeight() const {
-    return state_.height_m + state_.endpoint_y[static_cast<std::size_t>(body_.head)];
+    return terrain_.Level() ? state_.height_m + state_.endpoint_y[static_cast<std::size_t>(body_.head)]
+                            : head_height_m_;
   }
 
   [[nodiscard]] Snapshot Observe(int lane) const {
@@ -127,18 +140,34 @@ class StrengthPlant {
     MeasureMass<W>(body_, s.cosine, s.sine, inertia);
     s.momentum = inertia.Momenta(static_cast<std::size_t>(body_.rods), s.speed);
     s.angular_momentum = s.momentum[0];
-    F lowest = s.endpoint_y[0];
-    for (std::size_t k = 1; k < static_cast<std::size_t>(body_.endpoints); ++k)
-      lowest = L::Min(s.endpoint_y[k], lowest);
-    s.height_m = s.start_height_m = s.greatest_height_m = L::Splat(start.drop_height_m) - lowest;
+    const LimbPlaces places = PlacesOf(s, static_cast<std::size_t>(body_.endpoints), 0);
+    const auto lift = static_cast<float>(SpotFinder(body_, terrain_).LiftOf(places));
+    s.height_m = s.start_height_m = s.greatest_height_m = L::Splat(start.drop_height_m + lift);
+    MeasureHeights();
+  }
+
+  /// Heights above drawn ground right below.
+  void MeasureHeights() {
+    if (terrain_.Level()) return;
+    const LimbState<W>& s = state_;
+    const auto head = static_cast<std::size_t>(body_.head);
+    for (int lane = 0; lane < W; ++lane) {
+      const double x = s.place_m[lane];
+      const double head_x = x + static_cast<double>(s.endpoint_x[head][lane]);
+      height_m_[lane] = s.height_m[lane] - static_cast<float>(terrain_.HeightAt(x));
+      head_height_m_[lane] =
+          s.height_m[lane] + s.endpoint_y[head][lane] - static_cast<float>(terrain_.HeightAt(head_x));
+    }
   }
 
   const Mechanism& body_;
   Environment environment_;
   World world_;
+  Terrain terrain_;
   LimbGuard<W> guard_;
   LimbState<W> state_;
-  double start_turn_rad_;  // of the root rod
+  F height_m_{}, head_height_m_{};  // above drawn ground
+  double start_turn_rad_;           // of the root rod
 };
 
 }  // namespace gaitsmith

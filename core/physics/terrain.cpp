@@ -67,11 +67,17 @@ Terrain::Terrain(std::span<const Corner> ground) {
     const Face& before = faces_[i - 1];
     const Face& after = faces_[i];
     if (before.ux * after.uy - before.uy * after.ux >= -1e-6) continue;  // it goes straight on, or up
-    const double inward_x = before.uy + after.uy, inward_y = -before.ux - after.ux;
-    const double size = std::sqrt(inward_x * inward_x + inward_y * inward_y);
-    // A hurdle of no thickness cannot be drawn, so the two faces never point against each other.
-    edges_.push_back({after.x, after.y, inward_x / size, inward_y / size});
+    edges_.push_back({after.x, after.y, -before.ux, -before.uy, after.ux, after.uy});
   }
+}
+
+int Terrain::Edge::SideOfGround(double ux, double uy) const {
+  // A face that lies along the line is on neither side.
+  constexpr double kAlong = 0.02;
+  const double back = ux * back_y - uy * back_x, on = ux * on_y - uy * on_x;
+  if (back * on < 0.0 && std::min(std::abs(back), std::abs(on)) > kAlong) return 0;
+  const double side = std::abs(back) > std::abs(on) ? back : on;
+  return side > 0.0 ? 1 : (side < 0.0 ? -1 : 0);
 }
 
 double Terrain::HeightAt(double x) const {

@@ -39,8 +39,12 @@ class Terrain {
   };
   /// A corner that sticks out, and can touch a rod between its ends.
   struct Edge {
-    double x, y;                // [m]
-    double inward_x, inward_y;  // into the ground, halfway between its two faces
+    double x, y;            // [m]
+    double back_x, back_y;  // unit directions of its two faces, away from it
+    double on_x, on_y;
+    /// To which side of a line the ground around the edge is: 1 left, -1 right, 0 both or neither.
+    /// @param ux, uy  unit direction of the line
+    [[nodiscard]] int SideOfGround(double ux, double uy) const;
   };
 
   /// @param ground must be valid; empty: level everywhere

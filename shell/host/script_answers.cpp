@@ -28,11 +28,14 @@ std::string SearchMembers(const SearchSettings& search, int evaluations) {
          ",\"seed\":" + std::to_string(search.seed) + ",\"evaluations\":" + std::to_string(evaluations);
 }
 
-bool IsUsualWorld(const Document& document) {
+/// The word of docs/embedding.md: usual, earth (usual but for limited joints) or other.
+std::string_view WorldOf(const Document& document) {
   const StartState &start = document.start, usual;
-  return !HasLimitedJoints(document) && document.environment == Environment{} &&
-         start.drop_height_m == usual.drop_height_m && start.velocity_x_mps == usual.velocity_x_mps &&
-         start.velocity_y_mps == usual.velocity_y_mps && start.spin_radps == usual.spin_radps;
+  if (document.environment != Environment{} || start.drop_height_m != usual.drop_height_m ||
+      start.velocity_x_mps != usual.velocity_x_mps || start.velocity_y_mps != usual.velocity_y_mps ||
+      start.spin_radps != usual.spin_radps)
+    return "other";
+  return HasLimitedJoints(document) ? "earth" : "usual";
 }
 
 }  // namespace
@@ -95,11 +98,13 @@ std::string MeasuresJson(const Session& session) {
   add("switch", Tr("Last switch"), "s", 2, switches ? seconds(document.timeline.back().start_step) : kNone);
   add("generations", Tr("Generations bred here"), "", 0,
       static_cast<float>(session.Origins().GenerationsOf(document)));
+  add("strength", Tr("Strength of the joints"), "M g L", 2,
+      HasLimitedJoints(document) ? JointStrength(document) : kNone);
   const Controller* controller = session.Timeline().ShownController();
   const std::string_view sense = controller == nullptr ? "" : ControlModeOf(*controller).name;
   return json + "],\"sense\":" + QuoteJson(sense) +
          ",\"controller\":" + QuoteJson(session.Origins().Of(document)) +
-         ",\"world\":" + QuoteJson(IsUsualWorld(document) ? "usual" : "other") +
+         ",\"world\":" + QuoteJson(WorldOf(document)) +
          ",\"rules\":" + std::to_string(controller == nullptr ? 0 : controller->rules) +
          ",\"broke\":" + (terms.broke_physics ? "true" : "false") +
          ",\"preview\":" + (session.Following().Previewing() ? "true" : "false") + "}";

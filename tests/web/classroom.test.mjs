@@ -116,6 +116,8 @@ test('the judge simulates, compares with the goal and says what was changed', as
   const weak = { ...json, model: 2, hash: undefined, figure: { ...json.figure, rods: json.figure.rods.map((/** @type {any} */ rod) => ({ ...rod, strength: 3 })) } };
   const limited = engine.documentFromText(JSON.stringify(weak));
   assert.equal(judgedBy('world = usual', limited).met, false, 'limited joints are another world');
+  assert.equal(judgedBy('world = earth', limited).met, true, 'but on earth');
+  assert.equal(judgedBy('world = earth', thrown).met, false);
   assert.deepEqual(judge.judge({ work: { ...sent, motion: engine.link(limited) }, source: '' }, '').changed, ['joint strength 3']);
   const unlimited = engine.documentFromText(JSON.stringify({ ...weak, model: 1 }));
   assert.equal(judgedBy('world = usual', unlimited).met, true, 'a strength that nothing uses changes nothing');

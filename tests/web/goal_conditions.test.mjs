@@ -25,6 +25,8 @@ test('goals: a number that a motion does not have meets nothing', () => {
 test('goals: words are met by the same word', () => {
   assert.deepEqual(met('sense = physical, sense = timer, controller = new, controller = opened, world = usual'), [true, false, true, false, true]);
   assert.deepEqual(met('controller = new, controller = opened, world = usual', { controller: 'changed', world: 'other' }), [false, false, false]);
+  assert.deepEqual(['usual', 'earth', 'other'].map((world) => met('world = earth', { world })[0]), [true, true, false]);
+  assert.deepEqual(met('world = usual', { world: 'earth' }), [false]);
 });
 
 test('goals: a motion that broke physics meets nothing', () => {

@@ -73,7 +73,7 @@ import { trLater } from '../languages/language.js';
 /** keyboard: whether the focus ring is shown; waiting: a request to a widget is not done yet. @typedef {{keyboard: boolean, waiting: boolean, parts: MirrorPart[], widgets: MirrorWidget[]}} MirrorState */
 
 /** A measure of a motion. @typedef {{name: string, label: string, unit: string, decimals: number, value: number | null}} Measure */
-/** The measures of the shown motion. sense: the controller's, or empty; controller: 'opened', 'changed', 'new', or empty; world: 'usual' or 'other'; broke: the simulation failed; preview: not the document's motion yet. @typedef {{terms: Measure[], sense: string, controller: string, world: string, rules: number, broke: boolean, preview: boolean}} Measures */
+/** The measures of the shown motion. sense: the controller's, or empty; controller: 'opened', 'changed', 'new', or empty; world: 'usual', 'earth' (usual but for limited joints) or 'other'; broke: the simulation failed; preview: not the document's motion yet. @typedef {{terms: Measure[], sense: string, controller: string, world: string, rules: number, broke: boolean, preview: boolean}} Measures */
 
 /** A command of shell/session/commands.h. @typedef {{id: string, group: string, title: string, whyNot: string, keys: string[]}} CanvasCommand */
 

@@ -100,7 +100,7 @@ export class Judge {
     const measured = row.motion.measures();
     row.hash = measured.hash;
     const usualWorld = worldOf(this.engine.json(this.engine.documentFromText(JSON.stringify({ ...document, model: STRONG_MODEL, environment: undefined, start: undefined, pushes: undefined }))));
-    const measures = { ...measured, ...ofDocument(document), world: sameWorld(document, usualWorld) ? 'usual' : 'other' };
+    const measures = { ...measured, ...ofDocument(document), world: sameWorld(document, usualWorld) ? 'usual' : sameWorld({ ...document, model: STRONG_MODEL }, usualWorld) ? 'earth' : 'other' };
     measures.terms = [...measured.terms, ...measures.numbers];
     row.conditions = goals.flatMap((each) => parseGoal(each, this.tables)).map((condition) => judged(condition, measures));
     const seen = row.conditions.filter(({ met }) => met !== null);
@@ -119,7 +119,7 @@ function answered({ question, answers, unit, right }, given) {
 }
 
 /** What goals ask of a document. @param {any} document  JSON */
-function ofDocument({ controllers = [], timeline = [], pushes = [] }) {
+function ofDocument({ model = STRONG_MODEL, figure = { rods: [] }, controllers = [], timeline = [], pushes = [] }) {
   const controller = controllers[timeline[0]?.controller ?? -1];
   const push = pushes.length === 1 ? pushes[0] : null;
   return {
@@ -128,6 +128,7 @@ function ofDocument({ controllers = [], timeline = [], pushes = [] }) {
     numbers: [
       { name: 'pushes', value: pushes.length }, { name: 'push_right', value: push && push.impulse_x_ns }, { name: 'push_time', value: push && push.step * STEP_S },
       { name: 'switch', value: timeline.length > 1 ? timeline.at(-1).start_step * STEP_S : null },
+      { name: 'strength', value: model === STRONG_MODEL ? null : Math.max(0, ...jointsOf(figure).map(({ strength = STANDARD_STRENGTH }) => strength)) },
     ],
   };
 }

@@ -71,7 +71,7 @@ export class GoalBar {
 /** "Distance ≥ 8 m (now 5.21 m)" @param {Condition} condition @param {Measures} measures */
 function conditionText({ name, relation, wanted }, measures) {
   if (name === 'sense') return tr('decided by {1}', tr(control_modes.find((mode) => mode.name === wanted)?.words ?? ''));
-  if (name === 'world') return tr('in the usual world');
+  if (name === 'world') return wanted === 'earth' ? tr('on level ground on Earth') : tr('in the usual world');
   if (name === 'controller') return wanted === 'new' ? tr('found here by your own search') : tr('only with rules that were opened');
   const sign = { '>=': '≥', '<=': '≤', '!=': '≠' }[/** @type {string} */ (relation)] ?? relation;
   if (name === 'rules') return tr('{1} {2} {3} (now {4})', tr('Rules'), sign, wanted, measures.rules);

@@ -11,7 +11,7 @@ import { tr } from '../languages/language.js';
 /** @typedef {{readonly terms: readonly {readonly name: string}[], readonly control_modes: readonly {readonly name: string}[]}} Tables */
 
 /** Numbers that are not terms of the style (docs/embedding.md). */
-const NUMBERS = ['distance', 'travel', 'rules', 'seed', 'pushes', 'push_right', 'push_time', 'switch', 'generations'];
+const NUMBERS = ['distance', 'travel', 'rules', 'seed', 'pushes', 'push_right', 'push_time', 'switch', 'generations', 'strength'];
 const MAX_CONDITIONS = 6;
 
 /**
@@ -22,7 +22,7 @@ const MAX_CONDITIONS = 6;
 export function parseGoal(text, { terms, control_modes: modes }) {
   const numbers = [...NUMBERS, ...terms.map(({ name }) => name)];
   /** @type {Record<string, string[]>} */
-  const words = { sense: modes.map(({ name }) => name), controller: ['opened', 'new'], world: ['usual'] };
+  const words = { sense: modes.map(({ name }) => name), controller: ['opened', 'new'], world: ['usual', 'earth'] };
   const parts = text.split(',').map((part) => part.trim()).filter((part) => part !== '');
   if (parts.length === 0 || parts.length > MAX_CONDITIONS) throw new Error(tr('goal: give one to {1} conditions, with commas between them', MAX_CONDITIONS));
   return parts.map((part) => {
@@ -48,6 +48,8 @@ export function faultOfGoal(text, tables) {
 /** @param {Condition} condition @param {Measures} measures */
 export function isMet({ name, relation, wanted }, measures) {
   if (measures.broke) return false;
+  // On earth means: usual, but joints may be limited.
+  if (wanted === 'earth' && measures.world === 'usual') return true;
   if (typeof wanted === 'string') return measures[/** @type {WordName} */ (name)] === wanted;
   // A number that the motion does not have meets nothing, also not "!=".
   const measured = name === 'rules' ? measures.rules : measures.terms.find((term) => term.name === name)?.value ?? null;

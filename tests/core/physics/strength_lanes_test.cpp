@@ -39,7 +39,7 @@ using Bits = std::vector<std::uint64_t>;
 template <int W>
 Bits BitsOf(const Mechanism& body, const LimbState<W>& s, int lane) {
   Bits bits = {std::bit_cast<std::uint64_t>(s.distance_m[lane]),
-               std::bit_cast<std::uint64_t>(s.turn_rad[lane])};
+               std::bit_cast<std::uint64_t>(s.turn_rad[lane]), std::bit_cast<std::uint64_t>(s.place_m[lane])};
   const auto add = [&](const auto& numbers, int count) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
       bits.push_back(std::bit_cast<std::uint32_t>(Lane<W>::At(numbers[i], lane)));
@@ -56,11 +56,27 @@ Bits BitsOf(const Mechanism& body, const LimbState<W>& s, int lane) {
   return bits;
 }
 
+/// Level, or rough under where the figures fall.
+Environment WorldOf(bool drawn) {
+  if (!drawn) return {};
+  return {.ground = {{-3.0f, 0.0f},
+                     {-1.0f, 0.2f},
+                     {-0.8f, 0.2f},
+                     {-0.8f, 0.0f},
+                     {-0.1f, 0.1f},
+                     {0.0f, -0.1f},
+                     {0.4f, 0.3f},
+                     {0.5f, 0.0f},
+                     {1.0f, 0.05f},
+                     {1.0f, 0.4f},
+                     {3.0f, 0.0f}}};
+}
+
 /// The bits of the motions first, first + 1, ... side by side, after each step.
 template <int W>
-std::array<std::vector<Bits>, W> SideBySide(const Mechanism& body, int first) {
+std::array<std::vector<Bits>, W> SideBySide(const Mechanism& body, const Environment& world, int first) {
   std::array<std::vector<Bits>, W> bits;
-  StrengthPlant<W> plant(body, Environment{}, {.drop_height_m = 0.2f, .spin_radps = 0.7f}, kStep);
+  StrengthPlant<W> plant(body, world, {.drop_height_m = 0.2f, .spin_radps = 0.7f}, kStep);
   plant.Give({.step = 0, .endpoint = 1, .impulse_x_ns = 0.3f, .impulse_y_ns = 0.2f});
   for (int step = 0; step < kLaneSteps; ++step) {
     ActuatorTargets<W> targets{};
@@ -77,18 +93,20 @@ std::array<std::vector<Bits>, W> SideBySide(const Mechanism& body, int first) {
 TEST_CASE("strength: a lane's bits do not depend on the number of lanes", "[physics][strength]") {
   const float strength = GENERATE(0.0f, 0.2f, 2.0f, 1000.0f);
   const int rods = GENERATE(1, 4, 9);
-  CAPTURE(strength, rods);
+  const bool drawn = GENERATE(false, true);
+  CAPTURE(strength, rods, drawn);
+  const Environment world = WorldOf(drawn);
   const Mechanism body(RandomTree(11, rods, strength));
-  const auto eight = SideBySide<8>(body, 0);
+  const auto eight = SideBySide<8>(body, world, 0);
   for (int half = 0; half < 2; ++half) {
-    const auto four = SideBySide<4>(body, 4 * half);
+    const auto four = SideBySide<4>(body, world, 4 * half);
     for (std::size_t lane = 0; lane < 4; ++lane) {
       const bool same = four[lane] == eight[static_cast<std::size_t>(4 * half) + lane];
       REQUIRE(same);
     }
   }
   for (int motion = 0; motion < 8; ++motion) {
-    const auto one = SideBySide<1>(body, motion);
+    const auto one = SideBySide<1>(body, world, motion);
     const bool same = one[0] == eight[static_cast<std::size_t>(motion)];
     REQUIRE(same);
   }
@@ -97,9 +115,11 @@ TEST_CASE("strength: a lane's bits do not depend on the number of lanes", "[phys
 
 TEST_CASE("strength: a motion restored at any moment continues bit by bit", "[physics][strength]") {
   const float strength = GENERATE(0.0f, 0.2f, 2.0f, 1000.0f);
+  const bool drawn = GENERATE(false, true);
+  const Environment world = WorldOf(drawn);
   const Mechanism body(RandomTree(12, 7, strength));
   const StartState start = {.drop_height_m = 0.2f, .spin_radps = 0.7f};
-  StrengthPlant<1> plant(body, Environment{}, start, kStep);
+  StrengthPlant<1> plant(body, world, start, kStep);
   std::vector<LimbState<1>> moments = {plant.Save()};
   const auto step_on = [&](auto& any, int step) {
     constexpr int kLanes = std::remove_reference_t<decltype(any)>::kLanes;
@@ -113,10 +133,10 @@ TEST_CASE("strength: a motion restored at any moment continues bit by bit", "[ph
   }
   const auto last = BitsOf<1>(body, moments.back(), 0);
   for (int moment = 0; moment <= kLaneSteps; moment += 7) {
-    CAPTURE(strength, moment);
-    StrengthPlant<1> again(body, Environment{}, StartState{}, kStep);
+    CAPTURE(strength, moment, drawn);
+    StrengthPlant<1> again(body, world, StartState{}, kStep);
     again.Restore(moments[static_cast<std::size_t>(moment)]);
-    StrengthPlant<4> spread(body, Environment{}, StartState{}, kStep);
+    StrengthPlant<4> spread(body, world, StartState{}, kStep);
     spread.BeginAt(moments[static_cast<std::size_t>(moment)]);
     for (int step = moment; step < kLaneSteps; ++step) {
       step_on(again, step);

@@ -37,12 +37,14 @@ TEST_CASE("the height of drawn ground is that of the line through its corners", 
   REQUIRE(Near(Terrain{std::span(ramp)}.HeightAt(90.0), 1.0));
 }
 
-TEST_CASE("edges are the corners that stick out, and point into the ground", "[physics][ground]") {
+TEST_CASE("edges are the corners that stick out, and know the side of the ground", "[physics][ground]") {
   const Terrain hurdle{std::span(kHurdle)};
   REQUIRE(hurdle.Edges().size() == 2);
-  REQUIRE(hurdle.Edges()[0].inward_x > 0.7);
-  REQUIRE(hurdle.Edges()[1].inward_x < -0.7);
-  for (const Terrain::Edge& edge : hurdle.Edges()) REQUIRE(edge.inward_y < -0.7);
+  for (const Terrain::Edge& edge : hurdle.Edges()) REQUIRE(edge.SideOfGround(1.0, 0.0) == -1);
+  REQUIRE(hurdle.Edges()[0].SideOfGround(0.0, 1.0) == -1);  // a rod that stands before the hurdle
+  REQUIRE(hurdle.Edges()[1].SideOfGround(0.0, 1.0) == 1);
+  REQUIRE(hurdle.Edges()[0].SideOfGround(0.6, 0.8) == -1);
+  REQUIRE(hurdle.Edges()[0].SideOfGround(0.8, -0.6) == 0);  // points into it
   for (const Terrain::Face& face : hurdle.Faces())
     REQUIRE(face.Above(1.02, 0.1) < (face.uy < 0.0 || face.uy > 0.0 ? 0.0 : 0.2));
   REQUIRE(hurdle.EdgesBetween(0.0, 1.02).size() == 1);
