@@ -77,6 +77,7 @@ void App::Draw() {
   Ui ui(theme, window_.Registry(), window_.Behind());
   if (const WidgetRequest* due = window_.Registry().Requests().Due(); due != nullptr && due->begins)
     session_.BeginGesture();
+  ShowDrawing();
   // While a number is typed its digits are no wishes of their own.
   session_.Following().Hold(ImGui::GetIO().WantTextInput ||
                             (ImGui::GetActiveID() != 0 && ImGui::IsMouseDown(ImGuiMouseButton_Left)));
@@ -97,6 +98,15 @@ void App::Draw() {
   if (std::exchange(stage_.asks_for_rules, false)) Run("panel/Controller");
   if (!first_frame_reported_) host_.FirstFrame();
   first_frame_reported_ = true;
+}
+
+// The stage must be in view while a person draws on it.
+void App::ShowDrawing() {
+  const bool begins = session_.Ground().Drawing() && !drew_ground_;
+  drew_ground_ = session_.Ground().Drawing();
+  if (!begins) return;
+  figure_panel_.on_stage = false;
+  if (low_) stage_.world.open = sheet_open_ = false;
 }
 
 void App::DrawDesk(Ui& ui, const ImRect& whole) {

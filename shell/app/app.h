@@ -40,11 +40,14 @@ class App {
   /// Handles a key press. @param name as in Command::keys. @param on_canvas the canvas has the focus, so that
   /// its focused control takes precedence. @return true if a command handled it
   bool Key(std::string_view name, bool on_canvas, bool repeated);
+  /// Ends drawing the ground by hand. @return false: it is not being drawn
+  bool EndDrawing();
 
   [[nodiscard]] Session& State() { return session_; }
   [[nodiscard]] Window& Surface() { return window_; }
 
  private:
+  void ShowDrawing();
   void DrawDesk(Ui&, const ImRect& whole);
   void DrawPhone(Ui&, const ImRect& whole);
   /// @param shown at least one panel, as indices in kPanels. @return the chosen one
@@ -83,6 +86,7 @@ class App {
   FigurePanelState figure_panel_;
   StageState stage_;
   Tooltip tooltip_;
+  bool drew_ground_ = false;  // in the last frame
   DockTab dock_ = DockTab::kGoal;
   Split beside_, below_;          // of the panel, where it is beside the stage and where it is below
   std::size_t clips_before_ = 0;  // of the timeline, in the frame before

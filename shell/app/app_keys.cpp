@@ -35,9 +35,16 @@ bool App::Run(std::string_view id) {
   return true;
 }
 
+bool App::EndDrawing() {
+  if (!session_.Ground().Drawing()) return false;
+  session_.Ground().Draw(false);
+  stage_.gaze = {};
+  return true;
+}
+
 bool App::Key(std::string_view name, bool on_canvas, bool repeated) {
   if (ImGui::GetIO().MouseDown[0]) return false;  // do not disturb a drag
-  if (name == "Escape" && tooltip_.Hide()) {
+  if (name == "Escape" && (tooltip_.Hide() || EndDrawing())) {
     window_.RequestFrame();
     return true;
   }

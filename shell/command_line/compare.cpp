@@ -37,9 +37,9 @@ Result<void> CheckPaths(const std::string& out, const std::string& curves) {
 
 Outcome CompareCommand(Words words) {
   static constexpr std::string_view kOptions[] = {
-      "problem",    "search", "trials",  "first-seed", "evaluations", "points",
-      "controller", "sense",  "weight",  "duration",   "shard",       "threads",
-      "out",        "curves", "summary", "way",        "pose",        "joints"};
+      "problem", "search", "trials",   "first-seed", "evaluations", "points", "controller",
+      "sense",   "weight", "duration", "shard",      "threads",     "out",    "curves",
+      "summary", "way",    "pose",     "joints",     "ground"};
   const auto arguments = Arguments::ParseOptions(words, kOptions);
   if (!arguments) return WrongCall(arguments.error());
   if (arguments->Has("summary")) {

@@ -28,19 +28,23 @@ constexpr auto kCommands = std::to_array<Command>({
      "K]\n"
      "             [--controller rules|network] [--rules N] [--duration SECONDS] [--joints "
      "strong|limited|STRENGTH]\n"
+     "             [--ground level|step|stairs|ramp|gap|hurdles|rubble[:SEED]]\n"
      "             [--search-option NAME=VALUE] [--problem DOC | --from DOC] [--handover DOC@SECONDS …]\n"
      "  gaitsmith synthesize --repair DOC --clip N --out DOC [--task T] [--weight TERM=W] [--search ALG] …"},
     {"compare", gaitsmith::shell::CompareCommand,
      "compare --problem DOC … --search ALG[:OPTION=VALUE…] … --trials N --evaluations E --out CSV\n"
      "             --curves CSV [--first-seed S] [--points P] [--sense physical|timer=SECONDS]\n"
      "             [--weight TERM=W] [--duration SECONDS] [--joints strong|limited|STRENGTH]\n"
+     "             [--ground level|step|stairs|ramp|gap|hurdles|rubble[:SEED]]\n"
      "             [--shard I/N] [--threads K]\n"
      "  gaitsmith compare --summary CSV [--summary CSV …] [--search LABEL …]"},
     {"suite", gaitsmith::shell::SuiteCommand,
      "suite --problem DOC | --figure F --search ALG[:OPTION=VALUE…] --seeds N --evaluations E --out CSV\n"
      "             [--sense physical|timer=SECONDS …] [--task T …] [--style NAME=TERM:W[,TERM:W] …]\n"
      "             [--first-seed S] [--duration SECONDS] [--controller rules|network] [--rules N]\n"
-     "             [--joints strong|limited|STRENGTH] [--shard I/N] [--threads K]\n"
+     "             [--joints strong|limited|STRENGTH]\n"
+     "             [--ground level|step|stairs|ramp|gap|hurdles|rubble[:SEED]]\n"
+     "             [--shard I/N] [--threads K]\n"
      "  gaitsmith suite --list CSV\n"
      "  gaitsmith suite --extract CSV --out-dir DIR [--best]"},
     {"merge", gaitsmith::shell::MergeCommand, "merge --out CSV [--complete] SHARD …"},

@@ -9,6 +9,7 @@
 
 #include "core/document/joints.h"
 #include "core/document/style_weights.h"
+#include "core/physics/ground_preset.h"
 
 namespace gaitsmith::shell {
 
@@ -144,6 +145,28 @@ Result<void> SetJoints(const std::string& text, Document& document) {
   return {};
 }
 
+Result<void> SetGround(const std::string& text, Document& document) {
+  const std::size_t colon = std::min(text.find(':'), text.size());
+  const std::string name = text.substr(0, colon);
+  const auto found = std::ranges::find(kGroundPresetNames, name);
+  const auto preset = static_cast<GroundPreset>(found - kGroundPresetNames.begin());
+  if (found == kGroundPresetNames.end() || (colon < text.size() && preset != GroundPreset::kRubble))
+    return Fail(
+        ErrorCode::kUnknownName, "--ground",
+        "must be level, step, stairs, ramp, gap, hurdles, rubble or rubble:SEED, is \"" + text + "\"");
+  std::uint32_t seed = 1;
+  if (colon < text.size()) {
+    const auto number = ParseWhole(text.substr(colon + 1), 1, kMostRubble, "--ground rubble");
+    if (!number) return std::unexpected(number.error());
+    seed = static_cast<std::uint32_t>(*number);
+  }
+  document.environment.ground = GroundOf(preset, seed);
+  if (!document.environment.ground.empty() && !HasLimitedJoints(document))
+    return Fail(ErrorCode::kStructure, "--ground",
+                "only limited joints know such ground: add --joints limited");
+  return {};
+}
+
 }  // namespace
 
 Result<void> SetProblemOptions(const Arguments& arguments, Document& document) {
@@ -162,6 +185,9 @@ Result<void> SetProblemOptions(const Arguments& arguments, Document& document) {
   }
   if (arguments.Has("joints")) {
     if (auto set = SetJoints(arguments.Last("joints"), document); !set) return set;
+  }
+  if (arguments.Has("ground")) {
+    if (auto set = SetGround(arguments.Last("ground"), document); !set) return set;
   }
   if (arguments.Has("way")) {
     if (auto set = SetWay(arguments.Last("way"), document); !set) return set;

@@ -94,7 +94,7 @@ Outcome SynthesizeCommand(Words words) {
   static constexpr std::string_view kOptions[] = {
       "figure", "task",    "sense",    "weight",   "search", "evaluations",   "seed",       "out",
       "curve",  "threads", "rules",    "duration", "from",   "search-option", "controller", "problem",
-      "repair", "clip",    "handover", "way",      "pose",   "styles",        "joints"};
+      "repair", "clip",    "handover", "way",      "pose",   "styles",        "joints",     "ground"};
   const auto arguments = Arguments::ParseOptions(words, kOptions);
   if (!arguments) return std::unexpected(arguments.error());
   if (!arguments->Has("out"))

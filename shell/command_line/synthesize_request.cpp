@@ -87,7 +87,7 @@ Result<Document> ReadRepair(const Arguments& arguments) {
       !fine) {
     return std::unexpected(fine.error());
   }
-  if (auto fine = CheckAbsent(arguments, {"joints"},
+  if (auto fine = CheckAbsent(arguments, {"joints", "ground"},
                               "cannot be given with --repair: the other clips would move differently");
       !fine) {
     return std::unexpected(fine.error());

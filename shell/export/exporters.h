@@ -14,7 +14,8 @@ namespace gaitsmith::shell {
 
 /// A motion as a glTF 2.0 scene: rods as nodes, turned by an animation. Blender and Godot open it. Metres, y
 /// upwards. The ground is the plane y = 0, tilted with the slope but without its sway. Node 0 is the scene.
-/// The others are the rods in walking order, each along its own x from its start.
+/// The others are the rods in walking order, each along its own x from its start. A drawn ground is the last
+/// node, a strip 2 m wide.
 /// @param motion of the document
 [[nodiscard]] std::string SkeletonGltf(const Document& document, const Motion& motion);
 

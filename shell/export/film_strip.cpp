@@ -9,6 +9,7 @@
 #include <set>
 #include <string_view>
 
+#include "core/physics/ground_view.h"
 #include "shell/export/film_strip_layout.h"
 #include "shell/export/rule_colours.h"
 
@@ -89,7 +90,11 @@ std::string Filled(std::string_view pattern, std::initializer_list<std::string> 
 class StripDrawing {
  public:
   StripDrawing(const Document& document, const Motion& motion, const FilmStripOptions& options)
-      : document_(document), motion_(motion), words_(options.words), layout_(LayOutStrip(motion, options)) {
+      : document_(document),
+        motion_(motion),
+        words_(options.words),
+        ground_(document.environment.ground),
+        layout_(LayOutStrip(motion, ground_, options)) {
     std::set<int> used;
     for (int frame = layout_.frames.front(); frame <= layout_.frames.back(); ++frame) {
       if (ControllerAt(frame) >= 0) used.insert(ControllerAt(frame));
@@ -137,9 +142,12 @@ class StripDrawing {
   [[nodiscard]] double X(const StripCell& cell, double x_m) const {
     return cell.x + (x_m - cell.left_m) * layout_.scale;
   }
+  [[nodiscard]] double GroundY(const StripCell& cell, double y_m) const {
+    return cell.ground_y - (y_m - cell.level_m) * layout_.scale;
+  }
   /// The lower edge of rods touches the ground.
   [[nodiscard]] double Y(const StripCell& cell, double y_m) const {
-    return cell.ground_y - 0.5 * layout_.rod_px - y_m * layout_.scale;
+    return GroundY(cell, y_m) - 0.5 * layout_.rod_px;
   }
   [[nodiscard]] double CentreX(const StripCell& cell, int frame) const {
     return X(cell, motion_.At(frame).x_m);
@@ -181,29 +189,49 @@ class StripDrawing {
     return Number(value, spacing < 0.095 ? 2 : spacing < 0.95 ? 1 : 0) + " m";
   }
 
+  /// The ground's line in a cell. Ground that is lower than what poses stand on is cut off: captions are
+  /// there.
+  [[nodiscard]] std::string Surface(const StripCell& cell) const {
+    const std::string end = Px(cell.x + cell.width);
+    if (ground_.Level()) return "M" + Px(cell.x) + " " + Px(cell.ground_y) + "H" + end;
+    const double right_m = cell.left_m + cell.width / layout_.scale;
+    const auto y = [&](double y_m) { return Px(std::min(GroundY(cell, y_m), cell.ground_y)); };
+    std::string line = "M" + Px(cell.x) + " " + y(HeightBelow(ground_, cell.left_m));
+    for (const Terrain::Face& face : ground_.FacesBetween(cell.left_m, right_m)) {
+      if (face.x > cell.left_m) line += "L" + Px(X(cell, face.x)) + " " + y(face.y);
+    }
+    return line + "L" + end + " " + y(HeightBelow(ground_, right_m));
+  }
+
   void Ground(const StripCell& cell) {
     const double below = cell.y + cell.height - cell.ground_y;
-    const std::string right = Px(cell.x + cell.width);
     if (layout_.own_ground) {
       out_ += "<rect x=\"" + Px(cell.x) + "\" y=\"" + Px(cell.y) + "\" width=\"" + Px(cell.width) +
               "\" height=\"" + Px(cell.height) + "\" rx=\"7\" fill=\"#fbfaf6\" stroke=\"#e3dfd6\"/>\n";
     }
     const double band = layout_.own_ground ? kTickRow + 7.0 : std::min(below, kTickRow + 9.0);
-    out_ += "<rect x=\"" + Px(cell.x) + "\" y=\"" + Px(cell.ground_y) + "\" width=\"" + Px(cell.width) +
-            "\" height=\"" + Px(band) + "\" fill=\"#efebe3\"/>\n";
+    const std::string surface = Surface(cell);
+    if (ground_.Level()) {
+      out_ += "<rect x=\"" + Px(cell.x) + "\" y=\"" + Px(cell.ground_y) + "\" width=\"" + Px(cell.width) +
+              "\" height=\"" + Px(band) + "\" fill=\"#efebe3\"/>\n";
+    } else {
+      const std::string bottom = Px(cell.ground_y + band);
+      out_ += "<path d=\"" + surface + "V" + bottom + "H" + Px(cell.x) + "Z\" fill=\"#efebe3\"/>\n";
+    }
     const double first = std::ceil(cell.left_m / layout_.tick_m);
     for (double mark = first; X(cell, mark * layout_.tick_m) <= cell.x + cell.width; mark += 1.0) {
       const double x = X(cell, mark * layout_.tick_m);
       if (x < cell.x + kTickInset || x > cell.x + cell.width - kTickInset) continue;
-      Line(x, cell.ground_y, x, cell.ground_y + 6.0, R"(stroke="#8a929b")");
+      const double y = std::min(GroundY(cell, HeightBelow(ground_, mark * layout_.tick_m)), cell.ground_y);
+      Line(x, y, x, y + 6.0, R"(stroke="#8a929b")");
       const std::string label = Metres(mark * layout_.tick_m, layout_.tick_m);
       const double half = kTickInset + 3.2 * static_cast<double>(label.size());
       if (x - half < cell.x || x + half > cell.x + cell.width)
         continue;  // a label that is cut off could be misread
       Text(x, cell.ground_y + kTickRow, R"(text-anchor="middle" font-size="11" fill="#5b6672")", label);
     }
-    out_ += "<path d=\"M" + Px(cell.x) + " " + Px(cell.ground_y) + "H" + right +
-            "\" stroke=\"#5b6672\" stroke-width=\"1.5\"/>\n";
+    out_ += "<path d=\"" + surface + (ground_.Level() ? "\"" : "\" fill=\"none\"") +
+            " stroke=\"#5b6672\" stroke-width=\"1.5\"/>\n";
   }
 
   /// The path of the centre of mass since the previous pose.
@@ -312,6 +340,7 @@ class StripDrawing {
   const Document& document_;
   const Motion& motion_;
   const FilmStripWords& words_;
+  const Terrain ground_;
   const StripLayout layout_;
   std::vector<int> controllers_;  // the active controllers, if there are several
   std::string out_;

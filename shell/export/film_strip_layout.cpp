@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/physics/ground_view.h"
+
 namespace gaitsmith::shell {
 
 namespace {
@@ -69,7 +71,7 @@ double RoundLength(double scale, double least_px) {
   return length;
 }
 
-StripLayout LayOutStrip(const Motion& motion, const FilmStripOptions& options) {
+StripLayout LayOutStrip(const Motion& motion, const Terrain& ground, const FilmStripOptions& options) {
   StripLayout layout{};
   layout.frames = FramesOf(motion, options);
   layout.width = kStripWidth;
@@ -80,17 +82,25 @@ StripLayout LayOutStrip(const Motion& motion, const FilmStripOptions& options) {
   const double rod_m = kRodShare * length_m / bones.rods;
 
   std::vector<PoseBounds> poses;
-  double widest = 0.0, tall = 0.0, top = 0.0;
+  double widest = 0.0, tall = 0.0;
   for (const int frame : layout.frames) {
     poses.push_back(BoundsOf(motion, frame, 0.5 * rod_m));
     widest = std::max(widest, poses.back().right - poses.back().left);
     tall = std::max(tall, poses.back().top - poses.back().bottom);
-    top = std::max(top, poses.back().top);
   }
-  top = std::max(top + 0.5 * rod_m, 1e-6);  // the rods' edge, not their axis, touches the ground
-
   const auto [least, most] = std::minmax(poses.front().left, poses.back().left);
   const double span = most - least + widest;
+  // Above the lowest ground in view.
+  const double shared_level = LowestBetween(ground, least, least + span);
+  double top = 0.0;
+  std::vector<double> levels;
+  for (const PoseBounds& pose : poses) {
+    const double middle = 0.5 * (pose.left + pose.right);
+    levels.push_back(LowestBetween(ground, middle - 0.5 * widest, middle + 0.5 * widest));
+    top = std::max(top, pose.top - std::min(shared_level, levels.back()));
+  }
+  // The rods' edge, not their axis, touches the ground.
+  top = std::max(top + 0.5 * rod_m, 1e-6);
   const double shared = std::min((kInnerWidth - 2.0 * kCellPadding) / span, kTallestSharedPx / top);
   layout.own_ground = !StandApart(poses) || shared * tall < kSmallestSharedPx;
   const auto count = static_cast<int>(poses.size());
@@ -102,8 +112,8 @@ StripLayout LayOutStrip(const Motion& motion, const FilmStripOptions& options) {
   layout.rod_px = rod_m * layout.scale;
   layout.tick_m = RoundLength(layout.scale, kMinTickPx);
 
-  const double ground = kHeadroom + top * layout.scale;
-  const double cell_height = ground + kStripCaption;
+  const double ground_at = kHeadroom + top * layout.scale;
+  const double cell_height = ground_at + kStripCaption;
   for (int i = 0; i < (layout.own_ground ? count : 1); ++i) {
     const int row = i / columns;
     // Centres a short last row.
@@ -113,8 +123,9 @@ StripLayout LayOutStrip(const Motion& motion, const FilmStripOptions& options) {
     const double y = kStripHeader + row * (cell_height + kCellGap);
     const PoseBounds& pose = poses[static_cast<std::size_t>(i)];
     const double middle = layout.own_ground ? 0.5 * (pose.left + pose.right) : least + 0.5 * span;
-    layout.cells.push_back(
-        {x, y, cell_width, cell_height, y + ground, middle - 0.5 * cell_width / layout.scale});
+    const double left_m = middle - 0.5 * cell_width / layout.scale;
+    const double level_m = layout.own_ground ? levels[static_cast<std::size_t>(i)] : shared_level;
+    layout.cells.push_back({x, y, cell_width, cell_height, y + ground_at, left_m, level_m});
   }
   layout.height = kStripHeader + rows * (cell_height + kCellGap) - kCellGap + kStripMargin;
   return layout;

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/physics/terrain.h"
 #include "shell/export/film_strip.h"
 
 namespace gaitsmith::shell {
@@ -16,8 +17,9 @@ struct PoseBounds {
 /// A piece of ground on the picture.
 struct StripCell {
   double x, y, width, height;  // frame of the cell [px]; the height includes the captions
-  double ground_y;             // [px]
+  double ground_y;             // where the captions begin [px]
   double left_m;               // ground coordinate at its left edge
+  double level_m;              // height of the ground at ground_y, the lowest in the cell
 };
 
 struct StripLayout {
@@ -36,7 +38,8 @@ inline constexpr double kStripMargin = 32.0;   // [px]
 inline constexpr double kStripHeader = 88.0;   // height of the title and the scale [px]
 inline constexpr double kStripCaption = 74.0;  // below the ground: marks, letter, time [px]
 
-[[nodiscard]] StripLayout LayOutStrip(const Motion& motion, const FilmStripOptions& options);
+[[nodiscard]] StripLayout LayOutStrip(const Motion& motion, const Terrain& ground,
+                                      const FilmStripOptions& options);
 
 /// The shortest length of 1, 2 or 5 times a power of ten metres that covers at least this many pixels [m].
 [[nodiscard]] double RoundLength(double scale, double least_px);

@@ -5,9 +5,11 @@
 #include <bit>
 #include <cstdint>
 #include <cstdio>
+#include <utility>
 
 #include "core/document/json_value.h"
 #include "core/numeric/scalar_math.h"
+#include "core/physics/terrain.h"
 #include "shell/export/exporters.h"
 
 namespace gaitsmith::shell {
@@ -175,8 +177,11 @@ class SkeletonScene {
            QuoteJson(document_.title) + ",\"nodes\":[0]}],\n\"nodes\":[" + Nodes() + "],\n\"meshes\":[" +
            meshes +
            "],\n\"materials\":[{\"name\":\"rods\",\"pbrMetallicRoughness\":{\"baseColorFactor\":"
-           "[0.0126,0.0203,0.0331,1],\"metallicFactor\":0,\"roughnessFactor\":0.6}}],\n\"animations\":[" +
-           animation + "],\n" + buffer_.Json() + "}\n";
+           "[0.0126,0.0203,0.0331,1],\"metallicFactor\":0,\"roughnessFactor\":0.6}}" +
+           (HasGround() ? ",{\"name\":\"ground\",\"doubleSided\":true,\"pbrMetallicRoughness\":"
+                          "{\"baseColorFactor\":[0.863,0.83,0.768,1],\"metallicFactor\":0}}"
+                        : "") +
+           "],\n\"animations\":[" + animation + "],\n" + buffer_.Json() + "}\n";
   }
 
  private:
@@ -186,7 +191,8 @@ class SkeletonScene {
 
   [[nodiscard]] std::string Nodes() const {
     const double slope = static_cast<double>(document_.environment.slope_rad);
-    std::string nodes = "{\"name\":" + QuoteJson(document_.figure.name) + ",\"children\":[1]" +
+    std::string nodes = "{\"name\":" + QuoteJson(document_.figure.name) + ",\"children\":[1" +
+                        (HasGround() ? "," + std::to_string(bones_.rods + 1) : "") + "]" +
                         (slope != 0.0 ? "," + RotationJson(slope) : "") + "}";
     for (int rod = 0; rod < bones_.rods; ++rod) {
       std::string children;
@@ -200,6 +206,7 @@ class SkeletonScene {
                RotationJson(AngleAt(0, rod)) + (children.empty() ? "" : ",\"children\":[" + children + "]") +
                "}";
     }
+    if (HasGround()) nodes += ",\n{\"name\":\"ground\",\"mesh\":" + std::to_string(bones_.rods) + "}";
     return nodes;
   }
 
@@ -239,7 +246,41 @@ class SkeletonScene {
                 ",\"NORMAL\":" + std::to_string(normal) + "},\"indices\":" + std::to_string(indices) +
                 ",\"material\":0}]}";
     }
-    return meshes;
+    return meshes + GroundMesh();
+  }
+
+  [[nodiscard]] bool HasGround() const { return !document_.environment.ground.empty(); }
+
+  /// A drawn ground as a strip, with a flat piece for each face. Empty for level ground.
+  std::string GroundMesh() {
+    if (!HasGround()) return "";
+    constexpr double kBeyond = 10.0;  // that the strip goes on level at both ends [m]
+    constexpr float kHalfWidth = 1.0f;
+    const std::vector<Corner>& ground = document_.environment.ground;
+    const double left = static_cast<double>(ground.front().x_m) - kBeyond;
+    const double right = static_cast<double>(ground.back().x_m) + kBeyond;
+    std::vector<float> places, normals;
+    std::vector<std::uint16_t> indices;
+    for (const Terrain::Face& face : Terrain(ground).Faces()) {
+      const double from_x = std::max(face.x, left);
+      const double to_x = std::min(face.x + face.length * face.ux, right);
+      const auto first = static_cast<int>(places.size() / 3);
+      for (const auto& [x, y] :
+           {std::pair(from_x, face.y), std::pair(to_x, face.y + face.length * face.uy)}) {
+        for (const float z : {-kHalfWidth, kHalfWidth}) {
+          places.insert(places.end(), {static_cast<float>(x), static_cast<float>(y), z});
+          normals.insert(normals.end(), {static_cast<float>(-face.uy), static_cast<float>(face.ux), 0.0f});
+        }
+      }
+      for (const int corner : {0, 1, 2, 2, 1, 3})
+        indices.push_back(static_cast<std::uint16_t>(first + corner));
+    }
+    constexpr int kArrayBuffer = 34962;
+    const int position = buffer_.Floats(places, "VEC3", 3, kArrayBuffer, true);
+    const int normal = buffer_.Floats(normals, "VEC3", 3, kArrayBuffer, false);
+    return ",\n{\"primitives\":[{\"attributes\":{\"POSITION\":" + std::to_string(position) +
+           ",\"NORMAL\":" + std::to_string(normal) +
+           "},\"indices\":" + std::to_string(buffer_.Indices(indices)) + ",\"material\":1}]}";
   }
 
   std::string Animation() {

@@ -184,10 +184,11 @@ EMSCRIPTEN_KEEPALIVE void gs_unfocus() {
   ImGui::GetCurrentContext()->NavDisableHighlight = true;
   ThePage().window->RequestFrame();
 }
-/// Closes an open list. @return 0: there is none
+/// Closes an open list, or ends drawing the ground. @return 0: there is nothing to end
 EMSCRIPTEN_KEEPALIVE int gs_dismiss() {
-  if (ImGui::GetCurrentContext()->OpenPopupStack.Size == 0) return 0;
-  ImGui::ClosePopupToLevel(0, true);
+  const bool list = ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
+  if (list) ImGui::ClosePopupToLevel(0, true);
+  if (!list && !ThePage().app->EndDrawing()) return 0;
   ThePage().window->RequestFrame();
   return 1;
 }

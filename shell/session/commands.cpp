@@ -6,6 +6,7 @@
 #include "core/document/json.h"
 #include "core/document/json_value.h"
 #include "shell/embedded/embedded.h"
+#include "shell/words/ground_words.h"
 #include "shell/words/language.h"
 #include "shell/workspace/panels.h"
 
@@ -169,6 +170,34 @@ void AddTimeline(std::vector<Command>& list, Session& session) {
   add("remove", Tr("Remove the selected clip"), {}, one, [&session] { session.Timeline().RemoveClip(); });
 }
 
+void AddGround(std::vector<Command>& list, Session& session) {
+  GroundEditor& ground = session.Ground();
+  for (int i = 0; i < kGroundPresets; ++i) {
+    const auto preset = static_cast<GroundPreset>(i);
+    const bool rubble = preset == GroundPreset::kRubble;
+    list.push_back({.id = "world/ground/" + std::string(kGroundPresetNames[static_cast<std::size_t>(i)]),
+                    .group = TrLater("World"),
+                    .title = rubble ? Tr("Ground: other rubble")
+                                    : Tr("Ground: {1}", Tr(GroundNames()[static_cast<std::size_t>(i)])),
+                    .run = [&ground, preset, rubble] {
+                      rubble ? ground.ChooseOtherRubble() : ground.Choose(preset, 1);
+                    }});
+  }
+  const bool drawing = ground.Drawing();
+  list.push_back({.id = "world/ground/draw",
+                  .group = TrLater("World"),
+                  .title = Tr(drawing ? "End drawing the ground" : "Draw the ground on the stage"),
+                  .run = [&ground, drawing] { ground.Draw(!drawing); }});
+  if (!drawing) return;
+  const auto chosen = ground.Chosen();
+  list.push_back({.id = "world/ground/remove",
+                  .group = TrLater("World"),
+                  .title = Tr("Remove the chosen corner of the ground"),
+                  .keys = {"Delete", "Backspace"},
+                  .why_not = chosen ? "" : Tr("No corner is chosen."),
+                  .run = [&ground, chosen] { ground.RemoveCorner(*chosen); }});
+}
+
 void AddPanels(std::vector<Command>& list, Session& session, bool phone) {
   for (int i = 0; i < static_cast<int>(kPanels.size()); ++i) {
     const PanelRow& panel = kPanels[static_cast<std::size_t>(i)];
@@ -229,9 +258,11 @@ std::vector<Command> CommandsOf(Session& session, bool phone) {
   AddQueue(list, session);
   AddFound(list, session);
   AddTimeline(list, session);
+  AddGround(list, session);
   AddPanels(list, session, phone);
   AddView(list, session);
   Lock(list, session, "timeline/", LockedPart::kTimeline);
+  Lock(list, session, "world/", LockedPart::kWorld);
   return list;
 }
 

@@ -48,6 +48,7 @@ void Ghost::Load(const Documents& documents) {
     document.timeline = {{.controller = controller_, .start_step = 0}};
   }
   const Document& world = kind_ == Kind::kAsOpened ? documents.as_opened : documents.shown;
+  document.model = world.model;
   document.environment = world.environment;
   document.pushes = world.pushes;
   player_.Load(document, false);

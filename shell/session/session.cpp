@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/document/goals.h"
+#include "core/document/joints.h"
 #include "core/document/json.h"
 #include "core/document/link.h"
 #include "core/document/parts.h"
@@ -48,7 +49,8 @@ Session::Session(Host& host)
       live_(workspace_, search_),
       queue_(workspace_, lab_.Trials(), search_, results_),
       world_(workspace_),
-      teacher_(workspace_),
+      ground_(workspace_),
+      teacher_(workspace_, ground_),
       comparison_(workspace_, world_, search_, queue_, results_),
       timeline_(workspace_, search_, comparison_, results_) {
   workspace_.SetFollowers({.motion =
@@ -56,6 +58,7 @@ Session::Session(Host& host)
                                  if (opened || Doc().timeline.empty()) attempts_.Clear();
                                  if (opened) live_.Drop();
                                  world_.Follow(opened);
+                                 ground_.Follow(opened);
                                  teacher_.Follow(opened);
                                  comparison_.Follow();
                                  timeline_.Transitions().Follow();
@@ -190,6 +193,7 @@ void Session::TryBrain(const std::string& id) {
 void Session::ChooseFigure(int index) {
   Document standing = Standing(shipped_.Figures()[static_cast<std::size_t>(index)]);
   standing.environment = Doc().environment;
+  if (GroundNeedsLimits(standing)) LimitJoints(standing);
   if (!Replace(std::move(standing))) return;
   Player().Play(false);
   workspace_.Say(CannotMoveWords(Doc().figure.name) + " " + Tr("Undo restores the previous version."));

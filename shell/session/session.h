@@ -3,8 +3,9 @@
 // part that owns its state: timeline, world, comparison, search, queue, results and lab.
 //
 // Dependencies go one way. All parts read and change the document through the workspace, and each part knows
-// only those before it in this list: workspace, results, search, live, lab, queue, world, teacher,
-// comparison, timeline. The session knows all parts and forwards events from earlier parts to later ones.
+// only those before it in this list: workspace, results, search, live, lab, queue, world, ground,
+// teacher, comparison, timeline. The session knows all parts and forwards events from earlier parts to later
+// ones.
 #pragma once
 
 #include <functional>
@@ -16,6 +17,7 @@
 #include "shell/results/result_store.h"
 #include "shell/results/search_run.h"
 #include "shell/session/attempts.h"
+#include "shell/session/ground_editor.h"
 #include "shell/session/live.h"
 #include "shell/session/motion_comparison.h"
 #include "shell/session/provenance.h"
@@ -45,6 +47,8 @@ class Session {
   [[nodiscard]] const TimelineEditor& Timeline() const { return timeline_; }
   [[nodiscard]] WorldEditor& World() { return world_; }
   [[nodiscard]] const WorldEditor& World() const { return world_; }
+  [[nodiscard]] GroundEditor& Ground() { return ground_; }
+  [[nodiscard]] const GroundEditor& Ground() const { return ground_; }
   [[nodiscard]] Teacher& Teaching() { return teacher_; }
   [[nodiscard]] const Teacher& Teaching() const { return teacher_; }
   [[nodiscard]] MotionComparison& Comparison() { return comparison_; }
@@ -191,6 +195,7 @@ class Session {
   Live live_;
   QueueRun queue_;
   WorldEditor world_;
+  GroundEditor ground_;
   Teacher teacher_;
   MotionComparison comparison_;
   TimelineEditor timeline_;

@@ -40,6 +40,7 @@ std::vector<WayPoint> Evenly(const std::vector<WayPoint>& drawn, std::size_t cou
 void Teacher::Take(Tool tool) {
   in_hand_ = tool;
   if (tool == Tool::kNone) return;
+  ground_.Draw(false);
   Playback& player = workspace_.Player();
   player.Play(false);
   if (tool == Tool::kWay) return player.Seek(0.0);

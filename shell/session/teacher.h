@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "shell/session/ground_editor.h"
 #include "shell/workspace/workspace.h"
 
 namespace gaitsmith::shell {
@@ -16,12 +17,12 @@ class Teacher {
   /// Points of a way that was drawn by hand.
   static constexpr std::size_t kDrawnPoints = 12;
 
-  explicit Teacher(Workspace& workspace) : workspace_(workspace) {}
+  Teacher(Workspace& workspace, GroundEditor& ground) : workspace_(workspace), ground_(ground) {}
 
   [[nodiscard]] const Demonstration& Shown() const { return workspace_.Doc().task.shown; }
   [[nodiscard]] Tool InHand() const { return in_hand_; }
   /// Takes a tool and stops the motion at the moment that it is about: a way at its start, a pose where it
-  /// is. Taking the pose without one shows the present one first.
+  /// is. Taking the pose without one shows the present one first. Drawing the ground ends.
   void Take(Tool);
   void PutAway() { in_hand_ = Tool::kNone; }
 
@@ -51,6 +52,7 @@ class Teacher {
   void Show(Demonstration);
 
   Workspace& workspace_;
+  GroundEditor& ground_;
   Tool in_hand_ = Tool::kNone;
 };
 

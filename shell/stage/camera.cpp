@@ -50,12 +50,14 @@ Camera AimCamera(const Playback& player, const Environment& world, const CameraS
   const bool low = tall > 0.5f * rect.GetHeight();
   const float least = std::min(
       standing, std::max(standing / 1.5f, low ? kLeast / std::max(player.StandingM(), 1.5f * reach) : 0.0f));
+  camera.level_m = player.CameraGroundAt(player.TimeS());
   camera.scale = gaze.zoom * std::clamp(room / std::max(height.around_m, 0.1f), least, standing);
   const Extent extent = ExtentOf(player.EndpointsAt(player.TimeS()));
   // Looks up after a figure that leaps out of the stage, but not so far that its feet are hidden.
   const float ground_room = rect.Max.y - ground_y - 8.0f;
-  const float hidden = std::clamp(height.now_m * camera.scale - gaze.zoom * room, 0.0f,
-                                  std::max(0.0f, extent.low_m * camera.scale + ground_room));
+  const float hidden =
+      std::clamp(height.now_m * camera.scale - gaze.zoom * room, 0.0f,
+                 std::max(0.0f, (extent.low_m - camera.level_m) * camera.scale + ground_room));
 
   // Leave more space behind the figure, for its past poses.
   const double width_m = static_cast<double>(rect.GetWidth() / camera.scale);

@@ -14,8 +14,9 @@ namespace gaitsmith::shell {
 
 struct Camera {
   double left_m = 0.0;        // ground coordinate at the stage's left edge, at zero slope
+  float level_m = 0.0f;       // height of the ground on which the camera stands
   float scale = 88.0f;        // points per metre
-  ImVec2 origin{0.0f, 0.0f};  // the stage's left edge on the ground line
+  ImVec2 origin{0.0f, 0.0f};  // the stage's left edge at level_m
   float pivot = 0.0f;         // centre of the slope's rotation, from the left edge [points]
   float sine = 0.0f;          // sine of the slope's angle, uphill to the right
   float cosine = 1.0f;
@@ -24,7 +25,7 @@ struct Camera {
   /// Clamps very distant and NaN positions to a point far off the stage, where drawing is harmless.
   [[nodiscard]] ImVec2 ToScreen(double x_m, float y_m) const {
     const float along = static_cast<float>(x_m - left_m) * scale - pivot;
-    const float above = y_m * scale;
+    const float above = (y_m - level_m) * scale;
     return {Bounded(origin.x + pivot + along * cosine - above * sine),
             Bounded(origin.y - along * sine - above * cosine)};
   }
@@ -37,7 +38,7 @@ struct Camera {
   [[nodiscard]] Place ToMetres(ImVec2 point) const {
     const float right = point.x - origin.x - pivot, up = origin.y - point.y;
     const float along = right * cosine + up * sine, above = up * cosine - right * sine;
-    return {left_m + static_cast<double>((along + pivot) / scale), above / scale};
+    return {left_m + static_cast<double>((along + pivot) / scale), level_m + above / scale};
   }
 
  private:
@@ -63,7 +64,8 @@ struct Framing {
 [[nodiscard]] float GroundRoom(float stage_height, bool buttons);
 
 /// The standing figure takes half of the stage's height, if its width allows. The camera follows smoothly. It
-/// backs off for high jumps until the figure would take a third, then looks up.
+/// backs off for high jumps until the figure would take a third, then looks up. Where a drawn ground rises or
+/// falls, the camera rises and falls with it.
 /// @param rect that the figure must stay in. @param ground_y of the ground line on the canvas [points]
 [[nodiscard]] Camera AimCamera(const Playback&, const Environment&, const CameraSettings&, const ImRect& rect,
                                float ground_y, const std::optional<Framing>& = {});

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/physics/ground_view.h"
 #include "shell/stage/figure_drawing.h"
 
 namespace gaitsmith::shell {
@@ -16,6 +17,7 @@ constexpr float kGround = 4.0f;  // height of the ground at the lower edge [poin
 
 MotionStrip StripOf(const Document& document) {
   const Motion motion = Simulate(document);
+  const Terrain ground(document.environment.ground);
   const Skeleton& bones = motion.Bones();
   const int last = motion.Frames() - 1;
   MotionStrip strip{.bones = bones,
@@ -33,9 +35,11 @@ MotionStrip StripOf(const Document& document) {
     if (!std::isfinite(motion.At(frame).y_m) || !std::isfinite(motion.Endpoint(frame, 0).x)) break;
     std::vector<ImVec2> points;
     points.reserve(static_cast<std::size_t>(bones.endpoints));
+    // The strip's ground is level: each pose is as high as it is above its own.
+    const float height = motion.At(frame).y_m - static_cast<float>(HeightBelow(ground, motion.At(frame).x_m));
     for (int e = 0; e < bones.endpoints; ++e) {
       const Motion::Point point = motion.Endpoint(frame, e);
-      const ImVec2 at(point.x, std::clamp(point.y + motion.At(frame).y_m, -1.0f, 100.0f));
+      const ImVec2 at(point.x, std::clamp(point.y + height, -1.0f, 100.0f));
       strip.extent.Add(at);
       points.push_back(at);
     }

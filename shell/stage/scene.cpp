@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/physics/ground_view.h"
 #include "shell/stage/figure_drawing.h"
 #include "shell/stage/ground_drawing.h"
 #include "shell/words/wording.h"
@@ -43,7 +44,7 @@ void DrawBones(const Scene& s, const Playback& player, double time_s, const Body
 
 // Two ellipses on the ground, smaller and paler the higher the figure is.
 void DrawShadow(const Scene& s, const std::vector<ImVec2>& endpoints) {
-  if (s.camera.sine != 0.0f || s.rods_only) return;
+  if (s.camera.sine != 0.0f || s.rods_only || !s.player.Ground().Level()) return;
   const Palette& p = s.ui.Ink();
   float left = endpoints[0].x, right = left, lowest = endpoints[0].y;
   for (const ImVec2& point : endpoints) {
@@ -67,9 +68,13 @@ ImU32 ActiveColour(const Scene& s) {
 
 // Draws a letter vertically below the centre of mass on the screen, also on a slope.
 void DrawLetter(const Scene& s, double x_m, float y_m, ImU32 colour, int index) {
-  const double foot_m = x_m - static_cast<double>(y_m * s.camera.sine / s.camera.cosine);
-  const ImVec2 at = s.camera.ToScreen(foot_m, 0.0f);
-  s.ui.Letters().Draw(s.list, Type::kStrong, {at.x, at.y + 36.0f / s.camera.cosine}, colour, LetterOf(index),
+  constexpr float kHalfWidth = 8.0f, kDepth = 36.0f;
+  const Terrain& ground = s.player.Ground();
+  const double above_m = static_cast<double>(y_m) - HeightBelow(ground, x_m);
+  const double foot_m = x_m - above_m * static_cast<double>(s.camera.sine / s.camera.cosine);
+  const ImVec2 at = BelowGround(s.camera, ground, foot_m, kHalfWidth, 0.0f);
+  if (at.y + kDepth > s.texts_until && !ground.Level()) return;
+  s.ui.Letters().Draw(s.list, Type::kStrong, {at.x, at.y + kDepth / s.camera.cosine}, colour, LetterOf(index),
                       Align::kCentre);
 }
 
@@ -192,7 +197,7 @@ std::vector<ImVec2> DrawScene(const Scene& s) {
   const View& view = s.session.Doc().view;
   const bool rests = s.session.Doc().timeline.empty();
   const bool alone = s.session.Tried().Shown().empty();
-  DrawGround(s.ui, s.rect, s.camera);
+  DrawGround(s.ui, s.rect, s.camera, s.player.Ground(), s.texts_until);
   const bool poses = view.poses && !rests && alone;
   const Past past = poses ? DrawPast(s) : Past{std::max(0.0, s.player.TimeS() - 4.0), 0};
   if (view.trail && !rests && alone) DrawTrail(s, past.oldest_s);

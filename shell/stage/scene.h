@@ -19,7 +19,8 @@ struct Scene {
   ImDrawList* list;
   ImRect rect;
   Camera camera;
-  bool rods_only = false;  // draws what is simulated, without a body
+  bool rods_only = false;    // draws what is simulated, without a body
+  float texts_until = 1e6f;  // texts on the ground end above this height of the canvas: buttons are there
 };
 
 /// How far a body is drawn from its rods, because it stands on its soles [points].

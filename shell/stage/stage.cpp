@@ -65,7 +65,9 @@ void DrawRemark(const Scene& s, float y, float clear) {
     letters.DrawElided(s.list, Type::kNote, at, clear, colour, sentence);
     s.ui.DescribeText(sentence, {{at.x, at.y - 9.0f}, {at.x + clear, at.y + 9.0f}});
   };
-  if (s.session.Teaching().InHand() == Teacher::Tool::kWay) {
+  if (s.session.Ground().Drawing()) {
+    remark(p.accent, Tr("Drag to draw the ground or to move a corner."));
+  } else if (s.session.Teaching().InHand() == Teacher::Tool::kWay) {
     remark(p.accent, Tr("Drag along the way that the figure's centre should take."));
   } else if (s.session.Teaching().InHand() == Teacher::Tool::kPose) {
     remark(p.accent, Tr("Drag the limbs of the coloured pose. Drag its body to turn all of it."));
@@ -87,6 +89,14 @@ void Zoom(StageState& state, const Touch& touch) {
   if (std::abs(state.gaze.zoom - 1.0f) < 0.02f) state.gaze.zoom = 1.0f;
 }
 
+Camera CameraOf(const Session& session, const CameraSettings& gaze, const ImRect& rect, float ground_y,
+                const std::optional<Framing>& framing) {
+  const Environment& world = session.Doc().environment;
+  if (session.Ground().Drawing() && !session.Viewing())
+    return AimAtGround(session.Player(), world, gaze, rect);
+  return AimCamera(session.Player(), world, gaze, rect, ground_y, framing);
+}
+
 // Zooms about the point between the fingers, and cancels a gesture of one finger.
 /// @param area of the whole stage. @param rect of the figure. When motions are compared, a rectangle of the
 /// same width is beside it
@@ -99,8 +109,7 @@ void TakePinch(Session& session, StageState& state, const ImRect& area, const Im
   state.panning = false;
   const Pinch::Change change = state.pinch.TakeChange();
   const auto metres = [&](float x) {
-    const Camera camera =
-        AimCamera(session.Player(), session.Doc().environment, state.gaze, rect, ground_y, framing);
+    const Camera camera = CameraOf(session, state.gaze, rect, ground_y, framing);
     const float across = x > rect.Max.x ? x - rect.Max.x : x - rect.Min.x;
     return camera.left_m + static_cast<double>(across / camera.scale);
   };
@@ -168,27 +177,30 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
   Zoom(state, touch);
   const ImRect open(rect.Min, {rect.Max.x - covered, rect.Max.y});
   const bool viewing = session.Viewing();
-  const bool acts = viewing || HasStageActions(session, open);
+  const bool drawing = !viewing && session.Ground().Drawing();
+  const bool acts = viewing || (!drawing && HasStageActions(session, open));
+  if (drawing) session.Teaching().PutAway();
   const bool teaching = !viewing && session.Teaching().InHand() != Teacher::Tool::kNone;
-  const bool invites = acts && Invites(session) && !teaching;
+  const bool by_hand = teaching || drawing;  // a drag is for what is drawn, not for the figure
+  const bool invites = acts && Invites(session) && !by_hand;
   const bool beside = invites && InvitesBeside(open);
   const float ground_y = ui.Look().Snap(rect.Max.y - GroundRoom(rect.GetHeight(), acts && !beside));
   const auto framing = invites ? std::optional(InvitationFraming(open)) : std::nullopt;
-  const bool two = session.Comparison().Other().Beside();
+  const bool two = session.Comparison().Other().Beside() && !drawing;
   session.Comparison().KeepInTime();
   const float middle = two ? ui.Look().Snap(0.5f * (rect.Min.x + open.Max.x)) : rect.Max.x;
   const ImRect own(rect.Min, {middle, rect.Max.y});
   const ImRect free(rect.Min, {std::min(middle, open.Max.x), rect.Max.y});
   TakePinch(session, state, open, free, ground_y, framing);
   if (invites) state.gaze = {};  // nothing moves, and all of it is in view
-  const Scene scene{
-      .ui = ui,
-      .session = session,
-      .player = session.Player(),
-      .list = ui.Canvas(),
-      .rect = own,
-      .camera = AimCamera(session.Player(), session.Doc().environment, state.gaze, free, ground_y, framing),
-      .rods_only = state.world.rods_only};
+  const Scene scene{.ui = ui,
+                    .session = session,
+                    .player = session.Player(),
+                    .list = ui.Canvas(),
+                    .rect = own,
+                    .camera = CameraOf(session, state.gaze, free, ground_y, framing),
+                    .rods_only = state.world.rods_only,
+                    .texts_until = acts ? ActionRow(ui, session, open, ground_y).Min.y : rect.Max.y};
   ui.Behind().Fill(rect, ui.Ink().paper);
   scene.list->PushClipRect(own.Min, own.Max, true);
   const std::vector<ImVec2> endpoints = DrawScene(scene);
@@ -199,10 +211,13 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
   if (!viewing) DrawShown(scene, state.teach, touch.hovered);
   if (teaching && !pinching) TeachByHand(session, state.teach, scene, touch, state.gaze);
   if (!teaching) state.teach = {};
+  if (drawing && !pinching) DrawGroundByHand(session, state.ground, scene, touch, free, state.gaze);
+  if (!drawing || pinching) state.ground = {};
+  if (drawing) DrawCorners(scene, state.ground, free, touch.hovered);
   const bool pushing =
-      !pinching && !teaching && PushByHand(ui, session, state.push, touch, scene.camera, endpoints);
-  const bool panned = !pinching && !pushing && !teaching && Pan(state, touch, scene.camera.scale);
-  if (touch.pressed && !pinching && !pushing && !panned && !teaching)
+      !pinching && !by_hand && PushByHand(ui, session, state.push, touch, scene.camera, endpoints);
+  const bool panned = !pinching && !pushing && !by_hand && Pan(state, touch, scene.camera.scale);
+  if (touch.pressed && !pinching && !pushing && !panned && !by_hand)
     session.Player().Play(!session.Player().Playing());
   const Controller* shown = session.Timeline().ShownController();
   const std::string name = two && shown != nullptr ? ControlModeWords(shown->kind, shown->senses) : "";
@@ -214,6 +229,8 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
     const float y = DrawViewerWords(ui, session, own);
     follow.y = y - 6.0f;
     DrawRemark(scene, y, clear);
+  } else if (drawing) {
+    DrawRemark(scene, own.Min.y + kRemark, std::min(clear, own.GetWidth() - 2.0f * kStageSide));
   } else if (!invites) {
     DrawNumbers(scene, name, own.GetWidth() - (two ? 2.0f * kStageSide : kCornerRoom));
     DrawRemark(scene, own.Min.y + kRemark, std::min(clear, own.GetWidth() - 2.0f * kStageSide));
@@ -228,6 +245,7 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
   ui.DrawFocus(touch, ring, 4.0f);
   scene.list->PopClipRect();
   if (invites) DrawInvitation(ui, session, open);
+  if (drawing) DrawGroundTools(ui, session, state.gaze, rect);
   if (acts) {
     const ImRect row = ActionRow(ui, session, open, ground_y);
     if (viewing) {

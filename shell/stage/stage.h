@@ -3,6 +3,7 @@
 #pragma once
 
 #include "shell/session/session.h"
+#include "shell/stage/ground_gesture.h"
 #include "shell/stage/pinch.h"
 #include "shell/stage/push_gesture.h"
 #include "shell/stage/scene.h"
@@ -18,6 +19,7 @@ struct StageState {
   bool panning = false;
   PushGesture push;
   TeachGesture teach;
+  GroundGesture ground;
   Pinch pinch;
   WorldCardState world;
   int felt_rule = -1;           // what this rule of the selected clip feels is shown on the body; -1: none

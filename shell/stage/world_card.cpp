@@ -7,6 +7,7 @@
 
 #include "core/document/joints.h"
 #include "core/numeric/scalar_math.h"
+#include "shell/stage/ground_form.h"
 #include "shell/stage/live_switch.h"
 #include "shell/words/language.h"
 #include "shell/words/search_words.h"
@@ -24,7 +25,7 @@ std::string NameOfEndpoint(int endpoint) {
   return endpoint == kCentreOfMass ? Tr("centre of mass") : Tr("endpoint {1}", endpoint + 1);
 }
 
-void DrawGroundAndGravity(Ui& ui, Session& session) {
+void DrawSlopeAndGravity(Ui& ui, Session& session) {
   const Environment& world = session.Doc().environment;
   const auto change = [&](float Environment::* field, double value) {
     session.Change([&](Document& d) { d.environment.*field = static_cast<float>(value); });
@@ -75,7 +76,11 @@ void DrawJoints(Ui& ui, Session& session) {
   if (session.Doc().figure.Joints() == 0) return;
   ui.Heading(Tr("Joints"));
   int limited = HasLimitedJoints(session.Doc()) ? 1 : 0;
-  if (ui.Segmented("world/joints", ui.ControlRow(), Tr("How strong the joints are"), kLimits, limited))
+  const std::string why_not = GroundNeedsLimits(session.Doc())
+                                  ? Tr("Drawn ground needs limited joints. Choose Level ground first.")
+                                  : "";
+  if (ui.Segmented("world/joints", ui.ControlRow(), Tr("How strong the joints are"), kLimits, limited,
+                   why_not))
     session.World().LimitJoints(limited == 1);
   ui.Gap(4.0f);
   if (limited == 0) {
@@ -89,6 +94,10 @@ void DrawJoints(Ui& ui, Session& session) {
     session.World().SetJointStrength(static_cast<float>(strength));
   }
   ui.Paragraph(Tr("1 holds the figure’s weight at the end of its longest rod."), Type::kNote);
+  if (!why_not.empty()) {
+    ui.Gap(4.0f);
+    ui.Paragraph(why_not, Type::kNote);
+  }
   if (HasUnequalRods(session.Doc())) {
     ui.Gap(4.0f);
     ui.Paragraph(Tr("The heaviest rod weighs {1} times as much as the lightest. Above {2}, motions may fail.",
@@ -235,7 +244,8 @@ void DrawWorldCard(Ui& ui, Session& session, WorldCardState& state, const ImRect
       "world", card.GetSize(), ImGuiChildFlags_AlwaysUseWindowPadding,
       ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoBackground);
   ImGui::PopStyleVar();
-  DrawGroundAndGravity(ui, session);
+  DrawGroundForm(ui, session, state.ground);
+  DrawSlopeAndGravity(ui, session);
   ui.Gap(8.0f);
   DrawLiveSwitch(ui, session, "world/live");
   DrawPushes(ui, session, state);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A card on the stage with the settings of ground, gravity, pushes and the compared motion.
+// A card on the stage with the settings of ground, gravity, pushes, joints and the compared motion.
 #pragma once
 
 #include "shell/session/session.h"
+#include "shell/stage/ground_form.h"
 #include "shell/widgets/widgets.h"
 
 namespace gaitsmith::shell {
@@ -14,7 +15,8 @@ struct WorldCardState {
   int endpoint = 0;       // target of the next push; 0: the centre of mass, k: endpoint k - 1
   double strength_ns = 5.0;
   double direction_deg = 0.0;  // counterclockwise from the right along the ground
-  bool rods_only = false;      // the stage shows what is simulated, without a body
+  GroundFormState ground;
+  bool rods_only = false;  // the stage shows what is simulated, without a body
 };
 
 /// The button in the stage's corner.

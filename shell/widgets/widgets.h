@@ -86,10 +86,10 @@ class Ui {
                   ButtonLook = ButtonLook::kPlain, bool enabled = true);
   /// The button that a first visit begins with: primary, large, with an icon.
   bool LargeButton(std::string_view id, const ImRect&, Icon, std::string_view label);
-  /// A few options side by side, which this function translates. The label is for screen readers. @return
-  /// true if `selected` changed
+  /// A few options side by side, which this function translates. The label is for screen readers.
+  /// @param why_not  why the others cannot be chosen; empty: they can. @return true if `selected` changed
   bool Segmented(std::string_view id, const ImRect&, std::string_view label,
-                 std::span<const char* const> options, int& selected);
+                 std::span<const char* const> options, int& selected, std::string_view why_not = {});
   /// Label and value above a thin track, on new rows. Click the value or press Enter to type it.
   /// @return true if `value` changed
   bool Slider(std::string_view id, std::string_view label, double& value, const SliderRange&,

@@ -14,7 +14,7 @@ constexpr float kChevronRoom = 18.0f;  // of a menu's arrow
 }  // namespace
 
 bool Ui::Segmented(std::string_view id, const ImRect& rect, std::string_view label,
-                   std::span<const char* const> options, int& selected) {
+                   std::span<const char* const> options, int& selected, std::string_view why_not) {
   const PartScope part_of = Part(id, "radiogroup", label);
   const Palette& p = Ink();
   ImDrawList* list = Canvas();
@@ -26,8 +26,13 @@ bool Ui::Segmented(std::string_view id, const ImRect& rect, std::string_view lab
     const ImRect part({rect.Min.x + 3.0f + width * static_cast<float>(i), rect.Min.y + 3.0f},
                       {rect.Min.x + 3.0f + width * static_cast<float>(i + 1), rect.Max.y - 3.0f});
     const bool on = i == selected;
+    const bool free = on || why_not.empty();
     const Touch touch = Area(std::string(id) + "/" + std::to_string(i), part, Grab::kPress,
-                             {.label = option, .role = "radio", .state = {.checked = on}});
+                             {.label = option,
+                              .role = "radio",
+                              .why_not = free ? "" : std::string(why_not),
+                              .state = {.checked = on}},
+                             free);
     if (touch.pressed && !on) {
       selected = i;
       changed = true;
@@ -38,7 +43,10 @@ bool Ui::Segmented(std::string_view id, const ImRect& rect, std::string_view lab
       list->AddRectFilled(part.Min, part.Max, p.panel, 6.0f);
     }
     Letters().Draw(list, on ? Type::kStrong : Type::kBody, part.GetCenter(),
-                   on || touch.hovered ? p.ink : p.second_ink, option, Align::kCentre);
+                   !free                 ? Mix(p.soft, p.second_ink, 0.6f)
+                   : on || touch.hovered ? p.ink
+                                         : p.second_ink,
+                   option, Align::kCentre);
     DrawFocus(touch, part, 6.0f);
   }
   return changed;

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "core/document/composite.h"
+#include "core/physics/ground_view.h"
 
 namespace gaitsmith::shell {
 
@@ -15,6 +16,7 @@ void Playback::Load(const Document& document, bool start_over) {
   motion_ = std::make_unique<Motion>(motion_ ? SimulateAnew(document, shown_, std::move(*motion_))
                                              : Simulate(document));
   shown_ = document;
+  ground_ = Terrain(document.environment.ground);
   if (start_over || time_s_ > DurationS()) time_s_ = 0.0;
   Measure();
   FindRuns();
@@ -112,6 +114,15 @@ double Playback::CameraXAt(double time_s) const {
   return a + (b - a) * static_cast<double>(share);
 }
 
+float Playback::CameraGroundAt(double time_s) const {
+  if (camera_ground_m_.empty()) return 0.0f;
+  const auto [frame, share] = At(*motion_, time_s);
+  const auto i = static_cast<std::size_t>(frame);
+  const float a = camera_ground_m_[i];
+  const float b = camera_ground_m_[std::min(i + 1, camera_ground_m_.size() - 1)];
+  return a + (b - a) * share;
+}
+
 void Playback::Measure() {
   // Keeps a motion that explodes from shrinking the figure to nothing [m].
   constexpr float kFarthest = 1000.0f;
@@ -182,22 +193,36 @@ void Playback::ChoosePoses() {
   }
 }
 
+namespace {
+
+/// The mean of the values up to `window` places away from each.
+std::vector<double> Smoothed(const std::vector<double>& values, int window) {
+  const auto count = static_cast<int>(values.size());
+  std::vector<double> sums(values.size() + 1, 0.0);
+  for (std::size_t i = 0; i < values.size(); ++i) sums[i + 1] = sums[i] + values[i];
+  std::vector<double> smooth;
+  smooth.reserve(values.size());
+  for (int i = 0; i < count; ++i) {
+    const int low = std::max(0, i - window);
+    const int high = std::min(count, i + window + 1);
+    smooth.push_back((sums[static_cast<std::size_t>(high)] - sums[static_cast<std::size_t>(low)]) /
+                     (high - low));
+  }
+  return smooth;
+}
+
+}  // namespace
+
 void Playback::SmoothCamera() {
-  const int frames = motion_->Frames();
   const int window = std::max(1, static_cast<int>(0.6f / motion_->StepS()));
-  std::vector<double> sums(static_cast<std::size_t>(frames) + 1, 0.0);
-  for (int frame = 0; frame < frames; ++frame) {
-    const auto i = static_cast<std::size_t>(frame);
-    sums[i + 1] = sums[i] + motion_->At(frame).x_m;
-  }
-  camera_x_m_.clear();
-  camera_x_m_.reserve(static_cast<std::size_t>(frames));
-  for (int frame = 0; frame < frames; ++frame) {
-    const int low = std::max(0, frame - window);
-    const int high = std::min(frames, frame + window + 1);
-    camera_x_m_.push_back((sums[static_cast<std::size_t>(high)] - sums[static_cast<std::size_t>(low)]) /
-                          (high - low));
-  }
+  std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(motion_->Frames()));
+  for (int frame = 0; frame < motion_->Frames(); ++frame) values.push_back(motion_->At(frame).x_m);
+  camera_x_m_ = Smoothed(values, window);
+  camera_ground_m_.clear();
+  if (ground_.Level()) return;
+  for (double& value : values) value = HeightBelow(ground_, value);
+  for (const double height : Smoothed(values, window)) camera_ground_m_.push_back(static_cast<float>(height));
 }
 
 // What is highest around a moment rises before the figure does.
@@ -208,8 +233,10 @@ void Playback::SmoothHeight() {
   std::vector<float> tops;
   for (int frame = 0; frame < motion_->Frames(); ++frame) {
     if (frame % each == 0) tops.push_back(0.0f);
+    const float ground_m =
+        camera_ground_m_.empty() ? 0.0f : camera_ground_m_[static_cast<std::size_t>(frame)];
     for (int k = 0; k < motion_->Bones().endpoints; ++k)
-      tops.back() = std::max(tops.back(), motion_->At(frame).y_m + motion_->Endpoint(frame, k).y);
+      tops.back() = std::max(tops.back(), motion_->At(frame).y_m + motion_->Endpoint(frame, k).y - ground_m);
     tops.back() = std::min(tops.back(), kHighest * reach_m_);
   }
   const auto around = [](const std::vector<float>& values, std::size_t i, std::size_t reach) {

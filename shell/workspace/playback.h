@@ -4,10 +4,12 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/document/document.h"
+#include "core/physics/terrain.h"
 
 namespace gaitsmith::shell {
 
@@ -68,13 +70,17 @@ class Playback {
   [[nodiscard]] Point CentreAt(double time_s) const;
   /// The centre of mass, smoothed over a second, for a steady camera.
   [[nodiscard]] double CameraXAt(double time_s) const;
+  /// Height of the ground below that place, smoothed over a second in the same way [m]. 0 on level ground.
+  [[nodiscard]] float CameraGroundAt(double time_s) const;
+  /// The ground on which the motion takes place.
+  [[nodiscard]] const Terrain& Ground() const { return ground_; }
 
   [[nodiscard]] float ReachM() const {
     return reach_m_;
   }  // greatest distance between an endpoint and the centre of mass
   /// Height of the figure at the start [m].
   [[nodiscard]] float StandingM() const { return standing_m_; }
-  /// Height of the highest endpoint, smoothed for a steady camera [m].
+  /// Height of the highest endpoint above CameraGroundAt, smoothed for a steady camera [m].
   struct Height {
     float now_m;
     float around_m;  // the highest within a second
@@ -96,6 +102,7 @@ class Playback {
 
   std::unique_ptr<Motion> motion_;
   Document shown_;  // the document of the motion
+  Terrain ground_{std::span<const Corner>()};
   double time_s_ = 0.0;
   bool playing_ = true;
   bool calm_ = false;
@@ -105,6 +112,7 @@ class Playback {
   std::vector<Contact> contacts_;
   std::vector<int> pose_frames_;
   std::vector<double> camera_x_m_;
+  std::vector<float> camera_ground_m_;  // empty: level ground
   static constexpr double kHeightEveryS = 0.1;
   std::vector<Height> height_m_;  // every kHeightEveryS
 };

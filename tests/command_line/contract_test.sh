@@ -350,6 +350,23 @@ best=$(tail -1 repair.csv | cut -d, -f2)
 repair repaired.json 1 again.json || fault "a repair that finds nothing"
 same "$(tail -1 repair.csv)" "1,$best" "what a repair begins with"
 same "$("$gaitsmith" hash again.json)" "$("$gaitsmith" hash repaired.json)" "a repair that finds nothing keeps the motion"
+# Grounds by name: the same rubble for every command, and only with limited joints.
+course() { "$gaitsmith" synthesize --figure hopper --joints 1.5 --search sphc --evaluations 40 --seed 4 --out course.json "$@"; }
+for ground in step stairs ramp gap hurdles rubble rubble:7; do
+  course --ground $ground && "$gaitsmith" validate course.json >/dev/null && grep -q '"ground"' course.json || fault "--ground $ground"
+done
+hopping --joints 1.5 --ground rubble:7 --out course-suite.csv && "$gaitsmith" suite --extract course-suite.csv --out-dir course || fault "a suite on rubble"
+same "$("$gaitsmith" hash course/physical.travel.plain-4.json)" "$("$gaitsmith" hash course.json)" "what suite and synthesize find on rubble"
+refuses 'is of another study' hopping --joints 1.5 --ground rubble:8 --out course-suite.csv
+"$gaitsmith" compare --problem course.json --ground step --search sphc --trials 1 --evaluations 40 --out gs.csv --curves gc.csv || fault "compare --ground"
+course --ground level && cmp -s course.json limited.json || fault "level ground is what a figure stands on anyway"
+refuses '--ground: only limited joints know such ground: add --joints limited' "$gaitsmith" synthesize --figure hopper --ground step --out none.json
+refuses '--ground rubble: must be a whole number from 1 to 999, is "0"' course --ground rubble:0
+for wrong in swamp gap:2 rubble7; do
+  refuses "--ground: must be level, step, stairs, ramp, gap, hurdles, rubble or rubble:SEED, is \"$wrong\"" course --ground $wrong
+done
+refuses '--ground: cannot be given with --repair' "$gaitsmith" synthesize --repair star-man-shuffle --clip 1 --ground step --out none.json
+
 # A clip of a chain with limited joints is repaired in their model.
 sed 's/"model": 1/"model": 2/' "$root/examples/there-and-back.json" >limited-chain.json
 "$gaitsmith" hash limited-chain.json --out limited-chain.json >/dev/null
@@ -464,6 +481,8 @@ wrong 2 '--search: can be given once' suite --search rgt --out suite.csv
 wrong 2 '--joints: must be strong, limited or a strength in M g L, is "weak"' suite --joints weak --out suite.csv
 wrong 2 'strength: must be from 0 to 1000, is 1001' suite --joints 1001 --out suite.csv
 wrong 2 '--extract: goes with --best and --out-dir alone' "$gaitsmith" suite --extract suite.csv --joints limited --out-dir all
+wrong 2 '--extract: goes with --best and --out-dir alone' "$gaitsmith" suite --extract suite.csv --ground step --out-dir all
+wrong 2 '--ground: only limited joints know such ground' suite --ground stairs --out suite.csv
 wrong 2 '--out: must be a file' suite --out -
 wrong 2 '--best: goes with --extract alone' suite --out suite.csv --best
 wrong 2 '--out-dir: say in which folder' "$gaitsmith" suite --extract suite.csv

@@ -100,6 +100,8 @@ test('the judge simulates, compares with the goal and says what was changed', as
   const tilted = engine.documentFromText(JSON.stringify({ ...json, hash: undefined, environment: { ...json.environment, slope_rad: -0.1 }, pushes: [{ step: 100, endpoint: 0, impulse_x_ns: 1, impulse_y_ns: 0 }] }));
   const helped = judge.judge({ work: { ...sent, motion: engine.link(tilted) }, source: '' }, '');
   assert.deepEqual(helped.changed, ['slope -5.73°', '1 push']);
+  const steps = engine.documentFromText(JSON.stringify({ ...json, hash: undefined, model: 2, environment: { ...json.environment, ground: [{ x_m: 2 }, { x_m: 2, y_m: 0.3 }] } }));
+  assert.ok(judge.judge({ work: { ...sent, motion: engine.link(steps) }, source: '' }, '').changed.includes('drawn ground with 2 corners'));
   const other = engine.link(engine.documentFromText(await readFile(join(ROOT, 'examples/star-man-shuffle.json'), 'utf8')));
   assert.ok(judge.judge({ work: { ...sent, motion: other }, source: '' }, '').changed.includes('another figure'));
   // What a link cannot show is not held against anyone; what it shows is compared.

@@ -73,6 +73,23 @@ test('export: Khronos finds nothing in a glTF scene', async () => {
   }
 });
 
+test('export: Khronos finds nothing in a glTF scene with a drawn ground, and pictures know its heights', async () => {
+  const corners = [[2, 0], [2, 0.3], [5, 0.6], [7, -1]].map(([x_m, y_m]) => ({ x_m, y_m }));
+  const motion = motionOf({ ...documents.get('star-man-shuffle.json'), model: 2, environment: { ground: corners } });
+  const { issues, info } = await validateString(motion.file('gltf'));
+  assert.deepEqual(issues.messages, []);
+  assert.equal(info.drawCallCount, motion.starts.length + 1);
+  assert.deepEqual([...motion.ground.corners], [2, 0, 2, 0.3, 5, 0.6, 7, -1].map(Math.fround));
+  const near = (/** @type {number} */ a, /** @type {number} */ b) => assert.ok(Math.abs(a - b) < 1e-6, `${a} is not ${b}`);
+  for (const [x, height] of [[-9, 0], [1.99, 0], [2, 0.3], [3.5, 0.45], [5, 0.6], [6, -0.2], [7, -1], [99, -1]]) near(motion.ground.heightAt(x), height);
+  assert.deepEqual(motion.ground.between(1, 3).map(([x]) => x), [1, 2, 2, 3]);
+  motion.close();
+  const level = motionOf(documents.get('star-man-shuffle.json'));
+  assert.equal(level.ground.level, true);
+  assert.equal(level.ground.heightAt(3), 0);
+  level.close();
+});
+
 test('export: numbers have a row for each frame, and the film is told the same', () => {
   const motion = motionOf(documents.get('there-and-back.json'));
   const [header, ...rows] = motion.file('csv').trimEnd().split('\n').map((line) => line.split(','));

@@ -35,7 +35,7 @@ export interface AppExports {
   _gs_focus(id: Pointer, ring: number): number;
   /** The focus is elsewhere on the page: hides the focus ring on the canvas. */
   _gs_unfocus(): void;
-  /** Closes an open list. @return 0: there is none */
+  /** Closes an open list, or ends drawing the ground. @return 0: there is nothing to end */
   _gs_dismiss(): number;
   /** Describes the shown moment in words, short or in full. */
   _gs_moment(): Pointer;

@@ -38,13 +38,14 @@ const STEP_S = 0.01;
 /** The physical model whose joints are as strong as needed, and what a rod's strength is that is not written (core/physics/figure.h). */
 const STRONG_MODEL = 1, STANDARD_STRENGTH = 2;
 /** What worldOf() says of usual changes. Other fields of a document have their own names. */
-[trLater('slope {1}°'), trLater('gravity {1} m/s²'), trLater('friction {1}'), trLater('no pushes'), trLater('{1} push'), trLater('{1} pushes'), trLater('velocity x {1}'), trLater('velocity y {1}'), trLater('joint strength {1}')].forEach(String);
+[trLater('slope {1}°'), trLater('drawn ground with {1} corners'), trLater('gravity {1} m/s²'), trLater('friction {1}'), trLater('no pushes'), trLater('{1} push'), trLater('{1} pushes'), trLater('velocity x {1}'), trLater('velocity y {1}'), trLater('joint strength {1}')].forEach(String);
 const SIGNS = { '>=': '≥', '<=': '≤', '>': '>', '<': '<', '=': '=', '!=': '≠' };
 
 /** The world of a document in words, such as ["slope 2°", "friction 0.8", "1 push"]. Limited joints belong to it. @param {any} document  JSON @returns {string[]} */
 export function worldOf({ model = STRONG_MODEL, figure = { rods: [] }, environment = {}, start = {}, pushes = [] }) {
   const words = Object.entries({ ...environment, ...start }).map(([name, value]) => {
     if (name === 'slope_rad') return `slope ${rounded((Number(value) * 180) / Math.PI)}°`;
+    if (name === 'ground') return `drawn ground with ${/** @type {any[]} */ (value).length} corners`;
     if (name === 'gravity_mps2') return `gravity ${rounded(Number(value))} m/s²`;
     return `${name.replace(/_(mps|radps|m|rad)$/, '').replaceAll('_', ' ')} ${typeof value === 'number' ? rounded(value) : JSON.stringify(value)}`;
   });

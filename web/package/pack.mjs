@@ -17,7 +17,7 @@ if (!out) throw new Error('pack: from which folder, and where to?');
 const folder = await mkdtemp(join(tmpdir(), 'gaitsmith-engine-'));
 try {
   for (const name of ['README.md', 'example.js', 'example.html']) await copyFile(join(HERE, name), join(folder, name));
-  for (const name of ['engine.js', 'engine_module.js', 'engine_module.wasm', 'recorded_motion.js']) await copyFile(join(built, 'search', name), join(folder, name));
+  for (const name of ['engine.js', 'engine_module.js', 'engine_module.wasm', 'recorded_motion.js', 'drawn_ground.js']) await copyFile(join(built, 'search', name), join(folder, name));
   await copyFile(join(WEB, '../LICENSE'), join(folder, 'LICENSE'));
   const version = /project\(gaitsmith VERSION (\S+)/.exec(await readFile(join(WEB, '../CMakeLists.txt'), 'utf8'))?.[1];
   if (!version) throw new Error('pack: CMakeLists.txt has no version');
@@ -30,7 +30,7 @@ try {
     allowJs: true, declaration: true, emitDeclarationOnly: true, target: ts.ScriptTarget.ES2022, module: ts.ModuleKind.NodeNext,
     moduleResolution: ts.ModuleResolutionKind.NodeNext, lib: ['lib.es2022.d.ts', 'lib.dom.d.ts'], types: [], outDir: folder,
   });
-  const diagnostics = ['engine.js', 'recorded_motion.js'].flatMap((name) => program.emit(program.getSourceFile(join(WEB, 'search', name))).diagnostics);
+  const diagnostics = ['engine.js', 'recorded_motion.js', 'drawn_ground.js'].flatMap((name) => program.emit(program.getSourceFile(join(WEB, 'search', name))).diagnostics);
   if (diagnostics.length > 0) throw new Error(ts.formatDiagnostics(diagnostics, ts.createCompilerHost({})));
 
   await mkdir(out, { recursive: true });

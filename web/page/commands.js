@@ -20,8 +20,8 @@ import { remembered, remember } from '../browser/storage.js';
  */
 
 // In order. The very first command must be harmless, because Enter runs it in a palette that was opened by mistake.
-const GROUPS = [trLater('Motion'), trLater('Search'), trLater('Results'), trLater('Timeline'), trLater('Document'), trLater('Panels'), trLater('View'),
-  trLater('Help'), trLater('Kept work'), trLater('Examples'), trLater('Tasks'), trLater('Figures')];
+const GROUPS = [trLater('Motion'), trLater('Search'), trLater('Results'), trLater('Timeline'), trLater('Document'), trLater('Panels'), trLater('World'),
+  trLater('View'), trLater('Help'), trLater('Kept work'), trLater('Examples'), trLater('Tasks'), trLater('Figures')];
 const SINGLE_KEYS_KEY = 'gaitsmith-single-keys';
 const TEXT_FIELDS = 'textarea, input:not([type=radio], [type=checkbox]), [contenteditable]';
 const PRESSABLE = 'a, button, summary';

@@ -85,6 +85,9 @@ export interface EngineExports {
   _gs_motion_starts(role: Pointer): Pointer;
   /** For each frame: the active controller (-1: none), the centre of mass, every endpoint [m]. */
   _gs_motion_numbers(role: Pointer): Pointer;
+  /** The corners of a drawn ground from left to right, x and y of each [m]; level ground has none. */
+  _gs_motion_ground(role: Pointer): Pointer;
+  _gs_motion_corners(role: Pointer): number;
   /**
    * The figure's outline in a frame: gs_motion_body_size() numbers, 8 for each part of BodyPartsOf and for its
    * eye: x, y, radius at both ends [m], how far the radius swells halfway [m], and 0 for a near part, 1 for a

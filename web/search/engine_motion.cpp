@@ -22,6 +22,7 @@ struct MotionRole {
   Motion motion;
   std::vector<int> starts = {};     // of each rod: the endpoint where it begins
   std::vector<float> numbers = {};  // all frames, one after another
+  std::vector<float> ground = {};   // x and y of its corners
   shell::FigureLook look = {};
   std::vector<float> body = {};
   std::string text = {};
@@ -46,6 +47,8 @@ GS_EXPORT MotionRole* gs_motion_open(std::size_t size) {
   for (int rod = 0; rod < bones.rods; ++rod)
     role->starts.push_back(bones.limbs[static_cast<std::size_t>(rod)].start);
   role->look = shell::LookOf(role->document.figure.name, bones);
+  for (const Corner& corner : role->document.environment.ground)
+    role->ground.insert(role->ground.end(), {corner.x_m, corner.y_m});
   for (int i = 0; i < role->motion.Frames(); ++i) {
     const Motion::Frame& frame = role->motion.At(i);
     const auto& timeline = role->document.timeline;
@@ -68,6 +71,9 @@ GS_EXPORT int gs_motion_rods(const MotionRole* role) { return role->motion.Bones
 GS_EXPORT const int* gs_motion_starts(const MotionRole* role) { return role->starts.data(); }
 /// For each frame: the active controller (-1: none), the centre of mass, every endpoint [m].
 GS_EXPORT const float* gs_motion_numbers(const MotionRole* role) { return role->numbers.data(); }
+/// The corners of a drawn ground from left to right, x and y of each [m]; level ground has none.
+GS_EXPORT const float* gs_motion_ground(const MotionRole* role) { return role->ground.data(); }
+GS_EXPORT int gs_motion_corners(const MotionRole* role) { return static_cast<int>(role->ground.size() / 2); }
 /// The figure's outline in a frame: gs_motion_body_size() numbers, 8 for each part of BodyPartsOf and for its
 /// eye: x, y, radius at both ends [m], how far the radius swells halfway [m], and 0 for a near part, 1 for a
 /// far one, 2 for the eye.

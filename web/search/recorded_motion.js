@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A recorded motion for JavaScript: its frames, the figure's outline, and files made of it.
+import { DrawnGround } from './drawn_ground.js';
 
 /** @typedef {import('./engine.js').Engine} Engine */
 
@@ -26,6 +27,8 @@ export class RecordedMotion {
     const at = module._gs_motion_numbers(handle);
     /** All frames, one after another. */
     this.numbers = new Float32Array(engine.bytesAt(at, 4 * this.stride * this.frames).buffer);
+    const corners = module._gs_motion_corners(handle);
+    this.ground = new DrawnGround(new Float32Array(engine.bytesAt(module._gs_motion_ground(handle), 8 * corners).buffer));
   }
 
   /**

@@ -2,6 +2,7 @@
 // A motion as a video: draws the figure and the ground, frame by frame, on a separate canvas, in light colours that
 // suit any page or slide. The whole motion is known, so the camera moves smoothly instead of reacting to the figure.
 import { fixed } from '../languages/language.js';
+import { paintGround } from './ground_painting.js';
 
 /** @typedef {import('../search/engine.js').RecordedMotion} RecordedMotion */
 
@@ -35,7 +36,10 @@ export class Film {
     this.scale = Math.min(MAX_WIDTH / widest, (GROUND_Y - TOP_Y) / Math.max(top + rod, 1e-6));
     this.rod = rod * this.scale;
     this.tick = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000].find((length) => length * this.scale >= MIN_TICK) ?? 50000;
-    this.cameras = smooth(Float64Array.from({ length: motion.frames }, (_, i) => this.#numberAt(i, 1)));
+    const xs = Float64Array.from({ length: motion.frames }, (_, i) => this.#numberAt(i, 1));
+    this.cameras = smooth(xs);
+    // The view rises and falls with a drawn ground.
+    this.levels = motion.ground.level ? new Float64Array(motion.frames) : smooth(xs.map((x) => motion.ground.heightAt(x)));
     this.severalControllers = new Set(Array.from({ length: motion.frames }, (_, i) => this.#numberAt(i, 0))).size > 1;
   }
 
@@ -71,8 +75,8 @@ export class Film {
   #numberAt(frame, which) { return this.motion.numbers[frame * this.motion.stride + which]; }
   /** @param {number} metres @param {number} frame */
   #x(metres, frame) { return WIDTH / 2 + (metres - this.cameras[frame]) * this.scale; }
-  /** The lower edge of a rod at 0 m touches the ground. @param {number} metres */
-  #y(metres) { return GROUND_Y - this.rod / 2 - metres * this.scale; }
+  /** The lower edge of a rod touches the ground. @param {number} metres @param {number} frame */
+  #y(metres, frame) { return GROUND_Y - this.rod / 2 - (metres - this.levels[frame]) * this.scale; }
 
   /** @param {string} text @param {number} x @param {number} y @param {string} colour @param {string} font @param {number} [maxWidth] */
   #text(text, x, y, colour, font, maxWidth) {
@@ -84,21 +88,36 @@ export class Film {
   /** @param {number} frame */
   #ground(frame) {
     const { context: c } = this;
-    c.fillStyle = GROUND;
-    c.fillRect(0, GROUND_Y, WIDTH, HEIGHT - GROUND_Y);
-    c.fillStyle = SECOND_INK;
-    c.fillRect(0, GROUND_Y - 0.75, WIDTH, 1.5);
-    c.textAlign = 'center';
     const reach = WIDTH / 2 / this.scale + this.tick;
+    if (this.motion.ground.level) {
+      c.fillStyle = GROUND;
+      c.fillRect(0, GROUND_Y, WIDTH, HEIGHT - GROUND_Y);
+      c.fillStyle = SECOND_INK;
+      c.fillRect(0, GROUND_Y - 0.75, WIDTH, 1.5);
+    } else {
+      const line = this.motion.ground.between(this.cameras[frame] - reach, this.cameras[frame] + reach);
+      paintGround(c, line.map(([x, y]) => [this.#x(x, frame), this.#surface(y, frame)]), HEIGHT, { fill: GROUND, line: SECOND_INK, width: 1.5 });
+    }
+    c.textAlign = 'center';
     const first = Math.ceil((this.cameras[frame] - reach) / this.tick);
     for (let mark = first; mark * this.tick < this.cameras[frame] + reach; mark++) {
       const x = this.#x(mark * this.tick, frame);
       c.fillStyle = SECOND_INK;
-      c.fillRect(x - 0.5, GROUND_Y, 1, 8);
+      const y = this.#surface(this.motion.ground.heightAt(mark * this.tick), frame);
+      c.fillRect(x - 0.5, y, 1, 8);
       const metres = fixed(Math.abs(mark * this.tick), this.tick < 1 ? 1 : 0);
       if (x < EDGE || x > WIDTH - EDGE) continue; // a cut label could be misread
-      this.#text(`${mark < 0 ? '−' : ''}${metres} m`, x, GROUND_Y + 24, SECOND_INK, '12px');
+      this.#text(`${mark < 0 ? '−' : ''}${metres} m`, x, this.#label(mark * this.tick, frame), SECOND_INK, '12px');
     }
+  }
+
+  /** Where the ground's line at a height is. @param {number} metres @param {number} frame */
+  #surface(metres, frame) { return GROUND_Y - (metres - this.levels[frame]) * this.scale; }
+  /** The label of a mark is below the ground from its left end to its right end. @param {number} metres @param {number} frame */
+  #label(metres, frame) {
+    const half = 16 / this.scale;
+    const low = Math.min(...this.motion.ground.between(metres - half, metres + half).map(([, y]) => y));
+    return this.#surface(low, frame) + 24;
   }
 
   /** @param {number} frame */
@@ -109,8 +128,8 @@ export class Film {
     for (let i = Math.max(1, frame - TRAIL_STEPS); i <= frame; i++) {
       c.globalAlpha = 0.5 * (1 - (frame - i) / TRAIL_STEPS);
       c.beginPath();
-      c.moveTo(this.#x(this.#numberAt(i - 1, 1), frame), this.#y(this.#numberAt(i - 1, 2)));
-      c.lineTo(this.#x(this.#numberAt(i, 1), frame), this.#y(this.#numberAt(i, 2)));
+      c.moveTo(this.#x(this.#numberAt(i - 1, 1), frame), this.#y(this.#numberAt(i - 1, 2), frame));
+      c.lineTo(this.#x(this.#numberAt(i, 1), frame), this.#y(this.#numberAt(i, 2), frame));
       c.stroke();
     }
     c.globalAlpha = 1;
@@ -120,7 +139,7 @@ export class Film {
   #figure(frame) {
     const { context: c, motion } = this;
     const place = (/** @type {number} */ k) => /** @type {[number, number]} */ (
-      [this.#x(this.#numberAt(frame, 3 + 2 * k), frame), this.#y(this.#numberAt(frame, 4 + 2 * k))]);
+      [this.#x(this.#numberAt(frame, 3 + 2 * k), frame), this.#y(this.#numberAt(frame, 4 + 2 * k), frame)]);
     const meeting = new Uint8Array(motion.endpoints);
     c.strokeStyle = INK;
     c.lineWidth = this.rod;
@@ -150,17 +169,18 @@ export class Film {
 }
 
 /** The figure's greatest width and height, and the thickness of its rods [m]. @param {RecordedMotion} motion */
-function sizes({ numbers, stride, frames, starts, endpoints }) {
+function sizes({ numbers, stride, frames, starts, endpoints, ground }) {
   let widest = 0;
   let top = 0;
   for (let i = 0; i < frames; i++) {
     let left = Infinity;
     let right = -Infinity;
+    const level = ground.heightAt(numbers[i * stride + 1]);
     for (let k = 0; k < endpoints; k++) {
       const x = numbers[i * stride + 3 + 2 * k];
       left = Math.min(left, x);
       right = Math.max(right, x);
-      top = Math.max(top, numbers[i * stride + 4 + 2 * k]);
+      top = Math.max(top, numbers[i * stride + 4 + 2 * k] - level);
     }
     widest = Math.max(widest, right - left);
   }

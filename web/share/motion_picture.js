@@ -2,6 +2,7 @@
 // A small picture of a motion: the figure runs over its ground and the view follows it, or, where little should move,
 // some of its poses stand side by side.
 import { mixed, paintBody } from './body_painting.js';
+import { paintGround } from './ground_painting.js';
 
 /** @typedef {import('../search/engine.js').RecordedMotion} RecordedMotion */
 /** The page's colours. @typedef {{paper: string, ink: string, ink2: string, line: string, soft: string}} Colours */
@@ -41,8 +42,9 @@ export class MotionPicture {
     const frame = Math.min(at, frames - 1);
     const { context, width, height, scale } = this.#begin(canvas, colours);
     const [x, y] = this.#middle(frame);
-    // The view rises with a jump.
-    const ground = GROUND * height + Math.max(0, y - Math.max(1.5 * this.#centre, (0.35 * height) / scale)) * scale;
+    const level = this.#levelAt(frame);
+    // The view rises with a jump, and with the ground.
+    const ground = GROUND * height + (level + Math.max(0, y - level - Math.max(1.5 * this.#centre, (0.35 * height) / scale))) * scale;
     const left = width / 2 - x * scale;
     this.#paintGround(context, { left, ground, scale }, width, height, colours);
     this.#paintFigure(context, frame, { left, ground, scale }, colours);
@@ -57,7 +59,9 @@ export class MotionPicture {
     for (let pose = 0; pose < POSES; pose++) {
       const frame = Math.round((pose * (this.motion.frames - 1)) / (POSES - 1));
       const [x, y] = this.#middle(frame);
-      const lifted = Math.max(0, y * smaller - 0.55 * height);
+      // The strip's ground is level: each pose is as high as it is above its own.
+      const level = this.motion.ground.heightAt(x);
+      const lifted = level * smaller + Math.max(0, (y - level) * smaller - 0.55 * height);
       this.#paintFigure(context, frame, { left: ((pose + 0.5) / POSES) * width - x * smaller, ground: ground + lifted, scale: smaller }, colours);
     }
   }
@@ -84,19 +88,35 @@ export class MotionPicture {
    * @param {number} width @param {number} height @param {Colours} colours
    */
   #paintGround(context, { left, ground, scale }, width, height, { soft, ink2 }) {
-    if (ground > height) return;
-    context.fillStyle = soft;
-    context.fillRect(0, ground, width, height - ground);
-    context.fillStyle = ink2;
-    context.fillRect(0, ground, width, 1);
+    const drawn = this.motion.ground;
+    const level = scale === 0 || drawn.level;
+    if (level && ground > height) return;
+    if (level) {
+      context.fillStyle = soft;
+      context.fillRect(0, ground, width, height - ground);
+      context.fillStyle = ink2;
+      context.fillRect(0, ground, width, 1);
+    } else {
+      const line = drawn.between(-left / scale, (width - left) / scale);
+      paintGround(context, line.map(([x, y]) => [left + x * scale, ground - y * scale]), height, { fill: soft, line: ink2, width: 1 });
+      context.fillStyle = ink2;
+    }
     for (let metre = Math.ceil(-left / scale); scale > 0 && left + metre * scale < width; metre++) {
-      context.fillRect(Math.round(left + metre * scale), ground, 1, metre % 5 === 0 ? 7 : 4);
+      context.fillRect(Math.round(left + metre * scale), ground - drawn.heightAt(metre) * scale, 1, metre % 5 === 0 ? 7 : 4);
     }
   }
 
   /** @param {CanvasRenderingContext2D} context @param {number} frame @param {import('./body_painting.js').View} view @param {Colours} colours */
   #paintFigure(context, frame, view, { paper, ink }) {
     paintBody(context, this.motion.body(frame), view, { body: ink, far: mixed(paper, ink, FAR_SHARE), eye: paper });
+  }
+
+  /** The ground's height around the figure, smoothed over half a second [m]. @param {number} frame */
+  #levelAt(frame) {
+    const { ground, frames } = this.motion;
+    if (ground.level) return 0;
+    const places = Array.from({ length: 11 }, (_, i) => Math.min(Math.max(0, frame + 5 * (i - 5)), frames - 1));
+    return places.reduce((sum, place) => sum + ground.heightAt(this.#middle(place)[0]), 0) / places.length;
   }
 
   /** The centre of mass [m]. @param {number} frame @returns {[number, number]} */

@@ -16,7 +16,7 @@ Outcome Report(const Arguments& arguments, std::size_t words) {
     if (words <= 2) return ListSuite(arguments.Last("list"));
     return WrongCall({ErrorCode::kStructure, "--list", "goes with no other option"});
   }
-  for (const char* option : {"problem", "figure", "search", "out", "shard", "seeds", "joints"}) {
+  for (const char* option : {"problem", "figure", "search", "out", "shard", "seeds", "joints", "ground"}) {
     if (!arguments.Has(option)) continue;
     return WrongCall({ErrorCode::kStructure, "--extract", "goes with --best and --out-dir alone"});
   }
@@ -31,9 +31,9 @@ Outcome Report(const Arguments& arguments, std::size_t words) {
 
 Outcome SuiteCommand(Words words) {
   static constexpr std::string_view kOptions[] = {
-      "problem",    "figure",      "sense",    "task",       "style", "search", "seeds",
-      "first-seed", "evaluations", "duration", "controller", "rules", "out",    "shard",
-      "threads",    "list",        "extract",  "out-dir",    "joints"};
+      "problem",    "figure",      "sense",    "task",       "style",  "search", "seeds",
+      "first-seed", "evaluations", "duration", "controller", "rules",  "out",    "shard",
+      "threads",    "list",        "extract",  "out-dir",    "joints", "ground"};
   static constexpr std::string_view kFlags[] = {"best"};
   const auto arguments = Arguments::Parse(words, kOptions, kFlags);
   if (!arguments) return WrongCall(arguments.error());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Changes of a figure's world, by number and by hand. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
+import { Fingers } from '../pointers.mjs';
 import { ONE_BROWSER, PageDriver } from '../page_driver.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
@@ -91,6 +92,148 @@ async function limitedJoints({ browser, address }) {
   assert.equal(await page.call('warning', warns), false);
   await page.click('world/joints/1');
   await page.until('a warning', warns);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {PageDriver} page @returns {Promise<{x_m?: number, y_m?: number}[]>} */
+const corners = (page) => page.call('ground', () => window.gaitsmith.document().environment?.ground ?? []);
+
+/** Chooses an entry of the list of grounds. @param {PageDriver} page @param {number} which */
+async function chooseGround(page, which) {
+  await page.click('world/ground');
+  await page.click(`world/ground/${which}`);
+}
+
+/** Draws a line with the mouse, through shares of the stage's size. @param {PageDriver} page @param {[number, number][]} line */
+async function drawLine(page, [first, ...rest]) {
+  const stage = await page.placeOf('stage');
+  const at = (/** @type {[number, number]} */ [x, y]) => /** @type {[number, number]} */ ([stage.x + x * stage.width, stage.y + y * stage.height]);
+  await page.page.mouse.move(...at(first));
+  await page.frames();
+  await page.page.mouse.down();
+  await page.frames();
+  for (const point of rest) {
+    await page.page.mouse.move(...at(point), { steps: 6 });
+    await page.frames();
+  }
+  await page.page.mouse.up();
+  await page.frames(4);
+}
+
+/** Ground that is chosen: limited joints, which stay locked, and a link that carries it. @param {Visit} visit */
+async function groundByName({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const level = await page.hash();
+  await page.click('world/open');
+  await chooseGround(page, 2);
+  assert.equal((await widget(page, 'world/ground'))?.value, 'Stairs');
+  assert.equal((await corners(page)).length, 32);
+  assert.equal(await page.call('model', () => window.gaitsmith.document().model), 2);
+  assert.match(await page.status(), /joints of limited strength, so they are limited now/);
+  const stairs = await page.hash();
+  assert.notEqual(stairs, level);
+  const other = await PageDriver.open(browser, await page.link());
+  assert.equal(await other.hash(), stairs, 'a link carries the ground');
+  assert.equal((await corners(other)).length, 32);
+  await other.close();
+  await chooseGround(page, 6);
+  const first = await corners(page);
+  await page.click('world/rubble/more');
+  assert.notDeepEqual(await corners(page), first, 'another rubble');
+  await page.click('world/rubble/less');
+  assert.deepEqual(await corners(page), first, 'the same rubble again');
+  await scroll(page, 500);
+  assert.equal((await widget(page, 'world/joints/0'))?.state.disabled, true, 'drawn ground needs limited joints');
+  await page.click('world/joints/0');
+  assert.equal(await page.call('model', () => window.gaitsmith.document().model), 2);
+  await scroll(page, -2000);
+  await chooseGround(page, 0);
+  assert.equal((await corners(page)).length, 0);
+  await scroll(page, 500);
+  await page.click('world/joints/0');
+  assert.equal(await page.hash(), level, 'level, with joints as strong as needed');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @param {Visit} visit */
+async function groundByHand({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const level = await page.hash();
+  await page.click('world/open');
+  await page.click('world/ground-draw');
+  await page.until('the tools', () => window.gaitsmith.widgets().some(({ id }) => id === 'stage/ground-done'));
+  // A block with steep sides, which become vertical.
+  await drawLine(page, [[0.32, 0.66], [0.325, 0.5], [0.45, 0.5], [0.455, 0.66]]);
+  const block = await corners(page);
+  assert.equal(block.length, 4, JSON.stringify(block));
+  assert.ok(block[0].x_m === block[1].x_m && block[2].x_m === block[3].x_m && (block[1].y_m ?? 0) > 0.3, JSON.stringify(block));
+  assert.equal((await widget(page, 'world/ground'))?.value, 'Hand-drawn');
+  const drawn = await page.hash();
+  // A line over a part of it replaces that part, and Undo brings it back.
+  await drawLine(page, [[0.36, 0.5], [0.38, 0.8], [0.42, 0.8], [0.43, 0.5]]);
+  assert.ok((await corners(page)).length > 4);
+  await page.press('Control+z');
+  assert.deepEqual(await corners(page), block);
+  assert.equal(await page.hash(), drawn);
+  // A corner that is dragged, chosen and deleted.
+  await drawLine(page, [[0.325, 0.5], [0.36, 0.4]]);
+  const moved = await corners(page);
+  assert.equal(moved.length, 4);
+  assert.ok((moved[1].x_m ?? 0) > (block[1].x_m ?? 0) && (moved[1].y_m ?? 0) > (block[1].y_m ?? 0), JSON.stringify(moved));
+  const stage = await page.placeOf('stage');
+  // The drag has chosen it. A press lets it go, another one chooses it again.
+  for (const disabled of [true, false]) {
+    await page.clickAt(stage.x + 0.36 * stage.width, stage.y + 0.4 * stage.height);
+    assert.equal((await widget(page, 'stage/corner-remove'))?.state.disabled, disabled);
+  }
+  await page.press('Delete');
+  assert.equal((await corners(page)).length, 3);
+  await page.press('Escape');
+  assert.equal(await widget(page, 'stage/ground-done'), undefined, 'Escape ends drawing');
+  assert.equal((await corners(page)).length, 3, 'what was drawn stays');
+  // With the keyboard: corners are numbers.
+  await page.click('world/corners');
+  await page.click('world/corner/more');
+  assert.equal((await widget(page, 'world/corner'))?.value, '2');
+  const [, second] = await corners(page);
+  await page.click('world/corner-height');
+  await page.press('ArrowRight');
+  assert.notEqual((await corners(page))[1].y_m, second.y_m);
+  await page.click('world/corner-add');
+  assert.equal((await corners(page)).length, 4);
+  await page.click('world/corner-remove');
+  assert.equal((await corners(page)).length, 3);
+  await scroll(page, 3000);
+  await page.click('world/reset');
+  assert.equal(await page.hash(), level, 'reset');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** On a phone: a finger draws, another drag goes on, and two fingers zoom instead. @param {Visit} visit */
+async function groundByFinger({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  await page.becomePhone();
+  await page.frames(10);
+  const pointer = new Fingers(page);
+  await pointer.press('world/open');
+  await pointer.press('world/ground-draw');
+  const stage = await page.placeOf('stage');
+  const at = (/** @type {number} */ x, /** @type {number} */ y) => ({ x: stage.x + x * stage.width, y: stage.y + y * stage.height });
+  await pointer.drag(at(0.5, 0.66), at(0.7, 0.5));
+  const ramp = await corners(page);
+  assert.equal(ramp.length, 2, JSON.stringify(ramp));
+  assert.ok((ramp[1].y_m ?? 0) > 0.3, JSON.stringify(ramp));
+  await pointer.pinch([at(0.3, 0.4), at(0.5, 0.4)], [at(0.2, 0.4), at(0.6, 0.4)]);
+  assert.deepEqual(await corners(page), ramp, 'two fingers zoom and draw nothing');
+  await page.click('stage/follow');
+  await pointer.tap(at(0.7, 0.5));
+  await pointer.press('stage/corner-remove');
+  assert.ok((await corners(page)).length < 2, 'a corner that is tapped can be removed');
+  await pointer.press('stage/ground-done');
+  assert.equal(await widget(page, 'stage/ground-done'), undefined);
   assert.deepEqual(page.complaints, []);
   await page.close();
 }
@@ -203,6 +346,9 @@ async function sideBySide({ browser, address }) {
 export const WORLD_SCENARIOS = [
   ['the world by number: a push and a slope change the motion, a link carries them, reset takes them back', byNumber],
   ['joints that give way change the motion, a link carries them, reset takes them back', limitedJoints],
+  ['ground that is chosen: stairs and rubble, with limited joints, which a link carries and level ground frees', groundByName],
+  ['ground that is drawn: with the mouse, over a part of it, corner by corner, and by numbers; Undo and reset take it back', groundByHand],
+  ['ground that is drawn with a finger on a phone: a corner is tapped and removed, two fingers zoom', groundByFinger, ONE_BROWSER],
   ['the world by hand: a foot pulled on the stage is pushed, Undo takes it back; zoom and follow', byHand],
   ['a style tried from the shown motion leaves the search as it was, shows what was before as a ghost, and can be undone', style, ONE_BROWSER],
   ['timer and senses side by side: a search finds the other, and a push meets both', sideBySide, ONE_BROWSER],

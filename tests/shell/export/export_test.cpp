@@ -10,6 +10,7 @@
 #include "core/document/joints.h"
 #include "core/document/json.h"
 #include "core/document/json_value.h"
+#include "core/physics/ground_preset.h"
 #include "shell/export/exporters.h"
 #include "shell/export/film_strip.h"
 #include "tests/scene.h"
@@ -190,6 +191,21 @@ TEST_CASE("export: poses of a film strip do not overlap, and times are clamped t
   CHECK(Count(FilmStripSvg(far, Simulate(far), {.poses = 12}), "rx=\"7\"") == 12);
 }
 
+TEST_CASE("export: a film strip draws the ground that its document draws") {
+  Document document = ShippedMotion("star-man-shuffle");
+  const Motion motion = Simulate(document);
+  const auto strip = [&] { return FilmStripSvg(document, motion, {.poses = 4}); };
+  const std::string level = strip();
+  document.model = 2;
+  document.environment.ground = GroundOf(GroundPreset::kStepUp);
+  CHECK(strip() != level);
+  CHECK(Count(strip(), "Z\" fill=\"#efebe3\"/>") > 0);
+  // Before and after what is drawn the ground is level.
+  document.environment.ground = {{-200.0f, 0.0f}, {200.0f, 0.0f}};
+  const std::string flat = strip();
+  CHECK(Count(flat, "<rect") + Count(flat, "Z\" fill") == Count(level, "<rect"));
+}
+
 TEST_CASE("export: forward kinematics of the glTF scene yields the motion's endpoints") {
   for (const char* name : {"star-man-shuffle", "there-and-back", "beryl-wind-up", "star-man-network"})
     CheckForwardKinematics(ShippedMotion(name));
@@ -216,6 +232,20 @@ TEST_CASE("export: a slope tilts the whole glTF scene") {
   CHECK(root().Find("rotation") == nullptr);
   document.environment.slope_rad = 0.2f;
   CHECK(Gltf::At(root(), "rotation").items[2].number == Catch::Approx(std::sin(0.1)).margin(1e-6));
+}
+
+TEST_CASE("export: a drawn ground is the last node of the glTF scene") {
+  Document document = ShippedMotion("star-man-shuffle");
+  const auto nodes = [&document] {
+    return Gltf::At(Gltf(SkeletonGltf(document, Simulate(document))).Json(), "nodes");
+  };
+  const std::size_t rods = document.figure.rods.size();
+  CHECK(nodes().items.size() == rods + 1);
+  document.model = 2;
+  document.environment.ground = GroundOf(GroundPreset::kRubble);
+  REQUIRE(nodes().items.size() == rods + 2);
+  CHECK(Gltf::At(nodes().items.back(), "name").text == "ground");
+  CHECK(Gltf::At(nodes().items[0], "children").items.size() == 2);
 }
 
 TEST_CASE("export: limited joints have the same columns, and every format takes them") {

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <catch_amalgamated.hpp>
 
+#include "core/document/joints.h"
 #include "core/document/json.h"
 #include "core/document/standing.h"
+#include "core/physics/ground_preset.h"
+#include "shell/stage/ground_drawing.h"
 #include "shell/stage/invitation.h"
 #include "shell/stage/scene.h"
 #include "tests/scene.h"
@@ -56,6 +59,50 @@ TEST_CASE("camera: the figure stands tall, and no motion of the gallery leaves t
       }
     }
   }
+}
+
+TEST_CASE("camera: it rises and falls with a drawn ground, smoothly") {
+  const ImRect rect(0.0f, 0.0f, 932.0f, 485.0f);
+  const float ground_y = rect.Max.y - GroundRoom(rect.GetHeight(), false);
+  auto document = DecodeJson(gaitsmith::test::ReadFile("examples/star-man-shuffle.json"));
+  REQUIRE(document);
+  Playback level;
+  level.Load(*document, true);
+  LimitJoints(*document);
+  for (const GroundPreset preset : {GroundPreset::kStairs, GroundPreset::kRamp, GroundPreset::kRubble}) {
+    // To the side that this figure goes.
+    document->environment.ground = GroundOf(preset);
+    for (Corner& corner : document->environment.ground) corner.x_m *= -1.0f;
+    std::ranges::reverse(document->environment.ground);
+    REQUIRE(Validate(document->environment.ground));
+    Playback player;
+    player.Load(*document, true);
+    float before = 0.0f;
+    for (double time_s = 0.0; time_s < player.DurationS(); time_s += 0.05) {
+      player.Seek(time_s);
+      const Camera camera = AimCamera(player, document->environment, {}, rect, ground_y);
+      CAPTURE(static_cast<int>(preset), time_s);
+      const Playback::Point centre = player.CentreAt(time_s);
+      const double level_m = player.Ground().HeightAt(centre.x_m);
+      CHECK(std::abs(camera.ToScreen(centre.x_m, static_cast<float>(level_m)).y - ground_y) <
+            0.3f * rect.GetHeight());
+      CHECK(std::abs(camera.level_m - before) < 0.2f);
+      before = camera.level_m;
+      const Camera::Place there = camera.ToMetres(camera.ToScreen(centre.x_m, 0.4f));
+      CHECK(there.x_m == Catch::Approx(centre.x_m).margin(1e-3));
+      CHECK(there.y_m == Catch::Approx(0.4f).margin(1e-3));
+    }
+  }
+}
+
+TEST_CASE("camera: a text on a drawn ground lies below every part of the line over it") {
+  const Terrain gap(GroundOf(GroundPreset::kGap));
+  const Camera camera{.left_m = 0.0, .scale = 100.0f, .origin = {0.0f, 300.0f}};
+  CHECK(BelowGround(camera, gap, 1.0, 20.0f, 19.0f).y == Catch::Approx(319.0f));
+  CHECK(BelowGround(camera, gap, 1.9, 20.0f, 19.0f).y == Catch::Approx(419.0f));
+  CHECK(BelowGround(camera, gap, 2.2, 20.0f, 19.0f).y == Catch::Approx(419.0f));
+  // A motion that failed may be anywhere.
+  CHECK(std::isfinite(BelowGround(camera, gap, 1e300, 20.0f, 19.0f).y));
 }
 
 TEST_CASE("camera: a figure without motion is some 90 points high on a low stage, if its width allows") {
