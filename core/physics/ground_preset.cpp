@@ -17,9 +17,19 @@ Corner At(int x_cm, int y_cm) {
 
 constexpr int kStartCm = static_cast<int>(kLevelStart * 100.0f);
 
+/// The same to the left. Way counts in both directions, so an obstacle on one side would be walked away from.
+std::vector<Corner> BothWays(const std::vector<Corner>& right) {
+  std::vector<Corner> ground;
+  ground.reserve(2 * right.size());
+  for (auto corner = right.rbegin(); corner != right.rend(); ++corner)
+    ground.push_back({-corner->x_m, corner->y_m});
+  ground.insert(ground.end(), right.begin(), right.end());
+  return ground;
+}
+
 /// Stairs as a person would build them, up and down again.
 std::vector<Corner> Stairs() {
-  constexpr int kSteps = 8, kRiseCm = 15, kTreadCm = 50, kLandingCm = 200;
+  constexpr int kSteps = 7, kRiseCm = 15, kTreadCm = 50, kLandingCm = 200;
   std::vector<Corner> ground;
   int x = kStartCm, y = 0;
   for (int step = 0; step < kSteps; ++step) {
@@ -36,7 +46,7 @@ std::vector<Corner> Stairs() {
 }
 
 std::vector<Corner> Hurdles() {
-  constexpr int kHurdles = 10, kApartCm = 250, kHighCm = 20, kThickCm = 10;
+  constexpr int kHurdles = 7, kApartCm = 250, kHighCm = 20, kThickCm = 10;
   std::vector<Corner> ground;
   for (int hurdle = 0; hurdle < kHurdles; ++hurdle) {
     const int x = kStartCm + hurdle * kApartCm;
@@ -72,16 +82,16 @@ void AddRubble(RandomStream& random, int from_cm, int to_cm, int stretches, int 
   ground.push_back(At(to_cm, 0));
 }
 
-constexpr int kRubbleLeftCm = -700, kRubbleRightCm = 3000;
+constexpr int kRubbleEndCm = 2200;
 
 std::vector<Corner> Rubble(std::uint32_t seed) {
   // A few corners less than the most, so that a person can add some.
-  constexpr int kLeftStretches = 6, kLeftFaces = 2, kRightStretches = 38, kRightFaces = 11;
-  static_assert(kLeftStretches + 1 + kLeftFaces + kRightStretches + 1 + kRightFaces < kMaxCorners);
+  constexpr int kStretches = 21, kFaces = 8;
+  static_assert(2 * (kStretches + 1 + kFaces) < kMaxCorners);
   RandomStream random(seed, 0, 0);
   std::vector<Corner> ground;
-  AddRubble(random, kRubbleLeftCm, -kStartCm, kLeftStretches, kLeftFaces, ground);
-  AddRubble(random, kStartCm, kRubbleRightCm, kRightStretches, kRightFaces, ground);
+  AddRubble(random, -kRubbleEndCm, -kStartCm, kStretches, kFaces, ground);
+  AddRubble(random, kStartCm, kRubbleEndCm, kStretches, kFaces, ground);
   return ground;
 }
 
@@ -92,16 +102,17 @@ std::vector<Corner> GroundOf(GroundPreset preset, std::uint32_t seed) {
     case GroundPreset::kLevel:
       return {};
     case GroundPreset::kStepUp:
-      return {At(kStartCm, 0), At(kStartCm, 30)};
+      return BothWays({At(kStartCm, 0), At(kStartCm, 30)});
     case GroundPreset::kStairs:
-      return Stairs();
+      return BothWays(Stairs());
     case GroundPreset::kRamp:
       // One in five, up and down again.
-      return {At(kStartCm, 0), At(kStartCm + 500, 100), At(kStartCm + 800, 100), At(kStartCm + 1300, 0)};
+      return BothWays(
+          {At(kStartCm, 0), At(kStartCm + 500, 100), At(kStartCm + 800, 100), At(kStartCm + 1300, 0)});
     case GroundPreset::kGap:
-      return {At(kStartCm, 0), At(kStartCm, -100), At(kStartCm + 50, -100), At(kStartCm + 50, 0)};
+      return BothWays({At(kStartCm, 0), At(kStartCm, -100), At(kStartCm + 50, -100), At(kStartCm + 50, 0)});
     case GroundPreset::kHurdles:
-      return Hurdles();
+      return BothWays(Hurdles());
     case GroundPreset::kRubble:
       return Rubble(seed);
   }
@@ -115,7 +126,7 @@ std::optional<KnownGround> PresetOf(std::span<const Corner> ground) {
       return KnownGround{preset};
   }
   // All rubble begins at one place, so that a ground drawn by hand is not compared with each.
-  if (ground.empty() || ground.front() != At(kRubbleLeftCm, 0)) return std::nullopt;
+  if (ground.empty() || ground.front() != At(-kRubbleEndCm, 0)) return std::nullopt;
   for (std::uint32_t seed = 1; seed <= kMostRubble; ++seed) {
     if (std::ranges::equal(Rubble(seed), ground)) return KnownGround{GroundPreset::kRubble, seed};
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Grounds that are chosen by name: a step, stairs, a ramp, a gap, hurdles, rubble.
+// Grounds that are chosen by name: steps, stairs, ramps, gaps, hurdles and rubble, to both sides of the start.
 #pragma once
 
 #include <array>

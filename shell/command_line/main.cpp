@@ -61,7 +61,7 @@ constexpr auto kCommands = std::to_array<Command>({
     {"taste", gaitsmith::shell::TasteCommand, "taste CSV [--ask DOC --ask DOC …] [--out DOC]"},
     {"hash", gaitsmith::shell::HashCommand, "hash DOC [--lanes 1|2|4|8|16] [--out DOC]"},
     {"validate", gaitsmith::shell::ValidateCommand, "validate DOC"},
-    {"measure", gaitsmith::shell::MeasureCommand, "measure DOC"},
+    {"measure", gaitsmith::shell::MeasureCommand, "measure DOC [--joints J] [--ground G]"},
     {"link", gaitsmith::shell::LinkCommand, "link encode DOC | link decode LINK [--out DOC]"},
     {"catalogue", gaitsmith::shell::CatalogueCommand, "catalogue"},
 });

@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: MIT
 // gaitsmith measure: every term of a document's motion, and the score.
+#include <array>
 #include <cstdio>
+#include <string_view>
 
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"
+#include "shell/command_line/problem_options.h"
 
 namespace gaitsmith::shell {
 
 Outcome MeasureCommand(Words words) {
-  const auto arguments = Arguments::Parse(words, {});
+  static constexpr std::array<std::string_view, 2> kOptions = {"joints", "ground"};
+  const auto arguments = Arguments::Parse(words, kOptions);
   if (!arguments) return std::unexpected(arguments.error());
   if (arguments->Positional().size() != 1)
     return Fail(ErrorCode::kMissing, "DOC", "give exactly one document");
-  const auto document = ReadDocument(arguments->Positional()[0]);
+  auto document = ReadDocument(arguments->Positional()[0]);
   if (!document) return std::unexpected(document.error());
+  if (auto set = SetProblemOptions(*arguments, *document); !set) return set;
   const Motion motion = Simulate(*document);
   const Terms& terms = motion.TermsAt(motion.Frames() - 1);
 

@@ -362,6 +362,11 @@ refuses 'is of another study' hopping --joints 1.5 --ground rubble:8 --out cours
 course --ground level && cmp -s course.json limited.json || fault "level ground is what a figure stands on anyway"
 refuses '--ground: only limited joints know such ground: add --joints limited' "$gaitsmith" synthesize --figure hopper --ground step --out none.json
 refuses '--ground rubble: must be a whole number from 1 to 999, is "0"' course --ground rubble:0
+course --ground rubble:7
+same "$("$gaitsmith" measure course.json --ground rubble:7)" "$("$gaitsmith" measure course.json)" "measure on the document's own ground"
+refuses '--ground: only limited joints know such ground' "$gaitsmith" measure star-man-shuffle --ground step
+"$gaitsmith" synthesize --figure mr-star-man --joints 4 --search pose-cycle --evaluations 400 --seed 1 --out strider.json || fault "a strider"
+[ "$("$gaitsmith" measure strider.json | tail -1)" != "$("$gaitsmith" measure strider.json --ground step | tail -1)" ] || fault "measure --ground"
 for wrong in swamp gap:2 rubble7; do
   refuses "--ground: must be level, step, stairs, ramp, gap, hurdles, rubble or rubble:SEED, is \"$wrong\"" course --ground $wrong
 done
