@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Grounds that are chosen by name: steps, stairs, ramps, gaps, hurdles and rubble, to both sides of the start.
+// Grounds that are chosen by name: steps, stairs, ramps, gaps, hurdles and rubble, to both sides alike.
 #pragma once
 
 #include <array>
