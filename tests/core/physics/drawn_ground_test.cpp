@@ -8,6 +8,7 @@
 
 #include "core/numeric/random.h"
 #include "core/physics/strength_plant.h"
+#include "tests/ground_depth.h"
 #include "tests/limb_scene.h"
 #include "tests/reference/free_limbs.h"
 
@@ -40,28 +41,12 @@ std::vector<Corner> RoughGround(RandomStream& random) {
   return ground;
 }
 
-/// The part of a rod that is in the ground, as the greatest depth of points along it [m].
-double DepthOf(const Terrain& terrain, double ax, double ay, double bx, double by) {
-  double deepest = 0.0;
-  for (int i = 0; i <= 100; ++i) {
-    const double part = 0.01 * i, x = ax + part * (bx - ax), y = ay + part * (by - ay);
-    if (terrain.HeightAt(x) <= y) continue;
-    double depth = 1e9;
-    for (const Terrain::Face& face : terrain.FacesBetween(x - 0.5, x + 0.5)) {
-      const double along = std::clamp(face.Along(x, y), 0.0, face.length);
-      depth = std::min(depth, std::hypot(face.x + along * face.ux - x, face.y + along * face.uy - y));
-    }
-    deepest = std::max(deepest, depth);
-  }
-  return deepest;
-}
-
 double DeepestOf(const Mechanism& body, const Terrain& terrain, const LimbState<1>& s) {
   const LimbPlaces at = PlacesOf(s, static_cast<std::size_t>(body.endpoints), 0);
   double deepest = 0.0;
   for (std::size_t limb = 0; limb < static_cast<std::size_t>(body.rods); ++limb) {
     const auto a = static_cast<std::size_t>(body.limbs[limb].start);
-    deepest = std::max(deepest, DepthOf(terrain, at.x[a], at.y[a], at.x[limb + 1], at.y[limb + 1]));
+    deepest = std::max(deepest, DepthOfRod(terrain, at.x[a], at.y[a], at.x[limb + 1], at.y[limb + 1]));
   }
   return deepest;
 }
