@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "core/rollout/plant.h"
 
@@ -35,7 +36,21 @@ struct MuscleState {
   F length_m{}, rate_mps{}, change_m{};  // of the muscle; change is that of the last step
   std::array<F, 2> normal{}, tangent{};  // impulses of the ground in the last step [N s]
   F slip_m{};                            // path of both masses
+  F pull_ns{};                           // impulse of the muscle in the last step, outwards
   F height{}, rise{};                    // always 0: masses never leave the ground
+};
+
+/// As in physics/muscles.h; the muscle's impulse is known.
+template <int W>
+struct KnownMuscle {
+  struct Memory {};
+  KnownMuscle(const MuscleBody& /*body*/, float /*step_s*/) {}
+  [[nodiscard]] Memory Begin(const MuscleState<W>& /*state*/) const { return {}; }
+  [[nodiscard]] std::array<typename Lane<W>::F, kMaxActuators> ImpulsesOf(const MuscleState<W>& s,
+                                                                          std::span<const Push> /*pushes*/,
+                                                                          Memory& /*memory*/) const {
+    return {s.pull_ns};
+  }
 };
 
 template <int W>
@@ -49,6 +64,7 @@ class MusclePair {
   using Body = MuscleBody;
   using State = MuscleState<W>;
   using LaneState = MuscleState<1>;
+  using Muscles = KnownMuscle<W>;
 
   MusclePair(const MuscleBody& body, const Environment& environment, const StartState& start, float step_s)
       : body_(body), environment_(environment), step_s_(step_s) {
@@ -89,6 +105,7 @@ class MusclePair {
     const F inverse_tau = targets.inverse_tau[0];
     const F pull = (targets.target[0] - s.length_m) * inverse_tau - 2.0f * s.rate_mps;
     s.rate_mps += pull * inverse_tau * step_s_;
+    s.pull_ns = pull * inverse_tau * (step_s_ * share0 * body_.mass_kg[1]);
     s.velocity_mps -= environment_.gravity_mps2 * slope.sine * step_s_;
     const std::array<F, 2> slide = {s.velocity_mps - share1 * s.rate_mps,
                                     s.velocity_mps + share0 * s.rate_mps};

@@ -73,7 +73,10 @@ Drawn DrawnOf(const Figure& figure) {
 Task TaskOf(Goal goal, float strength, Task task) {
   task.kind = goal == Goal::kHighJump ? TaskKind::kJump : TaskKind::kTravelRight;
   const std::array<float, kStyleTerms> weights = GoalWeights(goal);
-  for (std::size_t term = 0; term < kFreeTerms; ++term) task.weights[term] = weights[term] * strength;
+  for (std::size_t term = 0; term < kStyleTerms; ++term) {
+    const bool of_shown = term >= kFreeTerms && term < kWorkTerms;
+    if (!of_shown) task.weights[term] = weights[term] * strength;
+  }
   return task;
 }
 

@@ -8,6 +8,7 @@
 #include "core/physics/environment.h"
 #include "core/physics/ground.h"
 #include "core/physics/motion_reports.h"
+#include "core/physics/muscles.h"
 #include "core/physics/snapshot.h"
 #include "core/signal/readings.h"
 
@@ -25,6 +26,7 @@ class FigurePlant {
   using Body = Skeleton;
   using State = MotionState<W>;
   using LaneState = MotionState<1>;
+  using Muscles = PrescribedMuscles<W>;
 
   /// @param skeleton must outlive the plant
   FigurePlant(const Skeleton& skeleton, const Environment& environment, const StartState& start, float step_s)

@@ -13,7 +13,7 @@ constexpr float kStopFirmness = 1000.0f;
 
 }  // namespace
 
-Mechanism::Mechanism(const Figure& figure) : Skeleton(figure) {
+Mechanism::Mechanism(const Skeleton& skeleton) : Skeleton(skeleton) {
   const auto n = static_cast<std::size_t>(rods);
   // Middle of each rod from the root's start, as multiples of the directions.
   std::array<std::array<double, kMaxRods>, kMaxRods> middle{};
@@ -43,7 +43,10 @@ Mechanism::Mechanism(const Figure& figure) : Skeleton(figure) {
     if (i > 0) beyond[static_cast<std::size_t>(limbs[i].parent)] |= beyond[i];
   }
   beyond[0] |= 1;
+}
 
+Mechanism::Mechanism(const Figure& figure) : Mechanism(Skeleton(figure)) {
+  const auto n = static_cast<std::size_t>(rods);
   // The inertia that a joint feels in the drawn pose, the root free: M_jj - M_j0^2 / M_00.
   std::array<double, kMaxRods> direction{};
   for (std::size_t i = 1; i < n; ++i)

@@ -16,6 +16,8 @@
 namespace gaitsmith {
 
 struct Mechanism : Skeleton {
+  /// Without strength: for measurements of motions that are prescribed.
+  explicit Mechanism(const Skeleton&);
   /// @param figure must be valid (see Validate)
   explicit Mechanism(const Figure& figure);
 

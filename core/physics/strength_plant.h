@@ -11,6 +11,7 @@
 #include "core/physics/limb_guard.h"
 #include "core/physics/limb_step.h"
 #include "core/physics/motion_reports.h"
+#include "core/physics/muscles.h"
 #include "core/physics/snapshot.h"
 #include "core/signal/readings.h"
 
@@ -27,6 +28,7 @@ class StrengthPlant {
   using Body = Mechanism;
   using State = LimbState<W>;
   using LaneState = LimbState<1>;
+  using Muscles = LimitedMuscles<W>;
 
   /// @param body must outlive the plant
   StrengthPlant(const Mechanism& body, const Environment& environment, const StartState& start, float step_s)

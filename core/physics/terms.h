@@ -19,6 +19,9 @@ enum class StyleTerm {
   kHeadHeight,
   kOnWay,
   kInPose,
+  kWork,
+  kPeakPower,
+  kCostOfTransport,
 };
 
 /// The measurements of one motion.
@@ -37,6 +40,9 @@ struct Terms {
   float head_height_m = 0.0f;      // mean height of the head (Skeleton::head) above ground
   float on_way_m = 0.0f;           // minus the mean distance from a way that was shown; 0 if none was
   float in_pose_rad = 0.0f;        // minus the mean difference from a pose that was shown; 0 if none was
+  float work_j = 0.0f;             // by the muscles, gained or lost: sum over joints and steps of |work|
+  float peak_power_wpkg = 0.0f;    // greatest of all steps, over the figure's mass
+  float cost_of_transport = 0.0f;  // work over weight and |travel|
 
   [[nodiscard]] float Style(StyleTerm term) const;
 };
@@ -67,10 +73,16 @@ inline constexpr auto kStyleTable = std::to_array<StyleTermRow>({
     {"head_height", "m", &Terms::head_height_m, 2, 2.0f, 2.0f},
     {"on_way", "m", &Terms::on_way_m, 6, 10.0f, 2.0f},
     {"in_pose", "rad", &Terms::in_pose_rad, 6, 20.0f, 5.0f},
+    {"work", "J", &Terms::work_j, 7, 0.005f, 0.005f},
+    {"peak_power", "W/kg", &Terms::peak_power_wpkg, 7, 0.005f, 0.005f},
+    {"cost_of_transport", "", &Terms::cost_of_transport, 7, 3.0f, 3.0f},
 });
 inline constexpr int kStyleTerms = static_cast<int>(kStyleTable.size());
-/// Number of the terms that need nothing but a motion. The others are measured against what was shown.
+/// Number of the first terms, which need nothing but a motion.
 inline constexpr int kFreeTerms = static_cast<int>(StyleTerm::kOnWay);
+/// The first of the terms of the muscles, which need nothing but a motion either. Those between are measured
+/// against what was shown.
+inline constexpr int kWorkTerms = static_cast<int>(StyleTerm::kWork);
 
 inline constexpr std::array<std::string_view, kStyleTerms> kStyleTermNames = [] {
   std::array<std::string_view, kStyleTerms> names;

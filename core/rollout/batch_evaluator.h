@@ -61,7 +61,7 @@ class PlantEvaluator final : public BatchEvaluator {
       if (watch.count > 0 && begin == 0 && shape_.Kind() == ControllerKind::kRules)
         sees.emplace(shape_.Bank(), problem_.senses.kind, rollout.StepNow(), problem_.task.duration_steps,
                      watch);
-      Measure(rollout, ports_.Count(), problem_.task, std::span(scored).first(results.size()), hashed,
+      Measure(rollout, body_, ports_, problem_.task, std::span(scored).first(results.size()), hashed,
               problem_.traits ? size_m_ : 0.0f, sees ? &*sees : nullptr);
       for (std::size_t i = 0; i < results.size(); ++i) {
         if (begins > 1) {

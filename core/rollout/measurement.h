@@ -15,28 +15,28 @@
 namespace gaitsmith {
 
 /// Runs a rollout for the task's duration and scores its first lanes.
-/// @param ports of the plant
+/// @param body, ports of the plant
 /// @param results out: one for each of the first lanes, without hashes
 /// @param hashes  one for each lane; each step is added to them. Empty: no hashes
 /// @param size_m  of the figure, for traits; 0: no traits
 /// @param sees    null: nothing is recorded
 template <template <int> class PlantOf, int W>
-void Measure(Rollout<PlantOf, W>& rollout, const PortCount& ports, const Task& task,
-             std::span<Evaluation> results, std::span<TrajectoryHash> hashes = {}, float size_m = 0.0f,
-             SightingRecorder<W>* sees = nullptr) {
+void Measure(Rollout<PlantOf, W>& rollout, const typename PlantOf<W>::Body& body, const Ports& ports,
+             const Task& task, std::span<Evaluation> results, std::span<TrajectoryHash> hashes = {},
+             float size_m = 0.0f, SightingRecorder<W>* sees = nullptr) {
   const PlantOf<W>& plant = rollout.PlantNow();
   // Most searches give the further terms no weight. Then they are not measured.
   const bool looks = size_m > 0.0f;
   const FurtherTerms weighted = looks ? kAllFurtherTerms : WeightedFurtherTerms(task);
   std::optional<StyleMeter<PlantOf<W>>> meter;
-  if (weighted != FurtherTerms{}) meter.emplace(plant, ports, weighted, kStep);
+  if (weighted != FurtherTerms{}) meter.emplace(plant, body, ports, weighted, kStep);
   std::optional<GaitMeter<PlantOf<W>>> gait;
-  if (looks) gait.emplace(plant, ports, size_m, kStep);
+  if (looks) gait.emplace(plant, ports.Count(), size_m, kStep);
   std::vector<DemonstrationMeter> compared;
   if (task.shown != Demonstration{}) compared.assign(W, DemonstrationMeter(task.shown));
   if (sees != nullptr) sees->Add(rollout.Control(), rollout.StepNow());
   rollout.RunTo(rollout.StepNow() + task.duration_steps, kNothing, [&] {
-    if (meter) meter->Add();
+    if (meter) meter->Add(rollout.Given());
     if (gait) gait->Add();
     for (std::size_t lane = 0; lane < compared.size(); ++lane) {
       const auto at = static_cast<int>(lane);

@@ -51,7 +51,7 @@ class PlantMomentScorer final : public MomentScorer {
   [[nodiscard]] float Fitness(Rollout<PlantOf, 1>& rollout) const {
     rollout.Follow(controllers_);
     Evaluation evaluation;
-    Measure(rollout, ports_.Count(), problem_.task, std::span(&evaluation, 1));
+    Measure(rollout, body_, ports_, problem_.task, std::span(&evaluation, 1));
     return evaluation.fitness;
   }
 

@@ -39,7 +39,7 @@ class PlantRecorder final : public MotionRecorder {
     const auto takeovers = DecodeClips(script.clips, script.controllers, ports, script.step_s);
     Rollout<PlantOf, 1> rollout(body, script.environment, script.start, script.pushes, takeovers,
                                 script.step_s);
-    StyleMeter<PlantOf<1>> meter(rollout.PlantNow(), log.ports, kAllFurtherTerms, script.step_s);
+    StyleMeter<PlantOf<1>> meter(rollout.PlantNow(), body, ports, kAllFurtherTerms, script.step_s);
     TrajectoryHash hash;
     if (checkpoints_.empty()) {
       rollout.TakeOver();
@@ -58,7 +58,7 @@ class PlantRecorder final : public MotionRecorder {
             checkpoints_.push_back({rollout.Save(), meter.Save(), hash});
         },
         [&] {
-          meter.Add();
+          meter.Add(rollout.Given());
           rollout.PlantNow().AddTo(hash, 0);
           AddFrame(rollout, meter, log);
         });

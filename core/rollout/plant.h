@@ -25,6 +25,7 @@ namespace gaitsmith {
 ///   Body                  topology and constants, made from a valid figure; outlives its plants. The plant
 ///                         decides how far bodies may differ from lane to lane
 ///   State, LaneState      everything that changes, of all lanes; of a plant of one lane
+///   Muscles               measures the impulses of the actuators, [N m s] for joints: see physics/muscles.h
 ///   CountPorts, PortsOf   actuators and contacts: in [0, kMaxActuators] and [0, kMaxContacts]
 ///
 ///   P(body, environment, start, step_s)   in its drawn pose, at rest or moving as in start
@@ -49,6 +50,8 @@ concept Plant = requires(P plant, const P seen, const Figure& figure, const type
                          const typename P::LaneState& lane_state, TrajectoryHash& hash, int number) {
   requires P::kLanes >= 1 && P::kModel >= 1;
   requires std::constructible_from<typename P::Body, const Figure&>;
+  requires std::constructible_from<typename P::Muscles, const typename P::Body&, float>;
+  requires std::copyable<typename P::Muscles::Memory>;
   { P::CountPorts(figure) } -> std::same_as<PortCount>;
   { P::PortsOf(body) } -> std::same_as<Ports>;
   requires std::constructible_from<P, const typename P::Body&, const Environment&, const StartState&, float>;

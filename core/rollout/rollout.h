@@ -88,6 +88,7 @@ class Rollout {
 
   /// Advances every lane by one step.
   void Step() {
+    first_given_ = next_push_;
     for (; next_push_ < pushes_.size() && pushes_[next_push_].step <= step_; ++next_push_) {
       plant_.Give(pushes_[next_push_]);
     }
@@ -112,6 +113,10 @@ class Rollout {
     }
   }
 
+  /// The pushes that were applied right before the last step.
+  [[nodiscard]] std::span<const Push> Given() const {
+    return pushes_.subspan(first_given_, next_push_ - first_given_);
+  }
   [[nodiscard]] const P& PlantNow() const { return plant_; }
   [[nodiscard]] int StepNow() const { return step_; }
   [[nodiscard]] const ControllerState<W>& Control() const { return control_; }
@@ -125,6 +130,7 @@ class Rollout {
   void SkipPushes() {
     next_push_ = 0;
     while (next_push_ < pushes_.size() && pushes_[next_push_].step < step_) ++next_push_;
+    first_given_ = next_push_;
   }
 
   P plant_;
@@ -134,7 +140,7 @@ class Rollout {
   ControllerState<W> control_;
   ActuatorTargets<W> targets_{};
   int step_ = 0;
-  std::size_t next_push_ = 0;
+  std::size_t next_push_ = 0, first_given_ = 0;
   std::size_t taken_over_ = 0;
 };
 

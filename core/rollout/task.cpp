@@ -26,7 +26,7 @@ bool CanMeasure(const Task& task, StyleTerm term) {
 
 void ForgetShown(Task& task) {
   task.shown = {};
-  for (std::size_t term = kFreeTerms; term < kStyleTerms; ++term) task.weights[term] = 0.0f;
+  for (std::size_t term = kFreeTerms; term < kWorkTerms; ++term) task.weights[term] = 0.0f;
 }
 
 FurtherTerms WeightedFurtherTerms(const Task& task) {

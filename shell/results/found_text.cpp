@@ -14,18 +14,25 @@ namespace {
 // In the order of Origin.
 constexpr std::array<std::string_view, 4> kOriginNames = {"done", "stopped", "failed", "by-hand"};
 
-// Number of style terms in the text. Those that are measured against what was shown are left out if nothing
-// was. Older texts may have fewer, since new terms are only appended.
-std::size_t StyleTermsOf(const Document& document) {
-  return static_cast<std::size_t>(document.task.shown == Demonstration{} ? kFreeTerms : kStyleTerms);
+// Whether a style term is in the text. Those that are measured against what was shown are left out if nothing
+// was, those of the muscles if none of them has a weight.
+bool Stores(const Document& document, std::size_t term) {
+  if (term < kFreeTerms) return true;
+  if (term < kWorkTerms) return document.task.shown != Demonstration{};
+  const auto& weights = document.task.weights;
+  return std::any_of(weights.begin() + kWorkTerms, weights.end(),
+                     [](float weight) { return weight != 0.0f; });
 }
 
 // Calls `use` on the terms in the order of the text: the two that are not style terms, then the style table.
+// Older texts may have fewer, since new terms are only appended.
 template <class T, class Use>
 void ForEachTerm(const Document& document, T& terms, Use use) {
   use(terms.travel_m);
   use(terms.start_height_m);
-  for (std::size_t term = 0; term < StyleTermsOf(document); ++term) use(terms.*kStyleTable[term].value);
+  for (std::size_t term = 0; term < kStyleTerms; ++term) {
+    if (Stores(document, term)) use(terms.*kStyleTable[term].value);
+  }
 }
 
 constexpr std::size_t kMinTerms = 2 + kPaperTerms;
@@ -98,7 +105,8 @@ Result<FoundMotion> DecodeFound(std::string_view text) {
   const bool numbers = terms->kind == Kind::kArray && std::ranges::all_of(values, [](const JsonValue& value) {
                          return value.kind == Kind::kNumber;
                        });
-  const std::size_t known = 2 + StyleTermsOf(found.document);
+  std::size_t known = 0;
+  ForEachTerm(found.document, found.terms, [&](float) { ++known; });
   if (!numbers || values.size() < kMinTerms || values.size() > known) return Bad("terms");
   if (values.size() < known) {
     // Stored before the last terms were added: measure them now.

@@ -51,7 +51,7 @@ void Teacher::Take(Tool tool) {
 void Teacher::Show(Demonstration shown) {
   workspace_.Set([&](Document& d) {
     std::swap(d.task.shown, shown);
-    for (std::size_t term = kFreeTerms; term < kStyleTerms; ++term) {
+    for (std::size_t term = kFreeTerms; term < kWorkTerms; ++term) {
       const bool can = CanMeasure(d.task, static_cast<StyleTerm>(term));
       if (can == CanMeasure(workspace_.Doc().task, static_cast<StyleTerm>(term))) continue;
       d.task.weights[term] = can ? UsualWeights(d)[term] : 0.0f;

@@ -29,6 +29,12 @@ const std::array<TermWords, kStyleTerms>& TermTexts() {
        TrLater("0 on the way that you drew, less beside it"), "m", TrLater("per m"), 2},
       {"style/pose", TrLater("In the pose"), TrLater("in the pose"),
        TrLater("0 in the pose that you showed, less in others"), "rad", TrLater("per rad"), 2},
+      {"style/work", TrLater("Work"), TrLater("work"), TrLater("energy that the muscles give or take"), "J",
+       TrLater("per J"), 0},
+      {"style/power", TrLater("Peak power"), TrLater("peak power"), TrLater("greatest power at one moment"),
+       "W/kg", TrLater("per W/kg"), 0},
+      {"style/transport", TrLater("Cost of transport"), TrLater("cost of transport"),
+       TrLater("work for each newton of weight and metre of travel"), "", "", 2},
   });
   static_assert(kTexts.size() == kStyleTerms, "every term needs its words");
   return kTexts;

@@ -110,7 +110,7 @@ grep -q '"lineage"' kid-1.json && fault "a lineage that cannot be bred again"
 
 # All terms of a motion, in one row.
 "$gaitsmith" measure "$golden" >measured.csv || fault "measure"
-same "$(head -1 measured.csv)" "travel,max_cm_height,slip_sum,rotations,effort,upright,smoothness,head_height,fitness,hash,on_way,in_pose" "header"
+same "$(head -1 measured.csv)" "travel,max_cm_height,slip_sum,rotations,effort,upright,smoothness,head_height,fitness,hash,on_way,in_pose,work,peak_power,cost_of_transport" "header"
 same "$(wc -l <measured.csv)" 2 "rows of measure"
 same "$(sed -n 2p measured.csv | cut -d, -f10)" "$hash" "hash in measure"
 # column <number> <document>

@@ -171,9 +171,10 @@ void DrawWeights(Ui& ui, Session& session, StylePanelState& state) {
   ui.Gap(8.0f);
   DrawLiveSwitch(ui, session, "style/live");
   DrawSliders(ui, session, 0, kFreeTerms);
+  DrawSliders(ui, session, kWorkTerms, kStyleTerms);
   // Terms of what is shown come below its form, so that showing something moves nothing above.
   DrawExampleForm(ui, session, state.example);
-  DrawSliders(ui, session, kFreeTerms, kStyleTerms);
+  DrawSliders(ui, session, kFreeTerms, kWorkTerms);
   ui.Gap(8.0f);
   if (ui.Button("style/reset", ui.ControlRow(), Tr("Reset all weights to 0"), ButtonLook::kOutlined, any)) {
     session.Set([](Document& d) { d.task.weights = {}; });
