@@ -29,7 +29,7 @@ ${folder && `<p>${tr('Lessons and the pages for teachers are translated. {1} is 
 </form>
 <p id="find-count" role="status"></p>
 <ol id="found" hidden></ol>
-<p id="stored" role="status" hidden>${tr('Everything is stored in this browser and works without a network, except the API reference and the pictures of the playground.')}</p>
+<p id="stored" role="status" hidden>${tr('Everything is stored in this browser and works without a network, except the API reference, the design decisions and the pictures of the playground.')}</p>
 <div id="groups">
 ${groups.map(({ title, id, pages }) => `<section${attributes({ id, 'aria-labelledby': `${id}-heading` })}>
 <h2 id="${id}-heading">${tr(title)}</h2>

@@ -6,6 +6,7 @@
 const REASONS = {
   reference: 'It belongs to the API reference, which is too large to be stored beforehand. Its pages are stored when you read them.',
   pictures: 'It shows pictures of the playground, which are too large to be stored beforehand. They are stored when you look at them.',
+  design: 'It is the list of design decisions, which is too large to be stored beforehand. It is stored when you read it.',
   page: 'It belongs to Gaitsmith’s book. The book is stored in English and in your language while the playground is open and idle. Here it was not complete yet.',
   unknown: 'Gaitsmith knows no page at this address. Perhaps it is new, or the address has a mistake.',
 };

@@ -128,7 +128,7 @@ async function missing(request) {
   if (!page) return Response.error();
   const stored = await storedIn(cache);
   const path = request.url.split(/[?#]/)[0].slice(ROOT.length);
-  const kind = /^book\/(reference|pictures)[./]/.exec(path)?.[1] ?? (pathOf(request) ? 'page' : 'unknown');
+  const kind = /^book\/(reference|pictures|design)[./]/.exec(path)?.[1] ?? (pathOf(request) ? 'page' : 'unknown');
   const absolute = (/** @type {string} */ address) => new URL(address, ROOT + MISSING).href;
   const text = (await page.text())
     .replace(/<p data-of="(\w+)">.*?<\/p>\n?/gs, (whole, of) => (of === kind ? whole : ''))

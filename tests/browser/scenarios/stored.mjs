@@ -58,7 +58,7 @@ async function afterTheFirstMotion(visit) {
 
     // A page of our own instead of the browser's error, with links to what is stored.
     for (const [path, says] of /** @type {[string, RegExp][]} */ ([
-      ['book/reference/index.html', /API reference/], ['book/pictures.html', /pictures of the playground/], ['book/none/at/all.html', /no page at this address/],
+      ['book/reference/index.html', /API reference/], ['book/pictures.html', /pictures of the playground/], ['book/design.html', /design decisions/], ['book/none/at/all.html', /no page at this address/],
     ])) {
       await other.goto(server.address() + path);
       assert.equal(await other.$eval('h1', (node) => node.textContent), 'This page was not stored');
