@@ -173,7 +173,8 @@ class LimbPair {
       F slide = free_t[i];
       for (std::size_t j = 0; j < 2; ++j)
         slide += mobility[i][j].tn * found[2 * j] + mobility[i][j].tt * found[2 * j + 1];
-      fits &= ~slips[i] | L::Select(friction[i].right, slide <= 0.0f, slide >= 0.0f);
+      const I to_left = slide <= 0.0f, to_right = slide >= 0.0f;
+      fits &= ~slips[i] | L::Select(friction[i].right, to_left, to_right);
     }
     Put(fits, {Impulse<W>{found[0], found[1]}, Impulse<W>{found[2], found[3]}}, force);
     return fits;
