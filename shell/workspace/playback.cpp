@@ -8,6 +8,7 @@
 #include <span>
 
 #include "core/document/composite.h"
+#include "core/document/joints.h"
 
 namespace gaitsmith::shell {
 
@@ -110,6 +111,19 @@ double Playback::CameraXAt(double time_s) const {
   const double a = camera_x_m_[i];
   const double b = camera_x_m_[std::min(i + 1, camera_x_m_.size() - 1)];
   return a + (b - a) * static_cast<double>(share);
+}
+
+std::vector<float> Playback::StrainsNow() const {
+  constexpr int kAround = 2;  // frames
+  if (!HasLimitedJoints(shown_)) return {};
+  const int first = std::max(1, Frame() - kAround), last = std::min(Frame() + kAround, motion_->Frames() - 1);
+  std::vector<float> strains(static_cast<std::size_t>(motion_->Bones().joints), 0.0f);
+  for (int joint = 0; joint < motion_->Bones().joints; ++joint) {
+    float& strain = strains[static_cast<std::size_t>(joint)];
+    for (int frame = first; frame <= last; ++frame)
+      strain += motion_->Strain(frame, joint) / static_cast<float>(last - first + 1);
+  }
+  return strains;
 }
 
 void Playback::Measure() {
