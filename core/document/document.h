@@ -24,11 +24,12 @@ inline constexpr int kMaxNameBytes = 80;
 
 /// Display settings. They never change a bit of the motion.
 struct View {
-  float speed = 1.0f;  // playback speed, [0.01, 16]
-  int panel = 1;       // its number in shell/workspace/panels.h, [0, 15]
-  bool trail = true;   // path of the centre of mass
-  bool forces = true;  // contact forces
-  bool poses = true;   // lettered past poses
+  float speed = 1.0f;   // playback speed, [0.01, 16]
+  int panel = 1;        // its number in shell/workspace/panels.h, [0, 15]
+  bool trail = true;    // path of the centre of mass
+  bool forces = true;   // contact forces
+  bool poses = true;    // lettered past poses
+  bool torques = true;  // how much of their joints' strength the limbs use, of limited joints
 };
 
 struct Document {

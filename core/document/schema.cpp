@@ -159,6 +159,7 @@ void Describe(Archive& ar, View& view) {
   ar.Flag("trail", view.trail, standard.trail);
   ar.Flag("forces", view.forces, standard.forces);
   ar.Flag("poses", view.poses, standard.poses);
+  ar.Since(7, [&] { ar.Flag("torques", view.torques, standard.torques); });
 }
 
 void Describe(Archive& ar, BreedRound& round) {

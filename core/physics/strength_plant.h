@@ -126,6 +126,15 @@ class StrengthPlant {
             state_.last_force.normal[k][lane] / world_.step_s};
   }
 
+  /// The part of its greatest torque that a joint's muscles gave in the last step, [0, 1].
+  [[nodiscard]] float Strain(int joint, int lane) const {
+    const auto i = static_cast<std::size_t>(joint) + 1;
+    const float most = body_.torque_nm[i] * world_.step_s;
+    if (most == 0.0f || L::At(state_.stop_side[i], lane) != 0.0f) return 0.0f;
+    const float share = L::At(state_.joint_impulse[i], lane) / most;
+    return share < 0.0f ? -share : share;
+  }
+
   [[nodiscard]] Terms TermsOf(int lane) const { return gaitsmith::TermsOf(state_, lane, start_turn_rad_); }
 
   void AddTo(TrajectoryHash& hash, int lane) const { AddPositions(body_, state_, lane, hash); }

@@ -27,6 +27,7 @@ void Motion::Log::Truncate(int frame_count) {
   forces.resize(endpoints.size());
   angles.resize(count * static_cast<std::size_t>(ports.actuators));
   rates.resize(angles.size());
+  if (!strains.empty()) strains.resize(angles.size());
   felt.resize(count * static_cast<std::size_t>(senses));
 }
 

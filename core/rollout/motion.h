@@ -63,6 +63,7 @@ class Motion {
     std::vector<Terms> terms;                // (frames)
     std::vector<Point> endpoints, forces;    // (frames x contacts)
     std::vector<float> angles, rates, felt;  // (frames x actuators), (frames x actuators), (frames x senses)
+    std::vector<float> strains;              // (frames x actuators), or empty
     std::uint64_t hash = 0;
 
     /// Keeps only the first `frame_count` frames.
@@ -89,6 +90,12 @@ class Motion {
   }
   [[nodiscard]] float RateRadps(int frame, int joint) const {
     return log_.rates[Row(frame, log_.ports.actuators) + static_cast<std::size_t>(joint)];
+  }
+  /// The part of a joint's greatest torque that its muscles gave in the step that ended at this frame, [0,
+  /// 1]. 0 where joints are as strong as they need to be.
+  [[nodiscard]] float Strain(int frame, int joint) const {
+    if (log_.strains.empty()) return 0.0f;
+    return log_.strains[Row(frame, log_.ports.actuators) + static_cast<std::size_t>(joint)];
   }
   /// A sense of the active controller, normalised. 0 for senses that it does not have.
   [[nodiscard]] float Sense(int frame, int sense) const {

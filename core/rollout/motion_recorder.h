@@ -95,6 +95,7 @@ class PlantRecorder final : public MotionRecorder {
     for (int j = 0; j < log.ports.actuators; ++j) {
       log.angles.push_back(readings.position[j][0]);
       log.rates.push_back(readings.rate[j][0]);
+      if constexpr (requires { plant.Strain(j, 0); }) log.strains.push_back(plant.Strain(j, 0));
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(log.senses); ++i)
       log.felt.push_back(rollout.Control().senses[i][0]);

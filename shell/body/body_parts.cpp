@@ -88,7 +88,8 @@ std::vector<BodyPart> BodyPartsOf(const Skeleton& bones, const FigureLook& look,
                        .to = endpoints[rod + 1],
                        .from_m = limb.start_m,
                        .to_m = limb.end_m,
-                       .far = side == Side::kFar});
+                       .far = side == Side::kFar,
+                       .rod = static_cast<int>(rod)});
     }
   };
   add_limbs(Side::kFar);
@@ -103,7 +104,9 @@ std::vector<BodyPart> BodyPartsOf(const Skeleton& bones, const FigureLook& look,
   }
   if (look.hub_m > 0.0f) parts.push_back(Disc(endpoints[0], look.hub_m));
   add_limbs(Side::kNear);
+  const std::size_t headless = parts.size();
   if (look.head_rod >= 0) AddHead(parts, look, FrameOf(bones, look, endpoints));
+  for (std::size_t part = headless; part < parts.size(); ++part) parts[part].rod = look.head_rod;
   return parts;
 }
 

@@ -17,6 +17,7 @@ struct BodyPart {
   float from_m = 0.0f, to_m = 0.0f;  // radii
   float belly_m = 0.0f;              // by how much the radius swells halfway
   bool far = false;                  // on the far side
+  int rod = 0;                       // that it is drawn for; 0: the root
 };
 
 struct BodyEye {

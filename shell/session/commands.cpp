@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "core/document/joints.h"
 #include "core/document/json.h"
 #include "core/document/json_value.h"
 #include "shell/embedded/embedded.h"
@@ -227,6 +228,10 @@ void AddView(std::vector<Command>& list, Session& session) {
   add("trail", TrLater("Show the path of the centre of mass"), TrLater("Hide the path of the centre of mass"),
       &View::trail);
   add("forces", TrLater("Show contact forces"), TrLater("Hide contact forces"), &View::forces);
+  if (HasLimitedJoints(session.Doc())) {
+    add("torques", TrLater("Show the torques of the joints"), TrLater("Hide the torques of the joints"),
+        &View::torques);
+  }
   list.push_back({.id = "view/simple",
                   .group = TrLater("View"),
                   .title = Tr(session.Simple() ? "Show all settings" : "Show only goal, senses and effort"),

@@ -61,6 +61,20 @@ std::string ContactWords(const Motion& motion, int frame) {
   return " " + Tr("Endpoints {1} and {2} touch the ground.", words, touching.back());
 }
 
+// " Joints 2 and 5 are at their greatest torque.", or nothing.
+std::string StrainWords(const Playback& player) {
+  std::vector<std::string> joints;
+  for (int number = 1; const float strain : player.StrainsNow()) {
+    if (strain >= Playback::kAtLimit) joints.push_back(std::to_string(number));
+    ++number;
+  }
+  if (joints.empty()) return "";
+  if (joints.size() == 1) return " " + Tr("Joint {1} is at its greatest torque.", joints.front());
+  std::string words;
+  for (std::size_t i = 0; i + 1 < joints.size(); ++i) words += (i == 0 ? "" : ", ") + joints[i];
+  return " " + Tr("Joints {1} and {2} are at their greatest torque.", words, joints.back());
+}
+
 // The controller that is active at a frame; null without a clip.
 const Controller* InCharge(const Session& session, int frame) {
   const Document& d = session.Doc();
@@ -89,7 +103,7 @@ std::string DescriptionOf(const Session& session) {
   std::string words = WholeWords(session) + " " +
                       Tr("After {1} s it has travelled {2}.", Fixed(player.TimeS(), 2),
                          WayWords(player.TermsNow().travel_m)) +
-                      ContactWords(motion, frame);
+                      ContactWords(motion, frame) + StrainWords(player);
   if (const Controller* controller = InCharge(session, frame)) {
     if (const auto moment = MomentOf(*controller, motion, motion.At(frame).clip, frame)) {
       words += " " + WhyWords(*moment, motion.At(frame).rule);

@@ -8,6 +8,7 @@
 
 #include "core/numeric/scalar_math.h"
 #include "shell/body/body_parts.h"
+#include "shell/widgets/theme.h"
 
 namespace gaitsmith::shell {
 
@@ -19,6 +20,8 @@ constexpr float kQuarter = 0.5f * static_cast<float>(kPi);
 constexpr float kLeastWithRods = 120.0f, kLeastWithJoints = 80.0f;
 /// The least radius of an eye [points].
 constexpr float kLeastEye = 1.1f;
+/// A ring around a limb whose joint is at its limit, and the gap inside it [points].
+constexpr float kRing = 4.5f, kRingGap = 2.0f;
 
 /// A limb whose radius swells between its ends, by `belly` halfway, as one shape.
 void DrawSwollenLimb(ImDrawList* list, ImVec2 from, float from_radius, ImVec2 to, float to_radius,
@@ -89,8 +92,18 @@ void DrawBody(ImDrawList* list, const Skeleton& bones, const FigureLook& look,
   std::vector<BodyPoint> points;
   for (const ImVec2& point : endpoints) points.push_back({point.x / scale, -point.y / scale});
   const auto on_canvas = [&](BodyPoint point) { return ImVec2(point.x * scale, -point.y * scale); };
-  for (const BodyPart& part : BodyPartsOf(bones, look, points)) {
-    const ImU32 colour = part.far && ink.far != 0 ? ink.far : ink.body;
+  const std::vector<BodyPart> parts = BodyPartsOf(bones, look, points);
+  for (const auto& [wider, colour] : {std::pair{kRing, ink.strain.tint}, {kRingGap, ink.strain.gap}}) {
+    for (const BodyPart& part : parts) {
+      if (ink.strain.Of(part.rod) >= ink.strain.limit)
+        DrawLimb(list, on_canvas(part.from), radius(part.from_m) + wider, on_canvas(part.to),
+                 radius(part.to_m) + wider, colour);
+    }
+  }
+  for (const BodyPart& part : parts) {
+    const ImU32 plain = part.far && ink.far != 0 ? ink.far : ink.body;
+    const float strain = ink.strain.Of(part.rod);
+    const ImU32 colour = strain > 0.0f ? Mix(plain, ink.strain.tint, strain) : plain;
     const ImVec2 from = on_canvas(part.from), to = on_canvas(part.to);
     if (part.belly_m > 0.0f) {
       DrawSwollenLimb(list, from, radius(part.from_m), to, radius(part.to_m), part.belly_m * scale, colour);
@@ -123,10 +136,21 @@ void DrawBody(ImDrawList* list, const Skeleton& bones, const FigureLook& look,
 void DrawRods(ImDrawList* list, const Skeleton& skeleton, std::span<const ImVec2> endpoints,
               const RodInk& ink) {
   std::array<int, kMaxEndpoints> rods_at{};
+  const auto capsule = [&](int rod, float width, ImU32 colour) {
+    const auto i = static_cast<std::size_t>(rod);
+    const auto start = static_cast<std::size_t>(skeleton.limbs[i].start);
+    DrawCapsule(list, endpoints[start], endpoints[i + 1], width, colour);
+  };
+  for (const auto& [wider, colour] : {std::pair{kRing, ink.strain.tint}, {kRingGap, ink.strain.gap}}) {
+    for (int rod = 1; rod < skeleton.rods; ++rod) {
+      if (ink.strain.Of(rod) >= ink.strain.limit) capsule(rod, ink.width + 2.0f * wider, colour);
+    }
+  }
   for (int rod = 0; rod < skeleton.rods; ++rod) {
     const auto i = static_cast<std::size_t>(rod);
     const auto start = static_cast<std::size_t>(skeleton.limbs[i].start);
-    DrawCapsule(list, endpoints[start], endpoints[i + 1], ink.width, ink.rods);
+    const float strain = ink.strain.Of(rod);
+    capsule(rod, ink.width, strain > 0.0f ? Mix(ink.rods, ink.strain.tint, strain) : ink.rods);
     ++rods_at[start];
     ++rods_at[i + 1];
   }

@@ -15,6 +15,20 @@ namespace gaitsmith::shell {
 /// How much of a body's colour its far limbs keep.
 inline constexpr float kFarShare = 0.57f;
 
+/// How hard the joints work: a limb is tinted by the strain of the joint where it starts, and has a ring at
+/// its limit, so that it is seen without colours, too.
+struct StrainInk {
+  std::span<const float> strains = {};  // of each joint, [0, 1]; empty: nothing is tinted
+  ImU32 tint = 0;                       // of a limb at its limit
+  ImU32 gap = 0;                        // between a limb and its ring
+  float limit = 1.0f;                   // strain from which there is a ring
+
+  /// @param rod the root has no joint
+  [[nodiscard]] float Of(int rod) const {
+    return rod < 1 || strains.empty() ? 0.0f : strains[static_cast<std::size_t>(rod - 1)];
+  }
+};
+
 /// Colours of a body; 0: that part is not drawn.
 struct BodyInk {
   ImU32 body;
@@ -23,6 +37,7 @@ struct BodyInk {
   ImU32 joints = 0;  // dots
   ImU32 eye = 0;
   float grow = 0.0f;  // added to every radius [points]
+  StrainInk strain = {};
 };
 
 /// A body drawn at this scale. Rods and joints are left out where they would only be specks.
@@ -35,6 +50,7 @@ struct RodInk {
   ImU32 rods;
   ImU32 joints = 0;  // 0: joints are not marked
   float width;       // of the rods [points]
+  StrainInk strain = {};
 };
 
 /// Rounded rods of one width. @param endpoints as in DrawBody

@@ -34,7 +34,8 @@ void DrawBones(const Scene& s, const Playback& player, double time_s, const Body
   std::vector<ImVec2> points = OnScreen(s, player, time_s);
   if (s.rods_only) {
     const float width = thin * RodWidth(bones, s.camera.scale) + 2.0f * ink.grow;
-    DrawRods(s.list, bones, points, {.rods = ink.body, .joints = ink.joints, .width = width});
+    DrawRods(s.list, bones, points,
+             {.rods = ink.body, .joints = ink.joints, .width = width, .strain = ink.strain});
     return;
   }
   const ImVec2 raised = RaisedBySoles(s, player);
@@ -206,12 +207,14 @@ std::vector<ImVec2> DrawScene(const Scene& s) {
   const Palette& p = s.ui.Ink();
   const std::vector<ImVec2> endpoints = OnScreen(s, s.player, s.player.TimeS());
   DrawShadow(s, endpoints);
+  const std::vector<float> strains = view.torques && !rests ? s.player.StrainsNow() : std::vector<float>();
   DrawBones(s, s.player, s.player.TimeS(),
             {.body = p.ink,
              .far = Mix(p.paper, p.ink, kFarShare),
              .rods = Mix(p.ink, p.paper, 0.42f),
              .joints = rests ? 0 : ActiveColour(s),
-             .eye = p.paper});
+             .eye = p.paper,
+             .strain = {strains, p.strain, p.paper, Playback::kAtLimit}});
   if (view.forces && !rests) DrawForces(s, endpoints);
   if (poses) {
     const Playback::Point centre = s.player.CentreAt(s.player.TimeS());

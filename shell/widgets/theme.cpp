@@ -24,6 +24,7 @@ constexpr Palette kLight = {.paper = Rgb(0xfbfaf6),
                             .accent_ink = Rgb(0xffffff),
                             .good = Rgb(0x23764c),
                             .bad = Rgb(0xb23a3a),
+                            .strain = Rgb(0xd4500c),
                             .ground = IM_COL32(0xd9, 0xd2, 0xc3, 89)};
 
 constexpr Palette kDark = {.paper = Rgb(0x14181d),
@@ -36,6 +37,7 @@ constexpr Palette kDark = {.paper = Rgb(0x14181d),
                            .accent_ink = Rgb(0x0d1420),
                            .good = Rgb(0x63c796),
                            .bad = Rgb(0xf08a80),
+                           .strain = Rgb(0xe85d10),
                            .ground = IM_COL32(0x33, 0x3c, 0x46, 89),
                            .dark = true};
 
@@ -49,6 +51,7 @@ constexpr Palette kStrongLight = {.paper = Rgb(0xffffff),
                                   .accent_ink = Rgb(0xffffff),
                                   .good = Rgb(0x005c2e),
                                   .bad = Rgb(0x9b0000),
+                                  .strain = Rgb(0xc25400),
                                   .ground = IM_COL32(0x00, 0x00, 0x00, 36)};
 
 constexpr Palette kStrongDark = {.paper = Rgb(0x000000),
@@ -61,6 +64,7 @@ constexpr Palette kStrongDark = {.paper = Rgb(0x000000),
                                  .accent_ink = Rgb(0x000000),
                                  .good = Rgb(0x6dff9f),
                                  .bad = Rgb(0xff9d92),
+                                 .strain = Rgb(0xe06000),
                                  .ground = IM_COL32(0xff, 0xff, 0xff, 48),
                                  .dark = true};
 

@@ -22,6 +22,7 @@ struct Palette {
   ImU32 accent_ink;  // text on the accent
   ImU32 good;
   ImU32 bad;
+  ImU32 strain;  // of a limb whose joint gives all that it can
   ImU32 ground;  // overlay on the paper below the ground line
   bool dark = false;
 

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "core/document/composite.h"
+#include "core/document/joints.h"
 #include "core/physics/ground_view.h"
 
 namespace gaitsmith::shell {
@@ -121,6 +122,19 @@ float Playback::CameraGroundAt(double time_s) const {
   const float a = camera_ground_m_[i];
   const float b = camera_ground_m_[std::min(i + 1, camera_ground_m_.size() - 1)];
   return a + (b - a) * share;
+}
+
+std::vector<float> Playback::StrainsNow() const {
+  constexpr int kAround = 2;  // frames
+  if (!HasLimitedJoints(shown_)) return {};
+  const int first = std::max(1, Frame() - kAround), last = std::min(Frame() + kAround, motion_->Frames() - 1);
+  std::vector<float> strains(static_cast<std::size_t>(motion_->Bones().joints), 0.0f);
+  for (int joint = 0; joint < motion_->Bones().joints; ++joint) {
+    float& strain = strains[static_cast<std::size_t>(joint)];
+    for (int frame = first; frame <= last; ++frame)
+      strain += motion_->Strain(frame, joint) / static_cast<float>(last - first + 1);
+  }
+  return strains;
 }
 
 void Playback::Measure() {

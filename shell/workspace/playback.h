@@ -58,6 +58,12 @@ class Playback {
   [[nodiscard]] int Frame() const;
   [[nodiscard]] const Terms& TermsNow() const { return motion_->TermsAt(Frame()); }
 
+  /// How much of its greatest torque each joint uses around now, [0, 1]: a mean of a twentieth of a second,
+  /// since torques jump from step to step. Empty where joints are as strong as they need to be.
+  [[nodiscard]] std::vector<float> StrainsNow() const;
+  /// From this strain on a joint counts as at its limit.
+  static constexpr float kAtLimit = 0.95f;
+
   double speed = 1.0;
 
   /// A point of the figure: the position along the ground in double precision, and the height.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/document/joints.h"
 #include "core/document/style_weights.h"
 #include "shell/stage/live_switch.h"
 #include "shell/widgets/fold.h"
@@ -225,6 +226,9 @@ void DrawStylePanel(Ui& ui, Session& session, StylePanelState& state) {
     session.SetView([&](View& v) { v.trail = trail; });
   if (ui.Switch("view/forces", Tr("Contact forces"), forces))
     session.SetView([&](View& v) { v.forces = forces; });
+  bool torques = session.Doc().view.torques;
+  if (HasLimitedJoints(session.Doc()) && ui.Switch("view/torques", Tr("Torques of the joints"), torques))
+    session.SetView([&](View& v) { v.torques = torques; });
   ui.Gap(14.0f);
   if (ui.Button("style/simple", ui.ControlRow(), Tr("Show only goal, senses and effort")))
     session.ShowAll(false);

@@ -64,6 +64,9 @@ TEST_CASE("strength: no joint exceeds its torque or passes its limits", "[physic
             continue;
           }
           const float most = body.torque_nm[i] * kStep;
+          REQUIRE(plant.Strain(static_cast<int>(i) - 1, 0) <= 1.0f);
+          if (most > 0.0f && s.torque_side[i][0] != 0.0f)
+            REQUIRE(plant.Strain(static_cast<int>(i) - 1, 0) == 1.0f);
           REQUIRE(std::abs(s.joint_impulse[i][0]) <= most);
           if (s.torque_side[i][0] != 0.0f) REQUIRE(s.joint_impulse[i][0] == s.torque_side[i][0] * most);
           ++(s.torque_side[i][0] != 0.0f ? strained : follows);

@@ -59,6 +59,32 @@ TEST_CASE(
   CHECK(Has(DescriptionOf(session), "Nothing touches the ground."));
 }
 
+TEST_CASE("the description names the joints at their greatest torque, where joints are limited") {
+  QuietHost host;
+  Session session(host);
+  const auto described = [&] {
+    int named = 0;
+    for (int frame = 1; frame < session.Player().Shown().Frames(); frame += 5) {
+      session.Player().SeekFrame(frame * 0.01);
+      int strained = 0;
+      for (const float strain : session.Player().StrainsNow())
+        strained += strain >= Playback::kAtLimit ? 1 : 0;
+      const std::string words = DescriptionOf(session);
+      CHECK(Has(words, "is at its greatest torque.") == (strained == 1));
+      CHECK(Has(words, "are at their greatest torque.") == (strained > 1));
+      named += strained > 0 ? 1 : 0;
+    }
+    return named;
+  };
+  CHECK(session.Player().StrainsNow().empty());
+  CHECK(described() == 0);
+  session.World().LimitJoints(true);
+  session.World().SetJointStrength(0.5f);
+  CHECK(session.Player().StrainsNow().size() ==
+        static_cast<std::size_t>(session.Player().Shown().Bones().joints));
+  CHECK(described() > 0);
+}
+
 TEST_CASE("the description says how often the figure turns, and how it ends") {
   QuietHost host;
   Session session(host);

@@ -51,6 +51,15 @@ TEST_CASE("Text is readable in every theme, with stronger contrast in the strong
   }
 }
 
+TEST_CASE("theme: a limb at its limit stands out from the stage and from other limbs") {
+  for (const PaletteName name :
+       {PaletteName::kLight, PaletteName::kDark, PaletteName::kStrongLight, PaletteName::kStrongDark}) {
+    const Palette& p = PaletteOf(name);
+    CHECK(Contrast(p.strain, p.paper) >= 3.0);
+    CHECK(Contrast(p.strain, p.ink) >= 2.0);
+  }
+}
+
 TEST_CASE("theme: only good scores are green") {
   const Palette& p = PaletteOf(PaletteName::kLight);
   CHECK(p.ScoreInk(0.0f) == p.good);
