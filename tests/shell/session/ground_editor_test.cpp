@@ -215,11 +215,11 @@ TEST_CASE("ground editor: commands choose, draw and remove; a locked world refus
   session.Ground().ChooseCorner(3);
   CHECK(command("world/ground/remove").why_not.empty());
   command("world/ground/remove").run();
-  CHECK(session.Ground().Corners().size() == 39);
+  CHECK(session.Ground().Corners().size() == 55);
   session.Layout().locked[static_cast<std::size_t>(LockedPart::kWorld)] = true;
   CHECK_FALSE(command("world/ground/level").why_not.empty());
   session.Ground().Choose(GroundPreset::kLevel, 1);
-  CHECK(session.Ground().Corners().size() == 39);
+  CHECK(session.Ground().Corners().size() == 55);
 }
 
 }  // namespace gaitsmith::shell::test
