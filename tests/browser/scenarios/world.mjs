@@ -147,14 +147,14 @@ async function groundByName({ browser, address }) {
   await page.click('world/open');
   await chooseGround(page, 2);
   assert.equal((await widget(page, 'world/ground'))?.value, 'Stairs');
-  assert.equal((await corners(page)).length, 32);
+  assert.equal((await corners(page)).length, 56);
   assert.equal(await page.call('model', () => window.gaitsmith.document().model), 2);
   assert.match(await page.status(), /joints of limited strength, so they are limited now/);
   const stairs = await page.hash();
   assert.notEqual(stairs, level);
   const other = await PageDriver.open(browser, await page.link());
   assert.equal(await other.hash(), stairs, 'a link carries the ground');
-  assert.equal((await corners(other)).length, 32);
+  assert.equal((await corners(other)).length, 56);
   await other.close();
   await chooseGround(page, 6);
   const first = await corners(page);
