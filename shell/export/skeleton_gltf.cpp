@@ -261,7 +261,8 @@ class SkeletonScene {
     const double right = static_cast<double>(ground.back().x_m) + kBeyond;
     std::vector<float> places, normals;
     std::vector<std::uint16_t> indices;
-    for (const Terrain::Face& face : Terrain(ground).Faces()) {
+    const Terrain terrain(ground);
+    for (const Terrain::Face& face : terrain.Faces()) {
       const double from_x = std::max(face.x, left);
       const double to_x = std::min(face.x + face.length * face.ux, right);
       const auto first = static_cast<int>(places.size() / 3);

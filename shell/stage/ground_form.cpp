@@ -21,7 +21,7 @@ void DrawPresets(Ui& ui, Session& session) {
   for (const char* name : GroundNames()) names.emplace_back(Tr(name));
   const auto known = ground.Preset();
   int chosen = known ? static_cast<int>(known->preset) : -1;
-  if (ui.Combo("world/ground", Tr("Ground"), names, chosen, GroundWords(known)))
+  if (ui.Combo("world/ground", Tr("Shape"), names, chosen, GroundWords(known)))
     ground.Choose(static_cast<GroundPreset>(chosen), 1);
   if (!known || known->preset != GroundPreset::kRubble) return;
   ui.Gap(6.0f);
@@ -66,6 +66,7 @@ void DrawChosenCorner(Ui& ui, GroundEditor& ground) {
 
 void DrawGroundForm(Ui& ui, Session& session, GroundFormState& state) {
   GroundEditor& ground = session.Ground();
+  ui.Heading(Tr("Ground"));
   DrawPresets(ui, session);
   ui.Gap(6.0f);
   const bool drawing = ground.Drawing();

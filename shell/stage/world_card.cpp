@@ -244,12 +244,12 @@ void DrawWorldCard(Ui& ui, Session& session, WorldCardState& state, const ImRect
       "world", card.GetSize(), ImGuiChildFlags_AlwaysUseWindowPadding,
       ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoBackground);
   ImGui::PopStyleVar();
-  DrawGroundForm(ui, session, state.ground);
   DrawSlopeAndGravity(ui, session);
   ui.Gap(8.0f);
   DrawLiveSwitch(ui, session, "world/live");
   DrawPushes(ui, session, state);
   ui.Gap(8.0f);
+  DrawGroundForm(ui, session, state.ground);
   DrawJoints(ui, session);
   ui.Gap(8.0f);
   DrawGhostChoice(ui, session);

@@ -14,7 +14,7 @@ const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 
 /** Modules: the C++ sources of the exported functions, the mark of an export, and the written interface and its file. */
 export const MODULES = [
-  { sources: ['web/search/engine.cpp', 'web/search/engine_motion.cpp', 'web/search/engine_breeding.cpp'], mark: 'GS_EXPORT', name: 'EngineExports', types: 'web/search/engine_exports.d.ts' },
+  { sources: ['web/search/engine.cpp', 'web/search/engine_motion.cpp', 'web/search/engine_files.cpp', 'web/search/engine_breeding.cpp'], mark: 'GS_EXPORT', name: 'EngineExports', types: 'web/search/engine_exports.d.ts' },
   { sources: ['shell/host/page.cpp', 'shell/host/page_hints.cpp', 'shell/host/page_typeface.cpp'], mark: 'EMSCRIPTEN_KEEPALIVE', name: 'AppExports', types: 'web/app/app_exports.d.ts' },
 ];
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Written by web/build/border.mjs from web/search/engine.cpp and web/search/engine_motion.cpp and web/search/engine_breeding.cpp: change those.
+// Written by web/build/border.mjs from web/search/engine.cpp and web/search/engine_motion.cpp and web/search/engine_files.cpp and web/search/engine_breeding.cpp: change those.
 
 /** An address in the module's memory; 0 is null. */
 export type Pointer = number;
@@ -97,13 +97,13 @@ export interface EngineExports {
   _gs_motion_body(role: Pointer, frame: number): Pointer;
   /** Of the last gs_motion_body(). */
   _gs_motion_body_size(role: Pointer): number;
+  /** The terms of the whole motion by name, whether its simulation failed, and its hash, as JSON. */
+  _gs_motion_measures(role: Pointer): Pointer;
+  _gs_motion_text_size(role: Pointer): number;
   /** @param words_size bytes of FilmStripWords in the input area, with a 0 byte after each */
   _gs_motion_film_strip(role: Pointer, wordsSize: number, poses: number): Pointer;
   /** A file that needs no words. @param id_size of an exporter's id in the input area */
   _gs_motion_file(role: Pointer, idSize: number): Pointer;
-  /** The terms of the whole motion by name, whether its simulation failed, and its hash, as JSON. */
-  _gs_motion_measures(role: Pointer): Pointer;
-  _gs_motion_text_size(role: Pointer): number;
   /**
    * The nursery of a round of the document's lineage. The genomes are the children of the round's parent.
    * @return the nursery's bytes, gs_document_size() of them

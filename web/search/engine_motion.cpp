@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A motion behind the engine's border: its frames, its figure's outline, and exported files.
+// A motion behind the engine's border: its frames, its ground, its figure's outline and its measures.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -11,30 +11,8 @@
 #include "core/document/archive.h"
 #include "core/document/json_value.h"
 #include "shell/body/body_parts.h"
-#include "shell/export/exporters.h"
 #include "web/search/engine_border.h"
-
-namespace gaitsmith {
-namespace {
-
-struct MotionRole {
-  Document document;
-  Motion motion;
-  std::vector<int> starts = {};     // of each rod: the endpoint where it begins
-  std::vector<float> numbers = {};  // all frames, one after another
-  std::vector<float> ground = {};   // x and y of its corners
-  shell::FigureLook look = {};
-  std::vector<float> body = {};
-  std::string text = {};
-};
-
-const char* Keep(MotionRole* role, std::string text) {
-  role->text = std::move(text);
-  return role->text.data();
-}
-
-}  // namespace
-}  // namespace gaitsmith
+#include "web/search/motion_role.h"
 
 using namespace gaitsmith;  // NOLINT: everything below is the border
 
@@ -101,33 +79,7 @@ GS_EXPORT const float* gs_motion_body(MotionRole* role, int frame) {
 /// Of the last gs_motion_body().
 GS_EXPORT std::size_t gs_motion_body_size(const MotionRole* role) { return role->body.size(); }
 
-// Exported files, gs_motion_text_size() bytes.
-/// @param words_size bytes of FilmStripWords in the input area, with a 0 byte after each
-GS_EXPORT const char* gs_motion_film_strip(MotionRole* role, std::size_t words_size, int poses) {
-  shell::FilmStripOptions options{.poses = poses};
-  const std::string_view words(reinterpret_cast<const char*>(Input().data()), words_size);
-  std::size_t at = 0;
-  for (std::string* word : {&options.words.description, &options.words.slope, &options.words.decimal_mark}) {
-    const std::size_t end = words.find('\0', at);
-    if (end == std::string_view::npos) {
-      Note({ErrorCode::kTruncated, "words", "fewer than expected"});
-      return nullptr;
-    }
-    *word = words.substr(at, end - at);
-    at = end + 1;
-  }
-  return Keep(role, shell::FilmStripSvg(role->document, role->motion, options));
-}
-/// A file that needs no words. @param id_size of an exporter's id in the input area
-GS_EXPORT const char* gs_motion_file(MotionRole* role, std::size_t id_size) {
-  const std::string_view id(reinterpret_cast<const char*>(Input().data()), id_size);
-  const auto row = std::ranges::find(shell::kExporters, id, &shell::ExporterRow::id);
-  if (row == shell::kExporters.end()) {
-    Note({ErrorCode::kUnknownName, "", "there is no such export"});
-    return nullptr;
-  }
-  return Keep(role, row->make(role->document, role->motion, {}));
-}
+// Texts have gs_motion_text_size() bytes.
 /// The terms of the whole motion by name, whether its simulation failed, and its hash, as JSON.
 GS_EXPORT const char* gs_motion_measures(MotionRole* role) {
   const Terms& terms = role->motion.TermsAt(role->motion.Frames() - 1);

@@ -99,9 +99,28 @@ async function limitedJoints({ browser, address }) {
 /** @param {PageDriver} page @returns {Promise<{x_m?: number, y_m?: number}[]>} */
 const corners = (page) => page.call('ground', () => window.gaitsmith.document().environment?.ground ?? []);
 
+/** Scrolls the World card until a control is in sight. @param {PageDriver} page @param {string} id */
+async function reveal(page, id) {
+  for (const way of [150, -150]) {
+    for (let turn = 0; turn < 12; turn++) {
+      const found = await widget(page, id);
+      const card = await widget(page, 'stage');
+      if (found && card && found.rect.height >= 17 && found.rect.y + found.rect.height < card.rect.y + card.rect.height - 20) return;
+      await scroll(page, way);
+    }
+  }
+  assert.fail(`${id} is not on the World card`);
+}
+
+/** Clicks a control of the World card. @param {PageDriver} page @param {string} id */
+async function press(page, id) {
+  await reveal(page, id);
+  await page.click(id);
+}
+
 /** Chooses an entry of the list of grounds. @param {PageDriver} page @param {number} which */
 async function chooseGround(page, which) {
-  await page.click('world/ground');
+  await press(page, 'world/ground');
   await page.click(`world/ground/${which}`);
 }
 
@@ -139,19 +158,17 @@ async function groundByName({ browser, address }) {
   await other.close();
   await chooseGround(page, 6);
   const first = await corners(page);
-  await page.click('world/rubble/more');
+  await press(page, 'world/rubble/more');
   assert.notDeepEqual(await corners(page), first, 'another rubble');
-  await page.click('world/rubble/less');
+  await press(page, 'world/rubble/less');
   assert.deepEqual(await corners(page), first, 'the same rubble again');
-  await scroll(page, 500);
+  await reveal(page, 'world/joints/0');
   assert.equal((await widget(page, 'world/joints/0'))?.state.disabled, true, 'drawn ground needs limited joints');
-  await page.click('world/joints/0');
+  await press(page, 'world/joints/0');
   assert.equal(await page.call('model', () => window.gaitsmith.document().model), 2);
-  await scroll(page, -2000);
   await chooseGround(page, 0);
   assert.equal((await corners(page)).length, 0);
-  await scroll(page, 500);
-  await page.click('world/joints/0');
+  await press(page, 'world/joints/0');
   assert.equal(await page.hash(), level, 'level, with joints as strong as needed');
   assert.deepEqual(page.complaints, []);
   await page.close();
@@ -162,7 +179,7 @@ async function groundByHand({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   const level = await page.hash();
   await page.click('world/open');
-  await page.click('world/ground-draw');
+  await press(page, 'world/ground-draw');
   await page.until('the tools', () => window.gaitsmith.widgets().some(({ id }) => id === 'stage/ground-done'));
   // A block with steep sides, which become vertical.
   await drawLine(page, [[0.32, 0.66], [0.325, 0.5], [0.45, 0.5], [0.455, 0.66]]);
@@ -194,19 +211,19 @@ async function groundByHand({ browser, address }) {
   assert.equal(await widget(page, 'stage/ground-done'), undefined, 'Escape ends drawing');
   assert.equal((await corners(page)).length, 3, 'what was drawn stays');
   // With the keyboard: corners are numbers.
-  await page.click('world/corners');
-  await page.click('world/corner/more');
+  await press(page, 'world/corners');
+  await press(page, 'world/corner/more');
+  await reveal(page, 'world/corner');
   assert.equal((await widget(page, 'world/corner'))?.value, '2');
   const [, second] = await corners(page);
-  await page.click('world/corner-height');
+  await press(page, 'world/corner-height');
   await page.press('ArrowRight');
   assert.notEqual((await corners(page))[1].y_m, second.y_m);
-  await page.click('world/corner-add');
+  await press(page, 'world/corner-add');
   assert.equal((await corners(page)).length, 4);
-  await page.click('world/corner-remove');
+  await press(page, 'world/corner-remove');
   assert.equal((await corners(page)).length, 3);
-  await scroll(page, 3000);
-  await page.click('world/reset');
+  await press(page, 'world/reset');
   assert.equal(await page.hash(), level, 'reset');
   assert.deepEqual(page.complaints, []);
   await page.close();

@@ -106,7 +106,8 @@ void CheckForwardKinematics(const Document& document) {
   const Gltf gltf(SkeletonGltf(document, motion));
   const auto& nodes = Gltf::At(gltf.Json(), "nodes").items;
   const Skeleton& bones = motion.Bones();
-  REQUIRE(static_cast<int>(nodes.size()) == bones.rods + 1);
+  const int ground = document.environment.ground.empty() ? 0 : 1;
+  REQUIRE(static_cast<int>(nodes.size()) == bones.rods + 1 + ground);
   const Gltf::Channel path = gltf.ChannelOf(1, "translation");
   std::vector<Gltf::Channel> turns;
   for (int rod = 0; rod < bones.rods; ++rod) {
