@@ -18,11 +18,14 @@ struct MotionRole {
   std::vector<float> numbers = {};  // all frames, one after another
   std::vector<float> ground = {};   // x and y of its corners
   shell::FigureLook look = {};
+  std::vector<float> body = {};
+  std::string text = {};
+};
 
-  /// Keeps a text for gs_motion_text_size(). @return it
-  inline const char* Keep(MotionRole* role, std::string text) {
-    role->text = std::move(text);
-    return role->text.data();
-  }
+/// Keeps a text for gs_motion_text_size(). @return it
+inline const char* Keep(MotionRole* role, std::string text) {
+  role->text = std::move(text);
+  return role->text.data();
+}
 
 }  // namespace gaitsmith
