@@ -112,19 +112,28 @@ check_instructions() {
   tests/bench/instruction_guard.sh build/release/tests/bench/instructions
 }
 
-# Links, anchors, pictures, HTML and search of the book in the built page, then the book in Chromium.
-check_book() {
-  GAITSMITH_SITE=build/site node --test tests/web/book.test.mjs
-  node tests/browser/book.mjs
+# Runs a program that drives a browser, for at most so many minutes: a browser that hangs must not hold up all the rest.
+within() { # minutes, program...
+  local minutes=$1 status=0; shift
+  command -v timeout >/dev/null || { "$@"; return; }
+  timeout -k 20 "${minutes}m" "$@" || status=$?
+  [ "$status" != 124 ] || echo "error: stopped after $minutes minutes: $*"
+  return "$status"
 }
 
-check_browsers() { node tests/browser/run.mjs; }
+# Links, anchors, pictures, HTML and search of the book in the built page, then the book in Chromium.
+check_book() {
+  GAITSMITH_SITE=build/site within 10 node --test tests/web/book.test.mjs
+  within 15 node tests/browser/book.mjs
+}
+
+check_browsers() { within 45 node tests/browser/run.mjs; }
 # A short visit in the engine of Safari. Exit status 77: its driver is not installed.
-check_webkit() { node tests/browser/webkit.mjs; }
-main_scenarios() { BROWSER=chromium node tests/browser/run.mjs build/site --main; }
+check_webkit() { within 10 node tests/browser/webkit.mjs; }
+main_scenarios() { BROWSER=chromium within 20 node tests/browser/run.mjs build/site --main; }
 
 # Long enough to see a leak. ./dev soak runs longer.
-check_soak() { node tests/browser/soak.mjs 120; }
+check_soak() { within 10 node tests/browser/soak.mjs 120; }
 
 # Exit status of a stage that this machine cannot run: neither passed nor failed.
 LEFT_OUT=77

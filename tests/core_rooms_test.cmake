@@ -6,10 +6,11 @@ set(rooms
   "numeric  ->"
   "signal   -> numeric"
   "control  -> numeric signal"
-  "physics  -> numeric signal"
-  "rollout  -> numeric signal control physics"
+  "world    -> numeric signal"
+  "physics  -> numeric signal world"
+  "rollout  -> numeric signal control world physics"
   "search   -> numeric signal control rollout"
-  "document -> numeric signal control physics rollout search"
+  "document -> numeric signal control world physics rollout search"
   "breeding -> numeric signal control rollout document search")
 
 set(faults "")

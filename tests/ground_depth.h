@@ -2,8 +2,8 @@
 // How deep rods are in drawn ground: the law that it lets nothing in.
 #pragma once
 
-#include "core/physics/terrain.h"
 #include "core/rollout/motion.h"
+#include "core/world/terrain.h"
 
 namespace gaitsmith::test {
 

@@ -4,8 +4,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/physics/terrain.h"
 #include "core/rollout/models.h"
+#include "core/world/terrain.h"
 
 namespace gaitsmith {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/document/schema.h"
 
-#include "core/physics/terrain.h"
 #include "core/rollout/models.h"
+#include "core/world/terrain.h"
 
 namespace gaitsmith {
 

@@ -5,12 +5,12 @@
 
 #include <array>
 
-#include "core/physics/environment.h"
 #include "core/physics/ground.h"
 #include "core/physics/motion_reports.h"
 #include "core/physics/muscles.h"
 #include "core/physics/snapshot.h"
 #include "core/signal/readings.h"
+#include "core/world/environment.h"
 
 namespace gaitsmith {
 

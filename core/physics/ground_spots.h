@@ -8,7 +8,7 @@
 
 #include "core/physics/limb_contacts.h"
 #include "core/physics/mechanism.h"
-#include "core/physics/terrain.h"
+#include "core/world/terrain.h"
 
 namespace gaitsmith {
 

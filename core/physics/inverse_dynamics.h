@@ -8,8 +8,8 @@
 #include <array>
 #include <span>
 
-#include "core/physics/environment.h"
 #include "core/physics/limb_arms.h"
+#include "core/world/environment.h"
 
 namespace gaitsmith {
 

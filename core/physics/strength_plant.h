@@ -6,7 +6,6 @@
 #include <array>
 
 #include "core/physics/drawn_ground.h"
-#include "core/physics/environment.h"
 #include "core/physics/level_ground.h"
 #include "core/physics/limb_guard.h"
 #include "core/physics/limb_step.h"
@@ -14,6 +13,7 @@
 #include "core/physics/muscles.h"
 #include "core/physics/snapshot.h"
 #include "core/signal/readings.h"
+#include "core/world/environment.h"
 
 namespace gaitsmith {
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/numeric/scalar_math.h"
-#include "core/physics/environment.h"
 #include "core/physics/skeleton.h"
+#include "core/world/environment.h"
 
 namespace gaitsmith {
 

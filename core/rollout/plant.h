@@ -6,7 +6,6 @@
 #include <array>
 #include <concepts>
 
-#include "core/physics/environment.h"
 #include "core/physics/figure.h"
 #include "core/physics/snapshot.h"
 #include "core/physics/terms.h"
@@ -15,6 +14,7 @@
 #include "core/signal/ports.h"
 #include "core/signal/readings.h"
 #include "core/signal/time.h"
+#include "core/world/environment.h"
 
 namespace gaitsmith {
 

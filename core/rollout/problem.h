@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/control/controller.h"
-#include "core/physics/environment.h"
 #include "core/rollout/body_shape.h"
 #include "core/rollout/task.h"
+#include "core/world/environment.h"
 
 namespace gaitsmith {
 

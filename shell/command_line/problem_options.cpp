@@ -9,7 +9,7 @@
 
 #include "core/document/joints.h"
 #include "core/document/style_weights.h"
-#include "core/physics/ground_preset.h"
+#include "core/world/ground_preset.h"
 
 namespace gaitsmith::shell {
 

@@ -9,7 +9,7 @@
 #include <set>
 #include <string_view>
 
-#include "core/physics/ground_view.h"
+#include "core/world/ground_view.h"
 #include "shell/export/film_strip_layout.h"
 #include "shell/export/rule_colours.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/physics/ground_view.h"
+#include "core/world/ground_view.h"
 
 namespace gaitsmith::shell {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/physics/terrain.h"
+#include "core/world/terrain.h"
 #include "shell/export/film_strip.h"
 
 namespace gaitsmith::shell {

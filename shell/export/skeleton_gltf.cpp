@@ -9,7 +9,7 @@
 
 #include "core/document/json_value.h"
 #include "core/numeric/scalar_math.h"
-#include "core/physics/terrain.h"
+#include "core/world/terrain.h"
 #include "shell/export/exporters.h"
 
 namespace gaitsmith::shell {

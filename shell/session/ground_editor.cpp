@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/document/joints.h"
-#include "core/physics/terrain.h"
+#include "core/world/terrain.h"
 #include "shell/session/ground_stroke.h"
 #include "shell/words/language.h"
 

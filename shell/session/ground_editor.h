@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/physics/ground_preset.h"
+#include "core/world/ground_preset.h"
 #include "shell/workspace/workspace.h"
 
 namespace gaitsmith::shell {

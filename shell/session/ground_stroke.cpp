@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/physics/terrain.h"
+#include "core/world/terrain.h"
 
 namespace gaitsmith::shell {
 namespace {

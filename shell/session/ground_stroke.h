@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/physics/environment.h"
+#include "core/world/environment.h"
 
 namespace gaitsmith::shell {
 

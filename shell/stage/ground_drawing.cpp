@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/physics/ground_view.h"
+#include "core/world/ground_view.h"
 #include "shell/words/wording.h"
 
 namespace gaitsmith::shell {

@@ -2,7 +2,7 @@
 // The ground with its ruler: level, on a slope, or drawn.
 #pragma once
 
-#include "core/physics/terrain.h"
+#include "core/world/terrain.h"
 #include "shell/stage/camera.h"
 #include "shell/widgets/widgets.h"
 

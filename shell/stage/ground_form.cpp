@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/physics/terrain.h"
+#include "core/world/terrain.h"
 #include "shell/widgets/fold.h"
 #include "shell/words/ground_words.h"
 #include "shell/words/language.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/physics/ground_view.h"
+#include "core/world/ground_view.h"
 #include "shell/stage/figure_drawing.h"
 #include "shell/stage/ground_drawing.h"
 #include "shell/words/wording.h"

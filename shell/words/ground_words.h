@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "core/physics/ground_preset.h"
+#include "core/world/ground_preset.h"
 
 namespace gaitsmith::shell {
 

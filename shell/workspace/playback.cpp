@@ -9,7 +9,7 @@
 
 #include "core/document/composite.h"
 #include "core/document/joints.h"
-#include "core/physics/ground_view.h"
+#include "core/world/ground_view.h"
 
 namespace gaitsmith::shell {
 

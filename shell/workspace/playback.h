@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/document/document.h"
-#include "core/physics/terrain.h"
+#include "core/world/terrain.h"
 
 namespace gaitsmith::shell {
 

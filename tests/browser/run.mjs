@@ -12,19 +12,27 @@ import { MAIN_SCENARIOS, ONCE, SCENARIOS } from './scenarios/all.mjs';
 import { takePictures } from './pictures.mjs';
 import { nativeHash } from './native.mjs';
 
+// Six times what the longest needs. A browser that no longer answers would otherwise hold up all that follow.
+const LIMIT_S = 300;
+
 let passed = 0;
 let failed = 0;
 
 /** @param {string} name @param {() => Promise<void>} body */
 async function check(name, body) {
   const start = performance.now();
+  let timer;
   try {
-    await body();
+    await Promise.race([body(), new Promise((_, reject) => {
+      timer = setTimeout(() => reject(new Error(`not done after ${LIMIT_S} s`)), LIMIT_S * 1000);
+    })]);
     passed++;
     console.log(`ok      ${name} (${((performance.now() - start) / 1000).toFixed(1)} s)`);
   } catch (error) {
     failed++;
     console.log(`FAILED  ${name}\n        ${error instanceof Error ? error.message.replaceAll('\n', '\n        ') : error}`);
+  } finally {
+    clearTimeout(timer);
   }
 }
 

@@ -10,7 +10,7 @@
 #include "core/document/joints.h"
 #include "core/document/json.h"
 #include "core/document/json_value.h"
-#include "core/physics/ground_preset.h"
+#include "core/world/ground_preset.h"
 #include "shell/export/exporters.h"
 #include "shell/export/film_strip.h"
 #include "tests/scene.h"

@@ -9,7 +9,7 @@
 #include "core/document/joints.h"
 #include "core/document/link.h"
 #include "core/numeric/random.h"
-#include "core/physics/terrain.h"
+#include "core/world/terrain.h"
 #include "shell/session/commands.h"
 #include "shell/session/ground_stroke.h"
 #include "tests/shell/session/quiet_host.h"

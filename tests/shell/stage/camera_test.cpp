@@ -6,7 +6,7 @@
 #include "core/document/joints.h"
 #include "core/document/json.h"
 #include "core/document/standing.h"
-#include "core/physics/ground_preset.h"
+#include "core/world/ground_preset.h"
 #include "shell/stage/ground_drawing.h"
 #include "shell/stage/invitation.h"
 #include "shell/stage/scene.h"

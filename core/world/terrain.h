@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/numeric/error.h"
-#include "core/physics/environment.h"
+#include "core/world/environment.h"
 
 namespace gaitsmith {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Grounds that are chosen by name.
-#include "core/physics/ground_preset.h"
+#include "core/world/ground_preset.h"
 
 #include <algorithm>
 #include <catch_amalgamated.hpp>
 #include <cmath>
 
-#include "core/physics/terrain.h"
+#include "core/world/terrain.h"
 #include "tests/scene.h"
 
 namespace gaitsmith {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "core/physics/ground_preset.h"
+#include "core/world/ground_preset.h"
 
 #include <algorithm>
 
 #include "core/numeric/random.h"
-#include "core/physics/terrain.h"
+#include "core/world/terrain.h"
 
 namespace gaitsmith {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/physics/terrain.h"
+#include "core/world/terrain.h"
 
 #include <catch_amalgamated.hpp>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/numeric/scalar_math.h"
-#include "core/physics/constants.h"
+#include "core/signal/ports.h"
 
 namespace gaitsmith {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/physics/environment.h"
+#include "core/world/environment.h"
 
 namespace gaitsmith {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/physics/terrain.h"
+#include "core/world/terrain.h"
 
 namespace gaitsmith {
 
