@@ -49,6 +49,8 @@ std::vector<std::string> ShippedFigureFiles() {
   return names;
 }
 
+Terms AtEnd(const Motion& motion) { return motion.TermsAt(motion.Frames() - 1); }
+
 Figure LyingRod() {
   Rod rod;
   rod.length_m = 1.3f;

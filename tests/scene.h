@@ -37,6 +37,9 @@ Motion MotionOf(const Figure& figure, const Environment& environment, const Star
                 std::span<const Push> pushes, std::span<const Controller> controllers,
                 std::span<const Clip> clips, int steps, float step_s = kStep);
 
+/// The terms of a whole motion.
+Terms AtEnd(const Motion&);
+
 /// The names of all golden documents of tests/golden/motions, sorted.
 std::vector<std::string> GoldenMotions();
 /// The same for joints of limited strength, model 2.

@@ -120,6 +120,7 @@ void DrawCorners(const Scene& s, const GroundGesture& gesture, const ImRect& ope
   }
   if (!gesture.drawn.empty()) {
     std::vector<ImVec2> line;
+    line.reserve(gesture.drawn.size());
     for (const Corner& point : gesture.drawn) line.push_back(OnStage(s.camera, point));
     s.list->AddPolyline(line.data(), static_cast<int>(line.size()), p.paper, 0, 6.0f);
     s.list->AddPolyline(line.data(), static_cast<int>(line.size()), p.accent, 0, 3.0f);

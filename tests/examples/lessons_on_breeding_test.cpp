@@ -16,9 +16,9 @@ namespace gaitsmith::test {
 namespace {
 
 /// A judge of the lesson: of nine children, the two that turn over most are the parents of the next.
-class Judge {
+class Breeder {
  public:
-  explicit Judge(Document first) : first_(std::move(first)), parents_(first_.controllers) {}
+  explicit Breeder(Document first) : first_(std::move(first)), parents_(first_.controllers) {}
 
   /// @return the child that turns over most
   Document NextGeneration() {
@@ -66,34 +66,34 @@ TEST_CASE("lessons: you are the judge", "[lessons]") {
   CHECK(Rounded(TermsOf(frog).rotations, 1) == 0.0);
   CHECK(Rounded(TermsOf(frog).travel_m, 1) == 31.3);
 
-  Judge judge(frog);
-  const Terms first = TermsOf(judge.NextGeneration());
+  Breeder breeder(frog);
+  const Terms first = TermsOf(breeder.NextGeneration());
   Says(lesson, "| 1 | 0.5 | 6.6 m |");
   CHECK(Rounded(first.rotations, 1) == 0.5);
   CHECK(Rounded(first.travel_m, 1) == 6.6);
   Says(lesson, "our two picks had turned over halfway, and then lay on their backs");
   CHECK(first.upright < -0.8f);
   const Document misjudged = Shipped("lessons/8-misjudged");
-  CHECK(judge.Liked().outcome.best == misjudged.controllers[0].genes);
+  CHECK(breeder.Liked().outcome.best == misjudged.controllers[0].genes);
   Says(lesson, "a frog that runs on its back");
   Says(lesson, "32.7 m, and 0.4 turns");
   CHECK(TermsOf(misjudged).upright < -0.8f);
   CHECK(Rounded(TermsOf(misjudged).travel_m, 1) == 32.7);
   CHECK(Rounded(TermsOf(misjudged).rotations, 1) == 0.4);
 
-  const Terms second = TermsOf(judge.NextGeneration());
+  const Terms second = TermsOf(breeder.NextGeneration());
   Says(lesson, "| 2 | 7.5 | 11.8 m |");
   CHECK(Rounded(second.rotations, 1) == 7.5);
   CHECK(Rounded(second.travel_m, 1) == 11.8);
 
-  const Document third = judge.NextGeneration(), picked = Shipped("lessons/8-picked");
+  const Document third = breeder.NextGeneration(), picked = Shipped("lessons/8-picked");
   Says(lesson, "19.6 m |");
   CHECK(third.controllers[0].genes == picked.controllers[0].genes);
   CHECK(Rounded(TermsOf(picked).rotations, 1) == 7.6);
   CHECK(Rounded(TermsOf(picked).travel_m, 1) == 19.6);
   CHECK(Reaches(goal, picked));
   const Document liked = Shipped("lessons/8-liked");
-  CHECK(judge.Liked().outcome.best == liked.controllers[0].genes);
+  CHECK(breeder.Liked().outcome.best == liked.controllers[0].genes);
   Says(lesson, "16.5 turns, 3.2 m high, 24.9 m far");
   Says(lesson, "the frog that turns over 16.5 times?");
   CHECK(Rounded(TermsOf(liked).rotations, 1) == 16.5);

@@ -176,9 +176,7 @@ async function lessonInTheAddress({ browser, address }) {
 
   // A locked slider is disabled, and a key changes nothing either.
   await page.page.evaluate(() => window.gaitsmith.run('panel/Style'));
-  await page.frames();
-  const slip = (await page.widgets()).find(({ id }) => id === 'style/slip');
-  assert.equal(slip?.state.disabled, true);
+  await page.until('the locked slider', () => window.gaitsmith.widgets().some(({ id, state }) => id === 'style/slip' && state.disabled === true));
   const start = (await page.widgets()).find(({ id }) => id === 'stage');
   assert.ok(start && !start.state.disabled);
   const hash = await page.hash();

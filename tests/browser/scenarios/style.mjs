@@ -19,8 +19,10 @@ async function weighs({ browser, address }) {
   assert.match(note?.value ?? '', /^Score .*: travel.* m; slip .* m times 0\.5 adds .*; upright .* times 4\.0 .*\. Not weighed: .*effort/);
   const stage = (await fresh.widgets()).find(({ id }) => id === 'stage')?.rect ?? { x: 0, y: 0, width: 0, height: 0 };
   await fresh.page.mouse.move(stage.x + stage.width + 100, stage.y + 200);
-  await fresh.page.mouse.wheel({ deltaY: 2000 });
-  await fresh.frames();
+  for (let turns = 0; turns < 40 && !(await fresh.widgets()).some(({ id }) => id === 'style/effort'); turns++) {
+    await fresh.page.mouse.wheel({ deltaY: 100 });
+    await fresh.frames();
+  }
   await fresh.click('style/effort'); // the middle of its track, weight 0
   await fresh.page.keyboard.press('ArrowLeft', { delay: 60 });
   await fresh.frames();

@@ -17,8 +17,6 @@ namespace gaitsmith::test {
 
 namespace {
 
-Terms AtEnd(const Motion& motion) { return motion.TermsAt(motion.Frames() - 1); }
-
 Demonstration WayOf(std::vector<WayPoint> way) {
   Demonstration shown;
   shown.way = std::move(way);

@@ -35,8 +35,6 @@ Motion MotionIn(int model, const Figure& figure, const Environment& environment,
                        .model = model});
 }
 
-Terms AtEnd(const Motion& motion) { return motion.TermsAt(motion.Frames() - 1); }
-
 Figure WithJoints(Figure figure, float strength, float stiffness) {
   for (Rod& rod : figure.rods) {
     rod.strength = strength;
