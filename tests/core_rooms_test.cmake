@@ -4,9 +4,9 @@
 cmake_policy(VERSION 3.25)
 set(rooms
   "numeric  ->"
-  "signal   -> numeric"
-  "control  -> numeric signal"
-  "world    -> numeric signal"
+  "world    -> numeric"
+  "signal   -> numeric world"
+  "control  -> numeric world signal"
   "physics  -> numeric signal world"
   "rollout  -> numeric signal control world physics"
   "search   -> numeric signal control rollout"

@@ -2,7 +2,9 @@
 // Turns the readings of W plants into their controllers' senses, as defined in the table of senses.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -21,10 +23,13 @@ class SenseReader {
   using F = typename L::F;
 
  public:
-  /// @param spec with physical senses
-  SenseReader(const SenseSpec& spec, const Ports& ports, float step_s) : ports_(ports.Count()) {
+  /// @param spec with physical senses, or with sight
+  SenseReader(const SenseSpec& spec, const Ports& ports, float step_s)
+      : ports_(ports.Count()), sees_(spec.kind == SenseKind::kSight) {
+    sight_m_ = static_cast<double>(SightOf(spec, ports));
+    side_ = spec.facing == Facing::kRight ? 1 : -1;
     std::size_t at = 0;
-    for (const SenseGroup& group : kPhysicalSenses) {
+    for (const SenseGroup& group : kSightSenses) {
       for (int i = 0; i < CountOf(group.per, ports_); ++i, ++at) {
         const SenseRange range = group.range(spec, ports, static_cast<std::size_t>(i));
         float width = range.at_one - range.at_zero;
@@ -43,6 +48,7 @@ class SenseReader {
     [&]<std::size_t... Row>(std::index_sequence<Row...>) {
       (ReadGroup<Row>(readings, at, senses), ...);
     }(std::make_index_sequence<kPhysicalSenses.size()>());
+    if (sees_) Look(readings, at, senses);
   }
 
  private:
@@ -51,14 +57,30 @@ class SenseReader {
     constexpr SenseGroup kGroup = kPhysicalSenses[Row];
     const F* reading = ReadingOf<kGroup.quantity>(readings);
     const auto count = static_cast<std::size_t>(CountOf(kGroup.per, ports_));
-    for (std::size_t i = 0; i < count; ++i, ++at) {
-      const F sense = (reading[i] - at_zero_[at]) * per_unit_[at];
-      if constexpr (kGroup.clipped) {
-        senses[at] = L::Min(sense, L::Splat(1.0f));
-      } else {
-        senses[at] = sense;
-      }
+    for (std::size_t i = 0; i < count; ++i, ++at) senses[at] = Normal<kGroup.clip>(reading[i], at);
+  }
+
+  template <SenseClip Clip>
+  F Normal(const F& reading, std::size_t at) const {
+    F sense = (reading - at_zero_[at]) * per_unit_[at];
+    if constexpr (Clip != SenseClip::kNone) sense = L::Min(sense, L::Splat(1.0f));
+    if constexpr (Clip == SenseClip::kBoth) sense = L::Max(sense, F{});
+    return sense;
+  }
+
+  /// The senses of the ground ahead. Lane by lane, because each is at another place.
+  [[gnu::noinline]] void Look(const Readings<W>& readings, std::size_t at, SenseVector<W>& senses) const {
+    F ahead{}, corner = L::Splat(static_cast<float>(sight_m_));
+    for (int lane = 0; readings.terrain != nullptr && lane < W; ++lane) {
+      const Terrain& terrain = *readings.terrain;
+      const double here = (*readings.place)[lane];
+      if (!std::isfinite(here)) continue;
+      const double rise = terrain.HeightAt(here + side_ * sight_m_) - terrain.HeightAt(here);
+      L::Put(ahead, lane, static_cast<float>(rise));
+      L::Put(corner, lane, static_cast<float>(std::min(terrain.NextCorner(here, side_), sight_m_)));
     }
+    senses[at] = Normal<kGroundSenses[0].clip>(ahead, at);
+    senses[at + 1] = Normal<kGroundSenses[1].clip>(corner, at + 1);
   }
 
   template <SenseQuantity Quantity>
@@ -70,6 +92,9 @@ class SenseReader {
   }
 
   PortCount ports_;
+  bool sees_;
+  double sight_m_;
+  int side_;
   std::array<F, kMaxSenses> at_zero_{}, per_unit_{};
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a controller can sense: the physical senses of Table 1 [Fukunaga 1994], or the timer of its section
-// 4.2.
+// 4.2, or the physical senses and a look at the ground ahead.
 #pragma once
 
 #include "core/signal/ports.h"
@@ -12,7 +12,11 @@ enum class SenseKind {
   kPhysical,  // joint angles, contact forces at the endpoints, height and vertical velocity of the centre of
               // mass
   kTimer,     // t' = t mod t_p, a wind-up toy
+  kSight,     // the physical senses, the height of the ground ahead and the distance to its next corner
 };
+
+/// To which side a controller with sight looks, along the ground. Its mirror image looks to the other.
+enum class Facing { kRight, kLeft };
 
 /// A controller's senses, and the ranges that give its genes their meaning. sense_table.h lists every sense
 /// with its range.
@@ -26,6 +30,8 @@ struct SenseSpec {
   float force_weights = 2.0f;  // force sensed as 1, in standard weights of the plant, [0.1, 100]
   float height_rods = 2.0f;    // height sensed as 1, in longest rods, [0.1, 100]
   float velocity_mps = 3.0f;   // vertical velocity sensed as 1, [0.1, 100]
+  float sight_rods = 2.0f;     // with sight: how far it sees, in longest rods, [0.5, 20]
+  Facing facing = Facing::kRight;
 
   friend bool operator==(const SenseSpec&, const SenseSpec&) = default;
 };

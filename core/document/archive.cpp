@@ -113,7 +113,9 @@ Result<void> CheckSenses(const SenseSpec& senses, const std::string& where) {
 
 Result<void> CheckKind(ControllerKind kind, const SenseSpec& senses, const std::string& where) {
   if (kind == ControllerKind::kNetwork && senses.kind != SenseKind::kPhysical) {
-    return Fail(ErrorCode::kStructure, where, "a network has physical senses, not a timer");
+    return Fail(ErrorCode::kStructure, where,
+                senses.kind == SenseKind::kTimer ? "a network has physical senses, not a timer"
+                                                 : "a network has physical senses, and no sight");
   }
   return {};
 }

@@ -92,6 +92,8 @@ void Describe(Archive& ar, SenseSpec& senses) {
   ar.Real("force_weights", senses.force_weights, 0.1f, 100.0f, standard.force_weights);
   ar.Real("height_rods", senses.height_rods, 0.1f, 100.0f, standard.height_rods);
   ar.Real("velocity_mps", senses.velocity_mps, 0.1f, 100.0f, standard.velocity_mps);
+  ar.Since(8, [&] { ar.Real("sight_rods", senses.sight_rods, 0.5f, 20.0f, standard.sight_rods); });
+  ar.Since(8, [&] { ar.Choice("facing", senses.facing, kFacingNames, standard.facing); });
 }
 
 void Describe(Archive& ar, GeneticSettings& genetic) {

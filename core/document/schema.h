@@ -11,7 +11,8 @@
 namespace gaitsmith {
 
 inline constexpr std::array<std::string_view, 2> kRodEndNames = {"start", "end"};
-inline constexpr std::array<std::string_view, 2> kSenseKindNames = {"physical", "timer"};
+inline constexpr std::array<std::string_view, 3> kSenseKindNames = {"physical", "timer", "sight"};
+inline constexpr std::array<std::string_view, 2> kFacingNames = {"right", "left"};
 
 void Describe(Archive&, Figure&);
 void Describe(Archive&, SearchSettings&);

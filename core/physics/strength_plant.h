@@ -98,7 +98,9 @@ class StrengthPlant {
             .change = s.joint_turn.data(),
             .impulse = s.last_force.normal.data(),
             .height = terrain_.Level() ? &s.height_m : &height_m_,
-            .rise = &s.velocity_y};
+            .rise = &s.velocity_y,
+            .terrain = terrain_.Level() ? nullptr : &terrain_,
+            .place = &s.place_m};
   }
   [[nodiscard]] F Upright() const {
     F sine, cosine;

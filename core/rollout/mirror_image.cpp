@@ -48,6 +48,8 @@ Result<Controller> MirrorImageOf(const Controller& controller, const Figure& fig
   const BankShape shape(controller.rules, controller.senses.kind, ports);
   Controller image = controller;
   image.name = NameOfImage(controller.name);
+  if (image.senses.kind == SenseKind::kSight)
+    image.senses.facing = image.senses.facing == Facing::kRight ? Facing::kLeft : Facing::kRight;
   for (int rule = 0; rule < shape.rules; ++rule) {
     for (int joint = 0; joint < shape.joints; ++joint) {
       const int to = symmetry->joint[static_cast<std::size_t>(joint)];

@@ -35,7 +35,7 @@ class PlantRecorder final : public MotionRecorder {
     const typename PlantOf<1>::Body body(script.figure);
     const Ports ports = PlantOf<1>::PortsOf(body);
     log.ports = ports.Count();
-    log.senses = SenseCount(SenseKind::kPhysical, log.ports);
+    log.senses = SenseCount(SenseKind::kSight, log.ports);
     const auto takeovers = DecodeClips(script.clips, script.controllers, ports, script.step_s);
     Rollout<PlantOf, 1> rollout(body, script.environment, script.start, script.pushes, takeovers,
                                 script.step_s);

@@ -20,7 +20,7 @@ void DrawInterval(Gene& low, Gene& high, RandomStream& random) {
 /// Draws whether a sense is used, then the interval.
 void DrawStimulus(Gene& low, Gene& high, const SenseSpec& senses, const Variation& variation,
                   RandomStream& random) {
-  if (senses.kind == SenseKind::kPhysical && random.Chance(static_cast<double>(variation.dont_care))) {
+  if (senses.kind != SenseKind::kTimer && random.Chance(static_cast<double>(variation.dont_care))) {
     low = 0;
     high = kGeneMax;
   } else {
@@ -42,7 +42,7 @@ void CreepStimulus(Gene& low, Gene& high, const SenseSpec& senses, const Variati
   if (!hit_low && !hit_high) return;
   // Whether a rule uses a sense is heritable too. Some mutations redraw it, with the probability of the
   // initial generation, so that banks do not drift towards using every sense.
-  if (senses.kind == SenseKind::kPhysical && random.Chance(kRedrawCare)) {
+  if (senses.kind != SenseKind::kTimer && random.Chance(kRedrawCare)) {
     return DrawStimulus(low, high, senses, variation, random);
   }
   if (!cares) return;
@@ -54,7 +54,7 @@ void CreepStimulus(Gene& low, Gene& high, const SenseSpec& senses, const Variati
 /// Lets a component that ignores every sense use a random one, if it must use one.
 void Heed(Genome& genes, const ControllerShape& shape, int component, const SenseSpec& senses,
           const Variation& variation, RandomStream& random) {
-  if (variation.heedless == Heedless::kAllowed || senses.kind != SenseKind::kPhysical) return;
+  if (variation.heedless == Heedless::kAllowed || senses.kind == SenseKind::kTimer) return;
   for (const GeneGroup& group : shape.GroupsOf(component)) {
     if (group.role != GeneRole::kIntervals) continue;
     const std::span<Gene> ends = group.Of(genes);

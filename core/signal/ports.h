@@ -13,10 +13,6 @@ namespace gaitsmith {
 inline constexpr int kMaxActuators = 15;
 inline constexpr int kMaxContacts = 17;
 
-/// Standard gravity [m/s^2]. It scales the force senses, so that a controller can sense when a document
-/// changes gravity.
-inline constexpr float kStandardGravity = 9.8f;
-
 /// The numbers of connections. The layout of a genome depends on nothing else.
 struct PortCount {
   int actuators = 0;  // [0, kMaxActuators]

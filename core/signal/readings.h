@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/numeric/lane.h"
+#include "core/world/terrain.h"
 
 namespace gaitsmith {
 
@@ -16,6 +17,8 @@ struct Readings {
   const F* impulse;   // of the ground on each contact in the last step, away from the ground [N s], >= 0
   const F* height;    // of the centre of mass above the ground [m]
   const F* rise;      // velocity of the centre of mass away from the ground [m/s]
+  const Terrain* terrain = nullptr;            // nullptr: level ground
+  const typename Lane<W>::D* place = nullptr;  // of the centre of mass along the terrain [m]; nullptr: level
 };
 
 }  // namespace gaitsmith

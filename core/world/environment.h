@@ -5,9 +5,12 @@
 #include <vector>
 
 #include "core/numeric/scalar_math.h"
-#include "core/signal/ports.h"
 
 namespace gaitsmith {
+
+/// Standard gravity [m/s^2]. It scales the force senses, so that a controller can sense when a document
+/// changes gravity.
+inline constexpr float kStandardGravity = 9.8f;
 
 /// Where two straight pieces of a drawn ground meet.
 struct Corner {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace gaitsmith {
@@ -86,6 +87,15 @@ double Terrain::HeightAt(double x) const {
     if (face.ux > 0.0) height = std::max(height, face.y + (x - face.x) * (face.uy / face.ux));
   }
   return height;
+}
+
+double Terrain::NextCorner(double x, int side) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < faces_.size(); ++i) {
+    const double ahead = (faces_[i].x - x) * side;
+    if (ahead > 0.0) least = std::min(least, ahead);
+  }
+  return least;
 }
 
 std::span<const Terrain::Face> Terrain::FacesBetween(double left, double right) const {

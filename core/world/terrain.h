@@ -53,6 +53,9 @@ class Terrain {
   [[nodiscard]] bool Level() const { return faces_.size() == 1; }
   /// Height of the ground [m]; at a vertical face that of its upper end.
   [[nodiscard]] double HeightAt(double x) const;
+  /// How far the next corner is along the ground [m], > 0; infinity if there is none.
+  /// @param side 1: to the right, -1: to the left
+  [[nodiscard]] double NextCorner(double x, int side) const;
   [[nodiscard]] std::span<const Face> Faces() const { return faces_; }
   [[nodiscard]] std::span<const Edge> Edges() const { return edges_; }
   /// The faces, and the edges, that have a part between two places.

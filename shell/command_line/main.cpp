@@ -23,7 +23,7 @@ constexpr auto kCommands = std::to_array<Command>({
     {"simulate", gaitsmith::shell::SimulateCommand, "simulate DOC --csv OUT"},
     {"export", gaitsmith::shell::ExportCommand, "export DOC {exporters} [--poses N] [--from S] [--to S]"},
     {"synthesize", gaitsmith::shell::SynthesizeCommand,
-     "synthesize --figure F --task T --sense physical|timer=SECONDS --weight TERM=W\n"
+     "synthesize --figure F --task T --sense physical|timer=SECONDS|sight --weight TERM=W\n"
      "             --search ALG --evaluations N --seed S --out DOC [--curve CSV] [--styles DIR] [--threads "
      "K]\n"
      "             [--controller rules|network] [--rules N] [--duration SECONDS] [--joints "
@@ -33,14 +33,14 @@ constexpr auto kCommands = std::to_array<Command>({
      "  gaitsmith synthesize --repair DOC --clip N --out DOC [--task T] [--weight TERM=W] [--search ALG] …"},
     {"compare", gaitsmith::shell::CompareCommand,
      "compare --problem DOC … --search ALG[:OPTION=VALUE…] … --trials N --evaluations E --out CSV\n"
-     "             --curves CSV [--first-seed S] [--points P] [--sense physical|timer=SECONDS]\n"
+     "             --curves CSV [--first-seed S] [--points P] [--sense physical|timer=SECONDS|sight]\n"
      "             [--weight TERM=W] [--duration SECONDS] [--joints strong|limited|STRENGTH]\n"
      "             [--ground level|step|stairs|ramp|gap|hurdles|rubble[:SEED]]\n"
      "             [--shard I/N] [--threads K]\n"
      "  gaitsmith compare --summary CSV [--summary CSV …] [--search LABEL …]"},
     {"suite", gaitsmith::shell::SuiteCommand,
      "suite --problem DOC | --figure F --search ALG[:OPTION=VALUE…] --seeds N --evaluations E --out CSV\n"
-     "             [--sense physical|timer=SECONDS …] [--task T …] [--style NAME=TERM:W[,TERM:W] …]\n"
+     "             [--sense physical|timer=SECONDS|sight …] [--task T …] [--style NAME=TERM:W[,TERM:W] …]\n"
      "             [--first-seed S] [--duration SECONDS] [--controller rules|network] [--rules N]\n"
      "             [--joints strong|limited|STRENGTH]\n"
      "             [--ground level|step|stairs|ramp|gap|hurdles|rubble[:SEED]]\n"

@@ -31,8 +31,18 @@ Result<void> SetSense(const std::string& text, SenseSpec& senses) {
     senses.kind = SenseKind::kPhysical;
     return {};
   }
+  if (text == "sight" || text.starts_with("sight=")) {
+    senses.kind = SenseKind::kSight;
+    if (text == "sight") return {};
+    const auto rods = ParseNumber(text.substr(6), "--sense sight");
+    if (!rods) return std::unexpected(rods.error());
+    senses.sight_rods = static_cast<float>(std::clamp(std::abs(*rods), 0.0, 1e30));
+    senses.facing = *rods < 0.0 ? Facing::kLeft : Facing::kRight;
+    return {};
+  }
   if (!text.starts_with("timer=")) {
-    return Fail(ErrorCode::kUnknownName, "--sense", "must be physical or timer=SECONDS, is \"" + text + "\"");
+    return Fail(ErrorCode::kUnknownName, "--sense",
+                "must be physical, timer=SECONDS or sight, is \"" + text + "\"");
   }
   const auto period = WholeSteps(text.substr(6), "--sense timer", 2);
   if (!period) return std::unexpected(period.error());
@@ -44,6 +54,11 @@ Result<void> SetSense(const std::string& text, SenseSpec& senses) {
 std::string SenseText(const SenseSpec& senses) {
   if (senses.kind == SenseKind::kPhysical) return "physical";
   char text[40];
+  if (senses.kind == SenseKind::kSight) {
+    const float rods = senses.facing == Facing::kLeft ? -senses.sight_rods : senses.sight_rods;
+    std::snprintf(text, sizeof text, "sight=%g", static_cast<double>(rods));
+    return text;
+  }
   std::snprintf(text, sizeof text, "timer=%g", senses.period_steps * 0.01);
   return text;
 }

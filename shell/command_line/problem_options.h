@@ -7,7 +7,8 @@
 
 namespace gaitsmith::shell {
 
-/// Parses the value of --sense: "physical" or "timer=SECONDS".
+/// Parses the value of --sense: "physical", "timer=SECONDS", "sight" or "sight=RODS", which
+/// looks to the left if it is negative.
 [[nodiscard]] Result<void> SetSense(const std::string& text, SenseSpec&);
 /// The inverse of SetSense.
 [[nodiscard]] std::string SenseText(const SenseSpec&);

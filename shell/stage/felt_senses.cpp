@@ -8,6 +8,7 @@
 #include "core/control/rule_edit.h"
 #include "core/control/sense_table.h"
 #include "core/numeric/scalar_math.h"
+#include "core/world/ground_view.h"
 #include "shell/words/rule_words.h"
 
 namespace gaitsmith::shell {
@@ -79,13 +80,56 @@ void DrawAngle(const Scene& s, ImVec2 joint, ImVec2 end, int before, const Felt&
 // A band over the ground: the heights of the centre of mass for which the rule is right.
 void DrawHeight(const Scene& s, const Playback::Point& centre, const Felt& felt, const Pens& pens) {
   const double half_m = static_cast<double>(kBandHalf / s.camera.scale);
-  const float low = std::max(0.0f, felt.scale.Of(felt.low)), high = std::max(low, felt.scale.Of(felt.high));
+  const auto ground = static_cast<float>(HeightBelow(s.player.Ground(), centre.x_m));
+  const float least = std::max(0.0f, felt.scale.Of(felt.low)),
+              most = std::max(least, felt.scale.Of(felt.high));
+  const float low = ground + least, high = ground + most;
   const std::array<ImVec2, 4> band = {
       s.camera.ToScreen(centre.x_m - half_m, low), s.camera.ToScreen(centre.x_m + half_m, low),
       s.camera.ToScreen(centre.x_m + half_m, high), s.camera.ToScreen(centre.x_m - half_m, high)};
   s.list->AddConvexPolyFilled(band.data(), 4, Fade(pens.line, felt.holds ? 0.2f : 0.1f));
   s.list->AddLine(band[0], band[1], pens.line, 2.0f);
   s.list->AddLine(band[2], band[3], pens.line, 2.0f);
+}
+
+// What a controller with sight sees from below the centre of mass.
+struct Gaze {
+  double here_m, height_m;  // the ground below the centre of mass
+  double sight_m;           // < 0: to the left
+};
+
+// A mark where the sight ends: the heights of the ground for which the rule is right.
+void DrawAhead(const Scene& s, const Gaze& gaze, const Felt& felt, const Pens& pens) {
+  const double x = gaze.here_m + gaze.sight_m;
+  const auto at = [&](float share) {
+    return s.camera.ToScreen(x, static_cast<float>(gaze.height_m) + felt.scale.Of(share));
+  };
+  const ImVec2 low = at(felt.low), high = at(felt.high), now = at(std::clamp(felt.now, 0.0f, 1.0f));
+  s.list->AddLine(low, high, pens.edge, 9.0f);
+  s.list->AddLine(low, high, pens.line, 5.0f);
+  s.list->AddLine({now.x - 7.0f, now.y}, {now.x + 7.0f, now.y}, pens.ink, 2.5f);
+}
+
+// A band along the ground: where the next corner may be for the rule to be right.
+void DrawCorner(const Scene& s, const Gaze& gaze, const Felt& felt, const Pens& pens) {
+  const double side = gaze.sight_m < 0.0 ? -1.0 : 1.0;
+  const auto at = [&](float share) {
+    const double x = gaze.here_m + side * static_cast<double>(felt.scale.Of(share));
+    return s.camera.ToScreen(x, static_cast<float>(HeightBelow(s.player.Ground(), x)));
+  };
+  constexpr float kBelow = 7.0f;
+  const auto line = [&](float width, ImU32 colour) {
+    constexpr int kPieces = 24;
+    for (int i = 0; i <= kPieces; ++i) {
+      const ImVec2 p = at(felt.low + (felt.high - felt.low) * static_cast<float>(i) / kPieces);
+      s.list->PathLineTo({p.x, p.y + kBelow});
+    }
+    s.list->PathStroke(colour, 0, width);
+  };
+  line(9.0f, pens.edge);
+  line(5.0f, pens.line);
+  const ImVec2 now = at(std::clamp(felt.now, 0.0f, 1.0f));
+  s.list->AddLine({now.x, now.y}, {now.x, now.y + 2.0f * kBelow}, pens.ink, 2.5f);
 }
 
 // A clock around the centre of mass: the part of the period in which the rule is right.
@@ -118,6 +162,11 @@ void DrawFeltSenses(const Scene& s, const Controller& controller, int rule,
     const ImVec2 point = endpoints[static_cast<std::size_t>(endpoint)];
     return ImVec2(point.x + raised.x, point.y + raised.y);
   };
+  const float sight_m = SightOf(controller.senses, PortsOf(bones));
+  const Gaze gaze{
+      .here_m = centre.x_m,
+      .height_m = HeightBelow(s.player.Ground(), centre.x_m),
+      .sight_m = static_cast<double>(controller.senses.facing == Facing::kLeft ? -sight_m : sight_m)};
   bool centred = false;
   int angles = 0;
   for (int sense = 0; sense < static_cast<int>(moment->senses.size()); ++sense) {
@@ -149,6 +198,12 @@ void DrawFeltSenses(const Scene& s, const Controller& controller, int rule,
       case SenseQuantity::kVelocity:
         DrawGauge(s, {middle.x + 22.0f, middle.y}, felt, pens);
         centred = true;
+        break;
+      case SenseQuantity::kAhead:
+        DrawAhead(s, gaze, felt, pens);
+        break;
+      case SenseQuantity::kCorner:
+        DrawCorner(s, gaze, felt, pens);
         break;
       case SenseQuantity::kTime:
         DrawTimer(s, middle, felt, pens);

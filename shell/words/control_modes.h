@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What decides a controller's state: a clock, the physical senses, or a network of sensors. The paper
-// compares the first two. One row for each, read by the panel, titles, goals, scripts and the command line.
+// What decides a controller's state: a clock, the physical senses, these and a look ahead, or a network of
+// sensors. The paper compares the first two. One row for each, read by the panel, titles, goals, scripts and
+// the command line.
 #pragma once
 
 #include <array>
@@ -11,7 +12,7 @@
 
 namespace gaitsmith::shell {
 
-enum class ControlMode { kTimer, kSenses, kNetwork };
+enum class ControlMode { kTimer, kSenses, kSight, kNetwork };
 
 /// The texts are English, for Tr(). {1} is a number of rules or nodes, {2} the timer's period in seconds.
 struct ControlModeRow {
@@ -29,7 +30,7 @@ struct ControlModeRow {
 };
 
 /// In the order of the panel's switch.
-inline constexpr std::array<ControlModeRow, 3> kControlModes = {{
+inline constexpr std::array<ControlModeRow, 4> kControlModes = {{
     {ControlMode::kTimer, ControllerKind::kRules, SenseKind::kTimer, "timer", TrLater("Timer"),
      TrLater("Rules that follow a clock: a wind-up toy."), TrLater("Rules"), TrLater("timer"),
      TrLater("timer {1} s"), TrLater("{1} rule with timer {2} s"), TrLater("{1} rules with timer {2} s")},
@@ -37,6 +38,10 @@ inline constexpr std::array<ControlModeRow, 3> kControlModes = {{
      TrLater("Rules that feel angles, contacts, height and rise."), TrLater("Rules"),
      TrLater("physical senses"), TrLater("physical"), TrLater("{1} rule with physical senses"),
      TrLater("{1} rules with physical senses")},
+    {ControlMode::kSight, ControllerKind::kRules, SenseKind::kSight, "sight", TrLater("Sight"),
+     TrLater("Senses, and a look ahead: how high the ground is there, and how far its next corner."),
+     TrLater("Rules"), TrLater("sight"), TrLater("sight"), TrLater("{1} rule with sight"),
+     TrLater("{1} rules with sight")},
     {ControlMode::kNetwork, ControllerKind::kNetwork, SenseKind::kPhysical, "network", TrLater("Network"),
      TrLater("Touch and angle sensors, hidden nodes and actuators, all connected."), TrLater("Hidden nodes"),
      TrLater("network"), TrLater("network"), TrLater("a network of {1} hidden node"),

@@ -81,6 +81,8 @@ std::string QuantityWords(SenseQuantity quantity, float value) {
     case SenseQuantity::kForce:
       return with(number, std::abs(number) < 10.0 ? 1 : 0, " N");
     case SenseQuantity::kHeight:
+    case SenseQuantity::kAhead:
+    case SenseQuantity::kCorner:
       return with(number, 2, " m");
     case SenseQuantity::kVelocity:
       return with(number, 2, " m/s");

@@ -26,6 +26,44 @@ const char* PeriodWords(int period_steps, int duration_steps) {
   return Tr("above the motion's length: it never repeats");
 }
 
+// Changes the senses of the next search. A controller of this kind on the stage follows at once, with the
+// same rules.
+template <class Edit>
+void SetSenses(Session& session, SenseKind kind, Edit edit) {
+  const Controller* shown = session.Timeline().ShownController();
+  if (shown == nullptr || shown->senses.kind != kind) {
+    session.Set([&](Document& d) { edit(d.senses); });
+    return;
+  }
+  session.Change([&](Document& d) {
+    edit(d.senses);
+    const auto clip = static_cast<std::size_t>(session.Timeline().Selected());
+    edit(d.controllers[static_cast<std::size_t>(d.timeline[clip].controller)].senses);
+  });
+}
+
+// How far a controller with sight sees. Rules know it in longest rods, people in metres.
+void DrawSight(Ui& ui, Session& session) {
+  const float rod_m = session.Player().Shown().Bones().longest_rod_m;
+  double sight_m = static_cast<double>(session.Doc().senses.sight_rods * rod_m);
+  const auto unit_m = static_cast<double>(rod_m);
+  if (!ui.Slider("controller/sight", Tr("How far it sees"), sight_m,
+                 {.low = 0.5 * unit_m, .high = 20.0 * unit_m, .step = 0.1 * unit_m, .logarithmic = true},
+                 Fixed(sight_m, 1) + " m"))
+    return;
+  const float rods = std::clamp(static_cast<float>(sight_m / unit_m), 0.5f, 20.0f);
+  SetSenses(session, SenseKind::kSight, [&](SenseSpec& senses) { senses.sight_rods = rods; });
+}
+
+// To which side it looks. Its own side is not that of its goal: a figure may back away from what it sees.
+void DrawFacing(Ui& ui, Session& session) {
+  static constexpr std::array<const char*, 2> kSides = {TrLater("To the right"), TrLater("To the left")};
+  int side = static_cast<int>(session.Doc().senses.facing);
+  if (ui.Segmented("controller/facing", ui.ControlRow(), Tr("It looks"), kSides, side))
+    SetSenses(session, SenseKind::kSight, [&](SenseSpec& s) { s.facing = static_cast<Facing>(side); });
+  ui.Gap(8.0f);
+}
+
 void DrawSettings(Ui& ui, Session& session) {
   const SenseSpec& senses = session.Doc().senses;
   static constexpr auto kLabels = ControlModeColumn(&ControlModeRow::label);
@@ -49,24 +87,15 @@ void DrawSettings(Ui& ui, Session& session) {
                   {.low = 0.1, .high = longest, .step = 0.01, .logarithmic = true},
                   Fixed(seconds, 2) + " s")) {
       const int steps = static_cast<int>(std::lround(period * 100.0));
-      // A timer controller on the stage follows at once, with the same rules at another speed.
-      const Controller* shown = session.Timeline().ShownController();
-      const bool live = shown != nullptr && shown->senses.kind == SenseKind::kTimer;
-      const auto edit = [&](Document& d) {
-        d.senses.period_steps = steps;
-        if (!live) return;
-        const auto clip = static_cast<std::size_t>(session.Timeline().Selected());
-        d.controllers[static_cast<std::size_t>(d.timeline[clip].controller)].senses.period_steps = steps;
-      };
-      if (live) {
-        session.Change(edit);
-      } else {
-        session.Set(edit);
-      }
+      SetSenses(session, SenseKind::kTimer, [&](SenseSpec& s) { s.period_steps = steps; });
     }
     const int motion = session.Doc().task.duration_steps;
     ui.Paragraph(PeriodWords(session.Doc().senses.period_steps, motion), Type::kNote);
     ui.Gap(8.0f);
+  }
+  if (now.senses == SenseKind::kSight) {
+    DrawFacing(ui, session);
+    DrawSight(ui, session);
   }
   double rules = session.Doc().rules;
   if (ui.Slider("controller/rules", Tr(mode.units), rules,

@@ -77,7 +77,8 @@ class ScoreTable {
   float y_;  // top of the next line
 };
 
-/// Metres and other measures, without weights.
+/// The task's measure, those of the paper, and whatever has a weight. All others stand in the score, because
+/// a list of every measure would push the sliders out of the panel.
 void DrawMeasures(Ui& ui, const Session& session) {
   const Terms& terms = session.Player().TermsNow();
   const TaskKind kind = session.Doc().task.kind;
@@ -89,6 +90,7 @@ void DrawMeasures(Ui& ui, const Session& session) {
   ui.Fact(PrimaryLabel(kind), AmountText(Primary(session.Doc().task, terms), 2) + " m");
   for (std::size_t i = 0; i < kStyleTerms; ++i) {
     if (!CanMeasure(session.Doc().task, static_cast<StyleTerm>(i))) continue;
+    if (i >= kPaperTerms && session.Doc().task.weights[i] == 0.0f) continue;
     const TermWords& words = TermTexts()[i];
     ui.Fact(Tr(words.label), ValueText(words, terms.Style(static_cast<StyleTerm>(i))));
   }

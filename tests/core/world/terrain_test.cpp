@@ -37,6 +37,18 @@ TEST_CASE("the height of drawn ground is that of the line through its corners", 
   REQUIRE(Near(Terrain{std::span(ramp)}.HeightAt(90.0), 1.0));
 }
 
+TEST_CASE("the next corner is the nearest one to that side", "[physics][ground]") {
+  const Terrain hurdle{std::span(kHurdle)};
+  REQUIRE(Near(hurdle.NextCorner(0.0, 1), 1.0));
+  REQUIRE(Near(hurdle.NextCorner(1.02, 1), static_cast<double>(1.05f) - 1.02));
+  REQUIRE(Near(hurdle.NextCorner(1.02, -1), 0.02));
+  REQUIRE(std::isinf(hurdle.NextCorner(1.2, 1)));
+  REQUIRE(std::isinf(hurdle.NextCorner(0.0, -1)));
+  // From a corner on, it is the one after it.
+  REQUIRE(Near(hurdle.NextCorner(1.0, 1), static_cast<double>(1.05f) - 1.0));
+  REQUIRE(std::isinf(Terrain{std::span<const Corner>()}.NextCorner(0.0, 1)));
+}
+
 TEST_CASE("edges are the corners that stick out, and know the side of the ground", "[physics][ground]") {
   const Terrain hurdle{std::span(kHurdle)};
   REQUIRE(hurdle.Edges().size() == 2);
