@@ -10,6 +10,7 @@
 
 #include "core/physics/limb_guard.h"
 #include "core/rollout/evaluator.h"
+#include "core/world/environment.h"
 #include "tests/limb_motion.h"
 
 namespace gaitsmith::test {

@@ -2,6 +2,7 @@
 #include "core/physics/mechanism.h"
 
 #include "core/numeric/scalar_math.h"
+#include "core/world/environment.h"
 
 namespace gaitsmith {
 

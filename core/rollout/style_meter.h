@@ -11,6 +11,7 @@
 #include <span>
 
 #include "core/rollout/plant.h"
+#include "core/world/environment.h"
 
 namespace gaitsmith {
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/world/environment.h"
 #include "shell/words/controller_words.h"
 #include "shell/words/language.h"
 #include "shell/words/rule_words.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/world/environment.h"
 #include "core/world/ground_view.h"
 #include "shell/stage/figure_drawing.h"
 #include "shell/stage/ground_drawing.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/document/transition.h"
+#include "core/world/environment.h"
 #include "shell/words/figure_words.h"
 #include "shell/words/wording.h"
 

@@ -8,6 +8,7 @@
 
 #include "core/numeric/random.h"
 #include "core/physics/strength_plant.h"
+#include "core/world/environment.h"
 #include "tests/limb_scene.h"
 #include "tests/reference/free_limbs.h"
 #include "tests/scene.h"

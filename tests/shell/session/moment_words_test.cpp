@@ -5,6 +5,7 @@
 #include <catch_amalgamated.hpp>
 #include <string>
 
+#include "core/world/environment.h"
 #include "shell/embedded/embedded.h"
 #include "shell/words/wording.h"
 #include "tests/shell/session/quiet_host.h"
