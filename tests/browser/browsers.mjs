@@ -97,13 +97,17 @@ export async function startFirefox() {
   });
 }
 
-/** Starts WebKitGTK's driver. Each session of it is a browser of its own. @returns {Promise<string | null>} its address; null: not installed */
+const webKitDriver = () => process.env.WEBKIT_DRIVER ?? firstOf('/usr/bin/WebKitWebDriver');
+export const hasWebKit = () => webKitDriver() !== undefined;
+
+/** Starts WebKitGTK's driver, for one browser. @returns {Promise<{address: string, stop: () => void} | null>} null: not installed */
 export async function startWebKit() {
-  const program = process.env.WEBKIT_DRIVER ?? firstOf('/usr/bin/WebKitWebDriver');
+  const program = webKitDriver();
   if (!program) return null;
   const port = await freePort();
-  children.push(spawn(program, [`--port=${port}`], { stdio: 'ignore', env: await withDisplay() }));
-  return `http://127.0.0.1:${port}`;
+  const child = spawn(program, [`--port=${port}`], { stdio: 'ignore', env: await withDisplay() });
+  children.push(child);
+  return { address: `http://127.0.0.1:${port}`, stop: () => child.kill() };
 }
 
 /** @returns {Promise<number>} */

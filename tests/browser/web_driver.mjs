@@ -6,6 +6,8 @@ import { request } from 'node:http';
 import { sleep } from './page_driver.mjs';
 
 const PATIENCE_MS = 60000;
+/** The driver itself gives up after PATIENCE_MS, if it is alive. */
+const ANSWER_MS = 2 * PATIENCE_MS;
 
 /** Keys that W3C WebDriver knows by characters of their own. @type {Record<string, string>} */
 const KEYS = { Tab: '\ue004', Enter: '\ue007', Shift: '\ue008', Control: '\ue009', Escape: '\ue00c', ArrowLeft: '\ue012', ArrowUp: '\ue013', ArrowRight: '\ue014', ArrowDown: '\ue015' };
@@ -92,9 +94,11 @@ export class WebDriver {
 async function command(method, address, body) {
   const { status, text } = await new Promise((resolve, reject) => {
     const bytes = Buffer.from(body ? JSON.stringify(body) : '');
-    request(address, { method, agent: false, headers: { 'content-type': 'application/json', 'content-length': bytes.length } }, async (answer) => {
+    const signal = AbortSignal.timeout(ANSWER_MS);
+    request(address, { method, agent: false, signal, headers: { 'content-type': 'application/json', 'content-length': bytes.length } }, async (answer) => {
       answer.setEncoding('utf8');
       let text = '';
+      answer.on('error', reject);
       for await (const part of answer) text += part;
       resolve({ status: answer.statusCode, text });
     }).on('error', reject).end(bytes);

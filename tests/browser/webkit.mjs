@@ -6,7 +6,7 @@
 import assert from 'node:assert/strict';
 import { mkdir, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { ROOT, serve, startChromium, startWebKit, stopAll } from './browsers.mjs';
+import { hasWebKit, ROOT, serve, startChromium, stopAll } from './browsers.mjs';
 import { documentsIn, goldenLinks, goldenMotions } from './goldens.mjs';
 import { brightness, PageDriver } from './page_driver.mjs';
 import { NEWCOMER_STORIES } from './scenarios/newcomer.mjs';
@@ -22,8 +22,7 @@ const SEARCHES = [
   { algorithm: 'two-stage', sense: 'network', seed: 2, evaluations: 2000, workers: 2 },
 ];
 
-const driver = await startWebKit();
-if (!driver) {
+if (!hasWebKit()) {
   console.log('WebKit is left out: there is no WebKitWebDriver here (package webkit2gtk-driver)');
   process.exit(LEFT_OUT);
 }
@@ -31,7 +30,7 @@ const address = await serve(process.argv[2] ?? join(ROOT, 'build/site'));
 const chromium = await startChromium();
 assert.ok(chromium, 'Chromium is installed (./dev setup browsers)');
 const there = await PageDriver.open(chromium, address);
-let webkit = await WebKitPage.enter(driver, `${address}?open=star-man-shuffle`);
+let webkit = await WebKitPage.enter(`${address}?open=star-man-shuffle`);
 console.log(`WebKit: ${webkit.browser.version}`);
 
 let passed = 0;
@@ -106,13 +105,13 @@ await check('a click on Synthesize starts a search in workers, which finds a mot
 });
 await check('a link of Chromium shows the same motion, bit for bit, in a fresh profile', async () => {
   const [link, hash] = [await there.link(), await there.hash()];
-  webkit = await WebKitPage.enter(driver, link);
+  webkit = await WebKitPage.enter(link);
   assert.equal(await webkit.hash(), hash);
 });
 for (const [claim, story] of NEWCOMER_STORIES) {
   await check(`a newcomer ${claim}`, async () => {
     for (const means of /** @type {const} */ (['mouse', 'keys'])) {
-      await story((link = address) => WebKitPage.enter(driver, link, { newcomer: true }), means);
+      await story((link = address) => WebKitPage.enter(link, { newcomer: true }), means);
     }
   });
 }
