@@ -51,7 +51,7 @@ TEST_CASE("lessons: how strong is Mr. Star-Man", "[lessons]") {
   Says(lesson, "he turned over 2.7 times");
   CHECK(Rounded(TermsOf(weak).rotations, 1) == 2.7);
 
-  // What teachers are told.
+  // The answer in docs/lesson-answers.md.
   SetJointStrength(20.0f, limited);
   CHECK(WayOf(limited) == 20.7);
   SetJointStrength(8.0f, limited);

@@ -17,6 +17,7 @@
 // The interface has no header, only a declaration for JavaScript.
 #include "web/search/engine.cpp"           // NOLINT
 #include "web/search/engine_breeding.cpp"  // NOLINT
+#include "web/search/engine_files.cpp"     // NOLINT
 #include "web/search/engine_motion.cpp"    // NOLINT
 
 namespace {

@@ -19,10 +19,13 @@ async function weighs({ browser, address }) {
   assert.match(note?.value ?? '', /^Score .*: travel.* m; slip .* m times 0\.5 adds .*; upright .* times 4\.0 .*\. Not weighed: .*effort/);
   const stage = (await fresh.widgets()).find(({ id }) => id === 'stage')?.rect ?? { x: 0, y: 0, width: 0, height: 0 };
   await fresh.page.mouse.move(stage.x + stage.width + 100, stage.y + 200);
-  for (let turns = 0; turns < 40 && !(await fresh.widgets()).some(({ id }) => id === 'style/effort'); turns++) {
-    await fresh.page.mouse.wheel({ deltaY: 100 });
-    await fresh.frames();
-  }
+  const scrollTo = async (/** @type {string} */ wanted) => {
+    for (let turns = 0; turns < 40 && !(await fresh.widgets()).some(({ id }) => id === wanted); turns++) {
+      await fresh.page.mouse.wheel({ deltaY: 100 });
+      await fresh.frames();
+    }
+  };
+  await scrollTo('style/effort');
   await fresh.click('style/effort'); // the middle of its track, weight 0
   await fresh.page.keyboard.press('ArrowLeft', { delay: 60 });
   await fresh.frames();
@@ -35,6 +38,7 @@ async function weighs({ browser, address }) {
   await fresh.frames();
   assert.match(await fresh.call('text', () => document.querySelector('#description')?.textContent ?? ''),
     / Score .*; effort .* rad times −0\.00\d takes away /);
+  await scrollTo('style/reset');
   await fresh.click('style/reset');
   assert.ok(Object.values(await weights()).every((weight) => weight === 0), 'a weight was not reset');
   assert.equal(await fresh.hash(), before);

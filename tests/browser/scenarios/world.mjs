@@ -229,6 +229,33 @@ async function groundByHand({ browser, address }) {
   await page.close();
 }
 
+/** A controller that sees a step before it: chosen, searched for, shown in its rules, told how far to look. @param {Visit} visit */
+async function sight({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  await page.click('world/open');
+  await chooseGround(page, 1);
+  await page.page.evaluate(() => window.gaitsmith.run('panel/Controller'));
+  await page.click('controller/senses/2');
+  await page.click('controller/facing/1');
+  assert.equal(await page.call('facing', () => /** @type {any} */ (window.gaitsmith.document()).senses.facing), 'left');
+  await page.click('controller/facing/0');
+  await page.call('a search', () => window.gaitsmith.synthesize({ evaluations: 400, seed: 1, algorithm: 'pose-cycle' }).then(() => true));
+  const found = await page.call('controller', () => /** @type {any} */ (window.gaitsmith.document()).controllers.at(-1).senses);
+  assert.equal(found.kind, 'sight');
+  const [hash, link] = [await page.hash(), await page.link()];
+  await page.page.evaluate(() => window.gaitsmith.run('panel/Controller'));
+  await page.click('controller/sight');
+  const seen = await page.call('sight', () => /** @type {any} */ (window.gaitsmith.document()).controllers.at(-1).senses.sight_rods);
+  assert.ok(seen > 2, `the controller on the stage sees ${seen} rods`);
+  await page.press('Control+z');
+  assert.equal(await page.hash(), hash);
+  const other = await PageDriver.open(browser, link);
+  assert.equal(await other.hash(), hash, 'a link carries the sight');
+  await other.close();
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
 /** On a phone: a finger draws, another drag goes on, and two fingers zoom instead. @param {Visit} visit */
 async function groundByFinger({ browser, address }) {
   const page = await PageDriver.open(browser, address);
@@ -365,6 +392,7 @@ export const WORLD_SCENARIOS = [
   ['joints that give way change the motion, a link carries them, reset takes them back', limitedJoints],
   ['ground that is chosen: stairs and rubble, with limited joints, which a link carries and level ground frees', groundByName],
   ['ground that is drawn: with the mouse, over a part of it, corner by corner, and by numbers; Undo and reset take it back', groundByHand],
+  ['a controller that sees the step before it is chosen, searched for, told how far to look, and carried by a link', sight],
   ['ground that is drawn with a finger on a phone: a corner is tapped and removed, two fingers zoom', groundByFinger, ONE_BROWSER],
   ['the world by hand: a foot pulled on the stage is pushed, Undo takes it back; zoom and follow', byHand],
   ['a style tried from the shown motion leaves the search as it was, shows what was before as a ghost, and can be undone', style, ONE_BROWSER],

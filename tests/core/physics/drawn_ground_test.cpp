@@ -72,7 +72,7 @@ TEST_CASE("drawn ground: no rod gets into it, wherever figures fall", "[physics]
                            kStep);
     const FreeLimbs judge(body);
     const double unit = static_cast<double>(body.mass_kg * kStandardGravity * body.longest_rod_m);
-    double energy = judge.Energy(plant.Save(), double{kStandardGravity});
+    double energy = judge.Energy(plant.Save(), static_cast<double>(kStandardGravity));
     for (int step = 0; step < 300; ++step) {
       CAPTURE(strength, seed, step);
       plant.Step(step, Hold(body));
@@ -80,7 +80,7 @@ TEST_CASE("drawn ground: no rod gets into it, wherever figures fall", "[physics]
       const double depth = DeepestOf(body, terrain, plant.Save());
       deepest = std::max(deepest, depth);
       REQUIRE(depth < 1e-4);
-      const double now = judge.Energy(plant.Save(), double{kStandardGravity});
+      const double now = judge.Energy(plant.Save(), static_cast<double>(kStandardGravity));
       if (strength == 0.0f) gained = std::max(gained, (now - energy) / unit);
       energy = now;
     }
@@ -156,7 +156,8 @@ TEST_CASE("drawn ground: on a ramp a box slides as on tilted ground", "[physics]
   const Mechanism body(box);
   StrengthPlant<1> plant(body, {.friction = static_cast<float>(friction), .ground = ramp}, {}, kStep);
   for (int step = 0; step < 200; ++step) plant.Step(step, Hold(body));
-  const double exact = double{kStandardGravity} * (std::sin(tilt) - friction * std::cos(tilt)) * 2.0;
+  const double exact =
+      static_cast<double>(kStandardGravity) * (std::sin(tilt) - friction * std::cos(tilt)) * 2.0;
   const LimbState<1>& s = plant.Save();
   REQUIRE(std::hypot(s.velocity_x[0], s.velocity_y[0]) == Catch::Approx(exact).epsilon(2e-3));
   REQUIRE(std::abs(s.turn_rad[0] + tilt) < 1e-3);

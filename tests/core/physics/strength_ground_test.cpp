@@ -62,7 +62,9 @@ TEST_CASE("strength: the ground pushes and rubs as Coulomb says, and lets nothin
         REQUIRE(s.height_m[0] + s.endpoint_y[k][0] > -1e-6f);
       }
       // Measured: 2.0e-5 m, and 3.2e-4 and 2.2e-4 of M g L.
-      REQUIRE(static_cast<double>(s.lifting_work_j[0] / fall.body.mass_kg) / double{kStandardGravity} < 1e-4);
+      REQUIRE(static_cast<double>(s.lifting_work_j[0] / fall.body.mass_kg) /
+                  static_cast<double>(kStandardGravity) <
+              1e-4);
       REQUIRE(static_cast<double>(s.normal_work_j[0]) < 1e-3 * fall.unit);
       REQUIRE(static_cast<double>(s.friction_gain_j[0]) < 1e-3 * fall.unit);
     }
@@ -78,10 +80,10 @@ TEST_CASE("strength: limp figures only lose energy to the ground", "[physics][st
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     Fall fall(seed, 0.0f);
     const FreeLimbs judge(fall.body);
-    double energy = judge.Energy(fall.Now(), double{kStandardGravity}), sum = 0.0;
+    double energy = judge.Energy(fall.Now(), static_cast<double>(kStandardGravity)), sum = 0.0;
     for (int step = 0; step < kFallSteps; ++step) {
       fall.plant.Step(step, fall.hold);
-      const double now = judge.Energy(fall.Now(), double{kStandardGravity});
+      const double now = judge.Energy(fall.Now(), static_cast<double>(kStandardGravity));
       worst = std::max(worst, (now - energy) / fall.unit);
       sum += std::max(now - energy, 0.0) / fall.unit;
       energy = now;
@@ -132,8 +134,8 @@ TEST_CASE("strength: a sliding box stops after v^2 / 2 mu g", "[physics][strengt
   }
   REQUIRE(Validate(box));
   const Mechanism body(box);
-  const double exact =
-      static_cast<double>(speed * speed) / (2.0 * static_cast<double>(friction) * double{kStandardGravity});
+  const double exact = static_cast<double>(speed * speed) /
+                       (2.0 * static_cast<double>(friction) * static_cast<double>(kStandardGravity));
   std::array<double, 2> error{};
   for (std::size_t halving = 0; halving < 2; ++halving) {
     const float h = halving == 0 ? 0.01f : 0.005f;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What model 2 cannot simulate is void, and never a number that is none. The finds are what the adversary and
+// What model 2 cannot simulate is void, and all its numbers are finite. The finds are what the adversary and
 // random documents found (tests/adversary).
 #include <catch_amalgamated.hpp>
 #include <cmath>
@@ -101,7 +101,7 @@ TEST_CASE("finds of model 2 that remain: stops give way and rounds run out, with
   }
 }
 
-TEST_CASE("strength: no document gives a number that is none, and void motions score as such",
+TEST_CASE("strength: every document gives finite numbers, and void motions score as such",
           "[physics][strength]") {
   int voids = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {

@@ -57,13 +57,26 @@ TEST_CASE("session: for physical senses, a timer is searched for and shown besid
   CHECK(session.Comparison().Other().Player()->TimeS() == 1.25);
 }
 
+namespace {
+
+/// A session that once compared its motion with a timer's, and has that result.
+struct ComparedBefore {
+  QuietHost host;
+  Session session{host};
+
+  ComparedBefore() {
+    session.Comparison().CompareControlModes();
+    End(session, host, 20000);
+    session.Comparison().Stop();
+  }
+};
+
+}  // namespace
+
 TEST_CASE("session: an earlier result is compared immediately, unless its figure differs",
           "[shell][session][ghost]") {
-  QuietHost host;
-  Session session(host);
-  session.Comparison().CompareControlModes();
-  End(session, host, 20000);
-  session.Comparison().Stop();
+  ComparedBefore before;
+  auto& [host, session] = before;
   CHECK(session.Comparison().Other().Player() == nullptr);
   session.Comparison().CompareControlModes();
   CHECK(host.started.size() == 1);
@@ -87,11 +100,8 @@ TEST_CASE("session: an earlier result is compared immediately, unless its figure
 
 TEST_CASE("session: with other joints an earlier result is not compared, but searched for again",
           "[shell][session][ghost]") {
-  QuietHost host;
-  Session session(host);
-  session.Comparison().CompareControlModes();
-  End(session, host, 20000);
-  session.Comparison().Stop();
+  ComparedBefore before;
+  auto& [host, session] = before;
   session.World().LimitJoints(true);
   session.Comparison().CompareControlModes();
   REQUIRE(host.started.size() == 2);
