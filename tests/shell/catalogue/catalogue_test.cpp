@@ -50,8 +50,9 @@ TEST_CASE("catalogue: has every row of every table, in order", "[catalogue]") {
   CHECK(NamesIn(*catalogue, "panels") == Names(kPanels, &PanelRow::id));
   CHECK(NamesIn(*catalogue, "exporters") == Names(kExporters, &ExporterRow::id));
   CHECK(NamesIn(*catalogue, "tasks") == std::vector<std::string>(kTaskNames.begin(), kTaskNames.end()));
-  CHECK(NamesIn(*catalogue, "senses") ==
-        std::vector<std::string>{"angle", "force", "height", "rise", "timer"});
+  CHECK(NamesIn(*catalogue, "senses") == std::vector<std::string>{"angle", "force", "height", "rise", "timer",
+                                                                  "angle", "force", "height", "rise", "ahead",
+                                                                  "corner"});
   CHECK(catalogue->Find("panels")->items.back().Find("number")->number == 5.0);
 }
 
