@@ -34,6 +34,8 @@ Hash OfSenses(const Controller& controller) {
   Hash hash;
   hash.Add(static_cast<std::uint64_t>(controller.kind)).Add(static_cast<std::uint64_t>(senses.kind));
   if (senses.kind == SenseKind::kTimer) hash.Add(static_cast<std::uint64_t>(senses.period_steps));
+  if (senses.kind == SenseKind::kSight)
+    hash.Add(senses.sight_rods).Add(static_cast<std::uint64_t>(senses.facing));
   return hash.Add(senses.tau_min_s)
       .Add(senses.tau_max_s)
       .Add(senses.force_weights)
