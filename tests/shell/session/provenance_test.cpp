@@ -94,6 +94,21 @@ TEST_CASE("provenance: a rule may go, but not change, and the clock is part of i
   CHECK(Origin(session) == "changed");
 }
 
+TEST_CASE("provenance: where a controller looks is part of it", "[shell][session]") {
+  QuietHost host;
+  Session session(host);
+  session.Set([](Document& d) { d.senses.kind = SenseKind::kSight; });
+  session.Search().SynthesizeForScript();
+  End(session, host, 100);
+  REQUIRE(Origin(session) == "opened");
+  session.Change([](Document& d) { d.controllers[0].senses.sight_rods = 3.0f; });
+  CHECK(Origin(session) == "changed");
+  session.Undo();
+  REQUIRE(Origin(session) == "opened");
+  session.Change([](Document& d) { d.controllers[0].senses.facing = Facing::kLeft; });
+  CHECK(Origin(session) == "changed");
+}
+
 TEST_CASE("provenance: after a reload everything counts as opened", "[shell][session]") {
   QuietHost host, later;
   Session session(host), reloaded(later);
