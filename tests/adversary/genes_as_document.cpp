@@ -2,6 +2,7 @@
 #include "tests/adversary/genes_as_document.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -106,6 +107,16 @@ void SetJoints(Scope scope, Reader& read, Document& d) {
   }
 }
 
+void SetSenses(Scope scope, Reader& read, SenseSpec& senses) {
+  senses.kind = std::array{SenseKind::kTimer, SenseKind::kPhysical,
+                           SenseKind::kSight}[static_cast<std::size_t>(read.Below(3))];
+  senses.period_steps = 2 + read.Below(kSteps);
+  senses.tau_min_s = scope == Scope::kOrdinary ? 0.07f : 0.02f;
+  if (senses.kind != SenseKind::kSight) return;
+  senses.sight_rods = scope == Scope::kAny ? read.Magnitude(0.5f, 20.0f) : 2.0f;
+  senses.facing = read.Below(2) == 0 ? Facing::kRight : Facing::kLeft;
+}
+
 /// Sets everything except joints and controller.
 void SetScene(bool any, Reader& read, Document& d) {
   d.figure = FigureOf(any, read);
@@ -144,11 +155,9 @@ Document DocumentOf(Scope scope, int model, bool still, std::span<const Gene> ge
   }
   d.model = model;
   if (HasLimitedJoints(d)) SetJoints(scope, read, d);
-  d.senses.kind = read.Below(2) == 0 ? SenseKind::kTimer : SenseKind::kPhysical;
-  d.senses.period_steps = 2 + read.Below(kSteps);
-  d.senses.tau_min_s = scope == Scope::kOrdinary ? 0.07f : 0.02f;
-  d.kind = d.senses.kind == SenseKind::kPhysical && read.Below(2) == 0 ? ControllerKind::kNetwork
-                                                                       : ControllerKind::kRules;
+  SetSenses(scope, read, d.senses);
+  d.kind = d.senses.kind != SenseKind::kTimer && read.Below(2) == 0 ? ControllerKind::kNetwork
+                                                                    : ControllerKind::kRules;
   d.rules = kRules;
   d.task.duration_steps = d.duration_steps = kSteps;
   if (still) return d;
@@ -162,7 +171,7 @@ Document DocumentOf(Scope scope, int model, bool still, std::span<const Gene> ge
         Gene& low = controller.genes[bank.Low(rule, sense)];
         Gene& high = controller.genes[bank.High(rule, sense)];
         // Most of many senses must be ignored, or no rule ever matches.
-        if (d.senses.kind == SenseKind::kPhysical && (low ^ high) % 5 != 0) {
+        if (d.senses.kind != SenseKind::kTimer && (low ^ high) % 5 != 0) {
           low = 0;
           high = kGeneMax;
         }

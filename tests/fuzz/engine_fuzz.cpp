@@ -4,6 +4,7 @@
 // or fails with a message. Its results are finite and in the engine's own memory. Input bytes: the document,
 // then calls with their data.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <memory>
@@ -61,7 +62,7 @@ Document SmallProblem(Bytes& bytes) {
   d.search.elites.batch = 8;
   d.search.two_stage = {.random = 30, .kept = 2};
   if (bytes.Next() % 4 == 0 || d.search.algorithm == Algorithm::kTwoStage) d.kind = ControllerKind::kNetwork;
-  if (bytes.Next() % 2 == 0) d.senses.kind = SenseKind::kTimer;
+  d.senses.kind = std::array{SenseKind::kTimer, SenseKind::kPhysical, SenseKind::kSight}[bytes.Next() % 3u];
   if (const std::uint8_t joints = bytes.Next(); joints % 2 == 1) {
     d.model = 2;
     d.figure.rods[1].strength = static_cast<float>(joints / 16);
