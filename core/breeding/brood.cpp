@@ -42,15 +42,18 @@ std::vector<Sighting> Brood::See(const Genome& genome) const {
 }
 
 void Brood::PutBackKept(Genome& child, const Genome& model) const {
-  if (Space().shape.Kind() != ControllerKind::kRules) return;
-  const BankShape& bank = Space().shape.Bank();
+  const ControllerShape& shape = Space().shape;
+  if (shape.Kind() == ControllerKind::kNetwork) return;
+  const auto angle = [&](int rule, int joint) {
+    return shape.Kind() == ControllerKind::kTrajectory ? shape.Curves().Angle(rule, joint)
+                                                       : shape.Bank().Target(rule, joint);
+  };
   for (const int rule : wish_.kept_rules) {
-    for (std::size_t at = Space().shape.Begin(rule); at < Space().shape.Begin(rule + 1); ++at)
-      child[at] = model[at];
+    for (std::size_t at = shape.Begin(rule); at < shape.Begin(rule + 1); ++at) child[at] = model[at];
   }
   for (const int joint : wish_.kept_joints) {
-    for (int rule = 0; rule < bank.rules; ++rule)
-      child[bank.Target(rule, joint)] = model[bank.Target(rule, joint)];
+    for (int rule = 0; rule < shape.Bank().rules; ++rule)
+      child[angle(rule, joint)] = model[angle(rule, joint)];
   }
 }
 

@@ -23,8 +23,8 @@ struct BreedWish {
   int children = 9;              // [1, kMaxBrood]
   float difference = 0.3f;       // from the nearest parent, [0, 1]: hardly any to as much as there is
   bool keep_goal = false;        // prefers children that are good at the goal to ones that differ much
-  std::vector<int> kept_rules;   // stay as they are in a child's first parent; only for banks
-  std::vector<int> kept_joints;  // whose targets stay in all rules; only for banks
+  std::vector<int> kept_rules;   // rules or knots that stay as in a child's first parent; not for networks
+  std::vector<int> kept_joints;  // whose angles stay in all of them; not for networks
 };
 inline constexpr int kMaxBrood = 16;
 

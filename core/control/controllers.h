@@ -13,9 +13,9 @@
 namespace gaitsmith {
 
 template <int W>
-using Controllers = std::variant<Bank<W>, Network<W>>;
+using Controllers = std::variant<Bank<W>, Network<W>, JointCurves<W>>;
 
-/// The state of W controllers between steps, for both kinds.
+/// The state of W controllers between steps, for every kind.
 template <int W>
 struct ControllerState {
   int steps = 0;               // since the controllers took over
@@ -33,6 +33,9 @@ template <int W>
   if (shape.Kind() == ControllerKind::kNetwork) {
     return Network<W>(shape.Network(), senses, genomes, ports.actuator_range, step_s);
   }
+  if (shape.Kind() == ControllerKind::kTrajectory) {
+    return JointCurves<W>(shape.Curves(), senses, genomes, ports.actuator_range, step_s);
+  }
   return Bank<W>(shape.Bank(), senses, genomes, ports, step_s);
 }
 
@@ -49,6 +52,13 @@ void Begin(const Network<W>& network, ControllerState<W>& state, ActuatorTargets
   state.steps = 0;
   state.rule = typename Lane<W>::I{};
   network.Begin(state.network, targets);
+}
+/// Takes over: the curves start at time zero.
+template <int W>
+void Begin(const JointCurves<W>& curves, ControllerState<W>& state, ActuatorTargets<W>& targets) {
+  state.steps = 0;
+  state.rule = typename Lane<W>::I{};
+  curves.Follow(0, targets);
 }
 
 /// Updates the targets from the readings after a step. @param state its steps include this step
@@ -72,10 +82,16 @@ void Advance(const Network<W>& network, const Readings<W>& readings, ControllerS
                   {readings.impulse, static_cast<std::size_t>(shape.touches)}, state.network, targets);
 }
 
+template <int W>
+void Advance(const JointCurves<W>& curves, const Readings<W>&, ControllerState<W>& state,
+             ActuatorTargets<W>& targets) {
+  curves.Follow(state.steps, targets);
+}
+
 /// The active parts of a controller, for display.
 struct Activity {
-  int rule;              // the active rule; for a network the number of hidden nodes that fire
-  std::uint64_t firing;  // bit i: input i of the network is 1; 0 for a bank
+  int rule;              // the active rule; the number of hidden nodes that fire; the nearest knot
+  std::uint64_t firing;  // bit i: input i of the network is 1; 0 for other kinds
 };
 [[nodiscard]] inline Activity ActivityOf(const Bank<1>&, const ControllerState<1>& state) {
   return {state.rule[0], 0};
@@ -86,6 +102,9 @@ struct Activity {
   for (std::size_t i = 0; i < kMaxInputs; ++i) firing |= std::uint64_t{state.network.input[i][0] > 0.0f} << i;
   // Hidden nodes are the last inputs.
   return {std::popcount(firing >> (network.Shape().touches + network.Shape().joints)), firing};
+}
+[[nodiscard]] inline Activity ActivityOf(const JointCurves<1>& curves, const ControllerState<1>& state) {
+  return {curves.Times().NearestTo(state.steps), 0};
 }
 
 }  // namespace gaitsmith

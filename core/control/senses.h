@@ -18,11 +18,17 @@ enum class SenseKind {
 /// To which side a controller with sight looks, along the ground. Its mirror image looks to the other.
 enum class Facing { kRight, kLeft };
 
+/// What a trajectory does after its period.
+enum class CurveEnd {
+  kRepeat,  // starts again; its curves are closed
+  kRest,    // rests at its last knot
+};
+
 /// A controller's senses, and the ranges that give its genes their meaning. sense_table.h lists every sense
 /// with its range.
 struct SenseSpec {
   SenseKind kind = SenseKind::kPhysical;
-  int period_steps = 100;  // timer only: t_p in whole steps, [2, kMaxSteps]
+  int period_steps = 100;  // timer and trajectory only: t_p in whole steps, [2, kMaxSteps]
   // Time constants of responses are log-uniform in [tau_min_s, tau_max_s], both in [0.02, 10]. tau_min_s has
   // the strongest effect on style: below 0.07 figures leap, above 0.2 they only shuffle.
   float tau_min_s = 0.15f;
@@ -32,6 +38,7 @@ struct SenseSpec {
   float velocity_mps = 3.0f;   // vertical velocity sensed as 1, [0.1, 100]
   float sight_rods = 2.0f;     // with sight: how far it sees, in longest rods, [0.5, 20]
   Facing facing = Facing::kRight;
+  CurveEnd at_end = CurveEnd::kRepeat;  // of a trajectory
 
   friend bool operator==(const SenseSpec&, const SenseSpec&) = default;
 };

@@ -117,6 +117,8 @@ Result<void> CheckKind(ControllerKind kind, const SenseSpec& senses, const std::
                 senses.kind == SenseKind::kTimer ? "a network has physical senses, not a timer"
                                                  : "a network has physical senses, and no sight");
   }
+  if (kind == ControllerKind::kTrajectory && senses.kind != SenseKind::kTimer)
+    return Fail(ErrorCode::kStructure, where, "a trajectory follows a timer and has no other senses");
   return {};
 }
 

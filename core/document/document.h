@@ -43,7 +43,7 @@ struct Document {
   std::vector<Push> pushes;  // sorted by step
   Task task;
   SenseSpec senses;  // for the next search; each controller has its own
-  int rules = 10;    // for the next search: a bank's rules or a network's hidden nodes
+  int rules = 10;    // for the next search: a bank's rules, a network's hidden nodes or a trajectory's knots
   ControllerKind kind = ControllerKind::kRules;  // for the next search
   SearchSettings search;
   std::vector<Controller> controllers;

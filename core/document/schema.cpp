@@ -94,6 +94,7 @@ void Describe(Archive& ar, SenseSpec& senses) {
   ar.Real("velocity_mps", senses.velocity_mps, 0.1f, 100.0f, standard.velocity_mps);
   ar.Since(8, [&] { ar.Real("sight_rods", senses.sight_rods, 0.5f, 20.0f, standard.sight_rods); });
   ar.Since(8, [&] { ar.Choice("facing", senses.facing, kFacingNames, standard.facing); });
+  ar.Since(9, [&] { ar.Choice("at_end", senses.at_end, kCurveEndNames, standard.at_end); });
 }
 
 void Describe(Archive& ar, GeneticSettings& genetic) {

@@ -13,6 +13,7 @@ namespace gaitsmith {
 inline constexpr std::array<std::string_view, 2> kRodEndNames = {"start", "end"};
 inline constexpr std::array<std::string_view, 3> kSenseKindNames = {"physical", "timer", "sight"};
 inline constexpr std::array<std::string_view, 2> kFacingNames = {"right", "left"};
+inline constexpr std::array<std::string_view, 2> kCurveEndNames = {"repeat", "rest"};
 
 void Describe(Archive&, Figure&);
 void Describe(Archive&, SearchSettings&);

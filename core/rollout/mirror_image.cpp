@@ -39,24 +39,33 @@ ImageOfSense ImageOf(const Symmetry& symmetry, SenseKind kind, const PortCount& 
 }  // namespace
 
 Result<Controller> MirrorImageOf(const Controller& controller, const Figure& figure) {
-  if (controller.kind != ControllerKind::kRules)
+  if (controller.kind == ControllerKind::kNetwork)
     return Fail(ErrorCode::kStructure, "",
                 "a network has no mirror image: its sensors cannot feel the opposite");
   const auto symmetry = SymmetryOf(figure);
   if (!symmetry) return std::unexpected(symmetry.error());
   const PortCount ports = figure.Rods();
-  const BankShape shape(controller.rules, controller.senses.kind, ports);
   Controller image = controller;
   image.name = NameOfImage(controller.name);
+  // Swaps the angles of a pose.
+  const auto pose = [&](auto at) {
+    for (int joint = 0; joint < ports.actuators; ++joint) {
+      const Gene angle = controller.genes[at(joint)];
+      const auto j = static_cast<std::size_t>(joint);
+      image.genes[at(symmetry->joint[j])] = symmetry->reversed[j] ? Opposite(angle) : angle;
+    }
+  };
+  if (controller.kind == ControllerKind::kTrajectory) {
+    const CurveShape curves(controller.rules, ports);
+    for (int knot = 0; knot < curves.knots; ++knot)
+      pose([&](int joint) { return curves.Angle(knot, joint); });
+    return image;
+  }
+  const BankShape shape(controller.rules, controller.senses.kind, ports);
   if (image.senses.kind == SenseKind::kSight)
     image.senses.facing = image.senses.facing == Facing::kRight ? Facing::kLeft : Facing::kRight;
   for (int rule = 0; rule < shape.rules; ++rule) {
-    for (int joint = 0; joint < shape.joints; ++joint) {
-      const int to = symmetry->joint[static_cast<std::size_t>(joint)];
-      const bool reversed = symmetry->reversed[static_cast<std::size_t>(joint)];
-      const Gene target = controller.genes[shape.Target(rule, joint)];
-      image.genes[shape.Target(rule, to)] = reversed ? Opposite(target) : target;
-    }
+    pose([&](int joint) { return shape.Target(rule, joint); });
     for (int sense = 0; sense < shape.senses; ++sense) {
       const auto [to, reversed] = ImageOf(*symmetry, controller.senses.kind, ports, sense);
       const Gene low = controller.genes[shape.Low(rule, sense)];

@@ -33,7 +33,7 @@ struct Problem {
   std::vector<Push> pushes;  // sorted by step
   Task task;
   SenseSpec senses;
-  int rules = 10;  // a bank's rules or a network's hidden nodes, [1, kMaxRules]
+  int rules = 10;  // a bank's rules, a network's hidden nodes or a trajectory's knots, [1, kMaxRules]
   ControllerKind kind = ControllerKind::kRules;
   /// Where the controller takes over. If empty, it starts the motion. With several beginnings the controller
   /// is scored from each of them, and its score is the mean: this finds robust controllers [Fukunaga 1994,

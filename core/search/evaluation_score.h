@@ -32,7 +32,7 @@ class Scorer {
   /// The controllers that a search of the problem tries. @param start its first genome; empty: random
   [[nodiscard]] SearchSpace Space(Genome start = {}) const {
     SearchSpace space{shape_, senses_, std::move(start)};
-    if (shape_.Kind() != ControllerKind::kRules) return space;  // a network has no rules to be sighted
+    if (shape_.Kind() != ControllerKind::kRules) return space;  // only rules are sighted
     space.sightings = [memory = memory_](const Genome& genes, int count) {
       memory->count = count;
       const auto known = std::ranges::find(memory->genomes, genes);

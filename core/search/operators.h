@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The operators that all searches share to create and change controllers [Fukunaga 1994, section 2; Ngo
 // 1993]. The paper refers to other work for details, so these are our interpretation. Design decisions 10 and
-// 20 give the reasons. A bank's component is a rule, a network's component is a node. Crossover exchanges
-// whole components, mutation perturbs genes within them.
+// 20 give the reasons. A component is a bank's rule, a network's node or a trajectory's knot. Crossover
+// exchanges whole components, mutation perturbs genes within them.
 #pragma once
 
 #include <array>

@@ -55,7 +55,7 @@ PoseCycle::PoseCycle(const SearchSettings& settings, const SearchSpace& space)
 
 bool PoseCycle::HasCycles() const {
   const ControllerShape& shape = Space().shape;
-  return shape.Kind() == ControllerKind::kRules && shape.Bank().rules > 1 && shape.Bank().joints > 0;
+  return shape.Kind() != ControllerKind::kNetwork && shape.Bank().rules > 1 && shape.Bank().joints > 0;
 }
 
 std::vector<float> PoseCycle::PopulationFitness() const {
@@ -82,7 +82,10 @@ Genome PoseCycle::DrawBody(int individual) const {
 
 Genome PoseCycle::GenomeOf(const CycleForm& form, std::span<const double> point,
                            std::span<const Gene> body) const {
-  Genome genome = CycleAt(form, point, Space().shape.Bank(), Space().senses.kind);
+  const ControllerShape& shape = Space().shape;
+  Genome genome = shape.Kind() == ControllerKind::kTrajectory
+                      ? CycleAt(form, point, shape.Curves())
+                      : CycleAt(form, point, shape.Bank(), Space().senses.kind);
   genome.insert(genome.end(), body.begin(), body.end());
   return genome;
 }
@@ -125,7 +128,7 @@ std::vector<Genome> PoseCycle::Propose() const {
     const bool body = shape.BodyGenes() > 0 && generation_ % kBodyTurn == 0;
     for (int k = 0; k < kChildren; ++k) {
       RandomStream random = Stream(k, generation_);
-      if (body && shape.Kind() == ControllerKind::kRules) {
+      if (body && shape.Kind() != ControllerKind::kNetwork) {
         batch.push_back(MoveBody(parent_.genome, random));
         continue;
       }

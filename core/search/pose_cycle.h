@@ -14,8 +14,9 @@
 // and every third generation of the climb changes the body alone. So most genomes that are proposed together
 // share a body, which lets them be simulated side by side.
 //
-// A search that is given a start begins with the third step. Networks have no rules: the best of some random
-// ones is perturbed.
+// A search that is given a start begins with the third step. A trajectory has no rules: it runs through the
+// poses of a cycle, and the climb perturbs its knots. A network has neither: the best of some random ones is
+// perturbed.
 #pragma once
 
 #include "core/search/batch_search.h"

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Pose cycles: banks of rules that cycle by construction, as points of a small cube.
+// Pose cycles: banks of rules, and trajectories, that cycle by construction, as points of a small cube.
 //
 // With physical senses rule k says "when the joints are near pose k - 1, go to pose k", so K rules pass the
 // figure round K poses. With a timer the K poses share the period, and the sequence may repeat in it. All
-// further rules never act. A point has J + 2 numbers in [0, 1] for each pose: J joint angles, the time
-// constant, and the width (how near is near) or the share of the period.
+// further rules never act. A trajectory's knots lie on the same sequence. A point has J + 2 numbers in [0, 1]
+// for each pose: J joint angles, the time constant, and the width (how near is near) or the share of the
+// period.
 #pragma once
 
 #include <span>
@@ -34,6 +35,11 @@ struct CycleForm {
 /// responses, wide boxes, and joints near the ends of their ranges. docs/search.md has the figures.
 [[nodiscard]] std::vector<double> DrawPoint(const CycleForm& form, const BankShape& bank,
                                             RandomStream& random);
+
+/// The trajectory of a point: in each pose's share of the period the joints move evenly to it from the pose
+/// before, for the share of that time that stands for the time constant, and then stay.
+/// @param point clamped to [0, 1]
+[[nodiscard]] Genome CycleAt(const CycleForm& form, std::span<const double> point, const CurveShape& curves);
 
 /// The bank of a point. @param point clamped to [0, 1]
 [[nodiscard]] Genome CycleAt(const CycleForm& form, std::span<const double> point, const BankShape& bank,

@@ -59,7 +59,7 @@ Result<void> ReadKept(const Arguments& arguments, const ControllerShape& shape, 
     }
     if (sign == std::string::npos || (what != "rule" && what != "joint"))
       return Fail(ErrorCode::kSyntax, "--keep", "must be goal, rule=N or joint=N, is " + kept);
-    if (shape.Kind() != ControllerKind::kRules)
+    if (shape.Kind() == ControllerKind::kNetwork)
       return Fail(ErrorCode::kStructure, "--keep", "a network has no rules whose " + what + " could be kept");
     const bool rule = what == "rule";
     const auto number = ParseWhole(kept.substr(sign + 1), 1, rule ? shape.Bank().rules : shape.Bank().joints,

@@ -26,7 +26,8 @@ constexpr auto kCommands = std::to_array<Command>({
      "synthesize --figure F --task T --sense physical|timer=SECONDS|sight --weight TERM=W\n"
      "             --search ALG --evaluations N --seed S --out DOC [--curve CSV] [--styles DIR] [--threads "
      "K]\n"
-     "             [--controller rules|network] [--rules N] [--duration SECONDS] [--joints "
+     "             [--controller rules|network|trajectory|trajectory:rest] [--rules N] [--duration SECONDS] "
+     "[--joints "
      "strong|limited|STRENGTH]\n"
      "             [--ground level|step|stairs|ramp|gap|hurdles|rubble[:SEED]]\n"
      "             [--search-option NAME=VALUE] [--problem DOC | --from DOC] [--handover DOC@SECONDS …]\n"
@@ -41,7 +42,9 @@ constexpr auto kCommands = std::to_array<Command>({
     {"suite", gaitsmith::shell::SuiteCommand,
      "suite --problem DOC | --figure F --search ALG[:OPTION=VALUE…] --seeds N --evaluations E --out CSV\n"
      "             [--sense physical|timer=SECONDS|sight …] [--task T …] [--style NAME=TERM:W[,TERM:W] …]\n"
-     "             [--first-seed S] [--duration SECONDS] [--controller rules|network] [--rules N]\n"
+     "             [--first-seed S] [--duration SECONDS] [--controller "
+     "rules|network|trajectory|trajectory:rest] [--rules "
+     "N]\n"
      "             [--joints strong|limited|STRENGTH]\n"
      "             [--ground level|step|stairs|ramp|gap|hurdles|rubble[:SEED]]\n"
      "             [--shard I/N] [--threads K]\n"
@@ -62,6 +65,7 @@ constexpr auto kCommands = std::to_array<Command>({
     {"hash", gaitsmith::shell::HashCommand, "hash DOC [--lanes 1|2|4|8|16] [--out DOC]"},
     {"validate", gaitsmith::shell::ValidateCommand, "validate DOC"},
     {"measure", gaitsmith::shell::MeasureCommand, "measure DOC [--joints J] [--ground G]"},
+    {"record", gaitsmith::shell::RecordCommand, "record DOC [--knots N] [--out DOC]"},
     {"link", gaitsmith::shell::LinkCommand, "link encode DOC | link decode LINK [--out DOC]"},
     {"catalogue", gaitsmith::shell::CatalogueCommand, "catalogue"},
 });

@@ -194,9 +194,14 @@ Result<void> SetProblemOptions(const Arguments& arguments, Document& document) {
     if (auto sense = SetSense(arguments.Last("sense"), document.senses); !sense) return sense;
   }
   if (arguments.Has("controller")) {
-    const auto kind = IndexOf(kControllerKindNames, arguments.Last("controller"), "--controller");
+    // A trajectory that rests has a name of its own.
+    std::string name = arguments.Last("controller");
+    const bool rests = name == "trajectory:rest";
+    if (rests) name = "trajectory";
+    const auto kind = IndexOf(kControllerKindNames, name, "--controller");
     if (!kind) return std::unexpected(kind.error());
     document.kind = static_cast<ControllerKind>(*kind);
+    document.senses.at_end = rests ? CurveEnd::kRest : CurveEnd::kRepeat;
   }
   if (arguments.Has("joints")) {
     if (auto set = SetJoints(arguments.Last("joints"), document); !set) return set;

@@ -27,7 +27,7 @@ std::string Header(const Skeleton& bones) {
   return line + "\n";
 }
 
-/// The active rule, counted from 1; for a network, the number of hidden nodes that fire.
+/// The active rule, or a trajectory's nearest knot, counted from 1; the number of hidden nodes that fire.
 int RuleColumn(const Document& document, const Motion::Frame& frame) {
   if (frame.clip < 0) return 0;
   const auto& clip = document.timeline[static_cast<std::size_t>(frame.clip)];

@@ -25,7 +25,9 @@ std::vector<Document> SuiteOf(const Document& document, const SuiteChoice& choic
         if (!choice.senses[s] || !choice.tasks[t] || !choice.styles[y]) continue;
         Document one = base;
         one.senses.kind = kSuiteSenses[s];
-        if (one.senses.kind == SenseKind::kTimer) one.kind = ControllerKind::kRules;
+        const bool timer = one.senses.kind == SenseKind::kTimer;
+        if (one.kind == (timer ? ControllerKind::kNetwork : ControllerKind::kTrajectory))
+          one.kind = ControllerKind::kRules;
         one.task.kind = kSuiteTasks[t];
         const auto term = static_cast<std::size_t>(kSuiteStyles[y].term);
         one.task.weights = {};

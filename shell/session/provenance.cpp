@@ -36,6 +36,7 @@ Hash OfSenses(const Controller& controller) {
   if (senses.kind == SenseKind::kTimer) hash.Add(static_cast<std::uint64_t>(senses.period_steps));
   if (senses.kind == SenseKind::kSight)
     hash.Add(senses.sight_rods).Add(static_cast<std::uint64_t>(senses.facing));
+  if (controller.kind == ControllerKind::kTrajectory) hash.Add(static_cast<std::uint64_t>(senses.at_end));
   return hash.Add(senses.tau_min_s)
       .Add(senses.tau_max_s)
       .Add(senses.force_weights)
@@ -45,10 +46,10 @@ Hash OfSenses(const Controller& controller) {
 
 std::uint64_t KeyOf(const Controller& controller) { return OfSenses(controller).Add(controller.genes).Key(); }
 
-/// The genes of each rule. A network is one part, because its nodes mean nothing alone.
+/// The genes of each rule. Another controller is one part: a node or a knot means nothing alone.
 std::vector<std::span<const Gene>> PartsOf(const Document& document, const Controller& controller) {
   const std::span<const Gene> genes = controller.genes;
-  if (controller.kind == ControllerKind::kNetwork) return {genes};
+  if (controller.kind != ControllerKind::kRules) return {genes};
   const ControllerShape shape = controller.Shape(CountPorts(document.model, document.figure));
   std::vector<std::span<const Gene>> parts;
   parts.reserve(static_cast<std::size_t>(controller.rules));

@@ -5,7 +5,9 @@
 
 #include "core/document/joints.h"
 #include "core/document/parts.h"
+#include "core/document/recording.h"
 #include "core/document/timeline_edit.h"
+#include "core/numeric/scalar_math.h"
 #include "shell/words/language.h"
 #include "shell/words/motion_name.h"
 #include "shell/words/wording.h"
@@ -142,6 +144,24 @@ void TimelineEditor::ReorderClip(int to) {
 
 void TimelineEditor::Repeat() {
   Edit([&](Document& d) { return Then(gaitsmith::LoopTimeline(d, 2), Selected()); });
+}
+
+void TimelineEditor::RecordAsCurves() {
+  if (search_.Running() && !search_.RunsQueued()) search_.Abandon();
+  const auto recording = gaitsmith::RecordAsCurves(workspace_.Doc(), kMaxRules);
+  if (!recording) return workspace_.Say(Tr("Not possible: {1}.", TrError(recording.error())));
+  const auto metres = [&] {
+    const Motion& motion = workspace_.Player().Shown();
+    return Fixed(motion.TermsAt(motion.Frames() - 1).travel_m, 2) + " m";
+  };
+  const std::string before = metres();
+  if (!workspace_.Change([&](Document& d) { d = recording->document; })) return;
+  Select(0);
+  constexpr double kDegreesPerRad = 180.0 / kPi;
+  workspace_.Report(
+      Tr("Recorded: the joints' angles differ by {1}°, at most {2}°. It travels {3}, where it went {4} before.",
+         Fixed(recording->typical_rad * kDegreesPerRad, 1), Fixed(recording->worst_rad * kDegreesPerRad, 1),
+         metres(), before));
 }
 
 bool TimelineEditor::InsertFound(const std::string& id, std::optional<int> wanted) {

@@ -30,8 +30,7 @@ void SetControlMode(Document& d, const ControlModeRow& mode) {
 }
 
 const ControlModeRow& ContrastTo(const Controller& controller) {
-  const bool timer = ControlModeOf(controller).mode == ControlMode::kTimer;
-  return RowOf(timer ? ControlMode::kSenses : ControlMode::kTimer);
+  return RowOf(controller.senses.kind == SenseKind::kTimer ? ControlMode::kSenses : ControlMode::kTimer);
 }
 
 }  // namespace gaitsmith::shell

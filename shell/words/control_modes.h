@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What decides a controller's state: a clock, the physical senses, these and a look ahead, or a network of
-// sensors. The paper compares the first two. One row for each, read by the panel, titles, goals, scripts and
-// the command line.
+// What decides a controller's state: a clock, the physical senses, these and a look ahead, a network of
+// sensors, or nothing but curves over time. The paper compares the first two. One row for each, read by the
+// panel, titles, goals, scripts and the command line.
 #pragma once
 
 #include <array>
@@ -12,9 +12,10 @@
 
 namespace gaitsmith::shell {
 
-enum class ControlMode { kTimer, kSenses, kSight, kNetwork };
+enum class ControlMode { kTimer, kSenses, kSight, kNetwork, kCurves };
 
-/// The texts are English, for Tr(). {1} is a number of rules or nodes, {2} the timer's period in seconds.
+/// The texts are English, for Tr(). {1} is a number of rules, nodes or knots, {2} the timer's period in
+/// seconds.
 struct ControlModeRow {
   ControlMode mode;
   ControllerKind kind;
@@ -22,15 +23,15 @@ struct ControlModeRow {
   std::string_view name;    // for scripts, goals and tables
   const char* label;        // on the panel's switch
   const char* explanation;  // below the switch
-  const char* units;        // label of the number of rules or nodes
+  const char* units;        // label of the number of rules, nodes or knots
   const char* words;        // in a goal: "decided by …"
   const char* short_words;  // in lists; {1} is the period
-  const char* one_unit;     // a controller with one rule or node
+  const char* one_unit;     // a controller with one rule, node or knot
   const char* many_units;
 };
 
 /// In the order of the panel's switch.
-inline constexpr std::array<ControlModeRow, 4> kControlModes = {{
+inline constexpr std::array<ControlModeRow, 5> kControlModes = {{
     {ControlMode::kTimer, ControllerKind::kRules, SenseKind::kTimer, "timer", TrLater("Timer"),
      TrLater("Rules that follow a clock: a wind-up toy."), TrLater("Rules"), TrLater("timer"),
      TrLater("timer {1} s"), TrLater("{1} rule with timer {2} s"), TrLater("{1} rules with timer {2} s")},
@@ -46,6 +47,10 @@ inline constexpr std::array<ControlModeRow, 4> kControlModes = {{
      TrLater("Touch and angle sensors, hidden nodes and actuators, all connected."), TrLater("Hidden nodes"),
      TrLater("network"), TrLater("network"), TrLater("a network of {1} hidden node"),
      TrLater("a network of {1} hidden nodes")},
+    {ControlMode::kCurves, ControllerKind::kTrajectory, SenseKind::kTimer, "trajectory", TrLater("Curves"),
+     TrLater("A trajectory: each joint aims at a curve over time and senses nothing."), TrLater("Knots"),
+     TrLater("trajectory"), TrLater("trajectory"), TrLater("a trajectory of {1} knot"),
+     TrLater("a trajectory of {1} knots")},
 }};
 
 /// One column of the table, in its order.
@@ -63,7 +68,8 @@ template <class Value>
 [[nodiscard]] const ControlModeRow& ControlModeOf(const Document&);
 void SetControlMode(Document&, const ControlModeRow&);
 
-/// The mode that a controller is compared with: physical senses for a timer, a timer for all others.
+/// The mode that a controller is compared with: physical senses for a timer or a trajectory, a timer for all
+/// others.
 [[nodiscard]] const ControlModeRow& ContrastTo(const Controller&);
 
 }  // namespace gaitsmith::shell

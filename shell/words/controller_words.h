@@ -8,7 +8,8 @@
 
 namespace gaitsmith::shell {
 
-/// "10 rules with physical senses", "10 rules with timer 0.80 s", "a network of 10 hidden nodes".
+/// "10 rules with physical senses", "10 rules with timer 0.80 s", "a network of 10 hidden nodes",
+/// "a trajectory of 10 knots".
 [[nodiscard]] std::string ControllerWords(ControllerKind, const SenseSpec&, int rules);
 /// As ControllerWords, but always in English, as stored in files and links.
 [[nodiscard]] std::string ControllerName(ControllerKind, const SenseSpec&, int rules);

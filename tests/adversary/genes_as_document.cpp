@@ -156,8 +156,9 @@ Document DocumentOf(Scope scope, int model, bool still, std::span<const Gene> ge
   d.model = model;
   if (HasLimitedJoints(d)) SetJoints(scope, read, d);
   SetSenses(scope, read, d.senses);
-  d.kind = d.senses.kind == SenseKind::kPhysical && read.Below(2) == 0 ? ControllerKind::kNetwork
-                                                                       : ControllerKind::kRules;
+  const bool other_kind = read.Below(2) == 0;
+  if (other_kind && d.senses.kind == SenseKind::kPhysical) d.kind = ControllerKind::kNetwork;
+  if (other_kind && d.senses.kind == SenseKind::kTimer) d.kind = ControllerKind::kTrajectory;
   d.rules = kRules;
   d.task.duration_steps = d.duration_steps = kSteps;
   if (still) return d;

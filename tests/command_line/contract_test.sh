@@ -545,6 +545,17 @@ wrong 1 'is there twice; names must differ' "$gaitsmith" switches --out precious
 suite --out suite.csv; cmp -s suite.csv suite2.csv || fault "a refused command changed a suite"
 cmp -s results.csv results-before.csv && cmp -s curves.csv curves-before.csv || fault "a refused command changed a study"
 same "$(cat precious.json)" keep "a file after refused commands"
+# A motion in both forms, and a search among trajectories.
+"$gaitsmith" record "$golden" --knots 8 --out curves.json >record.csv
+same "$(head -1 record.csv)" knots,typical_rad,worst_rad,travel,recorded_travel "the columns of record"
+"$gaitsmith" validate curves.json >/dev/null || fault "a recording is not valid"
+"$gaitsmith" synthesize --controller trajectory:rest --sense timer=1 --rules 6 --search rgt --evaluations 20 --out curves.json
+grep -q '"at_end": "rest"' curves.json || fault "a trajectory that rests"
+"$gaitsmith" synthesize --controller trajectory --sense timer=1 --search pose-cycle --evaluations 60 --out curves.json
+grep -q '"knots"' curves.json || fault "the knots of a trajectory"
+refuses 'a trajectory follows a timer and has no other senses' "$gaitsmith" synthesize --controller trajectory --out precious.json
+refuses '--knots: must be a whole number from 2 to 32, is "1"' "$gaitsmith" record "$golden" --knots 1
+refuses 'has no controller whose motion could be recorded' "$gaitsmith" record hopper-jump
 refuses 'cannot be read' "$gaitsmith" hash nowhere.json
 refuses 'was cut' "$gaitsmith" link decode "$(head -c 100 link.txt)"
 for command in compare suite merge switches breed taste; do

@@ -63,6 +63,10 @@ Document SmallProblem(Bytes& bytes) {
   d.search.two_stage = {.random = 30, .kept = 2};
   if (bytes.Next() % 4 == 0 || d.search.algorithm == Algorithm::kTwoStage) d.kind = ControllerKind::kNetwork;
   d.senses.kind = std::array{SenseKind::kTimer, SenseKind::kPhysical, SenseKind::kSight}[bytes.Next() % 3u];
+  if (d.senses.kind == SenseKind::kTimer && d.kind == ControllerKind::kRules && bytes.Next() % 2 == 0) {
+    d.kind = ControllerKind::kTrajectory;
+    if (bytes.Next() % 2 == 0) d.senses.at_end = CurveEnd::kRest;
+  }
   if (const std::uint8_t joints = bytes.Next(); joints % 2 == 1) {
     d.model = 2;
     d.figure.rods[1].strength = static_cast<float>(joints / 16);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Senses, period, number of rules, and the rule cards or the network.
+// Senses, period, number of rules, and the rule cards, the network or the curves.
 #include "shell/panels/controller/controller_panel.h"
 
 #include <algorithm>
@@ -26,12 +26,12 @@ const char* PeriodWords(int period_steps, int duration_steps) {
   return Tr("above the motion's length: it never repeats");
 }
 
-// Changes the senses of the next search. A controller of this kind on the stage follows at once, with the
-// same rules.
+// Changes the senses of the next search. A controller of the same mode on the stage follows at once, with the
+// same rules or knots.
 template <class Edit>
-void SetSenses(Session& session, SenseKind kind, Edit edit) {
+void SetSenses(Session& session, Edit edit) {
   const Controller* shown = session.Timeline().ShownController();
-  if (shown == nullptr || shown->senses.kind != kind) {
+  if (shown == nullptr || ControlModeOf(*shown).mode != ControlModeOf(session.Doc()).mode) {
     session.Set([&](Document& d) { edit(d.senses); });
     return;
   }
@@ -52,7 +52,7 @@ void DrawSight(Ui& ui, Session& session) {
                  Fixed(sight_m, 1) + " m"))
     return;
   const float rods = std::clamp(static_cast<float>(sight_m / unit_m), 0.5f, 20.0f);
-  SetSenses(session, SenseKind::kSight, [&](SenseSpec& senses) { senses.sight_rods = rods; });
+  SetSenses(session, [&](SenseSpec& senses) { senses.sight_rods = rods; });
 }
 
 // To which side it looks. Its own side is not that of its goal: a figure may back away from what it sees.
@@ -60,7 +60,16 @@ void DrawFacing(Ui& ui, Session& session) {
   static constexpr std::array<const char*, 2> kSides = {TrLater("To the right"), TrLater("To the left")};
   int side = static_cast<int>(session.Doc().senses.facing);
   if (ui.Segmented("controller/facing", ui.ControlRow(), Tr("It looks"), kSides, side))
-    SetSenses(session, SenseKind::kSight, [&](SenseSpec& s) { s.facing = static_cast<Facing>(side); });
+    SetSenses(session, [&](SenseSpec& s) { s.facing = static_cast<Facing>(side); });
+  ui.Gap(8.0f);
+}
+
+// What a trajectory does after its period.
+void DrawAtEnd(Ui& ui, Session& session) {
+  static constexpr std::array<const char*, 2> kEnds = {TrLater("Starts again"), TrLater("Rests")};
+  int end = static_cast<int>(session.Doc().senses.at_end);
+  if (ui.Segmented("controller/at-end", ui.ControlRow(), Tr("After its period"), kEnds, end))
+    SetSenses(session, [&](SenseSpec& senses) { senses.at_end = static_cast<CurveEnd>(end); });
   ui.Gap(8.0f);
 }
 
@@ -87,7 +96,7 @@ void DrawSettings(Ui& ui, Session& session) {
                   {.low = 0.1, .high = longest, .step = 0.01, .logarithmic = true},
                   Fixed(seconds, 2) + " s")) {
       const int steps = static_cast<int>(std::lround(period * 100.0));
-      SetSenses(session, SenseKind::kTimer, [&](SenseSpec& s) { s.period_steps = steps; });
+      SetSenses(session, [&](SenseSpec& s) { s.period_steps = steps; });
     }
     const int motion = session.Doc().task.duration_steps;
     ui.Paragraph(PeriodWords(session.Doc().senses.period_steps, motion), Type::kNote);
@@ -97,9 +106,11 @@ void DrawSettings(Ui& ui, Session& session) {
     DrawFacing(ui, session);
     DrawSight(ui, session);
   }
+  if (now.mode == ControlMode::kCurves) DrawAtEnd(ui, session);
   double rules = session.Doc().rules;
+  const double most = now.mode == ControlMode::kCurves ? kMaxRules : 20.0;
   if (ui.Slider("controller/rules", Tr(mode.units), rules,
-                {.low = 1.0, .high = std::max(20.0, rules), .step = 1.0},
+                {.low = 1.0, .high = std::max(most, rules), .step = 1.0},
                 std::to_string(session.Doc().rules))) {
     session.Set([&](Document& d) { d.rules = static_cast<int>(rules); });
   }
@@ -199,11 +210,20 @@ void DrawControllerPanel(Ui& ui, Session& session, ControllerPanelState& state) 
   }
   if (shown == nullptr) return;
   DrawComparison(ui, session, *shown);
+  if (shown->kind != ControllerKind::kTrajectory) {
+    if (ui.Button("controller/record", ui.ControlRow(), Tr("Record as curves"), ButtonLook::kOutlined))
+      return session.Timeline().RecordAsCurves();
+    ui.Gap(10.0f);
+  }
   switch (shown->kind) {  // each kind has a view of its own
     case ControllerKind::kRules:
       return DrawRules(ui, session, state);
     case ControllerKind::kNetwork:
       return DrawNetwork(ui, session, *shown);
+    case ControllerKind::kTrajectory: {
+      const Controller copy = *shown;
+      return DrawCurveEditor(ui, session, copy, state.curves);
+    }
   }
 }
 

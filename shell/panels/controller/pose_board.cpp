@@ -26,9 +26,9 @@ struct Picture {
   }
 };
 
-Picture LayOut(const Skeleton& bones, const std::vector<ImVec2>& metres, const RuleEditorState& state,
+Picture LayOut(const Skeleton& bones, const std::vector<ImVec2>& metres, const LimbDrag& drag,
                const ImRect& rect) {
-  if (state.limb >= 0) return {bones, state.scale, state.origin};
+  if (drag.limb >= 0) return {bones, drag.scale, drag.origin};
   // Include the rest pose, so that the present pose, drawn behind, usually fits too.
   ImRect extent(metres[0], metres[0]);
   for (const ImVec2& point : metres) extent.Add(point);
@@ -47,34 +47,32 @@ Picture LayOut(const Skeleton& bones, const std::vector<ImVec2>& metres, const R
 
 }  // namespace
 
-std::optional<PoseEdit> DrawPoseBoard(Ui& ui, const Skeleton& bones, const std::vector<float>& angles,
-                                      const std::vector<float>& present, RuleEditorState& state) {
+std::optional<PoseEdit> DrawPoseBoard(Ui& ui, const std::string& id, const std::string& label, ImU32 colour,
+                                      const Skeleton& bones, const std::vector<float>& angles,
+                                      const std::vector<float>& present, LimbDrag& drag) {
   const Palette& p = ui.Ink();
   const ImRect rect = ui.Row(kBoardHeight);
   const ImVec2 pointer = ImGui::GetIO().MousePos;
   const std::vector<ImVec2> metres = PoseOf(bones, angles);
-  const Touch touch =
-      ui.Area("rule-edit/pose", rect, Grab::kDrag,
-              {.label = Tr("Target pose of rule {1}: drag a limb", state.rule + 1), .role = "img"});
-  if (!touch.held) state.limb = -1;
-  const Picture picture = LayOut(bones, metres, state, rect);
+  const Touch touch = ui.Area(id, rect, Grab::kDrag, {.label = label, .role = "img"});
+  if (!touch.held) drag.limb = -1;
+  const Picture picture = LayOut(bones, metres, drag, rect);
   const std::vector<ImVec2> points = picture.ToCanvas(metres);
   const float near = ui.Look().touch ? 26.0f : 16.0f;
   if (touch.began) {
-    state.limb = LimbAt(bones, points, ImGui::GetIO().MouseClickedPos[0], near);
-    state.scale = picture.scale;
-    state.origin = picture.origin;
-    if (state.limb > 0)
-      state.grip_rad =
-          GripOf(bones, points, state.limb, StartOf(bones, points, state.limb), pointer).grip_rad;
+    drag.limb = LimbAt(bones, points, ImGui::GetIO().MouseClickedPos[0], near);
+    drag.scale = picture.scale;
+    drag.origin = picture.origin;
+    if (drag.limb > 0)
+      drag.grip_rad = GripOf(bones, points, drag.limb, StartOf(bones, points, drag.limb), pointer).grip_rad;
   }
 
   std::optional<PoseEdit> edit;
-  if (touch.held && state.limb > 0) {
-    const auto joint = static_cast<std::size_t>(state.limb) - 1;
-    const Skeleton::Limb& bone = bones.limbs[static_cast<std::size_t>(state.limb)];
+  if (touch.held && drag.limb > 0) {
+    const auto joint = static_cast<std::size_t>(drag.limb) - 1;
+    const Skeleton::Limb& bone = bones.limbs[static_cast<std::size_t>(drag.limb)];
     const float turn =
-        TurnToward(bones, points, {state.limb, state.grip_rad}, StartOf(bones, points, state.limb), pointer);
+        TurnToward(bones, points, {drag.limb, drag.grip_rad}, StartOf(bones, points, drag.limb), pointer);
     edit = PoseEdit{static_cast<int>(joint), std::clamp(angles[joint] + turn, bone.min_rad, bone.max_rad)};
     if (std::abs(edit->angle_rad - angles[joint]) < 1e-4f) edit.reset();
   }
@@ -84,8 +82,7 @@ std::optional<PoseEdit> DrawPoseBoard(Ui& ui, const Skeleton& bones, const std::
   ImDrawList* list = ui.Canvas();
   list->PushClipRect(rect.Min, rect.Max, true);
   const float width = std::clamp(RodWidth(bones, picture.scale), 5.0f, 11.0f);
-  const int lit = state.limb > 0 ? state.limb : touch.hovered ? LimbAt(bones, points, pointer, near) : -1;
-  const ImU32 colour = ui.Look().Rule(state.rule);
+  const int lit = drag.limb > 0 ? drag.limb : touch.hovered ? LimbAt(bones, points, pointer, near) : -1;
   if (lit > 0) {
     DrawReach(list, bones, points, lit, angles[static_cast<std::size_t>(lit) - 1], Fade(colour, 0.4f));
     if (!ui.Look().touch) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);

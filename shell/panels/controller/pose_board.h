@@ -1,20 +1,38 @@
 // SPDX-License-Identifier: MIT
-// A rule's target pose, edited by dragging limbs. Each limb turns about its joint, within its limits.
+// A pose of a controller, edited by dragging limbs. Each limb turns about its joint, within its limits.
 #pragma once
 
-#include "shell/panels/controller/rule_editor.h"
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/physics/skeleton.h"
+#include "shell/widgets/widgets.h"
 
 namespace gaitsmith::shell {
+
+/// The view is fixed while a limb is dragged, so that the limb stays under the pointer.
+struct LimbDrag {
+  int limb = -1;              // index in the skeleton; -1: none
+  float grip_rad = 0.0f;      // angle from the limb to the grabbed point
+  float scale = 0.0f;         // [points per metre]
+  ImVec2 origin{0.0f, 0.0f};  // canvas position of endpoint 0
+};
 
 struct PoseEdit {
   int joint;
   float angle_rad;
 };
 
-/// @param angles   target angle of each joint [rad]
-/// @param present  present joint angles [rad], drawn pale behind the target; may be empty
+/// @param id       of the widget
+/// @param label    for screen readers
+/// @param colour   of the limbs
+/// @param angles   angle of each joint [rad]
+/// @param present  present joint angles [rad], drawn pale behind it; may be empty
 /// @return the limb's new angle during a drag
-[[nodiscard]] std::optional<PoseEdit> DrawPoseBoard(Ui&, const Skeleton&, const std::vector<float>& angles,
-                                                    const std::vector<float>& present, RuleEditorState&);
+[[nodiscard]] std::optional<PoseEdit> DrawPoseBoard(Ui&, const std::string& id, const std::string& label,
+                                                    ImU32 colour, const Skeleton&,
+                                                    const std::vector<float>& angles,
+                                                    const std::vector<float>& present, LimbDrag&);
 
 }  // namespace gaitsmith::shell

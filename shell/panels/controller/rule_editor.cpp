@@ -8,7 +8,6 @@
 #include "core/control/rule_edit.h"
 #include "core/numeric/scalar_math.h"
 #include "core/rollout/figure_senses.h"
-#include "shell/panels/controller/pose_board.h"
 #include "shell/panels/controller/rule_card.h"
 #include "shell/words/language.h"
 #include "shell/words/rule_words.h"
@@ -88,7 +87,9 @@ void DrawPose(const OpenRule& open, RuleEditorState& state) {
     }
   }
   const std::vector<float> target = TargetPose(open.controller, open.bones, open.rule);
-  const auto edit = DrawPoseBoard(open.ui, open.bones, target, present, state);
+  const auto edit =
+      DrawPoseBoard(open.ui, "rule-edit/pose", Tr("Target pose of rule {1}: drag a limb", open.rule + 1),
+                    open.colour, open.bones, target, present, state.drag);
   if (!edit) return;
   const Skeleton::Limb& limb = open.bones.limbs[static_cast<std::size_t>(edit->joint) + 1];
   open.Edit([&](RuleEdit rule) { rule.SetTarget(edit->joint, edit->angle_rad, limb.min_rad, limb.max_rad); });

@@ -3,6 +3,7 @@
 // change is simulated immediately.
 #pragma once
 
+#include "shell/panels/controller/pose_board.h"
 #include "shell/session/session.h"
 #include "shell/widgets/widgets.h"
 
@@ -11,11 +12,7 @@ namespace gaitsmith::shell {
 struct RuleEditorState {
   int rule = -1;        // the open rule; -1: none
   bool reveal = false;  // just opened: scroll it into view
-  // The view is fixed while a limb is dragged, so that the limb stays under the pointer.
-  int limb = -1;              // index in the skeleton; -1: none
-  float grip_rad = 0.0f;      // angle from the limb to the grabbed point
-  float scale = 0.0f;         // [points per metre]
-  ImVec2 origin{0.0f, 0.0f};  // canvas position of endpoint 0
+  LimbDrag drag{};
 };
 
 /// @param controller a copy of the shown controller, since edits replace the original. It has rules, and

@@ -112,6 +112,22 @@ TEST_CASE("golden links: every link of version 5 opens with its motion", "[golde
   CheckLinks(5, 2);
 }
 
+TEST_CASE("golden links: every link of version 6 opens with its motion", "[golden][links]") {
+  CheckLinks(6, 1);
+}
+
+TEST_CASE("golden links: every link of version 7 opens with its motion", "[golden][links]") {
+  CheckLinks(7, 3);
+}
+
+TEST_CASE("golden links: every link of version 8 opens with its motion", "[golden][links]") {
+  CheckLinks(8, 1);
+}
+
+TEST_CASE("golden links: every link of version 9 opens with its motion", "[golden][links]") {
+  CheckLinks(9, 1);
+}
+
 // Separate cases, which run side by side: this is the longest test.
 TEST_CASE("golden links: no link of version 1 that was changed in one byte or cut short opens",
           "[golden][links]") {
@@ -136,6 +152,26 @@ TEST_CASE("golden links: no link of version 4 that was changed in one byte or cu
 TEST_CASE("golden links: no link of version 5 that was changed in one byte or cut short opens",
           "[golden][links]") {
   CheckDamage(5);
+}
+
+TEST_CASE("golden links: no link of version 6 that was changed in one byte or cut short opens",
+          "[golden][links]") {
+  CheckDamage(6);
+}
+
+TEST_CASE("golden links: no link of version 7 that was changed in one byte or cut short opens",
+          "[golden][links]") {
+  CheckDamage(7);
+}
+
+TEST_CASE("golden links: no link of version 8 that was changed in one byte or cut short opens",
+          "[golden][links]") {
+  CheckDamage(8);
+}
+
+TEST_CASE("golden links: no link of version 9 that was changed in one byte or cut short opens",
+          "[golden][links]") {
+  CheckDamage(9);
 }
 
 }  // namespace gaitsmith::test

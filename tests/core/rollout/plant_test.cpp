@@ -145,7 +145,8 @@ TEST_CASE("plant: what rests stays at rest, and what slides stops where friction
 TEST_CASE("plant: every number of lanes has the bits of one, and those of the recorded motion",
           "[plant][determinism]") {
   for (const SenseKind senses : {SenseKind::kPhysical, SenseKind::kTimer}) {
-    for (const ControllerKind kind : {ControllerKind::kRules, ControllerKind::kNetwork}) {
+    for (const ControllerKind kind :
+         {ControllerKind::kRules, ControllerKind::kNetwork, ControllerKind::kTrajectory}) {
       Problem problem = Crawling(senses);
       problem.kind = kind;
       std::vector<Genome> genomes;
