@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rules of a controller, read and changed by hand, and the gallery of figures. Each scenario opens its own pages.
+// The rules or curves of a controller, read and changed by hand, and the gallery of figures. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
 import { Mouse } from '../pointers.mjs';
 import { ONE_BROWSER, PageDriver } from '../page_driver.mjs';
@@ -188,10 +188,52 @@ async function gallery({ browser, address }) {
   await page.close();
 }
 
+/** Angles over time: a motion of rules recorded as curves, which are dragged and set by keys, and searched for. @param {Visit} visit */
+async function curves({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  await page.click('panels/1');
+  const before = await page.hash();
+  const pointer = new Mouse(page);
+  await pointer.scrollTo('controller/record', 24);
+  await page.click('controller/record');
+  const recorded = await page.call('recorded', () => /** @type {any} */ (window.gaitsmith.document()).controllers[0]);
+  assert.deepEqual([recorded.kind, recorded.senses.kind, recorded.knots.length], ['trajectory', 'timer', 32]);
+  assert.match(await page.text('#status'), /^Recorded: the joints' angles differ by [\d.]+°, at most [\d.]+°\. It travels .* m, where it went .* m before\.$/);
+  const hash = await page.hash();
+  assert.notEqual(hash, before);
+
+  await pointer.scrollTo('curves/plot', 140);
+  const { x, y } = await pointer.centre('curves/plot');
+  const value = async () => (await widget(page, 'curves/plot'))?.value;
+  const chosen = await value();
+  await pointer.drag({ x, y }, { x, y: y - 40 });
+  assert.notEqual(await value(), chosen);
+  assert.notEqual(await page.hash(), hash, 'a point of a curve is dragged');
+  await undo(page);
+  assert.equal(await page.hash(), hash, 'one drag is one step of Undo');
+
+  await page.page.focus('canvas');
+  await tabTo(page, (id) => id === 'curves/knot');
+  await page.press('ArrowRight', 2);
+  await tabTo(page, (id) => id === 'curves/angle/1');
+  await page.press('ArrowLeft', 5);
+  assert.notEqual(await page.hash(), hash, 'an angle is set by keys');
+  const other = await PageDriver.open(browser, await page.link());
+  assert.equal(await other.hash(), await page.hash(), 'a link carries the curves');
+  await other.close();
+
+  const found = await page.call('a search', () => window.gaitsmith.synthesize({ evaluations: 300, seed: 1, sense: 'trajectory', algorithm: 'pose-cycle' })
+    .then(() => /** @type {any} */ (window.gaitsmith.document()).controllers.at(-1).kind));
+  assert.equal(found, 'trajectory');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
 /** @type {import('./all.mjs').Scenario[]} */
 export const RULE_SCENARIOS = [
   ['the body shows what a rule feels, while the pointer is on its card', felt],
   ['a rule is opened, its interval and its pose are dragged, copied and deleted; Undo brings the motion back', byMouse],
   ['a rule is changed by the keyboard alone, and the one in focus is explained', byKeyboard],
+  ['a motion of rules is recorded as curves, which are dragged, set by keys, shared and searched for', curves],
   ['the gallery shows all figures, and one of them takes the stage', gallery, ONE_BROWSER],
 ];
