@@ -17,7 +17,7 @@ export function rankSum(a, b) {
 }
 
 /** P(Z > z) of a standard normal Z, z >= 0, by Simpson's rule. @param {number} z */
-function upperTail(z) {
+export function upperTail(z) {
   const steps = 2000, end = 12, width = (end - Math.min(z, end)) / steps;
   let sum = 0;
   for (let i = 0; i <= steps; i++) {
