@@ -9,6 +9,7 @@
 
 #include "core/document/joints.h"
 #include "core/rollout/evaluator.h"
+#include "core/rollout/state_distance.h"
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"
@@ -35,6 +36,7 @@ struct Switch {
   int step;
   float score = 0.0f;
   bool success = false;
+  double distance = 0.0;  // of the state from those that the second controller usually passes
 };
 
 /// @param document has a controller
@@ -95,10 +97,12 @@ void ForEach(std::size_t count, int threads, const Job& job) {
   work();
 }
 
+/// The first moment at which controllers take over [steps], when a motion has begun.
+constexpr int kFirst = 100;
+
 /// Every ordered pair at every time: from, to, step. The first controller is active for at most the duration
 /// of its task.
 std::vector<Switch> Planned(const std::vector<Candidate>& all, int times) {
-  constexpr int kFirst = 100;  // steps
   std::vector<Switch> switches;
   for (std::size_t from = 0; from < all.size(); ++from) {
     for (std::size_t to = 0; to < all.size(); ++to) {
@@ -123,12 +127,35 @@ void Make(Switch& one, const std::vector<Candidate>& all) {
                 found.fitness >= to.usual - 0.5f * std::abs(to.usual);
 }
 
+/// The motion of a controller alone in the surroundings of a candidate.
+Motion MotionAlone(const Candidate& where, const Controller& controller, int steps) {
+  const Clip whole{.controller = 0, .start_step = 0};
+  return Motion(Script{.figure = where.problem.figure,
+                       .environment = where.problem.environment,
+                       .start = where.problem.start,
+                       .pushes = {},
+                       .controllers = std::span(&controller, 1),
+                       .clips = std::span(&whole, 1),
+                       .steps = steps,
+                       .model = where.problem.model});
+}
+
+/// @param pair the switches of one pair of controllers
+void MeasureDistances(std::span<Switch> pair, const std::vector<Candidate>& all) {
+  const Candidate &from = all[pair[0].from], &to = all[pair[0].to];
+  const Motion before = MotionAlone(to, from.controller, pair.back().step);
+  const Motion usual = MotionAlone(to, to.controller, std::max(1, to.problem.task.duration_steps));
+  for (Switch& one : pair)
+    one.distance = StateDistance(before, one.step, usual, std::min(kFirst, usual.Frames() - 1));
+}
+
 std::string SwitchesCsv(const std::vector<Switch>& switches, const std::vector<Candidate>& all) {
-  std::string csv = "from,to,step,score,usual,success\n";
+  std::string csv = "from,to,step,score,usual,success,distance\n";
   for (const Switch& one : switches) {
-    char numbers[80];
-    std::snprintf(numbers, sizeof numbers, ",%d,%.9g,%.9g,%d\n", one.step, static_cast<double>(one.score),
-                  static_cast<double>(all[one.to].usual), one.success ? 1 : 0);
+    char numbers[100];
+    std::snprintf(numbers, sizeof numbers, ",%d,%.9g,%.9g,%d,%.6g\n", one.step,
+                  static_cast<double>(one.score), static_cast<double>(all[one.to].usual), one.success ? 1 : 0,
+                  one.distance);
     csv += all[one.from].label + "," + all[one.to].label + numbers;
   }
   return csv;
@@ -195,6 +222,10 @@ Outcome SwitchesCommand(Words words) {
   });
   std::vector<Switch> switches = Planned(*all, static_cast<int>(*times));
   ForEach(switches.size(), workers, [&](std::size_t i) { Make(switches[i], *all); });
+  const auto of_pair = static_cast<std::size_t>(*times);
+  ForEach(switches.size() / of_pair, workers, [&](std::size_t pair) {
+    MeasureDistances(std::span(switches).subspan(pair * of_pair, of_pair), *all);
+  });
   if (auto written = WriteText(out, SwitchesCsv(switches, *all)); !written) {
     return std::unexpected(written.error());
   }

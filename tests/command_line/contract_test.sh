@@ -396,7 +396,7 @@ same "$("$gaitsmith" validate handed.json | cut -d, -f3)" " 2 controllers" "--fr
 "$gaitsmith" switches --times 4 --threads 1 --summary --out switches.csv best/p*.json best/timer=0.8.jump.plain-*.json >rates.csv || fault "switches"
 "$gaitsmith" switches --times 4 --threads 2 --out switches2.csv best/p*.json best/timer=0.8.jump.plain-*.json
 cmp -s switches.csv switches2.csv || fault "two threads made other switches"
-same "$(head -1 switches.csv)" "from,to,step,score,usual,success" "columns of switches"
+same "$(head -1 switches.csv)" "from,to,step,score,usual,success,distance" "columns of switches"
 same "$(wc -l <switches.csv)" 81 "rows of switches"
 same "$(sed -n 2,5p switches.csv | cut -d, -f3 | tr '\n' ' ')" "100 233 366 500 " "steps of switches"
 same "$(head -1 rates.csv) $(wc -l <rates.csv)" "from_class,to_class,switches,successes,rate 4" "rates of switches"
