@@ -107,7 +107,9 @@ bool Reaches(const std::string& goal, const Document& document) {
     const std::string& name = condition.name;
     const auto term = std::ranges::find(kStyleTermNames, name);
     if (name == "sense") {
-      all &= condition.wanted == (controller.senses.kind == SenseKind::kTimer ? "timer" : "physical");
+      const bool timer = controller.senses.kind == SenseKind::kTimer;
+      const bool curves = controller.kind == ControllerKind::kTrajectory;
+      all &= condition.wanted == (curves ? "trajectory" : timer ? "timer" : "physical");
     } else if (name == "travel") {
       all &= Compare(static_cast<double>(terms.travel_m), condition);
     } else if (name == "distance") {

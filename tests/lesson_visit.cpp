@@ -55,6 +55,10 @@ void LessonVisit::Do(const JsonValue& step) {
   } else if (what == "try") {
     session_.TryStyle();
     EndSearch();
+  } else if (what == "record") {
+    session_.RecordAsCurves();
+  } else if (what == "knot") {
+    change([&](Document& d) { d.controllers[0].genes[static_cast<std::size_t>(number)] ^= 8; });
   } else if (what == "delete") {
     for (const JsonValue& rule : value.items)
       change([&](Document& d) { DeleteRule(d.controllers[0], rods, static_cast<int>(rule.number) - 1); });

@@ -163,8 +163,8 @@ void AddTimeline(std::vector<Command>& list, Session& session) {
       clips > 1 && selected == clips - 1 ? Tr("This clip is the last.") : one,
       [&session] { session.Timeline().ReorderClip(session.Timeline().Selected() + 1); });
   add("loop", Tr("Repeat the whole timeline"), {}, none, [&session] { session.Timeline().Repeat(); });
-  add("record", Tr("Record the motion as curves, which sense nothing"), {}, none,
-      [&session] { session.Timeline().RecordAsCurves(); });
+  add("record", Tr("Record the motion as curves, and show both side by side"), {}, none,
+      [&session] { session.RecordAsCurves(); });
   add("repair", Tr("Repair the selected clip: search from where it takes over"), {"r"},
       session.Timeline().CanRepair() ? "" : Tr("The first clip takes over from no other clip."),
       [&session] { session.Timeline().RepairClip(); });

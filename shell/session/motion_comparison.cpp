@@ -43,6 +43,11 @@ void MotionComparison::ShowBeside(bool beside) {
   workspace_.Redraw();
 }
 
+void MotionComparison::ShowBeside(const Document& other) {
+  ghost_.SetSource("", other, Documents());
+  ShowBeside(true);
+}
+
 void MotionComparison::Stop() {
   ghost_.ShowBeside(false);
   Choose(Ghost::Kind::kNone);

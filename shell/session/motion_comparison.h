@@ -32,6 +32,8 @@ class MotionComparison {
   /// @return false: there is no such motion, or its figure has another skeleton
   bool ChooseFound(const std::string& id);
   void ShowBeside(bool beside);
+  /// Shows the motion of another document of the figure beside this one, with this one's world and pushes.
+  void ShowBeside(const Document& other);
   void Stop();
 
   /// Compares the shown motion with the best one found in the other control mode for the same figure and

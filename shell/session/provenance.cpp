@@ -46,10 +46,10 @@ Hash OfSenses(const Controller& controller) {
 
 std::uint64_t KeyOf(const Controller& controller) { return OfSenses(controller).Add(controller.genes).Key(); }
 
-/// The genes of each rule. Another controller is one part: a node or a knot means nothing alone.
+/// The genes of each rule or knot. A network is one part, because its nodes mean nothing alone.
 std::vector<std::span<const Gene>> PartsOf(const Document& document, const Controller& controller) {
   const std::span<const Gene> genes = controller.genes;
-  if (controller.kind != ControllerKind::kRules) return {genes};
+  if (controller.kind == ControllerKind::kNetwork) return {genes};
   const ControllerShape shape = controller.Shape(CountPorts(document.model, document.figure));
   std::vector<std::span<const Gene>> parts;
   parts.reserve(static_cast<std::size_t>(controller.rules));
@@ -99,6 +99,10 @@ void Provenance::AddFound(const Document& searched, const Controller& found, Fou
   } else {
     continued_.insert(KeyOf(found));
   }
+}
+
+void Provenance::AddRecorded(const Document& before, const Document& recorded) {
+  if (Of(before) != "new") AddOpened(recorded);
 }
 
 std::string_view Provenance::Of(const Document& document) const {

@@ -24,9 +24,11 @@ class Provenance {
   /// A controller that a search shows. A search of a person's that starts from a motion continues it: what
   /// it finds is as new as its start.
   void AddFound(const Document& searched, const Controller& found, FoundBy by);
+  /// A recording is new if the motion was, else it counts as opened.
+  void AddRecorded(const Document& before, const Document& recorded);
 
-  /// "opened": every rule in the timeline's controllers was opened, and some may have been deleted. "new": no
-  /// rule was opened. "changed": anything between. Empty: there is no motion.
+  /// "opened": every rule or knot in the timeline's controllers was opened, and some may have been deleted.
+  /// "new": none was opened. "changed": anything between. Empty: there is no motion.
   [[nodiscard]] std::string_view Of(const Document&) const;
   /// The seed that found the only controller of the timeline here, or that of the document's search.
   [[nodiscard]] std::uint32_t SeedOf(const Document&) const;

@@ -244,6 +244,11 @@ std::vector<Document> Session::KnownSearches() const {
   return known;
 }
 
+void Session::RecordAsCurves() {
+  const Document before = Doc();
+  if (timeline_.RecordAsCurves()) provenance_.AddRecorded(before, Doc());
+}
+
 void Session::Synthesize() {
   LeaveViewer();
   const bool again = !lab_.Running() && search_.WouldRepeat() && !Layout().Locks(LockedPart::kSearch);

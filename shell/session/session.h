@@ -160,6 +160,8 @@ class Session {
   /// Starts the open document's search. If it would find the same motion again, takes the next seed that
   /// none of the results has, unless the search is locked.
   void Synthesize();
+  /// See TimelineEditor::RecordAsCurves.
+  void RecordAsCurves();
   /// Runs a short climb from the shown motion in the chosen style, with the earlier motion as ghost.
   void TryStyle(SearchRun::UndoStep = SearchRun::UndoStep::kMotion);
   /// Changes a style weight so much that one sees it, then TryStyle: the weight of height by its usual

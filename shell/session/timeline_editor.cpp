@@ -146,22 +146,28 @@ void TimelineEditor::Repeat() {
   Edit([&](Document& d) { return Then(gaitsmith::LoopTimeline(d, 2), Selected()); });
 }
 
-void TimelineEditor::RecordAsCurves() {
+bool TimelineEditor::RecordAsCurves() {
   if (search_.Running() && !search_.RunsQueued()) search_.Abandon();
   const auto recording = gaitsmith::RecordAsCurves(workspace_.Doc(), kMaxRules);
-  if (!recording) return workspace_.Say(Tr("Not possible: {1}.", TrError(recording.error())));
+  if (!recording) {
+    workspace_.Say(Tr("Not possible: {1}.", TrError(recording.error())));
+    return false;
+  }
   const auto metres = [&] {
     const Motion& motion = workspace_.Player().Shown();
     return Fixed(motion.TermsAt(motion.Frames() - 1).travel_m, 2) + " m";
   };
+  const Document original = workspace_.Doc();
   const std::string before = metres();
-  if (!workspace_.Change([&](Document& d) { d = recording->document; })) return;
+  if (!workspace_.Change([&](Document& d) { d = recording->document; })) return false;
   Select(0);
+  comparison_.ShowBeside(original);
   constexpr double kDegreesPerRad = 180.0 / kPi;
-  workspace_.Report(
-      Tr("Recorded: the joints' angles differ by {1}°, at most {2}°. It travels {3}, where it went {4} before.",
-         Fixed(recording->typical_rad * kDegreesPerRad, 1), Fixed(recording->worst_rad * kDegreesPerRad, 1),
-         metres(), before));
+  workspace_.Report(Tr(
+      "Recorded: the joints' angles differ by {1}°, at most {2}°. It travels {3}, where it went {4} before.",
+      Fixed(recording->typical_rad * kDegreesPerRad, 1), Fixed(recording->worst_rad * kDegreesPerRad, 1),
+      metres(), before));
+  return true;
 }
 
 bool TimelineEditor::InsertFound(const std::string& id, std::optional<int> wanted) {

@@ -52,8 +52,10 @@ class TimelineEditor {
   void ReorderClip(int to);
   /// Appends a copy of the whole timeline.
   void Repeat();
-  /// Replaces the whole timeline by a trajectory that its joints follow, and says how well.
-  void RecordAsCurves();
+  /// Replaces the whole timeline by a trajectory, says how well it fits, and shows the motion of before
+  /// beside it.
+  /// @return false, with a sentence: it is not possible
+  bool RecordAsCurves();
   /// Inserts all clips of a found motion at the shown moment.
   /// @param step  where to insert instead
   /// @return false: there is no such motion, or it does not fit

@@ -17,9 +17,10 @@ namespace gaitsmith::test {
 
 namespace {
 
-const std::vector<std::string> kLessons = {
-    "1-a-rule",       "2-how-search-finds", "3-timer-or-senses", "4-style",     "5-which-search-wins",
-    "6-wind-up-toys", "7-chaining",         "8-the-judge",       "9-many-ways", "10-how-strong"};
+const std::vector<std::string> kLessons = {"1-a-rule",      "2-how-search-finds",  "3-timer-or-senses",
+                                           "4-style",       "5-which-search-wins", "6-wind-up-toys",
+                                           "7-chaining",    "8-the-judge",         "9-many-ways",
+                                           "10-how-strong", "11-by-heart"};
 
 }  // namespace
 

@@ -212,7 +212,7 @@ void DrawControllerPanel(Ui& ui, Session& session, ControllerPanelState& state) 
   DrawComparison(ui, session, *shown);
   if (shown->kind != ControllerKind::kTrajectory) {
     if (ui.Button("controller/record", ui.ControlRow(), Tr("Record as curves"), ButtonLook::kOutlined))
-      return session.Timeline().RecordAsCurves();
+      return session.RecordAsCurves();
     ui.Gap(10.0f);
   }
   switch (shown->kind) {  // each kind has a view of its own
