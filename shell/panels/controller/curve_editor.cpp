@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/numeric/scalar_math.h"
 #include "shell/words/language.h"
 #include "shell/words/rule_words.h"
 #include "shell/words/wording.h"
@@ -13,7 +12,6 @@ namespace gaitsmith::shell {
 namespace {
 
 constexpr float kPlotHeight = 148.0f;
-constexpr double kDegreesPerRad = 180.0 / kPi;
 
 /// A trajectory on the stage, and its figure.
 struct Shown {
@@ -150,37 +148,23 @@ void DrawCurvePlot(const Shown& of, CurveEditorState& state) {
   ui.DrawFocus(touch, row, 9.0f);
 }
 
-void DrawKnotPose(const Shown& of, CurveEditorState& state) {
+void DrawKnot(const Shown& of, CurveEditorState& state) {
   std::vector<float> pose, present;
-  for (int joint = 0; joint < of.shape.joints; ++joint) pose.push_back(of.Angle(state.knot, joint));
+  std::vector<ImU32> colours;
   const Playback& player = of.session.Player();
-  if (player.Shown().At(player.Frame()).clip == of.session.Timeline().Selected()) {
-    for (int joint = 0; joint < of.shape.joints; ++joint)
-      present.push_back(player.Shown().AngleRad(player.Frame(), joint));
+  const bool plays = player.Shown().At(player.Frame()).clip == of.session.Timeline().Selected();
+  for (int joint = 0; joint < of.shape.joints; ++joint) {
+    pose.push_back(of.Angle(state.knot, joint));
+    colours.push_back(of.ui.Look().Rule(joint));
+    if (plays) present.push_back(player.Shown().AngleRad(player.Frame(), joint));
   }
-  const auto edit = DrawPoseBoard(of.ui, "curves/pose", Tr("Pose of knot {1}: drag a limb", state.knot + 1),
-                                  of.ui.Ink().ink, of.bones, pose, present, state.drag);
+  auto edit = DrawPoseBoard(of.ui, "curves/pose", Tr("Pose of knot {1}: drag a limb", state.knot + 1),
+                            of.ui.Ink().ink, of.bones, pose, present, state.drag);
+  of.ui.Gap(8.0f);
+  if (const auto slid = DrawAngleSliders(of.ui, "curves/angle", of.bones, pose, colours)) edit = slid;
   if (!edit) return;
   state.joint = edit->joint;
   of.SetAngle(state.knot, edit->joint, edit->angle_rad);
-}
-
-void DrawKnotAngles(const Shown& of, CurveEditorState& state) {
-  for (int joint = 0; joint < of.shape.joints; ++joint) {
-    const Skeleton::Limb& limb = of.Limb(joint);
-    if (limb.max_rad <= limb.min_rad) continue;
-    const float angle = of.Angle(state.knot, joint);
-    double degrees = static_cast<double>(angle) * kDegreesPerRad;
-    const SliderRange range{.low = static_cast<double>(limb.min_rad) * kDegreesPerRad,
-                            .high = static_cast<double>(limb.max_rad) * kDegreesPerRad,
-                            .step = 1.0};
-    const std::string number = std::to_string(joint + 1);
-    if (!of.ui.LineSlider("curves/angle/" + number, Tr("Angle {1}", number), degrees, range,
-                          QuantityWords(SenseQuantity::kAngle, angle), of.ui.Look().Rule(joint)))
-      continue;
-    state.joint = joint;
-    of.SetAngle(state.knot, joint, static_cast<float>(degrees / kDegreesPerRad));
-  }
 }
 
 }  // namespace
@@ -204,9 +188,7 @@ void DrawCurveEditor(Ui& ui, Session& session, const Controller& controller, Cur
                                       Tr("{1} of {2}, at {3} s", state.knot + 1, of.shape.knots,
                                          Fixed(of.SecondsOf(state.knot), 2))))
     state.knot = static_cast<int>(std::lround(knot)) - 1;
-  DrawKnotPose(of, state);
-  ui.Gap(8.0f);
-  DrawKnotAngles(of, state);
+  DrawKnot(of, state);
   ui.Gap(12.0f);
 }
 

@@ -5,9 +5,11 @@
 #include <array>
 #include <cmath>
 
+#include "core/numeric/scalar_math.h"
 #include "shell/stage/figure_drawing.h"
 #include "shell/stage/limb_grip.h"
 #include "shell/words/language.h"
+#include "shell/words/rule_words.h"
 
 namespace gaitsmith::shell {
 namespace {
@@ -98,6 +100,27 @@ std::optional<PoseEdit> DrawPoseBoard(Ui& ui, const std::string& id, const std::
   }
   list->PopClipRect();
   ui.DrawFocus(touch, rect, 9.0f);
+  return edit;
+}
+
+std::optional<PoseEdit> DrawAngleSliders(Ui& ui, const std::string& id, const Skeleton& bones,
+                                         const std::vector<float>& angles,
+                                         const std::vector<ImU32>& colours) {
+  constexpr double kDegrees = 180.0 / kPi;
+  std::optional<PoseEdit> edit;
+  for (int joint = 0; joint < bones.joints; ++joint) {
+    const auto j = static_cast<std::size_t>(joint);
+    const Skeleton::Limb& limb = bones.limbs[j + 1];
+    if (limb.max_rad <= limb.min_rad) continue;
+    double degrees = static_cast<double>(angles[j]) * kDegrees;
+    const SliderRange range{.low = static_cast<double>(limb.min_rad) * kDegrees,
+                            .high = static_cast<double>(limb.max_rad) * kDegrees,
+                            .step = 1.0};
+    const std::string number = std::to_string(joint + 1);
+    if (ui.LineSlider(id + "/" + number, Tr("Angle {1}", number), degrees, range,
+                      QuantityWords(SenseQuantity::kAngle, angles[j]), colours[j]))
+      edit = PoseEdit{joint, static_cast<float>(degrees / kDegrees)};
+  }
   return edit;
 }
 

@@ -35,4 +35,12 @@ struct PoseEdit {
                                                     const std::vector<float>& angles,
                                                     const std::vector<float>& present, LimbDrag&);
 
+/// A slider for the angle of each joint that can move.
+/// @param id       of the widgets, before the joint's number
+/// @param colours  one for each joint
+/// @return the new angle of the one that is moved
+[[nodiscard]] std::optional<PoseEdit> DrawAngleSliders(Ui&, const std::string& id, const Skeleton&,
+                                                       const std::vector<float>& angles,
+                                                       const std::vector<ImU32>& colours);
+
 }  // namespace gaitsmith::shell

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/control/rule_edit.h"
-#include "core/numeric/scalar_math.h"
 #include "core/rollout/figure_senses.h"
 #include "shell/panels/controller/rule_card.h"
 #include "shell/words/language.h"
@@ -29,6 +28,10 @@ struct OpenRule {
     session.Timeline().ChangeController([&, rods = bones.rods](Controller& c) {
       if (rule < c.rules) edit(RuleEdit(c, rods, rule));
     });
+  }
+  void SetTarget(const PoseEdit& edit) const {
+    const Skeleton::Limb& limb = bones.limbs[static_cast<std::size_t>(edit.joint) + 1];
+    Edit([&](RuleEdit one) { one.SetTarget(edit.joint, edit.angle_rad, limb.min_rad, limb.max_rad); });
   }
   [[nodiscard]] std::string Named(int sense) const {
     std::string name = TrSentence(SenseName(controller.senses.kind, bones.rods, sense));
@@ -91,8 +94,7 @@ void DrawPose(const OpenRule& open, RuleEditorState& state) {
       DrawPoseBoard(open.ui, "rule-edit/pose", Tr("Target pose of rule {1}: drag a limb", open.rule + 1),
                     open.colour, open.bones, target, present, state.drag);
   if (!edit) return;
-  const Skeleton::Limb& limb = open.bones.limbs[static_cast<std::size_t>(edit->joint) + 1];
-  open.Edit([&](RuleEdit rule) { rule.SetTarget(edit->joint, edit->angle_rad, limb.min_rad, limb.max_rad); });
+  open.SetTarget(*edit);
 }
 
 void DrawTau(const OpenRule& open) {
@@ -189,26 +191,11 @@ void DrawStimulus(const OpenRule& open) {
 }
 
 void DrawJoints(const OpenRule& open) {
-  constexpr double kDegrees = 180.0 / kPi;
-  const std::vector<float> target = TargetPose(open.controller, open.bones, open.rule);
   open.ui.Heading(Tr("Target angles"));
-  for (int joint = 0; joint < open.bones.joints; ++joint) {
-    const Skeleton::Limb& limb = open.bones.limbs[static_cast<std::size_t>(joint) + 1];
-    if (limb.max_rad <= limb.min_rad) continue;
-    const float angle = target[static_cast<std::size_t>(joint)];
-    double degrees = static_cast<double>(angle) * kDegrees;
-    const SliderRange range{.low = static_cast<double>(limb.min_rad) * kDegrees,
-                            .high = static_cast<double>(limb.max_rad) * kDegrees,
-                            .step = 1.0};
-    const std::string number = std::to_string(joint + 1);
-    if (!open.ui.LineSlider("rule-edit/angle/" + number, Tr("Angle {1}", number), degrees, range,
-                            QuantityWords(SenseQuantity::kAngle, angle), open.colour)) {
-      continue;
-    }
-    open.Edit([&](RuleEdit rule) {
-      rule.SetTarget(joint, static_cast<float>(degrees / kDegrees), limb.min_rad, limb.max_rad);
-    });
-  }
+  const auto edit = DrawAngleSliders(
+      open.ui, "rule-edit/angle", open.bones, TargetPose(open.controller, open.bones, open.rule),
+      std::vector<ImU32>(static_cast<std::size_t>(open.bones.joints), open.colour));
+  if (edit) open.SetTarget(*edit);
 }
 
 }  // namespace
