@@ -88,6 +88,7 @@ class KnotTimes {
     const int mirrored = knot < 0 ? -knot : knot >= knots_ ? 2 * (knots_ - 1) - knot : knot;
     return static_cast<std::size_t>(std::clamp(mirrored, 0, knots_ - 1));
   }
+
   int knots_;
   int period_;
   bool rests_;
