@@ -2,7 +2,9 @@
 // The tables of docs/stricter.md from the result files beside this one (question.md):  node docs/studies/stricter/summarise.mjs
 import { readFileSync } from 'node:fs';
 import { holm } from '../holm.mjs';
+import { median, spread } from '../quantiles.mjs';
 import { rankSum } from '../rank_sum.mjs';
+import { chance, line, table } from '../tables.mjs';
 
 const PROBLEMS = ['star-man-travel', 'beryl-travel'], SENSES = ['physical', 'timer'], SEARCHES = ['rgt', 'ssga', 'ssga:genetic.rates=per-component', 'sphc', 'pose-cycle'];
 const PAIRS = [['sphc', 'rgt'], ['sphc', 'ssga'], ['sphc', 'ssga:genetic.rates=per-component'], ['pose-cycle', 'rgt']];
@@ -18,18 +20,6 @@ function rows(name) {
     return { text, of: (column) => Number(text[column]) };
   });
 }
-/** A quantile, between the two nearest numbers. @param {number[]} numbers @param {number} share */
-function quantile(numbers, share) {
-  const sorted = [...numbers].sort((a, b) => a - b), at = share * (sorted.length - 1);
-  const low = sorted[Math.floor(at)] ?? NaN, high = sorted[Math.ceil(at)] ?? NaN;
-  return low + (high - low) * (at - Math.floor(at));
-}
-const median = (/** @type {number[]} */ numbers) => quantile(numbers, 0.5);
-const spread = (/** @type {number[]} */ numbers, digits = 2) =>
-  `${median(numbers).toFixed(digits)} (${quantile(numbers, 0.25).toFixed(digits)}–${quantile(numbers, 0.75).toFixed(digits)})`;
-const stars = (/** @type {number} */ p) => (p < 0.001 ? '< 0.001' : p.toFixed(3));
-const table = (/** @type {string[]} */ head) => console.log(`\n| ${head.join(' | ')} |\n|${'---|'.repeat(head.length)}`);
-const line = (/** @type {string[]} */ cells) => console.log(`| ${cells.join(' | ')} |`);
 
 const cells = PROBLEMS.flatMap((problem) => SENSES.map((sense) => ({ problem, sense })));
 /** @param {{problem: string, sense: string}} cell @param {string} joints @param {string} search @param {string} [column] */
@@ -50,7 +40,7 @@ const adjusted = holm(compared.map(({ limited }) => limited.p));
 table(['chance to end better', 'strong joints, p', 'limited joints, p (Holm over 16)', 'holds']);
 compared.forEach(({ cell, pair, strong, limited }, at) => {
   const p = adjusted[at] ?? 1, same = (strong.superiority > 0.5) === (limited.superiority > 0.5);
-  line([`${cell.problem}, ${cell.sense}: ${pair}`, `${strong.superiority.toFixed(2)}, ${stars(strong.p)}`, `${limited.superiority.toFixed(2)}, ${stars(p)}`,
+  line([`${cell.problem}, ${cell.sense}: ${pair}`, `${strong.superiority.toFixed(2)}, ${chance(strong.p)}`, `${limited.superiority.toFixed(2)}, ${chance(p)}`,
     p >= 0.05 ? 'open' : same ? 'yes' : 'no']);
 });
 
@@ -63,7 +53,7 @@ const styled = SENSES.flatMap((sense) => TERMS.map((term) => {
 const styledP = holm(styled.map(({ p }) => p));
 table(['term, Star-Man, limited', 'without its weight', 'with it', 'ratio of medians', 'chance of more', 'p (Holm over 6)', 'travel: with ÷ without']);
 styled.forEach((one, at) => line([`${one.term}, ${one.sense}`, spread(one.plain), spread(one.with), (median(one.with) / median(one.plain)).toFixed(2),
-  one.superiority.toFixed(2), stars(styledP[at] ?? 1), one.kept.toFixed(2)]));
+  one.superiority.toFixed(2), chance(styledP[at] ?? 1), one.kept.toFixed(2)]));
 
 const shares = (/** @type {string} */ joints, /** @type {string} */ sense) => rows('pushes').filter(({ text }) => text.joints === joints && text.sense === sense)
   .map(({ of }) => median(['f3', 'b3', 'u3', 'd3', 'f6', 'b6', 'u6', 'd6'].map(of)) / of('way'));
@@ -82,4 +72,4 @@ for (const sense of SENSES) {
 }
 const pushedP = holm(pushed.map(({ p }) => p));
 table(['pushes', 'the first keeps more with a chance of', 'p (Holm over 7)']);
-pushed.forEach(({ what, superiority }, at) => line([what, superiority.toFixed(2), stars(pushedP[at] ?? 1)]));
+pushed.forEach(({ what, superiority }, at) => line([what, superiority.toFixed(2), chance(pushedP[at] ?? 1)]));

@@ -1,34 +1,19 @@
 // SPDX-License-Identifier: MIT
 // The tables of docs/controllers-and-trajectories.md from the rows beside this file (question.md):  node docs/studies/trajectories/summarise.mjs
 import { readFileSync } from 'node:fs';
+import { interval } from '../draws.mjs';
 import { holm } from '../holm.mjs';
+import { median, spread } from '../quantiles.mjs';
 import { rankSum } from '../rank_sum.mjs';
 import { signedRank } from '../signed_rank.mjs';
+import { chance, line, table } from '../tables.mjs';
 import { DISTURBANCES } from './disturbances.mjs';
 
 const ARMS = ['senses', 'timer', 'network', 'curve', 'whole'], OTHERS = ARMS.slice(1), KINDS = ['push', 'friction', 'slope', 'start'];
-const LEAST_M = 1, KEPT = 0.5, DRAWS = 10000;
+const LEAST_M = 1, KEPT = 0.5;
 
 const rows = (/** @type {string} */ name) => readFileSync(new URL(name, import.meta.url), 'utf8').trim().split('\n').slice(1).map((line) => line.split(','));
-/** A quantile, between the two nearest numbers. @param {number[]} numbers @param {number} share */
-function quantile(numbers, share) {
-  const sorted = [...numbers].sort((a, b) => a - b), at = share * (sorted.length - 1);
-  const low = sorted[Math.floor(at)] ?? NaN, high = sorted[Math.ceil(at)] ?? NaN;
-  return low + (high - low) * (at - Math.floor(at));
-}
-const median = (/** @type {number[]} */ numbers) => quantile(numbers, 0.5);
 const mean = (/** @type {number[]} */ numbers) => numbers.reduce((sum, number) => sum + number, 0) / numbers.length;
-const words = (/** @type {number} */ p) => (p < 0.001 ? '< 0.001' : p.toFixed(3));
-const table = (/** @type {string[]} */ head) => console.log(`\n| ${head.join(' | ')} |\n|${'---|'.repeat(head.length)}`);
-const line = (/** @type {string[]} */ cells) => console.log(`| ${cells.join(' | ')} |`);
-let state = 1;
-/** Uniform in [0, 1), the same each time [Park Miller 1988]. */
-const uniform = () => (state = (state * 48271) % 2147483647) / 2147483647;
-/** 95 % bootstrap interval of the median [Efron 1979]. @param {number[]} numbers @returns {[number, number]} */
-function interval(numbers) {
-  const medians = Array.from({ length: DRAWS }, () => median(numbers.map(() => numbers[Math.floor(uniform() * numbers.length)] ?? NaN)));
-  return [quantile(medians, 0.025), quantile(medians, 0.975)];
-}
 
 const found = rows('found.csv');
 const cells = [...new Set(found.map(([problem, search]) => `${problem},${search}`))];
@@ -37,19 +22,19 @@ table(['travel [m], median (quartiles), and size', ...ARMS]);
 for (const cell of cells) {
   line([cell.replace(',', ', '), ...ARMS.map((arm) => {
     const ways = travels(cell, arm).map((row) => Number(row[5]));
-    return `${median(ways).toFixed(1)} (${quantile(ways, 0.25).toFixed(1)}–${quantile(ways, 0.75).toFixed(1)}), ${travels(cell, arm)[0]?.[3]}`;
+    return `${spread(ways, 1)}, ${travels(cell, arm)[0]?.[3]}`;
   })]);
 }
 const against = cells.flatMap((cell) => OTHERS.map((arm) => ({ cell, arm,
   ...rankSum(travels(cell, 'senses').map((row) => Number(row[5])), travels(cell, arm).map((row) => Number(row[5]))) })));
 const p = holm(against.map((one) => one.p));
 table(['senses end ahead of', 'chance', 'p (Holm over 16)']);
-against.forEach(({ cell, arm, superiority }, at) => line([`${arm}: ${cell.replace(',', ', ')}`, superiority.toFixed(2), words(p[at] ?? 1)]));
+against.forEach(({ cell, arm, superiority }, at) => line([`${arm}: ${cell.replace(',', ', ')}`, superiority.toFixed(2), chance(p[at] ?? 1)]));
 table(['rules against trajectories', 'chance', 'p, alone']);
 for (const cell of cells) {
   for (const [rules, curves] of [['senses', 'curve'], ['senses', 'whole'], ['timer', 'curve'], ['timer', 'whole']]) {
     const { superiority, p: alone } = rankSum(travels(cell, rules ?? '').map((row) => Number(row[5])), travels(cell, curves ?? '').map((row) => Number(row[5])));
-    line([`${rules} before ${curves}: ${cell.replace(',', ', ')}`, superiority.toFixed(2), words(alone)]);
+    line([`${rules} before ${curves}: ${cell.replace(',', ', ')}`, superiority.toFixed(2), chance(alone)]);
   }
 }
 
@@ -91,8 +76,8 @@ const paired = KINDS.flatMap((kind) => OTHERS.map((arm) => ({ kind, arm, of: dif
 const pairedP = holm(paired.map(({ of }) => signedRank(of)));
 table(['senses survive more than', 'pairs', 'median difference (95 %)', 'mean', 'p (Holm over 16)']);
 paired.forEach(({ kind, arm, of }, at) => {
-  const [low, high] = interval(of);
-  line([`${arm}: ${kind}`, `${of.length}`, `${median(of).toFixed(2)} (${low.toFixed(2)} to ${high.toFixed(2)})`, mean(of).toFixed(2), words(pairedP[at] ?? 1)]);
+  const [low, high] = interval(of, median);
+  line([`${arm}: ${kind}`, `${of.length}`, `${median(of).toFixed(2)} (${low.toFixed(2)} to ${high.toFixed(2)})`, mean(of).toFixed(2), chance(pairedP[at] ?? 1)]);
 });
 
 const own = (/** @type {string} */ key) => controllers.get(key)?.get('none,0') ?? 0;
@@ -101,6 +86,6 @@ console.log(`\nRecorded as curves: ${keysOf('recorded').filter(keeps).length} of
 table(['senses survive more than their own recording', 'pairs', 'median difference (95 %)', 'mean', 'p']);
 for (const kind of KINDS) {
   const of = differences('recorded', kind, keeps);
-  const [low, high] = interval(of);
-  line([kind, `${of.length}`, `${median(of).toFixed(2)} (${low.toFixed(2)} to ${high.toFixed(2)})`, mean(of).toFixed(2), words(signedRank(of))]);
+  const [low, high] = interval(of, median);
+  line([kind, `${of.length}`, `${median(of).toFixed(2)} (${low.toFixed(2)} to ${high.toFixed(2)})`, mean(of).toFixed(2), chance(signedRank(of))]);
 }
