@@ -68,7 +68,8 @@ class KnotTimes {
   }
   /// The knot nearest in time.
   [[nodiscard]] int NearestTo(double time_steps) const {
-    const int nearest = static_cast<int>(PlaceOf(time_steps) + 0.5);
+    const double place = PlaceOf(time_steps) + 0.5;
+    const int nearest = static_cast<int>(place);  // rounded down
     return rests_ ? std::min(nearest, knots_ - 1) : nearest % knots_;
   }
   /// When a knot is, in steps from the start of the period.

@@ -299,7 +299,7 @@ if (!SITE) {
 
   test('reference: the search finds what is declared', { skip: !hasReference && 'Doxygen was not installed' }, async () => {
     const MiniSearch = foreign('minisearch');
-    const search = MiniSearch.loadJSON(await readFile(join(book, 'search.json'), 'utf8'), { fields: ['title', 'heading', 'text'], storeFields: ['href'] });
+    const search = MiniSearch.loadJSON(await readFile(join(book, 'reference/search.json'), 'utf8'), { fields: ['title', 'heading', 'text'], storeFields: ['href'] });
     assert.equal(search.search('MakeSearch', { boost: { heading: 3 } })[0].href, 'reference/core/search/search.html#makesearch');
     assert.equal(search.search('kVoidScore', { boost: { heading: 3 } })[0].href, 'reference/core/rollout/task.html#kvoidscore');
   });

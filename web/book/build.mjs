@@ -151,8 +151,10 @@ async function build(site) {
   for (const { language, lessons } of facts) await put(join(book, language.folder, 'lessons.json'), JSON.stringify(lessons));
   for (const language of languages) {
     const own = [...rendered].filter(([page]) => page.language === language && !UNLISTED.has(page.name)).map(([{ address }, { title, sections }]) => ({ address: address.slice(language.folder.length), title, sections }));
-    await put(join(book, language.folder, 'search.json'), searchIndex([...own, ...language === ENGLISH ? reference?.searched ?? [] : []]));
+    await put(join(book, language.folder, 'search.json'), searchIndex(own));
   }
+  // Apart, because only the other pages are stored for use without a network.
+  if (reference) await put(join(book, 'reference/search.json'), searchIndex(reference.searched));
   const live = await liveTexts(join(HERE, '..'));
   for (const language of languages.filter((each) => each !== ENGLISH)) await put(join(book, liveWordsOf(language)), liveWords(language, live));
   for (const [name, { many, few, manyByNight, fewByNight }] of links.strips) {

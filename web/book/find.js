@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The search of the book. Its index is fetched on first use.
+// The search of the book. Its indexes are fetched on first use.
 import { tr } from '../languages/language.js';
 import MiniSearch from './minisearch.js';
 
-/** @typedef {{href: string, title: string, heading: string, text: string, terms: string[]}} Found */
+/** @typedef {{href: string, title: string, heading: string, text: string, terms: string[], score: number}} Found */
 
 const MAX_RESULTS = 20;
 const REST_MS = 120;
@@ -17,18 +17,30 @@ const count = /** @type {HTMLElement} */ (document.getElementById('find-count'))
 const list = /** @type {HTMLElement} */ (document.getElementById('found'));
 const groups = /** @type {HTMLElement} */ (document.getElementById('groups'));
 
-/** @type {Promise<any> | undefined} */
-let index;
+/** @type {Promise<any[]> | undefined} */
+let indexes;
 /** @type {ReturnType<typeof setTimeout> | undefined} */
 let timer;
 
+/** @param {string} address */
+async function fetchIndex(address) {
+  const answer = await fetch(address);
+  if (!answer.ok) throw new Error(answer.statusText);
+  return MiniSearch.loadJSON(await answer.text(), { fields: ['title', 'heading', 'text'], storeFields: ['href', 'title', 'heading', 'text'] });
+}
+
+/** The index of the pages, and that of the reference, which is English and is not there without a network or without Doxygen. */
 function load() {
-  index ??= fetch('search.json').then(async (answer) => {
-    if (!answer.ok) throw new Error(answer.statusText);
-    return MiniSearch.loadJSON(await answer.text(), { fields: ['title', 'heading', 'text'], storeFields: ['href', 'title', 'heading', 'text'] });
-  });
-  index.catch(() => { index = undefined; }); // try again next time
-  return index;
+  indexes ??= Promise.all([fetchIndex('search.json'), document.documentElement.lang === 'en' ? fetchIndex('reference/search.json').catch(() => null) : null])
+    .then((both) => both.filter((index) => index !== null));
+  indexes.catch(() => { indexes = undefined; }); // try again next time
+  return indexes;
+}
+
+/** The best of all indexes first. @param {string} words @returns {Promise<Found[]>} */
+async function placesOf(words) {
+  const how = { prefix: true, fuzzy: (/** @type {string} */ term) => (term.length > 5 ? 0.2 : false), combineWith: 'AND', boost: { title: 4, heading: 3 }, boostDocument };
+  return (await load()).flatMap((index) => index.search(words, how)).sort((a, b) => b.score - a.score);
 }
 
 /** The text around the first found word, with all found words marked. @param {Found} found */
@@ -63,8 +75,7 @@ function item(found) {
 async function find() {
   const words = input.value.trim();
   try {
-    /** @type {Found[]} */
-    const found = words === '' ? [] : (await load()).search(words, { prefix: true, fuzzy: (/** @type {string} */ term) => (term.length > 5 ? 0.2 : false), combineWith: 'AND', boost: { title: 4, heading: 3 }, boostDocument });
+    const found = words === '' ? [] : await placesOf(words);
     if (words !== input.value.trim()) return; // the input has changed meanwhile
     list.replaceChildren(...found.slice(0, MAX_RESULTS).map(item));
     list.hidden = found.length === 0;
