@@ -117,7 +117,9 @@ std::optional<PoseEdit> DrawAngleSliders(Ui& ui, const std::string& id, const Sk
                             .high = static_cast<double>(limb.max_rad) * kDegrees,
                             .step = 1.0};
     const std::string number = std::to_string(joint + 1);
-    if (ui.LineSlider(id + "/" + number, Tr("Angle {1}", number), degrees, range,
+    std::string name = id;
+    name.append("/").append(number);
+    if (ui.LineSlider(name, Tr("Angle {1}", number), degrees, range,
                       QuantityWords(SenseQuantity::kAngle, angles[j]), colours[j]))
       edit = PoseEdit{joint, static_cast<float>(degrees / kDegrees)};
   }
