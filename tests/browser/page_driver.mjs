@@ -51,12 +51,12 @@ export class PageDriver {
       }
     });
     page.on('pageerror', (error) => complaints.push(`uncaught: ${error}`));
-    // Leaving a page cancels its requests. Firefox does not always name that as the reason.
+    // Leaving a page, or ending a worker while its module comes, cancels requests. Firefox does not always name that as the reason.
     const visits = new WeakMap();
     page.on('request', (request) => visits.set(request, driver.visit));
     page.on('requestfailed', (request) => {
       const why = request.failure()?.errorText ?? '';
-      if (!/ABORTED/i.test(why) && visits.get(request) === driver.visit) complaints.push(`request failed: ${request.url()} ${why}`);
+      if (!/ABORTED|NS_BASE_STREAM_CLOSED/i.test(why) && visits.get(request) === driver.visit) complaints.push(`request failed: ${request.url()} ${why}`);
     });
     page.on('response', (response) => {
       if (response.status() >= 400) complaints.push(`${response.status()}: ${response.url()}`);

@@ -54,6 +54,7 @@ double CurveOf(const Document& d, const Skeleton& bones, int joint, double time_
   const CurveShape shape(c.rules, bones.rods);
   const Skeleton::Limb& limb = bones.limbs[static_cast<std::size_t>(joint) + 1];
   std::vector<double> knots;
+  knots.reserve(static_cast<std::size_t>(shape.knots));
   for (int knot = 0; knot < shape.knots; ++knot)
     knots.push_back(
         static_cast<double>(Decode(c.genes[shape.Angle(knot, joint)], limb.min_rad, limb.max_rad)));
@@ -136,13 +137,13 @@ TEST_CASE("trajectory: a joint answers its curve as a critically damped filter, 
 
 TEST_CASE("trajectory: with equal knots it does what one rule does", "[control][trajectory]") {
   Document d = OnCurves(CurveEnd::kRepeat, 1);
-  const int joints = d.figure.Joints();
+  const CurveShape shape(d.rules, d.figure.Rods());
+  const int joints = shape.joints;
   std::vector<float> pose;
   const Skeleton bones(d.figure);
   for (int joint = 0; joint < joints; ++joint) {
     const Gene gene = static_cast<Gene>(9000 + 11000 * joint);
-    for (int knot = 0; knot < d.rules; ++knot)
-      d.controllers[0].genes[static_cast<std::size_t>(knot * joints + joint)] = gene;
+    for (int knot = 0; knot < d.rules; ++knot) d.controllers[0].genes[shape.Angle(knot, joint)] = gene;
     const Skeleton::Limb& limb = bones.limbs[static_cast<std::size_t>(joint) + 1];
     pose.push_back(Decode(gene, limb.min_rad, limb.max_rad));
   }
