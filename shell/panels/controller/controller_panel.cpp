@@ -161,21 +161,32 @@ void DrawRules(Ui& ui, Session& session, ControllerPanelState& state) {
   DrawRuleWhy(ui, why, session, *session.Timeline().ShownController(), state.why);
 }
 
-// The same figure with a timer and with senses, side by side.
-void DrawComparison(Ui& ui, Session& session, const Controller& shown) {
+// The same figure with a timer and with senses, or the same motion as curves, side by side.
+// @return false: another controller is shown now
+bool DrawOtherForms(Ui& ui, Session& session, const Controller& shown) {
+  const ImRect row = ui.ControlRow();
+  const bool records = shown.kind != ControllerKind::kTrajectory;
+  const char* record = Tr("Record as curves");
+  const float width = records ? ui.Letters().Width(Type::kBody, record) + 24.0f : 0.0f;
+  const ImRect left(row.Min, {row.Max.x - (records ? width + 8.0f : 0.0f), row.Max.y});
   const bool with_timer = ContrastTo(shown).mode == ControlMode::kTimer;
   const bool beside = session.Comparison().Other().Beside();
   const bool awaits = !beside && session.Comparison().Awaits();
   const char* label = Tr(beside       ? "Stop comparing"
                          : with_timer ? "Compare with a timer"
                                       : "Compare with senses");
-  if (ui.Button("controller/compare", ui.ControlRow(), label, ButtonLook::kOutlined, !awaits,
+  if (ui.Button("controller/compare", left, label, ButtonLook::kOutlined, !awaits,
                 awaits ? Tr("{1}: a search is running or queued", label) : "")) {
     if (beside) {
       session.Comparison().Stop();
     } else {
       session.Comparison().CompareControlModes();
     }
+  }
+  if (records && ui.Button("controller/record", {{row.Max.x - width, row.Min.y}, row.Max}, record,
+                           ButtonLook::kOutlined)) {
+    session.RecordAsCurves();
+    return false;
   }
   if (awaits) {
     ui.Paragraph(
@@ -184,6 +195,7 @@ void DrawComparison(Ui& ui, Session& session, const Controller& shown) {
         Type::kNote);
   }
   ui.Gap(10.0f);
+  return true;
 }
 
 }  // namespace
@@ -209,12 +221,7 @@ void DrawControllerPanel(Ui& ui, Session& session, ControllerPanelState& state) 
     ui.Gap(12.0f);
   }
   if (shown == nullptr) return;
-  DrawComparison(ui, session, *shown);
-  if (shown->kind != ControllerKind::kTrajectory) {
-    if (ui.Button("controller/record", ui.ControlRow(), Tr("Record as curves"), ButtonLook::kOutlined))
-      return session.RecordAsCurves();
-    ui.Gap(10.0f);
-  }
+  if (!DrawOtherForms(ui, session, *shown)) return;
   switch (shown->kind) {  // each kind has a view of its own
     case ControllerKind::kRules:
       return DrawRules(ui, session, state);
