@@ -201,7 +201,7 @@ async function curves({ browser, address }) {
   assert.match(await page.text('#status'), /^Recorded: the joints' angles differ by [\d.]+°, at most [\d.]+°\. It travels .* m, where it went .* m before\.$/);
   const hash = await page.hash();
   assert.notEqual(hash, before);
-  assert.ok((await page.widgets()).some(({ id }) => id === 'beside'), 'the rules move beside the curves');
+  assert.ok(await page.call('beside', () => window.gaitsmith.commands().some(({ title }) => title === 'Stop comparing side by side')), 'the rules move beside the curves');
 
   await pointer.scrollTo('curves/plot', 140);
   const { x, y } = await pointer.centre('curves/plot');
