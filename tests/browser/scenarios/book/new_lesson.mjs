@@ -129,7 +129,7 @@ async function write(visit) {
     await add('another-new-one.md', text.replace('Über', 'About'));
     assert.equal(await build(), '', 'the saved file is taken as it is');
     const lessons = JSON.parse(await readFile(join(built, 'lessons.json'), 'utf8'));
-    assert.deepEqual(lessons.slice(-2).map((/** @type {any} */ { title }) => title), ['11. About "Hopping" & falling', '12. Über "Hopping" & falling'], 'two new lessons have two numbers');
+    assert.deepEqual(lessons.slice(-2).map((/** @type {any} */ { title }) => title), ['12. About "Hopping" & falling', '13. Über "Hopping" & falling'], 'two new lessons have two numbers');
     assert.deepEqual([lessons.at(-1).goals, lessons.at(-1).quizzes.length, lessons.at(-1).predictions.length], [['distance >= 1'], 1, 1]);
     const page_ = await readFile(join(built, 'lessons/uber-hopping-falling.html'), 'utf8');
     assert.match(page_, /<h1>Über &quot;Hopping&quot; &amp; falling<\/h1>/);
