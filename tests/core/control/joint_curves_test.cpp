@@ -241,7 +241,7 @@ TEST_CASE("trajectory: every search works with it, and improves", "[search][traj
     d.search.elites.initial = 100;
     d.search.two_stage = {.random = 200, .kept = 3};
     CAPTURE(kAlgorithmNames[i]);
-    if (!Validate(d)) continue;
+    REQUIRE(Validate(d));
     const Outcome first = RunSearchOf(d);
     CHECK(first.fitness > 0.5f);
     CHECK(RunSearchOf(d).best == first.best);
