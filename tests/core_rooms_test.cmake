@@ -8,9 +8,10 @@ set(rooms
   "signal   -> numeric world"
   "control  -> numeric world signal"
   "physics  -> numeric signal world"
+  "spacetime -> numeric signal world physics"
   "rollout  -> numeric signal control world physics"
   "search   -> numeric signal control rollout"
-  "document -> numeric signal control world physics rollout search"
+  "document -> numeric signal control world physics spacetime rollout search"
   "breeding -> numeric signal control rollout document search")
 
 set(faults "")

@@ -236,6 +236,18 @@ Result<void> CheckSearch(const Document& d) {
   return {};
 }
 
+Result<void> CheckPlan(const Document& d) {
+  const PlanScene scene = SceneOf(d);
+  if (auto plan = Validate(d.plan, scene.skeleton); !plan) return plan;
+  const PlanSolution& solved = d.plan.solved;
+  if (solved.unknowns.empty()) return {};
+  const auto needed = static_cast<std::size_t>(UnknownsOf(scene, {solved.degree, solved.pieces_per_second}));
+  if (solved.unknowns.size() == needed) return {};
+  return Fail(ErrorCode::kStructure, "plan.solved.unknowns",
+              "must be " + std::to_string(needed) + " for this figure and plan, are " +
+                  std::to_string(solved.unknowns.size()));
+}
+
 }  // namespace
 
 Result<void> CheckReferences(const Document& d) {
@@ -262,6 +274,7 @@ Result<void> CheckReferences(const Document& d) {
   if (auto shown = CheckShown(d.task.shown, d.figure, "task"); !shown) return shown;
   if (auto lineage = CheckLineage(d); !lineage) return lineage;
   if (auto search = CheckSearch(d); !search) return search;
+  if (auto plan = CheckPlan(d); !plan) return plan;
   for (std::size_t i = 0; i < d.timeline.size(); ++i) {
     const Clip& clip = d.timeline[i];
     if (static_cast<std::size_t>(clip.controller) >= d.controllers.size()) {

@@ -58,6 +58,8 @@ Script ScriptOf(const Document& d) {
 
 Motion Simulate(const Document& d) { return Motion(ScriptOf(d)); }
 
+PlanScene SceneOf(const Document& d) { return {Skeleton(d.figure), d.environment, d.start, d.plan}; }
+
 Figure AsDrawn(const Document& d) { return {d.figure.name, d.drawn.empty() ? d.figure.rods : d.drawn}; }
 
 Problem ProblemOf(const Document& d) {

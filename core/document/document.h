@@ -14,6 +14,7 @@
 #include "core/numeric/error.h"
 #include "core/rollout/motion.h"
 #include "core/search/search.h"
+#include "core/spacetime/planned_motion.h"
 
 namespace gaitsmith {
 
@@ -50,6 +51,7 @@ struct Document {
   std::vector<Clip> timeline;  // sorted by start, the first at 0
   int duration_steps = 500;    // of the displayed motion, [1, kMaxSteps]
   View view;
+  Plan plan;                          // a motion with keyframes
   Lineage lineage;                    // how the motion was bred, if it was
   std::optional<std::uint64_t> hash;  // of the trajectory, as the author's machine computed it
 };
@@ -73,6 +75,9 @@ struct Document {
 
 /// The figure as it was before a search changed its body.
 [[nodiscard]] Figure AsDrawn(const Document&);
+
+/// The scene of the document's plan.
+[[nodiscard]] PlanScene SceneOf(const Document&);
 
 /// The problem defined by the search settings.
 [[nodiscard]] Problem ProblemOf(const Document&);

@@ -3,7 +3,11 @@
 // curves that only know the time.
 #pragma once
 
+#include <span>
+#include <string>
+
 #include "core/document/document.h"
+#include "core/rollout/curve_fit.h"
 
 namespace gaitsmith {
 
@@ -12,6 +16,12 @@ struct Recording {
   double worst_rad = 0.0;    // see CurveFit
   double typical_rad = 0.0;  // see CurveFit
 };
+
+/// A document whose one controller is a trajectory that moves the joints like given ones.
+/// @param angles_rad of joints, from the drawn pose on (frames x joints), of at least one joint
+/// @param fit        set to how well it does
+[[nodiscard]] Document WithTrajectory(const Document&, std::string name, std::span<const float> angles_rad,
+                                      int knots, CurveFit& fit);
 
 /// @param document must be valid
 /// @param knots    evenly spaced over the motion, [2, kMaxRules]

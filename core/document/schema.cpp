@@ -184,6 +184,39 @@ void Describe(Archive& ar, Lineage& lineage, const PortCount& ports) {
   ar.Integer("shown", lineage.shown, 0, kMaxBreedRounds - 1, 0);
 }
 
+void Describe(Archive& ar, Keyframe& keyframe) {
+  ar.Integer("step", keyframe.step, 1, kMaxPlanSteps, 1);
+  ar.List("pose", keyframe.pose_rad, kMaxJoints,
+          [&](float& angle_rad) { ar.Real("angle_rad", angle_rad, -3.1415927f, 3.1415927f, 0.0f); });
+  ar.Flag("turned", keyframe.turned, false);
+  ar.Real("turn_rad", keyframe.turn_rad, -100.0f, 100.0f, 0.0f);
+  ar.List("marks", keyframe.marks, kMaxMarks, [&](Mark& mark) {
+    ar.Integer("endpoint", mark.endpoint, kCentreOfMass, kMaxEndpoints - 1, kCentreOfMass);
+    ar.Choice("axes", mark.axes, kMarkAxesNames, MarkAxes::kBoth);
+    ar.Real("x_m", mark.x_m, -200.0f, 200.0f, 0.0f);
+    ar.Real("y_m", mark.y_m, -20.0f, 200.0f, 0.0f);
+  });
+  ar.Flag("still", keyframe.still, false);
+}
+
+void Describe(Archive& ar, Plan& plan) {
+  const Plan standard;
+  ar.Integer("steps", plan.steps, 2, kMaxPlanSteps, standard.steps);
+  ar.List("keyframes", plan.keyframes, kMaxKeyframes, [&](Keyframe& keyframe) { Describe(ar, keyframe); });
+  ar.List("stances", plan.stances, kMaxStances, [&](Stance& stance) {
+    ar.Integer("endpoint", stance.endpoint, 0, kMaxEndpoints - 1, 0);
+    ar.Integer("first_step", stance.first_step, 0, kMaxPlanSteps - 1, 0);
+    ar.Integer("last_step", stance.last_step, 1, kMaxPlanSteps, 1);
+  });
+  ar.Real("smoothness", plan.smoothness, 1e-6f, 100.0f, standard.smoothness);
+  ar.Group("solved", [&] {
+    ar.Integer("degree", plan.solved.degree, 3, 5, standard.solved.degree);
+    ar.Integer("pieces_per_second", plan.solved.pieces_per_second, 2, 64, standard.solved.pieces_per_second);
+    ar.List("unknowns", plan.solved.unknowns, kMaxPlanUnknowns,
+            [&](float& value) { ar.Real("value", value, -1e6f, 1e6f, 0.0f); });
+  });
+}
+
 }  // namespace
 
 void Describe(Archive& ar, Figure& figure) {
@@ -242,6 +275,7 @@ void Describe(Archive& ar, Document& d) {
   ar.Group("view", [&] { Describe(ar, d.view); });
   ar.Since(4, [&] { ar.Group("lineage", [&] { Describe(ar, d.lineage, ports); }); });
   ar.Since(5, [&] { ar.List("drawn", d.drawn, kMaxRods, [&](Rod& rod) { Describe(ar, rod); }); });
+  ar.Since(10, [&] { ar.Group("plan", [&] { Describe(ar, d.plan); }); });
   ar.Hash("hash", d.hash);
 }
 

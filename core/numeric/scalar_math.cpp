@@ -22,6 +22,47 @@ SineCosine SinCos(float x_rad) {
   return {sine[0], cosine[0]};
 }
 
+FineSineCosine FineSinCos(double x_rad) {
+  // pi/2 in three parts. The first two have trailing zero bits, so that n * part is exact.
+  constexpr double kHalfPi1 = 2 * 7.85398125648498535156e-1;
+  constexpr double kHalfPi2 = 2 * 3.77489470793079817668e-8;
+  constexpr double kHalfPi3 = 2 * 2.69515142907905952645e-15;
+  const double scaled = x_rad * (2.0 / kPi);
+  const int quadrant = static_cast<int>(scaled + (scaled < 0 ? -0.5 : 0.5));
+  const double r = ((x_rad - quadrant * kHalfPi1) - quadrant * kHalfPi2) - quadrant * kHalfPi3;
+  const double z = r * r;
+  const double s =
+      r +
+      r * z *
+          (((((1.58962301576546568060e-10 * z - 2.50507477628578072866e-8) * z + 2.75573136213857245213e-6) *
+                 z -
+             1.98412698295895385996e-4) *
+                z +
+            8.33333333332211858878e-3) *
+               z -
+           1.66666666666666307295e-1);
+  const double c =
+      1.0 - 0.5 * z +
+      z * z *
+          (((((-1.13585365213876817300e-11 * z + 2.08757008419747316778e-9) * z - 2.75573141792967388112e-7) *
+                 z +
+             2.48015872888517045348e-5) *
+                z -
+            1.38888888888730564116e-3) *
+               z +
+           4.16666666666665929218e-2);
+  switch (quadrant & 3) {
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
+  }
+}
+
 double Exp(double x) {
   if (!(x > -700.0)) return 0.0;
   if (x > 700.0) x = 700.0;

@@ -85,6 +85,15 @@ struct SineCosine {
 /// SinCos for one number.
 [[nodiscard]] SineCosine SinCos(float x_rad);
 
+struct FineSineCosine {
+  double sine;
+  double cosine;
+};
+
+/// sin(x) and cos(x) in double precision. For |x| <= 8192 the absolute error is below 1e-15. Polynomials of
+/// [Moshier 1992].
+[[nodiscard]] FineSineCosine FineSinCos(double x_rad);
+
 /// e^x. For |x| <= 700 the relative error is below 1e-15. Below -700 the result is 0, above 700 it is e^700.
 [[nodiscard]] double Exp(double x);
 

@@ -2,6 +2,7 @@
 #include "core/physics/mechanism.h"
 
 #include "core/numeric/scalar_math.h"
+#include "core/physics/rod_multiples.h"
 #include "core/world/environment.h"
 
 namespace gaitsmith {
@@ -16,27 +17,10 @@ constexpr float kStopFirmness = 1000.0f;
 
 Mechanism::Mechanism(const Skeleton& skeleton) : Skeleton(skeleton) {
   const auto n = static_cast<std::size_t>(rods);
-  // Middle of each rod from the root's start, as multiples of the directions.
-  std::array<std::array<double, kMaxRods>, kMaxRods> middle{};
-  std::array<std::array<double, kMaxRods>, kMaxEndpoints> end{};
-  std::array<double, kMaxRods> mean{};
-  for (std::size_t i = 0; i < n; ++i) {
-    const Limb& limb = limbs[i];
-    middle[i] = end[static_cast<std::size_t>(limb.start)];
-    end[i + 1] = middle[i];
-    middle[i][i] += 0.5 * static_cast<double>(limb.length_m);
-    end[i + 1][i] += static_cast<double>(limb.length_m);
-    for (std::size_t j = 0; j < n; ++j)
-      mean[j] += middle[i][j] * static_cast<double>(limb.mass_kg) / static_cast<double>(mass_kg);
-  }
+  const RodMultiples multiples(*this);
   for (std::size_t j = 0; j < n; ++j) {
-    centre[j] = static_cast<float>(mean[j]);
-    for (std::size_t k = 0; k < n; ++k) {
-      double sum = j == k ? static_cast<double>(limbs[j].inertia_kgm2) : 0.0;
-      for (std::size_t i = 0; i < n; ++i)
-        sum += static_cast<double>(limbs[i].mass_kg) * (middle[i][j] - mean[j]) * (middle[i][k] - mean[k]);
-      coupling[j][k] = static_cast<float>(sum);
-    }
+    centre[j] = static_cast<float>(multiples.mean[j]);
+    for (std::size_t k = 0; k < n; ++k) coupling[j][k] = static_cast<float>(multiples.coupling[j][k]);
   }
   // A limb's own end is its index + 1. The root has its start as well.
   for (std::size_t i = n; i-- > 0;) {

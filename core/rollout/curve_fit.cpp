@@ -38,8 +38,10 @@ Eigen::MatrixXd AnswersOf(int frames, const CurveShape& shape, const SenseSpec& 
 
 }  // namespace
 
-CurveFit FitCurves(const Motion& motion, const CurveShape& shape, const SenseSpec& senses) {
-  const int frames = motion.Frames();
+CurveFit FitCurves(std::span<const float> angles_rad, const Skeleton& figure, const CurveShape& shape,
+                   const SenseSpec& senses) {
+  const auto joints = static_cast<std::size_t>(shape.joints);
+  const int frames = joints == 0 ? 0 : static_cast<int>(angles_rad.size() / joints);
   const Eigen::MatrixXd answers = AnswersOf(frames, shape, senses);
   Eigen::MatrixXd normal = answers.transpose() * answers;
   // Knots that no frame depends on stay near the middle.
@@ -49,10 +51,11 @@ CurveFit FitCurves(const Motion& motion, const CurveShape& shape, const SenseSpe
   CurveFit fit{Genome(shape.Genes())};
   double squares = 0.0;
   for (int joint = 0; joint < shape.joints; ++joint) {
-    const Skeleton::Limb& limb = motion.Bones().limbs[static_cast<std::size_t>(joint) + 1];
+    const Skeleton::Limb& limb = figure.limbs[static_cast<std::size_t>(joint) + 1];
     Eigen::VectorXd wanted(frames);
     for (int frame = 0; frame < frames; ++frame)
-      wanted[frame] = static_cast<double>(motion.AngleRad(frame, joint));
+      wanted[frame] = static_cast<double>(
+          angles_rad[static_cast<std::size_t>(frame) * joints + static_cast<std::size_t>(joint)]);
     const Eigen::VectorXd right = answers.transpose() * wanted;
     const auto low = static_cast<double>(limb.min_rad), high = static_cast<double>(limb.max_rad);
     Eigen::VectorXd knots = solver.solve(right).cwiseMax(low).cwiseMin(high);

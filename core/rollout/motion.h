@@ -88,6 +88,8 @@ class Motion {
   [[nodiscard]] float AngleRad(int frame, int joint) const {
     return log_.angles[Row(frame, log_.ports.actuators) + static_cast<std::size_t>(joint)];
   }
+  /// Of all joints (frames x joints).
+  [[nodiscard]] std::span<const float> AnglesRad() const { return log_.angles; }
   [[nodiscard]] float RateRadps(int frame, int joint) const {
     return log_.rates[Row(frame, log_.ports.actuators) + static_cast<std::size_t>(joint)];
   }

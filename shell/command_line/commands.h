@@ -40,7 +40,8 @@ using Outcome = std::expected<void, Refusal>;
 [[nodiscard]] Outcome HashCommand(Words words);
 [[nodiscard]] Outcome ValidateCommand(Words words);
 [[nodiscard]] Outcome MeasureCommand(Words words);
-[[nodiscard]] Outcome RecordCommand(Words words);
+[[nodiscard]] Outcome PlanCommand(Words words);
+Outcome RecordCommand(Words words);
 [[nodiscard]] Outcome LinkCommand(Words words);
 [[nodiscard]] Outcome CatalogueCommand(Words words);
 

@@ -66,6 +66,8 @@ constexpr auto kCommands = std::to_array<Command>({
     {"validate", gaitsmith::shell::ValidateCommand, "validate DOC"},
     {"measure", gaitsmith::shell::MeasureCommand, "measure DOC [--joints J] [--ground G]"},
     {"record", gaitsmith::shell::RecordCommand, "record DOC [--knots N] [--out DOC]"},
+    {"plan", gaitsmith::shell::PlanCommand,
+     "plan DOC [--degree 3|4|5] [--pieces N] [--motion CSV] [--out DOC]"},
     {"link", gaitsmith::shell::LinkCommand, "link encode DOC | link decode LINK [--out DOC]"},
     {"catalogue", gaitsmith::shell::CatalogueCommand, "catalogue"},
 });

@@ -48,6 +48,12 @@ class Host {
   virtual void StartTransitionMap(const Document& request, int generation) = 0;
   virtual void StopTransitionMap() = 0;
 
+  /// Carries out a document's plan in the background, after abandoning an unfinished one. Reports arrive
+  /// through PlanRun::OnReport, with the same generation.
+  /// @param document for which CanBePlanned
+  virtual void StartPlan(const Document& document, int generation) = 0;
+  virtual void StopPlan() = 0;
+
   /// Shows one sentence in the status line, which screen readers announce.
   virtual void Status(const std::string& sentence) = 0;
   /// Saves a file for the user.

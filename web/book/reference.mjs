@@ -26,6 +26,7 @@ const FOLDERS = [
   { name: 'physics', title: 'Physics', sentence: 'Figures and the ground they move on.' },
   { name: 'control', title: 'Control', sentence: 'Senses, and the controllers that answer them: rules and networks.' },
   { name: 'signal', title: 'Signals', sentence: 'What passes between controllers and plants: targets and readings.' },
+  { name: 'spacetime', title: 'Spacetime', sentence: 'Motions planned between keyframes, and what of a plan cannot be met.' },
   { name: 'search', title: 'Searches', sentence: 'How controllers are found.' },
   { name: 'numeric', title: 'Numbers', sentence: 'Arithmetic, random numbers and errors that are the same everywhere.' },
 ];

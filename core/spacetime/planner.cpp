@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "core/spacetime/planner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "core/spacetime/interior_point.h"
+#include "core/spacetime/plan_guess.h"
+#include "core/spacetime/transcription.h"
+
+namespace gaitsmith {
+
+namespace {
+
+/// What is missed by less is met [longest rods or radians].
+constexpr double kMet = 1e-3;
+/// Endpoints that stand from the start may be this far from the ground in the drawn pose [longest rods].
+constexpr double kStartGap = 0.01;
+/// Where a motion to start from is near, so is the barrier.
+constexpr double kNearBarrier = 1e-3;
+
+/// A motion that misses as little of the plan as it can, whatever it costs.
+struct Nearest {
+  PlannedMotion motion;
+  std::vector<PlanMiss> misses;  // the worst first
+  int iterations;
+  bool cancelled;
+};
+Nearest FindNearest(const PlanScene& scene, const PlanWatch& watch) {
+  const PlanGrid coarse;
+  const PlanLayout layout(scene, coarse);
+  const Eigen::VectorXd guess = GuessPlan(scene, layout);
+  const Transcription program(scene, layout, guess, true);
+  const auto motion_of = [&](const Eigen::VectorXd& x) {
+    return PlannedMotion(scene, coarse, {x.data(), static_cast<std::size_t>(layout.unknowns)});
+  };
+  const Solved solved = Minimize(
+      program, {.x = program.Completed(guess)}, {},
+      [&](const Eigen::VectorXd& x, int iteration) { return !watch || watch(motion_of(x), iteration); });
+  Nearest nearest{motion_of(solved.at.x), {}, solved.iterations, solved.end == SolveEnd::kCancelled};
+  for (PlanMiss miss : program.MissesOf(solved.at.x)) {
+    if (miss.amount < kMet) break;
+    if (miss.part.kind != PlanPart::Kind::kJoint && miss.part.kind != PlanPart::Kind::kTurn)
+      miss.amount *= layout.length_m;
+    nearest.misses.push_back(miss);
+  }
+  return nearest;
+}
+
+}  // namespace
+
+Result<void> CheckScene(const PlanScene& scene) {
+  if (!scene.environment.ground.empty())
+    return Fail(ErrorCode::kOutOfRange, "environment.ground", "must be empty: keyframes need level ground");
+  if (scene.environment.sway_rad != 0.0f)
+    return Fail(ErrorCode::kOutOfRange, "environment.sway_rad",
+                "must be 0: keyframes need ground that does not rock");
+  const PlanLayout layout(scene, {});
+  if (layout.unknowns > kMaxPlanUnknowns)
+    return Fail(ErrorCode::kTooMany, "plan", "has too many rods, steps and stances to be planned");
+  const PlanInstant begin = layout.At(0, 0.0);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(layout.unknowns);
+  x[layout.Curve(1)] = layout.start_y;
+  for (int j = 0; j < layout.model.rods; ++j)
+    x[layout.Curve(2 + j)] = layout.start_direction[static_cast<std::size_t>(j)];
+  const bool moves = layout.start_rate_x != 0.0 || layout.start_rate_y != 0.0 || layout.start_spin != 0.0;
+  for (std::size_t s = 0; s < scene.plan.stances.size(); ++s) {
+    const Stance& stance = scene.plan.stances[s];
+    if (stance.first_step > 0) continue;
+    const std::string where = "plan.stances[" + std::to_string(s) + "]";
+    if (moves)
+      return Fail(ErrorCode::kStructure, where, "cannot stand from the start, where the figure moves");
+    if (layout.EndpointAt(x, begin, stance.endpoint).y > kStartGap)
+      return Fail(ErrorCode::kStructure, where,
+                  "cannot stand from the start, where the endpoint is above the ground");
+  }
+  return {};
+}
+
+PlanAnswer SolvePlan(const PlanScene& scene, const PlanGrid& grid, const PlannedMotion* from,
+                     const PlanWatch& watch) {
+  const PlanLayout layout(scene, grid);
+  const Eigen::VectorXd guess = GuessPlan(scene, layout);
+  const Transcription program(scene, layout, guess);
+  PlanAnswer answer;
+  const auto motion_of = [&](const Eigen::VectorXd& x) {
+    return PlannedMotion(scene, grid, {x.data(), static_cast<std::size_t>(layout.unknowns)});
+  };
+  const auto solve = [&](const Eigen::VectorXd& start, double barrier) {
+    InteriorPointSettings settings;
+    settings.first_barrier = barrier;
+    const Solved solved = Minimize(
+        program, {.x = program.Completed(start)}, settings,
+        [&](const Eigen::VectorXd& x, int iteration) { return !watch || watch(motion_of(x), iteration); });
+    answer.iterations += solved.iterations;
+    answer.cost = solved.objective;
+    answer.cancelled = solved.end == SolveEnd::kCancelled;
+    if (solved.end == SolveEnd::kSolved) answer.motion = motion_of(solved.at.x);
+    return answer.motion || answer.cancelled;
+  };
+  const auto solve_from = [&](const PlannedMotion& motion) {
+    const PlanLayout old(motion.Scene(), motion.Grid());
+    return solve(
+        Resample(Eigen::Map<const Eigen::VectorXd>(motion.Unknowns().data(), old.unknowns), old, layout),
+        kNearBarrier);
+  };
+  if (from != nullptr ? solve_from(*from) : solve(guess, InteriorPointSettings{}.first_barrier))
+    return answer;
+  // It may be stuck where the plan can be met elsewhere.
+  Nearest nearest = FindNearest(scene, watch);
+  answer.iterations += nearest.iterations;
+  answer.cancelled = nearest.cancelled;
+  answer.misses = std::move(nearest.misses);
+  if (answer.cancelled || !answer.misses.empty() || solve_from(nearest.motion)) return answer;
+  if (from != nullptr) static_cast<void>(solve(guess, InteriorPointSettings{}.first_barrier));
+  return answer;
+}
+
+}  // namespace gaitsmith
