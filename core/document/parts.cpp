@@ -37,6 +37,7 @@ constexpr auto kFieldRows = std::to_array<FieldRow>({
     {"controllers", "", Part::kControllers},
     {"timeline", "", Part::kTimeline},
     {"duration_steps", "", Part::kDuration},
+    {"plan", "", Part::kPlan},
     {"view", "", Part::kView},
     {"lineage", "", Part::kLineage},
     {"hash", "", Part::kHash},

@@ -28,11 +28,12 @@ enum class Part {
   kControllers,
   kTimeline,
   kDuration,  // of the motion shown
+  kPlan,
   kView,
   kLineage,
   kHash,
 };
-inline constexpr int kPartCount = 18;
+inline constexpr int kPartCount = 19;
 
 /// A set of parts.
 class Parts {

@@ -11,7 +11,7 @@ namespace gaitsmith {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoBound = std::numeric_limits<double>::infinity();
 /// Directions change by at most this in a step of the solver [rad].
 constexpr double kMostTurn = 1.0;
 
@@ -53,8 +53,8 @@ int PlanConditions::AddVariable(double least, double most, double step) {
 
 int PlanConditions::AddGive(PlanPart part) {
   if (!elastic_) return -1;
-  const int first = AddVariable(0.0, kInfinity, kInfinity);
-  AddVariable(0.0, kInfinity, kInfinity);
+  const int first = AddVariable(0.0, kNoBound, kNoBound);
+  AddVariable(0.0, kNoBound, kNoBound);
   gives.push_back({part, first});
   return first;
 }
@@ -64,11 +64,11 @@ PlanConditions::PlanConditions(const PlanScene& scene, const PlanLayout& layout,
     : scene_(scene), layout_(layout), elastic_(elastic) {
   const int curves = layout.Curves() * layout.positions.Size();
   for (int i = 0; i < curves; ++i)
-    AddVariable(-kInfinity, kInfinity, i < layout.Curve(2) ? kInfinity : kMostTurn);
+    AddVariable(-kNoBound, kNoBound, i < layout.Curve(2) ? kNoBound : kMostTurn);
   const auto places =
       static_cast<int>(std::ranges::count_if(layout.stance_place, [](int at) { return at >= 0; }));
-  for (int i = curves; i < layout.unknowns - places; ++i) AddVariable(0.0, kInfinity, kInfinity);
-  for (int i = 0; i < places; ++i) AddVariable(-kInfinity, kInfinity, kInfinity);
+  for (int i = curves; i < layout.unknowns - places; ++i) AddVariable(0.0, kNoBound, kNoBound);
+  for (int i = 0; i < places; ++i) AddVariable(-kNoBound, kNoBound, kNoBound);
   for (std::size_t s = 0; s < layout.stance_place.size(); ++s) {
     const int index = static_cast<int>(s);
     stance_give.push_back(AddGive({PlanPart::Kind::kStanceX, index}));
@@ -165,7 +165,7 @@ void PlanConditions::AddPhase(const Eigen::VectorXd& guess, std::size_t index) {
     const std::size_t skipped = index == 0 || stands(index - 1, endpoint) ? 2 : 0;
     const std::size_t end = centres.size() - (stands(index + 1, endpoint) ? 1 : 0);
     for (std::size_t i = skipped; i < end; ++i) {
-      const int height = AddVariable(0.0, kInfinity, kInfinity);
+      const int height = AddVariable(0.0, kNoBound, kNoBound);
       clearances.push_back(
           {layout_.At(PieceWithin(layout_, phase, centres[i]), centres[i]), endpoint, height});
     }
@@ -217,7 +217,7 @@ void PlanConditions::AddLimits() {
     for (int i = 1; i < layout_.positions.Size(); ++i) {
       const int angle = locked ? -1
                                : AddVariable(rest + static_cast<double>(limb.min_rad),
-                                             rest + static_cast<double>(limb.max_rad), kInfinity);
+                                             rest + static_cast<double>(limb.max_rad), kNoBound);
       limits.push_back({joint, i, angle});
     }
   }

@@ -36,13 +36,20 @@ bool App::Advance(double seconds) {
   return session_.Advance(step) || tells;
 }
 
+bool App::ShowsKeyframes() const {
+  return session_.Keyframes().Open() || session_.Doc().view.panel == static_cast<int>(Panel::kKeyframes);
+}
+
 std::vector<int> App::ShownTabs() {
   std::vector<int> shown;
   const bool simple = session_.Simple() && (OffersChoices() || session_.Doc().timeline.empty());
   if (simple || session_.Viewing()) return shown;
   for (int panel = 0; panel < static_cast<int>(kPanels.size()); ++panel) {
     const bool tab = timeline_in_tabs_ || kPanels[static_cast<std::size_t>(panel)].tab_on_desk;
-    if (tab && session_.Layout().Shows(panel)) shown.push_back(panel);
+    // Keyframes appear once they are asked for.
+    const bool hidden =
+        kPanels[static_cast<std::size_t>(panel)].panel == Panel::kKeyframes && !ShowsKeyframes();
+    if (tab && !hidden && session_.Layout().Shows(panel)) shown.push_back(panel);
   }
   return shown;
 }
@@ -369,6 +376,9 @@ void App::DrawContents(Ui& ui, Panel panel) {
       DrawSearchPanel(ui, session_, search_panel_);
       if (search_panel_.list.strips.Waiting() || search_panel_.elite_map.poses.Waiting())
         window_.RequestOneFrame();
+      break;
+    case Panel::kKeyframes:
+      DrawKeyframesPanel(ui, session_, keyframes_panel_);
       break;
     case Panel::kTimeline:  // drawn by DrawPanel
       break;

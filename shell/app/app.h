@@ -11,6 +11,7 @@
 #include "shell/app/window.h"
 #include "shell/panels/controller/controller_panel.h"
 #include "shell/panels/figure/figure_panel.h"
+#include "shell/panels/keyframes/keyframes_panel.h"
 #include "shell/panels/search/found_rail.h"
 #include "shell/panels/search/search_panel.h"
 #include "shell/panels/style/style_panel.h"
@@ -78,6 +79,7 @@ class App {
   void OpenPanel();
   /// The tabs, as indices in kPanels: on a phone or a low canvas all shown panels, else those with a tab on
   /// a desk.
+  [[nodiscard]] bool ShowsKeyframes() const;
   [[nodiscard]] std::vector<int> ShownTabs();
 
   Host& host_;
@@ -99,6 +101,7 @@ class App {
   bool sheet_open_ = false;  // on a low phone: the panel covers the stage
   bool timeline_in_tabs_ = false;
   ControllerPanelState controller_panel_;
+  KeyframesPanelState keyframes_panel_;
   SearchPanelState search_panel_;
   StylePanelState style_panel_;
   bool first_frame_reported_ = false;

@@ -12,7 +12,7 @@ namespace {
 
 // Parts that do not affect a search, and parts that SearchOf recreates.
 constexpr Parts kOutsideSearch = {Part::kTitle,       Part::kSearchStart, Part::kTakeover, Part::kTimeline,
-                                  Part::kControllers, Part::kDuration,    Part::kView,     Part::kHash};
+                                  Part::kControllers, Part::kDuration,    Part::kView,     Part::kHash, Part::kPlan};
 
 }  // namespace
 

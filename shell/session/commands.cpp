@@ -165,6 +165,7 @@ void AddTimeline(std::vector<Command>& list, Session& session) {
   add("loop", Tr("Repeat the whole timeline"), {}, none, [&session] { session.Timeline().Repeat(); });
   add("record", Tr("Record the motion as curves, and show both side by side"), {}, none,
       [&session] { session.RecordAsCurves(); });
+  add("keyframes", Tr("Plan a motion between keyframes"), {}, "", [&session] { session.OpenKeyframes(); });
   add("repair", Tr("Repair the selected clip: search from where it takes over"), {"r"},
       session.Timeline().CanRepair() ? "" : Tr("The first clip takes over from no other clip."),
       [&session] { session.Timeline().RepairClip(); });

@@ -19,6 +19,12 @@ void Ghost::SetSource(const std::string& id, const Document& found, const Docume
   Load(documents);
 }
 
+void Ghost::SetPlanned(const Document& planned, const Documents& documents) {
+  kind_ = Kind::kPlanned;
+  planned_ = planned;
+  Load(documents);
+}
+
 bool Ghost::Fits(const Documents& documents) const {
   const Figure& figure = documents.shown.figure;
   switch (kind_) {
@@ -32,6 +38,8 @@ bool Ghost::Fits(const Documents& documents) const {
       return controller_ >= 0 && controller_ < static_cast<int>(documents.shown.controllers.size());
     case Kind::kFound:
       return SameTree(found_.figure, figure);
+    case Kind::kPlanned:
+      return SameTree(planned_.figure, figure);
   }
   return false;
 }
@@ -39,6 +47,10 @@ bool Ghost::Fits(const Documents& documents) const {
 void Ghost::Load(const Documents& documents) {
   if (!Fits(documents)) kind_ = Kind::kNone;
   if (kind_ == Kind::kNone) return;
+  if (kind_ == Kind::kPlanned) {
+    planned_.duration_steps = documents.shown.duration_steps;
+    return player_.LoadPlanned(planned_);
+  }
   Document document = kind_ == Kind::kEarlier ? documents.earlier : documents.shown;
   if (kind_ == Kind::kFound) {
     document.figure = found_.figure;
@@ -66,6 +78,8 @@ std::string Ghost::Words(const Document& shown) const {
       return Tr("before the last search");
     case Kind::kAsOpened:
       return Tr("without your changes");
+    case Kind::kPlanned:
+      return Tr("as planned");
     case Kind::kController:
     case Kind::kFound:
       break;

@@ -18,6 +18,7 @@ class Ghost {
     kAsOpened,    // the motion without the edits of the world
     kController,  // another controller of the document, alone
     kFound,       // the controllers of a found motion
+    kPlanned,     // as it is planned between keyframes
   };
   /// The documents that the ghost can take its motion from.
   struct Documents {
@@ -27,11 +28,13 @@ class Ghost {
   };
   /// Simulates the motion in the shown world; kAsOpened uses its own world. The ghost is empty if the
   /// skeletons differ or the controller does not exist.
-  /// @param kind  not kFound
+  /// @param kind  not kFound or kPlanned
   /// @param controller  of the document, for kController
   void SetSource(Kind kind, int controller, const Documents&);
   /// @param id  of a found motion; the ghost keeps a copy, so the motion may be removed from the results
   void SetSource(const std::string& id, const Document& found, const Documents&);
+  /// @param planned  with a solved plan
+  void SetPlanned(const Document& planned, const Documents&);
   /// Simulates the same motion again, after a change of any of the documents.
   void Load(const Documents&);
 
@@ -56,6 +59,7 @@ class Ghost {
   int controller_ = -1;
   std::string found_id_;
   Document found_;
+  Document planned_;
   Playback player_;
   bool beside_ = false;
 };

@@ -48,6 +48,11 @@ void MotionComparison::ShowBeside(const Document& other) {
   ShowBeside(true);
 }
 
+void MotionComparison::ShowPlanned(const Document& planned) {
+  ghost_.SetPlanned(planned, Documents());
+  workspace_.Redraw();
+}
+
 void MotionComparison::Stop() {
   ghost_.ShowBeside(false);
   Choose(Ghost::Kind::kNone);

@@ -27,6 +27,7 @@ void Strip(Document& document) {
   document.controllers.clear();
   document.timeline.clear();
   document.pushes.clear();
+  document.plan = {};
   document.duration_steps = document.task.duration_steps;
 }
 
@@ -52,7 +53,9 @@ Session::Session(Host& host)
       ground_(workspace_),
       teacher_(workspace_, ground_),
       comparison_(workspace_, world_, search_, queue_, results_),
-      timeline_(workspace_, search_, comparison_, results_) {
+      timeline_(workspace_, search_, comparison_, results_),
+      keyframes_(workspace_),
+      planning_(workspace_, search_, comparison_) {
   workspace_.SetFollowers({.motion =
                                [this](bool opened) {
                                  if (opened || Doc().timeline.empty()) attempts_.Clear();
@@ -62,8 +65,13 @@ Session::Session(Host& host)
                                  teacher_.Follow(opened);
                                  comparison_.Follow();
                                  timeline_.Transitions().Follow();
+                                 planning_.Follow(opened);
                                },
-                           .settings = [this] { timeline_.Transitions().Follow(); },
+                           .settings =
+                               [this] {
+                                 timeline_.Transitions().Follow();
+                                 planning_.Follow(false);
+                               },
                            .edited = [this](Parts changed) { live_.OnEdit(changed); }});
   search_.SetFollowers({.shown =
                             [this](const Document& searched, SearchRun::Source source, const Controller& c) {
@@ -244,6 +252,11 @@ std::vector<Document> Session::KnownSearches() const {
   return known;
 }
 
+void Session::OpenKeyframes() {
+  const bool asks = keyframes_.Begin();
+  if (asks) SetView([](View& view) { view.panel = static_cast<int>(Panel::kKeyframes); });
+}
+
 void Session::RecordAsCurves() {
   const Document before = Doc();
   if (timeline_.RecordAsCurves()) provenance_.AddRecorded(before, Doc());
@@ -319,6 +332,7 @@ bool Session::Advance(double seconds) {
   frame_s_ += 0.1 * (seconds - frame_s_);
   queue_.Resume();
   timeline_.Transitions().Advance(seconds);
+  planning_.Advance(seconds);
   const bool followed = live_.Advance(seconds);
   const bool improved = search_.ShowImprovement(seconds);
   const bool moved = Player().Advance(seconds);

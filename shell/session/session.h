@@ -4,7 +4,7 @@
 //
 // Dependencies go one way. All parts read and change the document through the workspace, and each part knows
 // only those before it in this list: workspace, results, search, live, lab, queue, world, ground,
-// teacher, comparison, timeline. The session knows all parts and forwards events from earlier parts to later
+// teacher, comparison, timeline, keyframes, planning. The session knows all parts and forwards events from earlier parts to later
 // ones.
 #pragma once
 
@@ -20,6 +20,8 @@
 #include "shell/session/ground_editor.h"
 #include "shell/session/live.h"
 #include "shell/session/motion_comparison.h"
+#include "shell/session/plan_editor.h"
+#include "shell/session/plan_run.h"
 #include "shell/session/provenance.h"
 #include "shell/session/teacher.h"
 #include "shell/session/timeline_editor.h"
@@ -53,6 +55,10 @@ class Session {
   [[nodiscard]] const Teacher& Teaching() const { return teacher_; }
   [[nodiscard]] MotionComparison& Comparison() { return comparison_; }
   [[nodiscard]] const MotionComparison& Comparison() const { return comparison_; }
+  [[nodiscard]] PlanEditor& Keyframes() { return keyframes_; }
+  [[nodiscard]] const PlanEditor& Keyframes() const { return keyframes_; }
+  [[nodiscard]] PlanRun& Planning() { return planning_; }
+  [[nodiscard]] const PlanRun& Planning() const { return planning_; }
   [[nodiscard]] SearchRun& Search() { return search_; }
   [[nodiscard]] const SearchRun& Search() const { return search_; }
   /// Of the running search, if its improvements are shown.
@@ -160,6 +166,8 @@ class Session {
   /// Starts the open document's search. If it would find the same motion again, takes the next seed that
   /// none of the results has, unless the search is locked.
   void Synthesize();
+  /// Opens the keyframes: those of the document, or a jump to begin with.
+  void OpenKeyframes();
   /// See TimelineEditor::RecordAsCurves.
   void RecordAsCurves();
   /// Runs a short climb from the shown motion in the chosen style, with the earlier motion as ghost.
@@ -201,6 +209,8 @@ class Session {
   Teacher teacher_;
   MotionComparison comparison_;
   TimelineEditor timeline_;
+  PlanEditor keyframes_;
+  PlanRun planning_;
   Attempts attempts_;
   ShippedDocuments shipped_;
   Provenance provenance_;

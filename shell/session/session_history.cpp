@@ -17,6 +17,7 @@ const char* ChangeWords(const Document& a, const Document& b) {
   const bool clips = changed.HasAny({Part::kTimeline, Part::kDuration});
   if (changed.HasAny(Part::kFigure)) return kFigureWords;
   if (a.controllers.size() == b.controllers.size() && clips) return TrLater("the timeline");
+  if (changed.HasAny(Part::kPlan)) return TrLater("the keyframes");
   if (changed.HasAny({Part::kControllers, Part::kTimeline})) return TrLater("the motion");
   if (changed.HasAny(kTask)) return TrLater("the task and its weights");
   if (changed.HasAny({Part::kModel, Part::kEnvironment, Part::kStart, Part::kPushes}))

@@ -43,7 +43,7 @@ constexpr Parts kLockedParts[] = {
     Part::kSought,
     Part::kGoal,
     {Part::kSearch, Part::kTakeover, Part::kTaskLength},
-    {Part::kTimeline, Part::kDuration},
+    {Part::kTimeline, Part::kDuration, Part::kPlan},
     {Part::kModel, Part::kEnvironment, Part::kStart, Part::kPushes},
 };
 static_assert(std::size(kLockedParts) == kLockedPartNames.size());

@@ -14,7 +14,7 @@ namespace gaitsmith::shell {
 
 /// Stored in documents and links (View::panel), so values never change. A new panel gets the next free
 /// number, whatever its position in the table.
-enum class Panel { kFigure = 0, kController = 1, kStyle = 2, kSearch = 3, kLab = 4, kTimeline = 5 };
+enum class Panel { kFigure = 0, kController = 1, kStyle = 2, kSearch = 3, kLab = 4, kTimeline = 5, kKeyframes = 6 };
 /// The greatest panel number that a document can hold.
 inline constexpr int kMaxPanelNumber = 15;
 
@@ -37,6 +37,7 @@ inline constexpr auto kPanels = std::to_array<PanelRow>({
     {Panel::kSearch, "search", TrLater("Search"), true, ""},
     {Panel::kLab, "lab", TrLater("Lab"), true, ""},
     {Panel::kTimeline, "timeline", TrLater("Timeline"), false, ""},
+    {Panel::kKeyframes, "keyframes", TrLater("Keyframes"), true, "timeline"},
 });
 
 inline constexpr std::array<const char*, kPanels.size()> kPanelIds = [] {

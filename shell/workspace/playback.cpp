@@ -9,6 +9,8 @@
 
 #include "core/document/composite.h"
 #include "core/document/joints.h"
+#include "core/document/plan_playback.h"
+#include "core/document/plan_recorder.h"
 #include "core/world/ground_view.h"
 
 namespace gaitsmith::shell {
@@ -16,6 +18,15 @@ namespace gaitsmith::shell {
 void Playback::Load(const Document& document, bool start_over) {
   motion_ = std::make_unique<Motion>(motion_ ? SimulateAnew(document, shown_, std::move(*motion_))
                                              : Simulate(document));
+  Show(document, start_over);
+}
+
+void Playback::LoadPlanned(const Document& document) {
+  motion_ = std::make_unique<Motion>(RecordPlanned(document, SolvedMotion(document)));
+  Show(document, false);
+}
+
+void Playback::Show(const Document& document, bool start_over) {
   shown_ = document;
   ground_ = Terrain(document.environment.ground);
   if (start_over || time_s_ > DurationS()) time_s_ = 0.0;

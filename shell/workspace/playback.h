@@ -32,6 +32,9 @@ class Playback {
   /// Simulates the document. Keeps the present time unless `start_over`.
   void Load(const Document& document, bool start_over);
 
+  /// Shows the motion of the document's solved plan instead.
+  void LoadPlanned(const Document& document);
+
   /// Measures the shown motion against another demonstration.
   void MeasureAgainst(const Demonstration& shown) { motion_->MeasureAgainst(shown); }
 
@@ -98,6 +101,7 @@ class Playback {
   [[nodiscard]] const std::vector<int>& PoseFrames() const { return pose_frames_; }
 
  private:
+  void Show(const Document& document, bool start_over);
   void Measure();
   void FindRuns();
   void FindContacts();

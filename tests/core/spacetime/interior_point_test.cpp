@@ -108,11 +108,13 @@ TEST_CASE("the interior-point method solves a problem with a known solution", "[
 }
 
 TEST_CASE("equations that cannot be met are not called solved", "[spacetime]") {
-  const Eigen::VectorXd start = Eigen::Vector2d(0.3, 0.2);
-  const Solved apart = Minimize(CircleAndLine(1.5), {.x = start}, {});
+  PrimalDual start;
+  start.x.resize(2);
+  start.x << 0.3, 0.2;
+  const Solved apart = Minimize(CircleAndLine(1.5), start, {});
   CHECK(apart.end != SolveEnd::kSolved);
   CHECK(apart.violation > 0.1);
-  const Solved meeting = Minimize(CircleAndLine(0.6), {.x = start}, {});
+  const Solved meeting = Minimize(CircleAndLine(0.6), start, {});
   CHECK(meeting.end == SolveEnd::kSolved);
   CHECK_THAT(std::abs(meeting.at.x[0]), WithinAbs(0.8, 1e-6));
 }

@@ -24,6 +24,8 @@ class QuietHost final : public Host {
     mapped.push_back(request);
     generations.push_back(generation);
   }
+  void StartPlan(const Document&, int) override {}
+  void StopPlan() override {}
   void StopTransitionMap() override { ++map_stops; }
   void Status(const std::string& sentence) override { status = sentence; }
   void SaveText(const std::string&, const std::string&) override {}

@@ -14,16 +14,16 @@ TEST_CASE("arrangement: a list shows exactly its panels", "[arrangement]") {
   Arrangement arrangement;
   CHECK(arrangement.Shows(0));
   REQUIRE_FALSE(ShowPanels("style,search", arrangement));
-  CHECK(arrangement.shown == std::array{false, false, true, true, false, false});
+  CHECK(arrangement.shown == std::array{false, false, true, true, false, false, false});
   REQUIRE_FALSE(ShowPanels("none", arrangement));
-  CHECK(arrangement.shown == std::array{false, false, false, false, false, false});
+  CHECK(arrangement.shown == std::array{false, false, false, false, false, false, false});
   REQUIRE_FALSE(ShowPanels("all", arrangement));
-  CHECK(arrangement.shown == std::array{true, true, true, true, true, true});
+  CHECK(arrangement.shown == std::array{true, true, true, true, true, true, true});
 
   const auto wrong = ShowPanels("style,kitchen,search", arrangement);
   REQUIRE(wrong);
   CHECK(*wrong == "kitchen");
-  CHECK(arrangement.shown == std::array{true, true, true, true, true, true});
+  CHECK(arrangement.shown == std::array{true, true, true, true, true, true, true});
   REQUIRE(LockParts("figure,,", arrangement));
   REQUIRE(LockParts("lab", arrangement));  // not lockable
   REQUIRE_FALSE(LockParts("", arrangement));

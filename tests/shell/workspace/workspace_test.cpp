@@ -24,6 +24,8 @@ class RecordingHost final : public Host {
   void ResumeSearch() override {}
   void StopSearch() override {}
   void StartTransitionMap(const Document&, int) override {}
+  void StartPlan(const Document&, int) override {}
+  void StopPlan() override {}
   void StopTransitionMap() override {}
   void Status(const std::string&) override { calls.emplace_back("status"); }
   void SaveText(const std::string&, const std::string&) override {}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "core/document/plan_recorder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "core/control/sense_table.h"
+#include "core/rollout/models.h"
+#include "core/rollout/motion_recorder.h"
+
+namespace gaitsmith {
+
+namespace {
+
+class PlanRecorder final : public MotionRecorder {
+ public:
+  explicit PlanRecorder(const PlannedMotion& planned) : planned_(planned) {}
+
+  [[nodiscard]] int Model() const override { return 0; }  // of no simulation
+  [[nodiscard]] int Rewind(int) override { return 0; }
+
+  void Record(const Script& script, Motion::Log& log) override {
+    const double start_rad = static_cast<double>(planned_.Scene().skeleton.start_angle_rad);
+    log.ports = CountPorts(script.model, script.figure);
+    log.senses = SenseCount(SenseKind::kSight, log.ports);
+    Terms terms;
+    double before_x = 0.0, before_y = 0.0, first_x = 0.0, first_turn = 0.0;
+    std::vector<double> angles_before;
+    for (int frame = 0; frame <= script.steps; ++frame) {
+      const double step_s = static_cast<double>(script.step_s);
+      const PlannedMotion::Instant at = planned_.At(frame * step_s);
+      const double turn = at.direction_rad[0] - start_rad;
+      if (frame == 0) {
+        before_x = first_x = at.centre.x;
+        before_y = at.centre.y;
+        first_turn = turn;
+        angles_before = at.angle_rad;
+        terms.start_height_m = static_cast<float>(at.centre.y);
+      }
+      Motion::Frame& snapshot = log.frames.emplace_back();
+      snapshot.x_m = at.centre.x;
+      snapshot.y_m = static_cast<float>(at.centre.y);
+      snapshot.velocity_x_mps = static_cast<float>((at.centre.x - before_x) / step_s);
+      snapshot.velocity_y_mps = static_cast<float>((at.centre.y - before_y) / step_s);
+      snapshot.turn_rad = at.direction_rad[0];
+      snapshot.clip = snapshot.rule = -1;
+      terms.travel_m = static_cast<float>(at.centre.x - first_x);
+      terms.max_cm_height_m = std::max(terms.max_cm_height_m, snapshot.y_m);
+      terms.rotations = static_cast<float>(std::abs(turn - first_turn) / (2.0 * kPi));
+      log.terms.push_back(terms);
+      for (std::size_t k = 0; k < at.endpoints.size(); ++k) {
+        log.endpoints.push_back({static_cast<float>(at.endpoints[k].x - at.centre.x),
+                                 static_cast<float>(at.endpoints[k].y - at.centre.y)});
+        log.forces.push_back({static_cast<float>(at.forces[k].x), static_cast<float>(at.forces[k].y)});
+      }
+      for (std::size_t j = 0; j < at.angle_rad.size(); ++j) {
+        log.angles.push_back(static_cast<float>(at.angle_rad[j]));
+        log.rates.push_back(static_cast<float>((at.angle_rad[j] - angles_before[j]) / step_s));
+      }
+      log.felt.insert(log.felt.end(), static_cast<std::size_t>(log.senses), 0.0f);
+      before_x = at.centre.x;
+      before_y = at.centre.y;
+      angles_before = at.angle_rad;
+    }
+  }
+
+ private:
+  const PlannedMotion& planned_;
+};
+
+}  // namespace
+
+Motion RecordPlanned(const Document& document, const PlannedMotion& planned) {
+  return {std::make_unique<PlanRecorder>(planned), ScriptOf(document)};
+}
+
+}  // namespace gaitsmith

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// What the chosen keyframe asks for: when, the pose, the turn of the body, marks, rest.
+#pragma once
+
+#include "shell/panels/controller/pose_board.h"
+#include "shell/session/session.h"
+
+namespace gaitsmith::shell {
+
+struct KeyframeFormState {
+  int mark_endpoint = 0;  // of the next mark; 0: the centre of mass, k: endpoint k - 1
+  LimbDrag drag{};
+};
+
+/// @param keyframe an index of the plan's keyframes; set to where it is after an edit
+void DrawKeyframeForm(Ui&, Session&, int& keyframe, KeyframeFormState&);
+
+}  // namespace gaitsmith::shell

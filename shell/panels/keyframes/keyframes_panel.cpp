@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "shell/panels/keyframes/keyframes_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shell/widgets/fold.h"
+#include "shell/words/language.h"
+#include "shell/words/plan_words.h"
+#include "shell/words/wording.h"
+
+namespace gaitsmith::shell {
+namespace {
+
+constexpr auto kStepS = static_cast<double>(kStep);
+
+void DrawNews(Ui& ui, Session& session, KeyframesPanelState& state) {
+  const PlanRun& planning = session.Planning();
+  const bool bad = planning.Now() == PlanRun::State::kRefused ||
+                   planning.Now() == PlanRun::State::kImpossible || planning.Now() == PlanRun::State::kFailed;
+  ui.Paragraph(planning.Words(), bad ? ui.Ink().accent : ui.Ink().second_ink, Type::kNote);
+  if (const PlanMiss* culprit = planning.Culprit(); culprit != nullptr) {
+    const bool stands =
+        culprit->part.kind == PlanPart::Kind::kStanceX || culprit->part.kind == PlanPart::Kind::kStanceY;
+    if (ui.Button("keyframes/culprit", ui.ControlRow(), Tr("Show what is in the way"))) {
+      if (stands)
+        state.bars.stance = culprit->part.index;
+      else
+        state.bars.keyframe = culprit->part.index;
+      if (!stands) state.bars.stance = -1;
+    }
+  }
+  ui.Gap(6.0f);
+}
+
+void DrawStance(Ui& ui, Session& session, StanceBarsState& state) {
+  const auto& stances = session.Keyframes().Shown().stances;
+  if (state.stance >= static_cast<int>(stances.size())) state.stance = -1;
+  if (state.stance < 0) return;
+  const Stance& stance = stances[static_cast<std::size_t>(state.stance)];
+  ui.Paragraph(Tr("{1} stands from {2} to {3} s.", PointWords(stance.endpoint),
+                  Fixed(stance.first_step * kStepS, 2), Fixed(stance.last_step * kStepS, 2)),
+               Type::kNote);
+  if (!ui.Button("keyframes/stance-remove", ui.ControlRow(), Tr("Remove this time of standing"))) return;
+  session.Keyframes().RemoveStance(state.stance);
+  state.stance = -1;
+}
+
+void DrawAdding(Ui& ui, Session& session, KeyframesPanelState& state) {
+  const ImRect row = ui.ControlRow();
+  const float middle = row.GetCenter().x;
+  if (ui.Button("keyframes/add", {row.Min, {middle - 4.0f, row.Max.y}}, Tr("Keyframe here"))) {
+    if (const int added = session.Keyframes().AddKeyframe(); added >= 0) state.bars = {.keyframe = added};
+  }
+  if (ui.Button("keyframes/take", {{middle + 4.0f, row.Min.y}, row.Max}, Tr("Take feet from motion")))
+    session.Keyframes().TakeStances();
+  ui.Gap(6.0f);
+  std::vector<std::string> points;
+  const int endpoints = session.Player().Shown().Bones().endpoints;
+  for (int k = 0; k < endpoints; ++k) points.push_back(Tr("Endpoint {1}", k + 1));
+  state.endpoint = std::clamp(state.endpoint, 0, endpoints - 1);
+  ui.Combo("keyframes/stance-of", Tr("Standing"), points, state.endpoint);
+  if (ui.Button("keyframes/stance", ui.ControlRow(), Tr("Let it stand from here")))
+    session.Keyframes().AddStance(state.endpoint);
+}
+
+void DrawWhole(Ui& ui, Session& session) {
+  const Plan& plan = session.Keyframes().Shown();
+  double seconds = plan.steps * kStepS;
+  if (ui.Slider("keyframes/length", Tr("Length"), seconds, {.low = 0.2, .high = 10.0, .step = 0.05},
+                Fixed(seconds, 2) + " s"))
+    session.Keyframes().SetLength(static_cast<int>(std::lround(seconds / kStepS)));
+  double smooth = static_cast<double>(session.Keyframes().Shown().smoothness);
+  if (ui.Slider("keyframes/smoothness", Tr("Smoothness"), smooth,
+                {.low = 0.001, .high = 10.0, .step = 0.001, .logarithmic = true},
+                Fixed(smooth, smooth < 0.1 ? 3 : 2)))
+    session.Keyframes().Change([&](Plan& p) { p.smoothness = static_cast<float>(smooth); });
+  bool beside = session.Comparison().Other().Beside();
+  if (session.Comparison().Other().Source() == Ghost::Kind::kPlanned &&
+      ui.Switch("keyframes/beside", Tr("Planned and played side by side"), beside))
+    session.Comparison().ShowBeside(beside);
+  ui.Gap(6.0f);
+  const ImRect row = ui.ControlRow();
+  const float middle = row.GetCenter().x;
+  if (ui.Button("keyframes/again", {row.Min, {middle - 4.0f, row.Max.y}}, Tr("Plan again"),
+                ButtonLook::kOutlined, !session.Planning().Working()))
+    session.Planning().Again();
+  if (ui.Button("keyframes/clear", {{middle + 4.0f, row.Min.y}, row.Max}, Tr("Remove keyframes")))
+    session.Keyframes().Clear();
+}
+
+}  // namespace
+
+void DrawKeyframesPanel(Ui& ui, Session& session, KeyframesPanelState& state) {
+  ui.Paragraph(Tr("Say where the figure is at some moments, and what stands when. The motion between follows "
+                  "from the laws "
+                  "of motion, with as little effort as possible."),
+               Type::kNote);
+  ui.Gap(6.0f);
+  if (!session.Keyframes().Open()) {
+    if (ui.Button("keyframes/begin", ui.ControlRow(), Tr("Begin with a jump"), ButtonLook::kPrimary))
+      session.OpenKeyframes();
+    return;
+  }
+  DrawNews(ui, session, state);
+  DrawStanceBars(ui, session, state.bars);
+  ui.Gap(6.0f);
+  DrawStance(ui, session, state.bars);
+  DrawAdding(ui, session, state);
+  ui.Gap(8.0f);
+  DrawKeyframeForm(ui, session, state.bars.keyframe, state.form);
+  ui.Heading(Tr("The whole motion"));
+  DrawWhole(ui, session);
+}
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Edits of the document's plan: keyframes, marks and stances.
+#pragma once
+
+#include <functional>
+
+#include "core/document/plan_draft.h"
+#include "shell/workspace/workspace.h"
+
+namespace gaitsmith::shell {
+
+class PlanEditor {
+ public:
+  explicit PlanEditor(Workspace& workspace) : workspace_(workspace) {}
+
+  [[nodiscard]] const Plan& Shown() const { return workspace_.Doc().plan; }
+  /// Whether the document has a plan.
+  [[nodiscard]] bool Open() const { return !Shown().Empty(); }
+
+  /// Makes the first plan of a document, a jump, if there is none.
+  /// @return false, with a sentence: the figure has no joint, or the plan is locked
+  bool Begin();
+  /// Changes the plan, whose solution is forgotten. Keyframes stay sorted.
+  bool Change(const std::function<void(Plan&)>& edit);
+  /// Adds a keyframe at the shown moment, with the pose and the turn of the shown motion.
+  /// @return its index; -1, with a sentence: there are too many
+  int AddKeyframe();
+  void RemoveKeyframe(int keyframe);
+  /// @return the index at which the keyframe is then
+  int MoveKeyframe(int keyframe, int step);
+  /// Adds a stance of an endpoint at the shown moment, where it does not stand yet.
+  void AddStance(int endpoint);
+  void RemoveStance(int stance);
+  /// Moves one end of a stance as far as its neighbours and the plan allow.
+  void MoveStance(int stance, bool last, int step);
+  /// All stances from the shown motion.
+  void TakeStances();
+  /// @param steps [20, kMaxPlanSteps]; keyframes and stances at the end move with it
+  void SetLength(int steps);
+  /// Removes the whole plan. The motion stays.
+  void Clear();
+
+ private:
+  Workspace& workspace_;
+};
+
+}  // namespace gaitsmith::shell

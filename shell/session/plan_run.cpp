@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "shell/session/plan_run.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/document/parts.h"
+#include "core/document/plan_draft.h"
+#include "shell/words/language.h"
+#include "shell/words/plan_words.h"
+
+namespace gaitsmith::shell {
+
+namespace {
+
+constexpr double kPlanSettledS = 0.12;  // a dragged slider changes every frame
+
+}  // namespace
+
+bool PlanRun::IsOf(const Document& d) const {
+  return SameWishes(d.plan, asked_.plan) &&
+         SameParts(d, asked_, {Part::kFigure, Part::kEnvironment, Part::kStart});
+}
+
+void PlanRun::Follow(bool opened) {
+  const Document& d = workspace_.Doc();
+  if (d.plan.Empty() && state_ == State::kNone) return;
+  if (!opened && IsOf(d)) return;
+  if (Working()) Stop();
+  // Undo brings a motion back together with what it was planned for.
+  const bool solved = !d.plan.solved.unknowns.empty() && (opened || d.plan.solved != asked_.plan.solved);
+  asked_ = d;
+  if (d.plan.Empty())
+    state_ = State::kNone;
+  else if (solved)
+    state_ = State::kKept;
+  else
+    Wait();
+}
+
+void PlanRun::Wait() {
+  state_ = State::kWaits;
+  unchanged_for_s_ = 0.0;
+}
+
+void PlanRun::Again() {
+  asked_ = workspace_.Doc();
+  if (!asked_.plan.Empty()) Wait();
+}
+
+void PlanRun::Stop() {
+  if (state_ == State::kWorks) workspace_.TheHost().StopPlan();
+  if (Working()) state_ = State::kKept;
+}
+
+void PlanRun::Advance(double seconds) {
+  unchanged_for_s_ += seconds;
+  if (state_ != State::kWaits || unchanged_for_s_ < kPlanSettledS) return;
+  if (search_.Running() && search_.ShowsImprovements()) return;
+  if (const auto planned = CanBePlanned(asked_); !planned) {
+    state_ = State::kImpossible;
+    fault_ = planned.error().Sentence();
+    return workspace_.Say(Words());
+  }
+  if (asked_.plan.solved.unknowns.empty()) {
+    // From the last motion, if it has as many unknowns.
+    asked_.plan.solved = last_;
+    DropStaleSolution(asked_);
+  }
+  state_ = State::kWorks;
+  report_ = {};
+  workspace_.TheHost().StartPlan(asked_, ++generation_);
+}
+
+void PlanRun::OnReport(int generation, PlanReport report) {
+  if (generation != generation_ || state_ != State::kWorks) return;
+  report_ = std::move(report);
+  switch (report_.stage) {
+    case PlanReport::Stage::kRelaxing:
+    case PlanReport::Stage::kCoarse:
+    case PlanReport::Stage::kFine:
+      return comparison_.ShowPlanned(report_.document);
+    case PlanReport::Stage::kRefused:
+      state_ = State::kRefused;
+      return workspace_.Say(Words());
+    case PlanReport::Stage::kPlayed:
+      break;
+  }
+  state_ = State::kDone;
+  const Document& played = report_.document;
+  workspace_.Change([&](Document& d) {
+    const int duration = d.timeline.empty() ? played.plan.steps + 50 : d.duration_steps;
+    CopyParts(played,
+              {Part::kControllers, Part::kTimeline, Part::kSearchStart, Part::kTakeover, Part::kPlan,
+               Part::kLineage},
+              d);
+    d.duration_steps = std::max(duration, played.plan.steps);
+  });
+  asked_ = workspace_.Doc();
+  last_ = asked_.plan.solved;
+  comparison_.ShowPlanned(asked_);
+  workspace_.Report(Words());
+}
+
+void PlanRun::OnFailed(int generation) {
+  if (generation != generation_ || state_ != State::kWorks) return;
+  state_ = State::kFailed;
+  workspace_.Say(Words());
+}
+
+const PlanMiss* PlanRun::Culprit() const {
+  return state_ == State::kRefused && !report_.misses.empty() ? &report_.misses.front() : nullptr;
+}
+
+std::string PlanRun::Words() const {
+  switch (state_) {
+    case State::kNone:
+      return "";
+    case State::kKept:
+      return Tr("The motion is as it was planned.");
+    case State::kWaits:
+      return Tr("Planning begins.");
+    case State::kWorks:
+      return Tr("Planning: step {1}", std::to_string(report_.iterations));
+    case State::kDone:
+      return PlayedWords(report_);
+    case State::kRefused:
+      return Culprit() == nullptr ? Tr("No motion was found that does all this.")
+                                  : MissWords(*Culprit(), asked_.plan);
+    case State::kImpossible:
+      return Tr("This cannot be planned: {1}.", fault_);
+    case State::kFailed:
+      return Tr("Planning broke off. Change anything to try again.");
+  }
+  return "";
+}
+
+}  // namespace gaitsmith::shell
