@@ -26,7 +26,8 @@ set(shell_rooms
     "panels/search: words results session widgets stage timeline"
     "panels/make: words session widgets stage"
     "panels/lab: words session widgets"
-    "app: words workspace session widgets stage timeline panels/figure panels/controller panels/style panels/search panels/make panels/lab"
+    "panels/keyframes: words session widgets stage"
+    "app: words workspace session widgets stage timeline panels/figure panels/controller panels/style panels/search panels/make panels/lab panels/keyframes"
     "host: embedded search catalogue words workspace results session app")
 set(web_rooms
     "browser:"

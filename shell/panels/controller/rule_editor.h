@@ -3,7 +3,7 @@
 // change is simulated immediately.
 #pragma once
 
-#include "shell/panels/controller/pose_board.h"
+#include "shell/stage/pose_board.h"
 #include "shell/session/session.h"
 #include "shell/widgets/widgets.h"
 

@@ -13,7 +13,6 @@ namespace gaitsmith::shell {
 namespace {
 
 constexpr double kDegree = kPi / 180.0;
-constexpr auto kStepS = static_cast<double>(kStep);
 
 /// The chosen keyframe. A copy, since edits replace the plan.
 struct Chosen {
@@ -124,11 +123,14 @@ void DrawKeyframeForm(Ui& ui, Session& session, int& keyframe, KeyframeFormState
   const Chosen of{ui, session, keyframe, keyframes[static_cast<std::size_t>(keyframe)]};
   const PartScope part = ui.Part("keyframe", "group", Tr("Keyframe {1}", keyframe + 1));
   ui.Heading(Tr("Keyframe {1}", keyframe + 1));
-  double seconds = of.keyframe.step * kStepS;
+  double seconds = of.keyframe.step * kSecondsPerStep;
   if (ui.Slider("keyframes/when", Tr("When"), seconds,
-                {.low = kStepS, .high = session.Keyframes().Shown().steps * kStepS, .step = kStepS},
+                {.low = kSecondsPerStep,
+                 .high = session.Keyframes().Shown().steps * kSecondsPerStep,
+                 .step = kSecondsPerStep},
                 Fixed(seconds, 2) + " s")) {
-    keyframe = session.Keyframes().MoveKeyframe(keyframe, static_cast<int>(std::lround(seconds / kStepS)));
+    keyframe =
+        session.Keyframes().MoveKeyframe(keyframe, static_cast<int>(std::lround(seconds / kSecondsPerStep)));
     return;
   }
   DrawPose(of, state.drag);

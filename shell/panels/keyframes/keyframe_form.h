@@ -2,8 +2,9 @@
 // What the chosen keyframe asks for: when, the pose, the turn of the body, marks, rest.
 #pragma once
 
-#include "shell/panels/controller/pose_board.h"
+#include "shell/panels/keyframes/stance_bars.h"
 #include "shell/session/session.h"
+#include "shell/stage/pose_board.h"
 
 namespace gaitsmith::shell {
 

@@ -12,8 +12,6 @@
 namespace gaitsmith::shell {
 namespace {
 
-constexpr auto kStepS = static_cast<double>(kStep);
-
 void DrawNews(Ui& ui, Session& session, KeyframesPanelState& state) {
   const PlanRun& planning = session.Planning();
   const bool bad = planning.Now() == PlanRun::State::kRefused ||
@@ -38,9 +36,10 @@ void DrawStance(Ui& ui, Session& session, StanceBarsState& state) {
   if (state.stance >= static_cast<int>(stances.size())) state.stance = -1;
   if (state.stance < 0) return;
   const Stance& stance = stances[static_cast<std::size_t>(state.stance)];
-  ui.Paragraph(Tr("{1} stands from {2} to {3} s.", PointWords(stance.endpoint),
-                  Fixed(stance.first_step * kStepS, 2), Fixed(stance.last_step * kStepS, 2)),
-               Type::kNote);
+  ui.Paragraph(
+      Tr("{1} stands from {2} to {3} s.", PointWords(stance.endpoint),
+         Fixed(stance.first_step * kSecondsPerStep, 2), Fixed(stance.last_step * kSecondsPerStep, 2)),
+      Type::kNote);
   if (!ui.Button("keyframes/stance-remove", ui.ControlRow(), Tr("Remove this time of standing"))) return;
   session.Keyframes().RemoveStance(state.stance);
   state.stance = -1;
@@ -66,10 +65,10 @@ void DrawAdding(Ui& ui, Session& session, KeyframesPanelState& state) {
 
 void DrawWhole(Ui& ui, Session& session) {
   const Plan& plan = session.Keyframes().Shown();
-  double seconds = plan.steps * kStepS;
+  double seconds = plan.steps * kSecondsPerStep;
   if (ui.Slider("keyframes/length", Tr("Length"), seconds, {.low = 0.2, .high = 10.0, .step = 0.05},
                 Fixed(seconds, 2) + " s"))
-    session.Keyframes().SetLength(static_cast<int>(std::lround(seconds / kStepS)));
+    session.Keyframes().SetLength(static_cast<int>(std::lround(seconds / kSecondsPerStep)));
   double smooth = static_cast<double>(session.Keyframes().Shown().smoothness);
   if (ui.Slider("keyframes/smoothness", Tr("Smoothness"), smooth,
                 {.low = 0.001, .high = 10.0, .step = 0.001, .logarithmic = true},

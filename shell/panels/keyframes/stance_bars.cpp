@@ -50,11 +50,12 @@ void DrawKeyframes(Ui& ui, Session& session, const Field& field, StanceBarsState
     const ImRect rect({at.x - half, at.y - 0.5f * kKeyRow}, {at.x + half, at.y + 0.5f * kKeyRow});
     const Touch touch =
         ui.Area("keyframes/key/" + std::to_string(i), rect, Grab::kArrows,
-                {.label = Tr("Keyframe {1} of {2}", index + 1, keyframes.size()),
+                {.label = Tr("Keyframe {1} of {2}", index + 1, static_cast<int>(keyframes.size())),
                  .role = "slider",
                  .value = SecondsWords(keyframes[i].step),
                  .state = {.selected = state.keyframe == index},
-                 .range = WidgetRange{0.01, field.steps * 0.01, 0.01, keyframes[i].step * 0.01}});
+                 .range = WidgetRange{kSecondsPerStep, field.steps * kSecondsPerStep, kSecondsPerStep,
+                                      keyframes[i].step * kSecondsPerStep}});
     if (touch.began || touch.pressed || touch.steps != 0) {
       state.keyframe = index;
       state.stance = -1;
@@ -62,7 +63,7 @@ void DrawKeyframes(Ui& ui, Session& session, const Field& field, StanceBarsState
     int wanted = keyframes[i].step + touch.steps;
     if (touch.held && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 3.0f))
       wanted = field.StepAt(ImGui::GetIO().MousePos.x);
-    if (touch.wanted) wanted = static_cast<int>(std::lround(*touch.wanted / 0.01));
+    if (touch.wanted) wanted = static_cast<int>(std::lround(*touch.wanted / kSecondsPerStep));
     if (wanted != keyframes[i].step) state.keyframe = session.Keyframes().MoveKeyframe(index, wanted);
     const bool chosen = state.keyframe == index && state.stance < 0;
     DrawDiamond(ui, at, chosen ? ui.Ink().accent : ui.Ink().panel,
@@ -85,19 +86,19 @@ void DrawBar(Ui& ui, Session& session, const Field& field, std::size_t index, St
     const ImRect grip = last ? ImRect({std::max(middle, x - 24.0f), bar.Min.y}, {x + reach, bar.Max.y})
                              : ImRect({x - reach, bar.Min.y}, {std::min(middle, x + 24.0f), bar.Max.y});
     const int at = last ? stance.last_step : stance.first_step;
-    const Touch touch = ui.Area("keyframes/stance/" + std::to_string(index) + (last ? "/until" : "/from"),
-                                grip, Grab::kArrows,
-                                {.label = last ? Tr("{1} stands until", PointWords(stance.endpoint))
-                                               : Tr("{1} stands from", PointWords(stance.endpoint)),
-                                 .role = "slider",
-                                 .value = SecondsWords(at),
-                                 .range = WidgetRange{0.0, field.steps * 0.01, 0.01, at * 0.01}});
+    const Touch touch = ui.Area(
+        "keyframes/stance/" + std::to_string(index) + (last ? "/until" : "/from"), grip, Grab::kArrows,
+        {.label = last ? Tr("{1} stands until", PointWords(stance.endpoint))
+                       : Tr("{1} stands from", PointWords(stance.endpoint)),
+         .role = "slider",
+         .value = SecondsWords(at),
+         .range = WidgetRange{0.0, field.steps * kSecondsPerStep, kSecondsPerStep, at * kSecondsPerStep}});
     if (touch.hovered || touch.held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (touch.began || touch.pressed || touch.steps != 0) state.stance = number;
     int wanted = at + touch.steps;
     if (touch.held && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 3.0f))
       wanted = field.StepAt(ImGui::GetIO().MousePos.x);
-    if (touch.wanted) wanted = static_cast<int>(std::lround(*touch.wanted / 0.01));
+    if (touch.wanted) wanted = static_cast<int>(std::lround(*touch.wanted / kSecondsPerStep));
     if (wanted != at) session.Keyframes().MoveStance(number, last, wanted);
     ui.DrawFocus(touch, grip, 4.0f);
   }

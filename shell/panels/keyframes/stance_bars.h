@@ -8,10 +8,12 @@
 
 namespace gaitsmith::shell {
 
+/// The time of a plan in seconds.
+inline constexpr auto kSecondsPerStep = static_cast<double>(kStep);
+
 struct StanceBarsState {
   int keyframe = 0;  // the chosen one
   int stance = -1;   // the chosen one; -1: none
-  int grip = 0;      // which end of the chosen bar is dragged: -1 the first, 1 the last, 0 none
 };
 
 void DrawStanceBars(Ui&, Session&, StanceBarsState&);

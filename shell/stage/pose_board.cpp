@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shell/panels/controller/pose_board.h"
+#include "shell/stage/pose_board.h"
 
 #include <algorithm>
 #include <array>
