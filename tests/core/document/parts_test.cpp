@@ -105,6 +105,10 @@ Document Full() {
   d.task.shown.pose_rad = {0.5f};
   BreedRound round;
   round.task = d.task;
+  d.plan.keyframes = {{.step = 5, .pose_rad = {0.5f}, .marks = {{.endpoint = 1, .x_m = 1.0f}}}, {.step = 9}};
+  d.plan.stances = {{.endpoint = 0, .first_step = 0, .last_step = 3},
+                    {.endpoint = 0, .first_step = 5, .last_step = 9}};
+  d.plan.solved.unknowns.assign(static_cast<std::size_t>(UnknownsOf(SceneOf(d), {})), 0.5f);
   d.lineage = {.founders = {controller, controller}, .rounds = {round, round}};
   d.hash = 0x1234;
   return d;
@@ -131,6 +135,7 @@ const std::map<std::string, Part>& ExpectedParts() {
       {"controllers", Part::kControllers},
       {"timeline", Part::kTimeline},
       {"duration_steps", Part::kDuration},
+      {"plan", Part::kPlan},
       {"view", Part::kView},
       {"lineage", Part::kLineage},
       {"drawn", Part::kFigure},

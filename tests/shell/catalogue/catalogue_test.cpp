@@ -53,7 +53,7 @@ TEST_CASE("catalogue: has every row of every table, in order", "[catalogue]") {
   CHECK(NamesIn(*catalogue, "senses") == std::vector<std::string>{"angle", "force", "height", "rise", "timer",
                                                                   "angle", "force", "height", "rise", "ahead",
                                                                   "corner"});
-  CHECK(catalogue->Find("panels")->items.back().Find("number")->number == 5.0);
+  CHECK(catalogue->Find("panels")->items.back().Find("number")->number == 6.0);
 }
 
 TEST_CASE("catalogue: the page's module has a list for each table that it reads", "[catalogue]") {

@@ -24,8 +24,11 @@ class QuietHost final : public Host {
     mapped.push_back(request);
     generations.push_back(generation);
   }
-  void StartPlan(const Document&, int) override {}
-  void StopPlan() override {}
+  void StartPlan(const Document& document, int generation) override {
+    planned.push_back(document);
+    plan_generation = generation;
+  }
+  void StopPlan() override { ++plan_stops; }
   void StopTransitionMap() override { ++map_stops; }
   void Status(const std::string& sentence) override { status = sentence; }
   void SaveText(const std::string&, const std::string&) override {}
@@ -41,6 +44,9 @@ class QuietHost final : public Host {
   std::vector<Document> mapped;  // requested transition maps, in order
   std::vector<int> generations;  // of each map
   int map_stops = 0;
+  std::vector<Document> planned;  // plans to be carried out, in order
+  int plan_generation = 0;        // of the last
+  int plan_stops = 0;
   std::string status;
 };
 
