@@ -35,6 +35,7 @@ set(web_rooms
     "app: browser languages"
     "access: browser languages"
     "search: browser catalogue languages app"
+    "plan: browser"
     "storage: browser languages"
     "dialogs: languages"
     "share: browser catalogue languages search dialogs"
