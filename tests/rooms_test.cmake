@@ -41,7 +41,7 @@ set(web_rooms
     "share: browser catalogue languages search dialogs"
     "build: share"
     "breed: browser languages search dialogs share"
-    "page: browser catalogue languages app access search storage dialogs share breed"
+    "page: browser catalogue languages app access search plan storage dialogs share breed"
     "classroom: catalogue languages search share page"
     "explorable: languages search share"
     "book: catalogue languages search share storage page classroom explorable"

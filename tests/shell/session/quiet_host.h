@@ -25,6 +25,11 @@ class QuietHost final : public Host {
     generations.push_back(generation);
   }
   void StopTransitionMap() override { ++map_stops; }
+  void StartPlan(const Document& document, int generation) override {
+    planned.push_back(document);
+    plan_generations.push_back(generation);
+  }
+  void StopPlan() override { ++plan_stops; }
   void Status(const std::string& sentence) override { status = sentence; }
   void SaveText(const std::string&, const std::string&) override {}
   void DocumentChanged(const std::string&) override { ++changes; }
@@ -39,6 +44,9 @@ class QuietHost final : public Host {
   std::vector<Document> mapped;  // requested transition maps, in order
   std::vector<int> generations;  // of each map
   int map_stops = 0;
+  std::vector<Document> planned;      // documents whose plans were started, in order
+  std::vector<int> plan_generations;  // of each of them
+  int plan_stops = 0;
   std::string status;
 };
 
