@@ -3,7 +3,9 @@
 // simulator plays it.
 #pragma once
 
+#include <array>
 #include <functional>
+#include <string_view>
 #include <vector>
 
 #include "core/document/plan_playback.h"
@@ -28,6 +30,10 @@ struct PlanReport {
   double first_miss_m = 0.0;
   int corrections = 0;
 };
+
+/// Of PlanReport::Stage, in its order.
+inline constexpr std::array<std::string_view, 5> kPlanStageNames = {"relaxing", "coarse", "fine", "played",
+                                                                    "refused"};
 
 /// Called for every iteration and every stage. Returns false to cancel: nothing more is reported then.
 using PlanListener = std::function<bool(const PlanReport&)>;

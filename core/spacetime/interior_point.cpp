@@ -15,7 +15,7 @@ namespace gaitsmith {
 namespace {
 
 // Constants of [Waechter 2006], with its names.
-constexpr double kKappaEpsilon = 10.0, kKappaMu = 0.2, kThetaMu = 1.5;
+constexpr double kKappaEpsilon = 10.0, kKappaMu = 0.2;
 constexpr double kTauMin = 0.99, kKappaSigma = 1e10, kSMax = 100.0;
 constexpr double kGammaTheta = 1e-5, kGammaPhi = 1e-8, kDelta = 1.0, kSTheta = 1.1, kSPhi = 2.3, kEta = 1e-4;
 constexpr double kKappa1 = 1e-2;  // how far inside its bounds a start is pushed
@@ -156,7 +156,7 @@ class Solver {
   void LowerBarrier() {
     const double least = settings_.tolerance / 10.0;
     while (mu_ > least && ErrorOf(mu_) <= kKappaEpsilon * mu_) {
-      mu_ = std::max(least, std::min(kKappaMu * mu_, mu_ * std::sqrt(mu_)));
+      mu_ = std::max(least, std::min(kKappaMu * mu_, mu_ * std::sqrt(mu_)));  // its theta_mu is 1.5
       filter_.clear();
     }
   }

@@ -16,6 +16,7 @@
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/document/json.h"
 #include "core/document/link.h"
@@ -182,6 +183,10 @@ class Desktop {
     }
     for (const TransitionPart& part : host_.TakeTransitions()) {
       app_.State().Timeline().Transitions().OnScores(part);
+      window_.RequestFrame();
+    }
+    for (PlanUpdate& update : host_.TakePlanUpdates()) {
+      app_.State().Planning().OnReport(update.generation, std::move(update.report));
       window_.RequestFrame();
     }
     if (const std::string title = host_.WindowTitle(); title != title_) window_.SetTitle(title_ = title);

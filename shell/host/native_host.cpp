@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A search thread, which starts its own helpers, and a thread for the transition map.
+// A search thread, which starts its own helpers, and threads for the transition map and the plan.
 #include "shell/host/native_host.h"
 
 #include <algorithm>
@@ -14,6 +14,7 @@ namespace gaitsmith::shell {
 NativeHost::~NativeHost() {
   StopSearch();
   StopTransitionMap();
+  StopPlan();
 }
 
 int NativeHost::MaxWorkers() const { return Cores(); }
@@ -94,6 +95,32 @@ void NativeHost::StopTransitionMap() {
 std::vector<TransitionPart> NativeHost::TakeTransitions() {
   const std::lock_guard lock(mutex_);
   return std::exchange(transitions_, {});
+}
+
+void NativeHost::StartPlan(const Document& document, int generation) {
+  StopPlan();
+  planner_ = std::jthread([this, document, generation](const std::stop_token& stop) {
+    CarryOutPlan(document, kFinePlan, [&](const PlanReport& report) {
+      if (stop.stop_requested()) return false;
+      const std::lock_guard lock(mutex_);
+      // Nobody sees an iteration that a later one follows before the next frame.
+      if (!plan_updates_.empty() && plan_updates_.back().report.stage == PlanReport::Stage::kRelaxing)
+        plan_updates_.pop_back();
+      plan_updates_.push_back({.generation = generation, .report = report});
+      return true;
+    });
+  });
+}
+
+void NativeHost::StopPlan() {
+  planner_ = {};  // requests a stop and waits for it: an iteration
+  const std::lock_guard lock(mutex_);
+  plan_updates_.clear();
+}
+
+std::vector<PlanUpdate> NativeHost::TakePlanUpdates() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(plan_updates_, {});
 }
 
 std::optional<SearchProgress> NativeHost::TakeProgress() {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The bridge between the canvas and the page.
 //
-// The page calls the gs_ functions below. Text is UTF-8, and returned text is valid until the next call. The
-// page provides, as Module.page, the functions that page_host.h declares and page.library.js forwards.
+// The page calls the gs_ functions below, and those of page_reports.cpp, page_hints.cpp and
+// page_typeface.cpp. Text is UTF-8, and returned text is valid until the next call. The page provides, as
+// Module.page, the functions that page_host.h declares and page.library.js forwards.
 #include <emscripten/emscripten.h>
 #include <emscripten/html5.h>
 
@@ -17,9 +18,9 @@
 #include "shell/app/app.h"
 #include "shell/host/frame_pace.h"
 #include "shell/host/page_host.h"
+#include "shell/host/page_session.h"
 #include "shell/host/script_answers.h"
 #include "shell/host/script_options.h"
-#include "shell/results/progress_record.h"
 #include "shell/session/commands.h"
 #include "shell/session/moment_words.h"
 #include "shell/words/language.h"
@@ -48,7 +49,12 @@ Page& ThePage() {
   return page;
 }
 
+}  // namespace
+
 Session& TheSession() { return ThePage().app->State(); }
+Window& TheWindow() { return *ThePage().window; }
+
+namespace {
 
 // Replies to a frequent query, without requesting a frame.
 const char* QuietReply(std::string text) {
@@ -359,31 +365,6 @@ EMSCRIPTEN_KEEPALIVE void gs_resume() { TheSession().Search().Resume(); }
 EMSCRIPTEN_KEEPALIVE void gs_stop() {
   TheSession().Stop();
   ThePage().window->RequestFrame();
-}
-
-/// Reports the progress of a search in the format of DecodeProgress. @return an empty text, or the error in
-/// the report, which is then ignored
-EMSCRIPTEN_KEEPALIVE const char* gs_search_progress(const char* report, const std::uint8_t* bytes,
-                                                    int count) {
-  auto progress = DecodeProgress(report, {bytes, static_cast<std::size_t>(std::max(count, 0))});
-  if (!progress) return QuietReply(TrError(progress.error()));
-  progress->workers = TheSession().Search().Workers();
-  TheSession().OnSearchProgress(std::move(*progress));
-  ThePage().window->RequestOneFrame();
-  return QuietReply("");
-}
-
-/// Reports a part of a transition map: scores from place `first` on, and the usual score.
-EMSCRIPTEN_KEEPALIVE void gs_transitions_mapped(int generation, int first, const float* scores, int count,
-                                                float usual) {
-  TheSession().Timeline().Transitions().OnScores(
-      {.generation = generation, .first = first, .usual = usual, .scores = {scores, scores + count}});
-  ThePage().window->RequestOneFrame();
-}
-/// Reports that no more parts of this generation's map will arrive.
-EMSCRIPTEN_KEEPALIVE void gs_transitions_failed(int generation) {
-  TheSession().Timeline().Transitions().OnFailed(generation);
-  ThePage().window->RequestOneFrame();
 }
 
 }  // extern "C"

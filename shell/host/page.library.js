@@ -47,6 +47,12 @@ addToLibrary({
   },
   gs_page_stop_transition_map__deps: ['$callPage'],
   gs_page_stop_transition_map: () => { callPage('stopTransitionMap'); },
+  gs_page_start_plan__deps: ['$callPage'],
+  gs_page_start_plan: (pointer, bytes, generation) => {
+    callPage('startPlan', HEAPU8.slice(pointer, pointer + bytes), generation);
+  },
+  gs_page_stop_plan__deps: ['$callPage'],
+  gs_page_stop_plan: () => { callPage('stopPlan'); },
 
   gs_page_status__deps: ['$callPage', '$UTF8ToString'],
   gs_page_status: (sentence) => { callPage('status', UTF8ToString(sentence)); },

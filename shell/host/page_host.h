@@ -31,6 +31,8 @@ void gs_page_resume_search();
 void gs_page_stop_search();
 void gs_page_start_transition_map(const std::uint8_t* request, std::size_t bytes, int generation);
 void gs_page_stop_transition_map();
+void gs_page_start_plan(const std::uint8_t* document, std::size_t bytes, int generation);
+void gs_page_stop_plan();
 void gs_page_status(const char* sentence);
 void gs_page_document_changed(const char* title);
 void gs_page_first_frame();
@@ -83,6 +85,11 @@ class WebHost final : public Host {
     gs_page_start_transition_map(bytes.data(), bytes.size(), generation);
   }
   void StopTransitionMap() override { gs_page_stop_transition_map(); }
+  void StartPlan(const Document& document, int generation) override {
+    const std::vector<std::uint8_t> bytes = EncodeBinary(document);
+    gs_page_start_plan(bytes.data(), bytes.size(), generation);
+  }
+  void StopPlan() override { gs_page_stop_plan(); }
   void Status(const std::string& sentence) override { gs_page_status(sentence.c_str()); }
   void DocumentChanged(const std::string& title) override {
     gs_page_document_changed(TrTitle(title).c_str());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The C interface of both WebAssembly modules is the same in C++, in the types and in the compiled modules.
+// The C interface of each WebAssembly module is the same in C++, in the types and in the compiled modules.
 import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
@@ -11,7 +11,7 @@ import { exportedFunctions, MODULES, typesOf } from '../../web/build/border.mjs'
 const ROOT = join(dirname(fileURLToPath(import.meta.url)), '../..');
 const WEB = process.env.GAITSMITH_WEB ?? join(ROOT, 'build/wasm/web');
 /** Where each module is built. @type {Record<string, string>} */
-const BUILT = { EngineExports: join(WEB, 'search/engine_module.js'), AppExports: join(WEB, '../shell/app_module.js') };
+const BUILT = { EngineExports: join(WEB, 'search/engine_module.js'), AppExports: join(WEB, '../shell/app_module.js'), PlannerExports: join(WEB, 'plan/planner_module.js') };
 
 test('border: exports are found with their types and comments', () => {
   const source = `

@@ -280,6 +280,21 @@ export class App {
   /** Reports that no more parts of this map will arrive. @param {number} generation */
   transitionsFailed(generation) { this.module._gs_transitions_failed(generation); }
 
+  /** Reports how a plan is getting on. @param {import('../plan/worker.js').PlanReport} report */
+  planReported({ generation, stage, document, iterations, cost, playedMiss, firstMiss, corrections, misses }) {
+    const at = this.#room(Math.max(misses.byteLength + document.length, 1));
+    try {
+      this.module.HEAPU8.set(new Uint8Array(misses.buffer, misses.byteOffset, misses.byteLength), at); // first: numbers are aligned
+      this.module.HEAPU8.set(document, at + misses.byteLength);
+      this.#with(stage, (name) => this.module._gs_plan_reported(generation, name, at + misses.byteLength, document.length, iterations, cost, playedMiss, firstMiss, corrections, at, misses.length / 4));
+    } finally {
+      this.module._free(at);
+    }
+  }
+
+  /** Reports that this plan will not be carried out. @param {number} generation */
+  planFailed(generation) { this.module._gs_plan_failed(generation); }
+
   /** Throws if there is no memory left, before anything has changed. @param {number} bytes */
   #room(bytes) { return roomAt(this.module._malloc(bytes)); }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Written by web/build/border.mjs from shell/host/page.cpp and shell/host/page_hints.cpp and shell/host/page_typeface.cpp: change those.
+// Written by web/build/border.mjs from shell/host/page.cpp and shell/host/page_reports.cpp and shell/host/page_hints.cpp and shell/host/page_typeface.cpp: change those.
 
 /** An address in the module's memory; 0 is null. */
 export type Pointer = number;
@@ -119,6 +119,13 @@ export interface AppExports {
   _gs_transitions_mapped(generation: number, first: number, scores: Pointer, count: number, usual: number): void;
   /** Reports that no more parts of this generation's map will arrive. */
   _gs_transitions_failed(generation: number): void;
+  /**
+   * Reports how this generation's plan is getting on. @param stage of kPlanStageNames
+   * @param document in binary form; of a refused plan 0 bytes @param misses four numbers each
+   */
+  _gs_plan_reported(generation: number, stage: Pointer, document: Pointer, bytes: number, iterations: number, cost: number, playedMissM: number, firstMissM: number, corrections: number, misses: Pointer, count: number): void;
+  /** Reports that this generation's plan will not be carried out. */
+  _gs_plan_failed(generation: number): void;
   /** @param table of shell/words/hints, as JSON. @return 0: it is not such a table, and nothing has changed */
   _gs_set_hints(table: Pointer): number;
   /** A TrueType file. */

@@ -42,6 +42,9 @@ export interface PageForApp {
   /** Computes the transition map of the clip that the document's search names. Abandons an unfinished map. */
   startTransitionMap(document: Uint8Array, generation: number): void;
   stopTransitionMap(): void;
+  /** Carries out the document's plan. Abandons an unfinished one. */
+  startPlan(document: Uint8Array, generation: number): void;
+  stopPlan(): void;
   /** A sentence for the status line. */
   status(sentence: string): void;
   /** The document was replaced or edited. */

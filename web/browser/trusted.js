@@ -2,7 +2,7 @@
 // The only scripts that the page may start from an address. With the policy in index.html, browsers with Trusted Types
 // refuse all others, so that a bug cannot start a script of an attacker.
 
-const SCRIPTS = ['search/worker.js', 'service_worker.js'];
+const SCRIPTS = ['plan/worker.js', 'search/worker.js', 'service_worker.js'];
 
 /** @param {string} name  path in the site */
 function address(name) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Writes the types of the two WebAssembly modules from the C++ sources of their exported functions.
+// Writes the types of the WebAssembly modules from the C++ sources of their exported functions.
 // tests/web/border.test.mjs compares them with the exports of the compiled modules.
 //
-//   node web/build/border.mjs            writes search/engine_exports.d.ts and app/app_exports.d.ts
+//   node web/build/border.mjs            writes search/engine_exports.d.ts, app/app_exports.d.ts and plan/planner_exports.d.ts
 //   node web/build/border.mjs --check    fails if they are out of date
 import { readFile, writeFile } from 'node:fs/promises';
 import { join, relative } from 'node:path';
@@ -15,7 +15,8 @@ const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 /** Modules: the C++ sources of the exported functions, the mark of an export, and the written interface and its file. */
 export const MODULES = [
   { sources: ['web/search/engine.cpp', 'web/search/engine_motion.cpp', 'web/search/engine_files.cpp', 'web/search/engine_breeding.cpp'], mark: 'GS_EXPORT', name: 'EngineExports', types: 'web/search/engine_exports.d.ts' },
-  { sources: ['shell/host/page.cpp', 'shell/host/page_hints.cpp', 'shell/host/page_typeface.cpp'], mark: 'EMSCRIPTEN_KEEPALIVE', name: 'AppExports', types: 'web/app/app_exports.d.ts' },
+  { sources: ['shell/host/page.cpp', 'shell/host/page_reports.cpp', 'shell/host/page_hints.cpp', 'shell/host/page_typeface.cpp'], mark: 'EMSCRIPTEN_KEEPALIVE', name: 'AppExports', types: 'web/app/app_exports.d.ts' },
+  { sources: ['web/plan/planner.cpp'], mark: 'EMSCRIPTEN_KEEPALIVE', name: 'PlannerExports', types: 'web/plan/planner_exports.d.ts' },
 ];
 
 /** @param {string} type  of C++, without a name */

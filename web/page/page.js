@@ -62,6 +62,13 @@ async function start() {
     });
   };
 
+  /** @type {Promise<import('../plan/plans.js').Plans> | null} */
+  let plans = null;
+  const loadPlans = async () => {
+    const { Plans } = await import('../plan/plans.js');
+    return new Plans({ reported: (report) => parts?.app.planReported(report), failed: (generation) => parts?.app.planFailed(generation) });
+  };
+
   // A trap may have left the application's data inconsistent, so none of it is saved from now on.
   const crashed = (/** @type {Error} */ error) => {
     parts?.autosave.end();
@@ -121,6 +128,14 @@ async function start() {
         });
       },
       stopTransitionMap: () => void transitions?.then((maps) => maps.stop(), () => {}),
+      startPlan: (document, generation) => {
+        plans ??= loadPlans();
+        void plans.then((each) => each.start(document, generation), () => {
+          plans = null;
+          parts?.app.planFailed(generation);
+        });
+      },
+      stopPlan: () => void plans?.then((each) => each.stop(), () => {}),
       status: (sentence) => statusLine.say(sentence),
       documentChanged: (title) => {
         showTitle(title);
