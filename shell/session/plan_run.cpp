@@ -15,6 +15,27 @@ namespace {
 
 constexpr double kPlanSettledS = 0.12;  // a dragged slider changes every frame
 
+/// Whether the plan has such a part. Reports come from another program.
+bool Has(const Plan& plan, const PlanPart& part) {
+  using Kind = PlanPart::Kind;
+  const auto within = [](int index, std::size_t size) {
+    return index >= 0 && static_cast<std::size_t>(index) < size;
+  };
+  if (part.kind == Kind::kStanceX || part.kind == Kind::kStanceY)
+    return within(part.index, plan.stances.size());
+  if (!within(part.index, plan.keyframes.size())) return false;
+  const Keyframe& keyframe = plan.keyframes[static_cast<std::size_t>(part.index)];
+  switch (part.kind) {
+    case Kind::kJoint:
+      return within(part.which, keyframe.pose_rad.size());
+    case Kind::kMarkX:
+    case Kind::kMarkY:
+      return within(part.which, keyframe.marks.size());
+    default:
+      return part.kind == Kind::kTurn;
+  }
+}
+
 }  // namespace
 
 bool PlanRun::IsOf(const Document& d) const {
@@ -75,6 +96,7 @@ void PlanRun::Advance(double seconds) {
 void PlanRun::OnReport(int generation, PlanReport report) {
   if (generation != generation_ || state_ != State::kWorks) return;
   report_ = std::move(report);
+  std::erase_if(report_.misses, [&](const PlanMiss& miss) { return !Has(asked_.plan, miss.part); });
   switch (report_.stage) {
     case PlanReport::Stage::kRelaxing:
     case PlanReport::Stage::kCoarse:

@@ -556,6 +556,17 @@ grep -q '"knots"' curves.json || fault "the knots of a trajectory"
 refuses 'a trajectory follows a timer and has no other senses' "$gaitsmith" synthesize --controller trajectory --out precious.json
 refuses '--knots: must be a whole number from 2 to 32, is "1"' "$gaitsmith" record "$golden" --knots 1
 refuses 'has no controller whose motion could be recorded' "$gaitsmith" record hopper-jump
+# A motion between keyframes, planned and played, and one that cannot be.
+"$gaitsmith" plan "$root/examples/plans/lamp-jump.json" --degree 3 --pieces 16 --motion planned.csv --out planned.json >plan.csv
+same "$(head -1 plan.csv)" iterations,cost,residual,played_miss,first_miss,corrections "the columns of plan"
+awk -F, 'NR == 2 && !($4 < 0.01) { exit 1 }' plan.csv || fault "the lamp is not played where it is planned"
+same "$(wc -l <planned.csv)" 202 "a row for each step of a plan"
+"$gaitsmith" validate planned.json >/dev/null || fault "a planned document is not valid"
+grep -q '"knots"' planned.json || fault "a plan is played by a trajectory"
+sed 's/"x_m": 0.6/"x_m": 60/' "$root/examples/plans/lamp-jump.json" >far.json
+refuses 'plan.keyframes[0].marks[0].x_m: cannot be met: the nearest motion misses it by' "$gaitsmith" plan far.json
+refuses 'plan: has no keyframe' "$gaitsmith" plan "$golden"
+refuses '--degree: must be a whole number from 3 to 5, is "2"' "$gaitsmith" plan planned.json --degree 2
 refuses 'cannot be read' "$gaitsmith" hash nowhere.json
 refuses 'was cut' "$gaitsmith" link decode "$(head -c 100 link.txt)"
 for command in compare suite merge switches breed taste; do

@@ -27,8 +27,6 @@ class RecordingHost final : public Host {
   void StartPlan(const Document&, int) override {}
   void StopPlan() override {}
   void StopTransitionMap() override {}
-  void StartPlan(const Document&, int) override {}
-  void StopPlan() override {}
   void Status(const std::string&) override { calls.emplace_back("status"); }
   void SaveText(const std::string&, const std::string&) override {}
   void DocumentChanged(const std::string&) override { calls.emplace_back("host"); }
