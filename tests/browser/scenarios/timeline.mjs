@@ -204,8 +204,56 @@ async function oneRuler({ browser, address }) {
   }
 }
 
+/** @param {PageDriver} page @returns {Promise<any>} */
+const documentOf = (page) => page.call('document', () => window.gaitsmith.document());
+/** Waits until the plan is carried out. @param {PageDriver} page */
+const planned = (page) => page.until('a planned motion', () => (/** @type {any} */ (window.gaitsmith.document()).plan?.solved?.unknowns?.length ?? 0) > 0);
+
+/** A jump between keyframes: planned in its own worker, changed by mouse and keys, refused where it cannot be, undone. @param {Visit} visit */
+async function keyframes({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  const pointer = new Mouse(page);
+  const before = await page.hash();
+  await page.call('keyframes', () => window.gaitsmith.run('timeline/keyframes'));
+  await planned(page);
+  const jump = await documentOf(page);
+  assert.equal(jump.controllers.at(-1).kind, 'trajectory');
+  assert.equal(jump.plan.stances.length, 4);
+  assert.match(await page.text('#status'), /^Planned/);
+  const hash = await page.hash();
+  assert.notEqual(hash, before);
+  await sameNatively(page);
+
+  // The end of a bar, by mouse: the figure lands later.
+  await pointer.scrollTo('keyframes/stance/1/from', 24);
+  const end = await pointer.centre('keyframes/stance/1/from');
+  await pointer.drag(end, { x: end.x + 12, y: end.y });
+  const later = await documentOf(page);
+  assert.ok(later.plan.stances[1].first_step > jump.plan.stances[1].first_step);
+  await planned(page);
+
+  // A mark, by keys: farther.
+  await page.page.focus('canvas');
+  await setValue(page, 'slider', 'Along the ground', '0.9');
+  await page.frames(20);
+  await planned(page);
+  assert.equal((await documentOf(page)).plan.keyframes[0].marks[0].x_m, 0.9);
+
+  // Nobody jumps ten metres off the ground from standing with both feet down.
+  await page.call('a mark far up', () => window.gaitsmith.open(JSON.stringify({ ...window.gaitsmith.document(),
+    plan: { .../** @type {any} */ (window.gaitsmith.document()).plan, solved: undefined,
+      keyframes: [{ step: 30, marks: [{ endpoint: -1, axes: 'up', y_m: 10 }] }] } })));
+  await page.until('a refusal', () => /cannot be so high at 0\.30 s: [\d.]+ m are missing/.test(document.querySelector('#status')?.textContent ?? ''));
+  await page.press('Control+z');
+  await page.frames();
+  assert.equal((await documentOf(page)).plan.keyframes[0].marks[0].x_m, 0.9, 'the plan is back');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
 /** @type {[string, (visit: Visit) => Promise<void>, string?][]} */
 export const TIMELINE_SCENARIOS = [
+  ['a jump is planned between keyframes, changed by mouse and keys, refused and undone', keyframes],
   ['clips are chained by mouse, and undone', byMouse],
   ['clips are chained by keys and assistive tools alone', byKeys],
   ['the clips and the scrubber share one ruler', oneRuler, ONE_BROWSER],
