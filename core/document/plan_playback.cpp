@@ -13,7 +13,7 @@ namespace gaitsmith {
 
 namespace {
 
-constexpr int kMostCorrections = 10;
+constexpr int kMostCorrections = 16;
 /// A miss that is as good as none [m].
 constexpr double kCloseM = 0.002;
 /// A little less than the whole miss, so that corrections do not swing around the mark.
@@ -86,6 +86,7 @@ PlanPlayback PlayPlan(const Document& document, const PlannedMotion& planned, co
       share *= 0.5;  // too far
       continue;
     }
+    share = kShare;
     nearest = scene.plan;
     misses = played.misses;
     from = std::move(answer.motion);

@@ -160,14 +160,21 @@ void PlanConditions::AddPhase(const Eigen::VectorXd& guess, std::size_t index) {
         lines.push_back({2 + rod, -1, at.position[0], direction, give < 0 ? -1 : give + 2});
     }
   }
-  for (int endpoint = 0; endpoint <= layout_.model.rods; ++endpoint) {
-    if (stands(index, endpoint)) continue;
-    const std::size_t skipped = index == 0 || stands(index - 1, endpoint) ? 2 : 0;
-    const std::size_t end = centres.size() - (stands(index + 1, endpoint) ? 1 : 0);
+  const int endpoints = layout_.model.rods + 1;
+  // Drawn ground may also touch rods between their ends.
+  const int points = layout_.ground.Level() ? endpoints : endpoints + layout_.model.rods;
+  const auto is_down = [&](std::size_t at, int point) {
+    if (point < endpoints) return stands(at, point);
+    const int rod = point - endpoints;
+    return stands(at, rod + 1) && stands(at, scene_.skeleton.limbs[static_cast<std::size_t>(rod)].start);
+  };
+  for (int point = 0; point < points; ++point) {
+    if (is_down(index, point)) continue;
+    const std::size_t skipped = index == 0 || is_down(index - 1, point) ? 2 : 0;
+    const std::size_t end = centres.size() - (is_down(index + 1, point) ? 1 : 0);
     for (std::size_t i = skipped; i < end; ++i) {
       const int height = AddVariable(0.0, kNoBound, kNoBound);
-      clearances.push_back(
-          {layout_.At(PieceWithin(layout_, phase, centres[i]), centres[i]), endpoint, height});
+      clearances.push_back({layout_.At(PieceWithin(layout_, phase, centres[i]), centres[i]), point, height});
     }
   }
 }

@@ -21,10 +21,10 @@ struct PlanConditions {
     PlanInstant at;
     int stance;
   };
-  /// An endpoint in the air is above the ground.
+  /// A point in the air is above the ground.
   struct Clearance {
     PlanInstant at;
-    int endpoint;
+    int point;   // an endpoint, or beyond their number the middle of a rod
     int height;  // variable
   };
   /// A coefficient of a joint's angle is within the joint's limits.

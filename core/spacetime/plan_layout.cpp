@@ -62,6 +62,7 @@ SplineSpace SpaceOf(int degree, const std::vector<PlanLayout::Phase>& phases,
 
 PlanLayout::PlanLayout(const PlanScene& scene, const PlanGrid& grid)
     : model(scene.skeleton),
+      ground(scene.environment.ground, static_cast<double>(scene.skeleton.longest_rod_m)),
       length_m(static_cast<double>(scene.skeleton.longest_rod_m)),
       mass_kg(static_cast<double>(scene.skeleton.mass_kg)),
       time_s(std::sqrt(length_m / static_cast<double>(kStandardGravity))),

@@ -9,6 +9,7 @@
 #include <array>
 #include <vector>
 
+#include "core/spacetime/plan_ground.h"
 #include "core/spacetime/planned_motion.h"
 #include "core/spacetime/rod_moments.h"
 #include "core/spacetime/spline_space.h"
@@ -44,6 +45,7 @@ struct PlanLayout {
   };
 
   RodModel model;
+  PlanGround ground;
   double length_m, mass_kg, time_s;  // units
   double friction;
   double gravity_x, gravity_y;
@@ -72,7 +74,7 @@ struct PlanLayout {
   [[nodiscard]] double ValueOf(const Eigen::VectorXd& x, int curve, const SplineShares&) const;
   /// For RodMoments of the phase's contacts.
   [[nodiscard]] RodMoments::Numbers NumbersAt(const Eigen::VectorXd& x, const PlanInstant&) const;
-  /// Where an endpoint is.
+  /// Where an endpoint is, or, beyond their number, the middle of a rod.
   [[nodiscard]] Point EndpointAt(const Eigen::VectorXd& x, const PlanInstant&, int endpoint) const;
 
  private:

@@ -52,8 +52,6 @@ Nearest FindNearest(const PlanScene& scene, const PlanWatch& watch) {
 }  // namespace
 
 Result<void> CheckScene(const PlanScene& scene) {
-  if (!scene.environment.ground.empty())
-    return Fail(ErrorCode::kOutOfRange, "environment.ground", "must be empty: keyframes need level ground");
   if (scene.environment.sway_rad != 0.0f)
     return Fail(ErrorCode::kOutOfRange, "environment.sway_rad",
                 "must be 0: keyframes need ground that does not rock");
@@ -72,7 +70,11 @@ Result<void> CheckScene(const PlanScene& scene) {
     const std::string where = "plan.stances[" + std::to_string(s) + "]";
     if (moves)
       return Fail(ErrorCode::kStructure, where, "cannot stand from the start, where the figure moves");
-    if (layout.EndpointAt(x, begin, stance.endpoint).y > kStartGap)
+    const PlanLayout::Point place = layout.EndpointAt(x, begin, stance.endpoint);
+    if (layout.ground.At(place.x).value != 0.0)
+      return Fail(ErrorCode::kStructure, where,
+                  "cannot stand from the start, where the ground is not at height 0");
+    if (place.y > kStartGap)
       return Fail(ErrorCode::kStructure, where,
                   "cannot stand from the start, where the endpoint is above the ground");
   }

@@ -10,7 +10,7 @@ RodModel::RodModel(const Skeleton& skeleton) : rods(skeleton.rods), parent{} {
   const RodMultiples multiples(skeleton);
   const double length = static_cast<double>(skeleton.longest_rod_m),
                mass = static_cast<double>(skeleton.mass_kg);
-  arm.setZero(rods + 1, rods);
+  arm.setZero(2 * rods + 1, rods);
   coupling.setZero(rods, rods);
   beyond.setIdentity(rods, rods);
   for (int j = 0; j < rods; ++j) {
@@ -20,6 +20,10 @@ RodModel::RodModel(const Skeleton& skeleton) : rods(skeleton.rods), parent{} {
       arm(k, j) = (multiples.end[static_cast<std::size_t>(k)][column] - multiples.mean[column]) / length;
     for (int k = 0; k < rods; ++k)
       coupling(k, j) = multiples.coupling[static_cast<std::size_t>(k)][column] / (mass * length * length);
+  }
+  for (int i = 0; i < rods; ++i) {
+    const int start = skeleton.limbs[static_cast<std::size_t>(i)].start;
+    arm.row(rods + 1 + i) = 0.5 * (arm.row(start) + arm.row(i + 1));
   }
   for (int j = rods - 1; j > 0; --j) beyond.row(parent[static_cast<std::size_t>(j)]) += beyond.row(j);
 }

@@ -18,14 +18,15 @@ namespace gaitsmith {
 /// A figure in the units of a plan: mass 1, longest rod 1, standard gravity 1.
 struct RodModel {
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxRods, 1>;
-  using Matrix =
-      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxEndpoints, kMaxRods>;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                               kMaxEndpoints + kMaxRods, kMaxRods>;
 
   explicit RodModel(const Skeleton&);
 
   int rods;
   std::array<int, kMaxRods> parent;  // -1 for the root
-  Matrix arm;       // endpoints from the centre of mass, as multiples of directions (endpoints, rods)
+  Matrix arm;       // endpoints, then middles of rods, from the centre of mass, as multiples of directions
+                    // (endpoints + rods, rods)
   Matrix coupling;  // A (rods, rods)
   Matrix beyond;    // 1 for the rods beyond each joint, by its outer rod; all for the root (rods, rods)
 };

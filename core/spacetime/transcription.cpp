@@ -2,6 +2,7 @@
 #include "core/spacetime/transcription.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "core/numeric/scalar_math.h"
 
@@ -229,6 +230,42 @@ void Transcription::Go(Pass<kSlopes>& pass) const {
     }
     return place;
   };
+  // How far a point is above the cover of the ground.
+  const auto rise = [&](const PlanInstant& at, int point, double multiplier) {
+    if (layout_.ground.Level()) return locate(at, point, false, multiplier);
+    const SplineShares& shares = at.position[0];
+    const PlanLayout::Point now = layout_.EndpointAt(x, at, point);
+    const PlanGround::Height cover = layout_.ground.CoverAt(now.x);
+    // How the point moves along the ground with each coefficient, and how it rises over the slope.
+    std::vector<int> unknowns;
+    std::vector<double> along;
+    const auto add = [&](int first, double slope_x, double slope_y) {
+      for (int i = 0; i < shares.count; ++i) {
+        const double share = shares.share[static_cast<std::size_t>(i)];
+        unknowns.push_back(first + i);
+        along.push_back(slope_x * share);
+        pass.Slope(first + i, (slope_y - cover.slope * slope_x) * share);
+      }
+    };
+    add(layout_.Curve(0) + shares.first, 1.0, 0.0);
+    add(layout_.Curve(1) + shares.first, 0.0, 1.0);
+    for (int j = 0; j < n; ++j) {
+      const double arm = layout_.model.arm(point, j);
+      const auto [sine, cosine] = FineSinCos(layout_.ValueOf(x, 2 + j, shares));
+      const int first = layout_.Curve(2 + j) + shares.first;
+      add(first, -arm * sine, arm * cosine);
+      const double curvature = multiplier * arm * (-sine + cover.slope * cosine);
+      for (int a = 0; a < shares.count; ++a)
+        for (int b = 0; b <= a; ++b)
+          pass.Bend(first + a, first + b,
+                    curvature * shares.share[static_cast<std::size_t>(a)] *
+                        shares.share[static_cast<std::size_t>(b)]);
+    }
+    for (std::size_t a = 0; a < unknowns.size(); ++a)
+      for (std::size_t b = 0; b <= a; ++b)
+        pass.Bend(unknowns[a], unknowns[b], -multiplier * cover.bend * along[a] * along[b]);
+    return now.y - cover.value;
+  };
   const auto give = [&](int first) {
     if (first < 0) return 0.0;
     pass.Slope(first, -1.0);
@@ -255,11 +292,16 @@ void Transcription::Go(Pass<kSlopes>& pass) const {
     along += give(gives);
     pass.End(along);
     double up = locate(pin.at, endpoint, false, pass.Multiplier()) - layout_.stance_start[stance].y;
+    if (place >= 0 && !layout_.ground.Level()) {
+      const PlanGround::Height ground = layout_.ground.At(x[place]);
+      up -= ground.value;
+      pass.Slope(place, -ground.slope);
+    }
     up += give(gives < 0 ? -1 : gives + 2);
     pass.End(up);
   }
   for (const PlanConditions::Clearance& clearance : conditions_.clearances) {
-    const double height = locate(clearance.at, clearance.endpoint, false, pass.Multiplier());
+    const double height = rise(clearance.at, clearance.point, pass.Multiplier());
     pass.Slope(clearance.height, -1.0);
     pass.End(height - x[clearance.height]);
   }
@@ -329,8 +371,10 @@ void Transcription::SlopesAt(const Eigen::VectorXd& x, const Eigen::VectorXd& mu
 Eigen::VectorXd Transcription::Completed(const Eigen::VectorXd& unknowns) const {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(Variables());
   x.head(layout_.unknowns) = unknowns.head(layout_.unknowns);
-  for (const PlanConditions::Clearance& clearance : conditions_.clearances)
-    x[clearance.height] = layout_.EndpointAt(x, clearance.at, clearance.endpoint).y;
+  for (const PlanConditions::Clearance& clearance : conditions_.clearances) {
+    const PlanLayout::Point point = layout_.EndpointAt(x, clearance.at, clearance.point);
+    x[clearance.height] = point.y - layout_.ground.CoverAt(point.x).value;
+  }
   for (const PlanConditions::Limit& limit : conditions_.limits) {
     if (limit.angle < 0) continue;
     const int parent = layout_.model.parent[static_cast<std::size_t>(limit.joint) + 1];

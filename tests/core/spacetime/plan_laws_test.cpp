@@ -8,9 +8,11 @@
 
 #include "core/document/json.h"
 #include "core/numeric/random.h"
+#include "core/spacetime/plan_ground.h"
 #include "core/spacetime/plan_guess.h"
 #include "core/spacetime/planner.h"
 #include "core/spacetime/transcription.h"
+#include "core/world/terrain.h"
 #include "tests/scene.h"
 
 namespace gaitsmith::test {
@@ -162,8 +164,50 @@ TEST_CASE("a swing from rest to rest costs what the calculus of variations says"
   }
 }
 
+TEST_CASE("nothing of a planned motion passes through drawn ground", "[spacetime]") {
+  const PlanScene scene = ShippedPlan("lamp-hurdle");
+  const PlanAnswer answer = SolvePlan(scene, {});
+  REQUIRE(answer.motion);
+  const Terrain terrain(scene.environment.ground);
+  double least = 1.0;
+  for (int i = 0; i <= 1000; ++i) {
+    const PlannedMotion::Instant at = answer.motion->At(answer.motion->DurationS() * i / 1000);
+    for (int rod = 0; rod < scene.skeleton.rods; ++rod) {
+      const PlannedMotion::Vector &from = at.endpoints[static_cast<std::size_t>(
+                                      scene.skeleton.limbs[static_cast<std::size_t>(rod)].start)],
+                                  &to = at.endpoints[static_cast<std::size_t>(rod) + 1];
+      for (int part = 0; part <= 8; ++part) {
+        const double x = from.x + (to.x - from.x) * part / 8.0, y = from.y + (to.y - from.y) * part / 8.0;
+        least = std::min(least, y - terrain.HeightAt(x));
+      }
+    }
+  }
+  CHECK(least > -0.01);
+  // The same plan on level ground would not clear it.
+  CHECK(answer.motion->At(1.0).centre.y > 0.2);
+}
+
+TEST_CASE("the cover of drawn ground is smooth and nowhere below it", "[spacetime]") {
+  const std::vector<Corner> ground{{0.0f, 0.0f},  {0.0f, 0.3f}, {0.04f, 0.3f},
+                                   {0.04f, 0.0f}, {1.0f, 0.0f}, {2.0f, 0.5f}};
+  const PlanGround plan(ground, 0.5);
+  const Terrain terrain(ground);
+  for (int i = -200; i <= 600; ++i) {
+    const double x = 0.01 * i, height = terrain.HeightAt(0.5 * x) / 0.5;
+    const PlanGround::Height cover = plan.CoverAt(x);
+    CHECK(cover.value >= height - 1e-9);
+    constexpr double kH = 1e-6;
+    CHECK_THAT(cover.slope,
+               WithinAbs((plan.CoverAt(x + kH).value - plan.CoverAt(x - kH).value) / (2 * kH), 1e-3));
+    CHECK_THAT(cover.bend,
+               WithinAbs((plan.CoverAt(x + kH).slope - plan.CoverAt(x - kH).slope) / (2 * kH), 1e-1));
+  }
+  CHECK(plan.CoverAt(-0.3).value < 1e-9);
+  CHECK_THAT(plan.At(3.0).value, WithinAbs(0.5, 1e-6));
+}
+
 TEST_CASE("the derivatives of a plan's program are those of its values", "[spacetime]") {
-  const PlanScene scene = ShippedPlan("lamp-jump");
+  const PlanScene scene = ShippedPlan(GENERATE("lamp-jump", "lamp-hurdle"));
   const PlanLayout layout(scene, {.degree = 4, .pieces_per_second = 6});
   const Eigen::VectorXd guess = GuessPlan(scene, layout);
   RandomStream random(3, 1, 1);
