@@ -64,7 +64,7 @@ Plan JumpPlan(const Document& d) {
   }
   Keyframe end{.step = plan.steps, .pose_rad = {}, .turned = true};
   end.pose_rad.assign(static_cast<std::size_t>(skeleton.joints), 0.0f);
-  end.marks = {{.axes = MarkAxes::kAlong, .x_m = 0.5f * (highest - lowest)}};
+  end.marks = {{.axes = MarkAxes::kAlong, .x_m = 0.25f * (highest - lowest)}};
   end.still = !plan.stances.empty();
   plan.keyframes = {std::move(end)};
   return plan;

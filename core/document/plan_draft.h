@@ -11,7 +11,7 @@ namespace gaitsmith {
 /// The endpoints that stand in the drawn pose at the start [indices in the skeleton's order].
 [[nodiscard]] std::vector<int> StandingAtStart(const Document&);
 
-/// A jump to the right by about half the figure's height, from the drawn pose back into it.
+/// A jump to the right by a quarter of the figure's height, from the drawn pose back into it.
 [[nodiscard]] Plan JumpPlan(const Document&);
 
 /// When each endpoint stands in a motion: as long as the ground pushes it. Short breaks are closed, and what

@@ -29,20 +29,31 @@ void CarryOutPlan(const Document& document, const PlanGrid& fine, const PlanList
 
   std::optional<PlannedMotion> motion;
   if (!document.plan.solved.unknowns.empty()) motion = SolvedMotion(document);
-  for (const auto& [stage, grid] : {std::pair{Stage::kCoarse, PlanGrid{}}, std::pair{Stage::kFine, fine}}) {
-    PlanAnswer answer = SolvePlan(scene, grid, motion ? &*motion : nullptr, watch);
-    if (!wanted) return;
+  const auto take = [&](PlanAnswer answer) {
     report.cost = answer.cost;
-    if (!answer.motion) {
-      report.document = document;
-      report.misses = std::move(answer.misses);
-      static_cast<void>(tell(Stage::kRefused));
-      return;
-    }
     motion = std::move(answer.motion);
     report.document = WithSolution(document, *motion);
-    if (!tell(stage)) return;
+  };
+  PlanAnswer coarse = SolvePlan(scene, {}, motion ? &*motion : nullptr, watch);
+  if (!wanted) return;
+  if (!coarse.motion) {
+    report.document = document;
+    report.misses = std::move(coarse.misses);
+    static_cast<void>(tell(Stage::kRefused));
+    return;
   }
+  take(std::move(coarse));
+  if (!tell(Stage::kCoarse)) return;
+  // Where the finest does not converge, a lower degree may. What obeys the laws coarsely is good enough.
+  for (const int degree : {fine.degree, 3}) {
+    PlanAnswer answer = SolvePlan(scene, {degree, fine.pieces_per_second}, &*motion, watch);
+    if (!wanted) return;
+    if (!answer.motion) continue;
+    take(std::move(answer));
+    break;
+  }
+  report.document = WithSolution(document, *motion);
+  if (!tell(Stage::kFine)) return;
   PlanPlayback playback = PlayPlan(document, *motion, [&](const PlannedMotion&, int) {
     ++report.iterations;
     return tell(Stage::kRelaxing);

@@ -21,6 +21,7 @@ constexpr double kGammaTheta = 1e-5, kGammaPhi = 1e-8, kDelta = 1.0, kSTheta = 1
 constexpr double kKappa1 = 1e-2;  // how far inside its bounds a start is pushed
 constexpr int kMostCorrections = 4;
 constexpr double kLeastStep = 1e-8;
+constexpr double kAcceptable = 3e-2;  // of the slopes, where no step makes it better
 constexpr int kMostRepairs = 40;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -52,7 +53,16 @@ class Solver {
         break;
       }
       LowerBarrier();
-      if (!Step() && !Repair()) {
+      if (Step()) continue;
+      // Near the minimum rounding hides whether a step makes it better.
+      if (now_.equations.lpNorm<Eigen::Infinity>() <= settings_.tolerance) {
+        if (SinkBarrier()) continue;
+        if (ErrorOf(0.0) <= kAcceptable) {
+          end = SolveEnd::kSolved;
+          break;
+        }
+      }
+      if (!Repair()) {
         end = SolveEnd::kStuck;
         break;
       }
@@ -153,11 +163,16 @@ class Solver {
                      gap / bound_scale});
   }
 
-  void LowerBarrier() {
+  /// The next barrier. @return false: it is the last one already
+  bool SinkBarrier() {
     const double least = settings_.tolerance / 10.0;
-    while (mu_ > least && ErrorOf(mu_) <= kKappaEpsilon * mu_) {
-      mu_ = std::max(least, std::min(kKappaMu * mu_, mu_ * std::sqrt(mu_)));  // its theta_mu is 1.5
-      filter_.clear();
+    if (mu_ <= least) return false;
+    mu_ = std::max(least, std::min(kKappaMu * mu_, mu_ * std::sqrt(mu_)));  // its theta_mu is 1.5
+    filter_.clear();
+    return true;
+  }
+  void LowerBarrier() {
+    while (ErrorOf(mu_) <= kKappaEpsilon * mu_ && SinkBarrier()) {
     }
   }
 

@@ -241,10 +241,10 @@ void Transcription::Go(Pass<kSlopes>& pass) const {
     std::vector<double> along;
     const auto add = [&](int first, double slope_x, double slope_y) {
       for (int i = 0; i < shares.count; ++i) {
-        const double share = shares.share[static_cast<std::size_t>(i)];
+        const double part = shares.share[static_cast<std::size_t>(i)];
         unknowns.push_back(first + i);
-        along.push_back(slope_x * share);
-        pass.Slope(first + i, (slope_y - cover.slope * slope_x) * share);
+        along.push_back(slope_x * part);
+        pass.Slope(first + i, (slope_y - cover.slope * slope_x) * part);
       }
     };
     add(layout_.Curve(0) + shares.first, 1.0, 0.0);

@@ -15,6 +15,11 @@ namespace {
 
 constexpr double kPlanSettledS = 0.12;  // a dragged slider changes every frame
 
+/// Whether the motion is the one that a plan before was played as.
+bool IsPlayed(const Document& d) {
+  return d.controllers.size() == 1 && d.timeline.size() == 1 && d.controllers[0].name == "planned";
+}
+
 /// Whether the plan has such a part. Reports come from another program.
 bool Has(const Plan& plan, const PlanPart& part) {
   using Kind = PlanPart::Kind;
@@ -90,6 +95,7 @@ void PlanRun::Advance(double seconds) {
   }
   state_ = State::kWorks;
   report_ = {};
+  fine_ = false;
   workspace_.TheHost().StartPlan(asked_, ++generation_);
 }
 
@@ -99,8 +105,14 @@ void PlanRun::OnReport(int generation, PlanReport report) {
   std::erase_if(report_.misses, [&](const PlanMiss& miss) { return !Has(asked_.plan, miss.part); });
   switch (report_.stage) {
     case PlanReport::Stage::kRelaxing:
-    case PlanReport::Stage::kCoarse:
+      // What relaxes after that are corrections of what is played, not the plan.
+      if (fine_) return;
+      return comparison_.ShowPlanned(report_.document);
     case PlanReport::Stage::kFine:
+      fine_ = true;
+      workspace_.Report(Words());
+      [[fallthrough]];
+    case PlanReport::Stage::kCoarse:
       return comparison_.ShowPlanned(report_.document);
     case PlanReport::Stage::kRefused:
       state_ = State::kRefused;
@@ -110,8 +122,10 @@ void PlanRun::OnReport(int generation, PlanReport report) {
   }
   state_ = State::kDone;
   const Document& played = report_.document;
+  constexpr int kRest = 50;  // steps in which one sees where it ends
+  const bool again = IsPlayed(workspace_.Doc());
   workspace_.Change([&](Document& d) {
-    const int duration = d.timeline.empty() ? played.plan.steps + 50 : d.duration_steps;
+    const int duration = again ? d.duration_steps : played.plan.steps + kRest;
     CopyParts(played,
               {Part::kControllers, Part::kTimeline, Part::kSearchStart, Part::kTakeover, Part::kPlan,
                Part::kLineage},
@@ -121,6 +135,7 @@ void PlanRun::OnReport(int generation, PlanReport report) {
   asked_ = workspace_.Doc();
   last_ = asked_.plan.solved;
   comparison_.ShowPlanned(asked_);
+  if (!again) workspace_.Player().Present();
   workspace_.Report(Words());
 }
 
@@ -143,6 +158,7 @@ std::string PlanRun::Words() const {
     case State::kWaits:
       return Tr("Planning begins.");
     case State::kWorks:
+      if (report_.stage == PlanReport::Stage::kFine || fine_) return Tr("Planned. The simulator tries it.");
       return Tr("Planning: step {1}", std::to_string(report_.iterations));
     case State::kDone:
       return PlayedWords(report_);

@@ -61,6 +61,7 @@ class PlanRun {
   PlanReport report_;  // the last one
   std::string fault_;  // why it is impossible
   int generation_ = 0;
+  bool fine_ = false;  // the motion is found, and being played
   double unchanged_for_s_ = 0.0;
 };
 

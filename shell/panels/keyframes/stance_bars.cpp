@@ -11,7 +11,7 @@
 namespace gaitsmith::shell {
 namespace {
 
-constexpr float kKeyRow = 26.0f, kRow = 20.0f, kNames = 26.0f;
+constexpr float kKeyRow = 28.0f, kRow = 24.0f, kTouchRow = 34.0f, kNames = 26.0f;
 
 std::string SecondsWords(int steps) { return Fixed(static_cast<float>(steps) * kStep, 2) + " s"; }
 
@@ -19,6 +19,7 @@ std::string SecondsWords(int steps) { return Fixed(static_cast<float>(steps) * k
 struct Field {
   ImRect rect;
   int steps;
+  float row;  // height of an endpoint's
 
   [[nodiscard]] float X(int step) const {
     return rect.Min.x + static_cast<float>(step) / static_cast<float>(steps) * rect.GetWidth();
@@ -29,7 +30,7 @@ struct Field {
         steps);
   }
   [[nodiscard]] float Top(int endpoint) const {
-    return rect.Min.y + kKeyRow + kRow * static_cast<float>(endpoint);
+    return rect.Min.y + kKeyRow + row * static_cast<float>(endpoint);
   }
 };
 
@@ -76,15 +77,16 @@ void DrawBar(Ui& ui, Session& session, const Field& field, std::size_t index, St
   const Stance stance = session.Keyframes().Shown().stances[index];
   const int number = static_cast<int>(index);
   const float top = field.Top(stance.endpoint);
-  const ImRect bar({field.X(stance.first_step), top + 3.0f}, {field.X(stance.last_step), top + kRow - 3.0f});
+  const ImRect bar({field.X(stance.first_step), top + 4.0f},
+                   {field.X(stance.last_step), top + field.row - 4.0f});
   const bool chosen = state.stance == number;
   const ImU32 colour = ui.Look().Rule(stance.endpoint);
   for (const bool last : {false, true}) {
     const float x = last ? bar.Max.x : bar.Min.x, middle = bar.GetCenter().x;
     const float reach = ui.Look().touch ? 14.0f : 7.0f;
     // Each end has its half of the bar, and a little outside it.
-    const ImRect grip = last ? ImRect({std::max(middle, x - 24.0f), bar.Min.y}, {x + reach, bar.Max.y})
-                             : ImRect({x - reach, bar.Min.y}, {std::min(middle, x + 24.0f), bar.Max.y});
+    const ImRect grip = last ? ImRect({std::max(middle, x - 24.0f), top}, {x + reach, top + field.row})
+                             : ImRect({x - reach, top}, {std::min(middle, x + 24.0f), top + field.row});
     const int at = last ? stance.last_step : stance.first_step;
     const Touch touch = ui.Area(
         "keyframes/stance/" + std::to_string(index) + (last ? "/until" : "/from"), grip, Grab::kArrows,
@@ -110,12 +112,14 @@ void DrawBar(Ui& ui, Session& session, const Field& field, std::size_t index, St
 
 void DrawStanceBars(Ui& ui, Session& session, StanceBarsState& state) {
   const int endpoints = session.Player().Shown().Bones().endpoints;
-  const ImRect row = ui.Row(kKeyRow + kRow * static_cast<float>(endpoints) + 26.0f);
+  const float height = ui.Look().touch ? kTouchRow : kRow;
+  const ImRect row = ui.Row(kKeyRow + height * static_cast<float>(endpoints) + 26.0f);
   ui.Frame(row, ui.Ink().paper, ui.Ink().line, 9.0f);
   const Field field{{{row.Min.x + kNames, row.Min.y + 4.0f}, {row.Max.x - 14.0f, row.Max.y - 22.0f}},
-                    session.Keyframes().Shown().steps};
+                    session.Keyframes().Shown().steps,
+                    height};
   for (int k = 0; k < endpoints; ++k) {
-    const float y = field.Top(k) + 0.5f * kRow;
+    const float y = field.Top(k) + 0.5f * height;
     ui.Letters().Draw(ui.Canvas(), Type::kSmall, {row.Min.x + 10.0f, y}, ui.Ink().second_ink,
                       std::to_string(k + 1));
     ui.Canvas()->AddLine({field.rect.Min.x, y}, {field.rect.Max.x, y}, ui.Ink().line, 1.0f);

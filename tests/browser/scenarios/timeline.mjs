@@ -225,7 +225,7 @@ async function keyframes({ browser, address }) {
   await sameNatively(page);
 
   // The end of a bar, by mouse: the figure lands later.
-  await pointer.scrollTo('keyframes/stance/1/from', 24);
+  await pointer.scrollTo('keyframes/stance/1/from', 20);
   const end = await pointer.centre('keyframes/stance/1/from');
   await pointer.drag(end, { x: end.x + 12, y: end.y });
   const later = await documentOf(page);
