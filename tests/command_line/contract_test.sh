@@ -70,7 +70,7 @@ warns 0 "$gaitsmith" synthesize --problem anvil-2.json --joints strong --evaluat
 same "$(sed -n 's/^  "\([a-z_]*\)": \[$/\1/p' catalogue.json | tr '\n' ' ')" \
   "algorithms tasks terms senses sense_kinds control_modes controller_kinds panels locks exporters languages gene_groups " "tables of the catalogue"
 same "$(sed -n 's/.*"name": "\([a-z]*\)".*"number": \([0-9]*\).*/\1 \2/p' catalogue.json | tr '\n' ' ')" \
-  "figure 0 controller 1 style 2 search 3 lab 4 timeline 5 " "numbers of panels in links"
+  "figure 0 controller 1 style 2 search 3 lab 4 timeline 5 keyframes 6 " "numbers of panels in links"
 refuses 'all: catalogue takes no words' "$gaitsmith" catalogue all
 
 # Children of picked motions: the same for any number of threads, and picks of a next round.

@@ -91,9 +91,8 @@ void DrawWhole(Ui& ui, Session& session) {
 }  // namespace
 
 void DrawKeyframesPanel(Ui& ui, Session& session, KeyframesPanelState& state) {
-  ui.Paragraph(Tr("Say where the figure is at some moments, and what stands when. The motion between follows "
-                  "from the laws "
-                  "of motion, with as little effort as possible."),
+  ui.Paragraph(Tr("Place the figure at some moments, and choose what stands when. The motion between "
+                  "follows from the laws of motion, with as little effort as possible."),
                Type::kNote);
   ui.Gap(6.0f);
   if (!session.Keyframes().Open()) {

@@ -128,6 +128,10 @@ TEST_CASE("golden links: every link of version 9 opens with its motion", "[golde
   CheckLinks(9, 1);
 }
 
+TEST_CASE("golden links: every link of version 10 opens with its motion", "[golden][links]") {
+  CheckLinks(10, 2);
+}
+
 // Separate cases, which run side by side: this is the longest test.
 TEST_CASE("golden links: no link of version 1 that was changed in one byte or cut short opens",
           "[golden][links]") {
@@ -172,6 +176,11 @@ TEST_CASE("golden links: no link of version 8 that was changed in one byte or cu
 TEST_CASE("golden links: no link of version 9 that was changed in one byte or cut short opens",
           "[golden][links]") {
   CheckDamage(9);
+}
+
+TEST_CASE("golden links: no link of version 10 opens after it was damaged in one character or cut off",
+          "[golden][links]") {
+  CheckDamage(10);
 }
 
 }  // namespace gaitsmith::test
