@@ -22,7 +22,7 @@ namespace gaitsmith {
 /// Whether two plans ask for the same motion.
 [[nodiscard]] bool SameWishes(const Plan&, const Plan&);
 
-/// Forgets a solution that does not fit the document's figure and plan any more.
+/// Forgets a solution that has another number of unknowns than the document's figure and plan.
 void DropStaleSolution(Document&);
 
 }  // namespace gaitsmith

@@ -7,7 +7,7 @@
 
 namespace gaitsmith {
 
-/// @param document of the plan. The motion lasts as long as the document's, at rest after the plan's end
+/// @param document of the plan. The motion lasts as long as the document's, held after the plan's end
 [[nodiscard]] Motion RecordPlanned(const Document& document, const PlannedMotion& planned);
 
 }  // namespace gaitsmith

@@ -91,7 +91,7 @@ struct FineSineCosine {
 };
 
 /// sin(x) and cos(x) in double precision. For |x| <= 8192 the absolute error is below 1e-15. Polynomials of
-/// [Moshier 1992].
+/// [Moshier 1992]. @param x_rad finite, |x| <= 3e9
 [[nodiscard]] FineSineCosine FineSinCos(double x_rad);
 
 /// e^x. For |x| <= 700 the relative error is below 1e-15. Below -700 the result is 0, above 700 it is e^700.

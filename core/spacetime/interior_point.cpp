@@ -336,6 +336,7 @@ class Solver {
       Eigen::VectorXd right = Eigen::VectorXd::Zero(variables_ + equations_);
       right.tail(equations_) = -now_.equations;
       const Eigen::VectorXd dx = system_.Solve(right).head(variables_);
+      if (!dx.allFinite()) return false;
       bool moved = false;
       for (double share = LongestStep(dx); share >= kLeastStep; share *= 0.5) {
         Eigen::VectorXd x = at_.x + share * dx;

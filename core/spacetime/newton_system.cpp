@@ -11,7 +11,8 @@ namespace {
 /// b: a trace of freedom in every equation, so that equations that follow from others do no harm. It vanishes
 /// from the solution, where multipliers no longer change.
 constexpr double kGive = 1e-9;
-constexpr double kLeastConvexity = 1e-12, kFirstConvexity = 1e-4, kMostConvexity = 1e12;
+/// a is never less, for variables that nothing depends on.
+constexpr double kLeastConvexity = 1e-10, kFirstConvexity = 1e-4, kMostConvexity = 1e12;
 constexpr int kRefinements = 3;
 
 }  // namespace
@@ -45,7 +46,8 @@ void NewtonSystem::Fill(const SparseEntries& hessian, double hessian_share, cons
 NewtonSystem::Outcome NewtonSystem::Try(const Eigen::VectorXd& diagonal, double convexity) {
   Eigen::Map<Eigen::VectorXd> values(matrix_.valuePtr(), matrix_.nonZeros());
   values = filled_;
-  for (int i = 0; i < variables_; ++i) values[slot_[static_cast<std::size_t>(i)]] += diagonal[i] + convexity;
+  for (int i = 0; i < variables_; ++i)
+    values[slot_[static_cast<std::size_t>(i)]] += diagonal[i] + std::max(convexity, kLeastConvexity);
   for (int i = variables_; i < variables_ + equations_; ++i)
     values[slot_[static_cast<std::size_t>(i)]] -= kGive;
   factors_.factorize(matrix_);

@@ -14,6 +14,8 @@ namespace {
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
 /// Directions change by at most this in a step of the solver [rad].
 constexpr double kMostTurn = 1.0;
+/// How far the middle of a rod that lies may be below the cover of drawn ground [longest rods].
+constexpr double kSunk = 0.02;
 
 /// Gauss's points in [-1, 1] and their weights, exact for polynomials up to the ninth degree.
 struct GaussPoint {
@@ -135,27 +137,33 @@ void PlanConditions::AddPhase(const Eigen::VectorXd& guess, std::size_t index) {
     const bool stood = index == 0 || stands(index - 1, endpoint);
     // A rod that lies on the ground: one of its ends keeps its place, and the rod its direction. Two heights
     // would also let it lie the other way round.
+    bool drawn = false;  // both ends have stood since the start
     const int rod = [&] {
       for (std::size_t other = 0; other < c; ++other) {
         const int outer = std::max(endpoint, phase.contacts[other]),
                   inner = std::min(endpoint, phase.contacts[other]);
-        if (scene_.skeleton.limbs[static_cast<std::size_t>(outer) - 1].start == inner) return outer - 1;
+        if (scene_.skeleton.limbs[static_cast<std::size_t>(outer) - 1].start != inner) continue;
+        const auto since_start = [&](std::size_t at) {
+          return scene_.plan.stances[static_cast<std::size_t>(phase.stances[at])].first_step == 0;
+        };
+        drawn = since_start(c) && since_start(other);
+        return outer - 1;
       }
       return -1;
     }();
     double direction = 0.0;
     if (rod >= 0) {
-      // Since the start as it is drawn, later as it is nearest to.
+      // As it is drawn, or as it is nearest to.
       const PlanInstant end =
           layout_.At(phase.first_piece + phase.pieces - 1, layout_.TimeOf(phase.last_step));
-      direction = index == 0 ? layout_.start_direction[static_cast<std::size_t>(rod)]
-                             : kPi * std::round(layout_.ValueOf(guess, 2 + rod, end.position[0]) / kPi);
+      direction = drawn ? layout_.start_direction[static_cast<std::size_t>(rod)]
+                        : kPi * std::round(layout_.ValueOf(guess, 2 + rod, end.position[0]) / kPi);
     }
     const int give = stance_give[static_cast<std::size_t>(phase.stances[c])];
     for (std::size_t i = stood ? known : 0; i < centres.size(); ++i) {
       const PlanInstant at = layout_.At(PieceWithin(layout_, phase, centres[i]), centres[i]);
-      if (rod < 0)
-        pins.push_back({at, phase.stances[c]});
+      if (rod < 0 || !layout_.ground.Level())  // drawn ground says how the rod lies
+        pins.push_back({at, phase.stances[c], rod < 0});
       else
         lines.push_back({2 + rod, -1, at.position[0], direction, give < 0 ? -1 : give + 2});
     }
@@ -169,11 +177,12 @@ void PlanConditions::AddPhase(const Eigen::VectorXd& guess, std::size_t index) {
     return stands(at, rod + 1) && stands(at, scene_.skeleton.limbs[static_cast<std::size_t>(rod)].start);
   };
   for (int point = 0; point < points; ++point) {
-    if (is_down(index, point)) continue;
-    const std::size_t skipped = index == 0 || is_down(index - 1, point) ? 2 : 0;
-    const std::size_t end = centres.size() - (is_down(index + 1, point) ? 1 : 0);
+    const bool lies = is_down(index, point);
+    if (lies && point < endpoints) continue;
+    const std::size_t skipped = !lies && (index == 0 || is_down(index - 1, point)) ? 2 : 0;
+    const std::size_t end = centres.size() - (!lies && is_down(index + 1, point) ? 1 : 0);
     for (std::size_t i = skipped; i < end; ++i) {
-      const int height = AddVariable(0.0, kNoBound, kNoBound);
+      const int height = AddVariable(lies ? -kSunk : 0.0, kNoBound, kNoBound);
       clearances.push_back({layout_.At(PieceWithin(layout_, phase, centres[i]), centres[i]), point, height});
     }
   }

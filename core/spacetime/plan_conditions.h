@@ -20,6 +20,7 @@ struct PlanConditions {
   struct Pin {
     PlanInstant at;
     int stance;
+    bool x;  // whether also along the ground
   };
   /// A point in the air is above the ground.
   struct Clearance {

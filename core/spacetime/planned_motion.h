@@ -54,7 +54,7 @@ class PlannedMotion {
   [[nodiscard]] double DurationS() const;
   /// At the ends of the pieces; between two of them everything is smooth.
   [[nodiscard]] std::vector<double> BreaksS() const;
-  /// Of the ground on an endpoint that lands [N s].
+  /// Of the ground on an endpoint that stands when one lands [N s].
   struct Blow {
     double time_s;
     int endpoint;

@@ -21,6 +21,24 @@ constexpr double kStartGap = 0.01;
 /// Where a motion to start from is near, so is the barrier.
 constexpr double kNearBarrier = 1e-3;
 
+/// The finest description that plans are made for.
+constexpr PlanGrid kFinestGrid{.degree = 5, .pieces_per_second = 32};
+/// Second derivatives that are kept at once: half a gigabyte of memory.
+constexpr double kMostBends = 1.2e7;
+
+bool TooMuchFor(const PlanLayout& layout) {
+  if (layout.unknowns > kMaxPlanUnknowns) return true;
+  const double shares = layout.positions.Degree() + 1, force_shares = layout.forces.Degree() + 1;
+  double bends = 0.0;
+  for (const PlanLayout::Phase& phase : layout.phases) {
+    const double columns =
+        layout.model.rods * shares + 2.0 * static_cast<double>(phase.contacts.size()) * force_shares;
+    constexpr double kInstants = 7.0;  // of a piece: quadrature and equations
+    bends += phase.pieces * kInstants * 0.5 * columns * columns;
+  }
+  return bends > kMostBends;
+}
+
 /// A motion that misses as little of the plan as it can, whatever it costs.
 struct Nearest {
   PlannedMotion motion;
@@ -40,6 +58,8 @@ Nearest FindNearest(const PlanScene& scene, const PlanWatch& watch) {
       program, {.x = program.Completed(guess)}, {},
       [&](const Eigen::VectorXd& x, int iteration) { return !watch || watch(motion_of(x), iteration); });
   Nearest nearest{motion_of(solved.at.x), {}, solved.iterations, solved.end == SolveEnd::kCancelled};
+  // A point at which the solver gave up says nothing about the plan.
+  if (solved.end != SolveEnd::kSolved) return nearest;
   for (PlanMiss miss : program.MissesOf(solved.at.x)) {
     if (miss.amount < kMet) break;
     if (miss.part.kind != PlanPart::Kind::kJoint && miss.part.kind != PlanPart::Kind::kTurn)
@@ -56,8 +76,8 @@ Result<void> CheckScene(const PlanScene& scene) {
     return Fail(ErrorCode::kOutOfRange, "environment.sway_rad",
                 "must be 0: keyframes need ground that does not rock");
   const PlanLayout layout(scene, {});
-  if (layout.unknowns > kMaxPlanUnknowns)
-    return Fail(ErrorCode::kTooMany, "plan", "has too many rods, steps and stances to be planned");
+  if (TooMuchFor(PlanLayout(scene, kFinestGrid)))
+    return Fail(ErrorCode::kTooMany, "plan", "is too long for so many rods and stances");
   const PlanInstant begin = layout.At(0, 0.0);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(layout.unknowns);
   x[layout.Curve(1)] = layout.start_y;

@@ -13,8 +13,9 @@ namespace {
 /// What a squared force or impulse costs against a squared torque. It settles how two feet share a load.
 constexpr double kForceCost = 1e-4;
 constexpr double kImpulseCost = 1e-2;
-/// Of the animator's cost when what cannot be met is looked for.
-constexpr double kElasticShare = 0.01;
+/// Of the animator's cost when what cannot be met is looked for: so little that it never pays to miss a wish.
+/// With the standard smoothness; less where smoothness costs more.
+constexpr double kElasticShare = 0.01, kElasticSmoothness = 0.1;
 
 }  // namespace
 
@@ -117,7 +118,7 @@ void Transcription::Go(Pass<kSlopes>& pass) const {
   Eigen::MatrixXd local, spread, turned, both;
   RodMoments::Jacobian jacobian;
   RodMoments::Hessian hessian;
-  const double share = elastic_ ? kElasticShare : 1.0;
+  const double share = elastic_ ? kElasticShare / std::max(1.0, smoothness_ / kElasticSmoothness) : 1.0;
 
   const auto bend = [&](const Columns& columns) {
     local = hessian;
@@ -281,16 +282,18 @@ void Transcription::Go(Pass<kSlopes>& pass) const {
       return phase.contacts[static_cast<std::size_t>(found - phase.stances.begin())];
     }();
     const int gives = conditions_.stance_give[stance];
-    double along = locate(pin.at, endpoint, true, pass.Multiplier());
     const int place = layout_.stance_place[stance];
-    if (place < 0) {
-      along -= layout_.stance_start[stance].x;
-    } else {
-      along -= x[place];
-      pass.Slope(place, -1.0);
+    if (pin.x) {
+      double along = locate(pin.at, endpoint, true, pass.Multiplier());
+      if (place < 0) {
+        along -= layout_.stance_start[stance].x;
+      } else {
+        along -= x[place];
+        pass.Slope(place, -1.0);
+      }
+      along += give(gives);
+      pass.End(along);
     }
-    along += give(gives);
-    pass.End(along);
     double up = locate(pin.at, endpoint, false, pass.Multiplier()) - layout_.stance_start[stance].y;
     if (place >= 0 && !layout_.ground.Level()) {
       const PlanGround::Height ground = layout_.ground.At(x[place]);

@@ -43,22 +43,25 @@ bool Has(const Plan& plan, const PlanPart& part) {
 
 }  // namespace
 
-bool PlanRun::IsOf(const Document& d) const {
-  return SameWishes(d.plan, asked_.plan) &&
-         SameParts(d, asked_, {Part::kFigure, Part::kEnvironment, Part::kStart});
+bool PlanRun::SamePlan(const Document& a, const Document& b) {
+  return SameWishes(a.plan, b.plan) && SameParts(a, b, {Part::kFigure, Part::kEnvironment, Part::kStart});
 }
 
 void PlanRun::Follow(bool opened) {
   const Document& d = workspace_.Doc();
   if (d.plan.Empty() && state_ == State::kNone) return;
-  if (!opened && IsOf(d)) return;
+  if (!opened && SamePlan(d, asked_)) return;
   if (Working()) Stop();
-  // Undo brings a motion back together with what it was planned for.
-  const bool solved = !d.plan.solved.unknowns.empty() && (opened || d.plan.solved != asked_.plan.solved);
+  const bool planned = !d.plan.solved.unknowns.empty();
+  if (opened) settled_ = planned ? d : Document{};
+  // Undo brings a motion back together with what it was planned for. A solution that is still there after an
+  // edit of the body or the world is of what was before.
+  const bool of_this = planned && (d.plan.solved != asked_.plan.solved || SamePlan(d, settled_));
   asked_ = d;
+  if ((d.plan.Empty() || opened) && comparison_.Other().Source() == Ghost::Kind::kPlanned) comparison_.Stop();
   if (d.plan.Empty())
     state_ = State::kNone;
-  else if (solved)
+  else if (of_this || (opened && planned))
     state_ = State::kKept;
   else
     Wait();
@@ -76,27 +79,35 @@ void PlanRun::Again() {
 
 void PlanRun::Stop() {
   if (state_ == State::kWorks) workspace_.TheHost().StopPlan();
-  if (Working()) state_ = State::kKept;
+  if (Working()) state_ = State::kFailed;
 }
 
 void PlanRun::Advance(double seconds) {
   unchanged_for_s_ += seconds;
   if (state_ != State::kWaits || unchanged_for_s_ < kPlanSettledS) return;
   if (search_.Running() && search_.ShowsImprovements()) return;
+  if (workspace_.Layout().Locks(LockedPart::kTimeline) ||
+      workspace_.Layout().Locks(LockedPart::kController)) {
+    state_ = State::kNone;  // what is found could not be taken
+    return;
+  }
   if (const auto planned = CanBePlanned(asked_); !planned) {
     state_ = State::kImpossible;
     fault_ = planned.error().Sentence();
     return workspace_.Say(Words());
   }
-  if (asked_.plan.solved.unknowns.empty()) {
-    // From the last motion, if it has as many unknowns.
-    asked_.plan.solved = last_;
-    DropStaleSolution(asked_);
+  // From the last motion, if the same endpoints stand in it one after another.
+  Document request = asked_;
+  if (settled_.plan.stances.size() == asked_.plan.stances.size()) {
+    if (request.plan.solved.unknowns.empty()) request.plan.solved = settled_.plan.solved;
+    DropStaleSolution(request);
+  } else {
+    request.plan.solved = {};
   }
   state_ = State::kWorks;
   report_ = {};
   fine_ = false;
-  workspace_.TheHost().StartPlan(asked_, ++generation_);
+  workspace_.TheHost().StartPlan(request, ++generation_);
 }
 
 void PlanRun::OnReport(int generation, PlanReport report) {
@@ -124,7 +135,7 @@ void PlanRun::OnReport(int generation, PlanReport report) {
   const Document& played = report_.document;
   constexpr int kRest = 50;  // steps in which one sees where it ends
   const bool again = IsPlayed(workspace_.Doc());
-  workspace_.Change([&](Document& d) {
+  const bool changed = workspace_.Change([&](Document& d) {
     const int duration = again ? d.duration_steps : played.plan.steps + kRest;
     CopyParts(played,
               {Part::kControllers, Part::kTimeline, Part::kSearchStart, Part::kTakeover, Part::kPlan,
@@ -132,8 +143,11 @@ void PlanRun::OnReport(int generation, PlanReport report) {
               d);
     d.duration_steps = std::max(duration, played.plan.steps);
   });
-  asked_ = workspace_.Doc();
-  last_ = asked_.plan.solved;
+  if (!changed) {
+    state_ = State::kFailed;
+    return;
+  }
+  asked_ = settled_ = workspace_.Doc();
   comparison_.ShowPlanned(asked_);
   if (!again) workspace_.Player().Present();
   workspace_.Report(Words());

@@ -49,7 +49,8 @@ class PlanRun {
   void OnFailed(int generation);
 
  private:
-  [[nodiscard]] bool IsOf(const Document&) const;
+  /// Whether two documents have the same plan for the same body in the same world.
+  [[nodiscard]] static bool SamePlan(const Document&, const Document&);
   void Wait();
 
   Workspace& workspace_;
@@ -57,7 +58,7 @@ class PlanRun {
   MotionComparison& comparison_;
   State state_ = State::kNone;
   Document asked_;     // whose plan it is
-  PlanSolution last_;  // of the last plan that was carried out
+  Document settled_;   // the last one whose solution is of its own plan
   PlanReport report_;  // the last one
   std::string fault_;  // why it is impossible
   int generation_ = 0;

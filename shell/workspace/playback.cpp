@@ -22,6 +22,7 @@ void Playback::Load(const Document& document, bool start_over) {
 }
 
 void Playback::LoadPlanned(const Document& document) {
+  if (document.plan.solved.unknowns.empty()) return Load(document, false);
   motion_ = std::make_unique<Motion>(RecordPlanned(document, SolvedMotion(document)));
   Show(document, false);
 }

@@ -32,7 +32,7 @@ class Playback {
   /// Simulates the document. Keeps the present time unless `start_over`.
   void Load(const Document& document, bool start_over);
 
-  /// Shows the motion of the document's solved plan instead.
+  /// Shows the motion of the document's plan instead, if it is solved.
   void LoadPlanned(const Document& document);
 
   /// Measures the shown motion against another demonstration.

@@ -17,8 +17,8 @@ import { scriptAddress } from '../browser/trusted.js';
 
 // Scripts may load over a slow line.
 const START_MS = 30000;
-// Each iteration reports.
-const SILENCE_MS = 10000;
+// An iteration takes a tenth of a second at most, but not each can be shown.
+const SILENCE_MS = 30000;
 // Silence is counted in ticks, so that a machine's sleep counts as one tick.
 const TICK_MS = 1000;
 // How long the worker is kept for the next plan, as for workers of searches.

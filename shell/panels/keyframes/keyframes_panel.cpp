@@ -74,10 +74,13 @@ void DrawWhole(Ui& ui, Session& session) {
                 {.low = 0.001, .high = 10.0, .step = 0.001, .logarithmic = true},
                 Fixed(smooth, smooth < 0.1 ? 3 : 2)))
     session.Keyframes().Change([&](Plan& p) { p.smoothness = static_cast<float>(smooth); });
-  bool beside = session.Comparison().Other().Beside();
-  if (session.Comparison().Other().Source() == Ghost::Kind::kPlanned &&
-      ui.Switch("keyframes/beside", Tr("Planned and played side by side"), beside))
+  const Ghost& other = session.Comparison().Other();
+  bool beside = other.Source() == Ghost::Kind::kPlanned && other.Beside();
+  if (!session.Keyframes().Shown().solved.unknowns.empty() &&
+      ui.Switch("keyframes/beside", Tr("Planned and played side by side"), beside)) {
+    session.Comparison().ShowPlanned(session.Doc());
     session.Comparison().ShowBeside(beside);
+  }
   ui.Gap(6.0f);
   const ImRect row = ui.ControlRow();
   const float middle = row.GetCenter().x;

@@ -89,6 +89,31 @@ TEST_CASE("what cannot be met is named in 19 of 20 corrupted plans", "[spacetime
   CHECK(named >= 19);
 }
 
+TEST_CASE("where nothing can be at rest, no wish is accused", "[spacetime]") {
+  Document d = LampJump();
+  d.start.drop_height_m = 1.0f;
+  d.start.velocity_x_mps = 1.0f;
+  d.plan.steps = 20;
+  d.plan.stances.clear();
+  d.plan.keyframes = {{.step = 10, .marks = {{.axes = MarkAxes::kUp, .y_m = 1.2f}}, .still = true}};
+  REQUIRE(CheckScene(SceneOf(d)));
+  const PlanAnswer answer = SolvePlan(SceneOf(d), {});
+  CHECK_FALSE(answer.motion);
+  CHECK(answer.misses.empty());
+}
+
+TEST_CASE("a plan that would take all memory is refused before it is tried", "[spacetime]") {
+  Document d = LampJump();
+  while (d.figure.rods.size() < kMaxRods)
+    d.figure.rods.push_back({.length_m = 0.2f, .parent = static_cast<int>(d.figure.rods.size()) - 1});
+  d.plan.steps = kMaxPlanSteps;
+  d.plan.keyframes.clear();
+  d.plan.stances.clear();
+  for (int k = 0; k <= kMaxRods; ++k) d.plan.stances.push_back({k, 1, kMaxPlanSteps});
+  REQUIRE(Validate(d));
+  CHECK_FALSE(CheckScene(SceneOf(d)));
+}
+
 TEST_CASE("a solver that is told to stop neither finds nor blames", "[spacetime]") {
   const PlanAnswer answer = SolvePlan(SceneOf(LampJump()), {}, nullptr,
                                       [](const PlannedMotion&, int iteration) { return iteration < 5; });

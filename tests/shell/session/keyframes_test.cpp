@@ -87,6 +87,52 @@ TEST_CASE("keyframes: each edit plans anew, from the motion before", "[keyframes
   CHECK(session.Planning().Now() == Stage::kWaits);  // a report that comes too late
 }
 
+TEST_CASE(
+    "keyframes: what Undo brings back while a plan is made, or after the world changed, is not planned again",
+    "[keyframes]") {
+  QuietHost host;
+  Session session(host);
+  BeginJump(session);
+  session.Advance(1.0);
+  CarryOut(session, host);
+  const std::string solved = shell::test::State(session);
+  const auto edits = {+[](Document& d) {
+                        d.plan.keyframes.back().marks[0].x_m += 0.1f;
+                        d.plan.solved = {};
+                      },
+                      +[](Document& d) { d.environment.friction = 0.5f; }};
+  for (const auto edit : edits) {
+    session.BeginGesture();
+    session.Change(edit);
+    session.Advance(1.0);
+    CHECK(session.Planning().Now() == Stage::kWorks);
+    const std::size_t made = host.planned.size();
+    session.Undo();
+    CHECK(shell::test::State(session) == solved);
+    session.Advance(1.0);
+    CHECK(host.planned.size() == made);
+    CHECK(session.CanRedo());
+  }
+}
+
+TEST_CASE("keyframes: a locked timeline is not planned, and nothing planned outlives its plan",
+          "[keyframes]") {
+  QuietHost host;
+  Session session(host);
+  BeginJump(session);
+  session.Advance(1.0);
+  CarryOut(session, host);
+  CHECK(session.Comparison().Other().Source() == Ghost::Kind::kPlanned);
+  session.Keyframes().Clear();
+  CHECK(session.Comparison().Other().Source() == Ghost::Kind::kNone);
+  BeginJump(session);
+  REQUIRE_FALSE(LockParts("timeline", session.Layout()));
+  const std::size_t made = host.planned.size();
+  session.Advance(1.0);
+  CHECK(host.planned.size() == made);
+  CHECK(session.Planning().Now() == Stage::kNone);
+}
+
 TEST_CASE("keyframes: a plan that cannot be met names what is in the way", "[keyframes]") {
   QuietHost host;
   Session session(host);
