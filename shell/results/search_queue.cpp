@@ -11,8 +11,9 @@ namespace gaitsmith::shell {
 namespace {
 
 // Parts that do not affect a search, and parts that SearchOf recreates.
-constexpr Parts kOutsideSearch = {Part::kTitle,       Part::kSearchStart, Part::kTakeover, Part::kTimeline,
-                                  Part::kControllers, Part::kDuration,    Part::kView,     Part::kHash, Part::kPlan};
+constexpr Parts kOutsideSearch = {Part::kTitle,    Part::kSearchStart, Part::kTakeover,
+                                  Part::kTimeline, Part::kControllers, Part::kDuration,
+                                  Part::kView,     Part::kHash,        Part::kPlan};
 
 }  // namespace
 

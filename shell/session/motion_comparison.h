@@ -34,7 +34,8 @@ class MotionComparison {
   void ShowBeside(bool beside);
   /// Shows the motion of another document of the figure beside this one, with this one's world and pushes.
   void ShowBeside(const Document& other);
-  /// Shows a planned motion behind this one, or beside it if another one is. @param planned with a solved plan
+  /// Shows a planned motion behind this one, or beside it if another one is. @param planned with a solved
+  /// plan
   void ShowPlanned(const Document& planned);
   void Stop();
 

@@ -4,8 +4,8 @@
 //
 // Dependencies go one way. All parts read and change the document through the workspace, and each part knows
 // only those before it in this list: workspace, results, search, live, lab, queue, world, ground,
-// teacher, comparison, timeline, keyframes, planning. The session knows all parts and forwards events from earlier parts to later
-// ones.
+// teacher, comparison, timeline, keyframes, planning. The session knows all parts and forwards events from
+// earlier parts to later ones.
 #pragma once
 
 #include <functional>

@@ -14,7 +14,15 @@ namespace gaitsmith::shell {
 
 /// Stored in documents and links (View::panel), so values never change. A new panel gets the next free
 /// number, whatever its position in the table.
-enum class Panel { kFigure = 0, kController = 1, kStyle = 2, kSearch = 3, kLab = 4, kTimeline = 5, kKeyframes = 6 };
+enum class Panel {
+  kFigure = 0,
+  kController = 1,
+  kStyle = 2,
+  kSearch = 3,
+  kLab = 4,
+  kTimeline = 5,
+  kKeyframes = 6
+};
 /// The greatest panel number that a document can hold.
 inline constexpr int kMaxPanelNumber = 15;
 

@@ -3,8 +3,8 @@
 // angles can be changed. Every change is simulated immediately.
 #pragma once
 
-#include "shell/stage/pose_board.h"
 #include "shell/session/session.h"
+#include "shell/stage/pose_board.h"
 
 namespace gaitsmith::shell {
 

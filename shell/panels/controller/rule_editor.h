@@ -3,8 +3,8 @@
 // change is simulated immediately.
 #pragma once
 
-#include "shell/stage/pose_board.h"
 #include "shell/session/session.h"
+#include "shell/stage/pose_board.h"
 #include "shell/widgets/widgets.h"
 
 namespace gaitsmith::shell {

@@ -241,7 +241,7 @@ async function keyframes({ browser, address }) {
 
   // Nobody jumps ten metres off the ground from standing with both feet down.
   await page.call('a mark far up', () => window.gaitsmith.open(JSON.stringify({ ...window.gaitsmith.document(),
-    plan: { .../** @type {any} */ (window.gaitsmith.document()).plan, solved: undefined,
+    plan: { ...(/** @type {any} */ (window.gaitsmith.document())).plan, solved: undefined,
       keyframes: [{ step: 30, marks: [{ endpoint: -1, axes: 'up', y_m: 10 }] }] } })));
   await page.until('a refusal', () => /cannot be so high at 0\.30 s: [\d.]+ m are missing/.test(document.querySelector('#status')?.textContent ?? ''));
   await page.press('Control+z');

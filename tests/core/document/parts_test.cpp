@@ -105,7 +105,8 @@ Document Full() {
   d.task.shown.pose_rad = {0.5f};
   BreedRound round;
   round.task = d.task;
-  d.plan.keyframes = {{.step = 5, .pose_rad = {0.5f}, .marks = {{.endpoint = 1, .x_m = 1.0f}}}, {.step = 9, .pose_rad = {0.25f}, .marks = {{.x_m = 2.0f}}}};
+  d.plan.keyframes = {{.step = 5, .pose_rad = {0.5f}, .marks = {{.endpoint = 1, .x_m = 1.0f}}},
+                      {.step = 9, .pose_rad = {0.25f}, .marks = {{.x_m = 2.0f}}}};
   d.plan.stances = {{.endpoint = 0, .first_step = 0, .last_step = 3},
                     {.endpoint = 0, .first_step = 5, .last_step = 9}};
   d.plan.solved.unknowns.assign(static_cast<std::size_t>(UnknownsOf(SceneOf(d), {})), 0.5f);
