@@ -35,6 +35,7 @@ std::vector<double> CentresOf(const PlanLayout& layout, const PlanLayout::Phase&
   const std::vector<double> breaks(first, first + phase.pieces + 1);
   const SplineSpace space(degree, breaks, std::vector<int>(breaks.size() - 1, degree));
   std::vector<double> centres;
+  centres.reserve(static_cast<std::size_t>(space.Size()));
   for (int i = 0; i < space.Size(); ++i) centres.push_back(space.Centre(i));
   return centres;
 }

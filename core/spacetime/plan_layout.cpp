@@ -148,10 +148,9 @@ PlanInstant PlanLayout::Landing(int phase) const {
   // The value, over the same coefficients.
   const SplineShares value = positions.At(after.first_piece, at.time, 0);
   at.position[0] = {at.position[2].first, at.position[2].count};
-  for (int i = 0; i < value.count; ++i) {
-    const auto shifted = static_cast<std::size_t>(value.first - at.position[0].first + i);
-    at.position[0].share[shifted] = value.share[static_cast<std::size_t>(i)];
-  }
+  const auto shift = static_cast<std::size_t>(value.first - at.position[0].first);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(value.count); ++i)
+    at.position[0].share[shift + i] = value.share[i];
   at.position[1] = {at.position[2].first, at.position[2].count};
   at.force.count = 1;
   at.force.share[0] = 1.0;

@@ -55,9 +55,9 @@ SplineShares SplineSpace::JumpAt(int piece, double time, int derivative) const {
   SplineShares jump{before.first, after.first + after.count - before.first};
   for (int i = 0; i < before.count; ++i)
     jump.share[static_cast<std::size_t>(i)] -= before.share[static_cast<std::size_t>(i)];
-  for (int i = 0; i < after.count; ++i)
-    jump.share[static_cast<std::size_t>(after.first - before.first + i)] +=
-        after.share[static_cast<std::size_t>(i)];
+  const auto shift = static_cast<std::size_t>(after.first - before.first);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(after.count); ++i)
+    jump.share[shift + i] += after.share[i];
   return jump;
 }
 
@@ -67,7 +67,8 @@ double SplineSpace::Centre(int coefficient) const {
     return 0.5 * (knots_[at] + knots_[at + 1]);
   }
   double sum = 0.0;
-  for (int i = 1; i <= degree_; ++i) sum += knots_[static_cast<std::size_t>(coefficient + i)];
+  const auto before = static_cast<std::size_t>(coefficient);
+  for (std::size_t i = 1; i <= static_cast<std::size_t>(degree_); ++i) sum += knots_[before + i];
   return sum / degree_;
 }
 

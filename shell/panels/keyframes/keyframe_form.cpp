@@ -39,6 +39,7 @@ void DrawPose(const Chosen& of, LimbDrag& drag) {
   }
   if (!posed) return;
   std::vector<ImU32> colours;
+  colours.reserve(static_cast<std::size_t>(bones.joints));
   for (int joint = 0; joint < bones.joints; ++joint) colours.push_back(of.ui.Look().Rule(joint));
   auto edit = DrawPoseBoard(of.ui, "keyframes/pose", Tr("Pose of keyframe {1}: drag a limb", of.index + 1),
                             of.ui.Ink().ink, bones, of.keyframe.pose_rad, {}, drag);

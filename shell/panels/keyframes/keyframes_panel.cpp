@@ -56,6 +56,7 @@ void DrawAdding(Ui& ui, Session& session, KeyframesPanelState& state) {
   ui.Gap(6.0f);
   std::vector<std::string> points;
   const int endpoints = session.Player().Shown().Bones().endpoints;
+  points.reserve(static_cast<std::size_t>(endpoints));
   for (int k = 0; k < endpoints; ++k) points.push_back(Tr("Endpoint {1}", k + 1));
   state.endpoint = std::clamp(state.endpoint, 0, endpoints - 1);
   ui.Combo("keyframes/stance-of", Tr("Standing"), points, state.endpoint);

@@ -15,14 +15,15 @@ const std::vector<double> kBreaks{0.0, 0.3, 1.0, 1.4, 2.5};
 
 double SumOf(const SplineShares& shares, const std::vector<double>& coefficients) {
   double sum = 0.0;
-  for (int i = 0; i < shares.count; ++i)
-    sum +=
-        shares.share[static_cast<std::size_t>(i)] * coefficients[static_cast<std::size_t>(shares.first + i)];
+  const auto first = static_cast<std::size_t>(shares.first);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(shares.count); ++i)
+    sum += shares.share[i] * coefficients[first + i];
   return sum;
 }
 
 std::vector<double> SomeCoefficients(const SplineSpace& space) {
   std::vector<double> coefficients;
+  coefficients.reserve(static_cast<std::size_t>(space.Size()));
   for (int i = 0; i < space.Size(); ++i) coefficients.push_back(std::sin(1.7 * i) + 0.1 * i);
   return coefficients;
 }
@@ -77,6 +78,7 @@ TEST_CASE("a spline breaks where it is told to, and nowhere else", "[spacetime]"
 TEST_CASE("a spline whose coefficients are their centres is time itself", "[spacetime]") {
   const SplineSpace space(3, kBreaks, {3, 2, 1, 3});
   std::vector<double> centres;
+  centres.reserve(static_cast<std::size_t>(space.Size()));
   for (int i = 0; i < space.Size(); ++i) centres.push_back(space.Centre(i));
   CHECK_THAT(SumOf(space.At(1, 0.77, 0), centres), WithinAbs(0.77, 1e-12));
   CHECK_THAT(SumOf(space.At(3, 2.0, 1), centres), WithinAbs(1.0, 1e-12));
