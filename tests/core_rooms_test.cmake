@@ -12,6 +12,7 @@ set(rooms
   "rollout  -> numeric signal control world physics"
   "search   -> numeric signal control rollout"
   "document -> numeric signal control world physics spacetime rollout search"
+  "planning -> numeric signal control world physics spacetime rollout document"
   "breeding -> numeric signal control rollout document search")
 
 set(faults "")

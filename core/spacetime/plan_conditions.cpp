@@ -97,7 +97,20 @@ void PlanConditions::AddStart() {
   }
 }
 
+bool PlanConditions::Stands(std::size_t phase, int endpoint) const {
+  if (phase >= layout_.phases.size()) return false;
+  const std::vector<int>& contacts = layout_.phases[phase].contacts;
+  return std::ranges::find(contacts, endpoint) != contacts.end();
+}
+
 void PlanConditions::AddPhase(const Eigen::VectorXd& guess, std::size_t index) {
+  AddEquations(index);
+  const std::vector<double> centres = CentresOf(layout_, layout_.phases[index], layout_.positions.Degree());
+  AddPins(guess, index, centres);
+  AddClearances(index, centres);
+}
+
+void PlanConditions::AddEquations(std::size_t index) {
   const PlanLayout::Phase& phase = layout_.phases[index];
   const int degree = layout_.positions.Degree();
   for (const double time : CentresOf(layout_, phase, degree - 2))
@@ -125,17 +138,16 @@ void PlanConditions::AddPhase(const Eigen::VectorXd& guess, std::size_t index) {
     integrate(kGauss);
   else
     integrate(kCoarseGauss);
+}
 
-  const std::vector<double> centres = CentresOf(layout_, phase, degree);
+void PlanConditions::AddPins(const Eigen::VectorXd& guess, std::size_t index,
+                             const std::vector<double>& centres) {
+  const PlanLayout::Phase& phase = layout_.phases[index];
   // What the phase before already says of the place and speed of an endpoint that goes on standing.
-  const std::size_t known = index == 0 ? 2 : phase.lands ? 1 : 2;
-  const auto stands = [&](std::size_t at, int endpoint) {
-    return at < layout_.phases.size() &&
-           std::ranges::find(layout_.phases[at].contacts, endpoint) != layout_.phases[at].contacts.end();
-  };
+  const std::size_t known = phase.lands ? 1 : 2;
   for (std::size_t c = 0; c < phase.contacts.size(); ++c) {
     const int endpoint = phase.contacts[c];
-    const bool stood = index == 0 || stands(index - 1, endpoint);
+    const bool stood = index == 0 || Stands(index - 1, endpoint);
     // A rod that lies on the ground: one of its ends keeps its place, and the rod its direction. Two heights
     // would also let it lie the other way round.
     bool drawn = false;  // both ends have stood since the start
@@ -169,13 +181,17 @@ void PlanConditions::AddPhase(const Eigen::VectorXd& guess, std::size_t index) {
         lines.push_back({2 + rod, -1, at.position[0], direction, give < 0 ? -1 : give + 2});
     }
   }
+}
+
+void PlanConditions::AddClearances(std::size_t index, const std::vector<double>& centres) {
+  const PlanLayout::Phase& phase = layout_.phases[index];
   const int endpoints = layout_.model.rods + 1;
   // Drawn ground may also touch rods between their ends.
   const int points = layout_.ground.Level() ? endpoints : endpoints + layout_.model.rods;
   const auto is_down = [&](std::size_t at, int point) {
-    if (point < endpoints) return stands(at, point);
+    if (point < endpoints) return Stands(at, point);
     const int rod = point - endpoints;
-    return stands(at, rod + 1) && stands(at, scene_.skeleton.limbs[static_cast<std::size_t>(rod)].start);
+    return Stands(at, rod + 1) && Stands(at, scene_.skeleton.limbs[static_cast<std::size_t>(rod)].start);
   };
   for (int point = 0; point < points; ++point) {
     const bool lies = is_down(index, point);

@@ -71,6 +71,12 @@ struct PlanConditions {
   int AddGive(PlanPart part);
   void AddStart();
   void AddPhase(const Eigen::VectorXd& guess, std::size_t phase);
+  void AddEquations(std::size_t phase);
+  /// @param centres of the coefficients of a position that starts and ends with the phase
+  void AddPins(const Eigen::VectorXd& guess, std::size_t phase, const std::vector<double>& centres);
+  void AddClearances(std::size_t phase, const std::vector<double>& centres);
+  /// Whether an endpoint stands in a phase; there may be no such phase.
+  [[nodiscard]] bool Stands(std::size_t phase, int endpoint) const;
   void AddKeyframe(std::size_t keyframe);
   void AddLimits();
 

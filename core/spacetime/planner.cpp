@@ -77,7 +77,7 @@ Result<void> CheckScene(const PlanScene& scene) {
                 "must be 0: keyframes need ground that does not rock");
   const PlanLayout layout(scene, {});
   if (TooMuchFor(PlanLayout(scene, kFinestGrid)))
-    return Fail(ErrorCode::kTooMany, "plan", "is too long for so many rods and stances");
+    return Fail(ErrorCode::kTooMany, "plan", "has too many rods and stances for its length");
   const PlanInstant begin = layout.At(0, 0.0);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(layout.unknowns);
   x[layout.Curve(1)] = layout.start_y;

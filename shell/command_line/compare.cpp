@@ -3,7 +3,7 @@
 // of every trial (Figure 6 of the paper).
 #include <filesystem>
 
-#include "shell/command_line/study_options.h"
+#include "shell/command_line/study/study_options.h"
 #include "shell/command_line/trial_crew.h"
 #include "shell/command_line/warnings.h"
 #include "shell/search/parallel_search.h"

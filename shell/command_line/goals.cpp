@@ -13,7 +13,7 @@
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"
-#include "shell/command_line/study_options.h"
+#include "shell/command_line/study/study_options.h"
 #include "shell/command_line/trial_crew.h"
 #include "shell/embedded/embedded.h"
 #include "shell/search/parallel_search.h"

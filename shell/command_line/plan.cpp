@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "core/document/json.h"
-#include "core/document/planning.h"
+#include "core/planning/planning.h"
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"

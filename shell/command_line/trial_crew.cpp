@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "shell/command_line/interruption.h"
-#include "shell/command_line/study_log.h"
+#include "shell/command_line/study/study_log.h"
 #include "shell/command_line/trial.h"
 
 namespace gaitsmith::shell {

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/document/planning.h"
+#include "core/planning/planning.h"
 #include "shell/search/parallel_search.h"
 #include "shell/session/transition_scores.h"
 #include "shell/workspace/host.h"

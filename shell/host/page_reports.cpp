@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/document/binary.h"
-#include "core/document/planning.h"
+#include "core/planning/planning.h"
 #include "shell/host/page_session.h"
 #include "shell/results/progress_record.h"
 #include "shell/words/language.h"

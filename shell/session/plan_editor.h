@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "core/document/plan_draft.h"
+#include "core/planning/plan_draft.h"
 #include "shell/workspace/workspace.h"
 
 namespace gaitsmith::shell {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/document/parts.h"
-#include "core/document/plan_draft.h"
+#include "core/planning/plan_draft.h"
 #include "shell/words/language.h"
 #include "shell/words/plan_words.h"
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "core/document/planning.h"
+#include "core/planning/planning.h"
 #include "shell/results/search_run.h"
 #include "shell/session/motion_comparison.h"
 #include "shell/workspace/workspace.h"

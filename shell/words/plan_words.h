@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/document/planning.h"
+#include "core/planning/planning.h"
 
 namespace gaitsmith::shell {
 

@@ -9,8 +9,8 @@
 
 #include "core/document/composite.h"
 #include "core/document/joints.h"
-#include "core/document/plan_playback.h"
-#include "core/document/plan_recorder.h"
+#include "core/planning/plan_playback.h"
+#include "core/planning/plan_recorder.h"
 #include "core/world/ground_view.h"
 
 namespace gaitsmith::shell {

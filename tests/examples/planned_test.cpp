@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "core/document/json.h"
-#include "core/document/plan_draft.h"
-#include "core/document/plan_playback.h"
-#include "core/document/plan_recorder.h"
+#include "core/planning/plan_draft.h"
+#include "core/planning/plan_playback.h"
+#include "core/planning/plan_recorder.h"
 #include "tests/scene.h"
 
 namespace gaitsmith::test {

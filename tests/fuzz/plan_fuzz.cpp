@@ -5,8 +5,8 @@
 #include <cstdlib>
 
 #include "core/document/json.h"
-#include "core/document/plan_recorder.h"
-#include "core/document/planning.h"
+#include "core/planning/plan_recorder.h"
+#include "core/planning/planning.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace gaitsmith;

@@ -164,7 +164,7 @@ test('plans: a plan that is stopped while the planner loads never starts', async
   assert.deepEqual([workers, failures], [[], []]);
 });
 
-test('plans: a worker that dies or goes silent is told of once; the next plan gets another one', async () => {
+test('plans: a worker that dies or goes silent fails its plan once, and the next plan gets another worker', async () => {
   const { plans, reports, failures, workers, until } = recorded(fakeWorker, { startMs: 60, silenceMs: 30 });
   await plans.start(new Uint8Array(), 1);
   await until(() => failures.length === 1); // it never begins

@@ -27,6 +27,7 @@ const FOLDERS = [
   { name: 'control', title: 'Control', sentence: 'Senses, and the controllers that answer them: rules and networks.' },
   { name: 'signal', title: 'Signals', sentence: 'What passes between controllers and plants: targets and readings.' },
   { name: 'spacetime', title: 'Spacetime', sentence: 'Motions planned between keyframes, and what of a plan cannot be met.' },
+  { name: 'planning', title: 'Planning', sentence: 'Plans of documents: drafted, carried out, and played by the simulator.' },
   { name: 'search', title: 'Searches', sentence: 'How controllers are found.' },
   { name: 'numeric', title: 'Numbers', sentence: 'Arithmetic, random numbers and errors that are the same everywhere.' },
 ];

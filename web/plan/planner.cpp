@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/document/binary.h"
-#include "core/document/planning.h"
+#include "core/planning/planning.h"
 
 EM_JS(void, Reported,
       (const char* stage, std::size_t letters, const std::uint8_t* document, std::size_t bytes,

@@ -6,7 +6,7 @@ import createPlanner from './planner_module.js';
 /** @typedef {import('./planner_module.js').PlannerOptions['reported']} Reported */
 
 /**
- * How a plan is getting on: core/document/planning.h.
+ * How a plan is getting on: core/planning/planning.h.
  * @typedef {object} Progress
  * @property {'relaxing' | 'coarse' | 'fine' | 'played' | 'refused'} stage  the last is 'played' or 'refused'
  * @property {Uint8Array} document    with the motion in its plan, in binary form; of a refused plan empty

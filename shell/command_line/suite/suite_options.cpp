@@ -5,7 +5,7 @@
 
 #include "shell/command_line/files.h"
 #include "shell/command_line/problem_options.h"
-#include "shell/command_line/study_options.h"
+#include "shell/command_line/study/study_options.h"
 
 namespace gaitsmith::shell {
 

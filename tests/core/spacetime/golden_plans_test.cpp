@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "core/document/json.h"
-#include "core/document/planning.h"
 #include "core/physics/trajectory_hash.h"
+#include "core/planning/planning.h"
 #include "tests/scene.h"
 
 namespace gaitsmith::test {

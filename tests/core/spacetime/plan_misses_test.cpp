@@ -114,7 +114,7 @@ TEST_CASE("a plan that would take all memory is refused before it is tried", "[s
   CHECK_FALSE(CheckScene(SceneOf(d)));
 }
 
-TEST_CASE("a solver that is told to stop neither finds nor blames", "[spacetime]") {
+TEST_CASE("a cancelled solver returns no motion and names no miss", "[spacetime]") {
   const PlanAnswer answer = SolvePlan(SceneOf(LampJump()), {}, nullptr,
                                       [](const PlannedMotion&, int iteration) { return iteration < 5; });
   CHECK(answer.cancelled);

@@ -62,7 +62,7 @@ TEST_CASE("a spline's derivatives are those of its values", "[spacetime]") {
   }
 }
 
-TEST_CASE("a spline breaks where it is told to, and nowhere else", "[spacetime]") {
+TEST_CASE("a spline is smooth but for the breaks it was made with", "[spacetime]") {
   const SplineSpace space(5, kBreaks, {5, 2, 1, 5});
   const std::vector<double> c = SomeCoefficients(space);
   const auto jump = [&](int piece, int order) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <catch_amalgamated.hpp>
 
-#include "core/document/planning.h"
+#include "core/planning/planning.h"
 #include "shell/session/session.h"
 #include "tests/shell/session/quiet_host.h"
 
@@ -25,6 +25,13 @@ void CarryOut(Session& session, const QuietHost& host) {
     session.Planning().OnReport(host.plan_generation, report);
     return true;
   });
+}
+
+/// Begins that jump, and carries it out.
+void MakeJump(Session& session, const QuietHost& host) {
+  BeginJump(session);
+  session.Advance(1.0);
+  CarryOut(session, host);
 }
 
 }  // namespace
@@ -55,9 +62,7 @@ TEST_CASE("keyframes: plan and motion are one step of Undo, and what comes back 
   QuietHost host;
   Session session(host);
   const std::string before = shell::test::State(session);
-  BeginJump(session);
-  session.Advance(1.0);
-  CarryOut(session, host);
+  MakeJump(session, host);
   const std::string after = shell::test::State(session);
   session.Undo();
   CHECK(shell::test::State(session) == before);
@@ -70,9 +75,7 @@ TEST_CASE("keyframes: plan and motion are one step of Undo, and what comes back 
 TEST_CASE("keyframes: each edit plans anew, from the motion before", "[keyframes]") {
   QuietHost host;
   Session session(host);
-  BeginJump(session);
-  session.Advance(1.0);
-  CarryOut(session, host);
+  MakeJump(session, host);
   session.BeginGesture();
   session.Keyframes().Change([](Plan& plan) { plan.keyframes.back().marks[0].x_m += 0.1f; });
   CHECK(session.Doc().plan.solved.unknowns.empty());
@@ -92,9 +95,7 @@ TEST_CASE(
     "[keyframes]") {
   QuietHost host;
   Session session(host);
-  BeginJump(session);
-  session.Advance(1.0);
-  CarryOut(session, host);
+  MakeJump(session, host);
   const std::string solved = shell::test::State(session);
   const auto edits = {+[](Document& d) {
                         d.plan.keyframes.back().marks[0].x_m += 0.1f;
@@ -119,9 +120,7 @@ TEST_CASE("keyframes: a locked timeline is not planned, and nothing planned outl
           "[keyframes]") {
   QuietHost host;
   Session session(host);
-  BeginJump(session);
-  session.Advance(1.0);
-  CarryOut(session, host);
+  MakeJump(session, host);
   CHECK(session.Comparison().Other().Source() == Ghost::Kind::kPlanned);
   session.Keyframes().Clear();
   CHECK(session.Comparison().Other().Source() == Ghost::Kind::kNone);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shell/command_line/study_log.h"
+#include "shell/command_line/study/study_log.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

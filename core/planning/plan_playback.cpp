@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/document/plan_playback.h"
+#include "core/planning/plan_playback.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/document/planning.h"
+#include "core/planning/planning.h"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shell/command_line/study_options.h"
+#include "shell/command_line/study/study_options.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/document/plan_recorder.h"
+#include "core/planning/plan_recorder.h"
 
 #include <algorithm>
 #include <cmath>

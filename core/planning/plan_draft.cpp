@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/document/plan_draft.h"
+#include "core/planning/plan_draft.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,8 @@ namespace {
 
 /// As near to the ground as a plan lets an endpoint stand from the start [m per metre of the longest rod].
 constexpr float kNearGround = 0.01f;
-/// Breaks between two contacts of an endpoint that are shorter are none, and so are shorter stances [steps].
+/// Shorter breaks between two contacts of an endpoint are closed; what stands more shortly does not count as
+/// standing [steps].
 constexpr int kShortBreak = 6, kShortStance = 8;
 
 /// Endpoints in the drawn pose, from the centre of mass.

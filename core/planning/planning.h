@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/document/plan_playback.h"
+#include "core/planning/plan_playback.h"
 
 namespace gaitsmith {
 
