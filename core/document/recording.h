@@ -17,11 +17,14 @@ struct Recording {
   double typical_rad = 0.0;  // see CurveFit
 };
 
-/// A document whose one controller is a trajectory that moves the joints like given ones.
+/// A document whose controllers are trajectories that move the joints like given ones, one after another.
 /// @param angles_rad of joints, from the drawn pose on (frames x joints), of at least one joint
-/// @param fit        set to how well it does
-[[nodiscard]] Document WithTrajectory(const Document&, std::string name, std::span<const float> angles_rad,
-                                      int knots, CurveFit& fit);
+/// @param knots      of each trajectory
+/// @param clips      number of trajectories, for equal parts of the motion, [1, frames / 2)
+/// @param worst_rad, typical_rad set, see CurveFit
+[[nodiscard]] Document WithTrajectories(const Document&, const std::string& name,
+                                        std::span<const float> angles_rad, int knots, int clips,
+                                        double& worst_rad, double& typical_rad);
 
 /// @param document must be valid
 /// @param knots    evenly spaced over the motion, [2, kMaxRules]

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "core/numeric/scalar_math.h"
 #include "core/physics/skeleton.h"
 #include "core/signal/actuator_targets.h"
 
@@ -40,5 +41,24 @@ void MoveJoints(const Skeleton& skeleton, const ActuatorTargets<W>& targets, flo
     rate[j] = L::Select(below | above | (L::Abs(free_rate) < kRestRate), F{}, free_rate);
   }
 }
+
+/// One joint without limits, in double precision.
+struct FreeJoint {
+  double angle_rad = 0.0, rate_radps = 0.0;
+
+  /// One step, as MoveJoints.
+  void Advance(double target_rad, double tau_s) {
+    const auto step_s = static_cast<double>(kStep);
+    const double off = angle_rad - target_rad, pull = (rate_radps + off / tau_s) * step_s,
+                 decay = Exp(-step_s / tau_s);
+    angle_rad = target_rad + (off + pull) * decay;
+    rate_radps = (rate_radps - pull / tau_s) * decay;
+  }
+  /// The target that leads to an angle after a time.
+  [[nodiscard]] double TargetFor(double wanted_rad, double after_s, double tau_s) const {
+    const double decay = Exp(-after_s / tau_s), kept = (1.0 + after_s / tau_s) * decay;
+    return (wanted_rad - angle_rad * kept - rate_radps * after_s * decay) / (1.0 - kept);
+  }
+};
 
 }  // namespace gaitsmith

@@ -7,6 +7,9 @@
 
 namespace gaitsmith {
 
+/// The motion of a document's plan. A plan without a solution is an error.
+[[nodiscard]] Result<Motion> RecordPlanned(const Document& document);
+
 /// @param document of the plan. The motion lasts as long as the document's, held after the plan's end
 [[nodiscard]] Motion RecordPlanned(const Document& document, const PlannedMotion& planned);
 

@@ -39,7 +39,7 @@ Eigen::MatrixXd AnswersOf(int frames, const CurveShape& shape, const SenseSpec& 
 }  // namespace
 
 CurveFit FitCurves(std::span<const float> angles_rad, const Skeleton& figure, const CurveShape& shape,
-                   const SenseSpec& senses) {
+                   const SenseSpec& senses, std::span<const FreeJoint> from) {
   const auto joints = static_cast<std::size_t>(shape.joints);
   const int frames = joints == 0 ? 0 : static_cast<int>(angles_rad.size() / joints);
   const Eigen::MatrixXd answers = AnswersOf(frames, shape, senses);
@@ -48,14 +48,20 @@ CurveFit FitCurves(std::span<const float> angles_rad, const Skeleton& figure, co
   normal.diagonal().array() += 1e-6;
   const Eigen::LLT<Eigen::MatrixXd> solver(normal);
 
+  const auto tau_s = static_cast<double>(senses.tau_min_s);
   CurveFit fit{Genome(shape.Genes())};
   double squares = 0.0;
   for (int joint = 0; joint < shape.joints; ++joint) {
     const Skeleton::Limb& limb = figure.limbs[static_cast<std::size_t>(joint) + 1];
+    // What the curve has to add to how the joint moves by itself towards 0.
+    FreeJoint alone = from.empty() ? FreeJoint{} : from[static_cast<std::size_t>(joint)];
     Eigen::VectorXd wanted(frames);
-    for (int frame = 0; frame < frames; ++frame)
+    for (int frame = 0; frame < frames; ++frame) {
+      if (frame > 0) alone.Advance(0.0, tau_s);
       wanted[frame] = static_cast<double>(
           angles_rad[static_cast<std::size_t>(frame) * joints + static_cast<std::size_t>(joint)]);
+      wanted[frame] -= alone.angle_rad;
+    }
     const Eigen::VectorXd right = answers.transpose() * wanted;
     const auto low = static_cast<double>(limb.min_rad), high = static_cast<double>(limb.max_rad);
     Eigen::VectorXd knots = solver.solve(right).cwiseMax(low).cwiseMin(high);
@@ -74,6 +80,15 @@ CurveFit FitCurves(std::span<const float> angles_rad, const Skeleton& figure, co
     const Eigen::VectorXd off = answers * knots - wanted;
     fit.worst_rad = std::max(fit.worst_rad, off.cwiseAbs().maxCoeff());
     squares += off.squaredNorm();
+    FreeJoint& end = fit.end.emplace_back(from.empty() ? FreeJoint{} : from[static_cast<std::size_t>(joint)]);
+    const KnotTimes times(shape.knots, senses);
+    for (int frame = 1; frame < frames; ++frame) {
+      const KnotTimes::Mix mix = times.ValueAt(frame - 1 + JointCurves<1>::kMidStep);
+      double target = 0.0;
+      for (std::size_t i = 0; i < 4; ++i)
+        target += mix.weight[i] * knots[static_cast<Eigen::Index>(mix.knot[i])];
+      end.Advance(target, tau_s);
+    }
   }
   if (shape.joints > 0) fit.typical_rad = std::sqrt(squares / (shape.joints * static_cast<double>(frames)));
   return fit;

@@ -193,14 +193,23 @@ void PlanConditions::AddClearances(std::size_t index, const std::vector<double>&
     const int rod = point - endpoints;
     return Stands(at, rod + 1) && Stands(at, scene_.skeleton.limbs[static_cast<std::size_t>(rod)].start);
   };
+  // A fast foot would slip through a thin hurdle between two points, so drawn ground is looked at twice as
+  // often.
+  std::vector<double> times;
+  const std::size_t each = layout_.ground.Level() ? 1 : 2;
+  times.reserve(each * centres.size());
+  for (std::size_t i = 0; i < centres.size(); ++i) {
+    if (each == 2 && i > 0) times.push_back(0.5 * (centres[i - 1] + centres[i]));
+    times.push_back(centres[i]);
+  }
   for (int point = 0; point < points; ++point) {
     const bool lies = is_down(index, point);
     if (lies && point < endpoints) continue;
-    const std::size_t skipped = !lies && (index == 0 || is_down(index - 1, point)) ? 2 : 0;
-    const std::size_t end = centres.size() - (!lies && is_down(index + 1, point) ? 1 : 0);
+    const std::size_t skipped = !lies && (index == 0 || is_down(index - 1, point)) ? 2 * each : 0;
+    const std::size_t end = times.size() - (!lies && is_down(index + 1, point) ? each : 0);
     for (std::size_t i = skipped; i < end; ++i) {
       const int height = AddVariable(lies ? -kSunk : 0.0, kNoBound, kNoBound);
-      clearances.push_back({layout_.At(PieceWithin(layout_, phase, centres[i]), centres[i]), point, height});
+      clearances.push_back({layout_.At(PieceWithin(layout_, phase, times[i]), times[i]), point, height});
     }
   }
 }

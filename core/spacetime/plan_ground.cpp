@@ -23,11 +23,21 @@ PlanGround::Height PlanGround::At(double x) const {
   return {from.y + slope * (x - from.x), slope};
 }
 
-double PlanGround::HighestBetween(double left, double right) const {
-  double highest = std::max(At(left).value, At(right).value);
-  for (const Point& corner : corners_)
-    if (corner.x >= left && corner.x <= right) highest = std::max(highest, corner.y);
-  return highest;
+double PlanGround::CoefficientAt(double centre) const {
+  const auto between = [this](double left, double right) {
+    const double ends[] = {At(left).value, At(right).value};
+    auto [low, high] = std::ranges::minmax(ends);
+    for (const Point& corner : corners_) {
+      if (corner.x < left || corner.x > right) continue;
+      low = std::min(low, corner.y);
+      high = std::max(high, corner.y);
+    }
+    return std::array{low, high};
+  };
+  // A point is within two grains of each coefficient that matters to it.
+  const double highest = between(centre - 2.0 * kGrain, centre + 2.0 * kGrain)[1];
+  const double lowest = between(centre - 4.0 * kGrain, centre + 4.0 * kGrain)[0];
+  return highest + std::min(kSpare, highest - lowest);
 }
 
 PlanGround::Height PlanGround::CoverAt(double x) const {
@@ -39,12 +49,10 @@ PlanGround::Height PlanGround::CoverAt(double x) const {
   const std::array<double, 4> bend{r, 3.0 * s - 2.0, 3.0 * r - 2.0, s};
   Height cover;
   for (std::size_t i = 0; i < 4; ++i) {
-    const double centre = (first - 1.0 + static_cast<double>(i)) * kGrain;
-    // A point is within two grains of each coefficient that matters to it.
-    const double highest = HighestBetween(centre - 2.0 * kGrain, centre + 2.0 * kGrain);
-    cover.value += value[i] * highest;
-    cover.slope += slope[i] * highest / kGrain;
-    cover.bend += bend[i] * highest / (kGrain * kGrain);
+    const double height = CoefficientAt((first - 1.0 + static_cast<double>(i)) * kGrain);
+    cover.value += value[i] * height;
+    cover.slope += slope[i] * height / kGrain;
+    cover.bend += bend[i] * height / (kGrain * kGrain);
   }
   return cover;
 }

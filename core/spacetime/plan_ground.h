@@ -21,19 +21,22 @@ class PlanGround {
   };
   /// Of the ground itself. [units]
   [[nodiscard]] Height At(double x) const;
-  /// Of the cover: a cubic spline each of whose coefficients is the highest ground nearby, so that it is
-  /// nowhere below the ground, and three times kGrain beside a step already as high.
+  /// Of the cover: a cubic spline each of whose coefficients is the highest ground nearby, and a little more
+  /// where that falls away, because the simulator plays a plan some centimetres lower. So it is nowhere below
+  /// the ground, and three times kGrain beside a step already as high.
   [[nodiscard]] Height CoverAt(double x) const;
   [[nodiscard]] bool Level() const { return corners_.empty(); }
 
   /// Between the cover's coefficients [longest rods].
   static constexpr double kGrain = 0.05;
+  /// Above an edge, at most [longest rods].
+  static constexpr double kSpare = 0.1;
 
  private:
   struct Point {
     double x, y;
   };
-  [[nodiscard]] double HighestBetween(double left, double right) const;
+  [[nodiscard]] double CoefficientAt(double centre) const;
 
   std::vector<Point> corners_;
 };

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // gaitsmith export: a document's motion as a picture, a scene or numbers, for other programs.
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <span>
 #include <vector>
 
+#include "core/planning/plan_recorder.h"
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"
@@ -49,7 +51,8 @@ Outcome NoFile() {
 Outcome ExportCommand(Words words) {
   std::vector<std::string_view> options = {"poses", "from", "to"};
   for (const ExporterRow& row : kExporters) options.push_back(row.id);
-  const auto arguments = Arguments::Parse(words, options);
+  static constexpr std::array<std::string_view, 1> kFlags = {"planned"};
+  const auto arguments = Arguments::Parse(words, options, kFlags);
   if (!arguments) return std::unexpected(arguments.error());
   if (arguments->Positional().size() != 1)
     return Fail(ErrorCode::kMissing, "DOC", "give exactly one document");
@@ -60,10 +63,12 @@ Outcome ExportCommand(Words words) {
   const auto strip = StripOptions(*arguments, document->duration_steps * 0.01);
   if (!strip) return std::unexpected(strip.error());
 
-  const Motion motion = Simulate(*document);
+  const Result<Motion> motion =
+      arguments->Has("planned") ? RecordPlanned(*document) : Result<Motion>(Simulate(*document));
+  if (!motion) return std::unexpected(motion.error());
   for (const ExporterRow& row : kExporters) {
     if (!arguments->Has(row.id)) continue;
-    const auto done = WriteText(arguments->Last(row.id), row.make(*document, motion, *strip));
+    const auto done = WriteText(arguments->Last(row.id), row.make(*document, *motion, *strip));
     if (!done) return std::unexpected(done.error());
   }
   return {};

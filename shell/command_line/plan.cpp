@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/document/json.h"
+#include "core/planning/plan_tracking.h"
 #include "core/planning/planning.h"
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
@@ -67,7 +68,7 @@ double ResidualOf(const PlannedMotion& motion) {
 }  // namespace
 
 Outcome PlanCommand(Words words) {
-  static constexpr std::array<std::string_view, 4> kOptions = {"degree", "motion", "out", "pieces"};
+  static constexpr std::array<std::string_view, 5> kOptions = {"degree", "motion", "out", "pieces", "rules"};
   const auto arguments = Arguments::Parse(words, kOptions);
   if (!arguments) return std::unexpected(arguments.error());
   if (arguments->Positional().size() != 1)
@@ -104,6 +105,11 @@ Outcome PlanCommand(Words words) {
               last.corrections);
   if (arguments->Has("motion")) {
     if (auto written = WriteText(arguments->Last("motion"), TableOf(motion)); !written) return written;
+  }
+  if (arguments->Has("rules")) {
+    const auto tracked = TrackPlan(last.document);
+    if (!tracked) return std::unexpected(tracked.error());
+    if (auto written = WriteText(arguments->Last("rules"), EncodeJson(*tracked)); !written) return written;
   }
   if (!arguments->Has("out")) return {};
   last.document.hash = Simulate(last.document).Hash();

@@ -166,6 +166,9 @@ void AddTimeline(std::vector<Command>& list, Session& session) {
   add("record", Tr("Record the motion as curves, and show both side by side"), {}, none,
       [&session] { session.RecordAsCurves(); });
   add("keyframes", Tr("Plan a motion between keyframes"), {}, "", [&session] { session.OpenKeyframes(); });
+  add("track", Tr("Track the planned motion by rules"), {},
+      session.Doc().plan.solved.unknowns.empty() ? Tr("No motion is planned between keyframes.") : "",
+      [&session] { session.TrackKeyframes(); });
   add("repair", Tr("Repair the selected clip: search from where it takes over"), {"r"},
       session.Timeline().CanRepair() ? "" : Tr("The first clip takes over from no other clip."),
       [&session] { session.Timeline().RepairClip(); });

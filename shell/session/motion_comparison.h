@@ -57,6 +57,11 @@ class MotionComparison {
   /// Finds the compared controller again after the document's list has changed.
   void FindAgain(const Controller&);
 
+  /// The planned motion if it is the other one, otherwise the shown motion.
+  [[nodiscard]] const Playback& PlannedOrShown() const {
+    return ghost_.Source() == Ghost::Kind::kPlanned ? *ghost_.Player() : workspace_.Player();
+  }
+
  private:
   [[nodiscard]] Ghost::Documents Documents() const {
     return {.shown = workspace_.Doc(), .earlier = search_.Before(), .as_opened = world_.AsOpened()};

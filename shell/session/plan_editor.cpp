@@ -36,10 +36,16 @@ bool PlanEditor::Change(const std::function<void(Plan&)>& edit) {
   });
 }
 
-int PlanEditor::AddKeyframe() {
+void PlanEditor::Choose(const Keyframe& keyframe) {
+  const auto& keyframes = Shown().keyframes;
+  const auto found = std::ranges::find(keyframes, keyframe);
+  if (found != keyframes.end()) chosen_ = static_cast<int>(found - keyframes.begin());
+}
+
+bool PlanEditor::AddKeyframe() {
   if (Shown().keyframes.size() >= kMaxKeyframes) {
     workspace_.Say(Tr("A plan has at most {1} keyframes.", std::to_string(kMaxKeyframes)));
-    return -1;
+    return false;
   }
   const Playback& player = workspace_.Player();
   const Motion& motion = player.Shown();
@@ -52,23 +58,31 @@ int PlanEditor::AddKeyframe() {
   keyframe.turn_rad =
       static_cast<float>(motion.At(frame).turn_rad - static_cast<double>(motion.Bones().start_angle_rad));
   const bool added = Change([&](Plan& plan) { plan.keyframes.push_back(keyframe); });
-  if (!added) return -1;
-  const auto& keyframes = Shown().keyframes;
-  return static_cast<int>(std::ranges::find(keyframes, keyframe) - keyframes.begin());
+  if (added) Choose(keyframe);
+  return added;
 }
 
 void PlanEditor::RemoveKeyframe(int keyframe) {
   Change([&](Plan& plan) { plan.keyframes.erase(plan.keyframes.begin() + keyframe); });
 }
 
-int PlanEditor::MoveKeyframe(int keyframe, int step) {
+void PlanEditor::MoveKeyframe(int keyframe, int step) {
   const int to = std::clamp(step, 1, Shown().steps);
   Keyframe moved = Shown().keyframes[static_cast<std::size_t>(keyframe)];
   moved.step = to;
   Change([&](Plan& plan) { plan.keyframes[static_cast<std::size_t>(keyframe)].step = to; });
-  const auto& keyframes = Shown().keyframes;
-  const auto found = std::ranges::find(keyframes, moved);
-  return found == keyframes.end() ? keyframe : static_cast<int>(found - keyframes.begin());
+  Choose(moved);
+}
+
+void PlanEditor::MoveMark(int keyframe, int mark, float x_m, float y_m) {
+  Mark moved = Shown().keyframes[static_cast<std::size_t>(keyframe)].marks[static_cast<std::size_t>(mark)];
+  const Mark before = moved;
+  if (moved.axes != MarkAxes::kUp) moved.x_m = x_m;
+  if (moved.axes != MarkAxes::kAlong) moved.y_m = y_m;
+  if (moved == before) return;
+  Change([&](Plan& plan) {
+    plan.keyframes[static_cast<std::size_t>(keyframe)].marks[static_cast<std::size_t>(mark)] = moved;
+  });
 }
 
 void PlanEditor::AddStance(int endpoint) {

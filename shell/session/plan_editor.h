@@ -2,6 +2,7 @@
 // Edits of the document's plan: keyframes, marks and stances.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 
 #include "core/planning/plan_draft.h"
@@ -17,17 +18,26 @@ class PlanEditor {
   /// Whether the document has a plan.
   [[nodiscard]] bool Open() const { return !Shown().Empty(); }
 
+  /// The chosen keyframe, an index; -1: there is none.
+  [[nodiscard]] int Chosen() const {
+    return std::min(chosen_, static_cast<int>(Shown().keyframes.size()) - 1);
+  }
+  /// @param keyframe at least 0
+  void Choose(int keyframe) { chosen_ = keyframe; }
+
   /// Makes the first plan of a document, a jump, if there is none.
   /// @return false, with a sentence: the figure has no joint, or the plan is locked
   bool Begin();
   /// Changes the plan, whose solution is forgotten. Keyframes stay sorted.
   bool Change(const std::function<void(Plan&)>& edit);
-  /// Adds a keyframe at the shown moment, with the pose and the turn of the shown motion.
-  /// @return its index; -1, with a sentence: there are too many
-  int AddKeyframe();
+  /// Adds a keyframe at the shown moment, with the pose and the turn of the shown motion, and chooses it.
+  /// @return false, with a sentence: there are too many
+  bool AddKeyframe();
   void RemoveKeyframe(int keyframe);
-  /// @return the index at which the keyframe is then
-  int MoveKeyframe(int keyframe, int step);
+  /// Moves it in time, and chooses it.
+  void MoveKeyframe(int keyframe, int step);
+  /// Moves what counts of a mark's place. @param x_m, y_m see Mark
+  void MoveMark(int keyframe, int mark, float x_m, float y_m);
   /// Adds a stance of an endpoint at the shown moment, where it does not stand yet.
   void AddStance(int endpoint);
   void RemoveStance(int stance);
@@ -41,7 +51,11 @@ class PlanEditor {
   void Clear();
 
  private:
+  /// Chooses the keyframe that is this one.
+  void Choose(const Keyframe&);
+
   Workspace& workspace_;
+  int chosen_ = 0;
 };
 
 }  // namespace gaitsmith::shell

@@ -12,6 +12,7 @@
 #include "core/document/parts.h"
 #include "core/document/standing.h"
 #include "core/document/style_weights.h"
+#include "core/planning/plan_tracking.h"
 #include "shell/words/figure_words.h"
 #include "shell/words/language.h"
 #include "shell/words/search_words.h"
@@ -255,6 +256,16 @@ std::vector<Document> Session::KnownSearches() const {
 void Session::OpenKeyframes() {
   const bool asks = keyframes_.Begin();
   if (asks) SetView([](View& view) { view.panel = static_cast<int>(Panel::kKeyframes); });
+}
+
+void Session::TrackKeyframes() {
+  const auto tracked = TrackPlan(Doc());
+  if (!tracked) return workspace_.Say(Tr("Not possible: {1}.", TrError(tracked.error())));
+  BeginGesture();
+  if (!Set([&](Document& d) { d = *tracked; })) return;
+  timeline_.Select(0);
+  comparison_.ShowPlanned(Doc());
+  search_.Synthesize(SearchRun::UndoStep::kMotionAndGesture);
 }
 
 void Session::RecordAsCurves() {

@@ -168,6 +168,9 @@ class Session {
   void Synthesize();
   /// Opens the keyframes: those of the document, or a jump to begin with.
   void OpenKeyframes();
+  /// Rules that imitate the planned motion replace it, and a search makes them better at it. One step of
+  /// Undo. Refused, with a sentence, where nothing is planned.
+  void TrackKeyframes();
   /// See TimelineEditor::RecordAsCurves.
   void RecordAsCurves();
   /// Runs a short climb from the shown motion in the chosen style, with the earlier motion as ghost.

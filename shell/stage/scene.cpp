@@ -8,6 +8,7 @@
 #include "core/world/ground_view.h"
 #include "shell/stage/figure_drawing.h"
 #include "shell/stage/ground_drawing.h"
+#include "shell/stage/stage_marks.h"
 #include "shell/words/wording.h"
 
 namespace gaitsmith::shell {
@@ -69,15 +70,32 @@ ImU32 ActiveColour(const Scene& s) {
 }
 
 // Draws a letter vertically below the centre of mass on the screen, also on a slope.
-void DrawLetter(const Scene& s, double x_m, float y_m, ImU32 colour, int index) {
+void DrawLetter(const Scene& s, double x_m, float y_m, ImU32 colour, const std::string& letter) {
   constexpr float kHalfWidth = 8.0f, kDepth = 36.0f;
   const Terrain& ground = s.player.Ground();
   const double above_m = static_cast<double>(y_m) - HeightBelow(ground, x_m);
   const double foot_m = x_m - above_m * static_cast<double>(s.camera.sine / s.camera.cosine);
   const ImVec2 at = BelowGround(s.camera, ground, foot_m, kHalfWidth, 0.0f);
   if (at.y + kDepth > s.texts_until && !ground.Level()) return;
-  s.ui.Letters().Draw(s.list, Type::kStrong, {at.x, at.y + kDepth / s.camera.cosine}, colour, LetterOf(index),
+  s.ui.Letters().Draw(s.list, Type::kStrong, {at.x, at.y + kDepth / s.camera.cosine}, colour, letter,
                       Align::kCentre);
+}
+
+// The pose at each keyframe, with the keyframe's number; the chosen one's in another colour.
+void DrawKeyPoses(const Scene& s) {
+  const Palette& p = s.ui.Ink();
+  const Playback& player = s.session.Comparison().PlannedOrShown();
+  const Motion& motion = player.Shown();
+  const auto& keyframes = s.session.Keyframes().Shown().keyframes;
+  for (std::size_t k = 0; k < keyframes.size(); ++k) {
+    const int frame = std::min(keyframes[k].step, motion.Frames() - 1);
+    const bool chosen = s.session.Keyframes().Chosen() == static_cast<int>(k);
+    const ImU32 pale = Mix(p.paper, chosen ? p.accent : p.ink, chosen ? 0.3f : 0.18f);
+    DrawBones(s, player, frame * static_cast<double>(motion.StepS()),
+              {.body = pale, .far = Mix(p.paper, pale, 0.7f)}, 0.72f);
+    DrawLetter(s, motion.At(frame).x_m, motion.At(frame).y_m, chosen ? p.accent : p.second_ink,
+               std::to_string(k + 1));
+  }
 }
 
 struct Past {
@@ -107,7 +125,7 @@ Past DrawPast(const Scene& s) {
     const float depth = 0.14f + 0.05f * static_cast<float>(k + kPosesShown - past.size());
     const ImU32 pale = Mix(p.paper, p.ink, depth);
     DrawBones(s, s.player, time_s, {.body = pale, .far = Mix(p.paper, pale, 0.7f)}, 0.72f);
-    DrawLetter(s, motion.At(frame).x_m, motion.At(frame).y_m, p.second_ink, past[k]);
+    DrawLetter(s, motion.At(frame).x_m, motion.At(frame).y_m, p.second_ink, LetterOf(past[k]));
   }
   const int oldest = s.player.PoseFrames()[static_cast<std::size_t>(past.front())];
   return {oldest * static_cast<double>(motion.StepS()), past.back() + 1};
@@ -200,8 +218,10 @@ std::vector<ImVec2> DrawScene(const Scene& s) {
   const bool rests = s.session.Doc().timeline.empty();
   const bool alone = s.session.Tried().Shown().empty();
   DrawGround(s.ui, s.rect, s.camera, s.player.Ground(), s.texts_until);
-  const bool poses = view.poses && !rests && alone;
+  const bool keyframes = ShowsKeyframes(s.session);
+  const bool poses = view.poses && !rests && alone && !keyframes;
   const Past past = poses ? DrawPast(s) : Past{std::max(0.0, s.player.TimeS() - 4.0), 0};
+  if (keyframes) DrawKeyPoses(s);
   if (view.trail && !rests && alone) DrawTrail(s, past.oldest_s);
   if (!s.session.Comparison().Other().Beside()) DrawGhost(s);
   DrawAttempts(s);
@@ -219,7 +239,7 @@ std::vector<ImVec2> DrawScene(const Scene& s) {
   if (view.forces && !rests) DrawForces(s, endpoints);
   if (poses) {
     const Playback::Point centre = s.player.CentreAt(s.player.TimeS());
-    DrawLetter(s, centre.x_m, centre.y_m, s.ui.Ink().ink, past.next);
+    DrawLetter(s, centre.x_m, centre.y_m, s.ui.Ink().ink, LetterOf(past.next));
   }
   return endpoints;
 }

@@ -11,6 +11,7 @@
 #include "shell/stage/push_gesture.h"
 #include "shell/stage/scene.h"
 #include "shell/stage/stage_actions.h"
+#include "shell/stage/stage_marks.h"
 #include "shell/stage/viewer.h"
 #include "shell/words/language.h"
 #include "shell/words/search_words.h"
@@ -214,6 +215,7 @@ void DrawStage(Ui& ui, Session& session, StageState& state, const ImRect& rect, 
   if (drawing && !pinching) DrawGroundByHand(session, state.ground, scene, touch, free, state.gaze);
   if (!drawing || pinching) state.ground = {};
   if (drawing) DrawCorners(scene, state.ground, free, touch.hovered);
+  if (ShowsKeyframes(session) && !pinching && !by_hand) DrawMarks(session, scene);
   const bool pushing =
       !pinching && !by_hand && PushByHand(ui, session, state.push, touch, scene.camera, endpoints);
   const bool panned = !pinching && !pushing && !by_hand && Pan(state, touch, scene.camera.scale);

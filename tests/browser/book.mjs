@@ -228,15 +228,18 @@ for (const theme of ['light', 'dark', 'projector', 'contrast']) {
     const found = [];
     await page.goto(`${address}book/index.html`);
     await page.evaluate((name) => localStorage.setItem('gaitsmith-theme', name), theme);
-    // Only colours differ between themes, so for the other themes one page of each kind is enough.
-    for (const file of ['light', 'dark'].includes(theme) ? files : files.filter((name) => [lessons[0], 'index.html', 'gallery.html', 'formats.html'].includes(name))) {
+    // Only colours differ between themes, so one page of each kind is enough for the others, and one of the headers'
+    // pages, which look alike, for all but the first.
+    const ofEach = [lessons[0], headers[0], 'index.html', 'gallery.html', 'formats.html'];
+    const looked = { light: files, dark: files.filter((name) => !headers.includes(name) || name === headers[0]) };
+    for (const file of looked[/** @type {'light' | 'dark'} */ (theme)] ?? files.filter((name) => ofEach.includes(name))) {
       await page.goto(`${address}book/${file}`);
       await page.evaluate(axe);
       for (const [width, height] of SIZES) {
         await page.setViewport({ width, height });
         const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
         if (wide > 0) found.push(`${file} is ${wide} px too wide for ${width}`);
-        if (width !== 1920) {
+        if (width === 390 || (width === 1280 && (!headers.includes(file) || file === headers[0]))) {
           found.push(...await page.evaluate((where) => /** @type {any} */ (window).axe.run({ resultTypes: ['violations'], iframes: false })
             .then((/** @type {any} */ { violations }) => violations.map((/** @type {any} */ { id, nodes }) => `${where}: ${id}: ${nodes.slice(0, 3).map((/** @type {any} */ { html }) => html.slice(0, 140)).join(' | ')}`)), `${file} ${width}`));
         }

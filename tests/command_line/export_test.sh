@@ -38,6 +38,16 @@ same "$(grep -oE '>[0-9.]+ s<' part.svg | tr -d '\n')" ">1.00 s<>1.75 s<>2.50 s<
 same "$("$gaitsmith" link encode star-man-shuffle | "$gaitsmith" export - --svg - | md5sum)" \
   "$("$gaitsmith" export star-man-shuffle --svg - | md5sum)" "export of a link"
 
+# As planned between keyframes: as the table of gaitsmith plan has it, and then held.
+jump=$root/examples/planned/lamp-jump.json
+"$gaitsmith" export "$jump" --planned --csv planned.csv --svg planned.svg || fault "a planned motion"
+"$gaitsmith" export "$jump" --csv played.csv
+same "$(head -1 planned.csv)" "$(head -1 played.csv)" "columns of a planned motion"
+same "$(wc -l <planned.csv)" "$(wc -l <played.csv)" "length of a planned motion"
+cmp -s planned.csv played.csv && fault "the planned motion is the played one"
+same "$(poses planned.svg)" 8 "poses of a planned motion"
+refuses 'plan: has no planned motion yet' "$gaitsmith" export star-man-shuffle --planned --svg no.svg
+
 refuses "--${exporters[0]}: say where;${or#,}" "$gaitsmith" export star-man-shuffle
 refuses 'DOC: give exactly one document' "$gaitsmith" export --svg no.svg
 refuses '--poses: must be a whole number from 3 to 26, is "2"' "$gaitsmith" export star-man-shuffle --svg no.svg --poses 2

@@ -27,6 +27,9 @@ TEST_CASE("planned: each shipped plan is solved, and played within a centimetre 
   const Keyframe& last = planned->plan.keyframes.back();
   const double mark = static_cast<double>(last.marks[0].x_m);
   CHECK(std::abs(played.At(last.step).x_m - mark) < 0.01);
+  // And it stands there the right way up.
+  const double turned = played.At(last.step).turn_rad - static_cast<double>(played.Bones().start_angle_rad);
+  CHECK(std::abs(turned - static_cast<double>(last.turn_rad)) < 0.05);
   // The planned motion, as every exporter sees it.
   const PlannedMotion solved = SolvedMotion(*planned);
   const Motion recorded = RecordPlanned(*planned, solved);

@@ -60,7 +60,7 @@ import { trLater } from '../languages/language.js';
  * @typedef {{model?: number, title?: string, figure: {name?: string, rods?: object[]}, kind?: string, senses?: {kind?: string}, search?: SearchJson,
  *   start?: object, controllers?: object[], timeline?: {controller?: number}[], rules?: number, lineage?: import('../breed/family.js').Lineage,
  *   environment?: {slope_rad?: number, gravity_mps2?: number, ground?: {x_m?: number, y_m?: number}[]}, pushes?: {endpoint: number, impulse_x_ns: number, impulse_y_ns: number}[],
- *   task?: {kind?: string, duration_steps?: number, weights?: Record<string, number>, shown?: ShownJson}, duration_steps?: number}} DocumentJson
+ *   task?: {kind?: string, duration_steps?: number, weights?: Record<string, number>, shown?: ShownJson}, duration_steps?: number, plan?: {solved?: {unknowns?: number[]}}}} DocumentJson
  * @typedef {{way?: {step?: number, x_m?: number, y_m?: number}[], pose_step?: number, pose?: {angle_rad?: number}[]}} ShownJson
  */
 

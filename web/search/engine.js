@@ -125,6 +125,11 @@ export class Engine {
     return new RecordedMotion(this, this.orThrow(this.module._gs_motion_open(this.put(document))));
   }
 
+  /** As it is planned between keyframes. @param {Uint8Array} document @returns {RecordedMotion} */
+  plannedMotion(document) {
+    return new RecordedMotion(this, this.orThrow(this.module._gs_motion_open_planned(this.put(document))));
+  }
+
   // Helpers for the classes below.
 
   /**

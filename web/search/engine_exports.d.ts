@@ -100,6 +100,11 @@ export interface EngineExports {
   /** The terms of the whole motion by name, whether its simulation failed, and its hash, as JSON. */
   _gs_motion_measures(role: Pointer): Pointer;
   _gs_motion_text_size(role: Pointer): number;
+  /**
+   * The motion that is planned between the document's keyframes instead of the played one. A plan without a
+   * solution is an error.
+   */
+  _gs_motion_open_planned(size: number): Pointer;
   /** @param words_size bytes of FilmStripWords in the input area, with a 0 byte after each */
   _gs_motion_film_strip(role: Pointer, wordsSize: number, poses: number): Pointer;
   /** A file that needs no words. @param id_size of an exporter's id in the input area */

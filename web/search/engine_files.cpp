@@ -4,13 +4,27 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "core/planning/plan_recorder.h"
 #include "shell/export/exporters.h"
 #include "web/search/engine_border.h"
 #include "web/search/motion_role.h"
 
 using namespace gaitsmith;  // NOLINT: everything below is the border
 
+/// The motion that is planned between the document's keyframes instead of the played one. A plan without a
+/// solution is an error.
+GS_EXPORT MotionRole* gs_motion_open_planned(std::size_t size) {
+  auto document = TakeDocument(size);
+  if (!document) return nullptr;
+  auto motion = RecordPlanned(*document);
+  if (!motion) {
+    Note(motion.error());
+    return nullptr;
+  }
+  return OpenMotion(std::move(*document), std::move(*motion));
+}
 // Exported files, gs_motion_text_size() bytes.
 /// @param words_size bytes of FilmStripWords in the input area, with a 0 byte after each
 GS_EXPORT const char* gs_motion_film_strip(MotionRole* role, std::size_t words_size, int poses) {

@@ -16,11 +16,8 @@
 
 using namespace gaitsmith;  // NOLINT: everything below is the border
 
-GS_EXPORT MotionRole* gs_motion_open(std::size_t size) {
-  auto document = TakeDocument(size);
-  if (!document) return nullptr;
-  Motion motion = Simulate(*document);
-  auto* role = new MotionRole{.document = std::move(*document), .motion = std::move(motion)};
+MotionRole* gaitsmith::OpenMotion(Document document, Motion motion) {
+  auto* role = new MotionRole{.document = std::move(document), .motion = std::move(motion)};
   const Skeleton& bones = role->motion.Bones();
   for (int rod = 0; rod < bones.rods; ++rod)
     role->starts.push_back(bones.limbs[static_cast<std::size_t>(rod)].start);
@@ -41,6 +38,13 @@ GS_EXPORT MotionRole* gs_motion_open(std::size_t size) {
     }
   }
   return role;
+}
+
+GS_EXPORT MotionRole* gs_motion_open(std::size_t size) {
+  auto document = TakeDocument(size);
+  if (!document) return nullptr;
+  Motion motion = Simulate(*document);
+  return OpenMotion(std::move(*document), std::move(motion));
 }
 GS_EXPORT void gs_motion_close(MotionRole* role) { delete role; }
 GS_EXPORT int gs_motion_frames(const MotionRole* role) { return role->motion.Frames(); }

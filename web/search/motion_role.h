@@ -22,6 +22,9 @@ struct MotionRole {
   std::string text = {};
 };
 
+/// @param motion of the document
+MotionRole* OpenMotion(Document document, Motion motion);
+
 /// Keeps a text for gs_motion_text_size(). @return it
 inline const char* Keep(MotionRole* role, std::string text) {
   role->text = std::move(text);

@@ -76,6 +76,8 @@ class ExportDialog {
   #dialog = element('export-dialog', HTMLDialogElement);
   #formats = element('export-formats', HTMLFieldSetElement);
   #poses = element('export-poses', HTMLInputElement);
+  #plan = element('export-plan');
+  #planned = element('export-planned', HTMLInputElement);
   #progress = element('export-progress', HTMLProgressElement);
   #go = element('export-go', HTMLButtonElement);
   #cancel = element('export-cancel', HTMLButtonElement);
@@ -105,6 +107,7 @@ class ExportDialog {
   open() {
     this.#error.textContent = '';
     this.#chosen();
+    this.#plan.hidden = !this.app.document().plan?.solved?.unknowns?.length;
     if (typeof MediaRecorder !== 'function' || !MediaRecorder.isTypeSupported('video/webm')) {
       this.#radio('webm').disabled = true;
       element('export-webm').textContent = tr('This browser cannot record videos');
@@ -133,7 +136,8 @@ class ExportDialog {
     let motion = null;
     try {
       const engine = await this.#load();
-      motion = engine.motion(engine.documentFromText(this.app.documentText()));
+      const bytes = engine.documentFromText(this.app.documentText());
+      motion = !this.#plan.hidden && this.#planned.checked ? engine.plannedMotion(bytes) : engine.motion(bytes);
       const contents = await make({
         motion,
         title: this.app.title(),
@@ -168,6 +172,7 @@ class ExportDialog {
   #show(making) {
     this.#making = making;
     this.#formats.disabled = making !== null;
+    this.#planned.disabled = making !== null;
     this.#go.disabled = making !== null;
     this.#error.textContent = '';
     this.#progress.hidden = making === null;

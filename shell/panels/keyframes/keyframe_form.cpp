@@ -117,11 +117,11 @@ void DrawMarks(const Chosen& of, KeyframeFormState& state) {
 
 }  // namespace
 
-void DrawKeyframeForm(Ui& ui, Session& session, int& keyframe, KeyframeFormState& state) {
-  const auto& keyframes = session.Keyframes().Shown().keyframes;
-  if (keyframes.empty()) return;
-  keyframe = std::clamp(keyframe, 0, static_cast<int>(keyframes.size()) - 1);
-  const Chosen of{ui, session, keyframe, keyframes[static_cast<std::size_t>(keyframe)]};
+void DrawKeyframeForm(Ui& ui, Session& session, KeyframeFormState& state) {
+  const int keyframe = session.Keyframes().Chosen();
+  if (keyframe < 0) return;
+  const Chosen of{ui, session, keyframe,
+                  session.Keyframes().Shown().keyframes[static_cast<std::size_t>(keyframe)]};
   const PartScope part = ui.Part("keyframe", "group", Tr("Keyframe {1}", keyframe + 1));
   ui.Heading(Tr("Keyframe {1}", keyframe + 1));
   double seconds = of.keyframe.step * kSecondsPerStep;
@@ -130,8 +130,7 @@ void DrawKeyframeForm(Ui& ui, Session& session, int& keyframe, KeyframeFormState
                  .high = session.Keyframes().Shown().steps * kSecondsPerStep,
                  .step = kSecondsPerStep},
                 Fixed(seconds, 2) + " s")) {
-    keyframe =
-        session.Keyframes().MoveKeyframe(keyframe, static_cast<int>(std::lround(seconds / kSecondsPerStep)));
+    session.Keyframes().MoveKeyframe(keyframe, static_cast<int>(std::lround(seconds / kSecondsPerStep)));
     return;
   }
   DrawPose(of, state.drag);

@@ -13,7 +13,6 @@ struct KeyframeFormState {
   LimbDrag drag{};
 };
 
-/// @param keyframe an index of the plan's keyframes; set to where it is after an edit
-void DrawKeyframeForm(Ui&, Session&, int& keyframe, KeyframeFormState&);
+void DrawKeyframeForm(Ui&, Session&, KeyframeFormState&);
 
 }  // namespace gaitsmith::shell

@@ -24,7 +24,7 @@ void DrawNews(Ui& ui, Session& session, KeyframesPanelState& state) {
       if (stands)
         state.bars.stance = culprit->part.index;
       else
-        state.bars.keyframe = culprit->part.index;
+        session.Keyframes().Choose(culprit->part.index);
       if (!stands) state.bars.stance = -1;
     }
   }
@@ -45,11 +45,25 @@ void DrawStance(Ui& ui, Session& session, StanceBarsState& state) {
   state.stance = -1;
 }
 
+void DrawView(Ui& ui, Session& session, KeyframesPanelState& state) {
+  static constexpr std::array<const char*, 2> kViews = {TrLater("Standing"), TrLater("Angles")};
+  ui.Segmented("keyframes/view", ui.ControlRow(), Tr("What is shown over time"), kViews, state.view);
+  ui.Gap(6.0f);
+  if (state.view == 1) {
+    DrawAngleCurves(ui, session, state.joint);
+    ui.Gap(6.0f);
+    return;
+  }
+  DrawStanceBars(ui, session, state.bars);
+  ui.Gap(6.0f);
+  DrawStance(ui, session, state.bars);
+}
+
 void DrawAdding(Ui& ui, Session& session, KeyframesPanelState& state) {
   const ImRect row = ui.ControlRow();
   const float middle = row.GetCenter().x;
   if (ui.Button("keyframes/add", {row.Min, {middle - 4.0f, row.Max.y}}, Tr("Keyframe here"))) {
-    if (const int added = session.Keyframes().AddKeyframe(); added >= 0) state.bars = {.keyframe = added};
+    if (session.Keyframes().AddKeyframe()) state.bars = {};
   }
   if (ui.Button("keyframes/take", {{middle + 4.0f, row.Min.y}, row.Max}, Tr("Take feet from motion")))
     session.Keyframes().TakeStances();
@@ -82,7 +96,11 @@ void DrawWhole(Ui& ui, Session& session) {
     session.Comparison().ShowPlanned(session.Doc());
     session.Comparison().ShowBeside(beside);
   }
+  const bool solved = !session.Keyframes().Shown().solved.unknowns.empty();
   ui.Gap(6.0f);
+  if (ui.Button("keyframes/track", ui.ControlRow(), Tr("Track it by rules"), ButtonLook::kOutlined,
+                solved && !session.Planning().Working()))
+    session.TrackKeyframes();
   const ImRect row = ui.ControlRow();
   const float middle = row.GetCenter().x;
   if (ui.Button("keyframes/again", {row.Min, {middle - 4.0f, row.Max.y}}, Tr("Plan again"),
@@ -105,12 +123,10 @@ void DrawKeyframesPanel(Ui& ui, Session& session, KeyframesPanelState& state) {
     return;
   }
   DrawNews(ui, session, state);
-  DrawStanceBars(ui, session, state.bars);
-  ui.Gap(6.0f);
-  DrawStance(ui, session, state.bars);
+  DrawView(ui, session, state);
   DrawAdding(ui, session, state);
   ui.Gap(8.0f);
-  DrawKeyframeForm(ui, session, state.bars.keyframe, state.form);
+  DrawKeyframeForm(ui, session, state.form);
   ui.Heading(Tr("The whole motion"));
   DrawWhole(ui, session);
 }

@@ -34,14 +34,6 @@ struct Field {
   }
 };
 
-void DrawDiamond(const Ui& ui, ImVec2 at, ImU32 fill, ImU32 edge) {
-  constexpr float kHalf = 7.0f;
-  const ImVec2 corners[] = {
-      {at.x, at.y - kHalf}, {at.x + kHalf, at.y}, {at.x, at.y + kHalf}, {at.x - kHalf, at.y}};
-  ui.Canvas()->AddConvexPolyFilled(corners, 4, fill);
-  ui.Canvas()->AddPolyline(corners, 4, edge, ImDrawFlags_Closed, 1.2f);
-}
-
 void DrawKeyframes(Ui& ui, Session& session, const Field& field, StanceBarsState& state) {
   const auto keyframes = session.Keyframes().Shown().keyframes;  // a copy, since edits replace it
   for (std::size_t i = 0; i < keyframes.size(); ++i) {
@@ -54,19 +46,19 @@ void DrawKeyframes(Ui& ui, Session& session, const Field& field, StanceBarsState
                 {.label = Tr("Keyframe {1} of {2}", index + 1, static_cast<int>(keyframes.size())),
                  .role = "slider",
                  .value = SecondsWords(keyframes[i].step),
-                 .state = {.selected = state.keyframe == index},
+                 .state = {.selected = session.Keyframes().Chosen() == index},
                  .range = WidgetRange{kSecondsPerStep, field.steps * kSecondsPerStep, kSecondsPerStep,
                                       keyframes[i].step * kSecondsPerStep}});
     if (touch.began || touch.pressed || touch.steps != 0) {
-      state.keyframe = index;
+      session.Keyframes().Choose(index);
       state.stance = -1;
     }
     int wanted = keyframes[i].step + touch.steps;
     if (touch.held && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 3.0f))
       wanted = field.StepAt(ImGui::GetIO().MousePos.x);
     if (touch.wanted) wanted = static_cast<int>(std::lround(*touch.wanted / kSecondsPerStep));
-    if (wanted != keyframes[i].step) state.keyframe = session.Keyframes().MoveKeyframe(index, wanted);
-    const bool chosen = state.keyframe == index && state.stance < 0;
+    if (wanted != keyframes[i].step) session.Keyframes().MoveKeyframe(index, wanted);
+    const bool chosen = session.Keyframes().Chosen() == index && state.stance < 0;
     DrawDiamond(ui, at, chosen ? ui.Ink().accent : ui.Ink().panel,
                 chosen || touch.hovered ? ui.Ink().ink : ui.Ink().second_ink);
     ui.DrawFocus(touch, rect, 4.0f);
@@ -109,6 +101,14 @@ void DrawBar(Ui& ui, Session& session, const Field& field, std::size_t index, St
 }
 
 }  // namespace
+
+void DrawDiamond(const Ui& ui, ImVec2 at, ImU32 fill, ImU32 edge) {
+  constexpr float kHalf = 7.0f;
+  const ImVec2 corners[] = {
+      {at.x, at.y - kHalf}, {at.x + kHalf, at.y}, {at.x, at.y + kHalf}, {at.x - kHalf, at.y}};
+  ui.Canvas()->AddConvexPolyFilled(corners, 4, fill);
+  ui.Canvas()->AddPolyline(corners, 4, edge, ImDrawFlags_Closed, 1.2f);
+}
 
 void DrawStanceBars(Ui& ui, Session& session, StanceBarsState& state) {
   const int endpoints = session.Player().Shown().Bones().endpoints;

@@ -12,9 +12,11 @@ namespace gaitsmith::shell {
 inline constexpr auto kSecondsPerStep = static_cast<double>(kStep);
 
 struct StanceBarsState {
-  int keyframe = 0;  // the chosen one
-  int stance = -1;   // the chosen one; -1: none
+  int stance = -1;  // the chosen one; -1: the chosen keyframe is open
 };
+
+/// A keyframe's sign.
+void DrawDiamond(const Ui&, ImVec2 at, ImU32 fill, ImU32 edge);
 
 void DrawStanceBars(Ui&, Session&, StanceBarsState&);
 

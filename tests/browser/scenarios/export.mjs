@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The export dialog: by mouse and by keyboard, every format, and cancelling a video. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
 import { PageDriver } from '../page_driver.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
@@ -104,6 +105,27 @@ async function everyFormat(visit) {
   await page.close();
 }
 
+/** Both motions of a solved plan: as played, and as planned. @param {Visit} visit */
+async function ofPlan({ browser, address }) {
+  const page = await PageDriver.open(browser, address, { before: recordFiles });
+  await open(page);
+  assert.equal(await page.call('without a plan', () => document.querySelector('#export-plan')?.hasAttribute('hidden')), true);
+  await page.press('Escape');
+  const jump = await readFile(new URL('../../../examples/planned/lamp-jump.json', import.meta.url), 'utf8');
+  await page.call('a planned jump', `window.gaitsmith.open(${JSON.stringify(jump)})`);
+  const played = await exportByMouse(page, 'csv');
+  await open(page);
+  await page.clickElement('#export-planned');
+  await page.press('Escape');
+  const planned = await exportByMouse(page, 'csv');
+  const rows = (/** @type {string} */ text) => text.split('\n');
+  assert.equal(rows(planned.text)[0], rows(played.text)[0]);
+  assert.equal(rows(planned.text).length, rows(played.text).length);
+  assert.notEqual(planned.text, played.text);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
 /** @param {Visit} visit */
 async function byKeyboard(visit) {
   const page = await openShort(visit);
@@ -183,6 +205,7 @@ async function withoutRecorder({ browser, address }) {
 /** @type {[string, (visit: Visit) => Promise<void>][]} */
 export const EXPORT_SCENARIOS = [
   ['an export of every format, by mouse, is what it says', everyFormat],
+  ['a motion between keyframes is exported as played and as planned', ofPlan],
   ['an export by keyboard alone, with the poses asked for', byKeyboard],
   ['an export of a long film is cancelled, by button and by Escape', cancelled],
   ['an export where nothing records films says so', withoutRecorder],

@@ -239,6 +239,28 @@ async function keyframes({ browser, address }) {
   await planned(page);
   assert.equal((await documentOf(page)).plan.keyframes[0].marks[0].x_m, 0.9);
 
+  // The ring on the stage, by mouse: farther still. It is there with its panel only.
+  const ring = await pointer.centre('stage/mark/0/0');
+  await pointer.drag(ring, { x: ring.x + 30, y: ring.y - 20 });
+  await page.frames(6);
+  await planned(page);
+  const dragged = (await documentOf(page)).plan.keyframes[0].marks[0].x_m;
+  assert.ok(dragged > 1, `the mark is at ${dragged} m`);
+
+  // A curve of a joint, by keys: the keyframe asks for another angle.
+  await pointer.press('keyframes/add');
+  await planned(page);
+  await pointer.press('keyframes/view/1');
+  await pointer.scrollTo('keyframes/curves', 40);
+  const angleOf = async () => (await documentOf(page)).plan.keyframes.find((/** @type {any} */ { pose }) => pose?.length)?.pose[0].angle_rad ?? 0;
+  const bent = await angleOf();
+  await setValue(page, 'slider', 'Angle 1 of keyframe 1', '20');
+  await page.frames(6);
+  assert.ok(Math.abs(await angleOf() - bent) > 0.01, 'the joint is bent');
+  await page.press('Control+z');
+  await page.press('Control+z');
+  await planned(page);
+
   // Nobody jumps ten metres off the ground from standing with both feet down.
   await page.call('a mark far up', () => window.gaitsmith.open(JSON.stringify({ ...window.gaitsmith.document(),
     plan: { ...(/** @type {any} */ (window.gaitsmith.document())).plan, solved: undefined,
@@ -246,7 +268,13 @@ async function keyframes({ browser, address }) {
   await page.until('a refusal', () => /cannot be so high at 0\.30 s: [\d.]+ m are missing/.test(document.querySelector('#status')?.textContent ?? ''));
   await page.press('Control+z');
   await page.frames();
-  assert.equal((await documentOf(page)).plan.keyframes[0].marks[0].x_m, 0.9, 'the plan is back');
+  assert.equal((await documentOf(page)).plan.keyframes[0].marks[0].x_m, dragged, 'the plan is back');
+
+  // Rules that track it: a search begins, and what it finds is driven by rules.
+  await page.call('track', () => window.gaitsmith.run('timeline/track'));
+  await page.until('a search', () => /** @type {any} */ (window.gaitsmith.document()).controllers.at(-1).kind === undefined || /** @type {any} */ (window.gaitsmith.document()).controllers.at(-1).kind === 'rules');
+  assert.ok((await documentOf(page)).task.shown.way.length > 2);
+  await page.call('stop', () => window.gaitsmith.stop?.());
   assert.deepEqual(page.complaints, []);
   await page.close();
 }

@@ -178,6 +178,8 @@ TEST_CASE("nothing of a planned motion passes through drawn ground", "[spacetime
                                   &to = at.endpoints[static_cast<std::size_t>(rod) + 1];
       for (int part = 0; part <= 8; ++part) {
         const double x = from.x + (to.x - from.x) * part / 8.0, y = from.y + (to.y - from.y) * part / 8.0;
+        if (y - terrain.HeightAt(x) < -0.01)
+          UNSCOPED_INFO("rod " << rod << " part " << part << " at point " << i << ": " << x << ", " << y);
         least = std::min(least, y - terrain.HeightAt(x));
       }
     }

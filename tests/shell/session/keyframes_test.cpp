@@ -191,8 +191,8 @@ TEST_CASE("keyframes: stances can be taken from a motion, and a keyframe from it
   Session session(host);
   BeginJump(session);
   session.Player().Seek(1.0);
-  const int added = session.Keyframes().AddKeyframe();
-  REQUIRE(added == 0);
+  REQUIRE(session.Keyframes().AddKeyframe());
+  REQUIRE(session.Keyframes().Chosen() == 0);
   const Keyframe& keyframe = session.Keyframes().Shown().keyframes[0];
   CHECK(keyframe.step == 100);
   CHECK(std::abs(keyframe.pose_rad[1] - session.Player().Shown().AngleRad(100, 1)) < 1e-6f);
