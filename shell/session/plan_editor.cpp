@@ -2,8 +2,10 @@
 #include "shell/session/plan_editor.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "core/planning/plan_playback.h"
 #include "shell/words/language.h"
 
 namespace gaitsmith::shell {
@@ -50,13 +52,26 @@ bool PlanEditor::AddKeyframe() {
   const Playback& player = workspace_.Player();
   const Motion& motion = player.Shown();
   const int frame = std::clamp(player.Frame(), 1, std::min(Shown().steps, motion.Frames() - 1));
-  Keyframe keyframe{.step = frame, .turned = true};
-  for (int joint = 0; joint < motion.Bones().joints; ++joint) {
-    const Skeleton::Limb& limb = motion.Bones().limbs[static_cast<std::size_t>(joint) + 1];
-    keyframe.pose_rad.push_back(std::clamp(motion.AngleRad(frame, joint), limb.min_rad, limb.max_rad));
+  const auto there = std::ranges::find(Shown().keyframes, frame, &Keyframe::step);
+  if (there != Shown().keyframes.end()) {
+    Choose(*there);
+    workspace_.Say(Tr("There is a keyframe at this moment."));
+    return false;
   }
-  keyframe.turn_rad =
-      static_cast<float>(motion.At(frame).turn_rad - static_cast<double>(motion.Bones().start_angle_rad));
+  Keyframe keyframe{.step = frame, .turned = true};
+  const Skeleton& bones = motion.Bones();
+  // Of the plan, if there is a solved one: what is played differs a little, and could not be met.
+  std::optional<PlannedMotion::Instant> planned;
+  if (!Shown().solved.unknowns.empty())
+    planned = SolvedMotion(workspace_.Doc()).At(frame * static_cast<double>(kStep));
+  for (int joint = 0; joint < bones.joints; ++joint) {
+    const Skeleton::Limb& limb = bones.limbs[static_cast<std::size_t>(joint) + 1];
+    const float angle = planned ? static_cast<float>(planned->angle_rad[static_cast<std::size_t>(joint)])
+                                : motion.AngleRad(frame, joint);
+    keyframe.pose_rad.push_back(std::clamp(angle, limb.min_rad, limb.max_rad));
+  }
+  keyframe.turn_rad = static_cast<float>((planned ? planned->direction_rad[0] : motion.At(frame).turn_rad) -
+                                         static_cast<double>(bones.start_angle_rad));
   const bool added = Change([&](Plan& plan) { plan.keyframes.push_back(keyframe); });
   if (added) Choose(keyframe);
   return added;

@@ -30,8 +30,9 @@ class PlanEditor {
   bool Begin();
   /// Changes the plan, whose solution is forgotten. Keyframes stay sorted.
   bool Change(const std::function<void(Plan&)>& edit);
-  /// Adds a keyframe at the shown moment, with the pose and the turn of the shown motion, and chooses it.
-  /// @return false, with a sentence: there are too many
+  /// Adds a keyframe at the shown moment, with the pose and the turn of the planned motion, or of the shown
+  /// one if none is planned, and chooses it.
+  /// @return false, with a sentence: there are too many, or there is one at this moment, which is chosen
   bool AddKeyframe();
   void RemoveKeyframe(int keyframe);
   /// Moves it in time, and chooses it.

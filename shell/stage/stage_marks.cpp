@@ -90,6 +90,7 @@ void DrawMarks(Session& session, const Scene& s) {
                      .value = Fixed(along, 2) + " m",
                      .range = WidgetRange{up ? 0.0 : -200.0, 200.0, kMarkStep, along}});
       if (touch.began || touch.pressed || touch.steps != 0) session.Keyframes().Choose(keyframe);
+      if (touch.began) session.Player().Play(false);  // the camera must not move on
       std::optional<Camera::Place> wanted;
       if (touch.held && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 3.0f)) {
         const ImVec2 raised = RaisedBySoles(s, session.Comparison().PlannedOrShown()),

@@ -89,7 +89,7 @@ void DrawMark(const Chosen& of, std::size_t mark) {
 
 /// A new mark is where the point is in the shown motion.
 Mark MarkHere(const Chosen& of, int endpoint) {
-  const Motion& motion = of.session.Player().Shown();
+  const Motion& motion = of.session.Comparison().PlannedOrShown().Shown();
   const int frame = std::clamp(of.keyframe.step, 0, motion.Frames() - 1);
   double x = motion.At(frame).x_m, y = static_cast<double>(motion.At(frame).y_m);
   if (endpoint != kCentreOfMass) {

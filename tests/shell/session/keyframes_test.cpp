@@ -196,6 +196,8 @@ TEST_CASE("keyframes: stances can be taken from a motion, and a keyframe from it
   const Keyframe& keyframe = session.Keyframes().Shown().keyframes[0];
   CHECK(keyframe.step == 100);
   CHECK(std::abs(keyframe.pose_rad[1] - session.Player().Shown().AngleRad(100, 1)) < 1e-6f);
+  CHECK_FALSE(session.Keyframes().AddKeyframe());
+  CHECK(session.Keyframes().Shown().keyframes.size() == 2);
   session.Keyframes().TakeStances();
   CHECK_FALSE(session.Keyframes().Shown().stances.empty());
   CHECK(Validate(session.Doc()));
