@@ -140,8 +140,8 @@ std::vector<int> SharesOf(const Motion& planned, int steps, int rules) {
   return begins;
 }
 
-/// The way of the centre of mass and its highest pose, as if a person had shown them.
-Demonstration ShownBy(const Motion& planned, int steps) {
+/// The way of the centre of mass and one pose, as if a person had shown them.
+Demonstration ShownBy(const Motion& planned, const Plan& plan, int steps) {
   Demonstration shown;
   const int points = std::min(kWayPoints, steps);
   for (int i = 0; i <= points; ++i) {
@@ -151,6 +151,8 @@ Demonstration ShownBy(const Motion& planned, int steps) {
   }
   for (int frame = 1; frame <= steps; ++frame)
     if (planned.At(frame).y_m > planned.At(shown.pose_step).y_m) shown.pose_step = frame;
+  for (const Keyframe& keyframe : plan.keyframes)
+    if (!keyframe.pose_rad.empty()) shown.pose_step = std::min(keyframe.step, steps);
   shown.pose_turn_rad = static_cast<float>(WithoutWholeTurns(planned.At(shown.pose_step).turn_rad));
   for (int joint = 0; joint < planned.Bones().joints; ++joint)
     shown.pose_rad.push_back(planned.AngleRad(shown.pose_step, joint));
@@ -183,7 +185,7 @@ Result<Document> TrackPlan(const Document& document) {
   tracked.search.in_place_of = -1;
   tracked.search.handovers.clear();
   tracked.task.duration_steps = steps;
-  tracked.task.shown = ShownBy(*planned, steps);
+  tracked.task.shown = ShownBy(*planned, document.plan, steps);
   tracked.task.weights[static_cast<std::size_t>(StyleTerm::kOnWay)] = kOnWay;
   tracked.task.weights[static_cast<std::size_t>(StyleTerm::kInPose)] = kInPose;
   tracked.lineage = {};

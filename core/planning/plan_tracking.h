@@ -11,8 +11,8 @@ namespace gaitsmith {
 /// timer, or where the senses are as they are planned when its share begins. Its pose and time constant bring
 /// the joints to where they are planned to be at the end of the share.
 /// @return the document with these rules as its one controller. Its search starts with them and is scored as
-///         if the planned way of the centre of mass, and its highest pose, had been shown. An error if there
-///         is no planned motion, or it is longer than the motions that a search can score
+///         if the planned way of the centre of mass had been shown, and the pose of the last keyframe that
+///         asks for one, or else the highest pose. An error if there is no planned motion
 [[nodiscard]] Result<Document> TrackPlan(const Document& document);
 
 }  // namespace gaitsmith

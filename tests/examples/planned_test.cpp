@@ -14,7 +14,8 @@
 namespace gaitsmith::test {
 
 TEST_CASE("planned: each shipped plan is solved, and played within a centimetre of its marks", "[planned]") {
-  const char* name = GENERATE("acrobat-somersault", "biped-step", "lamp-hurdle", "lamp-jump");
+  const char* name =
+      GENERATE("acrobat-somersault", "biped-step", "lamp-hurdle", "lamp-jump", "star-man-cartwheel");
   CAPTURE(name);
   const auto plan = DecodeJson(ReadFile("examples/plans/" + std::string(name) + ".json"));
   const auto planned = DecodeJson(ReadFile("examples/planned/" + std::string(name) + ".json"));

@@ -195,12 +195,46 @@ TEST_CASE("keyframes: stances can be taken from a motion, and a keyframe from it
   REQUIRE(session.Keyframes().Chosen() == 0);
   const Keyframe& keyframe = session.Keyframes().Shown().keyframes[0];
   CHECK(keyframe.step == 100);
-  CHECK(std::abs(keyframe.pose_rad[1] - session.Player().Shown().AngleRad(100, 1)) < 1e-6f);
+  CHECK(std::abs(keyframe.pose_rad[1] - session.Comparison().PlannedOrShown().Shown().AngleRad(100, 1)) <
+        1e-4f);
   CHECK_FALSE(session.Keyframes().AddKeyframe());
   CHECK(session.Keyframes().Shown().keyframes.size() == 2);
   session.Keyframes().TakeStances();
   CHECK_FALSE(session.Keyframes().Shown().stances.empty());
   CHECK(Validate(session.Doc()));
+}
+
+TEST_CASE("keyframes: a keyframe is taken from the plan, which meets it, and marks are dragged",
+          "[keyframes]") {
+  QuietHost host;
+  Session session(host);
+  MakeJump(session, host);
+  const Motion& planned = session.Comparison().PlannedOrShown().Shown();
+  const float angle = planned.AngleRad(100, 1);
+  REQUIRE(angle != session.Player().Shown().AngleRad(100, 1));
+  session.Player().Seek(1.0);
+  REQUIRE(session.Keyframes().AddKeyframe());
+  CHECK(std::abs(session.Keyframes().Shown().keyframes[0].pose_rad[1] - angle) < 1e-5f);
+  session.Keyframes().MoveMark(1, 0, 0.7f, 5.0f);
+  CHECK(session.Keyframes().Shown().keyframes[1].marks[0].x_m == 0.7f);
+  CHECK(session.Keyframes().Shown().keyframes[1].marks[0].y_m == 0.0f);  // only its place along counts
+}
+
+TEST_CASE("keyframes: the planned motion is tracked by rules, as one step of Undo", "[keyframes]") {
+  QuietHost host;
+  Session session(host);
+  MakeJump(session, host);
+  const std::uint64_t played = session.Player().Shown().Hash();
+  session.TrackKeyframes();
+  CHECK(session.Search().Running());
+  REQUIRE(session.Doc().controllers.size() == 1);
+  CHECK(session.Doc().controllers[0].kind == ControllerKind::kRules);
+  CHECK(session.Doc().search.start == 0);
+  CHECK(session.Comparison().Other().Source() == Ghost::Kind::kPlanned);
+  session.Stop();
+  session.Undo();
+  CHECK(session.Player().Shown().Hash() == played);
+  CHECK(session.Doc().controllers[0].kind == ControllerKind::kTrajectory);
 }
 
 TEST_CASE("keyframes: another figure has no keyframes of this one", "[keyframes]") {
