@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The book in Chromium:  node tests/browser/book.mjs [folder, default build/site]
 // Tests lessons with a fake playground that records its calls, the search, axe, and the layout on a phone. Writes
-// pictures to build/screenshots/book.
+// pictures of some pages to build/screenshots/book, with PICTURES=1 of all.
 import assert from 'node:assert/strict';
 import { mkdir, readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -12,7 +12,7 @@ import { ROOT, serve, startChromium, stopAll } from './browsers.mjs';
 const SITE = process.argv[2] ?? join(ROOT, 'build/site');
 const PICTURES = join(ROOT, 'build/screenshots/book');
 const SIZES = [[1280, 720], [1920, 1080], [390, 844]];
-const PATIENCE = { timeout: 10000 };
+const PATIENCE = { timeout: 60000 };
 
 /** A fake playground. */
 const FAKE = `<!doctype html><html lang="en"><title>Fake</title><p>The playground stands here.</p><script>
@@ -243,8 +243,7 @@ for (const theme of ['light', 'dark', 'projector', 'contrast']) {
           found.push(...await page.evaluate((where) => /** @type {any} */ (window).axe.run({ resultTypes: ['violations'], iframes: false })
             .then((/** @type {any} */ { violations }) => violations.map((/** @type {any} */ { id, nodes }) => `${where}: ${id}: ${nodes.slice(0, 3).map((/** @type {any} */ { html }) => html.slice(0, 140)).join(' | ')}`)), `${file} ${width}`));
         }
-        // The pages of the headers look alike: one is enough to look at.
-        if (['light', 'dark'].includes(theme) && (!headers.includes(file) || file === headers[0])) await page.screenshot({ path: join(PICTURES, `${file.replace(/\W/g, '-')}-${width}-${theme}.png`) });
+        if (process.env.PICTURES || ofEach.includes(file)) await page.screenshot({ path: join(PICTURES, `${file.replace(/\W/g, '-')}-${width}-${theme}.png`) });
       }
     }
     assert.deepEqual(found, []);

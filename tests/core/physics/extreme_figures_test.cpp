@@ -140,6 +140,7 @@ TEST_CASE("extremes: figures with limited joints keep the laws of model 2, or ar
   for (const Figure& figure : Extremes()) {
     for (const float strength : {0.0f, 0.1f, 2.0f, 1000.0f}) {
       for (const float stiffness : {1.0f, 1e4f, 1e6f}) {
+        if (strength == 0.0f && stiffness != 1.0f) continue;  // limp joints are never firm
         for (const ExtremeStart& beginning : ExtremeStarts()) {
           CAPTURE(figure.name, strength, stiffness, beginning.name);
           Document document;
