@@ -42,6 +42,7 @@ async function byKeyboard({ browser, address }) {
   }
   assert.deepEqual(all.off, ['Pause or resume the search', 'Run the queue', 'Clear the queue',
     'Show the best result for this figure and task', 'Bring back the deleted result', 'Move the selected clip earlier', 'Move the selected clip later',
+    'Track the planned motion by rules',
     'Repair the selected clip: search from where it takes over', 'Snap to best: move the switch to the nearest good moment', 'Remove the selected clip', 'Undo', 'Redo']);
   // Past the end and back. The selected row is always visible.
   await page.press('ArrowUp');
