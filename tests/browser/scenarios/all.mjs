@@ -75,8 +75,8 @@ const EVALUATIONS = 8000;
  */
 export const ONCE = 'once';
 /**
- * Scenarios of the canvas, of searches and of our own workers, which run the same code in every browser. A whole run does
- * not repeat them in the second browser (docs/design.md, 59). BROWSER=firefox runs them there.
+ * Scenarios of the canvas, of searches, of our own workers and of plain pages, which run the same code in every browser. A
+ * whole run does not repeat them in the second browser (docs/design.md, 59 and 84). BROWSER=firefox runs them there.
  * @param {Scenario[]} scenarios @returns {Scenario[]}
  */
 const once = (scenarios) => scenarios.map(([claim, body, where = ONCE]) => [claim, body, where]);
@@ -275,24 +275,25 @@ export const SCENARIOS = [
   ...GRAPHICS_SCENARIOS,
   ...SHARE_SCENARIOS,
   ...once(SUITE_SCENARIOS),
-  ...MIRROR_SCENARIOS,
+  ...once(MIRROR_SCENARIOS),
   ...once(LOOP_SCENARIOS),
-  ...AXE_SCENARIOS,
+  ...once(AXE_SCENARIOS),
   ...once(WORLD_SCENARIOS),
   ...EXPORT_SCENARIOS,
   ...once(FIGURE_SCENARIOS),
-  ...GALLERY_SCENARIOS,
+  ...once(GALLERY_SCENARIOS),
   ...once(BREED_SCENARIOS),
-  ...BEFORE_AFTER_SCENARIOS, ...CLASSROOM_SCENARIOS, ...EXPLORABLE_SCENARIOS, ...LEARNING_SCENARIOS, ...NEW_LESSON_SCENARIOS, ...REST_SCENARIOS, ...once(TEACH_SCENARIOS),
+  ...once([...BEFORE_AFTER_SCENARIOS, ...CLASSROOM_SCENARIOS, ...EXPLORABLE_SCENARIOS, ...LEARNING_SCENARIOS, ...NEW_LESSON_SCENARIOS, ...TEACH_SCENARIOS]),
+  ...REST_SCENARIOS,
   ...once(LIVE_SCENARIOS),
   ...once(RULE_SCENARIOS),
   ...once(WALK_SCENARIOS),
   ...once(FINGER_SCENARIOS),
   ...once(THEME_SCENARIOS),
   ...TYPING_SCENARIOS,
-  ...DOOR_SCENARIOS,
+  ...once(DOOR_SCENARIOS),
   ...NEWCOMER_SCENARIOS,
-  ...VIEWER_SCENARIOS,
+  ...once(VIEWER_SCENARIOS),
   ...once(TOUR_SCENARIOS),
   ...LANGUAGE_SCENARIOS,
 

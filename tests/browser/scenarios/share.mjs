@@ -134,7 +134,7 @@ async function linksThatCannotBeOpened({ browser, address }) {
   const cases = /** @type {[RegExp, string][]} */ ([
     [/cut or damaged|was damaged/, `${payload.slice(0, 40)}${payload[40] === 'A' ? 'B' : 'A'}${payload.slice(41)}`],
     [/was cut/, payload.slice(0, 120)],
-    [/made by a newer one/, `Cg${payload.slice(2)}`],
+    [/made by a newer one/, `Pw${payload.slice(2)}`],
     [/link/, 'A'.repeat(200000)],
     [/link/, 'not a link at all'],
   ]);

@@ -23,7 +23,7 @@ const AT_ONCE = /\/book\/(missing\.html|tokens\.css|book\.css|look\.js)$/;
 /** The pages of the book that were fetched. @param {PlainServer} server */
 const fetchedBook = (server) => server.requested.filter((path) => path.includes('/book/') && !AT_ONCE.test(path));
 /** @param {PageDriver} page */
-const untilComplete = (page) => page.until('the stored book', () => /Everything is stored now/.test(document.querySelector('#status')?.textContent ?? ''));
+const untilComplete = (page) => page.until('the stored book', () => /Everything is stored now/.test(document.querySelector('#status')?.textContent ?? ''), 180000);
 /** @param {Page} page */
 const textOf = (page) => page.evaluate(() => document.querySelector('main')?.textContent?.replace(/\s+/g, ' ') ?? '');
 /** Waits for the playground beside a lesson. @param {Page} page */

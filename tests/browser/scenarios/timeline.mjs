@@ -250,7 +250,13 @@ async function keyframes({ browser, address }) {
   assert.ok(dragged > 1, `the mark is at ${dragged} m`);
 
   // A curve of a joint, by keys: the keyframe asks for another angle.
+  await page.call('a moment without a keyframe', () => {
+    window.gaitsmith.run('motion/start');
+    for (let frame = 0; frame < 60; frame++) window.gaitsmith.run('motion/forward');
+  });
   await pointer.press('keyframes/add');
+  await page.frames(6);
+  assert.equal((await documentOf(page)).plan.keyframes.length, 2);
   await planned(page);
   await pointer.press('keyframes/view/1');
   await pointer.scrollTo('keyframes/curves', 40);
