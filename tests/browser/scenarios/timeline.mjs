@@ -240,7 +240,7 @@ async function keyframes({ browser, address }) {
   assert.equal((await documentOf(page)).plan.keyframes[0].marks[0].x_m, 0.9);
 
   // The ring on the stage, by mouse: farther still. It is there with its panel only.
-  await page.call('pause', () => window.gaitsmith.pause());
+  await page.play(false);
   await page.frames(4);
   const ring = await pointer.centre('stage/mark/0/0');
   await pointer.drag(ring, { x: ring.x + 30, y: ring.y - 20 });
