@@ -11,6 +11,7 @@
 #include "core/numeric/scalar_math.h"
 #include "core/physics/joint_response.h"
 #include "core/planning/plan_recorder.h"
+#include "core/rollout/models.h"
 
 namespace gaitsmith {
 
