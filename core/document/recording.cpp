@@ -18,22 +18,21 @@ constexpr int kFreeKnots = 4;
 
 }  // namespace
 
-Document WithTrajectories(const Document& document, const std::string& name,
-                          std::span<const float> angles_rad, int knots, int clips, double& worst_rad,
-                          double& typical_rad) {
+Recording WithTrajectories(const Document& document, const std::string& name,
+                           std::span<const float> angles_rad, int knots, int clips) {
   const PortCount ports = CountPorts(document.model, document.figure);
   const auto joints = static_cast<std::size_t>(ports.actuators);
   const int last = static_cast<int>(angles_rad.size() / joints) - 1;
   const Skeleton skeleton(document.figure);
   // What the next search makes stays as it is, but nothing may refer to the controllers that go.
-  Document followed = document;
+  Recording recording{.document = document};
+  Document& followed = recording.document;
   followed.search.start = followed.search.in_place_of = -1;
   followed.search.handovers.clear();
   followed.lineage = {};
   followed.controllers.clear();
   followed.timeline.clear();
   followed.hash = {};
-  worst_rad = 0.0;
   double squares = 0.0;
   CurveFit fit;
   for (int clip = 0; clip < clips; ++clip) {
@@ -53,14 +52,14 @@ Document WithTrajectories(const Document& document, const std::string& name,
     const auto part = angles_rad.subspan(static_cast<std::size_t>(first) * joints,
                                          static_cast<std::size_t>(end - first + 1) * joints);
     fit = FitCurves(part, skeleton, CurveShape(knots, ports), senses, fit.end);
-    worst_rad = std::max(worst_rad, fit.worst_rad);
+    recording.worst_rad = std::max(recording.worst_rad, fit.worst_rad);
     squares += fit.typical_rad * fit.typical_rad / clips;
     const std::string numbered = clips == 1 ? name : name + " " + std::to_string(clip + 1);
     followed.controllers.push_back({numbered, ControllerKind::kTrajectory, senses, knots, fit.genes});
     followed.timeline.push_back({.controller = clip, .start_step = first});
   }
-  typical_rad = std::sqrt(squares);
-  return followed;
+  recording.typical_rad = std::sqrt(squares);
+  return recording;
 }
 
 Result<Recording> RecordAsCurves(const Document& document, int knots) {
@@ -69,10 +68,7 @@ Result<Recording> RecordAsCurves(const Document& document, int knots) {
   if (CountPorts(document.model, document.figure).actuators == 0)
     return Fail(ErrorCode::kMissing, "figure", "has no joint whose angle could be recorded");
   const Motion motion = Simulate(document);
-  Recording recording;
-  recording.document = WithTrajectories(document, "recorded", motion.AnglesRad(), knots, 1,
-                                        recording.worst_rad, recording.typical_rad);
-  return recording;
+  return WithTrajectories(document, "recorded", motion.AnglesRad(), knots, 1);
 }
 
 }  // namespace gaitsmith

@@ -12,7 +12,7 @@
 namespace gaitsmith {
 
 struct Recording {
-  Document document;         // the same, but its one controller is a trajectory of the whole motion
+  Document document;         // the same, but its controllers are trajectories of the whole motion
   double worst_rad = 0.0;    // see CurveFit
   double typical_rad = 0.0;  // see CurveFit
 };
@@ -21,10 +21,8 @@ struct Recording {
 /// @param angles_rad of joints, from the drawn pose on (frames x joints), of at least one joint
 /// @param knots      of each trajectory
 /// @param clips      number of trajectories, for equal parts of the motion, [1, frames / 2)
-/// @param worst_rad, typical_rad set, see CurveFit
-[[nodiscard]] Document WithTrajectories(const Document&, const std::string& name,
-                                        std::span<const float> angles_rad, int knots, int clips,
-                                        double& worst_rad, double& typical_rad);
+[[nodiscard]] Recording WithTrajectories(const Document&, const std::string& name,
+                                         std::span<const float> angles_rad, int knots, int clips);
 
 /// @param document must be valid
 /// @param knots    evenly spaced over the motion, [2, kMaxRules]

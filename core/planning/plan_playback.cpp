@@ -56,11 +56,8 @@ class Player {
 
   /// @param planned with these wishes
   [[nodiscard]] Played Play(const PlannedMotion& planned, const Wishes& wishes) const {
-    double worst_rad = 0.0, typical_rad = 0.0;
     Played played{
-        WithTrajectories(document_, "planned", AnglesOf(planned), kMaxRules, clips_, worst_rad, typical_rad),
-        {},
-        {}};
+        WithTrajectories(document_, "planned", AnglesOf(planned), kMaxRules, clips_).document, {}, {}};
     Document shown = played.document;
     shown.duration_steps = std::max(document_.duration_steps, document_.plan.steps);
     const Motion motion = Simulate(shown);

@@ -7,7 +7,7 @@
 #include "core/world/environment.h"
 #include "core/world/ground_view.h"
 #include "shell/stage/figure_drawing.h"
-#include "shell/stage/ground_drawing.h"
+#include "shell/stage/ground/ground_drawing.h"
 #include "shell/stage/stage_marks.h"
 #include "shell/words/wording.h"
 

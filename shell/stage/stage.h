@@ -3,7 +3,7 @@
 #pragma once
 
 #include "shell/session/session.h"
-#include "shell/stage/ground_gesture.h"
+#include "shell/stage/ground/ground_gesture.h"
 #include "shell/stage/pinch.h"
 #include "shell/stage/push_gesture.h"
 #include "shell/stage/scene.h"

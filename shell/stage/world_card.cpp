@@ -7,7 +7,7 @@
 
 #include "core/document/joints.h"
 #include "core/numeric/scalar_math.h"
-#include "shell/stage/ground_form.h"
+#include "shell/stage/ground/ground_form.h"
 #include "shell/stage/live_switch.h"
 #include "shell/words/language.h"
 #include "shell/words/search_words.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "shell/session/session.h"
-#include "shell/stage/ground_form.h"
+#include "shell/stage/ground/ground_form.h"
 #include "shell/widgets/widgets.h"
 
 namespace gaitsmith::shell {

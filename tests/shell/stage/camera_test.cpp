@@ -7,7 +7,7 @@
 #include "core/document/json.h"
 #include "core/document/standing.h"
 #include "core/world/ground_preset.h"
-#include "shell/stage/ground_drawing.h"
+#include "shell/stage/ground/ground_drawing.h"
 #include "shell/stage/invitation.h"
 #include "shell/stage/scene.h"
 #include "tests/scene.h"

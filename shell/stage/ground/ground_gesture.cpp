@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shell/stage/ground_gesture.h"
+#include "shell/stage/ground/ground_gesture.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shell/stage/ground_drawing.h"
+#include "shell/stage/ground/ground_drawing.h"
 
 #include <algorithm>
 #include <cmath>

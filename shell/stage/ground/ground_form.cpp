@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shell/stage/ground_form.h"
+#include "shell/stage/ground/ground_form.h"
 
 #include <algorithm>
 #include <string>
