@@ -10,9 +10,11 @@ set(rooms
   "physics  -> numeric signal world"
   "spacetime -> numeric signal world physics"
   "rollout  -> numeric signal control world physics"
+  "kinematics -> numeric control physics rollout"
   "search   -> numeric signal control rollout"
   "document -> numeric signal control world physics spacetime rollout search"
-  "planning -> numeric signal control world physics spacetime rollout document"
+  "planning -> numeric signal control world physics spacetime rollout kinematics document"
+  "gait     -> numeric world kinematics document"
   "breeding -> numeric signal control rollout document search")
 
 set(faults "")

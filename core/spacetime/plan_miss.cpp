@@ -2,8 +2,9 @@
 #include "core/spacetime/plan_miss.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
+
+#include "core/numeric/hundredths.h"
 
 namespace gaitsmith {
 
@@ -30,11 +31,8 @@ std::string PathOf(const PlanPart& part) {
 
 Error ErrorOf(const PlanMiss& miss) {
   const bool angle = miss.part.kind == PlanPart::Kind::kJoint || miss.part.kind == PlanPart::Kind::kTurn;
-  // In whole centimetres or hundredths of a radian, and never none.
-  const int hundredths = std::max(1, static_cast<int>(std::lround(std::min(miss.amount, 1e6) * 100.0)));
-  std::string amount = std::to_string(hundredths / 100);
-  amount += hundredths % 100 < 10 ? ".0" : ".";
-  amount += std::to_string(hundredths % 100);
+  // Never none.
+  std::string amount = InHundredths(std::max(miss.amount, 0.01));
   amount += angle ? " rad" : " m";
   return {ErrorCode::kStructure, PathOf(miss.part),
           "cannot be met: the nearest motion misses it by " + amount};

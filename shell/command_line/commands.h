@@ -41,7 +41,8 @@ using Outcome = std::expected<void, Refusal>;
 [[nodiscard]] Outcome ValidateCommand(Words words);
 [[nodiscard]] Outcome MeasureCommand(Words words);
 [[nodiscard]] Outcome PlanCommand(Words words);
-Outcome RecordCommand(Words words);
+[[nodiscard]] Outcome RecordCommand(Words words);
+[[nodiscard]] Outcome LoopCommand(Words words);
 [[nodiscard]] Outcome LinkCommand(Words words);
 [[nodiscard]] Outcome CatalogueCommand(Words words);
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/gait/document_loop.h"
 #include "core/planning/plan_recorder.h"
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
@@ -46,12 +47,29 @@ Outcome NoFile() {
   return Fail(ErrorCode::kMissing, "--" + std::string(kExporters[0].id), what);
 }
 
+/// The motion to export: as the simulator plays it, as it is planned, or one cycle of it.
+Result<Motion> Chosen(const Arguments& arguments, const Document& document) {
+  const bool loop = arguments.Has("loop");
+  for (const char* option : {"halves", "in-place"}) {
+    if (arguments.Has(option) && !loop)
+      return Fail(ErrorCode::kMissing, std::string("--") + option, "needs --loop");
+  }
+  if (!arguments.Has("planned") && !loop) return Simulate(document);
+  if (!loop) return RecordPlanned(document);
+  if (arguments.Has("planned"))
+    return Fail(ErrorCode::kOutOfRange, "--loop",
+                "does not go with --planned: loops are found in what is played");
+  const auto found = LoopOf(document, Simulate(document), arguments.Has("halves"));
+  if (!found) return std::unexpected(found.error());
+  return RecordLoop(document, found->loop, arguments.Has("in-place"));
+}
+
 }  // namespace
 
 Outcome ExportCommand(Words words) {
   std::vector<std::string_view> options = {"poses", "from", "to"};
   for (const ExporterRow& row : kExporters) options.push_back(row.id);
-  static constexpr std::array<std::string_view, 1> kFlags = {"planned"};
+  static constexpr std::array<std::string_view, 4> kFlags = {"planned", "loop", "halves", "in-place"};
   const auto arguments = Arguments::Parse(words, options, kFlags);
   if (!arguments) return std::unexpected(arguments.error());
   if (arguments->Positional().size() != 1)
@@ -60,12 +78,10 @@ Outcome ExportCommand(Words words) {
     return NoFile();
   const auto document = ReadDocument(arguments->Positional()[0]);
   if (!document) return std::unexpected(document.error());
-  const auto strip = StripOptions(*arguments, document->duration_steps * 0.01);
-  if (!strip) return std::unexpected(strip.error());
-
-  const Result<Motion> motion =
-      arguments->Has("planned") ? RecordPlanned(*document) : Result<Motion>(Simulate(*document));
+  const auto motion = Chosen(*arguments, *document);
   if (!motion) return std::unexpected(motion.error());
+  const auto strip = StripOptions(*arguments, (motion->Frames() - 1) * 0.01);
+  if (!strip) return std::unexpected(strip.error());
   for (const ExporterRow& row : kExporters) {
     if (!arguments->Has(row.id)) continue;
     const auto done = WriteText(arguments->Last(row.id), row.make(*document, *motion, *strip));

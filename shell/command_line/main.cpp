@@ -22,7 +22,7 @@ struct Command {
 constexpr auto kCommands = std::to_array<Command>({
     {"simulate", gaitsmith::shell::SimulateCommand, "simulate DOC --csv OUT"},
     {"export", gaitsmith::shell::ExportCommand,
-     "export DOC {exporters} [--poses N] [--from S] [--to S] [--planned]"},
+     "export DOC {exporters} [--poses N] [--from S] [--to S] [--planned | --loop [--halves] [--in-place]]"},
     {"synthesize", gaitsmith::shell::SynthesizeCommand,
      "synthesize --figure F --task T --sense physical|timer=SECONDS|sight --weight TERM=W\n"
      "             --search ALG --evaluations N --seed S --out DOC [--curve CSV] [--styles DIR] [--threads "
@@ -67,6 +67,7 @@ constexpr auto kCommands = std::to_array<Command>({
     {"validate", gaitsmith::shell::ValidateCommand, "validate DOC"},
     {"measure", gaitsmith::shell::MeasureCommand, "measure DOC [--joints J] [--ground G]"},
     {"record", gaitsmith::shell::RecordCommand, "record DOC [--knots N] [--out DOC]"},
+    {"loop", gaitsmith::shell::LoopCommand, "loop DOC … [--halves]"},
     {"plan", gaitsmith::shell::PlanCommand,
      "plan DOC [--degree 3|4|5] [--pieces N] [--motion CSV] [--out DOC] [--rules DOC]"},
     {"link", gaitsmith::shell::LinkCommand, "link encode DOC | link decode LINK [--out DOC]"},

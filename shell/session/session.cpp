@@ -56,7 +56,8 @@ Session::Session(Host& host)
       comparison_(workspace_, world_, search_, queue_, results_),
       timeline_(workspace_, search_, comparison_, results_),
       keyframes_(workspace_),
-      planning_(workspace_, search_, comparison_) {
+      planning_(workspace_, search_, comparison_),
+      gait_(workspace_) {
   workspace_.SetFollowers({.motion =
                                [this](bool opened) {
                                  if (opened || Doc().timeline.empty()) attempts_.Clear();
@@ -348,7 +349,8 @@ bool Session::Advance(double seconds) {
   const bool improved = search_.ShowImprovement(seconds);
   const bool moved = Player().Advance(seconds);
   attempts_.Follow(Player().TimeS(), now_s_);
-  return moved || improved || followed;
+  const bool repeats = gait_.Advance(seconds);
+  return moved || improved || followed || repeats;
 }
 
 }  // namespace gaitsmith::shell

@@ -4,8 +4,8 @@
 //
 // Dependencies go one way. All parts read and change the document through the workspace, and each part knows
 // only those before it in this list: workspace, results, search, live, lab, queue, world, ground,
-// teacher, comparison, timeline, keyframes, planning. The session knows all parts and forwards events from
-// earlier parts to later ones.
+// teacher, comparison, timeline, keyframes, planning, gait. The session knows all parts and forwards events
+// from earlier parts to later ones.
 #pragma once
 
 #include <functional>
@@ -17,6 +17,7 @@
 #include "shell/results/result_store.h"
 #include "shell/results/search_run.h"
 #include "shell/session/attempts.h"
+#include "shell/session/gait_finder.h"
 #include "shell/session/ground_editor.h"
 #include "shell/session/live.h"
 #include "shell/session/motion_comparison.h"
@@ -59,6 +60,7 @@ class Session {
   [[nodiscard]] const PlanEditor& Keyframes() const { return keyframes_; }
   [[nodiscard]] PlanRun& Planning() { return planning_; }
   [[nodiscard]] const PlanRun& Planning() const { return planning_; }
+  [[nodiscard]] const GaitFinder& Gait() const { return gait_; }
   [[nodiscard]] SearchRun& Search() { return search_; }
   [[nodiscard]] const SearchRun& Search() const { return search_; }
   /// Of the running search, if its improvements are shown.
@@ -214,6 +216,7 @@ class Session {
   TimelineEditor timeline_;
   PlanEditor keyframes_;
   PlanRun planning_;
+  GaitFinder gait_;
   Attempts attempts_;
   ShippedDocuments shipped_;
   Provenance provenance_;

@@ -30,6 +30,20 @@ std::string LengthText(const Playback& player) {
   return Fixed(length, std::abs(length - std::round(length)) < 0.005 ? 0 : 1) + " s";
 }
 
+/// A bracket over one cycle of the motion, for assistive tools a sentence.
+void DrawCycle(Ui& ui, const GaitCycle& cycle, double distance_m, float left, float right, float y) {
+  const Palette& p = ui.Ink();
+  ImDrawList* list = ui.Canvas();
+  list->AddRectFilled({left, y - 2.0f}, {right, y}, p.accent);
+  for (const float end : {left, right - 1.5f})
+    list->AddRectFilled({end, y - 2.0f}, {end + 1.5f, y + 2.0f}, p.accent);
+  const std::string seconds = Fixed(cycle.frames * static_cast<double>(kStep), 2);
+  const std::string words = std::abs(distance_m) < 0.005 ? Tr("Repeats every {1} s", seconds)
+                                                         : Tr("Gait of {1} s and {2} m a cycle", seconds,
+                                                              Fixed(std::abs(distance_m), 2));
+  ui.DescribeText(words, {{left, y - 2.0f}, {right, y + 2.0f}});
+}
+
 /// @param y centre of the drawing; the whole area can be pressed
 void DrawStrip(Ui& ui, Session& session, const TimeRuler& ruler, const ImRect& rect, float y) {
   Playback& player = session.Player();
@@ -66,6 +80,9 @@ void DrawStrip(Ui& ui, Session& session, const TimeRuler& ruler, const ImRect& r
     list->AddRectFilled({x_of(contact.start_frame), top + 12.5f}, {x_of(contact.end_frame), top + 15.5f},
                         Mix(p.panel, p.second_ink, 0.7f));
   }
+  if (const auto& cycle = session.Gait().Cycle())
+    DrawCycle(ui, *cycle, session.Gait().DistanceM(), x_of(cycle->first),
+              x_of(cycle->first + static_cast<int>(std::lround(cycle->frames))), top - 3.0f);
   const float x = ui.Look().Snap(ruler.XOf(player.TimeS()));
   list->AddRectFilled({x - 1.0f, top - 4.0f}, {x + 1.0f, top + 20.0f}, p.ink, 1.0f);
   if (touch.hovered || touch.held) list->AddCircleFilled({x, top + 14.0f}, 5.0f, p.ink);

@@ -48,6 +48,23 @@ cmp -s planned.csv played.csv && fault "the planned motion is the played one"
 same "$(poses planned.svg)" 8 "poses of a planned motion"
 refuses 'plan: has no planned motion yet' "$gaitsmith" export star-man-shuffle --planned --svg no.svg
 
+# One cycle of it, which ends as it begins.
+loop=$("$gaitsmith" loop star-man-cartwheel | tail -1)
+same "$(cut -d, -f9 <<<"$loop")" shown "a cartwheel repeats"
+"$gaitsmith" export star-man-cartwheel --loop --csv loop.csv --gltf loop.gltf --svg loop.svg || fault "a loop"
+"$gaitsmith" export star-man-cartwheel --loop --in-place --csv stays.csv || fault "a loop in place"
+awk -F, -v loop="$loop" 'BEGIN { split(loop, of, ",") } NR == 2 { for (i = 9; i <= NF; i++) first[i] = $i; turn = $6 } { last = $0; rows = NR }
+  END { split(last, at, ","); names = 13
+    if (rows - 2 != int(100 * of[2] + 0.5)) exit 1
+    if ((at[2] - of[3]) ^ 2 > 1e-12 || (at[6] - turn - of[4] * 6.283185307) ^ 2 > 1e-9) exit 2
+    for (i = 9; i < names; i++) if ((at[i] - first[i]) ^ 2 > 1e-12) exit 3 }' loop.csv || fault "the loop's end is not its beginning ($?)"
+awk -F, 'NR > 1 { x = $2 } END { exit x * x > 1e-18 }' stays.csv || fault "a loop in place moves"
+same "$("$gaitsmith" loop star-man-cartwheel star-man-shuffle "$jump" | wc -l)" 4 "a row for each document"
+refuses '--halves: needs --loop' "$gaitsmith" export star-man-cartwheel --halves --svg no.svg
+refuses '--loop: does not go with --planned' "$gaitsmith" export "$jump" --loop --planned --svg no.svg
+refuses "the figure has no two limbs that can take each other's part" "$gaitsmith" export star-man-cartwheel --loop --halves --svg no.svg
+refuses 'DOC: give at least one document' "$gaitsmith" loop
+
 refuses "--${exporters[0]}: say where;${or#,}" "$gaitsmith" export star-man-shuffle
 refuses 'DOC: give exactly one document' "$gaitsmith" export --svg no.svg
 refuses '--poses: must be a whole number from 3 to 26, is "2"' "$gaitsmith" export star-man-shuffle --svg no.svg --poses 2

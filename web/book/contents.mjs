@@ -7,7 +7,7 @@ const GROUPS = [
   { title: trLater('Begin here'), id: 'begin-here', names: ['how-things-learn-to-move'] },
   { title: trLater('Gallery'), id: 'gallery', names: ['gallery', 'pictures'] },
   { title: trLater('For teachers'), id: 'for-teachers', names: ['teachers', 'writing-lessons', 'does-it-teach', 'languages', 'lesson-answers'] },
-  { title: trLater('The playground'), id: 'the-playground', names: ['animation', 'style', 'accessibility'] },
+  { title: trLater('The playground'), id: 'the-playground', names: ['animation', 'exporting', 'style', 'accessibility'] },
   { title: trLater('The engine'), id: 'the-engine', names: ['physics', 'search', 'spacetime', 'determinism', 'reliability', 'performance', 'related-work'] },
   { title: trLater('For engineers'), id: 'for-engineers', names: ['engineers', 'embedding', 'command-line', 'formats', 'architecture', 'design'] },
 ];

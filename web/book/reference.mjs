@@ -28,6 +28,8 @@ const FOLDERS = [
   { name: 'signal', title: 'Signals', sentence: 'What passes between controllers and plants: targets and readings.' },
   { name: 'spacetime', title: 'Spacetime', sentence: 'Motions planned between keyframes, and what of a plan cannot be met.' },
   { name: 'planning', title: 'Planning', sentence: 'Plans of documents: drafted, carried out, and played by the simulator.' },
+  { name: 'kinematics', title: 'Kinematics', sentence: 'Figures and motions as they look, whatever moves them.' },
+  { name: 'gait', title: 'Gaits', sentence: 'The cycle of a motion: found, cut, and closed into a loop.' },
   { name: 'search', title: 'Searches', sentence: 'How controllers are found.' },
   { name: 'numeric', title: 'Numbers', sentence: 'Arithmetic, random numbers and errors that are the same everywhere.' },
 ];

@@ -130,6 +130,16 @@ export class Engine {
     return new RecordedMotion(this, this.orThrow(this.module._gs_motion_open_planned(this.put(document))));
   }
 
+  /**
+   * One cycle of its motion, closed; an error that says why it has none.
+   * @param {Uint8Array} document @param {{halves?: boolean, inPlace?: boolean}} [how]  halves: the second half is made of the
+   * first, with limbs exchanged; inPlace: without its way along the ground
+   * @returns {RecordedMotion}
+   */
+  loop(document, { halves = false, inPlace = false } = {}) {
+    return new RecordedMotion(this, this.orThrow(this.module._gs_motion_open_loop(this.put(document), Number(halves), Number(inPlace))));
+  }
+
   // Helpers for the classes below.
 
   /**

@@ -105,6 +105,16 @@ export interface EngineExports {
    * solution is an error.
    */
   _gs_motion_open_planned(size: number): Pointer;
+  /**
+   * One cycle of the motion, closed (core/gait/document_loop.h). An error says why it has none.
+   * @param halves   make the second half of the first one @param in_place without its way
+   */
+  _gs_motion_open_loop(size: number, halves: number, inPlace: number): Pointer;
+  /**
+   * What is known of a loop: its period [s], distance [m], turns, likeness, gap and slide [longest rod], and
+   * whether the controller had to run on to find it; "null" for a whole motion. As JSON.
+   */
+  _gs_motion_loop(role: Pointer): Pointer;
   /** @param words_size bytes of FilmStripWords in the input area, with a 0 byte after each */
   _gs_motion_film_strip(role: Pointer, wordsSize: number, poses: number): Pointer;
   /** A file that needs no words. @param id_size of an exporter's id in the input area */

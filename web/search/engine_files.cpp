@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "core/document/archive.h"
+#include "core/gait/document_loop.h"
 #include "core/planning/plan_recorder.h"
 #include "shell/export/exporters.h"
 #include "web/search/engine_border.h"
@@ -25,7 +27,32 @@ GS_EXPORT MotionRole* gs_motion_open_planned(std::size_t size) {
   }
   return OpenMotion(std::move(*document), std::move(*motion));
 }
+/// One cycle of the motion, closed (core/gait/document_loop.h). An error says why it has none.
+/// @param halves   make the second half of the first one @param in_place without its way
+GS_EXPORT MotionRole* gs_motion_open_loop(std::size_t size, bool halves, bool in_place) {
+  auto document = TakeDocument(size);
+  if (!document) return nullptr;
+  auto found = LoopOf(*document, Simulate(*document), halves);
+  if (!found) {
+    Note(found.error());
+    return nullptr;
+  }
+  const ClosedLoop& loop = found->loop;
+  Motion motion = RecordLoop(*document, loop, in_place);
+  MotionRole* role = OpenMotion(std::move(*document), std::move(motion));
+  role->loop = "{\"period\":" + RealText(static_cast<float>(loop.cycle.PeriodFrames() * 0.01)) +
+               ",\"distance\":" + RealText(static_cast<float>(loop.distance_m)) +
+               ",\"turns\":" + std::to_string(loop.turns) +
+               ",\"likeness\":" + RealText(static_cast<float>(loop.cycle.likeness)) +
+               ",\"gap\":" + RealText(static_cast<float>(loop.cycle.gap_rods)) +
+               ",\"slide\":" + RealText(static_cast<float>(loop.slide_rods)) +
+               ",\"later\":" + (found->ran_on ? "true" : "false") + "}";
+  return role;
+}
 // Exported files, gs_motion_text_size() bytes.
+/// What is known of a loop: its period [s], distance [m], turns, likeness, gap and slide [longest rod], and
+/// whether the controller had to run on to find it; "null" for a whole motion. As JSON.
+GS_EXPORT const char* gs_motion_loop(MotionRole* role) { return Keep(role, role->loop); }
 /// @param words_size bytes of FilmStripWords in the input area, with a 0 byte after each
 GS_EXPORT const char* gs_motion_film_strip(MotionRole* role, std::size_t words_size, int poses) {
   shell::FilmStripOptions options{.poses = poses};

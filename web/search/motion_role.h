@@ -20,6 +20,7 @@ struct MotionRole {
   shell::FigureLook look = {};
   std::vector<float> body = {};
   std::string text = {};
+  std::string loop = "null";  // what is known of a loop, as JSON
 };
 
 /// @param motion of the document

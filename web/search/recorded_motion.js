@@ -59,6 +59,13 @@ export class RecordedMotion {
    */
   measures() { return JSON.parse(this.#text(this.engine.module._gs_motion_measures(this.handle))); }
 
+  /**
+   * What is known of a loop: lengths of time and way in s and m, gap and slide in longest rods (core/gait/closed_loop.h); later:
+   * its controller had to run on to find it. null: of a whole motion.
+   * @returns {{period: number, distance: number, turns: number, likeness: number, gap: number, slide: number, later: boolean} | null}
+   */
+  cycle() { return JSON.parse(this.#text(this.engine.module._gs_motion_loop(this.handle))); }
+
   close() { this.engine.module._gs_motion_close(this.handle); }
 
   /** @param {number} at */

@@ -1,61 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The dialog that exports the motion as files for other programs. Loaded on first use.
+// The dialog that exports the motion as files for other programs, with a preview of what is exported. Loaded on first use.
 import { element, offerFile, onClick, toast } from '../browser/dom.js';
 import { exporters } from '../catalogue/catalogue.js';
 import { Engine } from '../search/engine.js';
 import { fixed, followLanguage, tr, trSentence } from '../languages/language.js';
+import { FORMATS } from './export_formats.js';
+import { cycleOf, ExportPreview, openPart } from './export_preview.js';
 import { fileName } from './sharing.js';
 
 /** @typedef {import('../app/app.js').App} App */
-/** @typedef {import('../search/engine.js').RecordedMotion} RecordedMotion */
-/**
- * The input of an export.
- * @typedef {object} ExportJob
- * @property {RecordedMotion} motion
- * @property {string} title
- * @property {number} poses
- * @property {AbortSignal} signal                  aborted when the export is cancelled
- * @property {(share: number) => void} onProgress  share: the finished part, from 0 to 1
- */
-/** @typedef {{ending: string, type: string, make: (job: ExportJob) => Promise<BlobPart>}} Format */
-
-const PNG_SCALE = 2;
-
-/** The formats of the engine's exporters, and those that are made here. @type {Record<string, Format>} */
-export const FORMATS = {
-  ...Object.fromEntries(exporters.map(({ name, ending, type }) => [name, { ending, type, make: async (job) => (name === 'svg' ? strip(job) : job.motion.file(name)) }])),
-  png: { ending: 'png', type: 'image/png', make: (job) => painted(strip(job)) },
-  gif: { ending: 'gif', type: 'image/gif', make: async (job) => (await import('./export_film.js')).gif(job) },
-  webm: { ending: 'webm', type: 'video/webm', make: async (job) => (await import('./export_film.js')).webm(job) },
-};
-
-/** @param {ExportJob} job */
-function strip({ motion, poses }) {
-  return motion.filmStrip(poses, [
-    tr('{1} poses of {2} from {3} s to {4} s, lettered {5} to {6}.'),
-    tr('ground tilted by {1}°, drawn level'),
-    fixed(0.5, 1).charAt(1),
-  ]);
-}
-
-/** An SVG as a PNG. @param {string} svg @returns {Promise<Blob>} */
-async function painted(svg) {
-  const url = URL.createObjectURL(new Blob([svg], { type: FORMATS.svg.type }));
-  try {
-    const image = new Image();
-    image.src = url;
-    await image.decode();
-    const canvas = document.createElement('canvas');
-    canvas.width = PNG_SCALE * image.naturalWidth;
-    canvas.height = PNG_SCALE * image.naturalHeight;
-    canvas.getContext('2d')?.drawImage(image, 0, 0, canvas.width, canvas.height);
-    const png = await new Promise((resolve) => canvas.toBlob(resolve, 'image/png'));
-    if (!(png instanceof Blob)) throw new Error('no picture');
-    return png;
-  } finally {
-    URL.revokeObjectURL(url);
-  }
-}
+/** @typedef {import('./export_preview.js').Choice} Choice */
+/** @typedef {import('./export_preview.js').Cycle} Cycle */
 
 /** The choice of an exporter, whose words follow the language. @param {typeof exporters[number]} exporter */
 function choice({ name, label, note }) {
@@ -68,57 +23,85 @@ function choice({ name, label, note }) {
   const words = document.createElement('span');
   words.append(title, small);
   const box = document.createElement('label');
-  box.append(Object.assign(document.createElement('input'), { type: 'radio', name: 'export-format', value: name, defaultChecked: name === exporters[0]?.name }), ' ', words);
+  box.append(Object.assign(document.createElement('input'), { type: 'radio', name: 'export-format', value: name }), ' ', words);
   return box;
+}
+
+/** A cycle in words, such as "0.82 s, 1.31 m a cycle". @param {Cycle} cycle */
+function words({ period, distance, turns, later }) {
+  const way = Math.abs(distance) < 0.005 ? tr('{1} s a cycle', fixed(period, 2)) : tr('{1} s and {2} m a cycle', fixed(period, 2), fixed(Math.abs(distance), 2));
+  const turning = turns === 0 ? '' : `, ${Math.abs(turns) === 1 ? tr('one turn') : tr('{1} turns', String(Math.abs(turns)))}`;
+  return way + turning + (later ? `. ${tr('It was found by letting the controller run on.')}` : '');
 }
 
 class ExportDialog {
   #dialog = element('export-dialog', HTMLDialogElement);
   #formats = element('export-formats', HTMLFieldSetElement);
+  #parts = element('export-parts', HTMLFieldSetElement);
   #poses = element('export-poses', HTMLInputElement);
-  #plan = element('export-plan');
-  #planned = element('export-planned', HTMLInputElement);
+  #cycle = element('export-cycle');
+  #inPlace = element('export-in-place', HTMLInputElement);
+  #halves = element('export-halves', HTMLInputElement);
   #progress = element('export-progress', HTMLProgressElement);
   #go = element('export-go', HTMLButtonElement);
   #cancel = element('export-cancel', HTMLButtonElement);
   #error = element('export-error');
+  #preview = new ExportPreview(element('export-picture', HTMLCanvasElement));
   /** Of the running export. @type {AbortController | null} */
   #making = null;
   /** @type {Promise<Engine> | null} */
   #engine = null;
+  /** The document as it was when the dialog was opened, for the engine. @type {Uint8Array | null} */
+  #document = null;
 
   /** @param {App} app @param {import('../access/status_line.js').StatusLine} statusLine */
   constructor(app, statusLine) {
     this.app = app;
     this.statusLine = statusLine;
-    // index.html has the formats that are made here. They follow the first exporter, the film strip.
-    const [first, ...others] = exporters.map(choice);
-    this.#formats.querySelector('legend')?.after(first);
-    this.#formats.append(...others);
+    this.#formats.append(...exporters.map(choice));
     this.#dialog.addEventListener('submit', (event) => {
       event.preventDefault();
       void this.#export();
     });
     this.#formats.addEventListener('change', () => this.#chosen());
-    this.#dialog.addEventListener('close', () => this.#making?.abort());
+    this.#parts.addEventListener('change', () => void this.#showPart());
+    this.#dialog.addEventListener('close', () => {
+      this.#making?.abort();
+      this.#preview.close();
+    });
     onClick('export-cancel', () => (this.#making ? this.#making.abort() : this.#dialog.close()));
   }
 
   open() {
     this.#error.textContent = '';
-    this.#chosen();
-    this.#plan.hidden = !this.app.document().plan?.solved?.unknowns?.length;
+    this.#document = null;
+    this.#offer('planned', Boolean(this.app.document().plan?.solved?.unknowns?.length));
     if (typeof MediaRecorder !== 'function' || !MediaRecorder.isTypeSupported('video/webm')) {
       this.#radio('webm').disabled = true;
       element('export-webm').textContent = tr('This browser cannot record videos');
     }
+    this.#chosen();
     this.#dialog.showModal();
     this.#radio(this.#format()).focus();
+    void this.#look();
   }
 
-  /** @param {string} format */
-  #radio(format) { return /** @type {HTMLInputElement} */ (this.#formats.querySelector(`[value=${format}]`)); }
-  #format() { return /** @type {HTMLInputElement} */ (this.#formats.querySelector(':checked')).value; }
+  /** @param {string} value  of a format or a part */
+  #radio(value) { return /** @type {HTMLInputElement} */ (this.#dialog.querySelector(`[type=radio][value=${value}]`)); }
+  #format() { return /** @type {HTMLInputElement} */ (this.#formats.querySelector('input:checked')).value; }
+  /** @returns {Choice} */
+  #choice() {
+    const part = /** @type {HTMLInputElement} */ (this.#parts.querySelector('[name=export-part]:checked')).value;
+    return { part, halves: this.#halves.checked, inPlace: this.#inPlace.checked };
+  }
+
+  /** Offers a part, or takes it back. @param {string} part @param {boolean} there */
+  #offer(part, there) {
+    const radio = this.#radio(part);
+    /** @type {HTMLElement} */ (radio.closest('label')).hidden = !there && part === 'planned';
+    radio.disabled = !there;
+    if (!there && radio.checked) this.#radio('whole').checked = true;
+  }
 
   /** Shows the number of poses only for film strips. */
   #chosen() {
@@ -127,26 +110,75 @@ class ExportDialog {
     this.#poses.disabled = !strip;
   }
 
+  /** Looks for a cycle, says which, and plays what is chosen. */
+  async #look() {
+    const chosen = this.#choice().part;
+    this.#offer('loop', false);
+    this.#cycle.textContent = tr('Looking for one…');
+    try {
+      const engine = await this.#load();
+      const document = engine.documentFromText(this.app.documentText());
+      this.#document = document;
+      try {
+        const loop = engine.loop(document);
+        this.#cycle.textContent = words(/** @type {Cycle} */ (loop.cycle()));
+        loop.close();
+        this.#offer('loop', true);
+        this.#offerHalves(engine, document);
+        this.#radio(chosen).checked = true;
+      } catch (error) {
+        this.#cycle.textContent = tr('None: {1}', trSentence(reason(error)));
+      }
+      await this.#showPart();
+    } catch (error) {
+      this.#cycle.textContent = '';
+      this.#error.textContent = tr('The file could not be made: {1}.', trSentence(reason(error)));
+    }
+  }
+
+  /** Offers even halves where they fit. @param {Engine} engine @param {Uint8Array} document */
+  #offerHalves(engine, document) {
+    let there = true;
+    try {
+      engine.loop(document, { halves: true }).close();
+    } catch {
+      there = false;
+      this.#halves.checked = false;
+    }
+    /** @type {HTMLElement} */ (this.#halves.closest('label')).hidden = !there;
+  }
+
+  /** Plays the chosen part. */
+  async #showPart() {
+    const choice = this.#choice();
+    element('export-ways').hidden = choice.part !== 'loop';
+    if (!this.#document || !this.#dialog.open) return;
+    const motion = openPart(await this.#load(), this.#document, choice);
+    if (choice.part === 'loop') this.#cycle.textContent = words(/** @type {Cycle} */ (motion.cycle()));
+    this.#preview.show(motion, cycleOf(motion, choice.inPlace));
+  }
+
   async #export() {
     if (this.#making) return;
     const { ending, type, make } = FORMATS[this.#format()];
+    const choice = this.#choice();
     const making = new AbortController();
     this.#show(making);
-    /** @type {RecordedMotion | null} */
+    /** @type {import('../search/engine.js').RecordedMotion | null} */
     let motion = null;
     try {
       const engine = await this.#load();
-      const bytes = engine.documentFromText(this.app.documentText());
-      motion = !this.#plan.hidden && this.#planned.checked ? engine.plannedMotion(bytes) : engine.motion(bytes);
+      motion = openPart(engine, engine.documentFromText(this.app.documentText()), choice);
       const contents = await make({
         motion,
+        cycle: cycleOf(motion, choice.inPlace),
         title: this.app.title(),
         poses: Number(this.#poses.value),
         signal: making.signal,
         onProgress: (share) => { this.#progress.value = share; },
       });
       making.signal.throwIfAborted();
-      const name = `${fileName(this.app.title())}.${ending}`;
+      const name = `${fileName(this.app.title())}${choice.part === 'loop' ? '-loop' : ''}.${ending}`;
       offerFile(name, contents, type);
       this.statusLine.say('');
       toast(tr('Exported: {1}', name));
@@ -155,7 +187,7 @@ class ExportDialog {
     } catch (error) {
       this.#show(null);
       if (making.signal.aborted) toast(tr('Export cancelled'));
-      else this.#error.textContent = tr('The file could not be made: {1}.', trSentence(error instanceof Error ? error.message : String(error)));
+      else this.#error.textContent = tr('The file could not be made: {1}.', trSentence(reason(error)));
     } finally {
       motion?.close();
     }
@@ -172,7 +204,7 @@ class ExportDialog {
   #show(making) {
     this.#making = making;
     this.#formats.disabled = making !== null;
-    this.#planned.disabled = making !== null;
+    this.#parts.disabled = making !== null;
     this.#go.disabled = making !== null;
     this.#error.textContent = '';
     this.#progress.hidden = making === null;
@@ -181,6 +213,9 @@ class ExportDialog {
     else if (this.#dialog.open) this.#go.focus();
   }
 }
+
+/** @param {unknown} error */
+const reason = (error) => (error instanceof Error ? error.message : String(error));
 
 /** @type {ExportDialog | undefined} */
 let dialog;

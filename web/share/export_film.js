@@ -4,7 +4,7 @@ import { Film, STEPS_PER_SECOND } from './film.js';
 import { GIFEncoder, nearestColorIndex, quantize } from './gifenc.js';
 import { withDuration } from './webm_duration.js';
 
-/** @typedef {import('./export.js').ExportJob} ExportJob */
+/** @typedef {import('./export_formats.js').ExportJob} ExportJob */
 
 const STEPS_PER_FRAME = 4; // GIF delays are in hundredths of a second, and browsers do not play delays below two correctly
 const LAST_FRAME_MS = 1000; // shows that the motion starts again
@@ -61,19 +61,30 @@ class Painter {
   }
 }
 
+/**
+ * The frames of a GIF. A loop's are evenly spaced, without the last one, which is its first.
+ * @param {number} frames @param {boolean} loops
+ */
+function shownFrames(frames, loops) {
+  const steps = frames - 1;
+  const count = loops ? Math.max(2, Math.round(steps / STEPS_PER_FRAME)) : Math.ceil(frames / STEPS_PER_FRAME);
+  return Array.from({ length: count }, (_, i) => (loops ? Math.round((i * steps) / count) : i * STEPS_PER_FRAME));
+}
+
 /** @param {ExportJob} job @returns {Promise<BlobPart>} */
-export async function gif({ motion, title, signal, onProgress }) {
-  const film = new Film(motion, title);
+export async function gif({ motion, title, signal, onProgress, cycle = null }) {
+  const film = new Film(motion, title, cycle);
   const palette = paletteOf(film);
   const painter = new Painter(palette);
   const encoder = GIFEncoder();
-  for (let frame = 0; frame < motion.frames; frame += STEPS_PER_FRAME) {
+  const shown = shownFrames(motion.frames, cycle !== null);
+  for (const [i, frame] of shown.entries()) {
     film.draw(frame);
-    const last = frame + STEPS_PER_FRAME >= motion.frames;
+    const last = i === shown.length - 1 && !cycle;
     const delay = last ? LAST_FRAME_MS : 1000 * STEPS_PER_FRAME / STEPS_PER_SECOND;
-    const options = frame === 0 ? { palette, delay, repeat: 0 } : { delay };
+    const options = i === 0 ? { palette, delay, repeat: 0 } : { delay };
     encoder.writeFrame(painter.indices(film.pixels()), film.width, film.height, options);
-    onProgress(frame / motion.frames);
+    onProgress(i / shown.length);
     await pause();
     signal.throwIfAborted();
   }
@@ -82,8 +93,8 @@ export async function gif({ motion, title, signal, onProgress }) {
 }
 
 /** @param {ExportJob} job @returns {Promise<BlobPart>} */
-export async function webm({ motion, title, signal, onProgress }) {
-  const film = new Film(motion, title);
+export async function webm({ motion, title, signal, onProgress, cycle = null }) {
+  const film = new Film(motion, title, cycle);
   film.draw(0);
   const stream = film.canvas.captureStream(WEBM_RATE);
   const recorder = new MediaRecorder(stream, { mimeType: 'video/webm', videoBitsPerSecond: WEBM_BITS });

@@ -24,10 +24,11 @@ export class Film {
   width = WIDTH;
   height = HEIGHT;
 
-  /** @param {RecordedMotion} motion @param {string} title */
-  constructor(motion, title) {
+  /** @param {RecordedMotion} motion @param {string} title @param {{distance: number} | null} [cycle]  of a loop, without title and time */
+  constructor(motion, title, cycle = null) {
     this.motion = motion;
     this.title = title;
+    this.cycle = cycle;
     this.canvas = document.createElement('canvas');
     this.canvas.width = WIDTH;
     this.canvas.height = HEIGHT;
@@ -37,7 +38,10 @@ export class Film {
     this.rod = rod * this.scale;
     this.tick = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000].find((length) => length * this.scale >= MIN_TICK) ?? 50000;
     const xs = Float64Array.from({ length: motion.frames }, (_, i) => this.#numberAt(i, 1));
-    this.cameras = smooth(xs);
+    const steps = motion.frames - 1;
+    if (cycle) this.tick = evenTick(this.tick, cycle.distance);
+    // The view of a loop moves evenly, so that nothing shows where it begins again.
+    this.cameras = cycle ? xs.map((_, i) => xs[0] + (cycle.distance * i) / steps) : smooth(xs);
     // The view rises and falls with a drawn ground.
     this.levels = motion.ground.level ? new Float64Array(motion.frames) : smooth(xs.map((x) => motion.ground.heightAt(x)));
     this.severalControllers = new Set(Array.from({ length: motion.frames }, (_, i) => this.#numberAt(i, 0))).size > 1;
@@ -51,6 +55,7 @@ export class Film {
     this.#ground(frame);
     this.#trail(frame);
     this.#figure(frame);
+    if (this.cycle) return;
     c.textBaseline = 'alphabetic';
     c.textAlign = 'right';
     this.#text(`${fixed(frame / STEPS_PER_SECOND, 2)} s`, WIDTH - 20, 34, SECOND_INK, '14px');
@@ -106,7 +111,7 @@ export class Film {
       const y = this.#surface(this.motion.ground.heightAt(mark * this.tick), frame);
       c.fillRect(x - 0.5, y, 1, 8);
       const metres = fixed(Math.abs(mark * this.tick), this.tick < 1 ? 1 : 0);
-      if (x < EDGE || x > WIDTH - EDGE) continue; // a cut label could be misread
+      if (this.cycle || x < EDGE || x > WIDTH - EDGE) continue; // a cut label could be misread
       this.#text(`${mark < 0 ? '−' : ''}${metres} m`, x, this.#label(mark * this.tick, frame), SECOND_INK, '12px');
     }
   }
@@ -125,14 +130,22 @@ export class Film {
     const { context: c } = this;
     c.strokeStyle = TRAIL;
     c.lineWidth = 1.5;
-    for (let i = Math.max(1, frame - TRAIL_STEPS); i <= frame; i++) {
+    for (let i = Math.max(this.cycle ? -Infinity : 1, frame - TRAIL_STEPS); i <= frame; i++) {
       c.globalAlpha = 0.5 * (1 - (frame - i) / TRAIL_STEPS);
       c.beginPath();
-      c.moveTo(this.#x(this.#numberAt(i - 1, 1), frame), this.#y(this.#numberAt(i - 1, 2), frame));
-      c.lineTo(this.#x(this.#numberAt(i, 1), frame), this.#y(this.#numberAt(i, 2), frame));
+      c.moveTo(...this.#middle(i - 1, frame));
+      c.lineTo(...this.#middle(i, frame));
       c.stroke();
     }
     c.globalAlpha = 1;
+  }
+
+  /** Where the centre of mass was; in a loop also before its beginning. @param {number} moment @param {number} frame @returns {[number, number]} */
+  #middle(moment, frame) {
+    const steps = this.motion.frames - 1;
+    const gone = this.cycle ? Math.floor(moment / steps) : 0;
+    const at = moment - gone * steps;
+    return [this.#x(this.#numberAt(at, 1) + gone * (this.cycle?.distance ?? 0), frame), this.#y(this.#numberAt(at, 2), frame)];
   }
 
   /** @param {number} frame */
@@ -192,6 +205,12 @@ function sizes({ numbers, stride, frames, starts, endpoints, ground }) {
   // A motion that explodes must not shrink its figure to nothing.
   const bounded = Math.max(1e-6, Math.min(widest, 1000));
   return { widest: bounded, top: Math.min(top, 50 * bounded), rod: ROD_SHARE * length / starts.length };
+}
+
+/** The distance of marks nearest to `tick` of which a loop's way is a multiple. @param {number} tick @param {number} distance */
+function evenTick(tick, distance) {
+  const marks = Math.max(1, Math.round(Math.abs(distance) / tick));
+  return Math.abs(distance) < 1e-6 ? tick : Math.abs(distance) / marks;
 }
 
 /** Two moving averages over one second. @param {Float64Array} values */

@@ -27,9 +27,10 @@ export class MotionPicture {
   #height = 0.1;
   #centre = 0;
 
-  /** @param {RecordedMotion} motion */
-  constructor(motion) {
+  /** @param {RecordedMotion} motion @param {{distance: number} | null} [cycle]  of a loop: it goes on without an end */
+  constructor(motion, cycle = null) {
     this.motion = motion;
+    this.cycle = cycle;
     const heights = this.#endpoints(0).map(([, y]) => y);
     this.#height = Math.max(0.1, ...heights);
     this.#centre = motion.numbers[2];
@@ -37,17 +38,25 @@ export class MotionPicture {
 
   /** Paints the moment at this time of a clock. @param {HTMLCanvasElement} canvas @param {number} seconds @param {Colours} colours */
   play(canvas, seconds, colours) {
-    const { frames } = this.motion;
-    const at = Math.floor((seconds * FRAMES_PER_S) % (frames + REST_S * FRAMES_PER_S));
-    const frame = Math.min(at, frames - 1);
+    const { frame, gone } = this.#moment(seconds);
     const { context, width, height, scale } = this.#begin(canvas, colours);
-    const [x, y] = this.#middle(frame);
+    const [ownX, y] = this.#middle(frame);
+    // The view of a loop moves evenly, so that nothing shows where it begins again.
+    const x = this.cycle ? this.#middle(0)[0] + (this.cycle.distance * frame) / (this.motion.frames - 1) + gone : ownX;
     const level = this.#levelAt(frame);
     // The view rises with a jump, and with the ground.
     const ground = GROUND * height + (level + Math.max(0, y - level - Math.max(1.5 * this.#centre, (0.35 * height) / scale))) * scale;
     const left = width / 2 - x * scale;
     this.#paintGround(context, { left, ground, scale }, width, height, colours);
-    this.#paintFigure(context, frame, { left, ground, scale }, colours);
+    this.#paintFigure(context, frame, { left: left + gone * scale, ground, scale }, colours);
+  }
+
+  /** The frame at this time of a clock, and how far the loops before have come [m]. @param {number} seconds */
+  #moment(seconds) {
+    const { frames } = this.motion;
+    const steps = this.cycle ? frames - 1 : frames + REST_S * FRAMES_PER_S; // a loop's last frame is its first
+    const at = Math.floor(seconds * FRAMES_PER_S);
+    return { frame: Math.min(at % steps, frames - 1), gone: this.cycle ? Math.floor(at / steps) * this.cycle.distance : 0 };
   }
 
   /** Paints some poses side by side. @param {HTMLCanvasElement} canvas @param {Colours} colours */

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The files that an export may be: those of the engine's exporters, and those that only a page can make. Loaded with the
+// dialog.
+import { exporters } from '../catalogue/catalogue.js';
+import { fixed, tr } from '../languages/language.js';
+
+/** @typedef {import('../search/engine.js').RecordedMotion} RecordedMotion */
+/**
+ * The input of an export.
+ * @typedef {object} ExportJob
+ * @property {RecordedMotion} motion
+ * @property {string} title
+ * @property {{distance: number} | null} [cycle]  of a loop: how far it comes, 0 in place [m]; null: a whole motion
+ * @property {number} poses
+ * @property {AbortSignal} signal                  aborted when the export is cancelled
+ * @property {(share: number) => void} onProgress  share: the finished part, from 0 to 1
+ */
+/** @typedef {{ending: string, type: string, make: (job: ExportJob) => Promise<BlobPart>}} Format */
+
+const PNG_SCALE = 2;
+
+/** The formats of the engine's exporters, and those that are made here. @type {Record<string, Format>} */
+export const FORMATS = {
+  ...Object.fromEntries(exporters.map(({ name, ending, type }) => [name, { ending, type, make: async (job) => (name === 'svg' ? strip(job) : job.motion.file(name)) }])),
+  png: { ending: 'png', type: 'image/png', make: (job) => painted(strip(job)) },
+  gif: { ending: 'gif', type: 'image/gif', make: async (job) => (await import('./export_film.js')).gif(job) },
+  webm: { ending: 'webm', type: 'video/webm', make: async (job) => (await import('./export_film.js')).webm(job) },
+};
+
+/** @param {ExportJob} job */
+function strip({ motion, poses }) {
+  return motion.filmStrip(poses, [
+    tr('{1} poses of {2} from {3} s to {4} s, lettered {5} to {6}.'),
+    tr('ground tilted by {1}°, drawn level'),
+    fixed(0.5, 1).charAt(1),
+  ]);
+}
+
+/** An SVG as a PNG. @param {string} svg @returns {Promise<Blob>} */
+async function painted(svg) {
+  const url = URL.createObjectURL(new Blob([svg], { type: FORMATS.svg.type }));
+  try {
+    const image = new Image();
+    image.src = url;
+    await image.decode();
+    const canvas = document.createElement('canvas');
+    canvas.width = PNG_SCALE * image.naturalWidth;
+    canvas.height = PNG_SCALE * image.naturalHeight;
+    canvas.getContext('2d')?.drawImage(image, 0, 0, canvas.width, canvas.height);
+    const png = await new Promise((resolve) => canvas.toBlob(resolve, 'image/png'));
+    if (!(png instanceof Blob)) throw new Error('no picture');
+    return png;
+  } finally {
+    URL.revokeObjectURL(url);
+  }
+}
