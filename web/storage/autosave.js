@@ -15,9 +15,10 @@ import { remember, remembered } from '../browser/storage.js';
  * What the page's address says. text: of the example, if it was downloaded; arranged: it sets up the page; mode: of askedMode
  * @typedef {{example: string, text: string, arranged: boolean, mode: 'view' | 'edit' | '' | null}} FirstAddress
  */
-/** @typedef {{id: string, address: string, before: string, link: string, visit?: string}} TabState  before: the address before this one; visit: of App.storeVisit */
+/** @typedef {{id: string, address: string, before: string, link: string, visit?: string}} TabState  before: the last addresses before this one, separated by spaces; visit: of App.storeVisit */
 
 const REST_MS = 2000;
+const KEPT_ADDRESSES = 4;
 const TAB_KEY = 'gaitsmith-here'; // state of this tab
 const VIEWER_KEY = 'gaitsmith-viewer'; // set while this tab shows the viewer
 const DISMISSED_KEY = 'gaitsmith-dismissed'; // works up to this time are not offered again
@@ -58,8 +59,8 @@ export class Autosave {
     const payload = location.hash.slice(1);
     const tabState = this.#embedded ? null : this.#tabState();
     const last = this.#embedded ? undefined : keptWorks()[0];
-    // Firefox may reload the address that the page had just replaced.
-    const ownAddress = tabState?.address === payload || (arrival() === 'reload' && tabState?.before === payload);
+    // Firefox may reload an address that the page had replaced not long ago.
+    const ownAddress = tabState?.address === payload || (arrival() === 'reload' && Boolean(tabState?.before.split(' ').includes(payload)));
     const continued = tabState !== null && ownAddress && tabState.link !== payload;
     const sameWork = continued || tabState?.link === payload;
     if (tabState && sameWork) this.#id = tabState.id;
@@ -178,7 +179,7 @@ export class Autosave {
   #storeTabState(visit = this.app.storeVisit()) {
     const was = this.#tabState();
     const address = location.hash.slice(1);
-    const before = (was?.address === address ? was.before : was?.address) ?? '';
+    const before = was?.address === address ? was.before : [was?.address ?? '', ...(was?.before ?? '').split(' ')].slice(0, KEPT_ADDRESSES).join(' ');
     /** @type {TabState} */
     const tabState = { id: this.#id, address, before, link: this.app.link() };
     this.#visit = fingerprint(visit);
