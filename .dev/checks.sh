@@ -133,7 +133,7 @@ check_webkit() { within 10 node tests/browser/webkit.mjs; }
 main_scenarios() { BROWSER=chromium within 20 node tests/browser/run.mjs build/site --main; }
 
 # Long enough to see a leak. ./dev soak runs longer.
-check_soak() { within 10 node tests/browser/soak.mjs 120; }
+check_soak() { within 10 node tests/browser/soak.mjs 60; }
 
 # Exit status of a stage that this machine cannot run: neither passed nor failed.
 LEFT_OUT=77
@@ -204,7 +204,7 @@ second_lane() {
   stage WebKit check_webkit
   stage soak check_soak
   stage threads check_threads
-  stage fuzz fuzz 10
+  stage fuzz fuzz 5
 }
 
 test_everything() {

@@ -93,7 +93,8 @@ export async function startFirefox() {
     headless: false,
     defaultViewport: { width: 1280, height: 720 },
     env: await withDisplay(),
-    extraPrefsFirefox: { 'webgl.force-enabled': true },
+    // Half of the pixels a side, because software graphics need most of the time.
+    extraPrefsFirefox: { 'webgl.force-enabled': true, 'layout.css.devPixelsPerPx': '0.5' },
   });
 }
 

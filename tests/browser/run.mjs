@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Tests the built page in Chromium and Firefox:
 //   node tests/browser/run.mjs [folder, default build/site] [words of the scenarios to run, default all; --main: MAIN_SCENARIOS]
-// BROWSER=chromium or BROWSER=firefox selects one browser, which then runs every scenario that it can run.
+// BROWSER=chromium or BROWSER=firefox selects one browser, which then runs every scenario that it can run. Without it, what is
+// said to run RARELY is left out.
 // Writes pictures to build/screenshots. Prints each result and fails if a scenario fails.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { goldenLinks, goldenMotions } from './goldens.mjs';
 import { PageDriver } from './page_driver.mjs';
 import { ROOT, serve, startChromium, startFirefox, stopAll } from './browsers.mjs';
-import { MAIN_SCENARIOS, ONCE, SCENARIOS } from './scenarios/all.mjs';
+import { MAIN_SCENARIOS, ONCE, RARELY, SCENARIOS } from './scenarios/all.mjs';
 import { takePictures } from './pictures.mjs';
 import { nativeHash } from './native.mjs';
 
@@ -78,7 +79,7 @@ async function drive(name, start) {
   }
   console.log(`${name}: ${await browser.version()}`);
   const visit = /** @type {import('./scenarios/all.mjs').Visit} */ ({ name, browser, site, address, found: {}, link: '', figures: {} });
-  const here = [name, name === chosen[0]?.[0] ? ONCE : name];
+  const here = [name, ...(name === chosen[0]?.[0] ? [ONCE] : []), ...(asked ? [RARELY] : [])];
   for (const [claim, body] of scenarios.filter(([text, , where = name]) => text.includes(wanted) && here.includes(where))) {
     const before = failed;
     const contexts = browser.browserContexts();
@@ -93,14 +94,16 @@ async function drive(name, start) {
     visit.figures['golden links'] = await checkGoldens(page, await goldenLinks(), false);
     await page.close();
   });
-  if (name === 'Chromium' && whole) await check(`${name}: pictures of every panel in every theme`, async () => {
+  if (name === 'Chromium' && whole && asked) await check(`${name}: pictures of every panel in every theme`, async () => {
     visit.figures.pictures = await takePictures(browser, address);
   });
   return visit;
 }
 
-// Half of the pixels a side, because software graphics need most of the time. Firefox and the pictures have all of them.
+// Half of the pixels a side, as in Firefox. The pictures have all of them.
 const BROWSERS = /** @type {const} */ ({ Chromium: () => startChromium({ width: 1280, height: 720, deviceScaleFactor: 0.5 }), Firefox: startFirefox });
+// One browser, or the words of a scenario, are asked for.
+const asked = Boolean(process.env.BROWSER) || wanted !== '';
 const chosen = Object.entries(BROWSERS).filter(([name]) => [name.toLowerCase(), ''].includes(process.env.BROWSER ?? ''));
 assert.ok(chosen.length > 0, `BROWSER is chromium or firefox, not ${process.env.BROWSER}`);
 // In parallel, because browsers wait more than they compute.

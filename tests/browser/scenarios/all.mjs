@@ -70,7 +70,7 @@ import { nativeHash } from '../native.mjs';
 const EVALUATIONS = 8000;
 
 /**
- * A claim, its test, and where it runs: a browser's name if no other can run it, ONCE for one browser of a whole run.
+ * A claim, its test, and where it runs: a browser's name if no other can run it, ONCE for one browser of a whole run, RARELY for neither.
  * @typedef {[string, (visit: Visit) => Promise<void>, string?]} Scenario
  */
 export const ONCE = 'once';
@@ -80,6 +80,9 @@ export const ONCE = 'once';
  * @param {Scenario[]} scenarios @returns {Scenario[]}
  */
 const once = (scenarios) => scenarios.map(([claim, body, where = ONCE]) => [claim, body, where]);
+export const RARELY = 'rarely';
+/** Rare and long, and tested in parts elsewhere: ./dev browsers runs them (85). @param {Scenario[]} scenarios @returns {Scenario[]} */
+const rarely = (scenarios) => scenarios.map(([claim, body]) => [claim, body, RARELY]);
 /** A whole visit in a few minutes. @type {Scenario[]} */
 export const MAIN_SCENARIOS = [
   ['opens without a complaint, and draws', async (visit) => {
@@ -259,40 +262,40 @@ export const MAIN_SCENARIOS = [
 export const SCENARIOS = [
   ...MAIN_SCENARIOS,
   ...once(LAB_SCENARIOS),
-  ...once(HINT_SCENARIOS),
+  ...rarely(HINT_SCENARIOS),
   ...once(HISTORY_SCENARIOS),
   ...KEPT_WORK_SCENARIOS,
-  ...PALETTE_SCENARIOS,
+  ...once(PALETTE_SCENARIOS),
   ...once(QUEUE_SCENARIOS),
   ...once(TIMELINE_SCENARIOS),
-  ...OFFLINE_SCENARIOS,
-  ...STORED_SCENARIOS,
+  ...once(OFFLINE_SCENARIOS),
+  ...rarely(STORED_SCENARIOS),
   ...SECURITY_SCENARIOS,
-  ...once(MESSAGE_SCENARIOS),
-  ...once(FAULT_SCENARIOS),
-  ...once(OUTAGE_SCENARIOS),
-  ...FIRST_SCREEN_SCENARIOS,
+  ...rarely(MESSAGE_SCENARIOS),
+  ...rarely(FAULT_SCENARIOS),
+  ...rarely(OUTAGE_SCENARIOS),
+  ...once(FIRST_SCREEN_SCENARIOS),
   ...GRAPHICS_SCENARIOS,
-  ...SHARE_SCENARIOS,
-  ...once(SUITE_SCENARIOS),
+  ...once(SHARE_SCENARIOS),
+  ...rarely(SUITE_SCENARIOS),
   ...once(MIRROR_SCENARIOS),
-  ...once(LOOP_SCENARIOS),
+  ...rarely(LOOP_SCENARIOS),
   ...once(AXE_SCENARIOS),
   ...once(WORLD_SCENARIOS),
-  ...EXPORT_SCENARIOS,
+  ...once(EXPORT_SCENARIOS),
   ...once(FIGURE_SCENARIOS),
   ...once(GALLERY_SCENARIOS),
   ...once(BREED_SCENARIOS),
   ...once([...BEFORE_AFTER_SCENARIOS, ...CLASSROOM_SCENARIOS, ...EXPLORABLE_SCENARIOS, ...LEARNING_SCENARIOS, ...NEW_LESSON_SCENARIOS, ...TEACH_SCENARIOS]),
-  ...REST_SCENARIOS,
+  ...once(REST_SCENARIOS),
   ...once(LIVE_SCENARIOS),
   ...once(RULE_SCENARIOS),
-  ...once(WALK_SCENARIOS),
+  ...rarely(WALK_SCENARIOS),
   ...once(FINGER_SCENARIOS),
   ...once(THEME_SCENARIOS),
   ...TYPING_SCENARIOS,
   ...once(DOOR_SCENARIOS),
-  ...NEWCOMER_SCENARIOS,
+  ...once(NEWCOMER_SCENARIOS),
   ...once(VIEWER_SCENARIOS),
   ...once(TOUR_SCENARIOS),
   ...LANGUAGE_SCENARIOS,
