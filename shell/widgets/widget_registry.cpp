@@ -3,6 +3,8 @@
 #include "shell/widgets/widget_registry.h"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 #include "shell/words/hints.h"
 
@@ -90,8 +92,15 @@ void WidgetRegistry::Describe(ImGuiID id, Widget widget) {
 
 void WidgetRegistry::DescribeText(std::string_view role, std::string_view text, const ImRect& rect) {
   if (text.empty()) return;
-  Widget widget{
-      .id = "text/" + std::to_string(++texts_), .label = std::string(text), .role = std::string(role)};
+  // Counted in its part, so that a text that comes or goes renames no others.
+  std::string id = "text/";
+  if (part_ >= 0) {
+    WidgetPart& part = parts_[static_cast<std::size_t>(part_)];
+    id.append(part.id).append("/").append(std::to_string(++part.texts));
+  } else {
+    id += std::to_string(++texts_);
+  }
+  Widget widget{.id = std::move(id), .label = std::string(text), .role = std::string(role)};
   widget.rect = rect;
   widget.part = part_;
   ClipToSight(widget, ImGui::GetCurrentWindowRead()->ClipRect);

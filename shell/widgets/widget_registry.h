@@ -57,6 +57,7 @@ struct WidgetPart {
   std::string label = {};
   std::string role = {};  // an ARIA role: region, group, tablist, tabpanel, radiogroup, listbox
   int parent = -1;
+  int texts = 0;  // in it so far
 };
 
 class WidgetRegistry {
@@ -116,7 +117,7 @@ class WidgetRegistry {
   std::vector<WidgetPart> parts_;
   int part_ = -1;          // the part being drawn
   int pointed_ = -1;       // index in widgets_
-  int texts_ = 0;          // number of texts in this frame
+  int texts_ = 0;          // outside all parts in this frame
   bool keyboard_ = false;  // whether the focused widget shows its focus ring
   WidgetRequests requests_;
 };

@@ -310,8 +310,8 @@ export class Mirror {
 }
 
 /**
- * Makes these the children, in this order. Does not move children that are already in order, because a moved element
- * loses the focus.
+ * Makes these the children, in this order. Moves neither what is already in order nor what has the focus, because a moved
+ * element loses it.
  * @param {HTMLElement} parent @param {HTMLElement[]} wanted
  */
 function placeChildren(parent, wanted) {
@@ -319,11 +319,13 @@ function placeChildren(parent, wanted) {
   for (const child of [...parent.children]) {
     if (child instanceof HTMLElement && !wantedSet.has(child)) child.remove();
   }
+  const focused = wanted.findIndex((node) => node.parentElement === parent && node.contains(document.activeElement));
   let at = parent.firstElementChild;
-  for (const node of wanted) {
+  wanted.forEach((node, i) => {
+    if (i === focused) at = node; // what is still before it comes later
     if (node === at) at = at.nextElementSibling;
     else parent.insertBefore(node, at);
-  }
+  });
 }
 
 /** @param {MirrorWidget['rect']} rect @param {number} x @param {number} y */

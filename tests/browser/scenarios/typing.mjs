@@ -75,6 +75,7 @@ async function typed({ browser, address }) {
   await settle(page);
   assert.deepEqual(await shown(page), { role: 'slider', value: 8, seconds: 8 }, 'by Enter');
   await page.press('ArrowRight');
+  await settle(page);
   assert.equal((await shown(page)).seconds, 8.5);
   for (let step = 0; step < 12 && (await shown(page)).seconds !== before.seconds; step++) await page.press('Control+z');
   assert.deepEqual(await shown(page), before);

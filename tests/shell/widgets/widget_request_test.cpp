@@ -160,7 +160,7 @@ TEST_CASE("parts contain what is drawn in them") {
   const Widget* option = registry.Find("choice/1");
   REQUIRE(option != nullptr);
   CHECK(option->part == 1);
-  const Widget* words = registry.Find("text/1");
+  const Widget* words = registry.Find("text/outer/1");
   REQUIRE(words != nullptr);
   CHECK(words->label == "Words.");
   CHECK(words->part == 0);
