@@ -94,7 +94,7 @@ export async function startFirefox() {
     defaultViewport: { width: 1280, height: 720 },
     env: await withDisplay(),
     // Half of the pixels a side, because software graphics need most of the time.
-    extraPrefsFirefox: { 'webgl.force-enabled': true },
+    extraPrefsFirefox: { 'webgl.force-enabled': true, 'layout.css.devPixelsPerPx': '0.5' },
   });
 }
 
