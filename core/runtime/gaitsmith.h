@@ -18,7 +18,7 @@ enum {
 };
 enum { GAITSMITH_JOINTS = 15, GAITSMITH_SENSES = 36 }; /* at most */
 
-/* Columns of numbers, in the order of members in gaitsmith_object. */
+/* Columns of numbers, ordered as members below. */
 enum {
   GAITSMITH_MIN,
   GAITSMITH_MAX,
@@ -74,7 +74,7 @@ static inline int gaitsmith_fail(gaitsmith_reader* r, int error) {
   return 0;
 }
 
-/* Passes over one character, if it comes next. */
+/* Passes over a character. */
 static inline int gaitsmith_is(gaitsmith_reader* r, char wanted) {
   return r->at != r->end && *r->at == wanted ? ++r->at, 1 : 0;
 }
@@ -174,8 +174,7 @@ static inline void gaitsmith_skip(gaitsmith_reader* r) {
   while (r->at != r->end && *r->at > ' ' && *r->at != ',' && *r->at != '}') ++r->at;
 }
 
-/* Reads the whole, or one joint, sense, rule or node. Returns its members, as bits in the order of their
- * names. */
+/* Reads the whole, or a joint, sense, rule or node. Returns its members, as bits. */
 static inline long gaitsmith_object(gaitsmith_reader* r, gaitsmith_controller* c, int slot, long allowed) {
   static const char* const words[] = {"none above both", "repeat rest", "rules network trajectory"};
   static const double low[] = {-3.15, -3.15, 0.01, 0, -3.15, -3.15, -6.3, 0, -1e30, -1e30, 0.001, 2, 1},
@@ -351,14 +350,13 @@ static inline void gaitsmith_ask(const gaitsmith_controller* c, gaitsmith_state*
   }
 }
 
-/* Takes over: with the first rule, the timer at 0, the nodes empty. */
+/* Takes over, with the first rule, at time 0. */
 static inline void gaitsmith_begin(const gaitsmith_controller* c, gaitsmith_state* s) {
   for (size_t i = 0; i < sizeof *s; ++i) ((char*)s)[i] = 0;
   gaitsmith_ask(c, s);
 }
 
-/* Decides, after each step of the physics. senses: in the order of the JSON; NULL for a timer or a trajectory
- */
+/* Decides, after each step of the physics. senses: in the order of the JSON; unused with a timer */
 static inline void gaitsmith_step(const gaitsmith_controller* c, gaitsmith_state* s, const float* senses) {
   if (c->period && ++s->steps >= c->period) s->steps = c->rests ? c->period : 0;
   const float timer = (float)s->steps / (float)(c->period ? c->period : 1);

@@ -67,6 +67,7 @@ constexpr auto kCommands = std::to_array<Command>({
     {"validate", gaitsmith::shell::ValidateCommand, "validate DOC"},
     {"measure", gaitsmith::shell::MeasureCommand, "measure DOC [--joints J] [--ground G]"},
     {"record", gaitsmith::shell::RecordCommand, "record DOC [--knots N] [--out DOC]"},
+    {"senses", gaitsmith::shell::SensesCommand, "senses DOC [--clip N] [--controller JSON] [--out CSV]"},
     {"plan", gaitsmith::shell::PlanCommand,
      "plan DOC [--degree 3|4|5] [--pieces N] [--motion CSV] [--out DOC] [--rules DOC]"},
     {"link", gaitsmith::shell::LinkCommand, "link encode DOC | link decode LINK [--out DOC]"},
