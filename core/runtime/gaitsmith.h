@@ -54,7 +54,7 @@ typedef struct {
 /* What the controller of one figure asks for, and what it remembers. */
 typedef struct {
   int rule;                       /* the active one, from 0; number of nodes that fire; nearest knot */
-  float target[GAITSMITH_JOINTS]; /* [rad], from the drawn pose */
+  float target[GAITSMITH_JOINTS]; /* from the drawn pose [rad] */
   float tau[GAITSMITH_JOINTS];    /* time constant [s] */
   float decay[GAITSMITH_JOINTS];  /* exp(-step / tau) */
   int steps;                      /* within the period */
@@ -128,8 +128,7 @@ static inline float gaitsmith_number(gaitsmith_reader* r, double low, double hig
   int digits = gaitsmith_digits(r, &value), shift = 0;
   if (digits && gaitsmith_is(r, '.')) shift = -(digits = gaitsmith_digits(r, &value));
   if (digits && (gaitsmith_is(r, 'e') || gaitsmith_is(r, 'E'))) {
-    const int down = gaitsmith_is(r, '-');
-    if (!down) gaitsmith_is(r, '+');
+    const int down = !gaitsmith_is(r, '+') && gaitsmith_is(r, '-');
     digits = gaitsmith_digits(r, &power);
     if (power > 999.0) power = 999.0;
     shift += down ? -(int)power : (int)power;
@@ -203,7 +202,7 @@ static inline long gaitsmith_object(gaitsmith_reader* r, gaitsmith_controller* c
       c->number[slot][member] = gaitsmith_number(r, low[member], high[member]);
     } else if (member <= GAITSMITH_KIND) {
       n = gaitsmith_word(r, words[member - GAITSMITH_CLIP]);
-      if (n < 0) gaitsmith_fail(r, GAITSMITH_RANGE);
+      if (n < 0) n = gaitsmith_fail(r, GAITSMITH_RANGE);
       c->number[slot][member] = (float)n;
     } else if (list == -2) {
       gaitsmith_numbers(r, c->target[slot], &r->joints, GAITSMITH_JOINTS, 3.15);
@@ -232,8 +231,8 @@ static inline long gaitsmith_object(gaitsmith_reader* r, gaitsmith_controller* c
   return seen;
 }
 
-/* Reads the JSON of gaitsmith export --controller, size bytes. Returns GAITSMITH_OK, or why the controller
-   must not be used. where: out, or NULL: the byte at which the text is wrong */
+/* Reads the JSON of gaitsmith export --controller, size bytes. Returns GAITSMITH_OK, or why it
+   cannot be used. where: out, or NULL: the byte of the error */
 static inline int gaitsmith_load(gaitsmith_controller* c, const char* text, size_t size, size_t* where) {
   static const long members[] = {0x709400, 0xb09400, 0x38dc0c};
   gaitsmith_reader reader = {text, text + (size < 1000000 ? size : 1000000), GAITSMITH_OK, -1, -1, {0}, 0x7f},
@@ -261,7 +260,9 @@ static inline int gaitsmith_load(gaitsmith_controller* c, const char* text, size
       fits = fits && sense >= 0.0f && sense < (float)c->senses && (float)(int)sense == sense;
     }
   if (!fits) gaitsmith_fail(r, GAITSMITH_SHAPE);
-  if (where) *where = (size_t)(r->at - text);
+  size_t at = 0; /* counted: gcc 12 thinks of a difference that the text may be freed */
+  while (text + at != r->at) ++at;
+  if (where) *where = at;
   return r->error;
 }
 
@@ -273,7 +274,7 @@ static inline float gaitsmith_normalise(const gaitsmith_controller* c, int sense
   return of[GAITSMITH_CLIP] > 1.0f && !(value > 0.0f) ? 0.0f : value;
 }
 
-/* The rule whose intervals hold the senses most deeply; of equals the first; without any the active one. */
+/* The first rule whose intervals hold the senses most deeply; if none does, the active one. */
 static inline void gaitsmith_choose(const gaitsmith_controller* c, gaitsmith_state* s, const float* senses) {
   float least = 1.00000011920928955078125f; /* just outside */
   for (int rule = 0; rule < c->units; ++rule) {
@@ -365,8 +366,7 @@ static inline void gaitsmith_step(const gaitsmith_controller* c, gaitsmith_state
   gaitsmith_ask(c, s);
 }
 
-/* Moves a joint as Gaitsmith's strong joints move in a step: critically damped, within its limits.
-   angle [rad], from the drawn pose, and rate [rad/s]: in and out */
+/* Moves a joint as Gaitsmith's strong joints move in a step. angle [rad], rate [rad/s]: in and out */
 static inline void gaitsmith_move(const gaitsmith_controller* c, const gaitsmith_state* s, int joint,
                                   float* angle, float* rate) {
   const float *limit = c->number[joint], hurry = 1.0f / s->tau[joint], off = *angle - s->target[joint];
