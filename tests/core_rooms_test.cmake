@@ -13,7 +13,8 @@ set(rooms
   "search   -> numeric signal control rollout"
   "document -> numeric signal control world physics spacetime rollout search"
   "planning -> numeric signal control world physics spacetime rollout document"
-  "breeding -> numeric signal control rollout document search")
+  "breeding -> numeric signal control rollout document search"
+  "runtime ->")
 
 set(faults "")
 set(known "")

@@ -56,7 +56,7 @@ typedef struct {
   int rule;                       /* the active one, from 0; number of nodes that fire; nearest knot */
   float target[GAITSMITH_JOINTS]; /* from the drawn pose [rad] */
   float tau[GAITSMITH_JOINTS];    /* time constant [s] */
-  float decay[GAITSMITH_JOINTS];  /* exp(-step / tau) */
+  float decay[GAITSMITH_JOINTS];  /* e^(-step / tau) */
   int steps;                      /* within the period */
   float input[64], charge[47];
 } gaitsmith_state;
