@@ -13,17 +13,22 @@ namespace {
 /// What a bank reads.
 std::vector<float> SensesOf(const Bank<1>& bank, const ControllerState<1>& state, const Readings<1>&,
                             const PortCount& ports) {
-  std::vector<float> senses;
-  for (int i = 0; i < SenseCount(bank.Senses().kind, ports); ++i)
-    senses.push_back(state.senses[static_cast<std::size_t>(i)][0]);
+  std::vector<float> senses(static_cast<std::size_t>(SenseCount(bank.Senses().kind, ports)));
+  for (std::size_t i = 0; i < senses.size(); ++i) senses[i] = state.senses[i][0];
   return senses;
 }
 /// What a network reads.
 std::vector<float> SensesOf(const Network<1>&, const ControllerState<1>&, const Readings<1>& readings,
                             const PortCount& ports) {
-  std::vector<float> senses;
-  for (int k = 0; k < ports.contacts; ++k) senses.push_back(readings.impulse[k][0] > 0.0f ? 1.0f : 0.0f);
-  for (int j = 0; j < ports.actuators; ++j) senses.push_back(readings.position[j][0]);
+  const auto touches = static_cast<std::size_t>(ports.contacts);
+  std::vector<float> senses(touches + static_cast<std::size_t>(ports.actuators));
+  for (std::size_t i = 0; i < senses.size(); ++i) {
+    if (i < touches) {
+      senses[i] = readings.impulse[i][0] > 0.0f ? 1.0f : 0.0f;
+    } else {
+      senses[i] = readings.position[i - touches][0];
+    }
+  }
   return senses;
 }
 std::vector<float> SensesOf(const JointCurves<1>&, const ControllerState<1>&, const Readings<1>&,

@@ -119,6 +119,8 @@ class ControllerText {
     const SenseSpec& spec = controller_.senses;
     const BankShape& shape = shape_.Bank();
     if (spec.kind == SenseKind::kTimer) whole_.Add("period_steps", spec.period_steps);
+    if (spec.kind == SenseKind::kSight)
+      whole_.Add("facing", kFacingNames[static_cast<std::size_t>(spec.facing)]);
     AddJoints([](int, Parts&) {});
     Parts senses = Parts::Lines();
     for (int i = 0; i < shape.senses; ++i) {

@@ -46,6 +46,31 @@ refuses '--clip: must be a whole number from 1 to 1, is "2"' "$gaitsmith" senses
 refuses 'DOC: give exactly one document' "$gaitsmith" senses
 [ ! -e no.json ] || fault "a controller that is none"
 
+# The format, and what tests without the command line and fuzzers begin with.
+while read -r golden name; do
+  cmp -s "$root/tests/golden/controllers/$golden.json" "$name-1.json" || fault "another $golden.json than tests/golden/controllers has"
+done <<'GOLDEN'
+rules motions-star-man-physical
+timer motions-star-man-timer-left
+network motions-star-man-network
+sight limited-star-man-sees-a-step
+trajectory limited-star-man-trajectory
+GOLDEN
+
+# The examples of docs/runtime.md: both programs decide the same.
+fenced() { awk -v fence="\`\`\`$1" '$0 == fence { on = 1; next } /^```/ { on = 0 } on' "$root/docs/runtime.md"; } # language
+cp "$root/core/runtime/gaitsmith.h" "$root/web/runtime/runtime.js" .
+echo '{"type": "module"}' >package.json
+fenced c >example.c; fenced js >example.mjs
+cc=$(command -v gcc || command -v clang-19)
+"$cc" -std=c99 -pedantic -Wall -Wextra -Werror -O2 example.c -o example || fault "the example in C"
+./example <exported.json >in-c.txt || fault "the example in C fails"
+"$node" example.mjs <exported.json >in-js.txt || fault "the example in JavaScript fails"
+same "$(wc -l <in-c.txt)" 100 "steps of the example"
+same "$(cut -d, -f1 in-c.txt)" "$(cut -d, -f1 in-js.txt)" "rules of both examples"
+./example </dev/null >in-c.txt && fault "the example accepts an empty file"
+same "$(cat in-c.txt)" "not a controller: byte 0" "the example without a controller"
+
 # In C, without and with fused multiply-add: not a bit may differ.
 compiled=0
 while read -r compiler flags; do

@@ -56,6 +56,8 @@ export interface Controller {
   readonly senses: readonly Sense[];
   readonly figure: { readonly name: string; readonly rods: readonly Rod[] };
   readonly world: { readonly gravity_mps2: number; readonly friction: number };
+  /** With sight: to which side of the figure "ahead" and "corner" are. */
+  readonly facing?: 'right' | 'left';
   /** Of a timer or a trajectory, in steps. 0: none. */
   readonly period: number;
   /** Whether a trajectory rests after its period. */
