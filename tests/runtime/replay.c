@@ -88,9 +88,10 @@ static int replay(const char *name) {
     all.angles += differ(angle, motion + 8, controller.joints);
   }
   if (!line) fprintf(stderr, "%s.csv: row %d is not as expected\n", name, step);
+  error = !line || *line || step == 0;
   free(csv);
   free(moved);
-  return !line || *line || step == 0;
+  return error;
 }
 
 int main(int count, char **names) {
