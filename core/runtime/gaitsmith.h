@@ -61,7 +61,6 @@ typedef struct {
   float input[64], charge[47];
 } gaitsmith_state;
 
-/* After an error, at its end. */
 typedef struct {
   const char *at, *end;
   int error, joints, inputs, count[6];
@@ -179,7 +178,7 @@ static inline long gaitsmith_object(gaitsmith_reader* r, gaitsmith_controller* c
   static const double low[] = {-3.15, -3.15, 0.01, 0, -3.15, -3.15, -6.3, 0, -1e30, -1e30, 0.001, 2, 1},
                       high[] = {3.15, 3.15, 100, 1, 3.15, 3.15, 6.3, 1, 1e30, 1e30, 1, 1e6, 1};
   static const int most[] = {GAITSMITH_SENSES, 32, GAITSMITH_JOINTS, GAITSMITH_SENSES, 32, 47};
-  static const long parts[] = {0x7f, 0x2300, 0x5000c, 0x20080};
+  static const long parts[] = {0x7f, 0x2300, 0x5000c, 0x20080}; /* of a joint, sense, rule, node */
   long seen = 0;
   int count = 0, n, three = 3;
   gaitsmith_take(r, '{');
@@ -231,10 +230,10 @@ static inline long gaitsmith_object(gaitsmith_reader* r, gaitsmith_controller* c
   return seen;
 }
 
-/* Reads the JSON of gaitsmith export --controller, size bytes. Returns GAITSMITH_OK, or why it
-   cannot be used. where: out, or NULL: the byte of the error */
+/* Reads size bytes of JSON. Returns GAITSMITH_OK, or why it cannot be used.
+   where: out, or NULL: the byte of the error */
 static inline int gaitsmith_load(gaitsmith_controller* c, const char* text, size_t size, size_t* where) {
-  static const long members[] = {0x709400, 0xb09400, 0x38dc0c};
+  static const long members[] = {0x709400, 0xb09400, 0x38dc0c}; /* of each kind */
   gaitsmith_reader reader = {text, text + (size < 1000000 ? size : 1000000), GAITSMITH_OK, -1, -1, {0}, 0x7f},
                    *r = &reader;
   for (size_t i = 0; i < sizeof *c; ++i) ((char*)c)[i] = 0;
@@ -260,7 +259,7 @@ static inline int gaitsmith_load(gaitsmith_controller* c, const char* text, size
       fits = fits && sense >= 0.0f && sense < (float)c->senses && (float)(int)sense == sense;
     }
   if (!fits) gaitsmith_fail(r, GAITSMITH_SHAPE);
-  size_t at = 0; /* counted: gcc 12 thinks of a difference that the text may be freed */
+  size_t at = 0; /* counted: gcc 12 warns of a difference if the text is freed next */
   while (text + at != r->at) ++at;
   if (where) *where = at;
   return r->error;
