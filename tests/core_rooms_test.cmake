@@ -3,6 +3,7 @@
 #   cmake -DROOT=<repository> -P core_rooms_test.cmake
 cmake_policy(VERSION 3.25)
 set(rooms
+  "runtime  ->"
   "numeric  ->"
   "world    -> numeric"
   "signal   -> numeric world"
@@ -13,8 +14,7 @@ set(rooms
   "search   -> numeric signal control rollout"
   "document -> numeric signal control world physics spacetime rollout search"
   "planning -> numeric signal control world physics spacetime rollout document"
-  "breeding -> numeric signal control rollout document search"
-  "runtime ->")
+  "breeding -> numeric signal control rollout document search")
 
 set(faults "")
 set(known "")
