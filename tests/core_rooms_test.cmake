@@ -3,6 +3,7 @@
 #   cmake -DROOT=<repository> -P core_rooms_test.cmake
 cmake_policy(VERSION 3.25)
 set(rooms
+  "runtime  ->"
   "numeric  ->"
   "world    -> numeric"
   "signal   -> numeric world"

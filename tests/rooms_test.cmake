@@ -32,6 +32,7 @@ set(shell_rooms
 set(web_rooms
     "browser:"
     "catalogue:"
+    "runtime:"
     "languages: browser catalogue"
     "app: browser languages"
     "access: browser languages"

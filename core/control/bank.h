@@ -82,6 +82,22 @@ class Bank {
     }
   }
 
+  /// The intervals of one lane as Choose uses them. Calls back with (rule, sense, middle, 1 / half-width) for
+  /// every interval that this lane's rules use, in order.
+  template <class Visit>
+  void ForEachInterval(int lane, Visit visit) const {
+    const Interval* interval = intervals_.data();
+    for (std::size_t rule = 0; rule < static_cast<std::size_t>(shape_.rules); ++rule) {
+      for (const Interval* end = interval + intervals_of_[rule]; interval != end; ++interval) {
+        const float inverse = L::At(interval->inverse_half_width, lane);
+        if (inverse > 0.0f) {
+          visit(static_cast<int>(rule), static_cast<int>(interval->sense), L::At(interval->middle, lane),
+                inverse);
+        }
+      }
+    }
+  }
+
   /// The rules that a timer chooses at a phase, from a table, because they depend on the phase alone. -1 if
   /// no stimulus contains the phase, so that the present rule stays active. Only for banks with a timer.
   /// @param phase step within the period, [0, period_steps)

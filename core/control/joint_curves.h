@@ -143,6 +143,11 @@ class JointCurves {
   }
 
   [[nodiscard]] const KnotTimes& Times() const { return times_; }
+  /// [rad]
+  [[nodiscard]] float AngleOf(int knot, int joint, int lane) const {
+    return L::At(angle_[shape_.Angle(knot, joint)], lane);
+  }
+  [[nodiscard]] float Decay() const { return decay_; }
 
   static constexpr double kMidStep = 0.5;
 

@@ -177,6 +177,23 @@ class Network {
 
   [[nodiscard]] const NetworkShape& Shape() const { return shape_; }
 
+  // The decoded numbers of one lane.
+  [[nodiscard]] float WeightOf(int node, int input, int lane) const {
+    return L::At(weight_[shape_.Connection(node, input)], lane);
+  }
+  /// Share of a full charge per step.
+  [[nodiscard]] float ChargingOf(int node, int lane) const {
+    return L::At(charging_[static_cast<std::size_t>(node)], lane);
+  }
+  struct JointNumbers {
+    float threshold_rad, empty_rad, span_rad, decay;
+  };
+  [[nodiscard]] JointNumbers NumbersOf(int joint, int lane) const {
+    const auto j = static_cast<std::size_t>(joint);
+    return {L::At(threshold_[j], lane), L::At(target_empty_[j], lane), L::At(target_span_[j], lane),
+            L::At(decay_[j], lane)};
+  }
+
  private:
   NetworkShape shape_;
   std::vector<F> weight_;                                  // (nodes x inputs)

@@ -120,6 +120,8 @@ class Rollout {
   [[nodiscard]] const P& PlantNow() const { return plant_; }
   [[nodiscard]] int StepNow() const { return step_; }
   [[nodiscard]] const ControllerState<W>& Control() const { return control_; }
+  /// What the joints follow in the next step.
+  [[nodiscard]] const ActuatorTargets<W>& Targets() const { return targets_; }
   /// The active controllers, or null if there are none.
   [[nodiscard]] const Controllers<W>* InCharge() const { return controllers_; }
   /// Index of the active takeover, or -1 before the first one.

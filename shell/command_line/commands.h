@@ -40,6 +40,7 @@ using Outcome = std::expected<void, Refusal>;
 [[nodiscard]] Outcome HashCommand(Words words);
 [[nodiscard]] Outcome ValidateCommand(Words words);
 [[nodiscard]] Outcome MeasureCommand(Words words);
+[[nodiscard]] Outcome SensesCommand(Words words);
 [[nodiscard]] Outcome PlanCommand(Words words);
 [[nodiscard]] Outcome RecordCommand(Words words);
 [[nodiscard]] Outcome LoopCommand(Words words);

@@ -84,7 +84,9 @@ Outcome ExportCommand(Words words) {
   if (!strip) return std::unexpected(strip.error());
   for (const ExporterRow& row : kExporters) {
     if (!arguments->Has(row.id)) continue;
-    const auto done = WriteText(arguments->Last(row.id), row.make(*document, *motion, *strip));
+    const auto file = MakeFile(row, *document, *motion, *strip);
+    if (!file) return std::unexpected(file.error());
+    const auto done = WriteText(arguments->Last(row.id), *file);
     if (!done) return std::unexpected(done.error());
   }
   return {};

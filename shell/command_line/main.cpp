@@ -64,6 +64,7 @@ constexpr auto kCommands = std::to_array<Command>({
      "             [--keep goal|rule=N|joint=N …] [--threads K]"},
     {"taste", gaitsmith::shell::TasteCommand, "taste CSV [--ask DOC --ask DOC …] [--out DOC]"},
     {"hash", gaitsmith::shell::HashCommand, "hash DOC [--lanes 1|2|4|8|16] [--out DOC]"},
+    {"senses", gaitsmith::shell::SensesCommand, "senses DOC [--clip N] [--controller JSON] [--out CSV]"},
     {"validate", gaitsmith::shell::ValidateCommand, "validate DOC"},
     {"measure", gaitsmith::shell::MeasureCommand, "measure DOC [--joints J] [--ground G]"},
     {"record", gaitsmith::shell::RecordCommand, "record DOC [--knots N] [--out DOC]"},

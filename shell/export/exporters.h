@@ -23,6 +23,13 @@ namespace gaitsmith::shell {
 /// @param motion of the document
 [[nodiscard]] std::string TrajectoryCsv(const Document& document, const Motion& motion);
 
+/// The controller of a clip as JSON, for games that move the figure with their own physics. docs/runtime.md
+/// explains it. @param clip an index of the timeline
+[[nodiscard]] std::string ControllerJson(const Document& document, std::size_t clip = 0);
+
+/// The error of a document without a controller.
+[[nodiscard]] Result<void> HasController(const Document& document);
+
 /// Marks a text of a row that the page translates, as TrLater does in rooms that may use words.
 constexpr const char* PageText(const char* english) { return english; }
 
@@ -34,7 +41,19 @@ struct ExporterRow {
   const char* note;         // below the label: what the file is good for, to be translated
   /// @param strip used only by film strips
   std::string (*make)(const Document&, const Motion&, const FilmStripOptions& strip);
+  /// What the document lacks for this file; nullptr: no document lacks it.
+  Result<void> (*check)(const Document&) = nullptr;
 };
+
+/// The content of an exported file, or why the document has none.
+[[nodiscard]] inline Result<std::string> MakeFile(const ExporterRow& row, const Document& document,
+                                                  const Motion& motion, const FilmStripOptions& strip) {
+  if (row.check != nullptr) {
+    const auto checked = row.check(document);
+    if (!checked) return std::unexpected(checked.error());
+  }
+  return row.make(document, motion, strip);
+}
 
 /// In the order in which the command line lists and writes them. The first one is the page's usual choice.
 inline constexpr auto kExporters = std::to_array<ExporterRow>({
@@ -50,6 +69,12 @@ inline constexpr auto kExporters = std::to_array<ExporterRow>({
      [](const Document& document, const Motion& motion, const FilmStripOptions&) {
        return TrajectoryCsv(document, motion);
      }},
+    {"controller", "json", "application/json", PageText("Controller, JSON"),
+     PageText("For games: their own engine moves the figure, the controller decides"),
+     [](const Document& document, const Motion&, const FilmStripOptions&) {
+       return ControllerJson(document);
+     },
+     HasController},
 });
 
 }  // namespace gaitsmith::shell

@@ -264,9 +264,9 @@ if (!SITE) {
   });
 
   const hasReference = existsSync(join(book, 'reference'));
-  test('reference: every header of core has a page, and the first page leads to it', { skip: !hasReference && 'Doxygen was not installed' }, async () => {
+  test('reference: every header of core but the one for games has a page, and the first page leads to it', { skip: !hasReference && 'Doxygen was not installed' }, async () => {
     const first = pages.get(join(book, 'reference/index.html'))?.root;
-    for (const header of (await readdir(join(ROOT, 'core'), { recursive: true })).filter((name) => name.endsWith('.h'))) {
+    for (const header of (await readdir(join(ROOT, 'core'), { recursive: true })).filter((name) => name.endsWith('.h') && name !== 'runtime/gaitsmith.h')) {
       const page = `core/${header.replace(/h$/, 'html')}`;
       const root = pages.get(join(book, 'reference', page))?.root;
       assert.ok(root, page);

@@ -14,7 +14,8 @@ import { playgroundAddress } from './playground.mjs';
 /** @typedef {{source: string, line: number, page: Page, anchor: string}} Reference */
 
 /** Files of the repository that the site contains, and their addresses. @type {Record<string, string>} */
-const SHIPPED = { 'web/index.html': 'index.html', 'web/book/player.js': 'player.js', LICENSE: 'LICENSE' };
+const SHIPPED = { 'web/index.html': 'index.html', 'web/book/player.js': 'player.js', LICENSE: 'LICENSE',
+  'core/runtime/gaitsmith.h': 'runtime/gaitsmith.h', 'web/runtime/runtime.js': 'runtime/runtime.js', 'web/runtime/runtime.d.ts': 'runtime/runtime.d.ts' };
 /** Pages of the book that are no text, in each language. @type {Record<string, string>} */
 const TOOLS = {
   'web/book/wall_page.mjs': 'wall.html', 'web/book/teaching/packages_page.mjs': 'packages.html', 'web/book/teaching/new_lesson_page.mjs': 'new-lesson.html', 'web/book/teaching/quiz_page.mjs': 'quiz.html',

@@ -42,10 +42,10 @@ await writeFile(join(folder, 'files.json'), JSON.stringify(Object.fromEntries(na
 names.push('files.json');
 await addHash('files.json');
 // The playground, and what the page for missing pages needs, are stored at once. The book follows when the page is idle.
-// The API reference, the large pictures, the design decisions, what writes lessons, the packages and the licences of libraries are only stored
+// The API reference, the large pictures, the design decisions, what writes lessons, the packages, what games use and the licences of libraries are only stored
 // when they are read.
 const atOnce = (/** @type {string} */ name) => /^book\/(missing\.html|tokens\.css|book\.css|look\.js)$/.test(name)
-  || (!/^(book|package)\//.test(name) && !/(^|\/)(LICENSE|preview\.png)$/.test(name) && !name.endsWith('.txt'));
+  || (!/^(book|package|runtime)\//.test(name) && !/(^|\/)(LICENSE|preview\.png)$/.test(name) && !name.endsWith('.txt'));
 const page = names.filter(atOnce);
 const book = names.filter((name) => (/^book\/(?!reference\/|pictures[./]|design\.html|(?:\w\w\/)?new[-_]lesson\.|sources\.json)/.test(name) || name === 'LICENSE') && !name.endsWith('.txt') && !atOnce(name));
 // A visitor stores the book in English and in the page's language.

@@ -18,6 +18,8 @@ const folder = await mkdtemp(join(tmpdir(), 'gaitsmith-engine-'));
 try {
   for (const name of ['README.md', 'example.js', 'example.html']) await copyFile(join(HERE, name), join(folder, name));
   for (const name of ['engine.js', 'engine_module.js', 'engine_module.wasm', 'recorded_motion.js', 'drawn_ground.js']) await copyFile(join(built, 'search', name), join(folder, name));
+  for (const name of ['runtime.js', 'runtime.d.ts']) await copyFile(join(WEB, 'runtime', name), join(folder, name));
+  await copyFile(join(WEB, '../core/runtime/gaitsmith.h'), join(folder, 'gaitsmith.h'));
   await copyFile(join(WEB, '../LICENSE'), join(folder, 'LICENSE'));
   const version = /project\(gaitsmith VERSION (\S+)/.exec(await readFile(join(WEB, '../CMakeLists.txt'), 'utf8'))?.[1];
   if (!version) throw new Error('pack: CMakeLists.txt has no version');

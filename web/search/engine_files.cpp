@@ -77,5 +77,10 @@ GS_EXPORT const char* gs_motion_file(MotionRole* role, std::size_t id_size) {
     Note({ErrorCode::kUnknownName, "", "there is no such export"});
     return nullptr;
   }
-  return Keep(role, row->make(role->document, role->motion, {}));
+  auto file = shell::MakeFile(*row, role->document, role->motion, {});
+  if (!file) {
+    Note(file.error());
+    return nullptr;
+  }
+  return Keep(role, std::move(*file));
 }

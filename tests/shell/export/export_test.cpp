@@ -269,7 +269,7 @@ TEST_CASE("export: limited joints have the same columns, and every format takes 
   CHECK(std::strtof(cell.c_str(), nullptr) == motion.AngleRad(motion.Frames() - 1, 0));
   for (const ExporterRow& row : kExporters) {
     CAPTURE(row.id);
-    CHECK_FALSE(row.make(document, motion, {}).empty());
+    CHECK_FALSE(MakeFile(row, document, motion, {}).value().empty());
   }
 }
 
