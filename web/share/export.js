@@ -27,11 +27,14 @@ function choice({ name, label, note }) {
   return box;
 }
 
-/** A cycle in words, such as "0.82 s, 1.31 m a cycle". @param {Cycle} cycle */
+/** A cycle in words, such as "0.82 s and 1.31 m a cycle, one turn". @param {Cycle} cycle */
 function words({ period, distance, turns, later }) {
-  const way = Math.abs(distance) < 0.005 ? tr('{1} s a cycle', fixed(period, 2)) : tr('{1} s and {2} m a cycle', fixed(period, 2), fixed(Math.abs(distance), 2));
-  const turning = turns === 0 ? '' : `, ${Math.abs(turns) === 1 ? tr('one turn') : tr('{1} turns', String(Math.abs(turns)))}`;
-  return way + turning + (later ? `. ${tr('It was found by letting the controller run on.')}` : '');
+  const time = fixed(period, 2), way = Math.abs(distance), count = Math.abs(turns);
+  const parts = [way < 0.005 ? tr('{1} s a cycle', time) : tr('{1} s and {2} m a cycle', time, fixed(way, 2))];
+  if (count === 1) parts.push(tr('one turn'));
+  else if (count > 1) parts.push(tr('{1} turns', String(count)));
+  const found = tr('It was found by letting the controller run on.');
+  return parts.join(', ') + (later ? `. ${found}` : '');
 }
 
 class ExportDialog {
