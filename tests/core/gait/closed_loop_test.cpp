@@ -60,10 +60,9 @@ TEST_CASE("loop: the other half is the first with limbs exchanged", "[gait]") {
   const ClosedLoop loop = CloseLoop(walk, *half);
   const LimbPairs pairs = LimbPairsOf(walk.Bones());
   REQUIRE(loop.Steps() % 2 == 0);
-  const int middle = loop.Steps() / 2;
-  for (int i = 0; i < middle; ++i) {
-    const KinematicFrame &one = loop.frames[static_cast<std::size_t>(i)],
-                         &other = loop.frames[static_cast<std::size_t>(i + middle)];
+  const auto middle = static_cast<std::size_t>(loop.Steps()) / 2;
+  for (std::size_t i = 0; i < middle; ++i) {
+    const KinematicFrame &one = loop.frames[i], &other = loop.frames[i + middle];
     std::vector<WorldPoint> first = EndpointsOf(walk.Bones(), one.posture),
                             second = EndpointsOf(walk.Bones(), other.posture);
     double most = 0.0;

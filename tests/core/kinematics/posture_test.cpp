@@ -26,6 +26,7 @@ Script ScriptWith(const Figure& figure) {
 template <class Law>
 Motion Following(const Figure& figure, int frames, const Law& posture_at) {
   std::vector<KinematicFrame> all;
+  all.reserve(static_cast<std::size_t>(frames));
   for (int i = 0; i < frames; ++i) {
     all.push_back({.posture = posture_at(i * 0.01),
                    .forces = std::vector<Motion::Point>(figure.rods.size() + 1, Motion::Point{0.0f, 0.0f})});
