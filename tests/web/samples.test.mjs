@@ -17,6 +17,7 @@ const AROUND = `
   declare var gaitsmith: import('WEB/api.js').Gaitsmith;
   declare var frame: HTMLIFrameElement & { contentWindow: Window };
   declare var jsonOrLink: string;
+  declare module 'node:fs' { export function readFileSync(from: number | string, encoding: string): string }
   interface Window { gaitsmith: import('WEB/api.js').Gaitsmith }
   // Samples may use any element and event.
   interface Document { getElementById(id: string): any; querySelector(what: string): any }
@@ -52,8 +53,8 @@ test('samples: JavaScript in the documentation fits the types', async () => {
   const web = join(ROOT, 'web');
   const files = new Map(scripts.map(({ code }, i) => [
     join(web, `sample_${i}.js`),
-    // A module, so that samples do not share names. The site has player.js in its root folder.
-    `${code.replace('\'./player.js\'', '\'./book/player.js\'')}\nexport {};\n`,
+    // A module, so that samples do not share names. The site has player.js in its root folder; the runtime is one file.
+    `${code.replace('\'./player.js\'', '\'./book/player.js\'').replace('\'./runtime.js\'', '\'./runtime/runtime.js\'')}\nexport {};\n`,
   ]));
   files.set(join(web, 'samples.d.ts'), AROUND.replaceAll('WEB', './page'));
   const options = {
