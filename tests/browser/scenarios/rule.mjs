@@ -42,6 +42,8 @@ async function felt({ browser, address }) {
   assert.ok(stage);
   const away = { x: stage.rect.x + 30, y: stage.rect.y + stage.rect.height - 30 };
   await page.page.mouse.move(away.x, away.y);
+  // The mark of the cycle comes when the motion has rested for a moment.
+  await page.until('the cycle', () => /a cycle/.test(document.querySelector('#mirror')?.textContent ?? ''));
   await page.frames(10);
   const bare = await page.stage();
   const { x, y } = await pointer.centre(card.id);
