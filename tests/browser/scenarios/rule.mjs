@@ -51,8 +51,9 @@ async function felt({ browser, address }) {
   await page.frames(10);
   assert.notEqual((await page.stage()).sum, bare.sum, 'the body shows what the rule feels');
   await page.page.mouse.move(away.x, away.y);
-  await page.frames(10);
-  assert.equal((await page.stage()).sum, bare.sum, 'and no longer');
+  let after = await page.stage();
+  for (let look = 0; look < 40 && after.sum !== bare.sum; look++, after = await page.stage()) await page.frames(10);
+  assert.equal(after.sum, bare.sum, 'and no longer');
   assert.deepEqual(page.complaints, []);
   await page.close();
 }
