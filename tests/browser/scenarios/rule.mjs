@@ -43,7 +43,7 @@ async function felt({ browser, address }) {
   const away = { x: stage.rect.x + 30, y: stage.rect.y + stage.rect.height - 30 };
   await page.page.mouse.move(away.x, away.y);
   // The mark of the cycle comes when the motion has rested for a moment.
-  await page.until('the cycle', () => /a cycle/.test(document.querySelector('#mirror')?.textContent ?? ''));
+  await page.until('the cycle', `/a cycle/.test(document.querySelector('#mirror').textContent)`);
   await page.frames(10);
   const bare = await page.stage();
   const { x, y } = await pointer.centre(card.id);
