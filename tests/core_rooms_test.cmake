@@ -11,7 +11,7 @@ set(rooms
   "physics  -> numeric signal world"
   "spacetime -> numeric signal world physics"
   "rollout  -> numeric signal control world physics"
-  "kinematics -> numeric control physics rollout"
+  "kinematics -> numeric control world physics rollout"
   "search   -> numeric signal control rollout"
   "document -> numeric signal control world physics spacetime rollout search"
   "planning -> numeric signal control world physics spacetime rollout kinematics document"

@@ -18,14 +18,7 @@ constexpr int kMostBlended = 20;
 /// From 0 to 1, without a jump of slope.
 double Eased(double share) { return share * share * (3.0 - 2.0 * share); }
 
-Posture Minus(Posture one, const Posture& other) {
-  one.x_m -= other.x_m;
-  one.y_m -= other.y_m;
-  one.direction_rad -= other.direction_rad;
-  for (std::size_t j = 0; j < one.angle_rad.size(); ++j) one.angle_rad[j] -= other.angle_rad[j];
-  return one;
-}
-
+/// A posture less a share of another.
 Posture Without(Posture one, const Posture& excess, double share) {
   one.x_m -= share * excess.x_m;
   one.y_m -= share * excess.y_m;
@@ -86,7 +79,7 @@ ClosedLoop CloseLoop(const Motion& motion, const GaitCycle& cycle) {
                   .turns = cycle.turns};
   const Posture begins = PostureAt(motion, cycle.first);
   const Posture ends = MovedOn(Exchanged(bones, pairs, begins), loop.distance_m, loop.turns);
-  const Posture excess = Minus(PostureBetween(motion, end), ends);
+  const Posture excess = Without(PostureBetween(motion, end), ends, 1.0);
 
   const int steps = std::max(2, static_cast<int>(std::lround(cycle.frames)));
   const int blended = std::clamp(static_cast<int>(kBlended * steps), 1, kMostBlended);

@@ -47,7 +47,7 @@ CycleEnds::Fit CycleEnds::At(int first, double second) const {
   const double came_m = PostureBetween(motion_, second).x_m - motion_.At(first).x_m;
   const int nearest = static_cast<int>(std::lround(second));
   Fit fit{.distance_m = came_m};
-  double feet = 0.0, ways_m = 0.0;
+  double ways_m = 0.0;
   std::vector<double> way_m, rise_m;
   for (std::size_t k = 0; k < later.size(); ++k) {
     const auto partner = static_cast<std::size_t>(pairs_.endpoint[k]);
@@ -57,12 +57,11 @@ CycleEnds::Fit CycleEnds::At(int first, double second) const {
     const bool bears = motion_.Force(first, static_cast<int>(partner)).y > 0.0f &&
                        motion_.Force(nearest, static_cast<int>(k)).y > 0.0f;
     if (!bears) continue;
-    feet += 1.0;
     ways_m += along;
     way_m.push_back(along);
     rise_m.push_back(up);
   }
-  if (feet > 0.0) fit.distance_m = ways_m / feet;
+  if (!way_m.empty()) fit.distance_m = ways_m / static_cast<double>(way_m.size());
   for (std::size_t i = 0; i < way_m.size(); ++i)
     fit.slide = std::max(fit.slide, WorldPoint{way_m[i] - fit.distance_m, rise_m[i]}.Length() / length_m_);
   return fit;

@@ -62,7 +62,7 @@ Result<DocumentLoop> ShownLoopOf(const Document& document, const Motion& motion,
   const int pushed = LastPush(document, start, end);
   auto loop = LoopIn(document, motion, pushed + (end - pushed) / kSettling, end, halves);
   if (!loop) return std::unexpected(loop.error());
-  return DocumentLoop{.loop = std::move(*loop), .clip = clip};
+  return DocumentLoop{.loop = std::move(*loop)};
 }
 
 Result<DocumentLoop> LoopOf(const Document& document, const Motion& motion, bool halves) {
@@ -80,7 +80,7 @@ Result<DocumentLoop> LoopOf(const Document& document, const Motion& motion, bool
   auto later =
       LoopIn(longer, on, std::max(end, longer.duration_steps - kLookedAt), longer.duration_steps, halves);
   if (!later) return std::unexpected(later.error());
-  return DocumentLoop{.loop = std::move(*later), .clip = clip, .ran_on = true};
+  return DocumentLoop{.loop = std::move(*later), .ran_on = true};
 }
 
 Motion RecordLoop(const Document& document, const ClosedLoop& loop, bool in_place) {

@@ -9,7 +9,6 @@ namespace gaitsmith {
 
 struct DocumentLoop {
   ClosedLoop loop;
-  int clip = -1;        // of the timeline, whose controller makes it
   bool ran_on = false;  // found only after the document's end, where the motion has settled
 };
 

@@ -17,8 +17,8 @@ namespace {
 
 /// Below this, a figure stands still [longest rod].
 constexpr double kLiveliness = 0.01;
-/// A shorter period is preferred to the best if it falls short of perfect by at most so many times as much,
-/// and so much more.
+/// A shorter period is taken instead of the best one if it is nearly as good: it may lack this many times as
+/// much of a perfect likeness, and this much more.
 constexpr double kAlmostTimes = 1.5, kAlmost = 0.02;
 /// Parts of a frame to which the period is determined.
 constexpr int kParts = 20;

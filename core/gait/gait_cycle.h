@@ -15,7 +15,8 @@ struct GaitCycle {
   double gap_rods = 0.0;  // how far an endpoint is at most from where it was a cycle before [longest rod]
   bool half = false;      // only half of it was found: the other half is the same with limbs exchanged
 
-  [[nodiscard]] double PeriodFrames() const { return half ? 2.0 * frames : frames; }
+  /// Of the whole cycle.
+  [[nodiscard]] double PeriodS() const { return (half ? 2.0 : 1.0) * frames * static_cast<double>(kStep); }
 };
 
 /// The least likeness of a cycle.

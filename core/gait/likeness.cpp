@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kOfBody = 3;      // height, and velocity of the centre of mass
 constexpr std::size_t kOfEndpoint = 5;  // place and velocity about the centre of mass, and whether it bears
-/// Contact flickers from step to step, so that it counts on average over so many before and after.
+/// Contact flickers, so it is averaged over this many steps before and after.
 constexpr int kFlicker = 3;
 
 double Share(const Motion& motion, int frame, int endpoint, int first, int last) {

@@ -92,7 +92,7 @@ class KinematicRecorder final : public MotionRecorder {
   }
 
  private:
-  std::span<const KinematicFrame> frames_;
+  std::span<const KinematicFrame> frames_;  // only while recording: there is nothing to resume from
 };
 
 }  // namespace

@@ -14,7 +14,7 @@ struct LimbPairs {
   LimbPairs();
 
   std::array<int, kMaxRods> rod;            // the one that takes its part; itself if it has no partner
-  std::array<int, kMaxEndpoints> endpoint;  // likewise
+  std::array<int, kMaxEndpoints> endpoint;  // the one at the same place of that limb
   bool any = false;
 };
 

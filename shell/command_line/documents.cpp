@@ -14,13 +14,6 @@ namespace gaitsmith::shell {
 
 namespace {
 
-/// The document named in the command's arguments.
-Result<Document> TheDocument(const Arguments& arguments) {
-  if (arguments.Positional().size() != 1)
-    return Fail(ErrorCode::kMissing, "DOC", "give exactly one document");
-  return ReadDocument(arguments.Positional()[0]);
-}
-
 /// Simulates the motion with the searches' SIMD evaluator, in each lane in turn, with other motions in the
 /// other lanes.
 Result<void> HashInLanes(const Document& document, int lanes) {

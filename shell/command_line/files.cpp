@@ -67,6 +67,12 @@ Result<Document> ReadDocument(const std::string& path) {
   return document;
 }
 
+Result<Document> TheDocument(const Arguments& arguments) {
+  if (arguments.Positional().size() != 1)
+    return Fail(ErrorCode::kMissing, "DOC", "give exactly one document");
+  return ReadDocument(arguments.Positional()[0]);
+}
+
 const Controller& FirstControllerOf(const Document& document) {
   const int first = document.timeline.empty() ? 0 : document.timeline.front().controller;
   return document.controllers[static_cast<std::size_t>(first)];

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/document/document.h"
+#include "shell/command_line/arguments.h"
 
 namespace gaitsmith::shell {
 
@@ -15,6 +16,9 @@ namespace gaitsmith::shell {
 
 /// Reads a document from a JSON file, a link, or the name of a shipped example, problem or gallery motion.
 [[nodiscard]] Result<Document> ReadDocument(const std::string& path);
+
+/// The only document of a call.
+[[nodiscard]] Result<Document> TheDocument(const Arguments& arguments);
 
 /// The controller that a document's motion begins with. @param document has a controller
 [[nodiscard]] const Controller& FirstControllerOf(const Document& document);

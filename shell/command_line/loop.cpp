@@ -27,10 +27,9 @@ Outcome LoopCommand(Words words) {
       continue;
     }
     const ClosedLoop& loop = found->loop;
-    std::printf("%s,%.9g,%.9g,%d,%.9g,%.9g,%.9g,%.9g,%s,\n", path.c_str(),
-                loop.cycle.PeriodFrames() * static_cast<double>(kStep), loop.distance_m, loop.turns,
-                loop.cycle.likeness, loop.cycle.gap_rods, loop.seam_rods, loop.slide_rods,
-                found->ran_on ? "later" : "shown");
+    std::printf("%s,%.9g,%.9g,%d,%.9g,%.9g,%.9g,%.9g,%s,\n", path.c_str(), loop.cycle.PeriodS(),
+                loop.distance_m, loop.turns, loop.cycle.likeness, loop.cycle.gap_rods, loop.seam_rods,
+                loop.slide_rods, found->ran_on ? "later" : "shown");
   }
   return {};
 }

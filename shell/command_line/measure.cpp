@@ -15,9 +15,7 @@ Outcome MeasureCommand(Words words) {
   static constexpr std::array<std::string_view, 2> kOptions = {"joints", "ground"};
   const auto arguments = Arguments::Parse(words, kOptions);
   if (!arguments) return std::unexpected(arguments.error());
-  if (arguments->Positional().size() != 1)
-    return Fail(ErrorCode::kMissing, "DOC", "give exactly one document");
-  auto document = ReadDocument(arguments->Positional()[0]);
+  auto document = TheDocument(*arguments);
   if (!document) return std::unexpected(document.error());
   if (auto set = SetProblemOptions(*arguments, *document); !set) return set;
   const Motion motion = Simulate(*document);

@@ -16,9 +16,7 @@ Outcome RecordCommand(Words words) {
   static constexpr std::array<std::string_view, 2> kOptions = {"knots", "out"};
   const auto arguments = Arguments::Parse(words, kOptions);
   if (!arguments) return std::unexpected(arguments.error());
-  if (arguments->Positional().size() != 1)
-    return Fail(ErrorCode::kMissing, "DOC", "give exactly one document");
-  const auto document = ReadDocument(arguments->Positional()[0]);
+  const auto document = TheDocument(*arguments);
   if (!document) return std::unexpected(document.error());
   int knots = kMaxRules;
   if (arguments->Has("knots")) {

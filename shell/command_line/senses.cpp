@@ -70,9 +70,7 @@ Outcome SensesCommand(Words words) {
   static constexpr std::array<std::string_view, 3> kOptions = {"clip", "controller", "out"};
   const auto arguments = Arguments::Parse(words, kOptions);
   if (!arguments) return std::unexpected(arguments.error());
-  if (arguments->Positional().size() != 1)
-    return Fail(ErrorCode::kMissing, "DOC", "give exactly one document");
-  const auto document = ReadDocument(arguments->Positional()[0]);
+  const auto document = TheDocument(*arguments);
   if (!document) return std::unexpected(document.error());
   const auto checked = HasController(*document);
   if (!checked) return std::unexpected(checked.error());

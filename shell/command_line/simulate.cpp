@@ -12,9 +12,7 @@ Outcome SimulateCommand(Words words) {
   static constexpr std::string_view kOptions[] = {"csv"};
   const auto arguments = Arguments::Parse(words, kOptions);
   if (!arguments) return std::unexpected(arguments.error());
-  if (arguments->Positional().size() != 1)
-    return Fail(ErrorCode::kMissing, "DOC", "give exactly one document");
-  const auto document = ReadDocument(arguments->Positional()[0]);
+  const auto document = TheDocument(*arguments);
   if (!document) return std::unexpected(document.error());
   WarnOfMasses(arguments->Positional()[0], *document);
   return WriteText(arguments->Last("csv", "-"), TrajectoryCsv(*document, Simulate(*document)));

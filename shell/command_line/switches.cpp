@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "core/document/joints.h"
+#include "core/kinematics/state_distance.h"
 #include "core/rollout/evaluator.h"
-#include "core/rollout/state_distance.h"
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"

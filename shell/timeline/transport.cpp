@@ -37,7 +37,7 @@ void DrawCycle(Ui& ui, const GaitCycle& cycle, double distance_m, float left, fl
   list->AddRectFilled({left, y - 2.0f}, {right, y}, p.accent);
   for (const float end : {left, right - 1.5f})
     list->AddRectFilled({end, y - 2.0f}, {end + 1.5f, y + 2.0f}, p.accent);
-  const std::string seconds = Fixed(cycle.frames * static_cast<double>(kStep), 2);
+  const std::string seconds = Fixed(cycle.PeriodS(), 2);
   const std::string words = std::abs(distance_m) < 0.005 ? Tr("Repeats every {1} s", seconds)
                                                          : Tr("Gait of {1} s and {2} m a cycle", seconds,
                                                               Fixed(std::abs(distance_m), 2));

@@ -79,8 +79,8 @@ async function drive(name, start) {
   }
   console.log(`${name}: ${await browser.version()}`);
   const visit = /** @type {import('./scenarios/all.mjs').Visit} */ ({ name, browser, site, address, found: {}, link: '', figures: {} });
-  const here = [name, ...(name === chosen[0]?.[0] ? [ONCE] : []), ...(asked ? [RARELY] : [])];
-  for (const [claim, body] of scenarios.filter(([text, , where = name]) => text.includes(wanted) && here.includes(where))) {
+  const here = [name, name === chosen[0]?.[0] ? ONCE : name];
+  for (const [claim, body] of scenarios.filter(([text, , where = name, how]) => text.includes(wanted) && here.includes(where) && (asked || how !== RARELY))) {
     const before = failed;
     const contexts = browser.browserContexts();
     await check(`${name}: ${claim}`, () => body(visit));

@@ -40,7 +40,7 @@ GS_EXPORT MotionRole* gs_motion_open_loop(std::size_t size, bool halves, bool in
   const ClosedLoop& loop = found->loop;
   Motion motion = RecordLoop(*document, loop, in_place);
   MotionRole* role = OpenMotion(std::move(*document), std::move(motion));
-  role->loop = "{\"period\":" + RealText(static_cast<float>(loop.cycle.PeriodFrames() * 0.01)) +
+  role->loop = "{\"period\":" + RealText(static_cast<float>(loop.cycle.PeriodS())) +
                ",\"distance\":" + RealText(static_cast<float>(loop.distance_m)) +
                ",\"turns\":" + std::to_string(loop.turns) +
                ",\"likeness\":" + RealText(static_cast<float>(loop.cycle.likeness)) +

@@ -70,8 +70,8 @@ import { nativeHash } from '../native.mjs';
 const EVALUATIONS = 8000;
 
 /**
- * A claim, its test, and where it runs: a browser's name if no other can run it, ONCE for one browser of a whole run, RARELY for neither.
- * @typedef {[string, (visit: Visit) => Promise<void>, string?]} Scenario
+ * A claim, its test, and where it runs: a browser's name if no other can run it, ONCE for one browser of a whole run. RARELY: only with ./dev browsers.
+ * @typedef {[string, (visit: Visit) => Promise<void>, string?, string?]} Scenario
  */
 export const ONCE = 'once';
 /**
@@ -82,7 +82,7 @@ export const ONCE = 'once';
 const once = (scenarios) => scenarios.map(([claim, body, where = ONCE]) => [claim, body, where]);
 export const RARELY = 'rarely';
 /** Rare and long, and tested in parts elsewhere: ./dev browsers runs them (85). @param {Scenario[]} scenarios @returns {Scenario[]} */
-const rarely = (scenarios) => scenarios.map(([claim, body]) => [claim, body, RARELY]);
+const rarely = (scenarios) => once(scenarios).map(([claim, body, where]) => [claim, body, where, RARELY]);
 /** A whole visit in a few minutes. @type {Scenario[]} */
 export const MAIN_SCENARIOS = [
   ['opens without a complaint, and draws', async (visit) => {

@@ -107,9 +107,16 @@ TEST_CASE("loop: of shipped motions, as a motion that any exporter takes", "[gai
   CHECK(loops >= 10);
 }
 
-TEST_CASE("loop: none without a controller, of a void motion, or on drawn ground", "[gait]") {
-  Document d;
-  d.figure = ShippedFigure("mr-star-man");
+TEST_CASE("loop: none without a controller, or along drawn ground", "[gait]") {
+  Document d = *DecodeJson(ReadFile("examples/star-man-shuffle.json"));
+  d.model = 2;
+  REQUIRE(LoopOf(d, Simulate(d), false));
+  // Far away from where it walks, but what is drawn need not repeat.
+  d.environment.ground = {{150.0f, 0.0f}, {160.0f, 1.0f}};
+  CHECK(LoopOf(d, Simulate(d), false).error().what ==
+        "the ground is drawn, so what is under the figure does not repeat");
+  d.timeline.clear();
+  d.controllers.clear();
   CHECK(LoopOf(d, Simulate(d), false).error().what == "the document has no controller");
 }
 

@@ -31,7 +31,7 @@ TEST_CASE("cycle: its period is found, whole or not, once and not twice", "[gait
     CHECK(cycle->likeness > 0.99);
     CHECK(cycle->turns == 0);
     CHECK(cycle->gap_rods < 0.005);
-    CHECK(cycle->PeriodFrames() == cycle->frames);
+    CHECK(cycle->PeriodS() == cycle->frames * static_cast<double>(kStep));
   }
 }
 
@@ -49,10 +49,10 @@ TEST_CASE("cycle: half of it is enough where limbs take each other's part", "[ga
   REQUIRE(half);
   CHECK(half->half);
   CHECK(std::abs(half->frames - 40.0) <= 0.051);
-  CHECK(std::abs(half->PeriodFrames() - 80.0) <= 0.11);
+  CHECK(std::abs(half->PeriodS() - 0.8) <= 0.0011);
   // Who limps has no like halves.
   const auto limps = FindCycle(Walk({.limp = 2.0}, 500), 1, 499, true);
-  if (limps) CHECK(limps->gap_rods > 0.1);
+  CHECK_THAT(limps ? "even" : limps.error().what, Catch::Matchers::StartsWith("it does not repeat"));
   const Figure star = ShippedFigure("mr-star-man");
   const std::vector<float> pose(star.rods.size() - 1, 0.3f);
   const Controller held = HoldPose(star, pose, 0.1f);
@@ -67,7 +67,6 @@ TEST_CASE("cycle: where there is none, numbers say why", "[gait]") {
     const auto cycle = FindCycle(motion, first, last, false);
     return cycle ? "a cycle of " + std::to_string(cycle->frames) : cycle.error().what;
   };
-  CHECK(why(Walk({.swing_rad = 1e-5}, 500), 1, 499).find("repeat") == std::string::npos);
   const Figure rod = LyingRod();
   CHECK_THAT(why(MotionOf(rod, {}, {}, {}, {}, {}, 300), 1, 300),
              Catch::Matchers::StartsWith("the figure stands still"));
@@ -77,8 +76,7 @@ TEST_CASE("cycle: where there is none, numbers say why", "[gait]") {
   CHECK_THAT(why(falls, 1, 300), Catch::Matchers::StartsWith("it never becomes like itself again") ||
                                      Catch::Matchers::StartsWith("it does not repeat"));
   const Motion grows = Walk({.growth = 0.05}, 700);
-  CHECK_THAT(why(grows, 1, 699),
-             Catch::Matchers::StartsWith("it does not repeat") || Catch::Matchers::StartsWith("a cycle of"));
+  CHECK_THAT(why(grows, 1, 699), Catch::Matchers::StartsWith("it does not repeat"));
 }
 
 }  // namespace gaitsmith::test

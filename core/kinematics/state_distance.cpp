@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/rollout/state_distance.h"
+#include "core/kinematics/state_distance.h"
 
 #include <algorithm>
 #include <cmath>
