@@ -51,7 +51,7 @@ int Load(const std::string& text, gaitsmith_controller& controller, std::size_t&
   return gaitsmith_load(&controller, exact.bytes.get(), exact.size, &where);
 }
 
-std::uint32_t Bits(float value) { return std::bit_cast<std::uint32_t>(value); }
+std::uint32_t BitPattern(float value) { return std::bit_cast<std::uint32_t>(value); }
 
 }  // namespace
 
@@ -92,7 +92,9 @@ TEST_CASE("runtime: decides as core does, bit for bit", "[runtime]") {
       for (int j = 0; j < skeleton.joints; ++j) {
         const auto i = static_cast<std::size_t>(j);
         gaitsmith_move(loaded.get(), &state, j, &own_angle[i], &own_rate[i]);
-        if (Bits(own_angle[i]) != Bits(angle[i][0]) || Bits(own_rate[i]) != Bits(rate[i][0])) ++different;
+        if (BitPattern(own_angle[i]) != BitPattern(angle[i][0]) ||
+            BitPattern(own_rate[i]) != BitPattern(rate[i][0]))
+          ++different;
       }
       for (int k = 0; k < skeleton.endpoints; ++k)
         impulse[static_cast<std::size_t>(k)][0] = std::max(0.0f, draw(-0.2f, 0.3f));
@@ -115,18 +117,21 @@ TEST_CASE("runtime: decides as core does, bit for bit", "[runtime]") {
                                                   : angle[limb][0];
         if (kind != ControllerKind::kRules || controller.senses.kind == SenseKind::kTimer) continue;
         const int rest = i - skeleton.joints - skeleton.endpoints;
-        if (i < skeleton.joints && Bits(gaitsmith_normalise(loaded.get(), i, angle[at][0])) != Bits(felt[at]))
+        if (i < skeleton.joints &&
+            BitPattern(gaitsmith_normalise(loaded.get(), i, angle[at][0])) != BitPattern(felt[at]))
           ++different;
-        if (rest == 0 && Bits(gaitsmith_normalise(loaded.get(), i, height[0])) != Bits(felt[at])) ++different;
-        if (rest == 1 && Bits(gaitsmith_normalise(loaded.get(), i, rise[0])) != Bits(felt[at])) ++different;
+        if (rest == 0 && BitPattern(gaitsmith_normalise(loaded.get(), i, height[0])) != BitPattern(felt[at]))
+          ++different;
+        if (rest == 1 && BitPattern(gaitsmith_normalise(loaded.get(), i, rise[0])) != BitPattern(felt[at]))
+          ++different;
       }
       gaitsmith_step(loaded.get(), &state, felt.data());
       const int rule = std::visit([&](const auto& one) { return ActivityOf(one, control).rule; }, decoded);
       if (state.rule != rule) ++different;
       for (std::size_t j = 0; j < static_cast<std::size_t>(skeleton.joints); ++j) {
-        if (Bits(state.target[j]) != Bits(targets.target[j][0])) ++different;
-        if (Bits(state.decay[j]) != Bits(targets.decay[j][0])) ++different;
-        if (Bits(1.0f / state.tau[j]) != Bits(targets.inverse_tau[j][0])) ++different;
+        if (BitPattern(state.target[j]) != BitPattern(targets.target[j][0])) ++different;
+        if (BitPattern(state.decay[j]) != BitPattern(targets.decay[j][0])) ++different;
+        if (BitPattern(1.0f / state.tau[j]) != BitPattern(targets.inverse_tau[j][0])) ++different;
       }
     }
     CHECK(different == 0);
