@@ -74,7 +74,7 @@ Side SideOf(const Skeleton& bones, std::size_t limb, const FigureLook& look) {
 
 /// The greatest radius among the endpoints on which the drawn pose stands.
 float SoleOf(const Skeleton& bones, const FigureLook& look) {
-  const std::vector<BodyPoint> pose = EndpointsOf(bones, {});
+  const std::vector<BodyPoint> pose = DrawnEndpoints(bones, {});
   const float lowest = std::ranges::min(pose, {}, &BodyPoint::y).y;
   float sole = 0.0f;
   for (std::size_t k = 0; k < pose.size(); ++k) {
@@ -86,7 +86,7 @@ float SoleOf(const Skeleton& bones, const FigureLook& look) {
 
 /// The shipped heads point to the right, a mirrored one to the left.
 float CrownOf(const Skeleton& bones, const FigureLook& look) {
-  const std::vector<BodyPoint> pose = EndpointsOf(bones, {});
+  const std::vector<BodyPoint> pose = DrawnEndpoints(bones, {});
   const auto rod = static_cast<std::size_t>(look.head_rod);
   const float along = pose[rod + 1].x - pose[static_cast<std::size_t>(bones.limbs[rod].start)].x;
   return along < -0.05f * bones.limbs[rod].length_m ? -1.0f : 1.0f;

@@ -7,7 +7,7 @@
 
 namespace gaitsmith::shell {
 
-std::vector<BodyPoint> EndpointsOf(const Skeleton& skeleton, std::span<const float> angle_rad) {
+std::vector<BodyPoint> DrawnEndpoints(const Skeleton& skeleton, std::span<const float> angle_rad) {
   std::array<Lane<1>::F, kMaxJoints> angles{};
   for (std::size_t joint = 0; joint < angle_rad.size(); ++joint)
     angles[joint] = Lane<1>::Splat(angle_rad[joint]);

@@ -16,6 +16,6 @@ struct BodyPoint {
 
 /// The figure's endpoints relative to its centre of mass, as it was drawn, for these joint angles: one per
 /// joint, or none for the rest pose.
-[[nodiscard]] std::vector<BodyPoint> EndpointsOf(const Skeleton&, std::span<const float> angle_rad);
+[[nodiscard]] std::vector<BodyPoint> DrawnEndpoints(const Skeleton&, std::span<const float> angle_rad);
 
 }  // namespace gaitsmith::shell

@@ -168,7 +168,7 @@ void DrawRods(ImDrawList* list, const Skeleton& skeleton, std::span<const ImVec2
 
 std::vector<ImVec2> PoseOf(const Skeleton& skeleton, std::span<const float> angle_rad) {
   std::vector<ImVec2> points;
-  for (const BodyPoint& point : EndpointsOf(skeleton, angle_rad)) points.emplace_back(point.x, point.y);
+  for (const BodyPoint& point : DrawnEndpoints(skeleton, angle_rad)) points.emplace_back(point.x, point.y);
   return points;
 }
 

@@ -18,7 +18,7 @@ TEST_CASE("body: every rod is covered, and the number of parts does not depend o
     CAPTURE(figure.name);
     const Skeleton bones(figure);
     const FigureLook look = LookOf(figure.name, bones);
-    const std::vector<BodyPoint> rest = EndpointsOf(bones, {});
+    const std::vector<BodyPoint> rest = DrawnEndpoints(bones, {});
     const std::vector<BodyPart> parts = BodyPartsOf(bones, look, rest);
     for (const BodyPoint& point : rest) {
       bool covered = false;
@@ -29,7 +29,7 @@ TEST_CASE("body: every rod is covered, and the number of parts does not depend o
       CHECK(covered);
     }
     const std::vector<float> bent(static_cast<std::size_t>(bones.rods - 1), 0.3f);
-    CHECK(BodyPartsOf(bones, look, EndpointsOf(bones, bent)).size() == parts.size());
+    CHECK(BodyPartsOf(bones, look, DrawnEndpoints(bones, bent)).size() == parts.size());
     CHECK(EyeOf(bones, look, rest).has_value() == (look.head_rod >= 0));
   }
 }
@@ -38,7 +38,7 @@ TEST_CASE("body: far limbs come first, and an eye lies in the head", "[shell][bo
   const Figure figure = gaitsmith::test::ShippedFigure("ostrich");
   const Skeleton bones(figure);
   const FigureLook look = LookOf(figure.name, bones);
-  const std::vector<BodyPoint> rest = EndpointsOf(bones, {});
+  const std::vector<BodyPoint> rest = DrawnEndpoints(bones, {});
   const std::vector<BodyPart> parts = BodyPartsOf(bones, look, rest);
   REQUIRE(parts.size() > 4);
   CHECK(parts[0].far);
