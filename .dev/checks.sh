@@ -132,9 +132,6 @@ check_browsers() { within 45 node tests/browser/run.mjs; }
 check_webkit() { within 10 node tests/browser/webkit.mjs; }
 main_scenarios() { BROWSER=chromium within 20 node tests/browser/run.mjs build/site --main; }
 
-# Long enough to see a leak. ./dev soak runs longer.
-check_soak() { within 10 node tests/browser/soak.mjs 60; }
-
 # Exit status of a stage that this machine cannot run: neither passed nor failed.
 LEFT_OUT=77
 leave_out() { say "$*"; exit $LEFT_OUT; }
@@ -202,7 +199,6 @@ second_lane() {
   stage book check_book
   stage browsers check_browsers
   stage WebKit check_webkit
-  stage soak check_soak
   stage threads check_threads
   stage fuzz fuzz 5
 }

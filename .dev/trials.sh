@@ -54,12 +54,17 @@ adversary() {
   "$program" --model 2 --out docs/studies/adversary/limited --evaluations 8000 --seeds 1000 --minutes "$half"
 }
 
-# Another engine's judgement of model 2, with every figure; ./dev test asks for one. docs/physics.md explains the table.
+# Other engines' judgement: MuJoCo's of model 2, with every figure (./dev test asks for one), Godot's of exported scenes.
+# docs/physics.md and docs/exporting.md explain the tables.
 peers() {
   cmake --preset release
-  cmake --build --preset release --target flight
+  cmake --build --preset release --target flight gaitsmith
   node tests/peers/judge.mjs build/release/tests/peers/flight --out docs/studies/peers/mujoco.csv
   say "the errors: docs/studies/peers/mujoco.csv"
+  if command -v apt-get >/dev/null; then apt_need godot3-server; fi
+  command -v godot3-server >/dev/null || { say "Godot 3 is not installed here: scenes are not played"; return; }
+  node tests/peers/godot.mjs build/release/shell/gaitsmith --out docs/studies/peers/godot.csv
+  say "how far bones are away in Godot: docs/studies/peers/godot.csv"
 }
 
 # Joint coverage of the tests of core and shell and of the command line's contract. Lines of templates count once.

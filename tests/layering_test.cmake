@@ -37,7 +37,7 @@ endfunction()
 check_includes(core "core")
 check_includes(shell "core;shell;shell/body;shell/export")
 check_includes(shell/body "core;shell/body")
-check_includes(shell/export "core;shell/export")
+check_includes(shell/export "core;shell/body;shell/export")
 check_includes(web "core;shell/body;shell/export;web")
 check_includes(examples "core")
 

@@ -84,7 +84,7 @@ Outcome ExportCommand(Words words) {
   if (!strip) return std::unexpected(strip.error());
   for (const ExporterRow& row : kExporters) {
     if (!arguments->Has(row.id)) continue;
-    const auto file = MakeFile(row, *document, *motion, *strip);
+    const auto file = MakeFile(row, *document, *motion, {.strip = *strip, .loops = arguments->Has("loop")});
     if (!file) return std::unexpected(file.error());
     const auto done = WriteText(arguments->Last(row.id), *file);
     if (!done) return std::unexpected(done.error());

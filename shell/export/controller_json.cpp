@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A controller's decoded numbers as JSON, for core/runtime/gaitsmith.h and web/runtime/runtime.js. Numbers
-// have 9 significant digits, which give back the same float.
+// A controller's decoded numbers as JSON, for core/runtime/gaitsmith.h and web/runtime/runtime.js.
 #include <array>
-#include <cstdio>
 #include <span>
 #include <string>
 
 #include "core/control/controllers.h"
-#include "core/document/json_value.h"
 #include "core/document/schema.h"
 #include "core/physics/mechanism.h"
 #include "shell/export/exporters.h"
+#include "shell/export/json_parts.h"
 
 namespace gaitsmith::shell {
 
@@ -18,39 +16,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kClipNames = {"none", "above", "both"};  // of SenseClip
 
-std::string Real(float value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.9g", static_cast<double>(value));
-  return text;
-}
-
-/// An object's members, or the elements of a list, with commas between them.
-class Parts {
- public:
-  void Add(const std::string& text) { text_ += (text_.empty() ? "" : separator_) + text; }
-  void Add(std::string_view name, const std::string& value) { Add(QuoteJson(name) + ": " + value); }
-  void Add(std::string_view name, float value) { Add(name, Real(value)); }
-  void Add(std::string_view name, int value) { Add(name, std::to_string(value)); }
-  void Add(std::string_view name, std::string_view word) { Add(name, QuoteJson(word)); }
-
-  [[nodiscard]] std::string Object() const { return "{" + text_ + "}"; }
-  [[nodiscard]] std::string List() const { return "[" + text_ + "]"; }
-
-  /// A part in each line.
-  static Parts Lines() {
-    Parts parts;
-    parts.separator_ = ",\n";
-    return parts;
-  }
-
- private:
-  std::string text_, separator_ = ", ";
-};
-
-std::string Block(const Parts& lines) {
-  const std::string list = lines.List();
-  return "[\n" + list.substr(1, list.size() - 2) + "\n]";
-}
+std::string Number(float value) { return Digits(static_cast<double>(value), 9); }
 
 class ControllerText {
  public:
@@ -73,12 +39,11 @@ class ControllerText {
         DecodeControllers<1>(shape_, controller_.senses, std::span(&genes, 1), ports_, kStep);
     std::visit([&](const auto& one) { Add(one); }, decoded);
     whole_.Add("figure", Figure());
-    Parts world;
+    JsonParts world;
     world.Add("gravity_mps2", document_.environment.gravity_mps2);
     world.Add("friction", document_.environment.friction);
     whole_.Add("world", world.Object());
-    const std::string text = whole_.Object();
-    return "{\n" + text.substr(1, text.size() - 2) + "\n}\n";
+    return whole_.ObjectOfLines() + "\n";
   }
 
  private:
@@ -90,9 +55,9 @@ class ControllerText {
   /// @param more adds what else this kind of controller has for each joint
   template <class More>
   void AddJoints(More more) {
-    Parts joints = Parts::Lines();
+    JsonParts joints = JsonParts::Lines();
     for (int joint = 0; joint < body_.joints; ++joint) {
-      Parts one;
+      JsonParts one;
       one.Add("name", std::string_view("joint " + std::to_string(joint + 1)));
       one.Add("rod", joint + 1);
       one.Add("min_rad", ports_.actuator_range[Index(joint)][0]);
@@ -101,12 +66,12 @@ class ControllerText {
       more(joint, one);
       joints.Add(one.Object());
     }
-    whole_.Add("joints", Block(joints));
+    whole_.Add("joints", joints.ListOfLines());
   }
 
   static std::string Sense(std::string_view name, std::string_view unit, float at_zero, float at_one,
                            SenseClip clip) {
-    Parts sense;
+    JsonParts sense;
     sense.Add("name", name);
     sense.Add("unit", unit);
     sense.Add("at_zero", at_zero);
@@ -121,38 +86,39 @@ class ControllerText {
     if (spec.kind == SenseKind::kTimer) whole_.Add("period_steps", spec.period_steps);
     if (spec.kind == SenseKind::kSight)
       whole_.Add("facing", kFacingNames[static_cast<std::size_t>(spec.facing)]);
-    AddJoints([](int, Parts&) {});
-    Parts senses = Parts::Lines();
+    AddJoints([](int, JsonParts&) {});
+    JsonParts senses = JsonParts::Lines();
     for (int i = 0; i < shape.senses; ++i) {
       const SenseScale scale = ScaleOf(spec, ports_, i);
       const SenseGroup& group = *PlaceOf(spec.kind, ports_.Count(), i).group;
       senses.Add(Sense(SenseName(spec.kind, ports_.Count(), i), group.unit, scale.at_zero, scale.at_one,
                        group.clip));
     }
-    whole_.Add("senses", Block(senses));
-    std::vector<Parts> when(Index(shape.rules));
+    whole_.Add("senses", senses.ListOfLines());
+    std::vector<JsonParts> when(Index(shape.rules));
     bank.ForEachInterval(0, [&](int rule, int sense, float middle, float inverse_half_width) {
-      when[Index(rule)].Add("[" + std::to_string(sense) + ", " + Real(middle) + ", " +
-                            Real(inverse_half_width) + "]");
+      when[Index(rule)].Add("[" + std::to_string(sense) + ", " + Number(middle) + ", " +
+                            Number(inverse_half_width) + "]");
     });
-    Parts rules = Parts::Lines();
+    JsonParts rules = JsonParts::Lines();
     for (int rule = 0; rule < shape.rules; ++rule) {
       ActuatorTargets<1> response{};
       bank.Respond(rule, 0, response);
-      Parts one, targets;
-      for (int joint = 0; joint < shape.joints; ++joint) targets.Add(Real(response.target[Index(joint)][0]));
+      JsonParts one, targets;
+      for (int joint = 0; joint < shape.joints; ++joint)
+        targets.Add(Number(response.target[Index(joint)][0]));
       one.Add("targets_rad", targets.List());
       one.Add("tau_s", Tau(shape.Tau(rule)));
       one.Add("decay", response.decay[0][0]);
       one.Add("when", when[Index(rule)].List());
       rules.Add(one.Object());
     }
-    whole_.Add("rules", Block(rules));
+    whole_.Add("rules", rules.ListOfLines());
   }
 
   void Add(const Network<1>& network) {
     const NetworkShape& shape = network.Shape();
-    AddJoints([&](int joint, Parts& one) {
+    AddJoints([&](int joint, JsonParts& one) {
       const auto numbers = network.NumbersOf(joint, 0);
       one.Add("threshold_rad", numbers.threshold_rad);
       one.Add("empty_rad", numbers.empty_rad);
@@ -160,20 +126,20 @@ class ControllerText {
       one.Add("tau_s", Tau(shape.Tau(shape.hidden + joint)));
       one.Add("decay", numbers.decay);
     });
-    Parts senses = Parts::Lines();
+    JsonParts senses = JsonParts::Lines();
     for (int i = 0; i < shape.touches + shape.joints; ++i)
       senses.Add(Sense(InputName(shape, i), i < shape.touches ? "N" : "rad", 0.0f, 1.0f, SenseClip::kNone));
-    whole_.Add("senses", Block(senses));
-    Parts nodes = Parts::Lines();
+    whole_.Add("senses", senses.ListOfLines());
+    JsonParts nodes = JsonParts::Lines();
     for (int node = 0; node < shape.Nodes(); ++node) {
-      Parts one, weights;
+      JsonParts one, weights;
       for (int input = 0; input < shape.Inputs(); ++input)
-        weights.Add(Real(network.WeightOf(node, input, 0)));
+        weights.Add(Number(network.WeightOf(node, input, 0)));
       one.Add("charging", network.ChargingOf(node, 0));
       one.Add("weights", weights.List());
       nodes.Add(one.Object());
     }
-    whole_.Add("nodes", Block(nodes));
+    whole_.Add("nodes", nodes.ListOfLines());
   }
 
   void Add(const JointCurves<1>& curves) {
@@ -182,25 +148,25 @@ class ControllerText {
     whole_.Add("at_end", kCurveEndNames[static_cast<std::size_t>(spec.at_end)]);
     whole_.Add("tau_s", spec.tau_min_s);
     whole_.Add("decay", curves.Decay());
-    AddJoints([](int, Parts&) {});
-    whole_.Add("senses", Parts().List());
-    Parts knots = Parts::Lines();
+    AddJoints([](int, JsonParts&) {});
+    whole_.Add("senses", JsonParts().List());
+    JsonParts knots = JsonParts::Lines();
     for (int knot = 0; knot < shape_.Curves().knots; ++knot) {
-      Parts angles;
+      JsonParts angles;
       for (int joint = 0; joint < shape_.Curves().joints; ++joint)
-        angles.Add(Real(curves.AngleOf(knot, joint, 0)));
+        angles.Add(Number(curves.AngleOf(knot, joint, 0)));
       knots.Add(angles.List());
     }
-    whole_.Add("knots_rad", Block(knots));
+    whole_.Add("knots_rad", knots.ListOfLines());
   }
 
   /// The rods in walking order: joint j turns rod j + 1. Endpoint 0 is the start of rod 0, endpoint i + 1 the
   /// end of rod i.
   [[nodiscard]] std::string Figure() const {
-    Parts rods = Parts::Lines();
+    JsonParts rods = JsonParts::Lines();
     for (int i = 0; i < body_.rods; ++i) {
       const Skeleton::Limb& limb = body_.limbs[Index(i)];
-      Parts rod;
+      JsonParts rod;
       rod.Add("length_m", limb.length_m);
       rod.Add("mass_kg", limb.mass_kg);
       rod.Add("parent", limb.parent);
@@ -208,9 +174,9 @@ class ControllerText {
       rod.Add("rest_rad", i == 0 ? body_.start_angle_rad : limb.rest_rad);
       rods.Add(rod.Object());
     }
-    Parts figure;
+    JsonParts figure;
     figure.Add("name", std::string_view(document_.figure.name));
-    figure.Add("rods", Block(rods));
+    figure.Add("rods", rods.ListOfLines());
     return figure.Object();
   }
 
@@ -219,7 +185,7 @@ class ControllerText {
   Mechanism body_;
   Ports ports_;
   ControllerShape shape_;
-  Parts whole_ = Parts::Lines();
+  JsonParts whole_ = JsonParts::Lines();
 };
 
 }  // namespace

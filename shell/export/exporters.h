@@ -23,6 +23,26 @@ namespace gaitsmith::shell {
 /// @param motion of the document
 [[nodiscard]] std::string TrajectoryCsv(const Document& document, const Motion& motion);
 
+/// What an export may be asked for.
+struct ExportOptions {
+  FilmStripOptions strip = {};  // used only by film strips
+  bool loops = false;           // the motion ends as it begins, and goes on without an end
+};
+
+// Motions that other programs play. Lengths in pixels point downwards there, and angles turn clockwise. Their
+// keys are only where they are needed (moving_bones.h). A slope is drawn level.
+/// For web pages and papers: a picture that moves by CSS, follows the reader's theme, and stands still where
+/// a reader wants less motion. 640 by 360 pixels.
+[[nodiscard]] std::string AnimatedSvg(const Document&, const Motion&, const ExportOptions&);
+/// For apps and pages, with the same view.
+[[nodiscard]] std::string LottieJson(const Document&, const Motion&, const ExportOptions&);
+/// A Skeleton2D with an AnimationPlayer, without ground, 100 pixels a metre; for Godot 4, or 3.
+[[nodiscard]] std::string GodotScene(const Document&, const Motion&, const ExportOptions&);
+[[nodiscard]] std::string Godot3Scene(const Document&, const Motion&, const ExportOptions&);
+/// The figure, its joints, their servos and the ground for MuJoCo (MJCF). Keyframes are the start and the
+/// poses of the motion; what moves the joints there is left to its reader.
+[[nodiscard]] std::string MujocoModel(const Document&, const Motion&, const ExportOptions&);
+
 /// The controller of a clip as JSON, for games that move the figure with their own physics. docs/runtime.md
 /// explains it. @param clip an index of the timeline
 [[nodiscard]] std::string ControllerJson(const Document& document, std::size_t clip = 0);
@@ -33,48 +53,62 @@ namespace gaitsmith::shell {
 /// Marks a text of a row that the page translates, as TrLater does in rooms that may use words.
 constexpr const char* PageText(const char* english) { return english; }
 
+enum class ExportGroup { kPictures, kPrograms };  // where the Export dialog lists a format
+inline constexpr std::array<std::string_view, 2> kExportGroupNames = {"pictures", "programs"};
+
 struct ExporterRow {
   std::string_view id;      // the command line's option and the page's choice
   std::string_view ending;  // file name extension
   std::string_view type;    // MIME type
-  const char* label;        // in the Export dialog, to be translated
-  const char* note;         // below the label: what the file is good for, to be translated
-  /// @param strip used only by film strips
-  std::string (*make)(const Document&, const Motion&, const FilmStripOptions& strip);
+  ExportGroup group;
+  const char* label;  // in the Export dialog, to be translated
+  const char* note;   // below the label: what the file is good for, to be translated
+  std::string (*make)(const Document&, const Motion&, const ExportOptions&);
   /// What the document lacks for this file; nullptr: no document lacks it.
   Result<void> (*check)(const Document&) = nullptr;
 };
 
 /// The content of an exported file, or why the document has none.
 [[nodiscard]] inline Result<std::string> MakeFile(const ExporterRow& row, const Document& document,
-                                                  const Motion& motion, const FilmStripOptions& strip) {
+                                                  const Motion& motion, const ExportOptions& options) {
   if (row.check != nullptr) {
     const auto checked = row.check(document);
     if (!checked) return std::unexpected(checked.error());
   }
-  return row.make(document, motion, strip);
+  return row.make(document, motion, options);
 }
 
 /// In the order in which the command line lists and writes them. The first one is the page's usual choice.
 inline constexpr auto kExporters = std::to_array<ExporterRow>({
-    {"svg", "svg", "image/svg+xml", PageText("Poses, SVG"),
-     PageText("For print: sharp at any size, and its parts can be edited"), FilmStripSvg},
-    {"gltf", "gltf", "model/gltf+json", PageText("Animation, glTF"),
+    {"svg", "svg", "image/svg+xml", ExportGroup::kPictures, PageText("Poses, SVG"),
+     PageText("For print: sharp at any size, and its parts can be edited"),
+     [](const Document& document, const Motion& motion, const ExportOptions& options) {
+       return FilmStripSvg(document, motion, options.strip);
+     }},
+    {"gltf", "gltf", "model/gltf+json", ExportGroup::kPrograms, PageText("Animation, glTF"),
      PageText("For Blender, Godot and other 3D programs"),
-     [](const Document& document, const Motion& motion, const FilmStripOptions&) {
+     [](const Document& document, const Motion& motion, const ExportOptions&) {
        return SkeletonGltf(document, motion);
      }},
-    {"csv", "csv", "text/csv", PageText("Numbers, CSV"),
+    {"csv", "csv", "text/csv", ExportGroup::kPrograms, PageText("Numbers, CSV"),
      PageText("For spreadsheets and scripts: every step of the motion"),
-     [](const Document& document, const Motion& motion, const FilmStripOptions&) {
+     [](const Document& document, const Motion& motion, const ExportOptions&) {
        return TrajectoryCsv(document, motion);
      }},
-    {"controller", "json", "application/json", PageText("Controller, JSON"),
+    {"controller", "json", "application/json", ExportGroup::kPrograms, PageText("Controller, JSON"),
      PageText("For games: their own engine moves the figure, the controller decides"),
-     [](const Document& document, const Motion&, const FilmStripOptions&) {
-       return ControllerJson(document);
-     },
+     [](const Document& document, const Motion&, const ExportOptions&) { return ControllerJson(document); },
      HasController},
+    {"animated-svg", "svg", "image/svg+xml", ExportGroup::kPictures, PageText("Moving picture, SVG"),
+     PageText("For web pages: small, sharp, in light and dark"), AnimatedSvg},
+    {"lottie", "json", "application/json", ExportGroup::kPictures, PageText("Moving picture, Lottie"),
+     PageText("For apps and web pages that play Lottie. Its colours can be set"), LottieJson},
+    {"godot", "tscn", "text/plain", ExportGroup::kPrograms, PageText("Scene, Godot 4"),
+     PageText("For games: a skeleton and its animation"), GodotScene},
+    {"godot3", "tscn", "text/plain", ExportGroup::kPrograms, PageText("Scene, Godot 3"),
+     PageText("The same for version 3"), Godot3Scene},
+    {"mjcf", "xml", "application/xml", ExportGroup::kPrograms, PageText("Model, MuJoCo"),
+     PageText("For research: body, joints, servos, ground and poses"), MujocoModel},
 });
 
 }  // namespace gaitsmith::shell

@@ -11,65 +11,23 @@
 
 #include "core/world/ground_view.h"
 #include "shell/export/film_strip_layout.h"
+#include "shell/export/number_text.h"
+#include "shell/export/picture_colours.h"
 #include "shell/export/rule_colours.h"
+#include "shell/export/xml_text.h"
 
 namespace gaitsmith::shell {
 
 namespace {
 
-constexpr unsigned kStripInk = 0x1d2733;
 constexpr double kLegendRow = 24.0;  // [px]
 constexpr double kLetterWidth =
     6.8;  // approximate width of a letter in the legend, since text cannot be measured here [px]
 constexpr double kTickInset = 4.0;  // distance of marks and labels from the edge of the ground [px]
 constexpr double kTickRow = 19.0, kLetterRow = 45.0, kTimeRow = 67.0;  // baselines below the ground [px]
 
-/// A number with this many decimals. Values that round to zero have no minus sign.
-std::string Decimal(double value, int decimals) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  const std::string_view digits(text);
-  return std::string(digits.find_first_not_of("-0.") == std::string_view::npos && digits[0] == '-'
-                         ? digits.substr(1)
-                         : digits);
-}
-
 /// A coordinate.
 std::string Px(double value) { return Decimal(value, 1); }
-
-/// Escapes a name for XML.
-std::string Escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&apos;";
-        break;
-      default:
-        // XML does not allow most control characters.
-        if (static_cast<unsigned char>(c) >= 0x20) out += c;
-    }
-  }
-  return out;
-}
-
-std::string Hex(unsigned colour) {
-  char text[8];
-  std::snprintf(text, sizeof text, "#%06x", colour & 0xffffffu);
-  return text;
-}
 
 /// Fills in {1} to {9}.
 std::string Filled(std::string_view pattern, std::initializer_list<std::string> inserts) {
@@ -135,7 +93,7 @@ class StripDrawing {
     std::string text = Decimal(value, decimals);
     if (text[0] == '-') text.replace(0, 1, "−");
     const std::size_t mark = text.find('.');
-    if (mark != std::string::npos) text.replace(mark, 1, Escaped(words_.decimal_mark));
+    if (mark != std::string::npos) text.replace(mark, 1, EscapedXml(words_.decimal_mark));
     return text;
   }
   static std::string Letter(std::size_t pose) { return std::string(1, static_cast<char>('A' + pose)); }
@@ -162,10 +120,10 @@ class StripDrawing {
   void Header() {
     const std::size_t last = layout_.frames.size() - 1;
     const std::string from = Number(Seconds(0), 2), to = Number(Seconds(last), 2);
-    const std::string figure = Escaped(document_.figure.name);
-    const std::string title = Escaped(document_.title.empty() ? document_.figure.name : document_.title);
+    const std::string figure = EscapedXml(document_.figure.name);
+    const std::string title = EscapedXml(document_.title.empty() ? document_.figure.name : document_.title);
     out_ += "<title id=\"strip-title\">" + title + "</title>\n<desc id=\"strip-desc\">" +
-            Filled(Escaped(words_.description),
+            Filled(EscapedXml(words_.description),
                    {std::to_string(layout_.frames.size()), figure, from, to, Letter(0), Letter(last)}) +
             "</desc>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
     Text(kStripMargin, 42.0, R"(font-size="21" font-weight="600")", title);
@@ -173,7 +131,7 @@ class StripDrawing {
     if (!figure.empty() && figure != title) subtitle = figure + " · " + subtitle;
     if (document_.environment.slope_rad != 0.0f) {
       const double degrees = static_cast<double>(document_.environment.slope_rad) * 180.0 / kPi;
-      subtitle += " · " + Filled(Escaped(words_.slope), {Number(degrees, 1)});
+      subtitle += " · " + Filled(EscapedXml(words_.slope), {Number(degrees, 1)});
     }
     Text(kStripMargin, 64.0, R"(font-size="13" fill="#5b6672")", subtitle);
     // The scale.
@@ -304,7 +262,7 @@ class StripDrawing {
     const int controller = ControllerAt(frame);
     out_ += "<rect x=\"" + Px(x - 13.0) + "\" y=\"" + Px(cell.ground_y + kLetterRow + 3.5) +
             R"(" width="26" height="3.5" rx="1.7" fill=")" +
-            Hex(controller < 0 ? kStripInk : RuleColourHex(controller)) + "\"/>\n";
+            HexColour(controller < 0 ? kInkColour.light : RuleColourHex(controller)) + "\"/>\n";
   }
 
   [[nodiscard]] std::string NameOf(int controller) const {
@@ -332,8 +290,8 @@ class StripDrawing {
     EachName([&](int controller, double x, double row) {
       const double y = layout_.height - 10.0 + row * kLegendRow;
       out_ += "<rect x=\"" + Px(x) + "\" y=\"" + Px(y - 6.0) + R"(" width="18" height="4" rx="2" fill=")" +
-              Hex(RuleColourHex(controller)) + "\"/>\n";
-      Text(x + 25.0, y, R"(fill="#5b6672")", Escaped(NameOf(controller)));
+              HexColour(RuleColourHex(controller)) + "\"/>\n";
+      Text(x + 25.0, y, R"(fill="#5b6672")", EscapedXml(NameOf(controller)));
     });
   }
 

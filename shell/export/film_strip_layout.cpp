@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/world/ground_view.h"
+#include "shell/export/moving_bones.h"
 
 namespace gaitsmith::shell {
 
@@ -20,7 +21,6 @@ constexpr double kHeadroom = 16.0;          // above the highest pose [px]
 constexpr double kTallestSharedPx = 330.0;  // height of the tallest pose on a common ground [px]
 constexpr double kTallestOwnPx = 210.0;     // height of the tallest pose on separate grounds [px]
 constexpr double kSmallestSharedPx = 84.0;  // poses below this height get separate grounds [px]
-constexpr double kRodShare = 0.16;          // thickness of rods relative to their mean length
 constexpr double kMinGapShare = 0.06;       // between neighbours, as a share of a pose's width
 constexpr double kMinTickPx = 58.0;         // space for the label of a mark [px]
 
@@ -75,11 +75,7 @@ StripLayout LayOutStrip(const Motion& motion, const Terrain& ground, const FilmS
   StripLayout layout{};
   layout.frames = FramesOf(motion, options);
   layout.width = kStripWidth;
-  const Skeleton& bones = motion.Bones();
-  double length_m = 0.0;
-  for (int rod = 0; rod < bones.rods; ++rod)
-    length_m += static_cast<double>(bones.limbs[static_cast<std::size_t>(rod)].length_m);
-  const double rod_m = kRodShare * length_m / bones.rods;
+  const double rod_m = MovingBones(motion).ThicknessM();
 
   std::vector<PoseBounds> poses;
   double widest = 0.0, tall = 0.0;

@@ -11,13 +11,13 @@
 #include "core/numeric/scalar_math.h"
 #include "core/world/terrain.h"
 #include "shell/export/exporters.h"
+#include "shell/export/moving_bones.h"
 
 namespace gaitsmith::shell {
 
 namespace {
 
 constexpr int kStepsPerKey = 2;
-constexpr double kRadiusShare = 0.08;  // radius of the rods, relative to their mean length
 // A capsule is a sphere with its halves moved apart along x.
 constexpr int kRings = 8;  // circles of latitude, even, without the poles
 constexpr int kSides = 12;
@@ -163,11 +163,11 @@ std::string RotationJson(double angle_rad) {
 class SkeletonScene {
  public:
   SkeletonScene(const Document& document, const Motion& motion)
-      : document_(document), motion_(motion), bones_(motion.Bones()) {
-    double length_m = 0.0;
-    for (int rod = 0; rod < bones_.rods; ++rod) length_m += static_cast<double>(Limb(rod).length_m);
-    radius_m_ = static_cast<float>(kRadiusShare * length_m / bones_.rods);
-  }
+      : document_(document),
+        motion_(motion),
+        bones_(motion.Bones()),
+        moving_(motion),
+        radius_m_(static_cast<float>(0.5 * moving_.ThicknessM())) {}
 
   std::string Whole() {
     const std::string meshes = Meshes();
@@ -200,11 +200,10 @@ class SkeletonScene {
         if (Limb(other).parent == rod) children += (children.empty() ? "" : ",") + std::to_string(other + 1);
       }
       const auto at = rod == 0 ? RootAt(0) : JointAt(rod);
-      nodes += ",\n{\"name\":\"rod " + std::to_string(Limb(rod).drawn + 1) +
-               "\",\"mesh\":" + std::to_string(rod) + ",\"translation\":[" +
-               Real(static_cast<double>(at[0])) + "," + Real(static_cast<double>(at[1])) + ",0]," +
-               RotationJson(AngleAt(0, rod)) + (children.empty() ? "" : ",\"children\":[" + children + "]") +
-               "}";
+      nodes += ",\n{\"name\":\"" + moving_.NameOf(rod) + "\",\"mesh\":" + std::to_string(rod) +
+               ",\"translation\":[" + Real(static_cast<double>(at[0])) + "," +
+               Real(static_cast<double>(at[1])) + ",0]," + RotationJson(AngleAt(0, rod)) +
+               (children.empty() ? "" : ",\"children\":[" + children + "]") + "}";
     }
     if (HasGround()) nodes += ",\n{\"name\":\"ground\",\"mesh\":" + std::to_string(bones_.rods) + "}";
     return nodes;
@@ -212,18 +211,13 @@ class SkeletonScene {
 
   /// A rod's joint on its parent, in coordinates of the parent, which lies along x from its start.
   [[nodiscard]] std::array<float, 3> JointAt(int rod) const {
-    const int parent = Limb(rod).parent;
-    return {Limb(rod).start == parent + 1 ? Limb(parent).length_m : 0.0f, 0.0f, 0.0f};
+    return {static_cast<float>(moving_.JointM(rod)), 0.0f, 0.0f};
   }
   [[nodiscard]] std::array<float, 3> RootAt(int frame) const {
-    const Motion::Frame& at = motion_.At(frame);
-    const Motion::Point start = motion_.Endpoint(frame, 0);
-    return {static_cast<float>(at.x_m + static_cast<double>(start.x)), at.y_m + start.y, 0.0f};
+    const auto start = moving_.Start(frame);
+    return {static_cast<float>(start[0]), static_cast<float>(start[1]), 0.0f};
   }
-  [[nodiscard]] double AngleAt(int frame, int rod) const {
-    if (rod == 0) return motion_.At(frame).turn_rad;
-    return static_cast<double>(Limb(rod).rest_rad) + static_cast<double>(motion_.AngleRad(frame, rod - 1));
-  }
+  [[nodiscard]] double AngleAt(int frame, int rod) const { return moving_.AngleRad(frame, rod); }
 
   std::string Meshes() {
     constexpr int kArrayBuffer = 34962;
@@ -320,6 +314,7 @@ class SkeletonScene {
   const Document& document_;
   const Motion& motion_;
   const Skeleton& bones_;
+  MovingBones moving_;
   float radius_m_;
   GltfBuffer buffer_;
   int samplers_ = 0;

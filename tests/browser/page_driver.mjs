@@ -10,6 +10,10 @@ import assert from 'node:assert/strict';
 export const PATIENCE_MS = 60000;
 /** Runs the scenarios of what the canvas alone decides, by the same module in every browser. */
 export const ONE_BROWSER = 'Chromium';
+/** Where a scenario runs that one browser of a whole run is enough for. */
+export const ONCE = 'once';
+/** How often a scenario runs that is rare and long, and tested in parts elsewhere: with ./dev browsers only (85). */
+export const RARELY = 'rarely';
 /** @param {number} ms */
 export const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 

@@ -7,9 +7,9 @@
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { goldenLinks, goldenMotions } from './goldens.mjs';
-import { PageDriver } from './page_driver.mjs';
+import { ONCE, PageDriver, RARELY } from './page_driver.mjs';
 import { ROOT, serve, startChromium, startFirefox, stopAll } from './browsers.mjs';
-import { MAIN_SCENARIOS, ONCE, RARELY, SCENARIOS } from './scenarios/all.mjs';
+import { MAIN_SCENARIOS, SCENARIOS } from './scenarios/all.mjs';
 import { takePictures } from './pictures.mjs';
 import { nativeHash } from './native.mjs';
 

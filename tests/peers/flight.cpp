@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Flights of a figure of model 2 with steps of different lengths, for comparison with other engines.
 //   flight SECONDS STEPS_PER_SECOND… < DOC
-// Writes one line of JSON for each number of steps per second: where the figure is after SECONDS.
+// Writes lines of JSON. The first is the figure as a MuJoCo model (gaitsmith export --mjcf), a string. The
+// others are, for each number of steps per second, where the figure is after SECONDS:
 //   root_rad, joint_rad[]        angle of the root rod, and of each joint from its drawn angle
 //   x_m, rise_m                  way of the centre of mass from its start
 //   momentum_kgm2ps              angular momentum about the centre of mass
@@ -17,8 +18,10 @@
 
 #include "core/document/document.h"
 #include "core/document/json.h"
+#include "core/document/json_value.h"
 #include "core/physics/strength_plant.h"
 #include "core/rollout/rollout.h"
+#include "shell/export/exporters.h"
 
 namespace {
 
@@ -60,6 +63,7 @@ int main(int count, char** words) try {
     std::cerr << (document ? "flight SECONDS STEPS_PER_SECOND…" : document.error().Sentence()) << '\n';
     return 1;
   }
+  std::cout << QuoteJson(shell::MujocoModel(*document, Simulate(*document), {})) << '\n';
   std::cout << std::setprecision(17) << std::boolalpha;
   for (int i = 2; i < count; ++i) Fly(*document, std::atof(words[1]), std::atoi(words[i]));
   return 0;

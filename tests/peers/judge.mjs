@@ -71,14 +71,15 @@ function write(name, begin, all) {
 for (const flight of FLIGHTS.filter(({ figure }) => !spot || figure.name === SPOT)) {
   const { name } = flight.figure;
   const driven = torques(flight).some((torque) => torque !== 0);
-  /** @type {Flown[]} */
-  const flown = execFileSync(program, [String(SECONDS), ...STEPS_PER_SECOND.map(String)], { input: JSON.stringify(flight), encoding: 'utf8' })
+  const lines = execFileSync(program, [String(SECONDS), ...STEPS_PER_SECOND.map(String)], { input: JSON.stringify(flight), encoding: 'utf8' })
     .trim().split('\n').map((line) => JSON.parse(line));
+  const mjcf = /** @type {string} */ (lines[0]);
+  const flown = /** @type {Flown[]} */ (lines.slice(1));
   for (const { eased, touched, broken } of flown) {
     if (eased || touched || broken) faults.push(`${name}: no fair flight (${JSON.stringify({ eased, touched, broken })})`);
   }
-  const truth = fly(flight, SECONDS, fine_s);
-  const doubt = greatest(Object.values(errors(truth, fly(flight, SECONDS, 2 * fine_s))));
+  const truth = fly(flight, mjcf, SECONDS, fine_s);
+  const doubt = greatest(Object.values(errors(truth, fly(flight, mjcf, SECONDS, 2 * fine_s))));
   if (!(doubt <= MUJOCO_ERROR)) faults.push(`${name}: MuJoCo's own error is about ${doubt}`);
   const plain = flown.map((one) => errors(one, truth));
   check(name, plain, driven ? FIRST_ORDER : SECOND_ORDER);
@@ -86,7 +87,7 @@ for (const flight of FLIGHTS.filter(({ figure }) => !spot || figure.name === SPO
   if (!driven) continue;
   // Model 2 gives the impulse of a step at its beginning, so its torques begin half a step early. This is all that is of
   // first order.
-  const early = flown.map((one, i) => errors(one, fly(flight, SECONDS, fine_s, 0.5 / STEPS_PER_SECOND[i])));
+  const early = flown.map((one, i) => errors(one, fly(flight, mjcf, SECONDS, fine_s, 0.5 / STEPS_PER_SECOND[i])));
   check(`${name}, from half a step early`, early, SECOND_ORDER);
   write(name, 'half a step early', early);
 }

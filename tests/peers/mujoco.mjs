@@ -1,30 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The same flight in MuJoCo: a plane figure of slides and hinges, in double precision, by Runge-Kutta of fourth order.
+// The same flight in MuJoCo, of the model that we export, in double precision, by Runge-Kutta of fourth order.
 import loadMujoco from '../../web/node_modules/@mujoco/mujoco/mujoco.js';
 import { torques } from './figures.mjs';
 
 /** @typedef {import('./figures.mjs').Flight} Flight */
 /** @typedef {{root_rad: number, joint_rad: number[], x_m: number, rise_m: number, momentum_kgm2ps: number}} Place */
 
-// Counterclockwise, if x is to the right and z up.
-const HINGE = '<joint type="hinge" axis="0 -1 0"/>';
-
-/** @param {Flight} flight @param {number} step_s @returns {string} MJCF */
-function mjcf({ figure: { rods }, environment: { gravity_mps2: gravity, slope_rad: slope } }, step_s) {
-  /** @param {number} i @returns {string} a rod along its own x axis, from its joint on, and what hangs on it */
-  const body = (i) => {
-    const { length_m: length, mass_kg: mass, parent, parent_end: end } = rods[i];
-    const inertia = (mass * length * length) / 12;
-    const children = rods.map((rod, child) => (rod.parent === i ? body(child) : '')).join('');
-    // Turns about the rod's own axis do not occur, so any third moment of inertia will do.
-    return `<body pos="${parent >= 0 && end === 'end' ? rods[parent].length_m : 0} 0 0">
-      ${parent < 0 ? '<joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 0 1"/>' : ''}${HINGE}
-      <inertial pos="${length / 2} 0 0" mass="${mass}" diaginertia="${inertia} ${inertia} ${inertia}"/>${children}</body>`;
-  };
-  return `<mujoco><compiler inertiafromgeom="false"/>
-    <option timestep="${step_s}" integrator="RK4" gravity="${-gravity * Math.sin(slope)} 0 ${-gravity * Math.cos(slope)}">
-      <flag contact="disable" constraint="disable"/></option>
-    <worldbody>${body(0)}</worldbody></mujoco>`;
+/** An exported model, for flights: other steps, and nothing but gravity acts. @param {string} mjcf @param {number} step_s */
+function forFlights(mjcf, step_s) {
+  const text = mjcf.replace(/<option timestep="[^"]*" integrator="[^"]*"([^>]*)\/>/,
+    `<option timestep="${step_s}" integrator="RK4"$1><flag contact="disable" constraint="disable" actuation="disable"/></option>`);
+  if (text === mjcf) throw new Error('the exported model has no options');
+  return text;
 }
 
 /** MuJoCo numbers bodies and joints depth first. @param {Flight['figure']['rods']} rods @returns {number[]} rods in this order */
@@ -38,17 +25,17 @@ const mujoco = await loadMujoco();
 
 /**
  * Where a figure is after a flight.
- * @param {Flight} flight @param {number} seconds @param {number} step_s
+ * @param {Flight} flight @param {string} mjcf  its model, as exported @param {number} seconds @param {number} step_s
  * @param {number} [early_s]  the torques have acted for this time before the flight, and the limbs have not moved yet
  * @returns {Place}
  */
-export function fly(flight, seconds, step_s, early_s = 0) {
+export function fly(flight, mjcf, seconds, step_s, early_s = 0) {
   const { figure: { rods }, start } = flight;
   const order = depthFirst(rods);
   const hinge = rods.map((_, i) => 2 + order.indexOf(i));
-  const model = mujoco.MjModel.from_xml_string(mjcf(flight, step_s));
+  const model = mujoco.MjModel.from_xml_string(forFlights(mjcf, step_s));
   const data = new mujoco.MjData(model);
-  rods.forEach((rod, i) => { data.qpos[hinge[i]] = rod.rest_rad; });
+  data.qpos[hinge[0]] = rods[0].rest_rad; // the others are drawn in the model
   mujoco.mj_forward(model, data);
   const from = [...data.subtree_com];
 
@@ -79,7 +66,7 @@ export function fly(flight, seconds, step_s, early_s = 0) {
   mujoco.mj_subtreeVel(model, data);
   const place = {
     root_rad: data.qpos[hinge[0]],
-    joint_rad: rods.slice(1).map((rod, joint) => data.qpos[hinge[joint + 1]] - rod.rest_rad),
+    joint_rad: rods.slice(1).map((_, joint) => data.qpos[hinge[joint + 1]]),
     x_m: data.subtree_com[0] - from[0],
     rise_m: data.subtree_com[2] - from[2],
     momentum_kgm2ps: -data.subtree_angmom[1],

@@ -12,7 +12,7 @@ export const control_modes: readonly { readonly name: string; readonly words: st
 export const panels: readonly { readonly name: string; readonly label: string }[];
 /** Files that C++ makes of a motion. type: MIME. label, note: in English, as tr() takes them. */
 export const exporters: readonly {
-  readonly name: string; readonly ending: string; readonly type: string; readonly label: string; readonly note: string;
+  readonly name: string; readonly ending: string; readonly type: string; readonly group: 'pictures' | 'programs'; readonly label: string; readonly note: string;
 }[];
 /** English first. name: in the language itself. */
 export const languages: readonly { readonly code: string; readonly name: string }[];

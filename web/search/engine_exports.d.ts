@@ -95,6 +95,8 @@ export interface EngineExports {
    * @param frame clamped to the motion
    */
   _gs_motion_body(role: Pointer, frame: number): Pointer;
+  /** How far the outline reaches below the endpoints on which the figure stands [m]. */
+  _gs_motion_sole(role: Pointer): number;
   /** Of the last gs_motion_body(). */
   _gs_motion_body_size(role: Pointer): number;
   /** The terms of the whole motion by name, whether its simulation failed, and its hash, as JSON. */

@@ -77,7 +77,7 @@ GS_EXPORT const char* gs_motion_file(MotionRole* role, std::size_t id_size) {
     Note({ErrorCode::kUnknownName, "", "there is no such export"});
     return nullptr;
   }
-  auto file = shell::MakeFile(*row, role->document, role->motion, {});
+  auto file = shell::MakeFile(*row, role->document, role->motion, {.loops = role->loop != "null"});
   if (!file) {
     Note(file.error());
     return nullptr;

@@ -80,6 +80,8 @@ GS_EXPORT const float* gs_motion_body(MotionRole* role, int frame) {
     add(eye->at, eye->radius_m, eye->at, eye->radius_m, 0.0f, 2.0f);
   return role->body.data();
 }
+/// How far the outline reaches below the endpoints on which the figure stands [m].
+GS_EXPORT float gs_motion_sole(const MotionRole* role) { return role->look.sole_m; }
 /// Of the last gs_motion_body().
 GS_EXPORT std::size_t gs_motion_body_size(const MotionRole* role) { return role->body.size(); }
 

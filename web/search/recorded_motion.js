@@ -19,6 +19,8 @@ export class RecordedMotion {
     /** For each rod the endpoint at its start; rod i ends at endpoint i + 1. */
     this.starts = new Int32Array(engine.bytesAt(module._gs_motion_starts(handle), 4 * rods).buffer);
     this.endpoints = rods + 1;
+    /** How far the figure's outline reaches below the endpoints on which it stands [m]. */
+    this.sole = module._gs_motion_sole(handle);
     /**
      * Length of a frame: the active controller (-1: none), then x and y of the centre of mass and of every endpoint
      * [m].

@@ -61,13 +61,18 @@ class ExportDialog {
   constructor(app, statusLine) {
     this.app = app;
     this.statusLine = statusLine;
-    this.#formats.append(...exporters.map(choice));
+    for (const exporter of exporters) element(`export-${exporter.group}`).append(choice(exporter));
+    element('export-pictures').append(element('export-strip'));
     this.#dialog.addEventListener('submit', (event) => {
       event.preventDefault();
       void this.#export();
     });
-    this.#formats.addEventListener('change', () => this.#chosen());
+    this.#formats.addEventListener('change', () => {
+      this.#chosen();
+      void this.#weigh();
+    });
     this.#parts.addEventListener('change', () => void this.#showPart());
+    this.#poses.addEventListener('change', () => void this.#weigh());
     this.#dialog.addEventListener('close', () => {
       this.#making?.abort();
       this.#preview.close();
@@ -159,6 +164,22 @@ class ExportDialog {
     const motion = openPart(await this.#load(), this.#document, choice);
     if (choice.part === 'loop') this.#cycle.textContent = words(/** @type {Cycle} */ (motion.cycle()));
     this.#preview.show(motion, cycleOf(motion, choice.inPlace));
+    await this.#weigh();
+  }
+
+  /** Says how large the file will be, of files that are made at once. */
+  async #weigh() {
+    const format = this.#format();
+    const size = element('export-size');
+    size.textContent = '';
+    const motion = this.#preview.motion;
+    if (!motion || this.#making || !FORMATS[format].light) return;
+    try {
+      const contents = await FORMATS[format].make({ motion, title: this.app.title(), poses: Number(this.#poses.value), signal: new AbortController().signal, onProgress: () => {} });
+      if (this.#format() === format) size.textContent = weight(new Blob([contents]).size);
+    } catch {
+      // Export says why.
+    }
   }
 
   async #export() {
@@ -184,7 +205,7 @@ class ExportDialog {
       const name = `${fileName(this.app.title())}${choice.part === 'loop' ? '-loop' : ''}.${ending}`;
       offerFile(name, contents, type);
       this.statusLine.say('');
-      toast(tr('Exported: {1}', name));
+      toast(tr('Exported: {1}', `${name}, ${weight(new Blob([contents]).size)}`));
       this.#show(null);
       this.#dialog.close();
     } catch (error) {
@@ -216,6 +237,9 @@ class ExportDialog {
     else if (this.#dialog.open) this.#go.focus();
   }
 }
+
+/** A file's size. @param {number} bytes */
+const weight = (bytes) => (bytes < 999_500 ? tr('{1} KB', fixed(bytes / 1000, bytes < 9950 ? 1 : 0)) : tr('{1} MB', fixed(bytes / 1e6, 1)));
 
 /** @param {unknown} error */
 const reason = (error) => (error instanceof Error ? error.message : String(error));

@@ -15,13 +15,13 @@ import { fixed, tr } from '../languages/language.js';
  * @property {AbortSignal} signal                  aborted when the export is cancelled
  * @property {(share: number) => void} onProgress  share: the finished part, from 0 to 1
  */
-/** @typedef {{ending: string, type: string, make: (job: ExportJob) => Promise<BlobPart>}} Format */
+/** light: made at once. @typedef {{ending: string, type: string, light?: boolean, make: (job: ExportJob) => Promise<BlobPart>}} Format */
 
 const PNG_SCALE = 2;
 
 /** The formats of the engine's exporters, and those that are made here. @type {Record<string, Format>} */
 export const FORMATS = {
-  ...Object.fromEntries(exporters.map(({ name, ending, type }) => [name, { ending, type, make: async (job) => (name === 'svg' ? strip(job) : job.motion.file(name)) }])),
+  ...Object.fromEntries(exporters.map(({ name, ending, type }) => [name, { ending, type, light: true, make: async (job) => (name === 'svg' ? strip(job) : job.motion.file(name)) }])),
   png: { ending: 'png', type: 'image/png', make: (job) => painted(strip(job)) },
   gif: { ending: 'gif', type: 'image/gif', make: async (job) => (await import('./export_film.js')).gif(job) },
   webm: { ending: 'webm', type: 'video/webm', make: async (job) => (await import('./export_film.js')).webm(job) },

@@ -41,6 +41,9 @@ export class ExportPreview {
     else this.#next();
   }
 
+  /** What is playing. */
+  get motion() { return this.#picture?.motion ?? null; }
+
   close() {
     cancelAnimationFrame(this.#frame);
     this.#picture?.close();

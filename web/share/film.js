@@ -2,6 +2,7 @@
 // A motion as a video: draws the figure and the ground, frame by frame, on a separate canvas, in light colours that
 // suit any page or slide. The whole motion is known, so the camera moves smoothly instead of reacting to the figure.
 import { fixed } from '../languages/language.js';
+import { paintBody } from './body_painting.js';
 import { paintGround } from './ground_painting.js';
 
 /** @typedef {import('../search/engine.js').RecordedMotion} RecordedMotion */
@@ -13,10 +14,9 @@ const GROUND_Y = 292;
 const TOP_Y = 62; // of the figure at its highest point
 const MAX_WIDTH = 250; // of the figure
 const TRAIL_STEPS = 150;
-const INK = '#1d2733', SECOND_INK = '#5b6672', PAPER = '#fbfaf6', GROUND = '#efebe3', TRAIL = '#2f5fd0';
+const INK = '#1d2733', SECOND_INK = '#5b6672', PAPER = '#fbfaf6', GROUND = '#efebe3', FAR = '#7c8287', TRAIL = '#2f5fd0';
 // As in shell/export/rule_colours.h.
 const COLOURS = ['#2092ea', '#dd8a53', '#106c6f', '#61459b', '#eb54a9', '#b4af0f', '#8cb58f', '#804538', '#5b47e0', '#71630f'];
-const ROD_SHARE = 0.16; // thickness relative to mean length
 const MIN_TICK = 76;
 const EDGE = 28; // margin for labels
 
@@ -33,9 +33,10 @@ export class Film {
     this.canvas.width = WIDTH;
     this.canvas.height = HEIGHT;
     this.context = /** @type {CanvasRenderingContext2D} */ (this.canvas.getContext('2d', { willReadFrequently: true }));
-    const { widest, top, rod } = sizes(motion);
-    this.scale = Math.min(MAX_WIDTH / widest, (GROUND_Y - TOP_Y) / Math.max(top + rod, 1e-6));
-    this.rod = rod * this.scale;
+    const { widest, top } = sizes(motion);
+    const { sole } = motion;
+    this.scale = Math.min(MAX_WIDTH / widest, (GROUND_Y - TOP_Y) / Math.max(top + 2 * sole, 1e-6));
+    this.sole = sole * this.scale;
     this.tick = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000].find((length) => length * this.scale >= MIN_TICK) ?? 50000;
     const xs = Float64Array.from({ length: motion.frames }, (_, i) => this.#numberAt(i, 1));
     const steps = motion.frames - 1;
@@ -70,7 +71,7 @@ export class Film {
   /** The colours of the frames, as #rrggbb, without blends. */
   get colours() {
     const controllers = new Set(Array.from({ length: this.motion.frames }, (_, i) => this.#numberAt(i, 0)).filter((one) => one >= 0));
-    return [PAPER, GROUND, INK, SECOND_INK, TRAIL, ...[...controllers].map((one) => COLOURS[one % COLOURS.length])];
+    return [PAPER, GROUND, INK, FAR, SECOND_INK, TRAIL, ...[...controllers].map((one) => COLOURS[one % COLOURS.length])];
   }
 
   /** @returns {Uint8ClampedArray} RGBA of the last drawn frame */
@@ -80,8 +81,8 @@ export class Film {
   #numberAt(frame, which) { return this.motion.numbers[frame * this.motion.stride + which]; }
   /** @param {number} metres @param {number} frame */
   #x(metres, frame) { return WIDTH / 2 + (metres - this.cameras[frame]) * this.scale; }
-  /** The lower edge of a rod touches the ground. @param {number} metres @param {number} frame */
-  #y(metres, frame) { return GROUND_Y - this.rod / 2 - (metres - this.levels[frame]) * this.scale; }
+  /** The figure stands on the lower edge of its outline. @param {number} metres @param {number} frame */
+  #y(metres, frame) { return GROUND_Y - this.sole - (metres - this.levels[frame]) * this.scale; }
 
   /** @param {string} text @param {number} x @param {number} y @param {string} colour @param {string} font @param {number} [maxWidth] */
   #text(text, x, y, colour, font, maxWidth) {
@@ -150,39 +151,13 @@ export class Film {
 
   /** @param {number} frame */
   #figure(frame) {
-    const { context: c, motion } = this;
-    const place = (/** @type {number} */ k) => /** @type {[number, number]} */ (
-      [this.#x(this.#numberAt(frame, 3 + 2 * k), frame), this.#y(this.#numberAt(frame, 4 + 2 * k), frame)]);
-    const meeting = new Uint8Array(motion.endpoints);
-    c.strokeStyle = INK;
-    c.lineWidth = this.rod;
-    c.lineCap = 'round';
-    c.beginPath();
-    motion.starts.forEach((start, rod) => {
-      c.moveTo(...place(start));
-      c.lineTo(...place(rod + 1));
-      meeting[start]++;
-      meeting[rod + 1]++;
-    });
-    c.stroke();
-    meeting.forEach((rods, k) => {
-      if (rods < 2) return;
-      if (rods > 2) this.#disc(place(k), 0.76, INK); // a hub
-      this.#disc(place(k), rods > 2 ? 0.46 : 0.3, PAPER);
-    });
-  }
-
-  /** @param {[number, number]} centre @param {number} share  of the rods' thickness @param {string} colour */
-  #disc([x, y], share, colour) {
-    this.context.fillStyle = colour;
-    this.context.beginPath();
-    this.context.arc(x, y, share * this.rod, 0, 2 * Math.PI);
-    this.context.fill();
+    const view = { left: this.#x(0, frame), ground: this.#y(0, frame), scale: this.scale };
+    paintBody(this.context, this.motion.body(frame), view, { body: INK, far: FAR, eye: PAPER });
   }
 }
 
-/** The figure's greatest width and height, and the thickness of its rods [m]. @param {RecordedMotion} motion */
-function sizes({ numbers, stride, frames, starts, endpoints, ground }) {
+/** The figure's greatest width and height [m]. @param {RecordedMotion} motion */
+function sizes({ numbers, stride, frames, endpoints, ground }) {
   let widest = 0;
   let top = 0;
   for (let i = 0; i < frames; i++) {
@@ -197,14 +172,9 @@ function sizes({ numbers, stride, frames, starts, endpoints, ground }) {
     }
     widest = Math.max(widest, right - left);
   }
-  let length = 0;
-  starts.forEach((start, rod) => {
-    const [x, y, endX, endY] = [3 + 2 * start, 4 + 2 * start, 5 + 2 * rod, 6 + 2 * rod].map((which) => numbers[which]);
-    length += Math.hypot(endX - x, endY - y);
-  });
   // A motion that explodes must not shrink its figure to nothing.
   const bounded = Math.max(1e-6, Math.min(widest, 1000));
-  return { widest: bounded, top: Math.min(top, 50 * bounded), rod: ROD_SHARE * length / starts.length };
+  return { widest: bounded, top: Math.min(top, 50 * bounded) };
 }
 
 /** The distance of marks nearest to `tick` of which a loop's way is a multiple. @param {number} tick @param {number} distance */

@@ -117,7 +117,9 @@ export class MotionPicture {
 
   /** @param {CanvasRenderingContext2D} context @param {number} frame @param {import('./body_painting.js').View} view @param {Colours} colours */
   #paintFigure(context, frame, view, { paper, ink }) {
-    paintBody(context, this.motion.body(frame), view, { body: ink, far: mixed(paper, ink, FAR_SHARE), eye: paper });
+    // It stands on the lower edge of its outline.
+    const standing = { ...view, ground: view.ground - this.motion.sole * view.scale };
+    paintBody(context, this.motion.body(frame), standing, { body: ink, far: mixed(paper, ink, FAR_SHARE), eye: paper });
   }
 
   /** The ground's height around the figure, smoothed over half a second [m]. @param {number} frame */

@@ -5,10 +5,10 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { ROOT } from '../browsers.mjs';
-import { PATIENCE_MS, PageDriver, sleep } from '../page_driver.mjs';
+import { ONCE, PATIENCE_MS, PageDriver, RARELY, sleep } from '../page_driver.mjs';
 import { AXE_SCENARIOS } from './axe.mjs';
 import { BREED_SCENARIOS } from './breed.mjs';
-import { EXPORT_SCENARIOS } from './export.mjs';
+import { EXPORT_SCENARIOS } from './export/dialog.mjs';
 import { FAULT_SCENARIOS } from './fault.mjs';
 import { FIGURE_SCENARIOS } from './figure.mjs';
 import { GALLERY_SCENARIOS } from './gallery.mjs';
@@ -70,18 +70,16 @@ import { nativeHash } from '../native.mjs';
 const EVALUATIONS = 8000;
 
 /**
- * A claim, its test, and where it runs: a browser's name if no other can run it, ONCE for one browser of a whole run. RARELY: only with ./dev browsers.
+ * A claim, its test, and where it runs: a browser's name if no other can run it, ONCE. How often: RARELY or always.
  * @typedef {[string, (visit: Visit) => Promise<void>, string?, string?]} Scenario
  */
-export const ONCE = 'once';
 /**
  * Scenarios of the canvas, of searches, of our own workers and of plain pages, which run the same code in every browser. A
  * whole run does not repeat them in the second browser (docs/design.md, 59 and 84). BROWSER=firefox runs them there.
  * @param {Scenario[]} scenarios @returns {Scenario[]}
  */
-const once = (scenarios) => scenarios.map(([claim, body, where = ONCE]) => [claim, body, where]);
-export const RARELY = 'rarely';
-/** Rare and long, and tested in parts elsewhere: ./dev browsers runs them (85). @param {Scenario[]} scenarios @returns {Scenario[]} */
+const once = (scenarios) => scenarios.map(([claim, body, where = ONCE, how]) => [claim, body, where, how]);
+/** @param {Scenario[]} scenarios @returns {Scenario[]} */
 const rarely = (scenarios) => once(scenarios).map(([claim, body, where]) => [claim, body, where, RARELY]);
 /** A whole visit in a few minutes. @type {Scenario[]} */
 export const MAIN_SCENARIOS = [
@@ -264,7 +262,7 @@ export const SCENARIOS = [
   ...once(LAB_SCENARIOS),
   ...rarely(HINT_SCENARIOS),
   ...once(HISTORY_SCENARIOS),
-  ...KEPT_WORK_SCENARIOS,
+  ...once(KEPT_WORK_SCENARIOS),
   ...once(PALETTE_SCENARIOS),
   ...once(QUEUE_SCENARIOS),
   ...once(TIMELINE_SCENARIOS),
@@ -286,19 +284,20 @@ export const SCENARIOS = [
   ...once(FIGURE_SCENARIOS),
   ...once(GALLERY_SCENARIOS),
   ...once(BREED_SCENARIOS),
-  ...once([...BEFORE_AFTER_SCENARIOS, ...CLASSROOM_SCENARIOS, ...EXPLORABLE_SCENARIOS, ...LEARNING_SCENARIOS, ...NEW_LESSON_SCENARIOS, ...TEACH_SCENARIOS]),
+  ...once([...BEFORE_AFTER_SCENARIOS, ...CLASSROOM_SCENARIOS, ...EXPLORABLE_SCENARIOS, ...TEACH_SCENARIOS]),
+  ...rarely([...LEARNING_SCENARIOS, ...NEW_LESSON_SCENARIOS]),
   ...once(REST_SCENARIOS),
   ...once(LIVE_SCENARIOS),
   ...once(RULE_SCENARIOS),
   ...rarely(WALK_SCENARIOS),
   ...once(FINGER_SCENARIOS),
   ...once(THEME_SCENARIOS),
-  ...TYPING_SCENARIOS,
+  ...once(TYPING_SCENARIOS),
   ...once(DOOR_SCENARIOS),
   ...once(NEWCOMER_SCENARIOS),
   ...once(VIEWER_SCENARIOS),
   ...once(TOUR_SCENARIOS),
-  ...LANGUAGE_SCENARIOS,
+  ...once(LANGUAGE_SCENARIOS),
 
   ['Undo waits until there is something to undo', async ({ browser, address }) => {
     const fresh = await PageDriver.open(browser, address);

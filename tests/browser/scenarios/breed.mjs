@@ -2,7 +2,7 @@
 // Breeding by eye: nine motions, picks, the family tree, taste, and links. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
 import { Mouse } from '../pointers.mjs';
-import { PageDriver, sleep } from '../page_driver.mjs';
+import { ONCE, PageDriver, RARELY, sleep } from '../page_driver.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
 
@@ -188,6 +188,6 @@ async function cards({ browser, address }) {
 /** @type {import('./all.mjs').Scenario[]} */
 export const BREED_SCENARIOS = [
   ['breeds: nine children of picks, a family tree, Undo, and a link that grows the same children', breeds],
-  ['learns a taste from picks and answers, keeps it, and makes it the style', tastes],
+  ['learns a taste from picks and answers, keeps it, and makes it the style', tastes, ONCE, RARELY],
   ['a result’s card: more like this breeds from it, less like this is remembered', cards],
 ];

@@ -2,7 +2,7 @@
 // Work that the browser stores between visits and tabs. Each scenario opens its own profiles.
 import assert from 'node:assert/strict';
 import { stateOf } from './history.mjs';
-import { PageDriver, sleep } from '../page_driver.mjs';
+import { ONCE, PageDriver, RARELY, sleep } from '../page_driver.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
 
@@ -282,17 +282,17 @@ async function graphicsLost({ browser, address }) {
   await page.close();
 }
 
-/** @type {[string, (visit: Visit) => Promise<void>, string?][]} */
+/** @type {import('./all.mjs').Scenario[]} */
 export const KEPT_WORK_SCENARIOS = [
   ['a reload brings back the work, and so does the bare address in another tab', reloadRestores],
-  ['a reload brings back the queue, and ignores a damaged one', reloadKeepsQueue],
+  ['a reload brings back the queue, and ignores a damaged one', reloadKeepsQueue, ONCE, RARELY],
   ['a reload with the address of a moment ago brings back the work, too', reloadWithOldAddress],
-  ['a reload in the middle of a search brings back the best so far', reloadMidSearch],
+  ['a reload in the middle of a search brings back the best so far', reloadMidSearch, ONCE, RARELY],
   ['a link in the address wins, and the last work is one press away until dismissed', linkWins],
   ['two tabs keep their own work, and the next visit begins with the later one', twoTabs],
   ['forbidden storage is reported once, and all else works', forbidden],
-  ['where storage is full, it is said', full],
-  ['inside another page nothing is kept', embedded],
+  ['where storage is full, it is said', full, ONCE, RARELY],
+  ['inside another page nothing is kept', embedded, ONCE, RARELY],
   ['a tab that is killed loses nothing', tabKilled, 'Chromium'], // Firefox has no way to kill a tab
-  ['where the graphics are lost the page says so, and a reload goes on', graphicsLost],
+  ['where the graphics are lost the page says so, and a reload goes on', graphicsLost, ONCE, RARELY],
 ];

@@ -8,7 +8,7 @@ import { join } from 'node:path';
 import { execFile } from 'node:child_process';
 import { promisify } from 'node:util';
 import { ROOT } from '../browsers.mjs';
-import { PageDriver } from '../page_driver.mjs';
+import { ONCE, PageDriver, RARELY } from '../page_driver.mjs';
 import { PlainServer } from '../plain_server.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
@@ -339,13 +339,13 @@ async function packagedEngine(visit) {
 /** @type {typeof import('./all.mjs').SCENARIOS} */
 export const OFFLINE_SCENARIOS = [
   ['on a plain host under a path it works, and goes on without a network', subPathAndOffline],
-  ['a host that sends pages on to prettier addresses is as good', prettyHost],
-  ['two copies on one host keep out of each other’s way', twoCopies],
-  ['a new version comes as a whole, when one page is left and its reader asks for it', update],
-  ['an incomplete update is not activated', halfAVersion],
+  ['a host that sends pages on to prettier addresses is as good', prettyHost, ONCE, RARELY],
+  ['two copies on one host keep out of each other’s way', twoCopies, ONCE, RARELY],
+  ['a new version comes as a whole, when one page is left and its reader asks for it', update, ONCE, RARELY],
+  ['an incomplete update is not activated', halfAVersion, ONCE, RARELY],
   ['in a frame of another origin it is played by messages', foreignFrame],
-  ['in a frame without an origin it searches in the page, or says what is missing', narrowFrame],
-  ['without storage everything else works', noStorage],
-  ['the package of the engine runs in a page as it does in Node', packagedEngine],
+  ['in a frame without an origin it searches in the page, or says what is missing', narrowFrame, ONCE, RARELY],
+  ['without storage everything else works', noStorage, ONCE, RARELY],
+  ['the package of the engine runs in a page as it does in Node', packagedEngine, ONCE, RARELY],
   ['a link opens in another profile, where the same search finds the same', secondProfile],
 ];

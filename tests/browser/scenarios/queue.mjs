@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The queue of searches, their results, and what survives a reload. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
-import { ONE_BROWSER, PageDriver, sleep } from '../page_driver.mjs';
+import { ONCE, ONE_BROWSER, PageDriver, RARELY, sleep } from '../page_driver.mjs';
 import { stateOf } from './history.mjs';
 import { nativeHash } from '../native.mjs';
 
@@ -321,10 +321,10 @@ async function forbidden({ browser, address }) {
 export const QUEUE_SCENARIOS = [
   ['a queue of searches runs by itself and leaves the stage alone; a result shown is what its seed finds', runsThrough],
   ['a queue waits after Stop, resumes on request, and can be cleared', stopped],
-  ['a queue goes on where no frame is drawn', unseen],
-  ['a queue goes on after one that fails', oneFails, ONE_BROWSER],
+  ['a queue goes on where no frame is drawn', unseen, ONCE, RARELY],
+  ['a queue goes on after one that fails', oneFails, ONE_BROWSER, RARELY],
   ['a queue by script: added to, full, and told of with links of its own', byScript],
-  ['results outlive a reload, with marks and deletions, and two tabs do not lose each other\'s', afterReload],
+  ['results outlive a reload, with marks and deletions, and two tabs do not lose each other\'s', afterReload, ONCE, RARELY],
   ['results where storage is forbidden: said once, and here until one leaves', forbidden],
   ['the spread of a population is described and drawn', spread, ONE_BROWSER],
 ];

@@ -61,7 +61,7 @@ TEST_CASE("catalogue: the page's module has a list for each table that it reads"
   CHECK(module.contains("\nexport const algorithms=[{\"name\":\"rgt\",\"label\":\"RG&T\"},"));
   CHECK(module.contains("\nexport const terms=[{\"name\":\"max_cm_height\"},"));
   const ExporterRow& last = kExporters.back();
-  CHECK(module.contains(",\"type\":" + QuoteJson(last.type) + ",\"label\":" + QuoteJson(last.label) +
+  CHECK(module.contains(",\"group\":\"programs\",\"label\":" + QuoteJson(last.label) +
                         ",\"note\":" + QuoteJson(last.note) + "}];\n"));
 }
 

@@ -2,9 +2,10 @@
 // The export dialog: by mouse and by keyboard, every format, and cancelling a video. Each scenario opens its own pages.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
-import { PageDriver } from '../page_driver.mjs';
+import { PageDriver } from '../../page_driver.mjs';
+import { MOVING_PICTURE_SCENARIOS } from './moving_pictures.mjs';
 
-/** @typedef {import('./all.mjs').Visit} Visit */
+/** @typedef {import('../all.mjs').Visit} Visit */
 
 /** Runs in the page before its scripts: records the offered files, so that the browser does not save them. */
 function recordFiles() {
@@ -95,6 +96,10 @@ async function everyFormat(visit) {
   const csv = await exportByMouse(page, 'csv');
   assert.equal(csv.text.split('\n').length, 63);
   assert.match(csv.text, /^t,x,y,vx,vy,phi,L,rule,theta_1/);
+  const moving = await exportByMouse(page, 'animated-svg');
+  assert.match(moving.text, /^<svg [\s\S]*@keyframes/);
+  const scene = await exportByMouse(page, 'godot');
+  assert.deepEqual([scene.name, scene.type], ['a-short-one.tscn', 'text/plain']);
   const webm = await exportByMouse(page, 'webm');
   assert.deepEqual([webm.name, webm.type, webm.begin.slice(0, 4)], ['a-short-one.webm', 'video/webm', '\x1a\x45\xdf\xa3']);
   assert.ok(webm.size > 1000 && webm.size <= gif.size, `the film has ${webm.size} bytes, the GIF ${gif.size}`);
@@ -111,7 +116,7 @@ async function ofPlan({ browser, address }) {
   await open(page);
   assert.equal(await page.call('without a plan', () => document.querySelector('#export-plan')?.hasAttribute('hidden')), true);
   await page.press('Escape');
-  const jump = await readFile(new URL('../../../examples/planned/lamp-jump.json', import.meta.url), 'utf8');
+  const jump = await readFile(new URL('../../../../examples/planned/lamp-jump.json', import.meta.url), 'utf8');
   await page.call('a planned jump', `window.gaitsmith.open(${JSON.stringify(jump)})`);
   const played = await exportByMouse(page, 'csv');
   await open(page);
@@ -233,7 +238,7 @@ async function withoutRecorder({ browser, address }) {
   await page.close();
 }
 
-/** @type {[string, (visit: Visit) => Promise<void>][]} */
+/** @type {import('../all.mjs').Scenario[]} */
 export const EXPORT_SCENARIOS = [
   ['an export of every format, by mouse, is what it says', everyFormat],
   ['one cycle of a motion is exported as a loop', asLoop],
@@ -241,4 +246,5 @@ export const EXPORT_SCENARIOS = [
   ['an export by keyboard alone, with the poses asked for', byKeyboard],
   ['an export of a long film is cancelled, by button and by Escape', cancelled],
   ['an export where nothing records films says so', withoutRecorder],
+  ...MOVING_PICTURE_SCENARIOS,
 ];

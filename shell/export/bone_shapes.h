@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The figure as the stage draws it, cut into shapes that move with its bones.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/document/document.h"
+#include "shell/export/picture_colours.h"
+
+namespace gaitsmith::shell {
+
+/// A convex shape, fixed to a bone.
+struct BoneShape {
+  int bone;
+  const PictureColour* colour;
+  /// Along the bone from its start and to the left of it [m], counterclockwise.
+  std::vector<std::array<double, 2>> outline_m;
+};
+
+/// In the order of drawing: far limbs first, the eye last. Shapes of one bone often follow one another.
+[[nodiscard]] std::vector<BoneShape> BoneShapesOf(const Figure&);
+
+/// How far shapes reach below the endpoints on which the figure stands [m].
+[[nodiscard]] double SoleM(const Figure&);
+
+}  // namespace gaitsmith::shell

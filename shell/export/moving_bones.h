@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// A motion as skeletal formats have it: bones that turn on their parents, with keys where they are needed.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/rollout/motion.h"
+
+namespace gaitsmith::shell {
+
+/// Bone i is rod i in walking order. Bone 0 has no parent, and its start moves.
+class MovingBones {
+ public:
+  /// @param motion is kept as a reference
+  explicit MovingBones(const Motion& motion) : motion_(motion), skeleton_(motion.Bones()) {}
+
+  [[nodiscard]] int Count() const { return skeleton_.rods; }
+  [[nodiscard]] int Frames() const { return motion_.Frames(); }
+  [[nodiscard]] int ParentOf(int bone) const { return Limb(bone).parent; }  // -1 of bone 0
+  /// "rod 3", with the number that the rod has in its document.
+  [[nodiscard]] std::string NameOf(int bone) const;
+  [[nodiscard]] double LengthM(int bone) const { return static_cast<double>(Limb(bone).length_m); }
+  /// Place of the joint on the parent, from the parent's start [m]: 0 or its length. 0 of bone 0.
+  [[nodiscard]] double JointM(int bone) const;
+
+  /// Start of bone 0 above the ground [m], y upwards.
+  [[nodiscard]] std::array<double, 2> Start(int frame) const;
+  /// Against the parent, of bone 0 against the ground, counterclockwise [rad]. Without jumps between frames.
+  [[nodiscard]] double AngleRad(int frame, int bone) const;
+  /// Thickness of plain rods, as film strips and scenes have them [m].
+  [[nodiscard]] double ThicknessM() const;
+
+ private:
+  [[nodiscard]] const Skeleton::Limb& Limb(int bone) const {
+    return skeleton_.limbs[static_cast<std::size_t>(bone)];
+  }
+
+  const Motion& motion_;
+  const Skeleton& skeleton_;
+};
+
+/// A value at some frames, in their order. Between two keys it is on the line between them.
+struct Track {
+  std::vector<int> frames;
+  std::vector<std::array<double, 2>> values;  // numbers have a second value of 0
+};
+
+/// The fewest keys of which one pass of splitting at the worst frame makes a track that is nowhere further
+/// than the tolerance from the values. [Douglas Peucker 1973]
+/// @param values of every frame, at least one
+[[nodiscard]] Track KeysOf(const std::vector<std::array<double, 2>>& values, double tolerance);
+
+/// How exact keys are: at the end of three rods of 1 m both together are 8 mm.
+inline constexpr double kKeyAngleRad = 0.002, kKeyPlaceM = 0.002;
+
+}  // namespace gaitsmith::shell

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// Scale, view and ground of a picture that moves.
+#include "shell/export/moving_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/numeric/scalar_math.h"
+#include "core/world/ground_view.h"
+#include "shell/export/film_strip_layout.h"
+
+namespace gaitsmith::shell {
+
+namespace {
+
+constexpr double kTopY = 62.0;       // of the figure at its highest [px]
+constexpr double kMostWide = 250.0;  // of the figure [px]
+constexpr double kLeastTickPx = 76.0;
+// A motion that fails must not shrink its figure to nothing [m], [widths].
+constexpr double kWidest = 1000.0, kHighest = 50.0;
+constexpr int kMostMarks = 400;
+constexpr double kKeyPx = 0.2, kKeyDegrees = kKeyAngleRad * 180.0 / kPi;
+
+/// Two moving averages over one second.
+std::vector<double> Smooth(std::vector<double> values) {
+  const std::size_t count = values.size();
+  std::vector<double> sums(count + 1, 0.0);
+  for (int pass = 0; pass < 2; ++pass) {
+    for (std::size_t i = 0; i < count; ++i) sums[i + 1] = sums[i] + values[i];
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t half = std::min({std::size_t{50}, i, count - 1 - i});
+      values[i] = (sums[i + half + 1] - sums[i - half]) / static_cast<double>(2 * half + 1);
+    }
+  }
+  return values;
+}
+
+}  // namespace
+
+MovingPicture::MovingPicture(const Document& document, const Motion& motion, bool loops)
+    : bones_(motion),
+      ground_(document.environment.ground),
+      loops_(loops),
+      sole_m_(SoleM(document.figure)),
+      shapes_(BoneShapesOf(document.figure)) {
+  double widest = 0.0, top = 0.0;
+  for (int frame = 0; frame < motion.Frames(); ++frame) {
+    const Motion::Frame& at = motion.At(frame);
+    const double level = HeightBelow(ground_, at.x_m);
+    double left = 1e300, right = -1e300;
+    for (int k = 0; k < motion.Bones().endpoints; ++k) {
+      const Motion::Point point = motion.Endpoint(frame, k);
+      left = std::min(left, static_cast<double>(point.x));
+      right = std::max(right, static_cast<double>(point.x));
+      top = std::max(top, static_cast<double>(at.y_m) + static_cast<double>(point.y) - level);
+    }
+    widest = std::max(widest, right - left);
+    view_m_.push_back(at.x_m);
+  }
+  widest = std::clamp(widest, 1e-6, kWidest);
+  const double high = std::min(top, kHighest * widest) + 2.0 * sole_m_;
+  scale_ = std::min(kMostWide / widest, (kGroundY - kTopY) / std::max(high, 1e-6));
+  for (BoneShape& shape : shapes_) {
+    for (auto& [x, y] : shape.outline_m) {
+      x *= scale_;
+      y *= -scale_;
+    }
+  }
+  tick_m_ = RoundLength(scale_, kLeastTickPx);
+  const double way = view_m_.back() - view_m_.front();
+  if (loops && std::abs(way) > 1e-6)
+    tick_m_ = std::abs(way) / std::max(1.0, std::floor(std::abs(way) / tick_m_ + 0.5));
+  if (loops) {
+    for (std::size_t i = 0; i < view_m_.size(); ++i)
+      view_m_[i] = view_m_[0] + way * static_cast<double>(i) / static_cast<double>(view_m_.size() - 1);
+  } else {
+    view_m_ = Smooth(std::move(view_m_));
+  }
+  level_m_.reserve(view_m_.size());
+  for (int frame = 0; frame < motion.Frames(); ++frame)
+    level_m_.push_back(HeightBelow(ground_, motion.At(frame).x_m));
+  if (!ground_.Level()) level_m_ = Smooth(std::move(level_m_));
+}
+
+Track MovingPicture::PlaceKeys() const {
+  std::vector<std::array<double, 2>> places;
+  places.reserve(view_m_.size());
+  for (std::size_t i = 0; i < view_m_.size(); ++i) {
+    const auto start = bones_.Start(static_cast<int>(i));
+    places.push_back({kWidth / 2 + (start[0] - view_m_[i]) * scale_,
+                      kGroundY - sole_m_ * scale_ - (start[1] - level_m_[i]) * scale_});
+  }
+  return KeysOf(places, kKeyPx);
+}
+
+Track MovingPicture::AngleKeys(int bone) const {
+  std::vector<std::array<double, 2>> angles;
+  angles.reserve(view_m_.size());
+  for (int frame = 0; frame < bones_.Frames(); ++frame)
+    angles.push_back({-bones_.AngleRad(frame, bone) * 180.0 / kPi, 0.0});
+  return KeysOf(angles, kKeyDegrees);
+}
+
+Track MovingPicture::GroundKeys() const {
+  std::vector<std::array<double, 2>> places;
+  places.reserve(view_m_.size());
+  for (std::size_t i = 0; i < view_m_.size(); ++i)
+    places.push_back({kWidth / 2 - (view_m_[i] - view_m_[0]) * scale_, kGroundY + level_m_[i] * scale_});
+  return KeysOf(places, kKeyPx);
+}
+
+std::array<double, 2> MovingPicture::Reach() const {
+  const auto [least, most] = std::ranges::minmax(view_m_);
+  const double half = 0.5 * kWidth / scale_ + tick_m_;
+  return {least - half, most + half};
+}
+
+std::vector<std::array<double, 2>> MovingPicture::Surface() const {
+  const auto [left, right] = Reach();
+  const auto point = [&](double x_m, double y_m) {
+    return std::array{(x_m - view_m_[0]) * scale_, -y_m * scale_};
+  };
+  std::vector<std::array<double, 2>> line{point(left, HeightBelow(ground_, left))};
+  if (!ground_.Level()) {
+    for (const Terrain::Face& face : ground_.FacesBetween(left, right))
+      if (face.x > left) line.push_back(point(face.x, face.y));
+  }
+  line.push_back(point(right, HeightBelow(ground_, right)));
+  return line;
+}
+
+std::vector<MovingPicture::Mark> MovingPicture::Marks() const {
+  const auto [left, right] = Reach();
+  std::vector<Mark> marks;
+  for (double mark = std::ceil(left / tick_m_); mark * tick_m_ <= right && marks.size() < kMostMarks;
+       mark += 1.0) {
+    const double x = mark * tick_m_;
+    char text[40];
+    std::snprintf(text, sizeof text, "%s%.*f m", mark < 0.0 ? "−" : "",
+                  tick_m_ < 0.095  ? 2
+                  : tick_m_ < 0.95 ? 1
+                                   : 0,
+                  std::abs(x));
+    marks.push_back({(x - view_m_[0]) * scale_, -HeightBelow(ground_, x) * scale_, loops_ ? "" : text});
+  }
+  return marks;
+}
+
+}  // namespace gaitsmith::shell
