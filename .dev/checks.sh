@@ -112,6 +112,15 @@ check_instructions() {
   tests/bench/instruction_guard.sh build/release/tests/bench/instructions
 }
 
+# The runtime in native Box2D. Its versions for JavaScript run with the tests of the page.
+check_box2d() {
+  setup_measures
+  cmake --preset release >/dev/null
+  cmake --build --preset release --target help | grep -q box2d_figure || leave_out "Box2D is not installed here"
+  cmake --build --preset release --target box2d_figure
+  ctest --test-dir build/release -R '^box2d-figure$' --output-on-failure
+}
+
 # Runs a program that drives a browser, for at most so many minutes: a browser that hangs must not hold up all the rest.
 within() { # minutes, program...
   local minutes=$1 status=0; shift
@@ -218,6 +227,7 @@ test_everything() {
   stage determinism check_determinism
   stage aarch64 check_aarch64
   stage "instruction count" check_instructions
+  stage "Box2D" check_box2d
   say "waiting for the second lane"
   wait "$second" || true
   cat build/second-lane.log

@@ -40,11 +40,12 @@ class MujocoText {
     const auto gravity = static_cast<double>(world.gravity_mps2);
     return "<mujoco model=\"" + EscapedXml(document_.figure.name) +
            "\">\n  <compiler angle=\"radian\" inertiafromgeom=\"false\"/>\n  <option timestep=\"" +
-           Nine(kStepS) + "\" integrator=\"implicitfast\" cone=\"elliptic\" gravity=\"" +
+           Nine(kStepS) + "\" integrator=\"implicitfast\" cone=\"elliptic\" impratio=\"10\" gravity=\"" +
            Triple(-gravity * static_cast<double>(slope.sine), 0.0,
                   -gravity * static_cast<double>(slope.cosine)) +
            "\"/>\n  <default>\n    <geom friction=\"" + Nine(static_cast<double>(world.friction)) +
-           " 0.005 0.0001\" contype=\"0\" conaffinity=\"0\"/>\n    <default class=\"ground\">\n      <geom "
+           " 0.005 0.0001\" solref=\"0.004 1\" solimp=\"0.99 0.999 0.001\" contype=\"0\" "
+           "conaffinity=\"0\"/>\n    <default class=\"ground\">\n      <geom "
            "conaffinity=\"1\" "
            "rgba=\"0.86 0.83 0.77 1\"/>\n    </default>\n    <default class=\"rod\">\n      <geom "
            "type=\"capsule\" "
