@@ -220,7 +220,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         break;
       }
       case 9: {
-        Opened(showing, gs_motion_open, BringDamaged(bytes, document));
+        const std::uint8_t how = bytes.Next();
+        Opened(
+            showing,
+            [how](std::size_t size) {
+              if (how % 4 == 1) return gs_motion_open_loop(size, how % 8 == 1, how % 16 == 1);
+              return how % 4 == 2 ? gs_motion_open_planned(size) : gs_motion_open(size);
+            },
+            BringDamaged(bytes, document));
         if (!showing) break;
         const std::size_t words = Bring(bytes.Take(bytes.Next()));
         const char* text = gs_motion_film_strip(showing.get(), words, bytes.Signed());
