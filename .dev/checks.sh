@@ -116,7 +116,9 @@ check_instructions() {
 check_box2d() {
   setup_measures
   cmake --preset release >/dev/null
-  cmake --build --preset release --target help | grep -q box2d_figure || leave_out "Box2D is not installed here"
+  local targets
+  targets=$(cmake --build --preset release --target help)
+  [[ $targets == *box2d_figure* ]] || leave_out "Box2D is not installed here"
   cmake --build --preset release --target box2d_figure
   ctest --test-dir build/release -R '^box2d-figure$' --output-on-failure
 }

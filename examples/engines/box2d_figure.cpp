@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A document's figure in Box2D 2.4, driven by gaitsmith.h:   box2d_figure DOC [seconds]
 // Builds a body for each rod and a revolute joint with a motor where they meet, over level ground. Prints how
-// the figure moved, as JSON. The same in JavaScript: planck_body.mjs and play.mjs.
+// the figure moved, as JSON. planck_body.mjs and play.mjs do the same in JavaScript.
 #include <box2d/box2d.h>
 
 #include <algorithm>
@@ -24,10 +24,10 @@ namespace {
 
 using namespace gaitsmith;  // NOLINT: a program of one file
 
-constexpr float kStep_s = 0.01f;
+constexpr float kStepS = 0.01f;
 constexpr int kSubsteps = 2;
-constexpr float kBall_m = 0.01f;       // at the ends of rods, which alone touch the ground
-constexpr float kFollows_rad = 0.05f;  // how far a joint may be from where the runtime has it
+constexpr float kBallM = 0.01f;       // at the ends of rods, which alone touch the ground
+constexpr float kFollowsRad = 0.05f;  // how far a joint may be from where the runtime has it
 
 /// Sums the impulses of the ground on each endpoint.
 class Pushes : public b2ContactListener {
@@ -49,7 +49,7 @@ class Figure2d {
     const float friction = document.environment.friction;
     b2BodyDef still;
     b2EdgeShape line;
-    line.SetTwoSided({-1e4f, -kBall_m}, {1e4f, -kBall_m});
+    line.SetTwoSided({-1e4f, -kBallM}, {1e4f, -kBallM});
     b2FixtureDef ground;
     ground.shape = &line;
     ground.friction = friction;
@@ -88,7 +88,7 @@ class Figure2d {
       if (i == 0) continue;
       b2RevoluteJointDef joint;
       joint.Initialize(rods_[static_cast<std::size_t>(limb.parent)], rod, placed.position);
-      joint.enableMotor = true;
+      joint.enableMotor = true;  // without limits of its own: the runtime keeps within them
       joint.maxMotorTorque = document.model == 1
                                  ? 100.0f * body_.mass_kg * kStandardGravity * body_.longest_rod_m
                                  : body_.torque_nm[static_cast<std::size_t>(i)];
@@ -103,7 +103,7 @@ class Figure2d {
   [[nodiscard]] b2RevoluteJoint& Joint(int joint) const { return *joints_[static_cast<std::size_t>(joint)]; }
   void Advance() {
     pushes.impulse_ns = {};
-    for (int i = 0; i < kSubsteps; ++i) world_.Step(kStep_s / kSubsteps, 20, 8);
+    for (int i = 0; i < kSubsteps; ++i) world_.Step(kStepS / kSubsteps, 20, 8);
   }
   /// Of the centre of mass: place [m] and velocity [m/s].
   [[nodiscard]] std::array<b2Vec2, 2> Centre() const {
@@ -122,7 +122,7 @@ class Figure2d {
 
   static void AddBall(b2Body& rod, float along_m, int endpoint, float friction) {
     b2CircleShape ball;
-    ball.m_radius = kBall_m;
+    ball.m_radius = kBallM;
     ball.m_p.Set(along_m, 0.0f);
     b2FixtureDef fixture;
     fixture.shape = &ball;
@@ -153,7 +153,7 @@ void Feel(const Controller& kind, const Figure2d& figure, const gaitsmith_contro
   };
   const auto forces = [&] {
     for (int k = 0; k < figure.Endpoints(); ++k)
-      feel(figure.pushes.impulse_ns[static_cast<std::size_t>(k)] / kStep_s);
+      feel(figure.pushes.impulse_ns[static_cast<std::size_t>(k)] / kStepS);
   };
   if (kind.kind == ControllerKind::kNetwork) {
     forces();
@@ -198,12 +198,12 @@ int main(int count, char** words) {
       const auto i = static_cast<std::size_t>(j);
       const float now = figure.Joint(j).GetJointAngle();
       // A motor that is too weak, or a limb that is held: the joint goes on from where it is.
-      if (std::abs(now - angle[i]) > kFollows_rad) {
+      if (std::abs(now - angle[i]) > kFollowsRad) {
         angle[i] = now;
         rate[i] = figure.Joint(j).GetJointSpeed();
       }
       gaitsmith_move(controller.get(), &state, j, &angle[i], &rate[i]);
-      figure.Joint(j).SetMotorSpeed((angle[i] - now) / kStep_s);
+      figure.Joint(j).SetMotorSpeed((angle[i] - now) / kStepS);
     }
     figure.Advance();
     Feel(document->controllers[static_cast<std::size_t>(document->timeline[0].controller)], figure,

@@ -24,6 +24,9 @@ export const bodyOf = (mjcf) => async (controller, { joint_nm: strong }) => {
   const order = from(0);
   const moving = order.filter((rod) => rod > 0 && controller.joints[rod - 1].max_rad > controller.joints[rod - 1].min_rad);
   const placeOf = controller.joints.map((_, joint) => moving.indexOf(joint + 1));
+  // Limp joints have no motor.
+  const driven = moving.filter((rod) => controller.joints[rod - 1].greatest_torque_nm !== 0);
+  const motorOf = controller.joints.map((_, joint) => driven.indexOf(joint + 1));
   // Balls, in the order of the model: the root's start, then each rod's end.
   const balls = [0, ...order.map((rod) => rod + 1)];
   const geoms = Array.from({ length: model.ngeom }, (_, geom) => geom).filter((geom) => model.geom_contype[geom] === 1);
@@ -34,7 +37,7 @@ export const bodyOf = (mjcf) => async (controller, { joint_nm: strong }) => {
   return {
     angle: (joint) => (placeOf[joint] < 0 ? 0 : data.qpos[3 + placeOf[joint]]),
     rate: (joint) => (placeOf[joint] < 0 ? 0 : data.qvel[3 + placeOf[joint]]),
-    drive: (joint, rate) => { if (placeOf[joint] >= 0) data.ctrl[placeOf[joint]] = rate; },
+    drive: (joint, rate) => { if (motorOf[joint] >= 0) data.ctrl[motorOf[joint]] = rate; },
     advance() {
       pushed.fill(0);
       for (let i = 0; i < SUBSTEPS; i++) {

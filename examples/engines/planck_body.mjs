@@ -28,9 +28,10 @@ export async function buildBody(controller, { joint_nm: strong }) {
     return body;
   });
   const joints = laid.slice(1).map(({ x, y, parent }, joint) => {
-    const { min_rad: lowerAngle, max_rad: upperAngle, greatest_torque_nm: torque = strong } = controller.joints[joint];
+    const { greatest_torque_nm: torque = strong } = controller.joints[joint];
+    // Without limits of its own: the runtime keeps within them.
     return /** @type {import('../../web/node_modules/planck/dist/planck.d.ts').RevoluteJoint} */ (world.createJoint(new RevoluteJoint(
-      { enableMotor: true, maxMotorTorque: torque, enableLimit: true, lowerAngle, upperAngle }, bodies[parent], bodies[joint + 1], new Vec2(x, y))));
+      { enableMotor: true, maxMotorTorque: torque }, bodies[parent], bodies[joint + 1], new Vec2(x, y))));
   });
   world.on('post-solve', (contact, { normalImpulses }) => {
     for (const fixture of [contact.getFixtureA(), contact.getFixtureB()]) {

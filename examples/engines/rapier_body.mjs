@@ -41,7 +41,7 @@ export async function buildBody(controller, { joint_nm: strong }) {
     const data = RAPIER.JointData.revolute({ x: atEnd ? laid[parent].length : 0, y: 0 }, { x: 0, y: 0 });
     const joint = /** @type {any} */ (world.createImpulseJoint(data, bodies[parent], bodies[i + 1], true));
     joint.setContactsEnabled(false);
-    // The runtime keeps to a joint's limits.
+    // Without limits of its own: the runtime keeps within them.
     joint.configureMotorModel(RAPIER.MotorModel.ForceBased);
     joint.setMotorMaxForce(torque);
     return joint;

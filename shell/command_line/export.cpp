@@ -84,7 +84,10 @@ Outcome ExportCommand(Words words) {
   if (!strip) return std::unexpected(strip.error());
   for (const ExporterRow& row : kExporters) {
     if (!arguments->Has(row.id)) continue;
-    const auto file = MakeFile(row, *document, *motion, {.strip = *strip, .loops = arguments->Has("loop")});
+    const auto file = MakeFile(row, *document, *motion,
+                               {.strip = *strip,
+                                .loops = arguments->Has("loop"),
+                                .from_start = !arguments->Has("loop") && !arguments->Has("planned")});
     if (!file) return std::unexpected(file.error());
     const auto done = WriteText(arguments->Last(row.id), *file);
     if (!done) return std::unexpected(done.error());

@@ -18,20 +18,31 @@ namespace gaitsmith::shell {
 
 namespace {
 
-constexpr double kRestS = 1.0;  // at the end, before a whole motion begins again
+constexpr std::string_view kIdPlace = "\x01";  // no text has it
+constexpr double kRestS = 1.0;                 // at the end, before a whole motion begins again
 
 class AnimatedSvgText {
  public:
   AnimatedSvgText(const Document& document, const Motion& motion, bool loops)
       : document_(document), picture_(document, motion, loops), steps_(motion.Frames() - 1) {
     seconds_ = picture_.Seconds() + (loops ? 0.0 : kRestS);
-    // Names of animations hold for a whole page, which may contain other pictures.
-    char id[16];
-    std::snprintf(id, sizeof id, "g%08x", static_cast<unsigned>(motion.Hash() & 0xffffffffu));
-    id_ = id;
   }
 
   std::string Whole() {
+    std::string text = WithPlaces();
+    // Names of animations hold for a whole page, which may contain other pictures.
+    std::uint32_t hash = 2166136261u;  // FNV-1a [Fowler 1991]
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    char id[16];
+    std::snprintf(id, sizeof id, "g%08x", static_cast<unsigned>(hash));
+    for (std::size_t at = text.find(kIdPlace); at != std::string::npos; at = text.find(kIdPlace, at))
+      text.replace(at, kIdPlace.size(), id);
+    return text;
+  }
+
+ private:
+  /// The picture, with places for what tells it from others.
+  std::string WithPlaces() {
     const std::string body = Ground() + Figure();
     const std::string title = EscapedXml(document_.title.empty() ? document_.figure.name : document_.title);
     const std::string width = std::to_string(MovingPicture::kWidth);
@@ -45,7 +56,6 @@ class AnimatedSvgText {
            "<rect class=\"paper\" width=\"100%\" height=\"100%\"/>\n" + body + "</svg>\n";
   }
 
- private:
   [[nodiscard]] std::string Colours(bool dark) const {
     std::string rules;
     for (const PictureColour& colour : kPictureColours) {
@@ -106,9 +116,8 @@ class AnimatedSvgText {
       texts.append("<text x=\"" + Decimal(mark.x, 1) + "\" y=\"" + Decimal(mark.y + 24.0, 1) + "\">" +
                    mark.text + "</text>\n");
     }
-    const double deep = 10.0 * MovingPicture::kHeight;
     return MovingPlace("way", picture_.GroundKeys()) + "\n<path class=\"ground\" d=\"" + line + "V" +
-           Decimal(deep, 0) + "H" + Decimal(surface.front()[0], 1) +
+           Decimal(picture_.Bottom(), 0) + "H" + Decimal(surface.front()[0], 1) +
            "Z\"/>\n<path class=\"line-stroke\" fill=\"none\" "
            "stroke-width=\"1.5\" d=\"" +
            line + "\"/>\n<path class=\"line-stroke\" fill=\"none\" d=\"" + marks + "\"/>\n" +
@@ -161,7 +170,8 @@ class AnimatedSvgText {
   MovingPicture picture_;
   int steps_;
   double seconds_ = 0.0;
-  std::string id_, keyframes_;
+  const std::string id_{kIdPlace};
+  std::string keyframes_;
   std::vector<std::string> groups_;  // that open the group of a bone
 };
 

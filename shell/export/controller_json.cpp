@@ -28,21 +28,21 @@ class ControllerText {
         shape_(controller.Shape(ports_.Count())) {}
 
   std::string Whole() {
-    whole_.Add("format", std::string_view("gaitsmith-controller"));
+    whole_.Add("format", "gaitsmith-controller");
     whole_.Add("version", 1);
-    whole_.Add("title", std::string_view(document_.title));
-    whole_.Add("name", std::string_view(controller_.name));
+    whole_.Add("title", document_.title);
+    whole_.Add("name", controller_.name);
     whole_.Add("kind", RowOf(controller_.kind).name);
     whole_.Add("step_s", kStep);
     const std::span<const Gene> genes(controller_.genes);
     const Controllers<1> decoded =
         DecodeControllers<1>(shape_, controller_.senses, std::span(&genes, 1), ports_, kStep);
     std::visit([&](const auto& one) { Add(one); }, decoded);
-    whole_.Add("figure", Figure());
+    whole_.AddJson("figure", Figure());
     JsonParts world;
     world.Add("gravity_mps2", document_.environment.gravity_mps2);
     world.Add("friction", document_.environment.friction);
-    whole_.Add("world", world.Object());
+    whole_.AddJson("world", world.Object());
     return whole_.ObjectOfLines() + "\n";
   }
 
@@ -58,7 +58,7 @@ class ControllerText {
     JsonParts joints = JsonParts::Lines();
     for (int joint = 0; joint < body_.joints; ++joint) {
       JsonParts one;
-      one.Add("name", std::string_view("joint " + std::to_string(joint + 1)));
+      one.Add("name", "joint " + std::to_string(joint + 1));
       one.Add("rod", joint + 1);
       one.Add("min_rad", ports_.actuator_range[Index(joint)][0]);
       one.Add("max_rad", ports_.actuator_range[Index(joint)][1]);
@@ -66,7 +66,7 @@ class ControllerText {
       more(joint, one);
       joints.Add(one.Object());
     }
-    whole_.Add("joints", joints.ListOfLines());
+    whole_.AddJson("joints", joints.ListOfLines());
   }
 
   static std::string Sense(std::string_view name, std::string_view unit, float at_zero, float at_one,
@@ -94,7 +94,7 @@ class ControllerText {
       senses.Add(Sense(SenseName(spec.kind, ports_.Count(), i), group.unit, scale.at_zero, scale.at_one,
                        group.clip));
     }
-    whole_.Add("senses", senses.ListOfLines());
+    whole_.AddJson("senses", senses.ListOfLines());
     std::vector<JsonParts> when(Index(shape.rules));
     bank.ForEachInterval(0, [&](int rule, int sense, float middle, float inverse_half_width) {
       when[Index(rule)].Add("[" + std::to_string(sense) + ", " + Number(middle) + ", " +
@@ -107,13 +107,13 @@ class ControllerText {
       JsonParts one, targets;
       for (int joint = 0; joint < shape.joints; ++joint)
         targets.Add(Number(response.target[Index(joint)][0]));
-      one.Add("targets_rad", targets.List());
+      one.AddJson("targets_rad", targets.List());
       one.Add("tau_s", Tau(shape.Tau(rule)));
       one.Add("decay", response.decay[0][0]);
-      one.Add("when", when[Index(rule)].List());
+      one.AddJson("when", when[Index(rule)].List());
       rules.Add(one.Object());
     }
-    whole_.Add("rules", rules.ListOfLines());
+    whole_.AddJson("rules", rules.ListOfLines());
   }
 
   void Add(const Network<1>& network) {
@@ -129,17 +129,17 @@ class ControllerText {
     JsonParts senses = JsonParts::Lines();
     for (int i = 0; i < shape.touches + shape.joints; ++i)
       senses.Add(Sense(InputName(shape, i), i < shape.touches ? "N" : "rad", 0.0f, 1.0f, SenseClip::kNone));
-    whole_.Add("senses", senses.ListOfLines());
+    whole_.AddJson("senses", senses.ListOfLines());
     JsonParts nodes = JsonParts::Lines();
     for (int node = 0; node < shape.Nodes(); ++node) {
       JsonParts one, weights;
       for (int input = 0; input < shape.Inputs(); ++input)
         weights.Add(Number(network.WeightOf(node, input, 0)));
       one.Add("charging", network.ChargingOf(node, 0));
-      one.Add("weights", weights.List());
+      one.AddJson("weights", weights.List());
       nodes.Add(one.Object());
     }
-    whole_.Add("nodes", nodes.ListOfLines());
+    whole_.AddJson("nodes", nodes.ListOfLines());
   }
 
   void Add(const JointCurves<1>& curves) {
@@ -149,7 +149,7 @@ class ControllerText {
     whole_.Add("tau_s", spec.tau_min_s);
     whole_.Add("decay", curves.Decay());
     AddJoints([](int, JsonParts&) {});
-    whole_.Add("senses", JsonParts().List());
+    whole_.AddJson("senses", JsonParts().List());
     JsonParts knots = JsonParts::Lines();
     for (int knot = 0; knot < shape_.Curves().knots; ++knot) {
       JsonParts angles;
@@ -157,7 +157,7 @@ class ControllerText {
         angles.Add(Number(curves.AngleOf(knot, joint, 0)));
       knots.Add(angles.List());
     }
-    whole_.Add("knots_rad", knots.ListOfLines());
+    whole_.AddJson("knots_rad", knots.ListOfLines());
   }
 
   /// The rods in walking order: joint j turns rod j + 1. Endpoint 0 is the start of rod 0, endpoint i + 1 the
@@ -175,8 +175,8 @@ class ControllerText {
       rods.Add(rod.Object());
     }
     JsonParts figure;
-    figure.Add("name", std::string_view(document_.figure.name));
-    figure.Add("rods", rods.ListOfLines());
+    figure.Add("name", document_.figure.name);
+    figure.AddJson("rods", rods.ListOfLines());
     return figure.Object();
   }
 

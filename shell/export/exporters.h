@@ -27,6 +27,7 @@ namespace gaitsmith::shell {
 struct ExportOptions {
   FilmStripOptions strip = {};  // used only by film strips
   bool loops = false;           // the motion ends as it begins, and goes on without an end
+  bool from_start = true;       // it begins as the document's start says, neither a loop nor planned
 };
 
 // Motions that other programs play. Lengths in pixels point downwards there, and angles turn clockwise. Their

@@ -2,6 +2,7 @@
 // A motion as a Godot scene: a Skeleton2D of bones with polygons, and an AnimationPlayer. Format 2 is that of
 // Godot 3, format 3 that of Godot 4. A metre is 100 pixels; y points down, and angles turn clockwise.
 #include <array>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -98,6 +99,7 @@ class GodotText {
 
   [[nodiscard]] std::string Tracks() const {
     std::vector<std::array<double, 2>> values;
+    values.reserve(static_cast<std::size_t>(bones_.Frames()));
     for (int frame = 0; frame < bones_.Frames(); ++frame) values.push_back(PlaceOf(frame, 0));
     std::string text = TrackText(0, PathTo(0) + ":position", KeysOf(values, kKeyPlaceM * kPxPerM),
                                  [](const auto& at) { return Vector(at[0], at[1]); });
@@ -113,7 +115,8 @@ class GodotText {
   [[nodiscard]] std::string Bone(int bone) const {
     const auto place = PlaceOf(0, bone);
     const double turn = TurnOf(0, bone);
-    const SineCosine at = SinCos(static_cast<float>(turn));
+    const double whole = 2.0 * kPi * std::floor(turn / (2.0 * kPi) + 0.5);
+    const SineCosine at = SinCos(static_cast<float>(turn - whole));
     const auto cosine = static_cast<double>(at.cosine), sine = static_cast<double>(at.sine);
     const std::string length = Seven(bones_.LengthM(bone) * kPxPerM);
     const std::string parent = PathTo(bones_.ParentOf(bone));
@@ -140,8 +143,8 @@ class GodotText {
             .append(Seven(-y * kPxPerM));
       text += "[node name=\"shape_" + std::to_string(order) + "\" type=\"Polygon2D\" parent=\"" +
               PathTo(shape.bone) + "\"]\nz_index = " + std::to_string(order) +
-              "\nz_as_relative = false\ncolor = " + GodotColour(*shape.colour) +
-              "\npolygon = " + std::string(dialect_.vectors) + "(" + points + ")\n\n";
+              "\ncolor = " + GodotColour(*shape.colour) + "\npolygon = " + std::string(dialect_.vectors) +
+              "(" + points + ")\n\n";
       ++order;
     }
     return text;

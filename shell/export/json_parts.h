@@ -14,10 +14,10 @@ namespace gaitsmith::shell {
 class JsonParts {
  public:
   void Add(const std::string& text) { text_ += (text_.empty() ? "" : separator_) + text; }
-  void Add(std::string_view name, const std::string& value) { Add(QuoteJson(name) + ": " + value); }
-  void Add(std::string_view name, float value) { Add(name, Digits(static_cast<double>(value), 9)); }
-  void Add(std::string_view name, int value) { Add(name, std::to_string(value)); }
-  void Add(std::string_view name, std::string_view word) { Add(name, QuoteJson(word)); }
+  void AddJson(std::string_view name, const std::string& json) { Add(QuoteJson(name) + ": " + json); }
+  void Add(std::string_view name, float value) { AddJson(name, Digits(static_cast<double>(value), 9)); }
+  void Add(std::string_view name, int value) { AddJson(name, std::to_string(value)); }
+  void Add(std::string_view name, std::string_view word) { AddJson(name, QuoteJson(word)); }
 
   [[nodiscard]] std::string Object() const { return "{" + text_ + "}"; }
   [[nodiscard]] std::string List() const { return "[" + text_ + "]"; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A motion as a Lottie animation, version 5.7: a layer for each rod, whose parent is the layer of its parent.
-// Its four colours are slots of the file, so that players can set them.
+// Its
+// five colours are slots of the file, which newer players can set. Others show the light ones.
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string>
@@ -78,24 +80,24 @@ class LottieText {
              Group(R"({"ty":"rc","p":{"a":0,"k":[0,0]},"r":{"a":0,"k":0},"s":)" +
                    Still(Pair(MovingPicture::kWidth, MovingPicture::kHeight)) + "}," + Fill(kPaperColour)));
     JsonParts meta;
-    meta.Add("g", std::string_view("Gaitsmith"));
+    meta.Add("g", "Gaitsmith");
     meta.Add("d", std::string_view("1 m = " + Decimal(picture_.Scale(), 3) + " px"));
     JsonParts slots;
     for (const PictureColour& colour : kPictureColours)
-      slots.Add(colour.name, R"({"p":)" + Still(Colour(colour.light)) + "}");
+      slots.AddJson(colour.name, R"({"p":)" + Still(Colour(colour.light)) + "}");
     JsonParts whole = JsonParts::Lines();
-    whole.Add("v", std::string_view("5.7.0"));
-    whole.Add("nm", std::string_view(document_.title));
-    whole.Add("meta", meta.Object());
+    whole.Add("v", "5.7.0");
+    whole.Add("nm", document_.title);
+    whole.AddJson("meta", meta.Object());
     whole.Add("fr", kFrameRate);
     whole.Add("ip", 0);
     whole.Add("op", frames_);
     whole.Add("w", MovingPicture::kWidth);
     whole.Add("h", MovingPicture::kHeight);
     whole.Add("ddd", 0);
-    whole.Add("assets", std::string("[]"));
-    whole.Add("slots", slots.Object());
-    whole.Add("layers", layers_.ListOfLines());
+    whole.AddJson("assets", "[]");
+    whole.AddJson("slots", slots.Object());
+    whole.AddJson("layers", layers_.ListOfLines());
     return whole.ObjectOfLines() + "\n";
   }
 
@@ -104,7 +106,7 @@ class LottieText {
     JsonParts vertices, tangents;
     for (const auto& [x, y] : points) {
       vertices.Add(Pair(x, y));
-      tangents.Add(std::string("[0,0]"));
+      tangents.Add("[0,0]");
     }
     return R"({"ty":"sh","ks":)" +
            Still(R"({"v":)" + vertices.List() + R"(,"i":)" + tangents.List() + R"(,"o":)" + tangents.List() +
@@ -148,8 +150,8 @@ class LottieText {
   void AddGround(int index, const std::string& place) {
     const auto surface = picture_.Surface();
     auto solid = surface;
-    solid.push_back({surface.back()[0], 10.0 * MovingPicture::kHeight});
-    solid.push_back({surface.front()[0], 10.0 * MovingPicture::kHeight});
+    solid.push_back({surface.back()[0], picture_.Bottom()});
+    solid.push_back({surface.front()[0], picture_.Bottom()});
     std::string marks;
     for (const MovingPicture::Mark& mark : picture_.Marks())
       marks += Path({{mark.x, mark.y}, {mark.x, mark.y + 8.0}}, false) + ",";

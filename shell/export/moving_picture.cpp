@@ -19,7 +19,7 @@ constexpr double kMostWide = 250.0;  // of the figure [px]
 constexpr double kLeastTickPx = 76.0;
 // A motion that fails must not shrink its figure to nothing [m], [widths].
 constexpr double kWidest = 1000.0, kHighest = 50.0;
-constexpr int kMostMarks = 400;
+constexpr double kMostMarks = 400.0;  // then they are further apart
 constexpr double kKeyPx = 0.2, kKeyDegrees = kKeyAngleRad * 180.0 / kPi;
 
 /// Two moving averages over one second.
@@ -67,15 +67,21 @@ MovingPicture::MovingPicture(const Document& document, const Motion& motion, boo
       y *= -scale_;
     }
   }
-  tick_m_ = RoundLength(scale_, kLeastTickPx);
   const double way = view_m_.back() - view_m_.front();
-  if (loops && std::abs(way) > 1e-6)
-    tick_m_ = std::abs(way) / std::max(1.0, std::floor(std::abs(way) / tick_m_ + 0.5));
   if (loops) {
     for (std::size_t i = 0; i < view_m_.size(); ++i)
       view_m_[i] = view_m_[0] + way * static_cast<double>(i) / static_cast<double>(view_m_.size() - 1);
   } else {
     view_m_ = Smooth(std::move(view_m_));
+  }
+  tick_m_ = RoundLength(scale_, kLeastTickPx);
+  if (loops && std::abs(way) > 1e-6) {
+    // Marks of a loop are where they were a cycle before. A way too short for that has none.
+    const double marks = std::floor(std::abs(way) / tick_m_ + 0.5);
+    tick_m_ = marks > 0.0 ? std::abs(way) / marks : 0.0;
+  } else {
+    const auto [left, right] = Reach();
+    tick_m_ = std::max(tick_m_, RoundLength(1.0, (right - left) / kMostMarks));
   }
   level_m_.reserve(view_m_.size());
   for (int frame = 0; frame < motion.Frames(); ++frame)
@@ -88,7 +94,7 @@ Track MovingPicture::PlaceKeys() const {
   places.reserve(view_m_.size());
   for (std::size_t i = 0; i < view_m_.size(); ++i) {
     const auto start = bones_.Start(static_cast<int>(i));
-    places.push_back({kWidth / 2 + (start[0] - view_m_[i]) * scale_,
+    places.push_back({0.5 * kWidth + (start[0] - view_m_[i]) * scale_,
                       kGroundY - sole_m_ * scale_ - (start[1] - level_m_[i]) * scale_});
   }
   return KeysOf(places, kKeyPx);
@@ -106,7 +112,7 @@ Track MovingPicture::GroundKeys() const {
   std::vector<std::array<double, 2>> places;
   places.reserve(view_m_.size());
   for (std::size_t i = 0; i < view_m_.size(); ++i)
-    places.push_back({kWidth / 2 - (view_m_[i] - view_m_[0]) * scale_, kGroundY + level_m_[i] * scale_});
+    places.push_back({0.5 * kWidth - (view_m_[i] - view_m_[0]) * scale_, kGroundY + level_m_[i] * scale_});
   return KeysOf(places, kKeyPx);
 }
 
@@ -130,11 +136,18 @@ std::vector<std::array<double, 2>> MovingPicture::Surface() const {
   return line;
 }
 
+double MovingPicture::Bottom() const {
+  double lowest = 0.0;
+  for (const auto& point : Surface()) lowest = std::max(lowest, point[1]);
+  return lowest + kHeight;
+}
+
 std::vector<MovingPicture::Mark> MovingPicture::Marks() const {
   const auto [left, right] = Reach();
   std::vector<Mark> marks;
-  for (double mark = std::ceil(left / tick_m_); mark * tick_m_ <= right && marks.size() < kMostMarks;
-       mark += 1.0) {
+  if (tick_m_ == 0.0) return marks;
+  for (double mark = std::ceil(left / tick_m_);
+       mark * tick_m_ <= right && static_cast<double>(marks.size()) < 2.0 * kMostMarks; mark += 1.0) {
     const double x = mark * tick_m_;
     char text[40];
     std::snprintf(text, sizeof text, "%s%.*f m", mark < 0.0 ? "−" : "",

@@ -39,6 +39,8 @@ class MovingPicture {
 
   /// The ground's line from left to right, and its marks, as far as the view comes [px].
   [[nodiscard]] std::vector<std::array<double, 2>> Surface() const;
+  /// Below all of it [px].
+  [[nodiscard]] double Bottom() const;
   struct Mark {
     double x, y;       // on the ground [px]
     std::string text;  // such as "2 m"; empty in a loop

@@ -70,8 +70,8 @@ for (const file of readdirSync(join(ROOT, 'examples')).filter((name) => name.end
   const csv = execFileSync(gaitsmith, ['export', document, '--csv', '-'], { encoding: 'utf8' });
   const { figure } = JSON.parse(execFileSync(gaitsmith, ['export', document, '--controller', '-'], { encoding: 'utf8' }));
   const places = placesOf(csv, startsOf(figure.rods));
-  const said = execFileSync('godot3-server', ['--path', work, '-s', 'play.gd'], { encoding: 'utf8' });
-  const lines = said.split('\n').filter((line) => line.startsWith('AT ')).map((line) => line.split(' ').slice(1).map(Number));
+  const output = execFileSync('godot3-server', ['--path', work, '-s', 'play.gd'], { encoding: 'utf8' });
+  const lines = output.split('\n').filter((line) => line.startsWith('AT ')).map((line) => line.split(' ').slice(1).map(Number));
   let worst = lines.length === MOMENTS + 1 ? 0 : Infinity;
   lines.forEach((line, moment) => {
     const at = (moment / MOMENTS) * (places.length - 1);

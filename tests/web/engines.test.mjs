@@ -65,7 +65,7 @@ for (const engine of ENGINES) {
   });
 }
 
-test('a reading that nobody can give is said', async () => {
+test('an unknown sense and an unknown engine are errors that name them', async () => {
   const json = JSON.parse(still.controller);
   json.senses[0].name = 'smell 1';
   const controller = load(JSON.stringify(json));

@@ -23,6 +23,8 @@ const PX = 1; // how exact the files are
 let engine;
 /** Shipped documents, by name. @type {Map<string, any>} */
 const documents = new Map();
+/** @type {any} */
+let cartwheel;
 
 before(async () => {
   const { Engine } = await import(pathToFileURL(join(WEB, 'search/engine.js')).href);
@@ -31,6 +33,7 @@ before(async () => {
     for (const file of (await readdir(join(ROOT, folder))).filter((name) => name.endsWith('.json')))
       documents.set(file, JSON.parse(await readFile(join(ROOT, folder, file), 'utf8')));
   }
+  cartwheel = JSON.parse(await readFile(join(ROOT, 'examples/gallery/star-man-cartwheel.json'), 'utf8'));
 });
 
 /** @param {any} document */
@@ -42,9 +45,12 @@ function eachMotion(check) {
     check(motion, name);
     motion.close();
   }
-  const loop = engine.loop(bytesOf(documents.get('star-man-shuffle.json')));
-  check(loop, 'a loop');
-  loop.close();
+  // A cartwheel's cycle is a whole turn.
+  for (const text of [documents.get('star-man-shuffle.json'), cartwheel]) {
+    const loop = engine.loop(bytesOf(text));
+    check(loop, 'a loop');
+    loop.close();
+  }
 }
 
 /** Where rods start and end, one after another. @param {Bone[]} bones  parents first @param {number} time */
@@ -198,4 +204,17 @@ test('Godot: a title is a string', () => {
   const motion = engine.motion(bytesOf({ ...documents.get('star-man-shuffle.json'), title }));
   assert.equal(readScene(motion.file('godot')).title, title);
   motion.close();
+});
+
+test('a loop that turns ends a whole turn further, and two loops in a page have names of their own', () => {
+  const [shuffle, turning] = [documents.get('star-man-shuffle.json'), cartwheel].map((document) => engine.loop(bytesOf(document)));
+  const root = JSON.parse(turning.file('lottie')).layers.find((/** @type {any} */ { parent, ks }) => ks.r.a && parent > turning.starts.length);
+  const keys = root.ks.r.k;
+  const turns = (keys[keys.length - 1].s[0] - keys[0].s[0]) / 360;
+  assert.ok(Math.abs(Math.abs(turns) - 1) < 1e-3, `${turns} turns`);
+  const idOf = (/** @type {RecordedMotion} */ motion) => /class="(g[0-9a-f]{8})"/.exec(motion.file('animated-svg'))?.[1];
+  assert.ok(idOf(shuffle) && idOf(turning));
+  assert.notEqual(idOf(shuffle), idOf(turning));
+  shuffle.close();
+  turning.close();
 });

@@ -23,8 +23,8 @@ const shipped = (await Promise.all(['examples', 'examples/gallery', 'tests/golde
 
 /** @param {any} document */
 const motionOf = (document) => engine.motion(engine.documentFromText(JSON.stringify({ ...document, hash: undefined })));
-/** @param {number} a @param {number} b @param {string} what */
-const near = (a, b, what) => assert.ok(Math.abs(a - b) <= 1e-4 * Math.max(1, Math.abs(b)), `${what}: ${a} is not ${b}`);
+/** @param {number} a @param {number} b @param {string} what @param {number} [off] */
+const near = (a, b, what, off = 1e-4) => assert.ok(Math.abs(a - b) <= off * Math.max(1, Math.abs(b)), `${what}: ${a} is not ${b}`);
 
 /** Calls with the motion and MuJoCo's model of it. @param {any} document @param {(motion: import('../../web/search/recorded_motion.js').RecordedMotion, model: any, data: any) => void} body */
 function withModel(document, body) {
@@ -86,25 +86,46 @@ test('MuJoCo: the model starts as thrown, with the strength and the ground of th
     near(model.opt.gravity[0] / model.opt.gravity[2], Math.tan(0.1), 'slope');
     for (let geom = 0; geom < model.ngeom; geom++) near(model.geom_friction[3 * geom], 0.6, 'friction');
     // The balls' centres are where the page has the ground.
-    for (const x of [-20, 1, 3.5, 4.9, 6, 20]) {
-      near(groundAt(model, data, x), motion.ground.heightAt(x), `the ground at ${x} m`);
-    }
+    for (const x of [-20, 1, 3.5, 4.9, 6, 20]) near(groundAt(model, data, x) + BALL_M, motion.ground.heightAt(x), `the ground at ${x} m`, 0.005);
     assert.ok(model.nu > 0);
     for (let actuator = 0; actuator < model.nu; actuator++) assert.ok(model.actuator_forcerange[2 * actuator + 1] > 0);
   });
 });
 
-/** Where balls on the highest of the ground's boxes have their centres, above a place [m]. @param {any} model @param {any} data @param {number} x */
+test('MuJoCo: nothing of a ground sticks out beyond it', () => {
+  const [document] = shipped.filter(({ model = 1 }) => model > 1);
+  // A thin hurdle, a narrow gap, and a step down.
+  const ground = [[1, 0], [1, 0.4], [1.04, 0.4], [1.04, 0], [2, 0], [2, -0.5], [2.1, -0.5], [2.1, 0], [3, 0], [3, -0.3]].map(([x_m, y_m]) => ({ x_m, y_m }));
+  withModel({ ...document, environment: { ground } }, (motion, model, data) => {
+    mujoco.mj_forward(model, data);
+    for (let i = 0; i < 400; i++) {
+      const x = 0.0051 + i / 100;
+      near(groundAt(model, data, x) + BALL_M, motion.ground.heightAt(x), `the ground at ${x} m`, 1e-4);
+    }
+  });
+});
+
+test('MuJoCo: a loop begins with the velocity that it has there', () => {
+  const document = shipped.find(({ title }) => title === 'Mr. Star-Man shuffles');
+  const motion = engine.loop(engine.documentFromText(JSON.stringify({ ...document, hash: undefined })));
+  const model = mujoco.MjModel.from_xml_string(motion.file('mjcf'));
+  const data = new mujoco.MjData(model);
+  mujoco.mj_resetDataKeyframe(model, data, 0);
+  mujoco.mj_forward(model, data);
+  mujoco.mj_subtreeVel(model, data);
+  const x = (/** @type {number} */ frame) => motion.numbers[frame * motion.stride + 1];
+  near(data.subtree_linvel[0], (x(1) - x(0)) / 0.01, 'forth', 0.1);
+  assert.ok(data.subtree_linvel[0] > 0.5);
+  data.delete();
+  model.delete();
+  motion.close();
+});
+
+/** Height of the ground at a place, looked at from above [m]. @param {any} model @param {any} data @param {number} x */
 function groundAt(model, data, x) {
-  let height = -Infinity;
-  for (let geom = 0; geom < model.ngeom; geom++) {
-    if (model.geom_conaffinity[geom] !== 1) continue;
-    const [left, , up] = data.geom_xpos.subarray(3 * geom, 3 * geom + 3);
-    const [ux, uz] = [data.geom_xmat[9 * geom], data.geom_xmat[9 * geom + 6]]; // the box's x axis
-    const [half, , thick] = model.geom_size.subarray(3 * geom, 3 * geom + 3);
-    if (Math.abs(ux) < 1e-9) continue;
-    const along = (x - (left - thick * uz)) / ux; // from the middle of its upper face
-    if (Math.abs(along) <= half) height = Math.max(height, up + thick * ux + along * uz + BALL_M / ux);
-  }
-  return height;
+  const geom = new mujoco.IntBuffer(1);
+  // Only what has the ground's contacts: figures have others.
+  const way = mujoco.mj_ray(model, data, [x, 0.5, 50], [0, 0, -1], null, 1, -1, geom, null);
+  geom.delete();
+  return 50 - way;
 }

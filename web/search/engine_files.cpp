@@ -25,7 +25,9 @@ GS_EXPORT MotionRole* gs_motion_open_planned(std::size_t size) {
     Note(motion.error());
     return nullptr;
   }
-  return OpenMotion(std::move(*document), std::move(*motion));
+  MotionRole* role = OpenMotion(std::move(*document), std::move(*motion));
+  role->from_start = false;
+  return role;
 }
 /// One cycle of the motion, closed (core/gait/document_loop.h). An error says why it has none.
 /// @param halves   make the second half of the first one @param in_place without its way
@@ -40,6 +42,7 @@ GS_EXPORT MotionRole* gs_motion_open_loop(std::size_t size, bool halves, bool in
   const ClosedLoop& loop = found->loop;
   Motion motion = RecordLoop(*document, loop, in_place);
   MotionRole* role = OpenMotion(std::move(*document), std::move(motion));
+  role->from_start = false;
   role->loop = "{\"period\":" + RealText(static_cast<float>(loop.cycle.PeriodS())) +
                ",\"distance\":" + RealText(static_cast<float>(loop.distance_m)) +
                ",\"turns\":" + std::to_string(loop.turns) +
@@ -77,7 +80,8 @@ GS_EXPORT const char* gs_motion_file(MotionRole* role, std::size_t id_size) {
     Note({ErrorCode::kUnknownName, "", "there is no such export"});
     return nullptr;
   }
-  auto file = shell::MakeFile(*row, role->document, role->motion, {.loops = role->loop != "null"});
+  auto file = shell::MakeFile(*row, role->document, role->motion,
+                              {.loops = role->loop != "null", .from_start = role->from_start});
   if (!file) {
     Note(file.error());
     return nullptr;

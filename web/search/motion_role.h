@@ -21,6 +21,7 @@ struct MotionRole {
   std::vector<float> body = {};
   std::string text = {};
   std::string loop = "null";  // what is known of a loop, as JSON
+  bool from_start = true;     // as the document's start says
 };
 
 /// @param motion of the document

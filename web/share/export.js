@@ -239,7 +239,7 @@ class ExportDialog {
 }
 
 /** A file's size. @param {number} bytes */
-const weight = (bytes) => (bytes < 999_500 ? tr('{1} KB', fixed(bytes / 1000, bytes < 9950 ? 1 : 0)) : tr('{1} MB', fixed(bytes / 1e6, 1)));
+const weight = (bytes) => (bytes < 999_500 ? tr('{1} kB', fixed(bytes / 1000, bytes < 9950 ? 1 : 0)) : tr('{1} MB', fixed(bytes / 1e6, 1)));
 
 /** @param {unknown} error */
 const reason = (error) => (error instanceof Error ? error.message : String(error));

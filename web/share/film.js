@@ -106,7 +106,7 @@ export class Film {
     }
     c.textAlign = 'center';
     const first = Math.ceil((this.cameras[frame] - reach) / this.tick);
-    for (let mark = first; mark * this.tick < this.cameras[frame] + reach; mark++) {
+    for (let mark = first; this.tick > 0 && mark * this.tick < this.cameras[frame] + reach; mark++) {
       const x = this.#x(mark * this.tick, frame);
       c.fillStyle = SECOND_INK;
       const y = this.#surface(this.motion.ground.heightAt(mark * this.tick), frame);
@@ -177,10 +177,11 @@ function sizes({ numbers, stride, frames, endpoints, ground }) {
   return { widest: bounded, top: Math.min(top, 50 * bounded) };
 }
 
-/** The distance of marks nearest to `tick` of which a loop's way is a multiple. @param {number} tick @param {number} distance */
+/** The distance of marks nearest to `tick` of which a loop's way is a multiple; 0: its way is too short for marks. @param {number} tick @param {number} distance */
 function evenTick(tick, distance) {
-  const marks = Math.max(1, Math.round(Math.abs(distance) / tick));
-  return Math.abs(distance) < 1e-6 ? tick : Math.abs(distance) / marks;
+  const marks = Math.round(Math.abs(distance) / tick);
+  if (Math.abs(distance) < 1e-6) return tick;
+  return marks > 0 ? Math.abs(distance) / marks : 0;
 }
 
 /** Two moving averages over one second. @param {Float64Array} values */

@@ -121,8 +121,10 @@ TEST_CASE("moving pictures: the shortest motion is one that stands still") {
   const Motion motion = Simulate(document);
   for (const ExporterRow& row : kExporters) {
     CAPTURE(row.id);
-    const std::string file = MakeFile(row, document, motion, {}).value();
-    CHECK_FALSE(std::regex_search(file, std::regex("\\b(nan|inf)\\b")));
+    for (const bool loops : {false, true}) {
+      const std::string file = MakeFile(row, document, motion, {.loops = loops}).value();
+      CHECK_FALSE(std::regex_search(file, std::regex("[-: ,>(\"ML]-?(nan|inf)(?![a-z])|(nan|inf)(px|deg)")));
+    }
   }
 }
 
