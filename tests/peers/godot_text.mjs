@@ -141,7 +141,7 @@ export function readScene(text) {
     const still = argumentsOf(properties.position, 'Vector2');
     const rest = argumentsOf(properties.rest, 'Transform2D');
     // At rest as in the first frame.
-    assert.ok(Math.abs(Math.atan2(rest[1], rest[0]) - Math.atan2(Math.sin(properties.rotation), Math.cos(properties.rotation))) < 1e-6);
+    assert.ok(Math.hypot(rest[0] - Math.cos(properties.rotation), rest[1] - Math.sin(properties.rotation)) < 1e-5, `${paths.at(-1)}: ${rest} at ${properties.rotation} rad`);
     assert.deepEqual(rest.slice(4), still);
     return {
       parent: paths.indexOf(attributes.parent),
