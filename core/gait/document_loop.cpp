@@ -15,10 +15,15 @@ constexpr int kRunOn = 4000, kLookedAt = 3000;
 /// The part of a clip in which its motion may settle.
 constexpr int kSettling = 4;
 
+/// Where a clip ends within the motion: later clips may begin after its end.
+int EndWithin(const Document& document, int clip) {
+  return std::min(EndOf(document, static_cast<std::size_t>(clip)), document.duration_steps);
+}
+
 int LongestClip(const Document& document) {
   int longest = -1, steps = 0;
   for (std::size_t clip = 0; clip < document.timeline.size(); ++clip) {
-    const int lasts = EndOf(document, clip) - document.timeline[clip].start_step;
+    const int lasts = EndWithin(document, static_cast<int>(clip)) - document.timeline[clip].start_step;
     if (lasts <= steps) continue;
     steps = lasts;
     longest = static_cast<int>(clip);
@@ -58,7 +63,7 @@ Result<DocumentLoop> ShownLoopOf(const Document& document, const Motion& motion,
   const int clip = LongestClip(document);
   if (clip < 0) return Fail(ErrorCode::kMissing, "", "the document has no controller");
   const int start = document.timeline[static_cast<std::size_t>(clip)].start_step;
-  const int end = EndOf(document, static_cast<std::size_t>(clip));
+  const int end = EndWithin(document, clip);
   const int pushed = LastPush(document, start, end);
   auto loop = LoopIn(document, motion, pushed + (end - pushed) / kSettling, end, halves);
   if (!loop) return std::unexpected(loop.error());
@@ -69,7 +74,7 @@ Result<DocumentLoop> LoopOf(const Document& document, const Motion& motion, bool
   auto shown = ShownLoopOf(document, motion, halves);
   const int clip = LongestClip(document);
   if (shown || clip < 0) return shown;
-  const int end = EndOf(document, static_cast<std::size_t>(clip));
+  const int end = EndWithin(document, clip);
   if (motion.TermsAt(end).broke_physics) return shown;
 
   Document longer = document;

@@ -120,4 +120,17 @@ TEST_CASE("loop: none without a controller, or along drawn ground", "[gait]") {
   CHECK(LoopOf(d, Simulate(d), false).error().what == "the document has no controller");
 }
 
+TEST_CASE("loop: within a motion whose later clips begin after its end", "[gait]") {
+  Document d = *DecodeJson(ReadFile("examples/star-man-shuffle.json"));
+  d.timeline.push_back({0, d.duration_steps});
+  d.duration_steps = 600;
+  const Motion motion = Simulate(d);
+  const auto found = ShownLoopOf(d, motion, false);
+  REQUIRE(found);
+  CHECK(found->loop.cycle.first + found->loop.cycle.frames <= motion.Frames() - 1);
+  d.duration_steps = 20;  // and where it is too short
+  CHECK(LoopOf(d, Simulate(d), false));
+  CHECK(ShownLoopOf(d, Simulate(d), false).error().what.contains("too short to repeat"));
+}
+
 }  // namespace gaitsmith::test
