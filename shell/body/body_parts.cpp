@@ -9,12 +9,15 @@ namespace {
 /// How far a round head reaches beyond its rod [m].
 constexpr float kBeyond = 0.03f;
 
+/// std::hypot rounds in its own way on each platform, and exported files have this in them.
+float Length(float x, float y) { return std::sqrt(x * x + y * y); }
+
 /// Coordinates of a head: along its rod, and to the left of it, which is up where the rod points right (in
 /// a mirrored figure to the right).
 class HeadFrame {
  public:
   HeadFrame(BodyPoint neck, BodyPoint tip, float crown)
-      : neck_(neck), crown_(crown), length_(std::hypot(tip.x - neck.x, tip.y - neck.y)) {
+      : neck_(neck), crown_(crown), length_(Length(tip.x - neck.x, tip.y - neck.y)) {
     if (length_ > 0.0f) along_ = {(tip.x - neck.x) / length_, (tip.y - neck.y) / length_};
   }
   /// @param share of the rod from its start @param forwards, left [m] from there

@@ -43,7 +43,8 @@ class AnimatedSvgText {
  private:
   /// The picture, with places for what tells it from others.
   std::string WithPlaces() {
-    const std::string body = Ground() + Figure();
+    std::string body = Ground();  // both add keyframes, in this order
+    body += Figure();
     const std::string title = EscapedXml(document_.title.empty() ? document_.figure.name : document_.title);
     const std::string width = std::to_string(MovingPicture::kWidth);
     const std::string height = std::to_string(MovingPicture::kHeight);
