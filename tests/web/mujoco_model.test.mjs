@@ -124,7 +124,7 @@ test('MuJoCo: a loop begins with the velocity that it has there', () => {
 /** Height of the ground at a place, looked at from above [m]. @param {any} model @param {any} data @param {number} x */
 function groundAt(model, data, x) {
   const geom = new mujoco.IntBuffer(1);
-  // Only what has the ground's contacts: figures have others.
+  // Beside the figure, which is at y = 0.
   const way = /** @type {any} */ (mujoco).mj_ray(model, data, [x, 0.5, 50], [0, 0, -1], null, 1, -1, geom, null);
   geom.delete();
   return 50 - way;
