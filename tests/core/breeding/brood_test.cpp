@@ -70,7 +70,7 @@ const char* const kShuffle = "examples/star-man-shuffle.json";
 
 }  // namespace
 
-TEST_CASE("brood: nine children move, and no two look alike", "[search][brood]") {
+TEST_CASE("brood: nine children move, and no two look alike", "[search][brood][exhaustive]") {
   for (const std::string& path : GalleryDocuments()) {
     const Document d = *DecodeJson(ReadFile(path));
     if (d.timeline.size() != 1) continue;

@@ -134,12 +134,12 @@ TEST_CASE("golden links: every link of version 10 opens with its motion", "[gold
 
 // Separate cases, which run side by side: this is the longest test.
 TEST_CASE("golden links: no link of version 1 that was changed in one byte or cut short opens",
-          "[golden][links]") {
+          "[golden][links][exhaustive]") {
   CheckDamage(1);
 }
 
 TEST_CASE("golden links: no link of version 2 that was changed in one byte or cut short opens",
-          "[golden][links]") {
+          "[golden][links][exhaustive]") {
   CheckDamage(2);
 }
 

@@ -135,7 +135,7 @@ TEST_CASE("extremes: figures keep the laws and their bits, whatever world they a
 }
 
 TEST_CASE("extremes: figures with limited joints keep the laws of model 2, or are void",
-          "[physics][extremes][strength]") {
+          "[physics][extremes][strength][exhaustive]") {
   int motions = 0, sound = 0;
   for (const Figure& figure : Extremes()) {
     for (const float strength : {0.0f, 0.1f, 2.0f, 1000.0f}) {
