@@ -33,7 +33,7 @@ export function centreOf(parts) {
   return { x: mean('x'), y: mean('y'), vx: mean('vx'), vy: mean('vy') };
 }
 
-/** What a joint's motor may give, if it is not limited: strong, but no engine divides by it [N m]. @param {Controller} controller */
+/** What a joint's motor may give if its strength is not limited: far more than any motion needs [N m]. @param {Controller} controller */
 export function strongJoint({ figure: { rods } }) {
   const mass = rods.reduce((sum, rod) => sum + rod.mass_kg, 0);
   return 100 * mass * 9.8 * Math.max(...rods.map((rod) => rod.length_m));

@@ -2,7 +2,7 @@
 // Plays a controller in another engine, driven by the runtime:
 //   node examples/engines/play.mjs ENGINE CONTROLLER [--seconds S] [--push VX@S] [--mjcf MODEL]
 // ENGINE is planck, rapier or mujoco, which needs --mjcf. CONTROLLER is a file of gaitsmith export --controller. Prints how the
-// figure moved, as JSON: x [m], height at its end [m], turns, and how it began and ended.
+// figure moved, as JSON: its way along the ground [m], the height of its centre of mass at the end [m], and its turns.
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { begin, load, move, normalise, step } from '../../web/runtime/runtime.js';

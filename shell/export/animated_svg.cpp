@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A motion as an SVG picture that moves by CSS: a group for each rod, within the group of its parent. Without
-// CSS, or where a reader wants less motion, it shows the first frame.
+// A motion as an SVG picture that moves by CSS: each shape within groups for its rod and all that carry it.
+// Without CSS, or where a reader wants less motion, it shows the first frame.
 #include <array>
 #include <cstdint>
 #include <cstdio>

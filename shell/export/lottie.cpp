@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A motion as a Lottie animation, version 5.7: a layer for each rod, whose parent is the layer of its parent.
-// Its
-// five colours are slots of the file, which newer players can set. Others show the light ones.
+// A motion as a Lottie animation, version 5.7: a layer for each rod, whose parent is the layer of its parent,
+// and layers for what is seen. Five colours are slots of the file, which newer players can set.
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -93,7 +93,16 @@ async function everyFormat(visit) {
   const gltf = await exportByMouse(page, 'gltf');
   assert.equal(gltf.name, 'a-short-one.gltf');
   assert.equal(JSON.parse(gltf.text).asset.version, '2.0');
+  await open(page);
+  await page.clickElement('#export-formats label:has([value=csv])');
+  await page.until('its size', () => /^[\d.]+ kB$/.test(document.querySelector('#export-size')?.textContent ?? ''));
+  const kilobytes = Number.parseFloat(await page.text('#export-size'));
+  await page.clickElement('#export-formats label:has([value=gif])');
+  assert.equal(await page.text('#export-size'), '', 'a film is made first');
+  await page.press('Escape');
   const csv = await exportByMouse(page, 'csv');
+  assert.ok(Math.abs(csv.size / 1000 - kilobytes) <= 0.5, `${csv.size} bytes were said to be ${kilobytes} kB`);
+  assert.match(await page.text('#toast'), /^Exported: a-short-one\.csv, [\d.]+ kB$/);
   assert.equal(csv.text.split('\n').length, 63);
   assert.match(csv.text, /^t,x,y,vx,vy,phi,L,rule,theta_1/);
   const moving = await exportByMouse(page, 'animated-svg');
