@@ -178,12 +178,13 @@ growth() { # seconds, name
 # The lines of a failed stage that name what failed, because a long log hides them.
 failures() { # name
   printf '\n%s:\n' "$1"
-  grep -v '^ok ' "$STAGES/$1.log" | grep -E -A4 'FAILED|^ *not ok|✖|\*\*\*|error:|warning:|differ' | cut -c 1-300 | head -40 || tail -5 "$STAGES/$1.log"
+  grep -vE '^ok |^ +Start +[0-9]+:| Passed +[0-9.]+ sec$' "$STAGES/$1.log" | grep -E -A4 'FAILED|^ *not ok|✖|\*\*\*|error:|warning:|differ' | cut -c 1-300 | head -40 ||
+    tail -5 "$STAGES/$1.log"
 }
 
 # Prints each stage's time, what failed, and the number of passed stages. Fails if a stage failed.
 summary() {
-  local passed left_out failed
+  local passed left_out failed names
   passed=$(grep -c ' passed ' "$RESULTS" || true)
   left_out=$(grep -c ' left-out ' "$RESULTS" || true)
   failed=$(grep -c ' failed ' "$RESULTS" || true)
@@ -192,7 +193,8 @@ summary() {
   printf '%7d  in all\n' $SECONDS
   while read -r seconds result name; do [ "$result" != failed ] || failures "$name"; done <"$RESULTS"
   echo
-  printf '%d passed, %d left out, %d failed\n' "$passed" "$left_out" "$failed"
+  names=$(awk '$2 == "failed" { sub(/^[0-9]+ failed /, ""); printf "%s%s", n++ ? ", " : ": ", $0 }' "$RESULTS")
+  printf '%d passed, %d left out, %d failed%s\n' "$passed" "$left_out" "$failed" "$names"
   [ "$failed" = 0 ]
 }
 

@@ -40,6 +40,7 @@ async function nothingToPlay({ browser, address, name }) {
 /** @param {Visit} visit */
 async function follow({ browser, address, name }) {
   const page = await PageDriver.open(browser, address);
+  await page.click('transport/play'); // at rest, because a drag of a figure that runs by would push it
   for (const size of sizesFor(name)) {
     const where = `${size.width}×${size.height}`;
     await page.page.setViewport(size);
@@ -52,7 +53,9 @@ async function follow({ browser, address, name }) {
     const stage = await page.placeOf('stage');
     const at = { x: stage.x + stage.width - 60, y: stage.y + 0.6 * stage.height };
     await new Mouse(page).drag(at, { x: at.x - 80, y: at.y });
-    const button = await page.placeOf('stage/follow'); // on a busy machine the last of the drag is drawn late
+    // On a busy machine the last of the drag is drawn late.
+    await page.until(`${where}: Follow`, () => window.gaitsmith.widgets().some(({ id }) => id === 'stage/follow'));
+    const button = await page.placeOf('stage/follow');
     const all = await page.widgets();
     const over = all.filter(({ id, rect }) => !['stage', 'stage/follow'].includes(id) && rect.x < button.x + button.width && button.x < rect.x + rect.width
       && rect.y < button.y + button.height && button.y < rect.y + rect.height);
