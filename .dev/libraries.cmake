@@ -1,4 +1,4 @@
-# Third-party code: Eigen always, and SDL2, imgui and catch2 if Gaitsmith is the main project. After ./dev setup the
+# Third-party code: Eigen always, and SDL2, imgui, lodepng and catch2 if Gaitsmith is the main project. After ./dev setup the
 # sources are in .toolchain. Otherwise CMake fetches the same releases.
 include(FetchContent)
 if(EXISTS "${CMAKE_CURRENT_LIST_DIR}/../.toolchain/deps.cmake")
@@ -67,6 +67,19 @@ if(EMSCRIPTEN)
 elseif(NOT CMAKE_CROSSCOMPILING)
   target_link_libraries(imgui PUBLIC OpenGL::GL ${CMAKE_DL_LIBS})
 endif()
+
+# Pictures of exported motions: LodePNG, and the rasteriser that comes with Dear ImGui, a header without a window.
+gaitsmith_fetch(lodepng https://github.com/lvandeve/lodepng.git c45ed7951fb9df607351013d288d71faef6eea87)
+add_library(lodepng STATIC "${lodepng_SOURCE_DIR}/lodepng.cpp")
+gaitsmith_foreign(lodepng)
+target_include_directories(lodepng SYSTEM PUBLIC "${lodepng_SOURCE_DIR}")
+target_compile_definitions(lodepng PUBLIC 
+  LODEPNG_NO_COMPILE_DISK LODEPNG_NO_COMPILE_DECODER LODEPNG_NO_COMPILE_ANCILLARY_CHUNKS LODEPNG_NO_COMPILE_ERROR_TEXT)
+if(EMSCRIPTEN)
+  target_compile_options(lodepng PRIVATE -Os)
+endif()
+add_library(stb_truetype INTERFACE)
+target_include_directories(stb_truetype SYSTEM INTERFACE "${imgui_SOURCE_DIR}")
 
 # Catch2 with its main, and catch_discover_tests. It throws exceptions, so its users must enable them on WASM.
 gaitsmith_fetch(catch2 https://github.com/catchorg/Catch2.git v3.7.1)

@@ -7,7 +7,7 @@ LLVM=19                 # clang, lld, clang-format, clang-tidy
 SUITE=trixie            # the Debian release whose Emscripten and library sources are used
 EMSCRIPTEN=3.1.69       # its version in that suite
 EMSCRIPTEN_MIN=3.1.69   # oldest emcc accepted from PATH or $EMSDK
-IMGUI=1.90.1 CATCH2=3.7.1 EIGEN=3.4.0 SDL2=2.32.4
+IMGUI=1.90.1 CATCH2=3.7.1 EIGEN=3.4.0 SDL2=2.32.4 LODEPNG='0.0~git20250402'
 ACORN=8.15.0            # imported by Emscripten's optimiser; Debian's package is not an ES module
 LIGHTHOUSE=11.7.1       # the last version that checks installable pages
 NODE_MIN=18
@@ -211,7 +211,8 @@ setup() {
     source_of imgui "$IMGUI" imgui
     source_of catch2 "$CATCH2" catch2
     source_of eigen3 "$EIGEN" eigen
-    for tool in imgui catch2 eigen; do
+    source_of lodepng "$LODEPNG" lodepng
+    for tool in imgui catch2 eigen lodepng; do
       echo "set(FETCHCONTENT_SOURCE_DIR_${tool^^} \"\${CMAKE_CURRENT_LIST_DIR}/src/$tool\")"
     done >"$T/deps.cmake"
   fi

@@ -39,6 +39,27 @@ Result<FilmStripOptions> StripOptions(const Arguments& arguments, double duratio
   return FilmStripOptions{.poses = static_cast<int>(*poses), .from_s = *from, .to_s = *to};
 }
 
+Result<SpriteOptions> SpritesAsked(const Arguments& arguments) {
+  const auto frames = arguments.Integer("sprite-frames", SpriteOptions::kLeastFrames,
+                                        SpriteOptions::kMostFrames, SpriteOptions{}.frames);
+  if (!frames) return std::unexpected(frames.error());
+  const auto size = arguments.Integer("sprite-size", SpriteOptions::kLeastSize, SpriteOptions::kMostSize,
+                                      SpriteOptions{}.size);
+  if (!size) return std::unexpected(size.error());
+  SpriteOptions sprites{.frames = static_cast<int>(*frames), .size = static_cast<int>(*size)};
+  if (!arguments.Has("sprite-scale")) return sprites;
+  if (arguments.Has("sprite-size"))
+    return Fail(ErrorCode::kOutOfRange, "--sprite-scale",
+                "does not go with --sprite-size: it says how large frames are");
+  const auto scale = ParseNumber(arguments.Last("sprite-scale"), "--sprite-scale");
+  if (!scale) return std::unexpected(scale.error());
+  if (!(*scale >= SpriteOptions::kLeastScale && *scale <= SpriteOptions::kMostScale))
+    return Fail(ErrorCode::kOutOfRange, "--sprite-scale",
+                "must be from 1 to 1000 pixels a metre, is \"" + arguments.Last("sprite-scale") + "\"");
+  sprites.scale = *scale;
+  return sprites;
+}
+
 /// The error if no output file is given.
 Outcome NoFile() {
   std::string what = "say where";
@@ -67,7 +88,8 @@ Result<Motion> Chosen(const Arguments& arguments, const Document& document) {
 }  // namespace
 
 Outcome ExportCommand(Words words) {
-  std::vector<std::string_view> options = {"poses", "from", "to"};
+  std::vector<std::string_view> options = {"poses",         "from",        "to",
+                                           "sprite-frames", "sprite-size", "sprite-scale"};
   for (const ExporterRow& row : kExporters) options.push_back(row.id);
   static constexpr std::array<std::string_view, 4> kFlags = {"planned", "loop", "halves", "in-place"};
   const auto arguments = Arguments::Parse(words, options, kFlags);
@@ -82,10 +104,13 @@ Outcome ExportCommand(Words words) {
   if (!motion) return std::unexpected(motion.error());
   const auto strip = StripOptions(*arguments, (motion->Frames() - 1) * 0.01);
   if (!strip) return std::unexpected(strip.error());
+  const auto sprites = SpritesAsked(*arguments);
+  if (!sprites) return std::unexpected(sprites.error());
   for (const ExporterRow& row : kExporters) {
     if (!arguments->Has(row.id)) continue;
     const auto file = MakeFile(row, *document, *motion,
                                {.strip = *strip,
+                                .sprites = *sprites,
                                 .loops = arguments->Has("loop"),
                                 .from_start = !arguments->Has("loop") && !arguments->Has("planned")});
     if (!file) return std::unexpected(file.error());

@@ -9,6 +9,7 @@
 
 #include "core/document/document.h"
 #include "shell/export/film_strip.h"
+#include "shell/export/sprite_sheet.h"
 
 namespace gaitsmith::shell {
 
@@ -26,6 +27,7 @@ namespace gaitsmith::shell {
 /// What an export may be asked for.
 struct ExportOptions {
   FilmStripOptions strip = {};  // used only by film strips
+  SpriteOptions sprites = {};   // used only by sprite sheets
   bool loops = false;           // the motion ends as it begins, and goes on without an end
   bool from_start = true;       // it begins as the document's start says, neither a loop nor planned
 };
@@ -43,6 +45,16 @@ struct ExportOptions {
 /// The figure, its joints, their servos and the ground for MuJoCo (MJCF). Keyframes are the start and the
 /// poses of the motion; what moves the joints there is left to its reader.
 [[nodiscard]] std::string MujocoModel(const Document&, const Motion&, const ExportOptions&);
+
+/// The picture of AnimatedSvg in its light colours, without texts, as PNG: 25 frames a second.
+[[nodiscard]] std::string AnimatedPng(const Document&, const Motion&, const ExportOptions&);
+/// The figure's skeleton, animation and parts for DragonBones 5.5: a ZIP of two JSON files and a picture. 100
+/// pixels a metre, without ground.
+[[nodiscard]] std::string DragonBonesZip(const Document&, const Motion&, const ExportOptions&);
+/// The figure in frames side by side: a ZIP of a PNG and a JSON as Aseprite writes it.
+[[nodiscard]] std::string SpriteSheetZip(const Document&, const Motion&, const ExportOptions&);
+/// The error of a sheet that would be too large.
+[[nodiscard]] Result<void> SpritesFit(const Document&, const Motion&, const ExportOptions&);
 
 /// The controller of a clip as JSON, for games that move the figure with their own physics. docs/runtime.md
 /// explains it. @param clip an index of the timeline
@@ -65,15 +77,15 @@ struct ExporterRow {
   const char* label;  // in the Export dialog, to be translated
   const char* note;   // below the label: what the file is good for, to be translated
   std::string (*make)(const Document&, const Motion&, const ExportOptions&);
-  /// What the document lacks for this file; nullptr: no document lacks it.
-  Result<void> (*check)(const Document&) = nullptr;
+  /// Why there is no such file; nullptr: there always is one.
+  Result<void> (*check)(const Document&, const Motion&, const ExportOptions&) = nullptr;
 };
 
 /// The content of an exported file, or why the document has none.
 [[nodiscard]] inline Result<std::string> MakeFile(const ExporterRow& row, const Document& document,
                                                   const Motion& motion, const ExportOptions& options) {
   if (row.check != nullptr) {
-    const auto checked = row.check(document);
+    const auto checked = row.check(document, motion, options);
     if (!checked) return std::unexpected(checked.error());
   }
   return row.make(document, motion, options);
@@ -99,11 +111,18 @@ inline constexpr auto kExporters = std::to_array<ExporterRow>({
     {"controller", "json", "application/json", ExportGroup::kPrograms, PageText("Controller, JSON"),
      PageText("For games: their own engine moves the figure, the controller decides"),
      [](const Document& document, const Motion&, const ExportOptions&) { return ControllerJson(document); },
-     HasController},
+     [](const Document& document, const Motion&, const ExportOptions&) { return HasController(document); }},
     {"animated-svg", "svg", "image/svg+xml", ExportGroup::kPictures, PageText("Moving picture, SVG"),
      PageText("For web pages: small, sharp, in light and dark"), AnimatedSvg},
     {"lottie", "json", "application/json", ExportGroup::kPictures, PageText("Moving picture, Lottie"),
      PageText("For apps and web pages that play Lottie. Its colours can be set"), LottieJson},
+    {"apng", "png", "image/apng", ExportGroup::kPictures, PageText("Moving picture, PNG"),
+     PageText("For pages and papers that take no SVG: sharper than a GIF"), AnimatedPng},
+    {"sprites", "zip", "application/zip", ExportGroup::kPrograms, PageText("Sprite sheet, PNG"),
+     PageText("For games without skeletons: frames side by side, and where they are"), SpriteSheetZip,
+     SpritesFit},
+    {"dragonbones", "zip", "application/zip", ExportGroup::kPrograms, PageText("Skeleton, DragonBones"),
+     PageText("For games and animators: bones, parts and their animation"), DragonBonesZip},
     {"godot", "tscn", "text/plain", ExportGroup::kPrograms, PageText("Scene, Godot 4"),
      PageText("For games: a skeleton and its animation"), GodotScene},
     {"godot3", "tscn", "text/plain", ExportGroup::kPrograms, PageText("Scene, Godot 3"),

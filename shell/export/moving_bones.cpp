@@ -3,6 +3,7 @@
 #include "shell/export/moving_bones.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -21,10 +22,19 @@ double MovingBones::JointM(int bone) const {
   return parent >= 0 && Limb(bone).start == parent + 1 ? LengthM(parent) : 0.0;
 }
 
-std::array<double, 2> MovingBones::Start(int frame) const {
+MovingBones::Place MovingBones::PlaceOf(int frame, int bone) const {
+  const auto start = EndpointM(frame, Limb(bone).start), end = EndpointM(frame, bone + 1);
+  const double x = end[0] - start[0], y = end[1] - start[1];
+  const double length = std::sqrt(x * x + y * y);
+  return {.start_m = start, .along = {x / length, y / length}};
+}
+
+std::array<double, 2> MovingBones::Start(int frame) const { return EndpointM(frame, 0); }
+
+std::array<double, 2> MovingBones::EndpointM(int frame, int endpoint) const {
   const Motion::Frame& at = motion_.At(frame);
-  const Motion::Point start = motion_.Endpoint(frame, 0);
-  return {at.x_m + static_cast<double>(start.x), static_cast<double>(at.y_m) + static_cast<double>(start.y)};
+  const Motion::Point point = motion_.Endpoint(frame, endpoint);
+  return {at.x_m + static_cast<double>(point.x), static_cast<double>(at.y_m) + static_cast<double>(point.y)};
 }
 
 double MovingBones::AngleRad(int frame, int bone) const {

@@ -25,6 +25,17 @@ class MovingBones {
   /// Place of the joint on the parent, from the parent's start [m]: 0 or its length. 0 of bone 0.
   [[nodiscard]] double JointM(int bone) const;
 
+  /// Where a bone starts [m], y upwards, and the unit vector along it.
+  struct Place {
+    std::array<double, 2> start_m, along;
+    /// A point of the world, from one that is so far along the bone and to its left [m].
+    [[nodiscard]] std::array<double, 2> Of(const std::array<double, 2>& point) const {
+      return {start_m[0] + along[0] * point[0] - along[1] * point[1],
+              start_m[1] + along[1] * point[0] + along[0] * point[1]};
+    }
+  };
+  [[nodiscard]] Place PlaceOf(int frame, int bone) const;
+
   /// Start of bone 0 above the ground [m], y upwards.
   [[nodiscard]] std::array<double, 2> Start(int frame) const;
   /// Against the parent, of bone 0 against the ground, counterclockwise [rad]. Without jumps between frames.
@@ -33,6 +44,7 @@ class MovingBones {
   [[nodiscard]] double ThicknessM() const;
 
  private:
+  [[nodiscard]] std::array<double, 2> EndpointM(int frame, int endpoint) const;
   [[nodiscard]] const Skeleton::Limb& Limb(int bone) const {
     return skeleton_.limbs[static_cast<std::size_t>(bone)];
   }

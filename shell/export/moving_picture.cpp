@@ -22,25 +22,12 @@ constexpr double kWidest = 1000.0, kHighest = 50.0;
 constexpr double kMostMarks = 400.0;  // then they are further apart
 constexpr double kKeyPx = 0.2, kKeyDegrees = kKeyAngleRad * 180.0 / kPi;
 
-/// Two moving averages over one second.
-std::vector<double> Smooth(std::vector<double> values) {
-  const std::size_t count = values.size();
-  std::vector<double> sums(count + 1, 0.0);
-  for (int pass = 0; pass < 2; ++pass) {
-    for (std::size_t i = 0; i < count; ++i) sums[i + 1] = sums[i] + values[i];
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t half = std::min({std::size_t{50}, i, count - 1 - i});
-      values[i] = (sums[i + half + 1] - sums[i - half]) / static_cast<double>(2 * half + 1);
-    }
-  }
-  return values;
-}
-
 }  // namespace
 
 MovingPicture::MovingPicture(const Document& document, const Motion& motion, bool loops)
     : bones_(motion),
       ground_(document.environment.ground),
+      view_(motion, ground_, loops),
       loops_(loops),
       sole_m_(SoleM(document.figure)),
       shapes_(BoneShapesOf(document.figure)) {
@@ -56,7 +43,6 @@ MovingPicture::MovingPicture(const Document& document, const Motion& motion, boo
       top = std::max(top, static_cast<double>(at.y_m) + static_cast<double>(point.y) - level);
     }
     widest = std::max(widest, right - left);
-    view_m_.push_back(at.x_m);
   }
   widest = std::clamp(widest, 1e-6, kWidest);
   const double high = std::min(top, kHighest * widest) + 2.0 * sole_m_;
@@ -67,13 +53,7 @@ MovingPicture::MovingPicture(const Document& document, const Motion& motion, boo
       y *= -scale_;
     }
   }
-  const double way = view_m_.back() - view_m_.front();
-  if (loops) {
-    for (std::size_t i = 0; i < view_m_.size(); ++i)
-      view_m_[i] = view_m_[0] + way * static_cast<double>(i) / static_cast<double>(view_m_.size() - 1);
-  } else {
-    view_m_ = Smooth(std::move(view_m_));
-  }
+  const double way = view_.WayM();
   tick_m_ = RoundLength(scale_, kLeastTickPx);
   if (loops && std::abs(way) > 1e-6) {
     // Marks of a loop are where they were a cycle before. A way too short for that has none.
@@ -83,26 +63,28 @@ MovingPicture::MovingPicture(const Document& document, const Motion& motion, boo
     const auto [left, right] = Reach();
     tick_m_ = std::max(tick_m_, RoundLength(1.0, (right - left) / kMostMarks));
   }
-  level_m_.reserve(view_m_.size());
-  for (int frame = 0; frame < motion.Frames(); ++frame)
-    level_m_.push_back(HeightBelow(ground_, motion.At(frame).x_m));
-  if (!ground_.Level()) level_m_ = Smooth(std::move(level_m_));
+}
+
+std::array<double, 2> MovingPicture::PlaceAt(int frame, const std::array<double, 2>& place_m) const {
+  return {0.5 * kWidth + (place_m[0] - view_.MiddleM(frame)) * scale_,
+          kGroundY - sole_m_ * scale_ - (place_m[1] - view_.GroundM(frame)) * scale_};
+}
+
+std::array<double, 2> MovingPicture::GroundAt(int frame) const {
+  return {0.5 * kWidth - (view_.MiddleM(frame) - view_.MiddleM(0)) * scale_,
+          kGroundY + view_.GroundM(frame) * scale_};
 }
 
 Track MovingPicture::PlaceKeys() const {
   std::vector<std::array<double, 2>> places;
-  places.reserve(view_m_.size());
-  for (std::size_t i = 0; i < view_m_.size(); ++i) {
-    const auto start = bones_.Start(static_cast<int>(i));
-    places.push_back({0.5 * kWidth + (start[0] - view_m_[i]) * scale_,
-                      kGroundY - sole_m_ * scale_ - (start[1] - level_m_[i]) * scale_});
-  }
+  places.reserve(static_cast<std::size_t>(view_.Frames()));
+  for (int frame = 0; frame < view_.Frames(); ++frame) places.push_back(PlaceAt(frame, bones_.Start(frame)));
   return KeysOf(places, kKeyPx);
 }
 
 Track MovingPicture::AngleKeys(int bone) const {
   std::vector<std::array<double, 2>> angles;
-  angles.reserve(view_m_.size());
+  angles.reserve(static_cast<std::size_t>(view_.Frames()));
   for (int frame = 0; frame < bones_.Frames(); ++frame)
     angles.push_back({-bones_.AngleRad(frame, bone) * 180.0 / kPi, 0.0});
   return KeysOf(angles, kKeyDegrees);
@@ -110,22 +92,20 @@ Track MovingPicture::AngleKeys(int bone) const {
 
 Track MovingPicture::GroundKeys() const {
   std::vector<std::array<double, 2>> places;
-  places.reserve(view_m_.size());
-  for (std::size_t i = 0; i < view_m_.size(); ++i)
-    places.push_back({0.5 * kWidth - (view_m_[i] - view_m_[0]) * scale_, kGroundY + level_m_[i] * scale_});
+  places.reserve(static_cast<std::size_t>(view_.Frames()));
+  for (int frame = 0; frame < view_.Frames(); ++frame) places.push_back(GroundAt(frame));
   return KeysOf(places, kKeyPx);
 }
 
 std::array<double, 2> MovingPicture::Reach() const {
-  const auto [least, most] = std::ranges::minmax(view_m_);
   const double half = 0.5 * kWidth / scale_ + tick_m_;
-  return {least - half, most + half};
+  return {view_.LeastM() - half, view_.MostM() + half};
 }
 
 std::vector<std::array<double, 2>> MovingPicture::Surface() const {
   const auto [left, right] = Reach();
   const auto point = [&](double x_m, double y_m) {
-    return std::array{(x_m - view_m_[0]) * scale_, -y_m * scale_};
+    return std::array{(x_m - view_.MiddleM(0)) * scale_, -y_m * scale_};
   };
   std::vector<std::array<double, 2>> line{point(left, HeightBelow(ground_, left))};
   if (!ground_.Level()) {
@@ -155,7 +135,7 @@ std::vector<MovingPicture::Mark> MovingPicture::Marks() const {
                   : tick_m_ < 0.95 ? 1
                                    : 0,
                   std::abs(x));
-    marks.push_back({(x - view_m_[0]) * scale_, -HeightBelow(ground_, x) * scale_, loops_ ? "" : text});
+    marks.push_back({(x - view_.MiddleM(0)) * scale_, -HeightBelow(ground_, x) * scale_, loops_ ? "" : text});
   }
   return marks;
 }

@@ -10,6 +10,7 @@
 #include "core/document/document.h"
 #include "core/world/terrain.h"
 #include "shell/export/bone_shapes.h"
+#include "shell/export/following_view.h"
 #include "shell/export/moving_bones.h"
 
 namespace gaitsmith::shell {
@@ -28,10 +29,15 @@ class MovingPicture {
   [[nodiscard]] double Seconds() const { return 0.01 * (bones_.Frames() - 1); }
   [[nodiscard]] const MovingBones& Bones() const { return bones_; }
 
+  /// Where a place of the world is in a frame [px].
+  [[nodiscard]] std::array<double, 2> PlaceAt(int frame, const std::array<double, 2>& place_m) const;
+  /// Where the ground begins in a frame [px]: its own coordinates are those of Surface and Marks.
+  [[nodiscard]] std::array<double, 2> GroundAt(int frame) const;
+
   /// Keys of bone 0's start [px], y downwards, and of a bone's angle [degrees], clockwise.
   [[nodiscard]] Track PlaceKeys() const;
   [[nodiscard]] Track AngleKeys(int bone) const;
-  /// Keys of where the ground begins, whose own coordinates are those of Surface and Marks [px].
+  /// Keys of GroundAt.
   [[nodiscard]] Track GroundKeys() const;
 
   /// Shapes in the order of drawing. Their outlines are in pixels, with y downwards.
@@ -52,11 +58,11 @@ class MovingPicture {
 
   MovingBones bones_;
   Terrain ground_;
+  FollowingView view_;
   bool loops_;
   double sole_m_;  // how far the figure's outline reaches below the endpoints on which it stands
   std::vector<BoneShape> shapes_;
   double scale_ = 1.0, tick_m_ = 1.0;
-  std::vector<double> view_m_, level_m_;  // what is in the middle, and its ground, at each frame
 };
 
 }  // namespace gaitsmith::shell

@@ -65,6 +65,20 @@ refuses '--loop: does not go with --planned' "$gaitsmith" export "$jump" --loop 
 refuses "the figure has no two limbs that can take each other's part" "$gaitsmith" export star-man-cartwheel --loop --halves --svg no.svg
 refuses 'DOC: give at least one document' "$gaitsmith" loop
 
+# Sprites: as many and as large as asked, or in a scale.
+sheet() { unzip -p "$1" sprites.json | node -e 'const { frames, meta } = JSON.parse(require("fs").readFileSync(0)); console.log(frames.length, Math.max(frames[0].frame.w, frames[0].frame.h), meta.pixelsPerMetre)'; }
+if command -v unzip >/dev/null && command -v node >/dev/null; then
+  "$gaitsmith" export star-man-shuffle --sprites sheet.zip --sprite-frames 7 --sprite-size 200 || fault "sprites"
+  same "$(sheet sheet.zip | cut -d' ' -f1,2)" "7 200" "sprites asked for"
+  "$gaitsmith" export star-man-shuffle --sprites scaled.zip --sprite-scale 50 || fault "sprites in a scale"
+  same "$(sheet scaled.zip | cut -d' ' -f1,3)" "16 50.000" "scale of sprites"
+fi
+refuses '--sprite-frames: must be a whole number from 2 to 256, is "1"' "$gaitsmith" export star-man-shuffle --sprites no.svg --sprite-frames 1
+refuses '--sprite-size: must be a whole number from 16 to 1024, is "8"' "$gaitsmith" export star-man-shuffle --sprites no.svg --sprite-size 8
+refuses '--sprite-scale: must be from 1 to 1000 pixels a metre, is "0"' "$gaitsmith" export star-man-shuffle --sprites no.svg --sprite-scale 0
+refuses '--sprite-scale: does not go with --sprite-size' "$gaitsmith" export star-man-shuffle --sprites no.svg --sprite-scale 9 --sprite-size 99
+refuses 'need a sheet larger than 8192 pixels' "$gaitsmith" export star-man-shuffle --sprites no.svg --sprite-frames 256 --sprite-size 1024
+
 refuses "--${exporters[0]}: say where;${or#,}" "$gaitsmith" export star-man-shuffle
 refuses 'DOC: give exactly one document' "$gaitsmith" export --svg no.svg
 refuses '--poses: must be a whole number from 3 to 26, is "2"' "$gaitsmith" export star-man-shuffle --svg no.svg --poses 2

@@ -237,6 +237,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
           if (row.check == nullptr) std::abort();
           Refused();
         }
+        if (gs_motion_sprites(showing.get(), bytes.Signed(), bytes.Signed()) == nullptr) Refused();
         break;
       }
       case 10: {

@@ -2,56 +2,23 @@
 // Files that other programs play: from each of them, read as its program reads it, follow the places of all rods, and they
 // are where the motion has them. MuJoCo loads the models itself; tests/browser and tests/peers have other programs play the others.
 import assert from 'node:assert/strict';
-import { readdir, readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { fileURLToPath, pathToFileURL } from 'node:url';
 import { along, readScene } from '../peers/godot_text.mjs';
+import { ExportedMotions, ROOT } from './exported_motions.mjs';
 
 /** @typedef {import('../../web/search/recorded_motion.js').RecordedMotion} RecordedMotion */
 /** A rod's place: where it starts, and its direction. @typedef {{x: number, y: number, turn: number}} Place */
 /** What a file says of a rod: its parent, its place there and its own turn at a time. @typedef {{parent: number, at: (s: number) => Place, length: number}} Bone */
 
-const ROOT = fileURLToPath(new URL('../../', import.meta.url));
-const WEB = process.env.GAITSMITH_WEB ?? join(ROOT, 'build/wasm/web');
 const foreign = createRequire(join(ROOT, 'web/package.json'));
 const { XMLParser, XMLValidator } = foreign('fast-xml-parser');
 const PX = 1; // how exact the files are
 
-/** @type {import('../../web/search/engine.js').Engine} */
-let engine;
-/** Shipped documents, by name. @type {Map<string, any>} */
-const documents = new Map();
-/** @type {any} */
-let cartwheel;
-
-before(async () => {
-  const { Engine } = await import(pathToFileURL(join(WEB, 'search/engine.js')).href);
-  engine = await Engine.load(await WebAssembly.compile(await readFile(join(WEB, 'search/engine_module.wasm'))));
-  for (const folder of ['examples', 'tests/golden/limited']) {
-    for (const file of (await readdir(join(ROOT, folder))).filter((name) => name.endsWith('.json')))
-      documents.set(file, JSON.parse(await readFile(join(ROOT, folder, file), 'utf8')));
-  }
-  cartwheel = JSON.parse(await readFile(join(ROOT, 'examples/gallery/star-man-cartwheel.json'), 'utf8'));
-});
-
-/** @param {any} document */
-const bytesOf = (document) => engine.documentFromText(JSON.stringify({ ...document, hash: undefined }));
-/** Whole motions, and a loop. @param {(motion: RecordedMotion, name: string) => void} check */
-function eachMotion(check) {
-  for (const [name, document] of documents) {
-    const motion = engine.motion(bytesOf(document));
-    check(motion, name);
-    motion.close();
-  }
-  // A cartwheel's cycle is a whole turn.
-  for (const text of [documents.get('star-man-shuffle.json'), cartwheel]) {
-    const loop = engine.loop(bytesOf(text));
-    check(loop, 'a loop');
-    loop.close();
-  }
-}
+/** @type {ExportedMotions} */
+let motions;
+before(async () => { motions = await ExportedMotions.load(); });
 
 /** Where rods start and end, one after another. @param {Bone[]} bones  parents first @param {number} time */
 function endpointsAt(bones, time) {
@@ -103,7 +70,7 @@ const viewed = (motion, scale, ground) => (frame) => {
 };
 
 test('Lottie: its layers have the rods where the motion has them, and its colours are slots', () => {
-  eachMotion((motion, name) => {
+  motions.each((motion, name) => {
     const lottie = JSON.parse(motion.file('lottie'));
     assert.deepEqual(Object.keys(lottie.slots), ['paper', 'ground', 'ink', 'far', 'line']);
     assert.deepEqual([lottie.w, lottie.h, lottie.fr, lottie.ip, lottie.op], [640, 360, 100, 0, motion.frames - (name === 'a loop' ? 1 : 0)]);
@@ -136,7 +103,7 @@ test('Lottie: its layers have the rods where the motion has them, and its colour
 });
 
 test('moving SVG: its groups have the rods where the motion has them, also at rest, and names are text', () => {
-  eachMotion((motion, name) => {
+  motions.each((motion, name) => {
     const text = motion.file('animated-svg');
     assert.equal(XMLValidator.validate(text), true, name);
     const seconds = Number(/animation:([\d.]+)s linear infinite/.exec(text)?.[1]);
@@ -181,7 +148,7 @@ test('moving SVG: its groups have the rods where the motion has them, also at re
     assert.match(text, /prefers-color-scheme:dark/);
   });
   const title = '</title><script>&amp;"\'</style>]]>ä';
-  const motion = engine.motion(bytesOf({ ...documents.get('star-man-shuffle.json'), title }));
+  const motion = motions.engine.motion(motions.bytesOf({ ...motions.documents.get('star-man-shuffle.json'), title }));
   const parsed = new XMLParser({ ignoreAttributes: false, processEntities: true }).parse(motion.file('animated-svg')).svg;
   assert.equal(parsed.title['#text'], title);
   motion.close();
@@ -189,7 +156,7 @@ test('moving SVG: its groups have the rods where the motion has them, also at re
 
 test('Godot: scenes of both formats have the rods where the motion has them', () => {
   for (const [id, format] of /** @type {const} */ ([['godot3', 2], ['godot', 3]])) {
-    eachMotion((motion, name) => {
+    motions.each((motion, name) => {
       const scene = readScene(motion.file(id));
       assert.equal(scene.format, format);
       assert.equal(scene.length, (motion.frames - 1) / 100);
@@ -201,13 +168,13 @@ test('Godot: scenes of both formats have the rods where the motion has them', ()
 
 test('Godot: a title is a string', () => {
   const title = '"\\ \u00e4 [node]';
-  const motion = engine.motion(bytesOf({ ...documents.get('star-man-shuffle.json'), title }));
+  const motion = motions.engine.motion(motions.bytesOf({ ...motions.documents.get('star-man-shuffle.json'), title }));
   assert.equal(readScene(motion.file('godot')).title, title);
   motion.close();
 });
 
 test('a loop that turns ends a whole turn further, and two loops in a page have names of their own', () => {
-  const [shuffle, turning] = [documents.get('star-man-shuffle.json'), cartwheel].map((document) => engine.loop(bytesOf(document)));
+  const [shuffle, turning] = [motions.documents.get('star-man-shuffle.json'), motions.cartwheel].map((document) => motions.engine.loop(motions.bytesOf(document)));
   const root = JSON.parse(turning.file('lottie')).layers.find((/** @type {any} */ { parent, ks }) => ks.r.a && parent > turning.starts.length);
   const keys = root.ks.r.k;
   const turns = (keys[keys.length - 1].s[0] - keys[0].s[0]) / 360;

@@ -122,6 +122,11 @@ export interface EngineExports {
   /** A file that needs no words. @param id_size of an exporter's id in the input area */
   _gs_motion_file(role: Pointer, idSize: number): Pointer;
   /**
+   * The sprite sheet. Numbers outside of their ranges (shell/export/sprite_sheet.h) are moved to their ends.
+   * @param size the longer side of a frame [px]
+   */
+  _gs_motion_sprites(role: Pointer, frames: number, size: number): Pointer;
+  /**
    * The nursery of a round of the document's lineage. The genomes are the children of the round's parent.
    * @return the nursery's bytes, gs_document_size() of them
    */

@@ -72,19 +72,35 @@ GS_EXPORT const char* gs_motion_film_strip(MotionRole* role, std::size_t words_s
   }
   return Keep(role, shell::FilmStripSvg(role->document, role->motion, options));
 }
-/// A file that needs no words. @param id_size of an exporter's id in the input area
-GS_EXPORT const char* gs_motion_file(MotionRole* role, std::size_t id_size) {
-  const std::string_view id(reinterpret_cast<const char*>(Input().data()), id_size);
+namespace {
+
+const char* FileOf(MotionRole* role, std::string_view id, const shell::SpriteOptions& sprites) {
   const auto row = std::ranges::find(shell::kExporters, id, &shell::ExporterRow::id);
   if (row == shell::kExporters.end()) {
     Note({ErrorCode::kUnknownName, "", "there is no such export"});
     return nullptr;
   }
-  auto file = shell::MakeFile(*row, role->document, role->motion,
-                              {.loops = role->loop != "null", .from_start = role->from_start});
+  auto file =
+      shell::MakeFile(*row, role->document, role->motion,
+                      {.sprites = sprites, .loops = role->loop != "null", .from_start = role->from_start});
   if (!file) {
     Note(file.error());
     return nullptr;
   }
   return Keep(role, std::move(*file));
+}
+
+}  // namespace
+
+/// A file that needs no words. @param id_size of an exporter's id in the input area
+GS_EXPORT const char* gs_motion_file(MotionRole* role, std::size_t id_size) {
+  return FileOf(role, {reinterpret_cast<const char*>(Input().data()), id_size}, {});
+}
+/// The sprite sheet. Numbers outside of their ranges (shell/export/sprite_sheet.h) are moved to their ends.
+/// @param size the longer side of a frame [px]
+GS_EXPORT const char* gs_motion_sprites(MotionRole* role, int frames, int size) {
+  using Sprites = shell::SpriteOptions;
+  return FileOf(role, "sprites",
+                {.frames = std::clamp(frames, Sprites::kLeastFrames, Sprites::kMostFrames),
+                 .size = std::clamp(size, Sprites::kLeastSize, Sprites::kMostSize)});
 }

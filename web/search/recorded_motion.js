@@ -50,10 +50,16 @@ export class RecordedMotion {
   }
 
   /** The text of an exported file. @param {string} name  in shell/export/exporters.h, such as 'csv' */
-  file(name) {
+  file(name) { return new TextDecoder().decode(this.bytes(name)); }
+
+  /** An exported file of any kind. @param {string} name  such as 'apng' @returns {Uint8Array<ArrayBuffer>} */
+  bytes(name) {
     const size = this.engine.put(new TextEncoder().encode(name));
-    return this.#text(this.engine.module._gs_motion_file(this.handle, size));
+    return this.#bytes(this.engine.module._gs_motion_file(this.handle, size));
   }
+
+  /** The sprite sheet, a ZIP. @param {number} frames @param {number} size  the longer side of a frame [px] */
+  sprites(frames, size) { return this.#bytes(this.engine.module._gs_motion_sprites(this.handle, frames, size)); }
 
   /**
    * The terms of the whole motion, whether its simulation failed, and its hash.
@@ -71,8 +77,11 @@ export class RecordedMotion {
   close() { this.engine.module._gs_motion_close(this.handle); }
 
   /** @param {number} at */
-  #text(at) {
+  #text(at) { return new TextDecoder().decode(this.#bytes(at)); }
+
+  /** @param {number} at */
+  #bytes(at) {
     this.engine.orThrow(at);
-    return new TextDecoder().decode(this.engine.bytesAt(at, this.engine.module._gs_motion_text_size(this.handle)));
+    return this.engine.bytesAt(at, this.engine.module._gs_motion_text_size(this.handle));
   }
 }

@@ -42,6 +42,8 @@ class ExportDialog {
   #formats = element('export-formats', HTMLFieldSetElement);
   #parts = element('export-parts', HTMLFieldSetElement);
   #poses = element('export-poses', HTMLInputElement);
+  #frames = element('export-frames', HTMLInputElement);
+  #pixels = element('export-pixels', HTMLInputElement);
   #cycle = element('export-cycle');
   #inPlace = element('export-in-place', HTMLInputElement);
   #halves = element('export-halves', HTMLInputElement);
@@ -63,6 +65,7 @@ class ExportDialog {
     this.statusLine = statusLine;
     for (const exporter of exporters) element(`export-${exporter.group}`).append(choice(exporter));
     element('export-pictures').append(element('export-strip'));
+    this.#label('sprites').after(element('export-sheet'));
     this.#dialog.addEventListener('submit', (event) => {
       event.preventDefault();
       void this.#export();
@@ -72,7 +75,7 @@ class ExportDialog {
       void this.#weigh();
     });
     this.#parts.addEventListener('change', () => void this.#showPart());
-    this.#poses.addEventListener('change', () => void this.#weigh());
+    for (const number of [this.#poses, this.#frames, this.#pixels]) number.addEventListener('change', () => void this.#weigh());
     this.#dialog.addEventListener('close', () => {
       this.#making?.abort();
       this.#preview.close();
@@ -96,6 +99,8 @@ class ExportDialog {
 
   /** @param {string} value  of a format or a part */
   #radio(value) { return /** @type {HTMLInputElement} */ (this.#dialog.querySelector(`[type=radio][value=${value}]`)); }
+  /** @param {string} value */
+  #label(value) { return /** @type {HTMLElement} */ (this.#radio(value).closest('label')); }
   #format() { return /** @type {HTMLInputElement} */ (this.#formats.querySelector('input:checked')).value; }
   /** @returns {Choice} */
   #choice() {
@@ -106,16 +111,18 @@ class ExportDialog {
   /** Offers a part, or takes it back. @param {string} part @param {boolean} there */
   #offer(part, there) {
     const radio = this.#radio(part);
-    /** @type {HTMLElement} */ (radio.closest('label')).hidden = !there && part === 'planned';
+    this.#label(part).hidden = !there && part === 'planned';
     radio.disabled = !there;
     if (!there && radio.checked) this.#radio('whole').checked = true;
   }
 
-  /** Shows the number of poses only for film strips. */
+  /** Shows the numbers of film strips and sprite sheets only with these. */
   #chosen() {
-    const strip = ['svg', 'png'].includes(this.#format());
+    const strip = ['svg', 'png'].includes(this.#format()), sheet = this.#format() === 'sprites';
     element('export-strip').hidden = !strip;
+    element('export-sheet').hidden = !sheet;
     this.#poses.disabled = !strip;
+    this.#frames.disabled = this.#pixels.disabled = !sheet;
   }
 
   /** Looks for a cycle, says which, and plays what is chosen. */
@@ -175,11 +182,15 @@ class ExportDialog {
     const motion = this.#preview.motion;
     if (!motion || this.#making || !FORMATS[format].light) return;
     try {
-      const contents = await FORMATS[format].make({ motion, title: this.app.title(), poses: Number(this.#poses.value), signal: new AbortController().signal, onProgress: () => {} });
+      const contents = await FORMATS[format].make({ motion, ...this.#numbers(), title: this.app.title(), signal: new AbortController().signal, onProgress: () => {} });
       if (this.#format() === format) size.textContent = weight(new Blob([contents]).size);
     } catch {
       // Export says why.
     }
+  }
+
+  #numbers() {
+    return { poses: Number(this.#poses.value), sprites: { frames: Number(this.#frames.value), size: Number(this.#pixels.value) } };
   }
 
   async #export() {
@@ -193,11 +204,12 @@ class ExportDialog {
     try {
       const engine = await this.#load();
       motion = openPart(engine, engine.documentFromText(this.app.documentText()), choice);
+      await new Promise((shown) => setTimeout(shown, 50)); // until the progress bar is seen: some files are made at one go
       const contents = await make({
         motion,
         cycle: cycleOf(motion, choice.inPlace),
         title: this.app.title(),
-        poses: Number(this.#poses.value),
+        ...this.#numbers(),
         signal: making.signal,
         onProgress: (share) => { this.#progress.value = share; },
       });

@@ -12,6 +12,7 @@ import { fixed, tr } from '../languages/language.js';
  * @property {string} title
  * @property {{distance: number} | null} [cycle]  of a loop: how far it comes, 0 in place [m]; null: a whole motion
  * @property {number} poses
+ * @property {{frames: number, size: number}} sprites  of a sprite sheet; size: the longer side of a frame [px]
  * @property {AbortSignal} signal                  aborted when the export is cancelled
  * @property {(share: number) => void} onProgress  share: the finished part, from 0 to 1
  */
@@ -21,11 +22,17 @@ const PNG_SCALE = 2;
 
 /** The formats of the engine's exporters, and those that are made here. @type {Record<string, Format>} */
 export const FORMATS = {
-  ...Object.fromEntries(exporters.map(({ name, ending, type }) => [name, { ending, type, light: true, make: async (job) => (name === 'svg' ? strip(job) : job.motion.file(name)) }])),
+  ...Object.fromEntries(exporters.map(({ name, ending, type }) => [name, { ending, type, light: name !== 'apng', make: async (job) => file(name, job) }])),
   png: { ending: 'png', type: 'image/png', make: (job) => painted(strip(job)) },
   gif: { ending: 'gif', type: 'image/gif', make: async (job) => (await import('./export_film.js')).gif(job) },
   webm: { ending: 'webm', type: 'video/webm', make: async (job) => (await import('./export_film.js')).webm(job) },
 };
+
+/** A file of the engine's. @param {string} name @param {ExportJob} job */
+function file(name, job) {
+  if (name === 'svg') return strip(job);
+  return name === 'sprites' ? job.motion.sprites(job.sprites.frames, job.sprites.size) : job.motion.bytes(name);
+}
 
 /** @param {ExportJob} job */
 function strip({ motion, poses }) {
