@@ -3,6 +3,7 @@
 
 #include "core/document/archive.h"
 #include "core/document/schema.h"
+#include "core/document/trial_worlds.h"
 #include "core/search/evaluation_score.h"
 
 namespace gaitsmith {
@@ -70,6 +71,7 @@ Problem ProblemOf(const Document& d) {
     // Without a controller to start from, nothing of what was found before counts.
     if (d.search.start < 0) problem.figure = problem.bodies->drawn;
   }
+  problem.worlds = DrawWorlds(d.search.seed, d.search.worlds, problem.figure.Rods());
   if (d.search.in_place_of >= 0) {
     const auto clip = static_cast<std::size_t>(d.search.in_place_of);
     const int start = d.timeline[clip].start_step;
@@ -105,6 +107,7 @@ Problem ReplayProblem(const Document& d, const Controller& controller) {
   problem.kind = controller.kind;
   problem.task.duration_steps = d.duration_steps;
   problem.beginnings.clear();
+  problem.worlds.clear();
   problem.figure = d.figure;
   problem.bodies.reset();
   return problem;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/document/schema.h"
 
+#include "core/document/trial_worlds.h"
 #include "core/rollout/models.h"
 #include "core/world/terrain.h"
 
@@ -253,6 +254,7 @@ void Describe(Archive& ar, SearchSettings& search) {
   ar.Since(2, [&] { ar.Group("two_stage", [&] { Describe(ar, search.two_stage); }); });
   ar.Since(3, [&] { ar.Choice("heedless", search.variation.heedless, kHeedlessNames, vary.heedless); });
   ar.Since(5, [&] { ar.Choice("body", search.body, kBodyFreedomNames, standard.body); });
+  ar.Since(11, [&] { ar.Integer("worlds", search.worlds, 1, kMaxWorlds, standard.worlds); });
 }
 
 void Describe(Archive& ar, Document& d) {

@@ -56,6 +56,7 @@ class PlantEvaluator final : public BatchEvaluator {
     for (std::size_t begin = 0; begin < begins; ++begin) {
       Rollout<PlantOf, W> rollout(body_, problem_.environment, problem_.start, problem_.pushes);
       if (!moments_.empty()) rollout.BeginAt(moments_[begin]);
+      rollout.Delay(problem_.delay_steps);
       rollout.Follow(controllers);
       std::optional<SightingRecorder<W>> sees;
       if (watch.count > 0 && begin == 0 && shape_.Kind() == ControllerKind::kRules)
@@ -125,9 +126,40 @@ class BodyEvaluator final : public BatchEvaluator {
   bool with_hash_;
 };
 
+/// For problems with several worlds. It evaluates in each of them, one after another.
+class WorldsEvaluator final : public BatchEvaluator {
+ public:
+  /// @param worlds of the same problem, its own first
+  explicit WorldsEvaluator(std::vector<std::shared_ptr<const BatchEvaluator>> worlds)
+      : worlds_(std::move(worlds)) {}
+
+  [[nodiscard]] std::size_t Lanes() const override { return worlds_.front()->Lanes(); }
+
+  void Evaluate(std::span<const std::span<const Gene>> genomes, std::span<Evaluation> results,
+                const Watch& watch) const override {
+    worlds_.front()->Evaluate(genomes, results, watch);
+    std::vector<Evaluation> scored(genomes.size());
+    for (std::size_t world = 1; world < worlds_.size(); ++world) {
+      worlds_[world]->Evaluate(genomes, scored, {});
+      for (std::size_t i = 0; i < genomes.size(); ++i)
+        AddToMean(results[i], scored[i], static_cast<int>(world));
+    }
+  }
+
+ private:
+  std::vector<std::shared_ptr<const BatchEvaluator>> worlds_;
+};
+
 /// The evaluator that a problem needs.
 template <template <int> class PlantOf, int W>
 std::shared_ptr<const BatchEvaluator> BatchEvaluatorOf(const Problem& problem, bool with_hash) {
+  if (!problem.worlds.empty()) {
+    std::vector<std::shared_ptr<const BatchEvaluator>> worlds{
+        BatchEvaluatorOf<PlantOf, W>(problem.In({}), with_hash)};
+    for (const TrialWorld& world : problem.worlds)
+      worlds.push_back(BatchEvaluatorOf<PlantOf, W>(problem.In(world), false));
+    return std::make_shared<WorldsEvaluator>(std::move(worlds));
+  }
   if (problem.bodies) return std::make_shared<BodyEvaluator<PlantOf, W>>(problem, with_hash);
   return std::make_shared<PlantEvaluator<PlantOf, W>>(problem, with_hash);
 }

@@ -26,6 +26,18 @@ struct Beginning {
   int steps = 0;            // [0, kMaxSteps]
 };
 
+/// Another world in which a genome is tried, so that what a search finds needs nothing to be exact: neither
+/// masses nor friction, nor that joints hear of a decision at once.
+struct TrialWorld {
+  float friction = 1.0f;           // times that of the environment
+  float slope_rad = 0.0f;          // added to that of the environment
+  std::vector<float> masses = {};  // times that of each rod; empty: all as they are
+  int delay_steps = 0;             // from a decision until the joints follow it, [0, kMostDelaySteps]
+
+  bool operator==(const TrialWorld&) const = default;
+};
+inline constexpr int kMostDelaySteps = 8;
+
 struct Problem {
   Figure figure;  // must be valid
   Environment environment;
@@ -39,6 +51,10 @@ struct Problem {
   /// is scored from each of them, and its score is the mean: this finds robust controllers [Fukunaga 1994,
   /// section 6].
   std::vector<Beginning> beginnings = {};
+  /// Worlds in which the controller is scored as well, and its score is the mean. Terms and traits are means
+  /// too; hashes are those of the problem's own world.
+  std::vector<TrialWorld> worlds = {};
+  int delay_steps = 0;  // from a decision until the joints follow it
   bool traits = false;  // whether evaluations measure how motions look
   int model = 1;        // version of the physical model, which chooses the plant, [1, kModelVersion]
   /// The bodies that genomes may have, of which `figure` is the unchanged one. Nothing: all have that.
@@ -50,6 +66,8 @@ struct Problem {
   [[nodiscard]] ControllerShape ShapeFor(const PortCount& ports) const {
     return {kind, rules, senses.kind, ports};
   }
+  /// The same problem in one of its worlds.
+  [[nodiscard]] Problem In(const TrialWorld&) const;
   /// The problem of all genomes that have the body of this one, in which only controllers differ.
   [[nodiscard]] Problem WithBodyOf(std::span<const Gene> genome) const;
 };

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -53,6 +54,10 @@ class Rollout {
     std::visit([&](const auto& one) { Begin(one, control_, targets_); }, controllers);
   }
 
+  /// From now on joints follow decisions this many steps late. Saved moments do not contain what waits.
+  /// @param steps [0, kMostDelaySteps]
+  void Delay(int steps) { waiting_.assign(static_cast<std::size_t>(steps), {}); }
+
   [[nodiscard]] Moment<PlantOf, W> Save() const {
     return {plant_.Save(), control_, targets_, step_, taken_over_};
   }
@@ -92,7 +97,11 @@ class Rollout {
     for (; next_push_ < pushes_.size() && pushes_[next_push_].step <= step_; ++next_push_) {
       plant_.Give(pushes_[next_push_]);
     }
-    plant_.Step(step_, targets_);
+    if (waiting_.empty()) {
+      plant_.Step(step_, targets_);
+    } else {
+      plant_.Step(step_, Waited());
+    }
     ++step_;
     ++control_.steps;
     if (controllers_ == nullptr) return;
@@ -128,6 +137,10 @@ class Rollout {
   [[nodiscard]] int Clip() const { return static_cast<int>(taken_over_) - 1; }
 
  private:
+  /// What was decided before the delay, in place of which the present decision waits.
+  ActuatorTargets<W> Waited() {
+    return std::exchange(waiting_[static_cast<std::size_t>(step_) % waiting_.size()], targets_);
+  }
   /// Skips the pushes that were applied before the present step.
   void SkipPushes() {
     next_push_ = 0;
@@ -141,6 +154,7 @@ class Rollout {
   const Controllers<W>* controllers_ = nullptr;
   ControllerState<W> control_;
   ActuatorTargets<W> targets_{};
+  std::vector<ActuatorTargets<W>> waiting_;  // decisions that joints do not follow yet
   int step_ = 0;
   std::size_t next_push_ = 0, first_given_ = 0;
   std::size_t taken_over_ = 0;

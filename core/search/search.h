@@ -124,6 +124,9 @@ struct SearchSettings {
   /// The controller is also scored from the states in which these leave the figure. Not together with
   /// in_place_of.
   std::vector<Handover> handovers = {};
+  /// In how many worlds a controller is tried, of which the document's own is one. From 2 on its score is the
+  /// mean, which finds robust controllers (core/document/trial_worlds.h).
+  int worlds = 1;
   GeneticSettings genetic;
   TorusSettings torus;
   RefineSettings refine;

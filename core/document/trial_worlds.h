@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The worlds in which a search for robust controllers tries each genome: all a little different from the
+// document's. As [Jakobi Husbands Harvey 1995] has it, noise keeps evolution from relying on what a simulator
+// only happens to do.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/rollout/problem.h"
+
+namespace gaitsmith {
+
+inline constexpr int kMaxWorlds = 16;
+
+/// How far trial worlds are from the document's, in both directions where that makes sense.
+struct WorldNoise {
+  double friction = 0.4;    // share of the coefficient
+  double mass = 0.2;        // share of each rod's mass
+  double slope_rad = 0.02;  // about one degree
+  int delay_steps = 3;      // at most
+};
+
+/// @param seed of the search @param worlds with the document's own, [1, kMaxWorlds]
+/// @return all but the document's own, each with every noise at once
+[[nodiscard]] std::vector<TrialWorld> DrawWorlds(std::uint32_t seed, int worlds, int rods,
+                                                 const WorldNoise& noise = {});
+
+}  // namespace gaitsmith

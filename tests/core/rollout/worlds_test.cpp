@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Controllers scored in several worlds, and joints that follow late.
+#include <catch_amalgamated.hpp>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "core/document/trial_worlds.h"
+#include "core/physics/figure_plant.h"
+#include "core/physics/trajectory_hash.h"
+#include "core/rollout/evaluator.h"
+#include "core/rollout/rollout.h"
+#include "tests/scene.h"
+
+namespace gaitsmith::test {
+
+namespace {
+
+Document InWorlds(int worlds, int model) {
+  Document d = TwoClips();
+  d.model = model;
+  d.search.worlds = worlds;
+  d.task.weights = {0.5f, -0.25f, 2.0f, 0.01f, 0.3f, 0.01f, 0.2f};
+  REQUIRE(Validate(d));
+  return d;
+}
+
+}  // namespace
+
+TEST_CASE("worlds: the score is the mean of those in each world, whatever the number of lanes",
+          "[evaluator]") {
+  const Document d = InWorlds(4, GENERATE(1, 2));
+  const Problem problem = ProblemOf(d);
+  REQUIRE(problem.worlds.size() == 3);
+  const std::vector<Genome> genomes{d.controllers[0].genes, d.controllers[1].genes};
+  std::vector<std::vector<Evaluation>> each{Evaluator(problem.In({}), true).Evaluate(genomes)};
+  for (const TrialWorld& world : problem.worlds)
+    each.push_back(Evaluator(problem.In(world), false).Evaluate(genomes));
+  for (const int lanes : Evaluator::kLaneCounts) {
+    const auto found = Evaluator(problem, lanes, true).Evaluate(genomes);
+    for (std::size_t i = 0; i < genomes.size(); ++i) {
+      double fitness = 0.0, travel = 0.0;
+      for (const auto& scored : each) {
+        fitness += static_cast<double>(scored[i].fitness) / 4.0;
+        travel += static_cast<double>(scored[i].terms.travel_m) / 4.0;
+      }
+      CHECK(static_cast<double>(found[i].fitness) == Catch::Approx(fitness).epsilon(1e-5));
+      CHECK(static_cast<double>(found[i].terms.travel_m) == Catch::Approx(travel).epsilon(1e-5));
+      CHECK(found[i].trajectory_hash == each[0][i].trajectory_hash);
+    }
+  }
+}
+
+TEST_CASE("worlds: one world is the document's own, to the bit", "[evaluator]") {
+  const Document d = InWorlds(1, 2);
+  Document without = d;
+  without.search = {};
+  CHECK(ProblemOf(d).worlds.empty());
+  const std::vector<Genome> genomes{d.controllers[0].genes};
+  CHECK(Evaluator(ProblemOf(d), true).Evaluate(genomes)[0].fitness ==
+        Evaluator(ProblemOf(without), true).Evaluate(genomes)[0].fitness);
+}
+
+TEST_CASE("worlds: what breaks physics in one of them is void") {
+  Document d = InWorlds(1, 1);
+  Problem problem = ProblemOf(d);
+  TrialWorld wild;
+  wild.masses.assign(static_cast<std::size_t>(d.figure.Rods()), 1.0f);
+  wild.masses[0] = std::numeric_limits<float>::infinity();
+  problem.worlds = {wild};
+  CHECK(Evaluator(problem).Evaluate(std::vector<Genome>{d.controllers[0].genes})[0].fitness <= kVoidScore);
+}
+
+TEST_CASE("worlds: drawn again they are the same, each differs, and none is further away than it may be") {
+  const WorldNoise noise;
+  const auto drawn = DrawWorlds(7, kMaxWorlds, 9);
+  CHECK(drawn == DrawWorlds(7, kMaxWorlds, 9));
+  CHECK(drawn != DrawWorlds(8, kMaxWorlds, 9));
+  // Fewer worlds are the first of more.
+  const auto few = DrawWorlds(7, 4, 9);
+  REQUIRE(few.size() == 3);
+  CHECK(std::ranges::equal(few, std::span(drawn).first(3)));
+  std::set<float> frictions;
+  std::set<int> delays;
+  for (const TrialWorld& world : drawn) {
+    frictions.insert(world.friction);
+    delays.insert(world.delay_steps);
+    CHECK(std::abs(static_cast<double>(world.friction) - 1.0) <= noise.friction + 1e-6);
+    CHECK(std::abs(static_cast<double>(world.slope_rad)) <= noise.slope_rad + 1e-6);
+    CHECK((world.delay_steps >= 0 && world.delay_steps <= noise.delay_steps));
+    REQUIRE(world.masses.size() == 9);
+    for (const float mass : world.masses)
+      CHECK(std::abs(static_cast<double>(mass) - 1.0) <= noise.mass + 1e-6);
+  }
+  CHECK(frictions.size() == drawn.size());
+  CHECK(delays.size() > 1);
+}
+
+TEST_CASE("delay: joints do late what they would have done at once", "[determinism]") {
+  // The timer decides without the plant, so waiting is the same as beginning later.
+  const Document d = StarManTravel(SenseKind::kTimer);
+  const Skeleton body(d.figure);
+  const int delay = GENERATE(0, 1, 3, kMostDelaySteps);
+  CAPTURE(delay);
+  const Controller timed = RandomController(d.figure, d.senses, 5);
+  const std::vector<Clip> at_once{{.controller = 0, .start_step = 0}},
+      later{{.controller = 0, .start_step = delay}};
+  const auto hash_of = [&](const std::vector<Clip>& clips, int late) {
+    const auto takeovers = DecodeClips(clips, std::span(&timed, 1), FigurePlant<1>::PortsOf(body), kStep);
+    Rollout<FigurePlant, 1> rollout(body, d.environment, d.start, {}, takeovers);
+    rollout.Delay(late);
+    TrajectoryHash hash;
+    rollout.RunTo(400, kNothing, [&] { rollout.PlantNow().AddTo(hash, 0); });
+    return hash.Value();
+  };
+  CHECK(hash_of(at_once, delay) == hash_of(later, 0));
+  if (delay > 0) CHECK(hash_of(at_once, delay) != hash_of(at_once, 0));
+}
+
+}  // namespace gaitsmith::test
