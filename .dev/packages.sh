@@ -6,7 +6,7 @@ PACKED=build/packages
 # not CPack's: pack_tree <component> <its place in the tarball> <file>
 pack_tree() {
   local tree=build/release/packed/$1 owner=(--owner=0 --group=0)
-  tar --version | grep -q GNU || owner=(--uid 0 --gid 0)
+  [[ $(tar --version) == *GNU* ]] || owner=(--uid 0 --gid 0)
   rm -rf "$tree"
   cmake --install build/release --strip --component "$1" --prefix "$ROOT/$tree/$2" >/dev/null
   find "$tree" -exec env TZ=UTC touch -t "$(TZ=UTC git log -1 --format=%cd --date=format-local:%Y%m%d%H%M.%S)" {} +
@@ -35,12 +35,12 @@ packages() {
   architecture=$(sed 's/.*, //' build/release/compiler.txt)
   pack_tree program usr "gaitsmith_${version}_$architecture.tar.gz"
   pack_tree library "gaitsmith-$version-cmake-$architecture" "gaitsmith-$version-cmake-$architecture.tar.gz"
-  if command -v dpkg-shlibdeps >/dev/null && command -v file >/dev/null; then
+  if [ "$(uname)" = Linux ] && command -v dpkg-shlibdeps >/dev/null && command -v file >/dev/null; then
     cpack --config build/release/CPackConfig.cmake -B build/release/packed -G DEB >build/release/cpack.log || { cat build/release/cpack.log; die "cpack failed"; }
     mv "build/release/packed/gaitsmith_${version}_$architecture.deb" "$PACKED/"
     say "gaitsmith_${version}_$architecture.deb"
   else
-    say "dpkg-shlibdeps or file is not here: the .deb is left out"
+    say "the .deb is left out: it needs Linux with dpkg-shlibdeps and file"
   fi
   node web/package/provenance.mjs "$PACKED"
   say "packages, PROVENANCE.json and SHA256SUMS: $PACKED"

@@ -205,7 +205,7 @@ function checkProgram(folder) {
   const page = execFileSync('gzip', ['-dc', manual], { encoding: 'utf8' });
   assert.match(page, new RegExp(`^\\.TH GAITSMITH 1 \\d{4}-\\d\\d-\\d\\d "gaitsmith ${VERSION}"`));
   for (const section of ['NAME', 'SYNOPSIS', 'DESCRIPTION', 'SYNTHESIZE', 'EXPORT']) assert.match(page, new RegExp(`^\\.SH ${section}$`, 'm'));
-  if (has('man') && has('groff')) {
+  if (has('man') && /^man \d/.test(runIn(folder, 'man', '--version'))) { // the one of Debian, which reports faults
     const { stdout, stderr } = spawnSync('man', ['--warnings', '-E', 'UTF-8', '-l', manual], { encoding: 'utf8', env: { ...process.env, MANWIDTH: '100' } });
     assert.equal(stderr, '');
     assert.match(stdout, /gaitsmith validate DOC/);
@@ -216,7 +216,7 @@ function checkProgram(folder) {
 test('packages: the program as a tarball', () => checkProgram(unpacked(packed(/^gaitsmith_.*\.tar\.gz$/))));
 
 test('packages: the program for Debian', (t) => {
-  if (!has('dpkg-deb')) return t.skip('dpkg-deb is not here');
+  if (process.platform !== 'linux' || !has('dpkg-deb')) return t.skip('dpkg-deb is not here');
   const name = packed(/^gaitsmith_.*\.deb$/);
   const folder = unpacked(name);
   checkProgram(folder);

@@ -6,7 +6,6 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
-import { manualPage } from './manual_page.mjs';
 import { commit, project, textOf } from './release.mjs';
 import { noticesOf } from './third_party.mjs';
 
@@ -27,12 +26,12 @@ function zipped(text) {
   return bytes;
 }
 
-/** @type {Record<string, () => Record<string, string | Uint8Array>>} */
+/** @type {Record<string, () => Record<string, string | Uint8Array> | Promise<Record<string, string | Uint8Array>>>} */
 const TEXTS = {
-  program: () => ({
+  program: async () => ({
     'share/doc/gaitsmith/copyright': `${LICENSE}\n${noticesOf('program')}`,
     'share/doc/gaitsmith/changelog.gz': zipped(textOf('CHANGELOG.md')),
-    'share/man/man1/gaitsmith.1.gz': zipped(manualPage(textOf('docs/command-line.md'), { ...project(), date: commit().time.slice(0, 10) })),
+    'share/man/man1/gaitsmith.1.gz': zipped((await import('./manual_page.mjs')).manualPage(textOf('docs/command-line.md'), { ...project(), date: commit().time.slice(0, 10) })),
   }),
   library: () => ({ 'share/doc/gaitsmith/THIRD-PARTY.txt': noticesOf('library') }),
   site: () => ({ 'compiled.LICENSE.txt': noticesOf('site') }),
@@ -41,7 +40,7 @@ const TEXTS = {
 
 const [name, folder] = process.argv.slice(2);
 if (!folder || !(name in TEXTS)) throw new Error('texts: of which package, and where to?');
-for (const [file, text] of Object.entries(TEXTS[name]())) {
+for (const [file, text] of Object.entries(await TEXTS[name]())) {
   const path = join(folder, file);
   mkdirSync(join(path, '..'), { recursive: true });
   writeFileSync(path, text);
