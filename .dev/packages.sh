@@ -36,7 +36,7 @@ packages() {
   pack_tree program usr "gaitsmith_${version}_$architecture.tar.gz"
   pack_tree library "gaitsmith-$version-cmake-$architecture" "gaitsmith-$version-cmake-$architecture.tar.gz"
   if [ "$(uname)" = Linux ] && command -v dpkg-shlibdeps >/dev/null && command -v file >/dev/null; then
-    cpack --config build/release/CPackConfig.cmake -B build/release/packed -G DEB >build/release/cpack.log || { cat build/release/cpack.log; die "cpack failed"; }
+    cpack --config build/release/CPackConfig.cmake -B build/release/packed -G DEB >build/release/cpack.log 2>&1 || { cat build/release/cpack.log; die "cpack failed"; }
     mv "build/release/packed/gaitsmith_${version}_$architecture.deb" "$PACKED/"
     say "gaitsmith_${version}_$architecture.deb"
   else
