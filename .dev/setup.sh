@@ -13,6 +13,7 @@ LIGHTHOUSE=11.7.1       # the last version that checks installable pages
 NODE_MIN=18
 PACKAGES=(build-essential cmake ninja-build git python3 clang-$LLVM lld-$LLVM llvm-$LLVM clang-format-$LLVM
           clang-tidy-$LLVM libclang-rt-$LLVM-dev patchelf libsdl2-dev libgl-dev libbenchmark-dev
+          file     # tells CPack which files of a .deb are programs
           doxygen  # makes the reference from core's comments
           parallel) # tests the documented way to distribute a study
 BROWSERS=(chromium firefox-esr xvfb xauth)

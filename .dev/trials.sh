@@ -104,12 +104,14 @@ mutate() {
 
 # Builds in two folders, because a path must not matter either, each with a separate setup.
 reproduce() {
-  local twin
+  local twin built
   for twin in one another-one; do
     rm -rf "build/reproduce/$twin"
     git clone -q . "build/reproduce/$twin"
-    (cd "build/reproduce/$twin" && ./dev site)
+    (cd "build/reproduce/$twin" && ./dev site && ./dev packages)
   done
-  diff -r build/reproduce/one/build/site build/reproduce/another-one/build/site || die "the two builds differ in the files above"
-  say "two builds of $(git rev-parse --short HEAD), the same $(find build/reproduce/one/build/site -type f | wc -l) files"
+  for built in site packages; do
+    diff -r "build/reproduce/one/build/$built" "build/reproduce/another-one/build/$built" || die "the two builds differ in the files above"
+    say "two builds of $(git rev-parse --short HEAD), the same $(find "build/reproduce/one/build/$built" -type f | wc -l) files of the $built"
+  done
 }

@@ -94,6 +94,7 @@ std::string UsageOf(const Command& command) {
 int Usage(std::FILE* out) {
   std::fputs("gaitsmith finds motions of 2D articulated figures and plays them.\n\nusage:\n", out);
   for (const Command& command : kCommands) std::fprintf(out, "  gaitsmith %s\n", UsageOf(command).c_str());
+  std::fputs("  gaitsmith version\n", out);
   std::fputs(
       "\nDOC is a file of JSON, a file that holds a link, a shipped example, or - for standard input.\n",
       out);
@@ -108,6 +109,10 @@ int main(int count, char** words) {
   const std::vector<std::string_view> given(words + 1, words + count);
   if (given.empty()) return Usage(stderr);
   if (given[0] == "help" || IsHelp(given[0])) return Usage(stdout);
+  if (given[0] == "version" || given[0] == "--version") {
+    std::puts("gaitsmith " GAITSMITH_VERSION);
+    return 0;
+  }
   for (const Command& command : kCommands) {
     if (command.name != given[0]) continue;
     if (std::ranges::any_of(given, IsHelp)) {

@@ -72,6 +72,8 @@ same "$(sed -n 's/^  "\([a-z_]*\)": \[$/\1/p' catalogue.json | tr '\n' ' ')" \
 same "$(sed -n 's/.*"name": "\([a-z]*\)".*"number": \([0-9]*\).*/\1 \2/p' catalogue.json | tr '\n' ' ')" \
   "figure 0 controller 1 style 2 search 3 lab 4 timeline 5 keyframes 6 " "numbers of panels in links"
 refuses 'all: catalogue takes no words' "$gaitsmith" catalogue all
+same "$("$gaitsmith" version)" "gaitsmith $(sed -n 's/^project(gaitsmith VERSION \([0-9.]*\) .*/\1/p' "$root/CMakeLists.txt")" "version"
+same "$("$gaitsmith" --version)" "$("$gaitsmith" version)" "--version"
 
 # Children of picked motions: the same for any number of threads, and picks of a next round.
 breed() { "$gaitsmith" breed star-man-shuffle --evaluations 300 --seed 5 "$@"; }

@@ -246,7 +246,7 @@ if (!SITE) {
       'empty-heading': 'off', 'unique-landmark': 'off', // scripts write the title and the tour
       'prefer-native-element': 'off', // no native element replaces a combobox over a list or the drawn progress bar
     } });
-    for (const file of [join(SITE, 'index.html'), join(ROOT, 'web/package/example.html')]) {
+    for (const file of [join(SITE, 'index.html'), join(ROOT, 'web/package/engine/example.html')]) {
       const { results } = validator.validateStringSync(await readFile(file, 'utf8'));
       assert.deepEqual(results.flatMap((/** @type {any} */ { messages }) => messages.map((/** @type {any} */ { line, ruleId }) => `${file}:${line}: ${ruleId}`)), []);
     }

@@ -8,7 +8,7 @@ import tseslint from 'typescript-eslint';
 const web = fileURLToPath(new URL('../', import.meta.url));
 
 export default tseslint.config(
-  { ignores: ['**/node_modules/', 'web/package/example.js', 'build/'] },
+  { ignores: ['**/node_modules/', 'web/package/engine/example.js', 'build/'] },
   eslint.configs.recommended,
   tseslint.configs.base,
   stylistic.configs.customize({ indent: 2, quotes: 'single', semi: true, arrowParens: true, braceStyle: '1tbs', commaDangle: 'always-multiline', jsx: false }),

@@ -317,7 +317,7 @@ async function secondProfile({ browser, address }) {
 async function packagedEngine(visit) {
   const { browser } = visit;
   const folder = await mkdtemp(join(tmpdir(), 'package-'));
-  const archive = (await readdir(join(visit.site, 'package'))).find((name) => name.endsWith('.tgz'));
+  const archive = (await readdir(join(visit.site, 'package'))).find((name) => /^gaitsmith-engine-.*\.tgz$/.test(name));
   await run('tar', ['-xzf', join(visit.site, 'package', archive ?? ''), '-C', folder]);
   const server = new PlainServer(join(folder, 'package'), '/');
   await server.start();
