@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The worlds in which a search for robust controllers tries each genome: all a little different from the
-// document's. As [Jakobi Husbands Harvey 1995] has it, noise keeps evolution from relying on what a simulator
+// document's. As [Jakobi 1995] has it, noise keeps evolution from relying on what a simulator
 // only happens to do.
 #pragma once
 
@@ -12,6 +12,7 @@
 namespace gaitsmith {
 
 inline constexpr int kMaxWorlds = 16;
+inline constexpr int kRobustWorlds = 5;  // of what is made robust with one command
 
 /// How far trial worlds are from the document's, in both directions where that makes sense.
 struct WorldNoise {

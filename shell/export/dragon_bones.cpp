@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -13,42 +12,27 @@
 #include "shell/export/exporters.h"
 #include "shell/export/json_parts.h"
 #include "shell/export/moving_bones.h"
-#include "shell/export/painted_picture.h"
-#include "shell/export/picture_colours.h"
+#include "shell/export/part_atlas.h"
 #include "shell/export/zip_archive.h"
 
 namespace gaitsmith::shell {
 
 namespace {
 
-constexpr double kUsualScale = 100.0;    // as Godot's scenes have it [px/m]
-constexpr double kLongestPart = 1000.0;  // [px]: a figure with longer ones is smaller
-constexpr int kMargin = 1;               // around a part [px]
-constexpr int kStepRate = 100;           // a frame for each step
+constexpr int kStepRate = 100;  // a frame for each step
 constexpr double kDegrees = 180.0 / kPi;
 // Players turn the shorter way round, so no two keys may be half a turn apart.
 constexpr double kMostTurn = 120.0;
 
-/// A part's picture in the atlas, and where its middle is on its bone [px].
-struct Region {
-  int x = 0, y = 0, width = 0, height = 0;
-  std::array<double, 2> middle{};
-  std::vector<std::array<double, 2>> outline;  // within the region [px]
-};
-
 class DragonBonesText {
  public:
   DragonBonesText(const Document& document, const Motion& motion, bool loops)
-      : document_(document), bones_(motion), shapes_(BoneShapesOf(document.figure)), loops_(loops) {
-    double longest_m = 0.0;
-    for (const BoneShape& shape : shapes_) {
-      const auto [left, right] = std::ranges::minmax_element(shape.outline_m);
-      longest_m = std::max(longest_m, (*right)[0] - (*left)[0]);
-    }
-    scale_ = std::min(kUsualScale, kLongestPart / std::max(longest_m, 1e-6));
-    for (const BoneShape& shape : shapes_) regions_.push_back(RegionOf(shape));
-    Pack();
-  }
+      : document_(document),
+        bones_(motion),
+        shapes_(BoneShapesOf(document.figure)),
+        atlas_(shapes_),
+        scale_(atlas_.Scale()),
+        loops_(loops) {}
 
   [[nodiscard]] std::string Skeleton() const {
     JsonParts bones = JsonParts::Lines(), slots, displays, tracks = JsonParts::Lines();
@@ -62,7 +46,7 @@ class DragonBonesText {
       slot.Add("parent", bones_.NameOf(shapes_[i].bone));
       slots.Add(slot.Object());
       display.Add("name", NameOf(i));
-      display.AddJson("transform", Place(regions_[i].middle));
+      display.AddJson("transform", Place(atlas_.Regions()[i].middle));
       skin.Add("name", NameOf(i));
       skin.AddJson("display", "[" + display.Object() + "]");
       displays.Add(skin.Object());
@@ -90,89 +74,31 @@ class DragonBonesText {
     return whole.ObjectOfLines() + "\n";
   }
 
-  [[nodiscard]] std::string Atlas() const {
+  [[nodiscard]] std::string Picture() const { return atlas_.Png(); }
+  [[nodiscard]] std::string Places() const {
     JsonParts parts = JsonParts::Lines(), whole = JsonParts::Lines();
-    for (std::size_t i = 0; i < regions_.size(); ++i) {
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      const PartAtlas::Region& region = atlas_.Regions()[i];
       JsonParts part;
       part.Add("name", NameOf(i));
-      part.Add("x", regions_[i].x);
-      part.Add("y", regions_[i].y);
-      part.Add("width", regions_[i].width);
-      part.Add("height", regions_[i].height);
+      part.Add("x", region.x);
+      part.Add("y", region.y);
+      part.Add("width", region.width);
+      part.Add("height", region.height);
       parts.Add(part.Object());
     }
     whole.Add("name", "figure");
     whole.Add("imagePath", "figure_tex.png");
-    whole.Add("width", width_);
-    whole.Add("height", height_);
+    whole.Add("width", atlas_.Width());
+    whole.Add("height", atlas_.Height());
     whole.AddJson("SubTexture", parts.ListOfLines());
     return whole.ObjectOfLines() + "\n";
-  }
-
-  [[nodiscard]] std::string Picture() const {
-    PaintedPicture picture(width_, height_);
-    for (std::size_t i = 0; i < regions_.size(); ++i) {
-      auto outline = regions_[i].outline;
-      for (auto& [x, y] : outline) {
-        x += regions_[i].x;
-        y += regions_[i].y;
-      }
-      picture.Fill(outline, shapes_[i].colour->light);
-    }
-    return PngOf(picture);
   }
 
  private:
   static std::string NameOf(std::size_t shape) { return "part " + std::to_string(shape + 1); }
   static std::string Place(const std::array<double, 2>& at) {
     return R"({"x": )" + Decimal(at[0], 2) + R"(, "y": )" + Decimal(at[1], 2) + "}";
-  }
-
-  [[nodiscard]] Region RegionOf(const BoneShape& shape) const {
-    double left = 1e300, right = -1e300, top = 1e300, bottom = -1e300;
-    for (const auto& [x, y] : shape.outline_m) {
-      left = std::min(left, x * scale_);
-      right = std::max(right, x * scale_);
-      top = std::min(top, -y * scale_);
-      bottom = std::max(bottom, -y * scale_);
-    }
-    Region region;
-    region.width = static_cast<int>(std::ceil(right - left)) + 2 * kMargin;
-    region.height = static_cast<int>(std::ceil(bottom - top)) + 2 * kMargin;
-    region.middle = {left - kMargin + 0.5 * region.width, top - kMargin + 0.5 * region.height};
-    for (const auto& [x, y] : shape.outline_m)
-      region.outline.push_back({x * scale_ - left + kMargin, -y * scale_ - top + kMargin});
-    return region;
-  }
-
-  /// Puts the parts in rows, the highest first.
-  void Pack() {
-    std::vector<std::size_t> order(regions_.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
-      return regions_[a].height != regions_[b].height ? regions_[a].height > regions_[b].height : a < b;
-    });
-    double area = 0.0;
-    int widest = 0;
-    for (const Region& region : regions_) {
-      area += static_cast<double>(region.width) * region.height;
-      widest = std::max(widest, region.width);
-    }
-    const int row_width = std::max(widest, static_cast<int>(std::ceil(std::sqrt(1.3 * area))));
-    int x = 0, y = 0, row = 0;
-    for (const std::size_t i : order) {
-      Region& region = regions_[i];
-      if (x > 0 && x + region.width > row_width) {
-        y += row;
-        x = row = 0;
-      }
-      region.x = x;
-      region.y = y;
-      x += region.width;
-      row = std::max(row, region.height);
-      width_ = std::max(width_, x);
-    }
-    height_ = y + row;
   }
 
   [[nodiscard]] double Degrees(int frame, int bone) const { return -bones_.AngleRad(frame, bone) * kDegrees; }
@@ -256,10 +182,9 @@ class DragonBonesText {
   const Document& document_;
   MovingBones bones_;
   std::vector<BoneShape> shapes_;
+  PartAtlas atlas_;
+  double scale_;
   bool loops_;
-  double scale_ = kUsualScale;
-  std::vector<Region> regions_;  // of the shapes, in their order
-  int width_ = 0, height_ = 0;   // of the atlas [px]
 };
 
 }  // namespace
@@ -267,7 +192,7 @@ class DragonBonesText {
 std::string DragonBonesZip(const Document& document, const Motion& motion, const ExportOptions& options) {
   const DragonBonesText text(document, motion, options.loops);
   return ZipOf(std::array{ArchivedFile{"figure_ske.json", text.Skeleton()},
-                          ArchivedFile{"figure_tex.json", text.Atlas()},
+                          ArchivedFile{"figure_tex.json", text.Places()},
                           ArchivedFile{"figure_tex.png", text.Picture()}});
 }
 

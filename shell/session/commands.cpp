@@ -6,6 +6,7 @@
 #include "core/document/joints.h"
 #include "core/document/json.h"
 #include "core/document/json_value.h"
+#include "core/document/trial_worlds.h"
 #include "shell/embedded/embedded.h"
 #include "shell/words/ground_words.h"
 #include "shell/words/language.h"
@@ -82,6 +83,17 @@ void AddSearch(std::vector<Command>& list, Session& session) {
        .keys = {"p"},
        .why_not = session.Search().Running() ? "" : Tr("No search is running."),
        .run = [&session, paused] { paused ? session.Search().Resume() : session.Search().Pause(); }});
+  list.push_back({.id = "search/robust",
+                  .group = TrLater("Search"),
+                  .title = Tr("Make it robust for game engines"),
+                  .why_not = busy ? Tr("A search or the lab is running.") : "",
+                  .run = [&session] {
+                    session.Set([](Document& d) {
+                      if (d.model == 1) LimitJoints(d);
+                      d.search.worlds = kRobustWorlds;
+                    });
+                    session.Synthesize();
+                  }});
 }
 
 void AddQueue(std::vector<Command>& list, Session& session) {
@@ -274,6 +286,8 @@ std::vector<Command> CommandsOf(Session& session, bool phone) {
   AddView(list, session);
   Lock(list, session, "timeline/", LockedPart::kTimeline);
   Lock(list, session, "world/", LockedPart::kWorld);
+  for (const LockedPart part : {LockedPart::kWorld, LockedPart::kSearch})
+    Lock(list, session, "search/robust", part);
   return list;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/document/trial_worlds.h"
 #include "shell/words/language.h"
 
 namespace gaitsmith::shell {
@@ -34,6 +35,11 @@ const std::vector<Row>& AlgorithmRows() {
             "and mass stay."),
         ChoiceParameter{kBodies, [](const S& s) { return static_cast<int>(s.body); },
                         [](S& s, int i) { s.body = static_cast<BodyFreedom>(i); }}}},
+      {0,
+       {"search/worlds", TrLater("Worlds"),
+        TrLater("Each try counts in this many worlds: some steeper, some more slippery, heavier or slower. "
+                "More find more robust motions, and take longer."),
+        WholeParameter{1, kMaxWorlds, 1, [](S& s) -> int& { return s.worlds; }}}},
       {kClimbs,
        {"search/population", TrLater("Population"), TrLater("Number of parallel candidates."),
         WholeParameter{2, 1000, 1, [](S& s) -> int& { return s.population; }}}},

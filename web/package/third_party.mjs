@@ -18,7 +18,7 @@ import { ROOT, textOf } from './release.mjs';
 
 /** A version of .dev/setup.sh. @param {string} name */
 function pinned(name) {
-  const version = new RegExp(`\\b${name}=([\\d.]+)`).exec(textOf('.dev/setup.sh'))?.[1];
+  const version = new RegExp(`\\b${name}='?([\\w.~]+)`).exec(textOf('.dev/setup.sh'))?.[1];
   if (!version) throw new Error(`.dev/setup.sh has no version of ${name}`);
   return version;
 }
@@ -40,12 +40,15 @@ const emscripten = () => textOf('.toolchain/emscripten-root').trim();
 /** The one in use, which may be newer than the pinned one. */
 const emscriptenVersion = () => /[\d.]+/.exec(readFileSync(join(emscripten(), 'emscripten-version.txt'), 'utf8'))?.[0] ?? '';
 
-/** The folder of Eigen's sources: Debian's, or those that CMake fetched. */
-function eigen() {
-  const folder = ['.toolchain/src/eigen', 'build/release/_deps/eigen-src'].map((name) => join(ROOT, name)).find(existsSync);
-  if (!folder) throw new Error('the sources of Eigen are not here: ./dev setup');
+/** The folder of a library's sources: Debian's, or those that CMake fetched. @param {string} library */
+function sourcesOf(library) {
+  const folder = [`.toolchain/src/${library}`, `build/release/_deps/${library}-src`].map((name) => join(ROOT, name)).find(existsSync);
+  if (!folder) throw new Error(`the sources of ${library} are not here: ./dev setup`);
   return folder;
 }
+
+/** @param {string} library @param {string[]} names  of its files */
+const sourceOf = (library, ...names) => readFileSync(join(sourcesOf(library), ...names), 'utf8');
 
 const EIGEN = () => /gaitsmith_fetch\(eigen (\S+?)\.git (\S+)\)/.exec(textOf('.dev/libraries.cmake')) ?? ['', '', ''];
 const INTER = () => JSON.parse(textOf('web/package-lock.json')).packages['node_modules/inter-ui'];
@@ -55,7 +58,18 @@ const PARTS = {
   eigen: () => ({
     name: 'Eigen', version: pinned('EIGEN'), licence: 'MPL-2.0', source: `${EIGEN()[1]}, tag ${EIGEN()[2]}, unchanged`,
     notice: () => `Parts of it are compiled in. It is under the Mozilla Public License, version 2.0: https://mozilla.org/MPL/2.0/.\nYou can get its source at ${EIGEN()[1]} (tag ${EIGEN()[2]}). It is unchanged.\n`,
-    checksum: () => `${checksumOf(join(eigen(), 'Eigen'))} (folder Eigen)`,
+    checksum: () => `${checksumOf(join(sourcesOf('eigen'), 'Eigen'))} (folder Eigen)`,
+  }),
+  lodepng: () => ({
+    name: 'LodePNG', version: pinned('LODEPNG'), licence: 'Zlib', source: 'https://github.com/lvandeve/lodepng, unchanged',
+    notice: () => `Its compressor is compiled in.\n\n${sourceOf('lodepng', 'LICENSE')}`,
+    checksum: () => `sha256:${createHash('sha256').update(sourceOf('lodepng', 'lodepng.cpp')).digest('hex')} (lodepng.cpp)`,
+  }),
+  stb: () => ({
+    name: 'stb_truetype', version: /v([\d.]+)/.exec(sourceOf('imgui', 'imstb_truetype.h').split('// stb_truetype.h - ')[1])?.[1] ?? '', licence: 'MIT',
+    source: 'https://github.com/nothings/stb, as Dear ImGui has it',
+    notice: () => `Its rasteriser is compiled in.\n\n${/ALTERNATIVE A[^]*?(?=-{20})/.exec(sourceOf('imgui', 'imstb_truetype.h'))?.[0]}`,
+    checksum: () => `sha256:${createHash('sha256').update(sourceOf('imgui', 'imstb_truetype.h')).digest('hex')} (imstb_truetype.h)`,
   }),
   inter: () => ({
     name: 'Inter', version: INTER().version, licence: INTER().license, source: 'npm package inter-ui, reduced to the characters that the application uses',
@@ -80,7 +94,7 @@ const PARTS = {
 };
 
 /** What each package holds of others, and what the site's modules hold. */
-const HELD = { engine: ['emscripten', 'musl', 'llvm', 'eigen'], site: ['emscripten', 'musl', 'llvm', 'eigen'], runtime: [], library: ['eigen'], program: ['eigen', 'inter'], header: [] };
+const HELD = { engine: ['emscripten', 'musl', 'llvm', 'eigen', 'lodepng', 'stb'], site: ['emscripten', 'musl', 'llvm', 'eigen', 'lodepng', 'stb'], runtime: [], library: ['eigen'], program: ['eigen', 'inter', 'lodepng', 'stb'], header: [] };
 
 /** @typedef {keyof typeof HELD} Package */
 

@@ -5,6 +5,7 @@
 
 #include "core/document/binary.h"
 #include "core/document/json.h"
+#include "core/document/trial_worlds.h"
 #include "shell/session/commands.h"
 #include "tests/scene.h"
 #include "tests/shell/session/quiet_host.h"
@@ -360,6 +361,34 @@ TEST_CASE("commands: those of queue and results are unavailable with a reason, o
   CHECK(session.Results().IsShown(*Newest(session)[0]));
   command("found/keep").run();
   CHECK(Newest(session)[0]->motion.kept);
+}
+
+TEST_CASE("commands: robust limits the joints, tries several worlds and searches; a lock forbids it",
+          "[shell][commands]") {
+  QuietHost host;
+  Session session(host);
+  const auto robust = [&] {
+    const auto list = CommandsOf(session, false);
+    return *std::ranges::find(list, "search/robust", &Command::id);
+  };
+  REQUIRE(session.Doc().model == 1);
+  REQUIRE(robust().why_not.empty());
+  robust().run();
+  REQUIRE(host.started.size() == 1);
+  CHECK(host.started.back().model > 1);
+  CHECK(host.started.back().search.worlds == kRobustWorlds);
+  CHECK(ProblemOf(host.started.back()).worlds.size() == kRobustWorlds - 1);
+  CHECK_FALSE(robust().why_not.empty());  // it runs
+  Report(session, host, 30000, SearchState::kDone);
+  CHECK(session.Doc().search.worlds == kRobustWorlds);
+  while (session.CanUndo()) session.Undo();
+  CHECK(session.Doc().search.worlds == 1);
+  CHECK(session.Doc().model == 1);
+  for (const LockedPart part : {LockedPart::kSearch, LockedPart::kWorld}) {
+    session.Layout().locked = {};
+    session.Layout().locked[static_cast<std::size_t>(part)] = true;
+    CHECK_FALSE(robust().why_not.empty());
+  }
 }
 
 }  // namespace gaitsmith::shell::test
