@@ -55,8 +55,11 @@ class PlantEvaluator final : public BatchEvaluator {
     const std::size_t begins = moments_.empty() ? 1 : moments_.size();
     for (std::size_t begin = 0; begin < begins; ++begin) {
       Rollout<PlantOf, W> rollout(body_, problem_.environment, problem_.start, problem_.pushes);
-      if (!moments_.empty()) rollout.BeginAt(moments_[begin]);
-      rollout.Delay(problem_.delay_steps);
+      if (moments_.empty()) {
+        rollout.Delay(problem_.delay_steps);
+      } else {
+        rollout.BeginAt(moments_[begin], problem_.delay_steps);
+      }
       rollout.Follow(controllers);
       std::optional<SightingRecorder<W>> sees;
       if (watch.count > 0 && begin == 0 && shape_.Kind() == ControllerKind::kRules)

@@ -27,7 +27,7 @@ struct Beginning {
 };
 
 /// Another world in which a genome is tried, so that what a search finds needs nothing to be exact: neither
-/// masses nor friction, nor that joints hear of a decision at once.
+/// masses nor friction, nor that joints follow a decision at once.
 struct TrialWorld {
   float friction = 1.0f;           // times that of the environment
   float slope_rad = 0.0f;          // added to that of the environment

@@ -54,7 +54,7 @@ class Rollout {
     std::visit([&](const auto& one) { Begin(one, control_, targets_); }, controllers);
   }
 
-  /// From now on joints follow decisions this many steps late. Saved moments do not contain what waits.
+  /// From the start on joints follow decisions this many steps late. Saved moments do not contain what waits.
   /// @param steps [0, kMostDelaySteps]
   void Delay(int steps) { waiting_.assign(static_cast<std::size_t>(steps), {}); }
 
@@ -74,8 +74,16 @@ class Rollout {
   }
   /// Starts every lane from one plant's state at a moment, without its controller. The plant need not be at
   /// rest. Measurements start from there.
-  void BeginAt(const Moment<PlantOf, 1>& moment) {
+  /// @param delay_steps as for Delay: until then joints follow what the moment's controller decided last
+  void BeginAt(const Moment<PlantOf, 1>& moment, int delay_steps = 0) {
     plant_.BeginAt(moment.plant);
+    ActuatorTargets<W> before{};
+    for (std::size_t i = 0; i < kMaxActuators; ++i) {
+      before.target[i] = Lane<W>::Splat(moment.targets.target[i][0]);
+      before.decay[i] = Lane<W>::Splat(moment.targets.decay[i][0]);
+      before.inverse_tau[i] = Lane<W>::Splat(moment.targets.inverse_tau[i][0]);
+    }
+    waiting_.assign(static_cast<std::size_t>(delay_steps), before);
     control_ = {};
     targets_ = {};
     step_ = moment.step;

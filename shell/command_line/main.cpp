@@ -22,7 +22,8 @@ struct Command {
 constexpr auto kCommands = std::to_array<Command>({
     {"simulate", gaitsmith::shell::SimulateCommand, "simulate DOC --csv OUT"},
     {"export", gaitsmith::shell::ExportCommand,
-     "export DOC {exporters} [--poses N] [--from S] [--to S] [--planned | --loop [--halves] [--in-place]]"},
+     "export DOC {exporters} [--poses N] [--from S] [--to S] [--sprite-frames N]\n"
+     "             [--sprite-size PX | --sprite-scale PX] [--planned | --loop [--halves] [--in-place]]"},
     {"synthesize", gaitsmith::shell::SynthesizeCommand,
      "synthesize --figure F --task T --sense physical|timer=SECONDS|sight --weight TERM=W\n"
      "             --search ALG --evaluations N --seed S --out DOC [--curve CSV] [--styles DIR] [--threads "
@@ -66,7 +67,8 @@ constexpr auto kCommands = std::to_array<Command>({
     {"hash", gaitsmith::shell::HashCommand, "hash DOC [--lanes 1|2|4|8|16] [--out DOC]"},
     {"senses", gaitsmith::shell::SensesCommand, "senses DOC [--clip N] [--controller JSON] [--out CSV]"},
     {"validate", gaitsmith::shell::ValidateCommand, "validate DOC"},
-    {"measure", gaitsmith::shell::MeasureCommand, "measure DOC [--joints J] [--ground G]"},
+    {"measure", gaitsmith::shell::MeasureCommand,
+     "measure DOC [--joints J] [--ground G] [--worlds N [--seed S] [--noise NAME]]"},
     {"record", gaitsmith::shell::RecordCommand, "record DOC [--knots N] [--out DOC]"},
     {"loop", gaitsmith::shell::LoopCommand, "loop DOC … [--halves]"},
     {"plan", gaitsmith::shell::PlanCommand,

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// gaitsmith measure: every term of a document's motion, and the score.
+// gaitsmith measure: every term of a document's motion, and the score; or its way in several worlds.
 #include <array>
 #include <cstdio>
 #include <string_view>
 
+#include "core/document/trial_worlds.h"
+#include "core/rollout/evaluator.h"
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"
@@ -11,13 +13,83 @@
 
 namespace gaitsmith::shell {
 
+namespace {
+
+/// A noise of WorldNoise by name, and how to draw worlds with it alone.
+struct NoiseRow {
+  std::string_view name;
+  double WorldNoise::* share;  // null: that of the delay, which is a number of steps
+};
+constexpr std::array<NoiseRow, 4> kNoises = {{{"friction", &WorldNoise::friction},
+                                              {"mass", &WorldNoise::mass},
+                                              {"slope", &WorldNoise::slope_rad},
+                                              {"delay", nullptr}}};
+
+/// The noises that the arguments ask for: all of them, or one.
+Result<WorldNoise> NoiseAsked(const Arguments& arguments) {
+  const WorldNoise all;
+  if (!arguments.Has("noise")) return all;
+  WorldNoise noise{.friction = 0.0, .mass = 0.0, .slope_rad = 0.0, .delay_steps = 0};
+  std::string names;
+  for (const NoiseRow& row : kNoises) {
+    if (row.name != arguments.Last("noise")) {
+      names.append(names.empty() ? "" : ", ").append(row.name);
+    } else if (row.share == nullptr) {
+      noise.delay_steps = all.delay_steps;
+      return noise;
+    } else {
+      noise.*row.share = all.*row.share;
+      return noise;
+    }
+  }
+  return Fail(ErrorCode::kUnknownName, "--noise",
+              "must be one of " + names + ", is \"" + arguments.Last("noise") + "\"");
+}
+
+/// A row for each world, the document's own first.
+Outcome MeasureWorlds(const Arguments& arguments, const Document& document) {
+  const auto worlds = arguments.Integer("worlds", 1, kMaxWorlds, kRobustWorlds);
+  if (!worlds) return std::unexpected(worlds.error());
+  const auto seed = arguments.Integer("seed", 0, 4294967295, document.search.seed);
+  if (!seed) return std::unexpected(seed.error());
+  const auto noise = NoiseAsked(arguments);
+  if (!noise) return std::unexpected(noise.error());
+  if (document.timeline.size() != 1)
+    return Fail(ErrorCode::kOutOfRange, "--worlds",
+                "needs a motion of one clip, has " + std::to_string(document.timeline.size()));
+  const Controller& controller =
+      document.controllers[static_cast<std::size_t>(document.timeline[0].controller)];
+  const Problem problem = ReplayProblem(document, controller);
+  std::vector<TrialWorld> drawn = DrawWorlds(static_cast<std::uint32_t>(*seed), static_cast<int>(*worlds),
+                                             document.figure.Rods(), *noise);
+  drawn.insert(drawn.begin(), TrialWorld{});
+  std::printf("world,friction,slope_rad,delay_steps,travel,fitness\n");
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const Problem there = problem.In(drawn[i]);
+    const std::vector<Genome> genomes{controller.genes};
+    const Evaluation found = Evaluator(there).Evaluate(genomes).front();
+    std::printf("%d,%.9g,%.9g,%d,%.9g,%.9g\n", static_cast<int>(i),
+                static_cast<double>(there.environment.friction),
+                static_cast<double>(there.environment.slope_rad), there.delay_steps,
+                static_cast<double>(found.terms.travel_m), static_cast<double>(found.fitness));
+  }
+  return {};
+}
+
+}  // namespace
+
 Outcome MeasureCommand(Words words) {
-  static constexpr std::array<std::string_view, 2> kOptions = {"joints", "ground"};
+  static constexpr std::array<std::string_view, 5> kOptions = {"joints", "ground", "worlds", "seed", "noise"};
   const auto arguments = Arguments::Parse(words, kOptions);
   if (!arguments) return std::unexpected(arguments.error());
   auto document = TheDocument(*arguments);
   if (!document) return std::unexpected(document.error());
   if (auto set = SetProblemOptions(*arguments, *document); !set) return set;
+  if (arguments->Has("worlds")) return MeasureWorlds(*arguments, *document);
+  for (const char* option : {"seed", "noise"}) {
+    if (arguments->Has(option))
+      return Fail(ErrorCode::kMissing, std::string("--") + option, "needs --worlds");
+  }
   const Motion motion = Simulate(*document);
   const Terms& terms = motion.TermsAt(motion.Frames() - 1);
 

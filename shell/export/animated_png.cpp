@@ -65,13 +65,20 @@ class FramePainter {
     const auto moved = [&](const std::array<double, 2>& point) {
       return std::array{at[0] + point[0], at[1] + point[1]};
     };
+    Outline seen;  // of the surface
     for (std::size_t i = 0; i + 1 < surface_.size(); ++i) {
       const auto from = moved(surface_[i]), to = moved(surface_[i + 1]);
       if (to[0] < 0.0 || from[0] > kWidth) continue;
-      picture.Fill(std::array{from, to, std::array{to[0], 1.0 * kHeight}, std::array{from[0], 1.0 * kHeight}},
-                   kGroundColour.light);
-      picture.Fill(Stroke(from, to, kLine), kLineColour.light);
+      if (seen.empty()) seen.push_back(from);
+      seen.push_back(to);
     }
+    if (seen.empty()) return;
+    Outline solid = seen;
+    solid.push_back({seen.back()[0], kHeight});
+    solid.push_back({seen.front()[0], kHeight});
+    picture.Fill(solid, kGroundColour.light);
+    for (std::size_t i = 0; i + 1 < seen.size(); ++i)
+      picture.Fill(Stroke(seen[i], seen[i + 1], kLine), kLineColour.light);
     for (const MovingPicture::Mark& mark : marks_) {
       const auto top = moved({mark.x, mark.y});
       picture.Fill(Stroke(top, {top[0], top[1] + kMarkLength}, kMark), kLineColour.light);

@@ -33,6 +33,20 @@ std::array<double, 2> Within(const std::array<double, 2>& point) {
   return {std::clamp(point[0], -kFar, kFar), std::clamp(point[1], -kFar, kFar)};
 }
 
+/// The part of an outline below the picture's top, above which the rasteriser may not look
+/// [Sutherland Hodgman 1974].
+std::vector<std::array<double, 2>> BelowTop(std::span<const std::array<double, 2>> outline) {
+  std::vector<std::array<double, 2>> below;
+  below.reserve(2 * outline.size());
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const auto from = Within(outline[i]), to = Within(outline[(i + 1) % outline.size()]);
+    if (from[1] >= 0.0) below.push_back(from);
+    if ((from[1] < 0.0) != (to[1] < 0.0))
+      below.push_back({from[0] + (to[0] - from[0]) * (from[1] / (from[1] - to[1])), 0.0});
+  }
+  return below;
+}
+
 }  // namespace
 
 PaintedPicture::PaintedPicture(int width, int height)
@@ -71,10 +85,12 @@ void PaintedPicture::Fill(std::span<const std::array<double, 2>> outline, unsign
   const int y0 = std::max(0, static_cast<int>(std::floor(cut(top, height_))));
   const int y1 = std::min(height_, static_cast<int>(std::ceil(cut(bottom, height_))));
   if (x1 <= x0 || y1 <= y0) return;
+  const auto below = BelowTop(outline);
+  if (below.size() < 3) return;
   std::vector<gaitsmith_stb_vertex> vertices;
-  vertices.reserve(outline.size() + 1);
-  for (std::size_t i = 0; i <= outline.size(); ++i) {
-    const auto [x, y] = Within(outline[i % outline.size()]);
+  vertices.reserve(below.size() + 1);
+  for (std::size_t i = 0; i <= below.size(); ++i) {
+    const auto& [x, y] = below[i % below.size()];
     vertices.push_back(
         {.x = static_cast<float>(x - x0),
          .y = static_cast<float>(y - y0),

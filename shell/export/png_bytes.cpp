@@ -67,6 +67,4 @@ std::string PngOf(std::span<const PngChunk> chunks) {
   return png;
 }
 
-std::uint32_t Crc32(std::string_view bytes) { return lodepng_crc32(Bytes(bytes), bytes.size()); }
-
 }  // namespace gaitsmith::shell

@@ -24,7 +24,4 @@ struct PngChunk {
 [[nodiscard]] std::vector<PngChunk> ChunksOf(std::string_view png);
 [[nodiscard]] std::string PngOf(std::span<const PngChunk> chunks);
 
-/// The checksum of PNG and ZIP files.
-[[nodiscard]] std::uint32_t Crc32(std::string_view bytes);
-
 }  // namespace gaitsmith::shell

@@ -60,11 +60,11 @@ class Sprites {
 
   [[nodiscard]] Result<void> Fits() const {
     constexpr double kMost = SpriteOptions::kMostSheet;
-    if (columns_ * width_ <= kMost && rows_ * height_ <= kMost) return {};
-    const std::string frame = Decimal(width_, 0) + " by " + Decimal(height_, 0) + " pixels";
+    const double wide = columns_ * width_, high = rows_ * height_;
+    if (wide <= kMost && high <= kMost && wide * high <= SpriteOptions::kMostPixels) return {};
     return Fail(ErrorCode::kOutOfRange, "sprites",
-                std::to_string(frames_) + " frames of " + frame + " need a sheet larger than " +
-                    std::to_string(SpriteOptions::kMostSheet) + " pixels");
+                std::to_string(frames_) + " frames of " + Decimal(width_, 0) + " by " + Decimal(height_, 0) +
+                    " pixels are too many for a sheet: ask for fewer, or for smaller ones");
   }
 
   [[nodiscard]] std::string Sheet() const {

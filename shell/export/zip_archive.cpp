@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "shell/export/png_bytes.h"
+#include "core/document/binary.h"
 
 namespace gaitsmith::shell {
 
@@ -21,10 +21,11 @@ std::string Little(std::size_t value, int bytes) {
 /// What both headers of a file have in common, from the version that a reader needs to the length of the
 /// name.
 std::string Description(const ArchivedFile& file) {
+  const std::span bytes(reinterpret_cast<const std::uint8_t*>(file.content.data()), file.content.size());
   constexpr std::size_t kVersion = 10, kNamesAreUtf8 = 0x0800, kStored = 0, kTime = 0, kDate = 0x0021;
   std::string text = Little(kVersion, 2);
   for (const std::size_t value : {kNamesAreUtf8, kStored, kTime, kDate}) text += Little(value, 2);
-  for (const std::size_t value : {std::size_t{Crc32(file.content)}, file.content.size(), file.content.size()})
+  for (const std::size_t value : {std::size_t{Crc32(bytes)}, file.content.size(), file.content.size()})
     text += Little(value, 4);
   text += Little(file.name.size(), 2);
   return text;
@@ -37,7 +38,7 @@ std::string ZipOf(std::span<const ArchivedFile> files) {
   for (const ArchivedFile& file : files) {
     const std::string description = Description(file);
     directory.append("PK\x01\x02").append(Little(20, 2)).append(description);
-    // Neither extra fields, comment, disk nor attributes; then where the file is.
+    // Neither extra fields, comment, disk nor attributes; the offset of the file.
     directory.append(Little(0, 2))
         .append(Little(0, 2))
         .append(Little(0, 2))

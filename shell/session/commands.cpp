@@ -85,14 +85,14 @@ void AddSearch(std::vector<Command>& list, Session& session) {
        .run = [&session, paused] { paused ? session.Search().Resume() : session.Search().Pause(); }});
   list.push_back({.id = "search/robust",
                   .group = TrLater("Search"),
-                  .title = Tr("Make it robust for game engines"),
+                  .title = Tr("Make it robust: limited joints, five worlds"),
                   .why_not = busy ? Tr("A search or the lab is running.") : "",
                   .run = [&session] {
-                    session.Set([](Document& d) {
-                      if (d.model == 1) LimitJoints(d);
-                      d.search.worlds = kRobustWorlds;
-                    });
-                    session.Synthesize();
+                    if (session.Set([](Document& d) {
+                          if (d.model == 1) LimitJoints(d);
+                          d.search.worlds = kRobustWorlds;
+                        }))
+                      session.Synthesize();
                   }});
 }
 

@@ -37,8 +37,8 @@ const std::vector<Row>& AlgorithmRows() {
                         [](S& s, int i) { s.body = static_cast<BodyFreedom>(i); }}}},
       {0,
        {"search/worlds", TrLater("Worlds"),
-        TrLater("Each try counts in this many worlds: some steeper, some more slippery, heavier or slower. "
-                "More find more robust motions, and take longer."),
+        TrLater("Each candidate is tried in this many worlds, some steeper, some more slippery, heavier or "
+                "slower. Their mean counts."),
         WholeParameter{1, kMaxWorlds, 1, [](S& s) -> int& { return s.worlds; }}}},
       {kClimbs,
        {"search/population", TrLater("Population"), TrLater("Number of parallel candidates."),

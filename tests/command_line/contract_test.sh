@@ -111,6 +111,15 @@ grep -q '"lineage"' heir-9.json || fault "the lineage of a child"
 grep -q '"lineage"' kid-1.json && fault "a lineage that cannot be bred again"
 
 # All terms of a motion, in one row.
+"$gaitsmith" measure star-man-shuffle --worlds 4 >worlds.csv || fault "measure --worlds"
+same "$(head -1 worlds.csv)" "world,friction,slope_rad,delay_steps,travel,fitness" "header of worlds"
+same "$(wc -l <worlds.csv)" 5 "rows of worlds"
+same "$(sed -n 2p worlds.csv | cut -d, -f1,5)" "0,$("$gaitsmith" measure star-man-shuffle | sed -n 2p | cut -d, -f1)" "the document's own world"
+same "$(tail -n +3 worlds.csv | cut -d, -f5 | sort -u | wc -l)" 3 "worlds that differ"
+same "$("$gaitsmith" measure star-man-shuffle --worlds 4 --noise delay | tail -n +2 | cut -d, -f2,3 | sort -u | wc -l)" 1 "one noise alone"
+refuses '--noise: must be one of friction, mass, slope, delay, is "rain"' "$gaitsmith" measure star-man-shuffle --worlds 4 --noise rain
+refuses '--noise: needs --worlds' "$gaitsmith" measure star-man-shuffle --noise mass
+refuses '--worlds: needs a motion of one clip' "$gaitsmith" measure there-and-back --worlds 4
 "$gaitsmith" measure "$golden" >measured.csv || fault "measure"
 same "$(head -1 measured.csv)" "travel,max_cm_height,slip_sum,rotations,effort,upright,smoothness,head_height,fitness,hash,on_way,in_pose,work,peak_power,cost_of_transport" "header"
 same "$(wc -l <measured.csv)" 2 "rows of measure"

@@ -77,7 +77,7 @@ refuses '--sprite-frames: must be a whole number from 2 to 256, is "1"' "$gaitsm
 refuses '--sprite-size: must be a whole number from 16 to 1024, is "8"' "$gaitsmith" export star-man-shuffle --sprites no.svg --sprite-size 8
 refuses '--sprite-scale: must be from 1 to 1000 pixels a metre, is "0"' "$gaitsmith" export star-man-shuffle --sprites no.svg --sprite-scale 0
 refuses '--sprite-scale: does not go with --sprite-size' "$gaitsmith" export star-man-shuffle --sprites no.svg --sprite-scale 9 --sprite-size 99
-refuses 'need a sheet larger than 8192 pixels' "$gaitsmith" export star-man-shuffle --sprites no.svg --sprite-frames 256 --sprite-size 1024
+refuses 'are too many for a sheet' "$gaitsmith" export star-man-shuffle --sprites no.svg --sprite-frames 256 --sprite-size 1024
 
 refuses "--${exporters[0]}: say where;${or#,}" "$gaitsmith" export star-man-shuffle
 refuses 'DOC: give exactly one document' "$gaitsmith" export --svg no.svg

@@ -22,7 +22,7 @@ const PNG_SCALE = 2;
 
 /** The formats of the engine's exporters, and those that are made here. @type {Record<string, Format>} */
 export const FORMATS = {
-  ...Object.fromEntries(exporters.map(({ name, ending, type }) => [name, { ending, type, light: name !== 'apng', make: async (job) => file(name, job) }])),
+  ...Object.fromEntries(exporters.map(({ name, ending, type }) => [name, { ending, type, light: !['apng', 'sprites'].includes(name), make: async (job) => file(name, job) }])),
   png: { ending: 'png', type: 'image/png', make: (job) => painted(strip(job)) },
   gif: { ending: 'gif', type: 'image/gif', make: async (job) => (await import('./export_film.js')).gif(job) },
   webm: { ending: 'webm', type: 'video/webm', make: async (job) => (await import('./export_film.js')).webm(job) },

@@ -132,6 +132,10 @@ TEST_CASE("golden links: every link of version 10 opens with its motion", "[gold
   CheckLinks(10, 2);
 }
 
+TEST_CASE("golden links: every link of version 11 opens with its motion", "[golden][links]") {
+  CheckLinks(11, 1);
+}
+
 // Separate cases, which run side by side: this is the longest test.
 TEST_CASE("golden links: no link of version 1 that was changed in one byte or cut short opens",
           "[golden][links][exhaustive]") {

@@ -117,4 +117,25 @@ TEST_CASE("delay: joints do late what they would have done at once", "[determini
   if (delay > 0) CHECK(hash_of(at_once, delay) != hash_of(at_once, 0));
 }
 
+TEST_CASE("delay: who takes over late lets the joints follow what was decided before", "[evaluator]") {
+  // A pose that is held goes on to be held, so a delay changes nothing, however the lanes are filled.
+  Document d = StarManTravel(SenseKind::kPhysical);
+  d.model = GENERATE(1, 2);
+  d.start = {.drop_height_m = 0.3f, .velocity_x_mps = 1.0f, .spin_radps = 1.5f};
+  const std::vector<float> pose(static_cast<std::size_t>(d.figure.Joints()), 0.6f);
+  const Controller held = HoldPose(d.figure, pose, 0.1f);
+  d.senses = held.senses;
+  d.rules = held.rules;
+  Problem problem = ProblemOf(d);
+  problem.beginnings = {{.controllers = {held}, .clips = {{.controller = 0, .start_step = 0}}, .steps = 40}};
+  const std::vector<Genome> genomes(3, held.genes);
+  const auto at_once = Evaluator(problem, true).Evaluate(genomes);
+  problem.delay_steps = 3;
+  const auto late = Evaluator(problem, true).Evaluate(genomes);
+  for (std::size_t i = 0; i < genomes.size(); ++i) {
+    CHECK(late[i].fitness == at_once[i].fitness);
+    CHECK(late[i].trajectory_hash == at_once[i].trajectory_hash);
+  }
+}
+
 }  // namespace gaitsmith::test
