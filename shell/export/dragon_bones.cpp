@@ -167,7 +167,7 @@ class DragonBonesText {
         const int from = track.frames[i - 1], to = track.frames[i];
         const double turn = std::abs(track.values[i][0] - track.values[i - 1][0]);
         const int parts =
-            std::clamp(static_cast<int>(std::ceil(std::min(turn / kMostTurn, 1e6))), 1, to - from);
+            std::clamp(static_cast<int>(std::ceil(std::min(1e6, turn / kMostTurn))), 1, to - from);
         for (int part = 1; part < parts; ++part) {
           closer.frames.push_back(from + part * (to - from) / parts);
           closer.values.push_back(angles[static_cast<std::size_t>(closer.frames.back())]);

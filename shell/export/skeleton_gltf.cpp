@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <utility>
@@ -150,7 +151,8 @@ class GltfBuffer {
 /// one turn yields continuous quaternions.
 std::array<float, 4> AboutZ(double angle_rad) {
   constexpr double kTwoTurns = 4.0 * kPi;
-  const double whole = static_cast<double>(static_cast<long long>(angle_rad / kTwoTurns));
+  if (!std::isfinite(angle_rad)) return {0.0f, 0.0f, 0.0f, 1.0f};  // of a motion that fails
+  const double whole = std::trunc(angle_rad / kTwoTurns);
   const SineCosine half = SinCos(static_cast<float>(0.5 * (angle_rad - kTwoTurns * whole)));
   return {0.0f, 0.0f, half.sine, half.cosine};
 }

@@ -53,7 +53,7 @@ class Sprites {
     width_ = std::ceil(wide_m * scale_ - 1e-6) + 2.0 * kSpriteMargin;
     height_ = std::ceil(high_m * scale_ - 1e-6) + 2.0 * kSpriteMargin;
     // About as wide as it is high.
-    columns_ = static_cast<int>(std::lround(std::sqrt(frames_ * std::min(height_ / width_, 1e6))));
+    columns_ = static_cast<int>(std::lround(std::sqrt(frames_ * std::min(1e6, height_ / width_))));
     columns_ = std::clamp(columns_, 1, frames_);
     rows_ = (frames_ + columns_ - 1) / columns_;
   }
