@@ -73,7 +73,7 @@ gaitsmith_fetch(lodepng https://github.com/lvandeve/lodepng.git c45ed7951fb9df60
 add_library(lodepng STATIC "${lodepng_SOURCE_DIR}/lodepng.cpp")
 gaitsmith_foreign(lodepng)
 target_include_directories(lodepng SYSTEM PUBLIC "${lodepng_SOURCE_DIR}")
-target_compile_definitions(lodepng PUBLIC 
+target_compile_definitions(lodepng PUBLIC
   LODEPNG_NO_COMPILE_DISK LODEPNG_NO_COMPILE_DECODER LODEPNG_NO_COMPILE_ANCILLARY_CHUNKS LODEPNG_NO_COMPILE_ERROR_TEXT)
 if(EMSCRIPTEN)
   target_compile_options(lodepng PRIVATE -Os)
