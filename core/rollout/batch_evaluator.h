@@ -54,7 +54,8 @@ class PlantEvaluator final : public BatchEvaluator {
     std::array<Evaluation, W> scored;
     const std::size_t begins = moments_.empty() ? 1 : moments_.size();
     for (std::size_t begin = 0; begin < begins; ++begin) {
-      Rollout<PlantOf, W> rollout(body_, problem_.environment, problem_.start, problem_.pushes);
+      Rollout<PlantOf, W> rollout(body_, problem_.environment, problem_.start, problem_.pushes, {}, kStep,
+                                  problem_.substeps);
       if (moments_.empty()) {
         rollout.Delay(problem_.delay_steps);
       } else {

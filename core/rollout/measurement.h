@@ -29,15 +29,18 @@ void Measure(Rollout<PlantOf, W>& rollout, const typename PlantOf<W>::Body& body
   const bool looks = size_m > 0.0f;
   const FurtherTerms weighted = looks ? kAllFurtherTerms : WeightedFurtherTerms(task);
   std::optional<StyleMeter<PlantOf<W>>> meter;
-  if (weighted != FurtherTerms{}) meter.emplace(plant, body, ports, weighted, kStep);
+  if (weighted != FurtherTerms{}) meter.emplace(plant, body, ports, weighted, rollout.PlantStep());
   std::optional<GaitMeter<PlantOf<W>>> gait;
-  if (looks) gait.emplace(plant, ports.Count(), size_m, kStep);
+  if (looks) gait.emplace(plant, ports.Count(), size_m, rollout.PlantStep());
   std::vector<DemonstrationMeter> compared;
   if (task.shown != Demonstration{}) compared.assign(W, DemonstrationMeter(task.shown));
   if (sees != nullptr) sees->Add(rollout.Control(), rollout.StepNow());
-  rollout.RunTo(rollout.StepNow() + task.duration_steps, kNothing, [&] {
+  const auto measure = [&] {
     if (meter) meter->Add(rollout.Given());
     if (gait) gait->Add();
+  };
+  const auto conclude = [&] {
+    measure();
     for (std::size_t lane = 0; lane < compared.size(); ++lane) {
       const auto at = static_cast<int>(lane);
       const Snapshot now = plant.Observe(at);
@@ -47,7 +50,8 @@ void Measure(Rollout<PlantOf, W>& rollout, const typename PlantOf<W>::Body& body
     if (sees != nullptr) sees->Add(rollout.Control(), rollout.StepNow());
     for (std::size_t lane = 0; lane < hashes.size(); ++lane)
       plant.AddTo(hashes[lane], static_cast<int>(lane));
-  });
+  };
+  rollout.RunTo(rollout.StepNow() + task.duration_steps, kNothing, conclude, measure);
   for (std::size_t i = 0; i < results.size(); ++i) {
     Evaluation result;
     result.terms = plant.TermsOf(static_cast<int>(i));

@@ -37,6 +37,7 @@ struct TrialWorld {
   bool operator==(const TrialWorld&) const = default;
 };
 inline constexpr int kMostDelaySteps = 8;
+inline constexpr int kMostSubsteps = 64;
 
 struct Problem {
   Figure figure;  // must be valid
@@ -55,6 +56,7 @@ struct Problem {
   /// too; hashes are those of the problem's own world.
   std::vector<TrialWorld> worlds = {};
   int delay_steps = 0;  // from a decision until the joints follow it
+  int substeps = 1;     // of the plant in each step of the controller, a power of two up to kMostSubsteps
   bool traits = false;  // whether evaluations measure how motions look
   int model = 1;        // version of the physical model, which chooses the plant, [1, kModelVersion]
   /// The bodies that genomes may have, of which `figure` is the unchanged one. Nothing: all have that.

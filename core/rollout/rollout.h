@@ -3,6 +3,8 @@
 // motions, beginnings and transition maps all use it.
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <span>
 #include <utility>
 #include <variant>
@@ -37,14 +39,23 @@ inline constexpr auto kNothing = [] {};
 template <template <int> class PlantOf, int W>
   requires Plant<PlantOf<W>>
 class Rollout {
+  using L = Lane<W>;
+
  public:
   using P = PlantOf<W>;
 
   /// @param body, pushes, takeovers must outlive the rollout. Pushes and takeovers are sorted by step. Until
   /// the first takeover the plant holds its drawn pose
+  /// @param substeps of the plant in each step of the controllers, a power of two: physics with a finer step,
+  /// and the same decisions at the same times
   Rollout(const typename P::Body& body, const Environment& environment, const StartState& start,
-          std::span<const Push> pushes, std::span<const Takeover<W>> takeovers = {}, float step_s = kStep)
-      : plant_(body, environment, start, step_s), pushes_(pushes), takeovers_(takeovers) {}
+          std::span<const Push> pushes, std::span<const Takeover<W>> takeovers = {}, float step_s = kStep,
+          int substeps = 1)
+      : plant_step_s_(step_s / static_cast<float>(substeps)),
+        plant_(body, environment, start, plant_step_s_),
+        pushes_(pushes),
+        takeovers_(takeovers),
+        substeps_(substeps) {}
 
   /// Lets controllers take over now: their first rules become active, their timers start at zero, their
   /// networks are empty. The motion continues from its present state.
@@ -100,12 +111,16 @@ class Rollout {
   }
 
   /// Advances every lane by one step.
-  void Step() {
+  /// @param between is called after each substep but the last
+  template <class Between>
+  void Step(Between between) {
     first_given_ = next_push_;
     for (; next_push_ < pushes_.size() && pushes_[next_push_].step <= step_; ++next_push_) {
       plant_.Give(pushes_[next_push_]);
     }
-    if (waiting_.empty()) {
+    if (substeps_ > 1) {
+      StepFinely(waiting_.empty() ? targets_ : Waited(), between);
+    } else if (waiting_.empty()) {
       plant_.Step(step_, targets_);
     } else {
       plant_.Step(step_, Waited());
@@ -113,29 +128,42 @@ class Rollout {
     ++step_;
     ++control_.steps;
     if (controllers_ == nullptr) return;
-    const Readings<W> readings = plant_.Read();
-    std::visit([&](const auto& one) { Advance(one, readings, control_, targets_); }, *controllers_);
+    std::visit([&](const auto& one) { Advance(one, Felt(), control_, targets_); }, *controllers_);
   }
+  void Step() { Step(kNothing); }
 
   /// Simulates until a step.
   /// @param before is called before each step, before any controller takes over at it
   /// @param after  is called after each step
-  template <class Before, class After>
-  void RunTo(int end, Before before, After after) {
+  /// @param between is called after each substep but the last of a step
+  template <class Before, class After, class Between>
+  void RunTo(int end, Before before, After after, Between between) {
     while (step_ < end) {
       before();
       TakeOver();
-      Step();
+      Step(between);
       after();
     }
   }
+  template <class Before, class After>
+  void RunTo(int end, Before before, After after) {
+    RunTo(end, before, after, kNothing);
+  }
 
-  /// The pushes that were applied right before the last step.
+  /// The pushes that were applied right before the last step or substep.
   [[nodiscard]] std::span<const Push> Given() const {
     return pushes_.subspan(first_given_, next_push_ - first_given_);
   }
   [[nodiscard]] const P& PlantNow() const { return plant_; }
+  /// What controllers read: the plant, with the ground's impulses of the whole step.
+  [[nodiscard]] Readings<W> Felt() const {
+    Readings<W> readings = plant_.Read();
+    if (substeps_ > 1) readings.impulse = impulse_.data();
+    return readings;
+  }
   [[nodiscard]] int StepNow() const { return step_; }
+  /// Of the plant [s].
+  [[nodiscard]] float PlantStep() const { return plant_step_s_; }
   [[nodiscard]] const ControllerState<W>& Control() const { return control_; }
   /// What the joints follow in the next step.
   [[nodiscard]] const ActuatorTargets<W>& Targets() const { return targets_; }
@@ -145,6 +173,24 @@ class Rollout {
   [[nodiscard]] int Clip() const { return static_cast<int>(taken_over_) - 1; }
 
  private:
+  /// One step in several. Ground impulses are those of the whole step: controllers feel the same as ever.
+  template <class Between>
+  [[gnu::noinline]] void StepFinely(ActuatorTargets<W> targets, Between between) {
+    for (int parts = substeps_; parts > 1; parts /= 2) {
+      for (auto& decay : targets.decay) {
+        for (int lane = 0; lane < W; ++lane) L::Put(decay, lane, std::sqrt(L::At(decay, lane)));
+      }
+    }
+    impulse_ = {};
+    for (int part = 0; part < substeps_; ++part) {
+      plant_.Step(step_ * substeps_ + part, targets);
+      const Readings<W> readings = plant_.Read();
+      for (std::size_t i = 0; i < impulse_.size(); ++i) impulse_[i] += readings.impulse[i];
+      if (part + 1 == substeps_) break;
+      between();
+      first_given_ = next_push_;
+    }
+  }
   /// What was decided before the delay, in place of which the present decision waits.
   ActuatorTargets<W> Waited() {
     return std::exchange(waiting_[static_cast<std::size_t>(step_) % waiting_.size()], targets_);
@@ -156,6 +202,7 @@ class Rollout {
     first_given_ = next_push_;
   }
 
+  float plant_step_s_;
   P plant_;
   std::span<const Push> pushes_;
   std::span<const Takeover<W>> takeovers_;
@@ -163,6 +210,8 @@ class Rollout {
   ControllerState<W> control_;
   ActuatorTargets<W> targets_{};
   std::vector<ActuatorTargets<W>> waiting_;  // decisions that joints do not follow yet
+  int substeps_;
+  std::array<typename L::F, kMaxContacts> impulse_{};  // of the ground in all substeps of the last step
   int step_ = 0;
   std::size_t next_push_ = 0, first_given_ = 0;
   std::size_t taken_over_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A document's figure in Box2D 2.4, driven by gaitsmith.h:   box2d_figure DOC [seconds]
+// A document's figure in Box2D 2.4, driven by gaitsmith.h:   box2d_figure DOC [seconds] [substeps]
 // Builds a body for each rod and a revolute joint with a motor where they meet, over level ground. Prints how
 // the figure moved, as JSON. planck_body.mjs and play.mjs do the same in JavaScript.
 #include <box2d/box2d.h>
@@ -25,8 +25,9 @@ namespace {
 using namespace gaitsmith;  // NOLINT: a program of one file
 
 constexpr float kStepS = 0.01f;
-constexpr int kSubsteps = 2;
-constexpr float kBallM = 0.01f;       // at the ends of rods, which alone touch the ground
+constexpr float kBallM = 0.01f;  // at the ends of rods, which alone touch the ground
+// Box2D lets bodies overlap by one slop, and lines are thicker than they look.
+constexpr float kGroundM = -kBallM - b2_polygonRadius + b2_linearSlop;
 constexpr float kFollowsRad = 0.05f;  // how far a joint may be from where the runtime has it
 
 /// Sums the impulses of the ground on each endpoint.
@@ -44,12 +45,12 @@ class Pushes : public b2ContactListener {
 
 class Figure2d {
  public:
-  explicit Figure2d(const Document& document)
-      : body_(document.figure), world_({0.0f, -document.environment.gravity_mps2}) {
+  Figure2d(const Document& document, int substeps)
+      : body_(document.figure), world_({0.0f, -document.environment.gravity_mps2}), substeps_(substeps) {
     const float friction = document.environment.friction;
     b2BodyDef still;
     b2EdgeShape line;
-    line.SetTwoSided({-1e4f, -kBallM}, {1e4f, -kBallM});
+    line.SetTwoSided({-1e4f, kGroundM}, {1e4f, kGroundM});
     b2FixtureDef ground;
     ground.shape = &line;
     ground.friction = friction;
@@ -103,7 +104,7 @@ class Figure2d {
   [[nodiscard]] b2RevoluteJoint& Joint(int joint) const { return *joints_[static_cast<std::size_t>(joint)]; }
   void Advance() {
     pushes.impulse_ns = {};
-    for (int i = 0; i < kSubsteps; ++i) world_.Step(kStepS / kSubsteps, 20, 8);
+    for (int i = 0; i < substeps_; ++i) world_.Step(kStepS / static_cast<float>(substeps_), 20, 8);
   }
   /// Of the centre of mass: place [m] and velocity [m/s].
   [[nodiscard]] std::array<b2Vec2, 2> Centre() const {
@@ -134,6 +135,7 @@ class Figure2d {
 
   Mechanism body_;
   b2World world_;
+  int substeps_;
   std::vector<b2Body*> rods_;
   std::vector<b2RevoluteJoint*> joints_;
 };
@@ -178,7 +180,7 @@ int main(int count, char** words) {
   std::ifstream file(count > 1 ? words[1] : "");
   const auto document = DecodeJson(std::string(std::istreambuf_iterator<char>(file), {}));
   if (!document || !shell::HasController(*document)) {
-    std::fprintf(stderr, "box2d_figure DOC [seconds]: %s\n",
+    std::fprintf(stderr, "box2d_figure DOC [seconds] [substeps]: %s\n",
                  document ? "it has no controller" : document.error().Sentence().c_str());
     return 1;
   }
@@ -187,7 +189,7 @@ int main(int count, char** words) {
   gaitsmith_state state;
   std::size_t where = 0;
   if (gaitsmith_load(controller.get(), text.data(), text.size(), &where) != GAITSMITH_OK) return 1;
-  Figure2d figure(*document);
+  Figure2d figure(*document, count > 3 ? std::max(1, std::atoi(words[3])) : 2);
   std::array<float, GAITSMITH_JOINTS> angle{}, rate{};
   std::array<float, GAITSMITH_SENSES> senses{};
   gaitsmith_begin(controller.get(), &state);

@@ -20,4 +20,5 @@ export interface Body {
   turn(): number;
 }
 
-export type BuildBody = (controller: Controller, options: { joint_nm: number }) => Promise<Body>;
+/** joint_nm: what motors may give whose strength the controller does not say [N m]. substeps: of the engine, in 0.01 s. */
+export type BuildBody = (controller: Controller, options: { joint_nm: number; substeps?: number }) => Promise<Body>;

@@ -3,10 +3,8 @@
 import loadMujoco from '../../web/node_modules/@mujoco/mujoco/mujoco.js';
 import { STEP_S } from './figure.mjs';
 
-const SUBSTEPS = 5;
-
 /** @param {string} mjcf  of the same document @returns {import('./engine.d.ts').BuildBody} */
-export const bodyOf = (mjcf) => async (controller, { joint_nm: strong }) => {
+export const bodyOf = (mjcf) => async (controller, { joint_nm: strong, substeps = 5 }) => {
   const mujoco = await loadMujoco();
   // A servo for rates: its force is gain × (rate asked for − rate).
   const gain = strong / 20;
@@ -14,7 +12,7 @@ export const bodyOf = (mjcf) => async (controller, { joint_nm: strong }) => {
     (_, name, joint, limit = '') => `<velocity name="${name}" joint="${joint}" kv="${gain}"${limit}/>`).replaceAll(/ ctrl="[^"]*"/g, '');
   const model = mujoco.MjModel.from_xml_string(text);
   const data = new mujoco.MjData(model);
-  model.opt.timestep = STEP_S / SUBSTEPS;
+  model.opt.timestep = STEP_S / substeps;
   mujoco.mj_resetDataKeyframe(model, data, 0);
   mujoco.mj_forward(model, data);
   const { rods } = controller.figure;
@@ -40,13 +38,13 @@ export const bodyOf = (mjcf) => async (controller, { joint_nm: strong }) => {
     drive: (joint, rate) => { if (motorOf[joint] >= 0) data.ctrl[motorOf[joint]] = rate; },
     advance() {
       pushed.fill(0);
-      for (let i = 0; i < SUBSTEPS; i++) {
+      for (let i = 0; i < substeps; i++) {
         mujoco.mj_step(model, data);
         for (let k = 0; k < data.ncon; k++) {
           const contact = /** @type {any} */ (data.contact.get(k));
           const endpoint = endpointOf.get(contact.geom1) ?? endpointOf.get(contact.geom2);
           mujoco.mj_contactForce(model, data, k, force);
-          if (endpoint !== undefined) pushed[endpoint] += force.GetView()[0] / SUBSTEPS;
+          if (endpoint !== undefined) pushed[endpoint] += force.GetView()[0] / substeps;
           contact.delete();
         }
       }

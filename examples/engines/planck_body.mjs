@@ -4,15 +4,16 @@ import { createRequire } from 'node:module';
 import { BALL_M, centreOf, layOut, STEP_S } from './figure.mjs';
 
 /** @type {typeof import('../../web/node_modules/planck/dist/planck.d.ts')} */
-const { Circle, Edge, RevoluteJoint, Vec2, World } = createRequire(new URL('../../web/package.json', import.meta.url))('planck');
+const { Circle, Edge, RevoluteJoint, Settings, Vec2, World } = createRequire(new URL('../../web/package.json', import.meta.url))('planck');
 
-const SUBSTEPS = 2;
+// Planck lets bodies overlap by one slop, and lines are thicker than they look.
+const GROUND_M = -BALL_M - Settings.polygonRadius + Settings.linearSlop;
 
 /** @type {import('./engine.d.ts').BuildBody} */
-export async function buildBody(controller, { joint_nm: strong }) {
+export async function buildBody(controller, { joint_nm: strong, substeps = 2 }) {
   const { gravity_mps2: gravity, friction } = controller.world;
   const world = new World({ gravity: new Vec2(0, -gravity) });
-  world.createBody().createFixture(new Edge(new Vec2(-1e4, -BALL_M), new Vec2(1e4, -BALL_M)), { friction });
+  world.createBody().createFixture(new Edge(new Vec2(-1e4, GROUND_M), new Vec2(1e4, GROUND_M)), { friction });
   /** Impulses of the last step, by endpoint. @type {number[]} */
   const pushed = [];
 
@@ -46,7 +47,7 @@ export async function buildBody(controller, { joint_nm: strong }) {
     drive: (joint, rate) => joints[joint].setMotorSpeed(rate),
     advance() {
       pushed.length = 0;
-      for (let i = 0; i < SUBSTEPS; i++) world.step(STEP_S / SUBSTEPS, 20, 8);
+      for (let i = 0; i < substeps; i++) world.step(STEP_S / substeps, 20, 8);
     },
     force: (endpoint) => (pushed[endpoint] ?? 0) / STEP_S,
     centre: () => centreOf(bodies.map((body, i) => {

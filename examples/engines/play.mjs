@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Plays a controller in another engine, driven by the runtime:
-//   node examples/engines/play.mjs ENGINE CONTROLLER [--seconds S] [--push VX@S] [--mjcf MODEL]
+//   node examples/engines/play.mjs ENGINE CONTROLLER [--seconds S] [--push VX@S] [--mjcf MODEL] [--substeps N]
 // ENGINE is planck, rapier or mujoco, which needs --mjcf. CONTROLLER is a file of gaitsmith export --controller. Prints how the
 // figure moved, as JSON: its way along the ground [m], the height of its centre of mass at the end [m], and its turns.
 import { readFileSync } from 'node:fs';
@@ -70,7 +70,7 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const option = (/** @type {string} */ name, standard = '') => (options.includes(name) ? options[options.indexOf(name) + 1] : standard);
   const controller = load(readFileSync(file, 'utf8'));
   const mjcf = option('--mjcf') && readFileSync(option('--mjcf'), 'utf8');
-  const body = await (await engineOf(engine, mjcf))(controller, { joint_nm: strongJoint(controller) });
+  const body = await (await engineOf(engine, mjcf))(controller, { joint_nm: strongJoint(controller), substeps: option('--substeps') ? Number(option('--substeps')) : undefined });
   const pushes = option('--push') ? [option('--push').split('@').map(Number)].map(([vx, at]) => ({ vx, at })) : [];
   const way = play(controller, body, Number(option('--seconds', '10')), pushes);
   const { x, y, turn } = way[way.length - 1];

@@ -6,7 +6,6 @@ import { BALL_M, centreOf, layOut, STEP_S } from './figure.mjs';
 /** @type {typeof import('../../web/node_modules/@dimforge/rapier2d-deterministic-compat/dist/exports.d.ts')} */
 const RAPIER = createRequire(new URL('../../web/package.json', import.meta.url))('@dimforge/rapier2d-deterministic-compat');
 
-const SUBSTEPS = 2;
 const ITERATIONS = 12;
 // What Rapier 0.20 reports of a contact is the sum over its iterations and one more: figures that stand push (n + 1) / n of
 // their weight, for n of 1, 4, 8 and 12.
@@ -16,11 +15,11 @@ const GROUND = 1, FIGURE = 2;
 const groups = (is, touches) => (is << 16) | touches;
 
 /** @type {import('./engine.d.ts').BuildBody} */
-export async function buildBody(controller, { joint_nm: strong }) {
+export async function buildBody(controller, { joint_nm: strong, substeps = 2 }) {
   await RAPIER.init();
   const { gravity_mps2: gravity, friction } = controller.world;
   const world = new RAPIER.World({ x: 0, y: -gravity });
-  world.timestep = STEP_S / SUBSTEPS;
+  world.timestep = STEP_S / substeps;
   world.numSolverIterations = ITERATIONS;
   const ground = world.createCollider(RAPIER.ColliderDesc.cuboid(1e4, 1).setTranslation(0, -1 - BALL_M).setFriction(friction).setCollisionGroups(groups(GROUND, FIGURE)));
 
@@ -63,7 +62,7 @@ export async function buildBody(controller, { joint_nm: strong }) {
     drive: (joint, rate) => joints[joint].configureMotorVelocity(rate, 1e5),
     advance() {
       pushed.fill(0);
-      for (let i = 0; i < SUBSTEPS; i++) {
+      for (let i = 0; i < substeps; i++) {
         world.step();
         balls.forEach((ball, endpoint) => world.contactPair(ground, ball, (manifold) => {
           for (let k = 0; k < manifold.numContacts(); k++) pushed[endpoint] += OF_REPORTED * manifold.contactImpulse(k);

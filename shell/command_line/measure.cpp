@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // gaitsmith measure: every term of a document's motion, and the score; or its way in several worlds.
 #include <array>
+#include <bit>
 #include <cstdio>
+#include <span>
 #include <string_view>
+#include <utility>
 
 #include "core/document/trial_worlds.h"
 #include "core/rollout/evaluator.h"
@@ -46,6 +49,24 @@ Result<WorldNoise> NoiseAsked(const Arguments& arguments) {
               "must be one of " + names + ", is \"" + arguments.Last("noise") + "\"");
 }
 
+/// The problem of a document with one clip, with as many substeps as asked for, and its genome.
+Result<std::pair<Problem, Genome>> OneClip(const Arguments& arguments, const Document& document,
+                                           const char* option) {
+  if (document.timeline.size() != 1)
+    return Fail(ErrorCode::kOutOfRange, option,
+                "needs a motion of one clip, has " + std::to_string(document.timeline.size()));
+  const auto substeps = arguments.Integer("substeps", 1, kMostSubsteps, 1);
+  if (!substeps) return std::unexpected(substeps.error());
+  if (!std::has_single_bit(static_cast<std::uint64_t>(*substeps)))
+    return Fail(ErrorCode::kOutOfRange, "--substeps",
+                "must be a power of two, is " + std::to_string(*substeps));
+  const Controller& controller =
+      document.controllers[static_cast<std::size_t>(document.timeline[0].controller)];
+  Problem problem = ReplayProblem(document, controller);
+  problem.substeps = static_cast<int>(*substeps);
+  return std::pair(std::move(problem), controller.genes);
+}
+
 /// A row for each world, the document's own first.
 Outcome MeasureWorlds(const Arguments& arguments, const Document& document) {
   const auto worlds = arguments.Integer("worlds", 1, kMaxWorlds, kRobustWorlds);
@@ -54,20 +75,16 @@ Outcome MeasureWorlds(const Arguments& arguments, const Document& document) {
   if (!seed) return std::unexpected(seed.error());
   const auto noise = NoiseAsked(arguments);
   if (!noise) return std::unexpected(noise.error());
-  if (document.timeline.size() != 1)
-    return Fail(ErrorCode::kOutOfRange, "--worlds",
-                "needs a motion of one clip, has " + std::to_string(document.timeline.size()));
-  const Controller& controller =
-      document.controllers[static_cast<std::size_t>(document.timeline[0].controller)];
-  const Problem problem = ReplayProblem(document, controller);
+  const auto one = OneClip(arguments, document, "--worlds");
+  if (!one) return std::unexpected(one.error());
+  const auto& [problem, genome] = *one;
   std::vector<TrialWorld> drawn = DrawWorlds(static_cast<std::uint32_t>(*seed), static_cast<int>(*worlds),
                                              document.figure.Rods(), *noise);
   drawn.insert(drawn.begin(), TrialWorld{});
   std::printf("world,friction,slope_rad,delay_steps,travel,fitness\n");
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     const Problem there = problem.In(drawn[i]);
-    const std::vector<Genome> genomes{controller.genes};
-    const Evaluation found = Evaluator(there).Evaluate(genomes).front();
+    const Evaluation found = Evaluator(there).Evaluate(std::span(&genome, 1)).front();
     std::printf("%d,%.9g,%.9g,%d,%.9g,%.9g\n", static_cast<int>(i),
                 static_cast<double>(there.environment.friction),
                 static_cast<double>(there.environment.slope_rad), there.delay_steps,
@@ -76,23 +93,8 @@ Outcome MeasureWorlds(const Arguments& arguments, const Document& document) {
   return {};
 }
 
-}  // namespace
-
-Outcome MeasureCommand(Words words) {
-  static constexpr std::array<std::string_view, 5> kOptions = {"joints", "ground", "worlds", "seed", "noise"};
-  const auto arguments = Arguments::Parse(words, kOptions);
-  if (!arguments) return std::unexpected(arguments.error());
-  auto document = TheDocument(*arguments);
-  if (!document) return std::unexpected(document.error());
-  if (auto set = SetProblemOptions(*arguments, *document); !set) return set;
-  if (arguments->Has("worlds")) return MeasureWorlds(*arguments, *document);
-  for (const char* option : {"seed", "noise"}) {
-    if (arguments->Has(option))
-      return Fail(ErrorCode::kMissing, std::string("--") + option, "needs --worlds");
-  }
-  const Motion motion = Simulate(*document);
-  const Terms& terms = motion.TermsAt(motion.Frames() - 1);
-
+/// Every term as CSV: a header and one row.
+void PrintTerms(const Task& task, const Terms& terms, std::uint64_t hash) {
   std::string names = "travel", values;
   const auto add = [&values](float value) {
     char text[40];
@@ -107,12 +109,40 @@ Outcome MeasureCommand(Words words) {
     }
   };
   add_terms(0, kFreeTerms);
-  add(Fitness(document->task, terms));
+  add(Fitness(task, terms));
   names += ",fitness,hash";
-  values += HashText(motion.Hash()) + ",";
+  values += HashText(hash) + ",";
   add_terms(kFreeTerms, kStyleTerms);  // later columns than the hash
   values.pop_back();
   std::printf("%s\n%s\n", names.c_str(), values.c_str());
+}
+
+}  // namespace
+
+Outcome MeasureCommand(Words words) {
+  static constexpr std::array<std::string_view, 6> kOptions = {"joints", "ground", "worlds",
+                                                               "seed",   "noise",  "substeps"};
+  const auto arguments = Arguments::Parse(words, kOptions);
+  if (!arguments) return std::unexpected(arguments.error());
+  auto document = TheDocument(*arguments);
+  if (!document) return std::unexpected(document.error());
+  if (auto set = SetProblemOptions(*arguments, *document); !set) return set;
+  if (arguments->Has("worlds")) return MeasureWorlds(*arguments, *document);
+  for (const char* option : {"seed", "noise"}) {
+    if (arguments->Has(option))
+      return Fail(ErrorCode::kMissing, std::string("--") + option, "needs --worlds");
+  }
+  if (arguments->Has("substeps")) {
+    auto one = OneClip(*arguments, *document, "--substeps");
+    if (!one) return std::unexpected(one.error());
+    auto& [problem, genome] = *one;
+    problem.traits = true;  // measures every term
+    const Evaluation found = Evaluator(problem, true).Evaluate(std::span(&genome, 1)).front();
+    PrintTerms(document->task, found.terms, found.trajectory_hash);
+    return {};
+  }
+  const Motion motion = Simulate(*document);
+  PrintTerms(document->task, motion.TermsAt(motion.Frames() - 1), motion.Hash());
   return {};
 }
 

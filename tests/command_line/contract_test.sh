@@ -120,6 +120,10 @@ same "$("$gaitsmith" measure star-man-shuffle --worlds 4 --noise delay | tail -n
 refuses '--noise: must be one of friction, mass, slope, delay, is "rain"' "$gaitsmith" measure star-man-shuffle --worlds 4 --noise rain
 refuses '--noise: needs --worlds' "$gaitsmith" measure star-man-shuffle --noise mass
 refuses '--worlds: needs a motion of one clip' "$gaitsmith" measure there-and-back --worlds 4
+same "$("$gaitsmith" measure star-man-shuffle --substeps 1)" "$("$gaitsmith" measure star-man-shuffle)" "one substep"
+[ "$("$gaitsmith" measure star-man-shuffle --substeps 4)" != "$("$gaitsmith" measure star-man-shuffle)" ] || fault "four substeps change nothing"
+refuses '--substeps: must be a power of two, is 3' "$gaitsmith" measure star-man-shuffle --substeps 3
+refuses '--substeps: needs a motion of one clip' "$gaitsmith" measure there-and-back --substeps 2
 "$gaitsmith" measure "$golden" >measured.csv || fault "measure"
 same "$(head -1 measured.csv)" "travel,max_cm_height,slip_sum,rotations,effort,upright,smoothness,head_height,fitness,hash,on_way,in_pose,work,peak_power,cost_of_transport" "header"
 same "$(wc -l <measured.csv)" 2 "rows of measure"

@@ -7,6 +7,7 @@
 
 #include "core/document/trial_worlds.h"
 #include "core/physics/figure_plant.h"
+#include "core/physics/mechanism.h"
 #include "core/physics/trajectory_hash.h"
 #include "core/rollout/evaluator.h"
 #include "core/rollout/rollout.h"
@@ -136,6 +137,65 @@ TEST_CASE("delay: who takes over late lets the joints follow what was decided be
     CHECK(late[i].fitness == at_once[i].fitness);
     CHECK(late[i].trajectory_hash == at_once[i].trajectory_hash);
   }
+}
+
+TEST_CASE("substeps: prescribed joints turn as ever, at a finer step", "[determinism]") {
+  const Document d = StarManTravel(SenseKind::kTimer);
+  const Skeleton body(d.figure);
+  const Controller timed = RandomController(d.figure, d.senses, 5);
+  const std::vector<Clip> clips{{.controller = 0, .start_step = 0}};
+  const auto takeovers = DecodeClips(clips, std::span(&timed, 1), FigurePlant<1>::PortsOf(body), kStep);
+  Rollout<FigurePlant, 1> usual(body, d.environment, d.start, {}, takeovers);
+  const int substeps = GENERATE(2, 8, kMostSubsteps);
+  Rollout<FigurePlant, 1> fine(body, d.environment, d.start, {}, takeovers, kStep, substeps);
+  CHECK(fine.PlantStep() == kStep / static_cast<float>(substeps));
+  int parts = 0;
+  for (int step = 1; step <= 400; ++step) {
+    usual.RunTo(step, kNothing, kNothing);
+    fine.RunTo(step, kNothing, kNothing, [&] { ++parts; });
+    for (std::size_t j = 0; j < static_cast<std::size_t>(d.figure.Joints()); ++j) {
+      CAPTURE(step, j);
+      CHECK(std::abs(usual.Felt().position[j][0] - fine.Felt().position[j][0]) < 2e-4f);
+    }
+  }
+  CHECK(parts == 400 * (substeps - 1));
+}
+
+TEST_CASE("substeps: a push is given once, and one who stands feels the whole weight", "[evaluator]") {
+  Document d = StarManTravel(SenseKind::kPhysical);
+  const Mechanism body(d.figure);
+  const int substeps = GENERATE(1, 4, kMostSubsteps);
+  CAPTURE(substeps);
+  d.start.drop_height_m = 50.0f;
+  const std::vector<Push> pushes{
+      {.step = 10, .endpoint = kCentreOfMass, .impulse_x_ns = 5.0f, .impulse_y_ns = 0.0f}};
+  Rollout<FigurePlant, 1> flying(body, d.environment, d.start, pushes, {}, kStep, substeps);
+  flying.RunTo(50, kNothing, kNothing);
+  CHECK(flying.PlantNow().Observe(0).velocity_x_mps == Catch::Approx(5.0f / body.mass_kg));
+  CHECK((*flying.Felt().rise)[0] == Catch::Approx(-kStandardGravity * 0.5f).epsilon(1e-4));
+
+  d.start.drop_height_m = 0.0f;
+  Rollout<FigurePlant, 1> standing(body, d.environment, d.start, {}, {}, kStep, substeps);
+  standing.RunTo(100, kNothing, kNothing);
+  float impulse = 0.0f;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(d.figure.Rods() + 1); ++k)
+    impulse += standing.Felt().impulse[k][0];
+  CHECK(impulse == Catch::Approx(body.mass_kg * kStandardGravity * kStep).epsilon(1e-3));
+}
+
+TEST_CASE("substeps: style terms count every one of them", "[evaluator]") {
+  Document d = StarManTravel(SenseKind::kTimer);
+  d.model = GENERATE(1, 2);
+  Problem problem = ProblemOf(d);
+  problem.traits = true;
+  problem.task.duration_steps = 100;
+  const std::vector<Genome> genomes{RandomController(d.figure, d.senses, 5).genes};
+  const Terms usual = Evaluator(problem).Evaluate(genomes)[0].terms;
+  problem.substeps = 8;
+  const Terms fine = Evaluator(problem).Evaluate(genomes)[0].terms;
+  CHECK(fine.effort_rad == Catch::Approx(usual.effort_rad).epsilon(0.05));
+  CHECK(fine.head_height_m == Catch::Approx(usual.head_height_m).epsilon(0.2));
+  CHECK(fine.travel_m != usual.travel_m);
 }
 
 }  // namespace gaitsmith::test
