@@ -71,7 +71,8 @@ Problem ProblemOf(const Document& d) {
     // Without a controller to start from, nothing of what was found before counts.
     if (d.search.start < 0) problem.figure = problem.bodies->drawn;
   }
-  problem.worlds = DrawWorlds(d.search.seed, d.search.worlds, problem.figure.Rods());
+  problem.worlds = DrawWorlds(d.search.seed, d.search.worlds, problem.figure.Rods(),
+                              {.halvings = static_cast<int>(d.search.finest_step)});
   if (d.search.in_place_of >= 0) {
     const auto clip = static_cast<std::size_t>(d.search.in_place_of);
     const int start = d.timeline[clip].start_step;

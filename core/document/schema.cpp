@@ -255,6 +255,7 @@ void Describe(Archive& ar, SearchSettings& search) {
   ar.Since(3, [&] { ar.Choice("heedless", search.variation.heedless, kHeedlessNames, vary.heedless); });
   ar.Since(5, [&] { ar.Choice("body", search.body, kBodyFreedomNames, standard.body); });
   ar.Since(11, [&] { ar.Integer("worlds", search.worlds, 1, kMaxWorlds, standard.worlds); });
+  ar.Since(12, [&] { ar.Choice("finest_step", search.finest_step, kFinestStepNames, standard.finest_step); });
 }
 
 void Describe(Archive& ar, Document& d) {

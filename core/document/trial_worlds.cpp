@@ -24,6 +24,8 @@ std::vector<TrialWorld> DrawWorlds(std::uint32_t seed, int worlds, int rods, con
     world.slope_rad = about(0.0, noise.slope_rad);
     world.delay_steps = static_cast<int>(random.Below(static_cast<std::uint32_t>(noise.delay_steps) + 1u));
     for (int rod = 0; rod < rods; ++rod) world.masses.push_back(about(1.0, noise.mass));
+    // In turn, the finest first: a few drawn numbers would often leave it out.
+    world.substeps = 1 << (noise.halvings - (i - 1) % (noise.halvings + 1));
   }
   return drawn;
 }

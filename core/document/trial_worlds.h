@@ -8,11 +8,14 @@
 #include <vector>
 
 #include "core/rollout/problem.h"
+#include "core/search/search.h"
 
 namespace gaitsmith {
 
 inline constexpr int kMaxWorlds = 16;
-inline constexpr int kRobustWorlds = 5;  // of what is made robust with one command
+// Of what is made robust with one command.
+inline constexpr int kRobustWorlds = 5;
+inline constexpr FinestStep kRobustStep = FinestStep::kQuarter;
 
 /// How far trial worlds are from the document's, in both directions where that makes sense.
 struct WorldNoise {
@@ -20,6 +23,7 @@ struct WorldNoise {
   double mass = 0.2;        // share of each rod's mass
   double slope_rad = 0.02;  // about one degree
   int delay_steps = 3;      // at most
+  int halvings = 0;         // of the time step, at most; worlds take them in turn, the most first
 };
 
 /// @param seed of the search @param worlds with the document's own, [1, kMaxWorlds]

@@ -16,6 +16,7 @@ Problem Problem::In(const TrialWorld& world) const {
   problem.environment.friction *= world.friction;
   problem.environment.slope_rad += world.slope_rad;
   problem.delay_steps += world.delay_steps;
+  problem.substeps *= world.substeps;
   const auto weigh = [&](Figure& of) {
     for (std::size_t i = 0; i < world.masses.size(); ++i) of.rods[i].mass_kg *= world.masses[i];
   };

@@ -33,6 +33,7 @@ struct TrialWorld {
   float slope_rad = 0.0f;          // added to that of the environment
   std::vector<float> masses = {};  // times that of each rod; empty: all as they are
   int delay_steps = 0;             // from a decision until the joints follow it, [0, kMostDelaySteps]
+  int substeps = 1;                // times those of the problem
 
   bool operator==(const TrialWorld&) const = default;
 };

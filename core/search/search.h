@@ -108,6 +108,10 @@ inline constexpr std::array<std::string_view, 3> kBodyFreedomNames = {"none", "l
 /// By how many times a part may differ from what was drawn.
 inline constexpr std::array<float, 3> kBodyTimes = {1.0f, 1.25f, 2.0f};
 
+/// The finest time step of the worlds in which a search tries controllers, as a part of the usual 0.01 s.
+enum class FinestStep { kUsual, kHalf, kQuarter, kEighth };
+inline constexpr std::array<std::string_view, 4> kFinestStepNames = {"usual", "half", "quarter", "eighth"};
+
 struct SearchSettings {
   Algorithm algorithm = Algorithm::kSphc;
   std::uint32_t seed = 1;
@@ -127,6 +131,8 @@ struct SearchSettings {
   /// In how many worlds a controller is tried, of which the document's own is one. From 2 on its score is the
   /// mean, which finds robust controllers (core/document/trial_worlds.h).
   int worlds = 1;
+  /// In worlds other than the document's own physics takes steps down to this.
+  FinestStep finest_step = FinestStep::kUsual;
   GeneticSettings genetic;
   TorusSettings torus;
   RefineSettings refine;

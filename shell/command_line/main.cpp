@@ -68,7 +68,7 @@ constexpr auto kCommands = std::to_array<Command>({
     {"senses", gaitsmith::shell::SensesCommand, "senses DOC [--clip N] [--controller JSON] [--out CSV]"},
     {"validate", gaitsmith::shell::ValidateCommand, "validate DOC"},
     {"measure", gaitsmith::shell::MeasureCommand,
-     "measure DOC [--joints J] [--ground G] [--worlds N [--seed S] [--noise NAME]]"},
+     "measure DOC [--joints J] [--ground G] [--substeps N] [--worlds N [--seed S] [--noise NAME]]"},
     {"record", gaitsmith::shell::RecordCommand, "record DOC [--knots N] [--out DOC]"},
     {"loop", gaitsmith::shell::LoopCommand, "loop DOC … [--halves]"},
     {"plan", gaitsmith::shell::PlanCommand,

@@ -18,32 +18,32 @@ namespace gaitsmith::shell {
 
 namespace {
 
-/// A noise of WorldNoise by name, and how to draw worlds with it alone.
+/// A noise of WorldNoise by name.
 struct NoiseRow {
   std::string_view name;
-  double WorldNoise::* share;  // null: that of the delay, which is a number of steps
+  void (*take)(WorldNoise& noise, const WorldNoise& all);
 };
-constexpr std::array<NoiseRow, 4> kNoises = {{{"friction", &WorldNoise::friction},
-                                              {"mass", &WorldNoise::mass},
-                                              {"slope", &WorldNoise::slope_rad},
-                                              {"delay", nullptr}}};
+constexpr std::array<NoiseRow, 5> kNoises = {
+    {{"friction", [](WorldNoise& noise, const WorldNoise& all) { noise.friction = all.friction; }},
+     {"mass", [](WorldNoise& noise, const WorldNoise& all) { noise.mass = all.mass; }},
+     {"slope", [](WorldNoise& noise, const WorldNoise& all) { noise.slope_rad = all.slope_rad; }},
+     {"delay", [](WorldNoise& noise, const WorldNoise& all) { noise.delay_steps = all.delay_steps; }},
+     {"step",
+      [](WorldNoise& noise, const WorldNoise& /*all*/) { noise.halvings = static_cast<int>(kRobustStep); }}}};
 
-/// The noises that the arguments ask for: all of them, or one.
-Result<WorldNoise> NoiseAsked(const Arguments& arguments) {
-  const WorldNoise all;
+/// The noises that the arguments ask for: those of the document's search, or one.
+Result<WorldNoise> NoiseAsked(const Arguments& arguments, const Document& document) {
+  const WorldNoise all{.halvings = static_cast<int>(document.search.finest_step)};
   if (!arguments.Has("noise")) return all;
   WorldNoise noise{.friction = 0.0, .mass = 0.0, .slope_rad = 0.0, .delay_steps = 0};
   std::string names;
   for (const NoiseRow& row : kNoises) {
     if (row.name != arguments.Last("noise")) {
       names.append(names.empty() ? "" : ", ").append(row.name);
-    } else if (row.share == nullptr) {
-      noise.delay_steps = all.delay_steps;
-      return noise;
-    } else {
-      noise.*row.share = all.*row.share;
-      return noise;
+      continue;
     }
+    row.take(noise, all);
+    return noise;
   }
   return Fail(ErrorCode::kUnknownName, "--noise",
               "must be one of " + names + ", is \"" + arguments.Last("noise") + "\"");
@@ -73,7 +73,7 @@ Outcome MeasureWorlds(const Arguments& arguments, const Document& document) {
   if (!worlds) return std::unexpected(worlds.error());
   const auto seed = arguments.Integer("seed", 0, 4294967295, document.search.seed);
   if (!seed) return std::unexpected(seed.error());
-  const auto noise = NoiseAsked(arguments);
+  const auto noise = NoiseAsked(arguments, document);
   if (!noise) return std::unexpected(noise.error());
   const auto one = OneClip(arguments, document, "--worlds");
   if (!one) return std::unexpected(one.error());
@@ -81,14 +81,15 @@ Outcome MeasureWorlds(const Arguments& arguments, const Document& document) {
   std::vector<TrialWorld> drawn = DrawWorlds(static_cast<std::uint32_t>(*seed), static_cast<int>(*worlds),
                                              document.figure.Rods(), *noise);
   drawn.insert(drawn.begin(), TrialWorld{});
-  std::printf("world,friction,slope_rad,delay_steps,travel,fitness\n");
+  std::printf("world,friction,slope_rad,delay_steps,travel,fitness,substeps\n");
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     const Problem there = problem.In(drawn[i]);
     const Evaluation found = Evaluator(there).Evaluate(std::span(&genome, 1)).front();
-    std::printf("%d,%.9g,%.9g,%d,%.9g,%.9g\n", static_cast<int>(i),
+    std::printf("%d,%.9g,%.9g,%d,%.9g,%.9g,%d\n", static_cast<int>(i),
                 static_cast<double>(there.environment.friction),
                 static_cast<double>(there.environment.slope_rad), there.delay_steps,
-                static_cast<double>(found.terms.travel_m), static_cast<double>(found.fitness));
+                static_cast<double>(found.terms.travel_m), static_cast<double>(found.fitness),
+                there.substeps);
   }
   return {};
 }

@@ -15,6 +15,8 @@ constexpr std::array<const char*, 2> kCopies = {TrLater("Kept"), TrLater("Pertur
 constexpr std::array<const char*, 2> kHeedless = {TrLater("Allowed"), TrLater("Forbidden")};
 constexpr std::array<const char*, 3> kBodies = {TrLater("Stays as it is"), TrLater("May change a little"),
                                                 TrLater("May change a lot")};
+constexpr std::array<const char*, 4> kFinestSteps = {TrLater("As usual"), TrLater("Half"),
+                                                     TrLater("A quarter"), TrLater("An eighth")};
 constexpr std::array<const char*, 2> kCmaGenes = {TrLater("Of used senses"), TrLater("All")};
 constexpr std::array<const char*, 3> kCovariances = {TrLater("Automatic"), TrLater("Full"),
                                                      TrLater("Variances only")};
@@ -40,6 +42,12 @@ const std::vector<Row>& AlgorithmRows() {
         TrLater("Each candidate is tried in this many worlds, some steeper, some more slippery, heavier or "
                 "slower. Their mean counts."),
         WholeParameter{1, kMaxWorlds, 1, [](S& s) -> int& { return s.worlds; }}}},
+      {0,
+       {"search/finest-step", TrLater("Finest step"),
+        TrLater("In the other worlds physics takes shorter time steps, down to this part of 0.01 s. Such "
+                "motions rely less on how this simulator computes."),
+        ChoiceParameter{kFinestSteps, [](const S& s) { return static_cast<int>(s.finest_step); },
+                        [](S& s, int i) { s.finest_step = static_cast<FinestStep>(i); }}}},
       {kClimbs,
        {"search/population", TrLater("Population"), TrLater("Number of parallel candidates."),
         WholeParameter{2, 1000, 1, [](S& s) -> int& { return s.population; }}}},

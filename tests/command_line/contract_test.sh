@@ -112,12 +112,13 @@ grep -q '"lineage"' kid-1.json && fault "a lineage that cannot be bred again"
 
 # All terms of a motion, in one row.
 "$gaitsmith" measure star-man-shuffle --worlds 4 >worlds.csv || fault "measure --worlds"
-same "$(head -1 worlds.csv)" "world,friction,slope_rad,delay_steps,travel,fitness" "header of worlds"
+same "$(head -1 worlds.csv)" "world,friction,slope_rad,delay_steps,travel,fitness,substeps" "header of worlds"
 same "$(wc -l <worlds.csv)" 5 "rows of worlds"
 same "$(sed -n 2p worlds.csv | cut -d, -f1,5)" "0,$("$gaitsmith" measure star-man-shuffle | sed -n 2p | cut -d, -f1)" "the document's own world"
 same "$(tail -n +3 worlds.csv | cut -d, -f5 | sort -u | wc -l)" 3 "worlds that differ"
 same "$("$gaitsmith" measure star-man-shuffle --worlds 4 --noise delay | tail -n +2 | cut -d, -f2,3 | sort -u | wc -l)" 1 "one noise alone"
-refuses '--noise: must be one of friction, mass, slope, delay, is "rain"' "$gaitsmith" measure star-man-shuffle --worlds 4 --noise rain
+same "$("$gaitsmith" measure star-man-shuffle --worlds 9 --noise step | tail -n +2 | cut -d, -f2,3,7 | sort -u | wc -l)" 3 "steps of three lengths alone"
+refuses '--noise: must be one of friction, mass, slope, delay, step, is "rain"' "$gaitsmith" measure star-man-shuffle --worlds 4 --noise rain
 refuses '--noise: needs --worlds' "$gaitsmith" measure star-man-shuffle --noise mass
 refuses '--worlds: needs a motion of one clip' "$gaitsmith" measure there-and-back --worlds 4
 same "$("$gaitsmith" measure star-man-shuffle --substeps 1)" "$("$gaitsmith" measure star-man-shuffle)" "one substep"

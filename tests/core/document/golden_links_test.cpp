@@ -136,6 +136,10 @@ TEST_CASE("golden links: every link of version 11 opens with its motion", "[gold
   CheckLinks(11, 1);
 }
 
+TEST_CASE("golden links: every link of version 12 opens with its motion", "[golden][links]") {
+  CheckLinks(12, 1);
+}
+
 // Separate cases, which run side by side: this is the longest test.
 TEST_CASE("golden links: no link of version 1 that was changed in one byte or cut short opens",
           "[golden][links][exhaustive]") {
@@ -185,6 +189,11 @@ TEST_CASE("golden links: no link of version 9 that was changed in one byte or cu
 TEST_CASE("golden links: no link of version 10 opens after it was damaged in one character or cut off",
           "[golden][links]") {
   CheckDamage(10);
+}
+
+TEST_CASE("golden links: no link of version 12 that was changed in one byte or cut short opens",
+          "[golden][links]") {
+  CheckDamage(12);
 }
 
 }  // namespace gaitsmith::test

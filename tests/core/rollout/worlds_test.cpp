@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "core/document/trial_worlds.h"
 #include "core/physics/figure_plant.h"
@@ -21,6 +22,7 @@ Document InWorlds(int worlds, int model) {
   Document d = TwoClips();
   d.model = model;
   d.search.worlds = worlds;
+  d.search.finest_step = FinestStep::kHalf;
   d.task.weights = {0.5f, -0.25f, 2.0f, 0.01f, 0.3f, 0.01f, 0.2f};
   REQUIRE(Validate(d));
   return d;
@@ -93,6 +95,12 @@ TEST_CASE("worlds: drawn again they are the same, each differs, and none is furt
     for (const float mass : world.masses)
       CHECK(std::abs(static_cast<double>(mass) - 1.0) <= noise.mass + 1e-6);
   }
+  // The finest step changes nothing else.
+  auto fine = DrawWorlds(7, kMaxWorlds, 9, {.halvings = 2});
+  std::set<int> substeps;
+  for (TrialWorld& world : fine) substeps.insert(std::exchange(world.substeps, 1));
+  CHECK(substeps == std::set{1, 2, 4});
+  CHECK(fine == drawn);
   CHECK(frictions.size() == drawn.size());
   CHECK(delays.size() > 1);
 }
