@@ -235,6 +235,7 @@ test_everything() {
   stage "tests (sanitizers)" cmake --workflow --preset asan
   stage determinism check_determinism
   stage packages check_packages
+  stage python check_python
   stage aarch64 check_aarch64
   stage "instruction count" check_instructions
   stage "Box2D" check_box2d

@@ -17,6 +17,7 @@ set(shell_rooms
     "session: embedded words workspace results"
     "catalogue: embedded export words workspace"
     "command_line: embedded search study export words catalogue"
+    "python: search study export catalogue command_line"
     "widgets: embedded export words"
     "stage: body words session widgets"
     "timeline: words session widgets"
@@ -50,7 +51,7 @@ set(web_rooms
     "package: build share")
 # Rooms that never include a window's libraries, because the session's tests run without a window. They use only one
 # another.
-set(windowless embedded search study export body words workspace results session catalogue command_line)
+set(windowless embedded search study export body words workspace results session catalogue command_line python)
 
 set(faults "")
 macro(fault text)

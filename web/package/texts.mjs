@@ -2,7 +2,7 @@
 // The texts that come with a package: licence, notices, changes, manual page. Written where the package is installed.
 //
 //   node web/package/texts.mjs program|library <folder where it is installed>
-//   node web/package/texts.mjs header|site <folder>
+//   node web/package/texts.mjs header|python|site <folder>
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
@@ -34,6 +34,7 @@ const TEXTS = {
     'share/man/man1/gaitsmith.1.gz': zipped((await import('./manual_page.mjs')).manualPage(textOf('docs/command-line.md'), { ...project(), date: commit().time.slice(0, 10) })),
   }),
   library: () => ({ 'share/doc/gaitsmith/THIRD-PARTY.txt': noticesOf('library') }),
+  python: () => ({ LICENSE, 'THIRD-PARTY.txt': noticesOf('python') }),
   site: () => ({ 'compiled.LICENSE.txt': noticesOf('site') }),
   header: () => ({ [`gaitsmith-${project().version}.h`]: header() }),
 };

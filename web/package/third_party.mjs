@@ -51,6 +51,7 @@ function sourcesOf(library) {
 const sourceOf = (library, ...names) => readFileSync(join(sourcesOf(library), ...names), 'utf8');
 
 const EIGEN = () => /gaitsmith_fetch\(eigen (\S+?)\.git (\S+)\)/.exec(textOf('.dev/libraries.cmake')) ?? ['', '', ''];
+const PYBIND11 = '/usr/share/doc/pybind11-dev/copyright';
 const INTER = () => JSON.parse(textOf('web/package-lock.json')).packages['node_modules/inter-ui'];
 
 /** @type {Record<string, () => Part>} */
@@ -76,6 +77,11 @@ const PARTS = {
     notice: () => `The typeface is embedded, reduced to the characters that the application uses.\n\n${textOf('web/node_modules/inter-ui/LICENSE.txt')}`,
     checksum: () => INTER().integrity,
   }),
+  pybind11: () => ({
+    name: 'pybind11', version: textOf('build/release/shell/python/python.txt').split('\n')[1], licence: 'BSD-3-Clause', source: 'https://github.com/pybind/pybind11, the system\'s',
+    notice: () => `Its templates are compiled in.\n\n${existsSync(PYBIND11) ? readFileSync(PYBIND11, 'utf8') : 'https://github.com/pybind/pybind11/blob/master/LICENSE'}`,
+    checksum: () => 'the system\'s',
+  }),
   emscripten: () => ({
     name: 'Emscripten', version: emscriptenVersion(), licence: 'MIT', source: `https://github.com/emscripten-core/emscripten, ${emscripten().startsWith(join(ROOT, '.toolchain')) ? 'the package of Debian' : 'from this machine'}`,
     notice: () => 'Copyright 2010 The Emscripten Authors. Its support code is in the module and its script, under the MIT License,\nwhose text is in LICENSE.\n',
@@ -94,7 +100,7 @@ const PARTS = {
 };
 
 /** What each package holds of others, and what the site's modules hold. */
-const HELD = { engine: ['emscripten', 'musl', 'llvm', 'eigen', 'lodepng', 'stb'], site: ['emscripten', 'musl', 'llvm', 'eigen', 'lodepng', 'stb'], runtime: [], library: ['eigen'], program: ['eigen', 'inter', 'lodepng', 'stb'], header: [] };
+const HELD = { engine: ['emscripten', 'musl', 'llvm', 'eigen', 'lodepng', 'stb'], site: ['emscripten', 'musl', 'llvm', 'eigen', 'lodepng', 'stb'], runtime: [], library: ['eigen'], program: ['eigen', 'inter', 'lodepng', 'stb'], python: ['eigen', 'inter', 'lodepng', 'stb', 'pybind11'], header: [] };
 
 /** @typedef {keyof typeof HELD} Package */
 
