@@ -44,6 +44,7 @@ std::vector<std::span<const Gene>> RowsOf(const py::object& genomes, std::size_t
     throw Fault(must + "in another order; numpy.ascontiguousarray copies it");
   const auto* first = static_cast<const Gene*>(array.data());
   std::vector<std::span<const Gene>> rows;
+  rows.reserve(static_cast<std::size_t>(array.shape(0)));
   for (py::ssize_t i = 0; i < array.shape(0); ++i)
     rows.emplace_back(first + static_cast<std::size_t>(i) * genes, genes);
   return rows;

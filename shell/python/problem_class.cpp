@@ -79,6 +79,7 @@ class ProblemClass {
     static_cast<void>(InRange("seed", seed >> 31, 0, 1));  // [0, 2^32)
     const SearchSpace space{problem_.Shape(), problem_.senses};
     std::vector<Genome> genomes;
+    genomes.reserve(static_cast<std::size_t>(n));
     for (int i = 0; i < n; ++i)
       genomes.push_back(FirstGenome(space, document_.search.variation, static_cast<std::uint32_t>(seed), i));
     return ArrayOf(genomes, Genes());
