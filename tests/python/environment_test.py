@@ -21,6 +21,13 @@ def short(model: int = 1, **changes) -> dict:
     return document
 
 
+def vector(*arguments, **options) -> gaitsmith.VectorEnv:
+    """An environment that draws the same actions each time."""
+    env = gaitsmith.VectorEnv(*arguments, **options)
+    env.action_space.seed(1)
+    return env
+
+
 def breaking() -> dict:
     """A motion whose physics breaks within its first steps: a heavy push."""
     document = short()
@@ -42,7 +49,7 @@ class Rules(unittest.TestCase):
     def test_spaces_and_five_values(self):
         for model in (1, 2):
             for observation in ("senses", "state"):
-                env = gaitsmith.VectorEnv(short(model), 3, observation)
+                env = vector(short(model), 3, observation)
                 n, joints = len(env.observation_names), 4
                 self.assertEqual(env.single_observation_space.shape, (n,))
                 self.assertEqual(env.observation_space.shape, (3, n))
@@ -58,19 +65,19 @@ class Rules(unittest.TestCase):
     def test_action_space_is_the_limits(self):
         document = short()
         limits = [(rod["min_rad"], rod["max_rad"]) for rod in document["figure"]["rods"] if rod["parent"] != -1]
-        env = gaitsmith.VectorEnv(document)
+        env = vector(document)
         self.assertEqual(
             sorted(zip(env.single_action_space.low.tolist(), env.single_action_space.high.tolist())),
             sorted((float(np.float32(low)), float(np.float32(high))) for low, high in limits),
         )
-        other = gaitsmith.VectorEnv(document)
+        other = vector(document)
         env.reset(), other.reset()
         for _ in range(5):  # targets beyond the limits are brought into them
             far, limit = env.step(np.full((1, 4), 9.0)), other.step(other.action_space.high)
             np.testing.assert_array_equal(far[0], limit[0])
 
     def test_next_step_autoreset(self):
-        env = gaitsmith.VectorEnv(short(), 2, "state")
+        env = vector(short(), 2, "state")
         first, _ = env.reset(seed=0)
         for step in range(1, 21):
             seen, rewards, terminated, truncated, infos = env.step(env.action_space.sample())
@@ -88,7 +95,7 @@ class Rules(unittest.TestCase):
             self.assertEqual(truncated.tolist(), [step == 20] * 2)
 
     def test_same_step_autoreset(self):
-        env, other = (gaitsmith.VectorEnv(short(), 2, "state", mode) for mode in ("same_step", "next_step"))
+        env, other = (vector(short(), 2, "state", mode) for mode in ("same_step", "next_step"))
         first, _ = env.reset()
         other.reset()
         env.action_space.seed(5)
@@ -97,7 +104,7 @@ class Rules(unittest.TestCase):
             seen, rewards, terminated, truncated, infos = env.step(action)
             last = other.step(action)
         np.testing.assert_array_equal(seen, first)
-        np.testing.assert_array_equal(infos["final_obs"], last[0])
+        np.testing.assert_array_equal(np.stack(infos["final_obs"]), last[0])
         np.testing.assert_array_equal(rewards, last[1])
         np.testing.assert_array_equal(infos["final_info"]["travel"], last[4]["travel"])
         self.assertEqual(infos["_final_obs"].tolist(), [True, True])
@@ -106,7 +113,7 @@ class Rules(unittest.TestCase):
         self.assertNotIn("final_obs", env.step(action)[4])
 
     def test_without_autoreset(self):
-        env = gaitsmith.VectorEnv(short(), 3, autoreset_mode="disabled")
+        env = vector(short(), 3, autoreset_mode="disabled")
         env.reset()
         for _ in range(10):
             env.step(env.action_space.sample())
@@ -121,11 +128,11 @@ class Rules(unittest.TestCase):
 
     def test_broken_physics_terminates(self):
         for mode in ("next_step", "same_step"):
-            env = gaitsmith.VectorEnv(breaking(), 2, "state", mode)
+            env = vector(breaking(), 2, "state", mode)
             env.reset()
             total = np.zeros(2)
             for _ in range(20):
-                step = env.step(env.action_space.sample())
+                step = env.step(np.tile(env.action_space.sample()[0], (2, 1)))
                 self.check_step(env, step)
                 total += step[1]
                 if step[2].any():
@@ -136,7 +143,7 @@ class Rules(unittest.TestCase):
 
     def test_seeds_repeat_starts_of_each_world(self):
         def starts(envs, seed, mode="next_step"):
-            env = gaitsmith.VectorEnv(short(), envs, "state", mode, start_noise=0.5)
+            env = vector(short(), envs, "state", mode, start_noise=0.5)
             seen = [env.reset(seed=seed)[0]]
             for _ in range(22):
                 seen.append(env.step(np.zeros((envs, 4)))[0])
@@ -148,7 +155,7 @@ class Rules(unittest.TestCase):
         self.assertFalse(np.array_equal(starts(3, 7)[0], starts(3, 7)[21]))  # the next episode begins otherwise
 
     def test_arrays_stay_as_they_were_returned(self):
-        env = gaitsmith.VectorEnv(short(), 2)
+        env = vector(short(), 2)
         kept = [env.reset()[0]]
         kept += list(env.step(env.action_space.sample()))[:4]
         copies = [array.copy() for array in kept]
@@ -157,7 +164,7 @@ class Rules(unittest.TestCase):
             np.testing.assert_array_equal(array, copy)
 
     def test_wrong_arguments_are_named(self):
-        env = gaitsmith.VectorEnv(short(), 2)
+        env = vector(short(), 2)
         with self.assertRaisesRegex(gaitsmith.Error, "reset must come first"):
             env.step(env.action_space.sample())
         with self.assertRaisesRegex(gaitsmith.Error, "first reset must be of all"):
@@ -175,16 +182,16 @@ class Rules(unittest.TestCase):
             (lambda: env.reset(seed=-1), "seed"),
             (lambda: env.reset(seed="a"), "seed"),
             (lambda: env.reset(options={"reset_mask": [1, 0]}), "reset_mask"),
-            (lambda: gaitsmith.VectorEnv(short(), 0), "num_envs: must be from 1"),
-            (lambda: gaitsmith.VectorEnv(short(), observation="all"), "observation: must be one of senses, state"),
-            (lambda: gaitsmith.VectorEnv(short(), autoreset_mode="never"), "autoreset_mode"),
-            (lambda: gaitsmith.VectorEnv(short(), tau=0), "tau: must be from 0.02"),
-            (lambda: gaitsmith.VectorEnv(short(), tau=float("nan")), "tau"),
-            (lambda: gaitsmith.VectorEnv(short(), tau="fast"), "tau"),
-            (lambda: gaitsmith.VectorEnv(short(), frame_skip=0), "frame_skip"),
-            (lambda: gaitsmith.VectorEnv(short(), start_noise=-1), "start_noise"),
-            (lambda: gaitsmith.VectorEnv(handover), "begins at the start"),
-            (lambda: gaitsmith.VectorEnv(gaitsmith.document(problem="star-man-travel", search_option={"worlds": 2})), "one world"),
+            (lambda: vector(short(), 0), "num_envs: must be from 1"),
+            (lambda: vector(short(), observation="all"), "observation: must be one of senses, state"),
+            (lambda: vector(short(), autoreset_mode="never"), "autoreset_mode"),
+            (lambda: vector(short(), tau=0), "tau: must be from 0.02"),
+            (lambda: vector(short(), tau=float("nan")), "tau"),
+            (lambda: vector(short(), tau="fast"), "tau"),
+            (lambda: vector(short(), frame_skip=0), "frame_skip"),
+            (lambda: vector(short(), start_noise=-1), "start_noise"),
+            (lambda: vector(handover), "begins at the start"),
+            (lambda: vector(gaitsmith.document(problem="star-man-travel", search_option={"worlds": 2})), "one world"),
         ]:
             with self.subTest(words), self.assertRaisesRegex(gaitsmith.Error, words):
                 call()
@@ -193,12 +200,12 @@ class Rules(unittest.TestCase):
             env.reset()
 
     def test_one_world(self):
-        env, vector = gaitsmith.Env(short(), "state"), gaitsmith.VectorEnv(short(), 1, "state")
-        one, many = env.reset(seed=1), vector.reset(seed=1)
+        env, other = gaitsmith.Env(short(), "state"), vector(short(), 1, "state")
+        one, many = env.reset(seed=1), other.reset(seed=1)
         np.testing.assert_array_equal(one[0], many[0][0])
         for _ in range(20):
             action = env.action_space.sample()
-            one, many = env.step(action), vector.step(action[np.newaxis])
+            one, many = env.step(action), other.step(action[np.newaxis])
             np.testing.assert_array_equal(one[0], many[0][0])
             self.assertEqual((type(one[1]), type(one[2]), type(one[3])), (float, bool, bool))
             self.assertEqual(one[1:4], (many[1][0], many[2][0], many[3][0]))
@@ -213,6 +220,36 @@ class Rules(unittest.TestCase):
             warnings.simplefilter("ignore")
             check_env(gaitsmith.Env(short(), "state"), skip_render_check=True)
         self.assertIsInstance(gaitsmith.VectorEnv(short()), gymnasium.vector.VectorEnv)
+
+    @unittest.skipIf(gymnasium is None, "Gymnasium is not installed")
+    def test_same_as_gymnasiums_vector_of_single_worlds(self):
+        from gymnasium.vector import AutoresetMode, SyncVectorEnv
+
+        for mode in (AutoresetMode.NEXT_STEP, AutoresetMode.SAME_STEP):
+            ours = vector(short(), 2, "state", mode)
+            theirs = SyncVectorEnv([lambda: gaitsmith.Env(short(), "state")] * 2, autoreset_mode=mode)
+            self.assertEqual(ours.observation_space, theirs.observation_space)
+            self.assertEqual(ours.action_space, theirs.action_space)
+            self.assertEqual(ours.metadata["autoreset_mode"], theirs.metadata["autoreset_mode"])
+            pairs = [(ours.reset(seed=1), theirs.reset(seed=1))]
+            for _ in range(45):
+                action = ours.action_space.sample()
+                pairs.append((ours.step(action), theirs.step(action)))
+            for one, other in pairs:
+                self.check_same(one, other)
+
+    def check_same(self, one, other):
+        if isinstance(one, dict):
+            self.assertEqual(set(one), set(other))
+            one, other = ([values[name] for name in sorted(values)] for values in (one, other))
+        if isinstance(one, (tuple, list)):
+            for ours, theirs in zip(one, other):
+                self.check_same(ours, theirs)
+        else:
+            self.assertEqual(one.dtype, other.dtype)
+            if one.dtype == object:
+                one, other = np.stack(one), np.stack(other)
+            np.testing.assert_array_equal(one, other)
 
 
 class Physics(unittest.TestCase):
@@ -230,7 +267,7 @@ class Physics(unittest.TestCase):
             document = gaitsmith.synthesize(document)
             motion, targets = gaitsmith.simulate(document), gaitsmith.decisions(document)["target"]
             for observation in ("senses", "state"):
-                env = gaitsmith.VectorEnv(document, 2, observation, tau=0.2)
+                env = vector(document, 2, observation, tau=0.2)
                 env.reset()
                 total = 0.0
                 for step in range(300):
@@ -252,7 +289,7 @@ class Physics(unittest.TestCase):
 
     def test_rewards_add_up_to_the_primary_term(self):
         for task in ("travel", "travel-left", "jump"):
-            env = gaitsmith.VectorEnv(gaitsmith.document(problem="star-man-travel", task=task, duration=1), 4, "state")
+            env = vector(gaitsmith.document(problem="star-man-travel", task=task, duration=1), 4, "state")
             env.reset()
             env.action_space.seed(2)
             total, heights = np.zeros(4), []
@@ -267,7 +304,7 @@ class Physics(unittest.TestCase):
             np.testing.assert_allclose(total, expected, atol=1e-6)
 
     def test_frame_skip_is_as_many_steps(self):
-        one, five = gaitsmith.VectorEnv(short(), 1), gaitsmith.VectorEnv(short(), 1, frame_skip=5)
+        one, five = vector(short(), 1), vector(short(), 1, frame_skip=5)
         one.reset(), five.reset()
         for _ in range(4):
             action = one.action_space.sample()
@@ -281,7 +318,7 @@ class Physics(unittest.TestCase):
         self.assertTrue(skipped[3].all())
 
     def test_timer_is_sensed(self):
-        env = gaitsmith.VectorEnv(gaitsmith.document(problem="star-man-travel", sense="timer=0.1"), 1)
+        env = vector(gaitsmith.document(problem="star-man-travel", sense="timer=0.1"), 1)
         self.assertEqual(env.observation_names, ["timer"])
         self.assertEqual(env.reset()[0][0, 0], 0.0)
         seen = [round(float(env.step(env.action_space.sample())[0][0, 0]), 3) for _ in range(11)]

@@ -150,8 +150,9 @@ class VectorEnv(_VectorBase):
         infos = self._infos()
         if self._mode is AutoresetMode.SAME_STEP and self._ended.any():
             ended = self._ended
-            final_obs = np.zeros_like(seen)
-            final_obs[ended] = seen[ended]
+            final_obs = np.full(self.num_envs, None, dtype=object)  # as Gymnasium has it
+            for i in np.flatnonzero(ended):
+                final_obs[i] = seen[i]
             final = {"travel": np.where(ended, infos["travel"], 0.0), "_travel": ended.copy()}
             self._begin(ended)
             seen = self._worlds.observe()
