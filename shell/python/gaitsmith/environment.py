@@ -46,7 +46,7 @@ class VectorEnv(_VectorBase):
     observation:    "senses": what the problem's controllers sense [Fukunaga 1994, Table 1], normalised; or "state":
                     joint angles [rad] and rates [rad/s], sine, cosine and rate [rad/s] of the root's turn, height [m]
                     and velocity [m/s] of the centre of mass, and 1 for each endpoint that the ground pushes. The
-                    paper's senses suffice for its controllers, whose rules stay active, but leave out all rates
+                    paper's senses suffice for its rules, but lack the rates of joints and of the turn
     autoreset_mode: "next_step", "same_step" or "disabled", or Gymnasium's AutoresetMode
     tau:            with which joints approach their targets [s], 0.02 to 10: the angle's distance to its target falls
                     to 1/e in this time. As for the paper's responses, section 2
