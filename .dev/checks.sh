@@ -33,6 +33,7 @@ lint() {
   say "tsc"; check_types
   say "eslint and stylelint"; check_scripts_and_styles
   say "leaks"; check_leaks
+  [ $# -gt 0 ] || setup_python # so that the Python module is read as well
   say "clang-tidy"
   cmake --preset tidy >/dev/null
   cmake --build --preset tidy ${1:+--target "$@"}

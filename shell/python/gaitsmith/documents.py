@@ -16,9 +16,10 @@ def read(name: Name) -> dict[str, Any]:
     name: a JSON file, a link, or the name of a shipped example, problem or motion, such as "star-man-travel".
     Raises Error if there is none, or if it is not valid.
     """
+    name = text("name", os.fspath(name) if isinstance(name, os.PathLike) else name)
     if name == "-":
         raise _core.Error("name: standard input is read by the command line only")
-    return json.loads(_core.read(text("name", os.fspath(name) if isinstance(name, os.PathLike) else name)))
+    return json.loads(_core.read(name))
 
 
 def write(document: Document, path: Name) -> None:

@@ -48,8 +48,8 @@ class VectorEnv(_VectorBase):
                     and velocity [m/s] of the centre of mass, and 1 for each endpoint that the ground pushes. The
                     paper's senses suffice for its rules, but lack the rates of joints and of the turn
     autoreset_mode: "next_step", "same_step" or "disabled", or Gymnasium's AutoresetMode
-    tau:            with which joints approach their targets [s], 0.02 to 10: the angle's distance to its target falls
-                    to 1/e in this time. As for the paper's responses, section 2
+    tau:            time constant [s], 0.02 to 10, with which joints approach their targets as the paper's responses do
+                    [section 2]: theta'' = (target - theta) / tau^2 - 2 theta' / tau, critically damped
     frame_skip:     simulation steps of 0.01 s for each action
     start_noise:    greatest change of the start's velocity [m/s] and spin [rad/s], uniform; 0: every episode begins
                     alike, and ``seed`` changes nothing
