@@ -121,6 +121,7 @@ class Documents(unittest.TestCase):
             (lambda: gaitsmith.read("no-such-motion"), "no-such-motion"),
             (lambda: gaitsmith.read(3), "name: must be text"),
             (lambda: gaitsmith.read("-"), "command line only"),
+            (lambda: gaitsmith.read("\ud800"), "not well-formed"),
             (lambda: gaitsmith.decode_link("AAAA"), ""),
             (lambda: gaitsmith.document(figure="no-such-figure"), "no-such-figure"),
             (lambda: gaitsmith.document(out="-"), "out"),

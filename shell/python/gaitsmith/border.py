@@ -47,6 +47,10 @@ def whole(name: str, value: Any) -> int:
 def text(name: str, value: Any) -> str:
     if not isinstance(value, str):
         raise _core.Error(f"{name}: must be text, is a {type(value).__name__}")
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        raise _core.Error(f"{name}: is not well-formed Unicode: {value!r}") from None
     return value
 
 
@@ -58,9 +62,9 @@ def threads_or_cores(threads: Any) -> int:
 def option_values(name: str, value: Any) -> list[str]:
     """One value of an option, a list of values, or a dictionary whose pairs become NAME=VALUE."""
     if isinstance(value, Mapping):
-        return [f"{key}={one}" for key, one in value.items()]
+        return [text(name, f"{key}={one}") for key, one in value.items()]
     if isinstance(value, (list, tuple)):
-        return [str(one) for one in value]
+        return [text(name, str(one)) for one in value]
     if value is None or isinstance(value, bool):
         raise _core.Error(f"{name}: must be text, a number, or a list or dictionary of them, is {value!r}")
-    return [os.fspath(value) if isinstance(value, os.PathLike) else str(value)]
+    return [text(name, os.fspath(value) if isinstance(value, os.PathLike) else str(value))]
