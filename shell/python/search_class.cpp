@@ -59,7 +59,7 @@ class SearchClass {
     std::vector<Genome> genomes;
     Alone([&] {
       if (open_ > 0)
-        throw Fault("ask: the scores of the last " + std::to_string(open_) + " genomes must be told first");
+        throw Fault("ask: pass the scores of the last " + std::to_string(open_) + " genomes to tell first");
       if (!search_->Done()) genomes = search_->Ask(count);
       open_ = genomes.size();
     });
@@ -91,7 +91,7 @@ class SearchClass {
     SignalWatch watch;
     Alone([&] {
       if (open_ > 0)
-        throw Fault("run: the scores of the last " + std::to_string(open_) + " genomes must be told first");
+        throw Fault("run: pass the scores of the last " + std::to_string(open_) + " genomes to tell first");
       shell::SearchControl control;
       shell::RunToEnd(scorer_, *search_, document_.search.evaluations, crew, control, [&](const auto&) {
         if (watch()) control.Cancel();
@@ -136,7 +136,7 @@ class SearchClass {
     std::vector<std::uint8_t> bytes;
     Alone([&] {
       if (open_ > 0)
-        throw Fault("save: the scores of the last " + std::to_string(open_) + " genomes must be told first");
+        throw Fault("save: pass the scores of the last " + std::to_string(open_) + " genomes to tell first");
       BitWriter writer;
       search_->Save(writer);
       bytes = writer.Bytes();
@@ -179,7 +179,7 @@ class SearchClass {
   Scorer scorer_;
   std::unique_ptr<Search> search_;
   std::size_t genes_;
-  std::size_t open_ = 0;  // genomes that have been asked for and not been told
+  std::size_t open_ = 0;  // genomes that have been asked for, and whose scores have not come
 };
 
 }  // namespace

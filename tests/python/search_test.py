@@ -191,14 +191,14 @@ class Searching(unittest.TestCase):
         search = gaitsmith.Search("sphc", document)
         genomes = search.ask(5)
         for call, words in [
-            (lambda: search.ask(), "must be told first"),
-            (lambda: search.run(), "must be told first"),
-            (lambda: search.save(), "must be told first"),
+            (lambda: search.ask(), "to tell first"),
+            (lambda: search.run(), "to tell first"),
+            (lambda: search.save(), "to tell first"),
             (lambda: search.tell([1.0]), f"fitness: must be {len(genomes)} numbers"),
             (lambda: search.tell("abc"), "fitness: must be numbers"),
             (lambda: search.tell(np.zeros((2, 2))), "has shape"),
             (lambda: search.tell({}), "have no fitness"),
-            (lambda: search.ask(0), "must be told|wanted"),
+            (lambda: search.ask(0), "wanted: must be from 1"),
             (lambda: gaitsmith.Search("sphd", document), "sphc"),
             (lambda: gaitsmith.Search("sphc", document, seed=-1), "seed: must be from 0"),
             (lambda: gaitsmith.Search("sphc", document, evaluations=0), "evaluations: must be from 1"),

@@ -57,7 +57,7 @@ class Search:
 
     def ask(self, wanted: int = 64) -> np.ndarray:
         """The next genomes to evaluate, uint16 (n, genes): about ``wanted``, fewer where later ones depend on scores that
-        are missing, none (0, genes) once the budget is spent. Raises Error while the last ones have not been told."""
+        are missing, none (0, genes) once the budget is spent. Raises Error until the last ones have their scores."""
         return self._search.ask(whole("wanted", wanted))
 
     def tell(self, scores: Union[Evaluations, np.ndarray, list]) -> None:

@@ -14,7 +14,9 @@ class OwnBox:
     low, high: arrays of the shape; -inf and inf where there is no limit
     """
 
-    def __init__(self, low: Any, high: Any, shape: Optional[tuple[int, ...]] = None, dtype: Any = np.float32, seed: Any = None) -> None:
+    def __init__(
+        self, low: Any, high: Any, shape: Optional[tuple[int, ...]] = None, dtype: Any = np.float32, seed: Any = None
+    ) -> None:
         self.dtype = np.dtype(dtype)
         self.shape = tuple(np.shape(low) if shape is None else shape)
         self.low = np.broadcast_to(np.asarray(low, dtype=self.dtype), self.shape).copy()
