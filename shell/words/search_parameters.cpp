@@ -47,7 +47,8 @@ const std::vector<Row>& AlgorithmRows() {
         TrLater("In the other worlds physics takes shorter time steps, down to this part of 0.01 s. Such "
                 "motions rely less on how this simulator computes."),
         ChoiceParameter{kFinestSteps, [](const S& s) { return static_cast<int>(s.finest_step); },
-                        [](S& s, int i) { s.finest_step = static_cast<FinestStep>(i); }}}},
+                        [](S& s, int i) { s.finest_step = static_cast<FinestStep>(i); }},
+        [](const S& s) { return s.worlds > 1; }}},
       {kClimbs,
        {"search/population", TrLater("Population"), TrLater("Number of parallel candidates."),
         WholeParameter{2, 1000, 1, [](S& s) -> int& { return s.population; }}}},

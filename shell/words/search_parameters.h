@@ -33,6 +33,7 @@ struct SearchParameter {
   const char* label;    // with the unit, if any
   const char* line;     // explanation
   std::variant<WholeParameter, RealParameter, ChoiceParameter> kind;
+  bool (*matters)(const SearchSettings&) = nullptr;  // null: always
 };
 
 /// The parameters specific to this algorithm, in the order of the panel. Excludes those of all searches

@@ -186,7 +186,7 @@ TEST_CASE("substeps: a push is given once, and one who stands feels the whole we
   Rollout<FigurePlant, 1> standing(body, d.environment, d.start, {}, {}, kStep, substeps);
   standing.RunTo(100, kNothing, kNothing);
   float impulse = 0.0f;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(d.figure.Rods() + 1); ++k)
+  for (std::size_t k = 0; k < static_cast<std::size_t>(d.figure.Rods()) + 1; ++k)
     impulse += standing.Felt().impulse[k][0];
   CHECK(impulse == Catch::Approx(body.mass_kg * kStandardGravity * kStep).epsilon(1e-3));
 }
