@@ -54,13 +54,21 @@ adversary() {
   "$program" --model 2 --out docs/studies/adversary/limited --evaluations 8000 --seeds 1000 --minutes "$half"
 }
 
-# Other engines' judgement: MuJoCo's of model 2, with every figure (./dev test asks for one), Godot's of exported scenes.
-# docs/physics.md and docs/exporting.md explain the tables.
+# Other programs' judgement: MuJoCo's of model 2, with every figure (./dev test asks for one), Slurm's of the lines for
+# clusters, Godot's of exported scenes. docs/physics.md, docs/clusters.md and docs/exporting.md explain the tables.
 peers() {
   cmake --preset release
   cmake --build --preset release --target flight gaitsmith
   node tests/peers/judge.mjs build/release/tests/peers/flight --out docs/studies/peers/mujoco.csv
   say "the errors: docs/studies/peers/mujoco.csv"
+  local status=0
+  if command -v apt-get >/dev/null; then apt_need slurm-wlm munge; fi
+  tests/clusters/slurm_test.sh build/release/shell/gaitsmith . docs/studies/peers/slurm.csv || status=$?
+  case $status in
+    0) say "what became of Slurm's tasks: docs/studies/peers/slurm.csv" ;;
+    "$LEFT_OUT") ;;
+    *) die "the lines of docs/clusters.md fail with Slurm" ;;
+  esac
   if command -v apt-get >/dev/null; then apt_need godot3-server; fi
   command -v godot3-server >/dev/null || { say "Godot 3 is not installed here: scenes are not played"; return; }
   node tests/peers/godot.mjs build/release/shell/gaitsmith --out docs/studies/peers/godot.csv

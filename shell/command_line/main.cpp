@@ -52,7 +52,8 @@ constexpr auto kCommands = std::to_array<Command>({
      "             [--shard I/N] [--threads K]\n"
      "  gaitsmith suite --list CSV\n"
      "  gaitsmith suite --extract CSV --out-dir DIR [--best]"},
-    {"merge", gaitsmith::shell::MergeCommand, "merge --out CSV [--complete] SHARD …"},
+    {"merge", gaitsmith::shell::MergeCommand,
+     "merge --out CSV [--complete] SHARD …\n  gaitsmith merge --progress SHARD …"},
     {"switches", gaitsmith::shell::SwitchesCommand,
      "switches --out CSV [--times T] [--length SECONDS] [--summary] [--threads K] DOC DOC …"},
     {"new", gaitsmith::shell::NewCommand, "new [--figure F] [--goal G] [--out DOC]"},

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>
@@ -96,18 +95,10 @@ class TrialCrew {
 
 Result<Shard> ReadShard(const Arguments& arguments) {
   const std::string text = arguments.Last("shard", "1/1");
-  const auto whole = [](std::string_view word, std::size_t& value) {
-    const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
-    return fault == std::errc{} && end == word.data() + word.size();
-  };
-  const std::size_t slash = std::min(text.find('/'), text.size());
-  std::size_t number = 0, of = 0;
-  if (slash == text.size() || !whole(std::string_view(text).substr(0, slash), number) ||
-      !whole(std::string_view(text).substr(slash + 1), of) || number < 1 || number > of) {
-    return Fail(ErrorCode::kOutOfRange, "--shard",
-                "must be i/n with i from 1 to n, such as 2/8, is \"" + text + "\"");
-  }
-  return Shard{.first = number - 1, .of = of};
+  const auto shard = ParseShard(text);
+  if (shard) return *shard;
+  return Fail(ErrorCode::kOutOfRange, "--shard",
+              "must be i/n with i from 1 to n, such as 2/8, is \"" + text + "\"");
 }
 
 Result<void> RunTrials(const Study& study, std::span<const StudyOutput> outputs, const Shard& shard,
@@ -115,7 +106,7 @@ Result<void> RunTrials(const Study& study, std::span<const StudyOutput> outputs,
   std::vector<StudyLog> logs;
   logs.reserve(outputs.size());
   for (const StudyOutput& output : outputs) {
-    auto log = StudyLog::Open(output.path, study.plan, output.table);
+    auto log = StudyLog::Open(output.path, study.plan, output.table, shard);
     if (!log) return std::unexpected(log.error());
     logs.push_back(std::move(*log));
   }

@@ -10,9 +10,6 @@
 
 namespace gaitsmith::shell {
 
-struct Shard {
-  std::size_t first = 0, of = 1;  // trials first, first + of, first + 2 of, …
-};
 /// Reads --shard: I/N with I in [1, N], such as "2/8".
 [[nodiscard]] Result<Shard> ReadShard(const Arguments&);
 

@@ -55,6 +55,7 @@ class RowReader {
     if (!Whole(fields_[2], seed)) return "its seed is not a number";
     const auto trial = file_.plan.Find(fields_[0], fields_[1], seed);
     if (!trial) return "is of no trial of this study";
+    if (!file_.shard.Holds(*trial)) return "is of no trial of shard " + NameOf(file_.shard);
     if (points_ > 0 && trial != trial_) return "comes before the curve of another trial is complete";
     trial_ = *trial;
     std::string fault = file_.table == StudyTable::kCurves ? CheckPoint() : CheckResult();
@@ -188,9 +189,9 @@ double BestIn(std::string_view row) { return Real(FieldOf(row, 4)); }
 Result<StudyFile> StudyFile::Parse(std::string_view text, const std::string& path, Ending ending) {
   auto heading = ParseHeading(text);
   if (!heading) return Fail(heading.error().code, path + ":1", heading.error().what);
-  StudyFile file{.plan = std::move(heading->plan), .table = heading->table};
+  StudyFile file{.plan = std::move(heading->plan), .table = heading->table, .shard = heading->shard};
   RowReader reader(file);
-  std::size_t at = Heading(file.plan, file.table).size(), first = at, line = 3, first_line = line;
+  std::size_t at = Heading(file.plan, file.table, file.shard).size(), first = at, line = 3, first_line = line;
   file.whole_bytes = at;
   for (; at < text.size(); ++line) {
     const std::size_t end = text.find('\n', at);
@@ -212,7 +213,7 @@ Result<StudyFile> StudyFile::Parse(std::string_view text, const std::string& pat
 }
 
 std::string StudyFile::Text() const {
-  std::string text = Heading(plan, table);
+  std::string text = Heading(plan, table, shard);
   for (const auto& [index, rows] : trials) text += rows.text;
   return text;
 }

@@ -46,6 +46,7 @@ enum class Ending {
 struct StudyFile {
   StudyPlan plan;
   StudyTable table;
+  Shard shard = {};  // whose trials the file may hold
   struct Rows {
     std::string text;
     std::size_t line;  // line number of the first row, from 1

@@ -33,7 +33,7 @@ std::vector<std::string> Split(std::string_view text, char mark) {
 }
 
 template <class Whole>
-bool ReadWhole(const std::string& text, Whole& value) {
+bool ReadWhole(std::string_view text, Whole& value) {
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
   return fault == std::errc{} && end == text.data() + text.size();
 }
@@ -81,19 +81,38 @@ int StudyPlan::EvaluationsAt(int point) const {
   return static_cast<int>(std::int64_t{evaluations} * (point + 1) / points);
 }
 
+std::size_t Shard::Due(const StudyPlan& plan) const {
+  const std::size_t total = plan.Total();
+  return first < total ? (total - first - 1) / of + 1 : 0;
+}
+
+std::string NameOf(const Shard& shard) {
+  return std::to_string(shard.first + 1) + "/" + std::to_string(shard.of);
+}
+
+std::optional<Shard> ParseShard(std::string_view text) {
+  const std::size_t slash = text.find('/');
+  std::size_t number = 0, of = 0;
+  if (slash == std::string_view::npos || !ReadWhole(text.substr(0, slash), number) ||
+      !ReadWhole(text.substr(slash + 1), of) || number < 1 || number > of) {
+    return std::nullopt;
+  }
+  return Shard{.first = number - 1, .of = of};
+}
+
 bool IsLabel(std::string_view text) {
   return !text.empty() && std::ranges::none_of(text, [](char c) {
     return c == ',' || c == '"' || static_cast<unsigned char>(c) <= ' ' || c == 0x7f;
   });
 }
 
-std::string Heading(const StudyPlan& plan, StudyTable table) {
+std::string Heading(const StudyPlan& plan, StudyTable table, const Shard& shard) {
   const auto kind = static_cast<std::size_t>(table);
   return "# gaitsmith study " + plan.fingerprint + " trials " + std::to_string(plan.Total()) + " " +
          std::string(kTableNames[kind]) + " evaluations " + std::to_string(plan.evaluations) + " points " +
          std::to_string(plan.points) + " first-seed " + std::to_string(plan.first_seed) + " problems " +
-         Joined(plan.problems) + " searches " + Joined(plan.searches) + "\n" + std::string(kColumns[kind]) +
-         "\n";
+         Joined(plan.problems) + " searches " + Joined(plan.searches) +
+         (shard.of > 1 ? " shard " + NameOf(shard) : "") + "\n" + std::string(kColumns[kind]) + "\n";
 }
 
 Result<ReadHeading> ParseHeading(std::string_view text) {
@@ -102,13 +121,16 @@ Result<ReadHeading> ParseHeading(std::string_view text) {
     return Fail(ErrorCode::kSyntax, "", "is not a file of gaitsmith compare or suite");
   }
   const auto damaged = Fail(ErrorCode::kSyntax, "", "its heading is damaged");
-  if (words.size() != 17) return damaged;
+  constexpr std::size_t kWords = 17, kWordsOfShard = kWords + 2;
+  if (words.size() != kWords && words.size() != kWordsOfShard) return damaged;
+  const auto shard = words.size() == kWordsOfShard ? ParseShard(words.back()) : Shard{};
   const auto kind = std::ranges::find(kTableNames, words[6]);
   std::size_t total = 0;
   StudyPlan plan{
       .fingerprint = words[3], .problems = Split(words[14], ','), .searches = Split(words[16], ',')};
-  if (kind == kTableNames.end() || !ReadWhole(words[5], total) || !ReadWhole(words[8], plan.evaluations) ||
-      !ReadWhole(words[10], plan.points) || !ReadWhole(words[12], plan.first_seed)) {
+  if (kind == kTableNames.end() || !shard || !ReadWhole(words[5], total) ||
+      !ReadWhole(words[8], plan.evaluations) || !ReadWhole(words[10], plan.points) ||
+      !ReadWhole(words[12], plan.first_seed)) {
     return damaged;
   }
   plan.trials = static_cast<int>(
@@ -116,8 +138,8 @@ Result<ReadHeading> ParseHeading(std::string_view text) {
   const auto table = static_cast<StudyTable>(kind - kTableNames.begin());
   // Writing the plan again must give the same text. This also detects wrong words, a wrong total and other
   // columns.
-  if (!Holds(plan) || !text.starts_with(Heading(plan, table))) return damaged;
-  return ReadHeading{.plan = std::move(plan), .table = table};
+  if (!Holds(plan) || !text.starts_with(Heading(plan, table, *shard))) return damaged;
+  return ReadHeading{.plan = std::move(plan), .table = table, .shard = *shard};
 }
 
 }  // namespace gaitsmith::shell

@@ -49,16 +49,32 @@ struct StudyPlan {
   [[nodiscard]] int EvaluationsAt(int point) const;
 };
 
+/// The part of a study's trials that one task runs: the trials first, first + of, first + 2 of, …
+struct Shard {
+  std::size_t first = 0, of = 1;  // first < of
+
+  bool operator==(const Shard&) const = default;
+  [[nodiscard]] bool Holds(std::size_t trial) const { return trial % of == first; }
+  /// The number of its trials in a study.
+  [[nodiscard]] std::size_t Due(const StudyPlan&) const;
+};
+/// "3/64", counted from 1
+[[nodiscard]] std::string NameOf(const Shard&);
+/// @param text such as "3/64"
+[[nodiscard]] std::optional<Shard> ParseShard(std::string_view text);
+
 /// Whether a label is valid in a CSV and in a heading: not empty, no blank, comma, quote or control
 /// character.
 [[nodiscard]] bool IsLabel(std::string_view);
 
-/// The first two lines of a file: the comment and the names of the columns.
-[[nodiscard]] std::string Heading(const StudyPlan&, StudyTable);
+/// The first two lines of a file: the comment and the names of the columns. A shard of several is named, so
+/// that a lost file can be named too.
+[[nodiscard]] std::string Heading(const StudyPlan&, StudyTable, const Shard& shard = {});
 
 struct ReadHeading {
   StudyPlan plan;
   StudyTable table;
+  Shard shard;  // the whole if none is named
 };
 /// @param text begins with the two lines. The error's `where` is left empty
 [[nodiscard]] Result<ReadHeading> ParseHeading(std::string_view text);

@@ -240,22 +240,27 @@ for i in 1 2 3; do study --shard $i/3 --out shard$i.csv --curves curve$i.csv || 
 cmp -s merged.csv results.csv || fault "merged shards are not the whole"
 "$gaitsmith" merge --complete --out - curve2.csv curve3.csv curve1.csv curve1.csv | cmp -s - curves.csv || fault "merged curves"
 "$gaitsmith" merge --out part.csv shard1.csv shard3.csv 2>err || fault "merge of some"
-same "$(cat err)" "gaitsmith merge: 3 of 8 trials are missing" "warning about missing trials"
+same "$(cat err)" "gaitsmith merge: 3 of 8 trials are missing: shard 2/3 has no file" "warning about a lost shard"
+same "$(sed -n '1s/.* searches [^ ]*//p' shard2.csv part.csv)" " shard 2/3" "the shard in a heading, not in that of a merged file"
+"$gaitsmith" merge --out - part.csv 2>err >/dev/null
+same "$(cat err)" "gaitsmith merge: 3 of 8 trials are missing, first that of one with powell and seed 10" "warning about missing trials"
+
+# Progress over shards, also while they are written: a cut row, a file without a heading.
+"$gaitsmith" merge --progress shard?.csv >progress.csv || fault "merge --progress"
+same "$(cat progress.csv)" "$(printf '%s\n' shard,of,done,due,state,file 1,3,3,3,complete,shard1.csv 2,3,3,3,complete,shard2.csv \
+  3,3,2,2,complete,shard3.csv all,,8,8,complete,)" "progress of a finished study"
+head -c -20 shard3.csv >cut3.csv; : >bare.csv; cp curve1.csv "curve, 1.csv"
+"$gaitsmith" merge --progress cut3.csv bare.csv shard1.csv >progress.csv 2>err && fault "an unfinished study exits with 0"
+same "$(cat progress.csv)" "$(printf '%s\n' shard,of,done,due,state,file 1,3,3,3,complete,shard1.csv 2,3,0,3,missing, \
+  3,3,1,2,unfinished,cut3.csv ,,0,,unfinished,bare.csv all,,4,8,unfinished,)" "progress of an unfinished study"
+same "$(cat err)" "gaitsmith merge: 4 of 8 trials are missing: shard 2/3 has no file; shard 3/3 is not finished (cut3.csv)" "what is missing"
+same "$("$gaitsmith" merge --progress curve2.csv "curve, 1.csv" 2>/dev/null | tail -n +2 | head -2)" \
+  "$(printf '%s\n' '1,3,3,3,complete,"curve, 1.csv"' 2,3,3,3,complete,curve2.csv)" "progress of curves"
 # One process per shard, several in parallel.
 export -f study; export gaitsmith
 seq 3 | xargs -P 2 -I{} bash -c 'study --threads 1 --shard {}/3 --out many{}.csv --curves manyc{}.csv'
 "$gaitsmith" merge --complete --out - many?.csv | cmp -s - results.csv || fault "shards side by side"
 
-# The command in docs/command-line.md for GNU parallel, except for the number of shards.
-if command -v parallel >/dev/null; then
-  line=$(sed -n 's/^    \(parallel gaitsmith compare .*\)/\1/p' "$root/docs/command-line.md")
-  joined=$(sed -n 's/^    \(gaitsmith merge --complete --out results.csv r\*.csv\) .*/\1/p' "$root/docs/command-line.md")
-  mkdir spread
-  (cd spread && PATH=$(dirname "$gaitsmith"):$PATH && cp ../one.json ../refined.json . &&
-    STUDY="--problem one.json --problem refined.json --search powell --search ssga:genetic.population=8:genetic.rates=per-component
-      --trials 2 --first-seed 9 --evaluations 60 --points 7" && eval "${line//64/3}" 2>err && eval "$joined") || fault "GNU parallel: $(cat spread/err)"
-  cmp -s spread/results.csv results.csv || fault "GNU parallel found something else"
-fi
 # Truncated at any byte: complete trials are kept, and the others run again.
 for bytes in 0 40 250 700 -1; do
   for file in results curves; do head -c $bytes $file.csv >torn-$file.csv; done
@@ -473,6 +478,16 @@ wrong 1 'holds curves, but results.csv holds results' "$gaitsmith" merge --out p
 wrong 1 '3 of 8 trials are missing' "$gaitsmith" merge --complete --out precious.json shard1.csv shard3.csv
 wrong 1 'holds trials that are not in the files given' "$gaitsmith" merge --out shard1.csv shard2.csv shard3.csv
 wrong 2 'give the files to be merged' "$gaitsmith" merge --out precious.json
+refuses 'give the files to be merged' "$gaitsmith" merge --progress
+refuses '--progress: goes with no other option' "$gaitsmith" merge --progress --out precious.json results.csv
+refuses 'is of another study' "$gaitsmith" merge --progress results.csv stopped.csv
+refuses 'curves.csv: holds curves, but results.csv holds results' "$gaitsmith" merge --progress results.csv curves.csv
+refuses 'precious.json:1: is not a file of gaitsmith compare or suite' "$gaitsmith" merge --progress results.csv precious.json
+refuses 'has no heading yet, and neither has any other file' "$gaitsmith" merge --progress bare.csv
+refuses 'is of shard 1/3; this run is shard 2/3' study --shard 2/3 --out shard1.csv --curves curve1.csv
+refuses 'is of shard 1/3; this run is the whole study' study --out shard1.csv --curves curve1.csv
+sed 's/ shard 1\/3$/ shard 2\/3/' shard1.csv >damaged.csv
+refuses 'damaged.csv:3: is of no trial of shard 2/3' "$gaitsmith" merge --progress damaged.csv
 sed '5s/,60,/,59,/' results.csv >damaged.csv
 wrong 1 'damaged.csv:5: must have 60 evaluations' "$gaitsmith" merge --out precious.json damaged.csv
 sed 5d curves.csv >damaged.csv

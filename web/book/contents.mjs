@@ -9,7 +9,7 @@ const GROUPS = [
   { title: trLater('For teachers'), id: 'for-teachers', names: ['teachers', 'writing-lessons', 'does-it-teach', 'languages', 'lesson-answers'] },
   { title: trLater('The playground'), id: 'the-playground', names: ['animation', 'exporting', 'style', 'accessibility'] },
   { title: trLater('The engine'), id: 'the-engine', names: ['physics', 'search', 'spacetime', 'controllers-and-trajectories', 'determinism', 'reliability', 'performance', 'related-work'] },
-  { title: trLater('For engineers'), id: 'for-engineers', names: ['engineers', 'embedding', 'runtime', 'published-packages', 'command-line', 'python', 'formats', 'architecture', 'design'] },
+  { title: trLater('For engineers'), id: 'for-engineers', names: ['engineers', 'embedding', 'runtime', 'published-packages', 'command-line', 'clusters', 'python', 'formats', 'architecture', 'design'] },
 ];
 
 /** Pages that only other pages lead to: not in the list of pages, nor in the search. @type {ReadonlySet<string>} */

@@ -16,8 +16,8 @@
 
 namespace gaitsmith::shell {
 
-StudyLog::StudyLog(std::string path, const StudyPlan& plan, StudyTable table)
-    : path_(std::move(path)), file_{.plan = plan, .table = table} {}
+StudyLog::StudyLog(std::string path, const StudyPlan& plan, StudyTable table, const Shard& shard)
+    : path_(std::move(path)), file_{.plan = plan, .table = table, .shard = shard} {}
 
 StudyLog::StudyLog(StudyLog&& other) noexcept
     : path_(std::move(other.path_)),
@@ -35,8 +35,9 @@ Error StudyLog::Fault(const char* what) const {
   return {ErrorCode::kMissing, path_, std::string(what) + ": " + std::strerror(errno)};
 }
 
-Result<StudyLog> StudyLog::Open(const std::string& path, const StudyPlan& plan, StudyTable table) {
-  StudyLog log(path, plan, table);
+Result<StudyLog> StudyLog::Open(const std::string& path, const StudyPlan& plan, StudyTable table,
+                                const Shard& shard) {
+  StudyLog log(path, plan, table, shard);
   struct stat there{};
   const bool exists = ::stat(path.c_str(), &there) == 0;
   if (exists && !S_ISREG(there.st_mode)) {
@@ -58,7 +59,7 @@ Result<StudyLog> StudyLog::Open(const std::string& path, const StudyPlan& plan, 
   const auto text = ReadText(path);
   if (!text) return std::unexpected(text.error());
   log.created_ = !exists && text->empty();
-  const std::string heading = Heading(plan, table);
+  const std::string heading = Heading(plan, table, shard);
   if (heading.starts_with(*text)) return log;  // the writer was killed before the heading was complete
   const auto found = ParseHeading(*text);
   if (!found) return Fail(found.error().code, path + ":1", found.error().what);
@@ -66,7 +67,12 @@ Result<StudyLog> StudyLog::Open(const std::string& path, const StudyPlan& plan, 
     return Fail(ErrorCode::kStructure, path,
                 "is of another study, " + found->plan.fingerprint + "; this one is " + plan.fingerprint);
   }
-  if (!text->starts_with(heading)) {
+  if (found->shard.of > 1 && found->shard != shard) {
+    return Fail(ErrorCode::kStructure, path,
+                "is of shard " + NameOf(found->shard) + "; this run is " +
+                    (shard.of > 1 ? "shard " + NameOf(shard) : "the whole study"));
+  }
+  if (!text->starts_with(Heading(plan, table, found->shard))) {
     return Fail(ErrorCode::kStructure, path,
                 "holds the other table of this study, or its heading is damaged");
   }
@@ -85,7 +91,7 @@ Result<void> StudyLog::Begin() {
   }
   if (lines_ > 0) return {};
   lines_ = 2;
-  return Write(Heading(file_.plan, file_.table));
+  return Write(Heading(file_.plan, file_.table, file_.shard));
 }
 
 Result<void> StudyLog::Confirm(std::size_t trial, const std::string& rows) const {

@@ -10,8 +10,10 @@ namespace gaitsmith::shell {
 class StudyLog {
  public:
   /// Opens or creates the file, locks it for this process, and reads its trials. Writes nothing yet.
-  /// Refuses a file that is not of this study, has a damaged row, or is being written by another process.
-  [[nodiscard]] static Result<StudyLog> Open(const std::string& path, const StudyPlan&, StudyTable);
+  /// Refuses a file that is not of this study, names another shard, has a damaged row, or is being written by
+  /// another process. A file that names no shard may hold any.
+  [[nodiscard]] static Result<StudyLog> Open(const std::string& path, const StudyPlan&, StudyTable,
+                                             const Shard&);
   StudyLog(StudyLog&&) noexcept;
   StudyLog& operator=(StudyLog&&) = delete;
   /// Deletes a file that Open created if Begin was not called.
@@ -29,7 +31,7 @@ class StudyLog {
   [[nodiscard]] Result<void> Finish();
 
  private:
-  StudyLog(std::string path, const StudyPlan& plan, StudyTable table);
+  StudyLog(std::string path, const StudyPlan& plan, StudyTable table, const Shard& shard);
   [[nodiscard]] Error Fault(const char* what) const;
   [[nodiscard]] Result<void> Write(std::string_view text);
 
