@@ -55,7 +55,7 @@ constexpr auto kCommands = std::to_array<Command>({
     {"merge", gaitsmith::shell::MergeCommand,
      "merge --out CSV [--complete] SHARD …\n  gaitsmith merge --progress SHARD …"},
     {"switches", gaitsmith::shell::SwitchesCommand,
-     "switches --out CSV [--times T] [--length SECONDS] [--summary] [--threads K] DOC DOC …"},
+     "switches --out CSV [--times T] [--length SECONDS] [--summary] [--shard I/N] [--threads K] DOC DOC …"},
     {"new", gaitsmith::shell::NewCommand, "new [--figure F] [--goal G] [--out DOC]"},
     {"goals", gaitsmith::shell::GoalsCommand,
      "goals --search ALG --seeds N --evaluations E --out CSV [--figure F …] [--goal G …] [--strength X …]\n"

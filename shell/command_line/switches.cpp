@@ -14,7 +14,9 @@
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"
 #include "shell/command_line/problem_options.h"
+#include "shell/command_line/trial_crew.h"
 #include "shell/search/parallel_search.h"
+#include "shell/study/switch_file.h"
 #include "shell/words/control_modes.h"
 
 namespace gaitsmith::shell {
@@ -27,6 +29,7 @@ struct Candidate {
   Problem problem;  // with the observed duration, without pushes
   Controller controller;
   int duration_steps;  // of the document's task
+  Document document;
   float usual = 0.0f;
   bool holds = false;  // does not break physics when run from the start
 };
@@ -48,7 +51,8 @@ Candidate CandidateOf(const Document& document, const std::string& path, int len
   return {.label = std::filesystem::path(path).stem().string(),
           .problem = std::move(problem),
           .controller = controller,
-          .duration_steps = document.task.duration_steps};
+          .duration_steps = document.task.duration_steps,
+          .document = document};
 }
 
 Result<std::vector<Candidate>> ReadCandidates(const std::vector<std::string>& paths, int length) {
@@ -100,13 +104,14 @@ void ForEach(std::size_t count, int threads, const Job& job) {
 /// The first moment at which controllers take over [steps], when a motion has begun.
 constexpr int kFirst = 100;
 
-/// Every ordered pair at every time: from, to, step. The first controller is active for at most the duration
-/// of its task.
-std::vector<Switch> Planned(const std::vector<Candidate>& all, int times) {
+/// Every ordered pair of the shard at every time: from, to, step. The first controller is active for at most
+/// the duration of its task.
+std::vector<Switch> Planned(const std::vector<Candidate>& all, int times, const Shard& shard) {
   std::vector<Switch> switches;
+  std::size_t pair = 0;
   for (std::size_t from = 0; from < all.size(); ++from) {
     for (std::size_t to = 0; to < all.size(); ++to) {
-      if (to == from) continue;
+      if (to == from || !shard.Holds(pair++)) continue;
       const int span = std::max(0, all[from].duration_steps - kFirst);
       for (int i = 0; i < times; ++i) {
         const int step = kFirst + (times > 1 ? span * i / (times - 1) : 0);
@@ -149,8 +154,9 @@ void MeasureDistances(std::span<Switch> pair, const std::vector<Candidate>& all)
     one.distance = StateDistance(before, one.step, usual, std::min(kFirst, usual.Frames() - 1));
 }
 
-std::string SwitchesCsv(const std::vector<Switch>& switches, const std::vector<Candidate>& all) {
-  std::string csv = "from,to,step,score,usual,success,distance\n";
+std::string SwitchesCsv(const std::vector<Switch>& switches, const std::vector<Candidate>& all,
+                        const SwitchFile& file) {
+  std::string csv = file.Heading();
   for (const Switch& one : switches) {
     char numbers[100];
     std::snprintf(numbers, sizeof numbers, ",%d,%.9g,%.9g,%d,%.6g\n", one.step,
@@ -189,7 +195,7 @@ std::string SummaryOf(const std::vector<Switch>& switches, const std::vector<Can
 }  // namespace
 
 Outcome SwitchesCommand(Words words) {
-  static constexpr std::string_view kOptions[] = {"out", "times", "length", "threads"};
+  static constexpr std::string_view kOptions[] = {"out", "times", "length", "threads", "shard"};
   static constexpr std::string_view kFlags[] = {"summary"};
   const auto arguments = Arguments::Parse(words, kOptions, kFlags);
   if (!arguments) return WrongCall(arguments.error());
@@ -204,6 +210,12 @@ Outcome SwitchesCommand(Words words) {
   if (!times) return WrongCall(times.error());
   const auto threads = arguments->Integer("threads", 1, 256, Cores());
   if (!threads) return WrongCall(threads.error());
+  const auto shard = ReadShard(*arguments);
+  if (!shard) return WrongCall(shard.error());
+  if (shard->of > 1 && arguments->Has("summary")) {
+    return WrongCall(
+        {ErrorCode::kStructure, "--summary", "cannot be given with --shard: it is of all switches"});
+  }
   int length = 0;  // duration of each task
   if (arguments->Has("length")) {
     const auto steps = WholeSteps(arguments->Last("length"), "--length", 1);
@@ -213,6 +225,14 @@ Outcome SwitchesCommand(Words words) {
   auto all = ReadCandidates(arguments->Positional(), length);
   if (!all) return std::unexpected(all.error());
 
+  SwitchFile file{.fingerprint = {}, .times = static_cast<int>(*times), .labels = {}, .shard = *shard};
+  std::vector<Document> documents;
+  for (const Candidate& one : *all) {
+    file.labels.push_back(one.label);
+    documents.push_back(one.document);
+  }
+  file.fingerprint = FingerprintOfSwitches(file.labels, documents, file.times, length);
+
   const int workers = static_cast<int>(*threads);
   ForEach(all->size(), workers, [&](std::size_t i) {
     Candidate& one = (*all)[i];
@@ -220,13 +240,13 @@ Outcome SwitchesCommand(Words words) {
     one.usual = found.fitness;
     one.holds = found.fitness > kVoidScore && !found.terms.broke_physics;
   });
-  std::vector<Switch> switches = Planned(*all, static_cast<int>(*times));
+  std::vector<Switch> switches = Planned(*all, static_cast<int>(*times), *shard);
   ForEach(switches.size(), workers, [&](std::size_t i) { Make(switches[i], *all); });
   const auto of_pair = static_cast<std::size_t>(*times);
   ForEach(switches.size() / of_pair, workers, [&](std::size_t pair) {
     MeasureDistances(std::span(switches).subspan(pair * of_pair, of_pair), *all);
   });
-  if (auto written = WriteText(out, SwitchesCsv(switches, *all)); !written) {
+  if (auto written = WriteText(out, SwitchesCsv(switches, *all, file)); !written) {
     return std::unexpected(written.error());
   }
   if (!arguments->Has("summary")) return {};

@@ -63,6 +63,19 @@ Document TrialDocument(const Study& study, std::size_t problem, std::size_t sear
   return document;
 }
 
+std::string FingerprintOfSwitches(std::span<const std::string> labels, std::span<const Document> documents,
+                                  int times, int length) {
+  Fingerprint print;
+  print.Add("gaitsmith switches 1");  // change the number if the meaning of rows changes
+  for (const int number : {times, length}) print.AddNumber(static_cast<std::uint64_t>(number));
+  print.AddNumber(documents.size());
+  for (std::size_t i = 0; i < documents.size(); ++i) {
+    print.Add(labels[i]);
+    print.Add(EncodeBinary(documents[i]));
+  }
+  return print.Text();
+}
+
 std::string FingerprintOf(const Study& study) {
   const StudyPlan& plan = study.plan;
   Fingerprint print;

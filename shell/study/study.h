@@ -22,6 +22,10 @@ struct Study {
 [[nodiscard]] Document TrialDocument(const Study&, std::size_t problem, std::size_t search,
                                      std::uint32_t seed);
 
+/// The value of SwitchFile::fingerprint. @param documents whole ones, with their controllers
+[[nodiscard]] std::string FingerprintOfSwitches(std::span<const std::string> labels,
+                                                std::span<const Document> documents, int times, int length);
+
 /// The value of StudyPlan::fingerprint. Call when all other members are set.
 [[nodiscard]] std::string FingerprintOf(const Study&);
 

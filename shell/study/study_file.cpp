@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
 
 #include "core/document/link.h"
+#include "shell/study/fields.h"
 
 namespace gaitsmith::shell {
 
@@ -52,7 +52,7 @@ class RowReader {
       return "has " + std::to_string(count_) + " fields instead of " + std::to_string(fields);
     }
     std::uint32_t seed = 0;
-    if (!Whole(fields_[2], seed)) return "its seed is not a number";
+    if (!ReadWhole(fields_[2], seed)) return "its seed is not a number";
     const auto trial = file_.plan.Find(fields_[0], fields_[1], seed);
     if (!trial) return "is of no trial of this study";
     if (!file_.shard.Holds(*trial)) return "is of no trial of shard " + NameOf(file_.shard);
@@ -76,11 +76,6 @@ class RowReader {
       at = end + 1;
     }
   }
-  template <class Value>
-  static bool Whole(std::string_view text, Value& value) {
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return fault == std::errc{} && end == text.data() + text.size();
-  }
   /// Accepts only the notation that we write: another notation is a sign of damage.
   static bool IsNumber(std::string_view text, double& value) {
     value = Real(text);
@@ -89,7 +84,7 @@ class RowReader {
 
   std::string CheckResult() const {
     int evaluations = 0;
-    if (!Whole(fields_[3], evaluations) || evaluations != file_.plan.evaluations) {
+    if (!ReadWhole(fields_[3], evaluations) || evaluations != file_.plan.evaluations) {
       return "must have " + std::to_string(file_.plan.evaluations) + " evaluations";
     }
     double value = 0.0;  // a motion that broke physics may have NaN terms, but has a score
@@ -116,7 +111,7 @@ class RowReader {
   std::string CheckPoint() {
     const StudyPlan& plan = file_.plan;
     int evaluations = 0;
-    if (!Whole(fields_[3], evaluations)) return "its evaluation is not a number";
+    if (!ReadWhole(fields_[3], evaluations)) return "its evaluation is not a number";
     // The first points of a curve may be missing, if no motion had a score yet. After that, points are
     // consecutive.
     int point = points_;
@@ -210,6 +205,12 @@ Result<StudyFile> StudyFile::Parse(std::string_view text, const std::string& pat
                 "the trial is cut short; run its command again to finish it");
   }
   return file;
+}
+
+std::string StudyFile::NameOfTrial(std::size_t trial) const {
+  const StudyPlan::Trial place = plan.At(trial);
+  return plan.problems[place.problem] + " with " + plan.searches[place.search] + " and seed " +
+         std::to_string(place.seed);
 }
 
 std::string StudyFile::Text() const {

@@ -57,6 +57,9 @@ struct StudyFile {
   /// Checks every row. @param path for the error, which names file and line
   [[nodiscard]] static Result<StudyFile> Parse(std::string_view text, const std::string& path, Ending);
 
+  /// "star-man with sphc and seed 3"
+  [[nodiscard]] std::string NameOfTrial(std::size_t trial) const;
+
   /// Heading and rows in canonical order. The same trials give the same bytes.
   [[nodiscard]] std::string Text() const;
 };

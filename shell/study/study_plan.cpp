@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+
+#include "shell/study/fields.h"
 
 namespace gaitsmith::shell {
 
@@ -20,22 +21,6 @@ std::string Joined(const std::vector<std::string>& labels) {
   std::string text;
   for (const std::string& label : labels) text += (text.empty() ? "" : ",") + label;
   return text;
-}
-
-std::vector<std::string> Split(std::string_view text, char mark) {
-  std::vector<std::string> parts;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find(mark, at), text.size());
-    parts.emplace_back(text.substr(at, end - at));
-    at = end + 1;
-  }
-  return parts;
-}
-
-template <class Whole>
-bool ReadWhole(std::string_view text, Whole& value) {
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return fault == std::errc{} && end == text.data() + text.size();
 }
 
 bool AllDiffer(std::vector<std::string> labels) {
@@ -81,10 +66,7 @@ int StudyPlan::EvaluationsAt(int point) const {
   return static_cast<int>(std::int64_t{evaluations} * (point + 1) / points);
 }
 
-std::size_t Shard::Due(const StudyPlan& plan) const {
-  const std::size_t total = plan.Total();
-  return first < total ? (total - first - 1) / of + 1 : 0;
-}
+std::size_t Shard::Due(std::size_t total) const { return first < total ? (total - first - 1) / of + 1 : 0; }
 
 std::string NameOf(const Shard& shard) {
   return std::to_string(shard.first + 1) + "/" + std::to_string(shard.of);
@@ -94,7 +76,7 @@ std::optional<Shard> ParseShard(std::string_view text) {
   const std::size_t slash = text.find('/');
   std::size_t number = 0, of = 0;
   if (slash == std::string_view::npos || !ReadWhole(text.substr(0, slash), number) ||
-      !ReadWhole(text.substr(slash + 1), of) || number < 1 || number > of) {
+      !ReadWhole(text.substr(slash + 1), of) || number < 1 || number > of || of > kMaxShards) {
     return std::nullopt;
   }
   return Shard{.first = number - 1, .of = of};
@@ -116,7 +98,7 @@ std::string Heading(const StudyPlan& plan, StudyTable table, const Shard& shard)
 }
 
 Result<ReadHeading> ParseHeading(std::string_view text) {
-  const auto words = Split(text.substr(0, text.find('\n')), ' ');
+  const auto words = PartsOf(text.substr(0, text.find('\n')), ' ');
   if (words.size() < 3 || words[0] != "#" || words[1] != "gaitsmith" || words[2] != "study") {
     return Fail(ErrorCode::kSyntax, "", "is not a file of gaitsmith compare or suite");
   }
@@ -127,7 +109,7 @@ Result<ReadHeading> ParseHeading(std::string_view text) {
   const auto kind = std::ranges::find(kTableNames, words[6]);
   std::size_t total = 0;
   StudyPlan plan{
-      .fingerprint = words[3], .problems = Split(words[14], ','), .searches = Split(words[16], ',')};
+      .fingerprint = words[3], .problems = PartsOf(words[14], ','), .searches = PartsOf(words[16], ',')};
   if (kind == kTableNames.end() || !shard || !ReadWhole(words[5], total) ||
       !ReadWhole(words[8], plan.evaluations) || !ReadWhole(words[10], plan.points) ||
       !ReadWhole(words[12], plan.first_seed)) {

@@ -16,6 +16,7 @@ namespace gaitsmith::shell {
 inline constexpr int kMaxTrials = 1'000'000;  // limit for one search on one problem
 inline constexpr int kMaxPoints = 100'000;
 inline constexpr int kMaxEvaluations = 100'000'000;
+inline constexpr std::size_t kMaxShards = 1'000'000'000;
 
 /// The kinds of files of a study.
 enum class StudyTable {
@@ -55,8 +56,8 @@ struct Shard {
 
   bool operator==(const Shard&) const = default;
   [[nodiscard]] bool Holds(std::size_t trial) const { return trial % of == first; }
-  /// The number of its trials in a study.
-  [[nodiscard]] std::size_t Due(const StudyPlan&) const;
+  /// The number of its trials. @param total of the study
+  [[nodiscard]] std::size_t Due(std::size_t total) const;
 };
 /// "3/64", counted from 1
 [[nodiscard]] std::string NameOf(const Shard&);

@@ -23,9 +23,10 @@ constexpr std::size_t kNamedShards = 10;
 
 }  // namespace
 
-void StudyProgress::Add(const std::string& path, const StudyFile& file) {
-  for (const auto& [trial, rows] : file.trials) done_[trial] = true;
-  files_.push_back({.shard = file.shard, .done = file.trials.size(), .path = path});
+void StudyProgress::Add(const std::string& path, const Shard& shard,
+                        const std::map<std::size_t, StudyFile::Rows>& trials) {
+  for (const auto& [trial, rows] : trials) done_[trial] = true;
+  files_.push_back({.shard = shard, .done = trials.size(), .path = path});
 }
 
 void StudyProgress::AddWithoutHeading(const std::string& path) {
@@ -56,7 +57,7 @@ std::vector<StudyProgress::Row> StudyProgress::Rows() const {
       if (there.contains({of, first})) continue;
       const Shard shard{.first = first, .of = of};
       const std::size_t done = DoneIn(shard);
-      if (done < shard.Due(plan_)) rows.push_back({.shard = shard, .done = done, .path = ""});
+      if (done < shard.Due(done_.size())) rows.push_back({.shard = shard, .done = done, .path = ""});
     }
   }
   std::ranges::stable_sort(
@@ -71,7 +72,7 @@ std::string StudyProgress::Csv() const {
       csv += ",,0,,unfinished," + Quoted(row.path) + "\n";
       continue;
     }
-    const std::size_t due = row.shard.Due(plan_);
+    const std::size_t due = row.shard.Due(done_.size());
     const char* state = row.path.empty() ? "missing" : row.done == due ? "complete" : "unfinished";
     csv += std::to_string(row.shard.first + 1) + "," + std::to_string(row.shard.of) + "," +
            std::to_string(row.done) + "," + std::to_string(due) + "," + state + "," + Quoted(row.path) + "\n";
@@ -81,13 +82,13 @@ std::string StudyProgress::Csv() const {
          (missing == 0 ? "complete" : "unfinished") + ",\n";
 }
 
-std::string StudyProgress::Sentence() const {
+std::string StudyProgress::Sentence(const std::function<std::string(std::size_t)>& name) const {
   std::string sentence =
-      std::to_string(Missing()) + " of " + std::to_string(done_.size()) + " trials are missing";
+      std::to_string(Missing()) + " of " + std::to_string(done_.size()) + " " + noun_ + " are missing";
   std::size_t named = 0, more = 0;
   for (const Row& row : Rows()) {
     const bool lost = row.path.empty();
-    if (!lost && (row.shard.of == 1 || DoneIn(row.shard) == row.shard.Due(plan_))) continue;
+    if (!lost && (row.shard.of == 1 || DoneIn(row.shard) == row.shard.Due(done_.size()))) continue;
     if (named == kNamedShards) {
       ++more;
       continue;
@@ -98,9 +99,7 @@ std::string StudyProgress::Sentence() const {
   if (more > 0) sentence += "; and " + std::to_string(more) + " more";
   const auto first = std::ranges::find(done_, false);
   if (named > 0 || first == done_.end()) return sentence;
-  const StudyPlan::Trial trial = plan_.At(static_cast<std::size_t>(first - done_.begin()));
-  return sentence + ", first that of " + plan_.problems[trial.problem] + " with " +
-         plan_.searches[trial.search] + " and seed " + std::to_string(trial.seed);
+  return sentence + ", first that of " + name(static_cast<std::size_t>(first - done_.begin()));
 }
 
 }  // namespace gaitsmith::shell

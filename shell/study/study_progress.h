@@ -3,6 +3,7 @@
 // file.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "shell/study/study_file.h"
@@ -11,10 +12,11 @@ namespace gaitsmith::shell {
 
 class StudyProgress {
  public:
-  explicit StudyProgress(const StudyPlan& plan) : plan_(plan), done_(plan.Total()) {}
+  /// @param noun what is counted, "trials"
+  StudyProgress(std::size_t total, std::string_view noun) : noun_(noun), done_(total) {}
 
-  /// @param file of this study, finished or not
-  void Add(const std::string& path, const StudyFile& file);
+  /// @param trials finished ones in a file of this study, by canonical index
+  void Add(const std::string& path, const Shard& shard, const std::map<std::size_t, StudyFile::Rows>& trials);
   /// A file whose writer has not written the heading yet.
   void AddWithoutHeading(const std::string& path);
 
@@ -26,8 +28,9 @@ class StudyProgress {
   [[nodiscard]] std::string Csv() const;
 
   /// "3 of 8 trials are missing: shard 2/3 has no file; shard 1/3 is not finished (r1.csv)". With files that
-  /// name no shard it gives the first missing trial.
-  [[nodiscard]] std::string Sentence() const;
+  /// name no shard: "3 of 8 trials are missing, first that of …".
+  /// @param name of a trial
+  [[nodiscard]] std::string Sentence(const std::function<std::string(std::size_t)>& name) const;
 
  private:
   struct Row {
@@ -39,7 +42,7 @@ class StudyProgress {
   [[nodiscard]] std::vector<Row> Rows() const;
   [[nodiscard]] std::size_t DoneIn(const Shard& shard) const;
 
-  StudyPlan plan_;
+  std::string noun_;
   std::vector<bool> done_;  // by canonical index
   std::vector<Row> files_;
 };

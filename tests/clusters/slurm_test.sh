@@ -35,7 +35,7 @@ trap clean_up EXIT
 trap 'exit 1' INT TERM
 
 # Slurm runs as the user who tests. It needs no cgroups, no database, and one processor, of which it believes to be four.
-host=$(hostname -s) me=$(id -un) port=$((20000 + $$ % 20000))
+host=$(hostname -s) me=$(id -un) port=$((20000 + $$ % 10000))
 chmod 755 "$base"
 mkdir -m 755 "$base/munge" "$base/state" "$base/spool" "$base/work"
 (umask 077; head -c 1024 /dev/urandom >"$base/munge/key")

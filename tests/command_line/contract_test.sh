@@ -417,6 +417,19 @@ same "$("$gaitsmith" validate handed.json | cut -d, -f3)" " 2 controllers" "--fr
 "$gaitsmith" switches --times 4 --threads 1 --summary --out switches.csv best/p*.json best/timer=0.8.jump.plain-*.json >rates.csv || fault "switches"
 "$gaitsmith" switches --times 4 --threads 2 --out switches2.csv best/p*.json best/timer=0.8.jump.plain-*.json
 cmp -s switches.csv switches2.csv || fault "two threads made other switches"
+# A shard of them is some of the pairs.
+shared() { "$gaitsmith" switches --times 4 best/p*.json best/timer=0.8.jump.plain-*.json "$@"; }
+for i in 1 2 3; do shared --shard $i/3 --out part-switches$i.csv || fault "shard $i/3 of switches"; done
+"$gaitsmith" merge --complete --out - part-switches?.csv | cmp -s - switches.csv || fault "merged shards of switches"
+"$gaitsmith" merge --progress part-switches[13].csv >progress.csv 2>err && fault "lost switches pass for complete"
+same "$(cat progress.csv)" "$(printf '%s\n' shard,of,done,due,state,file 1,3,7,7,complete,part-switches1.csv 2,3,0,7,missing, \
+  3,3,6,6,complete,part-switches3.csv all,,13,20,unfinished,)" "progress of switches"
+same "$(cat err)" "gaitsmith merge: 7 of 20 pairs are missing: shard 2/3 has no file" "what is missing of switches"
+refuses 'holds trials that are not in the files given' "$gaitsmith" merge --out part-switches1.csv part-switches2.csv
+refuses 'results.csv:1: is not a shard of gaitsmith switches' "$gaitsmith" merge --progress part-switches1.csv results.csv
+refuses '--summary: cannot be given with --shard' shared --shard 1/3 --summary --out none.csv
+"$gaitsmith" switches --times 5 --shard 2/3 --out other-switches.csv best/p*.json
+refuses 'is of another study' "$gaitsmith" merge --out - part-switches1.csv other-switches.csv
 same "$(head -1 switches.csv)" "from,to,step,score,usual,success,distance" "columns of switches"
 same "$(wc -l <switches.csv)" 81 "rows of switches"
 same "$(sed -n 2,5p switches.csv | cut -d, -f3 | tr '\n' ' ')" "100 233 366 500 " "steps of switches"
