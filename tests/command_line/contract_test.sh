@@ -475,6 +475,7 @@ wrong 2 '--search: "powell" is there twice' study "${to[@]}" --search powell
 wrong 2 '--problem: "one" is there twice' study "${to[@]}" --problem ./one.json
 wrong 1 'nowhere.json: cannot be read' study "${to[@]}" --problem nowhere.json
 wrong 2 'must be i/n with i from 1 to n, such as 2/8, is "3/2"' study "${to[@]}" --shard 3/2
+wrong 2 'must be i/n with i from 1 to n' study "${to[@]}" --shard 5/18446744073709551615
 wrong 2 '--weight slip_sum=nan: must be a number' study "${to[@]}" --weight slip_sum=nan
 wrong 2 'weights.slip_sum: must be from -1000 to 1000, is 2000' study "${to[@]}" --weight slip_sum=2000
 wrong 2 'search.start: must be a controller of the kind, the senses' study "${to[@]}" --sense physical
