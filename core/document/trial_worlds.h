@@ -13,9 +13,7 @@
 namespace gaitsmith {
 
 inline constexpr int kMaxWorlds = 16;
-// Of what is made robust with one command.
-inline constexpr int kRobustWorlds = 5;
-inline constexpr FinestStep kRobustStep = FinestStep::kQuarter;
+inline constexpr int kRobustWorlds = 5;  // of what is made robust with one command
 
 /// How far trial worlds are from the document's, in both directions where that makes sense.
 struct WorldNoise {

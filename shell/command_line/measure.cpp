@@ -28,8 +28,9 @@ constexpr std::array<NoiseRow, 5> kNoises = {
      {"mass", [](WorldNoise& noise, const WorldNoise& all) { noise.mass = all.mass; }},
      {"slope", [](WorldNoise& noise, const WorldNoise& all) { noise.slope_rad = all.slope_rad; }},
      {"delay", [](WorldNoise& noise, const WorldNoise& all) { noise.delay_steps = all.delay_steps; }},
-     {"step",
-      [](WorldNoise& noise, const WorldNoise& /*all*/) { noise.halvings = static_cast<int>(kRobustStep); }}}};
+     {"step", [](WorldNoise& noise, const WorldNoise& /*all*/) {
+        noise.halvings = static_cast<int>(FinestStep::kQuarter);
+      }}}};
 
 /// The noises that the arguments ask for: those of the document's search, or one.
 Result<WorldNoise> NoiseAsked(const Arguments& arguments, const Document& document) {

@@ -91,7 +91,6 @@ void AddSearch(std::vector<Command>& list, Session& session) {
                     if (session.Set([](Document& d) {
                           if (d.model == 1) LimitJoints(d);
                           d.search.worlds = kRobustWorlds;
-                          d.search.finest_step = kRobustStep;
                         }))
                       session.Synthesize();
                   }});

@@ -254,10 +254,14 @@ if (!SITE) {
 
   test('book: the search finds', async () => {
     const MiniSearch = foreign('minisearch');
-    const search = MiniSearch.loadJSON(await readFile(join(book, 'search.json'), 'utf8'), { fields: ['title', 'heading', 'text'], storeFields: ['href'] });
-    const found = search.search('complementarity').map((/** @type {any} */ { href }) => href);
-    assert.ok(found.some((/** @type {string} */ href) => href.startsWith('design.html#')), found.join());
-    for (const { href } of search.search('the', { prefix: true })) {
+    const index = async (/** @type {string} */ name) => MiniSearch.loadJSON(await readFile(join(book, name), 'utf8'), { fields: ['title', 'heading', 'text'], storeFields: ['href'] });
+    const [search, decisions] = [await index('search.json'), await index('design_search.json')];
+    const found = (/** @type {any} */ where, /** @type {string} */ words) => where.search(words).map((/** @type {any} */ { href }) => href);
+    assert.ok(found(search, 'complementarity').some((/** @type {string} */ href) => href.startsWith('physics.html#')), found(search, 'complementarity').join());
+    // Decisions are not stored for use without a network, so neither is where they are found.
+    assert.ok(found(decisions, 'complementarity').some((/** @type {string} */ href) => href.startsWith('design.html#')));
+    assert.ok(!found(search, 'decision').some((/** @type {string} */ href) => href.startsWith('design.html')));
+    for (const { href } of [...search.search('the', { prefix: true }), ...decisions.search('the', { prefix: true })]) {
       const [page, id] = href.split('#');
       assert.ok(pages.has(join(book, page)) && (!id || hasId(join(book, page), id)), href);
     }

@@ -151,9 +151,11 @@ async function build(site) {
   for (const { language, lessons } of facts) await put(join(book, language.folder, 'lessons.json'), JSON.stringify(lessons));
   for (const language of languages) {
     const own = [...rendered].filter(([page]) => page.language === language && !UNLISTED.has(page.name)).map(([{ address }, { title, sections }]) => ({ address: address.slice(language.folder.length), title, sections }));
-    await put(join(book, language.folder, 'search.json'), searchIndex(own));
+    const decisions = (/** @type {{address: string}} */ { address }) => address === 'design.html';
+    await put(join(book, language.folder, 'search.json'), searchIndex(own.filter((page) => !decisions(page))));
+    if (language === ENGLISH) await put(join(book, 'design_search.json'), searchIndex(own.filter(decisions)));
   }
-  // Apart, because only the other pages are stored for use without a network.
+  // Apart, as is that of the design decisions, because only the other pages are stored for use without a network.
   if (reference) await put(join(book, 'reference/search.json'), searchIndex(reference.searched));
   const live = await liveTexts(join(HERE, '..'));
   for (const language of languages.filter((each) => each !== ENGLISH)) await put(join(book, liveWordsOf(language)), liveWords(language, live));

@@ -29,9 +29,10 @@ async function fetchIndex(address) {
   return MiniSearch.loadJSON(await answer.text(), { fields: ['title', 'heading', 'text'], storeFields: ['href', 'title', 'heading', 'text'] });
 }
 
-/** The index of the pages, and that of the reference, which is English and is not there without a network or without Doxygen. */
+/** The index of the pages, and those of the design decisions and of the reference, which are English and not there without a network, or without Doxygen. */
 function load() {
-  indexes ??= Promise.all([fetchIndex('search.json'), document.documentElement.lang === 'en' ? fetchIndex('reference/search.json').catch(() => null) : null])
+  const apart = document.documentElement.lang === 'en' ? ['design_search.json', 'reference/search.json'] : [];
+  indexes ??= Promise.all([fetchIndex('search.json'), ...apart.map((address) => fetchIndex(address).catch(() => null))])
     .then((both) => both.filter((index) => index !== null));
   indexes.catch(() => { indexes = undefined; }); // try again next time
   return indexes;

@@ -47,7 +47,7 @@ await addHash('files.json');
 const atOnce = (/** @type {string} */ name) => /^book\/(missing\.html|tokens\.css|book\.css|look\.js)$/.test(name)
   || (!/^(book|package|runtime)\//.test(name) && !/(^|\/)(LICENSE|preview\.png)$/.test(name) && !name.endsWith('.txt'));
 const page = names.filter(atOnce);
-const book = names.filter((name) => (/^book\/(?!reference\/|pictures[./]|design\.html|(?:\w\w\/)?new[-_]lesson\.|sources\.json)/.test(name) || name === 'LICENSE') && !name.endsWith('.txt') && !atOnce(name));
+const book = names.filter((name) => (/^book\/(?!reference\/|pictures[./]|design(?:\.html|_search\.json)|(?:\w\w\/)?new[-_]lesson\.|sources\.json)/.test(name) || name === 'LICENSE') && !name.endsWith('.txt') && !atOnce(name));
 // A visitor stores the book in English and in the page's language.
 /** By language; '': English and what all need. @type {Map<string, number>} */
 const sizes = new Map();
