@@ -257,7 +257,7 @@ if (!SITE) {
     const index = async (/** @type {string} */ name) => MiniSearch.loadJSON(await readFile(join(book, name), 'utf8'), { fields: ['title', 'heading', 'text'], storeFields: ['href'] });
     const [search, decisions] = [await index('search.json'), await index('design_search.json')];
     const found = (/** @type {any} */ where, /** @type {string} */ words) => where.search(words).map((/** @type {any} */ { href }) => href);
-    assert.ok(found(search, 'complementarity').some((/** @type {string} */ href) => href.startsWith('physics.html#')), found(search, 'complementarity').join());
+    assert.ok(found(search, 'friction').some((/** @type {string} */ href) => href.startsWith('physics.html#')), found(search, 'friction').join());
     // Decisions are not stored for use without a network, so neither is where they are found.
     assert.ok(found(decisions, 'complementarity').some((/** @type {string} */ href) => href.startsWith('design.html#')));
     assert.ok(!found(search, 'decision').some((/** @type {string} */ href) => href.startsWith('design.html')));
