@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The tables of docs/stricter.md from the result files beside this one (question.md):  node docs/studies/stricter/summarise.mjs
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { holm } from '../holm.mjs';
 import { median, spread } from '../quantiles.mjs';
 import { rankSum } from '../rank_sum.mjs';
@@ -21,7 +21,14 @@ function rows(name) {
   });
 }
 
-const cells = PROBLEMS.flatMap((problem) => SENSES.map((sense) => ({ problem, sense })));
+const planned = PROBLEMS.flatMap((problem) => SENSES.map((sense) => ({ problem, sense })));
+/** Whether all twenty runs of each search are there. @param {{problem: string, sense: string}} cell */
+const complete = ({ problem, sense }) => ['strong', 'limited'].every((joints) => {
+  const name = `${problem}-${sense}-${joints}`;
+  return existsSync(new URL(`${name}.csv`, import.meta.url)) && rows(name).length === 20 * SEARCHES.length;
+});
+const cells = planned.filter(complete);
+for (const { problem, sense } of planned.filter((cell) => !cells.includes(cell))) console.log(`${problem}, ${sense}: the runs are not complete`);
 /** @param {{problem: string, sense: string}} cell @param {string} joints @param {string} search @param {string} [column] */
 const found = ({ problem, sense }, joints, search, column = 'best') =>
   rows(`${problem}-${sense}-${joints}`).filter(({ text }) => text.search === search).map(({ of }) => of(column));
@@ -36,7 +43,8 @@ const compared = cells.flatMap((cell) => PAIRS.map(([a = '', b = '']) => {
   const of = (/** @type {string} */ joints) => rankSum(found(cell, joints, a), found(cell, joints, b));
   return { cell, pair: `${a} before ${b}`, strong: of('strong'), limited: of('limited') };
 }));
-const adjusted = holm(compared.map(({ limited }) => limited.p));
+// What is not complete counts as a comparison that shows nothing.
+const adjusted = holm([...compared.map(({ limited }) => limited.p), ...Array.from({ length: PAIRS.length * (planned.length - cells.length) }, () => 1)]);
 table(['chance to end better', 'strong joints, p', 'limited joints, p (Holm over 16)', 'holds']);
 compared.forEach(({ cell, pair, strong, limited }, at) => {
   const p = adjusted[at] ?? 1, same = (strong.superiority > 0.5) === (limited.superiority > 0.5);
