@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -60,8 +61,9 @@ std::vector<StudyProgress::Row> StudyProgress::Rows() const {
       if (done < shard.Due(done_.size())) rows.push_back({.shard = shard, .done = done, .path = ""});
     }
   }
-  std::ranges::stable_sort(
-      rows, {}, [](const Row& row) { return std::tuple(!row.headed, row.shard.of, row.shard.first); });
+  std::ranges::sort(rows, {}, [](const Row& row) {
+    return std::tuple(!row.headed, row.shard.of, row.shard.first, std::string_view(row.path));
+  });
   return rows;
 }
 
