@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/rollout/problem.h"
-#include "core/search/search.h"
 
 namespace gaitsmith {
 

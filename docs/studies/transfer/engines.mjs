@@ -6,6 +6,8 @@ import { engineOf, play } from '../../../examples/engines/play.mjs';
 import { load } from '../../../web/runtime/runtime.js';
 
 export const ENGINES = ['planck', 'rapier', 'box2d', 'mujoco'];
+/** Whose searches are compared (robust/question.md). */
+export const FIGURES = ['mr-star-man', 'beryl-biped', 'ostrich', 'frog', 'hopper', 'inchworm', 'caterpillar', 'crab', 'spider', 'torsoless-biped'];
 
 /** @param {string} program @param {string[]} options */
 export const run = (program, options) => execFileSync(program, options, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });

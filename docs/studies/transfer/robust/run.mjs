@@ -10,13 +10,12 @@ import { appendFileSync, existsSync, mkdtempSync, readFileSync, rmSync, writeFil
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { ENGINES, run, waysOf } from '../engines.mjs';
+import { ENGINES, FIGURES, run, waysOf } from '../engines.mjs';
 
 const [, , gaitsmith, box2d, threads = '2', control] = process.argv;
 const NOISES = ['friction', 'mass', 'slope', 'delay', 'all'];
 const UNSEEN = 9001; // seed of those worlds
 const ours = box2d === 'noise';
-const FIGURES = ['mr-star-man', 'beryl-biped', 'ostrich', 'frog', 'hopper', 'inchworm', 'caterpillar', 'crab', 'spider', 'torsoless-biped'];
 const SIMULATED = 20_000;
 const SECONDS = 8;
 const file = fileURLToPath(new URL(ours ? 'noise.csv' : control ? 'control.csv' : 'robust.csv', import.meta.url));

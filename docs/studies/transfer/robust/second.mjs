@@ -6,10 +6,9 @@ import { appendFileSync, existsSync, mkdtempSync, readFileSync, rmSync, writeFil
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { ENGINES, run, waysOf } from '../engines.mjs';
+import { ENGINES, FIGURES, run, waysOf } from '../engines.mjs';
 
 const [, , gaitsmith, box2d, threads = '2'] = process.argv;
-const FIGURES = ['mr-star-man', 'beryl-biped', 'ostrich', 'frog', 'hopper', 'inchworm', 'caterpillar', 'crab', 'spider', 'torsoless-biped'];
 const KINDS = { one: [20_000], five: [4000, 'worlds=5'], finer: [4000, 'worlds=5', 'finest_step=quarter'], short: [4000] };
 const SECONDS = 8;
 const file = fileURLToPath(new URL('second.csv', import.meta.url));
