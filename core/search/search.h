@@ -273,6 +273,7 @@ inline constexpr auto kPopulations = AlgorithmColumn(&AlgorithmRow::population);
   return kPopulations[static_cast<std::size_t>(settings.algorithm)](settings);
 }
 
+/// @return nothing for an algorithm that this build leaves out (search.cpp)
 [[nodiscard]] SearchMaker MakeSearch;
 
 }  // namespace gaitsmith

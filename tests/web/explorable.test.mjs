@@ -36,6 +36,8 @@ function found(json) {
   climb.close();
   return { best, score: climb.history.at(-1)?.score ?? NaN, climb };
 }
+/** @param {any} json @param {string} algorithm */
+const searchedDocument = (json, algorithm) => engine.documentFromText(JSON.stringify(searched(json, { algorithm, seed: 1, evaluations: 300 })));
 /** @param {string[]} sentences */
 const states = (...sentences) => { for (const sentence of sentences) assert.ok(text.includes(sentence), `the text does not say: ${sentence}`); };
 const metres = (/** @type {number} */ value, places = 1) => `${value.toFixed(places)} m`;
@@ -46,6 +48,14 @@ test('the small engine moves the gallery’s figures bit for bit as the others d
   for (const name of names) {
     const json = await example(`gallery/${name.slice(0, -'.json'.length)}`);
     assert.equal(measure(json, 'hash'), json.hash, name);
+  }
+});
+
+test('the small engine names the searches that it leaves out', async () => {
+  const kangaroo = await example('gallery/kangaroo-hop');
+  for (const algorithm of ['rgt', 'sphc', 'shc', 'pose-cycle']) engine.search(searchedDocument(kangaroo, algorithm)).close();
+  for (const algorithm of ['ssga', 'cma-es', 'map-elites']) {
+    assert.throws(() => engine.search(searchedDocument(kangaroo, algorithm)), /search\.algorithm: is not in this page/);
   }
 });
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/document/binary.h"
@@ -171,8 +172,13 @@ GS_EXPORT SearchRole* gs_search_open(std::size_t size) {
   if (!document) return nullptr;
   const Scorer scorer(ProblemOf(*document));
   const SearchSpace space = scorer.Space(StartOf(*document));
+  std::unique_ptr<Search> search = MakeSearch(document->search, space);
+  if (!search) {
+    Note({ErrorCode::kUnknownName, "search.algorithm", "is not in this page's small engine"});
+    return nullptr;
+  }
   return new SearchRole{.scorer = scorer,
-                        .search = MakeSearch(document->search, space),
+                        .search = std::move(search),
                         .budget = document->search.evaluations,
                         .genes = space.shape.Genes(),
                         .asked = {},
