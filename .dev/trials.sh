@@ -61,6 +61,13 @@ peers() {
   cmake --build --preset release --target flight gaitsmith
   node tests/peers/judge.mjs build/release/tests/peers/flight --out docs/studies/peers/mujoco.csv
   say "the errors: docs/studies/peers/mujoco.csv"
+  if command -v apt-get >/dev/null; then apt_need libpagmo-dev; cmake --preset release >/dev/null; fi
+  if cmake --build --preset release --target search_judge 2>/dev/null; then
+    build/release/tests/peers/search_judge >docs/studies/peers/searches.csv
+    say "our searches beside pagmo's: docs/studies/peers/searches.csv"
+  else
+    say "pagmo is not installed here: searches are not compared"
+  fi
   local status=0
   if command -v apt-get >/dev/null; then apt_need slurm-wlm munge; fi
   tests/clusters/slurm_test.sh build/release/shell/gaitsmith . docs/studies/peers/slurm.csv || status=$?

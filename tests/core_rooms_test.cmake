@@ -13,6 +13,7 @@ set(rooms
   "rollout  -> numeric signal control world physics"
   "kinematics -> numeric control world physics rollout"
   "search   -> numeric signal control rollout"
+  "evolution -> numeric signal control search"
   "document -> numeric signal control world physics spacetime rollout search"
   "planning -> numeric signal control world physics spacetime rollout kinematics document"
   "gait     -> numeric world kinematics document"

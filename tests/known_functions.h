@@ -79,6 +79,8 @@ inline SearchSettings Settings(Algorithm algorithm, int evaluations, std::uint32
   settings.torus = {.side = 5, .walk_steps = 4};
   settings.elites.initial = 20;
   settings.two_stage = {.random = 60, .kept = 3};
+  settings.difference.population = 20;
+  settings.elites.emitters = 2;
   return settings;
 }
 

@@ -66,6 +66,7 @@ Figure AsDrawn(const Document& d) { return {d.figure.name, d.drawn.empty() ? d.f
 Problem ProblemOf(const Document& d) {
   Problem problem = {d.figure, d.environment, d.start, d.pushes, d.task, d.senses, d.rules, d.kind};
   problem.model = d.model;
+  problem.traits = d.search.algorithm == Algorithm::kNsga;  // for its cost
   if (d.search.body != BodyFreedom::kNone) {
     problem.bodies = {AsDrawn(d), kBodyTimes[static_cast<std::size_t>(d.search.body)]};
     // Without a controller to start from, nothing of what was found before counts.

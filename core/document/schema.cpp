@@ -106,6 +106,9 @@ void Describe(Archive& ar, GeneticSettings& genetic) {
   ar.Choice("rates", genetic.rates.reading, kRateReadingNames, standard.rates.reading);
   ar.Real("rank_bias", genetic.rank_bias, 1.0f, 2.0f, standard.rank_bias);
   ar.Since(3, [&] { ar.Choice("copies", genetic.rates.copies, kCopiesNames, standard.rates.copies); });
+  ar.Since(13, [&] { ar.Choice("niching", genetic.niching, kNichingNames, standard.niching); });
+  ar.Since(13,
+           [&] { ar.Choice("crossing", genetic.rates.crossing, kCrossingNames, standard.rates.crossing); });
 }
 
 void Describe(Archive& ar, TorusSettings& torus) {
@@ -126,6 +129,7 @@ void Describe(Archive& ar, CmaSettings& cma) {
   ar.Real("step", cma.step, 0.001f, 1.0f, standard.step);
   ar.Real("growth", cma.growth, 1.0f, 10.0f, standard.growth);
   ar.Integer("draws", cma.draws, 1, 10'000, standard.draws);
+  ar.Since(13, [&] { ar.Choice("restarts", cma.restarts, kRestartsNames, standard.restarts); });
 }
 
 void Describe(Archive& ar, ElitesSettings& elites) {
@@ -136,12 +140,22 @@ void Describe(Archive& ar, ElitesSettings& elites) {
   ar.Real("most_height_m", elites.most[0], 0.001f, 1000.0f, standard.most[0]);
   ar.Real("most_slip_m", elites.most[1], 0.001f, 1000.0f, standard.most[1]);
   ar.Real("most_rotations", elites.most[2], 0.001f, 1000.0f, standard.most[2]);
+  ar.Since(13, [&] { ar.Real("crossover", elites.crossover, 0.0f, 1.0f, standard.crossover); });
+  ar.Since(13, [&] { ar.Integer("emitters", elites.emitters, 1, 100, standard.emitters); });
+  ar.Since(13, [&] { ar.Real("learning", elites.learning, 0.0f, 1.0f, standard.learning); });
 }
 
 void Describe(Archive& ar, TwoStageSettings& stages) {
   const TwoStageSettings standard;
   ar.Integer("random", stages.random, 1, 1'000'000, standard.random);
   ar.Integer("kept", stages.kept, 1, 1000, standard.kept);
+}
+
+void Describe(Archive& ar, DifferenceSettings& difference) {
+  const DifferenceSettings standard;
+  ar.Integer("population", difference.population, 4, 10'000, standard.population);
+  ar.Real("weight", difference.weight, 0.0f, 2.0f, standard.weight);
+  ar.Real("crossover", difference.crossover, 0.0f, 1.0f, standard.crossover);
 }
 
 void Describe(Archive& ar, Controller& controller, const PortCount& ports) {
@@ -256,6 +270,8 @@ void Describe(Archive& ar, SearchSettings& search) {
   ar.Since(5, [&] { ar.Choice("body", search.body, kBodyFreedomNames, standard.body); });
   ar.Since(11, [&] { ar.Integer("worlds", search.worlds, 1, kMaxWorlds, standard.worlds); });
   ar.Since(12, [&] { ar.Choice("finest_step", search.finest_step, kFinestStepNames, standard.finest_step); });
+  ar.Since(13, [&] { ar.Group("difference", [&] { Describe(ar, search.difference); }); });
+  ar.Since(13, [&] { ar.Choice("cost", search.cost, kCostNames, standard.cost); });
 }
 
 void Describe(Archive& ar, Document& d) {

@@ -101,5 +101,12 @@ inline constexpr FurtherTerms kAllFurtherTerms = [] {
   all.fill(true);
   return all;
 }();
+/// Those of the free terms, of which traits are made (core/signal/traits.h).
+inline constexpr FurtherTerms kFreeFurtherTerms = [] {
+  FurtherTerms free{};
+  for (int term = kPaperTerms; term < kFreeTerms; ++term)
+    free[static_cast<std::size_t>(term - kPaperTerms)] = true;
+  return free;
+}();
 
 }  // namespace gaitsmith

@@ -67,7 +67,8 @@ class PlantEvaluator final : public BatchEvaluator {
         sees.emplace(shape_.Bank(), problem_.senses.kind, rollout.StepNow(), problem_.task.duration_steps,
                      watch);
       Measure(rollout, body_, ports_, problem_.task, std::span(scored).first(results.size()), hashed,
-              problem_.traits ? size_m_ : 0.0f, sees ? &*sees : nullptr);
+              problem_.traits ? size_m_ : 0.0f, sees ? &*sees : nullptr,
+              problem_.all_terms ? kAllFurtherTerms : FurtherTerms{});
       for (std::size_t i = 0; i < results.size(); ++i) {
         if (begins > 1) {
           AddToMean(results[i], scored[i], static_cast<int>(begin));

@@ -46,7 +46,7 @@ class GaitMeter {
     }
   }
 
-  /// @param terms of the lane, with all further terms
+  /// @param terms of the lane, with the free further terms
   [[nodiscard]] Traits TraitsOf(int lane, const Terms& terms) const {
     const Gait& gait = gaits_[static_cast<std::size_t>(lane)];
     const auto steps = static_cast<float>(std::max(1, steps_));

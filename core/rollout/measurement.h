@@ -20,16 +20,20 @@ namespace gaitsmith {
 /// @param hashes  one for each lane; each step is added to them. Empty: no hashes
 /// @param size_m  of the figure, for traits; 0: no traits
 /// @param sees    null: nothing is recorded
+/// @param also    further terms to measure, besides those with a weight
 template <template <int> class PlantOf, int W>
 void Measure(Rollout<PlantOf, W>& rollout, const typename PlantOf<W>::Body& body, const Ports& ports,
              const Task& task, std::span<Evaluation> results, std::span<TrajectoryHash> hashes = {},
-             float size_m = 0.0f, SightingRecorder<W>* sees = nullptr) {
+             float size_m = 0.0f, SightingRecorder<W>* sees = nullptr, const FurtherTerms& also = {}) {
   const PlantOf<W>& plant = rollout.PlantNow();
   // Most searches give the further terms no weight. Then they are not measured.
   const bool looks = size_m > 0.0f;
-  const FurtherTerms weighted = looks ? kAllFurtherTerms : WeightedFurtherTerms(task);
+  FurtherTerms wanted = WeightedFurtherTerms(task);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    wanted[i] = wanted[i] || also[i] || (looks && kFreeFurtherTerms[i]);
+  }
   std::optional<StyleMeter<PlantOf<W>>> meter;
-  if (weighted != FurtherTerms{}) meter.emplace(plant, body, ports, weighted, rollout.PlantStep());
+  if (wanted != FurtherTerms{}) meter.emplace(plant, body, ports, wanted, rollout.PlantStep());
   std::optional<GaitMeter<PlantOf<W>>> gait;
   if (looks) gait.emplace(plant, ports.Count(), size_m, rollout.PlantStep());
   std::vector<DemonstrationMeter> compared;

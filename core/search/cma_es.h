@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Covariance matrix adaptation evolution strategy (CMA-ES) [Hansen 2016] over the unit cube of genes. It
-// restarts with a larger population when it stalls [Auger Hansen 2005]. Samples are rounded to the nearest
-// genome before they are used, so the distribution learns from what was simulated.
+// Covariance matrix adaptation evolution strategy (CMA-ES) [Hansen 2016] with restarts.
 //
-// A run begins at the best of some random genomes. The first run begins at the given start, if there is one.
-// That genome also determines which senses its rules ignore: an interval over the whole range is a switch,
-// not a number. Noise on it would make every rule use every sense, so that no rule would ever match.
+// A run (cma_run.h) begins at the best of some random genomes. The first run begins at the given start, if
+// there is one. A run that stalls is followed by one with a larger population [Auger Hansen 2005]. In BIPOP
+// [Hansen 2009] that alternates with runs of a small population and a smaller first step,
+//
+//   lambda = lambda_0 (lambda_large / (2 lambda_0))^(u^2),   sigma = sigma_0 10^(-2 u'),   u, u' uniform
+//
+// so that both kinds spend as many evaluations: the one that has spent less goes next.
 #pragma once
 
+#include <array>
+
 #include "core/search/batch_search.h"
-#include "core/search/cma_distribution.h"
+#include "core/search/cma_run.h"
 
 namespace gaitsmith {
 
@@ -24,25 +28,26 @@ class CmaEs final : public BatchSearch {
   void SaveState(BitWriter&) const override;
   [[nodiscard]] bool LoadState(BitReader&) override;
 
-  [[nodiscard]] int FirstPopulation() const;
   /// Number of random genomes drawn at the start of this run.
   [[nodiscard]] int Draws() const;
-  /// Determines which genes are free, and sets up everything that depends on their number.
-  void BeginAt(const Genome& origin, int population);
-  [[nodiscard]] std::vector<double> FreePointOf(const Genome&) const;
-  void Adapt(std::span<const Genome> batch, std::span<const Score> scores);
-  [[nodiscard]] bool Stalled() const;
+  [[nodiscard]] bool Bipop() const { return Settings().cma.restarts == Restarts::kBipop; }
+  /// Sets up a run from a genome, of this run's kind.
+  void BeginAt(const Genome& origin);
+  /// Determines the kind of the next run.
+  void EndRun();
 
-  Genome origin_;                  // start of the run; empty while it is being chosen
-  std::vector<std::size_t> free_;  // genes that are searched
-  CmaDistribution distribution_;   // over the free genes
-  int population_ = 0;
-  int run_ = 0;
+  CmaRun run_;          // not begun while its origin is being chosen
+  int population_ = 0;  // of this run, once it has begun; before the first: 0
+  int runs_ = 0;        // that ended
   int age_ = 0;         // generations of this run, including its random genomes
   int generation_ = 1;  // counts over all runs, for the random numbers
   int stale_ = 0;       // generations without improvement
   float run_best_ = 0.0f;
-  std::vector<float> last_fitness_;  // fitness of the last generation, for display; not saved
+  // BIPOP only.
+  bool small_ = false;                 // whether this run has a small population
+  int large_ = 0;                      // population of the last large run
+  std::array<int, 2> spent_ = {0, 0};  // evaluations of large and of small runs
+  std::vector<float> last_fitness_;    // fitness of the last generation, for display; not saved
 };
 
 }  // namespace gaitsmith

@@ -2,6 +2,9 @@
 #include "core/search/operators.h"
 
 #include <algorithm>
+#include <cstdint>
+
+#include "core/numeric/scalar_math.h"
 
 namespace gaitsmith {
 
@@ -110,6 +113,55 @@ void PerturbOnce(Genome& child, const ControllerShape& shape, const SenseSpec& s
   }
 }
 
+/// How close blended children stay to their parents, and mutated genes to what they were: the usual numbers.
+constexpr double kBlendIndex = 10.0, kMoveIndex = 50.0;
+
+double Power(double base, double exponent) { return base > 0.0 ? Exp(exponent * Log(base)) : 0.0; }
+
+/// Simulated binary crossover within bounds [Deb Agrawal 1995] of the genes of two copies.
+void Blend(Genome& first, Genome& second, RandomStream& random) {
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (first[i] == second[i] || !random.Chance(0.5)) continue;
+    const double low = std::min(first[i], second[i]) * (1.0 / kGeneMax);
+    const double high = std::max(first[i], second[i]) * (1.0 / kGeneMax);
+    const double u = random.Uniform();
+    // How far a child lies from the middle, in half the parents' distance, if `free` is left on its side.
+    const auto spread = [&](double free) {
+      const double alpha = 2.0 - Power(1.0 + 2.0 * free / (high - low), -(kBlendIndex + 1.0));
+      const double within = u * alpha <= 1.0 ? u * alpha : 1.0 / (2.0 - u * alpha);
+      return Power(within, 1.0 / (kBlendIndex + 1.0));
+    };
+    const double middle = (low + high) / 2.0, half = (high - low) / 2.0;
+    const auto gene = [](double share) {
+      return static_cast<Gene>(std::clamp(share, 0.0, 1.0) * kGeneMax + 0.5);
+    };
+    const Gene lower = gene(middle - half * spread(low)), upper = gene(middle + half * spread(1.0 - high));
+    const bool swapped = random.Chance(0.5);
+    first[i] = swapped ? upper : lower;
+    second[i] = swapped ? lower : upper;
+  }
+}
+
+/// Polynomial mutation within bounds [Deb Goyal 1996] of each gene with a chance.
+void Move(Genome& genes, double chance, RandomStream& random) {
+  for (Gene& gene : genes) {
+    if (!random.Chance(chance)) continue;
+    const double at = gene * (1.0 / kGeneMax);
+    const double u = random.Uniform();
+    const double power = 1.0 / (kMoveIndex + 1.0);
+    const double moved =
+        u < 0.5 ? Power(2.0 * u + (1.0 - 2.0 * u) * Power(1.0 - at, kMoveIndex + 1.0), power) - 1.0
+                : 1.0 - Power(2.0 * (1.0 - u) + (2.0 * u - 1.0) * Power(at, kMoveIndex + 1.0), power);
+    gene = static_cast<Gene>(std::clamp(at + moved, 0.0, 1.0) * kGeneMax + 0.5);
+  }
+}
+
+void OrderIntervals(Genome& genes, const ControllerShape& shape) {
+  shape.ForEachInterval([&](std::size_t low) {
+    if (genes[low] > genes[low + 1]) std::swap(genes[low], genes[low + 1]);
+  });
+}
+
 }  // namespace
 
 Genome RandomGenome(const ControllerShape& shape, const SenseSpec& senses, const Variation& variation,
@@ -177,12 +229,30 @@ void PerturbCopy(Genome& child, std::span<const Gene> first, std::span<const Gen
 
 Offspring Breed(std::span<const Gene> first, std::span<const Gene> second, const SearchSpace& space,
                 const Variation& variation, const Rates& rates, RandomStream& random) {
+  if (rates.crossing == Crossing::kBlended) {
+    Offspring blended = {Genome(first.begin(), first.end()), Genome(second.begin(), second.end())};
+    if (random.Chance(static_cast<double>(rates.crossover))) Blend(blended.copy, blended.hybrid, random);
+    for (Genome* child : {&blended.copy, &blended.hybrid}) {
+      Move(*child, static_cast<double>(rates.mutation), random);
+      OrderIntervals(*child, space.shape);
+      PerturbCopy(*child, first, second, space, variation, rates, random);
+    }
+    return blended;
+  }
   Offspring children = {Genome(first.begin(), first.end()), Cross(first, second, space.shape, rates, random)};
   for (Genome* child : {&children.copy, &children.hybrid}) {
     Mutate(*child, space, variation, rates, random);
     PerturbCopy(*child, first, second, space, variation, rates, random);
   }
   return children;
+}
+
+double GeneDistance(std::span<const Gene> first, std::span<const Gene> second) {
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    sum += static_cast<std::uint64_t>(std::max(first[i], second[i]) - std::min(first[i], second[i]));
+  }
+  return first.empty() ? 0.0 : static_cast<double>(sum) / (static_cast<double>(first.size()) * kGeneMax);
 }
 
 std::vector<double> PointOf(std::span<const Gene> genome) {
@@ -201,9 +271,7 @@ Genome GenomeAt(std::span<const double> point, const ControllerShape& shape) {
     const double nearest = within * kGeneMax + 0.5;  // rounded down
     genome.push_back(static_cast<Gene>(nearest));
   }
-  shape.ForEachInterval([&](std::size_t low) {
-    if (genome[low] > genome[low + 1]) std::swap(genome[low], genome[low + 1]);
-  });
+  OrderIntervals(genome, shape);
   return genome;
 }
 

@@ -46,11 +46,20 @@ inline constexpr std::array<std::string_view, 2> kRateReadingNames = {"per-child
 enum class Copies { kKept, kPerturbed };
 inline constexpr std::array<std::string_view, 2> kCopiesNames = {"kept", "perturbed"};
 
+/// How a hybrid comes about.
+enum class Crossing {
+  kWhole,    // it has whole components of each parent [Fukunaga 1994]
+  kBlended,  // its genes lie around those of both parents [Deb Agrawal 1995], and mutation moves single genes
+             // a little [Deb Goyal 1996]: the operators that NSGA-II was published with. For Breed only
+};
+inline constexpr std::array<std::string_view, 2> kCrossingNames = {"whole", "blended"};
+
 struct Rates {
   float mutation = 0.1f;   // [0, 1]; Table 2: 0.1 for both genetic algorithms
   float crossover = 0.6f;  // [0, 1]; Table 2: 0.6
   RateReading reading = RateReading::kPerChild;
   Copies copies = Copies::kKept;
+  Crossing crossing = Crossing::kWhole;  // blended ones read their rates per child and per gene
 };
 
 /// The space a search works in.
@@ -88,13 +97,16 @@ void PerturbCopy(Genome& child, std::span<const Gene> first, std::span<const Gen
                  const Variation&, const Rates&, RandomStream&);
 
 /// "One child is a copy of one parent, and the other is a true hybrid". Both are mutated [Fukunaga 1994,
-/// section 3], and perturbed if they are copies.
+/// section 3], and perturbed if they are copies. Blended children are both hybrids.
 struct Offspring {
   Genome copy;    // copy of the first parent
   Genome hybrid;  // hybrid of both parents
 };
 [[nodiscard]] Offspring Breed(std::span<const Gene> first, std::span<const Gene> second, const SearchSpace&,
                               const Variation&, const Rates&, RandomStream&);
+
+/// The mean difference of the genes of two genomes of one shape, as a share of their range, [0, 1].
+[[nodiscard]] double GeneDistance(std::span<const Gene>, std::span<const Gene>);
 
 /// A genome as a point of the unit cube: gene / 65535.
 [[nodiscard]] std::vector<double> PointOf(std::span<const Gene> genome);

@@ -34,12 +34,25 @@ enum class Algorithm {
   kMapElites,     // the best motion of every style
   kTwoStage,      // random generate and test, then ascents from the best
   kPoseCycle,     // a race of CMA-ES over pose cycles, then moves of rules that act
+  kDifferentialEvolution,
+  kNsga,    // NSGA-II: the front between the score and a cost
+  kCmaMae,  // MAP-Elites whose children come from CMA-ES
 };
+
+/// What becomes of controllers that are alike, so that one kind does not fill the population.
+enum class Niching {
+  kNone,
+  kKept,  // GGA shares fitness among them [Goldberg Richardson 1987]; in SSGA a child takes the place of the
+          // parent that it is more like, if it is fitter [Mahfoud 1995]
+};
+inline constexpr std::array<std::string_view, 2> kNichingNames = {"none", "kept"};
+
 /// Parameters of GGA and SSGA, and the rates of MPGA.
 struct GeneticSettings {
   int population = 200;  // GGA, SSGA, [2, 10000]; Table 2: 200
   Rates rates;
   float rank_bias = 1.5f;  // SSGA: how many times as often the fittest is chosen as the median, [1, 2]
+  Niching niching = Niching::kNone;  // GGA, SSGA
 };
 
 /// Parameters of MPGA: one processor per cell of a square torus.
@@ -69,13 +82,21 @@ enum class CmaGenes {
 };
 inline constexpr std::array<std::string_view, 2> kCmaGenesNames = {"cared-for", "all"};
 
+/// What a run that has stalled is followed by.
+enum class Restarts {
+  kGrowing,  // a larger population each time: IPOP [Auger Hansen 2005]
+  kBipop,    // either that, or a small population with a smaller step, whichever has spent less [Hansen 2009]
+};
+inline constexpr std::array<std::string_view, 2> kRestartsNames = {"growing", "bipop"};
+
 struct CmaSettings {
   CmaGenes genes = CmaGenes::kCared;
   Covariance covariance = Covariance::kAutomatic;
   int population = 0;   // lambda, 0 or [4, 10000]; 0: 4 + 3 ln(genes) [Hansen 2016]
   float step = 0.3f;    // first standard deviation, as a share of a gene's range, [0.001, 1]
-  float growth = 2.0f;  // growth of the population at every restart, [1, 10]; 2: IPOP [Auger Hansen 2005]
-  int draws = 50;       // random genomes, the best of which begins a run, [1, 10000]
+  float growth = 2.0f;  // growth of the population at every restart, [1, 10]
+  Restarts restarts = Restarts::kGrowing;
+  int draws = 50;  // random genomes, the best of which begins a run, [1, 10000]
 };
 
 struct ElitesSettings {
@@ -84,7 +105,25 @@ struct ElitesSettings {
   int bins = 8;    // bins per style term, [1, 32]
   // Upper end of the last bin of each term, (0, 1000]. Larger values fall into the last bin.
   std::array<float, 3> most = {4.0f, 10.0f, 4.0f};  // height [m], slip [m], rotations
+  float crossover = 0.0f;  // MAP-Elites: chance that a child takes whole rules from two elites, [0, 1]
+  int emitters = 5;        // CMA-MAE: distributions that sample side by side, [1, 100]
+  float learning = 0.01f;  // CMA-MAE: how fast a cell asks for more, [0, 1]: alpha
 };
+
+struct DifferenceSettings {
+  int population = 50;     // [4, 10000]
+  float weight = 0.5f;     // of the difference, [0, 2]
+  float crossover = 0.9f;  // chance that a gene is the changed one, [0, 1]
+};
+
+/// What a front sets against the score: as little as possible of it.
+enum class Cost { kEffort, kSlip };
+inline constexpr std::array<std::string_view, 2> kCostNames = {"effort", "slip"};
+inline constexpr std::array<Trait, 2> kCostTraits = {Trait::kEffort, Trait::kSlip};
+/// By second, and in sizes of the figure or for each joint, so that it means the same for all.
+[[nodiscard]] inline float CostOf(const Traits& traits, Cost cost) {
+  return TraitOf(traits, kCostTraits[static_cast<std::size_t>(cost)]);
+}
 
 struct TwoStageSettings {
   int random = 1000;  // random genomes of the first stage, [1, 1000000]
@@ -139,13 +178,15 @@ struct SearchSettings {
   CmaSettings cma;
   ElitesSettings elites;
   TwoStageSettings two_stage;
+  DifferenceSettings difference;
+  Cost cost = Cost::kEffort;  // NSGA-II
 };
 
 /// The score of a motion that a search receives.
 struct Score {
   float fitness = 0.0f;
   std::array<float, 3> style = {};  // unweighted secondary terms in the order of Table 3, for MAP-Elites
-  Traits traits = {};               // if the problem measures them, for Brood
+  Traits traits = {};               // if the problem measures them, for Brood and NSGA-II
 };
 
 /// A fitness at or below this means that there is no real motion (the evaluator's kVoidScore is -1e9).
@@ -197,23 +238,30 @@ class Search {
 
 /// Groups of settings. A bit of each says whether an algorithm reads it.
 namespace settings_group {
-inline constexpr unsigned kClimbs = 1;       // population, reseed_interval
-inline constexpr unsigned kPopulation = 2;   // genetic.population
-inline constexpr unsigned kRates = 4;        // genetic.rates
-inline constexpr unsigned kRankBias = 8;     // genetic.rank_bias
-inline constexpr unsigned kTorus = 16;       // torus
-inline constexpr unsigned kRefine = 32;      // refine
-inline constexpr unsigned kCma = 64;         // cma
-inline constexpr unsigned kElites = 128;     // elites
-inline constexpr unsigned kStages = 256;     // two_stage
-inline constexpr unsigned kVariation = 512;  // variation: settings of perturbation
+inline constexpr unsigned kClimbs = 1;          // population, reseed_interval
+inline constexpr unsigned kPopulation = 2;      // genetic.population
+inline constexpr unsigned kRates = 4;           // genetic.rates
+inline constexpr unsigned kRankBias = 8;        // genetic.rank_bias
+inline constexpr unsigned kTorus = 16;          // torus
+inline constexpr unsigned kRefine = 32;         // refine
+inline constexpr unsigned kCma = 64;            // cma
+inline constexpr unsigned kElites = 128;        // elites
+inline constexpr unsigned kStages = 256;        // two_stage
+inline constexpr unsigned kVariation = 512;     // variation: settings of perturbation
+inline constexpr unsigned kNiching = 1024;      // genetic.niching
+inline constexpr unsigned kCrossing = 65536;    // genetic.crossing
+inline constexpr unsigned kRestarts = 2048;     // cma.restarts, growth and draws
+inline constexpr unsigned kBatches = 4096;      // elites.batch, crossover
+inline constexpr unsigned kEmitters = 8192;     // elites.emitters, learning
+inline constexpr unsigned kDifference = 16384;  // difference
+inline constexpr unsigned kCost = 32768;        // cost
 }  // namespace settings_group
 
 /// @param settings must be valid, as in a valid document
 using SearchMaker = std::unique_ptr<Search>(const SearchSettings&, const SearchSpace&);
 // Each is defined beside its algorithm.
 SearchMaker MakeRandomSearch, MakeSphc, MakeGga, MakeSsga, MakeShc, MakeMpga, MakeNelderMead, MakePowell,
-    MakeCmaEs, MakeMapElites, MakeTwoStage, MakePoseCycle;
+    MakeCmaEs, MakeMapElites, MakeTwoStage, MakePoseCycle, MakeDifferentialEvolution, MakeNsga, MakeCmaMae;
 
 /// A row of the algorithm table.
 struct AlgorithmRow {
@@ -233,19 +281,24 @@ inline constexpr auto kAlgorithms = [] {
   constexpr auto kNone = [](S) { return 0; };
   constexpr auto kOfParents = [](S s) { return s.genetic.population; };
   constexpr auto kOfCells = [](S s) { return s.torus.side * s.torus.side; };
+  constexpr auto kOfMembers = [](S s) { return s.difference.population; };
   return std::to_array<AlgorithmRow>({
       {kRandomSearch, "rgt", 0, false, kNone, MakeRandomSearch},
       {kSphc, "sphc", kClimbs | kVariation, false, kNone, MakeSphc},
-      {kGga, "gga", kPopulation | kRates | kVariation, false, kOfParents, MakeGga},
-      {kSsga, "ssga", kPopulation | kRates | kRankBias | kVariation, false, kOfParents, MakeSsga},
+      {kGga, "gga", kPopulation | kRates | kCrossing | kNiching | kVariation, false, kOfParents, MakeGga},
+      {kSsga, "ssga", kPopulation | kRates | kCrossing | kRankBias | kNiching | kVariation, false, kOfParents,
+       MakeSsga},
       {kShc, "shc", kVariation, true, kNone, MakeShc},
       {kMpga, "mpga", kTorus | kRates | kVariation, false, kOfCells, MakeMpga},
       {kNelderMead, "nelder-mead", kRefine, true, kNone, MakeNelderMead},
       {kPowell, "powell", kRefine, true, kNone, MakePowell},
-      {kCmaEs, "cma-es", kCma, true, kNone, MakeCmaEs},
-      {kMapElites, "map-elites", kElites | kVariation, false, kNone, MakeMapElites},
+      {kCmaEs, "cma-es", kCma | kRestarts, true, kNone, MakeCmaEs},
+      {kMapElites, "map-elites", kElites | kBatches | kVariation, false, kNone, MakeMapElites},
       {kTwoStage, "two-stage", kStages | kVariation, false, kNone, MakeTwoStage},
       {kPoseCycle, "pose-cycle", 0, true, kNone, MakePoseCycle},
+      {kDifferentialEvolution, "de", kDifference, false, kOfMembers, MakeDifferentialEvolution},
+      {kNsga, "nsga-ii", kPopulation | kRates | kCrossing | kCost | kVariation, false, kOfParents, MakeNsga},
+      {kCmaMae, "cma-mae", kElites | kEmitters | kCma, false, kNone, MakeCmaMae},
   });
 }();
 static_assert([] {

@@ -26,8 +26,8 @@ constexpr auto kCommands = std::to_array<Command>({
      "             [--sprite-size PX | --sprite-scale PX] [--planned | --loop [--halves] [--in-place]]"},
     {"synthesize", gaitsmith::shell::SynthesizeCommand,
      "synthesize --figure F --task T --sense physical|timer=SECONDS|sight --weight TERM=W\n"
-     "             --search ALG --evaluations N --seed S --out DOC [--curve CSV] [--styles DIR] [--threads "
-     "K]\n"
+     "             --search ALG --evaluations N --seed S --out DOC [--curve CSV] [--styles DIR] [--front DIR]\n"
+     "             [--threads K]\n"
      "             [--controller rules|network|trajectory|trajectory:rest] [--rules N] [--duration SECONDS] "
      "[--joints "
      "strong|limited|STRENGTH]\n"

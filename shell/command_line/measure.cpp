@@ -138,7 +138,7 @@ Outcome MeasureCommand(Words words) {
     auto one = OneClip(*arguments, *document, "--substeps");
     if (!one) return std::unexpected(one.error());
     auto& [problem, genome] = *one;
-    problem.traits = true;  // measures every term
+    problem.all_terms = true;
     const Evaluation found = Evaluator(problem, true).Evaluate(std::span(&genome, 1)).front();
     PrintTerms(document->task, found.terms, found.trajectory_hash);
     return {};

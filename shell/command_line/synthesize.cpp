@@ -9,7 +9,8 @@
 #include <filesystem>
 
 #include "core/document/json.h"
-#include "core/search/elites.h"
+#include "core/evolution/elites.h"
+#include "core/evolution/nsga.h"
 #include "shell/command_line/arguments.h"
 #include "shell/command_line/commands.h"
 #include "shell/command_line/files.h"
@@ -53,14 +54,52 @@ std::string CurveCsv(const std::vector<Search::CurvePoint>& curve) {
   return csv;
 }
 
-/// Writes the motion of every style that the search has found, and a table of them.
-/// @param own  how many controllers the document has of its own, as in Request
-Result<void> WriteStyles(const std::filesystem::path& folder, const Document& searched, int own,
-                         const SearchProgress& found) {
+/// @param option that names the folder
+Result<void> MakeFolder(const std::string& option, const std::filesystem::path& folder) {
   std::error_code fault;
   std::filesystem::create_directories(folder, fault);
   if (fault)
-    return Fail(ErrorCode::kMissing, "--styles " + folder.string(), "cannot be made: " + fault.message());
+    return Fail(ErrorCode::kMissing, option + " " + folder.string(), "cannot be made: " + fault.message());
+  return {};
+}
+
+/// Writes one of the motions that a search has found.
+/// @param own  how many controllers the document has of its own, as in Request
+Result<void> WriteMotion(const std::filesystem::path& file, const Document& searched, int own,
+                         const Genome& genome) {
+  Document document = searched;
+  Controller controller = TakeFound(searched, genome, document);
+  controller.name =
+      "found by " + std::string(kAlgorithmNames[static_cast<std::size_t>(searched.search.algorithm)]);
+  if (auto put = PutFound(controller, own, document); !put) return std::unexpected(put.error());
+  document.hash = Simulate(document).Hash();
+  return WriteText(file.string(), EncodeJson(document));
+}
+
+/// Writes the motions of the front that NSGA-II has found, by rising score, and a table of them.
+Result<void> WriteFront(const std::filesystem::path& folder, const Document& searched, int own,
+                        const SearchProgress& found) {
+  if (auto made = MakeFolder("--front", folder); !made) return made;
+  const auto front = FrontOf(searched.search, ProblemOf(searched).Shape().Genes(), found.saved);
+  std::string csv = "fitness,cost,file\n";
+  for (std::size_t i = 0; front && i < front->size(); ++i) {
+    const Compromise& one = (*front)[i];
+    std::string number = std::to_string(i + 1);
+    number.insert(0, std::to_string(front->size()).size() - number.size(), '0');
+    const std::string name = number + ".json";
+    if (auto written = WriteMotion(folder / name, searched, own, one.genome); !written) return written;
+    char values[48];
+    std::snprintf(values, sizeof values, "%.9g,%.9g,", static_cast<double>(one.aims.score),
+                  0.0 - static_cast<double>(one.aims.thrift));
+    csv.append(values).append(name).append("\n");
+  }
+  return WriteText((folder / "front.csv").string(), csv);
+}
+
+/// Writes the motion of every style that the search has found, and a table of them.
+Result<void> WriteStyles(const std::filesystem::path& folder, const Document& searched, int own,
+                         const SearchProgress& found) {
+  if (auto made = MakeFolder("--styles", folder); !made) return made;
   const auto elites = ElitesOf(searched.search, ProblemOf(searched).Shape().Genes(), found.saved);
   std::string csv = "height_bin,slip_bin,turns_bin,fitness,max_cm_height,slip_sum,rotations,file\n";
   const auto bins = static_cast<std::size_t>(searched.search.elites.bins);
@@ -73,12 +112,7 @@ Result<void> WriteStyles(const std::filesystem::path& folder, const Document& se
       row.append(std::to_string(bin)).append(",");
     }
     name.append(".json");
-    Document document = searched;
-    Controller controller = TakeFound(searched, elite.genome, document);
-    controller.name = "found by map-elites";
-    if (auto put = PutFound(controller, own, document); !put) return std::unexpected(put.error());
-    document.hash = Simulate(document).Hash();
-    if (auto written = WriteText((folder / name).string(), EncodeJson(document)); !written) return written;
+    if (auto written = WriteMotion(folder / name, searched, own, elite.genome); !written) return written;
     char values[80];
     const auto& [high, slid, turned] = elite.score.style;
     std::snprintf(values, sizeof values, "%.9g,%.9g,%.9g,%.9g,", static_cast<double>(elite.score.fitness),
@@ -92,9 +126,9 @@ Result<void> WriteStyles(const std::filesystem::path& folder, const Document& se
 
 Outcome SynthesizeCommand(Words words) {
   static constexpr std::string_view kOptions[] = {
-      "figure", "task",    "sense",    "weight",   "search", "evaluations",   "seed",       "out",
-      "curve",  "threads", "rules",    "duration", "from",   "search-option", "controller", "problem",
-      "repair", "clip",    "handover", "way",      "pose",   "styles",        "joints",     "ground"};
+      "figure",   "task",  "sense",    "weight", "search",        "evaluations", "seed",    "out",    "curve",
+      "threads",  "rules", "duration", "from",   "search-option", "controller",  "problem", "repair", "clip",
+      "handover", "way",   "pose",     "styles", "joints",        "ground",      "front"};
   const auto arguments = Arguments::ParseOptions(words, kOptions);
   if (!arguments) return std::unexpected(arguments.error());
   if (!arguments->Has("out"))
@@ -105,8 +139,11 @@ Outcome SynthesizeCommand(Words words) {
   const auto threads = arguments->Integer("threads", 1, 256, Cores());
   if (!threads) return std::unexpected(threads.error());
 
-  if (arguments->Has("styles") && document.search.algorithm != Algorithm::kMapElites)
-    return Fail(ErrorCode::kStructure, "--styles", "goes with --search map-elites, which keeps every style");
+  if (arguments->Has("styles") && !KeepsElites(document.search.algorithm))
+    return Fail(ErrorCode::kStructure, "--styles",
+                "goes with --search map-elites or cma-mae, which keep every style");
+  if (arguments->Has("front") && document.search.algorithm != Algorithm::kNsga)
+    return Fail(ErrorCode::kStructure, "--front", "goes with --search nsga-ii, which keeps a front");
 
   WarnOfMasses(document.figure.name, document);
   const Document searched = document;
@@ -124,6 +161,10 @@ Outcome SynthesizeCommand(Words words) {
   if (auto written = WriteText(arguments->Last("out"), EncodeJson(document)); !written) return written;
   if (arguments->Has("styles")) {
     if (auto written = WriteStyles(arguments->Last("styles"), searched, request->own, found); !written)
+      return written;
+  }
+  if (arguments->Has("front")) {
+    if (auto written = WriteFront(arguments->Last("front"), searched, request->own, found); !written)
       return written;
   }
   if (arguments->Has("curve")) return WriteText(arguments->Last("curve"), CurveCsv(found.curve));

@@ -63,6 +63,8 @@ class ProblemClass {
       cell(column++, i) = one.fitness;
       cell(column++, i) = one.terms.travel_m;
       for (const StyleTerm term : MeasuredTerms()) cell(column++, i) = one.terms.Style(term);
+      if (document_.search.algorithm == Algorithm::kNsga)
+        cell(column++, i) = CostOf(one.traits, document_.search.cost);
       broken.mutable_data()[i] = one.fitness <= kNoMotion;
     }
     py::object hashes = py::none();
@@ -119,6 +121,7 @@ class ProblemClass {
     std::vector<std::string> names{"fitness", "travel"};
     for (const StyleTerm term : MeasuredTerms())
       names.emplace_back(kStyleTermNames[static_cast<std::size_t>(term)]);
+    if (document_.search.algorithm == Algorithm::kNsga) names.emplace_back("cost");
     return names;
   }
   /// Made when first needed. Several threads may ask for it.

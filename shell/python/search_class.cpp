@@ -66,7 +66,7 @@ class SearchClass {
     return ArrayOf(genomes, genes_);
   }
 
-  void Tell(const py::object& fitness, const py::object& style) {
+  void Tell(const py::object& fitness, const py::object& style, const py::object& cost) {
     const auto numbers = Floats("fitness", fitness, {-1});
     std::vector<Score> scores(static_cast<std::size_t>(numbers.size()));
     for (std::size_t i = 0; i < scores.size(); ++i) scores[i].fitness = numbers.data()[i];
@@ -74,6 +74,12 @@ class SearchClass {
       const auto terms = Floats("style", style, {numbers.size(), 3});
       for (std::size_t i = 0; i < scores.size(); ++i)
         std::copy_n(terms.data() + 3 * i, 3, scores[i].style.begin());
+    }
+    if (!cost.is_none()) {
+      const auto costs = Floats("cost", cost, {numbers.size()});
+      const auto trait =
+          static_cast<std::size_t>(kCostTraits[static_cast<std::size_t>(document_.search.cost)]);
+      for (std::size_t i = 0; i < scores.size(); ++i) scores[i].traits[trait] = costs.data()[i];
     }
     Alone([&] {
       if (open_ == 0) throw Fault("tell: no genomes have been asked for");

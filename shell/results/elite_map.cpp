@@ -13,7 +13,7 @@
 namespace gaitsmith::shell {
 
 std::optional<EliteMap> EliteMap::Of(const Document& searched, std::span<const std::uint8_t> state) {
-  if (searched.search.algorithm != Algorithm::kMapElites || state.empty()) return std::nullopt;
+  if (!KeepsElites(searched.search.algorithm) || state.empty()) return std::nullopt;
   const auto elites = ElitesOf(searched.search, ProblemOf(searched).Shape().Genes(), state);
   if (!elites) return std::nullopt;
   EliteMap map;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The result of MAP-Elites as a map of styles: the best motion for each height, slip and number of turns
+// The result of MAP-Elites or CMA-MAE as a map of styles: the best motion for each height, slip and number of turns
 // [Mouret Clune 2015].
 #pragma once
 
@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "core/document/document.h"
-#include "core/search/elites.h"
+#include "core/evolution/elites.h"
 
 namespace gaitsmith::shell {
 
 class EliteMap {
  public:
   /// @param searched the document that was searched. @param state of its search (Search::Save)
-  /// @return nothing if the state is not from a MAP-Elites search of the document
+  /// @return nothing if the state is not from such a search of the document
   [[nodiscard]] static std::optional<EliteMap> Of(const Document& searched,
                                                   std::span<const std::uint8_t> state);
 

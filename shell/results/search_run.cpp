@@ -186,6 +186,7 @@ void SearchRun::OnProgress(SearchProgress progress) {
     ended_.push_back(SearchOf(job_->document));
   }
   if (auto map = EliteMap::Of(job_->document, progress_.saved)) elites_ = std::move(map);
+  if (auto front = FrontMap::Of(job_->document, progress_.saved)) front_ = std::move(front);
   progress_.saved.clear();
   const std::string of_queue = job_->source == Source::kQueue ? SearchTitle(job_->document) : "";
   const std::string found = job_->found;

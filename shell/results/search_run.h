@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "shell/results/elite_map.h"
+#include "shell/results/front_map.h"
 #include "shell/results/lab.h"
 #include "shell/results/result_store.h"
 #include "shell/results/spread_curve.h"
@@ -101,8 +102,10 @@ class SearchRun {
   [[nodiscard]] const std::string& Title() const { return title_; }
   /// The population's spread over the present or last search.
   [[nodiscard]] const SpreadCurve& PopulationSpread() const { return spread_; }
-  /// The map of styles of the last MAP-Elites search.
+  /// The map of styles of the last search for a map, MAP-Elites or CMA-MAE.
   [[nodiscard]] const std::optional<EliteMap>& Elites() const { return elites_; }
+  /// The front of the last NSGA-II search.
+  [[nodiscard]] const std::optional<FrontMap>& Front() const { return front_; }
   /// The document as it was before the last search that was shown.
   [[nodiscard]] const Document& Before() const { return before_; }
 
@@ -136,6 +139,7 @@ class SearchRun {
   std::string title_;
   SpreadCurve spread_;
   std::optional<EliteMap> elites_;
+  std::optional<FrontMap> front_;
   Document before_;
   std::vector<Document> ended_;  // the latest searches that ran to their end
   Genome improvement_;           // found, not shown yet

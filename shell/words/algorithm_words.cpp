@@ -33,6 +33,12 @@ const std::array<AlgorithmWords, kAlgorithmNames.size()>& AlgorithmTexts() {
       {TrLater("Pose cycle"), TrLater("Pose cycle: race, then place rules"),
        TrLater("Races loops of poses, then adds rules where the figure really passes. Usually needs the "
                "fewest tries.")},
+      {"DE", TrLater("DE: differential evolution"),
+       TrLater("Moves each controller by the difference of two others, and keeps what is no worse.")},
+      {"NSGA-II", TrLater("NSGA-II: score against cost"),
+       TrLater("Finds the best motion for every price, from hardly any effort to the highest score.")},
+      {"CMA-MAE", TrLater("CMA-MAE: styles by adaptation"),
+       TrLater("As MAP-Elites, but several samplings learn which directions lead to new or better styles.")},
   });
   static_assert(std::tuple_size_v<decltype(kTexts)> == kAlgorithmNames.size(),
                 "every algorithm needs its words");

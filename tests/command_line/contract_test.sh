@@ -161,7 +161,7 @@ done
 # The number of threads does not change the document.
 find() { "$gaitsmith" synthesize --figure inchworm --task travel --sense timer=0.8 --weight slip_sum=0.5 --search "$1" \
   --evaluations 300 --seed 9 --out "$2" --curve curve.csv --threads "$3" --search-option torus.side=8; }
-for search in rgt sphc gga ssga shc mpga nelder-mead powell cma-es map-elites two-stage pose-cycle; do
+for search in rgt sphc gga ssga shc mpga nelder-mead powell cma-es map-elites two-stage pose-cycle de nsga-ii cma-mae; do
   find $search one.json 1 || fault "synthesize"
   for threads in $([ $search = sphc ] && echo 2 3 4 5 6 7 8 || echo 3); do
     find $search many.json $threads; cmp -s one.json many.json || fault "$search with $threads threads found something else"
@@ -197,6 +197,20 @@ while IFS=, read -r _ _ _ fitness height _ _ file; do
 done < <(tail -n +2 kept/styles.csv) >kept/fitness
 same "$(sort -g kept/fitness | tail -1)" "$("$gaitsmith" measure kept.json | awk -F, 'NR == 1 { while ($++i != "fitness"); } END { print $i }')" "the best style"
 refuses 'goes with --search map-elites' styles sphc
+rm -r kept
+styles cma-mae || fault "synthesize --search cma-mae --styles"
+[ "$(wc -l <kept/styles.csv)" -gt 3 ] || fault "too few styles of cma-mae"
+# NSGA-II keeps the best motion for every price: each has the score and no motion both scores more and costs less.
+front() { "$gaitsmith" synthesize --task travel --search "$1" --evaluations 1000 --seed 9 --search-option genetic.population=50 --out best.json --front front; }
+front nsga-ii || fault "synthesize --front"
+same "$(head -1 front/front.csv)" "fitness,cost,file" "columns of a front"
+[ "$(wc -l <front/front.csv)" -gt 3 ] || fault "too few motions on a front"
+while IFS=, read -r fitness _ file; do
+  same "$("$gaitsmith" measure "front/$file" | awk -F, 'NR == 1 { while ($++i != "fitness"); } END { print $i }')" "$fitness" "fitness of $file"
+done < <(tail -n +2 front/front.csv)
+tail -n +2 front/front.csv | sort -c -g -t, -k1,1 || fault "a front is not by rising score"
+tail -n +2 front/front.csv | sort -c -g -t, -k2,2 || fault "a front is not by rising cost"
+refuses 'goes with --search nsga-ii' front sphc
 
 # A search can start from an earlier result, and the new document records this.
 "$gaitsmith" synthesize --from one.json --search powell --evaluations 50 --search-option refine.step=0.05 --out refined.json \

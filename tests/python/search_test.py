@@ -115,6 +115,7 @@ class Searching(unittest.TestCase):
     WORDS = {
         "sphc": {}, "cma-es": {}, "ssga": {"genetic.population": 50}, "rgt": {}, "shc": {}, "map-elites": {}, "pose-cycle": {},
         "mpga": {"torus.side": 8}, "nelder-mead": {}, "two-stage": {"two_stage.random": 100},
+        "de": {"difference.population": 20}, "nsga-ii": {"genetic.population": 50}, "cma-mae": {},
     }
 
     def test_asking_and_telling_finds_what_synthesize_finds(self):

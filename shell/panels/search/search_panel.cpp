@@ -170,7 +170,7 @@ void DrawSettings(Ui& ui, Session& session, SearchPanelState& state) {
                Type::kNote);
   ui.Gap(6.0f);
   if (session.Layout().Locks(LockedPart::kSearch)) ui.LockNote();
-  DrawSearchSettings(ui, session, state.variation);
+  DrawSearchSettings(ui, session, state.form);
   ui.Gap(6.0f);
 }
 
@@ -189,6 +189,11 @@ void DrawSearchPanel(Ui& ui, Session& session, SearchPanelState& state) {
   if (session.Search().Elites() && SameTree(session.Search().Elites()->Whose(), session.Doc().figure) &&
       DrawFold(ui, "elites", Tr("Map of styles"), Grouped(session.Search().Elites()->Count()), state.elites))
     DrawEliteMap(ui, session, state.elite_map);
+  state.front_map.poses.BeginFrame();
+  if (session.Search().Front() && SameTree(session.Search().Front()->Whose(), session.Doc().figure) &&
+      DrawFold(ui, "front", Tr("Score against cost"), Grouped(session.Search().Front()->Count()),
+               state.front))
+    DrawFront(ui, session, state.front_map);
   DrawKeepingButtons(ui, session);
   ui.Gap(kGap);
   ui.Lock(session.Layout().Locks(LockedPart::kSearch));

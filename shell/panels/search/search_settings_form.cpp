@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "shell/widgets/fold.h"
@@ -13,6 +14,9 @@
 
 namespace gaitsmith::shell {
 namespace {
+
+/// The first of the table, which everybody sees. Further ones are for those who ask for them.
+constexpr int kListedAlgorithms = static_cast<int>(Algorithm::kPoseCycle) + 1;
 
 void Change(Session& session, const std::function<void(SearchSettings&)>& edit) {
   session.Set([&](Document& d) {
@@ -73,15 +77,24 @@ void DrawStart(Ui& ui, Session& session) {
 
 }  // namespace
 
-void DrawSearchSettings(Ui& ui, Session& session, bool& variation) {
+void DrawSearchSettings(Ui& ui, Session& session, SearchFormState& state) {
   const SearchSettings& search = session.Doc().search;
-  std::vector<std::string> algorithms;
-  for (const AlgorithmWords& words : AlgorithmTexts()) algorithms.emplace_back(Tr(words.title));
   int algorithm = static_cast<int>(search.algorithm);
+  const bool further = algorithm >= kListedAlgorithms;
+  bool all = state.all_algorithms || further;
+  std::vector<std::string> algorithms;
+  for (const AlgorithmWords& words : AlgorithmTexts()) {
+    if (all || std::cmp_less(algorithms.size(), kListedAlgorithms)) algorithms.emplace_back(Tr(words.title));
+  }
   if (ui.Combo("search/algorithm", Tr("Algorithm"), algorithms, algorithm))
     Change(session, [&](SearchSettings& s) { s.algorithm = static_cast<Algorithm>(algorithm); });
   ui.Paragraph(Tr(WordsOf(search.algorithm).line), Type::kNote);
   ui.Gap(7.0f);
+  if (!further) {
+    if (ui.Switch("search/all-algorithms", Tr("More algorithms"), all)) state.all_algorithms = all;
+    ui.Paragraph(Tr("For experts: the list above then has further ones."), Type::kNote);
+    ui.Gap(7.0f);
+  }
   double budget = search.evaluations;
   if (ui.Slider("search/budget", Tr("Budget"), budget,
                 {.low = 1000.0, .high = 1e6, .step = 1000.0, .logarithmic = true},
@@ -102,7 +115,7 @@ void DrawSearchSettings(Ui& ui, Session& session, bool& variation) {
   if (ui.Number("search/workers", Tr("Workers"), workers, 1, most)) session.Search().SetWorkers(workers);
   ui.Paragraph(Tr("More workers finish sooner. The result stays the same."), Type::kNote);
   ui.Gap(4.0f);
-  if (DrawFold(ui, "search/variation", Tr("Random variation"), "", variation)) {
+  if (DrawFold(ui, "search/variation", Tr("Random variation"), "", state.variation)) {
     ui.Gap(4.0f);
     DrawAll(ui, session, VariationOf(search.algorithm));
   }

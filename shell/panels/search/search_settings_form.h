@@ -7,7 +7,11 @@
 
 namespace gaitsmith::shell {
 
-/// @param variation  whether the section of shared operators is open
-void DrawSearchSettings(Ui&, Session&, bool& variation);
+struct SearchFormState {
+  bool variation = false;       // whether the section of shared operators is open
+  bool all_algorithms = false;  // whether the list has those for experts
+};
+
+void DrawSearchSettings(Ui&, Session&, SearchFormState&);
 
 }  // namespace gaitsmith::shell

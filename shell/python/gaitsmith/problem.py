@@ -15,7 +15,8 @@ class Evaluations(dict[str, np.ndarray]):
     """Arrays (n,) by name, one number for each genome.
 
     ``fitness`` (-1e9 if the motion breaks physics), ``travel`` [m], ``max_cm_height`` [m], ``slip_sum`` [m],
-    ``rotations``, and the further terms to which the task gives a weight, all float32; ``void`` (bool); and if asked
+    ``rotations``, and the further terms to which the task gives a weight, all float32; where the search is ``nsga-ii``
+    its ``cost``, by second and in sizes of the figure or for each joint; ``void`` (bool); and if asked
     for ``hash`` (uint64) of the trajectories. With several worlds or handovers, numbers are means [section 6].
     """
 

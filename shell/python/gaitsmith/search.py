@@ -63,16 +63,16 @@ class Search:
     def tell(self, scores: Union[Evaluations, np.ndarray, list]) -> None:
         """Passes the scores of the last ask, in its order.
 
-        scores: what ``evaluate`` returned, or fitness (n,). MAP-Elites needs the former. NaN ranks below all
+        scores: what ``evaluate`` returned, or fitness (n,). MAP-Elites, CMA-MAE and NSGA-II need the former. NaN ranks below all
         """
         if isinstance(scores, Mapping):
             style = [scores.get(name) for name in ("max_cm_height", "slip_sum", "rotations")]
             if "fitness" not in scores:
                 raise _core.Error("scores: have no fitness")
             have_style = all(term is not None for term in style)
-            self._search.tell(scores["fitness"], np.stack(style, axis=1) if have_style else None)
+            self._search.tell(scores["fitness"], np.stack(style, axis=1) if have_style else None, scores.get("cost"))
         else:
-            self._search.tell(scores, None)
+            self._search.tell(scores, None, None)
 
     def run(self, threads: Optional[int] = None) -> Search:
         """Runs the search to its end natively. threads: None for all cores. Ctrl-C ends it early; it can go on."""

@@ -129,9 +129,10 @@ async function everyControl({ browser, address }) {
     if (!(await page.widgets()).find(({ id }) => id === fold)?.state.expanded) await pointer.press(fold);
   }
   await pointer.press('search/variation');
+  await pointer.press('search/all-algorithms');
   await pointer.press('search/algorithm');
   const algorithms = (await page.widgets()).filter(({ id }) => id.startsWith('search/algorithm/')).length;
-  assert.ok(algorithms > 5);
+  assert.ok(algorithms > 12);
   await page.press('Escape');
   for (let next = 0; next < algorithms; next++) {
     await pointer.press('search/algorithm');
@@ -144,6 +145,13 @@ async function everyControl({ browser, address }) {
   });
   await page.call('synthesize', () => window.gaitsmith.synthesize({}).then(() => true));
   await activate(page, 'tab', 'Search');
+  await page.call('a front', () => {
+    const document = window.gaitsmith.document();
+    window.gaitsmith.open({ ...document, hash: undefined, search: { algorithm: 'nsga-ii', seed: 3, evaluations: 400, genetic: { population: 50 } } });
+  });
+  await page.call('synthesize', () => window.gaitsmith.synthesize({}).then(() => true));
+  await activate(page, 'tab', 'Search');
+  await census.take(page, 'front');
   await page.call('waiting', () => {
     for (const seed of [5, 6]) window.gaitsmith.enqueue({ seed, evaluations: 900000 });
   });

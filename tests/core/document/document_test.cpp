@@ -191,6 +191,16 @@ TEST_CASE("document: every parameter of every search travels, and costs a versio
       [](Document& d) { d.search.elites.most[0] = 5.0f; },
       [](Document& d) { d.search.elites.most[1] = 6.0f; },
       [](Document& d) { d.search.elites.most[2] = 7.0f; },
+      [](Document& d) { d.search.elites.crossover = 0.5f; },
+      [](Document& d) { d.search.elites.emitters = 3; },
+      [](Document& d) { d.search.elites.learning = 0.5f; },
+      [](Document& d) { d.search.cma.restarts = Restarts::kBipop; },
+      [](Document& d) { d.search.genetic.niching = Niching::kKept; },
+      [](Document& d) { d.search.genetic.rates.crossing = Crossing::kBlended; },
+      [](Document& d) { d.search.difference.population = 30; },
+      [](Document& d) { d.search.difference.weight = 0.7f; },
+      [](Document& d) { d.search.difference.crossover = 0.4f; },
+      [](Document& d) { d.search.cost = Cost::kSlip; },
   };
   Document plain = StarManTravel(SenseKind::kTimer);
   plain.controllers = {RandomController(plain.figure, plain.senses, 3)};
@@ -203,9 +213,11 @@ TEST_CASE("document: every parameter of every search travels, and costs a versio
     CAPTURE(&edit - edits.data());
     REQUIRE(Validate(d));
     const auto bytes = EncodeBinary(d);
-    REQUIRE(bytes[0] == (&edit - edits.data() < 2 ? 3 : 2));
-    REQUIRE(bytes.size() <=
-            shortest + 8);  // 21 more bits for the others, 33 for this one, one byte of rounding
+    const auto at = static_cast<std::size_t>(&edit - edits.data());
+    const bool newest = at + 10 >= edits.size();
+    REQUIRE(bytes[0] == (at < 2 ? 3 : newest ? 13 : 2));
+    // 21 more bits for the others, 33 for this one, one byte of rounding; a later version has more fields.
+    REQUIRE(bytes.size() <= shortest + (newest ? 16 : 8));
     const auto from_binary = DecodeBinary(bytes);
     REQUIRE(from_binary);
     REQUIRE(EncodeBinary(*from_binary) == bytes);
@@ -315,7 +327,7 @@ TEST_CASE("JSON: what is wrong is said with its place", "[document]") {
         "rules: must be a whole number, is 1.5");
   CHECK(JsonFault(Changed(json, "\"sphc\"", "\"hpc\"")) ==
         "search.algorithm: \"hpc\" is unknown: choose from rgt, sphc, gga, ssga, shc, mpga, nelder-mead, "
-        "powell, cma-es, map-elites, two-stage, pose-cycle");
+        "powell, cma-es, map-elites, two-stage, pose-cycle, de, nsga-ii, cma-mae");
   CHECK(JsonFault(Changed(json, "\"start_step\": 120", "\"start_step\": 300")) ==
         "timeline[2].start_step: must be after the start of the clip before it");
   CHECK(JsonFault(std::string(100, '[')).ends_with("is nested too deeply"));

@@ -140,6 +140,10 @@ TEST_CASE("golden links: every link of version 12 opens with its motion", "[gold
   CheckLinks(12, 1);
 }
 
+TEST_CASE("golden links: every link of version 13 opens with its motion", "[golden][links]") {
+  CheckLinks(13, 1);
+}
+
 // Separate cases, which run side by side: this is the longest test.
 TEST_CASE("golden links: no link of version 1 that was changed in one byte or cut short opens",
           "[golden][links][exhaustive]") {
@@ -194,6 +198,11 @@ TEST_CASE("golden links: no link of version 10 opens after it was damaged in one
 TEST_CASE("golden links: no link of version 12 that was changed in one byte or cut short opens",
           "[golden][links]") {
   CheckDamage(12);
+}
+
+TEST_CASE("golden links: no link of version 13 that was changed in one byte or cut short opens",
+          "[golden][links]") {
+  CheckDamage(13);
 }
 
 }  // namespace gaitsmith::test

@@ -2,7 +2,7 @@
 // The spread of a population: its numbers, its members, and that reading it does not change a search.
 #include "core/search/spread.h"
 
-#include "core/search/map_elites.h"
+#include "core/evolution/map_elites.h"
 #include "tests/known_functions.h"
 #include "tests/search_run.h"
 
@@ -62,16 +62,19 @@ TEST_CASE("every search: its population is as large as it should be, and no bett
         return static_cast<std::size_t>(s.population);
       case Algorithm::kGga:
       case Algorithm::kSsga:
+      case Algorithm::kNsga:
         return static_cast<std::size_t>(s.genetic.population);
       case Algorithm::kMpga:
         return static_cast<std::size_t>(s.torus.side) * static_cast<std::size_t>(s.torus.side);
       case Algorithm::kNelderMead:
         return genes + 1;
+      case Algorithm::kDifferentialEvolution:
+        return static_cast<std::size_t>(s.difference.population);
       case Algorithm::kTwoStage:
         return static_cast<std::size_t>(s.two_stage.kept);
       case Algorithm::kCmaEs:
       case Algorithm::kMapElites:
-
+      case Algorithm::kCmaMae:
         return 0;  // grows
     }
     return 0;
@@ -84,7 +87,8 @@ TEST_CASE("every search: its population is as large as it should be, and no bett
     CHECK(search->PopulationFitness().empty());
     const Outcome outcome = Run(*search, 10, Sphere);
     const std::vector<float> fitness = search->PopulationFitness();
-    const bool grows = algorithm == Algorithm::kCmaEs || algorithm == Algorithm::kMapElites;
+    const bool grows = algorithm == Algorithm::kCmaEs || algorithm == Algorithm::kMapElites ||
+                       algorithm == Algorithm::kCmaMae;
     if (grows) {
       CHECK(fitness.size() >= (algorithm == Algorithm::kCmaEs ? 4u : 1u));
     } else {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The parts of searches: wheels, ranks, operators, line searches, cells.
-#include "core/search/generational_ga.h"
-#include "core/search/map_elites.h"
+#include "core/evolution/generational_ga.h"
+#include "core/evolution/map_elites.h"
+#include "core/evolution/steady_state_ga.h"
 #include "core/search/powell.h"
-#include "core/search/steady_state_ga.h"
 #include "tests/known_functions.h"
 #include "tests/search_run.h"
 

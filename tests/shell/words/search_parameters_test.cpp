@@ -50,6 +50,7 @@ SearchSettings Unusual() {
   search.cma.step = 0.5f;
   search.elites.bins = 5;
   search.two_stage.kept = 7;
+  search.difference.weight = 0.8f;
   return search;
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // MAP-Elites [Mouret Clune 2015]: a grid over style that keeps in each cell the fittest genome whose motion
 // has this style. The axes are the paper's three secondary terms (Table 3), so one search yields a suite of
-// motions: shuffles, hops and turns. Children are perturbed copies of elites, drawn with equal chance.
+// motions: shuffles, hops and turns. Children are perturbed copies of elites, drawn with equal chance, or of
+// hybrids of two, which have whole rules of each.
 #pragma once
 
+#include "core/evolution/elites.h"
 #include "core/search/batch_search.h"
-#include "core/search/elites.h"
 
 namespace gaitsmith {
 
@@ -13,7 +14,7 @@ class MapElites final : public BatchSearch {
  public:
   MapElites(const SearchSettings& settings, const SearchSpace& space);
 
-  [[nodiscard]] std::vector<float> PopulationFitness() const override;
+  [[nodiscard]] std::vector<float> PopulationFitness() const override { return elites_.Fitness(); }
   /// As Elites::Cells.
   [[nodiscard]] const std::vector<Elite>& Cells() const { return elites_.Cells(); }
 

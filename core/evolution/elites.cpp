@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/search/elites.h"
+#include "core/evolution/elites.h"
 
 #include "core/search/batch_search.h"
 
@@ -31,6 +31,20 @@ void Elites::Add(const Genome& genome, const Score& score) {
   if (elite.genome.empty() || score.fitness > elite.score.fitness) elite = {genome, score};
 }
 
+std::vector<std::size_t> Elites::Filled() const {
+  std::vector<std::size_t> filled;
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+    if (!cells_[cell].genome.empty()) filled.push_back(cell);
+  }
+  return filled;
+}
+
+std::vector<float> Elites::Fitness() const {
+  std::vector<float> fitness;
+  for (const std::size_t cell : Filled()) fitness.push_back(cells_[cell].score.fitness);
+  return fitness;
+}
+
 void Elites::Save(BitWriter& out) const {
   for (const Elite& elite : cells_) {
     PutGenome(out, elite.genome, elite.score.fitness);
@@ -60,6 +74,7 @@ std::optional<Elites> ElitesOf(const SearchSettings& settings, std::size_t genes
   if (!TakeBatchHead(in, head, settings.evaluations, genes)) return std::nullopt;
   if (!TakeCount(in, generation, settings.evaluations)) return std::nullopt;
   if (!elites.Load(in, genes)) return std::nullopt;
+  if (settings.algorithm == Algorithm::kCmaMae) return elites;  // its runs follow
   ProgressCurve curve;
   curve.Load(in);
   if (in.Overrun() || !in.AtEnd()) return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/search/torus_ga.h"
+#include "core/evolution/torus_ga.h"
 
 namespace gaitsmith {
 

@@ -7,9 +7,15 @@
 //   floor(P (b - sqrt(b^2 - 4 (b - 1) u)) / (2 (b - 1))),   u uniform in [0, 1)
 // so that the fittest has b times the chance of the median. Ties keep their order, older ones first.
 //
+// With niching by crowding [Mahfoud 1995] a child instead competes with the parent that it is more like, and
+// takes its place only if it is fitter. Mahfoud lets the two children compete with different parents. Here
+// both may be like the same one, since one of them is a copy; then the fitter one may take its place.
+//
 // Every pair depends on the insertion of the previous pair, so that at most two genomes are proposed at a
 // time.
 #pragma once
+
+#include <array>
 
 #include "core/search/batch_search.h"
 
@@ -26,6 +32,9 @@ class SteadyStateGa final : public BatchSearch {
   void SaveState(BitWriter&) const override;
   [[nodiscard]] bool LoadState(BitReader&) override;
   void Insert(const Genome&, float fitness);
+  /// The ranks of the next pair's parents. @param random of the pair
+  [[nodiscard]] std::array<std::size_t, 2> Parents(RandomStream& random) const;
+  void Crowd(std::span<const Genome> children, std::span<const Score> scores);
 
   std::vector<Individual> ranked_;  // best first; empty until the first population is scored
   int pair_ = 0;                    // iterations started; 0: the first population

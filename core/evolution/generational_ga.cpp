@@ -1,11 +1,24 @@
 // SPDX-License-Identifier: MIT
-#include "core/search/generational_ga.h"
+#include "core/evolution/generational_ga.h"
 
 #include <algorithm>
 
 namespace gaitsmith {
 
-std::vector<double> RouletteWheel(const std::vector<Individual>& population) {
+std::vector<double> NicheCounts(const std::vector<Individual>& population) {
+  std::vector<double> counts(population.size(), 1.0);
+  for (std::size_t i = 0; i < population.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double near = 1.0 - GeneDistance(population[i].genome, population[j].genome) / kNiche;
+      if (!(near > 0.0)) continue;
+      counts[i] += near;
+      counts[j] += near;
+    }
+  }
+  return counts;
+}
+
+std::vector<double> RouletteWheel(const std::vector<Individual>& population, std::span<const double> shared) {
   float least = std::numeric_limits<float>::infinity();
   for (const Individual& one : population) {
     if (one.fitness > kNoMotion) least = std::min(least, one.fitness);
@@ -13,8 +26,11 @@ std::vector<double> RouletteWheel(const std::vector<Individual>& population) {
   std::vector<double> wheel;
   wheel.reserve(population.size());
   double sum = 0.0;
-  for (const Individual& one : population) {
-    if (one.fitness > least) sum += static_cast<double>(one.fitness) - static_cast<double>(least);
+  for (std::size_t i = 0; i < population.size(); ++i) {
+    const float fitness = population[i].fitness;
+    if (fitness > least) {
+      sum += (static_cast<double>(fitness) - static_cast<double>(least)) / (shared.empty() ? 1.0 : shared[i]);
+    }
     wheel.push_back(sum);
   }
   return wheel;
@@ -35,7 +51,9 @@ std::vector<Genome> GenerationalGa::Propose() const {
     for (int i = 0; std::cmp_less(i, size); ++i) batch.push_back(First(i));
     return batch;
   }
-  const std::vector<double> wheel = RouletteWheel(population_);
+  const bool niches = Settings().genetic.niching == Niching::kKept;
+  const std::vector<double> wheel =
+      RouletteWheel(population_, niches ? NicheCounts(population_) : std::vector<double>{});
   for (int pair = 0; batch.size() < size; ++pair) {
     RandomStream random = Stream(pair, generation_);
     const Genome& first = population_[SpinWheel(wheel, random.Uniform())].genome;

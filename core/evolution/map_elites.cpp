@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "core/search/map_elites.h"
+#include "core/evolution/map_elites.h"
 
 namespace gaitsmith {
 
 MapElites::MapElites(const SearchSettings& settings, const SearchSpace& space)
     : BatchSearch(settings, space), elites_(settings.elites) {}
-
-std::vector<float> MapElites::PopulationFitness() const {
-  std::vector<float> fitness;
-  for (const Elite& elite : Cells()) {
-    if (!elite.genome.empty()) fitness.push_back(elite.score.fitness);
-  }
-  return fitness;
-}
 
 std::vector<Genome> MapElites::Propose() const {
   std::vector<Genome> batch;
@@ -21,10 +13,7 @@ std::vector<Genome> MapElites::Propose() const {
     for (int i = 0; i < elites.initial; ++i) batch.push_back(First(i));
     return batch;
   }
-  std::vector<std::size_t> filled;
-  for (std::size_t cell = 0; cell < Cells().size(); ++cell) {
-    if (!Cells()[cell].genome.empty()) filled.push_back(cell);
-  }
+  const std::vector<std::size_t> filled = elites_.Filled();
   for (int i = 0; i < elites.batch; ++i) {
     RandomStream random = Stream(i, generation_);
     const Variation& variation = Settings().variation;
@@ -32,7 +21,15 @@ std::vector<Genome> MapElites::Propose() const {
       batch.push_back(RandomGenome(Space().shape, Space().senses, variation, random));
       continue;
     }
-    const Genome& parent = Cells()[filled[random.Below(static_cast<std::uint32_t>(filled.size()))]].genome;
+    const auto draw = [&]() -> const Genome& {
+      return Cells()[filled[random.Below(static_cast<std::uint32_t>(filled.size()))]].genome;
+    };
+    Genome parent = draw();
+    if (elites.crossover > 0.0f && random.Chance(static_cast<double>(elites.crossover))) {
+      Rates whole;
+      whole.crossover = 1.0f;
+      parent = Cross(draw(), parent, Space().shape, whole, random);
+    }
     batch.push_back(Perturb(parent, Space().shape, Space().senses, variation, random));
   }
   return batch;

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "core/evolution/front.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace gaitsmith {
+
+namespace {
+
+/// The members in an order that depends on nothing but their aims and places.
+template <class Before>
+std::vector<std::size_t> Sorted(std::size_t count, Before before) {
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order,
+                    [&](std::size_t a, std::size_t b) { return before(a, b) || (!before(b, a) && a < b); });
+  return order;
+}
+
+}  // namespace
+
+std::vector<int> FrontsOf(std::span<const Aims> aims) {
+  const std::vector<std::size_t> order = Sorted(aims.size(), [&](std::size_t a, std::size_t b) {
+    return aims[a].score != aims[b].score ? aims[a].score > aims[b].score : aims[a].thrift > aims[b].thrift;
+  });
+  std::vector<int> fronts(aims.size());
+  // Of each front the last member, which has its most thrift. A later front never has more of it.
+  std::vector<Aims> last;
+  for (const std::size_t i : order) {
+    const auto free =
+        std::ranges::partition_point(last, [&](const Aims& a) { return Dominates(a, aims[i]); });
+    fronts[i] = static_cast<int>(free - last.begin());
+    if (free == last.end()) {
+      last.push_back(aims[i]);
+    } else {
+      *free = aims[i];
+    }
+  }
+  return fronts;
+}
+
+std::vector<double> CrowdingOf(std::span<const Aims> aims, std::span<const int> fronts) {
+  std::vector<double> crowding(aims.size(), 0.0);
+  // Along a front more score means less thrift, so one order serves both.
+  const std::vector<std::size_t> order = Sorted(aims.size(), [&](std::size_t a, std::size_t b) {
+    if (fronts[a] != fronts[b]) return fronts[a] < fronts[b];
+    return aims[a].score < aims[b].score;
+  });
+  constexpr double kEnd = std::numeric_limits<double>::infinity();
+  for (std::size_t begin = 0; begin < order.size();) {
+    std::size_t end = begin;
+    while (end < order.size() && fronts[order[end]] == fronts[order[begin]]) ++end;
+    const auto gap = [&](std::size_t from, std::size_t to, float Aims::* aim) {
+      const auto between = [&](std::size_t low, std::size_t high) {
+        const double difference =
+            static_cast<double>(aims[order[high]].*aim) - static_cast<double>(aims[order[low]].*aim);
+        return difference < 0.0 ? -difference : difference;
+      };
+      const double extent = between(begin, end - 1);
+      return extent > 0.0 ? between(from, to) / extent : 0.0;
+    };
+    crowding[order[begin]] = crowding[order[end - 1]] = kEnd;
+    for (std::size_t i = begin + 1; i + 1 < end; ++i) {
+      crowding[order[i]] += gap(i - 1, i + 1, &Aims::score) + gap(i - 1, i + 1, &Aims::thrift);
+    }
+    begin = end;
+  }
+  return crowding;
+}
+
+}  // namespace gaitsmith
