@@ -116,6 +116,13 @@ void PerturbOnce(Genome& child, const ControllerShape& shape, const SenseSpec& s
 /// How close blended children stay to their parents, and mutated genes to what they were: the usual numbers.
 constexpr double kBlendIndex = 10.0, kMoveIndex = 50.0;
 
+/// The gene nearest to a share of its range, within the range. NaN becomes 0, like any value below it.
+Gene GeneAt(double share) {
+  const double within = share > 0.0 ? std::min(share, 1.0) : 0.0;
+  const double nearest = within * kGeneMax + 0.5;  // rounded down
+  return static_cast<Gene>(nearest);
+}
+
 double Power(double base, double exponent) { return base > 0.0 ? Exp(exponent * Log(base)) : 0.0; }
 
 /// Simulated binary crossover within bounds [Deb Agrawal 1995] of the genes of two copies.
@@ -132,10 +139,8 @@ void Blend(Genome& first, Genome& second, RandomStream& random) {
       return Power(within, 1.0 / (kBlendIndex + 1.0));
     };
     const double middle = (low + high) / 2.0, half = (high - low) / 2.0;
-    const auto gene = [](double share) {
-      return static_cast<Gene>(std::clamp(share, 0.0, 1.0) * kGeneMax + 0.5);
-    };
-    const Gene lower = gene(middle - half * spread(low)), upper = gene(middle + half * spread(1.0 - high));
+    const Gene lower = GeneAt(middle - half * spread(low)),
+               upper = GeneAt(middle + half * spread(1.0 - high));
     const bool swapped = random.Chance(0.5);
     first[i] = swapped ? upper : lower;
     second[i] = swapped ? lower : upper;
@@ -152,7 +157,7 @@ void Move(Genome& genes, double chance, RandomStream& random) {
     const double moved =
         u < 0.5 ? Power(2.0 * u + (1.0 - 2.0 * u) * Power(1.0 - at, kMoveIndex + 1.0), power) - 1.0
                 : 1.0 - Power(2.0 * (1.0 - u) + (2.0 * u - 1.0) * Power(at, kMoveIndex + 1.0), power);
-    gene = static_cast<Gene>(std::clamp(at + moved, 0.0, 1.0) * kGeneMax + 0.5);
+    gene = GeneAt(at + moved);
   }
 }
 
@@ -265,12 +270,7 @@ std::vector<double> PointOf(std::span<const Gene> genome) {
 Genome GenomeAt(std::span<const double> point, const ControllerShape& shape) {
   Genome genome;
   genome.reserve(point.size());
-  for (const double x : point) {
-    // NaN becomes 0, like any value below the range.
-    const double within = x > 0.0 ? std::min(x, 1.0) : 0.0;
-    const double nearest = within * kGeneMax + 0.5;  // rounded down
-    genome.push_back(static_cast<Gene>(nearest));
-  }
+  for (const double x : point) genome.push_back(GeneAt(x));
   OrderIntervals(genome, shape);
   return genome;
 }

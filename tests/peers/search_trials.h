@@ -127,7 +127,8 @@ inline double FrontLeaves(const SearchSettings& settings, int numbers, const Two
   BitWriter saved;
   search->Save(saved);
   std::vector<std::array<double, 2>> points;
-  for (const Compromise& one : FrontOf(settings, space.shape.Genes(), saved.Bytes()).value_or(std::vector<Compromise>{}))
+  for (const Compromise& one :
+       FrontOf(settings, space.shape.Genes(), saved.Bytes()).value_or(std::vector<Compromise>{}))
     points.push_back({0.0 - static_cast<double>(one.aims.thrift), 0.0 - static_cast<double>(one.aims.score)});
   return Uncovered(std::move(points));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Rows of docs/studies/peers/searches.csv, in which our searches stand beside another library's, come out again
-// as they were written. Only of functions that need no library's sine or power, whose last bit may differ.
+// Rows of docs/studies/peers/searches.csv, in which our searches stand beside another library's, come out
+// again as they were written. Only of functions that need no library's sine or power, whose last bit may
+// differ.
 #include <catch_amalgamated.hpp>
 #include <cstdio>
 #include <fstream>
