@@ -49,23 +49,24 @@ std::vector<double> CrowdingOf(std::span<const Aims> aims, std::span<const int> 
     return aims[a].score < aims[b].score;
   });
   constexpr double kEnd = std::numeric_limits<double>::infinity();
-  for (std::size_t begin = 0; begin < order.size();) {
-    std::size_t end = begin;
-    while (end < order.size() && fronts[order[end]] == fronts[order[begin]]) ++end;
+  for (std::span<const std::size_t> rest = order; !rest.empty();) {
+    std::size_t size = 0;
+    while (size < rest.size() && fronts[rest[size]] == fronts[rest[0]]) ++size;
+    const std::span<const std::size_t> front = rest.first(size);
+    rest = rest.subspan(size);
     const auto gap = [&](std::size_t from, std::size_t to, float Aims::* aim) {
       const auto between = [&](std::size_t low, std::size_t high) {
-        const double difference =
-            static_cast<double>(aims[order[high]].*aim) - static_cast<double>(aims[order[low]].*aim);
+        const double difference = static_cast<double>(aims[high].*aim) - static_cast<double>(aims[low].*aim);
         return difference < 0.0 ? -difference : difference;
       };
-      const double extent = between(begin, end - 1);
+      const double extent = between(front.front(), front.back());
       return extent > 0.0 ? between(from, to) / extent : 0.0;
     };
-    crowding[order[begin]] = crowding[order[end - 1]] = kEnd;
-    for (std::size_t i = begin + 1; i + 1 < end; ++i) {
-      crowding[order[i]] += gap(i - 1, i + 1, &Aims::score) + gap(i - 1, i + 1, &Aims::thrift);
+    for (std::size_t i = 1; i + 1 < front.size(); ++i) {
+      const std::size_t below = front[i - 1], above = front[i + 1];
+      crowding[front[i]] = gap(below, above, &Aims::score) + gap(below, above, &Aims::thrift);
     }
-    begin = end;
+    crowding[front.front()] = crowding[front.back()] = kEnd;
   }
   return crowding;
 }

@@ -10,7 +10,6 @@
 #include "shell/panels/controller/controller_panel.h"
 #include "shell/panels/figure/drawing_stage.h"
 #include "shell/panels/figure/figure_row.h"
-#include "shell/panels/lab/lab_panel.h"
 #include "shell/panels/make/make_panel.h"
 #include "shell/panels/style/style_panel.h"
 #include "shell/stage/invitation.h"
@@ -370,11 +369,12 @@ void App::DrawContents(Ui& ui, Panel panel) {
       DrawStylePanel(ui, session_, style_panel_);
       break;
     case Panel::kLab:
-      DrawLabPanel(ui, session_);
+      DrawLabPanel(ui, session_, lab_panel_);
       break;
     case Panel::kSearch:
       DrawSearchPanel(ui, session_, search_panel_);
-      if (search_panel_.list.strips.Waiting() || search_panel_.elite_map.poses.Waiting())
+      if (search_panel_.list.strips.Waiting() || search_panel_.elite_map.poses.Waiting() ||
+          search_panel_.front_map.poses.Waiting())
         window_.RequestOneFrame();
       break;
     case Panel::kKeyframes:

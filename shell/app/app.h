@@ -12,6 +12,7 @@
 #include "shell/panels/controller/controller_panel.h"
 #include "shell/panels/figure/figure_panel.h"
 #include "shell/panels/keyframes/keyframes_panel.h"
+#include "shell/panels/lab/lab_panel.h"
 #include "shell/panels/search/found_rail.h"
 #include "shell/panels/search/search_panel.h"
 #include "shell/panels/style/style_panel.h"
@@ -103,6 +104,7 @@ class App {
   ControllerPanelState controller_panel_;
   KeyframesPanelState keyframes_panel_;
   SearchPanelState search_panel_;
+  LabPanelState lab_panel_;
   StylePanelState style_panel_;
   bool first_frame_reported_ = false;
 };

@@ -47,9 +47,4 @@ using Outcome = std::expected<void, Refusal>;
 [[nodiscard]] Outcome LinkCommand(Words words);
 [[nodiscard]] Outcome CatalogueCommand(Words words);
 
-/// Implements `compare --summary` for files of results. A search that several files have tried on the same
-/// problem is named with its file.
-/// @param searches only these, by their labels; empty: all
-[[nodiscard]] Outcome Summarize(std::span<const std::string> paths, std::span<const std::string> searches);
-
 }  // namespace gaitsmith::shell

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "shell/command_line/study/study_options.h"
+#include "shell/command_line/study/summary.h"
 #include "shell/command_line/trial_crew.h"
 #include "shell/command_line/warnings.h"
 #include "shell/search/parallel_search.h"
@@ -39,16 +40,27 @@ Outcome CompareCommand(Words words) {
   static constexpr std::string_view kOptions[] = {
       "problem", "search", "trials",   "first-seed", "evaluations", "points", "controller",
       "sense",   "weight", "duration", "shard",      "threads",     "out",    "curves",
-      "summary", "way",    "pose",     "joints",     "ground"};
+      "summary", "way",    "pose",     "joints",     "ground",      "ranks",  "ioh"};
   const auto arguments = Arguments::ParseOptions(words, kOptions);
   if (!arguments) return WrongCall(arguments.error());
   if (arguments->Has("summary")) {
     const auto other = [&](std::string_view option) {
-      return option != "summary" && option != "search" && arguments->Has(option);
+      return option != "summary" && option != "search" && option != "ranks" && option != "ioh" &&
+             arguments->Has(option);
     };
-    if (std::ranges::none_of(kOptions, other))
-      return Summarize(arguments->All("summary"), arguments->All("search"));
-    return WrongCall({ErrorCode::kStructure, "--summary", "goes with no other option but --search"});
+    if (std::ranges::any_of(kOptions, other))
+      return WrongCall(
+          {ErrorCode::kStructure, "--summary", "goes with no other option but --search, --ranks and --ioh"});
+    const SummaryRequest request{.paths = arguments->All("summary"),
+                                 .searches = arguments->All("search"),
+                                 .ranks = arguments->Last("ranks"),
+                                 .ioh = arguments->Last("ioh")};
+    if (auto said = Summarize(request); !said) return std::unexpected(said.error());
+    return {};
+  }
+  for (const char* option : {"ranks", "ioh"}) {
+    if (arguments->Has(option))
+      return WrongCall({ErrorCode::kStructure, std::string("--") + option, "goes with --summary"});
   }
   for (const char* option : {"out", "curves"}) {
     if (arguments->Last(option).empty()) {

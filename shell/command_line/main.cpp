@@ -26,7 +26,8 @@ constexpr auto kCommands = std::to_array<Command>({
      "             [--sprite-size PX | --sprite-scale PX] [--planned | --loop [--halves] [--in-place]]"},
     {"synthesize", gaitsmith::shell::SynthesizeCommand,
      "synthesize --figure F --task T --sense physical|timer=SECONDS|sight --weight TERM=W\n"
-     "             --search ALG --evaluations N --seed S --out DOC [--curve CSV] [--styles DIR] [--front DIR]\n"
+     "             --search ALG --evaluations N --seed S --out DOC [--curve CSV] [--styles DIR] [--front "
+     "DIR]\n"
      "             [--threads K]\n"
      "             [--controller rules|network|trajectory|trajectory:rest] [--rules N] [--duration SECONDS] "
      "[--joints "
@@ -40,7 +41,7 @@ constexpr auto kCommands = std::to_array<Command>({
      "             [--weight TERM=W] [--duration SECONDS] [--joints strong|limited|STRENGTH]\n"
      "             [--ground level|step|stairs|ramp|gap|hurdles|rubble[:SEED]]\n"
      "             [--shard I/N] [--threads K]\n"
-     "  gaitsmith compare --summary CSV [--summary CSV …] [--search LABEL …]"},
+     "  gaitsmith compare --summary CSV [--summary CSV …] [--search LABEL …] [--ranks SVG] [--ioh DIR]"},
     {"suite", gaitsmith::shell::SuiteCommand,
      "suite --problem DOC | --figure F --search ALG[:OPTION=VALUE…] --seeds N --evaluations E --out CSV\n"
      "             [--sense physical|timer=SECONDS|sight …] [--task T …] [--style NAME=TERM:W[,TERM:W] …]\n"

@@ -80,6 +80,7 @@ Result<void> Lab::Begin(const Document& document) {
   finished_ = 0;
   samples_.assign(study_.searches.size(), {});
   series_.clear();
+  targets_.clear();
   for (const SearchSettings& search : study_.searches)
     series_.push_back({.algorithm = search.algorithm, .points = {}});
   rows_.clear();
@@ -109,6 +110,7 @@ void Lab::Finish(std::span<const Search::CurvePoint> curve) {
   rows_[index] = {.text = RowsOf(plan, StudyTable::kCurves, index, result), .line = 0};
   samples_[search].push_back(BestAtPoints(plan, curve, kVoidScore));
   SumUp(search);
+  SumUpReached();
   if (++finished_ == Total()) state_ = LabState::kDone;
 }
 
@@ -129,6 +131,27 @@ void Lab::SumUp(std::size_t search) {
     series.points.push_back(
         {study_.plan.EvaluationsAt(point), lower, Quantile(sample, 0.5), Quantile(sample, 0.75)});
   }
+}
+
+void Lab::SumUpReached() {
+  std::vector<Progress> all;
+  for (const std::vector<Progress>& trials : samples_) all.insert(all.end(), trials.begin(), trials.end());
+  targets_ = TargetsOf(all);
+  for (std::size_t search = 0; search < series_.size(); ++search) {
+    LabSeries& series = series_[search];
+    series.reached.clear();
+    series.to_halfway.reset();
+    if (samples_[search].empty() || targets_.empty()) continue;
+    const std::vector<double> share = ShareReached(samples_[search], targets_);
+    for (std::size_t point = 0; point < share.size(); ++point)
+      series.reached.push_back({study_.plan.EvaluationsAt(static_cast<int>(point)), share[point]});
+    series.to_halfway = RunningTimeTo(*Halfway(), samples_[search], study_.plan);
+  }
+}
+
+std::optional<double> Lab::Halfway() const {
+  if (targets_.empty()) return std::nullopt;
+  return targets_[(targets_.size() - 1) / 2];
 }
 
 bool Lab::IsOf(const Document& document) const {

@@ -5,9 +5,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "shell/study/running_time.h"
 #include "shell/study/study.h"
 
 namespace gaitsmith::shell {
@@ -46,6 +48,14 @@ struct LabSeries {
     double lower_quartile, median, upper_quartile;
   };
   std::vector<Point> points;
+  /// The share of trials and targets that are reached, at each evaluation count.
+  struct Reached {
+    int evaluations;
+    double share;
+  };
+  std::vector<Reached> reached = {};
+  /// How soon it is halfway (Lab::Halfway); nothing without a target or a trial.
+  std::optional<RunningTime> to_halfway = {};
 };
 
 class Lab {
@@ -80,6 +90,8 @@ class Lab {
 
   /// One for each algorithm of the run, in the order of Algorithm.
   [[nodiscard]] const std::vector<LabSeries>& Series() const { return series_; }
+  /// The middle one of the targets that all trials so far set (TargetsOf); nothing without a motion.
+  [[nodiscard]] std::optional<double> Halfway() const;
   /// Whether a document has the problem of this run.
   [[nodiscard]] bool IsOf(const Document& document) const;
   /// The finished trials in the file format of `gaitsmith compare --curves`.
@@ -90,6 +102,8 @@ class Lab {
  private:
   [[nodiscard]] StudyPlan::Trial Current() const;
   void SumUp(std::size_t search);
+  /// Targets move with each trial, so this is for all searches.
+  void SumUpReached();
 
   LabState state_ = LabState::kIdle;
   Study study_;
@@ -97,6 +111,7 @@ class Lab {
   /// The best score so far at each point of the plan, by algorithm of the run and finished trial.
   std::vector<std::vector<std::vector<float>>> samples_;
   std::vector<LabSeries> series_;
+  std::vector<double> targets_;
   std::map<std::size_t, StudyFile::Rows> rows_;  // by canonical index
 };
 

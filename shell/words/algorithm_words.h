@@ -17,6 +17,9 @@ struct AlgorithmWords {
 
 /// In the order of Algorithm.
 [[nodiscard]] const std::array<AlgorithmWords, kAlgorithmNames.size()>& AlgorithmTexts();
+/// The first of the table, which everybody sees. Further ones are for those who ask for them.
+inline constexpr int kListedAlgorithms = static_cast<int>(Algorithm::kPoseCycle) + 1;
+
 [[nodiscard]] const AlgorithmWords& WordsOf(Algorithm);
 /// The short name in the language of the page. Most are the same in all.
 [[nodiscard]] std::string AlgorithmName(Algorithm);

@@ -295,6 +295,22 @@ same "$("$gaitsmith" compare --summary results.csv | sed -n 7p)" "problem,search
 "$gaitsmith" compare --summary results.csv --summary more.csv >both.csv || fault "a summary of two files"
 grep -q '^one,powell in results,' both.csv && grep -q '^one,powell in more,3,' both.csv && grep -q '^one,rgt,3,' both.csv || fault "two files in one summary: $(cat both.csv)"
 same "$("$gaitsmith" compare --summary results.csv --summary more.csv --search powell | grep -c '^one,')" 3 "rows of a summary of one search"
+# Ranks over problems and seeds, as tables and as a diagram.
+"$gaitsmith" compare --summary results.csv --ranks ranks.svg >ranked.csv || fault "compare --ranks"
+grep -q '^search,blocks,mean_rank$' ranked.csv && grep -q '^better,worse,rank_difference,p_holm$' ranked.csv || fault "tables of ranks: $(cat ranked.csv)"
+grep -q '^<svg xmlns=' ranks.svg && grep -q '</svg>' ranks.svg || fault "a diagram of ranks"
+# Of curves: how soon targets are reached, and the same for IOHanalyzer.
+"$gaitsmith" compare --summary curves.csv --ioh ioh >soon.csv || fault "a summary of curves"
+same "$(head -1 soon.csv)" "problem,search,target,reached,n,ert,ert_low,ert_high" "columns of running times"
+grep -q '^problem,search,evaluations,reached_share$' soon.csv || fault "columns of shares"
+last_share() { awk -F, '/reached_share/ { on = 1; next } on && $2 == "'"$1"'" { share = $4 } END { print share }' soon.csv; }
+same "$(awk -F, '/^problem,search,target/ { on = 1; next } /^$/ { on = 0 } on && $2 == "powell" { sum += $4 / $5; n++ } END { printf "%.6g", sum / n }' soon.csv)" \
+  "$(printf '%.6g' "$(last_share powell)")" "the last share is the mean share of targets reached"
+if command -v node >/dev/null; then node "$root/tests/command_line/ioh_check.mjs" ioh >/dev/null || fault "files for IOHanalyzer"; fi
+refuses 'needs files of results' "$gaitsmith" compare --summary curves.csv --ranks no.svg
+refuses 'needs files of curves' "$gaitsmith" compare --summary results.csv --ioh no
+refuses 'summarise them one by one' "$gaitsmith" compare --summary results.csv --summary curves.csv
+refuses 'goes with --summary' "$gaitsmith" compare --ioh no --out a.csv --curves b.csv
 
 # A suite is a study with the motions, and can be resumed like one.
 suite() { "$gaitsmith" suite --figure hopper --sense physical --sense timer=0.8 --task travel --task jump --style plain=slip_sum:0 \
@@ -525,7 +541,6 @@ wrong 1 'damaged.csv:6: disagrees about a trial with results.csv:6' "$gaitsmith"
 wrong 1 'damaged.csv:6: this trial now finds something else' study --out damaged.csv --curves new.csv
 head -c 700 results.csv >damaged.csv
 wrong 1 'the trial is cut short' "$gaitsmith" merge --out precious.json damaged.csv
-wrong 1 'holds curves' "$gaitsmith" compare --summary curves.csv
 wrong 2 'goes with no other option' "$gaitsmith" compare --summary results.csv --threads 2
 wrong 1 'no file has trials of gga' "$gaitsmith" compare --summary results.csv --search gga
 wrong 1 'is given twice' "$gaitsmith" compare --summary results.csv --summary results.csv

@@ -10,7 +10,7 @@ import { assertSame, engine, fromWeb, newClient, newWorker, problem, run } from 
 /** @typedef {import('./search_run.mjs').Run} Run */
 
 for (const settings of [{ algorithm: 'sphc' }, { algorithm: 'rgt' }, { algorithm: 'gga' }, { algorithm: 'shc' }, { algorithm: 'cma-es' },
-  { algorithm: 'map-elites' }, { algorithm: 'pose-cycle' }, { algorithm: 'pose-cycle', body: 'lot' }, { algorithm: 'sphc', body: 'little' }]) {
+  { algorithm: 'map-elites' }, { algorithm: 'de' }, { algorithm: 'cma-mae' }, { algorithm: 'pose-cycle' }, { algorithm: 'pose-cycle', body: 'lot' }, { algorithm: 'sphc', body: 'little' }]) {
   test(`${Object.values(settings).join(', body=')}: one, two and three workers find the same`, async () => {
     const document = problem(settings);
     const [one, two, three] = [await run(document, 1), await run(document, 2), await run(document, 3)];
@@ -20,6 +20,20 @@ for (const settings of [{ algorithm: 'sphc' }, { algorithm: 'rgt' }, { algorithm
     assertSame(one, three);
   });
 }
+
+test('NSGA-II: workers measure the cost, and find what the search finds alone', async () => {
+  const document = problem({ algorithm: 'nsga-ii', evaluations: 1200, genetic: { population: 60 } });
+  const search = engine.search(document);
+  while (!search.done) {
+    search.ask(60);
+    search.scoreHere();
+  }
+  const one = await run(document, 1), two = await run(document, 2);
+  assertSame(one, two);
+  assert.deepEqual(one.genome, search.bestGenome);
+  assert.deepEqual(one.last.saved, search.save());
+  search.close();
+});
 
 test('a network, by the two-stage search: one, two and three workers find the same', async () => {
   const document = problem({ algorithm: 'two-stage', evaluations: 1500 }, { kind: 'network' });

@@ -131,12 +131,12 @@ GS_EXPORT const char* gs_document_link(std::size_t size) {
 }
 
 // Evaluator.
-/// @param traits whether they are measured, too
+/// @param traits whether they are measured, too, as they are for searches that need them
 GS_EXPORT EvaluatorRole* gs_evaluator_open(std::size_t size, bool traits) {
   const auto document = TakeDocument(size);
   if (!document) return nullptr;
   Problem problem = ProblemOf(*document);
-  problem.traits = traits;
+  problem.traits = problem.traits || traits;
   return new EvaluatorRole{Evaluator(problem), problem.Shape().Genes(), {}};
 }
 GS_EXPORT void gs_evaluator_close(EvaluatorRole* role) { delete role; }

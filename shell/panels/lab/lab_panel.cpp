@@ -3,9 +3,12 @@
 #include "shell/panels/lab/lab_panel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "shell/widgets/fold.h"
 #include "shell/widgets/plot.h"
 #include "shell/words/algorithm_words.h"
 #include "shell/words/controller_words.h"
@@ -32,6 +35,15 @@ std::string SeriesText(const LabSeries& series) {
   const LabSeries::Point& end = series.points.back();
   return Tr("{1}: median {2}, quartiles {3} and {4}", text, Fixed(end.median, 2),
             Fixed(end.lower_quartile, 2), Fixed(end.upper_quartile, 2));
+}
+
+/// "halfway after 1,240 evaluations (900 to 2,100)"
+std::string HalfwayText(const RunningTime& time) {
+  if (time.reached == 0) return Tr("not halfway");
+  const auto rounded = [](double evaluations) {
+    return std::isfinite(evaluations) ? Grouped(static_cast<long long>(std::lround(evaluations))) : "∞";
+  };
+  return Tr("halfway after {1} ({2} to {3})", rounded(time.expected), rounded(time.low), rounded(time.high));
 }
 
 std::string AllText(const Lab& lab) {
@@ -95,6 +107,47 @@ void DrawCurves(Ui& ui, const Lab& lab) {
            plotted, AllText(lab));
 }
 
+/// "SPHC: 62 % of the targets, halfway after 1,240 evaluations (900 to 2,100)"
+std::string ReachedText(const LabSeries& series) {
+  const std::string name = AlgorithmName(series.algorithm);
+  if (!series.to_halfway) return Tr("{1}: none yet", name);
+  return Tr("{1}: {2} % of the targets, {3}", name, Fixed(100.0 * series.reached.back().share, 0),
+            HalfwayText(*series.to_halfway));
+}
+
+/// How soon targets are reached: the empirical distribution of running times.
+void DrawReached(Ui& ui, const Lab& lab) {
+  std::vector<std::vector<PlotPoint>> shares;
+  std::string all;
+  for (const LabSeries& series : lab.Series()) {
+    shares.emplace_back();
+    for (const auto& [evaluations, share] : series.reached)
+      shares.back().push_back({static_cast<double>(evaluations), 100.0 * share});
+    all += (all.empty() ? "" : "; ") + ReachedText(series);
+  }
+  std::vector<PlotSeries> plotted;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const Algorithm algorithm = lab.Series()[i].algorithm;
+    plotted.push_back({.name = AlgorithmName(algorithm),
+                       .points = shares[i],
+                       .colour = ColourOf(ui.Look(), algorithm),
+                       .spread = {}});
+  }
+  DrawPlot(ui, "lab/reached", Tr("Targets reached"), ui.Row(150.0f),
+           {.x_end = static_cast<double>(std::max(lab.Evaluations(), 1)),
+            .x_label = Tr("evaluations"),
+            .y_unit = "%"},
+           plotted, all);
+  ui.Paragraph(
+      Tr("Twenty targets, from what the trials have at first to the best of all. The curve is how many of "
+         "them the trials have reached. Halfway is a score of {1}.",
+         lab.Halfway() ? Fixed(*lab.Halfway(), 2) : "–"),
+      Type::kNote);
+  for (const LabSeries& series : lab.Series()) {
+    if (series.to_halfway) ui.Fact(AlgorithmName(series.algorithm), HalfwayText(*series.to_halfway));
+  }
+}
+
 /// The final values of the curves, and the plot's legend.
 void DrawTable(Ui& ui, const Lab& lab) {
   // Right edges of the right-aligned columns, as shares of the width.
@@ -132,16 +185,22 @@ void DrawTable(Ui& ui, const Lab& lab) {
 }
 
 /// One toggle per algorithm, wrapped into rows.
-void DrawAlgorithms(Ui& ui, LabSettings& settings) {
+/// @param all  further ones, too; those that are chosen are always there
+void DrawAlgorithms(Ui& ui, LabSettings& settings, bool all) {
   constexpr float kGap = 6.0f;
   const PartScope part = ui.Part("lab/algorithms", "group", Tr("Algorithms to compare"));
   const Palette& p = ui.Ink();
   const auto width_of = [&](std::size_t i) {
     return ui.Letters().Width(Type::kBody, AlgorithmTexts()[i].name) + 34.0f;
   };
-  for (std::size_t next = 0; next < AlgorithmTexts().size(); ui.Gap(kGap)) {
+  std::vector<std::size_t> listed;
+  for (std::size_t i = 0; i < AlgorithmTexts().size(); ++i) {
+    if (all || std::cmp_less(i, kListedAlgorithms) || settings.chosen[i]) listed.push_back(i);
+  }
+  for (std::size_t at = 0; at < listed.size(); ui.Gap(kGap)) {
     const ImRect row = ui.ControlRow();
-    for (float x = row.Min.x; next < AlgorithmTexts().size(); ++next) {
+    for (float x = row.Min.x; at < listed.size(); ++at) {
+      const std::size_t next = listed[at];
       const float width = width_of(next);
       if (x > row.Min.x && x + width > row.Max.x) break;
       const ImRect chip({x, row.Min.y}, {std::min(x + width, row.Max.x), row.Max.y});
@@ -170,8 +229,10 @@ void DrawAlgorithms(Ui& ui, LabSettings& settings) {
   }
 }
 
-void DrawSettings(Ui& ui, LabSettings& settings) {
-  DrawAlgorithms(ui, settings);
+void DrawSettings(Ui& ui, LabSettings& settings, bool& all_algorithms) {
+  DrawAlgorithms(ui, settings, all_algorithms);
+  ui.Gap(4.0f);
+  ui.Switch("lab/all-algorithms", Tr("More algorithms"), all_algorithms);
   ui.Gap(4.0f);
   ui.Number("lab/trials", Tr("Trials of each"), settings.trials, kMinLabTrials, kMaxLabTrials);
   ui.Gap(6.0f);
@@ -190,7 +251,7 @@ void DrawSettings(Ui& ui, LabSettings& settings) {
 
 }  // namespace
 
-void DrawLabPanel(Ui& ui, Session& session) {
+void DrawLabPanel(Ui& ui, Session& session, LabPanelState& state) {
   Lab& lab = session.Lab().Trials();
   DrawButtons(ui, session);
   ui.Gap(12.0f);
@@ -205,12 +266,14 @@ void DrawLabPanel(Ui& ui, Session& session) {
     }
     DrawTable(ui, lab);
     ui.Gap(8.0f);
+    if (DrawFold(ui, "lab/targets", Tr("How soon"), "", state.targets)) DrawReached(ui, lab);
+    ui.Gap(8.0f);
     if (ui.Button("lab/save", ui.ControlRow(), Tr("Save curves as CSV"), ButtonLook::kOutlined,
                   lab.Finished() > 0))
       session.Lab().SaveCurves();
     ui.Gap(14.0f);
   }
-  DrawSettings(ui, lab.settings);
+  DrawSettings(ui, lab.settings, state.all_algorithms);
   ui.Gap(10.0f);
   const Document& d = session.Doc();
   ui.Paragraph(Tr("The next run compares how fast each algorithm finds {1} that can make {2} {3} for {4} s. "

@@ -7,6 +7,11 @@
 
 namespace gaitsmith::shell {
 
-void DrawLabPanel(Ui&, Session&);
+struct LabPanelState {
+  bool targets = false;         // whether the section of running times is open
+  bool all_algorithms = false;  // whether those for experts can be chosen
+};
+
+void DrawLabPanel(Ui&, Session&, LabPanelState&);
 
 }  // namespace gaitsmith::shell

@@ -15,9 +15,6 @@
 namespace gaitsmith::shell {
 namespace {
 
-/// The first of the table, which everybody sees. Further ones are for those who ask for them.
-constexpr int kListedAlgorithms = static_cast<int>(Algorithm::kPoseCycle) + 1;
-
 void Change(Session& session, const std::function<void(SearchSettings&)>& edit) {
   session.Set([&](Document& d) {
     edit(d.search);

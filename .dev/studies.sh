@@ -1,0 +1,16 @@
+# Studies: to go on with one, or to see whether it comes out again. Sourced by ./dev.
+
+# study NAME [--check [SEED] | --sums]
+study() {
+  local name=${1:-}
+  [ -d "docs/studies/$name" ] && [ -n "$name" ] || die "./dev study takes the name of a folder of docs/studies, not '$name'"
+  if [ "${2:-}" = --sums ]; then node docs/studies/check.mjs "$name" - --sums; return; fi
+  cmake --preset release >/dev/null
+  cmake --build --preset release --target gaitsmith
+  case ${2:-} in
+    '') [ -x "docs/studies/$name/run" ] || die "docs/studies/$name has no command 'run'"
+        "docs/studies/$name/run" build/release/shell/gaitsmith "$cores" ;;
+    --check) node docs/studies/check.mjs "$name" build/release/shell/gaitsmith "${@:3}" ;;
+    *) die "./dev study $name takes nothing, --check or --sums, not '$2'" ;;
+  esac
+}
