@@ -303,8 +303,8 @@ grep -q '^<svg xmlns=' ranks.svg && grep -q '</svg>' ranks.svg || fault "a diagr
 "$gaitsmith" compare --summary curves.csv --ioh ioh >soon.csv || fault "a summary of curves"
 same "$(head -1 soon.csv)" "problem,search,target,reached,n,ert,ert_low,ert_high" "columns of running times"
 grep -q '^problem,search,evaluations,reached_share$' soon.csv || fault "columns of shares"
-last_share() { awk -F, '/reached_share/ { on = 1; next } on && $2 == "'"$1"'" { share = $4 } END { print share }' soon.csv; }
-same "$(awk -F, '/^problem,search,target/ { on = 1; next } /^$/ { on = 0 } on && $2 == "powell" { sum += $4 / $5; n++ } END { printf "%.6g", sum / n }' soon.csv)" \
+last_share() { awk -F, '/reached_share/ { on = 1; next } on && $1 == "one" && $2 == "'"$1"'" { share = $4 } END { print share }' soon.csv; }
+same "$(awk -F, '/^problem,search,target/ { on = 1; next } /^$/ { on = 0 } on && $1 == "one" && $2 == "powell" { sum += $4 / $5; n++ } END { printf "%.6g", sum / n }' soon.csv)" \
   "$(printf '%.6g' "$(last_share powell)")" "the last share is the mean share of targets reached"
 if command -v node >/dev/null; then node "$root/tests/command_line/ioh_check.mjs" ioh >/dev/null || fault "files for IOHanalyzer"; fi
 refuses 'needs files of results' "$gaitsmith" compare --summary curves.csv --ranks no.svg
