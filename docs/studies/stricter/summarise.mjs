@@ -6,7 +6,7 @@ import { median, spread } from '../quantiles.mjs';
 import { rankSum } from '../rank_sum.mjs';
 import { chance, line, table } from '../tables.mjs';
 
-const PROBLEMS = ['star-man-travel', 'beryl-travel'], SENSES = ['physical', 'timer'], SEARCHES = ['rgt', 'ssga', 'ssga:genetic.rates=per-component', 'sphc', 'pose-cycle'];
+const PROBLEMS = ['star-man-travel', 'inchworm-travel'], SENSES = ['physical', 'timer'], SEARCHES = ['rgt', 'ssga', 'ssga:genetic.rates=per-component', 'sphc', 'pose-cycle'];
 const PAIRS = [['sphc', 'rgt'], ['sphc', 'ssga'], ['sphc', 'ssga:genetic.rates=per-component'], ['pose-cycle', 'rgt']];
 const TERMS = ['slip_sum', 'rotations', 'max_cm_height'];
 
