@@ -56,11 +56,11 @@ struct Problem {
   /// Worlds in which the controller is scored as well, and its score is the mean. Terms and traits are means
   /// too; hashes are those of the problem's own world.
   std::vector<TrialWorld> worlds = {};
-  int delay_steps = 0;  // from a decision until the joints follow it
-  int substeps = 1;     // of the plant in each step of the controller, a power of two up to kMostSubsteps
+  int delay_steps = 0;     // from a decision until the joints follow it
+  int substeps = 1;        // of the plant in each step of the controller, a power of two up to kMostSubsteps
   bool traits = false;     // whether evaluations measure how motions look
   bool all_terms = false;  // whether they measure the further terms that have no weight, too
-  int model = 1;        // version of the physical model, which chooses the plant, [1, kModelVersion]
+  int model = 1;           // version of the physical model, which chooses the plant, [1, kModelVersion]
   /// The bodies that genomes may have, of which `figure` is the unchanged one. Nothing: all have that.
   std::optional<BodyRange> bodies = {};
 

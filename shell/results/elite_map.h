@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The result of MAP-Elites or CMA-MAE as a map of styles: the best motion for each height, slip and number of turns
-// [Mouret Clune 2015].
+// The result of MAP-Elites or CMA-MAE as a map of styles: the best motion for each height, slip and number of
+// turns [Mouret Clune 2015].
 #pragma once
 
 #include <array>

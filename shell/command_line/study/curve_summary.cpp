@@ -55,6 +55,31 @@ std::string RunOf(const Progress& curve, const StudyPlan& plan) {
          RawValue(static_cast<double>(best)) + R"(, "x": []}})";
 }
 
+/// Writes what a search did on one problem: what there is, and the data. @param number of the problem, from 1
+Result<void> WriteIohFunction(const std::string& folder, const Sample& sample, int number) {
+  const std::string function = "f" + std::to_string(number), problem = FileName(sample.problem);
+  const std::filesystem::path of_search = std::filesystem::path(folder) / FileName(sample.search);
+  const std::string data = "data_" + function + "_" + problem;
+  std::error_code fault;
+  std::filesystem::create_directories(of_search / data, fault);
+  if (fault) return Fail(ErrorCode::kMissing, "--ioh " + folder, "cannot be made: " + fault.message());
+  std::string runs, rows;
+  for (const Progress& curve : sample.curves) {
+    if (!std::isfinite(curve.back())) continue;  // found no motion: there is nothing to say
+    runs.append(runs.empty() ? "" : ", ").append(RunOf(curve, *sample.plan));
+    rows += DataOf(curve, *sample.plan);
+  }
+  const std::string path = data + "/IOHprofiler_" + function + "_DIM1.dat";
+  const std::string text = R"({"version": "0.3.5", "suite": "gaitsmith", "function_id": )" +
+                           std::to_string(number) + R"(, "function_name": )" + QuoteJson(problem) +
+                           R"(, "maximization": true, "algorithm": {"name": )" + QuoteJson(sample.search) +
+                           R"(, "info": "gaitsmith compare"}, "attributes": ["evaluations", "raw_y"], )" +
+                           R"("scenarios": [{"dimension": 1, "path": )" + QuoteJson(path) + R"(, "runs": [)" +
+                           runs + "]}]}\n";
+  if (auto written = WriteText((of_search / path).string(), rows); !written) return written;
+  return WriteText((of_search / ("IOHprofiler_" + function + "_" + problem + ".json")).string(), text);
+}
+
 }  // namespace
 
 std::string RunningTimes(const std::vector<Sample>& samples) {
@@ -87,28 +112,7 @@ Result<void> WriteIoh(const std::string& folder, const std::vector<Sample>& samp
   const std::vector<std::string> problems = ProblemsOf(samples);
   for (const Sample& one : samples) {
     const auto number = std::ranges::find(problems, one.problem) - problems.begin() + 1;
-    const std::string function = "f" + std::to_string(number), problem = FileName(one.problem);
-    const std::filesystem::path of_search = std::filesystem::path(folder) / FileName(one.search);
-    const std::string data = "data_" + function + "_" + problem;
-    std::error_code fault;
-    std::filesystem::create_directories(of_search / data, fault);
-    if (fault) return Fail(ErrorCode::kMissing, "--ioh " + folder, "cannot be made: " + fault.message());
-    std::string runs, rows;
-    for (const Progress& curve : one.curves) {
-      if (!std::isfinite(curve.back())) continue;  // found no motion: there is nothing to say
-      runs.append(runs.empty() ? "" : ", ").append(RunOf(curve, *one.plan));
-      rows += DataOf(curve, *one.plan);
-    }
-    const std::string path = data + "/IOHprofiler_" + function + "_DIM1.dat";
-    const std::string text = R"({"version": "0.3.5", "suite": "gaitsmith", "function_id": )" +
-                             std::to_string(number) + R"(, "function_name": )" + QuoteJson(problem) +
-                             R"(, "maximization": true, "algorithm": {"name": )" + QuoteJson(one.search) +
-                             R"(, "info": "gaitsmith compare"}, "attributes": ["evaluations", "raw_y"], )" +
-                             R"("scenarios": [{"dimension": 1, "path": )" + QuoteJson(path) +
-                             R"(, "runs": [)" + runs + "]}]}\n";
-    if (auto written = WriteText((of_search / path).string(), rows); !written) return written;
-    const std::string name = "IOHprofiler_" + function + "_" + problem + ".json";
-    if (auto written = WriteText((of_search / name).string(), text); !written) return written;
+    if (auto written = WriteIohFunction(folder, one, static_cast<int>(number)); !written) return written;
   }
   return {};
 }
