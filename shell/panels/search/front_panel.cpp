@@ -71,9 +71,11 @@ void DrawFront(Ui& ui, Session& session, FrontState& state) {
     if (const MotionStrip* pose = state.poses.Of(front.Name(state.pointed), motion))
       DrawMotionPose(ui, *pose, corner, p.soft);
   }
-  ui.Letters().Draw(canvas, Type::kSmall, {all.Min.x, all.Max.y - 0.5f * kLabels}, p.second_ink,
-                    front.CostName() + " →");
-  ui.Paragraph(Tr("Score upwards. Pointed at: score {1} for {2}.", Fixed(front.Score(state.pointed), 2),
+  ui.Letters().Draw(
+      canvas, Type::kSmall, {all.Min.x, all.Max.y - 0.5f * kLabels}, p.second_ink,
+      Tr("{1}, {2} to {3} →", front.CostName(), Fixed(front.Cost(0), 2), Fixed(front.Cost(last), 2)));
+  ui.Paragraph(Tr("Score upwards, {1} to {2}. Pointed at: {3} for {4}.", Fixed(front.Score(0), 2),
+                  Fixed(front.Score(last), 2), Fixed(front.Score(state.pointed), 2),
                   Fixed(front.Cost(state.pointed), 2)),
                Type::kNote);
   ui.Gap(6.0f);
