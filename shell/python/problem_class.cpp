@@ -87,6 +87,20 @@ class ProblemClass {
     return ArrayOf(genomes, Genes());
   }
 
+  /// A child of each, as climbers make them, from its own random numbers.
+  [[nodiscard]] py::array_t<Gene> Perturbed(const py::object& genomes, long long seed) const {
+    const auto rows = RowsOf(genomes, Genes());
+    static_cast<void>(InRange("seed", seed >> 31, 0, 1));  // [0, 2^32)
+    const ControllerShape shape = problem_.Shape();
+    std::vector<Genome> children;
+    children.reserve(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      RandomStream random(static_cast<std::uint64_t>(seed), i, 1);
+      children.push_back(Perturb(rows[i], shape, problem_.senses, document_.search.variation, random));
+    }
+    return ArrayOf(children, Genes());
+  }
+
   /// The genome of one of a document's controllers.
   [[nodiscard]] py::array_t<Gene> GenomeIn(const std::string& json, long long controller) const {
     const Document other = DocumentOf(json);
@@ -161,6 +175,7 @@ void AddProblemClass(py::module_& core) {
       .def("json", &ProblemClass::Json)
       .def("evaluate", &ProblemClass::Evaluate)
       .def("random_genomes", &ProblemClass::RandomGenomes)
+      .def("perturbed", &ProblemClass::Perturbed)
       .def("genome_in", &ProblemClass::GenomeIn)
       .def("document_of", &ProblemClass::DocumentOfGenome);
 }

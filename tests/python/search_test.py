@@ -118,6 +118,19 @@ class Searching(unittest.TestCase):
         "de": {"difference.population": 20}, "nsga-ii": {"genetic.population": 50}, "cma-mae": {},
     }
 
+    def test_children_differ_and_are_the_same_for_a_seed(self):
+        problem = gaitsmith.Problem(gaitsmith.document(problem="star-man-travel"))
+        genomes = problem.random_genomes(50, seed=3)
+        children = problem.perturbed(genomes, seed=9)
+        self.assertEqual((children.shape, children.dtype), (genomes.shape, genomes.dtype))
+        self.assertTrue((children != genomes).any(axis=1).all())
+        np.testing.assert_array_equal(children, problem.perturbed(genomes, seed=9))
+        self.assertFalse((children == problem.perturbed(genomes, seed=10)).all())
+        # About gene_chance of the genes that act on a target move; ignored senses mostly stay ignored.
+        self.assertLess((children != genomes).mean(), 0.25)
+        with self.assertRaisesRegex(gaitsmith.Error, "seed"):
+            problem.perturbed(genomes, seed=-1)
+
     def test_asking_and_telling_finds_what_synthesize_finds(self):
         for algorithm, options in self.WORDS.items():
             words = [word for option in options.items() for word in ("--search-option", "=".join(map(str, option)))]

@@ -45,6 +45,11 @@ class Problem:
         """Random genomes (count, genes), uint16, as a search would draw them first. seed: 0 to 4294967295."""
         return self._problem.random_genomes(whole("count", count), whole("seed", seed))
 
+    def perturbed(self, genomes: np.ndarray, seed: int = 0) -> np.ndarray:
+        """A child (n, genes) of each genome, which differs from it, as hill climbers make them [Fukunaga 1994, section 3]:
+        with the document's ``gene_chance``, ``creep``, ``redraw`` and ``dont_care``. seed: 0 to 4294967295, of all."""
+        return self._problem.perturbed(genomes, whole("seed", seed))
+
     def genome_in(self, document: Document, controller: int = 0) -> np.ndarray:
         """The genome (1, genes) of one of a document's controllers, which must fit the problem."""
         return self._problem.genome_in(json_of(document), whole("controller", controller))
