@@ -14,7 +14,7 @@ export interface EngineExports {
   _gs_document_json(size: number): Pointer;
   /** The payload of a document's link, ending with a 0 byte. */
   _gs_document_link(size: number): Pointer;
-  /** @param traits whether they are measured, too */
+  /** @param traits whether they are measured, too, as they are for searches that need them */
   _gs_evaluator_open(size: number, traits: number): Pointer;
   _gs_evaluator_close(role: Pointer): void;
   _gs_evaluator_genes(role: Pointer): number;
