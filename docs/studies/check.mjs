@@ -15,11 +15,6 @@ function fail(what) {
   process.exit(1);
 }
 if (!/^[a-z-]+$/.test(name) || !existsSync(study)) fail('there is no such study in docs/studies');
-const command = ['run', 'run.mjs'].find((each) => existsSync(join(study, each)));
-if (!command) fail('has no command "run", so its rows cannot be made again one by one');
-const text = readFileSync(join(study, command), 'utf8');
-if (!/resumable/i.test(text.slice(0, 600))) fail(`its command does not go on where it ended; run it as a whole: docs/studies/${name}/${command}`);
-
 /** All files below a folder, by their paths in it. @param {string} folder @returns {string[]} */
 const filesIn = (folder) => readdirSync(folder, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile())
   .map((entry) => relative(folder, join(entry.parentPath ?? entry.path, entry.name))).sort();
@@ -32,6 +27,11 @@ if (given === '--sums') {
 }
 if (!existsSync(noted)) fail('has no sums.txt; ./dev study NAME --sums writes it');
 if (readFileSync(noted, 'utf8') !== sums) fail('its tables are not those of sums.txt');
+
+const command = ['run', 'run.mjs'].find((each) => existsSync(join(study, each)));
+if (!command) fail('has no command "run", so its rows cannot be made again one by one');
+const text = readFileSync(join(study, command), 'utf8');
+if (!/resumable/i.test(text.slice(0, 600))) fail(`its command does not go on where it ended; run it as a whole: docs/studies/${name}/${command}`);
 
 // The same numbers for the same seed.
 let state = Number(given ?? randomInt(1, 2 ** 31));
