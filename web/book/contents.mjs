@@ -8,7 +8,7 @@ const GROUPS = [
   { title: trLater('Gallery'), id: 'gallery', names: ['gallery', 'pictures'] },
   { title: trLater('For teachers'), id: 'for-teachers', names: ['teachers', 'writing-lessons', 'does-it-teach', 'languages', 'lesson-answers'] },
   { title: trLater('The playground'), id: 'the-playground', names: ['animation', 'exporting', 'style', 'accessibility'] },
-  { title: trLater('The engine'), id: 'the-engine', names: ['physics', 'search', 'landscapes', 'spacetime', 'controllers-and-trajectories', 'determinism', 'reliability', 'performance', 'related-work'] },
+  { title: trLater('The engine'), id: 'the-engine', names: ['physics', 'search', 'landscapes', 'spacetime', 'controllers-and-trajectories', 'stricter', 'determinism', 'reliability', 'performance', 'related-work'] },
   { title: trLater('For engineers'), id: 'for-engineers', names: ['engineers', 'embedding', 'runtime', 'published-packages', 'command-line', 'clusters', 'python', 'formats', 'architecture', 'design'] },
 ];
 
