@@ -9,7 +9,7 @@ study() {
   cmake --build --preset release --target gaitsmith
   case ${2:-} in
     '') [ -x "docs/studies/$name/run" ] || die "docs/studies/$name has no command 'run'"
-        "docs/studies/$name/run" build/release/shell/gaitsmith "$cores" ;;
+        "docs/studies/$name/run" build/release/shell/gaitsmith ;;
     --check) node docs/studies/check.mjs "$name" build/release/shell/gaitsmith "${@:3}" ;;
     *) die "./dev study $name takes nothing, --check or --sums, not '$2'" ;;
   esac

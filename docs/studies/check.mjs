@@ -60,7 +60,7 @@ for (const file of tables) {
 }
 console.log(`${name}: ${taken} rows of ${tables.length} tables are made again (seed ${seed})`);
 const run = command === 'run' ? [join(copy, 'run')] : [process.execPath, join(copy, command)];
-const done = spawnSync(run[0] ?? '', [...run.slice(1), resolve(program), '2'], { cwd: place, stdio: ['ignore', 'ignore', 'inherit'] });
+const done = spawnSync(run[0] ?? '', [...run.slice(1), resolve(program)], { cwd: place, stdio: ['ignore', 'ignore', 'inherit'] });
 if (done.status !== 0) fail(`its command ends with ${done.status}`);
 const sorted = (/** @type {string} */ path) => readFileSync(path, 'utf8').split('\n').sort().join('\n');
 const other = tables.filter((file) => sorted(join(study, file)) !== sorted(join(copy, file)));
