@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "core/numeric/scalar_math.h"
+#include "core/search/blending.h"
 
 namespace gaitsmith {
 
@@ -110,54 +110,6 @@ void PerturbOnce(Genome& child, const ControllerShape& shape, const SenseSpec& s
     } else {
       CreepComponent(child, shape, component, senses, variation, random);
     }
-  }
-}
-
-/// How close blended children stay to their parents, and mutated genes to what they were: the usual numbers.
-constexpr double kBlendIndex = 10.0, kMoveIndex = 50.0;
-
-/// The gene nearest to a share of its range, within the range. NaN becomes 0, like any value below it.
-Gene GeneAt(double share) {
-  const double within = share > 0.0 ? std::min(share, 1.0) : 0.0;
-  const double nearest = within * kGeneMax + 0.5;  // rounded down
-  return static_cast<Gene>(nearest);
-}
-
-double Power(double base, double exponent) { return base > 0.0 ? Exp(exponent * Log(base)) : 0.0; }
-
-/// Simulated binary crossover within bounds [Deb Agrawal 1995] of the genes of two copies.
-void Blend(Genome& first, Genome& second, RandomStream& random) {
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    if (first[i] == second[i] || !random.Chance(0.5)) continue;
-    const double low = std::min(first[i], second[i]) * (1.0 / kGeneMax);
-    const double high = std::max(first[i], second[i]) * (1.0 / kGeneMax);
-    const double u = random.Uniform();
-    // How far a child lies from the middle, in half the parents' distance, if `free` is left on its side.
-    const auto spread = [&](double free) {
-      const double alpha = 2.0 - Power(1.0 + 2.0 * free / (high - low), -(kBlendIndex + 1.0));
-      const double within = u * alpha <= 1.0 ? u * alpha : 1.0 / (2.0 - u * alpha);
-      return Power(within, 1.0 / (kBlendIndex + 1.0));
-    };
-    const double middle = (low + high) / 2.0, half = (high - low) / 2.0;
-    const Gene lower = GeneAt(middle - half * spread(low)),
-               upper = GeneAt(middle + half * spread(1.0 - high));
-    const bool swapped = random.Chance(0.5);
-    first[i] = swapped ? upper : lower;
-    second[i] = swapped ? lower : upper;
-  }
-}
-
-/// Polynomial mutation within bounds [Deb Goyal 1996] of each gene with a chance.
-void Move(Genome& genes, double chance, RandomStream& random) {
-  for (Gene& gene : genes) {
-    if (!random.Chance(chance)) continue;
-    const double at = gene * (1.0 / kGeneMax);
-    const double u = random.Uniform();
-    const double power = 1.0 / (kMoveIndex + 1.0);
-    const double moved =
-        u < 0.5 ? Power(2.0 * u + (1.0 - 2.0 * u) * Power(1.0 - at, kMoveIndex + 1.0), power) - 1.0
-                : 1.0 - Power(2.0 * (1.0 - u) + (2.0 * u - 1.0) * Power(at, kMoveIndex + 1.0), power);
-    gene = GeneAt(at + moved);
   }
 }
 

@@ -249,12 +249,12 @@ inline constexpr unsigned kElites = 128;        // elites
 inline constexpr unsigned kStages = 256;        // two_stage
 inline constexpr unsigned kVariation = 512;     // variation: settings of perturbation
 inline constexpr unsigned kNiching = 1024;      // genetic.niching
-inline constexpr unsigned kCrossing = 65536;    // genetic.crossing
-inline constexpr unsigned kRestarts = 2048;     // cma.restarts, growth and draws
-inline constexpr unsigned kBatches = 4096;      // elites.batch, crossover
-inline constexpr unsigned kEmitters = 8192;     // elites.emitters, learning
-inline constexpr unsigned kDifference = 16384;  // difference
-inline constexpr unsigned kCost = 32768;        // cost
+inline constexpr unsigned kCrossing = 2048;     // genetic.crossing
+inline constexpr unsigned kRestarts = 4096;     // cma.restarts, growth and draws
+inline constexpr unsigned kBatches = 8192;      // elites.batch, crossover
+inline constexpr unsigned kEmitters = 16384;    // elites.emitters, learning
+inline constexpr unsigned kDifference = 32768;  // difference
+inline constexpr unsigned kCost = 65536;        // cost
 }  // namespace settings_group
 
 /// @param settings must be valid, as in a valid document
