@@ -19,7 +19,7 @@ Aims AimsOf(const Score& score, Cost cost) {
 }
 
 /// Best first: by front, then the less crowded, then as they are.
-void Sort(std::vector<Compromise>& members) {
+void SortBest(std::vector<Compromise>& members) {
   std::vector<Aims> aims;
   aims.reserve(members.size());
   for (const Compromise& one : members) aims.push_back(one.aims);
@@ -37,7 +37,7 @@ void Sort(std::vector<Compromise>& members) {
   members = std::move(sorted);
 }
 
-void Put(BitWriter& out, const std::vector<Compromise>& members) {
+void PutMembers(BitWriter& out, const std::vector<Compromise>& members) {
   out.Put(members.size(), 32);
   for (const Compromise& one : members) {
     PutGenome(out, one.genome, one.aims.score);
@@ -46,7 +46,7 @@ void Put(BitWriter& out, const std::vector<Compromise>& members) {
 }
 
 /// @return false if these cannot be members
-bool Take(BitReader& in, std::vector<Compromise>& members, std::size_t most, std::size_t genes) {
+bool TakeMembers(BitReader& in, std::vector<Compromise>& members, std::size_t most, std::size_t genes) {
   members.clear();
   const auto size = static_cast<std::size_t>(in.Take(32));
   if (size > most) return false;
@@ -115,20 +115,21 @@ void Nsga::Absorb(std::span<const Genome> batch, std::span<const Score> scores) 
   for (std::size_t i = 0; i < batch.size(); ++i) {
     members_.push_back({batch[i], AimsOf(scores[i], Settings().cost)});
   }
-  Sort(members_);
+  SortBest(members_);
   members_.resize(static_cast<std::size_t>(Settings().genetic.population));
   ++generation_;
 }
 
 void Nsga::SaveState(BitWriter& out) const {
   out.Put(static_cast<std::uint32_t>(generation_), 32);
-  Put(out, members_);
+  PutMembers(out, members_);
 }
 
 bool Nsga::LoadState(BitReader& in) {
   const auto size = static_cast<std::size_t>(Settings().genetic.population);
   return TakeCount(in, generation_, Settings().evaluations) &&
-         Take(in, members_, size, Space().shape.Genes()) && members_.size() == (generation_ > 0 ? size : 0);
+         TakeMembers(in, members_, size, Space().shape.Genes()) &&
+         members_.size() == (generation_ > 0 ? size : 0);
 }
 
 std::optional<std::vector<Compromise>> FrontOf(const SearchSettings& settings, std::size_t genes,
@@ -139,7 +140,8 @@ std::optional<std::vector<Compromise>> FrontOf(const SearchSettings& settings, s
   std::vector<Compromise> members;
   if (!TakeBatchHead(in, head, settings.evaluations, genes, true)) return std::nullopt;
   if (!TakeCount(in, generation, settings.evaluations)) return std::nullopt;
-  if (!Take(in, members, static_cast<std::size_t>(settings.genetic.population), genes)) return std::nullopt;
+  if (!TakeMembers(in, members, static_cast<std::size_t>(settings.genetic.population), genes))
+    return std::nullopt;
   ProgressCurve curve;
   curve.Load(in);
   if (in.Overrun() || !in.AtEnd()) return std::nullopt;

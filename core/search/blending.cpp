@@ -12,7 +12,7 @@ namespace {
 /// How close blended children stay to their parents, and mutated genes to what they were: the usual numbers.
 constexpr double kBlendIndex = 10.0, kMoveIndex = 50.0;
 
-double Power(double base, double exponent) { return base > 0.0 ? Exp(exponent * Log(base)) : 0.0; }
+double RaisedTo(double base, double exponent) { return base > 0.0 ? Exp(exponent * Log(base)) : 0.0; }
 
 }  // namespace
 
@@ -30,9 +30,9 @@ void Blend(Genome& first, Genome& second, RandomStream& random) {
     const double u = random.Uniform();
     // How far a child lies from the middle, in half the parents' distance, if `free` is left on its side.
     const auto spread = [&](double free) {
-      const double alpha = 2.0 - Power(1.0 + 2.0 * free / (high - low), -(kBlendIndex + 1.0));
+      const double alpha = 2.0 - RaisedTo(1.0 + 2.0 * free / (high - low), -(kBlendIndex + 1.0));
       const double within = u * alpha <= 1.0 ? u * alpha : 1.0 / (2.0 - u * alpha);
-      return Power(within, 1.0 / (kBlendIndex + 1.0));
+      return RaisedTo(within, 1.0 / (kBlendIndex + 1.0));
     };
     const double middle = (low + high) / 2.0, half = (high - low) / 2.0;
     const Gene lower = GeneAt(middle - half * spread(low)),
@@ -50,8 +50,8 @@ void Move(Genome& genes, double chance, RandomStream& random) {
     const double u = random.Uniform();
     const double power = 1.0 / (kMoveIndex + 1.0);
     const double moved =
-        u < 0.5 ? Power(2.0 * u + (1.0 - 2.0 * u) * Power(1.0 - at, kMoveIndex + 1.0), power) - 1.0
-                : 1.0 - Power(2.0 * (1.0 - u) + (2.0 * u - 1.0) * Power(at, kMoveIndex + 1.0), power);
+        u < 0.5 ? RaisedTo(2.0 * u + (1.0 - 2.0 * u) * RaisedTo(1.0 - at, kMoveIndex + 1.0), power) - 1.0
+                : 1.0 - RaisedTo(2.0 * (1.0 - u) + (2.0 * u - 1.0) * RaisedTo(at, kMoveIndex + 1.0), power);
     gene = GeneAt(at + moved);
   }
 }
