@@ -16,8 +16,8 @@ bool Near(float a, float b, float scale) {
   return off <= kTolerance * scale;
 }
 
-struct Layout {
-  explicit Layout(const Figure& figure) : skeleton(figure) {
+struct LaidOut {
+  explicit LaidOut(const Figure& figure) : skeleton(figure) {
     Pose<1> pose;
     PoseFigure<1>(skeleton, {}, pose);
     const SineCosine root = SinCos(skeleton.start_angle_rad);
@@ -35,7 +35,7 @@ std::unexpected<Error> Lopsided() {
 }
 
 // The endpoint at the mirror image of this one, or -1 if there is none.
-int ImageOfEndpoint(const Layout& drawn, int endpoint) {
+int ImageOfEndpoint(const LaidOut& drawn, int endpoint) {
   const auto k = static_cast<std::size_t>(endpoint);
   for (int other = 0; other < drawn.skeleton.endpoints; ++other) {
     const auto o = static_cast<std::size_t>(other);
@@ -64,7 +64,7 @@ int ImageOfRod(const Skeleton& skeleton, const Symmetry& symmetry, int rod) {
 }  // namespace
 
 Result<Symmetry> SymmetryOf(const Figure& figure) {
-  const Layout drawn(figure);
+  const LaidOut drawn(figure);
   const Skeleton& skeleton = drawn.skeleton;
   Symmetry symmetry;
   std::array<bool, kMaxEndpoints> taken{};
