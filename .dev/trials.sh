@@ -62,7 +62,8 @@ peers() {
   node tests/peers/judge.mjs build/release/tests/peers/flight --out docs/studies/peers/mujoco.csv
   say "the errors: docs/studies/peers/mujoco.csv"
   if command -v apt-get >/dev/null; then apt_need libpagmo-dev; cmake --preset release >/dev/null; fi
-  if cmake --build --preset release --target search_judge 2>/dev/null; then
+  if [[ $(cmake --build --preset release --target help) == *search_judge* ]]; then
+    cmake --build --preset release --target search_judge
     build/release/tests/peers/search_judge >docs/studies/peers/searches.csv
     say "our searches beside pagmo's: docs/studies/peers/searches.csv"
   else

@@ -16,7 +16,6 @@ struct Elite {
   Score score;
 };
 
-/// The grid.
 class Elites {
  public:
   explicit Elites(const ElitesSettings&);

@@ -23,8 +23,7 @@ struct RankOrder {
   struct Group {
     std::size_t first, last;  // places, first < last
   };
-  /// The longest runs of places in which nothing is told apart at 5 %. A place in none is told apart from
-  /// all.
+  /// Neighbouring places whose differences may all be chance (p is 5 % or more), as many as possible in each.
   std::vector<Group> groups;
 };
 
