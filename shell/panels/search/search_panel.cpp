@@ -191,8 +191,8 @@ void DrawSearchPanel(Ui& ui, Session& session, SearchPanelState& state) {
     DrawEliteMap(ui, session, state.elite_map);
   state.front_map.poses.BeginFrame();
   if (session.Search().Front() && SameTree(session.Search().Front()->Whose(), session.Doc().figure) &&
-      DrawFold(ui, "front", Tr("Score against cost"), Grouped(session.Search().Front()->Count()),
-               state.front))
+      DrawFold(ui, "front", Tr("Score against cost"),
+               Grouped(static_cast<long long>(session.Search().Front()->Count())), state.front))
     DrawFront(ui, session, state.front_map);
   DrawKeepingButtons(ui, session);
   ui.Gap(kGap);
