@@ -5,6 +5,7 @@
 // said to run RARELY is left out.
 // Writes pictures to build/screenshots. Prints each result and fails if a scenario fails.
 import assert from 'node:assert/strict';
+import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { goldenLinks, goldenMotions } from './goldens.mjs';
 import { ONCE, PageDriver, RARELY } from './page_driver.mjs';
@@ -54,6 +55,7 @@ async function checkGoldens(page, goldens, natively) {
   return goldens.length;
 }
 
+mkdirSync(join(ROOT, 'build/screenshots'), { recursive: true });
 const main = process.argv[3] === '--main';
 const wanted = main ? '' : process.argv[3] ?? '';
 const whole = !main && wanted === '';

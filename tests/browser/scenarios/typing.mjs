@@ -97,6 +97,8 @@ async function assertSearches(page, wanted, how) {
 /** @param {Visit} visit */
 async function pressedWhileTyping({ browser, address }) {
   const page = await PageDriver.open(browser, address);
+  // High enough for the seed and Synthesize at once: the focus scrolls to what it is on.
+  await page.page.setViewport({ width: 1280, height: 1000 });
   await page.call('a long search', () => {
     const document = window.gaitsmith.document();
     window.gaitsmith.open({ ...document, hash: undefined, search: { ...document.search, evaluations: 1000000 }, view: { panel: 3 } });
