@@ -16,6 +16,33 @@ export function rankSum(a, b) {
   return { p: 2 * upperTail(z), superiority: wins / (a.length * b.length) };
 }
 
+/**
+ * The same test, exactly: among all ways to deal the values to the two sides, the share that is at least as far from even.
+ * @param {number[]} a  few, because all ways are counted
+ * @param {number[]} b
+ * @returns {{p: number, superiority: number}}
+ */
+export function exactRankSum(a, b) {
+  const all = [...a, ...b], ways = [0, 0];
+  const pairs = a.length * b.length;
+  /** @param {number[]} first @param {number[]} second */
+  const winsOf = (first, second) => first.reduce((sum, x) => sum + second.reduce((of, y) => of + (x > y ? 1 : x === y ? 0.5 : 0), 0), 0);
+  const wins = winsOf(a, b);
+  /** @param {number} next @param {number[]} first @param {number[]} second */
+  const deal = (next, first, second) => {
+    if (first.length > a.length || second.length > b.length) return;
+    if (next === all.length) {
+      ways[Math.abs(winsOf(first, second) - pairs / 2) >= Math.abs(wins - pairs / 2) ? 0 : 1]++;
+      return;
+    }
+    deal(next + 1, [...first, all[next] ?? 0], second);
+    deal(next + 1, first, [...second, all[next] ?? 0]);
+  };
+  deal(0, [], []);
+  const [far = 0, near = 0] = ways;
+  return { p: far / (far + near), superiority: wins / pairs };
+}
+
 /** P(Z > z) of a standard normal Z, z >= 0, by Simpson's rule. @param {number} z */
 export function upperTail(z) {
   const steps = 2000, end = 12, width = (end - Math.min(z, end)) / steps;

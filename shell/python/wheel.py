@@ -33,7 +33,8 @@ def main(build: Path, folder: Path) -> None:
     tag = f"{python}-{python}-{sysconfig.get_platform().replace('-', '_').replace('.', '_')}"
     info = f"gaitsmith-{version}.dist-info"
 
-    files = {f"gaitsmith/{path.name}": path.read_bytes() for path in source.iterdir() if path.suffix in (".py", ".pyi", ".typed")}
+    files = {f"gaitsmith/{path.name}": path.read_bytes() for path in source.iterdir() if path.suffix in (".py", ".pyi", ".html")}
+    files["gaitsmith/player.js"] = (root / "web/book/player.js").read_bytes()
     files["gaitsmith/py.typed"] = b""
     files[f"gaitsmith/{library.name}"] = without_symbols(library, build / "wheel" / library.name)
     for text in ("LICENSE", "THIRD-PARTY.txt"):

@@ -2,6 +2,7 @@
 """Every code block of docs/python.md runs, one after another, as a reader would run them."""
 import contextlib
 import io
+import json
 import os
 import re
 import subprocess
@@ -37,7 +38,7 @@ class Document(unittest.TestCase):
 
     @unittest.skipIf(matplotlib is None, "Matplotlib is not installed")
     def test_programs(self):
-        programs = [code for language, code in BLOCKS if language == "python"]
+        programs = [code for language, code in BLOCKS if language == "python" and "Playground(" not in code]
         figure = next(code for code in programs if "matplotlib" in code)
         self.assertIn(SMALL[0], figure)
         self.assertLessEqual(len([line for line in figure.splitlines() if line]), 20)
@@ -53,6 +54,13 @@ class Document(unittest.TestCase):
                 self.assertIn("<svg", Path("figure-6.svg").read_text(encoding="utf-8"))
             finally:
                 os.chdir(before)
+
+
+    def test_the_playground_is_as_in_the_notebook(self):  # whose cells playground_test.py runs
+        shown = next(code for _, code in BLOCKS if "Playground(" in code)
+        notebook = json.loads((ROOT / "examples/notebooks/playground.ipynb").read_text(encoding="utf-8"))
+        first = next("".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "code")
+        self.assertIn(shown.strip(), first)
 
 
 if __name__ == "__main__":

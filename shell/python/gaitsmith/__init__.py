@@ -20,6 +20,7 @@ from .documents import (
 )
 from .environment import Env, VectorEnv
 from .motion import Motion, decisions, measure, simulate
+from .playground import Playground
 from .problem import Evaluations, Problem, evaluate
 from .search import Search, synthesize
 from .spaces import Box
@@ -31,6 +32,7 @@ __all__ = [
     "Error",
     "Evaluations",
     "Motion",
+    "Playground",
     "Problem",
     "Search",
     "Study",
