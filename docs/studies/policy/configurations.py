@@ -15,8 +15,9 @@ POLICY: dict[str, tuple[Any, ...]] = {
     "clip": (0.2, 0.1, 0.3),
     "epochs": (10, 5),
     "horizon": (64, 32, 128),        # decisions of each world between two updates
+    "minibatch": (1024, 256),        # decisions
     "spread": (1.0, 0.37, 0.6),      # standard deviation of the first actions, in half the range of a joint
-    "frame_skip": (5, 2, 10),        # steps of 0.01 s for each decision
+    "frame_skip": (10, 5, 20),       # steps of 0.01 s for each decision
     "tau": (0.15, 0.3),              # seconds with which joints follow
 }
 RULES: dict[str, tuple[Any, ...]] = {

@@ -9,7 +9,7 @@ import numpy as np
 import torch
 from torch import nn
 
-LAMBDA, MINIBATCHES, GREATEST_GRADIENT, VALUE_WEIGHT, BOUND = 0.95, 32, 0.5, 0.5, 10.0
+LAMBDA, GREATEST_GRADIENT, VALUE_WEIGHT, BOUND = 0.95, 0.5, 0.5, 10.0
 
 
 class Spread:
@@ -63,7 +63,7 @@ class Policy:
 def train(task: Any, settings: dict[str, Any], seed: int, seconds: float, after_update: Callable[[Policy, float], float]) -> Policy:
     """Trains until the worlds have simulated this long.
 
-    settings:     learning_rate, discount, entropy, clip, epochs, horizon, spread
+    settings:     learning_rate, discount, entropy, clip, epochs, horizon, minibatch, spread
     after_update: called with the policy and the simulated seconds so far, returns how many it has simulated itself
     """
     torch.manual_seed(seed)
@@ -118,10 +118,9 @@ def train(task: Any, settings: dict[str, Any], seed: int, seconds: float, after_
 def learn(policy: Policy, optimiser: torch.optim.Optimizer, parameters: list[torch.Tensor], settings: dict[str, Any], seen: torch.Tensor, unscaled: torch.Tensor,
           chances: torch.Tensor, advantages: torch.Tensor, returns: torch.Tensor) -> None:
     """One update: several passes over what was seen, in shuffled minibatches."""
-    size = max(64, len(seen) // MINIBATCHES)
     for _ in range(int(settings["epochs"])):
         order = torch.randperm(len(seen))
-        for batch in order.split(size):
+        for batch in order.split(int(settings["minibatch"])):
             distribution = policy.distribution(seen[batch])
             ratio = (distribution.log_prob(unscaled[batch]).sum(1) - chances[batch]).exp()
             advantage = advantages[batch]

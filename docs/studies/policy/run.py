@@ -20,9 +20,9 @@ HERE = Path(__file__).parent
 EPISODE = 10.0                           # s
 TUNED, WHOLE = 100_000.0, 400_000.0      # s
 TUNING, REPORT = 3101, range(3201, 3206)
-WORLDS = 32
+WORLDS, PENDULUMS = 64, 32
 MOMENTS = (25_000, 50_000, 100_000, 200_000, 400_000)
-PENDULUM = {"learning_rate": 3e-4, "discount": 0.95, "entropy": 0.0, "clip": 0.2, "epochs": 10, "horizon": 64, "spread": 1.0}
+PENDULUM = {"learning_rate": 3e-4, "discount": 0.95, "entropy": 0.0, "clip": 0.2, "epochs": 10, "horizon": 64, "minibatch": 64, "spread": 1.0}
 
 
 def written(name: str) -> list[dict[str, str]]:
@@ -43,7 +43,7 @@ def keep(name: str, rows: list[dict[str, Any]]) -> None:
 def pendulum(seed: int) -> list[dict[str, Any]]:
     from pendulum import Pendulums, mean_return
     from ppo import train
-    task = Pendulums(WORLDS, seed)
+    task = Pendulums(PENDULUMS, seed)
     policy = train(task, PENDULUM, seed, 300_000 * task.seconds_per_step, lambda *_: 0.0)
     return [{"seed": seed, "steps": 300_000, "mean_return": f"{mean_return(policy, 100, 1000 + seed):.1f}"}]
 
