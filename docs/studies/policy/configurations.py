@@ -18,7 +18,6 @@ POLICY: dict[str, tuple[Any, ...]] = {
     "minibatch": (1024, 256),        # decisions
     "spread": (1.0, 0.37, 0.6),      # standard deviation of the first actions, in half the range of a joint
     "frame_skip": (10, 5, 20),       # steps of 0.01 s for each decision
-    "tau": (0.15, 0.3),              # seconds with which joints follow
 }
 RULES: dict[str, tuple[Any, ...]] = {
     "population": (10, 2, 4, 20),

@@ -53,8 +53,8 @@ def policy(number: int, seed: int, seconds: float) -> list[dict[str, Any]]:
     from ppo import train
     from walking import Walk
     settings = configurations(POLICY)[number]
-    task = Walk(WORLDS, settings["frame_skip"], settings["tau"])
-    alone = Walk(1, settings["frame_skip"], settings["tau"])
+    task = Walk(WORLDS, settings["frame_skip"])
+    alone = Walk(1, settings["frame_skip"])
     rows: list[dict[str, Any]] = []
     best, best_actions = -np.inf, np.zeros((0, 0), dtype=np.float32)
 
@@ -71,7 +71,7 @@ def policy(number: int, seed: int, seconds: float) -> list[dict[str, Any]]:
 
     train(task, settings, seed, seconds, after_update)
     if seconds == WHOLE:
-        np.savetxt(HERE / f"actions-{seed}.csv", best_actions, fmt="%.9g", delimiter=",", header=f"frame_skip {settings['frame_skip']}, tau {settings['tau']}")
+        np.savetxt(HERE / f"actions-{seed}.csv", best_actions, fmt="%.9g", delimiter=",", header=f"frame_skip {settings['frame_skip']}")
     return rows
 
 

@@ -9,14 +9,15 @@ import numpy as np
 import gaitsmith
 
 STEP = 0.01  # s
+PROBLEM = gaitsmith.read("star-man-travel")
 
 
 class Walk:
     """Worlds of one problem side by side. Keeps the best way of all episodes so far [m]."""
 
-    def __init__(self, worlds: int, frame_skip: int, tau: float) -> None:
-        self._worlds = gaitsmith.VectorEnv(gaitsmith.read("star-man-travel"), num_envs=worlds, observation="state", autoreset_mode="same_step",
-                                           frame_skip=frame_skip, tau=tau)
+    def __init__(self, worlds: int, frame_skip: int) -> None:
+        self._worlds = gaitsmith.VectorEnv(PROBLEM, num_envs=worlds, observation="state", autoreset_mode="same_step",
+                                           frame_skip=frame_skip, tau=PROBLEM["senses"]["tau_min_s"])
         space = self._worlds.single_action_space
         self.low, self.high = space.low.astype(np.float64), space.high.astype(np.float64)
         self.observations = len(self._worlds.observation_names)
