@@ -26,7 +26,9 @@ namespace gaitsmith {
 
 inline constexpr int kMaxHidden = kMaxRules;
 inline constexpr int kMaxNodes = kMaxHidden + kMaxActuators;
-inline constexpr int kMaxInputs = kMaxContacts + kMaxActuators + kMaxHidden;  // 64
+/// Of figures of rods. Networks do not drive figures of springs.
+inline constexpr int kMaxTouchSensors = 17;
+inline constexpr int kMaxInputs = kMaxTouchSensors + kMaxActuators + kMaxHidden;  // 64
 /// Weights are in [-kMaxWeight, kMaxWeight].
 inline constexpr float kMaxWeight = 2.0f;
 

@@ -47,6 +47,13 @@ struct Lane {
   static F Max(F a, F b) { return a > b ? a : b; }
   static F Abs(F a) { return reinterpret_cast<F>(reinterpret_cast<I>(a) & 0x7fffffff); }
 
+  /// Square roots, rounded correctly, as IEEE 754 demands of every machine.
+  static F Sqrt(F a) {
+    F root;
+    for (int lane = 0; lane < W; ++lane) root[lane] = __builtin_sqrtf(a[lane]);
+    return root;
+  }
+
   /// True when any lane of the mask (0 or -1) is set. This is integer work, so its order does not matter.
   static bool Any(I mask) {
 #if defined(__clang__)

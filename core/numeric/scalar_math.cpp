@@ -22,6 +22,26 @@ SineCosine SinCos(float x_rad) {
   return {sine[0], cosine[0]};
 }
 
+float Atan2(float sine, float cosine) {
+  const float up = sine < 0.0f ? -sine : sine, along = cosine < 0.0f ? -cosine : cosine;
+  const float more = up > along ? up : along, less = up > along ? along : up;
+  if (!(more > 0.0f)) return 0.0f;
+  constexpr float kTanEighth = 0.41421356f;  // of pi / 8
+  constexpr float kQuarter = 0.78539816f, kHalf = 1.5707963f, kWhole = 3.1415927f;
+  const float ratio = less / more;
+  const bool steep = ratio > kTanEighth;
+  const float r = steep ? (ratio - 1.0f) / (ratio + 1.0f) : ratio;
+  const float z = r * r;
+  const float series =
+      (((8.05374449538e-2f * z - 1.38776856032e-1f) * z + 1.99777106478e-1f) * z - 3.33329491539e-1f) * z *
+          r +
+      r;
+  float angle = steep ? kQuarter + series : series;
+  if (up > along) angle = kHalf - angle;
+  if (cosine < 0.0f) angle = kWhole - angle;
+  return sine < 0.0f ? -angle : angle;
+}
+
 FineSineCosine FineSinCos(double x_rad) {
   // pi/2 in three parts. The first two have trailing zero bits, so that n * part is exact.
   constexpr double kHalfPi1 = 2 * 7.85398125648498535156e-1;

@@ -13,7 +13,17 @@ namespace gaitsmith {
 inline constexpr int kMaxRods = 16;
 inline constexpr int kMaxJoints = kMaxRods - 1;
 inline constexpr int kMaxEndpoints = kMaxRods + 1;
+/// Maximum number of nodes and springs in a figure of springs, and of muscles among them.
+inline constexpr int kMaxPoints = 24;
+inline constexpr int kMaxSprings = 64;
+inline constexpr int kMaxMuscles = 15;
 static_assert(kMaxJoints <= kMaxActuators && kMaxEndpoints <= kMaxContacts);
+/// A figure of springs must not vibrate faster than this, as bounded by FastestVibration() [1/s^2]: 64
+/// substeps of a step of 0.01 s then resolve it.
+inline constexpr float kStiffest = 4.0e7f;
+/// Lengths without force, over the drawn ones.
+inline constexpr float kLeastRest = 0.2f, kMostRest = 3.0f;
+static_assert(kMaxMuscles <= kMaxActuators && kMaxPoints <= kMaxContacts);
 
 /// An endpoint takes part in the contact solution if it is predicted to end the step lower than this above
 /// the ground [m]. Must exceed the half g h^2 (0.5 mm) by which the flight prediction differs. A larger value

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A 2D articulated figure: a tree of rigid uniform rods [Fukunaga 1994, section 2]. n rods have n - 1 joint
-// angles and n + 1 endpoints, as counted in Table 1 of the paper.
+// A 2D figure: a tree of rigid uniform rods [Fukunaga 1994, section 2], or point masses and springs
+// [Christensen Marks Ngo 1997]. n rods have n - 1 joint angles and n + 1 endpoints, as counted in Table 1 of
+// the paper.
 #pragma once
 
 #include <string>
@@ -33,17 +34,46 @@ struct Rod {
   bool operator==(const Rod&) const = default;
 };
 
+/// A point mass of a figure of springs. Springs hold nodes together, and only nodes touch the ground.
+struct Node {
+  float x_m = 0.0f, y_m = 0.0f;  // drawn position, [-1000, 1000]
+  float mass_kg = 1.0f;          // [1e-6, 1e6]
+
+  bool operator==(const Node&) const = default;
+};
+
+/// Pulls its nodes together, or pushes them apart, with stiffness times (length - rest). Damped along its
+/// length.
+struct Spring {
+  int from = 0, to = 1;          // two different nodes
+  float stiffness_npm = 500.0f;  // [N/m], [0, 1e6]; see FastestVibration
+  float damping_nspm = 1.0f;     // [N s/m], [0, 1e6]
+  // Its length without force, over the drawn distance of its nodes. [kLeastRest, kMostRest]
+  float rest = 1.0f;
+  // The rest that a controller may choose: a muscle if these differ. They contain `rest`.
+  float min_rest = 1.0f, max_rest = 1.0f;
+
+  [[nodiscard]] bool IsMuscle() const { return min_rest < max_rest; }
+  bool operator==(const Spring&) const = default;
+};
+
+/// Of rods, or of nodes and springs (model 3). Never of both.
 struct Figure {
   std::string name;
   std::vector<Rod> rods;  // in any order
+  std::vector<Node> nodes = {};
+  std::vector<Spring> springs = {};
 
+  [[nodiscard]] bool HasSprings() const { return !nodes.empty(); }
+  [[nodiscard]] int Muscles() const;
   [[nodiscard]] int Rods() const { return static_cast<int>(rods.size()); }
   [[nodiscard]] int Joints() const { return Rods() - 1; }
   [[nodiscard]] int Endpoints() const { return Rods() + 1; }
 };
 
 /// A length typical of the figure, by which motions of different figures can be compared [m]: the length of
-/// all rods over the root of their number, between those of a star and of a chain.
+/// all rods over the root of their number, between those of a star and of a chain. Of springs: the diagonal
+/// of the drawn figure.
 [[nodiscard]] float SizeOf(const Figure&);
 
 /// A figure's name up to a comma: "Ostrich" of "Ostrich, mirrored". Edited copies keep what their figure is.
@@ -52,10 +82,20 @@ struct Figure {
 }
 
 /// True if both trees have the same number of rods attached to the same ends, whatever their lengths, masses,
-/// angles and limits. Controllers of one figure can then drive the other.
+/// angles and limits; or as many nodes, and springs and muscles between the same ones. Controllers of one
+/// figure can then drive the other.
 [[nodiscard]] bool SameTree(const Figure&, const Figure&);
 
-/// Checks that the rods form one tree and every number is in range.
+/// Distance of a spring's nodes as drawn [m], at least kShortestSpring in a valid figure.
+[[nodiscard]] float DrawnLength(const Figure&, const Spring&);
+inline constexpr float kShortestSpring = 0.001f;
+
+/// Bound of the squared frequency of the fastest vibration of a figure of springs [1/s^2], by the rows of its
+/// matrix [Gershgorin 1931]: twice the stiffness at a node over its mass, the greatest of all nodes. @param
+/// node out: which
+[[nodiscard]] float FastestVibration(const Figure&, int* node = nullptr);
+
+/// Checks that the rods form one tree, or the springs hold all nodes together, and every number is in range.
 /// @return nothing, or the first fault: where it is ("rods[2].parent") and what is wrong, in readable words
 [[nodiscard]] Result<void> Validate(const Figure&);
 

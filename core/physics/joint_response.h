@@ -10,12 +10,42 @@
 
 namespace gaitsmith {
 
-/// Advances all joints by one step, critically damped,
+/// What an actuator follows, as in ActuatorTargets.
+template <int W>
+struct FollowedTarget {
+  const typename Lane<W>::F &target, &decay, &inverse_tau;
+};
+
+/// Advances an actuator by one step, critically damped,
 ///   theta'' = (target - theta) / tau^2 - 2 theta' / tau,
 /// in closed form: with e = theta - target and A = theta' + e / tau,
 ///   theta <- target + (e + A h) exp(-h / tau)      theta' <- (theta' - A h / tau) exp(-h / tau).
-/// A joint that reaches its limit stops there. Without limits it would overshoot by several radians when a
-/// fast rule hands over to a slow one. Stopping does not change the figure's momentum.
+/// One that reaches its limit stops there. Without limits it would overshoot by several radians when a fast
+/// rule hands over to a slow one.
+/// @param position, rate  in and out [rad], [rad/s] for joints
+/// @return change of position in this step
+template <int W>
+[[gnu::always_inline]] inline typename Lane<W>::F FollowTarget(const FollowedTarget<W>& followed,
+                                                               float step_s, float least, float greatest,
+                                                               typename Lane<W>::F& position,
+                                                               typename Lane<W>::F& rate) {
+  using L = Lane<W>;
+  using F = typename L::F;
+  using I = typename L::I;
+  const F off = position - followed.target;
+  const F pull_step = (rate + off * followed.inverse_tau) * step_s;
+  const F free_position = followed.target + (off + pull_step) * followed.decay;
+  const F free_rate = (rate - pull_step * followed.inverse_tau) * followed.decay;
+  const I below = free_position < least;
+  const I above = free_position > greatest;
+  const F held = L::Select(below, L::Splat(least), L::Select(above, L::Splat(greatest), free_position));
+  const F change = held - position;
+  position = held;
+  rate = L::Select(below | above | (L::Abs(free_rate) < kRestRate), F{}, free_rate);
+  return change;
+}
+
+/// Advances all joints by one step. Stopping at a limit does not change the figure's momentum.
 /// @param angle, rate  of each joint [rad], [rad/s]; in and out
 /// @param turn         out: change of each angle in this step [rad]
 template <int W>
@@ -23,22 +53,10 @@ void MoveJoints(const Skeleton& skeleton, const ActuatorTargets<W>& targets, flo
                 std::array<typename Lane<W>::F, kMaxJoints>& angle,
                 std::array<typename Lane<W>::F, kMaxJoints>& rate,
                 std::array<typename Lane<W>::F, kMaxJoints>& turn) {
-  using L = Lane<W>;
-  using F = typename L::F;
-  using I = typename L::I;
   for (std::size_t j = 0; j < static_cast<std::size_t>(skeleton.joints); ++j) {
     const Skeleton::Limb& limb = skeleton.limbs[j + 1];
-    const F off = angle[j] - targets.target[j];
-    const F pull_step = (rate[j] + off * targets.inverse_tau[j]) * step_s;
-    const F free_angle = targets.target[j] + (off + pull_step) * targets.decay[j];
-    const F free_rate = (rate[j] - pull_step * targets.inverse_tau[j]) * targets.decay[j];
-    const I below = free_angle < limb.min_rad;
-    const I above = free_angle > limb.max_rad;
-    const F held =
-        L::Select(below, L::Splat(limb.min_rad), L::Select(above, L::Splat(limb.max_rad), free_angle));
-    turn[j] = held - angle[j];
-    angle[j] = held;
-    rate[j] = L::Select(below | above | (L::Abs(free_rate) < kRestRate), F{}, free_rate);
+    turn[j] = FollowTarget<W>({targets.target[j], targets.decay[j], targets.inverse_tau[j]}, step_s,
+                              limb.min_rad, limb.max_rad, angle[j], rate[j]);
   }
 }
 

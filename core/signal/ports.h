@@ -11,7 +11,7 @@ namespace gaitsmith {
 /// The most actuators and contacts that a plant may have. The size of the lanes' state grows with these
 /// limits.
 inline constexpr int kMaxActuators = 15;
-inline constexpr int kMaxContacts = 17;
+inline constexpr int kMaxContacts = 24;
 
 /// The numbers of connections. The layout of a genome depends on nothing else.
 struct PortCount {

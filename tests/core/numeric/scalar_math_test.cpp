@@ -124,4 +124,20 @@ TEST_CASE("random stream: its distributions have their moments", "[numeric]") {
   for (const int count : counts) REQUIRE(std::abs(count - kDraws / 7.0) < 5.0 * std::sqrt(kDraws / 7.0));
 }
 
+TEST_CASE("Atan2 is the angle of a direction", "[core][numeric]") {
+  double worst = 0.0;
+  for (int i = -20000; i <= 20000; ++i) {
+    const double angle = 3.1415926 * i / 20000.0;
+    for (const double length : {1.0, 1e-6, 1e6}) {
+      const auto sine = static_cast<float>(length * std::sin(angle)),
+                 cosine = static_cast<float>(length * std::cos(angle));
+      const double exact = std::atan2(static_cast<double>(sine), static_cast<double>(cosine));
+      worst = std::max(worst, std::abs(static_cast<double>(Atan2(sine, cosine)) - exact));
+    }
+  }
+  CHECK(worst < 5e-7);
+  CHECK(Atan2(0.0f, 0.0f) == 0.0f);
+  CHECK(Atan2(0.0f, 1.0f) == 0.0f);
+}
+
 }  // namespace gaitsmith
