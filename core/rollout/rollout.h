@@ -55,7 +55,8 @@ class Rollout {
         plant_(body, environment, start, plant_step_s_),
         pushes_(pushes),
         takeovers_(takeovers),
-        substeps_(substeps) {}
+        substeps_(substeps),
+        contacts_(substeps > 1 ? static_cast<std::size_t>(P::PortsOf(body).contacts) : 0) {}
 
   /// Lets controllers take over now: their first rules become active, their timers start at zero, their
   /// networks are empty. The motion continues from its present state.
@@ -185,7 +186,7 @@ class Rollout {
     for (int part = 0; part < substeps_; ++part) {
       plant_.Step(step_ * substeps_ + part, targets);
       const Readings<W> readings = plant_.Read();
-      for (std::size_t i = 0; i < impulse_.size(); ++i) impulse_[i] += readings.impulse[i];
+      for (std::size_t i = 0; i < contacts_; ++i) impulse_[i] += readings.impulse[i];
       if (part + 1 == substeps_) break;
       between();
       first_given_ = next_push_;
@@ -211,6 +212,7 @@ class Rollout {
   ActuatorTargets<W> targets_{};
   std::vector<ActuatorTargets<W>> waiting_;  // decisions that joints do not follow yet
   int substeps_;
+  std::size_t contacts_;                               // of the plant, if its steps are split
   std::array<typename L::F, kMaxContacts> impulse_{};  // of the ground in all substeps of the last step
   int step_ = 0;
   std::size_t next_push_ = 0, first_given_ = 0;

@@ -114,13 +114,18 @@ class StyleMeter {
 
   /// An impulse acts between the motion of the step before and that of its own step, so it works at the mean
   /// of both speeds.
-  void AddWork(const Readings<P::kLanes>& now, std::span<const Push> pushes) {
-    const auto impulse = muscles_->ImpulsesOf(plant_.Save(), pushes, sums_.memory);
+  void AddWork([[maybe_unused]] const Readings<P::kLanes>& now,
+               [[maybe_unused]] std::span<const Push> pushes) {
     F worked{};
-    for (std::size_t j = 0; j < actuators_; ++j) {
-      const F speed = now.change[j] * (1.0f / step_s_);
-      worked += L::Abs(impulse[j] * (0.5f * (sums_.speed_radps[j] + speed)));
-      sums_.speed_radps[j] = speed;
+    if constexpr (requires { muscles_->WorkOf(plant_.Save()); }) {
+      worked = muscles_->WorkOf(plant_.Save());
+    } else {
+      const auto impulse = muscles_->ImpulsesOf(plant_.Save(), pushes, sums_.memory);
+      for (std::size_t j = 0; j < actuators_; ++j) {
+        const F speed = now.change[j] * (1.0f / step_s_);
+        worked += L::Abs(impulse[j] * (0.5f * (sums_.speed_radps[j] + speed)));
+        sums_.speed_radps[j] = speed;
+      }
     }
     sums_.work_j += L::ToDouble(worked);
     sums_.peak_j = L::Max(sums_.peak_j, worked);
