@@ -33,6 +33,27 @@ inline Figure Box(float stiffness = 2000.0f, float damping = 2.0f) {
   return figure;
 }
 
+/// A plate of six nodes on four legs, whose eight springs are muscles.
+inline Figure Table(float stiffness = 2000.0f, float damping = 4.0f) {
+  Figure figure;
+  figure.name = "Table";
+  figure.nodes = {{0.0f, 0.5f, 0.3f},  {0.5f, 0.5f, 0.3f},  {1.0f, 0.5f, 0.3f},  {0.0f, 0.75f, 0.3f},
+                  {0.5f, 0.75f, 0.3f}, {1.0f, 0.75f, 0.3f}, {-0.1f, 0.0f, 0.1f}, {0.15f, 0.0f, 0.1f},
+                  {0.85f, 0.0f, 0.1f}, {1.1f, 0.0f, 0.1f}};
+  const auto add = [&](int from, int to) {
+    figure.springs.push_back({.from = from, .to = to, .stiffness_npm = stiffness, .damping_nspm = damping});
+  };
+  for (const auto& [from, to] :
+       {std::pair(0, 1), {1, 2}, {3, 4}, {4, 5}, {0, 3}, {1, 4}, {2, 5}, {0, 4}, {1, 3}, {1, 5}, {2, 4}})
+    add(from, to);
+  for (const auto& [from, to] : {std::pair(6, 0), {6, 1}, {7, 0}, {7, 1}, {8, 1}, {8, 2}, {9, 1}, {9, 2}}) {
+    add(from, to);
+    figure.springs.back().min_rest = 0.6f;
+    figure.springs.back().max_rest = 1.3f;
+  }
+  return figure;
+}
+
 /// No gravity, and the ground far below.
 inline Environment Space() { return {.gravity_mps2 = 0.0f}; }
 inline StartState Afloat() { return {.drop_height_m = 50.0f}; }

@@ -49,9 +49,8 @@ struct Lane {
 
   /// Square roots, rounded correctly, as IEEE 754 demands of every machine.
   static F Sqrt(F a) {
-    F root;
-    for (int lane = 0; lane < W; ++lane) root[lane] = __builtin_sqrtf(a[lane]);
-    return root;
+    for (int lane = 0; lane < W; ++lane) a[lane] = __builtin_sqrtf(a[lane]);
+    return a;
   }
 
   /// True when any lane of the mask (0 or -1) is set. This is integer work, so its order does not matter.

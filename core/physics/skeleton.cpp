@@ -31,7 +31,8 @@ int HighestEndpoint(const Skeleton& skeleton) {
 }  // namespace
 
 Skeleton::Skeleton(const Figure& figure)
-    : rods(figure.Rods()), joints(figure.Joints()), endpoints(figure.Endpoints()) {
+    : rods(figure.Rods()), joints(figure.Joints()), endpoints(rods > 0 ? figure.Endpoints() : 0) {
+  if (rods == 0) return;
   // Number the rods in rounds: a rod gets its number once its parent has one. Ties go to the drawn order.
   std::array<int, kMaxRods> walked_index;
   walked_index.fill(-1);

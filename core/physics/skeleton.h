@@ -23,7 +23,7 @@ struct Skeleton {
     int drawn;            // index in Figure::rods
   };
 
-  /// @param figure must be valid (see Validate)
+  /// @param figure must be valid (see Validate). One of springs has no rods, so nothing of it is here
   explicit Skeleton(const Figure& figure);
 
   int rods = 0;

@@ -25,7 +25,8 @@ namespace gaitsmith {
 ///   Body                  topology and constants, made from a valid figure; outlives its plants. The plant
 ///                         decides how far bodies may differ from lane to lane
 ///   State, LaneState      everything that changes, of all lanes; of a plant of one lane
-///   Muscles               measures the impulses of the actuators, [N m s] for joints: see physics/muscles.h. Or
+///   Muscles               measures the impulses of the actuators, [N m s] for joints: see physics/muscles.h.
+///   Or
 ///                         their work, if the plant knows it: see springs/spring_muscles.h
 ///   CountPorts, PortsOf   actuators and contacts: in [0, kMaxActuators] and [0, kMaxContacts]
 ///

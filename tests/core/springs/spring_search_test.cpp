@@ -15,11 +15,12 @@ namespace {
 
 Problem Travelling(SenseKind senses, ControllerKind kind) {
   Problem problem;
-  problem.figure = Box(1500.0f, 3.0f);
-  problem.task.duration_steps = 400;
+  problem.figure = Table();
+  problem.task.duration_steps = 500;
   problem.senses.kind = senses;
   problem.senses.period_steps = 60;
   problem.senses.tau_min_s = 0.05f;
+  problem.senses.tau_max_s = 0.3f;
   problem.kind = kind;
   problem.rules = 6;
   for (const StyleTerm term :
@@ -63,7 +64,7 @@ TEST_CASE("springs: every number of lanes gives an evaluation the same bits",
   }
 }
 
-TEST_CASE("springs: among random rules some make a box of springs travel", "[core][springs]") {
+TEST_CASE("springs: among random rules some make a table of springs travel", "[core][springs]") {
   const SenseKind senses = GENERATE(SenseKind::kPhysical, SenseKind::kTimer);
   const Problem problem = Travelling(senses, ControllerKind::kRules);
   float farthest = 0.0f;
