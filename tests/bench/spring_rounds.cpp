@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Figures of springs beside Chipmunk and Box2D, where they are installed: the same worm, pulled by the same muscles, on level
-// ground with friction. Rounds in turn within one run; processor time. Each rival at the step and iterations that its manual
-// recommends; nodes do not collide with each other, nothing is drawn, and rests are given.
+// Figures of springs beside Chipmunk and Box2D, where they are installed: the same worm, pulled by the same
+// muscles, on level ground with friction. Rounds in turn within one run; processor time. Each rival at the
+// step and iterations that its manual recommends; nodes do not collide with each other, nothing is drawn, and
+// rests are given.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -74,12 +76,14 @@ void Chipmunk() {
   const Figure worm = Worm();
   cpSpace* space = cpSpaceNew();
   cpSpaceSetGravity(space, cpv(0.0, -9.8));
-  cpShape* ground = cpSpaceAddShape(space, cpSegmentShapeNew(cpSpaceGetStaticBody(space), cpv(-100, 0), cpv(100, 0), 0.0));
+  cpShape* ground =
+      cpSpaceAddShape(space, cpSegmentShapeNew(cpSpaceGetStaticBody(space), cpv(-100, 0), cpv(100, 0), 0.0));
   cpShapeSetFriction(ground, 0.8);
   std::vector<cpBody*> bodies;
   std::vector<cpShape*> shapes;
   for (const Node& node : worm.nodes) {
-    cpBody* body = cpSpaceAddBody(space, cpBodyNew(static_cast<double>(node.mass_kg), INFINITY));
+    cpBody* body = cpSpaceAddBody(
+        space, cpBodyNew(static_cast<double>(node.mass_kg), std::numeric_limits<double>::infinity()));
     cpBodySetPosition(body, cpv(static_cast<double>(node.x_m), static_cast<double>(node.y_m) + 0.01));
     shapes.push_back(cpSpaceAddShape(space, cpCircleShapeNew(body, 0.01, cpvzero)));
     cpShapeSetFriction(shapes.back(), 1.0);
@@ -91,15 +95,17 @@ void Chipmunk() {
   for (std::size_t i = 0; i < worm.springs.size(); ++i) {
     const Spring& spring = worm.springs[i];
     springs.push_back(cpSpaceAddConstraint(
-        space, cpDampedSpringNew(bodies[static_cast<std::size_t>(spring.from)], bodies[static_cast<std::size_t>(spring.to)], cpvzero, cpvzero,
-                                 static_cast<double>(DrawnLength(worm, spring)), static_cast<double>(spring.stiffness_npm),
-                                 static_cast<double>(spring.damping_nspm))));
+        space, cpDampedSpringNew(
+                   bodies[static_cast<std::size_t>(spring.from)], bodies[static_cast<std::size_t>(spring.to)],
+                   cpvzero, cpvzero, static_cast<double>(DrawnLength(worm, spring)),
+                   static_cast<double>(spring.stiffness_npm), static_cast<double>(spring.damping_nspm))));
     if (spring.IsMuscle()) muscles.push_back(i);
   }
   for (int step = 0; step < kSeconds * 60; ++step) {
     for (std::size_t j = 0; j < muscles.size(); ++j) {
       const float rest = RestAt(static_cast<int>(j), static_cast<float>(step) / 60.0f);
-      cpDampedSpringSetRestLength(springs[muscles[j]], static_cast<double>(DrawnLength(worm, worm.springs[muscles[j]]) * rest));
+      cpDampedSpringSetRestLength(springs[muscles[j]],
+                                  static_cast<double>(DrawnLength(worm, worm.springs[muscles[j]]) * rest));
     }
     cpSpaceStep(space, 1.0 / 60.0);
   }
@@ -150,7 +156,8 @@ void Box2d() {
   }
   std::vector<b2DistanceJoint*> muscles;
   for (const Spring& spring : worm.springs) {
-    b2Body *from = bodies[static_cast<std::size_t>(spring.from)], *to = bodies[static_cast<std::size_t>(spring.to)];
+    b2Body *from = bodies[static_cast<std::size_t>(spring.from)],
+           *to = bodies[static_cast<std::size_t>(spring.to)];
     b2DistanceJointDef joint;
     joint.Initialize(from, to, from->GetPosition(), to->GetPosition());
     joint.minLength = 0.0f;
@@ -181,7 +188,8 @@ struct Rival {
 }  // namespace
 
 int main() {
-  std::vector<Rival> rivals = {{"ours, 1 lane", 1, Ours<1>}, {"ours, 4 lanes", 4, Ours<4>}, {"ours, 8 lanes", 8, Ours<8>}};
+  std::vector<Rival> rivals = {
+      {"ours, 1 lane", 1, Ours<1>}, {"ours, 4 lanes", 4, Ours<4>}, {"ours, 8 lanes", 8, Ours<8>}};
 #ifdef GAITSMITH_CHIPMUNK
   rivals.push_back({"Chipmunk", 1, Chipmunk});
 #endif
@@ -204,7 +212,7 @@ int main() {
   }
   const double best = *std::min_element(medians.begin(), medians.begin() + 3);
   for (std::size_t i = 0; i < rivals.size(); ++i) {
-    std::printf("%-14s %8.2f us for a second of a worm, %6.2f times our best; it went %.2f m\n", rivals[i].name.c_str(), medians[i], medians[i] / best,
-                static_cast<double>(rivals[i].x_m));
+    std::printf("%-14s %8.2f us for a second of a worm, %6.2f times our best; it went %.2f m\n",
+                rivals[i].name.c_str(), medians[i], medians[i] / best, static_cast<double>(rivals[i].x_m));
   }
 }

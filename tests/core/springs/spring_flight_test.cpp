@@ -29,9 +29,9 @@ double LengthAfter(const Figure& figure, float impulse_ns, double seconds, int f
   SpringPlant<1> plant(body, Space(), Afloat(), step_s);
   plant.Give({0, 1, impulse_ns, 0.0f});
   plant.Give({0, 0, -impulse_ns, 0.0f});
-  const int steps = static_cast<int>(std::lround(seconds / double{kStep})) * finer;
+  const int steps = static_cast<int>(std::lround(seconds / static_cast<double>(kStep))) * finer;
   for (int step = 0; step < steps; ++step) plant.Step(step, AllAt(1.0f));
-  return double{plant.Save().x[1][0]} - double{plant.Save().x[0][0]};
+  return static_cast<double>(plant.Save().x[1][0]) - static_cast<double>(plant.Save().x[0][0]);
 }
 
 }  // namespace
@@ -43,13 +43,13 @@ TEST_CASE("springs: momentum and angular momentum stay in flight", "[core][sprin
                        kStep);
   Shake(body, plant, 7, 0.3f);
   const SpringTotals before = TotalsOf(body, plant.Save());
-  const double angular = double{plant.Observe(0).angular_momentum};
+  const double angular = static_cast<double>(plant.Observe(0).angular_momentum);
   for (int step = 0; step < 300; ++step) plant.Step(step, AllAt(step % 60 < 30 ? 0.7f : 1.3f));
   const SpringTotals after = TotalsOf(body, plant.Save());
   CHECK(after.momentum_x == Approx(before.momentum_x).margin(2e-5));
   CHECK(after.momentum_y == Approx(before.momentum_y).margin(2e-5));
   CHECK(after.angular_momentum == Approx(before.angular_momentum).margin(2e-5));
-  CHECK(double{plant.Observe(0).angular_momentum} == Approx(angular).margin(2e-4));
+  CHECK(static_cast<double>(plant.Observe(0).angular_momentum) == Approx(angular).margin(2e-4));
   CHECK(!plant.TermsOf(0).broke_physics);
 }
 
@@ -58,13 +58,13 @@ TEST_CASE("springs: free fall is exact, and the centre of mass flies as a point 
   const StartState start{
       .drop_height_m = 40.0f, .velocity_x_mps = 2.0f, .velocity_y_mps = 3.0f, .spin_radps = 4.0f};
   SpringPlant<1> plant(body, {}, start, kStep);
-  const double height = double{plant.Observe(0).y_m};
+  const double height = static_cast<double>(plant.Observe(0).y_m);
   for (int step = 0; step < 200; ++step) plant.Step(step, AllAt(0.8f));
   const Snapshot now = plant.Observe(0);
   CHECK(now.x_m == Approx(4.0).margin(1e-4));
-  CHECK(double{now.y_m} == Approx(height + 3.0 * 2.0 - 0.5 * 9.8 * 4.0).margin(1e-3));
-  CHECK(double{now.velocity_x_mps} == Approx(2.0).margin(1e-5));
-  CHECK(double{now.velocity_y_mps} == Approx(3.0 - 9.8 * 2.0).margin(1e-4));
+  CHECK(static_cast<double>(now.y_m) == Approx(height + 3.0 * 2.0 - 0.5 * 9.8 * 4.0).margin(1e-3));
+  CHECK(static_cast<double>(now.velocity_x_mps) == Approx(2.0).margin(1e-5));
+  CHECK(static_cast<double>(now.velocity_y_mps) == Approx(3.0 - 9.8 * 2.0).margin(1e-4));
 }
 
 TEST_CASE("springs: a pair swings as its closed form", "[core][springs]") {
@@ -122,8 +122,8 @@ TEST_CASE("springs: a chain swings in its normal modes", "[core][springs]") {
   const double omega = 2.0 * std::sqrt(100.0 / 0.2) * std::sin(kPi * mode / (2.0 * kMasses));
   for (int step = 0; step < 16 * 40; ++step) plant.Step(step, AllAt(1.0f));
   for (int i = 0; i < kMasses; ++i) {
-    const double moved = double{plant.Save().x[static_cast<std::size_t>(i)][0]} -
-                         double{body.drawn_x[static_cast<std::size_t>(i)]};
+    const double moved = static_cast<double>(plant.Save().x[static_cast<std::size_t>(i)][0]) -
+                         static_cast<double>(body.drawn_x[static_cast<std::size_t>(i)]);
     CHECK(moved == Approx(0.1 / omega * shape(i) * std::sin(omega * 0.4)).margin(2e-5));
   }
 }
@@ -169,7 +169,7 @@ TEST_CASE("springs: energy comes from the muscles alone, and their work is accou
   double work = 0.0, worst = 0.0, most = 0.0;
   for (int step = 0; step < 32 * 100; ++step) {
     plant.Step(step, AllAt(step % 1600 < 800 ? 0.75f : 1.25f, 0.1f, kStep / 32.0f));
-    for (std::size_t j = 0; j < body.muscles; ++j) work += double{plant.Save().work_j[j][0]};
+    for (std::size_t j = 0; j < body.muscles; ++j) work += static_cast<double>(plant.Save().work_j[j][0]);
     const double energy =
         TotalsOf(body, plant.Save(), 0.0, 0, static_cast<double>(kStep) / 32.0 / body.substeps).Energy();
     worst = std::max(worst, std::abs(energy - work));
@@ -201,8 +201,8 @@ TEST_CASE("springs: a spinning figure counts its turns", "[core][springs]") {
   const float spin = GENERATE(5.0f, -12.0f);
   SpringPlant<1> plant(body, Space(), {.drop_height_m = 5.0f, .spin_radps = spin}, kStep);
   for (int step = 0; step < 500; ++step) plant.Step(step, AllAt(1.0f));
-  CHECK(plant.Observe(0).turn_rad == Approx(double{spin} * 5.0).epsilon(0.01));
-  CHECK(double{plant.TermsOf(0).rotations} ==
-        Approx(std::abs(double{spin}) * 5.0 / (2.0 * kPi)).epsilon(0.01));
-  CHECK(double{plant.Upright()[0]} == Approx(std::cos(plant.Observe(0).turn_rad)).margin(1e-5));
+  CHECK(plant.Observe(0).turn_rad == Approx(static_cast<double>(spin) * 5.0).epsilon(0.01));
+  CHECK(static_cast<double>(plant.TermsOf(0).rotations) ==
+        Approx(std::abs(static_cast<double>(spin)) * 5.0 / (2.0 * kPi)).epsilon(0.01));
+  CHECK(static_cast<double>(plant.Upright()[0]) == Approx(std::cos(plant.Observe(0).turn_rad)).margin(1e-5));
 }

@@ -67,7 +67,8 @@ TEST_CASE("springs: friction holds on a gentle slope, and slides on a steep one 
   const Lattice body(Pair(500.0f, 5.0f));
   SpringPlant<1> plant(body, {.friction = friction, .slope_rad = slope}, {}, kStep);
   for (int step = 0; step < 100; ++step) plant.Step(step, AllAt(1.0f));
-  const double pull = 9.8 * (std::sin(double{slope}) - double{friction} * std::cos(double{slope}));
+  const double pull = 9.8 * (std::sin(static_cast<double>(slope)) -
+                             static_cast<double>(friction) * std::cos(static_cast<double>(slope)));
   CHECK(plant.Observe(0).x_m == Approx(-0.5 * std::max(pull, 0.0)).margin(0.02));
   CHECK(static_cast<double>(plant.TermsOf(0).slip_sum_m) ==
         Approx(2.0 * 0.5 * std::max(pull, 0.0)).margin(0.04));
