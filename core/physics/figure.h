@@ -69,9 +69,7 @@ struct Figure {
   [[nodiscard]] int Rods() const { return static_cast<int>(rods.size()); }
   [[nodiscard]] int Joints() const { return HasSprings() ? 0 : Rods() - 1; }
   /// What can touch the ground: ends of rods, or nodes.
-  [[nodiscard]] int Endpoints() const {
-    return HasSprings() ? static_cast<int>(nodes.size()) : Rods() + 1;
-  }
+  [[nodiscard]] int Endpoints() const { return HasSprings() ? static_cast<int>(nodes.size()) : Rods() + 1; }
 };
 
 /// A length typical of the figure, by which motions of different figures can be compared [m]: the length of
