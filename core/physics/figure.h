@@ -96,6 +96,9 @@ inline constexpr float kShortestSpring = 0.001f;
 /// node out: which
 [[nodiscard]] float FastestVibration(const Figure&, int* node = nullptr);
 
+/// The part of Validate for a figure of springs.
+[[nodiscard]] Result<void> ValidateSprings(const Figure&);
+
 /// Checks that the rods form one tree, or the springs hold all nodes together, and every number is in range.
 /// @return nothing, or the first fault: where it is ("rods[2].parent") and what is wrong, in readable words
 [[nodiscard]] Result<void> Validate(const Figure&);

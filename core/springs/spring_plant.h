@@ -10,20 +10,14 @@
 #include "core/physics/motion_reports.h"
 #include "core/physics/snapshot.h"
 #include "core/signal/readings.h"
+#include "core/springs/best_rotation.h"
 #include "core/springs/drawn_floor.h"
+#include "core/springs/lattice_guard.h"
 #include "core/springs/level_floor.h"
 #include "core/springs/spring_forces.h"
 #include "core/springs/spring_muscles.h"
 
 namespace gaitsmith {
-
-/// A motion is void when a spring is longer than this many times its drawn length.
-inline constexpr float kMostStretch = 10.0f;
-/// A motion is void when nodes are deeper in drawn ground than this [m].
-inline constexpr double kMostBuried = 0.02;
-/// A figure whose nodes have come together to less than this share of its drawn moment of inertia keeps its
-/// turn.
-inline constexpr float kLeastSpread = 1e-6f;
 
 template <int W>
 class SpringPlant {
@@ -226,35 +220,8 @@ class SpringPlant {
       const F beyond = s_.pulled_m[j] + 0.5f * ((s_.length[j] - s_.rest[j]) * link.drawn_m);
       s_.work_j[j] = (-link.stiffness_npm * link.drawn_m * world_.substep_share) * s_.rest_change[j] * beyond;
     }
-    MeasureTurn();
-    s_.broken |= ~(stretch <= kMostStretch);
-    for (int lane = 0; lane < W; ++lane) {
-      if (IsBuried(lane)) s_.broken[lane] = -1;
-      if (s_.broken[lane] != 0 && !IsFinite(lane)) Rest(before, lane);
-    }
-  }
-
-  /// The rotation of the drawn pose that fits the nodes best, by least squares with their masses as weights
-  /// [Kabsch 1976].
-  void MeasureTurn() {
-    F along{}, across{};
-    for (std::size_t k = 0; k < body_.nodes; ++k) {
-      const float x = body_.mass_kg[k] * body_.drawn_x[k], y = body_.mass_kg[k] * body_.drawn_y[k];
-      const F up = s_.y[k];
-      along += x * s_.x[k] + y * up;
-      across += x * up - y * s_.x[k];
-    }
-    const F norm = L::Sqrt(along * along + across * across);
-    const I known = norm > kLeastSpread * body_.drawn_kgm2;
-    const F inverse = 1.0f / L::Select(known, norm, L::Splat(1.0f));
-    s_.cosine = L::Select(known, along * inverse, s_.cosine);
-    s_.sine = L::Select(known, across * inverse, s_.sine);
-    constexpr double kRound = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to the nearest integer
-    for (int lane = 0; lane < W; ++lane) {
-      const double angle = static_cast<double>(Atan2(s_.sine[lane], s_.cosine[lane]));
-      const double turns = ((s_.turn_rad[lane] - angle) * (0.5 / kPi) + kRound) - kRound;
-      s_.turn_rad[lane] = angle + turns * (2.0 * kPi);
-    }
+    MeasureTurn<W>(body_, s_);
+    JudgeLattice<W>(body_, terrain_, stretch, before, s_);
   }
 
   [[nodiscard]] float AngularMomentum(int lane) const {
@@ -266,61 +233,6 @@ class SpringPlant {
       sum += body_.mass_kg[k] * (x * speed_y - y * speed_x);
     }
     return sum;
-  }
-
-  [[nodiscard]] bool IsBuried(int lane) const {
-    if (terrain_.Level()) return false;
-    for (std::size_t k = 0; k < body_.nodes; ++k) {
-      const double x = s_.place_m[lane] + static_cast<double>(s_.x[k][lane]);
-      const double y =
-          static_cast<double>(s_.height_m[lane]) + static_cast<double>(s_.y[k][lane]) + kMostBuried;
-      if (y >= terrain_.HeightAt(x)) continue;
-      // Right at a vertical face a node may be a rounding error to the wrong side.
-      if (y < terrain_.HeightAt(x - kBehindFace) && y < terrain_.HeightAt(x + kBehindFace)) return true;
-    }
-    return false;
-  }
-
-  [[nodiscard]] bool IsFinite(int lane) const {
-    // A sum is finite only if all of its numbers are.
-    double sum = s_.distance_m[lane] + s_.turn_rad[lane];
-    const auto add = [&](const F& number) { sum += static_cast<double>(L::At(number, lane)); };
-    for (std::size_t k = 0; k < body_.nodes; ++k) {
-      for (const F* number :
-           {&s_.x[k], &s_.y[k], &s_.velocity_x[k], &s_.velocity_y[k], &s_.normal[k], &s_.tangent[k]})
-        add(*number);
-    }
-    for (const F* number : {&s_.slip_m, &s_.normal_work_j, &s_.friction_work_j, &s_.lifting_work_j})
-      add(*number);
-    for (std::size_t j = 0; j < body_.muscles; ++j) {
-      for (const F* number : {&s_.length[j], &s_.length_rate[j], &s_.work_j[j]}) add(*number);
-    }
-    return std::isfinite(sum);
-  }
-
-  /// Lets a figure that is not finite rest where it was.
-  void Rest(const State& before, int lane) {
-    const auto back = [lane](F& now, const F& then) { L::Put(now, lane, L::At(then, lane)); };
-    const auto zero = [lane](F& now) { L::Put(now, lane, 0.0f); };
-    for (std::size_t k = 0; k < body_.nodes; ++k) {
-      back(s_.x[k], before.x[k]);
-      back(s_.y[k], before.y[k]);
-      for (F* number : {&s_.velocity_x[k], &s_.velocity_y[k], &s_.normal[k], &s_.tangent[k]}) zero(*number);
-    }
-    for (std::size_t j = 0; j < body_.muscles; ++j) {
-      back(s_.length[j], before.length[j]);
-      zero(s_.length_rate[j]);
-      zero(s_.work_j[j]);
-    }
-    s_.distance_m[lane] = before.distance_m[lane];
-    s_.place_m[lane] = before.place_m[lane];
-    s_.turn_rad[lane] = before.turn_rad[lane];
-    for (auto part :
-         {&State::cosine, &State::sine, &State::height_m, &State::greatest_height_m, &State::slip_m})
-      back(s_.*part, before.*part);
-    for (auto part : {&State::centre_velocity_x, &State::centre_velocity_y, &State::normal_work_j,
-                      &State::friction_work_j, &State::friction_gain_j, &State::lifting_work_j})
-      zero(s_.*part);
   }
 
   /// Heights above drawn ground right below.
