@@ -26,8 +26,7 @@ namespace gaitsmith {
 ///                         decides how far bodies may differ from lane to lane
 ///   State, LaneState      everything that changes, of all lanes; of a plant of one lane
 ///   Muscles               measures the impulses of the actuators, [N m s] for joints: see physics/muscles.h.
-///   Or
-///                         their work, if the plant knows it: see springs/spring_muscles.h
+///                         A plant that knows their work says that: see springs/spring_muscles.h
 ///   CountPorts, PortsOf   actuators and contacts: in [0, kMaxActuators] and [0, kMaxContacts]
 ///
 ///   P(body, environment, start, step_s)   in its drawn pose, at rest or moving as in start

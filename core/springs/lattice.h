@@ -37,8 +37,8 @@ struct Lattice {
   float longest_m = 0.0f;   // spring, as drawn
   float drawn_kgm2 = 0.0f;  // moment of inertia of the drawn pose
   std::size_t head = 0;     // highest node of the drawn pose, the first one if several are equally high
-  /// In a step of 0.01 s: a power of two, so many that the fastest vibration turns by at most one radian in
-  /// each. Leapfrog is stable up to two radians [Hairer Lubich Wanner 2003].
+  /// Of a step of 0.01 s: a power of two. In each, the fastest vibration goes through at most one radian of
+  /// its cycle. Leapfrog is stable up to two [Hairer Lubich Wanner 2003].
   int substeps = 1;
 };
 
