@@ -24,6 +24,7 @@ MOST_BYTES = 64 << 20  # of a message from the page
 POLL_S = 10.0          # how long the page's request for the next call waits
 SILENT_S = 45.0        # a page that has not asked for so long is gone
 LONG_CALLS = ("synthesize", "lab")  # may take as long as they like
+EVENTS = ("progress", "done", "error", "changed", "goal")
 
 
 class Playground:
@@ -53,7 +54,7 @@ class Playground:
         self._frame = f"{str(site).rstrip('/')}/{self._query}" if hosted else f"site/index.html{self._query}"
         self._lock = threading.Condition()
         self._calls: queue.Queue[dict[str, Any]] = queue.Queue()
-        self._answers: dict[int, dict[str, Any]] = {}
+        self._answers: dict[int, Optional[dict[str, Any]]] = {}  # of the calls that wait; None: not there yet
         self._number = 0
         self._page: Optional[str] = None  # the newest page that said it is ready
         self._heard = 0.0                 # when it last asked
@@ -98,15 +99,19 @@ class Playground:
                 raise _core.Error("playground: no page shows it; show() it first" if self._open() else "playground: is closed")
             self._number += 1
             number, page = self._number, self._page
-            self._calls.put({"id": number, "call": text("call", name), "args": json.loads(json.dumps(args, default=_plain))})
+            call = {"id": number, "call": text("call", name), "args": json.loads(json.dumps(args, default=_plain))}
+            self._answers[number] = None
+            self._calls.put(call)
             patient = timeout is None or name in LONG_CALLS
-            while number not in self._answers:
-                if not self._open() or self._page != page or time.monotonic() - self._heard > SILENT_S:
-                    raise _core.Error(f"{name}: the page is gone, or has started again")
-                if not patient and time.monotonic() > limit:
-                    raise _core.Error(f"{name}: the page has not answered within {timeout} seconds")
-                self._lock.wait(0.2)
-            answer = self._answers.pop(number)
+            try:
+                while (answer := self._answers[number]) is None:
+                    if not self._open() or self._page != page or time.monotonic() - self._heard > SILENT_S:
+                        raise _core.Error(f"{name}: the page is gone, or has started again")
+                    if not patient and time.monotonic() > limit:
+                        raise _core.Error(f"{name}: the page has not answered within {timeout} seconds")
+                    self._lock.wait(0.2)
+            finally:
+                del self._answers[number]
         if "error" in answer:
             raise _core.Error(str(answer["error"]))
         return answer.get("result")
@@ -129,8 +134,8 @@ class Playground:
 
     def on(self, event: str, listener: Callable[[Any], None]) -> None:
         """Calls back with the detail of each ``progress``, ``done``, ``error``, ``changed`` or ``goal``, from the server's thread."""
-        if event not in ("progress", "done", "error", "changed", "goal"):
-            raise _core.Error(f"event: must be one of progress, done, error, changed, goal, is {event!r}")
+        if event not in EVENTS:
+            raise _core.Error(f"event: must be one of {', '.join(EVENTS)}, is {event!r}")
         with self._lock:
             self._listeners.setdefault(event, []).append(listener)
 
@@ -179,8 +184,9 @@ class Playground:
             if page != self._page:
                 return
             if isinstance(said.get("id"), int):
-                self._answers[said["id"]] = dict(said)
-                self._lock.notify_all()
+                if said["id"] in self._answers:  # or nobody waits any more
+                    self._answers[said["id"]] = dict(said)
+                    self._lock.notify_all()
                 return
             listeners = list(self._listeners.get(str(said.get("event")), ()))
         for listener in listeners:
@@ -207,7 +213,7 @@ class _Handler(SimpleHTTPRequestHandler):
         kind, _, rest = self._place().partition("/")
         if kind == "":
             page = (HERE / "playground.html").read_text(encoding="utf-8")
-            self._answer("text/html; charset=utf-8", page.replace("PLAYGROUND", escape(self._playground._frame)).encode())
+            self._answer("text/html; charset=utf-8", page.replace("PLAYGROUND", escape(self._playground._frame)).replace("EVENTS", " ".join(EVENTS)).encode())
         elif kind == "player.js":
             self._answer("text/javascript", (HERE / "player.js").read_bytes())
         elif kind == "next":
