@@ -152,15 +152,15 @@ main_scenarios() { BROWSER=chromium within 20 node tests/browser/run.mjs build/s
 LEFT_OUT=77
 leave_out() { say "$*"; exit $LEFT_OUT; }
 
-# The result of each stage, one line per stage: "<seconds> <passed|left-out|failed> <name>". A stage stops at its first
-# failure. The later stages still run. What a stage prints is also kept, for the summary.
+# The result of each stage, one line per stage: "<seconds> <processor seconds> <passed|left-out|failed> <name>". A stage
+# stops at its first failure. The later stages still run. What a stage prints is also kept, for the summary.
 RESULTS=build/test-results.txt
 STAGES=build/stages
 stage() {
   local name=$1 start=$SECONDS status=0 result log writer; shift
   printf '\n######## %s\n' "$name"
   exec {log}> >(exec tee "$STAGES/$name.log"); writer=$!
-  set +e; ( set -e; "$@" ) >&"$log" 2>&1; status=$?; set -e
+  set +e; ( trap 'times >"$STAGES/$name.times"' EXIT; set -e; "$@" ) >&"$log" 2>&1; status=$?; set -e
   exec {log}>&-
   timeout 5 tail --pid="$writer" -f /dev/null || true # until all is written, or a process left behind holds the log
   case $status in
@@ -168,9 +168,12 @@ stage() {
     "$LEFT_OUT") result=left-out ;;
     *) result=failed ;;
   esac
-  printf '%d %s %s\n' $((SECONDS - start)) "$result" "$name" >>"$RESULTS"
+  printf '%d %d %s %s\n' $((SECONDS - start)) "$(processor_seconds "$STAGES/$name.times")" "$result" "$name" >>"$RESULTS"
   printf '######## %s: %s, %d s\n' "$name" "$result" $((SECONDS - start))
 }
+
+# What `times` wrote: a shell's minutes and seconds, for its user and for the system, then those of all that it waited for.
+processor_seconds() { awk -F'[ms ]+' '{ sum += $1 * 60 + $2 + $3 * 60 + $4 } END { printf "%d", sum }' "$1" 2>/dev/null || echo 0; }
 
 # The usual seconds of each stage: "<seconds> <name>" a line. A stage that takes half a minute and a quarter more has grown.
 USUAL=.dev/stage-seconds.txt
@@ -189,16 +192,18 @@ failures() { # name
 
 # Prints each stage's time, what failed, and the number of passed stages. Fails if a stage failed.
 summary() {
-  local passed left_out failed names
+  local passed left_out failed names seconds processor result name
   passed=$(grep -c ' passed ' "$RESULTS" || true)
   left_out=$(grep -c ' left-out ' "$RESULTS" || true)
   failed=$(grep -c ' failed ' "$RESULTS" || true)
-  printf '\n%7s  %-9s %s\n' seconds result stage
-  while read -r seconds result name; do printf '%7d  %-9s %s%s\n' "$seconds" "$result" "$name" "$(growth "$seconds" "$name")"; done <"$RESULTS"
+  printf '\n%7s %9s  %-9s %s\n' seconds processor result stage
+  while read -r seconds processor result name; do
+    printf '%7d %9d  %-9s %s%s\n' "$seconds" "$processor" "$result" "$name" "$(growth "$seconds" "$name")"
+  done <"$RESULTS"
   printf '%7d  in all\n' $SECONDS
-  while read -r seconds result name; do [ "$result" != failed ] || failures "$name"; done <"$RESULTS"
+  while read -r seconds processor result name; do [ "$result" != failed ] || failures "$name"; done <"$RESULTS"
   echo
-  names=$(awk '$2 == "failed" { sub(/^[0-9]+ failed /, ""); printf "%s%s", n++ ? ", " : ": ", $0 }' "$RESULTS")
+  names=$(awk '$3 == "failed" { sub(/^[0-9]+ [0-9]+ failed /, ""); printf "%s%s", n++ ? ", " : ": ", $0 }' "$RESULTS")
   printf '%d passed, %d left out, %d failed%s\n' "$passed" "$left_out" "$failed" "$names"
   [ "$failed" = 0 ]
 }
