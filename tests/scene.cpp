@@ -40,12 +40,25 @@ Figure ShippedFigure(const std::string& name) {
   return *figure;
 }
 
-std::vector<std::string> ShippedFigureFiles() {
+namespace {
+
+std::vector<std::string> FigureFiles(bool springs) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(kRoot / "examples/figures")) {
-    names.push_back(entry.path().stem().string());
+    const std::string name = entry.path().stem().string();
+    if (ShippedFigure(name).HasSprings() == springs) names.push_back(name);
   }
   std::ranges::sort(names);
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> ShippedFigureFiles() { return FigureFiles(false); }
+std::vector<std::string> ShippedSpringFiles() { return FigureFiles(true); }
+std::vector<std::string> AllShippedFigureFiles() {
+  std::vector<std::string> names = FigureFiles(false);
+  for (const std::string& name : FigureFiles(true)) names.push_back(name);
   return names;
 }
 

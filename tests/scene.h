@@ -17,8 +17,10 @@ std::string ReadFile(const std::string& path);
 /// A figure of examples/figures, e.g. "mr-star-man".
 Figure ShippedFigure(const std::string& name);
 
-/// The names of all figures of examples/figures, sorted.
+/// The names of all figures of rods in examples/figures, sorted; of springs; of both.
 std::vector<std::string> ShippedFigureFiles();
+std::vector<std::string> ShippedSpringFiles();
+std::vector<std::string> AllShippedFigureFiles();
 
 /// One rod of 1.3 m and 0.7 kg, lying flat.
 Figure LyingRod();

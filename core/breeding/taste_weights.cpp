@@ -26,12 +26,12 @@ struct Yardstick {
 std::array<float, kStyleTerms> WeightsOf(const Taste& taste, const Document& d) {
   const float size_m = SizeOf(d.figure);
   const float seconds = static_cast<float>(d.task.duration_steps) * kStep;
-  const auto joints = static_cast<float>(std::max(1, d.figure.Joints()));
+  const auto actuators = static_cast<float>(std::max(1, d.figure.Actuators()));
   const auto measures = std::to_array<Yardstick>({
       {Trait::kHeight, size_m},
       {Trait::kSlip, size_m * seconds},
       {Trait::kTurns, seconds},
-      {Trait::kEffort, seconds * joints},
+      {Trait::kEffort, seconds * actuators},
       {Trait::kUpright, 1.0f},
       {Trait::kSmoothness, 1.0f},
       {Trait::kHeadHeight, size_m},

@@ -15,14 +15,16 @@ SensePlace PlaceOf(SenseKind kind, const PortCount& ports, int sense) {
 
 std::string SenseName(SenseKind kind, const PortCount& ports, int sense) {
   const auto [group, index] = PlaceOf(kind, ports, sense);
-  const std::string name(group->name);
+  const bool length = group->quantity == SenseQuantity::kAngle && ports.muscles;
+  const std::string name(length ? "length" : group->name);
   return group->per == SensePer::kBody ? name : name + " " + std::to_string(index + 1);
 }
 
 SenseScale ScaleOf(const SenseSpec& spec, const Ports& ports, int sense) {
   const auto [group, index] = PlaceOf(spec.kind, ports.Count(), sense);
   const SenseRange range = group->range(spec, ports, static_cast<std::size_t>(index));
-  return {group->quantity, range.at_zero, range.at_one};
+  const bool length = group->quantity == SenseQuantity::kAngle && ports.muscles;
+  return {length ? SenseQuantity::kLength : group->quantity, range.at_zero, range.at_one};
 }
 
 }  // namespace gaitsmith

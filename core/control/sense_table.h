@@ -14,7 +14,7 @@
 
 namespace gaitsmith {
 
-enum class SenseQuantity { kAngle, kForce, kHeight, kVelocity, kTime, kAhead, kCorner };
+enum class SenseQuantity { kAngle, kForce, kHeight, kVelocity, kTime, kAhead, kCorner, kLength };
 
 /// The part of the plant that has one such sense each. A mirror image exchanges senses together with these
 /// parts.
@@ -31,7 +31,7 @@ enum class SenseClip { kNone, kAbove, kBoth };
 /// Senses of one kind.
 struct SenseGroup {
   SenseQuantity quantity;
-  std::string_view name;  // followed by the number, from 1, of the actuator or contact
+  std::string_view name;  // followed by the number, from 1, of the actuator or contact; of muscles "length"
   std::string_view unit;  // of the range; for an actuator's position the unit of a joint
   SensePer per;
   bool reverses;  // in the mirror image, if the actuator turns the other way, s becomes 1 - s

@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "core/rollout/models.h"
 #include "core/world/terrain.h"
@@ -236,7 +237,34 @@ Result<void> CheckSearch(const Document& d) {
   return {};
 }
 
+/// What a figure of springs can have.
+Result<void> CheckSprings(const Document& d) {
+  const auto fail = [](std::string where, const char* what) {
+    return Fail(ErrorCode::kStructure, std::move(where), what);
+  };
+  if (!d.figure.HasSprings()) {
+    if (d.model == kSpringModel) return fail("model", "is for figures of springs, and this one has rods");
+    return {};
+  }
+  if (d.model != kSpringModel) return fail("model", "must be 3 for a figure of springs");
+  const char* follows = "a figure of springs follows rules or curves, not a network";
+  if (d.kind == ControllerKind::kNetwork) return fail("kind", follows);
+  for (const auto& [list, name] :
+       {std::pair(&d.controllers, "controllers"), std::pair(&d.lineage.founders, "lineage.founders")}) {
+    for (std::size_t i = 0; i < list->size(); ++i) {
+      if ((*list)[i].kind == ControllerKind::kNetwork) return fail(Element(name, i, "kind"), follows);
+    }
+  }
+  if (!d.drawn.empty()) return fail("drawn", "is for figures of rods, and this one has springs");
+  if (d.search.body != BodyFreedom::kNone)
+    return fail("search.body", "the bodies of figures of springs cannot be searched");
+  if (!d.plan.Empty() || !d.plan.solved.unknowns.empty())
+    return fail("plan", "figures of springs have no keyframes");
+  return {};
+}
+
 Result<void> CheckPlan(const Document& d) {
+  if (d.figure.HasSprings()) return {};
   const PlanScene scene = SceneOf(d);
   if (auto plan = Validate(d.plan, scene.skeleton); !plan) return plan;
   const PlanSolution& solved = d.plan.solved;
@@ -254,6 +282,7 @@ Result<void> CheckReferences(const Document& d) {
   if (auto figure = Validate(d.figure); !figure) {
     return Fail(figure.error().code, "figure." + figure.error().where, figure.error().what);
   }
+  if (auto springs = CheckSprings(d); !springs) return springs;
   if (auto ground = Validate(d.environment.ground); !ground) {
     return Fail(ground.error().code, "environment." + ground.error().where, ground.error().what);
   }
@@ -262,7 +291,7 @@ Result<void> CheckReferences(const Document& d) {
                 "needs limited joints (model 2); in model 1 the ground is level");
   }
   if (!d.drawn.empty()) {
-    const Figure drawn{"", d.drawn};
+    const Figure drawn = AsDrawn(d);
     if (auto figure = Validate(drawn); !figure)
       return Fail(figure.error().code, "drawn" + figure.error().where.substr(4), figure.error().what);
     if (!SameTree(drawn, d.figure))

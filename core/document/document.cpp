@@ -4,6 +4,7 @@
 #include "core/document/archive.h"
 #include "core/document/schema.h"
 #include "core/document/trial_worlds.h"
+#include "core/rollout/models.h"
 #include "core/search/evaluation_score.h"
 
 namespace gaitsmith {
@@ -45,6 +46,15 @@ Result<void> Validate(const Document& document) {
   return CheckReferences(document);
 }
 
+void SetFigure(const Figure& figure, Document& document) {
+  document.figure = figure;
+  if (figure.HasSprings()) {
+    document.model = kSpringModel;
+  } else if (document.model == kSpringModel) {
+    document.model = Document{}.model;
+  }
+}
+
 Script ScriptOf(const Document& d) {
   return {.figure = d.figure,
           .environment = d.environment,
@@ -61,7 +71,11 @@ Motion Simulate(const Document& d) { return Motion(ScriptOf(d)); }
 
 PlanScene SceneOf(const Document& d) { return {Skeleton(d.figure), d.environment, d.start, d.plan}; }
 
-Figure AsDrawn(const Document& d) { return {d.figure.name, d.drawn.empty() ? d.figure.rods : d.drawn}; }
+Figure AsDrawn(const Document& d) {
+  Figure drawn = d.figure;
+  if (!d.drawn.empty()) drawn.rods = d.drawn;
+  return drawn;
+}
 
 Problem ProblemOf(const Document& d) {
   Problem problem = {d.figure, d.environment, d.start, d.pushes, d.task, d.senses, d.rules, d.kind};
@@ -72,7 +86,7 @@ Problem ProblemOf(const Document& d) {
     // Without a controller to start from, nothing of what was found before counts.
     if (d.search.start < 0) problem.figure = problem.bodies->drawn;
   }
-  problem.worlds = DrawWorlds(d.search.seed, d.search.worlds, problem.figure.Rods(),
+  problem.worlds = DrawWorlds(d.search.seed, d.search.worlds, problem.figure.Parts(),
                               {.halvings = static_cast<int>(d.search.finest_step)});
   if (d.search.in_place_of >= 0) {
     const auto clip = static_cast<std::size_t>(d.search.in_place_of);

@@ -60,6 +60,9 @@ struct Document {
 /// characters. The error says what is wrong, but not where.
 [[nodiscard]] Result<void> CheckName(std::string_view text);
 
+/// Gives a document another figure, with a model that can move it.
+void SetFigure(const Figure& figure, Document& document);
+
 /// Checks every number, name and reference. Returns the first fault: where and what.
 [[nodiscard]] Result<void> Validate(const Document&);
 

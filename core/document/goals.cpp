@@ -51,7 +51,14 @@ struct Drawn {
   float size, head;
 };
 
+Drawn DrawnOf(const std::vector<Node>& nodes) {
+  const auto [left, right] = std::ranges::minmax(nodes, {}, &Node::x_m);
+  const auto [low, high] = std::ranges::minmax(nodes, {}, &Node::y_m);
+  return {std::max(right.x_m - left.x_m, high.y_m - low.y_m), high.y_m - low.y_m};
+}
+
 Drawn DrawnOf(const Figure& figure) {
+  if (figure.HasSprings()) return DrawnOf(figure.nodes);
   const Skeleton bones(figure);
   Pose<1> pose;
   PoseFigure<1>(bones, {}, pose);
@@ -135,7 +142,7 @@ bool Meets(Goal goal, const Figure& figure, const Terms& terms, float seconds) {
   const Drawn drawn = DrawnOf(figure);
   const float travel = std::abs(terms.travel_m);
   const bool travels = travel >= drawn.size;
-  const auto joints = static_cast<float>(std::max(1, figure.Joints()));
+  const auto actuators = static_cast<float>(std::max(1, figure.Actuators()));
   switch (goal) {
     case Goal::kFar:
       return travel >= 0.25f * drawn.size * seconds;
@@ -146,7 +153,7 @@ bool Meets(Goal goal, const Figure& figure, const Terms& terms, float seconds) {
     case Goal::kGlide:
       return travels && terms.slip_sum_m >= travel;
     case Goal::kCalm:
-      return travels && terms.effort_rad <= joints * seconds;
+      return travels && terms.effort_rad <= actuators * seconds;
     case Goal::kHeadUp:
       return travels && terms.upright >= 0.8f && terms.head_height_m >= 0.8f * drawn.head;
   }

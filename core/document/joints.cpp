@@ -20,6 +20,7 @@ float JointStrength(const Document& document) {
 }
 
 float MassRatio(const Figure& figure) {
+  if (figure.rods.empty()) return 1.0f;
   const auto [least, most] = std::ranges::minmax(figure.rods, {}, &Rod::mass_kg);
   return most.mass_kg / least.mass_kg;
 }
@@ -28,9 +29,13 @@ bool HasUnequalRods(const Document& document) {
   return HasLimitedJoints(document) && MassRatio(document.figure) > kMostMassRatio;
 }
 
-void FreeJoints(Document& document) { document.model = FigurePlant<1>::kModel; }
+void FreeJoints(Document& document) {
+  if (!document.figure.HasSprings()) document.model = FigurePlant<1>::kModel;
+}
 
-void LimitJoints(Document& document) { document.model = StrengthPlant<1>::kModel; }
+void LimitJoints(Document& document) {
+  if (!document.figure.HasSprings()) document.model = StrengthPlant<1>::kModel;
+}
 
 void SetJointStrength(float strength, Document& document) {
   for (std::vector<Rod>* rods : {&document.figure.rods, &document.drawn}) {
@@ -55,7 +60,8 @@ bool SameRods(const Document& a, const Document& b) {
     one.stiffness = other.stiffness;
     return one == other;
   };
-  return std::ranges::equal(a.figure.rods, b.figure.rods, alike);
+  return std::ranges::equal(a.figure.rods, b.figure.rods, alike) && a.figure.nodes == b.figure.nodes &&
+         a.figure.springs == b.figure.springs;
 }
 
 }  // namespace gaitsmith

@@ -21,10 +21,10 @@ inline constexpr float kMostMassRatio = 100.0f;
 /// Whether the joints are limited and the mass ratio is above kMostMassRatio: valid, but worth a warning.
 [[nodiscard]] bool HasUnequalRods(const Document&);
 
-/// Lets the joints be as strong as they need to be.
+/// Lets the joints be as strong as they need to be. A figure of springs has none, and stays as it is.
 void FreeJoints(Document&);
 
-/// Limits the joints. They keep the strengths that their figure gives them.
+/// Limits the joints, if there are any. They keep the strengths that their figure gives them.
 void LimitJoints(Document&);
 
 /// Gives all joints one strength [0, 1000], in M g L of the figure, also in the body as it was drawn.
@@ -33,7 +33,7 @@ void SetJointStrength(float strength, Document&);
 /// Whether the joints of two documents can do the same: both as much as needed, or both limited, with the
 /// same strengths and stiffness. What one controller left can be taken over by another only then.
 [[nodiscard]] bool SameJoints(const Document&, const Document&);
-/// Whether two documents have the same rods, whatever their joints can do.
+/// Whether two documents have the same rods, whatever their joints can do, or the same nodes and springs.
 [[nodiscard]] bool SameRods(const Document&, const Document&);
 
 }  // namespace gaitsmith

@@ -65,6 +65,8 @@ Recording WithTrajectories(const Document& document, const std::string& name,
 Result<Recording> RecordAsCurves(const Document& document, int knots) {
   if (document.timeline.empty())
     return Fail(ErrorCode::kMissing, "timeline", "has no controller whose motion could be recorded");
+  if (document.figure.HasSprings())
+    return Fail(ErrorCode::kStructure, "figure", "has springs: only angles of joints are recorded as curves");
   if (CountPorts(document.model, document.figure).actuators == 0)
     return Fail(ErrorCode::kMissing, "figure", "has no joint whose angle could be recorded");
   const Motion motion = Simulate(document);

@@ -22,6 +22,24 @@ void Describe(Archive& ar, Rod& rod) {
   ar.Since(7, [&] { ar.Real("stiffness", rod.stiffness, 1.0f, 1e6f, standard.stiffness); });
 }
 
+void Describe(Archive& ar, Node& node) {
+  const Node standard;
+  ar.Real("x_m", node.x_m, -1000.0f, 1000.0f, standard.x_m);
+  ar.Real("y_m", node.y_m, -1000.0f, 1000.0f, standard.y_m);
+  ar.Real("mass_kg", node.mass_kg, 1e-6f, 1e6f, standard.mass_kg);
+}
+
+void Describe(Archive& ar, Spring& spring) {
+  const Spring standard;
+  ar.Integer("from", spring.from, 0, kMaxPoints - 1, standard.from);
+  ar.Integer("to", spring.to, 0, kMaxPoints - 1, standard.to);
+  ar.Real("stiffness_npm", spring.stiffness_npm, 0.0f, 1e6f, standard.stiffness_npm);
+  ar.Real("damping_nspm", spring.damping_nspm, 0.0f, 1e6f, standard.damping_nspm);
+  ar.Real("rest", spring.rest, kLeastRest, kMostRest, standard.rest);
+  ar.Real("min_rest", spring.min_rest, kLeastRest, kMostRest, standard.min_rest);
+  ar.Real("max_rest", spring.max_rest, kLeastRest, kMostRest, standard.max_rest);
+}
+
 void Describe(Archive& ar, Environment& environment) {
   const Environment standard;
   ar.Real("gravity_mps2", environment.gravity_mps2, 0.0f, 100.0f, standard.gravity_mps2);
@@ -47,7 +65,7 @@ void Describe(Archive& ar, StartState& start) {
 
 void Describe(Archive& ar, Push& push) {
   ar.Integer("step", push.step, 0, kMaxSteps - 1, 0);
-  ar.Integer("endpoint", push.endpoint, kCentreOfMass, kMaxEndpoints - 1, kCentreOfMass);
+  ar.Integer("endpoint", push.endpoint, kCentreOfMass, kMaxContacts - 1, kCentreOfMass);
   ar.Real("impulse_x_ns", push.impulse_x_ns, -1e6f, 1e6f, 0.0f);
   ar.Real("impulse_y_ns", push.impulse_y_ns, -1e6f, 1e6f, 0.0f);
 }
@@ -237,6 +255,10 @@ void Describe(Archive& ar, Plan& plan) {
 void Describe(Archive& ar, Figure& figure) {
   ar.Text("name", figure.name);
   ar.List("rods", figure.rods, kMaxRods, [&](Rod& rod) { Describe(ar, rod); });
+  ar.Since(14, [&] { ar.List("nodes", figure.nodes, kMaxPoints, [&](Node& node) { Describe(ar, node); }); });
+  ar.Since(14, [&] {
+    ar.List("springs", figure.springs, kMaxSprings, [&](Spring& spring) { Describe(ar, spring); });
+  });
 }
 
 void Describe(Archive& ar, SearchSettings& search) {

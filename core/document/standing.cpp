@@ -12,7 +12,7 @@ Document Standing(const Figure& figure) {
   constexpr std::uint32_t kSeed = 4;  // its ostrich runs as birds do, without diving or crawling
   Document document;
   document.title = figure.name;
-  document.figure = figure;
+  SetFigure(figure, document);
   document.task = {.kind = TaskKind::kTravelRight, .duration_steps = 800};
   document.duration_steps = document.task.duration_steps;
   document.search.seed = kSeed;

@@ -12,7 +12,7 @@ constexpr std::uint64_t kWorldStream = 0x776f726c6473;
 
 }  // namespace
 
-std::vector<TrialWorld> DrawWorlds(std::uint32_t seed, int worlds, int rods, const WorldNoise& noise) {
+std::vector<TrialWorld> DrawWorlds(std::uint32_t seed, int worlds, int parts, const WorldNoise& noise) {
   std::vector<TrialWorld> drawn;
   for (int i = 1; i < worlds; ++i) {
     RandomStream random(seed, static_cast<std::uint64_t>(i), kWorldStream);
@@ -23,7 +23,7 @@ std::vector<TrialWorld> DrawWorlds(std::uint32_t seed, int worlds, int rods, con
     world.friction = about(1.0, noise.friction);
     world.slope_rad = about(0.0, noise.slope_rad);
     world.delay_steps = static_cast<int>(random.Below(static_cast<std::uint32_t>(noise.delay_steps) + 1u));
-    for (int rod = 0; rod < rods; ++rod) world.masses.push_back(about(1.0, noise.mass));
+    for (int part = 0; part < parts; ++part) world.masses.push_back(about(1.0, noise.mass));
     // In turn, the finest first: a few drawn numbers would often leave it out.
     world.substeps = 1 << (noise.halvings - (i - 1) % (noise.halvings + 1));
   }

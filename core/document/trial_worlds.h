@@ -17,15 +17,15 @@ inline constexpr int kRobustWorlds = 5;  // of what is made robust with one comm
 /// How far trial worlds are from the document's, in both directions where that makes sense.
 struct WorldNoise {
   double friction = 0.4;    // share of the coefficient
-  double mass = 0.2;        // share of each rod's mass
+  double mass = 0.2;        // share of the mass of each rod or node
   double slope_rad = 0.02;  // about one degree
   int delay_steps = 3;      // at most
   int halvings = 0;         // of the time step, at most; worlds take them in turn, the most first
 };
 
-/// @param seed of the search @param worlds with the document's own, [1, kMaxWorlds]
+/// @param seed of the search @param worlds with the document's own, [1, kMaxWorlds] @param parts with a mass
 /// @return all but the document's own, each with every noise at once
-[[nodiscard]] std::vector<TrialWorld> DrawWorlds(std::uint32_t seed, int worlds, int rods,
+[[nodiscard]] std::vector<TrialWorld> DrawWorlds(std::uint32_t seed, int worlds, int parts,
                                                  const WorldNoise& noise = {});
 
 }  // namespace gaitsmith

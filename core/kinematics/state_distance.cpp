@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/numeric/scalar_math.h"
@@ -25,9 +26,18 @@ void StateOf(const Motion& motion, int frame, std::vector<double>& state) {
   state.push_back(static_cast<double>(now.y_m) / length_m);
   state.push_back(static_cast<double>(now.velocity_x_mps) * time_s / length_m);
   state.push_back(static_cast<double>(now.velocity_y_mps) * time_s / length_m);
-  for (int joint = 0; joint < motion.Bones().joints; ++joint) {
+  for (int joint = 0; joint < motion.Connections().Actuators(); ++joint) {
     state.push_back(static_cast<double>(motion.AngleRad(frame, joint)));
     state.push_back(static_cast<double>(motion.RateRadps(frame, joint)) * time_s);
+  }
+  if (motion.Bones().rods > 0) return;
+  // Muscles do not say where the nodes of a figure of springs are.
+  for (int node = 0; node < motion.Connections().contacts; ++node) {
+    const Motion::Point there = motion.Endpoint(frame, node), earlier = motion.Endpoint(frame - 1, node);
+    for (const auto& [place, last] : {std::pair(there.x, earlier.x), std::pair(there.y, earlier.y)}) {
+      state.push_back(static_cast<double>(place) / length_m);
+      state.push_back(static_cast<double>(place - last) / static_cast<double>(kStep) * time_s / length_m);
+    }
   }
 }
 

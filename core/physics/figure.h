@@ -68,6 +68,10 @@ struct Figure {
   [[nodiscard]] int Muscles() const;
   [[nodiscard]] int Rods() const { return static_cast<int>(rods.size()); }
   [[nodiscard]] int Joints() const { return HasSprings() ? 0 : Rods() - 1; }
+  /// What a controller moves: joints, or muscles.
+  [[nodiscard]] int Actuators() const { return HasSprings() ? Muscles() : Joints(); }
+  /// What has a mass: rods, or nodes.
+  [[nodiscard]] int Parts() const { return HasSprings() ? static_cast<int>(nodes.size()) : Rods(); }
   /// What can touch the ground: ends of rods, or nodes.
   [[nodiscard]] int Endpoints() const { return HasSprings() ? static_cast<int>(nodes.size()) : Rods() + 1; }
 };

@@ -32,6 +32,9 @@ int HighestEndpoint(const Skeleton& skeleton) {
 
 Skeleton::Skeleton(const Figure& figure)
     : rods(figure.Rods()), joints(figure.Joints()), endpoints(rods > 0 ? figure.Endpoints() : 0) {
+  for (const Node& node : figure.nodes) mass_kg += node.mass_kg;
+  for (const Spring& spring : figure.springs)
+    longest_rod_m = std::max(longest_rod_m, DrawnLength(figure, spring));
   if (rods == 0) return;
   // Number the rods in rounds: a rod gets its number once its parent has one. Ties go to the drawn order.
   std::array<int, kMaxRods> walked_index;

@@ -23,7 +23,8 @@ struct Skeleton {
     int drawn;            // index in Figure::rods
   };
 
-  /// @param figure must be valid (see Validate). One of springs has no rods, so nothing of it is here
+  /// @param figure must be valid (see Validate). One of springs has no rods: only its mass and its longest
+  /// spring are here
   explicit Skeleton(const Figure& figure);
 
   int rods = 0;
@@ -31,7 +32,7 @@ struct Skeleton {
   int endpoints = 0;
   std::array<Limb, kMaxRods> limbs{};
   float mass_kg = 0.0f;          // of the whole figure
-  float longest_rod_m = 0.0f;    // scales the height sense and the ground-work guard
+  float longest_rod_m = 0.0f;    // or spring, as drawn; scales the height sense and the ground-work guard
   float start_angle_rad = 0.0f;  // of the root against the horizontal, in the drawn pose
   int head = 0;  // highest endpoint of the drawn pose, the first one if several are equally high
 };

@@ -59,6 +59,8 @@ Result<void> CheckEnds(const Figure& figure, std::size_t i) {
 }
 
 Result<void> CheckSprings(const Figure& figure) {
+  if (figure.springs.empty())
+    return Fail(ErrorCode::kMissing, "springs", "a figure of springs needs at least one spring");
   if (figure.springs.size() > kMaxSprings) {
     return Fail(ErrorCode::kTooMany, "springs",
                 "at most " + std::to_string(kMaxSprings) + " springs, there are " +

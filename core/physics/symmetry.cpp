@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/physics/symmetry.h"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "core/physics/pose.h"
 #include "core/physics/skeleton.h"
 
@@ -8,7 +12,8 @@ namespace gaitsmith {
 
 namespace {
 
-// Tolerance of lengths and masses as a share, of limits in rad, of positions as a share of the longest rod.
+// Tolerance of lengths, masses and springs as a share, of limits in rad, of positions as a share of the
+// longest rod.
 constexpr float kTolerance = 1e-3f;
 
 bool Near(float a, float b, float scale) {
@@ -61,9 +66,61 @@ int ImageOfRod(const Skeleton& skeleton, const Symmetry& symmetry, int rod) {
   return -1;
 }
 
+bool Alike(const Spring& a, const Spring& b) {
+  return Near(a.stiffness_npm, b.stiffness_npm, a.stiffness_npm) &&
+         Near(a.damping_nspm, b.damping_nspm, a.damping_nspm) && Near(a.rest, b.rest, 1.0f) &&
+         Near(a.min_rest, b.min_rest, 1.0f) && Near(a.max_rest, b.max_rest, 1.0f);
+}
+
+/// The node at the mirror image of this one, of the same mass, or -1 if there is none.
+int ImageOfNode(const Figure& figure, float middle_m, std::size_t node) {
+  const Node& here = figure.nodes[node];
+  const float size_m = SizeOf(figure);
+  for (std::size_t other = 0; other < figure.nodes.size(); ++other) {
+    const Node& there = figure.nodes[other];
+    if (Near(there.x_m - middle_m, middle_m - here.x_m, size_m) && Near(there.y_m, here.y_m, size_m) &&
+        Near(there.mass_kg, here.mass_kg, here.mass_kg))
+      return static_cast<int>(other);
+  }
+  return -1;
+}
+
+Result<Symmetry> SymmetryOfSprings(const Figure& figure) {
+  const auto [left, right] = std::ranges::minmax(figure.nodes, {}, &Node::x_m);
+  const float middle_m = 0.5f * (left.x_m + right.x_m);
+  Symmetry symmetry;
+  std::array<bool, kMaxPoints> taken{};
+  for (std::size_t node = 0; node < figure.nodes.size(); ++node) {
+    const int image = ImageOfNode(figure, middle_m, node);
+    if (image < 0 || taken[static_cast<std::size_t>(image)]) return Lopsided();
+    taken[static_cast<std::size_t>(image)] = true;
+    symmetry.endpoint[node] = image;
+  }
+  std::vector<int> muscle(figure.springs.size(), -1);  // its number, of each spring
+  int muscles = 0;
+  for (std::size_t i = 0; i < figure.springs.size(); ++i) {
+    if (figure.springs[i].IsMuscle()) muscle[i] = muscles++;
+  }
+  for (std::size_t i = 0; i < figure.springs.size(); ++i) {
+    const Spring& spring = figure.springs[i];
+    const auto ends = std::minmax(symmetry.endpoint[static_cast<std::size_t>(spring.from)],
+                                  symmetry.endpoint[static_cast<std::size_t>(spring.to)]);
+    const auto image = std::ranges::find_if(figure.springs, [&](const Spring& other) {
+      return std::minmax(other.from, other.to) == ends && Alike(spring, other);
+    });
+    if (image == figure.springs.end()) return Lopsided();
+    if (muscle[i] >= 0) {
+      symmetry.joint[static_cast<std::size_t>(muscle[i])] =
+          muscle[static_cast<std::size_t>(image - figure.springs.begin())];
+    }
+  }
+  return symmetry;
+}
+
 }  // namespace
 
 Result<Symmetry> SymmetryOf(const Figure& figure) {
+  if (figure.HasSprings()) return SymmetryOfSprings(figure);
   const LaidOut drawn(figure);
   const Skeleton& skeleton = drawn.skeleton;
   Symmetry symmetry;

@@ -9,11 +9,11 @@
 namespace gaitsmith {
 
 /// For each part of a figure, its counterpart in the mirror image. Joints and endpoints are in the skeleton's
-/// order.
+/// order, muscles and nodes in the figure's.
 struct Symmetry {
-  std::array<int, kMaxJoints> joint{};      // the counterpart of this joint
-  std::array<bool, kMaxJoints> reversed{};  // whether the counterpart turns the other way
-  std::array<int, kMaxEndpoints> endpoint{};
+  std::array<int, kMaxActuators> joint{};      // the counterpart of this joint or muscle
+  std::array<bool, kMaxActuators> reversed{};  // whether the counterpart turns the other way; no muscle does
+  std::array<int, kMaxContacts> endpoint{};    // or node
 };
 
 /// @param figure must be valid (see Validate)

@@ -8,11 +8,11 @@ namespace gaitsmith {
 GroundUse GroundUseOf(const Motion& motion) {
   const int steps = motion.Frames() - 1;
   if (steps < 1) return {};
-  std::array<int, kMaxEndpoints> loaded{};
+  std::array<int, kMaxContacts> loaded{};
   int grounded = 0;
   for (int frame = 1; frame <= steps; ++frame) {
     bool any = false;
-    for (int endpoint = 0; endpoint < motion.Bones().endpoints; ++endpoint) {
+    for (int endpoint = 0; endpoint < motion.Connections().contacts; ++endpoint) {
       if (!(motion.Force(frame, endpoint).y > 0.0f)) continue;
       ++loaded[static_cast<std::size_t>(endpoint)];
       any = true;

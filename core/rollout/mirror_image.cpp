@@ -2,6 +2,7 @@
 #include "core/rollout/mirror_image.h"
 
 #include "core/physics/symmetry.h"
+#include "core/rollout/models.h"
 
 namespace gaitsmith {
 
@@ -44,7 +45,7 @@ Result<Controller> MirrorImageOf(const Controller& controller, const Figure& fig
                 "a network has no mirror image: its sensors cannot feel the opposite");
   const auto symmetry = SymmetryOf(figure);
   if (!symmetry) return std::unexpected(symmetry.error());
-  const PortCount ports = figure.Rods();
+  const PortCount ports = CountPorts(figure.HasSprings() ? kSpringModel : 1, figure);
   Controller image = controller;
   image.name = NameOfImage(controller.name);
   // Swaps the angles of a pose.

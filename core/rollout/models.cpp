@@ -3,6 +3,10 @@
 
 namespace gaitsmith {
 
+Ports PortsOf(const Figure& figure) {
+  return figure.HasSprings() ? PortsOf(Lattice(figure)) : PortsOf(Skeleton(figure));
+}
+
 PortCount CountPorts(int model, const Figure& figure) {
   return WithPlantOf(model, [&]<template <int> class PlantOf>() { return PlantOf<1>::CountPorts(figure); });
 }

@@ -5,6 +5,7 @@
 #include "core/physics/figure_plant.h"
 #include "core/physics/strength_plant.h"
 #include "core/rollout/plant.h"
+#include "core/springs/spring_plant.h"
 
 namespace gaitsmith {
 
@@ -17,11 +18,14 @@ struct PlantList {
 #ifdef GAITSMITH_FIRST_MODEL
 using Plants = PlantList<FigurePlant>;  // of the small engine, which simulates shipped motions only
 #else
-using Plants = PlantList<FigurePlant, StrengthPlant>;
+using Plants = PlantList<FigurePlant, StrengthPlant, SpringPlant>;
 #endif
 
 /// The latest physical model. Documents record theirs: a later model gets a new number, and the others stay.
 inline constexpr int kModelVersion = Plants::kSize;
+
+/// The model of figures of springs, and of no others.
+inline constexpr int kSpringModel = SpringPlant<1>::kModel;
 
 template <class Call, template <int> class First, template <int> class... Rest>
 auto WithPlantOf(int model, Call& call, PlantList<First, Rest...> /*plants*/) {
@@ -41,6 +45,9 @@ template <class Call>
 auto WithPlantOf(int model, Call call) {
   return WithPlantOf(model, call, Plants());
 }
+
+/// A figure's connections, in the skeleton's order, or the figure's.
+[[nodiscard]] Ports PortsOf(const Figure&);
 
 /// The connections of a figure in a model.
 [[nodiscard]] PortCount CountPorts(int model, const Figure&);

@@ -36,13 +36,19 @@ Motion& Motion::operator=(Motion&&) noexcept = default;
 Motion::~Motion() = default;
 
 Motion::Motion(std::unique_ptr<MotionRecorder> recorder, const Script& script)
-    : skeleton_(script.figure), step_s_(script.step_s), recorder_(std::move(recorder)) {
+    : skeleton_(script.figure),
+      ports_(PortsOf(script.figure)),
+      step_s_(script.step_s),
+      recorder_(std::move(recorder)) {
   recorder_->Record(script, log_);
   MeasureAgainst(script.shown);
 }
 
 Motion::Motion(Motion known, int parting, std::unique_ptr<MotionRecorder> recorder, const Script& script)
-    : skeleton_(script.figure), step_s_(script.step_s), recorder_(std::move(recorder)) {
+    : skeleton_(script.figure),
+      ports_(PortsOf(script.figure)),
+      step_s_(script.step_s),
+      recorder_(std::move(recorder)) {
   if (known.recorder_->Model() == recorder_->Model()) {
     recorder_ = std::move(known.recorder_);
     log_ = std::move(known.log_);

@@ -73,7 +73,10 @@ class Motion {
   /// Measures the terms on_way and in_pose of every frame against another demonstration.
   void MeasureAgainst(const Demonstration&);
 
+  /// Without rods for a figure of springs.
   [[nodiscard]] const Skeleton& Bones() const { return skeleton_; }
+  /// Joints and endpoints, or muscles and nodes.
+  [[nodiscard]] const Ports& Connections() const { return ports_; }
   [[nodiscard]] int Frames() const { return static_cast<int>(log_.frames.size()); }
   [[nodiscard]] float StepS() const { return step_s_; }
   [[nodiscard]] const Frame& At(int frame) const { return log_.frames[static_cast<std::size_t>(frame)]; }
@@ -85,6 +88,7 @@ class Motion {
   [[nodiscard]] Point Force(int frame, int endpoint) const {
     return log_.forces[Row(frame, log_.ports.contacts) + static_cast<std::size_t>(endpoint)];
   }
+  /// Of a muscle: its length over the drawn one. RateRadps: of that, [1/s].
   [[nodiscard]] float AngleRad(int frame, int joint) const {
     return log_.angles[Row(frame, log_.ports.actuators) + static_cast<std::size_t>(joint)];
   }
@@ -113,6 +117,7 @@ class Motion {
   }
 
   Skeleton skeleton_;
+  Ports ports_;
   float step_s_;
   Log log_;
   std::unique_ptr<MotionRecorder> recorder_;  // holds states to resume from

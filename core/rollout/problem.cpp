@@ -18,7 +18,8 @@ Problem Problem::In(const TrialWorld& world) const {
   problem.delay_steps += world.delay_steps;
   problem.substeps *= world.substeps;
   const auto weigh = [&](Figure& of) {
-    for (std::size_t i = 0; i < world.masses.size(); ++i) of.rods[i].mass_kg *= world.masses[i];
+    for (std::size_t i = 0; i < world.masses.size(); ++i)
+      (of.HasSprings() ? of.nodes[i].mass_kg : of.rods[i].mass_kg) *= world.masses[i];
   };
   weigh(problem.figure);
   if (problem.bodies) weigh(problem.bodies->drawn);

@@ -31,7 +31,7 @@ struct Beginning {
 struct TrialWorld {
   float friction = 1.0f;           // times that of the environment
   float slope_rad = 0.0f;          // added to that of the environment
-  std::vector<float> masses = {};  // times that of each rod; empty: all as they are
+  std::vector<float> masses = {};  // times that of each rod or node; empty: all as they are
   int delay_steps = 0;             // from a decision until the joints follow it, [0, kMostDelaySteps]
   int substeps = 1;                // times those of the problem
 

@@ -53,6 +53,7 @@ Lattice::Lattice(const Figure& figure)
 
 Ports PortsOf(const Lattice& lattice) {
   Ports ports;
+  ports.muscles = true;
   for (std::size_t j = 0; j < lattice.muscles; ++j)
     ports.actuator_range.push_back({lattice.muscle[j].least, lattice.muscle[j].greatest});
   ports.contacts = static_cast<int>(lattice.nodes);

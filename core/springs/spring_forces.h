@@ -15,14 +15,18 @@ inline constexpr float kLeastSquaredLength = 1e-12f;
 /// Gives the nodes the impulses of all springs in one substep, then damps each spring's speed.
 /// @param share  of the substep that muscles' work counts now: half at the ends of a step, for the
 /// trapezoidal rule
+/// @param backwards from the last spring to the first: damping that went the same way each time would drift
+/// to one side
 /// @return greatest stretch: length over drawn length
 template <int W>
 [[gnu::always_inline]] inline typename Lane<W>::F PullSprings(const Lattice& body, const LatticeWorld& world,
-                                                              float share, LatticeState<W>& s) {
+                                                              float share, bool backwards,
+                                                              LatticeState<W>& s) {
   using L = Lane<W>;
   using F = typename L::F;
   F stretch{};
-  for (std::size_t i = 0; i < body.links; ++i) {
+  for (std::size_t n = 0; n < body.links; ++n) {
+    const std::size_t i = backwards ? body.links - 1 - n : n;
     const Lattice::Link& link = body.link[i];
     const std::size_t a = link.from, b = link.to;
     const F x = s.x[b] - s.x[a], y = s.y[b] - s.y[a];

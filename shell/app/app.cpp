@@ -272,7 +272,7 @@ bool App::ShowsFigureRow() const {
 void App::DrawFigures(Ui& ui, const ImRect& rect) {
   const FigureRowChoice choice = DrawFigureRow(ui, session_, rect);
   if (choice.figure >= 0) session_.ChooseFigure(choice.figure);
-  if (choice.draw) DrawOwnFigure(session_, figure_panel_, !low_);
+  if (choice.draw) DrawOwnFigure(session_, figure_panel_, OwnFigure::kRods, !low_);
   figure_panel_.gallery_open |= choice.more;
   if (choice.more || (choice.draw && (low_ || !session_.Simple()))) Run("panel/Figure");
 }

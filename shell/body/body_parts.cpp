@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shell/body/body_parts.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gaitsmith::shell {
@@ -8,6 +9,8 @@ namespace {
 
 /// How far a round head reaches beyond its rod [m].
 constexpr float kBeyond = 0.03f;
+/// Thickness of a muscle at its ends, in its own, and the most that it swells, in times of it.
+constexpr float kSinew = 0.55f, kMostSwollen = 3.0f;
 
 /// std::hypot rounds in its own way on each platform, and exported files have this in them.
 float Length(float x, float y) { return std::sqrt(x * x + y * y); }
@@ -37,9 +40,41 @@ BodyPart Disc(BodyPoint at, float radius_m) {
   return {.from = at, .to = at, .from_m = radius_m, .to_m = radius_m};
 }
 
-HeadFrame FrameOf(const Skeleton& bones, const FigureLook& look, std::span<const BodyPoint> endpoints) {
-  const auto rod = static_cast<std::size_t>(look.head_rod);
-  return {endpoints[static_cast<std::size_t>(bones.limbs[rod].start)], endpoints[rod + 1], look.crown};
+BodyPoint At(std::span<const BodyPoint> endpoints, int endpoint) {
+  return endpoints[static_cast<std::size_t>(endpoint)];
+}
+
+HeadFrame FrameOf(const FigureLook& look, std::span<const BodyPoint> endpoints) {
+  const FigureLook::Limb& limb = look.limbs[static_cast<std::size_t>(look.head_rod)];
+  return {At(endpoints, limb.from), At(endpoints, limb.to), look.crown};
+}
+
+/// Springs, over them muscles, and nodes. A muscle keeps its area: the shorter it is, the more it swells.
+std::vector<BodyPart> SpringParts(const FigureLook& look, std::span<const BodyPoint> endpoints) {
+  std::vector<BodyPart> parts;
+  parts.reserve(look.limbs.size() + look.knobs.size());
+  for (const bool muscles : {false, true}) {
+    for (std::size_t i = 0; i < look.limbs.size(); ++i) {
+      const FigureLook::Limb& limb = look.limbs[i];
+      if ((limb.drawn_m > 0.0f) != muscles) continue;
+      const BodyPoint from = At(endpoints, limb.from), to = At(endpoints, limb.to);
+      BodyPart part{.from = from,
+                    .to = to,
+                    .from_m = limb.start_m,
+                    .to_m = limb.end_m,
+                    .far = !muscles,  // paler
+                    .rod = static_cast<int>(i)};
+      if (muscles) {
+        const float length = Length(to.x - from.x, to.y - from.y);
+        part.from_m = part.to_m = kSinew * limb.start_m;
+        part.belly_m = limb.start_m * std::min(limb.drawn_m / std::max(length, 1e-6f), kMostSwollen);
+      }
+      parts.push_back(part);
+    }
+  }
+  for (std::size_t node = 0; node < look.knobs.size(); ++node)
+    parts.push_back(Disc(endpoints[node], look.knobs[node]));
+  return parts;
 }
 
 void AddHead(std::vector<BodyPart>& parts, const FigureLook& look, const HeadFrame& frame) {
@@ -79,16 +114,16 @@ void AddHead(std::vector<BodyPart>& parts, const FigureLook& look, const HeadFra
 
 }  // namespace
 
-std::vector<BodyPart> BodyPartsOf(const Skeleton& bones, const FigureLook& look,
-                                  std::span<const BodyPoint> endpoints) {
+std::vector<BodyPart> BodyPartsOf(const FigureLook& look, std::span<const BodyPoint> endpoints) {
   using Side = FigureLook::Side;
+  if (!look.knobs.empty()) return SpringParts(look, endpoints);
   std::vector<BodyPart> parts;
   const auto add_limbs = [&](Side side) {
-    for (std::size_t rod = 1; rod < static_cast<std::size_t>(bones.rods); ++rod) {
+    for (std::size_t rod = 1; rod < look.limbs.size(); ++rod) {
       const FigureLook::Limb& limb = look.limbs[rod];
       if (limb.side != side || static_cast<int>(rod) == look.head_rod) continue;
-      parts.push_back({.from = endpoints[static_cast<std::size_t>(bones.limbs[rod].start)],
-                       .to = endpoints[rod + 1],
+      parts.push_back({.from = At(endpoints, limb.from),
+                       .to = At(endpoints, limb.to),
                        .from_m = limb.start_m,
                        .to_m = limb.end_m,
                        .far = side == Side::kFar,
@@ -108,15 +143,14 @@ std::vector<BodyPart> BodyPartsOf(const Skeleton& bones, const FigureLook& look,
   if (look.hub_m > 0.0f) parts.push_back(Disc(endpoints[0], look.hub_m));
   add_limbs(Side::kNear);
   const std::size_t headless = parts.size();
-  if (look.head_rod >= 0) AddHead(parts, look, FrameOf(bones, look, endpoints));
+  if (look.head_rod >= 0) AddHead(parts, look, FrameOf(look, endpoints));
   for (std::size_t part = headless; part < parts.size(); ++part) parts[part].rod = look.head_rod;
   return parts;
 }
 
-std::optional<BodyEye> EyeOf(const Skeleton& bones, const FigureLook& look,
-                             std::span<const BodyPoint> endpoints) {
+std::optional<BodyEye> EyeOf(const FigureLook& look, std::span<const BodyPoint> endpoints) {
   if (look.head_rod < 0) return std::nullopt;
-  const HeadFrame frame = FrameOf(bones, look, endpoints);
+  const HeadFrame frame = FrameOf(look, endpoints);
   switch (look.head) {
     case Head::kBall:
       return BodyEye{frame.At(1.0f, kBeyond - 0.88f * look.head_m, -0.42f * look.head_m),

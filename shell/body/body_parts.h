@@ -17,7 +17,7 @@ struct BodyPart {
   float from_m = 0.0f, to_m = 0.0f;  // radii
   float belly_m = 0.0f;              // by how much the radius swells halfway
   bool far = false;                  // on the far side
-  int rod = 0;                       // that it is drawn for; 0: the root
+  int rod = 0;                       // or spring that it is drawn for; 0: the root
 };
 
 struct BodyEye {
@@ -26,12 +26,10 @@ struct BodyEye {
 };
 
 /// In the order of drawing: far limbs first. The number of parts depends only on the figure.
-/// @param endpoints in the skeleton's order
-[[nodiscard]] std::vector<BodyPart> BodyPartsOf(const Skeleton&, const FigureLook&,
-                                                std::span<const BodyPoint> endpoints);
+/// @param endpoints in the skeleton's order, or nodes in the figure's
+[[nodiscard]] std::vector<BodyPart> BodyPartsOf(const FigureLook&, std::span<const BodyPoint> endpoints);
 
 /// The eye, if the figure has one. Drawn last.
-[[nodiscard]] std::optional<BodyEye> EyeOf(const Skeleton&, const FigureLook&,
-                                           std::span<const BodyPoint> endpoints);
+[[nodiscard]] std::optional<BodyEye> EyeOf(const FigureLook&, std::span<const BodyPoint> endpoints);
 
 }  // namespace gaitsmith::shell

@@ -92,9 +92,42 @@ float CrownOf(const Skeleton& bones, const FigureLook& look) {
   return along < -0.05f * bones.limbs[rod].length_m ? -1.0f : 1.0f;
 }
 
+/// Of a figure of springs, in its middling spring's length.
+constexpr float kKnob = 0.09f, kMuscle = 0.062f, kPassive = 0.028f;
+
+FigureLook LookOfSprings(const Figure& figure) {
+  std::vector<float> lengths, masses;
+  lengths.reserve(figure.springs.size());
+  masses.reserve(figure.nodes.size());
+  for (const Spring& spring : figure.springs) lengths.push_back(DrawnLength(figure, spring));
+  for (const Node& node : figure.nodes) masses.push_back(node.mass_kg);
+  FigureLook look;
+  const float length = lengths.empty() ? 1.0f : Median(lengths), mass = Median(masses);
+  look.middle_m = kKnob * length;
+  for (std::size_t i = 0; i < figure.springs.size(); ++i) {
+    const Spring& spring = figure.springs[i];
+    const float radius = (spring.IsMuscle() ? kMuscle : kPassive) * length;
+    look.limbs.push_back({.from = spring.from,
+                          .to = spring.to,
+                          .start_m = radius,
+                          .end_m = radius,
+                          .drawn_m = spring.IsMuscle() ? lengths[i] : 0.0f});
+  }
+  for (const float each : masses)
+    look.knobs.push_back(look.middle_m * std::clamp(std::sqrt(each / mass), kThinnest, kThickest));
+  const std::vector<BodyPoint> pose = DrawnEndpoints(figure);
+  const float lowest = std::ranges::min(pose, {}, &BodyPoint::y).y;
+  for (std::size_t node = 0; node < pose.size(); ++node) {
+    if (pose[node].y < lowest + 0.25f * look.middle_m) look.sole_m = std::max(look.sole_m, look.knobs[node]);
+  }
+  return look;
+}
+
 }  // namespace
 
-FigureLook LookOf(std::string_view name, const Skeleton& bones) {
+FigureLook LookOf(const Figure& figure) {
+  if (figure.HasSprings()) return LookOfSprings(figure);
+  const Skeleton bones(figure);
   const auto rods = static_cast<std::size_t>(bones.rods);
   std::vector<float> lengths, densities;
   std::vector<bool> free_end(rods, true);
@@ -105,10 +138,11 @@ FigureLook LookOf(std::string_view name, const Skeleton& bones) {
       free_end[static_cast<std::size_t>(bones.limbs[limb].start) - 1] = false;
   }
   FigureLook look;
+  for (const Bar& bar : BarsOf(bones)) look.limbs.push_back({.from = bar.from, .to = bar.to});
   look.middle_m = kSlender * Median(lengths);
   float belly = 1.0f;
   for (const Known& known : kKnown) {
-    if (known.figure != KindOf(name)) continue;
+    if (known.figure != KindOf(figure.name)) continue;
     look.middle_m = known.middle_m;
     belly = known.belly;
     // An edited figure may have lost its head.

@@ -75,8 +75,13 @@ Outcome ValidateCommand(Words words) {
                       HashText(*document->hash));
     }
   }
-  std::printf("valid: %s, %d rods, %zu controllers, %zu clips, %g s\n", document->figure.name.c_str(),
-              document->figure.Rods(), document->controllers.size(), document->timeline.size(),
+  const Figure& figure = document->figure;
+  const std::string parts = figure.HasSprings() ? std::to_string(figure.nodes.size()) + " nodes, " +
+                                                      std::to_string(figure.springs.size()) + " springs, " +
+                                                      std::to_string(figure.Muscles()) + " muscles"
+                                                : std::to_string(figure.Rods()) + " rods";
+  std::printf("valid: %s, %s, %zu controllers, %zu clips, %g s\n", figure.name.c_str(), parts.c_str(),
+              document->controllers.size(), document->timeline.size(),
               document->duration_steps * static_cast<double>(kStep));
   return {};
 }

@@ -80,7 +80,7 @@ Outcome MeasureWorlds(const Arguments& arguments, const Document& document) {
   if (!one) return std::unexpected(one.error());
   const auto& [problem, genome] = *one;
   std::vector<TrialWorld> drawn = DrawWorlds(static_cast<std::uint32_t>(*seed), static_cast<int>(*worlds),
-                                             document.figure.Rods(), *noise);
+                                             document.figure.Parts(), *noise);
   drawn.insert(drawn.begin(), TrialWorld{});
   std::printf("world,friction,slope_rad,delay_steps,travel,fitness,substeps\n");
   for (std::size_t i = 0; i < drawn.size(); ++i) {

@@ -176,7 +176,7 @@ Result<void> SetGround(const std::string& text, Document& document) {
     seed = static_cast<std::uint32_t>(*number);
   }
   document.environment.ground = GroundOf(preset, seed);
-  if (!document.environment.ground.empty() && !HasLimitedJoints(document))
+  if (!document.environment.ground.empty() && document.model < kFirstDrawnGround)
     return Fail(ErrorCode::kStructure, "--ground",
                 "only limited joints know such ground: add --joints limited");
   return {};
@@ -204,6 +204,8 @@ Result<void> SetProblemOptions(const Arguments& arguments, Document& document) {
     document.senses.at_end = rests ? CurveEnd::kRest : CurveEnd::kRepeat;
   }
   if (arguments.Has("joints")) {
+    if (document.figure.HasSprings())
+      return Fail(ErrorCode::kStructure, "--joints", "a figure of springs has no joints");
     if (auto set = SetJoints(arguments.Last("joints"), document); !set) return set;
   }
   if (arguments.Has("ground")) {

@@ -70,7 +70,7 @@ Result<Document> ReadNew(const Arguments& arguments) {
   const auto figure = ReadFigure(arguments.Last("figure", "mr-star-man"));
   if (!figure) return std::unexpected(figure.error());
   Document document;
-  document.figure = *figure;
+  SetFigure(*figure, document);
   document.title = figure->name;
   return document;
 }

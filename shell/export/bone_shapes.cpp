@@ -80,20 +80,20 @@ Points OutlineOf(const std::array<double, 2>& from, double from_m, const std::ar
 
 std::vector<BoneShape> BoneShapesOf(const Figure& figure) {
   const Skeleton bones(figure);
-  const FigureLook look = LookOf(figure.name, bones);
+  const FigureLook look = LookOf(figure);
   const std::vector<BodyPoint> endpoints = DrawnEndpoints(bones, {});
   const auto frame_of = [&](int bone) {
     const auto rod = static_cast<std::size_t>(bone);
     return BoneFrame(endpoints[static_cast<std::size_t>(bones.limbs[rod].start)], endpoints[rod + 1]);
   };
   std::vector<BoneShape> shapes;
-  for (const BodyPart& part : BodyPartsOf(bones, look, endpoints)) {
+  for (const BodyPart& part : BodyPartsOf(look, endpoints)) {
     const BoneFrame frame = frame_of(part.rod);
     shapes.push_back({part.rod, part.far ? &kFarColour : &kInkColour,
                       OutlineOf(frame.Of(part.from), static_cast<double>(part.from_m), frame.Of(part.to),
                                 static_cast<double>(part.to_m), static_cast<double>(part.belly_m))});
   }
-  if (const auto eye = EyeOf(bones, look, endpoints)) {
+  if (const auto eye = EyeOf(look, endpoints)) {
     const auto at = frame_of(look.head_rod).Of(eye->at);
     const auto radius = static_cast<double>(eye->radius_m);
     shapes.push_back({look.head_rod, &kPaperColour, OutlineOf(at, radius, at, radius, 0.0)});
@@ -101,8 +101,6 @@ std::vector<BoneShape> BoneShapesOf(const Figure& figure) {
   return shapes;
 }
 
-double SoleM(const Figure& figure) {
-  return static_cast<double>(LookOf(figure.name, Skeleton(figure)).sole_m);
-}
+double SoleM(const Figure& figure) { return static_cast<double>(LookOf(figure).sole_m); }
 
 }  // namespace gaitsmith::shell

@@ -79,11 +79,14 @@ struct ExporterRow {
   std::string (*make)(const Document&, const Motion&, const ExportOptions&);
   /// Why there is no such file; nullptr: there always is one.
   Result<void> (*check)(const Document&, const Motion&, const ExportOptions&) = nullptr;
+  bool springs = false;  // whether it can show figures of springs
 };
 
 /// The content of an exported file, or why the document has none.
 [[nodiscard]] inline Result<std::string> MakeFile(const ExporterRow& row, const Document& document,
                                                   const Motion& motion, const ExportOptions& options) {
+  if (document.figure.HasSprings() && !row.springs)
+    return Fail(ErrorCode::kStructure, "figure", "has springs, and this kind of file shows rods");
   if (row.check != nullptr) {
     const auto checked = row.check(document, motion, options);
     if (!checked) return std::unexpected(checked.error());
@@ -97,7 +100,8 @@ inline constexpr auto kExporters = std::to_array<ExporterRow>({
      PageText("For print: sharp at any size, and its parts can be edited"),
      [](const Document& document, const Motion& motion, const ExportOptions& options) {
        return FilmStripSvg(document, motion, options.strip);
-     }},
+     },
+     nullptr, true},
     {"gltf", "gltf", "model/gltf+json", ExportGroup::kPrograms, PageText("Animation, glTF"),
      PageText("For Blender, Godot and other 3D programs"),
      [](const Document& document, const Motion& motion, const ExportOptions&) {
@@ -107,7 +111,8 @@ inline constexpr auto kExporters = std::to_array<ExporterRow>({
      PageText("For spreadsheets and scripts: every step of the motion"),
      [](const Document& document, const Motion& motion, const ExportOptions&) {
        return TrajectoryCsv(document, motion);
-     }},
+     },
+     nullptr, true},
     {"controller", "json", "application/json", ExportGroup::kPrograms, PageText("Controller, JSON"),
      PageText("For games: their own engine moves the figure, the controller decides"),
      [](const Document& document, const Motion&, const ExportOptions&) { return ControllerJson(document); },

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/world/ground_view.h"
+#include "shell/body/figure_pose.h"
 #include "shell/export/film_strip_layout.h"
 #include "shell/export/number_text.h"
 #include "shell/export/picture_colours.h"
@@ -50,6 +51,7 @@ class StripDrawing {
   StripDrawing(const Document& document, const Motion& motion, const FilmStripOptions& options)
       : document_(document),
         motion_(motion),
+        bars_(BarsOf(document.figure)),
         words_(options.words),
         ground_(document.environment.ground),
         layout_(LayOutStrip(motion, ground_, options)) {
@@ -215,27 +217,25 @@ class StripDrawing {
   void Pose(std::size_t pose) {
     const StripCell& cell = layout_.CellOf(pose);
     const int frame = layout_.frames[pose];
-    const Skeleton& bones = motion_.Bones();
     const auto place = [&](int endpoint) {
       const Motion::Point point = motion_.Endpoint(frame, endpoint);
       const Motion::Frame& at = motion_.At(frame);
       return std::array{X(cell, at.x_m + static_cast<double>(point.x)),
                         Y(cell, static_cast<double>(at.y_m) + static_cast<double>(point.y))};
     };
-    std::array<int, kMaxEndpoints> rods_at{};
+    std::array<int, kMaxContacts> rods_at{};
     std::string rods;
-    for (int rod = 0; rod < bones.rods; ++rod) {
-      const int start = bones.limbs[static_cast<std::size_t>(rod)].start;
-      const auto from = place(start), to = place(rod + 1);
+    for (const Bar& bar : bars_) {
+      const auto from = place(bar.from), to = place(bar.to);
       rods += "M" + Px(from[0]) + " " + Px(from[1]) + "L" + Px(to[0]) + " " + Px(to[1]);
-      ++rods_at[static_cast<std::size_t>(start)];
-      ++rods_at[static_cast<std::size_t>(rod) + 1];
+      ++rods_at[static_cast<std::size_t>(bar.from)];
+      ++rods_at[static_cast<std::size_t>(bar.to)];
     }
     const double width = layout_.rod_px;
     out_ += "<g class=\"pose\" id=\"pose-" + Letter(pose) + "\">\n<path d=\"" + rods +
             "\" fill=\"none\" stroke=\"#1d2733\" stroke-width=\"" + Px(width) +
             "\" stroke-linecap=\"round\"/>\n";
-    for (int k = 0; k < bones.endpoints; ++k) {
+    for (int k = 0; k < motion_.Connections().contacts; ++k) {
       const int meeting = rods_at[static_cast<std::size_t>(k)];
       if (meeting < 2) continue;
       const auto at = place(k);
@@ -297,6 +297,7 @@ class StripDrawing {
 
   const Document& document_;
   const Motion& motion_;
+  std::vector<Bar> bars_;
   const FilmStripWords& words_;
   const Terrain ground_;
   const StripLayout layout_;

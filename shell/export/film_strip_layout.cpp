@@ -42,7 +42,7 @@ std::vector<int> FramesOf(const Motion& motion, const FilmStripOptions& options)
 PoseBounds BoundsOf(const Motion& motion, int frame, double half_rod_m) {
   const Motion::Frame& at = motion.At(frame);
   PoseBounds bounds{1e300, -1e300, 1e300, -1e300};
-  for (int k = 0; k < motion.Bones().endpoints; ++k) {
+  for (int k = 0; k < motion.Connections().contacts; ++k) {
     const Motion::Point point = motion.Endpoint(frame, k);
     const double x = at.x_m + static_cast<double>(point.x);
     const double y = static_cast<double>(at.y_m) + static_cast<double>(point.y);

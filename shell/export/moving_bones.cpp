@@ -12,6 +12,7 @@ namespace gaitsmith::shell {
 namespace {
 
 constexpr double kThicknessShare = 0.16;  // of the rods' mean length
+constexpr double kSpringShare = 0.04;     // of the longest spring
 
 }  // namespace
 
@@ -43,6 +44,7 @@ double MovingBones::AngleRad(int frame, int bone) const {
 }
 
 double MovingBones::ThicknessM() const {
+  if (Count() == 0) return kSpringShare * static_cast<double>(skeleton_.longest_rod_m);
   double length_m = 0.0;
   for (int bone = 0; bone < Count(); ++bone) length_m += LengthM(bone);
   return kThicknessShare * length_m / Count();

@@ -36,7 +36,7 @@ MovingPicture::MovingPicture(const Document& document, const Motion& motion, boo
     const Motion::Frame& at = motion.At(frame);
     const double level = HeightBelow(ground_, at.x_m);
     double left = 1e300, right = -1e300;
-    for (int k = 0; k < motion.Bones().endpoints; ++k) {
+    for (int k = 0; k < motion.Connections().contacts; ++k) {
       const Motion::Point point = motion.Endpoint(frame, k);
       left = std::min(left, static_cast<double>(point.x));
       right = std::max(right, static_cast<double>(point.x));

@@ -36,9 +36,11 @@ std::vector<TrajectoryColumn> TrajectoryTable(const Document& document, const Mo
   add("phi", kDigits, [&](int i) { return motion.At(i).turn_rad; });
   add("L", kDigits, [&](int i) { return motion.At(i).angular_momentum; });
   add("rule", kDigits, [&](int i) { return RuleColumn(document, motion.At(i)); });
-  for (int j = 0; j < motion.Bones().joints; ++j)
-    add("theta_" + std::to_string(j + 1), kDigits, [&](int i) { return motion.AngleRad(i, j); });
-  for (int k = 0; k < motion.Bones().endpoints; ++k) {
+  const int actuators = motion.Connections().Actuators(), contacts = motion.Connections().contacts;
+  const std::string position = motion.Connections().muscles ? "length_" : "theta_";
+  for (int j = 0; j < actuators; ++j)
+    add(position + std::to_string(j + 1), kDigits, [&, j](int i) { return motion.AngleRad(i, j); });
+  for (int k = 0; k < contacts; ++k) {
     const std::string node = "node" + std::to_string(k);
     add(node + "_x", kPositionDigits,
         [&](int i) { return motion.At(i).x_m + static_cast<double>(motion.Endpoint(i, k).x); });
@@ -46,7 +48,7 @@ std::vector<TrajectoryColumn> TrajectoryTable(const Document& document, const Mo
       return static_cast<double>(motion.At(i).y_m) + static_cast<double>(motion.Endpoint(i, k).y);
     });
   }
-  for (int k = 0; k < motion.Bones().endpoints; ++k) {
+  for (int k = 0; k < contacts; ++k) {
     add("fn" + std::to_string(k), kDigits, [&](int i) { return motion.Force(i, k).y; });
     add("ft" + std::to_string(k), kDigits, [&](int i) { return motion.Force(i, k).x; });
   }

@@ -61,6 +61,7 @@ void Ghost::Load(const Documents& documents) {
   }
   const Document& world = kind_ == Kind::kAsOpened ? documents.as_opened : documents.shown;
   document.model = world.model;
+  SetFigure(Figure(document.figure), document);  // which may be of another kind than the world's
   document.environment = world.environment;
   document.pushes = world.pushes;
   player_.Load(document, false);

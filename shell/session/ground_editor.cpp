@@ -20,7 +20,7 @@ std::optional<KnownGround> GroundEditor::Preset() const {
 }
 
 bool GroundEditor::Set(std::vector<Corner> ground) {
-  const bool limits = !ground.empty() && !HasLimitedJoints(workspace_.Doc());
+  const bool limits = !ground.empty() && workspace_.Doc().model < kFirstDrawnGround;
   const bool set = workspace_.Change([&](Document& d) {
     d.environment.ground = std::move(ground);
     if (limits) LimitJoints(d);

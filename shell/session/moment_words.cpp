@@ -51,7 +51,7 @@ std::string ContactWords(const Motion& motion, int frame) {
   constexpr float kMin = 0.02f;  // share of the weight from which the stage draws an arrow
   const float weight = motion.Bones().mass_kg * kStandardGravity;
   std::vector<std::string> touching;
-  for (int k = 0; k < motion.Bones().endpoints; ++k) {
+  for (int k = 0; k < motion.Connections().contacts; ++k) {
     const Motion::Point force = motion.Force(frame, k);
     if (std::hypot(force.x, force.y) >= kMin * weight) touching.push_back(std::to_string(k + 1));
   }

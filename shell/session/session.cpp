@@ -162,7 +162,7 @@ void Session::New() {
 bool Session::ReplaceFigure(const Figure& figure) {
   const bool fits = SameTree(figure, Doc().figure);
   const Edit edit = [&](Document& d) {
-    d.figure = figure;
+    SetFigure(figure, d);
     d.drawn.clear();
     if (fits) return;
     Strip(d);
@@ -184,7 +184,7 @@ bool Session::ReplaceFigure(const Figure& figure) {
 }
 
 bool Session::CanTryBrain(const Document& other) const {
-  return SameTree(other.figure, Doc().figure) && other.figure.rods != Doc().figure.rods;
+  return SameTree(other.figure, Doc().figure) && !SameRods(other, Doc());
 }
 
 void Session::TryBrain(const std::string& id) {

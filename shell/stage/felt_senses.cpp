@@ -9,6 +9,7 @@
 #include "core/control/sense_table.h"
 #include "core/numeric/scalar_math.h"
 #include "core/world/ground_view.h"
+#include "shell/body/figure_pose.h"
 #include "shell/words/rule_words.h"
 
 namespace gaitsmith::shell {
@@ -152,7 +153,8 @@ void DrawFeltSenses(const Scene& s, const Controller& controller, int rule,
                     std::span<const ImVec2> endpoints) {
   if (controller.kind != ControllerKind::kRules || rule < 0 || rule >= controller.rules) return;
   const Motion& motion = s.player.Shown();
-  const Skeleton& bones = motion.Bones();
+  const Ports& ports = motion.Connections();
+  const std::vector<Bar> moved = ActuatorBarsOf(s.player.ShownFigure());
   const auto moment = MomentOf(controller, motion, s.session.Timeline().Selected(), s.player.Frame());
   if (!moment || moment->begins) return;
   const Playback::Point centre = s.player.CentreAt(s.player.TimeS());
@@ -162,7 +164,7 @@ void DrawFeltSenses(const Scene& s, const Controller& controller, int rule,
     const ImVec2 point = endpoints[static_cast<std::size_t>(endpoint)];
     return ImVec2(point.x + raised.x, point.y + raised.y);
   };
-  const float sight_m = SightOf(controller.senses, PortsOf(bones));
+  const float sight_m = SightOf(controller.senses, ports);
   const Gaze gaze{
       .here_m = centre.x_m,
       .height_m = HeightBelow(s.player.Ground(), centre.x_m),
@@ -170,21 +172,26 @@ void DrawFeltSenses(const Scene& s, const Controller& controller, int rule,
   bool centred = false;
   int angles = 0;
   for (int sense = 0; sense < static_cast<int>(moment->senses.size()); ++sense) {
-    const Stimulus stimulus = StimulusOf(controller, bones.rods, rule, sense);
+    const Stimulus stimulus = StimulusOf(controller, ports.Count(), rule, sense);
     if (!stimulus.cares) continue;
     const float now = moment->senses[static_cast<std::size_t>(sense)];
     const Felt felt{.low = std::clamp(stimulus.low, 0.0f, 1.0f),
                     .high = std::clamp(stimulus.high, 0.0f, 1.0f),
                     .now = now,
-                    .scale = ScaleOf(controller.senses, bones, sense),
+                    .scale = ScaleOf(controller.senses, ports, sense),
                     .holds = now >= stimulus.low && now <= stimulus.high};
     const Pens pens = PensFor(s, rule, felt.holds);
-    const SensePlace place = PlaceOf(controller.senses.kind, bones.rods, sense);
+    const SensePlace place = PlaceOf(controller.senses.kind, ports.Count(), sense);
     switch (place.group->quantity) {
       case SenseQuantity::kAngle: {
-        const int limb =
-            place.index + 1;  // the joint's outer limb; it ends at the endpoint after its own number
-        DrawAngle(s, at(bones.limbs[static_cast<std::size_t>(limb)].start), at(limb + 1), angles++, felt,
+        const Bar& limb = moved[static_cast<std::size_t>(place.index)];
+        DrawAngle(s, at(limb.from), at(limb.to), angles++, felt, pens);
+        break;
+      }
+      case SenseQuantity::kLength: {
+        const Bar& muscle = moved[static_cast<std::size_t>(place.index)];
+        const ImVec2 from = at(muscle.from), to = at(muscle.to);
+        DrawGauge(s, {0.5f * (from.x + to.x) + 8.0f, 0.5f * (from.y + to.y) - 0.5f * kGaugeHeight}, felt,
                   pens);
         break;
       }

@@ -3,7 +3,6 @@
 #include "shell/stage/figure_drawing.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/numeric/scalar_math.h"
@@ -81,18 +80,15 @@ void DrawArrow(ImDrawList* list, ImVec2 from, ImVec2 to, ImU32 colour, ImU32 edg
   }
 }
 
-void DrawBody(ImDrawList* list, const Skeleton& bones, const FigureLook& look,
-              std::span<const ImVec2> endpoints, float scale, const BodyInk& ink) {
+void DrawBody(ImDrawList* list, const FigureLook& look, std::span<const ImVec2> endpoints, float scale,
+              const BodyInk& ink) {
   using Side = FigureLook::Side;
-  const auto rods = static_cast<std::size_t>(bones.rods);
-  const auto start_of = [&](std::size_t rod) {
-    return endpoints[static_cast<std::size_t>(bones.limbs[rod].start)];
-  };
+  const auto at = [&](int endpoint) { return endpoints[static_cast<std::size_t>(endpoint)]; };
   const auto radius = [&](float metres) { return std::max(0.6f, metres * scale + ink.grow); };
   std::vector<BodyPoint> points;
   for (const ImVec2& point : endpoints) points.push_back({point.x / scale, -point.y / scale});
   const auto on_canvas = [&](BodyPoint point) { return ImVec2(point.x * scale, -point.y * scale); };
-  const std::vector<BodyPart> parts = BodyPartsOf(bones, look, points);
+  const std::vector<BodyPart> parts = BodyPartsOf(look, points);
   for (const auto& [wider, colour] : {std::pair{kRing, ink.strain.tint}, {kRingGap, ink.strain.gap}}) {
     for (const BodyPart& part : parts) {
       if (ink.strain.Of(part.rod) >= ink.strain.limit)
@@ -118,44 +114,51 @@ void DrawBody(ImDrawList* list, const Skeleton& bones, const FigureLook& look,
     most = {std::max(most.x, point.x), std::max(most.y, point.y)};
   }
   const float size = std::hypot(most.x - least.x, most.y - least.y);
-  for (std::size_t rod = 0; rod < rods && ink.rods != 0 && size > kLeastWithRods; ++rod) {
-    if (look.limbs[rod].side != Side::kFar)
-      list->AddLine(start_of(rod), endpoints[rod + 1], ink.rods, size > 2.0f * kLeastWithRods ? 1.5f : 1.0f);
+  const bool springs = !look.knobs.empty();
+  if (ink.rods != 0 && size > kLeastWithRods && !springs) {
+    for (const FigureLook::Limb& limb : look.limbs) {
+      if (limb.side != Side::kFar)
+        list->AddLine(at(limb.from), at(limb.to), ink.rods, size > 2.0f * kLeastWithRods ? 1.5f : 1.0f);
+    }
   }
-  if (const auto eye = EyeOf(bones, look, points); eye && ink.eye != 0)
+  if (const auto eye = EyeOf(look, points); eye && ink.eye != 0)
     list->AddCircleFilled(on_canvas(eye->at), std::max(kLeastEye, eye->radius_m * scale), ink.eye);
   if (ink.joints == 0 || size < kLeastWithJoints) return;
+  if (springs) {
+    for (std::size_t node = 0; node < look.knobs.size(); ++node)
+      list->AddCircleFilled(endpoints[node], 0.38f * radius(look.knobs[node]), ink.joints);
+    return;
+  }
   list->AddCircleFilled(endpoints[0], 0.55f * radius(look.middle_m), ink.joints);
-  for (std::size_t rod = 0; rod < rods; ++rod) {
-    if (look.limbs[rod].side == Side::kFar || static_cast<int>(rod) == look.head_rod) continue;
-    const float share = look.limbs[rod].end_m < 0.8f * look.limbs[rod].start_m ? 0.38f : 0.55f;
-    list->AddCircleFilled(endpoints[rod + 1], share * radius(look.middle_m), ink.joints);
+  for (std::size_t rod = 0; rod < look.limbs.size(); ++rod) {
+    const FigureLook::Limb& limb = look.limbs[rod];
+    if (limb.side == Side::kFar || static_cast<int>(rod) == look.head_rod) continue;
+    const float share = limb.end_m < 0.8f * limb.start_m ? 0.38f : 0.55f;
+    list->AddCircleFilled(at(limb.to), share * radius(look.middle_m), ink.joints);
   }
 }
 
-void DrawRods(ImDrawList* list, const Skeleton& skeleton, std::span<const ImVec2> endpoints,
+void DrawRods(ImDrawList* list, std::span<const Bar> bars, std::span<const ImVec2> endpoints,
               const RodInk& ink) {
-  std::array<int, kMaxEndpoints> rods_at{};
-  const auto capsule = [&](int rod, float width, ImU32 colour) {
-    const auto i = static_cast<std::size_t>(rod);
-    const auto start = static_cast<std::size_t>(skeleton.limbs[i].start);
-    DrawCapsule(list, endpoints[start], endpoints[i + 1], width, colour);
+  const auto capsule = [&](const Bar& bar, float width, ImU32 colour) {
+    DrawCapsule(list, endpoints[static_cast<std::size_t>(bar.from)],
+                endpoints[static_cast<std::size_t>(bar.to)], width, colour);
   };
   for (const auto& [wider, colour] : {std::pair{kRing, ink.strain.tint}, {kRingGap, ink.strain.gap}}) {
-    for (int rod = 1; rod < skeleton.rods; ++rod) {
-      if (ink.strain.Of(rod) >= ink.strain.limit) capsule(rod, ink.width + 2.0f * wider, colour);
+    for (std::size_t rod = 1; rod < bars.size(); ++rod) {
+      if (ink.strain.Of(static_cast<int>(rod)) >= ink.strain.limit)
+        capsule(bars[rod], ink.width + 2.0f * wider, colour);
     }
   }
-  for (int rod = 0; rod < skeleton.rods; ++rod) {
-    const auto i = static_cast<std::size_t>(rod);
-    const auto start = static_cast<std::size_t>(skeleton.limbs[i].start);
-    const float strain = ink.strain.Of(rod);
-    capsule(rod, ink.width, strain > 0.0f ? Mix(ink.rods, ink.strain.tint, strain) : ink.rods);
-    ++rods_at[start];
-    ++rods_at[i + 1];
+  std::vector<int> rods_at(endpoints.size(), 0);
+  for (std::size_t rod = 0; rod < bars.size(); ++rod) {
+    const float strain = ink.strain.Of(static_cast<int>(rod));
+    capsule(bars[rod], ink.width, strain > 0.0f ? Mix(ink.rods, ink.strain.tint, strain) : ink.rods);
+    ++rods_at[static_cast<std::size_t>(bars[rod].from)];
+    ++rods_at[static_cast<std::size_t>(bars[rod].to)];
   }
   if (ink.joints == 0) return;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(skeleton.endpoints); ++k) {
+  for (std::size_t k = 0; k < endpoints.size(); ++k) {
     if (rods_at[k] >= 3) {
       // A hub, where three or more rods meet.
       list->AddCircleFilled(endpoints[k], 0.76f * ink.width, ink.rods);
@@ -172,6 +175,12 @@ std::vector<ImVec2> PoseOf(const Skeleton& skeleton, std::span<const float> angl
   return points;
 }
 
+std::vector<ImVec2> PoseOf(const Figure& figure) {
+  std::vector<ImVec2> points;
+  for (const BodyPoint& point : DrawnEndpoints(figure)) points.emplace_back(point.x, point.y);
+  return points;
+}
+
 float Direction(ImVec2 from, ImVec2 to) { return std::atan2(to.y - from.y, to.x - from.x); }
 
 float RodWidth(const Skeleton& skeleton, float points_per_metre) {
@@ -180,6 +189,13 @@ float RodWidth(const Skeleton& skeleton, float points_per_metre) {
     length += skeleton.limbs[static_cast<std::size_t>(rod)].length_m;
   const float mean = length / static_cast<float>(skeleton.rods) * points_per_metre;
   return std::clamp(0.18f * mean, 3.0f, 26.0f);
+}
+
+float RodWidth(const Figure& figure, float points_per_metre) {
+  if (!figure.HasSprings()) return RodWidth(Skeleton(figure), points_per_metre);
+  return std::clamp(
+      0.1f * SizeOf(figure) / std::sqrt(static_cast<float>(figure.nodes.size())) * points_per_metre, 2.0f,
+      14.0f);
 }
 
 }  // namespace gaitsmith::shell

@@ -9,6 +9,7 @@
 
 #include "core/physics/skeleton.h"
 #include "shell/body/figure_look.h"
+#include "shell/body/figure_pose.h"
 
 namespace gaitsmith::shell {
 
@@ -41,10 +42,9 @@ struct BodyInk {
 };
 
 /// A body drawn at this scale. Rods and joints are left out where they would only be specks.
-/// @param endpoints canvas positions in the skeleton's order
+/// @param endpoints canvas positions in the skeleton's order, or of nodes in the figure's
 /// @param scale     points per metre
-void DrawBody(ImDrawList*, const Skeleton&, const FigureLook&, std::span<const ImVec2> endpoints, float scale,
-              const BodyInk&);
+void DrawBody(ImDrawList*, const FigureLook&, std::span<const ImVec2> endpoints, float scale, const BodyInk&);
 
 struct RodInk {
   ImU32 rods;
@@ -53,8 +53,12 @@ struct RodInk {
   StrainInk strain = {};
 };
 
-/// Rounded rods of one width. @param endpoints as in DrawBody
-void DrawRods(ImDrawList*, const Skeleton&, std::span<const ImVec2> endpoints, const RodInk&);
+/// Rounded rods or springs of one width. @param endpoints as in DrawBody
+void DrawRods(ImDrawList*, std::span<const Bar>, std::span<const ImVec2> endpoints, const RodInk&);
+inline void DrawRods(ImDrawList* list, const Skeleton& skeleton, std::span<const ImVec2> endpoints,
+                     const RodInk& ink) {
+  DrawRods(list, BarsOf(skeleton), endpoints, ink);
+}
 
 /// A limb: two discs and the hull around them, as one shape.
 void DrawLimb(ImDrawList*, ImVec2 from, float from_radius, ImVec2 to, float to_radius, ImU32 colour);
@@ -67,11 +71,15 @@ void DrawArrow(ImDrawList*, ImVec2 from, ImVec2 to, ImU32 colour, ImU32 edge);
 
 /// The points of EndpointsOf, as the canvas takes them.
 [[nodiscard]] std::vector<ImVec2> PoseOf(const Skeleton&, std::span<const float> angle_rad);
+/// In the drawn pose.
+[[nodiscard]] std::vector<ImVec2> PoseOf(const Figure&);
 
 /// The direction of a vector, counterclockwise from the right, y upwards [rad].
 [[nodiscard]] float Direction(ImVec2 from, ImVec2 to);
 
 /// Rod thickness that suits a figure drawn at this scale [points].
 [[nodiscard]] float RodWidth(const Skeleton&, float points_per_metre);
+/// The same, also for springs.
+[[nodiscard]] float RodWidth(const Figure&, float points_per_metre);
 
 }  // namespace gaitsmith::shell

@@ -10,9 +10,8 @@ namespace gaitsmith::shell {
 
 void DrawFigureThumbnail(Ui& ui, const Figure& figure, const ImRect& rect, ImU32 colour, ImU32 behind,
                          float turn_rad) {
-  const Skeleton bones(figure);
-  const FigureLook look = LookOf(figure.name, bones);
-  std::vector<ImVec2> points = PoseOf(bones, {});
+  const FigureLook look = LookOf(figure);
+  std::vector<ImVec2> points = PoseOf(figure);
   const float sine = std::sin(turn_rad), cosine = std::cos(turn_rad);
   for (ImVec2& point : points) point = {point.x * cosine - point.y * sine, point.x * sine + point.y * cosine};
   ImRect extent(points[0], points[0]);
@@ -28,7 +27,7 @@ void DrawFigureThumbnail(Ui& ui, const Figure& figure, const ImRect& rect, ImU32
     point = {rect.GetCenter().x + (point.x - extent.GetCenter().x) * scale,
              rect.Max.y - (point.y - extent.Min.y) * scale};
   }
-  DrawBody(ui.Canvas(), bones, look, points, scale,
+  DrawBody(ui.Canvas(), look, points, scale,
            {.body = colour, .far = Mix(behind, colour, kFarShare), .eye = behind});
 }
 

@@ -18,10 +18,9 @@ constexpr float kGround = 4.0f;  // height of the ground at the lower edge [poin
 MotionStrip StripOf(const Document& document) {
   const Motion motion = Simulate(document);
   const Terrain ground(document.environment.ground);
-  const Skeleton& bones = motion.Bones();
+  const int endpoints = motion.Connections().contacts;
   const int last = motion.Frames() - 1;
-  MotionStrip strip{.bones = bones,
-                    .look = LookOf(document.figure.name, bones),
+  MotionStrip strip{.look = LookOf(document.figure),
                     .poses = {},
                     .extent = {},
                     .leftward = motion.TermsAt(last).travel_m < 0.0f,
@@ -34,10 +33,10 @@ MotionStrip StripOf(const Document& document) {
     // Ends the strip where the motion broke physics.
     if (!std::isfinite(motion.At(frame).y_m) || !std::isfinite(motion.Endpoint(frame, 0).x)) break;
     std::vector<ImVec2> points;
-    points.reserve(static_cast<std::size_t>(bones.endpoints));
+    points.reserve(static_cast<std::size_t>(endpoints));
     // The strip's ground is level: each pose is as high as it is above its own.
     const float height = motion.At(frame).y_m - static_cast<float>(HeightBelow(ground, motion.At(frame).x_m));
-    for (int e = 0; e < bones.endpoints; ++e) {
+    for (int e = 0; e < endpoints; ++e) {
       const Motion::Point point = motion.Endpoint(frame, e);
       const ImVec2 at(point.x, std::clamp(point.y + height, -1.0f, 100.0f));
       strip.extent.Add(at);
@@ -83,8 +82,7 @@ void DrawMotionStrip(const Ui& ui, const MotionStrip& strip, const ImRect& rect,
     std::vector<ImVec2> points = strip.poses[pose];
     for (ImVec2& point : points)
       point = {x + point.x * scale, ground - (point.y + strip.look.sole_m) * scale};
-    DrawBody(list, strip.bones, strip.look, points, scale,
-             {.body = colour, .far = Mix(p.paper, colour, kFarShare)});
+    DrawBody(list, strip.look, points, scale, {.body = colour, .far = Mix(p.paper, colour, kFarShare)});
   };
   if (strip.poses.empty()) return;
   list->PushClipRect(rect.Min, rect.Max, true);
@@ -108,7 +106,7 @@ void DrawMotionPose(const Ui& ui, const MotionStrip& strip, const ImRect& rect, 
              rect.GetCenter().y - (point.y - middle.y) * scale};
   }
   const ImU32 ink = Mix(behind, ui.Ink().ink, 0.9f);
-  DrawBody(ui.Canvas(), strip.bones, strip.look, points, scale,
+  DrawBody(ui.Canvas(), strip.look, points, scale,
            {.body = ink, .far = Mix(behind, ink, kFarShare), .eye = behind});
 }
 

@@ -16,7 +16,6 @@ namespace gaitsmith::shell {
 
 /// A motion reduced to poses at equal intervals from start to end.
 struct MotionStrip {
-  Skeleton bones;
   FigureLook look;
   std::vector<std::vector<ImVec2>> poses;  // endpoints [m]: x from the centre of mass, y from the ground
   ImRect extent;                           // bounds of all poses [m]

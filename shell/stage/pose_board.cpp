@@ -103,25 +103,25 @@ std::optional<PoseEdit> DrawPoseBoard(Ui& ui, const std::string& id, const std::
   return edit;
 }
 
-std::optional<PoseEdit> DrawAngleSliders(Ui& ui, const std::string& id, const Skeleton& bones,
+std::optional<PoseEdit> DrawAngleSliders(Ui& ui, const std::string& id, const Ports& ports,
                                          const std::vector<float>& angles,
                                          const std::vector<ImU32>& colours) {
-  constexpr double kDegrees = 180.0 / kPi;
+  const double unit = ports.muscles ? 100.0 : 180.0 / kPi;  // percent, or degrees
   std::optional<PoseEdit> edit;
-  for (int joint = 0; joint < bones.joints; ++joint) {
+  for (int joint = 0; joint < ports.Actuators(); ++joint) {
     const auto j = static_cast<std::size_t>(joint);
-    const Skeleton::Limb& limb = bones.limbs[j + 1];
-    if (limb.max_rad <= limb.min_rad) continue;
-    double degrees = static_cast<double>(angles[j]) * kDegrees;
-    const SliderRange range{.low = static_cast<double>(limb.min_rad) * kDegrees,
-                            .high = static_cast<double>(limb.max_rad) * kDegrees,
-                            .step = 1.0};
+    const auto [least, most] = ports.actuator_range[j];
+    if (most <= least) continue;
+    double shown = static_cast<double>(angles[j]) * unit;
+    const SliderRange range{
+        .low = static_cast<double>(least) * unit, .high = static_cast<double>(most) * unit, .step = 1.0};
     const std::string number = std::to_string(joint + 1);
     std::string name = id;
     name.append("/").append(number);
-    if (ui.LineSlider(name, Tr("Angle {1}", number), degrees, range,
-                      QuantityWords(SenseQuantity::kAngle, angles[j]), colours[j]))
-      edit = PoseEdit{joint, static_cast<float>(degrees / kDegrees)};
+    const SenseQuantity quantity = ports.muscles ? SenseQuantity::kLength : SenseQuantity::kAngle;
+    if (ui.LineSlider(name, ports.muscles ? Tr("Length {1}", number) : Tr("Angle {1}", number), shown, range,
+                      QuantityWords(quantity, angles[j]), colours[j]))
+      edit = PoseEdit{joint, static_cast<float>(shown / unit)};
   }
   return edit;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/physics/skeleton.h"
+#include "core/signal/ports.h"
 #include "shell/widgets/widgets.h"
 
 namespace gaitsmith::shell {
@@ -20,8 +21,8 @@ struct LimbDrag {
 };
 
 struct PoseEdit {
-  int joint;
-  float angle_rad;
+  int joint;        // or muscle
+  float angle_rad;  // or length, over the drawn one
 };
 
 /// @param id       of the widget
@@ -35,11 +36,11 @@ struct PoseEdit {
                                                     const std::vector<float>& angles,
                                                     const std::vector<float>& present, LimbDrag&);
 
-/// A slider for the angle of each joint that can move.
+/// A slider for the angle of each joint that can move, or the length of each muscle.
 /// @param id       of the widgets, before the joint's number
 /// @param colours  one for each joint
 /// @return the new angle of the one that is moved
-[[nodiscard]] std::optional<PoseEdit> DrawAngleSliders(Ui&, const std::string& id, const Skeleton&,
+[[nodiscard]] std::optional<PoseEdit> DrawAngleSliders(Ui&, const std::string& id, const Ports&,
                                                        const std::vector<float>& angles,
                                                        const std::vector<ImU32>& colours);
 

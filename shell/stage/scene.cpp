@@ -32,17 +32,17 @@ std::string LetterOf(int index) {
 
 // Draws the figure of a player, with or without a body. Bodies stand on their soles, so they are raised.
 void DrawBones(const Scene& s, const Playback& player, double time_s, const BodyInk& ink, float thin = 1.0f) {
-  const Skeleton& bones = player.Shown().Bones();
+  const Figure& figure = player.ShownFigure();
   std::vector<ImVec2> points = OnScreen(s, player, time_s);
   if (s.rods_only) {
-    const float width = thin * RodWidth(bones, s.camera.scale) + 2.0f * ink.grow;
-    DrawRods(s.list, bones, points,
+    const float width = thin * RodWidth(figure, s.camera.scale) + 2.0f * ink.grow;
+    DrawRods(s.list, BarsOf(figure), points,
              {.rods = ink.body, .joints = ink.joints, .width = width, .strain = ink.strain});
     return;
   }
   const ImVec2 raised = RaisedBySoles(s, player);
   for (ImVec2& point : points) point = {point.x + raised.x, point.y + raised.y};
-  DrawBody(s.list, bones, LookOf(player.FigureName(), bones), points, s.camera.scale, ink);
+  DrawBody(s.list, LookOf(figure), points, s.camera.scale, ink);
 }
 
 // Two ellipses on the ground, smaller and paler the higher the figure is.
@@ -191,7 +191,7 @@ void DrawForces(const Scene& s, const std::vector<ImVec2>& endpoints) {
   const Motion& motion = s.player.Shown();
   const float weight = motion.Bones().mass_kg * kStandardGravity;
   const float unit = 0.62f * s.player.ReachM() * s.camera.scale;  // length of one body weight
-  for (int k = 0; k < motion.Bones().endpoints; ++k) {
+  for (int k = 0; k < motion.Connections().contacts; ++k) {
     const Motion::Point force = motion.Force(s.player.Frame(), k);
     const float size = std::hypot(force.x, force.y) / weight;
     if (!(size >= 0.02f) || !std::isfinite(size)) continue;
@@ -209,7 +209,7 @@ void DrawForces(const Scene& s, const std::vector<ImVec2>& endpoints) {
 
 ImVec2 RaisedBySoles(const Scene& s, const Playback& player) {
   if (s.rods_only) return {};
-  const float sole = LookOf(player.FigureName(), player.Shown().Bones()).sole_m * s.camera.scale;
+  const float sole = LookOf(player.ShownFigure()).sole_m * s.camera.scale;
   return {-sole * s.camera.sine, -sole * s.camera.cosine};
 }
 

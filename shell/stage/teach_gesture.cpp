@@ -28,7 +28,7 @@ Camera::Place PoseCentre(const Scene& s, const TeachGesture& gesture) {
   const Motion& motion = s.player.Shown();
   const Motion::Frame& frame =
       motion.At(std::min(s.session.Teaching().Shown().pose_step, motion.Frames() - 1));
-  return {frame.x_m, frame.y_m + (s.rods_only ? 0.0f : LookOf(s.player.FigureName(), motion.Bones()).sole_m)};
+  return {frame.x_m, frame.y_m + (s.rods_only ? 0.0f : LookOf(s.player.ShownFigure()).sole_m)};
 }
 
 std::vector<ImVec2> PoseOnStage(const Scene& s, const Demonstration& shown, ImVec2 centre) {

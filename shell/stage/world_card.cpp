@@ -107,15 +107,16 @@ void DrawJoints(Ui& ui, Session& session) {
 }
 
 void DrawPushes(Ui& ui, Session& session, WorldCardState& state) {
-  const Skeleton& bones = session.Player().Shown().Bones();
+  const Motion& motion = session.Player().Shown();
+  const int endpoints = motion.Connections().contacts;
   ui.Heading(Tr("Push"));
   ui.Paragraph(Tr("Pull at a joint on the stage, or set it here."), Type::kNote);
   ui.Gap(6.0f);
   std::vector<std::string> places = {Tr("Centre of mass")};
-  for (int k = 0; k < bones.endpoints; ++k) places.push_back(Tr("Endpoint {1}", k + 1));
-  state.endpoint = std::clamp(state.endpoint, 0, bones.endpoints);
+  for (int k = 0; k < endpoints; ++k) places.push_back(Tr("Endpoint {1}", k + 1));
+  state.endpoint = std::clamp(state.endpoint, 0, endpoints);
   ui.Combo("world/endpoint", Tr("Where"), places, state.endpoint);
-  const double most = std::max(5.0, 8.0 * static_cast<double>(bones.mass_kg));
+  const double most = std::max(5.0, 8.0 * static_cast<double>(motion.Bones().mass_kg));
   state.strength_ns = std::min(state.strength_ns, most);
   ui.Slider("world/strength", Tr("Strength"), state.strength_ns, {.low = 0.5, .high = most, .step = 0.5},
             Fixed(state.strength_ns, 1) + " N s");

@@ -28,17 +28,23 @@ constexpr FigureWords kFigures[] = {
     {"Beryl Biped", nullptr, kRun},
     {"Caterpillar", TrLater("This caterpillar can’t move yet."), kCrawl},
     {"Crab", TrLater("This crab can’t move yet."), kCrawl},
+    {"Fish", TrLater("This fish can’t move yet."), kHop},
     {"Frog", TrLater("This frog can’t move yet."), kHop},
     {"Hopper", TrLater("This hopper can’t move yet."), kHop},
     {"Horse", TrLater("This horse can’t move yet."), kRun},
     {"Inchworm", TrLater("This inchworm can’t move yet."), kCrawl},
+    {"Jelly", TrLater("This jelly can’t move yet."), kHop},
     {"Kangaroo", TrLater("This kangaroo can’t move yet."), kHop},
     {"Ostrich", TrLater("This ostrich can’t move yet."), kRun},
     {"Seven-Pointed Star", TrLater("This star can’t move yet."), kRoll},
     {"Snake", TrLater("This snake can’t move yet."), kCrawl},
+    {"Soft Star", TrLater("This star can’t move yet."), kRoll},
+    {"Soft Wheel", TrLater("This wheel can’t move yet."), kRoll},
+    {"Soft Worm", TrLater("This worm can’t move yet."), kCrawl},
     {"Spider", TrLater("This spider can’t move yet."), kCrawl},
     {"Torsoless Biped", TrLater("This pair of legs can’t move yet."), kRun},
     {"Tumbler", TrLater("This tumbler can’t move yet."), kRoll},
+    {"Walking Table", TrLater("This table can’t move yet."), kRun},
 };
 
 const FigureWords* WordsAbout(std::string_view name) {

@@ -13,8 +13,8 @@ namespace {
 
 // By how much a sense misses a rule's interval: "0.04 m above its interval".
 std::string MissWords(const RuleMoment& moment, int rule, int sense) {
-  const SenseScale scale = ScaleOf(moment.controller.senses, moment.bones, sense);
-  const Stimulus stimulus = StimulusOf(moment.controller, moment.bones.rods, rule, sense);
+  const SenseScale scale = ScaleOf(moment.controller.senses, moment.ports, sense);
+  const Stimulus stimulus = StimulusOf(moment.controller, moment.ports.Count(), rule, sense);
   const float felt = moment.senses[static_cast<std::size_t>(sense)];
   const bool above = felt > stimulus.high;
   const float miss =
@@ -60,13 +60,13 @@ std::string WhyItActs(const RuleMoment& moment, int rule) {
 
 std::optional<RuleMoment> MomentOf(const Controller& controller, const Motion& motion, int clip, int frame) {
   if (controller.kind != ControllerKind::kRules || motion.At(frame).clip != clip) return std::nullopt;
-  const int count = SenseCount(controller.senses.kind, motion.Bones().rods);
-  RuleMoment moment{controller, motion.Bones(), {}, {}, frame == 0};
+  const int count = SenseCount(controller.senses.kind, motion.Connections().Count());
+  RuleMoment moment{controller, motion.Connections(), {}, {}, frame == 0};
   for (int sense = 0; sense < count; ++sense) moment.senses.push_back(motion.Sense(frame, sense));
   // A controller that takes over starts with its first rule.
   const bool goes_on = frame > 0 && motion.At(frame - 1).clip == clip;
-  moment.choice =
-      ChoiceOf(controller, motion.Bones().rods, moment.senses, goes_on ? motion.At(frame - 1).rule : 0);
+  moment.choice = ChoiceOf(controller, motion.Connections().Count(), moment.senses,
+                           goes_on ? motion.At(frame - 1).rule : 0);
   return moment;
 }
 
@@ -88,13 +88,15 @@ std::string QuantityWords(SenseQuantity quantity, float value) {
       return with(number, 2, " m/s");
     case SenseQuantity::kTime:
       return with(number, 2, " s");
+    case SenseQuantity::kLength:
+      return with(number * 100.0, 0, " %");
   }
   return {};
 }
 
 std::string SenseWords(const RuleMoment& moment, int sense) {
-  const SenseScale scale = ScaleOf(moment.controller.senses, moment.bones, sense);
-  return Tr("{1} at {2}", TrSentence(SenseName(moment.controller.senses.kind, moment.bones.rods, sense)),
+  const SenseScale scale = ScaleOf(moment.controller.senses, moment.ports, sense);
+  return Tr("{1} at {2}", TrSentence(SenseName(moment.controller.senses.kind, moment.ports.Count(), sense)),
             QuantityWords(scale.quantity, scale.Of(moment.senses[static_cast<std::size_t>(sense)])));
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/control/rule_choice.h"
-#include "core/rollout/figure_senses.h"
+#include "core/control/sense_table.h"
 #include "core/rollout/motion.h"
 
 namespace gaitsmith::shell {
@@ -15,7 +15,7 @@ namespace gaitsmith::shell {
 /// A frame of a motion at which a bank chose a rule.
 struct RuleMoment {
   const Controller& controller;
-  const Skeleton& bones;
+  const Ports& ports;
   std::vector<float> senses;  // normalised
   RuleChoice choice;
   bool begins;  // first step: no senses yet, so the first rule is active
@@ -25,7 +25,7 @@ struct RuleMoment {
 [[nodiscard]] std::optional<RuleMoment> MomentOf(const Controller& controller, const Motion& motion, int clip,
                                                  int frame);
 
-/// "−31°", "12 N", "0.83 m", "−0.30 m/s", "0.42 s"
+/// "−31°", "12 N", "0.83 m", "−0.30 m/s", "0.42 s", "80 %"
 [[nodiscard]] std::string QuantityWords(SenseQuantity, float value);
 /// A sense's name and value: "height at 0.83 m".
 [[nodiscard]] std::string SenseWords(const RuleMoment&, int sense);

@@ -101,8 +101,8 @@ std::vector<Playback::Point> Playback::EndpointsAt(double time_s) const {
   const int next = std::min(frame + 1, motion_->Frames() - 1);
   const Point centre = CentreAt(time_s);
   std::vector<Point> points;
-  points.reserve(static_cast<std::size_t>(motion_->Bones().endpoints));
-  for (int k = 0; k < motion_->Bones().endpoints; ++k) {
+  points.reserve(static_cast<std::size_t>(motion_->Connections().contacts));
+  for (int k = 0; k < motion_->Connections().contacts; ++k) {
     const Motion::Point a = motion_->Endpoint(frame, k);
     const Motion::Point b = motion_->Endpoint(next, k);
     points.push_back({centre.x_m + static_cast<double>(a.x + (b.x - a.x) * share),
@@ -152,7 +152,7 @@ std::vector<float> Playback::StrainsNow() const {
 void Playback::Measure() {
   // Keeps a motion that explodes from shrinking the figure to nothing [m].
   constexpr float kFarthest = 1000.0f;
-  const int endpoints = motion_->Bones().endpoints;
+  const int endpoints = motion_->Connections().contacts;
   reach_m_ = 0.05f;
   for (int frame = 0; frame < motion_->Frames(); frame += 5) {
     for (int k = 0; k < endpoints; ++k) {
@@ -187,7 +187,7 @@ void Playback::FindContacts() {
   bool before = false;
   for (int frame = 0; frame < motion_->Frames(); ++frame) {
     bool touches = false;
-    for (int k = 0; k < motion_->Bones().endpoints && !touches; ++k)
+    for (int k = 0; k < motion_->Connections().contacts && !touches; ++k)
       touches = motion_->Force(frame, k).y > 0.0f;
     if (touches && !before) contacts_.push_back({frame, frame});
     if (touches) contacts_.back().end_frame = frame + 1;
@@ -200,7 +200,7 @@ float Playback::GapM(int frame, int other) const {
   const auto moved = static_cast<float>(motion_->At(other).x_m - motion_->At(frame).x_m);
   const float side = moved < 0.0f ? -1.0f : 1.0f;
   float leading = 0.0f, trailing = 0.0f;
-  for (int k = 0; k < motion_->Bones().endpoints; ++k) {
+  for (int k = 0; k < motion_->Connections().contacts; ++k) {
     leading = std::max(leading, side * motion_->Endpoint(frame, k).x);
     trailing = std::max(trailing, -side * motion_->Endpoint(other, k).x);
   }
@@ -261,7 +261,7 @@ void Playback::SmoothHeight() {
     if (frame % each == 0) tops.push_back(0.0f);
     const float ground_m =
         camera_ground_m_.empty() ? 0.0f : camera_ground_m_[static_cast<std::size_t>(frame)];
-    for (int k = 0; k < motion_->Bones().endpoints; ++k)
+    for (int k = 0; k < motion_->Connections().contacts; ++k)
       tops.back() = std::max(tops.back(), motion_->At(frame).y_m + motion_->Endpoint(frame, k).y - ground_m);
     tops.back() = std::min(tops.back(), kHighest * reach_m_);
   }

@@ -54,7 +54,7 @@ class Playback {
 
   [[nodiscard]] bool Loaded() const { return motion_ != nullptr; }
   [[nodiscard]] const Motion& Shown() const { return *motion_; }
-  [[nodiscard]] const std::string& FigureName() const { return shown_.figure.name; }
+  [[nodiscard]] const Figure& ShownFigure() const { return shown_.figure; }
   [[nodiscard]] bool Playing() const { return playing_; }
   [[nodiscard]] double TimeS() const { return time_s_; }
   [[nodiscard]] double DurationS() const;

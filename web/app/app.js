@@ -57,10 +57,11 @@ import { trLater } from '../languages/language.js';
 /** The part of a document's search that the page reads. @typedef {{algorithm?: string, body?: string}} SearchJson */
 /**
  * A document as JSON (docs/formats.md): the parts that the page reads.
- * @typedef {{model?: number, title?: string, figure: {name?: string, rods?: object[]}, kind?: string, senses?: {kind?: string}, search?: SearchJson,
+ * @typedef {{model?: number, title?: string, figure: {name?: string, rods?: object[], nodes?: object[], springs?: SpringJson[]}, kind?: string, senses?: {kind?: string}, search?: SearchJson,
  *   start?: object, controllers?: object[], timeline?: {controller?: number}[], rules?: number, lineage?: import('../breed/family.js').Lineage,
  *   environment?: {slope_rad?: number, gravity_mps2?: number, ground?: {x_m?: number, y_m?: number}[]}, pushes?: {endpoint: number, impulse_x_ns: number, impulse_y_ns: number}[],
  *   task?: {kind?: string, duration_steps?: number, weights?: Record<string, number>, shown?: ShownJson}, duration_steps?: number, plan?: {solved?: {unknowns?: number[]}}}} DocumentJson
+ * @typedef {{from?: number, to?: number, stiffness_npm?: number, min_rest?: number, max_rest?: number}} SpringJson
  * @typedef {{way?: {step?: number, x_m?: number, y_m?: number}[], pose_step?: number, pose?: {angle_rad?: number}[]}} ShownJson
  */
 

@@ -226,7 +226,8 @@ class Breed {
       label.append(Object.assign(document.createElement('input'), { type: 'checkbox' }), ` ${i + 1}`);
       return label;
     });
-    element('breed-limbs').replaceChildren(...boxes((figure.rods?.length ?? 1) - 1));
+    const moved = figure.springs ? figure.springs.filter(({ min_rest = 1, max_rest = 1 }) => min_rest < max_rest).length : (figure.rods?.length ?? 1) - 1;
+    element('breed-limbs').replaceChildren(...boxes(moved));
     element('breed-rules').replaceChildren(...boxes(rules));
     element('breed-keep').hidden = kind === 'network';
   }

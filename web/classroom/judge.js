@@ -35,8 +35,8 @@ import { isMet, parseGoal } from '../page/goal_conditions.js';
 /** Conditions about the way to a motion, which only the page where it was made knows. */
 const UNSEEN = ['controller', 'seed', 'generations'];
 const STEP_S = 0.01;
-/** The physical model whose joints are as strong as needed, and what a rod's strength is that is not written (core/physics/figure.h). */
-const STRONG_MODEL = 1, STANDARD_STRENGTH = 2;
+/** The physical models whose joints are as strong as needed, and limited, and what a rod's strength is that is not written (core/physics/figure.h). */
+const STRONG_MODEL = 1, LIMITED_MODEL = 2, STANDARD_STRENGTH = 2;
 /** What worldOf() says of usual changes. Other fields of a document have their own names. */
 [trLater('slope {1}°'), trLater('drawn ground with {1} corners'), trLater('gravity {1} m/s²'), trLater('friction {1}'), trLater('no pushes'), trLater('{1} push'), trLater('{1} pushes'), trLater('velocity x {1}'), trLater('velocity y {1}'), trLater('joint strength {1}')].forEach(String);
 const SIGNS = { '>=': '≥', '<=': '≤', '>': '>', '<': '<', '=': '=', '!=': '≠' };
@@ -49,15 +49,18 @@ export function worldOf({ model = STRONG_MODEL, figure = { rods: [] }, environme
     if (name === 'gravity_mps2') return `gravity ${rounded(Number(value))} m/s²`;
     return `${name.replace(/_(mps|radps|m|rad)$/, '').replaceAll('_', ' ')} ${typeof value === 'number' ? rounded(value) : JSON.stringify(value)}`;
   });
-  const joints = model === STRONG_MODEL ? [] : [...new Set(jointsOf(figure).map(({ strength = STANDARD_STRENGTH }) => `joint strength ${rounded(strength)}`))];
+  const joints = model !== LIMITED_MODEL ? [] : [...new Set(jointsOf(figure).map(({ strength = STANDARD_STRENGTH }) => `joint strength ${rounded(strength)}`))];
   return [...words, ...joints, pushes.length === 1 ? '1 push' : `${pushes.length === 0 ? 'no' : pushes.length} pushes`];
 }
 
 /** Without the joints' strength, which belongs to the world. @param {any} document  JSON */
-export const figureOf = ({ figure }) => JSON.stringify(figure.rods, (name, value) => (name === 'strength' || name === 'stiffness' ? undefined : value));
+export const figureOf = ({ figure }) => JSON.stringify([figure.rods, figure.nodes, figure.springs], (name, value) => (name === 'strength' || name === 'stiffness' ? undefined : value));
 
 /** The rods that have a joint: all but the root. @param {any} figure  JSON @returns {{strength?: number}[]} */
-const jointsOf = ({ rods }) => rods.filter((/** @type {{parent?: number}} */ { parent = -1 }) => parent >= 0);
+const jointsOf = ({ rods = [] }) => rods.filter((/** @type {{parent?: number}} */ { parent = -1 }) => parent >= 0);
+
+/** Without limits of the joints. Figures of springs have none. @param {any} document  JSON */
+const unlimited = (document) => (document.model === LIMITED_MODEL ? { ...document, model: STRONG_MODEL } : document);
 
 export class Judge {
   /** @param {Engine} engine @param {Tables} tables @param {LessonFacts[]} lessons */
@@ -99,8 +102,8 @@ export class Judge {
     row.motion = this.engine.motion(bytes);
     const measured = row.motion.measures();
     row.hash = measured.hash;
-    const usualWorld = worldOf(this.engine.json(this.engine.documentFromText(JSON.stringify({ ...document, model: STRONG_MODEL, environment: undefined, start: undefined, pushes: undefined }))));
-    const measures = { ...measured, ...ofDocument(document), world: sameWorld(document, usualWorld) ? 'usual' : sameWorld({ ...document, model: STRONG_MODEL }, usualWorld) ? 'earth' : 'other' };
+    const usualWorld = worldOf(this.engine.json(this.engine.documentFromText(JSON.stringify({ ...unlimited(document), environment: undefined, start: undefined, pushes: undefined }))));
+    const measures = { ...measured, ...ofDocument(document), world: sameWorld(document, usualWorld) ? 'usual' : sameWorld(unlimited(document), usualWorld) ? 'earth' : 'other' };
     measures.terms = [...measured.terms, ...measures.numbers];
     row.conditions = goals.flatMap((each) => parseGoal(each, this.tables)).map((condition) => judged(condition, measures));
     const seen = row.conditions.filter(({ met }) => met !== null);
@@ -128,7 +131,7 @@ function ofDocument({ model = STRONG_MODEL, figure = { rods: [] }, controllers =
     numbers: [
       { name: 'pushes', value: pushes.length }, { name: 'push_right', value: push && push.impulse_x_ns }, { name: 'push_time', value: push && push.step * STEP_S },
       { name: 'switch', value: timeline.length > 1 ? timeline.at(-1).start_step * STEP_S : null },
-      { name: 'strength', value: model === STRONG_MODEL ? null : Math.max(0, ...jointsOf(figure).map(({ strength = STANDARD_STRENGTH }) => strength)) },
+      { name: 'strength', value: model !== LIMITED_MODEL ? null : Math.max(0, ...jointsOf(figure).map(({ strength = STANDARD_STRENGTH }) => strength)) },
     ],
   };
 }

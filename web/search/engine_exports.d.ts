@@ -80,7 +80,10 @@ export interface EngineExports {
   _gs_motion_open(size: number): Pointer;
   _gs_motion_close(role: Pointer): void;
   _gs_motion_frames(role: Pointer): number;
+  /** A figure of springs has none. */
   _gs_motion_rods(role: Pointer): number;
+  /** Ends of rods, or nodes. */
+  _gs_motion_endpoints(role: Pointer): number;
   /** For each rod the endpoint at its start; rod i ends at endpoint i + 1. */
   _gs_motion_starts(role: Pointer): Pointer;
   /** For each frame: the active controller (-1: none), the centre of mass, every endpoint [m]. */

@@ -18,10 +18,9 @@ using namespace gaitsmith;  // NOLINT: everything below is the border
 
 MotionRole* gaitsmith::OpenMotion(Document document, Motion motion) {
   auto* role = new MotionRole{.document = std::move(document), .motion = std::move(motion)};
-  const Skeleton& bones = role->motion.Bones();
-  for (int rod = 0; rod < bones.rods; ++rod)
-    role->starts.push_back(bones.limbs[static_cast<std::size_t>(rod)].start);
-  role->look = shell::LookOf(role->document.figure.name, bones);
+  for (const shell::Bar& bar : shell::BarsOf(role->motion.Bones())) role->starts.push_back(bar.from);
+  role->look = shell::LookOf(role->document.figure);
+  const int endpoints = role->motion.Connections().contacts;
   for (const Corner& corner : role->document.environment.ground)
     role->ground.insert(role->ground.end(), {corner.x_m, corner.y_m});
   for (int i = 0; i < role->motion.Frames(); ++i) {
@@ -31,7 +30,7 @@ MotionRole* gaitsmith::OpenMotion(Document document, Motion motion) {
     role->numbers.push_back(
         static_cast<float>(clip < 0 ? -1 : timeline[static_cast<std::size_t>(clip)].controller));
     role->numbers.insert(role->numbers.end(), {static_cast<float>(frame.x_m), frame.y_m});
-    for (int k = 0; k < bones.endpoints; ++k) {
+    for (int k = 0; k < endpoints; ++k) {
       const Motion::Point point = role->motion.Endpoint(i, k);
       role->numbers.push_back(static_cast<float>(frame.x_m + static_cast<double>(point.x)));
       role->numbers.push_back(frame.y_m + point.y);
@@ -48,7 +47,10 @@ GS_EXPORT MotionRole* gs_motion_open(std::size_t size) {
 }
 GS_EXPORT void gs_motion_close(MotionRole* role) { delete role; }
 GS_EXPORT int gs_motion_frames(const MotionRole* role) { return role->motion.Frames(); }
+/// A figure of springs has none.
 GS_EXPORT int gs_motion_rods(const MotionRole* role) { return role->motion.Bones().rods; }
+/// Ends of rods, or nodes.
+GS_EXPORT int gs_motion_endpoints(const MotionRole* role) { return role->motion.Connections().contacts; }
 /// For each rod the endpoint at its start; rod i ends at endpoint i + 1.
 GS_EXPORT const int* gs_motion_starts(const MotionRole* role) { return role->starts.data(); }
 /// For each frame: the active controller (-1: none), the centre of mass, every endpoint [m].
@@ -63,9 +65,8 @@ GS_EXPORT int gs_motion_corners(const MotionRole* role) { return static_cast<int
 GS_EXPORT const float* gs_motion_body(MotionRole* role, int frame) {
   const int shown = std::clamp(frame, 0, role->motion.Frames() - 1);
   const Motion::Frame& at = role->motion.At(shown);
-  const Skeleton& bones = role->motion.Bones();
   std::vector<shell::BodyPoint> endpoints;
-  for (int k = 0; k < bones.endpoints; ++k) {
+  for (int k = 0; k < role->motion.Connections().contacts; ++k) {
     const Motion::Point point = role->motion.Endpoint(shown, k);
     endpoints.push_back({static_cast<float>(at.x_m + static_cast<double>(point.x)), at.y_m + point.y});
   }
@@ -74,9 +75,9 @@ GS_EXPORT const float* gs_motion_body(MotionRole* role, int frame) {
                        float tone) {
     role->body.insert(role->body.end(), {from.x, from.y, from_m, to.x, to.y, to_m, belly_m, tone});
   };
-  for (const shell::BodyPart& part : shell::BodyPartsOf(bones, role->look, endpoints))
+  for (const shell::BodyPart& part : shell::BodyPartsOf(role->look, endpoints))
     add(part.from, part.from_m, part.to, part.to_m, part.belly_m, part.far ? 1.0f : 0.0f);
-  if (const auto eye = shell::EyeOf(bones, role->look, endpoints))
+  if (const auto eye = shell::EyeOf(role->look, endpoints))
     add(eye->at, eye->radius_m, eye->at, eye->radius_m, 0.0f, 2.0f);
   return role->body.data();
 }

@@ -16,9 +16,10 @@ export class RecordedMotion {
     const { module } = engine;
     this.frames = module._gs_motion_frames(handle);
     const rods = module._gs_motion_rods(handle);
-    /** For each rod the endpoint at its start; rod i ends at endpoint i + 1. */
+    /** For each rod the endpoint at its start; rod i ends at endpoint i + 1. A figure of springs has no rods. */
     this.starts = new Int32Array(engine.bytesAt(module._gs_motion_starts(handle), 4 * rods).buffer);
-    this.endpoints = rods + 1;
+    /** Ends of rods, or nodes. */
+    this.endpoints = module._gs_motion_endpoints(handle);
     /** How far the figure's outline reaches below the endpoints on which it stands [m]. */
     this.sole = module._gs_motion_sole(handle);
     /**

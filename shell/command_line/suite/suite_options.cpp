@@ -75,7 +75,7 @@ std::expected<Document, Refusal> ReadCommon(const Arguments& arguments) {
     auto figure = ReadFigure(arguments.Last("figure"));
     if (!figure) return std::unexpected(Refusal(figure.error()));
     name = figure->name;
-    common.figure = *figure;
+    SetFigure(*figure, common);
   }
   common.figure.name = name;
   common.task.weights = {};  // styles set the weights

@@ -19,20 +19,21 @@ struct Shown {
   Session& session;
   const Controller& controller;
   const Skeleton& bones;
-  CurveShape shape{controller.rules, bones.rods};
+  const Ports& ports;
+  CurveShape shape{controller.rules, ports.Count()};
   KnotTimes times{controller.rules, controller.senses};
 
-  [[nodiscard]] const Skeleton::Limb& Limb(int joint) const {
-    return bones.limbs[static_cast<std::size_t>(joint) + 1];
+  [[nodiscard]] const std::array<float, 2>& RangeOf(int joint) const {
+    return ports.actuator_range[static_cast<std::size_t>(joint)];
   }
   [[nodiscard]] float Angle(int knot, int joint) const {
-    return Decode(controller.genes[shape.Angle(knot, joint)], Limb(joint).min_rad, Limb(joint).max_rad);
+    return Decode(controller.genes[shape.Angle(knot, joint)], RangeOf(joint)[0], RangeOf(joint)[1]);
   }
   /// The edit stops a running search, whose result may have fewer knots.
   void SetAngle(int knot, int joint, float angle_rad) const {
     session.Timeline().ChangeController([&](Controller& c) {
       if (c.kind != ControllerKind::kTrajectory || knot >= c.rules) return;
-      c.genes[shape.Angle(knot, joint)] = Encode(angle_rad, Limb(joint).min_rad, Limb(joint).max_rad);
+      c.genes[shape.Angle(knot, joint)] = Encode(angle_rad, RangeOf(joint)[0], RangeOf(joint)[1]);
     });
   }
   [[nodiscard]] float SecondsOf(int knot) const { return static_cast<float>(times.TimeOf(knot)) * kStep; }
@@ -125,8 +126,10 @@ void DrawCurvePlot(const Shown& of, CurveEditorState& state) {
       ui.Area("curves/plot", row, Grab::kDrag,
               {.label = Tr("Curves of all joints: drag a point"),
                .role = "img",
-               .value = Tr("knot {1}, angle {2}: {3}", state.knot + 1, state.joint + 1,
-                           QuantityWords(SenseQuantity::kAngle, of.Angle(state.knot, state.joint)))});
+               .value = Tr(of.ports.muscles ? "knot {1}, length {2}: {3}" : "knot {1}, angle {2}: {3}",
+                           state.knot + 1, state.joint + 1,
+                           QuantityWords(of.ports.muscles ? SenseQuantity::kLength : SenseQuantity::kAngle,
+                                         of.Angle(state.knot, state.joint)))});
   const ImVec2 pointer = ImGui::GetIO().MousePos;
   if (touch.began) Choose(axes, ImGui::GetIO().MouseClickedPos[0], state);
   if (touch.steps != 0) {
@@ -137,8 +140,8 @@ void DrawCurvePlot(const Shown& of, CurveEditorState& state) {
   const bool moved = touch.held && !touch.began && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 3.0f);
   if (moved) {
     const float share = std::clamp((axes.rect.Max.y - pointer.y) / axes.rect.GetHeight(), 0.0f, 1.0f);
-    const Skeleton::Limb& limb = of.Limb(state.joint);
-    const float angle = limb.min_rad + share * (limb.max_rad - limb.min_rad);
+    const auto [least, most] = of.RangeOf(state.joint);
+    const float angle = least + share * (most - least);
     if (std::abs(angle - of.Angle(state.knot, state.joint)) > 1e-4f)
       of.SetAngle(state.knot, state.joint, angle);
   }
@@ -158,10 +161,13 @@ void DrawKnot(const Shown& of, CurveEditorState& state) {
     colours.push_back(of.ui.Look().Rule(joint));
     if (plays) present.push_back(player.Shown().AngleRad(player.Frame(), joint));
   }
-  auto edit = DrawPoseBoard(of.ui, "curves/pose", Tr("Pose of knot {1}: drag a limb", state.knot + 1),
-                            of.ui.Ink().ink, of.bones, pose, present, state.drag);
-  of.ui.Gap(8.0f);
-  if (const auto slid = DrawAngleSliders(of.ui, "curves/angle", of.bones, pose, colours)) edit = slid;
+  std::optional<PoseEdit> edit;
+  if (!of.ports.muscles) {
+    edit = DrawPoseBoard(of.ui, "curves/pose", Tr("Pose of knot {1}: drag a limb", state.knot + 1),
+                         of.ui.Ink().ink, of.bones, pose, present, state.drag);
+    of.ui.Gap(8.0f);
+  }
+  if (const auto slid = DrawAngleSliders(of.ui, "curves/angle", of.ports, pose, colours)) edit = slid;
   if (!edit) return;
   state.joint = edit->joint;
   of.SetAngle(state.knot, edit->joint, edit->angle_rad);
@@ -170,14 +176,17 @@ void DrawKnot(const Shown& of, CurveEditorState& state) {
 }  // namespace
 
 void DrawCurveEditor(Ui& ui, Session& session, const Controller& controller, CurveEditorState& state) {
-  // A copy, since an edit replaces the motion while the rest is being drawn.
+  // Copies, since an edit replaces the motion while the rest is being drawn.
   const Skeleton bones = session.Player().Shown().Bones();
-  const Shown of{ui, session, controller, bones};
+  const Ports ports = session.Player().Shown().Connections();
+  const Shown of{ui, session, controller, bones, ports};
   if (of.shape.joints == 0) return;
   state.knot = std::clamp(state.knot, 0, of.shape.knots - 1);
   state.joint = std::clamp(state.joint, 0, of.shape.joints - 1);
   const PartScope part = ui.Part("curves", "group", Tr("Curves"));
-  ui.Paragraph(Tr("A line for each joint, over one period. Drag a point, or a limb of the pose below."),
+  ui.Paragraph(ports.muscles
+                   ? Tr("A line for each muscle, over one period. Drag a point.")
+                   : Tr("A line for each joint, over one period. Drag a point, or a limb of the pose below."),
                Type::kNote);
   ui.Gap(6.0f);
   DrawCurvePlot(of, state);

@@ -16,18 +16,25 @@ namespace {
 constexpr std::size_t kBarsShown = 4;
 constexpr float kFigureWidth = 60.0f;
 
-std::string CaresWords(const Controller& controller, int rule, int rods) {
+std::string CaresWords(const Controller& controller, int rule, const PortCount& ports) {
   std::string words;
-  for (int sense = 0; sense < SenseCount(controller.senses.kind, rods); ++sense) {
-    if (!StimulusOf(controller, rods, rule, sense).cares) continue;
-    words += (words.empty() ? "" : ", ") + TrSentence(SenseName(controller.senses.kind, rods, sense));
+  for (int sense = 0; sense < SenseCount(controller.senses.kind, ports); ++sense) {
+    if (!StimulusOf(controller, ports, rule, sense).cares) continue;
+    words += (words.empty() ? "" : ", ") + TrSentence(SenseName(controller.senses.kind, ports, sense));
   }
   return words.empty() ? Tr("uses no sense") : Tr("uses {1}", words);
 }
 
-void DrawPose(Ui& ui, const Skeleton& bones, const FigureLook& look, const std::vector<float>& angles,
-              float reach_m, const ImRect& rect, ImU32 colour) {
-  const std::vector<ImVec2> pose = PoseOf(bones, angles);
+/// The pose that a rule pulls a figure to. Where the nodes of a figure of springs would come to rest is not
+/// known, so there its drawn pose has muscles as thick as they would be.
+void DrawPose(Ui& ui, const Figure& figure, const std::vector<float>& targets, float reach_m,
+              const ImRect& rect, ImU32 colour) {
+  FigureLook look = LookOf(figure);
+  std::size_t muscle = 0;
+  for (FigureLook::Limb& limb : look.limbs) {
+    if (limb.drawn_m > 0.0f) limb.drawn_m /= targets[muscle++];
+  }
+  const std::vector<ImVec2> pose = figure.HasSprings() ? PoseOf(figure) : PoseOf(Skeleton(figure), targets);
   ImRect extent(pose[0], pose[0]);
   for (const ImVec2& point : pose) extent.Add(point);
   const float scale = rect.GetWidth() / std::max({extent.GetWidth(), extent.GetHeight(), reach_m});
@@ -38,19 +45,20 @@ void DrawPose(Ui& ui, const Skeleton& bones, const FigureLook& look, const std::
                         rect.GetCenter().y - (point.y - extent.GetCenter().y) * scale);
   }
   const ImU32 behind = ui.Ink().panel;
-  DrawBody(ui.Canvas(), bones, look, points, scale,
+  DrawBody(ui.Canvas(), look, points, scale,
            {.body = colour, .far = Mix(behind, colour, kFarShare), .eye = behind});
 }
 
 }  // namespace
 
-std::vector<float> TargetPose(const Controller& controller, const Skeleton& bones, int rule) {
-  std::vector<float> angles;
-  for (int joint = 0; joint < bones.joints; ++joint) {
-    const Skeleton::Limb& limb = bones.limbs[static_cast<std::size_t>(joint) + 1];
-    angles.push_back(TargetOf(controller, bones.rods, rule, joint, limb.min_rad, limb.max_rad));
+std::vector<float> TargetPose(const Controller& controller, const Ports& ports, int rule) {
+  std::vector<float> targets;
+  targets.reserve(ports.actuator_range.size());
+  for (int actuator = 0; actuator < ports.Actuators(); ++actuator) {
+    const auto [least, most] = ports.actuator_range[static_cast<std::size_t>(actuator)];
+    targets.push_back(TargetOf(controller, ports.Count(), rule, actuator, least, most));
   }
-  return angles;
+  return targets;
 }
 
 float ShareOnBar(const SenseSpec& spec, float sense) {
@@ -85,17 +93,17 @@ void DrawClock(Ui& ui, ImVec2 centre, float radius, float seconds, ImU32 colour)
 Touch DrawRuleCard(Ui& ui, const Session& session, const Controller& controller, int rule, bool open,
                    const ImRect& rect) {
   const Motion& motion = session.Player().Shown();
-  const Skeleton& bones = motion.Bones();
+  const Ports& ports = motion.Connections();
   const int frame = session.Player().Frame();
   const bool in_charge = motion.At(frame).clip == session.Timeline().Selected();
   const bool active = in_charge && motion.At(frame).rule == rule;
-  const float tau = TauOf(controller, bones.rods, rule);
+  const float tau = TauOf(controller, ports.Count(), rule);
   const std::string tau_words = Fixed(tau, 2) + " s";
   const std::string name = std::to_string(rule + 1);
   const Touch touch = ui.Area("controller/rule/" + name, rect, Grab::kPress,
                               {.label = Tr("Rule {1}", name),
                                .role = "button",
-                               .value = "τ " + tau_words + ", " + CaresWords(controller, rule, bones.rods),
+                               .value = "τ " + tau_words + ", " + CaresWords(controller, rule, ports.Count()),
                                .state = {.selected = active, .expanded = open}});
   if (!touch.visible) return touch;
 
@@ -113,8 +121,8 @@ Touch DrawRuleCard(Ui& ui, const Session& session, const Controller& controller,
 
   const ImRect figure({rect.Min.x + 8.0f, rect.Min.y + 10.0f},
                       {rect.Min.x + 8.0f + kFigureWidth - 8.0f, rect.Max.y - 10.0f});
-  DrawPose(ui, bones, LookOf(session.Doc().figure.name, bones), TargetPose(controller, bones, rule),
-           session.Player().ReachM(), figure, active ? colour : Mix(p.panel, p.ink, 0.82f));
+  DrawPose(ui, session.Doc().figure, TargetPose(controller, ports, rule), session.Player().ReachM(), figure,
+           active ? colour : Mix(p.panel, p.ink, 0.82f));
 
   // "3  ◔ 0.29 s"
   const float left = rect.Min.x + 8.0f + kFigureWidth;
@@ -126,9 +134,9 @@ Touch DrawRuleCard(Ui& ui, const Session& session, const Controller& controller,
                      active ? p.ink : p.second_ink, tau_words);
 
   std::vector<StimulusBar> bars;
-  const int senses = SenseCount(controller.senses.kind, bones.rods);
+  const int senses = SenseCount(controller.senses.kind, ports.Count());
   for (int sense = 0; sense < senses; ++sense) {
-    const Stimulus stimulus = StimulusOf(controller, bones.rods, rule, sense);
+    const Stimulus stimulus = StimulusOf(controller, ports.Count(), rule, sense);
     if (!stimulus.cares) continue;
     const float felt =
         in_charge && frame > 0 ? ShareOnBar(controller.senses, motion.Sense(frame, sense)) : -1.0f;

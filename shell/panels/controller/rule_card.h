@@ -10,8 +10,8 @@ namespace gaitsmith::shell {
 
 inline constexpr float kCardHeight = 88.0f;
 
-/// The pose that a rule pulls the joints to, one angle per joint [rad].
-[[nodiscard]] std::vector<float> TargetPose(const Controller&, const Skeleton&, int rule);
+/// The pose that a rule pulls the joints to, one angle per joint [rad], or one length per muscle.
+[[nodiscard]] std::vector<float> TargetPose(const Controller&, const Ports&, int rule);
 
 /// The position of a normalised sense on its bar, [0, 1]. The bar shows [-0.25, 1.25] for physical senses,
 /// whose intervals may extend outside [0, 1].

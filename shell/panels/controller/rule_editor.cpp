@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/control/rule_edit.h"
-#include "core/rollout/figure_senses.h"
+#include "core/control/sense_table.h"
 #include "shell/panels/controller/rule_card.h"
 #include "shell/words/language.h"
 #include "shell/words/rule_words.h"
@@ -20,21 +20,24 @@ struct OpenRule {
   Session& session;
   const Controller& controller;
   const Skeleton& bones;
+  const Ports& ports;
   int rule;
   ImU32 colour;
 
   // The edit stops a running search, whose result may have fewer rules.
   void Edit(const std::function<void(RuleEdit)>& edit) const {
-    session.Timeline().ChangeController([&, rods = bones.rods](Controller& c) {
-      if (rule < c.rules) edit(RuleEdit(c, rods, rule));
+    session.Timeline().ChangeController([&, count = ports.Count()](Controller& c) {
+      if (rule < c.rules) edit(RuleEdit(c, count, rule));
     });
   }
   void SetTarget(const PoseEdit& edit) const {
-    const Skeleton::Limb& limb = bones.limbs[static_cast<std::size_t>(edit.joint) + 1];
-    Edit([&](RuleEdit one) { one.SetTarget(edit.joint, edit.angle_rad, limb.min_rad, limb.max_rad); });
+    const auto [least, most] = ports.actuator_range[static_cast<std::size_t>(edit.joint)];
+    Edit([&, low = least, high = most](RuleEdit one) {
+      one.SetTarget(edit.joint, edit.angle_rad, low, high);
+    });
   }
   [[nodiscard]] std::string Named(int sense) const {
-    std::string name = TrSentence(SenseName(controller.senses.kind, bones.rods, sense));
+    std::string name = TrSentence(SenseName(controller.senses.kind, ports.Count(), sense));
     if (name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
     return name;
   }
@@ -55,12 +58,12 @@ bool DrawHeader(const OpenRule& open, RuleEditorState& state) {
     x += width + 6.0f;
     return area;
   };
-  const int rods = open.bones.rods;
+  const PortCount count = open.ports.Count();
   const int rule = open.rule;
   if (ui.Button("rule-edit/copy", box(58.0f), Tr("Copy"), ButtonLook::kOutlined,
                 open.controller.rules < kMaxRules, Tr("Copy the rule"))) {
     const bool copied = open.session.Timeline().ChangeController([&](Controller& c) {
-      if (rule < c.rules && c.rules < kMaxRules) CopyRule(c, rods, rule);
+      if (rule < c.rules && c.rules < kMaxRules) CopyRule(c, count, rule);
     });
     if (copied) state = {.rule = rule + 1, .reveal = true};
     return false;
@@ -68,7 +71,7 @@ bool DrawHeader(const OpenRule& open, RuleEditorState& state) {
   if (ui.Button("rule-edit/delete", box(64.0f), Tr("Delete"), ButtonLook::kOutlined,
                 open.controller.rules > 1, Tr("Delete the rule"))) {
     open.session.Timeline().ChangeController([&](Controller& c) {
-      if (rule < c.rules && c.rules > 1) DeleteRule(c, rods, rule);
+      if (rule < c.rules && c.rules > 1) DeleteRule(c, count, rule);
     });
     state = {};
     return false;
@@ -89,7 +92,7 @@ void DrawPose(const OpenRule& open, RuleEditorState& state) {
       present.push_back(player.Shown().AngleRad(player.Frame(), joint));
     }
   }
-  const std::vector<float> target = TargetPose(open.controller, open.bones, open.rule);
+  const std::vector<float> target = TargetPose(open.controller, open.ports, open.rule);
   const auto edit =
       DrawPoseBoard(open.ui, "rule-edit/pose", Tr("Target pose of rule {1}: drag a limb", open.rule + 1),
                     open.colour, open.bones, target, present, state.drag);
@@ -99,7 +102,7 @@ void DrawPose(const OpenRule& open, RuleEditorState& state) {
 
 void DrawTau(const OpenRule& open) {
   const SenseSpec& senses = open.controller.senses;
-  const float tau = TauOf(open.controller, open.bones.rods, open.rule);
+  const float tau = TauOf(open.controller, open.ports.Count(), open.rule);
   double wanted = static_cast<double>(tau);
   const SliderRange range{.low = static_cast<double>(senses.tau_min_s),
                           .high = static_cast<double>(senses.tau_max_s),
@@ -117,8 +120,8 @@ void DrawHeeded(const OpenRule& open, int sense) {
   const Motion& motion = open.session.Player().Shown();
   const int frame = open.session.Player().Frame();
   const SenseSpec& spec = open.controller.senses;
-  const Stimulus stimulus = StimulusOf(open.controller, open.bones.rods, open.rule, sense);
-  const SenseScale scale = ScaleOf(spec, open.bones, sense);
+  const Stimulus stimulus = StimulusOf(open.controller, open.ports.Count(), open.rule, sense);
+  const SenseScale scale = ScaleOf(spec, open.ports, sense);
   const std::string id = "rule-edit/sense/" + std::to_string(sense + 1);
   const bool felt = frame > 0 && motion.At(frame).clip == open.session.Timeline().Selected();
   const auto words = [&](float value) { return QuantityWords(scale.quantity, scale.Of(value)); };
@@ -173,8 +176,8 @@ void DrawIgnored(const OpenRule& open, const std::vector<int>& senses) {
 void DrawStimulus(const OpenRule& open) {
   std::vector<int> ignored;
   open.ui.Heading(Tr("Active when"));
-  for (int sense = 0; sense < SenseCount(open.controller.senses.kind, open.bones.rods); ++sense) {
-    if (StimulusOf(open.controller, open.bones.rods, open.rule, sense).cares) {
+  for (int sense = 0; sense < SenseCount(open.controller.senses.kind, open.ports.Count()); ++sense) {
+    if (StimulusOf(open.controller, open.ports.Count(), open.rule, sense).cares) {
       DrawHeeded(open, sense);
     } else {
       ignored.push_back(sense);
@@ -182,7 +185,7 @@ void DrawStimulus(const OpenRule& open) {
   }
   if (ignored.empty()) return;
   open.ui.Paragraph(
-      Tr(static_cast<int>(ignored.size()) == SenseCount(open.controller.senses.kind, open.bones.rods)
+      Tr(static_cast<int>(ignored.size()) == SenseCount(open.controller.senses.kind, open.ports.Count())
              ? "It uses no sense, so it always matches. Click one to use it:"
              : "Unused senses. Click one to use it:"),
       Type::kNote);
@@ -191,27 +194,30 @@ void DrawStimulus(const OpenRule& open) {
 }
 
 void DrawJoints(const OpenRule& open) {
-  open.ui.Heading(Tr("Target angles"));
-  const auto edit = DrawAngleSliders(
-      open.ui, "rule-edit/angle", open.bones, TargetPose(open.controller, open.bones, open.rule),
-      std::vector<ImU32>(static_cast<std::size_t>(open.bones.joints), open.colour));
+  open.ui.Heading(open.ports.muscles ? Tr("Target lengths") : Tr("Target angles"));
+  const auto edit = DrawAngleSliders(open.ui, "rule-edit/angle", open.ports,
+                                     TargetPose(open.controller, open.ports, open.rule),
+                                     std::vector<ImU32>(open.ports.actuator_range.size(), open.colour));
   if (edit) open.SetTarget(*edit);
 }
 
 }  // namespace
 
 void DrawRuleEditor(Ui& ui, Session& session, const Controller& controller, RuleEditorState& state) {
-  // A copy, since an edit replaces the motion while the rest is being drawn.
+  // Copies, since an edit replaces the motion while the rest is being drawn.
   const Skeleton bones = session.Player().Shown().Bones();
-  const OpenRule open{ui, session, controller, bones, state.rule, ui.Look().Rule(state.rule)};
+  const Ports ports = session.Player().Shown().Connections();
+  const OpenRule open{ui, session, controller, bones, ports, state.rule, ui.Look().Rule(state.rule)};
   const PartScope part = ui.Part("rule-edit", "group", Tr("Editor of rule {1}", state.rule + 1));
   const float top = ImGui::GetCursorScreenPos().y;
   if (!DrawHeader(open, state)) return;
   ui.Gap(4.0f);
-  DrawPose(open, state);
-  ui.Gap(2.0f);
-  ui.Paragraph(Tr("Drag a limb to turn it within its limits. Grey: the pose now."), Type::kNote);
-  ui.Gap(8.0f);
+  if (!ports.muscles) {
+    DrawPose(open, state);
+    ui.Gap(2.0f);
+    ui.Paragraph(Tr("Drag a limb to turn it within its limits. Grey: the pose now."), Type::kNote);
+    ui.Gap(8.0f);
+  }
   DrawTau(open);
   ui.Gap(8.0f);
   DrawStimulus(open);

@@ -43,7 +43,7 @@ void DrawSenses(Ui& ui, const RuleMoment& moment, int rule, int most, ImRect row
   const RuleStanding& standing = moment.choice.standings[static_cast<std::size_t>(rule)];
   std::vector<int> used;
   for (int sense = 0; sense < static_cast<int>(moment.senses.size()); ++sense) {
-    if (StimulusOf(controller, moment.bones.rods, rule, sense).cares) used.push_back(sense);
+    if (StimulusOf(controller, moment.ports.Count(), rule, sense).cares) used.push_back(sense);
   }
   const auto decisive = std::ranges::find(used, standing.decisive_sense);
   if (decisive != used.end()) std::rotate(used.begin(), decisive, decisive + 1);
@@ -51,14 +51,14 @@ void DrawSenses(Ui& ui, const RuleMoment& moment, int rule, int most, ImRect row
   for (int i = 0; i < std::min(static_cast<int>(used.size()), most); ++i) {
     const int sense = used[static_cast<std::size_t>(i)];
     const float y = row.Min.y + 0.5f * kSenseHeight;
-    const Stimulus stimulus = StimulusOf(controller, moment.bones.rods, rule, sense);
-    const SenseScale scale = ScaleOf(controller.senses, moment.bones, sense);
+    const Stimulus stimulus = StimulusOf(controller, moment.ports.Count(), rule, sense);
+    const SenseScale scale = ScaleOf(controller.senses, moment.ports, sense);
     const float felt = moment.senses[static_cast<std::size_t>(sense)];
     const StimulusBar bar{ShareOnBar(controller.senses, stimulus.low),
                           ShareOnBar(controller.senses, stimulus.high),
                           moment.begins ? -1.0f : ShareOnBar(controller.senses, felt)};
     ui.Letters().Draw(ui.Canvas(), Type::kNote, {row.Min.x, y}, p.second_ink,
-                      TrSentence(SenseName(controller.senses.kind, moment.bones.rods, sense)));
+                      TrSentence(SenseName(controller.senses.kind, moment.ports.Count(), sense)));
     DrawStimulusBar(ui, {{row.Min.x + 56.0f, y - 3.0f}, {row.Max.x - 70.0f, y + 3.0f}}, bar,
                     ui.Look().Rule(rule));
     ui.Letters().Draw(ui.Canvas(), Type::kNote, {row.Max.x, y}, bar.Holds() ? p.ink : p.second_ink,

@@ -6,6 +6,7 @@
 
 #include "core/physics/figure.h"
 #include "shell/panels/figure/figure_edit.h"
+#include "shell/panels/figure/spring_form.h"
 #include "shell/stage/invitation.h"
 #include "shell/words/figure_words.h"
 #include "shell/words/language.h"
@@ -17,7 +18,9 @@ constexpr float kSideRoom = 16.0f;
 constexpr float kGapRoom = 8.0f;
 constexpr float kWideRow = 620.0f;  // the tools and the large button fit into one row
 
-const char* WhatToDo(const DrawingBoardState& board) {
+const char* WhatToDo(const FigurePanelState& state, bool springs) {
+  const DrawingBoardState& board = state.board;
+  if (springs) return SpringToolWords(state.springs);
   if (board.blank) return Tr("Drag across the board: that is the first rod.");
   return Tr(board.tool == DrawingTool::kMove
                 ? "Drag a joint or a tip to change a rod. Drag a rod to rotate it and everything attached."
@@ -55,6 +58,58 @@ void DrawRodButtons(Ui& ui, Session& session, DrawingBoardState& board, const Im
   }
 }
 
+// The same for springs: what is chosen, and the whole figure.
+void DrawSpringButtons(Ui& ui, Session& session, SpringBoardState& board, const ImRect& row) {
+  const Figure& figure = session.Doc().figure;
+  KeepChosen(figure, board);
+  const float width = (row.GetWidth() - 3.0f * kGapRoom) / 4.0f;
+  int column = 0;
+  const auto button = [&](const char* id, const char* label, bool enabled) {
+    const float left = row.Min.x + static_cast<float>(column++) * (width + kGapRoom);
+    return ui.Button(id, {{left, row.Min.y}, {left + width, row.Max.y}}, label, ButtonLook::kOutlined,
+                     enabled);
+  };
+  const auto replace = [&](Figure next) {
+    next.name = kOwnFigure;
+    session.ReplaceFigure(next);
+  };
+  const Figure rest = board.blank ? figure : Without(figure, board.chosen, board.MirrorNow());
+  const bool symmetric = button("draw/symmetric", board.symmetric ? Tr("One side") : Tr("Both sides"), true);
+  const bool softer = button("draw/softer", Tr("Softer"), !board.blank);
+  const bool stiffer = button("draw/stiffer", Tr("Stiffer"), !board.blank);
+  const bool remove = button("draw/delete", Tr("Delete"), !board.blank && !rest.springs.empty());
+  if (symmetric) SetSymmetric(figure, !board.symmetric, board);
+  if (softer) replace(WithStiffness(figure, 0.5f));
+  if (stiffer) replace(WithStiffness(figure, 2.0f));
+  if (remove) {
+    replace(rest);
+    board.chosen.index = 0;
+  }
+}
+
+// A blank board asks of what the figure is to be made; the others have tools.
+void DrawTools(Ui& ui, Session& session, FigurePanelState& state, const ImRect& rect) {
+  static constexpr std::array<const char*, 2> kMadeOf = {TrLater("Rods"), TrLater("Springs")};
+  static constexpr std::array<const char*, 2> kRodTools = {TrLater("Move"), TrLater("Add a rod")};
+  static constexpr std::array<const char*, 2> kSpringTools = {TrLater("Draw"), TrLater("Move")};
+  const bool springs = session.Doc().figure.HasSprings();
+  if (springs ? state.springs.blank : state.board.blank) {
+    int made_of = springs ? 1 : 0;
+    if (ui.Segmented("draw/made-of", rect, Tr("What the figure is made of"), kMadeOf, made_of))
+      DrawOwnFigure(session, state, made_of == 1 ? OwnFigure::kSprings : OwnFigure::kRods, true);
+    return;
+  }
+  int tool = springs ? static_cast<int>(state.springs.tool) : static_cast<int>(state.board.tool);
+  if (!ui.Segmented("draw/tool", rect, Tr("Tool of the drawing board"), springs ? kSpringTools : kRodTools,
+                    tool))
+    return;
+  if (springs) {
+    state.springs.tool = static_cast<SpringTool>(tool);
+  } else {
+    state.board.tool = static_cast<DrawingTool>(tool);
+  }
+}
+
 }  // namespace
 
 bool DrawsOnStage(const Session& session, const FigurePanelState& state) {
@@ -68,17 +123,14 @@ void DrawDrawingStage(Ui& ui, Session& session, FigurePanelState& state, const I
   const ImRect inside({stage.Min.x + kSideRoom, stage.Min.y}, {stage.Max.x - kSideRoom, stage.Max.y});
   ui.Behind().Fill(stage, ui.Ink().panel);
 
-  static constexpr std::array<const char*, 2> kTools = {TrLater("Move"), TrLater("Add a rod")};
-  int tool = static_cast<int>(state.board.tool);
   const float tools_width = std::min(220.0f, inside.GetWidth() - 90.0f);
   const float top = stage.Min.y + 8.0f;
-  if (ui.Segmented("draw/tool", {{inside.Min.x, top}, {inside.Min.x + tools_width, top + high}},
-                   Tr("Tool of the drawing board"), kTools, tool))
-    state.board.tool = static_cast<DrawingTool>(tool);
+  DrawTools(ui, session, state, {{inside.Min.x, top}, {inside.Min.x + tools_width, top + high}});
+  const bool springs = session.Doc().figure.HasSprings();
   if (ui.Button("draw/close", {{inside.Max.x - 82.0f, top}, {inside.Max.x, top + high}}, Tr("Done")))
     state.on_stage = false;
 
-  const char* what = WhatToDo(state.board);
+  const char* what = WhatToDo(state, springs);
   const float line = top + high + 16.0f;
   ui.Letters().DrawElided(ui.Canvas(), Type::kBody, {inside.Min.x, line}, inside.GetWidth(),
                           ui.Ink().second_ink, what);
@@ -88,13 +140,22 @@ void DrawDrawingStage(Ui& ui, Session& session, FigurePanelState& state, const I
   const float teach_top = stage.Max.y - 10.0f - large;
   const float rod_top = wide ? teach_top : teach_top - kGapRoom - high;
   const ImRect board({inside.Min.x, line + 16.0f}, {inside.Max.x, rod_top - 10.0f});
-  DrawDrawingBoard(ui, session, state.board, board);
+  if (springs) {
+    DrawSpringBoard(ui, session, state.springs, board);
+  } else {
+    DrawDrawingBoard(ui, session, state.board, board);
+  }
 
   const float split = wide ? inside.Max.x - 250.0f : inside.Max.x;
-  DrawRodButtons(ui, session, state.board,
-                 {{inside.Min.x, rod_top}, {wide ? split - kGapRoom : split, rod_top + high}});
+  const ImRect buttons({inside.Min.x, rod_top}, {wide ? split - kGapRoom : split, rod_top + high});
+  if (springs) {
+    DrawSpringButtons(ui, session, state.springs, buttons);
+  } else {
+    DrawRodButtons(ui, session, state.board, buttons);
+  }
+  const bool blank = springs ? state.springs.blank : state.board.blank;
   const ImRect teach({wide ? split : inside.Min.x, teach_top}, {inside.Max.x, teach_top + large});
-  if (ui.Button("draw/teach", teach, TeachWords(session.Doc()), ButtonLook::kPrimary, !state.board.blank)) {
+  if (ui.Button("draw/teach", teach, TeachWords(session.Doc()), ButtonLook::kPrimary, !blank)) {
     state.on_stage = false;
     session.Synthesize();
   }

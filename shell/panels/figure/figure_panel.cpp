@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "core/numeric/scalar_math.h"
 #include "shell/panels/figure/figure_edit.h"
 #include "shell/panels/figure/figure_gallery.h"
+#include "shell/panels/figure/spring_form.h"
 #include "shell/words/language.h"
 #include "shell/words/wording.h"
 
@@ -118,15 +120,69 @@ void DrawProblems(Ui& ui, Session& session, FigurePanelState& state) {
   Reset(state.board);
 }
 
+/// Tools of a board, and Undo beside them. @return whether something was undone
+bool DrawTools(Ui& ui, Session& session, std::span<const char* const> names, int& tool) {
+  const ImRect tools = ui.Row(ui.Look().touch ? 44.0f : 34.0f);
+  const char* undo = Tr("Undo");
+  const float undo_width = std::max(68.0f, ui.Letters().Width(Type::kBody, undo) + 16.0f);
+  static_cast<void>(ui.Segmented("figure/tool", {tools.Min, {tools.Max.x - undo_width - 8.0f, tools.Max.y}},
+                                 Tr("Tool of the drawing board"), names, tool));
+  const bool undone = ui.Button("figure/undo", {{tools.Max.x - undo_width, tools.Min.y}, tools.Max}, undo,
+                                ButtonLook::kOutlined, session.CanUndo());
+  if (undone) session.Undo();
+  ui.Gap(8.0f);
+  return undone;
+}
+
+void DrawRodsForm(Ui& ui, Session& session, FigurePanelState& state) {
+  static constexpr std::array<const char*, 2> kTools = {TrLater("Move"), TrLater("Add a rod")};
+  int tool = static_cast<int>(state.board.tool);
+  const bool undone = DrawTools(ui, session, kTools, tool);
+  state.board.tool = static_cast<DrawingTool>(tool);
+  if (undone) Reset(state.board);
+  if (session.Doc().figure.HasSprings()) return;  // so it was before
+  if (!state.on_stage) {
+    DrawDrawingBoard(ui, session, state.board, ui.Row(kBoardHeight));
+    ui.Gap(8.0f);
+  }
+  ui.Paragraph(
+      Tr(state.board.tool == DrawingTool::kMove
+             ? "Drag a joint or a tip to change a rod. Drag a rod to rotate it and everything attached."
+             : "Drag from a joint or a tip to add a rod there."),
+      Type::kNote);
+  ui.Switch("figure/snap", Tr("Snap to 15° and 5 cm"), state.board.snap);
+  ui.Gap(8.0f);
+  EditRod(ui, session, state.board);
+}
+
+void DrawSprings(Ui& ui, Session& session, FigurePanelState& state) {
+  static constexpr std::array<const char*, 2> kTools = {TrLater("Draw"), TrLater("Move")};
+  int tool = static_cast<int>(state.springs.tool);
+  const bool undone = DrawTools(ui, session, kTools, tool);
+  state.springs.tool = static_cast<SpringTool>(tool);
+  if (undone) state.springs.scale = 0.0f;
+  if (!session.Doc().figure.HasSprings()) return;
+  if (!state.on_stage) {
+    DrawSpringBoard(ui, session, state.springs, ui.Row(kBoardHeight));
+    ui.Gap(8.0f);
+  }
+  ui.Paragraph(SpringToolWords(state.springs), Type::kNote);
+  ui.Gap(4.0f);
+  DrawSpringForm(ui, session, state.springs);
+}
+
 }  // namespace
 
-void DrawOwnFigure(Session& session, FigurePanelState& state, bool on_stage) {
-  Figure single = SingleRod();
+void DrawOwnFigure(Session& session, FigurePanelState& state, OwnFigure kind, bool on_stage) {
+  Figure single = kind == OwnFigure::kRods ? SingleRod() : SpringBetween({0.0f, 0.0f}, {0.0f, 0.5f});
   single.name = kOwnFigure;
   session.ReplaceFigure(single);
   Reset(state.board);
   state.board.tool = DrawingTool::kGrow;
-  state.board.blank = state.on_stage = on_stage;
+  const bool symmetric = state.springs.symmetric;
+  state.springs = {};
+  state.springs.symmetric = symmetric;
+  state.board.blank = state.springs.blank = state.on_stage = on_stage;
 }
 
 void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
@@ -137,6 +193,7 @@ void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
   if (const auto pressed = DrawFigureGallery(ui, session.Shipped().Figures(), chosen, state.gallery_open)) {
     if (*pressed != chosen) session.ChooseFigure(*pressed);
     Reset(state.board);
+    state.springs = {};
   }
   if (state.gallery_open) {
     ui.Gap(4.0f);
@@ -152,39 +209,22 @@ void DrawFigurePanel(Ui& ui, Session& session, FigurePanelState& state) {
       session.ReplaceFigure(AsDrawn(session.Doc()));
     ui.Gap(10.0f);
   }
-  static constexpr std::array<const char*, 2> kTools = {TrLater("Move"), TrLater("Add a rod")};
-  const ImRect tools = ui.Row(ui.Look().touch ? 44.0f : 34.0f);
-  int tool = static_cast<int>(state.board.tool);
-  const char* undo = Tr("Undo");
-  const float undo_width = std::max(68.0f, ui.Letters().Width(Type::kBody, undo) + 16.0f);
-  if (ui.Segmented("figure/tool", {tools.Min, {tools.Max.x - undo_width - 8.0f, tools.Max.y}},
-                   Tr("Tool of the drawing board"), kTools, tool))
-    state.board.tool = static_cast<DrawingTool>(tool);
-  if (ui.Button("figure/undo", {{tools.Max.x - undo_width, tools.Min.y}, tools.Max}, undo,
-                ButtonLook::kOutlined, session.CanUndo())) {
-    session.Undo();
-    Reset(state.board);
+  if (session.Doc().figure.HasSprings()) {
+    DrawSprings(ui, session, state);
+  } else {
+    DrawRodsForm(ui, session, state);
   }
   ui.Gap(8.0f);
-  if (!state.on_stage) {
-    DrawDrawingBoard(ui, session, state.board, ui.Row(kBoardHeight));
-    ui.Gap(8.0f);
-  }
-  ui.Paragraph(
-      Tr(state.board.tool == DrawingTool::kMove
-             ? "Drag a joint or a tip to change a rod. Drag a rod to rotate it and everything attached."
-             : "Drag from a joint or a tip to add a rod there."),
-      Type::kNote);
-  ui.Switch("figure/snap", Tr("Snap to 15° and 5 cm"), state.board.snap);
-  ui.Gap(8.0f);
-  EditRod(ui, session, state.board);
-  ui.Gap(8.0f);
+  const bool springs = session.Doc().figure.HasSprings();
   const ImRect row = ui.ControlRow();
   const float middle = row.GetCenter().x;
   if (ui.Button("figure/mirror", {row.Min, {middle - 4.0f, row.Max.y}}, Tr("Mirror all")))
-    session.ReplaceFigure(Mirrored(session.Doc().figure));
-  if (ui.Button("figure/fresh", {{middle + 4.0f, row.Min.y}, row.Max}, Tr("Draw your own")))
-    DrawOwnFigure(session, state, false);
+    session.ReplaceFigure(springs ? MirroredSprings(session.Doc().figure) : Mirrored(session.Doc().figure));
+  const bool fresh = ui.Button("figure/fresh", {{middle + 4.0f, row.Min.y}, row.Max}, Tr("Draw your own"));
+  ui.Gap(8.0f);
+  if (ui.Button("figure/fresh-springs", ui.ControlRow(), Tr("Draw your own of springs")))
+    DrawOwnFigure(session, state, OwnFigure::kSprings, false);
+  if (fresh) DrawOwnFigure(session, state, OwnFigure::kRods, false);
 }
 
 }  // namespace gaitsmith::shell

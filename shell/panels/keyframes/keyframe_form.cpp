@@ -44,7 +44,8 @@ void DrawPose(const Chosen& of, LimbDrag& drag) {
   auto edit = DrawPoseBoard(of.ui, "keyframes/pose", Tr("Pose of keyframe {1}: drag a limb", of.index + 1),
                             of.ui.Ink().ink, bones, of.keyframe.pose_rad, {}, drag);
   of.ui.Gap(8.0f);
-  if (const auto slid = DrawAngleSliders(of.ui, "keyframes/angle", bones, of.keyframe.pose_rad, colours))
+  if (const auto slid =
+          DrawAngleSliders(of.ui, "keyframes/angle", PortsOf(bones), of.keyframe.pose_rad, colours))
     edit = slid;
   if (edit)
     of.Change([&](Keyframe& k) { k.pose_rad[static_cast<std::size_t>(edit->joint)] = edit->angle_rad; });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The drawing board: a rod made longer, a limb copied and deleted, a figure mirrored. Each scenario opens its own page.
+// The drawing board: a rod made longer, a limb copied and deleted, a figure mirrored, a figure of springs. Each scenario opens its own page.
 import assert from 'node:assert/strict';
-import { Mouse } from '../pointers.mjs';
+import { Fingers, Mouse } from '../pointers.mjs';
 import { ONE_BROWSER, PageDriver } from '../page_driver.mjs';
 
 /** @typedef {import('./all.mjs').Visit} Visit */
@@ -106,9 +106,86 @@ async function evolves({ browser, address }) {
   await page.close();
 }
 
+/** @param {Visit} visit */
+async function drawsSprings({ browser, address }) {
+  const page = await PageDriver.open(browser, address, { newcomer: true, plays: true });
+  await page.becomePhone();
+  await page.frames(10);
+  const finger = new Fingers(page);
+  const count = () => page.call('parts', () => {
+    const { nodes = [], springs = [] } = window.gaitsmith.document().figure;
+    return [nodes.length, springs.length, springs.filter(({ min_rest = 1, max_rest = 1 }) => min_rest < max_rest).length];
+  });
+  await finger.tap(await finger.centre('figures/draw'));
+  await page.frames(10);
+  await finger.tap(await finger.centre('draw/made-of/1'));
+  await page.frames(6);
+  const board = (await finger.find('figure/springs'))?.rect;
+  assert.ok(board && board.height > 250, 'most of the stage');
+  assert.equal((await finger.find('draw/teach'))?.state.disabled, true, 'nothing is drawn yet');
+  const at = (/** @type {number} */ x, /** @type {number} */ y) => ({ x: board.x + x * board.width, y: board.y + y * board.height });
+  const [low, high, right] = [at(0.3, 0.6), at(0.3, 0.35), at(0.6, 0.35)];
+  await finger.drag(low, high);
+  assert.deepEqual(await count(), [2, 1, 0], 'the first spring');
+  await finger.tap(right);
+  assert.deepEqual(await count(), [3, 3, 0], 'a tap makes a node, which is held');
+  await finger.drag(low, at(0.6, 0.6));
+  assert.deepEqual(await count(), [4, 5, 0], 'a drag from a node makes a spring and its end');
+  await finger.drag(at(0.6, 0.6), right);
+  assert.deepEqual(await count(), [4, 6, 0], 'a drag between nodes makes a spring');
+  await finger.tap({ x: (low.x + high.x) / 2, y: (low.y + high.y) / 2 });
+  assert.deepEqual(await count(), [4, 6, 1], 'a tap on a spring makes it a muscle');
+  await finger.tap(at(0.6, 0.475));
+  assert.deepEqual(await count(), [4, 6, 2]);
+  const stiffness = () => page.call('stiffness', () => window.gaitsmith.document().figure.springs?.[0]?.stiffness_npm);
+  const before = Number(await stiffness());
+  await finger.tap(await finger.centre('draw/stiffer'));
+  assert.equal(await stiffness(), 2 * before);
+  await finger.tap(await finger.centre('draw/teach'));
+  await page.until('the end of the search', () => window.gaitsmith.results().length > 0);
+  assert.ok(await page.call('metres', () => (window.gaitsmith.results()[0]?.score ?? 0) > 0.1), 'it moves');
+  assert.equal(await finger.find('figure/springs'), undefined, 'the stage is back');
+  // The link has all of it, and moves it with the same bits.
+  const second = await PageDriver.open(browser, await page.link(), { beside: page });
+  assert.equal(await second.hash(), await page.hash());
+  assert.equal(await second.call('model', () => window.gaitsmith.document().model), 3);
+  assert.deepEqual([page.complaints, second.complaints], [[], []]);
+  await page.close();
+}
+
+/** Without the board: by the widgets of the panel alone, as the keyboard and screen readers have them. @param {Visit} visit */
+async function drawsSpringsByKeys({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  await page.click('panels/0');
+  await page.click('figure/fresh-springs');
+  await page.frames(6);
+  const parts = () => page.call('parts', () => {
+    const { nodes = [], springs = [] } = window.gaitsmith.document().figure;
+    return [nodes.length, springs.length];
+  });
+  assert.deepEqual(await parts(), [2, 1]);
+  await page.click('springs/add');
+  await page.click('springs/add');
+  assert.equal((await parts())[0], 4);
+  await page.click('springs/kind/1');
+  await page.click('springs/muscle');
+  await page.until('a muscle', () => (window.gaitsmith.document().figure.springs ?? []).some(({ min_rest = 1 }) => min_rest < 1));
+  const before = Number(await page.call('stiffness', () => window.gaitsmith.document().figure.springs?.[0]?.stiffness_npm));
+  await page.click('springs/softer');
+  assert.equal(await page.call('stiffness', () => window.gaitsmith.document().figure.springs?.[0]?.stiffness_npm), before / 2);
+  await page.click('springs/delete');
+  await page.frames();
+  for (const _ of [1, 2, 3, 4, 5]) await undo(page);
+  assert.deepEqual(await parts(), [2, 1], 'Undo takes back each edit');
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
 /** @type {import('./all.mjs').Scenario[]} */
 export const FIGURE_SCENARIOS = [
   ['a rod made longer changes the motion, and Undo brings the old one back', lengthens],
   ['a limb copied and deleted, a figure mirrored; Undo brings back each', copiesAndMirrors, ONE_BROWSER],
   ['a search that may change the body finds another, links have it, the drawn one comes back and takes its brain', evolves, ONE_BROWSER],
+  ['a figure of springs, drawn by finger, learns to move, and its link moves it with the same bits', drawsSprings, ONE_BROWSER],
+  ['a figure of springs is drawn without the board, and Undo takes back each edit', drawsSpringsByKeys, ONE_BROWSER],
 ];

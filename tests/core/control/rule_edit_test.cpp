@@ -5,8 +5,8 @@
 #include <catch_amalgamated.hpp>
 #include <cmath>
 
+#include "core/control/sense_table.h"
 #include "core/document/document.h"
-#include "core/rollout/figure_senses.h"
 #include "tests/scene.h"
 
 namespace gaitsmith::test {
@@ -143,8 +143,9 @@ TEST_CASE("senses: their scales turn what a controller feels into what the motio
   document.controllers = {RandomController(document.figure, document.senses, 4)};
   const Motion motion = Simulate(document);
   const Skeleton& bones = motion.Bones();
+  const Ports& ports = motion.Connections();
   const auto felt = [&](int frame, int sense) {
-    return ScaleOf(document.senses, bones, sense).Of(motion.Sense(frame, sense));
+    return ScaleOf(document.senses, ports, sense).Of(motion.Sense(frame, sense));
   };
   float greatest_force = 0.0f;
   for (int frame = 1; frame < motion.Frames(); frame += 7) {
@@ -152,7 +153,7 @@ TEST_CASE("senses: their scales turn what a controller feels into what the motio
     for (int j = 0; j < bones.joints; ++j)
       CHECK(std::abs(felt(frame, j) - motion.AngleRad(frame, j)) < 1e-5f);
     for (int k = 0; k < bones.endpoints; ++k) {
-      const SenseScale scale = ScaleOf(document.senses, bones, bones.joints + k);
+      const SenseScale scale = ScaleOf(document.senses, ports, bones.joints + k);
       const float force = std::min(motion.Force(frame, k).y, scale.at_one);
       greatest_force = std::max(greatest_force, force);
       CHECK(std::abs(felt(frame, bones.joints + k) - force) < 1e-4f * scale.at_one);
@@ -162,7 +163,7 @@ TEST_CASE("senses: their scales turn what a controller feels into what the motio
           1e-5f);
   }
   CHECK(greatest_force > 1.0f);
-  CHECK(ScaleOf(EightySevenSteps(), bones, 0).Of(0.5f) == Catch::Approx(0.435));
+  CHECK(ScaleOf(EightySevenSteps(), ports, 0).Of(0.5f) == Catch::Approx(0.435));
 }
 
 }  // namespace gaitsmith::test

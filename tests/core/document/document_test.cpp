@@ -332,9 +332,9 @@ TEST_CASE("JSON: what is wrong is said with its place", "[document]") {
         "timeline[2].start_step: must be after the start of the clip before it");
   CHECK(JsonFault(std::string(100, '[')).ends_with("is nested too deeply"));
   CHECK(JsonFault("{\"title\": \"\xff\"}") == "title: must be printable UTF-8 text, but byte 0 is not");
-  CHECK(JsonFault("{\"model\": 3}") ==
-        "model: needs physical model 3, but this Gaitsmith has models up to 2: a newer one is needed");
-  CHECK(DecodeJson("{\"model\": 3}").error().code == ErrorCode::kUnknownVersion);
+  CHECK(JsonFault("{\"model\": 4}") ==
+        "model: needs physical model 4, but this Gaitsmith has models up to 3: a newer one is needed");
+  CHECK(DecodeJson("{\"model\": 4}").error().code == ErrorCode::kUnknownVersion);
   for (const std::string hash :
        {"", "0123456789abcde", "0123456789abcdefe", "0123456789abcdeg", "0123456789ABCDEF"}) {
     CHECK(JsonFault("{\"hash\": \"" + hash + "\"}") == "hash: must be 16 hexadecimal digits");

@@ -15,7 +15,7 @@ using Side = FigureLook::Side;
 
 FigureLook LookOfShipped(const std::string& file) {
   const Figure figure = gaitsmith::test::ShippedFigure(file);
-  return LookOf(figure.name, Skeleton(figure));
+  return LookOf(figure);
 }
 
 }  // namespace
@@ -24,10 +24,9 @@ TEST_CASE("look: a heavier rod is a thicker limb, and none is thinner than a hai
   for (const auto& entry :
        std::filesystem::directory_iterator(std::string(GAITSMITH_SOURCE_DIR) + "/examples/figures")) {
     const Figure figure = gaitsmith::test::ShippedFigure(entry.path().stem().string());
-    const Skeleton bones(figure);
-    const FigureLook look = LookOf(figure.name, bones);
+    const FigureLook look = LookOf(figure);
     CAPTURE(figure.name);
-    for (std::size_t limb = 0; limb < static_cast<std::size_t>(bones.rods); ++limb) {
+    for (std::size_t limb = 0; limb < look.limbs.size(); ++limb) {
       CHECK(look.limbs[limb].start_m > 0.2f * look.middle_m);
       CHECK(look.limbs[limb].end_m > 0.2f * look.middle_m);
       CHECK(look.limbs[limb].start_m < 2.5f * look.middle_m);
@@ -37,7 +36,7 @@ TEST_CASE("look: a heavier rod is a thicker limb, and none is thinner than a hai
   }
   Figure figure = gaitsmith::test::ShippedFigure("mr-star-man");
   figure.rods[2].mass_kg *= 3.0f;
-  const FigureLook look = LookOf(figure.name, Skeleton(figure));
+  const FigureLook look = LookOf(figure);
   CHECK(look.limbs[2].start_m > 1.5f * look.limbs[3].start_m);
 }
 
@@ -55,22 +54,25 @@ TEST_CASE("look: of two like limbs at a joint the first is far, a star's arms ar
 
 TEST_CASE("look: a head needs its rod to end freely, and its figure's name up to a comma") {
   Figure ostrich = gaitsmith::test::ShippedFigure("ostrich");
-  CHECK(LookOf("Ostrich, limber", Skeleton(ostrich)).head == Head::kBeak);
-  CHECK(LookOf("My bird", Skeleton(ostrich)).head == Head::kNone);
+  ostrich.name = "Ostrich, limber";
+  CHECK(LookOf(ostrich).head == Head::kBeak);
+  ostrich.name = "My bird";
+  CHECK(LookOf(ostrich).head == Head::kNone);
   ostrich.rods.push_back({.length_m = 0.2f, .parent = 4});
-  CHECK(LookOf("Ostrich", Skeleton(ostrich)).head == Head::kNone);
+  ostrich.name = "Ostrich";
+  CHECK(LookOf(ostrich).head == Head::kNone);
   const Figure rod{.name = "Ostrich", .rods = {Rod{}}};
-  CHECK(LookOf(rod.name, Skeleton(rod)).head == Head::kNone);
+  CHECK(LookOf(rod).head == Head::kNone);
 }
 
 TEST_CASE("look: a mirrored head keeps its top above") {
   for (const char* name : {"ostrich", "frog", "horse", "kangaroo", "inchworm"}) {
     Figure figure = gaitsmith::test::ShippedFigure(name);
     CAPTURE(name);
-    CHECK(LookOf(figure.name, Skeleton(figure)).crown == 1.0f);
+    CHECK(LookOf(figure).crown == 1.0f);
     for (Rod& rod : figure.rods)
       rod.rest_rad = rod.parent == kNoParent ? static_cast<float>(kPi) - rod.rest_rad : -rod.rest_rad;
-    CHECK(LookOf(figure.name, Skeleton(figure)).crown == -1.0f);
+    CHECK(LookOf(figure).crown == -1.0f);
   }
 }
 

@@ -87,8 +87,8 @@ TEST_CASE("moving pictures: a figure's shapes are convex, and cover the rods tha
     }
     CHECK(std::ranges::count(covered, false) == 0);
     // In the order of drawing of the stage.
-    const FigureLook look = LookOf(figure.name, bones);
-    const auto parts = BodyPartsOf(bones, look, DrawnEndpoints(bones, {}));
+    const FigureLook look = LookOf(figure);
+    const auto parts = BodyPartsOf(look, DrawnEndpoints(bones, {}));
     const std::size_t eyes = look.head_rod >= 0 ? 1 : 0;
     REQUIRE(shapes.size() == parts.size() + eyes);
     for (std::size_t i = 0; i < parts.size(); ++i) {

@@ -30,7 +30,10 @@ std::vector<ImVec2> Drawn(const Figure& figure) {
 
 std::vector<Figure> Shipped() {
   std::vector<Figure> figures;
-  for (const Example& example : ExampleFigures()) figures.push_back(*DecodeFigureJson(example.json));
+  for (const Example& example : ExampleFigures()) {
+    Figure figure = *DecodeFigureJson(example.json);
+    if (!figure.HasSprings()) figures.push_back(std::move(figure));
+  }
   return figures;
 }
 

@@ -110,8 +110,7 @@ TEST_CASE("camera: a figure without motion is some 90 points high on a low stage
     const ImRect rect(0.0f, 0.0f, size.x, size.y);
     const float ground = rect.Max.y - GroundRoom(size.y, false);
     for (const std::string& name : gaitsmith::test::ShippedFigureFiles()) {
-      Document document;
-      document.figure = gaitsmith::test::ShippedFigure(name);
+      const Document document = Standing(gaitsmith::test::ShippedFigure(name));
       Playback player;
       player.Load(document, true);
       CAPTURE(name, size.x, size.y);
@@ -126,7 +125,7 @@ TEST_CASE("camera: a figure that cannot move yet stands below the headline and b
   for (const ImVec2 size : {ImVec2(1280, 532), ImVec2(1920, 892), ImVec2(390, 656), ImVec2(844, 272)}) {
     const ImRect stage(0.0f, 44.0f, size.x, 44.0f + size.y);
     const float ground = stage.Max.y - GroundRoom(size.y, !InvitesBeside(stage));
-    for (const std::string& name : gaitsmith::test::ShippedFigureFiles()) {
+    for (const std::string& name : gaitsmith::test::AllShippedFigureFiles()) {
       const Document document = Standing(gaitsmith::test::ShippedFigure(name));
       Playback player;
       player.Load(document, true);
