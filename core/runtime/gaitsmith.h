@@ -16,7 +16,7 @@ enum {
   GAITSMITH_RANGE,  /* of a number, a word or a list */
   GAITSMITH_SHAPE   /* parts are missing or do not fit together */
 };
-enum { GAITSMITH_JOINTS = 15, GAITSMITH_SENSES = 36 }; /* at most */
+enum { GAITSMITH_JOINTS = 15, GAITSMITH_SENSES = 43 }; /* at most */
 
 /* Columns of numbers, ordered as members below. */
 enum {

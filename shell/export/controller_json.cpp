@@ -5,8 +5,10 @@
 #include <string>
 
 #include "core/control/controllers.h"
+#include "core/document/joints.h"
 #include "core/document/schema.h"
 #include "core/physics/mechanism.h"
+#include "core/rollout/models.h"
 #include "shell/export/exporters.h"
 #include "shell/export/json_parts.h"
 
@@ -23,8 +25,7 @@ class ControllerText {
   ControllerText(const Document& document, const Controller& controller)
       : document_(document),
         controller_(controller),
-        body_(document.figure),
-        ports_(PortsOf(body_)),
+        ports_(PortsOf(document.figure)),
         shape_(controller.Shape(ports_.Count())) {}
 
   std::string Whole() {
@@ -38,7 +39,7 @@ class ControllerText {
     const Controllers<1> decoded =
         DecodeControllers<1>(shape_, controller_.senses, std::span(&genes, 1), ports_, kStep);
     std::visit([&](const auto& one) { Add(one); }, decoded);
-    whole_.AddJson("figure", Figure());
+    whole_.AddJson("figure", document_.figure.HasSprings() ? Springs() : Rods());
     JsonParts world;
     world.Add("gravity_mps2", document_.environment.gravity_mps2);
     world.Add("friction", document_.environment.friction);
@@ -56,13 +57,18 @@ class ControllerText {
   template <class More>
   void AddJoints(More more) {
     JsonParts joints = JsonParts::Lines();
-    for (int joint = 0; joint < body_.joints; ++joint) {
+    for (int joint = 0; joint < ports_.Actuators(); ++joint) {
       JsonParts one;
-      one.Add("name", "joint " + std::to_string(joint + 1));
-      one.Add("rod", joint + 1);
+      one.Add("name", (ports_.muscles ? "muscle " : "joint ") + std::to_string(joint + 1));
+      if (ports_.muscles) {
+        one.Add("spring", MuscleSpring(joint));
+      } else {
+        one.Add("rod", joint + 1);
+      }
       one.Add("min_rad", ports_.actuator_range[Index(joint)][0]);
       one.Add("max_rad", ports_.actuator_range[Index(joint)][1]);
-      if (document_.model > 1) one.Add("greatest_torque_nm", body_.torque_nm[Index(joint) + 1]);
+      if (HasLimitedJoints(document_))
+        one.Add("greatest_torque_nm", Mechanism(document_.figure).torque_nm[Index(joint) + 1]);
       more(joint, one);
       joints.Add(one.Object());
     }
@@ -91,8 +97,9 @@ class ControllerText {
     for (int i = 0; i < shape.senses; ++i) {
       const SenseScale scale = ScaleOf(spec, ports_, i);
       const SenseGroup& group = *PlaceOf(spec.kind, ports_.Count(), i).group;
-      senses.Add(Sense(SenseName(spec.kind, ports_.Count(), i), group.unit, scale.at_zero, scale.at_one,
-                       group.clip));
+      const bool length = scale.quantity == SenseQuantity::kLength;
+      senses.Add(Sense(SenseName(spec.kind, ports_.Count(), i), length ? "drawn lengths" : group.unit,
+                       scale.at_zero, scale.at_one, group.clip));
     }
     whole_.AddJson("senses", senses.ListOfLines());
     std::vector<JsonParts> when(Index(shape.rules));
@@ -162,16 +169,17 @@ class ControllerText {
 
   /// The rods in walking order: joint j turns rod j + 1. Endpoint 0 is the start of rod 0, endpoint i + 1 the
   /// end of rod i.
-  [[nodiscard]] std::string Figure() const {
+  [[nodiscard]] std::string Rods() const {
+    const Skeleton body(document_.figure);
     JsonParts rods = JsonParts::Lines();
-    for (int i = 0; i < body_.rods; ++i) {
-      const Skeleton::Limb& limb = body_.limbs[Index(i)];
+    for (int i = 0; i < body.rods; ++i) {
+      const Skeleton::Limb& limb = body.limbs[Index(i)];
       JsonParts rod;
       rod.Add("length_m", limb.length_m);
       rod.Add("mass_kg", limb.mass_kg);
       rod.Add("parent", limb.parent);
       rod.Add("parent_end", kRodEndNames[limb.start == limb.parent + 1 && limb.parent >= 0 ? 1 : 0]);
-      rod.Add("rest_rad", i == 0 ? body_.start_angle_rad : limb.rest_rad);
+      rod.Add("rest_rad", i == 0 ? body.start_angle_rad : limb.rest_rad);
       rods.Add(rod.Object());
     }
     JsonParts figure;
@@ -180,9 +188,42 @@ class ControllerText {
     return figure.Object();
   }
 
+  /// Nodes and springs in the document's order. Endpoint i is node i.
+  [[nodiscard]] std::string Springs() const {
+    JsonParts nodes = JsonParts::Lines(), springs = JsonParts::Lines();
+    for (const Node& node : document_.figure.nodes) {
+      JsonParts one;
+      one.Add("x_m", node.x_m);
+      one.Add("y_m", node.y_m);
+      one.Add("mass_kg", node.mass_kg);
+      nodes.Add(one.Object());
+    }
+    for (const Spring& spring : document_.figure.springs) {
+      JsonParts one;
+      one.Add("from", spring.from);
+      one.Add("to", spring.to);
+      one.Add("drawn_m", DrawnLength(document_.figure, spring));
+      one.Add("stiffness_npm", spring.stiffness_npm);
+      one.Add("damping_nspm", spring.damping_nspm);
+      one.Add("rest", spring.rest);
+      springs.Add(one.Object());
+    }
+    JsonParts figure;
+    figure.Add("name", document_.figure.name);
+    figure.AddJson("nodes", nodes.ListOfLines());
+    figure.AddJson("springs", springs.ListOfLines());
+    return figure.Object();
+  }
+
+  /// Which spring a muscle is.
+  [[nodiscard]] int MuscleSpring(int muscle) const {
+    int spring = 0;
+    while (!document_.figure.springs[Index(spring)].IsMuscle() || muscle-- > 0) ++spring;
+    return spring;
+  }
+
   const Document& document_;
   const Controller& controller_;
-  Mechanism body_;
   Ports ports_;
   ControllerShape shape_;
   JsonParts whole_ = JsonParts::Lines();

@@ -36,7 +36,7 @@ inline constexpr std::array<ControlModeRow, 5> kControlModes = {{
      TrLater("Rules that follow a clock: a wind-up toy."), TrLater("Rules"), TrLater("timer"),
      TrLater("timer {1} s"), TrLater("{1} rule with timer {2} s"), TrLater("{1} rules with timer {2} s")},
     {ControlMode::kSenses, ControllerKind::kRules, SenseKind::kPhysical, "physical", TrLater("Senses"),
-     TrLater("Rules that feel angles, contacts, height and rise."), TrLater("Rules"),
+     TrLater("Rules that feel joints or muscles, contacts, height and rise."), TrLater("Rules"),
      TrLater("physical senses"), TrLater("physical"), TrLater("{1} rule with physical senses"),
      TrLater("{1} rules with physical senses")},
     {ControlMode::kSight, ControllerKind::kRules, SenseKind::kSight, "sight", TrLater("Sight"),

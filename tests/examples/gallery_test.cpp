@@ -84,7 +84,7 @@ TEST_CASE("gallery: many figures, titles that differ, a hash and a motion in eac
     for (int frame = 1; frame <= end; ++frame) {
       way_m = std::max(way_m, std::abs(motion.At(frame).x_m - motion.At(0).x_m));
       if (frame <= last_second) continue;
-      for (int joint = 0; joint < motion.Bones().joints; ++joint) {
+      for (int joint = 0; joint < motion.Connections().Actuators(); ++joint) {
         bent_rad += std::abs(static_cast<double>(motion.AngleRad(frame, joint)) -
                              static_cast<double>(motion.AngleRad(frame - 1, joint)));
       }

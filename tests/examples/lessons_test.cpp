@@ -20,7 +20,7 @@ namespace {
 const std::vector<std::string> kLessons = {"1-a-rule",      "2-how-search-finds",  "3-timer-or-senses",
                                            "4-style",       "5-which-search-wins", "6-wind-up-toys",
                                            "7-chaining",    "8-the-judge",         "9-many-ways",
-                                           "10-how-strong", "11-by-heart"};
+                                           "10-how-strong", "11-by-heart",         "12-no-bones"};
 
 }  // namespace
 

@@ -25,6 +25,7 @@ import { readPages } from './pages.mjs';
 import { Playground } from './playground.mjs';
 import { readReference, REFERENCE } from './reference.mjs';
 import { searchIndex } from './search_index.mjs';
+import { dayAndNight } from './strip_colours.mjs';
 import { htmlPage } from './template.mjs';
 import { textPage } from './text_page.mjs';
 import { bundled } from './teaching/bundle.mjs';
@@ -159,11 +160,9 @@ async function build(site) {
   if (reference) await put(join(book, 'reference/search.json'), searchIndex(reference.searched));
   const live = await liveTexts(join(HERE, '..'));
   for (const language of languages.filter((each) => each !== ENGLISH)) await put(join(book, liveWordsOf(language)), liveWords(language, live));
-  for (const [name, { many, few, manyByNight, fewByNight }] of links.strips) {
-    await put(join(book, `strips/${name}.svg`), many.svg);
-    await put(join(book, `strips/${name}-few.svg`), few.svg);
-    await put(join(book, `strips/${name}-night.svg`), manyByNight.svg);
-    await put(join(book, `strips/${name}-few-night.svg`), fewByNight.svg);
+  for (const [name, { many, few }] of links.strips) {
+    await put(join(book, `strips/${name}.svg`), dayAndNight(many));
+    await put(join(book, `strips/${name}-few.svg`), dayAndNight(few));
   }
   for (const [file, address] of links.images) await put(join(book, address), await readFile(join(ROOT, file)));
   await put(join(book, 'tokens.css'), await tokens(join(ROOT, 'web/page/style.css')));

@@ -42,6 +42,16 @@ export function nightStrip({ svg, ...size }) {
   return { svg: svg.replace(/#[0-9a-f]{6}/g, (colour) => NIGHT[colour] ?? colour), ...size };
 }
 
+/**
+ * The same drawing for light and for dark: dark where its address ends in #night. One file in place of two, of which the second differed only in its colours.
+ * @param {Strip} strip @returns {string}
+ */
+export function dayAndNight({ svg }) {
+  const rules = Object.entries(NIGHT).flatMap(([day, night]) => ['fill', 'stroke'].filter((paint) => svg.includes(`${paint}="${day}"`))
+    .map((paint) => `#night:target [${paint}="${day}"]{${paint}:${night}}`));
+  return svg.replace(/<svg ([^>]*)>\n?/, (_, drawn) => `<svg id="night" ${drawn}>\n<style>#night:target{fill:${NIGHT['#1d2733']}}${rules.join('')}</style>\n`);
+}
+
 /** Enlarges the controllers' names. @param {string} legend @param {number} x @param {number} y  its place */
 function enlarged(legend, x, y) {
   const growth = (origin = 0) => (origin * (1 - LEGEND_GROWTH)).toFixed(1);

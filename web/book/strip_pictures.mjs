@@ -8,10 +8,10 @@ import { attributes } from './html.mjs';
  */
 export function stripPictures({ name, strips: { many, few } }, alt, way, { few: onlyFew = false } = {}) {
   const picture = (/** @type {string} */ when, /** @type {string} */ ending) => {
-    const file = (/** @type {string} */ which) => way(`strips/${name}${which}${ending}.svg`);
+    const file = (/** @type {string} */ which) => way(`strips/${name}${which}.svg${ending}`);
     const size = (/** @type {{width: number, height: number}} */ { width, height }) => ({ width: String(width), height: String(height) });
     const source = onlyFew ? '' : `<source media="(max-width: 40em)"${attributes({ srcset: file('-few'), ...size(few) })}>`;
     return `<picture class="${when}">${source}<img${attributes({ src: file(onlyFew ? '-few' : ''), alt, ...size(onlyFew ? few : many), loading: 'lazy' })}></picture>`;
   };
-  return picture('by-day', '') + picture('by-night', '-night');
+  return picture('by-day', '') + picture('by-night', '#night');
 }

@@ -71,7 +71,7 @@ export function load(text) {
   const kind = /** @type {const} */ (['rules', 'network', 'trajectory'])[word(json.kind, 'kind', ['rules', 'network', 'trajectory'])];
   const joints = list(json.joints, 'joints', 15, (one, where) =>
     ({ ...one, ...members(one, where, `min_rad max_rad${kind === 'network' ? ' tau_s decay threshold_rad empty_rad span_rad' : ''}`) }));
-  const senses = list(json.senses, 'senses', 36, (one, where) =>
+  const senses = list(json.senses, 'senses', 43, (one, where) =>
     ({ ...one, ...members(one, where, 'at_zero at_one'), clip: word(one.clip, `${where}.clip`, ['none', 'above', 'both']) }));
   const period = 'period_steps' in json ? members(json, '', 'period_steps').period_steps : 0;
   const controller = { ...json, kind, step_s, joints, senses, period, rests: false };
@@ -80,7 +80,7 @@ export function load(text) {
     controller.rules = list(json.rules, 'rules', 32, (one, where) => ({
       ...members(one, where, 'tau_s decay'),
       targets: numbers(one.targets_rad, `${where}.targets_rad`, 15, TURN, joints.length),
-      when: list(one.when, `${where}.when`, 36, (interval, at) => {
+      when: list(one.when, `${where}.when`, 43, (interval, at) => {
         const [sense, middle, inverse] = numbers(interval, at, 3, 1e6, 3);
         if (!(sense in senses)) throw new ControllerError('shape', at);
         return { sense, middle, inverse };

@@ -142,7 +142,7 @@ void DrawStiffness(const Form& form) {
 const char* SpringToolWords(const SpringBoardState& state) {
   if (state.blank) return Tr("Drag across the board: that is the first spring.");
   return Tr(state.tool == SpringTool::kDraw
-                ? "Tap for a node, drag from a node for a spring, tap a spring to make it a muscle."
+                ? "Tap: a node. Drag: a spring. Tap a spring: a muscle."
                 : "Drag a node to move it. Tap a node or a spring to choose it.");
 }
 

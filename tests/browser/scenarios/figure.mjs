@@ -131,7 +131,7 @@ async function drawsSprings({ browser, address }) {
   assert.deepEqual(await count(), [3, 3, 0], 'a tap makes a node, which is held');
   await finger.drag(low, at(0.6, 0.6));
   assert.deepEqual(await count(), [4, 5, 0], 'a drag from a node makes a spring and its end');
-  await finger.drag(at(0.6, 0.6), right);
+  await finger.drag(high, at(0.6, 0.6));
   assert.deepEqual(await count(), [4, 6, 0], 'a drag between nodes makes a spring');
   await finger.tap({ x: (low.x + high.x) / 2, y: (low.y + high.y) / 2 });
   assert.deepEqual(await count(), [4, 6, 1], 'a tap on a spring makes it a muscle');
@@ -157,23 +157,25 @@ async function drawsSprings({ browser, address }) {
 async function drawsSpringsByKeys({ browser, address }) {
   const page = await PageDriver.open(browser, address);
   await page.click('panels/0');
-  await page.click('figure/fresh-springs');
+  await page.frames(6);
+  const pointer = new Mouse(page);
+  await pointer.press('figure/fresh-springs');
   await page.frames(6);
   const parts = () => page.call('parts', () => {
     const { nodes = [], springs = [] } = window.gaitsmith.document().figure;
     return [nodes.length, springs.length];
   });
   assert.deepEqual(await parts(), [2, 1]);
-  await page.click('springs/add');
-  await page.click('springs/add');
+  await pointer.press('springs/add');
+  await pointer.press('springs/add');
   assert.equal((await parts())[0], 4);
-  await page.click('springs/kind/1');
-  await page.click('springs/muscle');
+  await pointer.press('springs/kind/1');
+  await pointer.press('springs/muscle');
   await page.until('a muscle', () => (window.gaitsmith.document().figure.springs ?? []).some(({ min_rest = 1 }) => min_rest < 1));
   const before = Number(await page.call('stiffness', () => window.gaitsmith.document().figure.springs?.[0]?.stiffness_npm));
-  await page.click('springs/softer');
+  await pointer.press('springs/softer');
   assert.equal(await page.call('stiffness', () => window.gaitsmith.document().figure.springs?.[0]?.stiffness_npm), before / 2);
-  await page.click('springs/delete');
+  await pointer.press('springs/delete');
   await page.frames();
   for (const _ of [1, 2, 3, 4, 5]) await undo(page);
   assert.deepEqual(await parts(), [2, 1], 'Undo takes back each edit');

@@ -144,6 +144,10 @@ TEST_CASE("golden links: every link of version 13 opens with its motion", "[gold
   CheckLinks(13, 1);
 }
 
+TEST_CASE("golden links: every link of version 14 opens with its motion", "[golden][links]") {
+  CheckLinks(14, 3);
+}
+
 // Separate cases, which run side by side: this is the longest test.
 TEST_CASE("golden links: no link of version 1 that was changed in one byte or cut short opens",
           "[golden][links][exhaustive]") {

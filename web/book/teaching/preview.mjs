@@ -12,7 +12,7 @@ import { lessonOf } from './lesson_file.mjs';
 /** line: of the file, from 1 @typedef {{line: number, sentence: string}} Fault */
 
 /** A film strip's address in the book, for its place among Links.strips. */
-const STRIP = /^strips\/(.*?)(-few)?(-night)?\.svg$/;
+const STRIP = /^strips\/(.*?)(-few)?\.svg(#night)?$/;
 
 /** Film strips are not files yet: their addresses hold them. */
 class PreviewLinks extends Links {
