@@ -141,9 +141,8 @@ void DrawStiffness(const Form& form) {
 
 const char* SpringToolWords(const SpringBoardState& state) {
   if (state.blank) return Tr("Drag across the board: that is the first spring.");
-  return Tr(state.tool == SpringTool::kDraw
-                ? "Tap: a node. Drag: a spring. Tap a spring: a muscle."
-                : "Drag a node to move it. Tap a node or a spring to choose it.");
+  return Tr(state.tool == SpringTool::kDraw ? "Tap: a node. Drag: a spring. Tap a spring: a muscle."
+                                            : "Drag a node to move it. Tap a node or a spring to choose it.");
 }
 
 void DrawSpringForm(Ui& ui, Session& session, SpringBoardState& state) {
