@@ -44,14 +44,15 @@ fuzz() {
   done
 }
 
-# Its findings are a study. docs/physics.md explains them. Each of the two models gets half of the time.
+# Its findings are a study. docs/physics.md explains them. Each of the three models gets a third of the time.
 adversary() {
   local minutes=${1:-10} program=build/release/tests/adversary/adversary
-  local half=$(awk "BEGIN { print $minutes / 2 }")
+  local third=$(awk "BEGIN { print $minutes / 3 }")
   cmake --preset release
   cmake --build --preset release --target adversary
-  "$program" --out docs/studies/adversary --evaluations 8000 --seeds 1000 --minutes "$half"
-  "$program" --model 2 --out docs/studies/adversary/limited --evaluations 8000 --seeds 1000 --minutes "$half"
+  "$program" --out docs/studies/adversary --evaluations 8000 --seeds 1000 --minutes "$third"
+  "$program" --model 2 --out docs/studies/adversary/limited --evaluations 8000 --seeds 1000 --minutes "$third"
+  "$program" --model 3 --out docs/studies/adversary/springs --evaluations 8000 --seeds 1000 --minutes "$third"
 }
 
 # Other programs' judgement: MuJoCo's of model 2, with every figure (./dev test asks for one), Slurm's of the lines for

@@ -10,8 +10,10 @@
 
 #include "core/physics/limb_guard.h"
 #include "core/rollout/evaluator.h"
+#include "core/rollout/models.h"
 #include "core/world/environment.h"
 #include "tests/limb_motion.h"
+#include "tests/spring_laws.h"
 
 namespace gaitsmith::test {
 
@@ -347,14 +349,18 @@ std::string Offences::Sentence() const {
   return words.str();
 }
 
-const std::array<LawLimit, kLaws>& LawLimits(int model) { return model > 1 ? kLimbLawLimits : kLawLimits; }
+const std::array<LawLimit, kLaws>& LawLimits(int model) {
+  return model == kSpringModel ? kSpringLawLimits : model > 1 ? kLimbLawLimits : kLawLimits;
+}
 
 double EnergyUnit(const Skeleton& bones) {
   return static_cast<double>(bones.mass_kg) * static_cast<double>(kStandardGravity) *
          static_cast<double>(bones.longest_rod_m);
 }
 
-Offences Judge(const Document& document, const Motion& motion) { return Trial(document, motion).Judge(); }
+Offences Judge(const Document& document, const Motion& motion) {
+  return document.figure.HasSprings() ? JudgeSprings(document, motion) : Trial(document, motion).Judge();
+}
 
 int DifferingBits(const Document& document, const Motion& motion) {
   int differing = Simulate(document).Hash() == motion.Hash() ? 0 : 1;
@@ -365,8 +371,8 @@ int DifferingBits(const Document& document, const Motion& motion) {
     std::vector<Genome> genomes(count);
     for (std::size_t lane = 0; lane < count; ++lane) {
       RandomStream random(lane, static_cast<std::uint32_t>(lanes), 0);
-      genomes[lane] =
-          RandomGenome(controller.Shape(document.figure.Rods()), controller.senses, Variation{}, random);
+      genomes[lane] = RandomGenome(controller.Shape(CountPorts(document.model, document.figure)),
+                                   controller.senses, Variation{}, random);
     }
     const std::size_t own = static_cast<std::size_t>(motion.Hash() % count);
     genomes[own] = controller.genes;

@@ -242,11 +242,8 @@ Result<void> CheckSprings(const Document& d) {
   const auto fail = [](std::string where, const char* what) {
     return Fail(ErrorCode::kStructure, std::move(where), what);
   };
-  if (!d.figure.HasSprings()) {
-    if (d.model == kSpringModel) return fail("model", "is for figures of springs, and this one has rods");
-    return {};
-  }
-  if (d.model != kSpringModel) return fail("model", "must be 3 for a figure of springs");
+  if (const char* why = WhyNotModel(d.model, d.figure); why != nullptr) return fail("model", why);
+  if (!d.figure.HasSprings()) return {};
   const char* follows = "a figure of springs follows rules or curves, not a network";
   if (d.kind == ControllerKind::kNetwork) return fail("kind", follows);
   for (const auto& [list, name] :
@@ -277,6 +274,11 @@ Result<void> CheckPlan(const Document& d) {
 }
 
 }  // namespace
+
+const char* WhyNotModel(int model, const Figure& figure) {
+  if (figure.HasSprings()) return model == kSpringModel ? nullptr : "must be 3 for a figure of springs";
+  return model == kSpringModel ? "is for figures of springs, and this one has rods" : nullptr;
+}
 
 Result<void> CheckReferences(const Document& d) {
   if (auto figure = Validate(d.figure); !figure) {

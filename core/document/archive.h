@@ -45,6 +45,8 @@ class Archive {
     Index(name, index, names, static_cast<int>(standard));
     value = static_cast<Enum>(index);
   }
+  /// Refuses what was read so far, if it cannot go together. For what later fields depend on.
+  virtual void Refuse(std::string_view /*name*/, const char* /*why*/) {}
   /// Fields that belong together.
   template <class Fields>
   void Group(std::string_view name, Fields fields) {
@@ -135,5 +137,8 @@ class Archive {
 /// Checks everything that concerns more than one field: the figure is a tree, and the controllers of clips
 /// and the endpoints of pushes exist.
 [[nodiscard]] Result<void> CheckReferences(const Document&);
+
+/// Why a figure cannot have this model; null: it can.
+[[nodiscard]] const char* WhyNotModel(int model, const Figure& figure);
 
 }  // namespace gaitsmith

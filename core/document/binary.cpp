@@ -128,6 +128,7 @@ class BinaryReader : public Archive {
     value = Given(name) ? static_cast<std::uint32_t>(bits_.Take(32)) : standard;
   }
   void Flag(std::string_view name, bool& value, bool) override { value = Given(name); }
+  void Refuse(std::string_view name, const char* why) override { FailAt(name, ErrorCode::kStructure, why); }
   void Text(std::string_view name, std::string& text) override {
     const auto size = static_cast<std::size_t>(bits_.Take(7));
     text.clear();

@@ -6,6 +6,7 @@
 #include "core/document/trial_worlds.h"
 #include "core/rollout/models.h"
 #include "core/search/evaluation_score.h"
+#include "core/world/terrain.h"
 
 namespace gaitsmith {
 
@@ -50,8 +51,12 @@ void SetFigure(const Figure& figure, Document& document) {
   document.figure = figure;
   if (figure.HasSprings()) {
     document.model = kSpringModel;
+    if (document.kind == ControllerKind::kNetwork) document.kind = ControllerKind::kRules;
+    document.search.body = BodyFreedom::kNone;
+    document.drawn.clear();
+    document.plan = {};
   } else if (document.model == kSpringModel) {
-    document.model = Document{}.model;
+    document.model = document.environment.ground.empty() ? Document{}.model : kFirstDrawnGround;
   }
 }
 

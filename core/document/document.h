@@ -60,7 +60,8 @@ struct Document {
 /// characters. The error says what is wrong, but not where.
 [[nodiscard]] Result<void> CheckName(std::string_view text);
 
-/// Gives a document another figure, with a model that can move it.
+/// Gives a document another figure, with a model that can move it on its ground. What figures of springs
+/// cannot have goes: a search for networks or for bodies, and keyframes.
 void SetFigure(const Figure& figure, Document& document);
 
 /// Checks every number, name and reference. Returns the first fault: where and what.

@@ -46,6 +46,7 @@ class JsonReader : public Archive {
     const JsonValue* given = Get(name, JsonValue::Kind::kBool);
     value = given == nullptr ? standard : given->boolean;
   }
+  void Refuse(std::string_view name, const char* why) override { FailAt(name, ErrorCode::kStructure, why); }
   void Text(std::string_view name, std::string& text) override {
     text.clear();
     const JsonValue* given = Get(name, JsonValue::Kind::kString);

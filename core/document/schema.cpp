@@ -309,6 +309,8 @@ void Describe(Archive& ar, Document& d) {
   ar.Integer("rules", d.rules, 1, kMaxRules, standard.rules);
   ar.Since(2, [&] { ar.Choice("kind", d.kind, kControllerKindNames, standard.kind); });
   ar.Group("search", [&] { Describe(ar, d.search); });
+  // What controllers are connected to depends on both.
+  if (const char* why = WhyNotModel(d.model, d.figure); why != nullptr) ar.Refuse("model", why);
   const PortCount ports = CountPorts(d.model, d.figure);
   ar.List("controllers", d.controllers, kMaxControllers, [&](Controller& c) { Describe(ar, c, ports); });
   ar.List("timeline", d.timeline, kMaxClips, [&](Clip& clip) { Describe(ar, clip); });

@@ -67,7 +67,7 @@ int ImageOfRod(const Skeleton& skeleton, const Symmetry& symmetry, int rod) {
 }
 
 bool Alike(const Spring& a, const Spring& b) {
-  return Near(a.stiffness_npm, b.stiffness_npm, a.stiffness_npm) &&
+  return a.IsMuscle() == b.IsMuscle() && Near(a.stiffness_npm, b.stiffness_npm, a.stiffness_npm) &&
          Near(a.damping_nspm, b.damping_nspm, a.damping_nspm) && Near(a.rest, b.rest, 1.0f) &&
          Near(a.min_rest, b.min_rest, 1.0f) && Near(a.max_rest, b.max_rest, 1.0f);
 }

@@ -115,7 +115,9 @@ bool Session::Replace(Document document, bool same_problem) {
   for (const LockedPart part : {LockedPart::kController, LockedPart::kSearch, LockedPart::kTimeline})
     locks.locked[static_cast<std::size_t>(part)] &= !same_problem;
   // A search that may change the body leaves the drawn one, which is what is locked.
-  const bool same_body = AsDrawn(document).rods == AsDrawn(Doc()).rods;
+  const Figure drawn = AsDrawn(document), before = AsDrawn(Doc());
+  const bool same_body =
+      drawn.rods == before.rods && drawn.nodes == before.nodes && drawn.springs == before.springs;
   locks.locked[static_cast<std::size_t>(LockedPart::kFigure)] &= !(same_problem && same_body);
   if (workspace_.Refuses(locks, document)) return false;
   const bool rested = Doc().timeline.empty();

@@ -38,6 +38,7 @@ std::vector<WayPoint> Evenly(const std::vector<WayPoint>& drawn, std::size_t cou
 }  // namespace
 
 void Teacher::Take(Tool tool) {
+  if (tool == Tool::kPose && workspace_.Doc().figure.HasSprings()) return;  // it has no joints to pose
   in_hand_ = tool;
   if (tool == Tool::kNone) return;
   ground_.Draw(false);

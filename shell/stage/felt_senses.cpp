@@ -182,7 +182,7 @@ void DrawFeltSenses(const Scene& s, const Controller& controller, int rule,
                     .holds = now >= stimulus.low && now <= stimulus.high};
     const Pens pens = PensFor(s, rule, felt.holds);
     const SensePlace place = PlaceOf(controller.senses.kind, ports.Count(), sense);
-    switch (place.group->quantity) {
+    switch (felt.scale.quantity) {
       case SenseQuantity::kAngle: {
         const Bar& limb = moved[static_cast<std::size_t>(place.index)];
         DrawAngle(s, at(limb.from), at(limb.to), angles++, felt, pens);

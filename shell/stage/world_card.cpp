@@ -110,7 +110,9 @@ void DrawPushes(Ui& ui, Session& session, WorldCardState& state) {
   const Motion& motion = session.Player().Shown();
   const int endpoints = motion.Connections().contacts;
   ui.Heading(Tr("Push"));
-  ui.Paragraph(Tr("Pull at a joint on the stage, or set it here."), Type::kNote);
+  ui.Paragraph(motion.Connections().muscles ? Tr("Pull at a node on the stage, or set it here.")
+                                            : Tr("Pull at a joint on the stage, or set it here."),
+               Type::kNote);
   ui.Gap(6.0f);
   std::vector<std::string> places = {Tr("Centre of mass")};
   for (int k = 0; k < endpoints; ++k) places.push_back(Tr("Endpoint {1}", k + 1));

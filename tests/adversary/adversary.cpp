@@ -2,7 +2,7 @@
 // Searches that are rewarded for violating the laws of physics, over figures, grounds, starts, pushes and
 // controllers at once, with the project's own search algorithms. Each find is a bug to fix or a limit to
 // document.
-//   adversary --out FOLDER [--model 1|2] [--minutes M] [--shard K/N] [--seeds S] [--evaluations E]
+//   adversary --out FOLDER [--model 1|2|3] [--minutes M] [--shard K/N] [--seeds S] [--evaluations E]
 // Each model has its own folder. Appends to FOLDER/found.csv (with shards found-K-of-N.csv), skips cases
 // already in such files, and keeps the worst document of every law and world as FOLDER/LAW-WORLD.json. Prints
 // the worst case of each law at the end.
@@ -155,7 +155,7 @@ int main(int count, char** words) {
   Options options;
   if (!Parse(count, words, options)) {
     std::fprintf(stderr,
-                 "adversary --out FOLDER [--model 1|2] [--minutes M] [--shard K/N] [--seeds S] "
+                 "adversary --out FOLDER [--model 1|2|3] [--minutes M] [--shard K/N] [--seeds S] "
                  "[--evaluations E]\n");
     return 2;
   }

@@ -12,6 +12,7 @@
 #include "core/document/joints.h"
 #include "core/document/json.h"
 #include "core/numeric/scalar_math.h"
+#include "core/rollout/models.h"
 
 namespace gaitsmith::test {
 
@@ -65,19 +66,65 @@ Figure FigureOf(bool any, Reader& read) {
   return figure;
 }
 
-/// The shipped figures, read once.
-const std::vector<Figure>& ShippedFigures() {
-  static const std::vector<Figure> kFigures = [] {
-    std::vector<Figure> figures;
+/// Nodes, each held by a spring to an earlier one, and further springs. Masses are raised until the stiffness
+/// at each node is one that a document may hold.
+Figure SpringsOf(bool any, Reader& read) {
+  Figure figure;
+  const int nodes = 2 + read.Below(any ? kMaxPoints - 1 : 9);
+  for (int i = 0; i < nodes; ++i) {
+    const float most = any ? read.Magnitude(0.01f, 1000.0f) : 0.6f;
+    figure.nodes.push_back({.x_m = read.Between(-most, most),
+                            .y_m = read.Between(-most, most),
+                            .mass_kg = any ? read.Magnitude(1e-6f, 1e6f) : read.Between(0.05f, 1.0f)});
+  }
+  const auto join = [&](int from, int to) {
+    Spring spring{.from = from, .to = to};
+    spring.stiffness_npm = any ? read.Magnitude(1e-3f, 1e6f) : read.Magnitude(100.0f, 5000.0f);
+    spring.damping_nspm = any ? read.Magnitude(1e-3f, 1e6f) : read.Between(0.0f, 10.0f);
+    spring.rest = any ? read.Between(kLeastRest, kMostRest) : 1.0f;
+    spring.min_rest = spring.max_rest = spring.rest;
+    if (read.Below(2) == 0 && figure.Muscles() < kMaxMuscles) {
+      spring.min_rest = any ? read.Between(kLeastRest, spring.rest) : 0.6f;
+      spring.max_rest = any ? read.Between(spring.rest, kMostRest) : 1.4f;
+    }
+    const bool there = std::ranges::any_of(figure.springs, [&](const Spring& other) {
+      return std::minmax(other.from, other.to) == std::minmax(from, to);
+    });
+    const bool apart = DrawnLength(figure, spring) >= kShortestSpring;
+    if (from != to && !there && apart && figure.springs.size() < kMaxSprings)
+      figure.springs.push_back(spring);
+    return apart;
+  };
+  for (int i = 1; i < nodes; ++i) {
+    const int earlier = read.Below(i);
+    if (join(i, earlier)) continue;
+    figure.nodes[static_cast<std::size_t>(i)].x_m =
+        figure.nodes[static_cast<std::size_t>(earlier)].x_m < 0.0f ? 500.0f : -500.0f;
+    join(i, earlier);
+  }
+  for (int more = read.Below(2 * nodes); more > 0; --more) {
+    const int from = read.Below(nodes), to = read.Below(nodes);
+    join(from, to);
+  }
+  for (int node = 0; FastestVibration(figure, &node) > kStiffest;)
+    figure.nodes[static_cast<std::size_t>(node)].mass_kg *= 2.0f;
+  return figure;
+}
+
+/// The shipped figures of rods, or of springs, read once.
+const std::vector<Figure>& ShippedFigures(bool springs) {
+  static const std::array<std::vector<Figure>, 2> kFigures = [] {
+    std::array<std::vector<Figure>, 2> figures;
     for (const std::string name :
-         {"mr-star-man", "beryl-biped", "horse", "hopper", "inchworm", "five-rod-fred"}) {
+         {"mr-star-man", "beryl-biped", "horse", "hopper", "inchworm", "five-rod-fred", "fish", "jelly",
+          "soft-star", "soft-wheel", "soft-worm", "walking-table"}) {
       std::ifstream in(std::string(GAITSMITH_SOURCE_DIR "/examples/figures/") + name + ".json");
       const std::string text(std::istreambuf_iterator<char>(in), {});
-      if (auto figure = DecodeFigureJson(text)) figures.push_back(std::move(*figure));
+      if (auto figure = DecodeFigureJson(text)) figures[figure->HasSprings() ? 1 : 0].push_back(*figure);
     }
     return figures;
   }();
-  return kFigures;
+  return kFigures[springs ? 1 : 0];
 }
 
 Push PushOf(bool any, const Figure& figure, Reader& read) {
@@ -118,8 +165,8 @@ void SetSenses(Scope scope, Reader& read, SenseSpec& senses) {
 }
 
 /// Sets everything except joints and controller.
-void SetScene(bool any, Reader& read, Document& d) {
-  d.figure = FigureOf(any, read);
+void SetScene(bool any, bool springs, Reader& read, Document& d) {
+  d.figure = springs ? SpringsOf(any, read) : FigureOf(any, read);
   d.environment.gravity_mps2 = any ? read.Between(0.0f, 100.0f) : read.Between(1.0f, 20.0f);
   d.environment.friction = any ? read.Between(0.0f, 10.0f) : read.Between(0.0f, 1.5f);
   d.environment.slope_rad = any ? read.Between(-0.6f, 0.6f) : read.Between(-0.2f, 0.2f);
@@ -144,26 +191,26 @@ SearchSpace SpaceOfDocuments() {
 }
 
 Document DocumentOf(Scope scope, int model, bool still, std::span<const Gene> genes) {
-  const bool any = scope == Scope::kAny;
+  const bool any = scope == Scope::kAny, springs = model == kSpringModel;
   Reader read(genes.first(std::min(genes.size(), kDocumentGenes)));
   Document d;
   if (scope == Scope::kGait) {
-    const std::vector<Figure>& figures = ShippedFigures();
+    const std::vector<Figure>& figures = ShippedFigures(springs);
     d.figure = figures[static_cast<std::size_t>(read.Below(static_cast<int>(figures.size())))];
   } else {
-    SetScene(any, read, d);
+    SetScene(any, springs, read, d);
   }
   d.model = model;
   if (HasLimitedJoints(d)) SetJoints(scope, read, d);
   SetSenses(scope, read, d.senses);
   const bool other_kind = read.Below(2) == 0;
-  if (other_kind && d.senses.kind == SenseKind::kPhysical) d.kind = ControllerKind::kNetwork;
+  if (other_kind && d.senses.kind == SenseKind::kPhysical && !springs) d.kind = ControllerKind::kNetwork;
   if (other_kind && d.senses.kind == SenseKind::kTimer) d.kind = ControllerKind::kTrajectory;
   d.rules = kRules;
   d.task.duration_steps = d.duration_steps = kSteps;
   if (still) return d;
   Controller controller{"", d.kind, d.senses, d.rules, {}};
-  const ControllerShape shape = controller.Shape(d.figure.Rods());
+  const ControllerShape shape = controller.Shape(CountPorts(model, d.figure));
   for (std::size_t gene = 0; gene < shape.Genes(); ++gene) controller.genes.push_back(read.Next());
   if (d.kind == ControllerKind::kRules) {
     const BankShape& bank = shape.Bank();

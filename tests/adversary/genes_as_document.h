@@ -24,8 +24,8 @@ inline constexpr std::size_t kDocumentGenes = 500;
 [[nodiscard]] SearchSpace SpaceOfDocuments();
 
 /// @param model of the physics, [1, kModelVersion]. With model 2 the genes also determine the joints'
-/// strength and stiffness. With model 1 they mean what they always meant, so that old finds can be found
-/// again
+/// strength and stiffness, with model 3 a figure of springs. With model 1 they mean what they always meant,
+/// so that old finds can be found again
 /// @param still no controller: the figure holds its drawn pose
 /// @return a valid document with one clip, or without clips if still
 [[nodiscard]] Document DocumentOf(Scope scope, int model, bool still, std::span<const Gene> genes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Any figure, controller, start, ground and pushes, in both models: the motion keeps the laws of physics
+// Any figure, controller, start, ground and pushes, in every model: the motion keeps the laws of physics
 // until a guard makes it void, and has the same bits in two runs and for every lane count. Input bytes: one
 // that selects whether the figure has a controller and whether its joints are limited, then genes of 16 bits.
 // What breaks a law is also written as a document, into the file that GAITSMITH_FIND names.

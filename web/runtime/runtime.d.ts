@@ -4,8 +4,10 @@
 export interface Joint {
   readonly name: string;
   /** The rod that it turns, in figure.rods. */
-  readonly rod: number;
-  /** Limits, from the drawn pose [rad]. */
+  readonly rod?: number;
+  /** Of a figure of springs: the spring that is this muscle, in figure.springs. */
+  readonly spring?: number;
+  /** Limits, from the drawn pose [rad], or of a muscle's rest, over its drawn length. */
   readonly min_rad: number;
   readonly max_rad: number;
   /** Of joints of limited strength [N m]. */
@@ -46,6 +48,21 @@ export interface Rod {
   readonly rest_rad: number;
 }
 
+export interface Node {
+  readonly x_m: number;
+  readonly y_m: number;
+  readonly mass_kg: number;
+}
+
+export interface Spring {
+  readonly from: number;
+  readonly to: number;
+  readonly drawn_m: number;
+  readonly stiffness_npm: number;
+  readonly damping_nspm: number;
+  readonly rest: number;
+}
+
 /** A controller. Any number of figures can share it. */
 export interface Controller {
   readonly kind: 'rules' | 'network' | 'trajectory';
@@ -54,7 +71,8 @@ export interface Controller {
   readonly step_s: number;
   readonly joints: readonly Joint[];
   readonly senses: readonly Sense[];
-  readonly figure: { readonly name: string; readonly rods: readonly Rod[] };
+  /** Of rods, or of nodes and springs. */
+  readonly figure: { readonly name: string; readonly rods?: readonly Rod[]; readonly nodes?: readonly Node[]; readonly springs?: readonly Spring[] };
   readonly world: { readonly gravity_mps2: number; readonly friction: number };
   /** With sight: to which side of the figure "ahead" and "corner" are. */
   readonly facing?: 'right' | 'left';

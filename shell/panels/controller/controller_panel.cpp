@@ -165,7 +165,7 @@ void DrawRules(Ui& ui, Session& session, ControllerPanelState& state) {
 // @return false: another controller is shown now
 bool DrawOtherForms(Ui& ui, Session& session, const Controller& shown) {
   const ImRect row = ui.ControlRow();
-  const bool records = shown.kind != ControllerKind::kTrajectory;
+  const bool records = shown.kind != ControllerKind::kTrajectory && !session.Doc().figure.HasSprings();
   const char* record = Tr("Record as curves");
   const float width = records ? ui.Letters().Width(Type::kBody, record) + 24.0f : 0.0f;
   const ImRect left(row.Min, {row.Max.x - (records ? width + 8.0f : 0.0f), row.Max.y});

@@ -124,7 +124,8 @@ void DrawCurvePlot(const Shown& of, CurveEditorState& state) {
   const Axes axes{of, {{row.Min.x + 10.0f, row.Min.y + 10.0f}, {row.Max.x - 10.0f, row.Max.y - 10.0f}}};
   const Touch touch =
       ui.Area("curves/plot", row, Grab::kDrag,
-              {.label = Tr("Curves of all joints: drag a point"),
+              {.label = of.ports.muscles ? Tr("Curves of all muscles: drag a point")
+                                         : Tr("Curves of all joints: drag a point"),
                .role = "img",
                .value = Tr(of.ports.muscles ? "knot {1}, length {2}: {3}" : "knot {1}, angle {2}: {3}",
                            state.knot + 1, state.joint + 1,

@@ -18,9 +18,10 @@ constexpr float kSideRoom = 16.0f;
 constexpr float kGapRoom = 8.0f;
 constexpr float kWideRow = 620.0f;  // the tools and the large button fit into one row
 
-const char* WhatToDo(const FigurePanelState& state, bool springs) {
+const char* WhatToDo(const FigurePanelState& state, const Figure& figure) {
+  const bool springs = figure.HasSprings();
   const DrawingBoardState& board = state.board;
-  if (springs) return SpringToolWords(state.springs);
+  if (springs) return SpringToolWords(figure, state.springs);
   if (board.blank) return Tr("Drag across the board: that is the first rod.");
   return Tr(board.tool == DrawingTool::kMove
                 ? "Drag a joint or a tip to change a rod. Drag a rod to rotate it and everything attached."
@@ -58,6 +59,26 @@ void DrawRodButtons(Ui& ui, Session& session, DrawingBoardState& board, const Im
   }
 }
 
+// A button that stays down.
+Touch DrawSwitchChip(Ui& ui, const char* id, const ImRect& rect, const char* label, bool on) {
+  const Touch touch =
+      ui.Area(id, rect, Grab::kPress,
+              {.label = label, .role = "switch", .value = Tr(on ? "on" : "off"), .state = {.checked = on}});
+  const Palette& p = ui.Ink();
+  ui.Frame(rect,
+           on              ? Mix(p.panel, p.accent, 0.14f)
+           : touch.hovered ? Mix(p.panel, p.ink, 0.04f)
+                           : p.panel,
+           on ? p.accent : p.line);
+  ui.Letters().DrawElided(
+      ui.Canvas(), Type::kBody,
+      {rect.GetCenter().x - 0.5f * std::min(ui.Letters().Width(Type::kBody, label), rect.GetWidth() - 12.0f),
+       rect.GetCenter().y},
+      rect.GetWidth() - 12.0f, on ? p.accent : p.ink, label);
+  ui.DrawFocus(touch, rect);
+  return touch;
+}
+
 // The same for springs: what is chosen, and the whole figure.
 void DrawSpringButtons(Ui& ui, Session& session, SpringBoardState& board, const ImRect& row) {
   const Figure& figure = session.Doc().figure;
@@ -73,12 +94,14 @@ void DrawSpringButtons(Ui& ui, Session& session, SpringBoardState& board, const 
     next.name = kOwnFigure;
     session.ReplaceFigure(next);
   };
-  const Figure rest = board.blank ? figure : Without(figure, board.chosen, board.MirrorNow());
-  const bool symmetric = button("draw/symmetric", board.symmetric ? Tr("One side") : Tr("Both sides"), true);
+  const Figure rest = board.blank ? figure : Without(figure, board.chosen, board.MirrorOf(figure));
+  const float left = row.Min.x + static_cast<float>(column++) * (width + kGapRoom);
+  const Touch symmetric = DrawSwitchChip(ui, "draw/symmetric", {{left, row.Min.y}, {left + width, row.Max.y}},
+                                         Tr("Both sides"), board.symmetric);
   const bool softer = button("draw/softer", Tr("Softer"), !board.blank);
   const bool stiffer = button("draw/stiffer", Tr("Stiffer"), !board.blank);
   const bool remove = button("draw/delete", Tr("Delete"), !board.blank && !rest.springs.empty());
-  if (symmetric) SetSymmetric(figure, !board.symmetric, board);
+  if (symmetric.pressed) board.symmetric = !board.symmetric;
   if (softer) replace(WithStiffness(figure, 0.5f));
   if (stiffer) replace(WithStiffness(figure, 2.0f));
   if (remove) {
@@ -130,7 +153,7 @@ void DrawDrawingStage(Ui& ui, Session& session, FigurePanelState& state, const I
   if (ui.Button("draw/close", {{inside.Max.x - 82.0f, top}, {inside.Max.x, top + high}}, Tr("Done")))
     state.on_stage = false;
 
-  const char* what = WhatToDo(state, springs);
+  const char* what = WhatToDo(state, session.Doc().figure);
   const float line = top + high + 16.0f;
   ui.Letters().DrawElided(ui.Canvas(), Type::kBody, {inside.Min.x, line}, inside.GetWidth(),
                           ui.Ink().second_ink, what);
@@ -153,9 +176,11 @@ void DrawDrawingStage(Ui& ui, Session& session, FigurePanelState& state, const I
   } else {
     DrawRodButtons(ui, session, state.board, buttons);
   }
-  const bool blank = springs ? state.springs.blank : state.board.blank;
+  // A figure without a muscle cannot learn to move.
+  const bool unready =
+      springs ? state.springs.blank || session.Doc().figure.Muscles() == 0 : state.board.blank;
   const ImRect teach({wide ? split : inside.Min.x, teach_top}, {inside.Max.x, teach_top + large});
-  if (ui.Button("draw/teach", teach, TeachWords(session.Doc()), ButtonLook::kPrimary, !blank)) {
+  if (ui.Button("draw/teach", teach, TeachWords(session.Doc()), ButtonLook::kPrimary, !unready)) {
     state.on_stage = false;
     session.Synthesize();
   }

@@ -166,7 +166,7 @@ void DrawSprings(Ui& ui, Session& session, FigurePanelState& state) {
     DrawSpringBoard(ui, session, state.springs, ui.Row(kBoardHeight));
     ui.Gap(8.0f);
   }
-  ui.Paragraph(SpringToolWords(state.springs), Type::kNote);
+  ui.Paragraph(SpringToolWords(session.Doc().figure, state.springs), Type::kNote);
   ui.Gap(4.0f);
   DrawSpringForm(ui, session, state.springs);
 }
@@ -176,7 +176,7 @@ void DrawSprings(Ui& ui, Session& session, FigurePanelState& state) {
 void DrawOwnFigure(Session& session, FigurePanelState& state, OwnFigure kind, bool on_stage) {
   Figure single = kind == OwnFigure::kRods ? SingleRod() : SpringBetween({0.0f, 0.0f}, {0.0f, 0.5f});
   single.name = kOwnFigure;
-  session.ReplaceFigure(single);
+  if (!session.ReplaceFigure(single)) return;
   Reset(state.board);
   state.board.tool = DrawingTool::kGrow;
   const bool symmetric = state.springs.symmetric;

@@ -175,7 +175,6 @@ struct Stroke {
     if (std::hypot(to.x - from.x, to.y - from.y) <= near) return;
     if (Replace(SpringBetween(view.ToMetres(from), view.ToMetres(to)))) state.blank = false;
     Choose(SpringPart::Kind::kNode, 1);
-    state.mirror_m = MiddleOf(Now());
   }
 };
 
@@ -185,11 +184,6 @@ void KeepChosen(const Figure& figure, SpringBoardState& state) {
   const bool node = state.chosen.kind == SpringPart::Kind::kNode;
   const auto count = static_cast<int>(node ? figure.nodes.size() : figure.springs.size());
   state.chosen.index = std::clamp(state.chosen.index, 0, count - 1);
-}
-
-void SetSymmetric(const Figure& figure, bool symmetric, SpringBoardState& state) {
-  state.symmetric = symmetric;
-  state.mirror_m = MiddleOf(figure);
 }
 
 void DrawSpringBoard(Ui& ui, Session& session, SpringBoardState& state, const ImRect& rect) {
@@ -202,6 +196,7 @@ void DrawSpringBoard(Ui& ui, Session& session, SpringBoardState& state, const Im
   Fit(session.Doc().figure, state, rect);
   const View view{state, rect};
   std::vector<ImVec2> nodes = view.NodesOf(session.Doc().figure);
+  if (!state.pressed) state.mirror_m = MiddleOf(session.Doc().figure);
   if (touch.began) {
     state.pressed = true;
     state.held = state.blank ? kNone : NodeAt(nodes, began, near);
@@ -215,7 +210,10 @@ void DrawSpringBoard(Ui& ui, Session& session, SpringBoardState& state, const Im
     nodes = view.NodesOf(session.Doc().figure);
   }
   // On a phone the board fills the panel: a touch that grabs nothing must still scroll.
-  if (touch.held && dragged && state.held < 0 && !state.blank && ui.Look().touch) ImGui::ClearActiveID();
+  if (touch.held && dragged && state.held < 0 && !state.blank && ui.Look().touch) {
+    ImGui::ClearActiveID();
+    state.pressed = false;
+  }
   if (state.pressed && !touch.held) {
     const bool inside = rect.Contains(pointer);
     const bool far = std::hypot(pointer.x - began.x, pointer.y - began.y) > (ui.Look().touch ? 12.0f : 6.0f);
@@ -236,7 +234,7 @@ void DrawSpringBoard(Ui& ui, Session& session, SpringBoardState& state, const Im
   ui.Frame(rect, ui.Ink().paper, ui.Ink().line, 9.0f);
   ui.Canvas()->PushClipRect(rect.Min, rect.Max, true);
   DrawGrid(ui, view);
-  if (state.symmetric) DrawMirror(ui, view);
+  if (state.symmetric && !state.blank) DrawMirror(ui, view);
   if (!state.blank) DrawFigure(ui, session.Doc().figure, view, nodes);
   const bool draws = state.pressed && dragged && state.tool == SpringTool::kDraw;
   if (draws && (state.held >= 0 || state.blank)) {

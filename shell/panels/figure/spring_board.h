@@ -15,7 +15,7 @@ enum class SpringTool { kDraw, kMove };
 struct SpringBoardState {
   SpringTool tool = SpringTool::kDraw;
   bool symmetric = false;
-  float mirror_m = 0.0f;  // where the mirror stands
+  float mirror_m = 0.0f;  // where the mirror stands during a stroke
   bool blank = false;     // nothing is drawn yet: the first stroke is the first spring
   SpringPart chosen;
   int held = kNone;           // the node under the finger
@@ -26,13 +26,14 @@ struct SpringBoardState {
 
   static constexpr int kNone = -1;
   [[nodiscard]] Mirror MirrorNow() const { return symmetric ? Mirror(mirror_m) : Mirror(); }
+  /// In the middle of what is drawn, where edits of both sides leave it.
+  [[nodiscard]] Mirror MirrorOf(const Figure& figure) const {
+    return symmetric ? Mirror(MiddleOf(figure)) : Mirror();
+  }
 };
 
 /// Keeps the choice within the figure.
 void KeepChosen(const Figure&, SpringBoardState&);
-
-/// Turns symmetric drawing on or off. The mirror stands in the middle of what is drawn.
-void SetSymmetric(const Figure&, bool symmetric, SpringBoardState&);
 
 void DrawSpringBoard(Ui&, Session&, SpringBoardState&, const ImRect&);
 

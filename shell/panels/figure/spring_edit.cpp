@@ -67,16 +67,25 @@ ImVec2 AtMirror(ImVec2 place, Mirror mirror) {
 
 ImVec2 Image(ImVec2 place, float mirror_m) { return {2.0f * mirror_m - place.x, place.y}; }
 
-/// Takes away nodes that no spring leads to from node 0 or from what is joined to it.
-void DropLoose(Figure& figure) {
+/// Which nodes springs hold together with this one.
+std::vector<bool> HeldWith(const Figure& figure, std::size_t node) {
   std::vector<bool> held(figure.nodes.size(), false);
-  if (held.empty()) return;
-  held[0] = true;
+  held[node] = true;
   for (std::size_t round = 0; round < held.size(); ++round) {
     for (const Spring& spring : figure.springs) {
       const auto a = static_cast<std::size_t>(spring.from), b = static_cast<std::size_t>(spring.to);
       held[a] = held[b] = held[a] || held[b];
     }
+  }
+  return held;
+}
+
+/// Keeps the largest part that springs hold together, and of equals the one with the first node.
+void DropLoose(Figure& figure) {
+  std::vector<bool> held(figure.nodes.size(), false);
+  for (std::size_t node = 0; node < figure.nodes.size(); ++node) {
+    const std::vector<bool> part = HeldWith(figure, node);
+    if (std::ranges::count(part, true) > std::ranges::count(held, true)) held = part;
   }
   std::vector<int> number(held.size(), -1);
   std::vector<Node> kept;
@@ -254,7 +263,10 @@ Figure Without(const Figure& figure, SpringPart part, Mirror mirror) {
 }
 
 Figure WithNode(const Figure& figure, int node, const Node& as, Mirror mirror) {
-  Figure changed = WithNodeMoved(figure, node, {as.x_m, as.y_m}, mirror);
+  Figure changed = figure;
+  const Node& before = figure.nodes[static_cast<std::size_t>(node)];
+  if (as.x_m != before.x_m || as.y_m != before.y_m)
+    changed = WithNodeMoved(figure, node, {as.x_m, as.y_m}, mirror);
   OnBothSides(node, ImageOf(figure, {SpringPart::Kind::kNode, node}, mirror),
               [&](int index) { changed.nodes[static_cast<std::size_t>(index)].mass_kg = as.mass_kg; });
   return changed;

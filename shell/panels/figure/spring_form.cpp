@@ -5,6 +5,9 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "shell/panels/figure/drawing_board.h"
 #include "shell/words/language.h"
@@ -27,6 +30,26 @@ struct Form {
   void Change(const Figure& figure) const { session.ReplaceFigure(figure); }
 };
 
+/// A switch for each other node: whether a spring leads there.
+void EditTies(const Form& form) {
+  const int from = form.state.chosen.index;
+  std::vector<std::string> names;
+  std::vector<int> free;
+  for (int to = 0; to < static_cast<int>(form.Now().nodes.size()); ++to) {
+    const bool tied = std::ranges::any_of(form.Now().springs, [&](const Spring& spring) {
+      return std::minmax(spring.from, spring.to) == std::minmax(from, to);
+    });
+    if (to == from || tied) continue;
+    free.push_back(to);
+    names.push_back(Tr("Node {1}", to + 1));
+  }
+  if (names.empty()) return;
+  int chosen = -1;
+  if (form.ui.Combo("springs/join", Tr("New spring to"), names, chosen, Tr("Choose a node")) && chosen >= 0)
+    form.Replace(WithSpring(form.Now(), from, free[static_cast<std::size_t>(chosen)],
+                            form.state.MirrorOf(form.Now())));
+}
+
 void EditNode(const Form& form) {
   const int index = form.state.chosen.index;
   const Node node = form.Now().nodes[static_cast<std::size_t>(index)];
@@ -36,26 +59,39 @@ void EditNode(const Form& form) {
                      Fixed(node.mass_kg, 2) + " kg")) {
     Node changed = node;
     changed.mass_kg = static_cast<float>(mass);
-    form.Change(WithNode(form.Now(), index, changed, form.state.MirrorNow()));
+    form.Change(WithNode(form.Now(), index, changed, form.state.MirrorOf(form.Now())));
   }
+  // Whole centimetres, as on the board.
+  constexpr double kAround = 3.0;
+  for (const auto& [id, label, axis] : {std::tuple("springs/x", Tr("Place along the ground"), &Node::x_m),
+                                        std::tuple("springs/y", Tr("Height"), &Node::y_m)}) {
+    double place = static_cast<double>(node.*axis);
+    if (!form.ui.Slider(id, label, place, {.low = -kAround, .high = kAround, .step = 0.01},
+                        Fixed(node.*axis, 2) + " m"))
+      continue;
+    Node changed = node;
+    changed.*axis = static_cast<float>(place);
+    form.Change(WithNode(form.Now(), index, changed, form.state.MirrorOf(form.Now())));
+  }
+  EditTies(form);
 }
 
 void EditMuscle(const Form& form, const Spring& spring, const std::function<void(const Spring&)>& change) {
   bool muscle = spring.IsMuscle();
   if (form.ui.Switch("springs/muscle", Tr("Muscle: the controller sets its length"), muscle))
-    form.Change(WithMuscleToggled(form.Now(), form.state.chosen.index, form.state.MirrorNow()));
+    form.Change(WithMuscleToggled(form.Now(), form.state.chosen.index, form.state.MirrorOf(form.Now())));
   if (!spring.IsMuscle()) return;
   double least = 100.0 * static_cast<double>(spring.min_rest);
   double most = 100.0 * static_cast<double>(spring.max_rest);
   const double rest = 100.0 * static_cast<double>(spring.rest);
   Spring changed = spring;
-  if (form.ui.Slider("springs/shortest", Tr("At its shortest"), least,
-                     {.low = 20.0, .high = rest, .step = 1.0}, Fixed(least, 0) + " %")) {
+  if (rest > 20.0 && form.ui.Slider("springs/shortest", Tr("At its shortest"), least,
+                                    {.low = 20.0, .high = rest, .step = 1.0}, Fixed(least, 0) + " %")) {
     changed.min_rest = std::min(static_cast<float>(least / 100.0), spring.rest);
     change(changed);
   }
-  if (form.ui.Slider("springs/longest", Tr("At its longest"), most, {.low = rest, .high = 300.0, .step = 1.0},
-                     Fixed(most, 0) + " %")) {
+  if (rest < 300.0 && form.ui.Slider("springs/longest", Tr("At its longest"), most,
+                                     {.low = rest, .high = 300.0, .step = 1.0}, Fixed(most, 0) + " %")) {
     changed.max_rest = std::max(static_cast<float>(most / 100.0), spring.rest);
     change(changed);
   }
@@ -65,7 +101,7 @@ void EditSpring(const Form& form) {
   const int index = form.state.chosen.index;
   const Spring spring = form.Now().springs[static_cast<std::size_t>(index)];
   const std::function<void(const Spring&)> change = [&](const Spring& changed) {
-    form.Change(WithSpringAs(form.Now(), index, changed, form.state.MirrorNow()));
+    form.Change(WithSpringAs(form.Now(), index, changed, form.state.MirrorOf(form.Now())));
   };
   double stiffness = static_cast<double>(spring.stiffness_npm);
   double damping = static_cast<double>(spring.damping_nspm);
@@ -113,10 +149,10 @@ void DrawActions(const Form& form) {
   const auto before = static_cast<int>(form.Now().nodes.size());
   if (form.ui.Button("springs/add", {row.Min, {middle - 4.0f, row.Max.y}}, Tr("Add a node"),
                      ButtonLook::kOutlined, room && node)) {
-    if (form.Replace(WithNodeGrown(form.Now(), form.state.chosen.index, form.state.MirrorNow())))
+    if (form.Replace(WithNodeGrown(form.Now(), form.state.chosen.index, form.state.MirrorOf(form.Now()))))
       form.state.chosen = {SpringPart::Kind::kNode, before};
   }
-  const Figure rest = Without(form.Now(), form.state.chosen, form.state.MirrorNow());
+  const Figure rest = Without(form.Now(), form.state.chosen, form.state.MirrorOf(form.Now()));
   if (form.ui.Button("springs/delete", {{middle + 4.0f, row.Min.y}, row.Max}, Tr("Delete"),
                      ButtonLook::kOutlined, !rest.springs.empty()) &&
       form.Replace(rest)) {
@@ -139,8 +175,10 @@ void DrawStiffness(const Form& form) {
 
 }  // namespace
 
-const char* SpringToolWords(const SpringBoardState& state) {
+const char* SpringToolWords(const Figure& figure, const SpringBoardState& state) {
   if (state.blank) return Tr("Drag across the board: that is the first spring.");
+  if (figure.Muscles() == 0 && figure.springs.size() > 2)
+    return Tr("Tap a spring: it becomes a muscle, and the figure can learn to move.");
   return Tr(state.tool == SpringTool::kDraw ? "Tap: a node. Drag: a spring. Tap a spring: a muscle."
                                             : "Drag a node to move it. Tap a node or a spring to choose it.");
 }
@@ -150,7 +188,7 @@ void DrawSpringForm(Ui& ui, Session& session, SpringBoardState& state) {
   const Form form{ui, session, state};
   bool symmetric = state.symmetric;
   if (ui.Switch("springs/symmetric", Tr("Symmetric: both sides at once"), symmetric))
-    SetSymmetric(session.Doc().figure, symmetric, state);
+    state.symmetric = symmetric;
   ui.Gap(8.0f);
   DrawChoice(form);
   if (state.chosen.kind == SpringPart::Kind::kNode) {

@@ -10,6 +10,6 @@ namespace gaitsmith::shell {
 void DrawSpringForm(Ui&, Session&, SpringBoardState&);
 
 /// What a person can do on the board with its tool.
-[[nodiscard]] const char* SpringToolWords(const SpringBoardState&);
+[[nodiscard]] const char* SpringToolWords(const Figure&, const SpringBoardState&);
 
 }  // namespace gaitsmith::shell

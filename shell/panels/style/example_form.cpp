@@ -65,6 +65,7 @@ void DrawWay(Ui& ui, Session& session, ExampleFormState& state) {
 }
 
 void DrawPose(Ui& ui, Session& session, ExampleFormState& state) {
+  if (session.Doc().figure.HasSprings()) return;  // muscles do not say where the nodes are
   const Demonstration& shown = session.Teaching().Shown();
   DrawTool(ui, session, "example/pose", "example/pose/forget", Teacher::Tool::kPose,
            shown.pose_rad.empty() ? Tr("Pose it at this moment") : Tr("Change the pose"),

@@ -123,6 +123,12 @@ TEST_CASE("springs: what a document of them cannot hold is refused with its plac
   CHECK(fault([](Document& d) { d.pushes = {{.step = 3, .endpoint = 4}}; }) ==
         "pushes[0].endpoint: there is no endpoint 4, the figure has 0 to 3");
   CHECK(fault([](Document& d) { d.controllers[0].genes.pop_back(); }).starts_with("controllers[0].rules"));
+  // A file is refused where model and figure part, not where their controllers do.
+  std::string json = EncodeJson(Moving(Box()));
+  json.replace(json.find("\"model\": 3"), 10, "\"model\": 1");
+  const auto decoded = DecodeJson(json);
+  REQUIRE_FALSE(decoded);
+  CHECK(decoded.error().where + ": " + decoded.error().what == "model: must be 3 for a figure of springs");
   const auto recorded = RecordAsCurves(Moving(Box()), 8);
   REQUIRE_FALSE(recorded);
   CHECK(recorded.error().what == "has springs: only angles of joints are recorded as curves");
@@ -171,6 +177,16 @@ TEST_CASE("springs: another figure brings the model that moves it", "[document][
   SetFigure(rods, document);
   CHECK(document.model == 1);
   CHECK(Validate(document));
+  // What only rods can have goes, and drawn ground keeps a model that knows it.
+  document.kind = ControllerKind::kNetwork;
+  document.search.body = BodyFreedom::kLot;
+  document.plan.keyframes = {{.step = 5}};
+  SetFigure(Box(), document);
+  CHECK(Validate(document));
+  document.environment.ground = {{1.0f, 0.0f}, {2.0f, 0.5f}};
+  SetFigure(rods, document);
+  CHECK(document.model == 2);
+  CHECK(Validate(document));
 }
 
 TEST_CASE("springs: the mirror image of a controller does to the left what it does to the right",
@@ -198,6 +214,11 @@ TEST_CASE("springs: the mirror image of a controller does to the left what it do
   even = Table();
   even.springs[12].max_rest = 1.4f;
   CHECK_FALSE(MirrorImageOf(document.controllers[0], even));
+  // Hardly a muscle, but one: what mirrors it must be one, too.
+  even = Table();
+  even.springs[0].max_rest = 1.0005f;
+  Document hardly = Moving(even, SenseKind::kTimer);
+  CHECK_FALSE(MirrorImageOf(hardly.controllers[0], even));
 }
 
 TEST_CASE("springs: trial worlds weigh nodes, and goals are judged by the drawn figure",

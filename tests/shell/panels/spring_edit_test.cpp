@@ -95,6 +95,25 @@ TEST_CASE("spring edit: what nothing holds goes with what is taken away", "[spri
   CHECK_FALSE(Validate(Without(rest, {SpringPart::Kind::kNode, 1}, {})));
 }
 
+TEST_CASE("spring edit: the larger part stays, and a mass moves nothing", "[springs][figure_edit]") {
+  Figure chain = SpringBetween({0.0f, 0.0f}, {0.3f, 0.0f});
+  for (int node = 2; node < 8; ++node) {
+    chain.nodes.push_back({.x_m = 0.3f * static_cast<float>(node), .y_m = 0.0f, .mass_kg = 0.1f});
+    chain.springs.push_back({.from = node - 1, .to = node});
+  }
+  REQUIRE(Validate(chain));
+  CHECK(Without(chain, {SpringPart::Kind::kSpring, 1}, {}).nodes.size() == 6);
+  CHECK(Without(chain, {SpringPart::Kind::kNode, 1}, {}).nodes.size() == 6);
+  CHECK(Without(chain, {SpringPart::Kind::kSpring, 6}, {}).nodes.size() == 7);
+  Figure fine = Triangle();
+  fine.nodes[2].x_m = 0.4321f;
+  Node heavy = fine.nodes[2];
+  heavy.mass_kg = 2.0f;
+  const Figure changed = WithNode(fine, 2, heavy, MiddleOf(fine));
+  CHECK(changed.nodes[2].x_m == 0.4321f);
+  CHECK(changed.nodes[2].mass_kg == 2.0f);
+}
+
 TEST_CASE("spring edit: stiffer stays valid however often, and fades as soon", "[springs][figure_edit]") {
   Figure figure = Triangle();
   const std::string before = StiffnessWords(figure);
