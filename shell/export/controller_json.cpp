@@ -61,6 +61,7 @@ class ControllerText {
       JsonParts one;
       one.Add("name", (ports_.muscles ? "muscle " : "joint ") + std::to_string(joint + 1));
       if (ports_.muscles) {
+        one.Add("rod", -1);
         one.Add("spring", MuscleSpring(joint));
       } else {
         one.Add("rod", joint + 1);
@@ -210,6 +211,7 @@ class ControllerText {
     }
     JsonParts figure;
     figure.Add("name", document_.figure.name);
+    figure.AddJson("rods", JsonParts().List());
     figure.AddJson("nodes", nodes.ListOfLines());
     figure.AddJson("springs", springs.ListOfLines());
     return figure.Object();

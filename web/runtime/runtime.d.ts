@@ -3,8 +3,8 @@
 
 export interface Joint {
   readonly name: string;
-  /** The rod that it turns, in figure.rods. */
-  readonly rod?: number;
+  /** The rod that it turns, in figure.rods; -1: it is a muscle. */
+  readonly rod: number;
   /** Of a figure of springs: the spring that is this muscle, in figure.springs. */
   readonly spring?: number;
   /** Limits, from the drawn pose [rad], or of a muscle's rest, over its drawn length. */
@@ -71,8 +71,8 @@ export interface Controller {
   readonly step_s: number;
   readonly joints: readonly Joint[];
   readonly senses: readonly Sense[];
-  /** Of rods, or of nodes and springs. */
-  readonly figure: { readonly name: string; readonly rods?: readonly Rod[]; readonly nodes?: readonly Node[]; readonly springs?: readonly Spring[] };
+  /** Of rods, or of nodes and springs; then there are no rods in the list. */
+  readonly figure: { readonly name: string; readonly rods: readonly Rod[]; readonly nodes?: readonly Node[]; readonly springs?: readonly Spring[] };
   readonly world: { readonly gravity_mps2: number; readonly friction: number };
   /** With sight: to which side of the figure "ahead" and "corner" are. */
   readonly facing?: 'right' | 'left';

@@ -18,6 +18,7 @@
 #include "core/rollout/mirror_image.h"
 #include "core/rollout/models.h"
 #include "tests/scene.h"
+#include "tests/search_run.h"
 #include "tests/spring_scene.h"
 
 namespace gaitsmith::test {
