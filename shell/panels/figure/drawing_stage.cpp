@@ -100,7 +100,7 @@ void DrawSpringButtons(Ui& ui, Session& session, SpringBoardState& board, const 
                                          Tr("Both sides"), board.symmetric);
   const bool softer = button("draw/softer", Tr("Softer"), !board.blank);
   const bool stiffer = button("draw/stiffer", Tr("Stiffer"), !board.blank);
-  const bool remove = button("draw/delete", Tr("Delete"), !board.blank && !rest.springs.empty());
+  const bool remove = button("draw/remove", Tr("Delete"), !board.blank && !rest.springs.empty());
   if (symmetric.pressed) board.symmetric = !board.symmetric;
   if (softer) replace(WithStiffness(figure, 0.5f));
   if (stiffer) replace(WithStiffness(figure, 2.0f));
@@ -123,8 +123,8 @@ void DrawTools(Ui& ui, Session& session, FigurePanelState& state, const ImRect& 
     return;
   }
   int tool = springs ? static_cast<int>(state.springs.tool) : static_cast<int>(state.board.tool);
-  if (!ui.Segmented("draw/tool", rect, Tr("Tool of the drawing board"), springs ? kSpringTools : kRodTools,
-                    tool))
+  if (!ui.Segmented(springs ? "draw/springs-tool" : "draw/tool", rect, Tr("Tool of the drawing board"),
+                    springs ? kSpringTools : kRodTools, tool))
     return;
   if (springs) {
     state.springs.tool = static_cast<SpringTool>(tool);

@@ -121,11 +121,11 @@ void DrawProblems(Ui& ui, Session& session, FigurePanelState& state) {
 }
 
 /// Tools of a board, and Undo beside them. @return whether something was undone
-bool DrawTools(Ui& ui, Session& session, std::span<const char* const> names, int& tool) {
+bool DrawTools(Ui& ui, Session& session, const char* id, std::span<const char* const> names, int& tool) {
   const ImRect tools = ui.Row(ui.Look().touch ? 44.0f : 34.0f);
   const char* undo = Tr("Undo");
   const float undo_width = std::max(68.0f, ui.Letters().Width(Type::kBody, undo) + 16.0f);
-  static_cast<void>(ui.Segmented("figure/tool", {tools.Min, {tools.Max.x - undo_width - 8.0f, tools.Max.y}},
+  static_cast<void>(ui.Segmented(id, {tools.Min, {tools.Max.x - undo_width - 8.0f, tools.Max.y}},
                                  Tr("Tool of the drawing board"), names, tool));
   const bool undone = ui.Button("figure/undo", {{tools.Max.x - undo_width, tools.Min.y}, tools.Max}, undo,
                                 ButtonLook::kOutlined, session.CanUndo());
@@ -137,7 +137,7 @@ bool DrawTools(Ui& ui, Session& session, std::span<const char* const> names, int
 void DrawRodsForm(Ui& ui, Session& session, FigurePanelState& state) {
   static constexpr std::array<const char*, 2> kTools = {TrLater("Move"), TrLater("Add a rod")};
   int tool = static_cast<int>(state.board.tool);
-  const bool undone = DrawTools(ui, session, kTools, tool);
+  const bool undone = DrawTools(ui, session, "figure/tool", kTools, tool);
   state.board.tool = static_cast<DrawingTool>(tool);
   if (undone) Reset(state.board);
   if (session.Doc().figure.HasSprings()) return;  // so it was before
@@ -158,7 +158,7 @@ void DrawRodsForm(Ui& ui, Session& session, FigurePanelState& state) {
 void DrawSprings(Ui& ui, Session& session, FigurePanelState& state) {
   static constexpr std::array<const char*, 2> kTools = {TrLater("Draw"), TrLater("Move")};
   int tool = static_cast<int>(state.springs.tool);
-  const bool undone = DrawTools(ui, session, kTools, tool);
+  const bool undone = DrawTools(ui, session, "figure/springs-tool", kTools, tool);
   state.springs.tool = static_cast<SpringTool>(tool);
   if (undone) state.springs.scale = 0.0f;
   if (!session.Doc().figure.HasSprings()) return;
