@@ -55,6 +55,15 @@ constexpr std::array<LawLimit, kLaws> LimbLawLimits() {
 }
 constexpr std::array<LawLimit, kLaws> kLimbLawLimits = LimbLawLimits();
 
+/// What differs in model 3. Momenta of single nodes may be far greater than their sum.
+constexpr std::array<LawLimit, kLaws> SpringLawLimits() {
+  std::array<LawLimit, kLaws> limits = kLawLimits;
+  limits[static_cast<std::size_t>(Law::kMomentum)].most = 1e-4;
+  limits[static_cast<std::size_t>(Law::kCone)].most = 1e-5;
+  return limits;
+}
+constexpr std::array<LawLimit, kLaws> kSpringLawLimits = SpringLawLimits();
+
 /// Rounding error of a sum of single-precision numbers, as a share of the summands.
 constexpr double kRounding = 4.8e-7;  // 2^-21
 

@@ -17,6 +17,7 @@ class SpringTrial {
       : document_(document),
         motion_(motion),
         mass_kg_(static_cast<double>(motion.Bones().mass_kg)),
+        reach_m_(static_cast<double>(SizeOf(document.figure))),
         step_s_(static_cast<double>(motion.StepS())) {
     offences_.model = document.model;
   }
@@ -66,7 +67,7 @@ class SpringTrial {
       const auto normal = static_cast<double>(force.y), tangent = std::abs(static_cast<double>(force.x));
       if (document_.environment.ground.empty()) {
         const double rounding = 4.8e-7 * (std::abs(height) + std::abs(static_cast<double>(place.y)));
-        Offend(Law::kAboveGround, -(height + static_cast<double>(place.y)) - rounding);
+        Offend(Law::kAboveGround, (-(height + static_cast<double>(place.y)) - rounding) / reach_m_);
       }
       // What is pushed by a wall is pushed sideways.
       if (!document_.environment.ground.empty()) continue;
@@ -128,7 +129,7 @@ class SpringTrial {
 
   const Document& document_;
   const Motion& motion_;
-  double mass_kg_, step_s_;
+  double mass_kg_, reach_m_, step_s_;
   int frame_ = 0;
   Offences offences_;
 };

@@ -181,6 +181,14 @@ std::vector<ImVec2> PoseOf(const Figure& figure) {
   return points;
 }
 
+float DistanceToLine(ImVec2 point, ImVec2 from, ImVec2 to) {
+  const ImVec2 along(to.x - from.x, to.y - from.y);
+  const float square = std::max(1e-6f, along.x * along.x + along.y * along.y);
+  const float share =
+      std::clamp(((point.x - from.x) * along.x + (point.y - from.y) * along.y) / square, 0.0f, 1.0f);
+  return std::hypot(point.x - from.x - share * along.x, point.y - from.y - share * along.y);
+}
+
 float Direction(ImVec2 from, ImVec2 to) { return std::atan2(to.y - from.y, to.x - from.x); }
 
 float RodWidth(const Skeleton& skeleton, float points_per_metre) {

@@ -74,6 +74,9 @@ void DrawArrow(ImDrawList*, ImVec2 from, ImVec2 to, ImU32 colour, ImU32 edge);
 /// In the drawn pose.
 [[nodiscard]] std::vector<ImVec2> PoseOf(const Figure&);
 
+/// How far a point is from the line between two others, and from its ends.
+[[nodiscard]] float DistanceToLine(ImVec2 point, ImVec2 from, ImVec2 to);
+
 /// The direction of a vector, counterclockwise from the right, y upwards [rad].
 [[nodiscard]] float Direction(ImVec2 from, ImVec2 to);
 

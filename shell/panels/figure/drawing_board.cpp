@@ -95,11 +95,7 @@ int LimbAt(const Board& board, ImVec2 pointer, float within) {
     const auto i = static_cast<std::size_t>(limb);
     const ImVec2 a = board.canvas[static_cast<std::size_t>(board.skeleton.limbs[i].start)];
     const ImVec2 b = board.canvas[i + 1];
-    const ImVec2 along(b.x - a.x, b.y - a.y);
-    const float square = std::max(1e-6f, along.x * along.x + along.y * along.y);
-    const float share =
-        std::clamp(((pointer.x - a.x) * along.x + (pointer.y - a.y) * along.y) / square, 0.0f, 1.0f);
-    const float distance = std::hypot(pointer.x - a.x - share * along.x, pointer.y - a.y - share * along.y);
+    const float distance = DistanceToLine(pointer, a, b);
     if (distance > within) continue;
     within = distance;
     found = limb;

@@ -28,18 +28,21 @@ const char* WhatToDo(const FigurePanelState& state, const Figure& figure) {
                 : "Drag from a joint or a tip to add a rod there.");
 }
 
+ImRect Quarter(const ImRect& row, int column) {
+  const float width = (row.GetWidth() - 3.0f * kGapRoom) / 4.0f;
+  const float left = row.Min.x + static_cast<float>(column) * (width + kGapRoom);
+  return {left, row.Min.y, left + width, row.Max.y};
+}
+
 // Buttons side by side for what can be done with the chosen rod.
 void DrawRodButtons(Ui& ui, Session& session, DrawingBoardState& board, const ImRect& row) {
   const Figure& figure = session.Doc().figure;
   board.rod = std::clamp(board.rod, 0, figure.Rods() - 1);
   const bool limb = !board.blank && figure.rods[static_cast<std::size_t>(board.rod)].parent != kNoParent;
   const bool room = figure.Rods() < kMaxRods;
-  const float width = (row.GetWidth() - 3.0f * kGapRoom) / 4.0f;
   int column = 0;
   const auto button = [&](const char* id, const char* label, bool enabled) {
-    const float left = row.Min.x + static_cast<float>(column++) * (width + kGapRoom);
-    return ui.Button(id, {{left, row.Min.y}, {left + width, row.Max.y}}, label, ButtonLook::kOutlined,
-                     enabled);
+    return ui.Button(id, Quarter(row, column++), label, ButtonLook::kOutlined, enabled);
   };
   const auto replace = [&](Figure next, int selected) {
     next.name = kOwnFigure;
@@ -83,21 +86,17 @@ Touch DrawSwitchChip(Ui& ui, const char* id, const ImRect& rect, const char* lab
 void DrawSpringButtons(Ui& ui, Session& session, SpringBoardState& board, const ImRect& row) {
   const Figure& figure = session.Doc().figure;
   KeepChosen(figure, board);
-  const float width = (row.GetWidth() - 3.0f * kGapRoom) / 4.0f;
-  int column = 0;
+  int column = 1;
   const auto button = [&](const char* id, const char* label, bool enabled) {
-    const float left = row.Min.x + static_cast<float>(column++) * (width + kGapRoom);
-    return ui.Button(id, {{left, row.Min.y}, {left + width, row.Max.y}}, label, ButtonLook::kOutlined,
-                     enabled);
+    return ui.Button(id, Quarter(row, column++), label, ButtonLook::kOutlined, enabled);
   };
   const auto replace = [&](Figure next) {
     next.name = kOwnFigure;
     session.ReplaceFigure(next);
   };
   const Figure rest = board.blank ? figure : Without(figure, board.chosen, board.MirrorOf(figure));
-  const float left = row.Min.x + static_cast<float>(column++) * (width + kGapRoom);
-  const Touch symmetric = DrawSwitchChip(ui, "draw/symmetric", {{left, row.Min.y}, {left + width, row.Max.y}},
-                                         Tr("Both sides"), board.symmetric);
+  const Touch symmetric =
+      DrawSwitchChip(ui, "draw/symmetric", Quarter(row, 0), Tr("Both sides"), board.symmetric);
   const bool softer = button("draw/softer", Tr("Softer"), !board.blank);
   const bool stiffer = button("draw/stiffer", Tr("Stiffer"), !board.blank);
   const bool remove = button("draw/remove", Tr("Delete"), !board.blank && !rest.springs.empty());

@@ -75,11 +75,7 @@ int SpringAt(const Figure& figure, const std::vector<ImVec2>& nodes, ImVec2 poin
   for (std::size_t i = 0; i < figure.springs.size(); ++i) {
     const ImVec2 a = nodes[static_cast<std::size_t>(figure.springs[i].from)];
     const ImVec2 b = nodes[static_cast<std::size_t>(figure.springs[i].to)];
-    const ImVec2 along(b.x - a.x, b.y - a.y);
-    const float square = std::max(1e-6f, along.x * along.x + along.y * along.y);
-    const float share =
-        std::clamp(((pointer.x - a.x) * along.x + (pointer.y - a.y) * along.y) / square, 0.0f, 1.0f);
-    const float distance = std::hypot(pointer.x - a.x - share * along.x, pointer.y - a.y - share * along.y);
+    const float distance = DistanceToLine(pointer, a, b);
     if (distance > within) continue;
     within = distance;
     found = static_cast<int>(i);
