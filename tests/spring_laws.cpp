@@ -11,6 +11,9 @@ namespace gaitsmith::test {
 
 namespace {
 
+/// Rounding error of a sum of single-precision numbers, as a share of the summands.
+constexpr double kSumRounding = 4.8e-7;  // 2^-21
+
 class SpringTrial {
  public:
   SpringTrial(const Document& document, const Motion& motion)
@@ -66,13 +69,17 @@ class SpringTrial {
       const Motion::Point place = motion_.Endpoint(frame, k), force = motion_.Force(frame, k);
       const auto normal = static_cast<double>(force.y), tangent = std::abs(static_cast<double>(force.x));
       if (document_.environment.ground.empty()) {
-        const double rounding = 4.8e-7 * (std::abs(height) + std::abs(static_cast<double>(place.y)));
+        const double rounding = kSumRounding * (std::abs(height) + std::abs(static_cast<double>(place.y)));
         Offend(Law::kAboveGround, (-(height + static_cast<double>(place.y)) - rounding) / reach_m_);
       }
       // What is pushed by a wall is pushed sideways.
       if (!document_.environment.ground.empty()) continue;
       Offend(Law::kPush, -normal * step_s_ / mass_kg_);
-      const double most = static_cast<double>(document_.environment.friction) * normal;
+      // What friction takes of a fast node's speed is the difference of two rounded numbers.
+      const double rounding =
+          kSumRounding * SpeedOf(frame, k) *
+          static_cast<double>(document_.figure.nodes[static_cast<std::size_t>(k)].mass_kg) / step_s_;
+      const double most = static_cast<double>(document_.environment.friction) * normal + rounding;
       const double least = static_cast<double>(std::numeric_limits<float>::min()) / step_s_;
       Offend(Law::kCone, (tangent - most) / std::max(tangent, least));
     }
@@ -113,6 +120,15 @@ class SpringTrial {
     if (took_part > 0.0)
       Offend(Law::kMomentum,
              std::hypot(change_x - given_x - ground_x, change_y - given_y - ground_y) / took_part);
+  }
+
+  /// Along the ground, in the last step [m/s].
+  [[nodiscard]] double SpeedOf(int frame, int node) const {
+    if (frame == 0) return 0.0;
+    const double now = motion_.At(frame).x_m + static_cast<double>(motion_.Endpoint(frame, node).x);
+    const double before =
+        motion_.At(frame - 1).x_m + static_cast<double>(motion_.Endpoint(frame - 1, node).x);
+    return std::abs(now - before) / step_s_;
   }
 
   /// The fastest node from the centre of mass [m/s]: the sum of all momenta is rounded as coarsely.
