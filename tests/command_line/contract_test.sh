@@ -367,6 +367,18 @@ for lanes in 1 2 4 8 16; do same "$("$gaitsmith" hash --lanes $lanes limited.jso
 same "$(head -1 limited.csv)" "$(head -1 strong.csv)" "columns of limited joints"
 "$gaitsmith" export limited.json --svg limited.svg --gltf limited.gltf --csv limited-too.csv || fault "export of limited joints"
 cmp -s limited.csv limited-too.csv || fault "export and simulate wrote different numbers"
+
+# Figures of springs: their columns, what they have, and what they do not have.
+"$gaitsmith" simulate table-trip --csv springs.csv || fault "simulate a figure of springs"
+same "$(head -1 springs.csv | cut -d, -f6-10)" "phi,L,rule,length_1,length_2" "the columns of springs"
+same "$(head -1 springs.csv | grep -o 'node[0-9]*_x' | tail -1)" "node9_x" "a place for each node"
+same "$("$gaitsmith" validate table-trip | cut -d, -f1-4)" "valid: Walking Table, 10 nodes, 19 springs, 8 muscles" "what springs are counted"
+"$gaitsmith" export table-trip --controller springs.json --svg springs.svg || fault "export a figure of springs"
+grep -q '"name": "muscle 8", "rod": -1, "spring": 18' springs.json || fault "no eighth muscle in the exported controller"
+refuses 'figure: has springs, and this kind of file shows rods' "$gaitsmith" export table-trip --gltf precious.gltf
+refuses '--joints: a figure of springs has no joints' "$gaitsmith" synthesize --figure jelly --joints limited --out precious.json
+refuses 'kind: a figure of springs follows rules or curves, not a network' "$gaitsmith" synthesize --figure jelly --controller network --evaluations 20 --out precious.json
+refuses 'figure: has springs: only angles of joints are recorded as curves' "$gaitsmith" record table-trip --out precious.json
 "$gaitsmith" link decode "$("$gaitsmith" link encode limited.json)" | cmp -s - limited.json || fault "a link changed limited joints"
 "$gaitsmith" compare --problem limited.json --search sphc --trials 1 --first-seed 4 --evaluations 40 --joints strong --out cs.csv --curves cc.csv &&
   "$gaitsmith" compare --problem strong.json --search sphc --trials 1 --first-seed 4 --evaluations 40 --out co.csv --curves cd.csv &&
