@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "core/springs/lattice.h"
 #include "core/world/environment.h"
 
 namespace gaitsmith::test {
@@ -21,6 +23,8 @@ class SpringTrial {
         motion_(motion),
         mass_kg_(static_cast<double>(motion.Bones().mass_kg)),
         reach_m_(static_cast<double>(SizeOf(document.figure))),
+        fastest_mps_(reach_m_ * std::sqrt(static_cast<double>(FastestVibration(document.figure)))),
+        half_(0.5 / Lattice(document.figure).substeps),
         step_s_(static_cast<double>(motion.StepS())) {
     offences_.model = document.model;
   }
@@ -75,13 +79,14 @@ class SpringTrial {
       // What is pushed by a wall is pushed sideways.
       if (!document_.environment.ground.empty()) continue;
       Offend(Law::kPush, -normal * step_s_ / mass_kg_);
-      // What friction takes of a fast node's speed is the difference of two rounded numbers.
-      const double rounding =
-          kSumRounding * SpeedOf(frame, k) *
-          static_cast<double>(document_.figure.nodes[static_cast<std::size_t>(k)].mass_kg) / step_s_;
-      const double most = static_cast<double>(document_.environment.friction) * normal + rounding;
+      // What friction takes of a fast node's speed is the difference of two rounded numbers, in each substep:
+      // its error is a share of the fastest that the node may have been.
+      const double most = static_cast<double>(document_.environment.friction) * normal;
+      const double impulse =
+          static_cast<double>(document_.figure.nodes[static_cast<std::size_t>(k)].mass_kg) *
+          (SpeedOf(frame, k) + fastest_mps_) / step_s_;
       const double least = static_cast<double>(std::numeric_limits<float>::min()) / step_s_;
-      Offend(Law::kCone, (tangent - most) / std::max(tangent, least));
+      Offend(Law::kCone, (tangent - most) / std::max(tangent + impulse, least));
     }
   }
 
@@ -97,11 +102,16 @@ class SpringTrial {
       ground_y += static_cast<double>(now.y) * step_s_;
     }
     if (touched) return;
-    const float time_s = static_cast<float>(last) * motion_.StepS();
-    const auto slope = static_cast<double>(GroundAngle(document_.environment, time_s));
+    // A frame's velocity has half of a substep's fall more than the substeps gave, of the tilt of its own
+    // step.
     const auto gravity = static_cast<double>(document_.environment.gravity_mps2);
-    double given_x = -std::sin(slope) * gravity * mass_kg_ * step_s_;
-    double given_y = -std::cos(slope) * gravity * mass_kg_ * step_s_;
+    double given_x = 0.0, given_y = 0.0;
+    for (const auto& [step, share] : {std::pair(last, 1.0 + half_), {std::max(0, last - 1), -half_}}) {
+      const auto slope =
+          static_cast<double>(GroundAngle(document_.environment, static_cast<float>(step) * motion_.StepS()));
+      given_x -= share * std::sin(slope) * gravity * mass_kg_ * step_s_;
+      given_y -= share * std::cos(slope) * gravity * mass_kg_ * step_s_;
+    }
     took_part = std::abs(given_x) + std::abs(given_y);
     for (const Push& push : document_.pushes) {
       if (push.step != last) continue;
@@ -145,7 +155,10 @@ class SpringTrial {
 
   const Document& document_;
   const Motion& motion_;
-  double mass_kg_, reach_m_, step_s_;
+  double mass_kg_, reach_m_;
+  double fastest_mps_;  // of a node that swings through all of the figure
+  double half_;         // of a substep, in steps
+  double step_s_;
   int frame_ = 0;
   Offences offences_;
 };
