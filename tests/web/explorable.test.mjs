@@ -45,10 +45,19 @@ const metres = (/** @type {number} */ value, places = 1) => `${value.toFixed(pla
 test('the small engine moves the gallery’s figures bit for bit as the others do', async () => {
   const names = (await readdir(join(ROOT, 'examples/gallery'))).filter((name) => name.endsWith('.json'));
   assert.ok(names.length > 10);
+  let others = 0;
   for (const name of names) {
-    const json = await example(`gallery/${name.slice(0, -'.json'.length)}`);
+    const text = await readFile(join(ROOT, 'examples/gallery', name), 'utf8');
+    // It has only the first model.
+    if (JSON.parse(text).model > 1) {
+      assert.throws(() => engine.documentFromText(text), /needs physical model \d, but this Gaitsmith has models up to 1/);
+      others++;
+      continue;
+    }
+    const json = engine.json(engine.documentFromText(text));
     assert.equal(measure(json, 'hash'), json.hash, name);
   }
+  assert.ok(others < names.length / 4);
 });
 
 test('the small engine names the searches that it leaves out', async () => {
