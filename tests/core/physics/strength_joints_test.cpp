@@ -119,6 +119,7 @@ TEST_CASE("strength: the stronger and stiffer the joints, the more they do what 
     for (const std::string& name : GalleryDocuments()) {
       const auto document = DecodeJson(ReadFile(name));
       REQUIRE(document);
+      if (document->figure.HasSprings()) continue;
       Figure strong = document->figure;
       for (Rod& rod : strong.rods) {
         rod.strength = 1e6f;

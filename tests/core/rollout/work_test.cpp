@@ -210,6 +210,7 @@ TEST_CASE("work: model 1 works as model 2 does with very strong, firm joints", "
   for (const std::string& name : GalleryDocuments()) {
     const auto document = DecodeJson(ReadFile(name));
     REQUIRE(document);
+    if (document->figure.HasSprings()) continue;
     const Figure strong = WithJoints(document->figure, 1e6f, 1e6f);
     const auto work = [&](int model) {
       return static_cast<double>(
