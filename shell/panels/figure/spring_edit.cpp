@@ -50,6 +50,7 @@ void JoinToNearest(Figure& figure, int springs) {
   const auto last = static_cast<int>(figure.nodes.size()) - 1;
   const Node& node = figure.nodes.back();
   std::vector<int> others;
+  others.reserve(figure.nodes.size());
   for (int other = 0; other < last; ++other) others.push_back(other);
   std::ranges::sort(others, {}, [&](int other) {
     return std::pair(Distance(figure.nodes[static_cast<std::size_t>(other)], node.x_m, node.y_m), other);
