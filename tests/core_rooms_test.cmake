@@ -12,7 +12,7 @@ set(rooms
   "springs  -> numeric signal world physics"
   "spacetime -> numeric signal world physics"
   "rollout  -> numeric signal control world physics springs"
-  "kinematics -> numeric control world physics rollout"
+  "kinematics -> numeric control world physics springs rollout"
   "search   -> numeric signal control rollout"
   "evolution -> numeric signal control search"
   "document -> numeric signal control world physics spacetime rollout search"

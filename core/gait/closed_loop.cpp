@@ -24,6 +24,10 @@ Posture Without(Posture one, const Posture& excess, double share) {
   one.y_m -= share * excess.y_m;
   one.direction_rad -= share * excess.direction_rad;
   for (std::size_t j = 0; j < one.angle_rad.size(); ++j) one.angle_rad[j] -= share * excess.angle_rad[j];
+  for (std::size_t k = 0; k < one.nodes.size(); ++k) {
+    one.nodes[k].x_m -= share * excess.nodes[k].x_m;
+    one.nodes[k].y_m -= share * excess.nodes[k].y_m;
+  }
   return one;
 }
 
@@ -39,8 +43,8 @@ KinematicFrame FrameAt(const Motion& motion, double frame) {
                     .forces = {},
                     .clip = motion.At(source).clip,
                     .rule = motion.At(source).rule};
-  at.forces.reserve(static_cast<std::size_t>(motion.Bones().endpoints));
-  for (int k = 0; k < motion.Bones().endpoints; ++k) at.forces.push_back(motion.Force(source, k));
+  at.forces.reserve(static_cast<std::size_t>(motion.Connections().contacts));
+  for (int k = 0; k < motion.Connections().contacts; ++k) at.forces.push_back(motion.Force(source, k));
   return at;
 }
 
@@ -86,8 +90,8 @@ ClosedLoop CloseLoop(const Motion& motion, const GaitCycle& cycle) {
   const auto length_m = static_cast<double>(bones.longest_rod_m);
   loop.frames.reserve(static_cast<std::size_t>(steps) + 1);
   // By how much each standing foot has been moved when it came to stand.
-  std::vector<WorldPoint> since(static_cast<std::size_t>(bones.endpoints));
-  std::vector<bool> stood(static_cast<std::size_t>(bones.endpoints), false);
+  std::vector<WorldPoint> since(static_cast<std::size_t>(motion.Connections().contacts));
+  std::vector<bool> stood(static_cast<std::size_t>(motion.Connections().contacts), false);
   for (int step = 0; step <= steps; ++step) {
     KinematicFrame frame = FrameAt(motion, cycle.first + cycle.frames * step / steps);
     const std::vector<WorldPoint> recorded = EndpointsOf(bones, frame.posture);

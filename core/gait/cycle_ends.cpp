@@ -23,8 +23,8 @@ CycleEnds::CycleEnds(const Motion& motion, const LimbPairs& pairs)
   for (int frame = 0; frame < motion.Frames(); ++frame) {
     const Motion::Frame& at = motion.At(frame);
     std::vector<WorldPoint>& points = points_.emplace_back();
-    points.reserve(static_cast<std::size_t>(motion.Bones().endpoints));
-    for (int k = 0; k < motion.Bones().endpoints; ++k) {
+    points.reserve(static_cast<std::size_t>(motion.Connections().contacts));
+    for (int k = 0; k < motion.Connections().contacts; ++k) {
       const Motion::Point point = motion.Endpoint(frame, k);
       points.push_back({at.x_m + static_cast<double>(point.x), static_cast<double>(at.y_m + point.y)});
     }

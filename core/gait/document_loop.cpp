@@ -49,10 +49,12 @@ Result<ClosedLoop> LoopIn(const Document& document, const Motion& motion, int fi
     return Fail(ErrorCode::kMissing, "", "the ground is drawn, so what is under the figure does not repeat");
   }
   if (loop.slide_rods > kMostSeam) {
-    return Fail(ErrorCode::kMissing, "",
-                "its cycles differ: closing one would slide a standing foot by " +
-                    InHundredths(100.0 * loop.slide_rods) + " % of the longest rod (" +
-                    InHundredths(100.0 * kMostSeam) + " % at most)");
+    return Fail(
+        ErrorCode::kMissing, "",
+        "its cycles differ: closing one would slide a standing foot by " +
+            InHundredths(100.0 * loop.slide_rods) +
+            (document.figure.HasSprings() ? " % of the longest spring (" : " % of the longest rod (") +
+            InHundredths(100.0 * kMostSeam) + " % at most)");
   }
   return loop;
 }
@@ -62,9 +64,6 @@ Result<ClosedLoop> LoopIn(const Document& document, const Motion& motion, int fi
 Result<DocumentLoop> ShownLoopOf(const Document& document, const Motion& motion, bool halves) {
   const int clip = LongestClip(document);
   if (clip < 0) return Fail(ErrorCode::kMissing, "", "the document has no controller");
-  if (document.figure.HasSprings())
-    return Fail(ErrorCode::kStructure, "",
-                "only motions of rods are closed to loops, and this figure has springs");
   const int start = document.timeline[static_cast<std::size_t>(clip)].start_step;
   const int end = EndWithin(document, clip);
   const int pushed = LastPush(document, start, end);
@@ -76,7 +75,7 @@ Result<DocumentLoop> ShownLoopOf(const Document& document, const Motion& motion,
 Result<DocumentLoop> LoopOf(const Document& document, const Motion& motion, bool halves) {
   auto shown = ShownLoopOf(document, motion, halves);
   const int clip = LongestClip(document);
-  if (shown || clip < 0 || document.figure.HasSprings()) return shown;
+  if (shown || clip < 0) return shown;
   const int end = EndWithin(document, clip);
   if (motion.TermsAt(end).broke_physics) return shown;
 

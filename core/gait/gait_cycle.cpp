@@ -57,7 +57,8 @@ Result<GaitCycle> FindCycle(const Motion& motion, int first, int last, bool halv
   const Likeness likeness(motion, first, last, pairs);
   if (likeness.Liveliness() < kLiveliness) {
     return NoCycle("the figure stands still: its parts move by " + InHundredths(likeness.Liveliness()) +
-                   " of the longest rod (" + InHundredths(kLiveliness) + " at least)");
+                   (motion.Bones().rods == 0 ? " of the longest spring (" : " of the longest rod (") +
+                   InHundredths(kLiveliness) + " at least)");
   }
   std::vector<double> after(static_cast<std::size_t>(longest) + 1, -1.0);
   for (int lag = kShortestCycle - 1; lag <= longest; ++lag)

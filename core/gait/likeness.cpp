@@ -26,7 +26,7 @@ double Share(const Motion& motion, int frame, int endpoint, int first, int last)
 
 Likeness::Likeness(const Motion& motion, int first, int last, const LimbPairs& pairs)
     : frames_(static_cast<std::size_t>(last - first) + 1),
-      width_(kOfBody + kOfEndpoint * static_cast<std::size_t>(motion.Bones().endpoints)) {
+      width_(kOfBody + kOfEndpoint * static_cast<std::size_t>(motion.Connections().contacts)) {
   const auto length_m = static_cast<double>(motion.Bones().longest_rod_m);
   const double time_s = std::sqrt(length_m / static_cast<double>(kStandardGravity));
   const double rate = time_s / length_m;
@@ -39,7 +39,7 @@ Likeness::Likeness(const Motion& motion, int first, int last, const LimbPairs& p
     into.push_back(static_cast<double>(at.velocity_y_mps) * rate);
     const int before = std::max(frame - 1, 0);
     const double step_s = static_cast<double>(motion.StepS());
-    for (int k = 0; k < motion.Bones().endpoints; ++k) {
+    for (int k = 0; k < motion.Connections().contacts; ++k) {
       const int endpoint = endpoint_of(k);
       const Motion::Point now = motion.Endpoint(frame, endpoint), was = motion.Endpoint(before, endpoint);
       into.push_back(static_cast<double>(now.x) / length_m);

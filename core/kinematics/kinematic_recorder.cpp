@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "core/control/sense_table.h"
 #include "core/numeric/scalar_math.h"
 #include "core/rollout/models.h"
 #include "core/rollout/motion_recorder.h"
+#include "core/springs/lattice.h"
 
 namespace gaitsmith {
 
@@ -18,6 +20,32 @@ struct Layout {
   std::vector<double> directions;
   std::vector<WorldPoint> endpoints;
 };
+
+/// The cross product of the mean of two arms and its velocity.
+double Swept(const WorldPoint& was, const WorldPoint& is, double step_s) {
+  return (was.x_m * is.y_m - was.y_m * is.x_m) / step_s;
+}
+
+/// Of a figure of springs about its centre of mass.
+double AngularMomentum(const Lattice& body, const Posture& before, const Posture& now, double step_s) {
+  double momentum = 0.0;
+  for (std::size_t node = 0; node < body.nodes; ++node)
+    momentum += static_cast<double>(body.mass_kg[node]) * Swept(before.nodes[node], now.nodes[node], step_s);
+  return momentum;
+}
+
+/// Lengths of the muscles over the drawn ones.
+std::vector<double> LengthsOf(const Lattice& body, const Posture& posture) {
+  std::vector<double> lengths;
+  lengths.reserve(body.muscles);
+  for (std::size_t j = 0; j < body.muscles; ++j) {
+    const Lattice::Link& link = body.link[body.muscle[j].link];
+    const WorldPoint &from = posture.nodes[link.from], &to = posture.nodes[link.to];
+    lengths.push_back(WorldPoint{to.x_m - from.x_m, to.y_m - from.y_m}.Length() /
+                      static_cast<double>(link.drawn_m));
+  }
+  return lengths;
+}
 
 /// Of the figure about its centre of mass, in the middle between two postures.
 double AngularMomentum(const Skeleton& bones, const Posture& before, const Layout& from, const Posture& now,
@@ -31,11 +59,10 @@ double AngularMomentum(const Skeleton& bones, const Posture& before, const Layou
                         0.5 * (layout.endpoints[start].y_m + layout.endpoints[end].y_m) - posture.y_m};
     };
     const WorldPoint was = arm(before, from), is = arm(now, to);
-    // The cross product of the mean arm and its velocity.
-    const double swept = (was.x_m * is.y_m - was.y_m * is.x_m) / step_s;
     const auto at = static_cast<std::size_t>(rod);
     const double turned = (to.directions[at] - from.directions[at]) / step_s;
-    momentum += static_cast<double>(limb.mass_kg) * swept + static_cast<double>(limb.inertia_kgm2) * turned;
+    momentum += static_cast<double>(limb.mass_kg) * Swept(was, is, step_s) +
+                static_cast<double>(limb.inertia_kgm2) * turned;
   }
   return momentum;
 }
@@ -52,6 +79,11 @@ class KinematicRecorder final : public MotionRecorder {
     const double step_s = static_cast<double>(script.step_s);
     log.ports = CountPorts(script.model, script.figure);
     log.senses = SenseCount(SenseKind::kSight, log.ports);
+    std::optional<Lattice> lattice;
+    if (script.figure.HasSprings()) lattice.emplace(script.figure);
+    const auto positions_of = [&](const Posture& posture) {
+      return lattice ? LengthsOf(*lattice, posture) : posture.angle_rad;
+    };
     std::vector<Layout> layouts;
     layouts.reserve(frames_.size());
     for (const KinematicFrame& frame : frames_)
@@ -69,8 +101,9 @@ class KinematicRecorder final : public MotionRecorder {
       snapshot.y_m = static_cast<float>(now.y_m);
       snapshot.velocity_x_mps = static_cast<float>((after.x_m - before.x_m) / step_s);
       snapshot.velocity_y_mps = static_cast<float>((after.y_m - before.y_m) / step_s);
-      snapshot.angular_momentum =
-          static_cast<float>(AngularMomentum(bones, before, layouts[then - 1], after, layouts[then], step_s));
+      snapshot.angular_momentum = static_cast<float>(
+          lattice ? AngularMomentum(*lattice, before, after, step_s)
+                  : AngularMomentum(bones, before, layouts[then - 1], after, layouts[then], step_s));
       snapshot.turn_rad = now.direction_rad;
       snapshot.clip = frames_[i].clip;
       snapshot.rule = frames_[i].rule;
@@ -83,9 +116,11 @@ class KinematicRecorder final : public MotionRecorder {
             {static_cast<float>(point.x_m - now.x_m), static_cast<float>(point.y_m - now.y_m)});
       }
       log.forces.insert(log.forces.end(), frames_[i].forces.begin(), frames_[i].forces.end());
-      for (std::size_t j = 0; j < now.angle_rad.size(); ++j) {
-        log.angles.push_back(static_cast<float>(now.angle_rad[j]));
-        log.rates.push_back(static_cast<float>((after.angle_rad[j] - before.angle_rad[j]) / step_s));
+      const std::vector<double> positions = positions_of(now), from = positions_of(before),
+                                to = positions_of(after);
+      for (std::size_t j = 0; j < positions.size(); ++j) {
+        log.angles.push_back(static_cast<float>(positions[j]));
+        log.rates.push_back(static_cast<float>((to[j] - from[j]) / step_s));
       }
       log.felt.insert(log.felt.end(), static_cast<std::size_t>(log.senses), 0.0f);
     }

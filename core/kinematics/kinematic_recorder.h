@@ -16,8 +16,8 @@ struct KinematicFrame {
   int clip = -1, rule = -1;           // as in Motion::Frame
 };
 
-/// Rates are differences from frame to frame. Of the terms only travel, height and rotations are measured;
-/// nothing is sensed.
+/// Rates are differences from frame to frame, and lengths of muscles are between their nodes. Of the terms
+/// only travel, height and rotations are measured; nothing is sensed.
 /// @param script of the figure; its steps and controllers are not used
 /// @param frames at least two, one per step
 [[nodiscard]] Motion RecordKinematic(Script script, std::span<const KinematicFrame> frames);

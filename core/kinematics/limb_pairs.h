@@ -13,12 +13,13 @@ struct LimbPairs {
   /// No limb has a partner.
   LimbPairs();
 
-  std::array<int, kMaxRods> rod;            // the one that takes its part; itself if it has no partner
-  std::array<int, kMaxEndpoints> endpoint;  // the one at the same place of that limb
+  std::array<int, kMaxRods> rod;           // the one that takes its part; itself if it has no partner
+  std::array<int, kMaxContacts> endpoint;  // the one at the same place of that limb
   bool any = false;
 };
 
-/// Only where exactly two limbs of a place are alike: any two arms of a star are.
+/// Only where exactly two limbs of a place are alike: any two arms of a star are. None of a figure of
+/// springs.
 [[nodiscard]] LimbPairs LimbPairsOf(const Skeleton&);
 
 /// Each limb as its partner was.

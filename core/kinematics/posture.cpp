@@ -11,8 +11,18 @@ namespace gaitsmith {
 
 Posture PostureAt(const Motion& motion, int frame) {
   const Motion::Frame& at = motion.At(frame);
-  Posture posture{
-      .x_m = at.x_m, .y_m = static_cast<double>(at.y_m), .direction_rad = at.turn_rad, .angle_rad = {}};
+  Posture posture{.x_m = at.x_m,
+                  .y_m = static_cast<double>(at.y_m),
+                  .direction_rad = at.turn_rad,
+                  .angle_rad = {},
+                  .nodes = {}};
+  if (motion.Bones().rods == 0) {
+    posture.nodes.reserve(static_cast<std::size_t>(motion.Connections().contacts));
+    for (int node = 0; node < motion.Connections().contacts; ++node) {
+      const Motion::Point point = motion.Endpoint(frame, node);
+      posture.nodes.push_back({static_cast<double>(point.x), static_cast<double>(point.y)});
+    }
+  }
   posture.angle_rad.reserve(static_cast<std::size_t>(motion.Bones().joints));
   for (int joint = 0; joint < motion.Bones().joints; ++joint)
     posture.angle_rad.push_back(static_cast<double>(motion.AngleRad(frame, joint)));
@@ -41,6 +51,10 @@ Posture PostureBetween(const Motion& motion, double frame) {
   mean.direction_rad = mix([](const Posture& one) { return one.direction_rad; });
   for (std::size_t joint = 0; joint < mean.angle_rad.size(); ++joint)
     mean.angle_rad[joint] = mix([&](const Posture& one) { return one.angle_rad[joint]; });
+  for (std::size_t node = 0; node < mean.nodes.size(); ++node) {
+    mean.nodes[node] = {mix([&](const Posture& one) { return one.nodes[node].x_m; }),
+                        mix([&](const Posture& one) { return one.nodes[node].y_m; })};
+  }
   return mean;
 }
 
@@ -56,6 +70,11 @@ std::vector<double> DirectionsOf(const Skeleton& bones, const Posture& posture) 
 }
 
 std::vector<WorldPoint> EndpointsOf(const Skeleton& bones, const Posture& posture) {
+  if (bones.rods == 0) {
+    std::vector<WorldPoint> places = posture.nodes;
+    for (WorldPoint& place : places) place = {posture.x_m + place.x_m, posture.y_m + place.y_m};
+    return places;
+  }
   const std::vector<double> directions = DirectionsOf(bones, posture);
   std::vector<WorldPoint> points = {{0.0, 0.0}};
   points.reserve(static_cast<std::size_t>(bones.endpoints));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "shell/export/exporters.h"
+#include "shell/export/moving_outlines.h"
 #include "shell/export/moving_picture.h"
 #include "shell/export/painted_picture.h"
 #include "shell/export/picture_colours.h"
@@ -40,23 +41,15 @@ Outline Stroke(const std::array<double, 2>& from, const std::array<double, 2>& t
 /// Paints the frames of a picture that moves.
 class FramePainter {
  public:
-  explicit FramePainter(const MovingPicture& moving)
-      : moving_(moving), surface_(moving.Surface()), marks_(moving.Marks()) {}
+  FramePainter(const MovingPicture& moving, const MovingOutlines& outlines)
+      : moving_(moving), outlines_(outlines), surface_(moving.Surface()), marks_(moving.Marks()) {}
 
   void Paint(int frame, PaintedPicture& picture) const {
     picture.Clear(kPaperColour.light);
     PaintGround(moving_.GroundAt(frame), picture);
-    std::vector<MovingBones::Place> places;
-    places.reserve(static_cast<std::size_t>(moving_.Bones().Count()));
-    for (int bone = 0; bone < moving_.Bones().Count(); ++bone)
-      places.push_back(moving_.Bones().PlaceOf(frame, bone));
-    Outline outline;
-    for (const BoneShape& shape : moving_.Shapes()) {
-      outline.clear();
-      for (const auto& [x, y] : shape.outline_m)
-        outline.push_back(moving_.PlaceAt(frame, places[static_cast<std::size_t>(shape.bone)].Of(
-                                                     {x / moving_.Scale(), -y / moving_.Scale()})));
-      picture.Fill(outline, shape.colour->light);
+    for (auto& [colour, outline] : outlines_.At(frame)) {
+      for (auto& point : outline) point = moving_.PlaceAt(frame, point);
+      picture.Fill(outline, colour->light);
     }
   }
 
@@ -86,6 +79,7 @@ class FramePainter {
   }
 
   const MovingPicture& moving_;
+  const MovingOutlines& outlines_;
   Outline surface_;
   std::vector<MovingPicture::Mark> marks_;
 };
@@ -188,7 +182,8 @@ class ChangedPixels {
 
 std::string AnimatedPng(const Document& document, const Motion& motion, const ExportOptions& options) {
   const MovingPicture moving(document, motion, options.loops);
-  const FramePainter painter(moving);
+  const MovingOutlines outlines(document.figure, motion);
+  const FramePainter painter(moving, outlines);
   const int steps = std::max(1, motion.Frames() - 1);
   const int frames = (options.loops ? steps - 1 : motion.Frames() - 1) / kStepsPerFrame + 1;
   Palette palette;

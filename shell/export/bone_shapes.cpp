@@ -7,7 +7,6 @@
 #include <span>
 
 #include "core/numeric/scalar_math.h"
-#include "shell/body/body_parts.h"
 
 namespace gaitsmith::shell {
 
@@ -78,7 +77,20 @@ Points OutlineOf(const std::array<double, 2>& from, double from_m, const std::ar
 
 }  // namespace
 
+std::vector<std::array<double, 2>> OutlineOf(const BodyPart& part) {
+  for (const float number : {part.from.x, part.from.y, part.to.x, part.to.y, part.belly_m})
+    if (!std::isfinite(number)) return {};
+  const auto at = [](BodyPoint point) {
+    return std::array{static_cast<double>(point.x), static_cast<double>(point.y)};
+  };
+  return OutlineOf(at(part.from), static_cast<double>(part.from_m), at(part.to),
+                   static_cast<double>(part.to_m), static_cast<double>(part.belly_m));
+}
+
+const PictureColour& ColourOf(const BodyPart& part) { return part.far ? kFarColour : kInkColour; }
+
 std::vector<BoneShape> BoneShapesOf(const Figure& figure) {
+  if (figure.HasSprings()) return {};
   const Skeleton bones(figure);
   const FigureLook look = LookOf(figure);
   const std::vector<BodyPoint> endpoints = DrawnEndpoints(bones, {});
@@ -89,7 +101,7 @@ std::vector<BoneShape> BoneShapesOf(const Figure& figure) {
   std::vector<BoneShape> shapes;
   for (const BodyPart& part : BodyPartsOf(look, endpoints)) {
     const BoneFrame frame = frame_of(part.rod);
-    shapes.push_back({part.rod, part.far ? &kFarColour : &kInkColour,
+    shapes.push_back({part.rod, &ColourOf(part),
                       OutlineOf(frame.Of(part.from), static_cast<double>(part.from_m), frame.Of(part.to),
                                 static_cast<double>(part.to_m), static_cast<double>(part.belly_m))});
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/document/document.h"
+#include "shell/body/body_parts.h"
 #include "shell/export/picture_colours.h"
 
 namespace gaitsmith::shell {
@@ -18,8 +19,13 @@ struct BoneShape {
   std::vector<std::array<double, 2>> outline_m;
 };
 
-/// In the order of drawing: far limbs first, the eye last. Shapes of one bone often follow one another.
+/// In the order of drawing: far limbs first, the eye last. Shapes of one bone often follow one another. None
+/// of a figure of springs, whose shapes change.
 [[nodiscard]] std::vector<BoneShape> BoneShapesOf(const Figure&);
+
+/// Of a part where it is [m], counterclockwise. Empty, if that is no place: of a motion that fails.
+[[nodiscard]] std::vector<std::array<double, 2>> OutlineOf(const BodyPart&);
+[[nodiscard]] const PictureColour& ColourOf(const BodyPart&);
 
 /// How far shapes reach below the endpoints on which the figure stands [m].
 [[nodiscard]] double SoleM(const Figure&);

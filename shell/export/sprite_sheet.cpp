@@ -6,11 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "shell/export/bone_shapes.h"
 #include "shell/export/exporters.h"
 #include "shell/export/following_view.h"
 #include "shell/export/json_parts.h"
-#include "shell/export/moving_bones.h"
+#include "shell/export/moving_outlines.h"
 #include "shell/export/painted_picture.h"
 #include "shell/export/picture_colours.h"
 #include "shell/export/zip_archive.h"
@@ -22,21 +21,19 @@ namespace {
 constexpr double kSpriteMargin =
     1.0;  // around the figure, so that smooth edges of neighbours do not meet [px]
 
-using Outline = std::vector<std::array<double, 2>>;
-
 class Sprites {
  public:
   Sprites(const Document& document, const Motion& motion, const ExportOptions& options)
-      : bones_(motion),
+      : outlines_(document.figure, motion),
+        last_(motion.Frames() - 1),
         view_(motion, Terrain(document.environment.ground), options.loops),
-        shapes_(BoneShapesOf(document.figure)),
         sole_m_(SoleM(document.figure)),
         loops_(options.loops),
         frames_(
             std::clamp(options.sprites.frames, 1, std::max(1, motion.Frames() - (options.loops ? 1 : 0)))) {
     for (int sprite = 0; sprite < frames_; ++sprite) {
-      for (const BoneShape& shape : shapes_) {
-        for (const auto& [x, y] : OutlineM(sprite, shape)) {
+      for (const auto& filled : FigureM(sprite)) {
+        for (const auto& [x, y] : filled.outline_m) {
           if (!std::isfinite(x) || !std::isfinite(y)) continue;  // of a motion that fails
           left_m_ = std::min(left_m_, x);
           right_m_ = std::max(right_m_, x);
@@ -73,11 +70,10 @@ class Sprites {
     for (int sprite = 0; sprite < frames_; ++sprite) {
       const double x = Column(sprite) * width_ + kSpriteMargin;
       const double y = Row(sprite) * height_ + kSpriteMargin;
-      for (const BoneShape& shape : shapes_) {
-        Outline outline = OutlineM(sprite, shape);
+      for (auto& [colour, outline] : FigureM(sprite)) {
         for (auto& point : outline)
           point = {x + (point[0] - left_m_) * scale_, y + (top_m_ - point[1]) * scale_};
-        sheet.Fill(outline, shape.colour->light);
+        sheet.Fill(outline, colour->light);
       }
     }
     return PngOf(sheet);
@@ -150,30 +146,29 @@ class Sprites {
   /// Intervals between sprites: of a loop the last one leads back to the first.
   [[nodiscard]] int Intervals() const { return std::max(1, loops_ ? frames_ : frames_ - 1); }
   [[nodiscard]] int StepOf(int sprite) const {
-    const int last = bones_.Frames() - 1;
-    return (2 * sprite * last + Intervals()) / (2 * Intervals());
+    return (2 * sprite * last_ + Intervals()) / (2 * Intervals());
   }
   /// From the start to a sprite. The last one of a whole motion is seen as long as the others.
   [[nodiscard]] int Milliseconds(int sprite) const {
-    return (20 * sprite * (bones_.Frames() - 1) + Intervals()) / (2 * Intervals());
+    return (20 * sprite * last_ + Intervals()) / (2 * Intervals());
   }
 
   /// Against the view's middle and the ground there, y upwards.
-  [[nodiscard]] Outline OutlineM(int sprite, const BoneShape& shape) const {
+  [[nodiscard]] std::vector<MovingOutlines::Filled> FigureM(int sprite) const {
     const int step = StepOf(sprite);
-    const MovingBones::Place place = bones_.PlaceOf(step, shape.bone);
-    Outline outline;
-    outline.reserve(shape.outline_m.size());
-    for (const auto& point : shape.outline_m) {
-      const auto [x, y] = place.Of(point);
-      outline.push_back({x - view_.MiddleM(step), y - view_.GroundM(step)});
+    std::vector<MovingOutlines::Filled> figure = outlines_.At(step);
+    for (auto& filled : figure) {
+      for (auto& [x, y] : filled.outline_m) {
+        x -= view_.MiddleM(step);
+        y -= view_.GroundM(step);
+      }
     }
-    return outline;
+    return figure;
   }
 
-  MovingBones bones_;
+  MovingOutlines outlines_;
+  int last_;  // step of the motion
   FollowingView view_;
-  std::vector<BoneShape> shapes_;
   double sole_m_;
   bool loops_;
   int frames_;

@@ -375,6 +375,8 @@ same "$(head -1 springs.csv | grep -o 'node[0-9]*_x' | tail -1)" "node9_x" "a pl
 same "$("$gaitsmith" validate table-trip | cut -d, -f1-4)" "valid: Walking Table, 10 nodes, 19 springs, 8 muscles" "what springs are counted"
 "$gaitsmith" export table-trip --controller springs.json --svg springs.svg || fault "export a figure of springs"
 grep -q '"name": "muscle 8", "rod": -1, "spring": 18' springs.json || fault "no eighth muscle in the exported controller"
+"$gaitsmith" export table-trip --sprites springs.zip --loop --in-place && "$gaitsmith" export table-trip --csv springs.csv --loop || fault "export a figure of springs as a loop"
+same "$(sed -n 2p springs.csv | cut -d, -f9-16)" "$(tail -1 springs.csv | cut -d, -f9-16)" "lengths where a loop of springs begins and ends"
 refuses 'figure: has springs, and this kind of file shows rods' "$gaitsmith" export table-trip --gltf precious.gltf
 refuses '--joints: a figure of springs has no joints' "$gaitsmith" synthesize --figure jelly --joints limited --out precious.json
 refuses 'kind: a figure of springs follows rules or curves, not a network' "$gaitsmith" synthesize --figure jelly --controller network --evaluations 20 --out precious.json

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The motions whose exported files are tested: shipped ones whole, and two as loops.
+// The motions whose exported files are tested: shipped ones whole, and two as loops; and of springs one of each.
 import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
@@ -10,11 +10,12 @@ export const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 const WEB = process.env.GAITSMITH_WEB ?? join(ROOT, 'build/wasm/web');
 
 export class ExportedMotions {
-  /** @param {import('../../web/search/engine.js').Engine} engine @param {Map<string, any>} documents  by file name @param {any} cartwheel */
-  constructor(engine, documents, cartwheel) {
+  /** @param {import('../../web/search/engine.js').Engine} engine @param {Map<string, any>} documents  by file name @param {any} cartwheel @param {any} springs  of springs */
+  constructor(engine, documents, cartwheel, springs) {
     this.engine = engine;
     this.documents = documents;
     this.cartwheel = cartwheel;
+    this.springs = springs;
   }
 
   static async load() {
@@ -25,7 +26,7 @@ export class ExportedMotions {
     for (const folder of ['examples', 'tests/golden/limited']) {
       for (const file of (await readdir(join(ROOT, folder))).filter((name) => name.endsWith('.json'))) documents.set(file, await read(join(folder, file)));
     }
-    return new ExportedMotions(engine, documents, await read('examples/gallery/star-man-cartwheel.json'));
+    return new ExportedMotions(engine, documents, await read('examples/gallery/star-man-cartwheel.json'), await read('examples/gallery/soft-wheel-roll.json'));
   }
 
   /** @param {any} document */
@@ -43,6 +44,14 @@ export class ExportedMotions {
       const loop = this.engine.loop(this.bytesOf(text));
       check(loop, 'a loop');
       loop.close();
+    }
+  }
+
+  /** A figure of springs, which formats with bones refuse. @param {(motion: RecordedMotion, name: string) => void} check */
+  eachOfSprings(check) {
+    for (const [motion, name] of [[this.engine.motion(this.bytesOf(this.springs)), 'springs'], [this.engine.loop(this.bytesOf(this.springs)), 'a loop']]) {
+      check(motion, name);
+      motion.close();
     }
   }
 }

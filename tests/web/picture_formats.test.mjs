@@ -157,8 +157,18 @@ test('PNG that moves: its frames have the figure where the motion has it, for as
   });
 });
 
+test('PNG that moves: figures of springs are in every frame', () => {
+  motions.eachOfSprings((motion, name) => {
+    const { frames } = framesOf(motion.bytes('apng'));
+    assert.equal(frames.length, Math.floor((motion.frames - (name === 'a loop' ? 2 : 1)) / 4) + 1);
+    const inked = frames.map(({ rgba }) => rgba.reduce((sum, value, i) => sum + (i % 4 === 0 && value + rgba[i + 1] + rgba[i + 2] < 300 ? 1 : 0), 0));
+    assert.ok(Math.min(...inked) > 800 && Math.max(...inked) < 2.5 * Math.min(...inked), `${name}: ${Math.min(...inked)} to ${Math.max(...inked)} pixels`);
+  });
+});
+
 test('sprites: each frame has the figure where the motion has it, and nothing else', () => {
-  motions.each((motion, name) => {
+  /** @param {RecordedMotion} motion @param {string} name */
+  const check = (motion, name) => {
     const files = unzipSync(motion.sprites(12, 96));
     assert.deepEqual(Object.keys(files), ['sprites.png', 'sprites.json']);
     const sheet = pictureOf(files['sprites.png']);
@@ -201,7 +211,9 @@ test('sprites: each frame has the figure where the motion has it, and nothing el
     if (motion.ground.corners.length > 0) return;
     assert.ok(painted > 100 || motion.starts.length < 4, `${name}: ${painted} points`);
     assert.equal(pivots, 12, name);
-  });
+  };
+  motions.each(check);
+  motions.eachOfSprings(check);
 });
 
 test('DragonBones: its player moves bones and parts to where the motion has them, within a pixel', async () => {

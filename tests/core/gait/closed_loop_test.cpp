@@ -20,6 +20,23 @@ double Farthest(const std::vector<WorldPoint>& one, const std::vector<WorldPoint
   return most;
 }
 
+/// Muscles are as long as their nodes are apart.
+void CheckLengths(const Figure& figure, const Motion& loop) {
+  int muscle = 0;
+  for (const Spring& spring : figure.springs) {
+    if (!spring.IsMuscle()) continue;
+    const Node &from = figure.nodes[static_cast<std::size_t>(spring.from)],
+               &to = figure.nodes[static_cast<std::size_t>(spring.to)];
+    const double drawn_m = std::hypot(to.x_m - from.x_m, to.y_m - from.y_m);
+    for (int frame = 0; frame < loop.Frames(); ++frame) {
+      const Motion::Point a = loop.Endpoint(frame, spring.from), b = loop.Endpoint(frame, spring.to);
+      const double length_m = std::hypot(b.x - a.x, b.y - a.y);
+      CHECK(std::abs(length_m / drawn_m - static_cast<double>(loop.AngleRad(frame, muscle))) < 1e-5);
+    }
+    ++muscle;
+  }
+}
+
 /// The greatest way of an endpoint in one step [m]; the last step leads back to the first frame.
 double GreatestStep(const Skeleton& bones, const ClosedLoop& loop) {
   double most = 0.0;
@@ -78,7 +95,7 @@ TEST_CASE("loop: the other half is the first with limbs exchanged", "[gait]") {
 }
 
 TEST_CASE("loop: of shipped motions, as a motion that any exporter takes", "[gait]") {
-  int loops = 0;
+  int loops = 0, of_springs = 0;
   for (const std::string& path : ShippedDocuments()) {
     INFO(path);
     const auto document = DecodeJson(ReadFile(path));
@@ -99,12 +116,19 @@ TEST_CASE("loop: of shipped motions, as a motion that any exporter takes", "[gai
     CHECK(once.At(0).x_m == 0.0);
     CHECK(std::abs(once.At(once.Frames() - 1).x_m - found->loop.distance_m) < 1e-9);
     CHECK(std::abs(stays.At(stays.Frames() - 1).x_m) < 1e-9);
-    for (int k = 0; k < once.Bones().endpoints; ++k) {
-      CHECK(std::abs(once.Endpoint(0, k).x - once.Endpoint(once.Frames() - 1, k).x) < 1e-5f);
-      CHECK(std::abs(once.Endpoint(0, k).y - once.Endpoint(once.Frames() - 1, k).y) < 1e-5f);
+    const int last = once.Frames() - 1;
+    for (int k = 0; k < once.Connections().contacts; ++k) {
+      CHECK(std::abs(once.Endpoint(0, k).x - once.Endpoint(last, k).x) < 1e-5f);
+      CHECK(std::abs(once.Endpoint(0, k).y - once.Endpoint(last, k).y) < 1e-5f);
     }
+    for (int j = 0; j < once.Connections().Actuators(); ++j)
+      CHECK(std::abs(once.AngleRad(0, j) - once.AngleRad(last, j)) < 1e-5f);
+    if (!document->figure.HasSprings()) continue;
+    ++of_springs;
+    CheckLengths(document->figure, once);
   }
   CHECK(loops >= 10);
+  CHECK(of_springs >= 3);
 }
 
 TEST_CASE("loop: none without a controller, or along drawn ground", "[gait]") {

@@ -139,6 +139,9 @@ TEST_CASE("zip: its directory leads to every file") {
   }
 }
 
+Document OfSprings() {
+  return DecodeJson(gaitsmith::test::ReadFile("examples/gallery/table-trip.json")).value();
+}
 Document Shuffle() { return DecodeJson(gaitsmith::test::ReadFile("examples/star-man-shuffle.json")).value(); }
 
 TEST_CASE("sprites: a sheet that is too large says how large, and others fit") {
@@ -154,14 +157,15 @@ TEST_CASE("sprites: a sheet that is too large says how large, and others fit") {
 }
 
 TEST_CASE("files of bytes: a motion that fails makes them too") {
-  Document document = Shuffle();
-  // As far away as a state can be, and not a number.
-  for (const float wild : {3e38f, std::numeric_limits<float>::quiet_NaN()}) {
-    document.start.velocity_x_mps = wild;
-    const Motion wrong = Simulate(document);
-    for (const ExporterRow& row : kExporters) {
-      const auto file = MakeFile(row, document, wrong, {});
-      if (file) CHECK_FALSE(file->empty());
+  for (Document document : {Shuffle(), OfSprings()}) {
+    // As far away as a state can be, and not a number.
+    for (const float wild : {3e38f, std::numeric_limits<float>::quiet_NaN()}) {
+      document.start.velocity_x_mps = wild;
+      const Motion wrong = Simulate(document);
+      for (const ExporterRow& row : kExporters) {
+        const auto file = MakeFile(row, document, wrong, {});
+        if (file) CHECK_FALSE(file->empty());
+      }
     }
   }
 }
