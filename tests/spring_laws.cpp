@@ -127,6 +127,7 @@ class SpringTrial {
         mass_kg_ * (static_cast<double>(now.velocity_y_mps) - static_cast<double>(before.velocity_y_mps));
     took_part += mass_kg_ * (std::abs(static_cast<double>(now.velocity_x_mps)) +
                              std::abs(static_cast<double>(now.velocity_y_mps)) + InnerSpeed());
+    took_part += SpringImpulse(frame_) + SpringImpulse(last);
     if (took_part > 0.0)
       Offend(Law::kMomentum,
              std::hypot(change_x - given_x - ground_x, change_y - given_y - ground_y) / took_part);
@@ -139,6 +140,22 @@ class SpringTrial {
     const double before =
         motion_.At(frame - 1).x_m + static_cast<double>(motion_.Endpoint(frame - 1, node).x);
     return std::abs(now - before) / step_s_;
+  }
+
+  /// What the springs pull and push in a step like this frame, at most: rounding makes the impulses on a
+  /// heavy and on a light node differ [N s].
+  [[nodiscard]] double SpringImpulse(int frame) const {
+    double sum = 0.0;
+    for (const Spring& spring : document_.figure.springs) {
+      const Motion::Point from = motion_.Endpoint(frame, spring.from),
+                          to = motion_.Endpoint(frame, spring.to);
+      const auto length = static_cast<double>(std::hypot(to.x - from.x, to.y - from.y));
+      const auto drawn = static_cast<double>(DrawnLength(document_.figure, spring));
+      const double beyond = std::max(std::abs(length - drawn * static_cast<double>(spring.min_rest)),
+                                     std::abs(length - drawn * static_cast<double>(spring.max_rest)));
+      sum += static_cast<double>(spring.stiffness_npm) * beyond * step_s_;
+    }
+    return sum;
   }
 
   /// The fastest node from the centre of mass [m/s]: the sum of all momenta is rounded as coarsely.

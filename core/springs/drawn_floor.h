@@ -27,8 +27,9 @@ class NodePath {
 
   /// Meets faces until none is in the way. @param most friction coefficient, @param mass_kg of the node
   void Meet(const Terrain& terrain, double friction, double mass_kg) {
+    const Terrain::Face* last = nullptr;
     for (int met = 0;; ++met) {
-      const Terrain::Face* face = NextFace(terrain);
+      const Terrain::Face* face = NextFace(terrain, last);
       if (face == nullptr) return;
       if (met == kMostMeetings) {
         tangent_x -= mass_kg * vx_;
@@ -58,6 +59,7 @@ class NodePath {
       normal_work += normal * after_n;
       friction_work += tangent * after_t;
       touches = true;
+      last = face;
     }
   }
 
@@ -72,8 +74,9 @@ class NodePath {
   double normal_work = 0.0, friction_work = 0.0;                            // [J]
 
  private:
-  /// The face that it crosses first, if it goes on as it does now.
-  [[nodiscard]] const Terrain::Face* NextFace(const Terrain& terrain) const {
+  /// The face that it crosses first, if it goes on as it does now. @param last which it just reaches:
+  /// rounding may say that it crosses this one again
+  [[nodiscard]] const Terrain::Face* NextFace(const Terrain& terrain, const Terrain::Face* last) const {
     const double to = x_ + h_ * vx_;
     const Terrain::Face* next = nullptr;
     double soonest = 2.0;
@@ -81,7 +84,7 @@ class NodePath {
          terrain.FacesBetween(std::min(x_, to) - kBehindFace, std::max(x_, to) + kBehindFace)) {
       const double gap = face.Above(x_, y_);
       const double approach = h_ * (vy_ * face.ux - vx_ * face.uy);
-      if (gap < -kBehindFace || !(approach < 0.0) || gap + approach >= 0.0) continue;
+      if (&face == last || gap < -kBehindFace || !(approach < 0.0) || gap + approach >= 0.0) continue;
       const double when = gap > 0.0 ? gap / -approach : 0.0;
       const double along = face.Along(x_ + when * h_ * vx_, y_ + when * h_ * vy_);
       if (along < -kFaceSlack || along > face.length + kFaceSlack || when >= soonest) continue;

@@ -29,18 +29,34 @@ bool IsBuried(const Lattice& body, const Terrain& terrain, const LatticeState<W>
   return false;
 }
 
+/// About the centre of mass [kg m^2/s].
+template <int W>
+float AngularMomentum(const Lattice& body, const LatticeState<W>& s, int lane) {
+  using L = Lane<W>;
+  float sum = 0.0f;
+  for (std::size_t k = 0; k < body.nodes; ++k) {
+    const float x = L::At(s.x[k], lane), y = L::At(s.y[k], lane);
+    const float speed_x = L::At(s.velocity_x[k], lane) - L::At(s.centre_velocity_x, lane);
+    const float speed_y = L::At(s.velocity_y[k], lane) - L::At(s.centre_velocity_y, lane);
+    sum += body.mass_kg[k] * (x * speed_y - y * speed_x);
+  }
+  return sum;
+}
+
 template <int W>
 bool IsFinite(const Lattice& body, const LatticeState<W>& s, int lane) {
   using F = typename Lane<W>::F;
   // A sum is finite only if all of its numbers are.
-  double sum = s.distance_m[lane] + s.turn_rad[lane];
+  double sum = s.distance_m[lane] + s.turn_rad[lane] + static_cast<double>(AngularMomentum<W>(body, s, lane));
   const auto add = [&](const F& number) { sum += static_cast<double>(Lane<W>::At(number, lane)); };
   for (std::size_t k = 0; k < body.nodes; ++k) {
     for (const F* number :
          {&s.x[k], &s.y[k], &s.velocity_x[k], &s.velocity_y[k], &s.normal[k], &s.tangent[k]})
       add(*number);
   }
-  for (const F* number : {&s.slip_m, &s.normal_work_j, &s.friction_work_j, &s.lifting_work_j}) add(*number);
+  for (const F* number :
+       {&s.slip_m, &s.normal_work_j, &s.friction_work_j, &s.friction_gain_j, &s.lifting_work_j})
+    add(*number);
   for (std::size_t j = 0; j < body.muscles; ++j) {
     for (const F* number : {&s.length[j], &s.length_rate[j], &s.work_j[j]}) add(*number);
   }

@@ -23,7 +23,8 @@ struct LatticeWorld {
     for (std::size_t i = 0; i < body.links; ++i) {
       const Lattice::Link& link = body.link[i];
       // A pair's speed along its spring decays as damping alone lets it, exactly. No damping is too strong.
-      const double lost = 1.0 - Exp(-static_cast<double>(substep_s * link.damping_nspm / link.reduced_kg));
+      const double lost =
+          1.0 - Exp(-0.5 * static_cast<double>(substep_s * link.damping_nspm / link.reduced_kg));
       damping_kg[i] = static_cast<float>(lost) * link.reduced_kg;
       stiffness_ns[i] = substep_s * link.stiffness_npm;
     }
@@ -40,12 +41,11 @@ struct LatticeWorld {
   int substeps;
   float substep_share;  // of a step; exact, because the number of substeps is a power of two
   float substep_s, inverse_substep;
-  float fall_x, fall_y;  // change of velocity by gravity in a substep [m/s]
-  float weight_n;        // normal to the ground at its mean slope
-  float friction;        // Coulomb coefficient
-  // Of each spring in a substep.
-  std::array<float, kMaxSprings> damping_kg{};    // impulse per speed along it
-  std::array<float, kMaxSprings> stiffness_ns{};  // impulse per length [N s/m]
+  float fall_x, fall_y;                           // change of velocity by gravity in a substep [m/s]
+  float weight_n;                                 // normal to the ground at its mean slope
+  float friction;                                 // Coulomb coefficient
+  std::array<float, kMaxSprings> damping_kg{};    // of half a substep: impulse per speed along the spring
+  std::array<float, kMaxSprings> stiffness_ns{};  // of a substep: impulse per length [N s/m]
 };
 
 }  // namespace gaitsmith

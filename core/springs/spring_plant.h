@@ -84,7 +84,7 @@ class SpringPlant {
     s_.pulled_m = {};
     s_.normal_work_j = s_.friction_work_j = s_.friction_gain_j = s_.lifting_work_j = F{};
     MoveMuscles<W>(body_, targets, step_s_, s_);
-    const F stretch = RunSubsteps(before, step * world_.substeps, slide);
+    const F stretch = RunSubsteps(before, slide);
     Conclude(before, slide, stretch);
     MeasureHeights();
   }
@@ -106,7 +106,7 @@ class SpringPlant {
 
   [[nodiscard]] Snapshot Observe(int lane) const {
     return {s_.distance_m[lane],        s_.height_m[lane],        s_.centre_velocity_x[lane],
-            s_.centre_velocity_y[lane], s_.turn_rad[lane],        AngularMomentum(lane),
+            s_.centre_velocity_y[lane], s_.turn_rad[lane],        AngularMomentum<W>(body_, s_, lane),
             s_.normal_work_j[lane],     s_.friction_work_j[lane], s_.friction_gain_j[lane],
             s_.lifting_work_j[lane]};
   }
@@ -159,7 +159,7 @@ class SpringPlant {
   /// Velocities half a substep before the positions, so that the motion is of second order from its start.
   void StepBackHalf() {
     State pulled = s_;
-    PullSprings<W>(body_, world_, 0.0f, false, pulled);
+    PullSprings<W>(body_, world_, 0.0f, pulled);
     for (std::size_t k = 0; k < body_.nodes; ++k) {
       s_.velocity_x[k] = 0.5f * ((3.0f * s_.velocity_x[k] - pulled.velocity_x[k]) - world_.fall_x);
       s_.velocity_y[k] = 0.5f * ((3.0f * s_.velocity_y[k] - pulled.velocity_y[k]) - world_.fall_y);
@@ -167,15 +167,13 @@ class SpringPlant {
   }
 
   /// Rests change evenly within a step. Each substep pulls with those of the positions that it begins with.
-  /// @param first number of the first substep since the start
-  [[gnu::noinline]] F RunSubsteps(const State& before, int first, typename State::Points& slide) {
+  [[gnu::noinline]] F RunSubsteps(const State& before, typename State::Points& slide) {
     const typename State::Muscles end = s_.rest;
     F stretch{};
     for (int substep = 0; substep < world_.substeps; ++substep) {
       const float past = static_cast<float>(substep) * world_.substep_share;
       for (std::size_t j = 0; j < body_.muscles; ++j) s_.rest[j] = before.rest[j] + s_.rest_change[j] * past;
-      stretch = L::Max(
-          PullSprings<W>(body_, world_, substep == 0 ? 0.5f : 1.0f, (first + substep) % 2 == 1, s_), stretch);
+      stretch = L::Max(PullSprings<W>(body_, world_, substep == 0 ? 0.5f : 1.0f, s_), stretch);
       if (terrain_.Level())
         MoveOnFloor<W>(body_, world_, slide, s_);
       else
@@ -224,17 +222,6 @@ class SpringPlant {
     }
     MeasureTurn<W>(body_, s_);
     JudgeLattice<W>(body_, terrain_, stretch, before, s_);
-  }
-
-  [[nodiscard]] float AngularMomentum(int lane) const {
-    float sum = 0.0f;
-    for (std::size_t k = 0; k < body_.nodes; ++k) {
-      const float x = s_.x[k][lane], y = s_.y[k][lane];
-      const float speed_x = s_.velocity_x[k][lane] - s_.centre_velocity_x[lane];
-      const float speed_y = s_.velocity_y[k][lane] - s_.centre_velocity_y[lane];
-      sum += body_.mass_kg[k] * (x * speed_y - y * speed_x);
-    }
-    return sum;
   }
 
   /// Heights above drawn ground right below.

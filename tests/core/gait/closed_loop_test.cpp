@@ -25,12 +25,10 @@ void CheckLengths(const Figure& figure, const Motion& loop) {
   int muscle = 0;
   for (const Spring& spring : figure.springs) {
     if (!spring.IsMuscle()) continue;
-    const Node &from = figure.nodes[static_cast<std::size_t>(spring.from)],
-               &to = figure.nodes[static_cast<std::size_t>(spring.to)];
-    const double drawn_m = std::hypot(to.x_m - from.x_m, to.y_m - from.y_m);
+    const auto drawn_m = static_cast<double>(DrawnLength(figure, spring));
     for (int frame = 0; frame < loop.Frames(); ++frame) {
       const Motion::Point a = loop.Endpoint(frame, spring.from), b = loop.Endpoint(frame, spring.to);
-      const double length_m = std::hypot(b.x - a.x, b.y - a.y);
+      const auto length_m = static_cast<double>(std::hypot(b.x - a.x, b.y - a.y));
       CHECK(std::abs(length_m / drawn_m - static_cast<double>(loop.AngleRad(frame, muscle))) < 1e-5);
     }
     ++muscle;

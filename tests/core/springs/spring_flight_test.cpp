@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Springs without ground: momentum, closed forms, order of convergence, energy.
+#include <algorithm>
 #include <catch_amalgamated.hpp>
 #include <cmath>
 
@@ -32,6 +33,31 @@ double LengthAfter(const Figure& figure, float impulse_ns, double seconds, int f
   const int steps = static_cast<int>(std::lround(seconds / static_cast<double>(kStep))) * finer;
   for (int step = 0; step < steps; ++step) plant.Step(step, AllAt(1.0f));
   return static_cast<double>(plant.Save().x[1][0]) - static_cast<double>(plant.Save().x[0][0]);
+}
+
+/// Six nodes in a square metre with springs between them, whose masses, stiffness and damping are as
+/// different as a document allows. The fastest vibration is close to the fastest that one may have.
+Figure AnySprings(RandomStream& random) {
+  const auto magnitude = [&](double least, double most) {
+    return static_cast<float>(least * std::pow(most / least, random.Uniform()));
+  };
+  Figure figure;
+  for (int i = 0; i < 6; ++i)
+    figure.nodes.push_back({magnitude(0.01, 1.0), magnitude(0.01, 1.0), magnitude(0.01, 100.0)});
+  for (int from = 0; from < 6; ++from) {
+    for (int to = from + 1; to < 6; ++to) {
+      if (to > from + 1 && random.Chance(0.5)) continue;
+      Spring spring{.from = from, .to = to};
+      spring.stiffness_npm = magnitude(1.0, 1e4);
+      spring.damping_nspm = magnitude(0.01, 1e6);
+      figure.springs.push_back(spring);
+    }
+  }
+  const float scale = 0.9f * kStiffest / FastestVibration(figure);
+  for (Spring& spring : figure.springs)
+    spring.stiffness_npm = std::clamp(spring.stiffness_npm * scale, 1e-3f, 1e6f);
+  REQUIRE(Validate(figure));
+  return figure;
 }
 
 }  // namespace
@@ -196,6 +222,48 @@ TEST_CASE("springs: damping takes energy, however strong, and gives none", "[cor
     before = now;
   }
   CHECK(std::isfinite(before));
+}
+
+TEST_CASE("springs: no figure gains energy by its damping", "[core][springs]") {
+  const auto first_seed = GENERATE(range(std::uint64_t{0}, std::uint64_t{10}));
+  const double speed_mps = GENERATE(0.1, 2.0);
+  for (std::uint64_t seed = 20 * first_seed + 1; seed <= 20 * first_seed + 20; ++seed) {
+    RandomStream random(seed, 2, 0);
+    const Lattice body(AnySprings(random));
+    SpringPlant<1> plant(body, Space(), Afloat(), kStep);
+    const auto impulse = [&](std::size_t k) {
+      return static_cast<float>(speed_mps * random.Normal()) * body.mass_kg[k];
+    };
+    for (std::size_t k = 0; k < body.nodes; ++k) {
+      const float x = impulse(k), y = impulse(k);
+      plant.Give({0, static_cast<int>(k), x, y});
+    }
+    const auto energy = [&] { return TotalsOf(body, plant.Save()).Energy(); };
+    const double given = energy();
+    double most = 0.0;
+    for (int step = 0; step < 200; ++step) {
+      plant.Step(step, AllAt(1.0f));
+      most = std::max(most, energy());
+    }
+    INFO("seed " << seed);
+    CHECK(most < given);
+  }
+}
+
+TEST_CASE("springs: a turning pair is stretched by no more than its turning takes, whatever its damping",
+          "[core][springs]") {
+  const float damping = GENERATE(0.0f, 10.0f, 1e6f), spin = 5.0f;
+  const Lattice body(Pair(1000.0f, damping));
+  SpringPlant<1> plant(body, Space(), {.drop_height_m = 50.0f, .spin_radps = spin}, kStep);
+  double most = 0.0;
+  for (int step = 0; step < 1000; ++step) {
+    plant.Step(step, AllAt(1.0f));
+    most = std::max(most, static_cast<double>(std::hypot(plant.Save().x[1][0] - plant.Save().x[0][0],
+                                                         plant.Save().y[1][0] - plant.Save().y[0][0])));
+  }
+  // It swings to twice its place of rest, which w^2 l m / k = 0.0125 m are away, if nothing damps it.
+  CHECK(most > 1.0);
+  CHECK(most < (damping == 0.0f ? 1.026 : 1.018));
 }
 
 TEST_CASE("springs: a spinning figure counts its turns", "[core][springs]") {

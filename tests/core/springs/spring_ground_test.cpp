@@ -168,6 +168,20 @@ TEST_CASE("springs: drawn ground that is level moves a figure as level ground do
   }
 }
 
+TEST_CASE("springs: a node that lands on drawn ground slides as Coulomb says", "[core][springs]") {
+  const Terrain level(std::vector<Corner>{{-5.0f, 0.0f}, {5.0f, 0.0f}});
+  RandomStream random(5, 3, 0);
+  for (int i = 0; i < 2000; ++i) {
+    const double y = 0.01 * random.Uniform(), vx = random.Normal(), vy = -2.0 - random.Uniform();
+    NodePath path(0.0, y, vx, vy, 0.005);
+    path.Meet(level, 0.5, 0.3);
+    REQUIRE(path.touches);
+    CHECK(path.Y() == Approx(0.0).margin(1e-15));
+    const double slowed = std::max(std::abs(vx) - 0.5 * path.normal_y / 0.3, 0.0);
+    CHECK(std::abs(path.SpeedX()) == Approx(slowed).margin(1e-12));
+  }
+}
+
 TEST_CASE("springs: a figure that is torn apart is void, and its numbers stay finite", "[core][springs]") {
   const float impulse = GENERATE(300.0f, 1e6f);
   const Lattice body(Box());
