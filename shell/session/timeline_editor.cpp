@@ -177,7 +177,7 @@ bool TimelineEditor::InsertFound(const std::string& id, std::optional<int> wante
   const Document other = entry->motion.document;
   const std::string name = entry->motion.name;
   if (!SameTree(other.figure, workspace_.Doc().figure)) {
-    workspace_.Say(Tr("Not possible: this controller was found for a figure with other rods, {1}.",
+    workspace_.Say(Tr("Not possible: this controller was found for another figure, {1}.",
                       TrTitle(other.figure.name)));
     return false;
   }

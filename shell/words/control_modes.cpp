@@ -11,6 +11,10 @@ const ControlModeRow& RowOf(ControlMode mode) { return kControlModes[static_cast
 
 }  // namespace
 
+bool CanMove(const ControlModeRow& mode, const Figure& figure) {
+  return !figure.HasSprings() || mode.kind != ControllerKind::kNetwork;
+}
+
 const ControlModeRow& ControlModeOf(ControllerKind kind, SenseKind senses) {
   for (const ControlModeRow& row : kControlModes) {
     if (row.kind == kind && row.senses == senses) return row;

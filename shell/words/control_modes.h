@@ -61,6 +61,9 @@ template <class Value>
   return values;
 }
 
+/// Whether a figure can be moved so: those of springs have no networks.
+[[nodiscard]] bool CanMove(const ControlModeRow&, const Figure&);
+
 /// @return the first row of the kind if it has no such senses
 [[nodiscard]] const ControlModeRow& ControlModeOf(ControllerKind, SenseKind);
 [[nodiscard]] const ControlModeRow& ControlModeOf(const Controller&);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "shell/panels/controller/network_diagram.h"
 #include "shell/panels/controller/rule_card.h"
@@ -73,19 +74,32 @@ void DrawAtEnd(Ui& ui, Session& session) {
   ui.Gap(8.0f);
 }
 
-void DrawSettings(Ui& ui, Session& session) {
-  const SenseSpec& senses = session.Doc().senses;
-  static constexpr auto kLabels = ControlModeColumn(&ControlModeRow::label);
-  const ControlModeRow& mode = ControlModeOf(session.Doc());
-  int chosen = static_cast<int>(mode.mode);
-  if (ui.Segmented("controller/senses", ui.Row(ui.Look().touch ? 44.0f : 34.0f), Tr("What decides"), kLabels,
-                   chosen)) {
-    session.Set([&](Document& d) { SetControlMode(d, kControlModes[static_cast<std::size_t>(chosen)]); });
+/// What decides. @return the mode that is chosen now
+const ControlModeRow& DrawMode(Ui& ui, Session& session) {
+  std::vector<const char*> labels;
+  std::vector<const ControlModeRow*> modes;
+  labels.reserve(kControlModes.size());
+  modes.reserve(kControlModes.size());
+  int chosen = 0;
+  for (const ControlModeRow& mode : kControlModes) {
+    if (!CanMove(mode, session.Doc().figure)) continue;
+    if (mode.mode == ControlModeOf(session.Doc()).mode) chosen = static_cast<int>(modes.size());
+    modes.push_back(&mode);
+    labels.push_back(mode.label);
   }
+  if (ui.Segmented("controller/senses", ui.Row(ui.Look().touch ? 44.0f : 34.0f), Tr("What decides"), labels,
+                   chosen))
+    session.Set([&](Document& d) { SetControlMode(d, *modes[static_cast<std::size_t>(chosen)]); });
   ui.Gap(8.0f);
-  const ControlModeRow& now = kControlModes[static_cast<std::size_t>(chosen)];
+  const ControlModeRow& now = *modes[static_cast<std::size_t>(chosen)];
   ui.Paragraph(Tr(now.explanation), Type::kNote);
   ui.Gap(10.0f);
+  return now;
+}
+
+void DrawSettings(Ui& ui, Session& session) {
+  const ControlModeRow& now = DrawMode(ui, session);
+  const SenseSpec& senses = session.Doc().senses;
   if (now.senses == SenseKind::kTimer) {
     const float seconds = static_cast<float>(senses.period_steps) * kStep;
     double period = static_cast<double>(seconds);
@@ -109,7 +123,7 @@ void DrawSettings(Ui& ui, Session& session) {
   if (now.mode == ControlMode::kCurves) DrawAtEnd(ui, session);
   double rules = session.Doc().rules;
   const double most = now.mode == ControlMode::kCurves ? kMaxRules : 20.0;
-  if (ui.Slider("controller/rules", Tr(mode.units), rules,
+  if (ui.Slider("controller/rules", Tr(now.units), rules,
                 {.low = 1.0, .high = std::max(most, rules), .step = 1.0},
                 std::to_string(session.Doc().rules))) {
     session.Set([&](Document& d) { d.rules = static_cast<int>(rules); });

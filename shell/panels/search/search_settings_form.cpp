@@ -49,7 +49,8 @@ void Draw(Ui& ui, Session& session, const SearchParameter& parameter, const Choi
 
 void DrawAll(Ui& ui, Session& session, const std::vector<const SearchParameter*>& parameters) {
   for (const SearchParameter* parameter : parameters) {
-    if (parameter->id == "search/body" && session.Layout().Locks(LockedPart::kFigure)) continue;
+    const bool body_fixed = session.Layout().Locks(LockedPart::kFigure) || session.Doc().figure.HasSprings();
+    if (parameter->id == "search/body" && body_fixed) continue;
     if (parameter->matters != nullptr && !parameter->matters(session.Doc().search)) continue;
     std::visit([&](const auto& kind) { Draw(ui, session, *parameter, kind); }, parameter->kind);
     ui.Paragraph(Tr(parameter->line), Type::kNote);

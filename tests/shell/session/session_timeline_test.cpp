@@ -121,7 +121,7 @@ TEST_CASE("session: a result is inserted at the shown moment", "[shell][session]
   session.ReplaceFigure(other);
   const std::string before = State(session);
   CHECK_FALSE(session.Timeline().InsertFound(id));
-  CHECK(session.Notice().find("other rods") != std::string::npos);
+  CHECK(session.Notice().find("another figure") != std::string::npos);
   CHECK(State(session) == before);
 }
 
