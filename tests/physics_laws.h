@@ -51,10 +51,10 @@ struct LawLimit {
 };
 /// The limits of a model. @param model [1, kModelVersion]
 [[nodiscard]] const std::array<LawLimit, kLaws>& LawLimits(int model);
-/// Whether a model can break a law at all. Springs have no joints, and their energy is judged where all of it
-/// is known (tests/core/springs).
+/// Whether a law is judged in a model. Springs have no joints; their plant shows no pull of the ground; their
+/// energy is judged where all of it is known (tests/core/springs).
 [[nodiscard]] constexpr bool Concerns(Law law, int model) {
-  if (model == 3) return law <= Law::kMomentum && law != Law::kJointLimits;
+  if (model == 3) return law <= Law::kMomentum && law != Law::kJointLimits && law != Law::kPush;
   return model > 1 || law < Law::kLimbWork;
 }
 

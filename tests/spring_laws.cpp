@@ -78,7 +78,6 @@ class SpringTrial {
       }
       // What is pushed by a wall is pushed sideways.
       if (!document_.environment.ground.empty()) continue;
-      Offend(Law::kPush, -normal * step_s_ / mass_kg_);
       // What friction takes of a fast node's speed is the difference of two rounded numbers, in each substep:
       // its error is a share of the fastest that the node may have been.
       const double most = static_cast<double>(document_.environment.friction) * normal;
@@ -92,14 +91,13 @@ class SpringTrial {
 
   void JudgeMomentum() {
     const int last = frame_ - 1;
-    // A blow of this step shows in the velocities of the next, while the ground may or may not have borne.
-    double ground_x = 0.0, ground_y = 0.0, took_part = 0.0;
+    // A blow of this step shows in the velocities of the next. While the ground bears, its impulses and the
+    // velocities are of different halves of a substep, so only what touches nothing is judged.
+    double took_part = 0.0;
     bool touched = false;
     for (int k = 0; k < motion_.Connections().contacts; ++k) {
       const Motion::Point now = motion_.Force(frame_, k), before = motion_.Force(last, k);
       touched = touched || now.y != 0.0f || before.y != 0.0f || now.x != 0.0f || before.x != 0.0f;
-      ground_x += static_cast<double>(now.x) * step_s_;
-      ground_y += static_cast<double>(now.y) * step_s_;
     }
     if (touched) return;
     // A frame's velocity has half of a substep's fall more than the substeps gave, of the tilt of its own
@@ -129,8 +127,7 @@ class SpringTrial {
                              std::abs(static_cast<double>(now.velocity_y_mps)) + InnerSpeed());
     took_part += SpringImpulse(frame_) + SpringImpulse(last);
     if (took_part > 0.0)
-      Offend(Law::kMomentum,
-             std::hypot(change_x - given_x - ground_x, change_y - given_y - ground_y) / took_part);
+      Offend(Law::kMomentum, std::hypot(change_x - given_x, change_y - given_y) / took_part);
   }
 
   /// Along the ground, in the last step [m/s].

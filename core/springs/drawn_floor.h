@@ -16,6 +16,8 @@ namespace gaitsmith {
 inline constexpr double kBehindFace = 1e-4;
 /// Faces reach this far beyond their ends, so that no node slips between two [m].
 inline constexpr double kFaceSlack = 1e-6;
+/// What ends less deep behind a face just reaches it [m]: rounding may leave a node there that has landed.
+inline constexpr double kJustReached = 1e-12;
 /// How many faces a node can meet in a substep. One that meets more stops.
 inline constexpr int kMostMeetings = 4;
 
@@ -25,11 +27,10 @@ class NodePath {
   /// @param x, y place [m] @param vx, vy velocity [m/s] @param h the substep [s]
   NodePath(double x, double y, double vx, double vy, double h) : x_(x), y_(y), vx_(vx), vy_(vy), h_(h) {}
 
-  /// Meets faces until none is in the way. @param most friction coefficient, @param mass_kg of the node
+  /// Meets faces until none is in the way. @param friction coefficient @param mass_kg of the node
   void Meet(const Terrain& terrain, double friction, double mass_kg) {
-    const Terrain::Face* last = nullptr;
     for (int met = 0;; ++met) {
-      const Terrain::Face* face = NextFace(terrain, last);
+      const Terrain::Face* face = NextFace(terrain);
       if (face == nullptr) return;
       if (met == kMostMeetings) {
         tangent_x -= mass_kg * vx_;
@@ -59,7 +60,6 @@ class NodePath {
       normal_work += normal * after_n;
       friction_work += tangent * after_t;
       touches = true;
-      last = face;
     }
   }
 
@@ -74,9 +74,8 @@ class NodePath {
   double normal_work = 0.0, friction_work = 0.0;                            // [J]
 
  private:
-  /// The face that it crosses first, if it goes on as it does now. @param last which it just reaches:
-  /// rounding may say that it crosses this one again
-  [[nodiscard]] const Terrain::Face* NextFace(const Terrain& terrain, const Terrain::Face* last) const {
+  /// The face that it crosses first, if it goes on as it does now.
+  [[nodiscard]] const Terrain::Face* NextFace(const Terrain& terrain) const {
     const double to = x_ + h_ * vx_;
     const Terrain::Face* next = nullptr;
     double soonest = 2.0;
@@ -84,7 +83,7 @@ class NodePath {
          terrain.FacesBetween(std::min(x_, to) - kBehindFace, std::max(x_, to) + kBehindFace)) {
       const double gap = face.Above(x_, y_);
       const double approach = h_ * (vy_ * face.ux - vx_ * face.uy);
-      if (&face == last || gap < -kBehindFace || !(approach < 0.0) || gap + approach >= 0.0) continue;
+      if (gap < -kBehindFace || !(approach < 0.0) || gap + approach >= -kJustReached) continue;
       const double when = gap > 0.0 ? gap / -approach : 0.0;
       const double along = face.Along(x_ + when * h_ * vx_, y_ + when * h_ * vy_);
       if (along < -kFaceSlack || along > face.length + kFaceSlack || when >= soonest) continue;

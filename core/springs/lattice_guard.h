@@ -92,11 +92,13 @@ void RestAt(const Lattice& body, const LatticeState<W>& before, int lane, Lattic
     zero(s.*part);
 }
 
-/// Judges a step. @param stretch the greatest of all springs in it @param before it
+/// Judges a step. @param stretch the greatest of all springs in it @param sum of all nodes' places and
+/// velocities, somehow weighted @param before the step
 template <int W>
 void JudgeLattice(const Lattice& body, const Terrain& terrain, const typename Lane<W>::F& stretch,
-                  const LatticeState<W>& before, LatticeState<W>& s) {
-  s.broken |= ~(stretch <= kMostStretch);
+                  const typename Lane<W>::F& sum, const LatticeState<W>& before, LatticeState<W>& s) {
+  // A number less itself is nought only if it is finite.
+  s.broken |= ~(stretch <= kMostStretch) | ~(sum - sum == typename Lane<W>::F{});
   for (int lane = 0; lane < W; ++lane) {
     if (IsBuried<W>(body, terrain, s, lane)) s.broken[lane] = -1;
     if (s.broken[lane] != 0 && !IsFinite<W>(body, s, lane)) RestAt<W>(body, before, lane, s);

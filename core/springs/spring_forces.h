@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// How springs move nodes in a substep: leapfrog [Hairer Lubich Wanner 2003]. Velocities of the last half
-// substep are damped, then get the impulses of the positions, then move these. Impulses are along the springs
-// and opposite at their ends, so momentum and angular momentum stay as they are.
+// How springs move nodes in a substep: leapfrog [Hairer Lubich Wanner 2003]. Positions and the velocities of
+// the last half substep give impulses, which change the velocities, which move the positions. Impulses are
+// along the springs and opposite at their ends, so momentum and angular momentum stay as they are. All
+// springs act on the same positions and velocities, so their order does not matter.
 //
-// Springs are damped one after another, from the first to the last and back, each time by half. Such a sweep
-// and its reverse are a symmetric operator, so damping gives no motion energy, however strong. For let d in
-// [0, 1] and a >= 0 be the quotients, in a motion that grows by z in each substep, of this operator and of
-// stiffness over mass times the squared substep. Both are real, and z^2 - (1 + d - a) z + d = 0 has no root
-// beyond 1 while a <= 2 (1 + d). Substeps are so short that a <= 1. One sweep alone has a complex d, and if
-// masses differ much strong damping makes motions grow. Impulses come after it so that figures rest where
-// their springs bear them, whatever the damping.
+// Why damping gives no energy, however strong (LatticeWorld limits it): let D v be the velocities after
+// damping alone, A stiffness over mass times the squared substep, u the way of a substep, and products
+// weighted by masses. Then u' = D u - A x, and V = (u, (1 + D) u) / 2 + (x - u, A x), which is twice an
+// energy, changes by
+// -(u + u', (1 - D)(u + u')) / 2. D is symmetric and within [0, 1], so V never grows, and it is positive as
+// substeps are so short that A <= 1. This holds for small vibrations of springs that are not under pressure.
 #pragma once
 
 #include "core/springs/lattice_state.h"
@@ -20,39 +20,7 @@ namespace gaitsmith {
 /// Added to squared lengths, so that nodes at one place have a direction [m^2].
 inline constexpr float kLeastSquaredLength = 1e-12f;
 
-/// What the springs of W figures do in a substep.
-template <int W>
-struct SpringPulls {
-  using F = typename Lane<W>::F;
-  std::array<F, kMaxSprings> along_x, along_y;  // unit vectors from their first nodes to their second
-  std::array<F, kMaxSprings> impulse;           // positive pulls the nodes together [N s]
-};
-
-/// Gives both nodes of a spring an impulse along it [N s].
-template <int W>
-[[gnu::always_inline]] inline void PullTogether(const Lattice& body, const SpringPulls<W>& pulls,
-                                                std::size_t spring, const typename Lane<W>::F& impulse,
-                                                LatticeState<W>& s) {
-  const std::size_t a = body.link[spring].from, b = body.link[spring].to;
-  const auto impulse_x = impulse * pulls.along_x[spring], impulse_y = impulse * pulls.along_y[spring];
-  s.velocity_x[a] += impulse_x * body.inverse_kg[a];
-  s.velocity_y[a] += impulse_y * body.inverse_kg[a];
-  s.velocity_x[b] -= impulse_x * body.inverse_kg[b];
-  s.velocity_y[b] -= impulse_y * body.inverse_kg[b];
-}
-
-/// Lets a spring's speed decay for half a substep.
-template <int W>
-[[gnu::always_inline]] inline void DampSpring(const Lattice& body, const LatticeWorld& world,
-                                              const SpringPulls<W>& pulls, std::size_t spring,
-                                              LatticeState<W>& s) {
-  const std::size_t a = body.link[spring].from, b = body.link[spring].to;
-  const auto speed = (s.velocity_x[b] - s.velocity_x[a]) * pulls.along_x[spring] +
-                     (s.velocity_y[b] - s.velocity_y[a]) * pulls.along_y[spring];
-  PullTogether<W>(body, pulls, spring, world.damping_kg[spring] * speed, s);
-}
-
-/// Damps the springs' speeds, then gives the nodes the impulses of all springs in one substep.
+/// Gives the nodes the impulses of all springs in one substep.
 /// @param share  of the substep that muscles' work counts now: half at the ends of a step, for the
 /// trapezoidal rule
 /// @return greatest stretch: length over drawn length
@@ -62,14 +30,14 @@ template <int W>
   using L = Lane<W>;
   using F = typename L::F;
   F stretch{};
-  SpringPulls<W> pulls;
+  typename LatticeState<W>::Points impulse_x{}, impulse_y{};
   for (std::size_t i = 0; i < body.links; ++i) {
     const Lattice::Link& link = body.link[i];
-    const F x = s.x[link.to] - s.x[link.from], y = s.y[link.to] - s.y[link.from];
+    const std::size_t a = link.from, b = link.to;
+    const F x = s.x[b] - s.x[a], y = s.y[b] - s.y[a];
     const F length = L::Sqrt((x * x + y * y) + kLeastSquaredLength);
     const F inverse = 1.0f / length;
-    pulls.along_x[i] = x * inverse;
-    pulls.along_y[i] = y * inverse;
+    const F along_x = x * inverse, along_y = y * inverse;
     stretch = L::Max(length * (1.0f / link.drawn_m), stretch);
     F beyond;  // its rest
     if (link.muscle < 0) {
@@ -79,11 +47,19 @@ template <int W>
       beyond = length - link.drawn_m * s.rest[j];
       s.pulled_m[j] += share * beyond;
     }
-    pulls.impulse[i] = world.stiffness_ns[i] * beyond;
-    DampSpring<W>(body, world, pulls, i, s);
+    const F speed =
+        (s.velocity_x[b] - s.velocity_x[a]) * along_x + (s.velocity_y[b] - s.velocity_y[a]) * along_y;
+    const F impulse = world.stiffness_ns[i] * beyond + world.damping_kg[i] * speed;
+    const F pull_x = impulse * along_x, pull_y = impulse * along_y;
+    impulse_x[a] += pull_x;
+    impulse_y[a] += pull_y;
+    impulse_x[b] -= pull_x;
+    impulse_y[b] -= pull_y;
   }
-  for (std::size_t i = body.links; i-- > 0;) DampSpring<W>(body, world, pulls, i, s);
-  for (std::size_t i = 0; i < body.links; ++i) PullTogether<W>(body, pulls, i, pulls.impulse[i], s);
+  for (std::size_t k = 0; k < body.nodes; ++k) {
+    s.velocity_x[k] += impulse_x[k] * body.inverse_kg[k];
+    s.velocity_y[k] += impulse_y[k] * body.inverse_kg[k];
+  }
   return stretch;
 }
 

@@ -221,7 +221,7 @@ class SpringPlant {
       s_.work_j[j] = (-link.stiffness_npm * link.drawn_m * world_.substep_share) * s_.rest_change[j] * beyond;
     }
     MeasureTurn<W>(body_, s_);
-    JudgeLattice<W>(body_, terrain_, stretch, before, s_);
+    JudgeLattice<W>(body_, terrain_, stretch, (way + rise) + (speed_x + speed_y), before, s_);
   }
 
   /// Heights above drawn ground right below.

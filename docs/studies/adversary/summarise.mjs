@@ -1,6 +1,6 @@
 // The worst that the adversary has found of each law, world by world, as the tables of docs/physics.md.
-//   node docs/studies/adversary/summarise.mjs [limited]
-// limited: of model 2
+//   node docs/studies/adversary/summarise.mjs [limited|springs]
+// limited: of model 2; springs: of model 3
 import { readFile } from 'node:fs/promises';
 
 const rows = (await readFile(new URL(`${process.argv[2] ?? '.'}/found.csv`, import.meta.url), 'utf8')).trim().split('\n').slice(1).map((row) => row.split(','));

@@ -199,8 +199,6 @@ TEST_CASE("springs: the mirror image of a controller does to the left what it do
   CHECK(image->name == "Random, mirrored");
   Document mirrored = document;
   mirrored.controllers = {*image};
-  // Springs are damped one after another, now from the first and now from the last, so that no side is
-  // favoured.
   const Motion motion = Simulate(document), other = Simulate(mirrored);
   double furthest = 0.0;
   for (int frame = 0; frame <= 40; ++frame)

@@ -168,16 +168,21 @@ TEST_CASE("springs: drawn ground that is level moves a figure as level ground do
   }
 }
 
-TEST_CASE("springs: a node that lands on drawn ground slides as Coulomb says", "[core][springs]") {
-  const Terrain level(std::vector<Corner>{{-5.0f, 0.0f}, {5.0f, 0.0f}});
+TEST_CASE("springs: a node that lands on drawn ground slides as Coulomb says, also on a corner",
+          "[core][springs]") {
+  const Terrain level(std::vector<Corner>{{-5.0f, 0.0f}, {0.0f, 0.0f}, {5.0f, 0.0f}});
+  const auto h = static_cast<double>(kStep / 4.0f);
+  const double friction = GENERATE(0.0, 0.5);
   RandomStream random(5, 3, 0);
-  for (int i = 0; i < 2000; ++i) {
-    const double y = 0.01 * random.Uniform(), vx = random.Normal(), vy = -2.0 - random.Uniform();
-    NodePath path(0.0, y, vx, vy, 0.005);
-    path.Meet(level, 0.5, 0.3);
+  for (int i = 0; i < 5000; ++i) {
+    const double y = 2.0 * h * random.Uniform(), vx = random.Normal(), vy = -2.0 - random.Uniform();
+    const double x =
+        i % 2 == 0 ? 1.0 : vx * y / vy;  // in the middle of a face, or so that it lands on the corner
+    NodePath path(x, y, vx, vy, h);
+    path.Meet(level, friction, 0.3);
     REQUIRE(path.touches);
     CHECK(path.Y() == Approx(0.0).margin(1e-15));
-    const double slowed = std::max(std::abs(vx) - 0.5 * path.normal_y / 0.3, 0.0);
+    const double slowed = std::max(std::abs(vx) - friction * path.normal_y / 0.3, 0.0);
     CHECK(std::abs(path.SpeedX()) == Approx(slowed).margin(1e-12));
   }
 }
@@ -193,6 +198,18 @@ TEST_CASE("springs: a figure that is torn apart is void, and its numbers stay fi
   CHECK(std::isfinite(plant.Observe(0).y_m));
   CHECK(std::isfinite(plant.Observe(0).turn_rad));
   for (std::size_t j = 0; j < body.muscles; ++j) CHECK(std::isfinite(plant.Read().position[j][0]));
+}
+
+TEST_CASE("springs: a motion whose numbers are not finite is void and rests", "[core][springs]") {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const Lattice body(Box());
+  SpringPlant<1> plant(body, {}, {}, kStep);
+  plant.Step(0, AllAt(1.0f));
+  plant.Give({0, 1, nan, 0.0f});
+  for (int step = 1; step < 20; ++step) plant.Step(step, AllAt(1.0f));
+  CHECK(plant.TermsOf(0).broke_physics);
+  CHECK(std::isfinite(plant.Observe(0).x_m));
+  for (int k = 0; k < 4; ++k) CHECK(std::isfinite(plant.ContactPoint(k, 0)[0]));
 }
 
 TEST_CASE("springs: lanes have the bits of figures alone, and a saved state goes on with its bits",
@@ -217,7 +234,11 @@ TEST_CASE("springs: lanes have the bits of figures alone, and a saved state goes
         all.decay[j][at] = each[lane].decay[j][0];
         all.inverse_tau[j][at] = each[lane].inverse_tau[j][0];
       }
-      if (step == 150 && lane == 2) ones[lane].Restore(saved);
+      if (step == 150 && lane == 2) {
+        // What was saved goes on in a plant that went elsewhere in between.
+        for (int more = 0; more < 20; ++more) ones[lane].Step(step, each[0]);
+        ones[lane].Restore(saved);
+      }
       ones[lane].Step(step, each[lane]);
       ones[lane].AddTo(alone[lane], 0);
     }
@@ -227,6 +248,19 @@ TEST_CASE("springs: lanes have the bits of figures alone, and a saved state goes
   }
   for (std::size_t lane = 0; lane < 4; ++lane) CHECK(together[lane].Value() == alone[lane].Value());
   CHECK(together[0].Value() != together[1].Value());
+}
+
+TEST_CASE("springs: a symmetric figure that moves symmetrically goes to no side, however it is damped",
+          "[core][springs]") {
+  const float damping = GENERATE(4.0f, 100.0f, 1000.0f);
+  const Lattice body(Table(2000.0f, damping));
+  SpringPlant<1> plant(body, {}, {}, kStep);
+  double furthest = 0.0;
+  for (int step = 0; step < 200; ++step) {
+    plant.Step(step, AllAt(step / 20 % 2 == 0 ? 0.7f : 1.2f));
+    furthest = std::max(furthest, std::abs(plant.Observe(0).x_m));
+  }
+  CHECK(furthest < 1e-4);
 }
 
 TEST_CASE("springs: a mirrored figure moves as its mirror image, bit for bit", "[core][springs]") {
