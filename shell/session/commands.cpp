@@ -85,7 +85,9 @@ void AddSearch(std::vector<Command>& list, Session& session) {
        .run = [&session, paused] { paused ? session.Search().Resume() : session.Search().Pause(); }});
   list.push_back({.id = "search/robust",
                   .group = TrLater("Search"),
-                  .title = Tr("Make it robust: limited joints, five worlds"),
+                  .title = session.Doc().figure.HasSprings()
+                               ? Tr("Make it robust: five worlds")
+                               : Tr("Make it robust: limited joints, five worlds"),
                   .why_not = busy ? Tr("A search or the lab is running.") : "",
                   .run = [&session] {
                     if (session.Set([](Document& d) {

@@ -177,8 +177,8 @@ bool TimelineEditor::InsertFound(const std::string& id, std::optional<int> wante
   const Document other = entry->motion.document;
   const std::string name = entry->motion.name;
   if (!SameTree(other.figure, workspace_.Doc().figure)) {
-    workspace_.Say(Tr("Not possible: this controller was found for another figure, {1}.",
-                      TrTitle(other.figure.name)));
+    workspace_.Say(
+        Tr("Not possible: this controller was found for another figure, {1}.", TrTitle(other.figure.name)));
     return false;
   }
   const auto before = workspace_.Doc().timeline.size();

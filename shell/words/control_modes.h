@@ -48,8 +48,8 @@ inline constexpr std::array<ControlModeRow, 5> kControlModes = {{
      TrLater("network"), TrLater("network"), TrLater("a network of {1} hidden node"),
      TrLater("a network of {1} hidden nodes")},
     {ControlMode::kCurves, ControllerKind::kTrajectory, SenseKind::kTimer, "trajectory", TrLater("Curves"),
-     TrLater("A trajectory: each joint aims at a curve over time and senses nothing."), TrLater("Knots"),
-     TrLater("trajectory"), TrLater("trajectory"), TrLater("a trajectory of {1} knot"),
+     TrLater("A trajectory: each joint or muscle aims at a curve over time and senses nothing."),
+     TrLater("Knots"), TrLater("trajectory"), TrLater("trajectory"), TrLater("a trajectory of {1} knot"),
      TrLater("a trajectory of {1} knots")},
 }};
 
