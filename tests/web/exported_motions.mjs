@@ -51,7 +51,7 @@ export class ExportedMotions {
   eachOfSprings(check) {
     const whole = this.engine.motion(this.bytesOf(this.springs)), loop = this.engine.loop(this.bytesOf(this.springs));
     check(whole, 'springs');
-    check(loop, 'a loop of springs');
+    check(loop, 'a loop');
     whole.close();
     loop.close();
   }
