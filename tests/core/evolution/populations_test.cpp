@@ -95,6 +95,7 @@ TEST_CASE("differential evolution: without weight and mixing, rivals are members
   const std::vector<Genome> first = search->Ask(100);
   REQUIRE(first.size() == 20);
   std::vector<float> fitness;
+  fitness.reserve(first.size());
   for (const Genome& genome : first) fitness.push_back(Sphere(genome));
   search->Tell(fitness);
   const std::vector<Genome> rivals = search->Ask(100);

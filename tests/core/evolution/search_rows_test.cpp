@@ -22,9 +22,9 @@ TEST_CASE("searches beside another library's: rows come out as they were written
     for (std::uint32_t seed = 1; seed <= kSearchTrials; ++seed) reached.push_back(row.Reached(seed));
     std::ranges::sort(reached);
     char text[200];
-    std::snprintf(text, sizeof text, "\n%s,%s,%d,%d,%d,%d,%.9g,", row.search.data(), row.function.data(),
-                  row.numbers, row.population, (row.generations + 1) * row.population, kSearchTrials,
-                  reached[kSearchTrials / 2]);
+    std::snprintf(text, sizeof text, "\n%s,%s,%d,%d,%d,%d,%.9g,", std::string(row.search).c_str(),
+                  std::string(row.function).c_str(), row.numbers, row.population,
+                  (row.generations + 1) * row.population, kSearchTrials, reached[kSearchTrials / 2]);
     CAPTURE(std::string(text));
     CHECK(all.find(text) != std::string::npos);
     ++compared;
