@@ -6,10 +6,10 @@
 //
 // Why damping gives no energy, however strong (LatticeWorld limits it): let D v be the velocities after
 // damping alone, A stiffness over mass times the squared substep, u the way of a substep, and products
-// weighted by masses. Then u' = D u - A x, and V = (u, (1 + D) u) / 2 + (x - u, A x), which is twice an
-// energy, changes by
-// -(u + u', (1 - D)(u + u')) / 2. D is symmetric and within [0, 1], so V never grows, and it is positive as
-// substeps are so short that A <= 1. This holds for small vibrations of springs that are not under pressure.
+// weighted by masses. Then u' = D u - A x. V = (u, (1 + D) u) / 2 + (x - u, A x) is an energy but for a
+// factor, and changes by -(u + u', (1 - D)(u + u')) / 2. D is symmetric and within [0, 1], so V never grows,
+// and it is positive as substeps are so short that A <= 1. This holds for small vibrations of springs that
+// are not under pressure.
 #pragma once
 
 #include "core/springs/lattice_state.h"

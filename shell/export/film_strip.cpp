@@ -14,7 +14,6 @@
 #include "shell/export/film_strip_layout.h"
 #include "shell/export/number_text.h"
 #include "shell/export/picture_colours.h"
-#include "shell/export/rule_colours.h"
 #include "shell/export/xml_text.h"
 
 namespace gaitsmith::shell {

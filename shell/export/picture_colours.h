@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Colours of exported pictures that move, 0xrrggbb: those of the page's light and dark theme
-// (web/page/style.css).
+// Colours of exported pictures, 0xrrggbb: those of the page's light and dark theme (web/page/style.css), and
+// the ten of rules and controllers, which the window has, too.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -24,6 +25,14 @@ inline constexpr PictureColour kLineColour{"line", 0x5b6672, 0x98a2ad};
 
 inline constexpr std::array kPictureColours = {kPaperColour, kGroundColour, kInkColour, kFarColour,
                                                kLineColour};
+
+/// RuleColour in theme.h documents the choice.
+inline constexpr std::array<unsigned, 10> kRuleColours = {0x2092ea, 0xdd8a53, 0x106c6f, 0x61459b, 0xeb54a9,
+                                                          0xb4af0f, 0x8cb58f, 0x804538, 0x5b47e0, 0x71630f};
+
+[[nodiscard]] constexpr unsigned RuleColourHex(int rule) {
+  return kRuleColours[static_cast<std::size_t>(rule) % kRuleColours.size()];
+}
 
 [[nodiscard]] inline std::string HexColour(unsigned colour) {
   char text[8];

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/rollout/task.h"
-#include "shell/export/rule_colours.h"
+#include "shell/export/picture_colours.h"
 
 namespace gaitsmith::shell {
 namespace {
