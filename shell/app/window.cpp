@@ -95,7 +95,8 @@ float Window::Density() const {
 // Rasterises the fonts again after a change of display or of the browser's zoom.
 void Window::FollowDensity() {
   const float density = Density();
-  if (std::abs(density - theme_.density) < 0.004f) return;
+  // A canvas of one point may have no pixel, and letters of no pixels have no width.
+  if (density <= 0.0f || std::abs(density - theme_.density) < 0.004f) return;
   RasteriseType(density);
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();

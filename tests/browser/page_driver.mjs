@@ -54,7 +54,7 @@ export class PageDriver {
         complaints.push(`console: ${message.text()}`);
       }
     });
-    page.on('pageerror', (error) => complaints.push(`uncaught: ${error}`));
+    page.on('pageerror', (error) => complaints.push(`uncaught: ${/** @type {Error} */ (error).stack ?? error}`));
     // Leaving a page, or ending a worker while its module comes, cancels requests. Firefox does not always name that as the reason.
     const visits = new WeakMap();
     page.on('request', (request) => visits.set(request, driver.visit));

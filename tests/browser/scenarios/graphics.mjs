@@ -44,5 +44,32 @@ async function framesMakeNothing({ browser, address }) {
   await page.close();
 }
 
-/** @type {[string, (visit: Visit) => Promise<void>][]} */
-export const GRAPHICS_SCENARIOS = [['frames make nothing in WebGL that stays', framesMakeNothing]];
+/**
+ * A canvas of one point has no pixel here, where two points are one. Letters of no pixels have no width, and the mirror no
+ * rectangles.
+ * @param {Visit} visit
+ */
+async function pointStays({ browser, address }) {
+  const page = await PageDriver.open(browser, address);
+  await page.click('panels/3'); // on a low canvas the panel would cover the stage
+  const before = await page.widgets();
+  const resize = (/** @type {string} */ size) => page.page.evaluate((length) => {
+    Object.assign(/** @type {HTMLElement} */ (document.querySelector('canvas')).style, { width: length, height: length });
+  }, size);
+  await resize('1px');
+  await page.until('a canvas of one point', () => document.querySelector('canvas')?.width === 0);
+  await page.frames(12);
+  await page.until('a mirror of a phone', () => document.querySelector('#mirror [aria-label="Stage"]') === null);
+  await resize('');
+  await page.until('the whole canvas', () => (document.querySelector('canvas')?.width ?? 0) > 100);
+  await page.frames(12);
+  assert.deepEqual((await page.widgets()).map(({ id, rect }) => ({ id, rect })), before.map(({ id, rect }) => ({ id, rect })));
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
+/** @type {import('./all.mjs').Scenario[]} */
+export const GRAPHICS_SCENARIOS = [
+  ['frames make nothing in WebGL that stays', framesMakeNothing],
+  ['a canvas of one point leaves the page as it was', pointStays, 'Chromium'],
+];
