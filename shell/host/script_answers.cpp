@@ -83,7 +83,7 @@ std::string MeasuresJson(const Session& session) {
   add("distance", Tr("Distance"), "m", 2, std::abs(terms.travel_m));
   add("travel", Tr("Travel to the right"), "m", 2, terms.travel_m);
   for (std::size_t i = 0; i < static_cast<std::size_t>(kStyleTerms); ++i) {
-    const TermWords& words = TermTexts()[i];
+    const TermWords words = TermTextFor(session.Doc().figure, i);
     add(kStyleTermNames[i], Tr(words.label), *words.unit == '\0' ? "" : Tr(words.unit), words.decimals,
         terms.Style(static_cast<StyleTerm>(i)));
   }

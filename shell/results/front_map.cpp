@@ -24,8 +24,9 @@ std::optional<FrontMap> FrontMap::Of(const Document& searched, std::span<const s
 std::string FrontMap::Title() const { return SearchTitle(searched_) + ", " + SearchLine(searched_); }
 
 std::string FrontMap::CostName() const {
-  return searched_.search.cost == Cost::kEffort ? Tr("Effort, radians a second and joint")
-                                                : Tr("Slip, sizes of the figure a second");
+  if (searched_.search.cost == Cost::kSlip) return Tr("Slip, sizes of the figure a second");
+  return searched_.figure.HasSprings() ? Tr("Effort, lengths a second and muscle")
+                                       : Tr("Effort, radians a second and joint");
 }
 
 std::string FrontMap::Name(std::size_t i) const { return std::to_string(sum_) + "/" + std::to_string(i); }

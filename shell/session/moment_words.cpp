@@ -115,7 +115,7 @@ std::string DescriptionOf(const Session& session) {
   } else {
     words += std::string(" ") + Tr("The figure has no controller yet. A search finds one.");
   }
-  words += " " + ScoreWords(d.task, player.TermsNow());
+  words += " " + ScoreWords(d, player.TermsNow());
   if (const Playback* other =
           session.Comparison().Other().Beside() ? session.Comparison().Other().Player() : nullptr) {
     const Terms& terms = other->Shown().TermsAt(std::min(frame, other->Shown().Frames() - 1));

@@ -40,6 +40,19 @@ const std::array<TermWords, kStyleTerms>& TermTexts() {
   return kTexts;
 }
 
+TermWords TermTextFor(const Figure& figure, std::size_t term) {
+  TermWords words = TermTexts()[term];
+  if (!figure.HasSprings()) return words;
+  if (term == static_cast<std::size_t>(StyleTerm::kEffort)) {
+    words.unit = TrLater("lengths");
+    words.per = TrLater("per length");
+  } else if (term == static_cast<std::size_t>(StyleTerm::kSmoothness)) {
+    words.unit = TrLater("lengths/s²");
+    words.per = TrLater("per length/s²");
+  }
+  return words;
+}
+
 std::string AmountText(float amount, int decimals) {
   const float size = std::abs(amount);
   return Fixed(amount, size >= 10'000.0f ? 0 : size >= 1000.0f ? std::min(decimals, 1) : decimals);
@@ -108,13 +121,14 @@ std::string TermsLine(const Terms& terms) {
             AmountText(terms.rotations, 2));
 }
 
-std::string ScoreWords(const Task& task, const Terms& terms) {
+std::string ScoreWords(const Document& document, const Terms& terms) {
+  const Task& task = document.task;
   const float fitness = Fitness(task, terms);
   if (fitness <= kVoidScore) return Tr("No score: the simulation failed.");
   std::string sum, rest;
   for (std::size_t i = 0; i < kStyleTerms; ++i) {
     if (!CanMeasure(task, static_cast<StyleTerm>(i))) continue;
-    const TermWords& words = TermTexts()[i];
+    const TermWords words = TermTextFor(document.figure, i);
     const float value = terms.Style(static_cast<StyleTerm>(i));
     const float weight = task.weights[i];
     const std::string measured = std::string(Tr(words.word)) + " " + ValueText(words, value);

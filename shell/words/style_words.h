@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "core/rollout/task.h"
+#include "core/document/document.h"
 
 namespace gaitsmith::shell {
 
@@ -19,8 +19,10 @@ struct TermWords {
   int decimals;       // of the measured value
 };
 
-/// In the order of StyleTerm.
+/// In the order of StyleTerm, with the units of joints.
 [[nodiscard]] const std::array<TermWords, kStyleTerms>& TermTexts();
+/// Muscles move in drawn lengths, not in radians. @param term  below kStyleTerms
+[[nodiscard]] TermWords TermTextFor(const Figure&, std::size_t term);
 
 /// A number with at most this many decimals: large numbers have fewer, to fit into a column.
 [[nodiscard]] std::string AmountText(float amount, int decimals);
@@ -43,6 +45,6 @@ struct TermWords {
 
 /// The score as a sum in words, for screen readers: "Score 28.76: travel 18.33 m; slip 20.86 m times 0.5 adds
 /// 10.43. Not weighed: height 0.97 m, ...".
-[[nodiscard]] std::string ScoreWords(const Task&, const Terms&);
+[[nodiscard]] std::string ScoreWords(const Document&, const Terms&);
 
 }  // namespace gaitsmith::shell

@@ -174,7 +174,7 @@ CardAction DrawFoundCard(Ui& ui, const Session& session, const FoundMotions::Ent
   std::string spoken;
   if (seen) {
     spoken = LineOf(found, true) + ". " +
-             (found.Moves() ? ScoreWords(found.document.task, found.terms) : Tr("The search failed."));
+             (found.Moves() ? ScoreWords(found.document, found.terms) : Tr("The search failed."));
   }
   const ImRect upper(card.Min, {card.Max.x, card.Max.y - buttons - 4.0f});
   const Touch touch = ui.Area(

@@ -91,7 +91,7 @@ void DrawMeasures(Ui& ui, const Session& session) {
   for (std::size_t i = 0; i < kStyleTerms; ++i) {
     if (!CanMeasure(session.Doc().task, static_cast<StyleTerm>(i))) continue;
     if (i >= kPaperTerms && session.Doc().task.weights[i] == 0.0f) continue;
-    const TermWords& words = TermTexts()[i];
+    const TermWords words = TermTextFor(session.Doc().figure, i);
     ui.Fact(Tr(words.label), ValueText(words, terms.Style(static_cast<StyleTerm>(i))));
   }
 }
@@ -107,14 +107,14 @@ void DrawScore(Ui& ui, const Session& session) {
   // The whole sum as one note for screen readers.
   ImGui::PushItemFlag(ImGuiItemFlags_NoNav | ImGuiItemFlags_NoTabStop, true);
   ui.Area("style/score", table.Whole(), Grab::kNothing,
-          {.label = Tr("Score so far"), .role = "note", .value = ScoreWords(task, terms)});
+          {.label = Tr("Score so far"), .role = "note", .value = ScoreWords(session.Doc(), terms)});
   ImGui::PopItemFlag();
   table.Head();
   const float primary = Primary(task, terms);
   table.Line(PrimaryLabel(task.kind), AmountText(primary, 2) + " m", "", AmountText(primary, 2));
   for (std::size_t i = 0; i < kStyleTerms; ++i) {
     if (!CanMeasure(task, static_cast<StyleTerm>(i))) continue;
-    const TermWords& words = TermTexts()[i];
+    const TermWords words = TermTextFor(session.Doc().figure, i);
     const float value = terms.Style(static_cast<StyleTerm>(i));
     const float weight = task.weights[i];
     const bool weighed = weight != 0.0f;
@@ -150,7 +150,7 @@ void DrawSliders(Ui& ui, Session& session, std::size_t first, std::size_t end) {
   const StyleWeights usual = UsualWeights(session.Doc()), gentle = GentleWeights(session.Doc());
   for (std::size_t i = first; i < end; ++i) {
     if (!CanMeasure(task, static_cast<StyleTerm>(i))) continue;
-    const TermWords& words = TermTexts()[i];
+    const TermWords words = TermTextFor(session.Doc().figure, i);
     const auto unit = static_cast<double>(usual[i]);
     double units = static_cast<double>(task.weights[i]) / unit;
     if (ui.Slider(words.id, Tr(words.label), units, {.low = -kMaxUnits, .high = kMaxUnits, .step = kUnitStep},
