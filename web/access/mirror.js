@@ -168,7 +168,7 @@ export class Mirror {
   /** Gives each group one stop: the focused element, else the selected one, else the first. */
   #rove() {
     for (const { node, widget } of this.#reflections.values()) {
-      if (!takesKeyboard(widget) || isBesideNumber(widget)) {
+      if (!takesKeyboard(widget) || isBesideNumber(widget, (id) => this.#reflections.get(id)?.widget)) {
         if (node.hasAttribute('tabindex') || node.tabIndex === 0) node.tabIndex = -1;
         continue;
       }

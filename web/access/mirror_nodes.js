@@ -39,8 +39,14 @@ export function takesKeyboard({ id, role }) {
   return BUTTONS.has(role) || role === 'slider' || isNumber(role) || id === 'stage';
 }
 
-/** Whether it is a button beside a number. Tab skips these, because arrow keys on the number do the same. @param {MirrorWidget} widget */
-export const isBesideNumber = ({ id, role }) => role === 'button' && /\/(less|more)$/.test(id);
+/**
+ * Whether it is a button beside a number. Tab skips these, because arrow keys on the number do the same.
+ * @param {MirrorWidget} widget @param {(id: string) => MirrorWidget | undefined} find
+ */
+export function isBesideNumber({ id, role }, find) {
+  const number = role === 'button' ? /^(.+)\/(?:less|more)$/.exec(id)?.[1] : undefined;
+  return number !== undefined && isNumber(find(number)?.role ?? '');
+}
 
 /** @param {MirrorWidget} widget @returns {HTMLElement} */
 export function nodeFor(widget) {

@@ -87,6 +87,23 @@ async function equal({ browser, address, name }) {
   await page.close();
 }
 
+/** Tab reaches every figure of the first screen, and the door to all others. @param {Visit} visit */
+async function firstScreen({ browser, address }) {
+  const page = await PageDriver.open(browser, address, { newcomer: true });
+  await page.page.focus('#describe');
+  const stops = /** @type {string[]} */ ([]);
+  for (let i = 0; i < 40 && stops.at(-1) !== 'panel/split'; i++) {
+    await page.press('Tab');
+    stops.push(await active(page));
+  }
+  assert.ok(stops.includes('figures/draw') && stops.includes('figures/more'), `${stops}`);
+  await page.page.focus('[data-id="figures/more"]');
+  await page.press('Enter');
+  await page.until('all figures', () => document.querySelectorAll('#mirror [data-id^="figure/gallery/"]').length >= 24);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+}
+
 /** @param {Visit} visit */
 async function oneOrder({ browser, address }) {
   const page = await PageDriver.open(browser, address);
@@ -108,7 +125,7 @@ async function oneOrder({ browser, address }) {
   }
   assert.ok(forwards.length < 80, 'Tab does not come to the end of the canvas');
   assert.equal(new Set(forwards).size, forwards.length, `a stop twice: ${forwards}`);
-  assert.ok(forwards.includes('view/forces') && forwards[0] === 'stage', `${forwards}`);
+  assert.ok(['view/forces', 'stage/more'].every((id) => forwards.includes(id)) && forwards[0] === 'stage', `${forwards}`);
   const backwards = [];
   await page.page.focus('footer');
   for (let i = 0; i <= forwards.length && backwards.at(-1) !== 'describe'; i++) {
@@ -254,6 +271,7 @@ function timeMirror() {
 /** @type {[string, (visit: Visit) => Promise<void>][]} */
 export const MIRROR_SCENARIOS = [
   ['the mirror has every widget of every panel, with role, name, value, state and place', equal],
+  ['Tab reaches the door to all figures', firstScreen],
   ['there is one Tab order, which shows on the canvas, scrolls, and ends', oneOrder],
   ['what happens is said in words, at a pace to listen to', saidInWords],
   ['reduced motion starts paused', stillness],
