@@ -56,10 +56,14 @@ std::string ContactWords(const Motion& motion, int frame) {
     if (std::hypot(force.x, force.y) >= kMin * weight) touching.push_back(std::to_string(k + 1));
   }
   if (touching.empty()) return std::string(" ") + Tr("Nothing touches the ground.");
-  if (touching.size() == 1) return " " + Tr("Endpoint {1} touches the ground.", touching.front());
+  const bool nodes = motion.Connections().muscles;
+  if (touching.size() == 1)
+    return " " +
+           Tr(nodes ? "Node {1} touches the ground." : "Endpoint {1} touches the ground.", touching.front());
   std::string words;
   for (std::size_t i = 0; i + 1 < touching.size(); ++i) words += (i == 0 ? "" : ", ") + touching[i];
-  return " " + Tr("Endpoints {1} and {2} touch the ground.", words, touching.back());
+  return " " + Tr(nodes ? "Nodes {1} and {2} touch the ground." : "Endpoints {1} and {2} touch the ground.",
+                  words, touching.back());
 }
 
 // " Joints 2 and 5 are at their greatest torque.", or nothing.

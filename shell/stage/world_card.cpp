@@ -21,8 +21,9 @@ constexpr float kWidth = 290.0f;
 constexpr float kButtonWidth = 78.0f;
 constexpr double kDegree = kPi / 180.0;
 
-std::string NameOfEndpoint(int endpoint) {
-  return endpoint == kCentreOfMass ? Tr("centre of mass") : Tr("endpoint {1}", endpoint + 1);
+std::string NameOfPlace(const Motion& motion, int endpoint) {
+  if (endpoint == kCentreOfMass) return Tr("centre of mass");
+  return Tr(motion.Connections().muscles ? "Node {1}" : "endpoint {1}", endpoint + 1);
 }
 
 void DrawSlopeAndGravity(Ui& ui, Session& session) {
@@ -109,13 +110,14 @@ void DrawJoints(Ui& ui, Session& session) {
 void DrawPushes(Ui& ui, Session& session, WorldCardState& state) {
   const Motion& motion = session.Player().Shown();
   const int endpoints = motion.Connections().contacts;
+  const bool nodes = motion.Connections().muscles;
   ui.Heading(Tr("Push"));
-  ui.Paragraph(motion.Connections().muscles ? Tr("Pull at a node on the stage, or set it here.")
-                                            : Tr("Pull at a joint on the stage, or set it here."),
+  ui.Paragraph(nodes ? Tr("Pull at a node on the stage, or set it here.")
+                     : Tr("Pull at a joint on the stage, or set it here."),
                Type::kNote);
   ui.Gap(6.0f);
   std::vector<std::string> places = {Tr("Centre of mass")};
-  for (int k = 0; k < endpoints; ++k) places.push_back(Tr("Endpoint {1}", k + 1));
+  for (int k = 0; k < endpoints; ++k) places.push_back(Tr(nodes ? "Node {1}" : "Endpoint {1}", k + 1));
   state.endpoint = std::clamp(state.endpoint, 0, endpoints);
   ui.Combo("world/endpoint", Tr("Where"), places, state.endpoint);
   const double most = std::max(5.0, 8.0 * static_cast<double>(motion.Bones().mass_kg));
@@ -136,7 +138,7 @@ void DrawPushes(Ui& ui, Session& session, WorldCardState& state) {
     const ImRect row = ui.ControlRow();
     const std::string words = Fixed(static_cast<float>(push.step) * kStep, 2) + " s · " +
                               Fixed(std::hypot(push.impulse_x_ns, push.impulse_y_ns), 1) + " N s · " +
-                              NameOfEndpoint(push.endpoint);
+                              NameOfPlace(motion, push.endpoint);
     ui.Letters().DrawElided(ui.Canvas(), Type::kNote, {row.Min.x, row.GetCenter().y},
                             row.GetWidth() - row.GetHeight() - 4.0f, ui.Ink().second_ink, words);
     const ImRect button({row.Max.x - row.GetHeight(), row.Min.y}, row.Max);
